@@ -1,0 +1,71 @@
+// Certificate: one row per check, with what was compared, where it was worst, and why its tolerance
+// is what it is.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "elgen/diagnostic.hpp"
+#include "elgen/emitted_files.hpp"
+#include "elgen/model.hpp"
+#include "elgen/program.hpp"
+#include "elgen/scene.hpp"
+#include "elgen/toolchain.hpp"
+
+namespace elgen {
+
+enum class Verdict : std::uint8_t { holds, fails, skipped };
+
+struct CertificateRow {
+  std::string check;    ///< "program vs oracle", "mass matrix symmetric", "[[expect]] gravity"
+  std::string subject;  ///< output or entry
+  std::string formula;  ///< what was evaluated
+  std::size_t samples = 0;
+  std::string worst;      ///< the figure, with its unit: "2.1 u B"
+  std::string where;      ///< the state of the worst value, empty where nothing was sampled
+  std::string tolerance;  ///< the bound and its reason
+  Verdict verdict = Verdict::holds;
+};
+
+struct Certificate {
+  std::string model;
+  std::string scene;
+  std::uint64_t seed = 0;
+  std::vector<CertificateRow> rows = {};
+};
+
+struct VerifyOptions {
+  std::size_t samples = 256;  ///< states per output
+  bool quick = false;         ///< 16 states, no compiler
+  std::uint64_t seed = 1;
+};
+
+/// Compares oracle, program, and compiled code, and checks the structure of M, C and energies.
+/// `compiled` may be null (quick): its rows are then absent. Diagnostics: wrong [[expect]] with
+/// witness point.
+struct Verification {
+  Certificate certificate;
+  Diagnostics diagnostics;
+};
+[[nodiscard]] Verification verify(const Model& model, const Scene& scene, const Program& program,
+                                  const CompiledModel* compiled, const VerifyOptions& options);
+
+[[nodiscard]] bool holds(const Certificate& certificate);
+[[nodiscard]] std::string to_text(const Certificate& certificate);
+
+/// The check that precedes every write: every output projected on random rational vectors, as many
+/// states (2 … 32) as fit into `seconds`.
+struct SelfCheck {
+  std::size_t states = 0;
+  double worst = 0.0;  ///< largest error over the program's own bound, in u B
+  std::string failure =
+      {};  ///< empty when it holds; otherwise the output, the state and both values
+};
+[[nodiscard]] SelfCheck self_check(const Model& model, const Scene& scene, const Program& program,
+                                   double seconds);
+
+/// "checked 32 states against 60 digits: 2.1 uB (own bound)"
+[[nodiscard]] std::string receipt(const SelfCheck& result);
+
+}  // namespace elgen

@@ -1,0 +1,37 @@
+// The function table of the model language (functions.def), as an enumeration with its laws.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace elgen {
+
+enum class FunctionId : std::uint8_t {
+#define ELGEN_FUNCTION(name, arity, use, first, second) name,
+#include "elgen/functions.def"
+#undef ELGEN_FUNCTION
+};
+
+enum class FunctionUse : std::uint8_t { anywhere, forces };
+
+struct FunctionRow {
+  FunctionId id;
+  std::string_view name;
+  std::size_t arity;
+  FunctionUse use;
+};
+
+inline constexpr std::array function_table{
+#define ELGEN_FUNCTION(name, arity, use, first, second) \
+  FunctionRow{FunctionId::name, #name, arity, FunctionUse::use},
+#include "elgen/functions.def"
+#undef ELGEN_FUNCTION
+};
+
+[[nodiscard]] constexpr const FunctionRow& function_row(FunctionId id) {
+  return function_table[static_cast<std::size_t>(id)];
+}
+
+}  // namespace elgen

@@ -1,0 +1,125 @@
+// Lagrangian: T, V, D, Q over definitions; the owner of all symbols.
+//
+// A definition is a *small* GiNaC expression over leaves (q, v, a, u, t, parameters) and earlier
+// definitions. Nothing is ever substituted into one big expression: derivatives go through the list
+// by the chain rule, so their cost stays proportional to the cost of the energy itself.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "elgen/leaf_names.hpp"
+#include "elgen/model.hpp"
+
+namespace elgen {
+
+/// The leaves, in the order of declaration.
+struct Symbols {
+  std::vector<GiNaC::ex> parameters = {};
+  std::vector<GiNaC::ex> q = {};
+  std::vector<GiNaC::ex> v = {};
+  std::vector<GiNaC::ex> a = {};
+  std::vector<GiNaC::ex> u = {};
+  GiNaC::ex t = {};
+};
+
+enum class EntityKind : std::uint8_t {
+  definition,
+  prescribed,
+  point,
+  body,
+  coordinate,
+  energy,
+  force,
+  output
+};
+
+/// The entry of the model a definition came from.
+struct Entity {
+  EntityKind kind = EntityKind::energy;
+  std::uint32_t index = 0;
+};
+
+struct Definition {
+  GiNaC::ex symbol;
+  GiNaC::ex value;
+  std::string name;  ///< C++ identifier for a reader ("bob_x"), or empty
+  Entity origin;
+  std::vector<std::uint32_t> uses;  ///< indices of the definitions in `value`, ascending
+};
+
+struct ExpressionHash {
+  std::size_t operator()(const GiNaC::ex& e) const { return e.gethash(); }
+};
+struct ExpressionEqual {
+  bool operator()(const GiNaC::ex& a, const GiNaC::ex& b) const { return a.is_equal(b); }
+};
+template <class Value>
+using ExpressionMap = std::unordered_map<GiNaC::ex, Value, ExpressionHash, ExpressionEqual>;
+
+/// An ordered list of definitions; every value uses earlier ones only.
+struct Definitions {
+  std::vector<Definition> list = {};
+  ExpressionMap<std::uint32_t> index = {};  ///< symbol -> position in `list`
+  ExpressionMap<GiNaC::ex> known_values =
+      {};  ///< value -> symbol, so that one value is defined once
+};
+
+/// The symbol standing for `value`: `value` itself where it is a number, a symbol or a symbol's
+/// negative, the symbol of an equal definition where there is one, otherwise a new definition.
+GiNaC::ex define(Definitions& definitions, const GiNaC::ex& value, std::string name, Entity origin);
+
+/// A point with a mass: adds 1/2 m |dp/dt|^2 to T, and -m gravity.p to V.
+struct PointMass {
+  GiNaC::ex mass;
+  std::array<GiNaC::ex, 3> position;
+  Entity origin;
+  bool kinetic = true;  ///< false: weight only (its kinetic energy is written elsewhere)
+};
+
+/// A force F in world axes at p: generalized force (dp/dq)^T F.
+struct PointForce {
+  std::array<GiNaC::ex, 3> position;
+  std::array<GiNaC::ex, 3> force;
+};
+
+struct NamedOutput {
+  std::string name;
+  std::vector<GiNaC::ex> values;
+};
+
+struct Lagrangian {
+  Symbols symbols = {};
+  LeafNames leaves = {};
+  Definitions definitions = {};
+  std::vector<PointMass> masses = {};
+  std::optional<std::array<GiNaC::ex, 3>> gravity = {};
+  std::vector<GiNaC::ex> kinetic = {};      ///< further terms of T
+  std::vector<GiNaC::ex> potential = {};    ///< further terms of V
+  std::vector<GiNaC::ex> dissipation = {};  ///< terms of D
+  std::vector<GiNaC::ex> lagrangian =
+      {};  ///< terms of L where it is given whole; then the above are empty
+  std::vector<GiNaC::ex> forces = {};  ///< generalized force on each coordinate, inputs included
+  std::vector<PointForce> point_forces = {};
+  std::vector<NamedOutput> outputs = {};
+  bool quadratic = true;
+};
+
+/// Builds the Lagrangian of a checked model. E502: dot() of something that contains rates.
+[[nodiscard]] Result<Lagrangian> formulate(const Model& model);
+
+/// GiNaC's names for the kinked functions of forces; opaque, never differentiated.
+DECLARE_FUNCTION_1P(elgen_abs)
+DECLARE_FUNCTION_1P(elgen_sign)
+DECLARE_FUNCTION_2P(elgen_min)
+DECLARE_FUNCTION_2P(elgen_max)
+
+[[nodiscard]] std::string dump(const Lagrangian& lagrangian);
+
+}  // namespace elgen

@@ -1,0 +1,33 @@
+// Limits: what elgen refuses to grow beyond, each raised by `--limit NAME=VALUE`, listed by
+// `--limits`.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace elgen {
+
+struct Limits {
+  std::uint64_t file_bytes = 1U << 20U;
+  std::uint64_t expression_depth = 200;
+  std::uint64_t literal_digits = 400;
+  std::uint64_t decimal_exponent = 400;
+  std::uint64_t integer_power = 64;
+  std::uint64_t coordinates = 1024;
+  std::uint64_t definitions = 20'000;  ///< user definitions, points and bodies after repetition
+  std::uint64_t derived_nodes = 2'000'000;
+  std::uint64_t seconds = 60;  ///< processor time of one command on one model
+  std::uint64_t memory_mib = 1024;
+};
+
+struct LimitRow {
+  std::string_view name;
+  std::uint64_t Limits::*member;
+  std::string_view unit;
+  std::string_view doc;
+};
+
+[[nodiscard]] const std::vector<LimitRow>& limit_table();
+
+}  // namespace elgen

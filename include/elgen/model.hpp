@@ -1,0 +1,237 @@
+// Model: what a system is. Sizes applied, repetitions expanded, names resolved, units agreed,
+// constants exact.
+//
+// Expressions live in one arena (Model::expressions) and refer to each other, to coordinates,
+// parameters, definitions and points by index, so shared parts stay shared. Operands precede their
+// users.
+#pragma once
+
+#include <cln/rational.h>
+#include <cln/real.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "elgen/diagnostic.hpp"
+#include "elgen/functions.hpp"
+#include "elgen/source_text.hpp"
+#include "elgen/units.hpp"
+
+namespace elgen {
+
+using ExpressionId = std::uint32_t;
+
+enum class ExpressionKind : std::uint8_t {
+  number,  ///< number
+  pi,
+  time,             ///< t
+  coordinate,       ///< q[index]
+  rate,             ///< v[index]
+  acceleration,     ///< a[index]; in [[expect]] only
+  input,            ///< u[index]; in forces and [[expect]] only
+  parameter,        ///< parameters[index]
+  prescribed,       ///< prescribed[index], a function of t
+  definition,       ///< definitions[index]
+  point_component,  ///< points[index / 3].at[index % 3]
+  negate,           ///< -operands[0]
+  add,              ///< n-ary
+  multiply,         ///< n-ary
+  divide,           ///< operands[0] / operands[1]
+  power,            ///< operands[0] ^ number, rational exponent; sqrt is the power 1/2
+  function,         ///< function(operands…)
+  time_derivative,  ///< d/dt operands[0] along the motion: q -> v, v -> a, t -> 1
+};
+
+struct Expression {
+  ExpressionKind kind = ExpressionKind::number;
+  FunctionId function = FunctionId::sin;
+  std::uint32_t index = 0;
+  cln::cl_RA number = 0;
+  std::vector<ExpressionId> operands = {};
+  Span span = {};
+};
+
+struct Interval {
+  cln::cl_R low;
+  cln::cl_R high;
+};
+
+/// `name` is what the file says ("q[3]"), `identifier` the same as a C++ identifier ("q_3").
+struct Coordinate {
+  std::string name;
+  std::string identifier;
+  std::optional<Unit> unit = {};  ///< none: not checked
+  std::string unit_text = {};     ///< as written
+  std::optional<Interval> range = {};
+  std::optional<Interval> rate_range = {};
+  cln::cl_R start_value = 0;
+  cln::cl_R start_rate = 0;
+  std::optional<ExpressionId> armature = {};  ///< adds 1/2 J v^2 to T
+  std::optional<ExpressionId> singular = {};  ///< the chart breaks where this is zero
+  std::string latex = {};
+  std::string doc = {};
+  Span span = {};
+};
+
+enum class Assumption : std::uint8_t { none, positive, nonnegative };
+
+/// A scalar parameter, or one element of an array parameter.
+struct Parameter {
+  std::string name;         ///< "m" or "m[2]"
+  std::string identifier;   ///< "m" or "m_2"
+  std::uint32_t array = 0;  ///< index into Model::parameter_arrays
+  std::uint32_t element = 0;
+  cln::cl_R value = 0;  ///< exact rational where it is one, else a float of 100 decimal digits
+  Assumption assumption = Assumption::none;
+  std::optional<Unit> unit = {};
+};
+
+/// A parameter as declared: one number, or `size` of them.
+struct ParameterArray {
+  std::string name;
+  std::uint32_t first = 0;  ///< index into Model::parameters
+  std::uint32_t count = 1;
+  bool is_array = false;
+  std::string unit_text = {};
+  std::optional<Interval> range = {};  ///< [min, max]
+  std::string latex = {};
+  std::string doc = {};
+  Span span = {};
+};
+
+/// [define] and [[prescribed]]: a named expression.
+struct NamedExpression {
+  std::string name;
+  std::string identifier;
+  ExpressionId value = 0;
+  std::string latex = {};
+  std::string doc = {};
+  Span span = {};
+};
+
+/// A point with a mass adds 1/2 m v^2 to T and -m gravity.p to V.
+struct Point {
+  std::string name;
+  std::string identifier;
+  std::uint32_t dimension = 3;  ///< 2 or 3 components given; `at` is padded with 0
+  std::array<ExpressionId, 3> at{};
+  std::optional<ExpressionId> mass = {};
+  std::string doc = {};
+  Span span = {};
+};
+
+/// A body written in world coordinates: centre of mass, angular velocity in the axes of its
+/// inertia. T = 1/2 m v_com^2 + 1/2 w.I w (about the com), or 1/2 w.I w alone where the inertia is
+/// about the world origin, at which the body is then fixed. The com may be absent only without a
+/// mass.
+struct Body {
+  std::string name;
+  std::string identifier;
+  std::uint32_t dimension = 3;
+  std::array<ExpressionId, 3> com{};
+  std::optional<ExpressionId> mass = {};
+  std::vector<ExpressionId> inertia = {};  ///< {} | {Izz} planar | {xx yy zz xy xz yz}
+  std::vector<ExpressionId> spin = {};     ///< {} | {wz} planar | {wx wy wz}
+  bool inertia_about_origin = false;
+  std::string doc = {};
+  Span span = {};
+};
+
+struct Input {
+  std::string name;
+  std::string identifier;
+  std::optional<std::uint32_t> on = {};  ///< coordinate it acts on as a generalized force
+  std::optional<Interval> limits = {};
+  std::optional<Unit> unit = {};
+  std::string unit_text = {};
+  std::string doc = {};
+  Span span = {};
+};
+
+/// A generalized force on a coordinate, or a force in N at a point (opposite on `from`). Affine in
+/// the inputs.
+struct Force {
+  std::string name;
+  std::vector<ExpressionId> value = {};  ///< one, or the components at a point (padded to 3)
+  std::optional<std::uint32_t> coordinate = {};
+  std::optional<std::uint32_t> at = {};
+  std::optional<std::uint32_t> from = {};
+  Span span = {};
+};
+
+/// An [[output]]: its value, and with `jacobian` also d value/dq and the bias of its second rate.
+struct UserOutput {
+  std::string name;
+  std::vector<ExpressionId> values = {};
+  bool jacobian = false;
+  std::string doc = {};
+  Span span = {};
+};
+
+/// One [[expect]] line: the closed form of every entry of an output, row-major. Sized entries are
+/// expanded.
+struct Expectation {
+  std::string output;  ///< "mass_matrix", "forward_dynamics", a user output, or "conserved"
+  std::uint32_t rows = 0;
+  std::uint32_t columns = 0;
+  std::vector<ExpressionId> entries = {};
+  std::vector<Span> spans = {};  ///< of each entry, in the file
+  Span span = {};
+};
+
+/// The energies as given beside those of points and bodies.
+struct Energies {
+  std::optional<ExpressionId> T = {};
+  std::optional<ExpressionId> V = {};
+  std::optional<ExpressionId> D = {};
+  std::optional<ExpressionId> L = {};
+};
+
+struct Model {
+  SourcePointer source = {};
+  SourcePointer scene_source = {};  ///< keeps spans of sizes and options alive
+  std::vector<SourcePointer> option_sources = {};
+  std::string name;
+  std::string title = {};
+  std::string description = {};
+  std::string reference = {};
+
+  std::vector<Expression> expressions = {};
+  std::vector<Coordinate> coordinates = {};
+  std::vector<Parameter> parameters = {};
+  std::vector<ParameterArray> parameter_arrays = {};
+  std::vector<NamedExpression> prescribed = {};
+  std::vector<NamedExpression> definitions = {};  ///< in file order; acyclic
+  std::vector<Point> points = {};
+  std::vector<Body> bodies = {};
+  std::optional<std::array<ExpressionId, 3>> gravity = {};
+  Energies energies = {};
+  std::vector<Input> inputs = {};
+  std::vector<Force> forces = {};
+  std::vector<UserOutput> outputs = {};
+  std::vector<Expectation> expectations = {};
+
+  bool quadratic = true;  ///< T - V (or L) is at most quadratic in the rates
+  bool uses_time =
+      false;  ///< t occurs in an energy, a point, a force or an output: every function takes t
+};
+
+/// The dimensions outputs are shaped by.
+struct Dimensions {
+  std::size_t coordinates = 0;
+  std::size_t velocities = 0;
+  std::size_t inputs = 0;
+  std::size_t parameters = 0;
+};
+
+[[nodiscard]] Dimensions dimensions(const Model& model);
+
+/// Prints an expression in the model language, with the names of the model.
+[[nodiscard]] std::string to_string(const Model& model, ExpressionId expression);
+
+[[nodiscard]] std::string dump(const Model& model);
+
+}  // namespace elgen

@@ -1,0 +1,65 @@
+// Oracle: 60-digit values of every output, straight from the energies of the Model.
+//
+// THIS CODE IS SLOW ON PURPOSE. Nested dual numbers on the Model's own expressions, nothing shared
+// with the derivation, so that the two can be compared. Equations as defined (v = dq/dt):
+//
+//     tau = d/dt dL/dv - dL/dq + dD/dv - Q,   M = d2L/dv2,   h = C v from the Christoffel symbols
+//     of M, C e_j = 1/2 (h(v + e_j) - h(v) - h(e_j)),  C_ij = 1/2 dh_i/dv_j, drift = bias - C v - g
+//     - dD/dv + Q,   E = sum v dL/dv - L.
+#pragma once
+
+#include <cln/float.h>
+#include <cln/real.h>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "elgen/model.hpp"
+#include "elgen/scene.hpp"
+
+namespace elgen {
+
+/// A point of evaluation; numbers are exact (rational) where they come from binary or decimal
+/// inputs.
+struct State {
+  std::vector<cln::cl_R> parameters = {};
+  std::vector<cln::cl_R> q = {};
+  std::vector<cln::cl_R> v = {};
+  std::vector<cln::cl_R> a = {};
+  std::vector<cln::cl_R> u = {};
+  cln::cl_R t = 0;
+};
+
+/// Parameters at their values (or as fixed by the scene), everything else zero, sized for the
+/// model.
+[[nodiscard]] State nominal_state(const Model& model, const Scene& scene);
+
+/// Values of one field after another, row-major; empty where an intermediate left the domain
+/// (sqrt(-1), 1/0).
+using OracleValues = std::optional<std::vector<cln::cl_R>>;
+
+/// All entries of an output. forward_dynamics: the acceleration, then the relative pivots.
+[[nodiscard]] OracleValues oracle_values(const Model& model, const OutputRequest& output,
+                                         const State& state);
+
+/// w . (M a + bias), one directional derivative instead of n: for self-checks of large models.
+[[nodiscard]] std::optional<cln::cl_R> oracle_projected_inverse_dynamics(
+    const Model& model, const State& state, const std::vector<cln::cl_R>& w);
+
+/// w . M y
+[[nodiscard]] std::optional<cln::cl_R> oracle_projected_mass(const Model& model, const State& state,
+                                                             const std::vector<cln::cl_R>& w,
+                                                             const std::vector<cln::cl_R>& y);
+
+/// The value of one expression of the model (for [[expect]]); t, q, v, a, u, parameters from the
+/// state.
+[[nodiscard]] std::optional<cln::cl_R> oracle_expression(const Model& model,
+                                                         ExpressionId expression,
+                                                         const State& state);
+
+/// d/dt of an expression in q, v, t along the motion with acceleration state.a (for `conserved`).
+[[nodiscard]] std::optional<cln::cl_R> oracle_rate(const Model& model, ExpressionId expression,
+                                                   const State& state);
+
+}  // namespace elgen

@@ -1,0 +1,73 @@
+// The table of outputs: what elgen can derive, with arguments, shape, availability and equation.
+//
+// Everything that needs a list of outputs (scene reader, derivation, oracle, emission,
+// verification, documentation) reads this table; there is no second one.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace elgen {
+
+enum class OutputKind : std::uint8_t {
+  mass_matrix,
+  coriolis_matrix,
+  velocity_force,
+  gravity,
+  potential_energy,
+  drift,
+  dissipation,
+  applied_force,
+  bias,
+  momentum,
+  kinetic_energy,
+  total_energy,
+  energy_function,
+  input_matrix,
+  inverse_dynamics,
+  forward_dynamics,
+  user_value,     ///< an [[output]] of the model
+  user_jacobian,  ///< its Jacobian
+  user_bias,      ///< its second rate without the terms in a
+  dynamics,       ///< struct of every chosen output that takes neither a nor u
+};
+
+enum class Extent : std::uint8_t { one, velocities, inputs, user };
+
+/// What a model must have for an output to exist.
+enum class Requirement : std::uint8_t { nothing, quadratic, energies, inputs };
+
+/// One field of an output; plain outputs have one field without a name.
+struct FieldRow {
+  std::string_view name;
+  Extent rows;
+  Extent columns;
+};
+
+struct OutputRow {
+  OutputKind kind;
+  std::string_view name;    ///< as in scenes, options and emitted code
+  std::string_view symbol;  ///< "M"
+  bool takes_velocity;      ///< arguments beside parameters and q (and t where t occurs)
+  bool takes_acceleration;
+  bool takes_input;
+  Requirement requirement;
+  std::vector<FieldRow> fields;
+  std::string_view equation;  ///< "d/dt dL/dv - dL/dq = M a + bias"
+  std::string_view doc;       ///< one sentence
+  std::string_view unit;      ///< "mass", "force", "energy", … rule; see unit_of_entry()
+};
+
+[[nodiscard]] const std::vector<OutputRow>& output_table();
+[[nodiscard]] const OutputRow& output_row(OutputKind kind);
+
+/// Null where the name is no built-in output.
+[[nodiscard]] const OutputRow* find_output(std::string_view name);
+
+/// Output names that exist in the plan but not in this version; empty explanation otherwise.
+[[nodiscard]] bool is_later_output(std::string_view name);
+
+}  // namespace elgen

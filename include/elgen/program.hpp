@@ -1,0 +1,132 @@
+// Program: one straight-line function per output, free of GiNaC, ordered by elgen's own keys.
+//
+// A Function is a list of instructions in single-assignment form, operands before use, nothing
+// computed twice, nothing dead (check_invariants). Text form, one instruction a line, parses back:
+//
+//     function mass_matrix(q)
+//       0 = parameter m                  ; leaves are named as in the model
+//       1 = parameter l
+//       2 = multiply 1 1
+//       3 = multiply 0 2            ; inertia
+//       result 1 1 = 3              ; rows columns = entries, row-major; "result acceleration 2 1 =
+//       …" in structs
+#pragma once
+
+#include <cln/real.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "elgen/diagnostic.hpp"
+#include "elgen/functions.hpp"
+#include "elgen/leaf_names.hpp"
+#include "elgen/outputs.hpp"
+
+namespace elgen {
+
+enum class Opcode : std::uint8_t {
+  constant,   ///< Program::constants[a]
+  parameter,  ///< leaf number a
+  coordinate,
+  velocity,
+  acceleration,
+  input,
+  time,
+  negate,    ///< -a
+  add,       ///< a + b
+  subtract,  ///< a - b
+  multiply,  ///< a b
+  divide,    ///< a / b
+  square_root,
+  call,  ///< function(a) or function(a, b)
+};
+
+struct Instruction {
+  Opcode opcode = Opcode::constant;
+  FunctionId function = FunctionId::sin;
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+  friend bool operator==(const Instruction&, const Instruction&) = default;
+};
+
+/// Number of operands that are instructions (0, 1 or 2).
+[[nodiscard]] std::size_t operand_count(const Instruction& instruction);
+
+/// An exact rational, or a function of rationals that is not one (pi, cos(3/10)) to 100 decimal
+/// digits.
+struct Constant {
+  cln::cl_R value = 0;
+  std::string text = {};  ///< canonical: "1/2", "pi", "cos(3/10)"
+};
+
+struct Field {
+  std::string name = {};  ///< "" for plain outputs
+  std::uint32_t rows = 1;
+  std::uint32_t columns = 1;
+  std::vector<std::uint32_t> entries = {};  ///< instruction of each entry, row-major
+};
+
+struct Function {
+  OutputKind kind = OutputKind::mass_matrix;
+  std::uint32_t user = 0;  ///< which user output, for the user_* kinds
+  std::string name = {};
+  std::vector<Instruction> instructions = {};
+  std::vector<std::string> names =
+      {};  ///< same length; what an instruction is ("sin_theta"), or ""
+  std::vector<Field> fields = {};
+};
+
+struct Program {
+  LeafNames leaves = {};
+  std::vector<Constant> constants = {};
+  std::vector<Function> functions = {};  ///< in the order of the output table; `dynamics` last
+};
+
+/// What one call executes: subtractions count as add; distinct sine/cosine angles as sincos;
+/// negations free.
+struct OperationCounts {
+  std::size_t add = 0;
+  std::size_t mul = 0;
+  std::size_t div = 0;
+  std::size_t sqrt = 0;
+  std::size_t sincos = 0;
+  std::size_t other = 0;
+  friend bool operator==(const OperationCounts&, const OperationCounts&) = default;
+};
+
+[[nodiscard]] OperationCounts count_operations(const Function& function);
+
+/// mul, add 1; division 8; square root 10; a sine/cosine pair 40; any other function 40.
+[[nodiscard]] std::size_t cost(const OperationCounts& counts);
+
+/// Empty when all hold; otherwise the first broken invariant, named with function and instruction.
+[[nodiscard]] std::string check_invariants(const Program& program);
+
+[[nodiscard]] std::string dump(const Program& program);
+[[nodiscard]] Result<Program> parse_program(SourcePointer text);
+
+/// One named value of a function, as an equation to read.
+struct EquationLine {
+  std::string name;   ///< "sin_theta", "t_4f2a"
+  std::string value;  ///< in the model language over leaves and earlier names
+};
+
+struct FunctionEquations {
+  std::vector<EquationLine> definitions = {};          ///< in the order of evaluation
+  std::vector<std::vector<std::string>> entries = {};  ///< one list per field, row-major
+};
+
+/// Prints a function as named definitions and entries over them: an instruction used more than
+/// once, or that carries a name, is a definition; everything else is written out where it is used.
+[[nodiscard]] FunctionEquations equations(const Program& program, const Function& function);
+
+/// The names under which `equations` and the emitted code know an instruction; "" where it is
+/// written out. Every name is a C++ identifier, unique in the function, stable under changes
+/// elsewhere (a content hash where the instruction has no name of its own).
+[[nodiscard]] std::vector<std::string> temporary_names(const Program& program,
+                                                       const Function& function);
+
+}  // namespace elgen

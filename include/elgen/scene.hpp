@@ -1,0 +1,80 @@
+// Scene: what is wanted from a model. Four parts; each stage receives only its own.
+#pragma once
+
+#include <cln/real.h>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "elgen/diagnostic.hpp"
+#include "elgen/model.hpp"
+#include "elgen/outputs.hpp"
+#include "elgen/syntax.hpp"
+
+namespace elgen {
+
+/// specialise: parameters (by index) that become exact numbers.
+struct Specialisation {
+  std::map<std::uint32_t, cln::cl_R> fixed = {};
+};
+
+/// One wanted output, in the order of the output table.
+struct OutputRequest {
+  OutputKind kind = OutputKind::mass_matrix;
+  std::uint32_t user = 0;  ///< which Model::outputs, for the user_* kinds
+  std::string name = {};   ///< of the emitted function: renamed, or the standard one
+  std::uint32_t rows = 1;  ///< of the (single or first) field
+  std::uint32_t columns = 1;
+  Span span = {};  ///< where it was asked for
+};
+
+enum class ScalarKind : std::uint8_t { single_precision, double_precision, long_double };
+
+/// lower, evaluate, verify: arithmetic.
+struct Numerics {
+  std::vector<ScalarKind> scalars = {ScalarKind::double_precision};
+};
+
+/// emit: target.
+struct Emission {
+  std::string cpp_namespace = {};  ///< default: base_name
+};
+
+struct Scene {
+  SourcePointer source = {};
+  std::string name = {};       ///< "" for the built-in scene `full`
+  std::string base_name = {};  ///< <model> or <model>_<scene>: folder, file stem, namespace
+  std::string doc = {};
+  Specialisation specialisation = {};
+  std::vector<OutputRequest> outputs = {};
+  Numerics numerics = {};
+  Emission emission = {};
+  bool has_options = false;  ///< --outputs, --fix or --size changed it
+  std::string canonical =
+      {};  ///< canonical text of what it says beyond `full`; "" for full. Hashed into stamps
+};
+
+struct CheckedModel {
+  Model model;
+  Scene scene;
+};
+
+/// --outputs, --fix, --size as given, each a source of its own so that errors can point into it.
+struct SceneOptions {
+  std::vector<SourcePointer> outputs = {};  ///< "mass_matrix,bias"
+  std::vector<SourcePointer> fixed = {};    ///< "NAME", "NAME=VALUE" or "all"
+  std::vector<SourcePointer> sizes = {};    ///< "n=20"
+};
+
+/// Resolves both syntaxes. `scene` may be null: the built-in scene `full`.
+/// Errors: E2xx names, E3xx domains, E4xx units, E5xx mechanics, E6xx scene, E9xx limits; all of
+/// them in one run.
+[[nodiscard]] Result<CheckedModel> check(const ModelSyntax& model, const SceneSyntax* scene,
+                                         const SceneOptions& options, const Limits& limits);
+
+[[nodiscard]] std::string dump(const Scene& scene);
+
+}  // namespace elgen

@@ -1,0 +1,46 @@
+// Source text and spans: where every declaration, value and error points.
+//
+// A SourceText is one input (a model file, a scene file, or the text of a command-line option). A
+// Span is a half-open byte range of it. Spans never own: whoever holds spans holds the SourceText
+// too.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace elgen {
+
+struct LineColumn {
+  std::uint32_t line = 1;    ///< 1-based
+  std::uint32_t column = 1;  ///< 1-based, counted in Unicode code points
+};
+
+struct SourceText {
+  std::string path;                        ///< as the user wrote it; "command line" for options
+  std::string text;                        ///< UTF-8
+  std::vector<std::uint32_t> line_starts;  ///< byte offset of each line
+};
+
+using SourcePointer = std::shared_ptr<const SourceText>;
+
+/// A half-open byte range [begin, end) of `source`; without a source the span points nowhere.
+struct Span {
+  const SourceText* source = nullptr;
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+};
+
+[[nodiscard]] SourcePointer make_source(std::string path, std::string text);
+
+[[nodiscard]] LineColumn line_column(const SourceText& source, std::uint32_t offset);
+
+/// The text of 1-based `line`, without its line end.
+[[nodiscard]] std::string_view line_text(const SourceText& source, std::uint32_t line);
+
+/// The bytes a span covers.
+[[nodiscard]] std::string_view covered_text(const Span& span);
+
+}  // namespace elgen

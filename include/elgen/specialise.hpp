@@ -1,0 +1,12 @@
+// specialise: Lagrangian -> smaller Lagrangian. Fixed parameters become exact numbers; what they
+// make zero disappears from every definition.
+#pragma once
+
+#include "elgen/lagrangian.hpp"
+#include "elgen/scene.hpp"
+
+namespace elgen {
+
+[[nodiscard]] Lagrangian specialise(Lagrangian lagrangian, const Specialisation& specialisation);
+
+}  // namespace elgen

@@ -1,0 +1,31 @@
+// Toolchain: compiles an emitted header with the user's compiler and loads its functions.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "elgen/emitted_files.hpp"
+#include "elgen/evaluate.hpp"
+#include "elgen/scene.hpp"
+
+namespace elgen {
+
+/// The functions of one emitted header, instantiated for one built-in scalar.
+class CompiledModel {
+ public:
+  virtual ~CompiledModel() = default;
+  /// All entries of all fields of an output, in the order of Function::fields.
+  [[nodiscard]] virtual std::vector<double> call(std::string_view function,
+                                                 const Arguments<double>& arguments) const = 0;
+  [[nodiscard]] virtual std::vector<float> call(std::string_view function,
+                                                const Arguments<float>& arguments) const = 0;
+};
+
+/// $CXX, else c++, g++, clang++, whichever is there. Strict flags (-ffp-contract=off). E7xx without
+/// a compiler (exit 4), with the compiler's words where it refuses.
+[[nodiscard]] Result<std::unique_ptr<CompiledModel>> compile(const EmittedFiles& files,
+                                                             const Model& model, const Scene& scene,
+                                                             const Program& program);
+
+}  // namespace elgen

@@ -1,0 +1,57 @@
+// The code table, and what a set of diagnostics amounts to (order, exit code).
+#include "elgen/diagnostic.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace elgen {
+
+const std::vector<CodeRow>& code_table() {
+  static const std::vector<CodeRow> table{
+#define ELGEN_CODE(code, severity, exit_code, title, explanation) \
+  {Code::code, Severity::severity, ExitCode::exit_code, #code, title, explanation},
+#include "elgen/error_codes.def"
+#undef ELGEN_CODE
+  };
+  return table;
+}
+
+const CodeRow& code_row(Code code) { return code_table()[static_cast<std::size_t>(code)]; }
+
+const CodeRow* find_code(std::string_view name) {
+  const auto& table = code_table();
+  const auto row = std::find_if(table.begin(), table.end(),
+                                [&](const CodeRow& candidate) { return candidate.name == name; });
+  return row == table.end() ? nullptr : &*row;
+}
+
+bool has_errors(const Diagnostics& diagnostics) {
+  return std::any_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& diagnostic) {
+    return code_row(diagnostic.code).severity == Severity::error;
+  });
+}
+
+void sort_by_position(Diagnostics& diagnostics) {
+  const auto key = [](const Diagnostic& d) {
+    const bool is_file = d.span.source != nullptr && d.span.source->path != "command line";
+    const std::string_view path = d.span.source == nullptr ? "" : d.span.source->path;
+    return std::tuple(!is_file, path, d.span.begin, d.code, std::string_view(d.message));
+  };
+  std::stable_sort(
+      diagnostics.begin(), diagnostics.end(),
+      [&](const Diagnostic& left, const Diagnostic& right) { return key(left) < key(right); });
+  const auto last = std::unique(
+      diagnostics.begin(), diagnostics.end(),
+      [&](const Diagnostic& left, const Diagnostic& right) { return key(left) == key(right); });
+  diagnostics.erase(last, diagnostics.end());
+}
+
+ExitCode exit_code(const Diagnostics& diagnostics) {
+  ExitCode worst = ExitCode::success;
+  for (const Diagnostic& diagnostic : diagnostics) {
+    worst = std::max(worst, code_row(diagnostic.code).exit_code);
+  }
+  return worst;
+}
+
+}  // namespace elgen

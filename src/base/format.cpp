@@ -1,0 +1,166 @@
+// Diagnostics -> text for people (position, message, source line, caret, hint) or JSON lines.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "elgen/diagnostic.hpp"
+
+namespace elgen {
+
+namespace {
+
+std::string_view severity_word(Severity severity) {
+  switch (severity) {
+    case Severity::note:
+      return "note";
+    case Severity::warning:
+      return "warning";
+    case Severity::error:
+      return "error";
+  }
+  return "error";
+}
+
+std::string paint(std::string_view text, std::string_view sgr, bool color) {
+  return color ? fmt::format("\x1b[{}m{}\x1b[0m", sgr, text) : std::string(text);
+}
+
+std::string position(const Span& span) {
+  if (span.source == nullptr) return "elgen";
+  const LineColumn at = line_column(*span.source, span.begin);
+  return fmt::format("{}:{}:{}", span.source->path, at.line, at.column);
+}
+
+std::size_t code_points(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+  }));
+}
+
+/// The text a terminal can show: tabs become single spaces, other control characters `?`.
+std::string printable(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '\t') {
+      c = ' ';
+    } else if (byte < 0x20U || byte == 0x7FU) {
+      c = '?';
+    }
+  }
+  return result;
+}
+
+struct Excerpt {
+  std::string text;        ///< what is shown of the line
+  std::size_t column = 0;  ///< code points before the caret
+  std::size_t length = 1;  ///< code points under the caret
+};
+
+constexpr std::size_t widest_line = 160;
+
+/// Long lines are cut around the caret, on code point boundaries.
+Excerpt excerpt(const Span& span) {
+  const LineColumn at = line_column(*span.source, span.begin);
+  const std::string_view line = line_text(*span.source, at.line);
+  const std::size_t start = span.source->line_starts[at.line - 1];
+  const std::size_t begin = std::min<std::size_t>(span.begin - start, line.size());
+  const std::size_t end = std::clamp<std::size_t>(span.end - start, begin, line.size());
+  std::size_t from = 0;
+  std::size_t to = line.size();
+  if (line.size() > widest_line) {
+    from = begin > widest_line / 2 ? begin - widest_line / 2 : 0;
+    to = std::min(line.size(), from + widest_line);
+    const auto inside = [&](std::size_t i) {
+      return i > 0 && i < line.size() && (static_cast<unsigned char>(line[i]) & 0xC0U) == 0x80U;
+    };
+    while (inside(from)) --from;
+    while (inside(to)) --to;
+  }
+  const std::string_view before = from == 0 ? "" : "...";
+  const std::string_view after = to == line.size() ? "" : "...";
+  return {fmt::format("{}{}{}", before, printable(line.substr(from, to - from)), after),
+          before.size() + code_points(line.substr(from, begin - from)),
+          std::max<std::size_t>(1, code_points(line.substr(begin, std::min(end, to) - begin)))};
+}
+
+void append_excerpt(std::string& text, const Diagnostic& diagnostic, bool color) {
+  const Span& span = diagnostic.span;
+  if (span.source == nullptr || span.source->text.empty()) {
+    if (!diagnostic.hint.empty()) text += fmt::format("      {}\n", diagnostic.hint);
+    return;
+  }
+  const Excerpt shown = excerpt(span);
+  const std::string number = std::to_string(line_column(*span.source, span.begin).line);
+  const std::string gutter(std::max<std::size_t>(5, number.size()), ' ');
+  std::string caret = "^" + std::string(shown.length - 1, '~');
+  text += fmt::format("{:>5} | {}\n", number, shown.text);
+  text +=
+      fmt::format("{} | {}{}", gutter, std::string(shown.column, ' '), paint(caret, "1;32", color));
+  if (!diagnostic.hint.empty()) text += " " + diagnostic.hint;
+  text += '\n';
+}
+
+std::string text_of(const Diagnostic& diagnostic, bool color) {
+  const CodeRow& row = code_row(diagnostic.code);
+  const std::string_view sgr = row.severity == Severity::error ? "1;31" : "1;33";
+  std::string text =
+      fmt::format("{}: {}: {}\n", paint(position(diagnostic.span), "1", color),
+                  paint(fmt::format("{}[{}]", severity_word(row.severity), row.name), sgr, color),
+                  diagnostic.message);
+  append_excerpt(text, diagnostic, color);
+  if (diagnostic.related) {
+    text += fmt::format("{}: {}\n", position(*diagnostic.related), diagnostic.related_message);
+  }
+  return text;
+}
+
+nlohmann::ordered_json json_position(const Span& span) {
+  nlohmann::ordered_json json;
+  if (span.source == nullptr) return json;
+  const LineColumn begin = line_column(*span.source, span.begin);
+  const LineColumn end = line_column(*span.source, span.end);
+  json["file"] = span.source->path;
+  json["line"] = begin.line;
+  json["column"] = begin.column;
+  json["end_line"] = end.line;
+  json["end_column"] = end.column;
+  return json;
+}
+
+std::string json_of(const Diagnostic& diagnostic) {
+  const CodeRow& row = code_row(diagnostic.code);
+  nlohmann::ordered_json json;
+  json["severity"] = severity_word(row.severity);
+  json["code"] = row.name;
+  json["message"] = diagnostic.message;
+  if (!diagnostic.hint.empty()) json["hint"] = diagnostic.hint;
+  json["position"] = json_position(diagnostic.span);
+  if (diagnostic.related) {
+    json["related"] = json_position(*diagnostic.related);
+    json["related"]["message"] = diagnostic.related_message;
+  }
+  using nlohmann::detail::error_handler_t;
+  return json.dump(-1, ' ', false, error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::string format(const Diagnostics& diagnostics, const DiagnosticStyle& style) {
+  std::string text;
+  std::size_t errors = 0;
+  for (const Diagnostic& diagnostic : diagnostics) {
+    const bool is_error = code_row(diagnostic.code).severity == Severity::error;
+    errors += is_error ? 1 : 0;
+    if (is_error && errors > style.maximum) continue;
+    text += style.format == DiagnosticFormat::json ? json_of(diagnostic)
+                                                   : text_of(diagnostic, style.color);
+  }
+  if (errors > style.maximum && style.format == DiagnosticFormat::text) {
+    text += fmt::format("elgen: {} more errors not shown\n", errors - style.maximum);
+  }
+  return text;
+}
+
+}  // namespace elgen

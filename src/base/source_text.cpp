@@ -1,0 +1,52 @@
+// SourceText: byte offsets to lines and columns. Columns count code points, as editors do.
+#include "elgen/source_text.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace elgen {
+
+namespace {
+
+bool starts_code_point(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }
+
+}  // namespace
+
+SourcePointer make_source(std::string path, std::string text) {
+  auto source = std::make_shared<SourceText>();
+  source->path = std::move(path);
+  source->text = std::move(text);
+  source->line_starts.push_back(0);
+  for (std::size_t i = 0; i < source->text.size(); ++i) {
+    if (source->text[i] == '\n') source->line_starts.push_back(static_cast<std::uint32_t>(i + 1));
+  }
+  return source;
+}
+
+LineColumn line_column(const SourceText& source, std::uint32_t offset) {
+  const auto end = static_cast<std::uint32_t>(source.text.size());
+  offset = std::min(offset, end);
+  const auto& starts = source.line_starts;
+  const auto next = std::upper_bound(starts.begin(), starts.end(), offset);
+  const std::uint32_t start = *(next - 1);
+  const auto points =
+      std::count_if(source.text.begin() + start, source.text.begin() + offset, starts_code_point);
+  return {static_cast<std::uint32_t>(next - starts.begin()),
+          static_cast<std::uint32_t>(points) + 1};
+}
+
+std::string_view line_text(const SourceText& source, std::uint32_t line) {
+  const std::string_view text = source.text;
+  const std::uint32_t start = source.line_starts.at(line - 1);
+  std::string_view rest = text.substr(start);
+  rest = rest.substr(0, rest.find('\n'));
+  if (!rest.empty() && rest.back() == '\r') rest.remove_suffix(1);
+  return rest;
+}
+
+std::string_view covered_text(const Span& span) {
+  if (span.source == nullptr) return {};
+  return std::string_view(span.source->text).substr(span.begin, span.end - span.begin);
+}
+
+}  // namespace elgen
