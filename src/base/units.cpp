@@ -1,0 +1,168 @@
+// Units: arithmetic on rational powers of m, kg, s, A, K, the table of known names, and their
+// spelling.
+//
+// Exponents are kept in lowest terms; beyond `exponent_limit` they saturate, which no physical unit
+// reaches.
+#include "elgen/units.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+
+namespace elgen {
+namespace {
+
+constexpr std::size_t base_unit_count = 5;
+constexpr std::array<std::string_view, base_unit_count> base_names{"m", "kg", "s", "A", "K"};
+constexpr std::int64_t exponent_limit = 1'000'000;
+
+Exponent lowest_terms(std::int64_t numerator, std::int64_t denominator) {
+  const std::int64_t divisor = std::gcd(numerator, denominator);
+  numerator /= divisor;
+  denominator /= divisor;
+  return {static_cast<std::int32_t>(std::clamp(numerator, -exponent_limit, exponent_limit)),
+          static_cast<std::int32_t>(std::min(denominator, exponent_limit))};
+}
+
+Exponent sum(const Exponent& a, const Exponent& b, std::int64_t sign) {
+  const std::int64_t numerator =
+      std::int64_t{a.numerator} * b.denominator + sign * std::int64_t{b.numerator} * a.denominator;
+  return lowest_terms(numerator, std::int64_t{a.denominator} * b.denominator);
+}
+
+Unit combined(const Unit& a, const Unit& b, std::int64_t sign) {
+  Unit result;
+  for (std::size_t i = 0; i < base_unit_count; ++i) {
+    result.powers[i] = sum(a.powers[i], b.powers[i], sign);
+  }
+  return result;
+}
+
+Unit integer_unit(std::int32_t m, std::int32_t kg, std::int32_t s, std::int32_t ampere,
+                  std::int32_t kelvin = 0) {
+  return Unit{{{{m, 1}, {kg, 1}, {s, 1}, {ampere, 1}, {kelvin, 1}}}};
+}
+
+/// A unit spelled as a product: powers of at most one derived unit and of the base units.
+struct Spelling {
+  std::string text;
+  std::int64_t cost = 0;
+};
+
+std::string spelled_power(std::string_view name, std::int32_t numerator, std::int32_t denominator) {
+  std::string text(name);
+  if (denominator != 1) {
+    text += "^(" + std::to_string(numerator) + "/" + std::to_string(denominator) + ")";
+  } else if (numerator != 1) {
+    text += "^" + std::to_string(numerator);
+  }
+  return text;
+}
+
+std::string joined(const std::vector<std::string>& factors) {
+  std::string text;
+  for (const std::string& factor : factors) {
+    text += (text.empty() ? "" : "*") + factor;
+  }
+  return text;
+}
+
+/// Heads the numerator with `derived` ("" for none); kg goes before m, as it is said.
+Spelling spell(std::string_view derived, const Unit& rest) {
+  // A derived unit has to save this many base powers to be worth its place: m/s^2 stays, kg*m/s^2
+  // is N.
+  constexpr std::int64_t derived_cost = 3;
+  constexpr std::array<std::size_t, base_unit_count> order{1, 0, 2, 3, 4};
+  std::vector<std::string> above;
+  std::vector<std::string> below;
+  Spelling result;
+  if (!derived.empty()) {
+    above.emplace_back(derived);
+    result.cost = derived_cost;
+  }
+  for (const std::size_t i : order) {
+    const auto [numerator, denominator] = rest.powers[i];
+    if (numerator == 0) {
+      continue;
+    }
+    auto& side = numerator > 0 ? above : below;
+    side.push_back(spelled_power(base_names[i], std::abs(numerator), denominator));
+    result.cost += std::abs(numerator);
+  }
+  result.text = above.empty() ? "1" : joined(above);
+  if (!below.empty()) {
+    result.text += below.size() == 1 ? "/" + below.front() : "/(" + joined(below) + ")";
+  }
+  return result;
+}
+
+/// Hz and rad are spelled 1/s and 1: a rate in rad/s is not a frequency.
+bool is_spelled_by_name(const UnitRow& row) {
+  return row.name != "Hz" && row.name != "rad" && row.name != "1";
+}
+
+}  // namespace
+
+const std::vector<UnitRow>& unit_table() {
+  static const std::vector<UnitRow> table{
+      {"m", integer_unit(1, 0, 0, 0), "metre"},
+      {"kg", integer_unit(0, 1, 0, 0), "kilogram"},
+      {"s", integer_unit(0, 0, 1, 0), "second"},
+      {"A", integer_unit(0, 0, 0, 1), "ampere"},
+      {"K", integer_unit(0, 0, 0, 0, 1), "kelvin"},
+      {"N", integer_unit(1, 1, -2, 0), "newton, kg*m/s^2"},
+      {"J", integer_unit(2, 1, -2, 0), "joule, N*m"},
+      {"W", integer_unit(2, 1, -3, 0), "watt, J/s"},
+      {"Pa", integer_unit(-1, 1, -2, 0), "pascal, N/m^2"},
+      {"Hz", integer_unit(0, 0, -1, 0), "hertz, 1/s"},
+      {"V", integer_unit(2, 1, -3, -1), "volt, W/A"},
+      {"ohm", integer_unit(2, 1, -3, -2), "ohm, V/A"},
+      {"C", integer_unit(0, 0, 1, 1), "coulomb, A*s"},
+      {"T", integer_unit(0, 1, -2, -1), "tesla, kg/(s^2*A)"},
+      {"rad", Unit{}, "radian, 1"},
+      {"1", Unit{}, "pure number"},
+  };
+  return table;
+}
+
+Unit operator*(const Unit& a, const Unit& b) { return combined(a, b, 1); }
+
+Unit operator/(const Unit& a, const Unit& b) { return combined(a, b, -1); }
+
+Unit power(const Unit& base, Exponent exponent) {
+  Unit result;
+  for (std::size_t i = 0; i < base_unit_count; ++i) {
+    const Exponent& own = base.powers[i];
+    result.powers[i] = lowest_terms(std::int64_t{own.numerator} * exponent.numerator,
+                                    std::int64_t{own.denominator} * exponent.denominator);
+  }
+  return result;
+}
+
+std::optional<Unit> find_unit(std::string_view name) {
+  for (const UnitRow& row : unit_table()) {
+    if (row.name == name) {
+      return row.unit;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string to_string(const Unit& unit) {
+  Spelling best = spell("", unit);
+  for (const UnitRow& row : unit_table()) {
+    if (!is_spelled_by_name(row)) {
+      continue;
+    }
+    if (row.unit == unit) {
+      return std::string(row.name);
+    }
+    Spelling candidate = spell(row.name, unit / row.unit);
+    if (candidate.cost < best.cost) {
+      best = std::move(candidate);
+    }
+  }
+  return best.text;
+}
+
+}  // namespace elgen
