@@ -1,0 +1,187 @@
+// Implementation of evaluate.hpp: the interpreter loop and the scalar type Real of at least 60
+// digits.
+//
+// A scalar type of your own works after specialising ScalarTraits (from_real) and declaring the
+// functions of functions.def and sqrt beside it; abs, sign, min and max need an order only where a
+// program calls them.
+#pragma once
+
+#include <cln/float.h>
+
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "elgen/evaluate.hpp"
+
+namespace elgen {
+
+/// A float of 64 decimal digits that carries "undefined" (a division by zero, sqrt(-1)) like a NaN.
+class Real {
+ public:
+  Real() : Real(cln::cl_R(0)) {}
+  explicit Real(const cln::cl_R& value) : value_(cln::cl_float(value, format())) {}
+
+  [[nodiscard]] static cln::float_format_t format() { return cln::float_format(64); }
+  [[nodiscard]] static Real undefined();
+
+  [[nodiscard]] bool is_defined() const { return defined_; }
+  [[nodiscard]] const cln::cl_F& value() const { return value_; }
+
+ private:
+  cln::cl_F value_;
+  bool defined_ = true;
+};
+
+[[nodiscard]] Real operator-(const Real& x);
+[[nodiscard]] Real operator+(const Real& x, const Real& y);
+[[nodiscard]] Real operator-(const Real& x, const Real& y);
+[[nodiscard]] Real operator*(const Real& x, const Real& y);
+[[nodiscard]] Real operator/(const Real& x, const Real& y);
+[[nodiscard]] Real sqrt(const Real& x);
+[[nodiscard]] Real sin(const Real& x);
+[[nodiscard]] Real cos(const Real& x);
+[[nodiscard]] Real tan(const Real& x);
+[[nodiscard]] Real asin(const Real& x);
+[[nodiscard]] Real acos(const Real& x);
+[[nodiscard]] Real atan(const Real& x);
+[[nodiscard]] Real atan2(const Real& y, const Real& x);
+[[nodiscard]] Real sinh(const Real& x);
+[[nodiscard]] Real cosh(const Real& x);
+[[nodiscard]] Real tanh(const Real& x);
+[[nodiscard]] Real exp(const Real& x);
+[[nodiscard]] Real log(const Real& x);
+[[nodiscard]] Real abs(const Real& x);
+[[nodiscard]] Real sign(const Real& x);
+[[nodiscard]] Real min(const Real& x, const Real& y);
+[[nodiscard]] Real max(const Real& x, const Real& y);
+
+template <>
+struct ScalarTraits<Real> {
+  [[nodiscard]] static Real from_real(const cln::cl_R& value) { return Real(value); }
+};
+
+namespace interpreter {
+
+/// The kinked functions for built-in floats; sign(0) = 0, and a NaN stays one.
+template <class Scalar>
+requires std::is_floating_point_v<Scalar>
+[[nodiscard]] Scalar sign(Scalar x) {
+  if (x > 0) return 1;
+  if (x < 0) return -1;
+  return x;
+}
+template <class Scalar>
+requires std::is_floating_point_v<Scalar>
+[[nodiscard]] Scalar min(Scalar x, Scalar y) { return y < x ? y : x; }
+template <class Scalar>
+requires std::is_floating_point_v<Scalar>
+[[nodiscard]] Scalar max(Scalar x, Scalar y) { return x < y ? y : x; }
+
+template <class Scalar>
+[[nodiscard]] Scalar call(FunctionId function, const Scalar& x, const Scalar& y) {
+  using std::abs, std::sin, std::cos, std::tan, std::asin, std::acos, std::atan, std::atan2;
+  using std::sinh, std::cosh, std::tanh, std::exp, std::log;
+  switch (function) {
+    case FunctionId::sin:
+      return sin(x);
+    case FunctionId::cos:
+      return cos(x);
+    case FunctionId::tan:
+      return tan(x);
+    case FunctionId::asin:
+      return asin(x);
+    case FunctionId::acos:
+      return acos(x);
+    case FunctionId::atan:
+      return atan(x);
+    case FunctionId::atan2:
+      return atan2(x, y);
+    case FunctionId::sinh:
+      return sinh(x);
+    case FunctionId::cosh:
+      return cosh(x);
+    case FunctionId::tanh:
+      return tanh(x);
+    case FunctionId::exp:
+      return exp(x);
+    case FunctionId::log:
+      return log(x);
+    case FunctionId::abs:
+      return abs(x);
+    case FunctionId::sign:
+      return sign(x);
+    case FunctionId::min:
+      return min(x, y);
+    case FunctionId::max:
+      return max(x, y);
+  }
+  return x;
+}
+
+template <class Scalar>
+[[nodiscard]] Scalar step(const Program& program, const Instruction& i,
+                          const Arguments<Scalar>& arguments, const std::vector<Scalar>& values) {
+  using std::sqrt;
+  switch (i.opcode) {
+    case Opcode::constant:
+      return ScalarTraits<Scalar>::from_real(program.constants[i.a].value);
+    case Opcode::parameter:
+      return arguments.parameters[i.a];
+    case Opcode::coordinate:
+      return arguments.q[i.a];
+    case Opcode::velocity:
+      return arguments.v[i.a];
+    case Opcode::acceleration:
+      return arguments.a[i.a];
+    case Opcode::input:
+      return arguments.u[i.a];
+    case Opcode::time:
+      return arguments.t;
+    case Opcode::negate:
+      return -values[i.a];
+    case Opcode::add:
+      return values[i.a] + values[i.b];
+    case Opcode::subtract:
+      return values[i.a] - values[i.b];
+    case Opcode::multiply:
+      return values[i.a] * values[i.b];
+    case Opcode::divide:
+      return values[i.a] / values[i.b];
+    case Opcode::square_root:
+      return sqrt(values[i.a]);
+    case Opcode::call:
+      return call(i.function, values[i.a], values[i.b]);
+  }
+  return Scalar();
+}
+
+}  // namespace interpreter
+
+/// The values of all instructions, in order. The arguments the function reads must be there.
+template <class Scalar>
+[[nodiscard]] std::vector<Scalar> evaluate_instructions(const Program& program,
+                                                        const Function& function,
+                                                        const Arguments<Scalar>& arguments) {
+  std::vector<Scalar> values;
+  values.reserve(function.instructions.size());
+  for (const Instruction& instruction : function.instructions) {
+    values.push_back(interpreter::step(program, instruction, arguments, values));
+  }
+  return values;
+}
+
+/// The entries of all fields, field by field, row-major.
+template <class Scalar>
+[[nodiscard]] std::vector<Scalar> evaluate(const Program& program, const Function& function,
+                                           const Arguments<Scalar>& arguments) {
+  const std::vector<Scalar> values = evaluate_instructions(program, function, arguments);
+  std::vector<Scalar> entries;
+  for (const Field& field : function.fields) {
+    for (const std::uint32_t entry : field.entries) entries.push_back(values[entry]);
+  }
+  return entries;
+}
+
+}  // namespace elgen

@@ -1,0 +1,63 @@
+// Correctly rounded binary values of exact numbers, subnormals and overflow included.
+//
+// CLN's own double_approx stops at the smallest normal number, so the significand is rounded here,
+// as an integer of as many bits as the result has at its exponent.
+#include <cln/float.h>
+#include <cln/integer.h>
+#include <cln/rational.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "elgen/evaluate.hpp"
+
+namespace elgen {
+namespace {
+
+/// floor(log2 x) for x > 0, perhaps one too large.
+long upper_exponent(const cln::cl_RA& x) {
+  return static_cast<long>(cln::integer_length(cln::numerator(x))) -
+         static_cast<long>(cln::integer_length(cln::denominator(x)));
+}
+
+cln::cl_RA times_power_of_two(const cln::cl_RA& x, long exponent) {
+  const cln::cl_I power = cln::ash(1, cln::cl_I(std::abs(exponent)));
+  return exponent >= 0 ? x * power : x / power;
+}
+
+/// x = significand * 2^exponent with the significand rounded to the bits Scalar has there.
+template <class Scalar>
+Scalar round_positive(const cln::cl_RA& x) {
+  using Traits = std::numeric_limits<Scalar>;
+  constexpr long lowest =
+      Traits::min_exponent - Traits::digits;  // exponent of a subnormal's last bit
+  const long estimate = upper_exponent(x);
+  if (estimate > Traits::max_exponent + 1) return Traits::infinity();
+  if (estimate < lowest - 2) return 0;
+  // One bit less than `estimate` says where it was too large.
+  const bool too_large = times_power_of_two(x, -estimate) < 1;
+  const long exponent = std::max(estimate - (too_large ? 1 : 0) - (Traits::digits - 1), lowest);
+  const cln::cl_I significand = cln::round1(times_power_of_two(x, -exponent));
+  // At most `digits` bits and perhaps one carry: each half is exact, and so is the sum.
+  const auto high = static_cast<Scalar>(cln::cl_I_to_ulong(cln::ash(significand, -32)));
+  const auto low = static_cast<Scalar>(cln::cl_I_to_ulong(cln::ldb(significand, {32, 0})));
+  return std::ldexp(std::ldexp(high, 32) + low, static_cast<int>(exponent));
+}
+
+template <class Scalar>
+Scalar round_to(const cln::cl_R& value) {
+  const cln::cl_RA x = cln::rational(value);
+  if (cln::zerop(x)) return 0;
+  return cln::minusp(x) ? -round_positive<Scalar>(-x) : round_positive<Scalar>(x);
+}
+
+}  // namespace
+
+float ScalarTraits<float>::from_real(const cln::cl_R& value) { return round_to<float>(value); }
+double ScalarTraits<double>::from_real(const cln::cl_R& value) { return round_to<double>(value); }
+long double ScalarTraits<long double>::from_real(const cln::cl_R& value) {
+  return round_to<long double>(value);
+}
+
+}  // namespace elgen

@@ -1,0 +1,97 @@
+// dump: Program -> its text form, which parse_program reads back.
+//
+//     parameters m l
+//     coordinates theta
+//     constant pi = 3.14159…
+//     function mass_matrix
+//       0 = parameter m
+//       1 = multiply 0 0  ; m_squared
+//       result 1 1 = 1
+#include <cln/float.h>
+#include <cln/rational_ring.h>
+#include <cln/real_io.h>
+#include <fmt/format.h>
+
+#include <locale>
+#include <sstream>
+
+#include "elgen/program.hpp"
+#include "program_text.hpp"
+
+namespace elgen {
+namespace {
+
+std::string list_line(std::string_view word, const std::vector<std::string>& names) {
+  return names.empty() ? "" : fmt::format("{} {}\n", word, fmt::join(names, " "));
+}
+
+std::string decimal_digits(const cln::cl_R& value) {
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out << value;
+  return out.str();
+}
+
+/// Rational constants are written where they are used; others once, with their digits.
+std::string constant_line(const Constant& constant) {
+  if (cln:: instanceof (constant.value, cln::cl_RA_ring)) return "";
+  return fmt::format("constant {} = {}\n", constant.text, decimal_digits(constant.value));
+}
+
+std::string operation_text(const Program& program, const Instruction& instruction) {
+  if (instruction.opcode == Opcode::call) {
+    const FunctionRow& row = function_row(instruction.function);
+    return row.arity == 1 ? fmt::format("{} {}", row.name, instruction.a)
+                          : fmt::format("{} {} {}", row.name, instruction.a, instruction.b);
+  }
+  std::string text;
+  for (const OpcodeName& row : opcode_names) {
+    if (row.opcode == instruction.opcode) text = row.name;
+  }
+  const std::size_t operands = operand_count(instruction);
+  if (operands > 0) text += fmt::format(" {}", instruction.a);
+  if (operands > 1) text += fmt::format(" {}", instruction.b);
+  if (instruction.opcode == Opcode::constant) text += " " + program.constants[instruction.a].text;
+  if (const auto* names = leaf_spellings(program.leaves, instruction.opcode)) {
+    text += " " + (*names)[instruction.a];
+  }
+  return text;
+}
+
+std::string heading(const Function& function) {
+  const std::string_view kind = output_row(function.kind).name;
+  const bool is_user = function.kind == OutputKind::user_value ||
+                       function.kind == OutputKind::user_jacobian ||
+                       function.kind == OutputKind::user_bias;
+  if (is_user) return fmt::format("function {} = {} {}\n", function.name, kind, function.user);
+  if (kind == function.name) return fmt::format("function {}\n", kind);
+  return fmt::format("function {} = {}\n", function.name, kind);
+}
+
+std::string function_text(const Program& program, const Function& function) {
+  std::string text = heading(function);
+  for (std::size_t at = 0; at < function.instructions.size(); ++at) {
+    text += fmt::format("  {} = {}", at, operation_text(program, function.instructions[at]));
+    if (!function.names[at].empty()) text += fmt::format("  ; {}", function.names[at]);
+    text += '\n';
+  }
+  for (const Field& field : function.fields) {
+    text += fmt::format("  result {}{}{} {} = {}\n", field.name, field.name.empty() ? "" : " ",
+                        field.rows, field.columns, fmt::join(field.entries, " "));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string dump(const Program& program) {
+  std::string text = list_line("parameters", program.leaves.parameters) +
+                     list_line("coordinates", program.leaves.coordinates) +
+                     list_line("inputs", program.leaves.inputs);
+  if (program.leaves.uses_time) text += "time\n";
+  for (const Constant& constant : program.constants) text += constant_line(constant);
+  for (const Function& function : program.functions) text += function_text(program, function);
+  return text;
+}
+
+}  // namespace elgen

@@ -1,0 +1,114 @@
+// check_invariants: what holds of every Program after every pass.
+//
+// Operands come before their users, leaves and constants exist, nothing is computed twice, nothing
+// is dead, every field has rows * columns entries, and unused operand slots are zero (so that equal
+// means equal bytes).
+#include <fmt/core.h>
+
+#include <set>
+#include <tuple>
+
+#include "elgen/program.hpp"
+
+namespace elgen {
+namespace {
+
+std::size_t leaf_count(const Program& program, Opcode opcode) {
+  switch (opcode) {
+    case Opcode::constant:
+      return program.constants.size();
+    case Opcode::parameter:
+      return program.leaves.parameters.size();
+    case Opcode::coordinate:
+    case Opcode::velocity:
+    case Opcode::acceleration:
+      return program.leaves.coordinates.size();
+    case Opcode::input:
+      return program.leaves.inputs.size();
+    default:
+      return 1;
+  }
+}
+
+std::string broken_instruction(const Program& program, const Function& function, std::size_t at) {
+  const Instruction& instruction = function.instructions[at];
+  const std::size_t operands = operand_count(instruction);
+  if (operands == 0 && instruction.a >= leaf_count(program, instruction.opcode)) {
+    return fmt::format("there is no leaf {}", instruction.a);
+  }
+  if (operands > 0 && instruction.a >= at) {
+    return fmt::format("operand {} is not computed before", instruction.a);
+  }
+  if (operands > 1 && instruction.b >= at) {
+    return fmt::format("operand {} is not computed before", instruction.b);
+  }
+  if (operands < 2 && instruction.b != 0) return "the unused operand is not 0";
+  if (instruction.opcode != Opcode::call && instruction.function != FunctionId::sin) {
+    return "only a call names a function";
+  }
+  return "";
+}
+
+std::vector<bool> used_instructions(const Function& function) {
+  std::vector<bool> used(function.instructions.size(), false);
+  for (const Field& field : function.fields) {
+    for (const std::uint32_t entry : field.entries) used[entry] = true;
+  }
+  for (std::size_t at = used.size(); at-- > 0;) {
+    if (!used[at]) continue;
+    const Instruction& instruction = function.instructions[at];
+    if (operand_count(instruction) > 0) used[instruction.a] = true;
+    if (operand_count(instruction) > 1) used[instruction.b] = true;
+  }
+  return used;
+}
+
+std::string broken_field(const Function& function) {
+  for (const Field& field : function.fields) {
+    if (field.entries.size() != std::size_t{field.rows} * field.columns) {
+      return fmt::format("field `{}` has {} entries, not {} x {}", field.name, field.entries.size(),
+                         field.rows, field.columns);
+    }
+    for (const std::uint32_t entry : field.entries) {
+      if (entry >= function.instructions.size()) {
+        return fmt::format("field `{}` refers to instruction {}", field.name, entry);
+      }
+    }
+  }
+  return "";
+}
+
+std::string broken_function(const Program& program, const Function& function) {
+  if (function.names.size() != function.instructions.size()) {
+    return fmt::format("{} names for {} instructions", function.names.size(),
+                       function.instructions.size());
+  }
+  std::set<std::tuple<Opcode, FunctionId, std::uint32_t, std::uint32_t>> seen;
+  for (std::size_t at = 0; at < function.instructions.size(); ++at) {
+    const std::string broken = broken_instruction(program, function, at);
+    if (!broken.empty()) return fmt::format("instruction {}: {}", at, broken);
+    const Instruction& i = function.instructions[at];
+    if (!seen.emplace(i.opcode, i.function, i.a, i.b).second) {
+      return fmt::format("instruction {}: computed before", at);
+    }
+  }
+  const std::string field = broken_field(function);
+  if (!field.empty()) return field;
+  const std::vector<bool> used = used_instructions(function);
+  for (std::size_t at = 0; at < used.size(); ++at) {
+    if (!used[at]) return fmt::format("instruction {}: dead", at);
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string check_invariants(const Program& program) {
+  for (const Function& function : program.functions) {
+    const std::string broken = broken_function(program, function);
+    if (!broken.empty()) return fmt::format("function `{}`: {}", function.name, broken);
+  }
+  return "";
+}
+
+}  // namespace elgen

@@ -1,0 +1,220 @@
+// parse_program: the text form of a Program -> Program; what dump() prints, reads back equal.
+//
+// One line at a time; a mistake is E912 with the span of its line, since only tests and elgen write
+// this form.
+#include <cln/float.h>
+#include <cln/rational.h>
+#include <fmt/core.h>
+
+#include <charconv>
+#include <exception>
+
+#include "elgen/program.hpp"
+#include "program_text.hpp"
+
+namespace elgen {
+namespace {
+
+using Words = std::vector<std::string_view>;
+
+Words split(std::string_view line) {
+  Words words;
+  std::size_t at = 0;
+  while ((at = line.find_first_not_of(' ', at)) != std::string_view::npos) {
+    const std::size_t end = std::min(line.find(' ', at), line.size());
+    words.push_back(line.substr(at, end - at));
+    at = end;
+  }
+  return words;
+}
+
+std::optional<std::uint32_t> number(std::string_view word) {
+  std::uint32_t value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<std::uint32_t> position(const std::vector<std::string>& names,
+                                      std::string_view name) {
+  for (std::uint32_t i = 0; i < names.size(); ++i) {
+    if (names[i] == name) return i;
+  }
+  return std::nullopt;
+}
+
+/// CLN reads numbers of its own syntax and throws on others.
+template <class Number>
+std::optional<Number> read_number(std::string_view text) {
+  try {
+    return Number(std::string(text).c_str());
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
+class Reader {
+ public:
+  explicit Reader(const SourceText& source) : source_(source) {}
+
+  Result<Program> read() {
+    for (std::uint32_t line = 1; line <= source_.line_starts.size(); ++line) {
+      const std::string_view text = line_text(source_, line);
+      const std::string problem = text.empty() ? "" : read_line(text);
+      if (!problem.empty()) return Diagnostic{Code::E912, span(line, text), problem};
+    }
+    return std::move(program_);
+  }
+
+ private:
+  Span span(std::uint32_t line, std::string_view text) const {
+    const std::uint32_t begin = source_.line_starts[line - 1];
+    return {&source_, begin, begin + static_cast<std::uint32_t>(text.size())};
+  }
+
+  /// Empty, or what is wrong with the line.
+  std::string read_line(std::string_view line) {
+    const std::size_t comment = line.find(';');
+    const Words words = split(line.substr(0, comment));
+    if (words.empty()) return "";
+    if (words[0] == "parameters") return read_names(words, program_.leaves.parameters);
+    if (words[0] == "coordinates") return read_names(words, program_.leaves.coordinates);
+    if (words[0] == "inputs") return read_names(words, program_.leaves.inputs);
+    if (words[0] == "constant") return read_constant(words);
+    if (words[0] == "function") return read_heading(words);
+    if (words[0] == "time") {
+      program_.leaves.uses_time = true;
+      return "";
+    }
+    if (program_.functions.empty()) return fmt::format("`{}` outside of a function", words[0]);
+    if (words[0] == "result") return read_result(words);
+    const Words name = split(comment == std::string_view::npos ? "" : line.substr(comment + 1));
+    return read_instruction(words, name.empty() ? std::string_view() : name[0]);
+  }
+
+  static std::string read_names(const Words& words, std::vector<std::string>& names) {
+    names.assign(words.begin() + 1, words.end());
+    return "";
+  }
+
+  std::string read_constant(const Words& words) {
+    if (words.size() != 4 || words[2] != "=") return "expected `constant NAME = DIGITS`";
+    const auto value = read_number<cln::cl_F>(words[3]);
+    if (!value) return fmt::format("`{}` is not a number", words[3]);
+    program_.constants.push_back({*value, std::string(words[1])});
+    return "";
+  }
+
+  std::string read_heading(const Words& words) {
+    const bool renamed = words.size() > 3 && words[2] == "=";
+    if (words.size() != 2 && !renamed) return "expected `function NAME [= KIND [NUMBER]]`";
+    Function function;
+    function.name = std::string(words[1]);
+    const OutputRow* kind = nullptr;
+    for (const OutputRow& row : output_table()) {
+      if (row.name == (renamed ? words[3] : words[1])) kind = &row;
+    }
+    if (kind == nullptr) return fmt::format("`{}` is no output", words[renamed ? 3 : 1]);
+    function.kind = kind->kind;
+    if (words.size() > 4) {
+      const auto user = number(words[4]);
+      if (!user) return fmt::format("`{}` is not a number", words[4]);
+      function.user = *user;
+    }
+    program_.functions.push_back(std::move(function));
+    return "";
+  }
+
+  std::string read_result(const Words& words) {
+    Field field;
+    std::size_t at = 1;
+    if (words.size() > 1 && !number(words[1])) field.name = std::string(words[at++]);
+    if (words.size() < at + 3 || words[at + 2] != "=" || !number(words[at]) ||
+        !number(words[at + 1])) {
+      return "expected `result [NAME] ROWS COLUMNS = ENTRIES`";
+    }
+    field.rows = *number(words[at]);
+    field.columns = *number(words[at + 1]);
+    for (at += 3; at < words.size(); ++at) {
+      const auto entry = number(words[at]);
+      if (!entry) return fmt::format("`{}` is not a number", words[at]);
+      field.entries.push_back(*entry);
+    }
+    program_.functions.back().fields.push_back(std::move(field));
+    return "";
+  }
+
+  std::string read_instruction(const Words& words, std::string_view name) {
+    Function& function = program_.functions.back();
+    if (words.size() < 3 || number(words[0]) != function.instructions.size() || words[1] != "=") {
+      return fmt::format("expected `{} = OPERATION …`", function.instructions.size());
+    }
+    Instruction instruction;
+    if (!find_operation(words[2], instruction))
+      return fmt::format("`{}` is no operation", words[2]);
+    const Words operands(words.begin() + 3, words.end());
+    if (!read_operands(operands, instruction)) {
+      return fmt::format("`{}` has other operands", words[2]);
+    }
+    function.instructions.push_back(instruction);
+    function.names.emplace_back(name);
+    return "";
+  }
+
+  static bool find_operation(std::string_view word, Instruction& instruction) {
+    for (const OpcodeName& row : opcode_names) {
+      if (row.name != word) continue;
+      instruction.opcode = row.opcode;
+      return true;
+    }
+    for (const FunctionRow& row : function_table) {
+      if (row.name != word) continue;
+      instruction.opcode = Opcode::call;
+      instruction.function = row.id;
+      return true;
+    }
+    return false;
+  }
+
+  bool read_operands(const Words& words, Instruction& instruction) {
+    const std::size_t operands = operand_count(instruction);
+    if (operands == 0) return read_leaf(words, instruction);
+    if (words.size() != operands) return false;
+    const auto a = number(words[0]);
+    const auto b = operands > 1 ? number(words[1]) : std::optional<std::uint32_t>(0);
+    if (!a || !b) return false;
+    instruction.a = *a;
+    instruction.b = *b;
+    return true;
+  }
+
+  bool read_leaf(const Words& words, Instruction& instruction) {
+    if (instruction.opcode == Opcode::time) return words.empty();
+    if (words.size() != 1) return false;
+    const auto* names = leaf_spellings(program_.leaves, instruction.opcode);
+    const auto index = names != nullptr ? position(*names, words[0]) : constant_index(words[0]);
+    if (!index) return false;
+    instruction.a = *index;
+    return true;
+  }
+
+  /// Rational constants need no declaration.
+  std::optional<std::uint32_t> constant_index(std::string_view text) {
+    for (std::uint32_t i = 0; i < program_.constants.size(); ++i) {
+      if (program_.constants[i].text == text) return i;
+    }
+    const auto value = read_number<cln::cl_RA>(text);
+    if (!value) return std::nullopt;
+    program_.constants.push_back({*value, std::string(text)});
+    return static_cast<std::uint32_t>(program_.constants.size() - 1);
+  }
+
+  const SourceText& source_;
+  Program program_;
+};
+
+}  // namespace
+
+Result<Program> parse_program(SourcePointer text) { return Reader(*text).read(); }
+
+}  // namespace elgen

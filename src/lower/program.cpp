@@ -1,0 +1,73 @@
+// Program, measured: operands, operations executed, cost.
+//
+// The table of costs is one function; which opcode counts as what is one switch.
+#include "elgen/program.hpp"
+
+#include <set>
+
+namespace elgen {
+
+std::size_t operand_count(const Instruction& instruction) {
+  switch (instruction.opcode) {
+    case Opcode::constant:
+    case Opcode::parameter:
+    case Opcode::coordinate:
+    case Opcode::velocity:
+    case Opcode::acceleration:
+    case Opcode::input:
+    case Opcode::time:
+      return 0;
+    case Opcode::negate:
+    case Opcode::square_root:
+      return 1;
+    case Opcode::add:
+    case Opcode::subtract:
+    case Opcode::multiply:
+    case Opcode::divide:
+      return 2;
+    case Opcode::call:
+      return function_row(instruction.function).arity;
+  }
+  return 0;
+}
+
+OperationCounts count_operations(const Function& function) {
+  OperationCounts counts;
+  std::set<std::uint32_t> angles;
+  for (const Instruction& instruction : function.instructions) {
+    const FunctionId called = instruction.function;
+    switch (instruction.opcode) {
+      case Opcode::add:
+      case Opcode::subtract:
+        ++counts.add;
+        break;
+      case Opcode::multiply:
+        ++counts.mul;
+        break;
+      case Opcode::divide:
+        ++counts.div;
+        break;
+      case Opcode::square_root:
+        ++counts.sqrt;
+        break;
+      case Opcode::call:
+        if (called == FunctionId::sin || called == FunctionId::cos) {
+          angles.insert(instruction.a);
+        } else {
+          ++counts.other;
+        }
+        break;
+      default:
+        break;
+    }
+  }
+  counts.sincos = angles.size();
+  return counts;
+}
+
+std::size_t cost(const OperationCounts& counts) {
+  return counts.mul + counts.add + 8 * counts.div + 10 * counts.sqrt + 40 * counts.sincos +
+         40 * counts.other;
+}
+
+}  // namespace elgen
