@@ -25,11 +25,14 @@ enum class SyntaxKind : std::uint8_t {
   negate,    ///< operands = {e}
   add,       ///< n-ary, as a + b + c; a - b is a + (negate b)
   multiply,  ///< n-ary
-  divide,    ///< operands = {numerator, denominator}
+  divide,    ///< operands = {numerator, denominator}; left-associative
   power,     ///< operands = {base, exponent}
 };
 
-/// An expression as written. `span` covers the whole of it, `token` the operator or name inside.
+/// An expression as written. `span` covers the whole of it with its own brackets, `token` the
+/// operator or name inside. The tree is at most a few times limits.expression_depth high: brackets,
+/// calls, indices, signs, powers and quotients count one level each, and terms of one sum or
+/// product none.
 struct ExpressionSyntax {
   SyntaxKind kind = SyntaxKind::number;
   std::string text = {};
@@ -43,8 +46,9 @@ enum class ValueKind : std::uint8_t { expression, text, boolean, list, table };
 
 struct KeySyntax;
 
-/// A TOML value read as the key table says. Bare TOML numbers become number expressions, exact as
-/// written (re-read from the source, never through double).
+/// A TOML value read as the key table says (see KeyType for which kind of value each type becomes).
+/// Bare TOML numbers become number expressions, signed and exact as written (re-read from the
+/// source, never through double).
 struct ValueSyntax {
   ValueKind kind = ValueKind::text;
   Span span = {};         ///< the value; inside the quotes for strings
@@ -57,14 +61,15 @@ struct ValueSyntax {
 
 struct KeySyntax {
   std::string key = {};
-  Span key_span = {};
+  Span key_span = {};  ///< with its quotes, if it has any
   ValueSyntax value = {};
 };
 
 /// One table of the file: `[model]`, one `[[coordinate]]`, `[parameters]` …
 struct EntrySyntax {
-  std::string name = {};  ///< "model", "coordinate", "parameters", …; "" for the top level
-  Span span = {};         ///< the header
+  std::string name =
+      {};          ///< "model", "coordinate", "parameters", "outputs", …; "" for the top level
+  Span span = {};  ///< the header
   std::vector<KeySyntax> keys = {};
 
   [[nodiscard]] const KeySyntax* find(std::string_view key) const;
@@ -80,20 +85,27 @@ struct SceneSyntax {
   std::vector<EntrySyntax> entries = {};
 };
 
-/// What a key's value must be.
+/// What a key's value must be, and the ValueSyntax it is read as.
 enum class KeyType : std::uint8_t {
-  expression,         ///< bare number or string
-  expression_list,    ///< list of expressions
-  expression_matrix,  ///< list of lists of expressions
-  expression_or_list,
-  name,        ///< string: a declared or referenced name, perhaps with an index
-  text,        ///< free text
-  unit,        ///< string: a unit expression
-  repetition,  ///< "i in 1..n", or a list of such
-  integer,
-  boolean,
-  range,  ///< [low, high]
-  free,   ///< read as it stands; check decides (parameters, fixed, expect, start, outputs)
+  expression,           ///< bare number or string: ValueKind::expression
+  expression_list,      ///< list of expressions
+  expression_matrix,    ///< list of lists of expressions
+  expression_or_list,   ///< either
+  expression_or_table,  ///< a parameter: an expression, or a table (rows `<entry>.<key>`)
+  closed_form,          ///< expression, list, matrix, or a table {for, value}
+  name,              ///< string: a name, perhaps with an index: an expression of SyntaxKind::name
+  text,              ///< free text
+  choice,            ///< text, one of the words of choice_table()
+  choice_list,       ///< list of such
+  unit,              ///< string: an expression whose names are units
+  repetition,        ///< "i in 1..n" or a list of such: always a list of tables with the entries
+                     ///< `index` (a name), `low` and `high` (expressions)
+  integer,           ///< bare integer: a number expression
+  boolean,           ///< ValueKind::boolean
+  range,             ///< [low, high]: list of two expressions
+  table,             ///< inline table or sub-table (rows `<entry>.<key>`)
+  boolean_or_table,  ///< a wanted output: true, or a table
+  text_or_table,     ///< `fixed`: the text "all", or a table
 };
 
 /// One row of the key table.
@@ -103,7 +115,15 @@ struct KeyRow {
   KeyType type;
   bool required;
   bool supported;  ///< false: E108 "not yet supported"
-  std::string_view doc;
+  std::string_view doc = {};
+};
+
+/// One word a key of KeyType::choice or choice_list may hold.
+struct ChoiceRow {
+  std::string_view entry;
+  std::string_view key;
+  std::string_view word;
+  bool supported = true;
 };
 
 /// One row per entry: whether it is an array of tables, and whether it is supported yet.
@@ -116,6 +136,7 @@ struct EntryRow {
 };
 
 [[nodiscard]] const std::vector<KeyRow>& key_table();
+[[nodiscard]] const std::vector<ChoiceRow>& choice_table();
 [[nodiscard]] const std::vector<EntryRow>& entry_table();
 
 /// Reads a model or a scene file. Errors: E1xx (TOML, keys, types), E3xx (expressions), E9xx
