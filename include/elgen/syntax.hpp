@@ -67,9 +67,8 @@ struct KeySyntax {
 
 /// One table of the file: `[model]`, one `[[coordinate]]`, `[parameters]` …
 struct EntrySyntax {
-  std::string name =
-      {};          ///< "model", "coordinate", "parameters", "outputs", …; "" for the top level
-  Span span = {};  ///< the header
+  std::string name = {};  ///< "model", "coordinate", …, "outputs"; "" for the top level
+  Span span = {};         ///< the header
   std::vector<KeySyntax> keys = {};
 
   [[nodiscard]] const KeySyntax* find(std::string_view key) const;
@@ -97,7 +96,7 @@ enum class KeyType : std::uint8_t {
   text,              ///< free text
   choice,            ///< text, one of the words of choice_table()
   choice_list,       ///< list of such
-  unit,              ///< string: an expression whose names are units
+  unit,              ///< string: a unit as text
   repetition,        ///< "i in 1..n" or a list of such: always a list of tables with the entries
                      ///< `index` (a name), `low` and `high` (expressions)
   integer,           ///< bare integer: a number expression
@@ -110,11 +109,12 @@ enum class KeyType : std::uint8_t {
 
 /// One row of the key table.
 struct KeyRow {
-  std::string_view entry;  ///< "coordinate"; a scene's entries are "scene" and "scene.outputs", …
+  std::string_view entry;  ///< "coordinate", "" for the top level, "coordinate.start" for a table
+                           ///< that is a value; a scene's are "scene", "scene.outputs", …
   std::string_view key;    ///< "*": any name the user chooses
   KeyType type;
-  bool required;
-  bool supported;  ///< false: E108 "not yet supported"
+  bool required = false;
+  bool supported = true;  ///< false: E108 "not yet supported"
   std::string_view doc = {};
 };
 
@@ -129,9 +129,9 @@ struct ChoiceRow {
 /// One row per entry: whether it is an array of tables, and whether it is supported yet.
 struct EntryRow {
   std::string_view entry;
-  bool repeated;  ///< [[…]]
-  bool required;
-  bool supported;
+  bool repeated = false;  ///< [[…]]
+  bool required = false;
+  bool supported = true;
   std::string_view doc;
 };
 
