@@ -1,0 +1,156 @@
+// compile: writes an emitted header and its driver into a temporary directory, has the user's
+// compiler make a shared object of them, and loads it. The directory is gone when compile returns;
+// the loaded object stays.
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+
+#include "compiler.hpp"
+#include "driver.hpp"
+#include "elgen/toolchain.hpp"
+#include "temporary_directory.hpp"
+
+namespace elgen {
+namespace {
+
+/// A dlopen handle.
+class Library {
+ public:
+  explicit Library(const std::filesystem::path& object)
+      : handle_(dlopen(object.c_str(), RTLD_NOW | RTLD_LOCAL)) {}
+  Library(Library&& other) noexcept : handle_(std::exchange(other.handle_, nullptr)) {}
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+  Library& operator=(Library&&) = delete;
+  ~Library() {
+    if (handle_ != nullptr) dlclose(handle_);
+  }
+
+  [[nodiscard]] bool loaded() const { return handle_ != nullptr; }
+
+  template <class Scalar>
+  [[nodiscard]] DriverFunction<Scalar> find(const std::string& symbol) const {
+    return reinterpret_cast<DriverFunction<Scalar>>(dlsym(handle_, symbol.c_str()));
+  }
+
+ private:
+  void* handle_;
+};
+
+struct LoadedFunction {
+  std::string name;
+  std::size_t entries = 0;
+  DriverFunction<double> in_double = nullptr;
+  DriverFunction<float> in_float = nullptr;
+};
+
+class LoadedModel final : public CompiledModel {
+ public:
+  LoadedModel(Library library, std::vector<LoadedFunction> functions)
+      : library_(std::move(library)), functions_(std::move(functions)) {}
+
+  [[nodiscard]] std::vector<double> call(std::string_view function,
+                                         const Arguments<double>& arguments) const override {
+    return invoke(function, arguments, &LoadedFunction::in_double);
+  }
+  [[nodiscard]] std::vector<float> call(std::string_view function,
+                                        const Arguments<float>& arguments) const override {
+    return invoke(function, arguments, &LoadedFunction::in_float);
+  }
+
+ private:
+  template <class Scalar>
+  std::vector<Scalar> invoke(std::string_view name, const Arguments<Scalar>& arguments,
+                             DriverFunction<Scalar> LoadedFunction::*member) const {
+    const auto found = std::find_if(functions_.begin(), functions_.end(),
+                                    [name](const auto& f) { return f.name == name; });
+    if (found == functions_.end()) return {};
+    std::vector<Scalar> result(found->entries);
+    ((*found).*member)(arguments.parameters.data(), arguments.q.data(), arguments.v.data(),
+                       arguments.a.data(), arguments.u.data(), arguments.t, result.data());
+    return result;
+  }
+
+  Library library_;
+  std::vector<LoadedFunction> functions_;
+};
+
+bool write(const std::filesystem::path& path, const std::string& text) {
+  std::error_code error;
+  std::filesystem::create_directories(path.parent_path(), error);
+  std::ofstream stream(path, std::ios::binary);
+  stream << text;
+  stream.close();
+  return stream.good();
+}
+
+bool write_all(const std::filesystem::path& directory, const EmittedFiles& files,
+               const std::string& driver) {
+  const bool headers = std::all_of(
+      files.files.begin(), files.files.end(),
+      [&directory](const auto& file) { return write(directory / file.first, file.second); });
+  return headers && write(directory / "driver.cpp", driver);
+}
+
+std::size_t entry_count(const Function& function) {
+  std::size_t count = 0;
+  for (const Field& field : function.fields) count += field.entries.size();
+  return count;
+}
+
+/// Empty where a symbol is missing.
+std::vector<LoadedFunction> load(const Library& library, const Program& program) {
+  std::vector<LoadedFunction> functions;
+  for (std::size_t i = 0; i < program.functions.size(); ++i) {
+    const Function& function = program.functions[i];
+    functions.push_back({function.name, entry_count(function),
+                         library.find<double>(driver_symbol("double", i)),
+                         library.find<float>(driver_symbol("float", i))});
+    if (functions.back().in_double == nullptr || functions.back().in_float == nullptr) return {};
+  }
+  return functions;
+}
+
+Diagnostic nowhere(Code code, std::string message) { return {code, {}, std::move(message)}; }
+
+std::string tried() {
+  std::string text;
+  for (const CompilerCommand& candidate : compiler_candidates()) {
+    text += fmt::format("{}`{}`", text.empty() ? "" : ", ", fmt::join(candidate, " "));
+  }
+  return text;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<CompiledModel>> compile(const EmittedFiles& files, const Model& model,
+                                               const Scene& scene, const Program& program) {
+  const std::optional<TemporaryDirectory> directory = TemporaryDirectory::create();
+  if (!directory || !write_all(directory->path(), files, driver_source(model, scene, program))) {
+    return nowhere(Code::E706, "no temporary directory could be written; $TMPDIR names another");
+  }
+  const std::optional<CompilerCommand> compiler = find_compiler(directory->path());
+  if (!compiler) return nowhere(Code::E704, fmt::format("tried {}", tried()));
+
+  const std::filesystem::path object = directory->path() / "driver.so";
+  const ProcessResult compiled =
+      compile_shared(*compiler, directory->path() / "driver.cpp", object);
+  if (!compiled.started || compiled.status != 0) {
+    return nowhere(Code::E705, fmt::format("`{}` exits {}:\n{}", fmt::join(*compiler, " "),
+                                           compiled.status, compiled.output));
+  }
+  Library library(object);
+  if (!library.loaded()) return nowhere(Code::E705, fmt::format("not loadable: {}", dlerror()));
+  std::vector<LoadedFunction> functions = load(library, program);
+  if (functions.size() != program.functions.size()) {
+    return nowhere(Code::E705, "a compiled function is missing from the loaded object");
+  }
+  return Result<std::unique_ptr<CompiledModel>>(
+      std::make_unique<LoadedModel>(std::move(library), std::move(functions)));
+}
+
+}  // namespace elgen

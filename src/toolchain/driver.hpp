@@ -1,0 +1,30 @@
+// The C interface to an emitted header: one extern "C" function per model function and scalar, with
+// flat arrays.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "elgen/model.hpp"
+#include "elgen/program.hpp"
+#include "elgen/scene.hpp"
+
+namespace elgen {
+
+/// What every driver function looks like; arguments a function does not take are ignored.
+template <class Scalar>
+using DriverFunction = void (*)(const Scalar* parameters, const Scalar* q, const Scalar* v,
+                                const Scalar* a, const Scalar* u, Scalar t, Scalar* result);
+
+/// The driver's name for Program::functions[function]: "elgen_driver_double_3".
+[[nodiscard]] std::string driver_symbol(std::string_view scalar, std::size_t function);
+
+/// The source of a translation unit that includes "<base>/<base>.hpp" and wraps each function for
+/// double and float. `parameters` are those of Program::leaves; results follow each other in the
+/// order of Function::fields.
+[[nodiscard]] std::string driver_source(const Model& model, const Scene& scene,
+                                        const Program& program);
+
+}  // namespace elgen

@@ -1,0 +1,40 @@
+// TemporaryDirectory: mkdtemp under $TMPDIR or /tmp, removed recursively by the destructor. Failing
+// to remove is not reported: nothing depends on it.
+#include "temporary_directory.hpp"
+
+#include <stdlib.h>
+
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace elgen {
+
+std::optional<TemporaryDirectory> TemporaryDirectory::create() {
+  const char* parent = std::getenv("TMPDIR");
+  std::string name = (parent != nullptr && *parent != '\0') ? parent : "/tmp";
+  name += "/elgen-XXXXXX";
+  if (mkdtemp(name.data()) == nullptr) return std::nullopt;
+  return TemporaryDirectory(name);
+}
+
+TemporaryDirectory::TemporaryDirectory(TemporaryDirectory&& other) noexcept
+    : path_(std::exchange(other.path_, {})) {}
+
+TemporaryDirectory& TemporaryDirectory::operator=(TemporaryDirectory&& other) noexcept {
+  if (this != &other) {
+    remove();
+    path_ = std::exchange(other.path_, {});
+  }
+  return *this;
+}
+
+TemporaryDirectory::~TemporaryDirectory() { remove(); }
+
+void TemporaryDirectory::remove() noexcept {
+  if (path_.empty()) return;
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+}  // namespace elgen

@@ -1,0 +1,68 @@
+// The driver names parameters as the header does, and passes the arguments each function takes.
+#include "toolchain/driver.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "toolchain/sample_model.hpp"
+
+using Catch::Matchers::Contains;
+
+namespace {
+
+std::string driver(const elgen::Model& model, const elgen::Scene& scene) {
+  return elgen::driver_source(model, scene, sample::program());
+}
+
+}  // namespace
+
+TEST_CASE("parameters go to the members of the emitted struct") {
+  const std::string text = driver(sample::model(), sample::scene());
+  CHECK_THAT(text, Contains("result.m = values[0];"));
+  CHECK_THAT(text, Contains("result.l[0] = values[1];"));
+  CHECK_THAT(text, Contains("result.l[1] = values[2];"));
+}
+
+TEST_CASE("fixed parameters are no members") {
+  elgen::Scene scene = sample::scene();
+  scene.specialisation.fixed[0] = 2;
+  const std::string text = driver(sample::model(), scene);
+  CHECK_THAT(text, !Contains("result.m"));
+  CHECK_THAT(text, Contains("result.l[0] = values[1];"));
+}
+
+TEST_CASE("each function gets the arguments of its row, and t last where t occurs") {
+  elgen::Model model = sample::model();
+  CHECK_THAT(driver(model, sample::scene()), !Contains(", t)"));
+  model.uses_time = true;
+  const std::string text = driver(model, sample::scene());
+  CHECK_THAT(text, Contains("velocity_count>(a), t)"));
+  CHECK_THAT(text, Contains("input_count>(u), t)"));
+}
+
+TEST_CASE("the mass matrix takes v where L is not quadratic") {
+  elgen::Model model = sample::model();
+  elgen::Program program = sample::program();
+  program.functions = {
+      {.kind = elgen::OutputKind::mass_matrix, .name = "M", .fields = {{.entries = {0}}}}};
+  CHECK_THAT(driver_source(model, sample::scene(), program), !Contains(">(v)"));
+  model.quadratic = false;
+  CHECK_THAT(driver_source(model, sample::scene(), program), Contains(">(v)"));
+}
+
+TEST_CASE("a chosen namespace is used, the file keeps its name") {
+  elgen::Scene scene = sample::scene();
+  scene.emission.cpp_namespace = "plant";
+  const std::string text = driver(sample::model(), scene);
+  CHECK_THAT(text, Contains("#include \"sample/sample.hpp\""));
+  CHECK_THAT(text, Contains("namespace emitted = ::plant;"));
+}
+
+TEST_CASE("results beyond 4096 entries are taken by reference") {
+  elgen::Program program = sample::program();
+  program.functions[0].fields[0].entries.assign(4096, 0);
+  CHECK_THAT(driver_source(sample::model(), sample::scene(), program),
+             !Contains("inverse_dynamics(result,"));
+  program.functions[0].fields[0].entries.push_back(0);
+  CHECK_THAT(driver_source(sample::model(), sample::scene(), program),
+             Contains("inverse_dynamics(result,"));
+}

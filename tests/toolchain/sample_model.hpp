@@ -1,0 +1,73 @@
+// A hand-made model and header for the toolchain's tests: one coordinate, a parameter, an array of
+// two.
+#pragma once
+
+#include <string>
+
+#include "elgen/toolchain.hpp"
+
+namespace sample {
+
+inline elgen::Model model() {
+  elgen::Model model;
+  model.name = "sample";
+  model.coordinates.push_back({.name = "x", .identifier = "x"});
+  model.parameter_arrays.push_back({.name = "m", .first = 0});
+  model.parameter_arrays.push_back({.name = "l", .first = 1, .count = 2, .is_array = true});
+  model.parameters.push_back({.name = "m", .identifier = "m", .array = 0});
+  model.parameters.push_back({.name = "l[1]", .identifier = "l_1", .array = 1, .element = 0});
+  model.parameters.push_back({.name = "l[2]", .identifier = "l_2", .array = 1, .element = 1});
+  return model;
+}
+
+inline elgen::Scene scene() {
+  elgen::Scene scene;
+  scene.base_name = "sample";
+  return scene;
+}
+
+/// A bias of one entry, and a struct of two fields.
+inline elgen::Program program() {
+  using elgen::OutputKind;
+  elgen::Program program;
+  program.leaves.parameters = {"m", "l[1]", "l[2]"};
+  program.leaves.coordinates = {"x"};
+  program.functions.push_back({.kind = OutputKind::inverse_dynamics,
+                               .name = "inverse_dynamics",
+                               .fields = {{.entries = {0}}}});
+  program.functions.push_back({.kind = OutputKind::forward_dynamics,
+                               .name = "forward_dynamics",
+                               .fields = {{.name = "acceleration", .entries = {0}},
+                                          {.name = "relative_pivots", .entries = {0}}}});
+  return program;
+}
+
+inline std::string header() {
+  return R"(#pragma once
+#include <array>
+#include <cstddef>
+namespace sample {
+inline constexpr std::size_t coordinate_count = 1, velocity_count = 1, input_count = 0;
+template <class Scalar> struct Parameters { Scalar m; std::array<Scalar, 2> l; };
+template <class Scalar> using Vector = std::array<Scalar, 1>;
+template <class Scalar> using Inputs = std::array<Scalar, 0>;
+template <class Scalar> struct Forward { Vector<Scalar> acceleration; Vector<Scalar> relative_pivots; };
+template <class Scalar>
+Vector<Scalar> inverse_dynamics(const Parameters<Scalar>& p, const Vector<Scalar>& q,
+                                const Vector<Scalar>& v, const Vector<Scalar>& a) noexcept {
+  return {p.m * a[0] + p.l[0] * q[0] + p.l[1] * v[0]};
+}
+template <class Scalar>
+Forward<Scalar> forward_dynamics(const Parameters<Scalar>& p, const Vector<Scalar>& q,
+                                 const Vector<Scalar>& v, const Inputs<Scalar>&) noexcept {
+  return {{p.l[0] * q[0] + v[0]}, {p.m}};
+}
+}  // namespace sample
+)";
+}
+
+inline elgen::EmittedFiles files(const std::string& text) {
+  return {{{"sample/sample.hpp", text}}};
+}
+
+}  // namespace sample
