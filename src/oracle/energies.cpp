@@ -1,0 +1,163 @@
+// Energies: one term per entry of the model, in the order of the file.
+#include "energies.hpp"
+
+namespace elgen::oracle {
+namespace {
+
+using Components = std::array<ExpressionId, 3>;
+
+const Jet& half() {
+  static const Jet value = Jet(cln::cl_RA(1) / 2);
+  return value;
+}
+
+Jet square(const Jet& x) { return x * x; }
+
+void append(std::vector<Root>& roots, const Components& at, unsigned dimension, unsigned order) {
+  for (unsigned c = 0; c < dimension; ++c) roots.push_back({at[c], order});
+}
+
+void append(std::vector<Root>& roots, const std::vector<ExpressionId>& expressions) {
+  for (const ExpressionId id : expressions) roots.push_back({id, 0});
+}
+
+void append(std::vector<Root>& roots, const std::optional<ExpressionId>& expression) {
+  if (expression) roots.push_back({*expression, 0});
+}
+
+/// |dp/dt|^2
+Jet squared_speed(const Evaluation& at, const Components& position, unsigned dimension) {
+  Jet sum;
+  for (unsigned c = 0; c < dimension; ++c) sum = sum + square(at.rate(position[c]));
+  return sum;
+}
+
+/// gravity.p
+Jet along_gravity(const Model& model, const Evaluation& at, const Components& position) {
+  Jet sum;
+  for (unsigned c = 0; c < 3; ++c) {
+    sum = sum + at.value((*model.gravity)[c]) * at.value(position[c]);
+  }
+  return sum;
+}
+
+bool moves_its_centre(const Body& body) { return body.mass && !body.inertia_about_origin; }
+
+/// w.I w; I is {Izz} or {xx yy zz xy xz yz}.
+Jet spin_energy_twice(const Body& body, const Evaluation& at) {
+  if (body.inertia.empty() || body.spin.empty()) return {};
+  if (body.inertia.size() == 1) {
+    return at.value(body.inertia[0]) * square(at.value(body.spin.back()));
+  }
+  const Jet x = at.value(body.spin[0]);
+  const Jet y = at.value(body.spin[1]);
+  const Jet z = at.value(body.spin[2]);
+  const auto inertia = [&](std::size_t i) { return at.value(body.inertia[i]); };
+  return inertia(0) * x * x + inertia(1) * y * y + inertia(2) * z * z +
+         Jet(2) * (inertia(3) * x * y + inertia(4) * x * z + inertia(5) * y * z);
+}
+
+Jet armature_energy(const Model& model, const Evaluation& at, const Motion& motion) {
+  Jet sum;
+  for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
+    const auto& armature = model.coordinates[i].armature;
+    if (armature) sum = sum + half() * at.value(*armature) * square(motion.v[i]);
+  }
+  return sum;
+}
+
+std::vector<Root> armature_roots(const Model& model) {
+  std::vector<Root> roots;
+  for (const Coordinate& coordinate : model.coordinates) append(roots, coordinate.armature);
+  return roots;
+}
+
+}  // namespace
+
+std::vector<Root> kinetic_roots(const Model& model) {
+  std::vector<Root> roots = armature_roots(model);
+  append(roots, model.energies.T);
+  for (const Point& point : model.points) {
+    if (!point.mass) continue;
+    append(roots, point.mass);
+    append(roots, point.at, point.dimension, 1);
+  }
+  for (const Body& body : model.bodies) {
+    append(roots, body.inertia);
+    append(roots, body.spin);
+    if (!moves_its_centre(body)) continue;
+    append(roots, body.mass);
+    append(roots, body.com, body.dimension, 1);
+  }
+  return roots;
+}
+
+std::vector<Root> potential_roots(const Model& model) {
+  std::vector<Root> roots;
+  append(roots, model.energies.V);
+  if (!model.gravity) return roots;
+  append(roots, *model.gravity, 3, 0);
+  for (const Point& point : model.points) {
+    if (!point.mass) continue;
+    append(roots, point.mass);
+    append(roots, point.at, 3, 0);
+  }
+  for (const Body& body : model.bodies) {
+    if (!body.mass) continue;
+    append(roots, body.mass);
+    append(roots, body.com, 3, 0);
+  }
+  return roots;
+}
+
+std::vector<Root> lagrangian_roots(const Model& model) {
+  std::vector<Root> roots = kinetic_roots(model);
+  const std::vector<Root> potential = potential_roots(model);
+  roots.insert(roots.end(), potential.begin(), potential.end());
+  append(roots, model.energies.L);
+  return roots;
+}
+
+std::vector<Root> dissipation_roots(const Model& model) {
+  std::vector<Root> roots;
+  append(roots, model.energies.D);
+  return roots;
+}
+
+Jet kinetic_energy(const Model& model, const Evaluation& at, const Motion& motion) {
+  Jet sum = armature_energy(model, at, motion);
+  if (model.energies.T) sum = sum + at.value(*model.energies.T);
+  for (const Point& point : model.points) {
+    if (!point.mass) continue;
+    sum = sum + half() * at.value(*point.mass) * squared_speed(at, point.at, point.dimension);
+  }
+  for (const Body& body : model.bodies) {
+    sum = sum + half() * spin_energy_twice(body, at);
+    if (!moves_its_centre(body)) continue;
+    sum = sum + half() * at.value(*body.mass) * squared_speed(at, body.com, body.dimension);
+  }
+  return sum;
+}
+
+Jet potential_energy(const Model& model, const Evaluation& at) {
+  Jet sum = model.energies.V ? at.value(*model.energies.V) : Jet();
+  if (!model.gravity) return sum;
+  for (const Point& point : model.points) {
+    if (point.mass) sum = sum - at.value(*point.mass) * along_gravity(model, at, point.at);
+  }
+  for (const Body& body : model.bodies) {
+    if (body.mass) sum = sum - at.value(*body.mass) * along_gravity(model, at, body.com);
+  }
+  return sum;
+}
+
+Jet lagrangian(const Model& model, const Evaluation& at, const Motion& motion) {
+  const Jet whole = model.energies.L ? at.value(*model.energies.L) : Jet();
+  return whole + kinetic_energy(model, at, motion) - potential_energy(model, at);
+}
+
+Jet dissipation(const Model& model, const Evaluation& at) {
+  return model.energies.D ? at.value(*model.energies.D) : Jet();
+}
+
+}  // namespace elgen::oracle

@@ -1,0 +1,118 @@
+// Evaluation: walks the schedule once; every expression is computed from those before it.
+#include "evaluation.hpp"
+
+namespace elgen::oracle {
+namespace {
+
+/// Generators below belong to the caller's directions of differentiation.
+constexpr unsigned first_time_generator = 8;
+
+Generators time_generator(unsigned k) { return generator(first_time_generator + k); }
+
+/// The time generators beyond the first `order`.
+Generators beyond(unsigned order) { return ~(time_generator(order) - 1); }
+
+/// s = e_1 + ... + e_order
+Jet elapsed_time(unsigned order) {
+  Jet s;
+  for (unsigned k = 0; k < order; ++k) s = s + Jet(time_generator(k), 1);
+  return s;
+}
+
+}  // namespace
+
+Evaluation::Evaluation(const Model& model, const Schedule& schedule, const Motion& motion,
+                       JetFunctions& functions)
+    : model_(model), schedule_(schedule), motion_(motion), functions_(functions) {
+  values_.reserve(schedule.order.size());
+  for (std::size_t slot = 0; slot < schedule.order.size(); ++slot) {
+    Jet value = evaluated(model.expressions[schedule.order[slot]], schedule.time_orders[slot]);
+    value.shorten();
+    values_.push_back(std::move(value));
+  }
+}
+
+Jet Evaluation::value(ExpressionId expression) const { return operand(expression, 0); }
+
+Jet Evaluation::rate(ExpressionId expression) const {
+  return operand(expression, 1).tangent(time_generator(0));
+}
+
+Jet Evaluation::second_rate(ExpressionId expression) const {
+  return operand(expression, 2).tangent(time_generator(0)).tangent(time_generator(1));
+}
+
+/// The value with no more time generators than its user wants.
+Jet Evaluation::operand(ExpressionId id, unsigned time_order) const {
+  const std::uint32_t slot = schedule_.slots[id];
+  const Jet& value = values_[slot];
+  return schedule_.time_orders[slot] == time_order ? value : value.without(beyond(time_order));
+}
+
+Jet Evaluation::evaluated(const Expression& e, unsigned time_order) {
+  switch (e.kind) {
+    case ExpressionKind::prescribed:
+      return operand(model_.prescribed[e.index].value, time_order);
+    case ExpressionKind::definition:
+      return operand(model_.definitions[e.index].value, time_order);
+    case ExpressionKind::point_component:
+      return operand(model_.points[e.index / 3].at[e.index % 3], time_order);
+    case ExpressionKind::negate:
+      return -operand(e.operands[0], time_order);
+    case ExpressionKind::add:
+    case ExpressionKind::multiply:
+      return folded(e, time_order);
+    case ExpressionKind::divide:
+      return operand(e.operands[0], time_order) / operand(e.operands[1], time_order);
+    case ExpressionKind::power:
+      return functions_.power(operand(e.operands[0], time_order), e.number);
+    case ExpressionKind::function:
+      return function(e, time_order);
+    case ExpressionKind::time_derivative:
+      return operand(e.operands[0], time_order + 1).tangent(time_generator(time_order));
+    default:
+      return leaf(e, time_order);
+  }
+}
+
+Jet Evaluation::leaf(const Expression& e, unsigned time_order) const {
+  const Jet s = elapsed_time(time_order);
+  switch (e.kind) {
+    case ExpressionKind::number:
+      return Jet(e.number);
+    case ExpressionKind::pi:
+      return Jet(real_pi());
+    case ExpressionKind::time:
+      return motion_.t + s;
+    case ExpressionKind::coordinate: {
+      const Jet half_square = s * s * Jet(cln::cl_RA(1) / 2);
+      return motion_.q[e.index] + motion_.v[e.index] * s + motion_.a[e.index] * half_square;
+    }
+    case ExpressionKind::rate:
+      return motion_.v[e.index] + motion_.a[e.index] * s;
+    case ExpressionKind::acceleration:
+      return motion_.a[e.index];
+    case ExpressionKind::input:
+      return motion_.u[e.index];
+    default:
+      return motion_.parameters[e.index];
+  }
+}
+
+Jet Evaluation::folded(const Expression& e, unsigned time_order) const {
+  const bool adds = e.kind == ExpressionKind::add;
+  Jet result = adds ? 0 : 1;
+  for (const ExpressionId id : e.operands) {
+    const Jet next = operand(id, time_order);
+    result = adds ? result + next : result * next;
+  }
+  return result;
+}
+
+Jet Evaluation::function(const Expression& e, unsigned time_order) {
+  const Jet x = operand(e.operands[0], time_order);
+  const Jet y = e.operands.size() > 1 ? operand(e.operands[1], time_order) : Jet();
+  return functions_.value(e.function, x, y);
+}
+
+}  // namespace elgen::oracle

@@ -1,0 +1,57 @@
+// Evaluation: the values, and rates along the motion, of scheduled expressions on jets.
+//
+// Time is one more set of generators: with s = e_1 + ... + e_k (k the time order of an expression),
+//
+//     q(s) = q + v s + a s^2/2,    v(s) = v + a s,    t(s) = t + s,
+//
+// so that the coefficient of e_1 is d/dt along the motion and that of e_1 e_2 is d2/dt2.
+#pragma once
+
+#include <vector>
+
+#include "elgen/model.hpp"
+#include "jet.hpp"
+#include "jet_functions.hpp"
+#include "schedule.hpp"
+
+namespace elgen::oracle {
+
+/// A state whose entries may carry directions of differentiation, generators 0 to 7.
+struct Motion {
+  std::vector<Jet> parameters = {};
+  std::vector<Jet> q = {};
+  std::vector<Jet> v = {};
+  std::vector<Jet> a = {};
+  std::vector<Jet> u = {};
+  Jet t = {};
+};
+
+class Evaluation {
+ public:
+  /// Cost: one operation on jets per scheduled expression.
+  Evaluation(const Model& model, const Schedule& schedule, const Motion& motion,
+             JetFunctions& functions);
+
+  [[nodiscard]] Jet value(ExpressionId expression) const;
+
+  /// d/dt along the motion; the root's time order must be at least 1.
+  [[nodiscard]] Jet rate(ExpressionId expression) const;
+
+  /// d2/dt2 along the motion with constant acceleration; time order at least 2.
+  [[nodiscard]] Jet second_rate(ExpressionId expression) const;
+
+ private:
+  Jet evaluated(const Expression& e, unsigned time_order);
+  Jet leaf(const Expression& e, unsigned time_order) const;
+  Jet folded(const Expression& e, unsigned time_order) const;
+  Jet function(const Expression& e, unsigned time_order);
+  [[nodiscard]] Jet operand(ExpressionId id, unsigned time_order) const;
+
+  const Model& model_;
+  const Schedule& schedule_;
+  const Motion& motion_;
+  JetFunctions& functions_;
+  std::vector<Jet> values_ = {};
+};
+
+}  // namespace elgen::oracle

@@ -1,0 +1,111 @@
+// Jets: sums merge terms, products multiply terms of disjoint generators, quotients go by the chain
+// rule.
+#include "jet.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "real_functions.hpp"
+
+namespace elgen::oracle {
+namespace {
+
+using cln::cl_R;
+
+bool is_exact_zero(const cl_R& x) { return is_rational(x) && cln::zerop(x); }
+
+/// 1 / (y0 + y1 e) = r - r^2 y1 e with r = 1 / y0.
+Jet reciprocal(const Jet& y) {
+  const Generators support = y.support();
+  if (support == 0) return quotient(1, y.real());
+  const Generators top = std::bit_floor(support);
+  const Jet r = reciprocal(y.without(top));
+  return r - r * r * y.tangent(top) * Jet(top, 1);
+}
+
+}  // namespace
+
+Jet::Jet(const cl_R& real) : Jet(0, real) {}
+
+Jet::Jet(Generators generators, const cl_R& coefficient) {
+  if (!is_exact_zero(coefficient)) terms_.emplace_back(generators, coefficient);
+}
+
+void Jet::add(Generators generators, const cl_R& coefficient) {
+  const auto at = std::lower_bound(terms_.begin(), terms_.end(), generators,
+                                   [](const Term& t, Generators g) { return t.first < g; });
+  if (at == terms_.end() || at->first != generators) {
+    if (!is_exact_zero(coefficient)) terms_.insert(at, Term(generators, coefficient));
+    return;
+  }
+  at->second = at->second + coefficient;
+  if (is_exact_zero(at->second)) terms_.erase(at);
+}
+
+cl_R Jet::coefficient(Generators generators) const {
+  for (const auto& [present, value] : terms_) {
+    if (present == generators) return value;
+  }
+  return 0;
+}
+
+Generators Jet::support() const {
+  Generators all = 0;
+  for (const auto& [present, value] : terms_) all |= present;
+  return all;
+}
+
+Jet Jet::tangent(Generators one) const {
+  Jet result;
+  for (const auto& [present, value] : terms_) {
+    if ((present & one) != 0) result.terms_.emplace_back(present & ~one, value);
+  }
+  return result;
+}
+
+Jet Jet::without(Generators any) const {
+  Jet result;
+  for (const auto& [present, value] : terms_) {
+    if ((present & any) == 0) result.terms_.emplace_back(present, value);
+  }
+  return result;
+}
+
+void Jet::shorten() {
+  for (auto& [present, value] : terms_) value = shortened(value);
+}
+
+Jet operator+(const Jet& x, const Jet& y) {
+  Jet result = x;
+  for (const auto& [present, value] : y.terms_) result.add(present, value);
+  return result;
+}
+
+Jet operator-(const Jet& x) {
+  Jet result = x;
+  for (auto& [present, value] : result.terms_) value = -value;
+  return result;
+}
+
+Jet operator*(const Jet& x, const Jet& y) {
+  Jet result;
+  for (const auto& [in_x, x_value] : x.terms_) {
+    for (const auto& [in_y, y_value] : y.terms_) {
+      if ((in_x & in_y) == 0) result.add(in_x | in_y, x_value * y_value);
+    }
+  }
+  return result;
+}
+
+Jet operator-(const Jet& x, const Jet& y) { return x + (-y); }
+
+Jet operator/(const Jet& x, const Jet& y) {
+  if (y.support() != 0) return x * reciprocal(y);
+  Jet result;
+  for (const auto& [present, value] : x.terms()) {
+    result = result + Jet(present, quotient(value, y.real()));
+  }
+  return x.terms().empty() ? Jet(quotient(0, y.real())) : result;
+}
+
+}  // namespace elgen::oracle

@@ -1,0 +1,178 @@
+// Mechanics: each quantity is the coefficient of its generators in one evaluation of an energy.
+#include "mechanics.hpp"
+
+namespace elgen::oracle {
+namespace {
+
+using cln::cl_R;
+
+constexpr Generators first = generator(0);
+constexpr Generators second = generator(1);
+constexpr Generators third = generator(2);
+
+std::vector<Root> force_roots(const Model& model) {
+  std::vector<Root> roots;
+  const auto append_point = [&](std::uint32_t point) {
+    for (const ExpressionId id : model.points[point].at) roots.push_back({id, 0});
+  };
+  for (const Force& force : model.forces) {
+    for (const ExpressionId id : force.value) roots.push_back({id, 0});
+    if (force.at) append_point(*force.at);
+    if (force.from) append_point(*force.from);
+  }
+  return roots;
+}
+
+std::vector<Jet> jets(const std::vector<cl_R>& reals) { return {reals.begin(), reals.end()}; }
+
+}  // namespace
+
+Direction unit_direction(std::size_t n, std::size_t i) {
+  Direction direction(n, cl_R(0));
+  direction[i] = 1;
+  return direction;
+}
+
+Motion motion_of(const State& state) {
+  return {jets(state.parameters), jets(state.q), jets(state.v),
+          jets(state.a),          jets(state.u), Jet(state.t)};
+}
+
+void displace(std::vector<Jet>& quantity, const Direction& direction, Generators generators) {
+  for (std::size_t i = 0; i < quantity.size(); ++i) {
+    quantity[i] = quantity[i] + Jet(generators, direction[i]);
+  }
+}
+
+Mechanics::Mechanics(const Model& model, const State& state)
+    : model_(model),
+      state_(state),
+      base_(motion_of(state)),
+      lagrangian_(make_schedule(model, lagrangian_roots(model))),
+      potential_(make_schedule(model, potential_roots(model))),
+      dissipation_(make_schedule(model, dissipation_roots(model))),
+      forces_(make_schedule(model, force_roots(model))) {
+  base_.a.assign(model.coordinates.size(), Jet());
+  base_.u.assign(model.inputs.size(), Jet());
+}
+
+Motion Mechanics::at_rest() const {
+  Motion motion = base_;
+  motion.v.assign(size(), Jet());
+  return motion;
+}
+
+Jet Mechanics::lagrangian_at(const Motion& motion) {
+  return lagrangian(model_, Evaluation(model_, lagrangian_, motion, functions_), motion);
+}
+
+Jet Mechanics::potential_at(const Motion& motion) {
+  if (model_.energies.L) return -lagrangian_at(motion);
+  return oracle::potential_energy(model_, Evaluation(model_, potential_, motion, functions_));
+}
+
+/// Coefficient of e0 e1 in L(q, v + w e0 + y e1). Where L is quadratic M has no v in it, and rest
+/// is cheaper.
+cl_R Mechanics::mass(const Direction& w, const Direction& y) {
+  Motion motion = model_.quadratic ? at_rest() : base_;
+  displace(motion.v, w, first);
+  displace(motion.v, y, second);
+  return lagrangian_at(motion).coefficient(first | second);
+}
+
+/// Coefficient of e0 e1 e2 in L(q + x e2, w e0 + y e1).
+cl_R Mechanics::mass_gradient(const Direction& x, const Direction& w, const Direction& y) {
+  Motion motion = at_rest();
+  displace(motion.v, w, first);
+  displace(motion.v, y, second);
+  displace(motion.q, x, third);
+  return lagrangian_at(motion).coefficient(first | second | third);
+}
+
+cl_R Mechanics::momentum(const Direction& w) {
+  Motion motion = base_;
+  displace(motion.v, w, first);
+  return lagrangian_at(motion).coefficient(first);
+}
+
+/// d/dt (w.dL/dv) is the coefficient of e0 e1 in L(q + v e1, v + a e1 + w e0, t + e1).
+cl_R Mechanics::inverse_dynamics(const Direction& w, const Direction& a) {
+  Motion moving = base_;
+  displace(moving.q, state_.v, second);
+  displace(moving.v, a, second);
+  displace(moving.v, w, first);
+  moving.t = moving.t + Jet(second, 1);
+  Motion displaced = base_;
+  displace(displaced.q, w, first);
+  return lagrangian_at(moving).coefficient(first | second) -
+         lagrangian_at(displaced).coefficient(first) + dissipation_force(w) - applied_force(w);
+}
+
+cl_R Mechanics::gravity(const Direction& w) {
+  Motion motion = at_rest();
+  displace(motion.q, w, first);
+  return potential_at(motion).coefficient(first);
+}
+
+cl_R Mechanics::dissipation_force(const Direction& w) {
+  Motion motion = base_;
+  displace(motion.v, w, first);
+  const Evaluation at(model_, dissipation_, motion, functions_);
+  return dissipation(model_, at).coefficient(first);
+}
+
+/// sum Q_i w_i + sum F.(dp/dq w), where e0 displaces along w.
+Jet Mechanics::force_along(const Motion& motion, const Direction& w) {
+  Motion displaced = motion;
+  displace(displaced.q, w, first);
+  const Evaluation at(model_, forces_, displaced, functions_);
+  const auto work = [&](const Force& force, std::uint32_t point) {
+    Jet sum;
+    for (std::size_t c = 0; c < force.value.size(); ++c) {
+      const Jet displacement = at.value(model_.points[point].at[c]).tangent(first);
+      sum = sum + at.value(force.value[c]).without(first) * displacement;
+    }
+    return sum;
+  };
+  Jet sum;
+  for (const Force& force : model_.forces) {
+    if (force.coordinate) {
+      sum = sum + at.value(force.value[0]).without(first) * Jet(w[*force.coordinate]);
+    }
+    if (force.at) sum = sum + work(force, *force.at);
+    if (force.from) sum = sum - work(force, *force.from);
+  }
+  for (std::size_t k = 0; k < model_.inputs.size(); ++k) {
+    if (model_.inputs[k].on) sum = sum + motion.u[k] * Jet(w[*model_.inputs[k].on]);
+  }
+  return sum;
+}
+
+cl_R Mechanics::applied_force(const Direction& w) { return force_along(base_, w).real(); }
+
+cl_R Mechanics::input_force(const Direction& w, std::size_t k) {
+  Motion motion = base_;
+  motion.u[k] = Jet(second, 1);
+  return force_along(motion, w).coefficient(second);
+}
+
+cl_R Mechanics::kinetic_energy() {
+  if (model_.energies.L) return mass(state_.v, state_.v) / 2;
+  const Evaluation at(model_, lagrangian_, base_, functions_);
+  return oracle::kinetic_energy(model_, at, base_).real();
+}
+
+cl_R Mechanics::potential_energy() {
+  return model_.energies.L ? potential_energy_at_rest() : potential_at(base_).real();
+}
+
+cl_R Mechanics::potential_energy_at_rest() { return potential_at(at_rest()).real(); }
+
+cl_R Mechanics::energy_function() {
+  Motion motion = base_;
+  displace(motion.v, state_.v, first);
+  const Jet value = lagrangian_at(motion);
+  return value.coefficient(first) - value.real();
+}
+
+}  // namespace elgen::oracle

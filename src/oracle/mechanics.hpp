@@ -1,0 +1,87 @@
+// Mechanics: directional derivatives of the energies at one state, which every output is made of.
+//
+// w, x, y are directions (virtual displacements or rates). One call is one or two evaluations of an
+// energy. Source of the equations: Goldstein, Poole, Safko, Classical Mechanics, 3rd ed., 1.5
+// and 8.1.
+#pragma once
+
+#include <vector>
+
+#include "elgen/model.hpp"
+#include "elgen/oracle.hpp"
+#include "energies.hpp"
+
+namespace elgen::oracle {
+
+using Direction = std::vector<cln::cl_R>;
+
+/// The i-th of n unit vectors.
+[[nodiscard]] Direction unit_direction(std::size_t n, std::size_t i);
+
+/// The motion of a state, with exact entries and no generators.
+[[nodiscard]] Motion motion_of(const State& state);
+
+/// quantity += direction * generators, entry by entry.
+void displace(std::vector<Jet>& quantity, const Direction& direction, Generators generators);
+
+class Mechanics {
+ public:
+  Mechanics(const Model& model, const State& state);
+
+  [[nodiscard]] std::size_t size() const { return model_.coordinates.size(); }
+  [[nodiscard]] Direction unit(std::size_t i) const { return unit_direction(size(), i); }
+  [[nodiscard]] const State& state() const { return state_; }
+
+  /// w.M y, M = d2L/dv2
+  [[nodiscard]] cln::cl_R mass(const Direction& w, const Direction& y);
+
+  /// d/dq (w.M y) along x; for Lagrangians quadratic in the rates.
+  [[nodiscard]] cln::cl_R mass_gradient(const Direction& x, const Direction& w, const Direction& y);
+
+  /// w.dL/dv
+  [[nodiscard]] cln::cl_R momentum(const Direction& w);
+
+  /// w.(d/dt dL/dv - dL/dq + dD/dv - Q) with acceleration a: w.(M a + bias)
+  [[nodiscard]] cln::cl_R inverse_dynamics(const Direction& w, const Direction& a);
+
+  /// w.dV0/dq; V0 = V(q, 0, t), or -L(q, 0, t)
+  [[nodiscard]] cln::cl_R gravity(const Direction& w);
+
+  /// w.dD/dv
+  [[nodiscard]] cln::cl_R dissipation_force(const Direction& w);
+
+  /// w.Q at u = 0
+  [[nodiscard]] cln::cl_R applied_force(const Direction& w);
+
+  /// w.dQ/du_k
+  [[nodiscard]] cln::cl_R input_force(const Direction& w, std::size_t k);
+
+  /// T, or 1/2 v.M v where the Lagrangian is given whole.
+  [[nodiscard]] cln::cl_R kinetic_energy();
+
+  /// V(q, v, t); where the Lagrangian is given whole, -L(q, 0, t).
+  [[nodiscard]] cln::cl_R potential_energy();
+
+  /// V(q, 0, t)
+  [[nodiscard]] cln::cl_R potential_energy_at_rest();
+
+  /// v.dL/dv - L
+  [[nodiscard]] cln::cl_R energy_function();
+
+ private:
+  Jet lagrangian_at(const Motion& motion);
+  Jet potential_at(const Motion& motion);
+  Jet force_along(const Motion& motion, const Direction& w);
+  Motion at_rest() const;
+
+  const Model& model_;
+  const State& state_;
+  Motion base_;  ///< of the state, with a = 0 and u = 0
+  JetFunctions functions_ = {};
+  Schedule lagrangian_;
+  Schedule potential_;
+  Schedule dissipation_;
+  Schedule forces_;
+};
+
+}  // namespace elgen::oracle

@@ -1,0 +1,74 @@
+// The oracle's interface: turns every failure of the domain into an empty value.
+#include "elgen/oracle.hpp"
+
+#include <cln/exception.h>
+
+#include "mechanics.hpp"
+#include "output_values.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_R;
+
+/// CLN and the oracle throw where a value does not exist; callers get an empty optional.
+template <class Computation>
+auto guarded(const Computation& computation) -> std::optional<decltype(computation())> {
+  try {
+    return computation();
+  } catch (const cln::runtime_exception&) {
+    return std::nullopt;
+  } catch (const oracle::OutsideDomain&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+State nominal_state(const Model& model, const Scene& scene) {
+  State state;
+  for (std::uint32_t i = 0; i < model.parameters.size(); ++i) {
+    const auto fixed = scene.specialisation.fixed.find(i);
+    const bool is_fixed = fixed != scene.specialisation.fixed.end();
+    state.parameters.push_back(is_fixed ? fixed->second : model.parameters[i].value);
+  }
+  state.q.assign(model.coordinates.size(), cl_R(0));
+  state.v = state.a = state.q;
+  state.u.assign(model.inputs.size(), cl_R(0));
+  return state;
+}
+
+OracleValues oracle_values(const Model& model, const OutputRequest& output, const State& state) {
+  return guarded([&] { return oracle::output_values(model, output, state); });
+}
+
+std::optional<cl_R> oracle_projected_inverse_dynamics(const Model& model, const State& state,
+                                                      const std::vector<cl_R>& w) {
+  return guarded([&] { return oracle::Mechanics(model, state).inverse_dynamics(w, state.a); });
+}
+
+std::optional<cl_R> oracle_projected_mass(const Model& model, const State& state,
+                                          const std::vector<cl_R>& w, const std::vector<cl_R>& y) {
+  return guarded([&] { return oracle::Mechanics(model, state).mass(w, y); });
+}
+
+std::optional<cl_R> oracle_expression(const Model& model, ExpressionId expression,
+                                      const State& state) {
+  return guarded([&] {
+    const oracle::Schedule schedule = oracle::make_schedule(model, {{expression, 0}});
+    const oracle::Motion motion = oracle::motion_of(state);
+    oracle::JetFunctions functions;
+    return oracle::Evaluation(model, schedule, motion, functions).value(expression).real();
+  });
+}
+
+std::optional<cl_R> oracle_rate(const Model& model, ExpressionId expression, const State& state) {
+  return guarded([&] {
+    const oracle::Schedule schedule = oracle::make_schedule(model, {{expression, 1}});
+    const oracle::Motion motion = oracle::motion_of(state);
+    oracle::JetFunctions functions;
+    return oracle::Evaluation(model, schedule, motion, functions).rate(expression).real();
+  });
+}
+
+}  // namespace elgen

@@ -1,0 +1,189 @@
+// Real functions: exact where the value is rational and obvious, else CLN floats.
+//
+// CLN reduces sin and exp with the digits of their argument only; so arguments are widened by the
+// digits their magnitude takes away, and the result is rounded to working precision.
+#include "real_functions.hpp"
+
+#include <cln/integer.h>
+#include <cln/rational.h>
+#include <cln/rational_ring.h>
+
+namespace elgen::oracle {
+namespace {
+
+using cln::cl_F;
+using cln::cl_I;
+using cln::cl_R;
+using cln::cl_RA;
+
+/// Rationals of more bits become floats: gcds of longer ones dominate the cost of everything else.
+constexpr unsigned longest_rational = 4096;
+
+/// exp of more than this exceeds every scalar type by far, and CLN would take minutes.
+const cl_R largest_exponent = 1'000'000;
+
+/// Beyond it tanh is +-1 to working precision: 1 - tanh(x) < 2 exp(-2 x).
+const cl_R tanh_saturation = 200;
+
+cln::float_format_t working_format() {
+  static const cln::float_format_t format = cln::float_format(working_digits);
+  return format;
+}
+
+/// Working precision plus the digits in front of the decimal point of `x`.
+cl_F widened(const cl_R& x) {
+  if (is_rational(x)) {
+    const cl_I integer_part = cln::truncate1(x);
+    const auto digits = static_cast<unsigned>(cln::integer_length(integer_part)) / 3 + 1;
+    return cln::cl_float(x, cln::float_format(working_digits + digits));
+  }
+  const cl_F f = cln::the<cl_F>(x);
+  const auto bits = cln::float_exponent(f);
+  if (bits <= 0) return f;
+  // Such a float is already wrong by more than a period: no digit of a sine would be right.
+  if (bits > 1'000'000) throw OutsideDomain("argument too large to reduce");
+  return cln::cl_float(f, cln::float_format(working_digits + static_cast<unsigned>(bits) / 3 + 1));
+}
+
+cl_R rounded(const cl_R& x) {
+  return is_rational(x) ? x : cl_R(cln::cl_float(cln::the<cl_F>(x), working_format()));
+}
+
+cl_R checked_exponent(const cl_R& x) {
+  if (cln::abs(x) > largest_exponent) throw OutsideDomain("exponential too large");
+  return widened(x);
+}
+
+cl_R root_of_one_minus_square(const cl_R& x) {
+  if (cln::abs(x) > 1) throw OutsideDomain("argument of asin or acos beyond 1");
+  const cl_R square = (1 - x) * (1 + x);
+  return cln::zerop(square) ? cl_R(0) : real_power(square, cl_RA(1) / 2);
+}
+
+cl_R angle(const cl_R& sine, const cl_R& cosine) {
+  if (cln::zerop(sine) && cln::zerop(cosine)) throw OutsideDomain("atan2(0, 0)");
+  if (sine == 0 && is_rational(sine) && cosine > 0) return 0;
+  return cln::atan(as_float(cosine), as_float(sine));
+}
+
+cl_R hyperbolic_tangent(const cl_R& x) {
+  if (cln::abs(x) > tanh_saturation) return as_float(cln::signum(x));
+  return cln::tanh(widened(x));
+}
+
+cl_R logarithm(const cl_R& x) {
+  if (x <= 0) throw OutsideDomain("logarithm of zero or less");
+  return x == 1 && is_rational(x) ? cl_R(0) : cl_R(cln::ln(as_float(x)));
+}
+
+/// Values at an exact 0 that are exact themselves.
+cl_R value_at_zero(FunctionId function, const cl_R& zero) {
+  switch (function) {
+    case FunctionId::cos:
+    case FunctionId::cosh:
+    case FunctionId::exp:
+      return 1;
+    case FunctionId::acos:
+      return real_pi() / 2;
+    case FunctionId::log:
+      return logarithm(zero);
+    default:
+      return 0;
+  }
+}
+
+cl_R computed(FunctionId function, const cl_R& x, const cl_R& y) {
+  switch (function) {
+    case FunctionId::sin:
+      return cln::sin(widened(x));
+    case FunctionId::cos:
+      return cln::cos(widened(x));
+    case FunctionId::tan:
+      return cln::tan(widened(x));
+    case FunctionId::asin:
+      return angle(x, root_of_one_minus_square(x));
+    case FunctionId::acos:
+      return angle(root_of_one_minus_square(x), x);
+    case FunctionId::atan:
+      return cln::atan(as_float(x));
+    case FunctionId::atan2:
+      return angle(x, y);
+    case FunctionId::sinh:
+      return cln::sinh(checked_exponent(x));
+    case FunctionId::cosh:
+      return cln::cosh(checked_exponent(x));
+    case FunctionId::tanh:
+      return hyperbolic_tangent(x);
+    case FunctionId::exp:
+      return cln::exp(checked_exponent(x));
+    case FunctionId::log:
+      return logarithm(x);
+    case FunctionId::abs:
+      return cln::abs(x);
+    case FunctionId::sign:
+      return cln::signum(x);
+    case FunctionId::min:
+      return cln::min(x, y);
+    case FunctionId::max:
+      return cln::max(x, y);
+  }
+  throw OutsideDomain("function without a value");
+}
+
+}  // namespace
+
+bool is_rational(const cl_R& x) { return cln:: instanceof (x, cln::cl_RA_ring); }
+
+cl_R as_float(const cl_R& x) {
+  return is_rational(x) ? cl_R(cln::cl_float(x, working_format())) : x;
+}
+
+cl_R shortened(const cl_R& x) {
+  if (!is_rational(x)) return x;
+  const cl_RA rational = cln::the<cl_RA>(x);
+  const auto bits = cln::integer_length(cln::numerator(rational)) +
+                    cln::integer_length(cln::denominator(rational));
+  return bits <= longest_rational ? x : as_float(x);
+}
+
+cl_R real_pi() {
+  static const cl_R pi = cln::pi(working_format());
+  return pi;
+}
+
+cl_R quotient(const cl_R& x, const cl_R& y) {
+  if (cln::zerop(y)) throw OutsideDomain("division by zero");
+  return x / y;
+}
+
+cl_R real_power(const cl_R& x, const cl_RA& exponent) {
+  if (x <= 0) throw OutsideDomain("broken power of zero or less");
+  const cl_I numerator = cln::numerator(exponent);
+  const cl_I denominator = cln::denominator(exponent);
+  if (denominator == 2) {
+    cl_RA exact_root;
+    const bool exact = is_rational(x) && cln::sqrtp(cln::the<cl_RA>(x), &exact_root);
+    const cl_R root = exact ? cl_R(exact_root) : cl_R(cln::sqrt(as_float(x)));
+    return cln::expt(root, numerator);
+  }
+  return cln::exp(cln::ln(as_float(x)) * exponent);
+}
+
+bool RealFunctions::Before::operator()(const Call& left, const Call& right) const {
+  if (std::get<0>(left) != std::get<0>(right)) return std::get<0>(left) < std::get<0>(right);
+  if (std::get<1>(left) != std::get<1>(right)) return std::get<1>(left) < std::get<1>(right);
+  return std::get<2>(left) < std::get<2>(right);
+}
+
+cl_R RealFunctions::value(FunctionId function, const cl_R& x, const cl_R& y) {
+  const bool exact_zero = is_rational(x) && cln::zerop(x);
+  if (exact_zero && function_row(function).arity == 1) return value_at_zero(function, x);
+  const auto [entry, is_new] = known_.try_emplace(Call{function, x, y});
+  if (is_new) {
+    known_.erase(entry);
+    return known_[Call{function, x, y}] = rounded(computed(function, x, y));
+  }
+  return entry->second;
+}
+
+}  // namespace elgen::oracle

@@ -1,0 +1,62 @@
+// Real arithmetic of the oracle: the functions of the model language to working_digits decimal
+// digits.
+//
+// Exact rationals stay exact as long as they are short, and exact zeros stay exact, so that
+// derivatives that vanish cost nothing. Arguments of any size are reduced with as many digits as
+// their magnitude asks for. A value that does not exist is an OutsideDomain exception, caught at
+// the oracle's interface.
+#pragma once
+
+#include <cln/float.h>
+#include <cln/real.h>
+
+#include <map>
+#include <stdexcept>
+#include <tuple>
+
+#include "elgen/functions.hpp"
+
+namespace elgen::oracle {
+
+/// 60 digits are promised; the other 35 are what sums may cancel: 1e-8 rad from a singular chart
+/// the textbook expressions lose 16, and 1e-150 rad is a matter of exponents, not of digits.
+inline constexpr unsigned working_digits = 95;
+
+/// The quantity is undefined at this state: division by zero, a root or logarithm of a negative
+/// number.
+struct OutsideDomain : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// `x` in working precision, unless it already is a float.
+[[nodiscard]] cln::cl_R as_float(const cln::cl_R& x);
+
+/// `x` itself, or a float where it is a rational too long to compute with.
+[[nodiscard]] cln::cl_R shortened(const cln::cl_R& x);
+
+[[nodiscard]] bool is_rational(const cln::cl_R& x);
+
+/// pi in working precision.
+[[nodiscard]] cln::cl_R real_pi();
+
+/// x / y; OutsideDomain where y = 0.
+[[nodiscard]] cln::cl_R quotient(const cln::cl_R& x, const cln::cl_R& y);
+
+/// x ^ exponent for x > 0 and rational exponents; exact where the square root of a rational is.
+[[nodiscard]] cln::cl_R real_power(const cln::cl_R& x, const cln::cl_RA& exponent);
+
+/// Remembers every value: each direction of a derivative meets the same arguments again.
+class RealFunctions {
+ public:
+  /// The value of a function; `y` is the second argument of those that have one.
+  [[nodiscard]] cln::cl_R value(FunctionId function, const cln::cl_R& x, const cln::cl_R& y = 0);
+
+ private:
+  using Call = std::tuple<FunctionId, cln::cl_R, cln::cl_R>;
+  struct Before {
+    bool operator()(const Call& left, const Call& right) const;
+  };
+  std::map<Call, cln::cl_R, Before> known_ = {};
+};
+
+}  // namespace elgen::oracle
