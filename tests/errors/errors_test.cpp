@@ -1,0 +1,132 @@
+// Every error code, as users meet it: tests/errors/*.txt run by the real binary and compared to the
+// letter. ELGEN_UPDATE=1 rewrites what they expect; the difference is then reviewed.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <sstream>
+#include <vector>
+
+#include "elgen/diagnostic.hpp"
+#include "errors/case_file.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+const std::filesystem::path folder = std::filesystem::path(ELGEN_SOURCE_DIR) / "tests/errors";
+
+/// Codes no command line can bring about, with the reason.
+const std::map<std::string, std::string>& unreachable_codes() {
+  static const std::map<std::string, std::string> reasons{
+      {"E911", "a derivation that disagrees with the oracle: tests/verify breaks one by hand"},
+      {"E912", "a broken invariant of elgen: tests/lower and tests/pipeline break some by hand"},
+  };
+  return reasons;
+}
+
+std::vector<std::filesystem::path> case_paths() {
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".txt") paths.push_back(entry.path());
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+/// "E201" of "E201_unknown_name.txt".
+std::string code_of(const std::filesystem::path& path) { return path.stem().string().substr(0, 4); }
+
+/// The title a code's file is named by: "unknown name" becomes "unknown_name".
+std::string file_stem(const CodeRow& row) {
+  std::string stem = std::string(row.name) + "_";
+  for (const char letter : row.title) {
+    if (std::isalnum(static_cast<unsigned char>(letter)) != 0) {
+      stem += letter;
+    } else if (stem.back() != '_') {
+      stem += '_';
+    }
+  }
+  return stem;
+}
+
+struct BrokenModel {
+  std::string name;
+  std::string code;
+  std::string line;
+  std::string column;
+};
+
+std::vector<BrokenModel> broken_models() {
+  std::vector<BrokenModel> models;
+  std::istringstream lines(read_text(folder / "broken_models.tsv"));
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind('#', 0) == 0) continue;
+    std::istringstream cells(line);
+    BrokenModel model;
+    cells >> model.name >> model.code >> model.line >> model.column;
+    models.push_back(model);
+  }
+  return models;
+}
+
+}  // namespace
+
+TEST_CASE("every error file gives exactly its text") {
+  const bool update = std::getenv("ELGEN_UPDATE") != nullptr;
+  for (const auto& path : case_paths()) {
+    CaseFile sample = parse_case(read_text(path));
+    const Outcome outcome = run_case(sample);
+    if (update) {
+      sample.expected = outcome;
+      write_text(path, to_text(sample));
+      continue;
+    }
+    INFO(path.filename().string());
+    CHECK(outcome.status == sample.expected.status);
+    CHECK(outcome.output == sample.expected.output);
+    CHECK(outcome.errors == sample.expected.errors);
+  }
+}
+
+TEST_CASE("every error file shows the code it is named after") {
+  for (const auto& path : case_paths()) {
+    INFO(path.filename().string());
+    const CodeRow* row = find_code(code_of(path));
+    REQUIRE(row != nullptr);
+    const CaseFile sample = parse_case(read_text(path));
+    CHECK(sample.expected.errors.find("[" + std::string(row->name) + "]") != std::string::npos);
+    CHECK(sample.expected.status == static_cast<int>(row->exit_code));
+    CHECK(path.stem().string().rfind(file_stem(*row), 0) == 0);
+  }
+}
+
+TEST_CASE("every code has a file, or a reason why no command can show it") {
+  std::set<std::string> shown;
+  for (const auto& path : case_paths()) shown.insert(code_of(path));
+  for (const CodeRow& row : code_table()) {
+    INFO(row.name);
+    const bool is_unreachable = unreachable_codes().count(std::string(row.name)) > 0;
+    CHECK((shown.count(std::string(row.name)) > 0) != is_unreachable);
+  }
+}
+
+TEST_CASE("broken models are answered at the character where the mistake is") {
+  const std::vector<BrokenModel> models = broken_models();
+  REQUIRE(models.size() >= 25);
+  for (const BrokenModel& model : models) {
+    const std::string file = model.name + ".toml";
+    INFO(file);
+    const Outcome outcome = shell("elgen generate --stdout " + file, folder / "broken_models");
+    const std::string start =
+        file + ":" + model.line + ":" + model.column + ": error[" + model.code + "]: ";
+    CHECK(outcome.errors.substr(0, start.size()) == start);
+    CHECK(outcome.errors.find("error[", start.size()) == std::string::npos);
+    CHECK(outcome.output.empty());
+    CHECK(outcome.status == 2);
+  }
+}
+
+}  // namespace elgen::test

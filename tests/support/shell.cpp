@@ -1,0 +1,60 @@
+#include "support/shell.hpp"
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace elgen::test {
+
+namespace {
+
+std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
+
+/// The exit status a shell would show.
+int exit_status(int wait_status) {
+  return WIFEXITED(wait_status) ? WEXITSTATUS(wait_status) : 128 + WTERMSIG(wait_status);
+}
+
+}  // namespace
+
+Outcome shell(const std::string& command, const std::filesystem::path& folder) {
+  const std::filesystem::path elgen = ELGEN_BINARY;
+  const Workspace captured;
+  const auto script = captured.path() / "script";
+  const auto output = captured.path() / "output";
+  const auto errors = captured.path() / "errors";
+  write_text(script, "unset CXX NO_COLOR\nELGEN=" + quoted(elgen) + "\nPATH=" +
+                         quoted(elgen.parent_path()) + ":$PATH\nexport ELGEN PATH\ncd " +
+                         quoted(folder) + " || exit 99\n" + command + "\n");
+  const std::string line = "sh " + quoted(script) + " </dev/null >" + quoted(output) + " 2>" +
+                           quoted(errors);
+  const int status = exit_status(std::system(line.c_str()));
+  return {status, read_text(output), read_text(errors)};
+}
+
+Workspace::Workspace() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "elgen_test_XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
+  path_ = pattern;
+}
+
+Workspace::~Workspace() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error("cannot read " + path.string());
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+void write_text(const std::filesystem::path& path, const std::string& text) {
+  std::filesystem::create_directories(path.parent_path());
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+}  // namespace elgen::test

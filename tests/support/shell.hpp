@@ -1,0 +1,36 @@
+// Runs commands as a user types them, with elgen on the path, and keeps what they print.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace elgen::test {
+
+struct Outcome {
+  int status = 0;
+  std::string output = {};  ///< standard output
+  std::string errors = {};  ///< standard error
+};
+
+/// Runs `command` by /bin/sh in `folder`, without standard input. `elgen` is the binary under test,
+/// $ELGEN its path; CXX and NO_COLOR are unset.
+[[nodiscard]] Outcome shell(const std::string& command, const std::filesystem::path& folder);
+
+/// A fresh folder, removed at the end of the scope.
+class Workspace {
+ public:
+  Workspace();
+  Workspace(const Workspace&) = delete;
+  Workspace& operator=(const Workspace&) = delete;
+  ~Workspace();
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+[[nodiscard]] std::string read_text(const std::filesystem::path& path);
+void write_text(const std::filesystem::path& path, const std::string& text);
+
+}  // namespace elgen::test
