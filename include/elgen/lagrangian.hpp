@@ -46,12 +46,23 @@ struct Entity {
   std::uint32_t index = 0;
 };
 
+/// What an expression depends on, as a set of bits.
+enum Dependence : unsigned {
+  on_parameters = 1,
+  on_time = 2,
+  on_coordinates = 4,
+  on_velocities = 8,
+  on_accelerations = 16,
+  on_inputs = 32,
+};
+
 struct Definition {
   GiNaC::ex symbol;
   GiNaC::ex value;
   std::string name;  ///< C++ identifier for a reader ("bob_x"), or empty
   Entity origin;
   std::vector<std::uint32_t> uses;  ///< indices of the definitions in `value`, ascending
+  unsigned depends = 0;             ///< Dependence, through `uses` too
 };
 
 struct ExpressionHash {
@@ -63,17 +74,40 @@ struct ExpressionEqual {
 template <class Value>
 using ExpressionMap = std::unordered_map<GiNaC::ex, Value, ExpressionHash, ExpressionEqual>;
 
-/// An ordered list of definitions; every value uses earlier ones only.
+/// A symbol's place in elgen's own order: leaves first, as declared, then definitions.
+struct SymbolPlace {
+  bool is_definition = false;
+  std::uint32_t index = 0;  ///< of the definition, or the rank of the leaf
+  unsigned depends = 0;     ///< Dependence of a leaf
+};
+
+/// An ordered list of definitions; every value uses earlier ones only. Append by define().
 struct Definitions {
   std::vector<Definition> list = {};
-  ExpressionMap<std::uint32_t> index = {};  ///< symbol -> position in `list`
+  ExpressionMap<SymbolPlace> places = {};  ///< of leaves and definitions
   ExpressionMap<GiNaC::ex> known_values =
       {};  ///< value -> symbol, so that one value is defined once
 };
 
+/// How a new definition is called, and where it comes from.
+struct Label {
+  std::string name = {};
+  Entity origin = {};
+};
+
 /// The symbol standing for `value`: `value` itself where it is a number, a symbol or a symbol's
-/// negative, the symbol of an equal definition where there is one, otherwise a new definition.
-GiNaC::ex define(Definitions& definitions, const GiNaC::ex& value, std::string name, Entity origin);
+/// negative; the symbol of an equal definition where there is one; otherwise a new definition.
+GiNaC::ex define(Definitions& definitions, const GiNaC::ex& value, Label label = {});
+
+/// Registers a leaf; `depends` is one bit of Dependence.
+void add_leaf(Definitions& definitions, const GiNaC::ex& symbol, unsigned depends);
+
+/// What `value` depends on.
+[[nodiscard]] unsigned dependence(const Definitions& definitions, const GiNaC::ex& value);
+
+/// The symbols of `value`, each once, in elgen's order.
+[[nodiscard]] std::vector<GiNaC::ex> symbols_of(const Definitions& definitions,
+                                                const GiNaC::ex& value);
 
 /// A point with a mass: adds 1/2 m |dp/dt|^2 to T, and -m gravity.p to V.
 struct PointMass {

@@ -1,0 +1,133 @@
+// derive: Lagrangian -> EquationsOfMotion. One row per output says which function derives it; only
+// what the scene asks for is derived.
+#include <fmt/format.h>
+
+#include "derive/derivation.hpp"
+#include "derive/energies.hpp"
+#include "derive/forces.hpp"
+#include "derive/forward_dynamics.hpp"
+#include "derive/matrices.hpp"
+#include "elgen/equations_of_motion.hpp"
+#include "formulate/print.hpp"
+
+namespace elgen {
+
+using GiNaC::ex;
+
+namespace {
+
+std::vector<FieldEquations> plain(const OutputRequest& request, Vector entries) {
+  return {{"", request.rows, request.columns, std::move(entries)}};
+}
+
+std::vector<FieldEquations> accelerations(Derivation& derivation) {
+  ForwardDynamics solved = forward_dynamics(derivation);
+  const auto n = static_cast<std::uint32_t>(derivation.size());
+  return {{"acceleration", n, 1, std::move(solved.acceleration)},
+          {"relative_pivots", n, 1, std::move(solved.relative_pivots)}};
+}
+
+const Terms& user_values(const Derivation& derivation, const OutputRequest& request) {
+  return derivation.lagrangian.outputs[request.user].values;
+}
+
+std::vector<FieldEquations> fields(Derivation& d, const OutputRequest& request) {
+  switch (request.kind) {
+    case OutputKind::mass_matrix:
+      return plain(request, mass_matrix(d));
+    case OutputKind::coriolis_matrix:
+      return plain(request, coriolis_matrix(d));
+    case OutputKind::velocity_force:
+      return plain(request, velocity_force(d));
+    case OutputKind::gravity:
+      return plain(request, gravity(d));
+    case OutputKind::potential_energy:
+      return plain(request, {potential_energy(d)});
+    case OutputKind::drift:
+      return plain(request, drift(d));
+    case OutputKind::dissipation:
+      return plain(request, dissipation(d));
+    case OutputKind::applied_force:
+      return plain(request, applied_force(d));
+    case OutputKind::bias:
+      return plain(request, bias(d, Inputs::absent));
+    case OutputKind::momentum:
+      return plain(request, momentum(d));
+    case OutputKind::kinetic_energy:
+      return plain(request, {kinetic_energy(d)});
+    case OutputKind::total_energy:
+      return plain(request, {total_energy(d)});
+    case OutputKind::energy_function:
+      return plain(request, {energy_function(d)});
+    case OutputKind::input_matrix:
+      return plain(request, input_matrix(d));
+    case OutputKind::inverse_dynamics:
+      return plain(request, inverse_dynamics(d));
+    case OutputKind::forward_dynamics:
+      return accelerations(d);
+    case OutputKind::user_value:
+      return plain(request, user_values(d, request));
+    case OutputKind::user_jacobian:
+      return plain(request, jacobian(d, user_values(d, request)));
+    case OutputKind::user_bias:
+      return plain(request, second_rate(d, user_values(d, request)));
+    case OutputKind::dynamics:
+      break;
+  }
+  return {};
+}
+
+/// Entries as symbols, so that every output, and what shares them, refers to definitions.
+void define_entries(Derivation& derivation, std::vector<FieldEquations>& fields) {
+  for (FieldEquations& field : fields) {
+    for (ex& entry : field.entries) entry = define(derivation.definitions, entry);
+  }
+}
+
+}  // namespace
+
+Result<EquationsOfMotion> derive(const Lagrangian& lagrangian,
+                                 const std::vector<OutputRequest>& outputs, const Limits& limits) {
+  Derivation derivation(lagrangian);
+  EquationsOfMotion equations;
+  for (const OutputRequest& request : outputs) {
+    if (request.kind == OutputKind::dynamics) continue;  // made of the others
+    try {
+      OutputEquations derived{request, fields(derivation, request)};
+      define_entries(derivation, derived.fields);
+      equations.outputs.push_back(std::move(derived));
+    } catch (const GiNaC::pole_error&) {
+      return Diagnostic{
+          Code::E313, request.span,
+          fmt::format("`{}` has no value: an energy divides by zero at zero rates", request.name)};
+    }
+    const std::size_t count = derivation.definitions.list.size();
+    if (count > limits.derived_nodes) {
+      return Diagnostic{Code::E908, request.span,
+                        fmt::format("{} derived definitions after `{}`: the limit is {}", count,
+                                    request.name, limits.derived_nodes),
+                        "raised by --limit derived_nodes=N"};
+    }
+  }
+  equations.symbols = derivation.symbols;
+  equations.leaves = lagrangian.leaves;
+  equations.definitions = std::move(derivation.definitions);
+  return equations;
+}
+
+std::string dump(const EquationsOfMotion& equations) {
+  const ExpressionPrinter print(equations.definitions);
+  std::string text = dump(equations.definitions);
+  for (const OutputEquations& output : equations.outputs) {
+    for (const FieldEquations& field : output.fields) {
+      const std::string dot = field.name.empty() ? "" : ".";
+      text += fmt::format("{}{}{} ({} x {}) =", output.request.name, dot, field.name, field.rows,
+                          field.columns);
+      for (const ex& entry : field.entries) text += " " + print(entry);
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+}  // namespace elgen

@@ -1,0 +1,35 @@
+// Outputs that are generalized forces, and the momentum: vectors of n_v, each J per unit of the
+// coordinate (momentum: J s per unit).
+#pragma once
+
+#include "derive/derivation.hpp"
+
+namespace elgen {
+
+enum class Inputs : unsigned char { absent, acting };
+
+/// tau = M a + bias.
+[[nodiscard]] Vector inverse_dynamics(Derivation& derivation);
+
+/// C v + drift + g + dD/dv - Q; with the inputs acting, - Q - B u.
+[[nodiscard]] Vector bias(Derivation& derivation, Inputs inputs);
+
+/// C v: the part quadratic in v. L quadratic in v.
+[[nodiscard]] Vector velocity_force(Derivation& derivation);
+
+/// (dM/dt) v + (db/dq - (db/dq)^T) v + db/dt - dT0/dq with b = b_T - V1. L quadratic in v.
+[[nodiscard]] Vector drift(Derivation& derivation);
+
+/// g = dV0/dq. L quadratic in v.
+[[nodiscard]] Vector gravity(Derivation& derivation);
+
+/// dD/dv.
+[[nodiscard]] Vector dissipation(Derivation& derivation);
+
+/// Q: the declared forces with u = 0.
+[[nodiscard]] Vector applied_force(Derivation& derivation);
+
+/// dL/dv = M v + b.
+[[nodiscard]] Vector momentum(Derivation& derivation);
+
+}  // namespace elgen

@@ -1,0 +1,90 @@
+// Matrices: forward passes along unit directions over vectors that are derived once.
+#include "derive/matrices.hpp"
+
+#include "derive/forces.hpp"
+
+namespace elgen {
+
+using GiNaC::ex;
+
+namespace {
+
+Tangent unit_direction(Derivation& derivation, const ex& leaf) {
+  return {derivation.definitions, Seeds{{leaf, 1}}};
+}
+
+}  // namespace
+
+Vector mass_matrix(Derivation& derivation) {
+  const std::size_t n = derivation.size();
+  const Vector other = derivation.by_velocity(derivation.lagrangian.quadratic
+                                                  ? weighted(derivation.graded().kinetic2, 1)
+                                                  : derivation.other_lagrangian());
+  Vector entries(n * n);
+  for (std::size_t j = 0; j < n; ++j) {
+    Tangent position = unit_direction(derivation, derivation.symbols.q[j]);
+    Tangent velocity = unit_direction(derivation, derivation.symbols.v[j]);
+    const Vector column =
+        derivation.by_position(derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
+          if (!mass.kinetic) return ex(0);
+          const ex direction = define(derivation.definitions, position(mass.position[axis]));
+          return define(derivation.definitions, mass.mass * direction);
+        }));
+    for (std::size_t i = j; i < n; ++i) {
+      entries[i * n + j] = entries[j * n + i] = column[i] + velocity(other[i]);
+    }
+  }
+  return entries;
+}
+
+Vector coriolis_matrix(Derivation& derivation) {
+  const std::size_t n = derivation.size();
+  Vector force = velocity_force(derivation);
+  for (ex& entry : force) entry = define(derivation.definitions, entry);
+  Vector entries(n * n);
+  for (std::size_t j = 0; j < n; ++j) {
+    Tangent velocity = unit_direction(derivation, derivation.symbols.v[j]);
+    for (std::size_t i = 0; i < n; ++i) entries[i * n + j] = velocity(force[i]) / 2;
+  }
+  return entries;
+}
+
+Vector input_matrix(Derivation& derivation) {
+  const std::size_t n = derivation.size();
+  const std::size_t inputs = derivation.symbols.u.size();
+  Vector entries(n * inputs);
+  for (std::size_t j = 0; j < inputs; ++j) {
+    Tangent input = unit_direction(derivation, derivation.symbols.u[j]);
+    std::vector<Weighted> forces;
+    for (const PointForce& applied : derivation.lagrangian.point_forces) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        forces.push_back({applied.position[axis], input(applied.force[axis])});
+      }
+    }
+    const Vector column = derivation.by_position(forces);
+    for (std::size_t i = 0; i < n; ++i) {
+      entries[i * inputs + j] = column[i] + input(derivation.lagrangian.forces[i]);
+    }
+  }
+  return entries;
+}
+
+Vector jacobian(Derivation& derivation, const Terms& values) {
+  Vector entries;
+  for (const ex& value : values) {
+    const Vector row = derivation.by_position({{value, 1}});
+    entries.insert(entries.end(), row.begin(), row.end());
+  }
+  return entries;
+}
+
+Vector second_rate(Derivation& derivation, const Terms& values) {
+  Vector entries;
+  for (const ex& value : values) {
+    const ex rate = define(derivation.definitions, derivation.coasting(value));
+    entries.push_back(derivation.coasting(rate));
+  }
+  return entries;
+}
+
+}  // namespace elgen

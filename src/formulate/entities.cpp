@@ -1,0 +1,96 @@
+// Depth-first order of definitions, prescribed motions and points, without recursion: chains are
+// long.
+#include "formulate/entities.hpp"
+
+#include <optional>
+#include <utility>
+
+namespace elgen {
+
+namespace {
+
+struct Numbering {
+  std::size_t prescribed;  ///< node of the first prescribed motion; definitions start at 0
+  std::size_t points;
+  std::size_t count;
+};
+
+Numbering number(const Model& model) {
+  const std::size_t prescribed = model.definitions.size();
+  const std::size_t points = prescribed + model.prescribed.size();
+  return {prescribed, points, points + model.points.size()};
+}
+
+Entity entity(const Numbering& numbering, std::size_t node) {
+  const auto at = [&](EntityKind kind, std::size_t first) {
+    return Entity{kind, static_cast<std::uint32_t>(node - first)};
+  };
+  if (node >= numbering.points) return at(EntityKind::point, numbering.points);
+  if (node >= numbering.prescribed) return at(EntityKind::prescribed, numbering.prescribed);
+  return at(EntityKind::definition, 0);
+}
+
+std::optional<std::size_t> referred(const Numbering& numbering, const Expression& expression) {
+  switch (expression.kind) {
+    case ExpressionKind::definition:
+      return expression.index;
+    case ExpressionKind::prescribed:
+      return numbering.prescribed + expression.index;
+    case ExpressionKind::point_component:
+      return numbering.points + expression.index / 3;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// The nodes that the expressions of `node` mention, in the order of mention.
+std::vector<std::size_t> needs(const Model& model, const Numbering& numbering, std::size_t node) {
+  const Entity named = entity(numbering, node);
+  std::vector<ExpressionId> stack;
+  if (named.kind == EntityKind::point) {
+    const auto& at = model.points[named.index].at;
+    stack.assign(at.rbegin(), at.rend());
+  } else if (named.kind == EntityKind::prescribed) {
+    stack.push_back(model.prescribed[named.index].value);
+  } else {
+    stack.push_back(model.definitions[named.index].value);
+  }
+  std::vector<std::size_t> result;
+  while (!stack.empty()) {
+    const Expression& expression = model.expressions[stack.back()];
+    stack.pop_back();
+    if (const auto other = referred(numbering, expression)) result.push_back(*other);
+    stack.insert(stack.end(), expression.operands.rbegin(), expression.operands.rend());
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Entity> entities_in_order(const Model& model) {
+  const Numbering numbering = number(model);
+  std::vector<Entity> order;
+  std::vector<bool> done(numbering.count, false);
+  std::vector<std::pair<std::size_t, bool>> stack;  // node, whether its needs are on the stack
+  for (std::size_t first = 0; first < numbering.count; ++first) {
+    stack.emplace_back(first, false);
+    while (!stack.empty()) {
+      const auto [node, expanded] = stack.back();
+      stack.pop_back();
+      if (done[node]) continue;
+      if (expanded) {
+        done[node] = true;
+        order.push_back(entity(numbering, node));
+        continue;
+      }
+      stack.emplace_back(node, true);
+      const std::vector<std::size_t> needed = needs(model, numbering, node);
+      for (auto other = needed.rbegin(); other != needed.rend(); ++other) {
+        if (!done[*other]) stack.emplace_back(*other, false);
+      }
+    }
+  }
+  return order;
+}
+
+}  // namespace elgen

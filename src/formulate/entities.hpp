@@ -1,0 +1,14 @@
+// The named things of a model in the order in which they need each other.
+#pragma once
+
+#include <vector>
+
+#include "elgen/lagrangian.hpp"
+
+namespace elgen {
+
+/// Definitions, prescribed motions and points, each after those its expressions refer to; otherwise
+/// as declared. The model's are acyclic (check).
+[[nodiscard]] std::vector<Entity> entities_in_order(const Model& model);
+
+}  // namespace elgen

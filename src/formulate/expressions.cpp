@@ -1,0 +1,226 @@
+// Model expressions -> GiNaC over definitions. The arena lists operands before their users, so no
+// recursion is needed: the operands an expression needs are translated in ascending order.
+#include "formulate/expressions.hpp"
+
+#include <algorithm>
+
+#include "formulate/entities.hpp"
+
+namespace elgen {
+
+using GiNaC::ex;
+
+namespace {
+
+/// Written-out size from which a part is named: small enough that GiNaC's derivative of one value,
+/// and the products of the chain rule, stay small; large enough that `l*sin(q1 + q2)` stays in one
+/// piece.
+constexpr unsigned largest_inline_size = 10;
+
+ex number(const cln::cl_RA& value) { return GiNaC::numeric(value); }
+
+ex call(FunctionId function, const ex& x, const ex& y) {
+  switch (function) {
+    case FunctionId::sin:
+      return GiNaC::sin(x);
+    case FunctionId::cos:
+      return GiNaC::cos(x);
+    case FunctionId::tan:
+      return GiNaC::tan(x);
+    case FunctionId::asin:
+      return GiNaC::asin(x);
+    case FunctionId::acos:
+      return GiNaC::acos(x);
+    case FunctionId::atan:
+      return GiNaC::atan(x);
+    case FunctionId::atan2:
+      return GiNaC::atan2(x, y);
+    case FunctionId::sinh:
+      return GiNaC::sinh(x);
+    case FunctionId::cosh:
+      return GiNaC::cosh(x);
+    case FunctionId::tanh:
+      return GiNaC::tanh(x);
+    case FunctionId::exp:
+      return GiNaC::exp(x);
+    case FunctionId::log:
+      return GiNaC::log(x);
+    case FunctionId::abs:
+      return elgen_abs(x);
+    case FunctionId::sign:
+      return elgen_sign(x);
+    case FunctionId::min:
+      return elgen_min(x, y);
+    case FunctionId::max:
+      return elgen_max(x, y);
+  }
+  return 0;
+}
+
+}  // namespace
+
+Translation::Translation(const Model& model, Lagrangian& lagrangian)
+    : model_(model),
+      lagrangian_(lagrangian),
+      translated_(model.expressions.size()),
+      definitions_(model.definitions.size()),
+      prescribed_(model.prescribed.size()),
+      points_(model.points.size()) {}
+
+Result<ex> Translation::operator()(ExpressionId value) {
+  std::vector<ExpressionId> needed;
+  std::vector<ExpressionId> stack{value};
+  while (!stack.empty()) {
+    const ExpressionId id = stack.back();
+    stack.pop_back();
+    if (translated_[id].size != 0) continue;
+    needed.push_back(id);
+    const auto& operands = model_.expressions[id].operands;
+    stack.insert(stack.end(), operands.begin(), operands.end());
+  }
+  std::sort(needed.begin(), needed.end());
+  for (const ExpressionId id : needed) {
+    try {
+      translate(id);
+    } catch (const GiNaC::pole_error&) {
+      return Diagnostic{Code::E312, model_.expressions[id].span,
+                        "`" + to_string(model_, id) + "` divides by zero, whatever the state is"};
+    } catch (const std::exception&) {
+      return Diagnostic{Code::E313, model_.expressions[id].span,
+                        "`" + to_string(model_, id) + "` has no value, whatever the state is"};
+    }
+  }
+  return translated_[value].value;
+}
+
+void Translation::translate(ExpressionId id) {
+  if (translated_[id].size != 0) return;
+  translated_[id] = small(compose(model_.expressions[id]));
+}
+
+Translation::Sized Translation::small(const Sized& sized) {
+  if (sized.size <= largest_inline_size) return sized;
+  return {define(lagrangian_.definitions, sized.value), 1};
+}
+
+Translation::Sized Translation::leaf(const Expression& expression) const {
+  const Symbols& symbols = lagrangian_.symbols;
+  switch (expression.kind) {
+    case ExpressionKind::number:
+      return {number(expression.number), 1};
+    case ExpressionKind::pi:
+      return {GiNaC::Pi, 1};
+    case ExpressionKind::time:
+      return {symbols.t, 1};
+    case ExpressionKind::coordinate:
+      return {symbols.q[expression.index], 1};
+    case ExpressionKind::rate:
+      return {symbols.v[expression.index], 1};
+    case ExpressionKind::acceleration:
+      return {symbols.a[expression.index], 1};
+    case ExpressionKind::input:
+      return {symbols.u[expression.index], 1};
+    case ExpressionKind::parameter:
+      return {symbols.parameters[expression.index], 1};
+    case ExpressionKind::prescribed:
+      return {prescribed_[expression.index], 1};
+    case ExpressionKind::definition:
+      return {definitions_[expression.index], 1};
+    default:
+      return {points_[expression.index / 3][expression.index % 3], 1};
+  }
+}
+
+Translation::Sized Translation::compose(const Expression& expression) {
+  const auto operand = [&](std::size_t i) { return translated_[expression.operands[i]]; };
+  switch (expression.kind) {
+    case ExpressionKind::negate:
+      return {-operand(0).value, operand(0).size};
+    case ExpressionKind::add:
+      return sum(expression.operands);
+    case ExpressionKind::multiply:
+      return product(expression.operands);
+    case ExpressionKind::divide:
+      return {operand(0).value / operand(1).value, operand(0).size + operand(1).size + 1};
+    case ExpressionKind::power:
+      return {GiNaC::pow(operand(0).value, number(expression.number)), operand(0).size + 1};
+    case ExpressionKind::function:
+      return function(expression);
+    case ExpressionKind::time_derivative:
+      return {define(lagrangian_.definitions, (*along_motion_)(operand(0).value)), 1};
+    default:
+      return leaf(expression);
+  }
+}
+
+Translation::Sized Translation::function(const Expression& expression) {
+  const Sized x = translated_[expression.operands[0]];
+  const Sized y = expression.operands.size() > 1 ? translated_[expression.operands[1]] : Sized{};
+  return {call(expression.function, x.value, y.value), x.size + y.size + 1};
+}
+
+/// Long sums become a tree of short ones, so that each definition stays small.
+Translation::Sized Translation::sum(const std::vector<ExpressionId>& operands) {
+  std::vector<Sized> terms;
+  for (const ExpressionId id : operands) terms.push_back(translated_[id]);
+  while (true) {
+    std::vector<Sized> shorter;
+    Sized group{0, 0};
+    for (const Sized& term : terms) {
+      if (group.size != 0 && group.size + term.size > largest_inline_size) {
+        shorter.push_back(group);
+        group = {0, 0};
+      }
+      group = {group.value + term.value, group.size + term.size};
+    }
+    shorter.push_back(group);
+    if (shorter.size() == 1) return shorter.front();
+    for (Sized& part : shorter) part = {define(lagrangian_.definitions, part.value), 1};
+    terms = std::move(shorter);
+  }
+}
+
+Translation::Sized Translation::product(const std::vector<ExpressionId>& operands) {
+  Sized result{1, 0};
+  for (const ExpressionId id : operands) {
+    const Sized& factor = translated_[id];
+    if (result.size != 0 && result.size + factor.size > largest_inline_size)
+      result = small({result.value, largest_inline_size + 1});
+    result = {result.value * factor.value, result.size + factor.size};
+  }
+  return result;
+}
+
+Diagnostics Translation::define_named() {
+  along_motion_.emplace(lagrangian_.definitions, motion_seeds(lagrangian_.symbols), "_dot");
+  for (const Entity& entity : entities_in_order(model_)) {
+    Diagnostics errors = define_entity(entity);
+    if (!errors.empty()) return errors;
+  }
+  return {};
+}
+
+Diagnostics Translation::define_entity(const Entity& entity) {
+  Definitions& definitions = lagrangian_.definitions;
+  if (entity.kind == EntityKind::point) {
+    static constexpr std::array<const char*, 3> axes{"_x", "_y", "_z"};
+    const Point& point = model_.points[entity.index];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Result<ex> value = (*this)(point.at[axis]);
+      if (!value) return value.diagnostics;
+      points_[entity.index][axis] =
+          define(definitions, *value, {point.identifier + axes[axis], entity});
+    }
+    return {};
+  }
+  const bool is_definition = entity.kind == EntityKind::definition;
+  const NamedExpression& named =
+      (is_definition ? model_.definitions : model_.prescribed)[entity.index];
+  const Result<ex> value = (*this)(named.value);
+  if (!value) return value.diagnostics;
+  (is_definition ? definitions_ : prescribed_)[entity.index] =
+      define(definitions, *value, {named.identifier, entity});
+  return {};
+}
+
+}  // namespace elgen

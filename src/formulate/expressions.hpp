@@ -1,0 +1,51 @@
+// The Model's expressions as GiNaC expressions over definitions.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "elgen/lagrangian.hpp"
+#include "formulate/chain_rule.hpp"
+
+namespace elgen {
+
+/// Turns expressions of one Model into GiNaC, each once. Whatever grows beyond a small size becomes
+/// a definition of its own; named things of the model (definitions, points, prescribed motions)
+/// always do.
+class Translation {
+ public:
+  Translation(const Model& model, Lagrangian& lagrangian);
+
+  /// Every named thing of the model, in the order in which they need each other.
+  [[nodiscard]] Diagnostics define_named();
+
+  /// `value` as an expression over definitions; errors (E312, E313) come with the span of what
+  /// GiNaC refused.
+  [[nodiscard]] Result<GiNaC::ex> operator()(ExpressionId value);
+
+ private:
+  struct Sized {
+    GiNaC::ex value;
+    unsigned size = 0;  ///< leaves and operations written out in `value`; 0: not translated yet
+  };
+
+  void translate(ExpressionId id);
+  [[nodiscard]] Sized compose(const Expression& expression);
+  [[nodiscard]] Sized leaf(const Expression& expression) const;
+  [[nodiscard]] Sized sum(const std::vector<ExpressionId>& operands);
+  [[nodiscard]] Sized product(const std::vector<ExpressionId>& operands);
+  [[nodiscard]] Sized function(const Expression& expression);
+  [[nodiscard]] Sized small(const Sized& sized);
+  [[nodiscard]] Diagnostics define_entity(const Entity& entity);
+
+  const Model& model_;
+  Lagrangian& lagrangian_;
+  std::optional<Tangent> along_motion_;  // d/dt of dot(…)
+  std::vector<Sized> translated_;
+  std::vector<GiNaC::ex> definitions_;
+  std::vector<GiNaC::ex> prescribed_;
+  std::vector<std::array<GiNaC::ex, 3>> points_;
+};
+
+}  // namespace elgen

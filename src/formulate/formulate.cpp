@@ -1,0 +1,210 @@
+// formulate: Model -> Lagrangian. Symbols, then every named thing as definitions, then the energies
+// and forces as terms over them.
+//
+//     T = [energy] T + sum 1/2 m |dp/dt|^2 + sum 1/2 w.I w + sum 1/2 J v^2
+//     V = [energy] V - sum m gravity.p
+#include <utility>
+
+#include "elgen/lagrangian.hpp"
+#include "formulate/expressions.hpp"
+
+namespace elgen {
+
+using GiNaC::ex;
+
+namespace {
+
+const ex half = GiNaC::numeric(1, 2);
+
+ex parameter_symbol(const Parameter& parameter) {
+  if (parameter.assumption == Assumption::positive) return GiNaC::possymbol(parameter.identifier);
+  return GiNaC::realsymbol(parameter.identifier);
+}
+
+void add_symbols(const Model& model, Lagrangian& lagrangian) {
+  Symbols& symbols = lagrangian.symbols;
+  const auto add = [&](std::vector<ex>& list, ex symbol, unsigned depends) {
+    add_leaf(lagrangian.definitions, symbol, depends);
+    list.push_back(std::move(symbol));
+  };
+  for (const Parameter& parameter : model.parameters) {
+    add(symbols.parameters, parameter_symbol(parameter), on_parameters);
+  }
+  for (const Coordinate& coordinate : model.coordinates) {
+    add(symbols.q, GiNaC::realsymbol(coordinate.identifier), on_coordinates);
+  }
+  for (const Coordinate& coordinate : model.coordinates) {
+    add(symbols.v, GiNaC::realsymbol(coordinate.identifier + "_dot"), on_velocities);
+  }
+  for (const Coordinate& coordinate : model.coordinates) {
+    add(symbols.a, GiNaC::realsymbol(coordinate.identifier + "_ddot"), on_accelerations);
+  }
+  for (const Input& input : model.inputs) {
+    add(symbols.u, GiNaC::realsymbol(input.identifier), on_inputs);
+  }
+  symbols.t = GiNaC::realsymbol("t");
+  add_leaf(lagrangian.definitions, symbols.t, on_time);
+}
+
+/// Builds the parts of a Lagrangian one after another; the first error ends it.
+class Formulation {
+ public:
+  explicit Formulation(const Model& model) : model_(model), translation_(model, lagrangian_) {
+    lagrangian_.leaves = leaf_names(model);
+    lagrangian_.quadratic = model.quadratic;
+    add_symbols(model, lagrangian_);
+  }
+
+  Result<Lagrangian> build() && {
+    errors_ = translation_.define_named();
+    if (errors_.empty()) add_gravity();
+    if (errors_.empty()) add_points();
+    if (errors_.empty()) add_bodies();
+    if (errors_.empty()) add_energies();
+    if (errors_.empty()) add_forces();
+    if (errors_.empty()) add_outputs();
+    if (!errors_.empty()) return errors_;
+    return std::move(lagrangian_);
+  }
+
+ private:
+  ex translated(ExpressionId id) {
+    Result<ex> value = translation_(id);
+    if (value) return *value;
+    errors_.insert(errors_.end(), value.diagnostics.begin(), value.diagnostics.end());
+    return 0;
+  }
+
+  /// One symbol for the value, so that what uses it stays small.
+  ex named(ExpressionId id, std::string name, Entity origin) {
+    return define(lagrangian_.definitions, translated(id), {std::move(name), origin});
+  }
+
+  std::array<ex, 3> position(const std::array<ExpressionId, 3>& at, const std::string& name,
+                             Entity origin) {
+    return {named(at[0], name + "_x", origin), named(at[1], name + "_y", origin),
+            named(at[2], name + "_z", origin)};
+  }
+
+  void add_gravity() {
+    if (!model_.gravity) return;
+    const auto& gravity = *model_.gravity;
+    lagrangian_.gravity = {translated(gravity[0]), translated(gravity[1]), translated(gravity[2])};
+  }
+
+  void add_points() {
+    for (std::uint32_t i = 0; i < model_.points.size(); ++i) {
+      const Point& point = model_.points[i];
+      if (!point.mass) continue;
+      const Entity origin{EntityKind::point, i};
+      const ex mass = named(*point.mass, point.identifier + "_mass", origin);
+      lagrangian_.masses.push_back(
+          {mass, position(point.at, point.identifier, origin), origin, true});
+    }
+  }
+
+  void add_bodies() {
+    for (std::uint32_t i = 0; i < model_.bodies.size(); ++i) {
+      const Body& body = model_.bodies[i];
+      const Entity origin{EntityKind::body, i};
+      if (body.mass) {
+        const ex mass = named(*body.mass, body.identifier + "_mass", origin);
+        lagrangian_.masses.push_back({mass, position(body.com, body.identifier, origin), origin,
+                                      !body.inertia_about_origin});
+      }
+      add_rotation(body, origin);
+    }
+  }
+
+  /// 1/2 w.I w, with I = [xx xy xz; xy yy yz; xz yz zz] in the axes of w.
+  void add_rotation(const Body& body, Entity origin) {
+    if (body.inertia.empty() || body.spin.empty()) return;
+    static constexpr std::array<const char*, 3> axes{"_x", "_y", "_z"};
+    std::vector<ex> inertia;
+    for (const ExpressionId id : body.inertia)
+      inertia.push_back(named(id, body.identifier + "_inertia", origin));
+    std::vector<ex> spin;
+    for (const ExpressionId id : body.spin) {
+      const std::string axis = body.spin.size() == 1 ? "" : axes[spin.size()];
+      spin.push_back(named(id, body.identifier + "_spin" + axis, origin));
+    }
+    auto& kinetic = lagrangian_.kinetic;
+    for (std::size_t i = 0; i < spin.size(); ++i)
+      kinetic.push_back(half * inertia[i] * spin[i] * spin[i]);
+    if (inertia.size() < 6) return;
+    kinetic.push_back(inertia[3] * spin[0] * spin[1]);
+    kinetic.push_back(inertia[4] * spin[0] * spin[2]);
+    kinetic.push_back(inertia[5] * spin[1] * spin[2]);
+  }
+
+  /// The terms of a sum, each small.
+  void add_terms(std::optional<ExpressionId> energy, std::vector<ex>& terms) {
+    if (!energy) return;
+    const Expression& expression = model_.expressions[*energy];
+    if (expression.kind != ExpressionKind::add) {
+      terms.push_back(translated(*energy));
+      return;
+    }
+    for (const ExpressionId operand : expression.operands) terms.push_back(translated(operand));
+  }
+
+  void add_energies() {
+    add_terms(model_.energies.T, lagrangian_.kinetic);
+    add_terms(model_.energies.V, lagrangian_.potential);
+    add_terms(model_.energies.D, lagrangian_.dissipation);
+    add_terms(model_.energies.L, lagrangian_.lagrangian);
+    for (std::size_t i = 0; i < model_.coordinates.size(); ++i) {
+      const auto& armature = model_.coordinates[i].armature;
+      if (!armature) continue;
+      const ex rate = lagrangian_.symbols.v[i];
+      auto& kinetic = lagrangian_.lagrangian.empty() ? lagrangian_.kinetic : lagrangian_.lagrangian;
+      kinetic.push_back(half * translated(*armature) * rate * rate);
+    }
+  }
+
+  void add_forces() {
+    std::vector<GiNaC::exvector> on(model_.coordinates.size());
+    for (std::size_t i = 0; i < model_.inputs.size(); ++i) {
+      if (model_.inputs[i].on) on[*model_.inputs[i].on].push_back(lagrangian_.symbols.u[i]);
+    }
+    for (const Force& force : model_.forces) {
+      if (force.coordinate) {
+        on[*force.coordinate].push_back(translated(force.value.front()));
+      } else {
+        add_point_force(force);
+      }
+    }
+    for (const GiNaC::exvector& terms : on) lagrangian_.forces.push_back(GiNaC::add(terms));
+  }
+
+  void add_point_force(const Force& force) {
+    const auto at = [&](std::uint32_t point) {
+      return position(model_.points[point].at, model_.points[point].identifier,
+                      {EntityKind::point, point});
+    };
+    const std::array<ex, 3> value{translated(force.value[0]), translated(force.value[1]),
+                                  translated(force.value[2])};
+    lagrangian_.point_forces.push_back({at(*force.at), value});
+    if (!force.from) return;
+    lagrangian_.point_forces.push_back({at(*force.from), {-value[0], -value[1], -value[2]}});
+  }
+
+  void add_outputs() {
+    for (const UserOutput& output : model_.outputs) {
+      NamedOutput named{output.name, {}};
+      for (const ExpressionId id : output.values) named.values.push_back(translated(id));
+      lagrangian_.outputs.push_back(std::move(named));
+    }
+  }
+
+  const Model& model_;
+  Lagrangian lagrangian_;
+  Translation translation_;
+  Diagnostics errors_;
+};
+
+}  // namespace
+
+Result<Lagrangian> formulate(const Model& model) { return Formulation(model).build(); }
+
+}  // namespace elgen

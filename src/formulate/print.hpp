@@ -1,0 +1,26 @@
+// GiNaC expressions as text with terms and factors sorted, so that two runs print the same.
+#pragma once
+
+#include <string>
+
+#include "elgen/lagrangian.hpp"
+
+namespace elgen {
+
+/// Leaves print under their names, definitions as d0, d1, … in the order of the list.
+class ExpressionPrinter {
+ public:
+  explicit ExpressionPrinter(const Definitions& definitions) : definitions_(definitions) {}
+
+  [[nodiscard]] std::string operator()(const GiNaC::ex& value) const;
+
+ private:
+  [[nodiscard]] std::string joined(const GiNaC::ex& value, const char* separator) const;
+
+  const Definitions& definitions_;
+};
+
+/// One line per definition: `d3 = l*sin(theta)    ; bob_x`.
+[[nodiscard]] std::string dump(const Definitions& definitions);
+
+}  // namespace elgen

@@ -1,0 +1,66 @@
+// specialise: fixed parameters become numbers throughout a Lagrangian.
+//
+//     before    p = l*sin(q), T = 1/2*m*p_dot^2      l = 1/2 fixed
+//     after     p = 1/2*sin(q), T = 1/2*m*p_dot^2
+//
+// What vanishes is no longer reached from any energy, force or output, so later stages never see
+// it.
+#include "elgen/specialise.hpp"
+
+#include "formulate/chain_rule.hpp"
+
+namespace elgen {
+
+namespace {
+
+using GiNaC::ex;
+
+class Specialiser {
+ public:
+  Specialiser(Lagrangian& lagrangian, const Specialisation& specialisation)
+      : substitution_(lagrangian.definitions, values(lagrangian, specialisation)) {}
+
+  void operator()(ex& value) { value = substitution_(value); }
+  void operator()(std::vector<ex>& list) {
+    for (ex& value : list) (*this)(value);
+  }
+  void operator()(std::array<ex, 3>& vector) {
+    for (ex& value : vector) (*this)(value);
+  }
+
+ private:
+  static Seeds values(const Lagrangian& lagrangian, const Specialisation& specialisation) {
+    Seeds seeds;
+    for (const auto& [parameter, number] : specialisation.fixed) {
+      seeds.emplace(lagrangian.symbols.parameters[parameter], GiNaC::numeric(number));
+    }
+    return seeds;
+  }
+
+  Substitution substitution_;
+};
+
+}  // namespace
+
+Lagrangian specialise(Lagrangian lagrangian, const Specialisation& specialisation) {
+  if (specialisation.fixed.empty()) return lagrangian;
+  Specialiser specialised(lagrangian, specialisation);
+  for (PointMass& mass : lagrangian.masses) {
+    specialised(mass.mass);
+    specialised(mass.position);
+  }
+  if (lagrangian.gravity) specialised(*lagrangian.gravity);
+  specialised(lagrangian.kinetic);
+  specialised(lagrangian.potential);
+  specialised(lagrangian.dissipation);
+  specialised(lagrangian.lagrangian);
+  specialised(lagrangian.forces);
+  for (PointForce& force : lagrangian.point_forces) {
+    specialised(force.position);
+    specialised(force.force);
+  }
+  for (NamedOutput& output : lagrangian.outputs) specialised(output.values);
+  return lagrangian;
+}
+
+}  // namespace elgen
