@@ -29,8 +29,8 @@ Outcome shell(const std::string& command, const std::filesystem::path& folder) {
   write_text(script, "unset CXX NO_COLOR\nELGEN=" + quoted(elgen) + "\nPATH=" +
                          quoted(elgen.parent_path()) + ":$PATH\nexport ELGEN PATH\ncd " +
                          quoted(folder) + " || exit 99\n" + command + "\n");
-  const std::string line = "sh " + quoted(script) + " </dev/null >" + quoted(output) + " 2>" +
-                           quoted(errors);
+  const std::string line =
+      "sh " + quoted(script) + " </dev/null >" + quoted(output) + " 2>" + quoted(errors);
   const int status = exit_status(std::system(line.c_str()));
   return {status, read_text(output), read_text(errors)};
 }

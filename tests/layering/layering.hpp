@@ -1,0 +1,37 @@
+// What src/layers.txt promises, checked on a source tree: the order of folders, no include cycles,
+// GiNaC where it may be, a test for every source, files of readable length.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace elgen::test {
+
+/// Path relative to the project ("src/base/units.cpp") -> text.
+using SourceTree = std::map<std::string, std::string>;
+
+/// One line of layers.txt.
+struct Layer {
+  std::string folder;
+  std::vector<std::string> nouns = {};  ///< headers of include/elgen/ without their extension
+  bool all_ginac = false;
+  std::set<std::string> ginac_files = {};
+};
+
+[[nodiscard]] std::vector<Layer> parse_layers(std::string_view text);
+
+/// src/, include/ and tests/ below `root`: files that end in .cpp, .hpp, .def or .txt.
+[[nodiscard]] SourceTree read_tree(const std::filesystem::path& root);
+
+/// One sentence per broken rule, each starting with the file; empty where all hold.
+[[nodiscard]] std::vector<std::string> later_includes(const SourceTree& tree);
+[[nodiscard]] std::vector<std::string> include_cycles(const SourceTree& tree);
+[[nodiscard]] std::vector<std::string> misplaced_ginac(const SourceTree& tree);
+[[nodiscard]] std::vector<std::string> sources_without_test(const SourceTree& tree);
+[[nodiscard]] std::vector<std::string> long_files(const SourceTree& tree, std::size_t most_lines);
+
+}  // namespace elgen::test

@@ -1,0 +1,133 @@
+// The rules of src/layers.txt, on this project and on small trees that break them.
+#include "layering/layering.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace elgen::test {
+
+namespace {
+
+using Sentences = std::vector<std::string>;
+
+const SourceTree& project() {
+  static const SourceTree tree = read_tree(ELGEN_SOURCE_DIR);
+  return tree;
+}
+
+/// Two folders, `first` without and `second` with GiNaC in one file, no rule broken.
+SourceTree small_tree() {
+  return {
+      {"src/layers.txt", "# order\nfirst  : apple\nsecond : pear   ginac algebra.cpp\n"},
+      {"include/elgen/apple.hpp", "#include <string>\n"},
+      {"include/elgen/pear.hpp", "#include \"elgen/apple.hpp\"\n"},
+      {"src/first/apple.cpp", "#include \"elgen/apple.hpp\"\n#include \"core.hpp\"\n"},
+      {"src/first/core.hpp", "#pragma once\n"},
+      {"src/second/algebra.cpp", "#include <ginac/ginac.h>\n#include \"elgen/pear.hpp\"\n"},
+      {"tests/first/apple_test.cpp", ""},
+      {"tests/second/algebra_test.cpp", ""},
+  };
+}
+
+}  // namespace
+
+TEST_CASE("layers.txt is read line by line") {
+  const std::vector<Layer> layers = parse_layers(
+      "# words: not a layer\nbase : span text\nderive : motion  ginac *\nlower : p  ginac a.cpp\n"
+      "cli :\n");
+  REQUIRE(layers.size() == 4);
+  CHECK(layers[0].folder == "base");
+  CHECK(layers[0].nouns == Sentences{"span", "text"});
+  CHECK_FALSE(layers[0].all_ginac);
+  CHECK(layers[1].nouns == Sentences{"motion"});
+  CHECK(layers[1].all_ginac);
+  CHECK(layers[2].ginac_files == std::set<std::string>{"a.cpp"});
+  CHECK(layers[3].nouns.empty());
+}
+
+TEST_CASE("a tree that keeps the rules is not reproached") {
+  const SourceTree tree = small_tree();
+  CHECK(later_includes(tree).empty());
+  CHECK(include_cycles(tree).empty());
+  CHECK(misplaced_ginac(tree).empty());
+  CHECK(sources_without_test(tree).empty());
+  CHECK(long_files(tree, 3).empty());
+}
+
+TEST_CASE("an include of a later folder is found, direct and through a header") {
+  SourceTree direct = small_tree();
+  direct["src/first/apple.cpp"] += "#include \"elgen/pear.hpp\"\n";
+  CHECK(later_includes(direct) ==
+        Sentences{"src/first/apple.cpp: reaches the later include/elgen/pear.hpp"});
+
+  SourceTree through = small_tree();
+  through["src/first/core.hpp"] = "#include \"../second/tools.hpp\"\n";
+  through["src/second/tools.hpp"] = "";
+  CHECK(later_includes(through) ==
+        Sentences{"src/first/apple.cpp: reaches the later src/second/tools.hpp",
+                  "src/first/core.hpp: reaches the later src/second/tools.hpp"});
+}
+
+TEST_CASE("a noun and a folder that layers.txt does not know are found") {
+  SourceTree tree = small_tree();
+  tree["include/elgen/plum.hpp"] = "";
+  tree["src/third/plum.hpp"] = "";
+  CHECK(later_includes(tree) ==
+        Sentences{"include/elgen/plum.hpp: its folder or noun is not in src/layers.txt",
+                  "src/third/plum.hpp: its folder or noun is not in src/layers.txt"});
+}
+
+TEST_CASE("an include cycle is found at each of its files") {
+  SourceTree tree = small_tree();
+  tree["src/first/core.hpp"] = "#include \"seed.hpp\"\n";
+  tree["src/first/seed.hpp"] = "  #  include \"core.hpp\"\n";
+  CHECK(include_cycles(tree) ==
+        Sentences{"src/first/core.hpp: is included again by src/first/seed.hpp",
+                  "src/first/seed.hpp: is included again by src/first/core.hpp"});
+}
+
+TEST_CASE("GiNaC outside its files is found, direct and through a header") {
+  SourceTree tree = small_tree();
+  tree["src/second/print.cpp"] = "#include <ginac/ex.h>\n";
+  tree["include/elgen/pear.hpp"] += "#include <ginac/ginac.h>\n";
+  tree["src/second/show.cpp"] = "#include \"elgen/pear.hpp\"\n";
+  CHECK(misplaced_ginac(tree) ==
+        Sentences{"include/elgen/pear.hpp: reaches GiNaC by include/elgen/pear.hpp",
+                  "src/second/print.cpp: reaches GiNaC by src/second/print.cpp",
+                  "src/second/show.cpp: reaches GiNaC by include/elgen/pear.hpp"});
+}
+
+TEST_CASE("a source without its test is found") {
+  SourceTree tree = small_tree();
+  tree.erase("tests/first/apple_test.cpp");
+  tree["src/second.cpp"] = "";
+  CHECK(sources_without_test(tree) ==
+        Sentences{"src/first/apple.cpp: has no tests/first/apple_test.cpp",
+                  "src/second.cpp: has no tests/second/second_test.cpp"});
+}
+
+TEST_CASE("a long file is found, one of the greatest length is not") {
+  SourceTree tree = small_tree();
+  tree["tests/first/apple_test.cpp"] = "\n\n\n\n";
+  CHECK(long_files(tree, 4).empty());
+  CHECK(long_files(tree, 3) == Sentences{"tests/first/apple_test.cpp: has 4 lines"});
+}
+
+TEST_CASE("this project keeps the order of its folders") {
+  CHECK(later_includes(project()) == Sentences{});
+}
+
+TEST_CASE("this project has no include cycle") { CHECK(include_cycles(project()) == Sentences{}); }
+
+TEST_CASE("this project keeps GiNaC where it may be") {
+  CHECK(misplaced_ginac(project()) == Sentences{});
+}
+
+TEST_CASE("this project has a test named like every source") {
+  CHECK(sources_without_test(project()) == Sentences{});
+}
+
+TEST_CASE("this project has no file over 400 lines") {
+  CHECK(long_files(project(), 400) == Sentences{});
+}
+
+}  // namespace elgen::test
