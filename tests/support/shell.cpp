@@ -35,6 +35,15 @@ Outcome shell(const std::string& command, const std::filesystem::path& folder) {
   return {status, read_text(output), read_text(errors)};
 }
 
+void prepare(const std::string& command, const std::filesystem::path& folder) {
+  const Outcome outcome = shell(command, folder);
+  if (outcome.status != 0) throw std::runtime_error(command + ": " + outcome.errors);
+}
+
+bool mentions(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 Workspace::Workspace() {
   std::string pattern = (std::filesystem::temp_directory_path() / "elgen_test_XXXXXX").string();
   if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");

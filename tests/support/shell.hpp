@@ -16,6 +16,11 @@ struct Outcome {
 /// $ELGEN its path; CXX and NO_COLOR are unset.
 [[nodiscard]] Outcome shell(const std::string& command, const std::filesystem::path& folder);
 
+/// The same for a command that sets a test up: throws where it fails.
+void prepare(const std::string& command, const std::filesystem::path& folder);
+
+[[nodiscard]] bool mentions(const std::string& text, const std::string& part);
+
 /// A fresh folder, removed at the end of the scope.
 class Workspace {
  public:

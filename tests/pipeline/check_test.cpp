@@ -1,0 +1,85 @@
+// generate --check: committed output that is current, stale, edited by hand, or left over.
+#include <catch2/catch.hpp>
+
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+const std::string source = ELGEN_SOURCE_DIR;
+
+/// A folder with cart_pole.toml and its generated files.
+class Project {
+ public:
+  Project() {
+    change("cp " + source + "/models/cart_pole.toml . && elgen generate -q cart_pole.toml");
+  }
+  [[nodiscard]] Outcome run(const std::string& command) const {
+    return shell(command, workspace_.path());
+  }
+  void change(const std::string& command) const { prepare(command, workspace_.path()); }
+  [[nodiscard]] Outcome check() const { return run("elgen generate --check cart_pole.toml"); }
+
+ private:
+  Workspace workspace_;
+};
+
+}  // namespace
+
+TEST_CASE("the committed output of every model and scene is current") {
+  const Outcome outcome =
+      shell("elgen generate --check models/*.toml models/scenes/*.scene.toml", source);
+  INFO(outcome.output + outcome.errors);
+  CHECK(outcome.status == 0);
+}
+
+TEST_CASE("output just written is current, and checking writes nothing") {
+  const Project project;
+  const std::string listing = project.run("ls -lR --full-time generated").output;
+  CHECK(project.check().status == 0);
+  CHECK(project.run("ls -lR --full-time generated").output == listing);
+}
+
+TEST_CASE("a changed model makes its output stale: the difference and the remedy are shown") {
+  const Project project;
+  project.change("sed -i 's/\\[\"0\", \"-g\"\\]/[\"0\", \"-2*g\"]/' cart_pole.toml");
+  const Outcome outcome = project.check();
+  CHECK(outcome.status == 1);
+  const std::string text = outcome.output + outcome.errors;
+  CHECK(mentions(text, "generated/cart_pole/cart_pole.hpp"));
+  CHECK(mentions(text, "\n@@"));
+  CHECK(mentions(text, "elgen generate cart_pole.toml"));
+}
+
+TEST_CASE("an edit by hand is told from a stale file") {
+  const Project project;
+  project.change("sed -i 's/mass_matrix/mass_Matrix/' generated/cart_pole/cart_pole.hpp");
+  const Outcome outcome = project.check();
+  CHECK(outcome.status == 1);
+  CHECK(mentions(outcome.output + outcome.errors, "by hand"));
+}
+
+TEST_CASE("a missing file and a left-over file are found") {
+  const Project missing;
+  missing.change("rm generated/cart_pole/cart_pole.equations.json");
+  const Outcome gone = missing.check();
+  CHECK(gone.status == 1);
+  CHECK(mentions(gone.output + gone.errors, "generated/cart_pole/cart_pole.equations.json"));
+
+  const Project left_over;
+  left_over.change("cp generated/cart_pole/cart_pole.hpp generated/cart_pole/cart_pole_old.hpp");
+  const Outcome orphan = left_over.check();
+  CHECK(orphan.status == 1);
+  CHECK(mentions(orphan.output + orphan.errors, "generated/cart_pole/cart_pole_old.hpp"));
+}
+
+TEST_CASE("generating again repairs what --check complains about") {
+  const Project project;
+  project.change("sed -i 's/mass_matrix/mass_Matrix/' generated/cart_pole/cart_pole.hpp");
+  REQUIRE(project.check().status == 1);
+  CHECK(project.run("elgen generate -q cart_pole.toml").status == 0);
+  CHECK(project.check().status == 0);
+}
+
+}  // namespace elgen::test

@@ -1,0 +1,54 @@
+// The same bytes from every process, whatever its addresses, locale and working folder.
+#include <catch2/catch.hpp>
+
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
+const std::string all_inputs = models + "/*.toml " + models + "/scenes/*.scene.toml";
+
+std::string compare(const std::string& left, const std::string& right,
+                    const std::filesystem::path& folder) {
+  return shell("diff -r " + left + " " + right, folder).output;
+}
+
+}  // namespace
+
+TEST_CASE("twenty fresh processes write the same bytes") {
+  const Workspace workspace;
+  for (int process = 1; process <= 20; ++process) {
+    const std::string folder = "out" + std::to_string(process);
+    const Outcome outcome =
+        shell("elgen generate -q -o " + folder + " " + all_inputs, workspace.path());
+    INFO(outcome.errors);
+    REQUIRE(outcome.status == 0);
+    CHECK(compare("out1", folder, workspace.path()).empty());
+  }
+}
+
+TEST_CASE("a comma-decimal locale and another working folder change nothing") {
+  const Workspace workspace;
+  const std::string german = "LOCPATH=$PWD/locales LC_ALL=de_DE.UTF-8 ";
+  REQUIRE(shell("mkdir -p locales elsewhere/below && "
+                "localedef -i de_DE -f UTF-8 ./locales/de_DE.UTF-8 && " +
+                    german + "/usr/bin/printf %.1f 2,5",
+                workspace.path())
+              .output == "2,5");
+
+  REQUIRE(shell("elgen generate -q -o plain " + all_inputs, workspace.path()).status == 0);
+  const Outcome outcome = shell(
+      "LOCPATH=$PWD/locales; LC_ALL=de_DE.UTF-8; export LOCPATH LC_ALL; cd elsewhere/below && "
+      "cp -r " +
+          models +
+          " . && "
+          "elgen generate -q -o ../../german models/*.toml models/scenes/*.scene.toml",
+      workspace.path());
+  INFO(outcome.errors);
+  REQUIRE(outcome.status == 0);
+  CHECK(compare("plain", "german", workspace.path()).empty());
+}
+
+}  // namespace elgen::test
