@@ -100,11 +100,10 @@ Jet Evaluation::leaf(const Expression& e, unsigned time_order) const {
 }
 
 Jet Evaluation::folded(const Expression& e, unsigned time_order) const {
-  const bool adds = e.kind == ExpressionKind::add;
-  Jet result = adds ? 0 : 1;
-  for (const ExpressionId id : e.operands) {
-    const Jet next = operand(id, time_order);
-    result = adds ? result + next : result * next;
+  Jet result = operand(e.operands.front(), time_order);
+  for (std::size_t i = 1; i < e.operands.size(); ++i) {
+    const Jet next = operand(e.operands[i], time_order);
+    result = e.kind == ExpressionKind::add ? result + next : result * next;
   }
   return result;
 }

@@ -92,12 +92,12 @@ cl_R value_at_zero(FunctionId function, const cl_R& zero) {
   }
 }
 
+/// Every function but sin and cos.
 cl_R computed(FunctionId function, const cl_R& x, const cl_R& y) {
   switch (function) {
     case FunctionId::sin:
-      return cln::sin(widened(x));
     case FunctionId::cos:
-      return cln::cos(widened(x));
+      break;
     case FunctionId::tan:
       return cln::tan(widened(x));
     case FunctionId::asin:
@@ -178,12 +178,19 @@ bool RealFunctions::Before::operator()(const Call& left, const Call& right) cons
 cl_R RealFunctions::value(FunctionId function, const cl_R& x, const cl_R& y) {
   const bool exact_zero = is_rational(x) && cln::zerop(x);
   if (exact_zero && function_row(function).arity == 1) return value_at_zero(function, x);
-  const auto [entry, is_new] = known_.try_emplace(Call{function, x, y});
-  if (is_new) {
-    known_.erase(entry);
+  const auto entry = known_.find(Call{function, x, y});
+  return entry != known_.end() ? entry->second : remembered(function, x, y);
+}
+
+/// Sines and cosines are computed together: a derivative of one asks for the other next.
+cl_R RealFunctions::remembered(FunctionId function, const cl_R& x, const cl_R& y) {
+  if (function != FunctionId::sin && function != FunctionId::cos) {
     return known_[Call{function, x, y}] = rounded(computed(function, x, y));
   }
-  return entry->second;
+  const cln::cos_sin_t both = cln::cos_sin(widened(x));
+  const cl_R sine = known_[Call{FunctionId::sin, x, y}] = rounded(both.sin);
+  const cl_R cosine = known_[Call{FunctionId::cos, x, y}] = rounded(both.cos);
+  return function == FunctionId::sin ? sine : cosine;
 }
 
 }  // namespace elgen::oracle

@@ -56,6 +56,8 @@ class RealFunctions {
   struct Before {
     bool operator()(const Call& left, const Call& right) const;
   };
+  cln::cl_R remembered(FunctionId function, const cln::cl_R& x, const cln::cl_R& y);
+
   std::map<Call, cln::cl_R, Before> known_ = {};
 };
 
