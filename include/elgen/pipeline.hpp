@@ -1,0 +1,57 @@
+// The pipeline: one model and perhaps one scene, through every stage, to a checked Program and its
+// files.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "elgen/certificate.hpp"
+#include "elgen/emitted_files.hpp"
+#include "elgen/limits.hpp"
+#include "elgen/model.hpp"
+#include "elgen/program.hpp"
+#include "elgen/scene.hpp"
+#include "elgen/syntax.hpp"
+
+namespace elgen {
+
+struct Inputs {
+  SourcePointer model = {};
+  SourcePointer scene = {};  ///< null: the built-in scene `full`
+};
+
+struct PipelineOptions {
+  SceneOptions scene = {};
+  Limits limits = {};
+  std::string dump_stage = {};  ///< its product as text, into Products::dump
+  std::string stop_after = {};  ///< the last stage to run
+  bool check_itself = true;     ///< compare with the oracle at the end
+  std::function<void(const std::string&)> on_stage = {};  ///< told each name as it starts
+};
+
+struct StageTime {
+  std::string stage;
+  double seconds = 0.0;
+};
+
+/// What came out; a stage that did not run leaves its product empty.
+struct Products {
+  std::optional<CheckedModel> checked = {};
+  std::optional<Program> program = {};
+  std::optional<EmittedFiles> files = {};
+  std::optional<SelfCheck> self_check = {};
+  Diagnostics diagnostics = {};
+  std::string dump = {};
+  std::vector<StageTime> times = {};
+};
+
+/// Stages that --dump and --stop-after know, in order.
+[[nodiscard]] const std::vector<std::string>& stage_names();
+
+/// Runs the stages in order, until one reports an error or `stop_after` is done. E911: the
+/// self-check failed.
+[[nodiscard]] Products run_pipeline(const Inputs& inputs, const PipelineOptions& options);
+
+}  // namespace elgen

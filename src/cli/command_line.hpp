@@ -1,0 +1,25 @@
+// The words of a command line -> options.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "options.hpp"
+
+namespace elgen::cli {
+
+enum class Command : unsigned char { none, generate, verify, explain };
+
+struct CommandLine {
+  Command command = Command::none;  ///< none: --help, --version, --limits; already answered
+  GlobalOptions global = {};
+  GenerateOptions generate = {};
+  VerifyCommandOptions verify = {};
+  std::string code = {};
+};
+
+/// E913: words that are not understood, with what was probably meant. Answers --help, --version and
+/// --limits.
+[[nodiscard]] Result<CommandLine> read_command_line(const std::vector<std::string>& words);
+
+}  // namespace elgen::cli

@@ -1,0 +1,89 @@
+// What --check reports: missing, stale, edited by hand, orphaned.
+#include <fmt/format.h>
+
+#include <dtl/dtl.hpp>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "output_files.hpp"
+
+namespace elgen::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t diff_lines = 20;
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> result;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) result.push_back(line);
+  return result;
+}
+
+/// A unified diff of at most `diff_lines` lines.
+std::string unified_diff(const std::string& before, const std::string& after) {
+  dtl::Diff<std::string> diff(lines(before), lines(after));
+  diff.onHuge();
+  diff.compose();
+  diff.composeUnifiedHunks();
+  std::ostringstream text;
+  diff.printUnifiedFormat(text);
+  const std::vector<std::string> all = lines(text.str());
+  std::string shown;
+  for (std::size_t i = 0; i < all.size() && i < diff_lines; ++i) shown += "  " + all[i] + "\n";
+  if (all.size() > diff_lines) shown += fmt::format("  … {} more lines\n", all.size() - diff_lines);
+  return shown;
+}
+
+std::string compare(const fs::path& path, const std::string& wanted) {
+  std::error_code error;
+  if (!fs::exists(path, error)) return fmt::format("{}: missing\n", path.string());
+  const std::string found = read(path);
+  if (found == wanted) return {};
+  const BodyHash hash = body_hash(found);
+  const bool edited = !hash.stated.empty() && hash.stated != hash.actual;
+  return fmt::format("{}: {}\n{}", path.string(), edited ? "edited by hand" : "stale",
+                     unified_diff(found, wanted));
+}
+
+/// Files of ours, in the folders of `files`, that nothing generates any more.
+std::string orphans(const fs::path& directory, const EmittedFiles& files) {
+  std::set<fs::path> folders;
+  for (const auto& [name, text] : files.files) folders.insert((directory / name).parent_path());
+  std::set<std::string> found;
+  std::error_code error;
+  for (const fs::path& folder : folders) {
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+      const std::string name = fs::relative(entry.path(), directory, error).generic_string();
+      if (!entry.is_regular_file() || files.files.count(name) != 0) continue;
+      const bool ours =
+          read(entry.path()).substr(0, 200).find(generated_marker) != std::string::npos;
+      if (ours) found.insert(entry.path().string());
+    }
+  }
+  std::string text;
+  for (const std::string& path : found) text += path + ": orphan, nothing generates it\n";
+  return text;
+}
+
+}  // namespace
+
+std::string compare_files(const std::string& directory, const EmittedFiles& files) {
+  std::string text;
+  for (const auto& [name, wanted] : files.files)
+    text += compare(fs::path(directory) / name, wanted);
+  return text + orphans(directory, files);
+}
+
+}  // namespace elgen::cli

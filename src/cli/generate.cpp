@@ -1,0 +1,216 @@
+// elgen generate: inputs -> files, or what --check, --list-outputs and --stdout make of them.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include "inputs.hpp"
+#include "options.hpp"
+#include "output_files.hpp"
+#include "progress.hpp"
+
+namespace elgen::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One input on its way to its files.
+struct Job {
+  std::string path;
+  Inputs inputs;
+  Products products;
+
+  [[nodiscard]] const Scene& scene() const { return products.checked->scene; }
+};
+
+PipelineOptions pipeline_options(const GlobalOptions& global, const GenerateOptions& options) {
+  PipelineOptions pipeline;
+  pipeline.scene = options.scene;
+  pipeline.limits = global.limits;
+  pipeline.dump_stage = global.dump_stage;
+  pipeline.stop_after = options.list_outputs ? "check" : global.stop_after;
+  return pipeline;
+}
+
+/// Reads and runs every input; diagnostics of all of them are reported.
+ExitCode run(const GlobalOptions& global, const GenerateOptions& options, std::vector<Job>& jobs) {
+  ExitCode worst = ExitCode::success;
+  for (const std::string& path : options.inputs) {
+    Result<Inputs> inputs = read_inputs(path, global.limits);
+    if (!inputs) {
+      worst = std::max(worst, report(global, inputs.diagnostics));
+      continue;
+    }
+    const Progress progress(path);
+    PipelineOptions pipeline = pipeline_options(global, options);
+    pipeline.on_stage = [&](const std::string& stage) { progress.stage(stage); };
+    Job job{path, *inputs, run_pipeline(*inputs, pipeline)};
+    fmt::print("{}", job.products.dump);
+    worst = std::max(worst, report(global, job.products.diagnostics));
+    tell_times(global, job.products);
+    jobs.push_back(std::move(job));
+  }
+  return worst;
+}
+
+/// E604: two inputs would write the same files.
+Diagnostics duplicate_names(const std::vector<Job>& jobs) {
+  Diagnostics errors;
+  std::map<std::string, std::string> first;
+  for (const Job& job : jobs) {
+    const std::string& name = job.scene().base_name;
+    const auto [entry, is_new] = first.emplace(name, job.path);
+    if (is_new) continue;
+    errors.push_back({Code::E604,
+                      {},
+                      fmt::format("`{}` and `{}` would both be written to `{}`", entry->second,
+                                  job.path, name)});
+  }
+  return errors;
+}
+
+EmittedFiles all_files(const std::vector<Job>& jobs) {
+  EmittedFiles all;
+  for (const Job& job : jobs) {
+    all.files.insert(job.products.files->files.begin(), job.products.files->files.end());
+  }
+  return all;
+}
+
+/// E607: options would change files that belong to the model or scene itself.
+Diagnostics changed_by_options(const GenerateOptions& options, const std::vector<Job>& jobs) {
+  Diagnostics errors;
+  for (const Job& job : jobs) {
+    if (!job.scene().has_options || options.output_directory_given) continue;
+    for (const auto& [name, text] : job.products.files->files) {
+      const fs::path path = fs::path(options.output_directory) / name;
+      std::error_code error;
+      if (!fs::exists(path, error)) continue;
+      std::ifstream file(path, std::ios::binary);
+      const std::string old{std::istreambuf_iterator<char>(file), {}};
+      if (old == text) continue;
+      errors.push_back({Code::E607,
+                        {},
+                        fmt::format("--outputs, --fix or --size would change `{}`", path.string()),
+                        "give `-o DIR`, or write a scene"});
+    }
+  }
+  return errors;
+}
+
+Diagnostics write_depfile(const GenerateOptions& options, const std::vector<Job>& jobs) {
+  if (options.depfile.empty()) return {};
+  const auto escaped = [](const std::string& path) {
+    std::string text;
+    for (const char c : path) text += c == ' ' ? "\\ " : c == '$' ? "$$" : std::string(1, c);
+    return text;
+  };
+  std::string text;
+  for (const Job& job : jobs) {
+    for (const auto& [name, content] : job.products.files->files) {
+      text += escaped((fs::path(options.output_directory) / name).generic_string()) + ":";
+      text += " " + escaped(job.inputs.model->path);
+      if (job.inputs.scene != nullptr) text += " " + escaped(job.inputs.scene->path);
+      text += '\n';
+    }
+  }
+  std::ofstream file(options.depfile, std::ios::binary);
+  file << text;
+  file.close();
+  if (file) return {};
+  return {{Code::E706, {}, fmt::format("`{}` could not be written", options.depfile)}};
+}
+
+std::string repair_command(const GenerateOptions& options) {
+  std::string command = "elgen generate";
+  for (const std::string& input : options.inputs) command += " " + input;
+  if (options.output_directory_given) command += " -o " + options.output_directory;
+  return command;
+}
+
+ExitCode check(const GlobalOptions& global, const GenerateOptions& options,
+               const std::vector<Job>& jobs) {
+  const std::string differences = compare_files(options.output_directory, all_files(jobs));
+  if (differences.empty()) {
+    tell(global, "up to date");
+    return ExitCode::success;
+  }
+  fmt::print("{}", differences);
+  tell(global, "to repair: " + repair_command(options));
+  return ExitCode::differs;
+}
+
+void tell_equations(const GlobalOptions& global, const Job& job) {
+  for (const Function& function : job.products.program->functions) {
+    if (function.kind == OutputKind::dynamics) continue;  // repeats the others
+    tell(global, "\n" + function.name);
+    const FunctionEquations lines = equations(*job.products.program, function);
+    for (const EquationLine& line : lines.definitions) {
+      tell(global, fmt::format("  {} = {}", line.name, line.value));
+    }
+    for (std::size_t f = 0; f < lines.entries.size(); ++f) {
+      const Field& field = function.fields[f];
+      const std::string name = field.name.empty() ? function.name : field.name;
+      for (std::size_t i = 0; i < lines.entries[f].size(); ++i) {
+        const std::string at = field.columns == 1
+                                   ? fmt::format("[{}]", i)
+                                   : fmt::format("[{}, {}]", i / field.columns, i % field.columns);
+        tell(global, fmt::format("  {}{} = {}", name, at, lines.entries[f][i]));
+      }
+    }
+  }
+}
+
+ExitCode write(const GlobalOptions& global, const GenerateOptions& options,
+               const std::vector<Job>& jobs) {
+  Diagnostics errors = changed_by_options(options, jobs);
+  if (errors.empty()) {
+    errors = write_files(options.output_directory, all_files(jobs), options.force);
+  }
+  if (errors.empty()) errors = write_depfile(options, jobs);
+  if (has_errors(errors)) return report(global, errors);
+  for (const Job& job : jobs) {
+    for (const auto& [name, text] : job.products.files->files) {
+      tell(global, "wrote " + (fs::path(options.output_directory) / name).generic_string());
+    }
+    if (global.verbose) tell_equations(global, job);
+    tell(global, job.scene().base_name + ": " + receipt(*job.products.self_check));
+  }
+  return ExitCode::success;
+}
+
+ExitCode list(const GenerateOptions& options, const std::vector<Job>& jobs) {
+  for (const Job& job : jobs) {
+    for (const std::string& name : emitted_paths(job.scene())) {
+      fmt::print("{}\n", (fs::path(options.output_directory) / name).generic_string());
+    }
+  }
+  return ExitCode::success;
+}
+
+ExitCode print_headers(const std::vector<Job>& jobs) {
+  for (const Job& job : jobs) {
+    const auto paths = emitted_paths(job.scene());
+    fmt::print("{}", job.products.files->files.at(paths.front()));
+  }
+  return ExitCode::success;
+}
+
+}  // namespace
+
+ExitCode generate(const GlobalOptions& global, const GenerateOptions& options) {
+  std::vector<Job> jobs;
+  const ExitCode worst = run(global, options, jobs);
+  if (worst != ExitCode::success) return worst;
+  if (!global.stop_after.empty() && !options.list_outputs) return worst;
+  const Diagnostics duplicates = duplicate_names(jobs);
+  if (!duplicates.empty()) return report(global, duplicates);
+  if (options.list_outputs) return list(options, jobs);
+  if (options.to_stdout) return print_headers(jobs);
+  return options.check ? check(global, options, jobs) : write(global, options, jobs);
+}
+
+}  // namespace elgen::cli

@@ -1,0 +1,45 @@
+// elgen: the command line. Words -> options; every command lives in a file of its own.
+#include <fmt/format.h>
+
+#include <new>
+
+#include "command_line.hpp"
+#include "options.hpp"
+#include "resources.hpp"
+
+namespace elgen::cli {
+
+namespace {
+
+ExitCode run_command(const CommandLine& line) {
+  set_resource_limits(line.global.limits);
+  try {
+    switch (line.command) {
+      case Command::generate:
+        return generate(line.global, line.generate);
+      case Command::verify:
+        return verify_inputs(line.global, line.verify);
+      case Command::explain:
+        return explain(line.global, line.code);
+      case Command::none:
+        return ExitCode::success;
+    }
+    return ExitCode::internal;
+  } catch (const std::bad_alloc&) {
+    return report(line.global, {out_of_memory(line.global.limits)});
+  } catch (const std::exception& mistake) {
+    return report(line.global,
+                  {{Code::E912, {}, fmt::format("internal error: {}", mistake.what())}});
+  }
+}
+
+}  // namespace
+
+}  // namespace elgen::cli
+
+int main(int argc, char** argv) {
+  using namespace elgen::cli;
+  const auto line = read_command_line({argv, argv + argc});
+  if (!line.value) return static_cast<int>(report({}, line.diagnostics));
+  return static_cast<int>(run_command(*line.value));
+}

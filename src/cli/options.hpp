@@ -1,0 +1,54 @@
+// What the command line said, and what every command needs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "elgen/diagnostic.hpp"
+#include "elgen/pipeline.hpp"
+
+namespace elgen::cli {
+
+/// Options of every command.
+struct GlobalOptions {
+  DiagnosticStyle style = {};
+  bool quiet = false;
+  bool verbose = false;
+  bool timings = false;
+  std::string dump_stage = {};
+  std::string stop_after = {};
+  Limits limits = {};
+};
+
+struct GenerateOptions {
+  std::vector<std::string> inputs = {};
+  std::string output_directory = "generated";
+  bool output_directory_given = false;
+  SceneOptions scene = {};
+  bool check = false;
+  bool force = false;
+  bool list_outputs = false;
+  bool to_stdout = false;
+  std::string depfile = {};
+};
+
+struct VerifyCommandOptions {
+  std::vector<std::string> inputs = {};
+  VerifyOptions verify = {};
+  std::string certificate_file = {};
+};
+
+[[nodiscard]] ExitCode generate(const GlobalOptions& global, const GenerateOptions& options);
+[[nodiscard]] ExitCode verify_inputs(const GlobalOptions& global,
+                                     const VerifyCommandOptions& options);
+[[nodiscard]] ExitCode explain(const GlobalOptions& global, const std::string& code);
+
+/// Prints diagnostics on stderr, and returns their exit code.
+ExitCode report(const GlobalOptions& global, const Diagnostics& diagnostics);
+
+/// A line for people on stderr, unless --quiet.
+void tell(const GlobalOptions& global, const std::string& line);
+
+void tell_times(const GlobalOptions& global, const Products& products);
+
+}  // namespace elgen::cli

@@ -1,0 +1,134 @@
+// The order of the stages, and the only place that knows it:
+//
+//     parse -> check -> inspect -> formulate -> specialise -> derive -> lower -> emit -> self-check
+#include "elgen/pipeline.hpp"
+
+#include <chrono>
+#include <utility>
+
+#include "elgen/equations_of_motion.hpp"
+#include "elgen/inspect.hpp"
+#include "elgen/lagrangian.hpp"
+#include "elgen/lower.hpp"
+#include "elgen/specialise.hpp"
+
+namespace elgen {
+
+namespace {
+
+struct Syntaxes {
+  ModelSyntax model;
+  std::optional<SceneSyntax> scene;
+};
+
+std::string dump(const Syntaxes& s) { return dump(s.model) + (s.scene ? dump(*s.scene) : ""); }
+std::string dump(const CheckedModel& c) { return dump(c.model) + dump(c.scene); }
+
+/// inspect only reports; its dump is what it found.
+struct Inspection {
+  Diagnostics found;
+};
+std::string dump(const Inspection& inspection) { return format(inspection.found); }
+std::string dump(const SelfCheck& check) { return receipt(check) + "\n"; }
+
+/// Times each stage, collects its diagnostics and its dump, and says whether the next one may run.
+class Stages {
+ public:
+  Stages(const PipelineOptions& options, Products& products)
+      : options_(options), products_(products) {}
+
+  /// The stage's value, or nothing where it failed, was the last one wanted, or came after such a
+  /// one.
+  template <class Stage>
+  auto run(const std::string& name, const Stage& stage) -> decltype(stage().value) {
+    if (done_) return {};
+    if (options_.on_stage) options_.on_stage(name);
+    const auto start = std::chrono::steady_clock::now();
+    auto result = stage();
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    products_.times.push_back({name, elapsed.count()});
+    auto& all = products_.diagnostics;
+    all.insert(all.end(), result.diagnostics.begin(), result.diagnostics.end());
+    if (result && name == options_.dump_stage) products_.dump = dump(*result);
+    done_ = !result || has_errors(all) || name == options_.stop_after;
+    return std::move(result.value);
+  }
+
+  [[nodiscard]] bool done() const { return done_; }
+
+  /// Time of the stages so far: what the self-check may take a share of.
+  [[nodiscard]] double seconds() const {
+    double sum = 0.0;
+    for (const StageTime& time : products_.times) sum += time.seconds;
+    return sum;
+  }
+
+ private:
+  const PipelineOptions& options_;
+  Products& products_;
+  bool done_ = false;
+};
+
+Result<Syntaxes> parse(const Inputs& inputs, const Limits& limits) {
+  Result<ModelSyntax> model = parse_model(inputs.model, limits);
+  if (inputs.scene == nullptr) {
+    if (!model) return model.diagnostics;
+    return {{std::move(*model), std::nullopt}, std::move(model.diagnostics)};
+  }
+  Result<SceneSyntax> scene = parse_scene(inputs.scene, limits);
+  Diagnostics all = std::move(model.diagnostics);
+  all.insert(all.end(), scene.diagnostics.begin(), scene.diagnostics.end());
+  if (!model || !scene) return all;
+  return {{std::move(*model), std::move(*scene)}, std::move(all)};
+}
+
+/// A quarter of the generation time, and at least 20 ms: enough states to notice, too few to wait
+/// for.
+Result<SelfCheck> checked(const CheckedModel& checked, const Program& program, double generation) {
+  SelfCheck check =
+      self_check(checked.model, checked.scene, program, std::max(0.02, generation / 4));
+  if (check.failure.empty()) return check;
+  return {std::move(check), {{Code::E911, {}, "self-check failed: " + check.failure}}};
+}
+
+}  // namespace
+
+const std::vector<std::string>& stage_names() {
+  static const std::vector<std::string> names{"parse",      "check",  "inspect", "formulate",
+                                              "specialise", "derive", "lower",   "emit"};
+  return names;
+}
+
+Products run_pipeline(const Inputs& inputs, const PipelineOptions& options) {
+  Products out;
+  Stages stages(options, out);
+  const Limits& limits = options.limits;
+
+  auto syntax = stages.run("parse", [&] { return parse(inputs, limits); });
+  out.checked = stages.run("check", [&] {
+    return check(syntax->model, syntax->scene ? &*syntax->scene : nullptr, options.scene, limits);
+  });
+  stages.run("inspect", [&] {
+    Diagnostics found = inspect(out.checked->model, out.checked->scene);
+    return Result<Inspection>({found}, found);
+  });
+  const auto lagrangian = stages.run("formulate", [&] { return formulate(out.checked->model); });
+  const auto specialised = stages.run("specialise", [&] {
+    return Result<Lagrangian>(specialise(*lagrangian, out.checked->scene.specialisation));
+  });
+  const auto equations = stages.run(
+      "derive", [&] { return derive(*specialised, out.checked->scene.outputs, limits); });
+  out.program =
+      stages.run("lower", [&] { return lower(*equations, out.checked->scene.outputs, limits); });
+  out.files = stages.run(
+      "emit", [&] { return emit(out.checked->model, out.checked->scene, *out.program); });
+  if (options.check_itself) {
+    const double generation = stages.seconds();
+    out.self_check =
+        stages.run("self-check", [&] { return checked(*out.checked, *out.program, generation); });
+  }
+  sort_by_position(out.diagnostics);
+  return out;
+}
+
+}  // namespace elgen
