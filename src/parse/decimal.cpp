@@ -1,0 +1,166 @@
+// Decimal numbers as rationals: digits * 10^(exponent - digits of the fraction).
+#include "decimal.hpp"
+
+#include <cln/integer.h>
+#include <cln/integer_io.h>
+#include <fmt/format.h>
+
+#include <charconv>
+#include <sstream>
+
+namespace elgen::parsing {
+
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+char at(std::string_view text, std::size_t position) {
+  return position < text.size() ? text[position] : '\0';
+}
+
+std::size_t skip_digits(std::string_view text, std::size_t position) {
+  while (is_digit(at(text, position))) ++position;
+  return position;
+}
+
+/// To the end of what looks like one word of number characters, for the message.
+NumberExtent malformed(std::string_view text, std::size_t position) {
+  const auto belongs = [](char c) { return is_digit(c) || is_letter(c) || c == '.' || c == '_'; };
+  while (belongs(at(text, position))) ++position;
+  return {position, false};
+}
+
+bool is_radix_prefix(std::string_view text, std::size_t begin) {
+  const char letter = at(text, begin + 1);
+  const bool radix = letter == 'x' || letter == 'X' || letter == 'b' || letter == 'o';
+  return at(text, begin) == '0' && radix && is_digit(at(text, begin + 2));
+}
+
+/// After a complete number: what must not follow it directly.
+bool continues_badly(std::string_view text, std::size_t end) {
+  const char next = at(text, end);
+  const char after = at(text, end + 1);
+  const bool second_exponent = (next == 'e' || next == 'E') && is_digit(after);
+  return next == '.' || next == '_' || second_exponent;
+}
+
+std::string without_leading_zeros(std::string digits) {
+  digits.erase(0, digits.find_first_not_of('0'));
+  return digits;
+}
+
+bool exceeds(const std::string& digits, std::uint64_t limit) {
+  std::uint64_t value = 0;
+  const char* end = digits.data() + digits.size();
+  const auto read = std::from_chars(digits.data(), end, value);
+  return read.ec == std::errc::result_out_of_range || value > limit;
+}
+
+cln::cl_I power_of_ten(std::size_t exponent) {
+  const cln::cl_I ten = 10;
+  return exponent == 0 ? cln::cl_I(1) : cln::expt_pos(ten, cln::cl_I(exponent));
+}
+
+/// CLN's own output goes by a global base; a stream of its own keeps it plain.
+std::string integer_text(const cln::cl_I& value) {
+  std::ostringstream stream;
+  stream.imbue(std::locale::classic());
+  stream << value;
+  return stream.str();
+}
+
+}  // namespace
+
+NumberExtent number_extent(std::string_view text, std::size_t begin) {
+  const std::size_t point = skip_digits(text, begin);
+  if (point == begin || is_radix_prefix(text, begin)) return malformed(text, begin);
+  std::size_t end = point;
+  if (at(text, point) == '.') {
+    end = skip_digits(text, point + 1);
+    if (end == point + 1) return malformed(text, begin);
+  }
+  if (at(text, end) == 'e' || at(text, end) == 'E') {
+    const bool sign = at(text, end + 1) == '+' || at(text, end + 1) == '-';
+    const std::size_t first = end + 1 + (sign ? 1 : 0);
+    const std::size_t last = skip_digits(text, first);
+    const bool starts_name = !sign && (is_letter(at(text, first)) || at(text, first) == '_');
+    if (last == first && !starts_name) return {first, false};
+    if (last != first) end = last;
+  }
+  return continues_badly(text, end) ? malformed(text, end) : NumberExtent{end, true};
+}
+
+DecimalParts decimal_parts(std::string_view text) {
+  DecimalParts parts;
+  std::size_t position = 0;
+  bool in_fraction = false;
+  for (; position < text.size() && text[position] != 'e' && text[position] != 'E'; ++position) {
+    if (text[position] == '.') in_fraction = true;
+    if (!is_digit(text[position])) continue;
+    parts.digits += text[position];
+    if (in_fraction) ++parts.fraction;
+  }
+  for (; position < text.size(); ++position) {
+    if (text[position] == '-') parts.negative_exponent = true;
+    if (is_digit(text[position])) parts.exponent += text[position];
+  }
+  parts.digits = without_leading_zeros(std::move(parts.digits));
+  parts.exponent = without_leading_zeros(std::move(parts.exponent));
+  return parts;
+}
+
+std::optional<LimitHit> limit_hit(const DecimalParts& parts, const Limits& limits) {
+  if (parts.digits.size() > limits.literal_digits) {
+    return LimitHit{Code::E903,
+                    fmt::format("number has {} digits, more than {}", parts.digits.size(),
+                                limits.literal_digits),
+                    "`--limit literal_digits=N` raises the limit"};
+  }
+  if (exceeds(parts.exponent, limits.decimal_exponent)) {
+    const std::string shown =
+        parts.exponent.size() > 12 ? parts.exponent.substr(0, 12) + "…" : parts.exponent;
+    return LimitHit{Code::E904,
+                    fmt::format("decimal exponent `{}{}` is beyond ±{}",
+                                parts.negative_exponent ? "-" : "", shown, limits.decimal_exponent),
+                    "`--limit decimal_exponent=N` raises the limit"};
+  }
+  return std::nullopt;
+}
+
+cln::cl_RA decimal_value(const DecimalParts& parts) {
+  if (parts.digits.empty()) return 0;
+  const cln::cl_I digits = cln::cl_I(parts.digits.c_str());
+  std::size_t exponent = 0;
+  std::from_chars(parts.exponent.data(), parts.exponent.data() + parts.exponent.size(), exponent);
+  const cln::cl_RA scaled = parts.negative_exponent ? cln::cl_RA(digits) / power_of_ten(exponent)
+                                                    : cln::cl_RA(digits * power_of_ten(exponent));
+  return scaled / power_of_ten(parts.fraction);
+}
+
+std::string decimal_text(const cln::cl_RA& value) {
+  cln::cl_I numerator = cln::numerator(value);
+  cln::cl_I denominator = cln::denominator(value);
+  long exponent = 0;
+  // A factor 2 or 5 left in the denominator is cleared by one more decimal place.
+  while (cln::gcd(denominator, 10) != 1) {
+    const cln::cl_RA next = cln::cl_RA(numerator * 10) / denominator;
+    numerator = cln::numerator(next);
+    denominator = cln::denominator(next);
+    --exponent;
+  }
+  if (denominator != 1) {
+    return integer_text(cln::numerator(value)) + "/" + integer_text(cln::denominator(value));
+  }
+  if (exponent == 0) return integer_text(numerator);
+  std::string digits = integer_text(cln::abs(numerator));
+  const std::string sign = cln::minusp(numerator) ? "-" : "";
+  constexpr long most_places = 30;
+  if (-exponent > most_places) return fmt::format("{}{}e{}", sign, digits, exponent);
+  const auto places = static_cast<std::size_t>(-exponent);
+  if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
+  digits.insert(digits.size() - places, 1, '.');
+  return sign + digits;
+}
+
+}  // namespace elgen::parsing

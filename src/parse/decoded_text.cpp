@@ -1,0 +1,150 @@
+// TOML strings re-read from the file: basic "…" and """…""" with escapes, literal '…' and '''…'''.
+// Every decoded byte remembers its place, so that an error inside an expression is shown where it
+// is.
+#include "decoded_text.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include "utf8.hpp"
+
+namespace elgen::parsing {
+
+namespace {
+
+Span make_span(const SourceText* source, std::size_t begin, std::size_t end) {
+  return {source, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+}
+
+/// Reads the inside of one string token.
+class StringDecoder {
+ public:
+  explicit StringDecoder(const Span& token) {
+    const std::string_view bytes = covered_text(token);
+    multi_line_ = bytes.size() >= 6 && bytes[1] == bytes[0] && bytes[2] == bytes[0];
+    escapes_ = bytes[0] == '"';
+    const std::uint32_t quotes = multi_line_ ? 3 : 1;
+    result_.source = token.source;
+    position_ = token.begin + quotes;
+    end_ = token.end - quotes;
+    if (multi_line_) skip_line_end();
+    result_.whole = make_span(token.source, position_, end_);
+  }
+
+  DecodedText decode() && {
+    while (position_ < end_) {
+      if (escapes_ && here() == '\\') {
+        read_escape();
+      } else if (here() == '\r') {
+        ++position_;  // a line end is one line feed, whatever the file uses
+      } else {
+        copy_byte();
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] char here() const { return result_.source->text[position_]; }
+  [[nodiscard]] bool at_line_end() const { return here() == '\n' || here() == '\r'; }
+
+  void skip_line_end() {
+    if (position_ < end_ && here() == '\r') ++position_;
+    if (position_ < end_ && here() == '\n') ++position_;
+  }
+
+  void copy_byte() {
+    auto& pieces = result_.pieces;
+    const bool continues = !pieces.empty() && pieces.back().copied &&
+                           pieces.back().file_begin + pieces.back().file_length == position_;
+    if (!continues) pieces.push_back({result_.text.size(), position_, 0, true});
+    ++pieces.back().file_length;
+    result_.text += here();
+    ++position_;
+  }
+
+  void read_escape() {
+    const std::size_t begin = position_++;
+    const char letter = here();
+    if (letter == '\n' || letter == '\r' || letter == ' ' || letter == '\t') {
+      while (position_ < end_ && (at_line_end() || here() == ' ' || here() == '\t')) ++position_;
+      return;
+    }
+    ++position_;
+    const std::size_t decoded = result_.text.size();
+    if (letter == 'u' || letter == 'U') {
+      read_code_point(letter == 'u' ? 4 : 8);
+    } else {
+      result_.text += plain_escape(letter);
+    }
+    result_.pieces.push_back({decoded, begin, position_ - begin, false});
+  }
+
+  void read_code_point(std::size_t digits) {
+    const char* first = result_.source->text.data() + position_;
+    std::uint32_t value = 0;
+    std::from_chars(first, first + digits, value, 16);
+    append_utf8(result_.text, value);
+    position_ += digits;
+  }
+
+  static char plain_escape(char letter) {
+    switch (letter) {
+      case 'b':
+        return '\b';
+      case 't':
+        return '\t';
+      case 'n':
+        return '\n';
+      case 'f':
+        return '\f';
+      case 'r':
+        return '\r';
+      case 'e':
+        return '\x1b';
+      default:
+        return letter;  // \" and \\ mean themselves
+    }
+  }
+
+  DecodedText result_;
+  bool multi_line_ = false;
+  bool escapes_ = false;
+  std::size_t position_ = 0;
+  std::size_t end_ = 0;
+};
+
+}  // namespace
+
+const TextPiece& DecodedText::piece_at(std::size_t position) const {
+  const auto next =
+      std::upper_bound(pieces.begin(), pieces.end(), position,
+                       [](std::size_t p, const TextPiece& piece) { return p < piece.begin; });
+  return *(next - 1);
+}
+
+std::size_t DecodedText::file_begin(std::size_t position) const {
+  const TextPiece& piece = piece_at(position);
+  return piece.file_begin + (piece.copied ? position - piece.begin : 0);
+}
+
+std::size_t DecodedText::file_end(std::size_t position) const {
+  const TextPiece& piece = piece_at(position - 1);
+  return piece.file_begin + (piece.copied ? position - piece.begin : piece.file_length);
+}
+
+Span DecodedText::span(std::size_t begin, std::size_t end) const {
+  if (end == 0) return make_span(source, whole.begin, whole.begin);
+  const std::size_t last = file_end(end);
+  return make_span(source, begin == end ? last : file_begin(begin), last);
+}
+
+DecodedText copied_text(const Span& span) {
+  const std::string_view bytes = covered_text(span);
+  return {span.source, std::string(bytes), {{0, span.begin, bytes.size(), true}}, span};
+}
+
+DecodedText decode_string(const Span& token) { return StringDecoder(token).decode(); }
+
+}  // namespace elgen::parsing

@@ -1,0 +1,114 @@
+// Syntax to readable text, for `--dump parse` and tests: entries in file order with the place of
+// their headers, expressions fully bracketed, so that they parse back to the same tree.
+#include <fmt/format.h>
+
+#include "decimal.hpp"
+#include "elgen/syntax.hpp"
+
+namespace elgen {
+
+namespace {
+
+std::string_view operator_text(SyntaxKind kind) {
+  switch (kind) {
+    case SyntaxKind::add:
+      return " + ";
+    case SyntaxKind::multiply:
+      return " * ";
+    case SyntaxKind::divide:
+      return " / ";
+    case SyntaxKind::power:
+      return "^";
+    default:
+      return ", ";
+  }
+}
+
+void print_operands(const ExpressionSyntax& expression, std::string& text) {
+  std::string_view separator;
+  for (const ExpressionSyntax& operand : expression.operands) {
+    text += separator;
+    text += dump(operand);
+    separator = operator_text(expression.kind);
+  }
+}
+
+std::string quoted_text(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c == '\n' ? "\\n" : std::string(1, c);
+  }
+  return result + '"';
+}
+
+std::string dump_keys(const std::vector<KeySyntax>& keys);
+
+std::string dump_items(const std::vector<ValueSyntax>& items);
+
+std::string dump_value(const ValueSyntax& value) {
+  switch (value.kind) {
+    case ValueKind::expression:
+      return dump(value.expression);
+    case ValueKind::text:
+      return quoted_text(value.text);
+    case ValueKind::boolean:
+      return value.boolean ? "true" : "false";
+    case ValueKind::list:
+      return dump_items(value.items);
+    case ValueKind::table:
+      return dump_keys(value.entries);
+  }
+  return {};
+}
+
+std::string dump_items(const std::vector<ValueSyntax>& items) {
+  std::vector<std::string> texts;
+  for (const ValueSyntax& item : items) texts.push_back(dump_value(item));
+  return fmt::format("[{}]", fmt::join(texts, ", "));
+}
+
+std::string dump_keys(const std::vector<KeySyntax>& keys) {
+  std::vector<std::string> texts;
+  for (const KeySyntax& key : keys) {
+    texts.push_back(fmt::format("{} = {}", key.key, dump_value(key.value)));
+  }
+  return fmt::format("{{{}}}", fmt::join(texts, ", "));
+}
+
+std::string dump_entries(const SourceText& source, const std::vector<EntrySyntax>& entries) {
+  std::string result;
+  for (const EntrySyntax& entry : entries) {
+    const LineColumn place = line_column(source, entry.span.begin);
+    result += fmt::format("{}:{} [{}]\n", place.line, place.column, entry.name);
+    for (const KeySyntax& key : entry.keys) {
+      result += fmt::format("  {} = {}\n", key.key, dump_value(key.value));
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string dump(const ExpressionSyntax& expression) {
+  std::string inside;
+  print_operands(expression, inside);
+  switch (expression.kind) {
+    case SyntaxKind::number:
+      return parsing::decimal_text(expression.value);
+    case SyntaxKind::name:
+      return expression.operands.empty() ? expression.text : expression.text + "[" + inside + "]";
+    case SyntaxKind::call:
+      return expression.text + "(" + inside + ")";
+    case SyntaxKind::negate:
+      return "(-" + inside + ")";
+    default:
+      return "(" + inside + ")";
+  }
+}
+
+std::string dump(const ModelSyntax& syntax) { return dump_entries(*syntax.source, syntax.entries); }
+
+std::string dump(const SceneSyntax& syntax) { return dump_entries(*syntax.source, syntax.entries); }
+
+}  // namespace elgen

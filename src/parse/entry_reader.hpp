@@ -1,0 +1,25 @@
+// Entries: the tables of a file, their keys checked against the key table.
+#pragma once
+
+#include "value_reader.hpp"
+
+namespace elgen::parsing {
+
+enum class FileKind : std::uint8_t { model, scene };
+
+/// Top-level keys and entries in file order. E103–E109 and what the values report, into `reading`.
+[[nodiscard]] std::vector<EntrySyntax> read_entries(const TomlValue& root, FileKind kind,
+                                                    Reading& reading);
+
+/// A table whose keys are the rows of `entry`. `label` is what messages call it:
+/// "`[[coordinate]]`"; `header` is where a missing key is reported.
+struct TableContext {
+  std::string entry;
+  std::string label;
+  Span header;
+};
+
+[[nodiscard]] std::vector<KeySyntax> read_keys(const std::vector<TomlEntry>& entries,
+                                               const TableContext& table, Reading& reading);
+
+}  // namespace elgen::parsing

@@ -1,0 +1,19 @@
+// The expression parser: decoded text to a tree, every node with its place in the file.
+#pragma once
+
+#include "decoded_text.hpp"
+#include "elgen/syntax.hpp"
+
+namespace elgen::parsing {
+
+/// However far the limit is raised, the parser recurses no deeper (about 1 KiB of stack a level).
+inline constexpr std::uint64_t deepest_expression = 1000;
+
+/// Reads bytes [begin, end) of `text`. At most one error: E3xx, E902, E903, E904.
+[[nodiscard]] Result<ExpressionSyntax> read_expression(const DecodedText& text, std::size_t begin,
+                                                       std::size_t end, const Limits& limits);
+
+[[nodiscard]] Result<ExpressionSyntax> read_expression(const DecodedText& text,
+                                                       const Limits& limits);
+
+}  // namespace elgen::parsing

@@ -1,0 +1,156 @@
+// Keys of one table: unknown, missing and unsupported ones, and the value of each as its row says.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "entry_reader.hpp"
+#include "repetition.hpp"
+#include "utf8.hpp"
+
+namespace elgen::parsing {
+
+namespace {
+
+const KeyRow* find_row(std::string_view entry, std::string_view key) {
+  const KeyRow* any = nullptr;
+  for (const KeyRow& row : key_table()) {
+    if (row.entry != entry) continue;
+    if (row.key == key) return &row;
+    if (row.key == "*") any = &row;
+  }
+  return any;
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
+  const std::string near = nearest(word, candidates);
+  return near.empty() ? "" : fmt::format("did you mean `{}`?", near);
+}
+
+void report_unknown(const TomlEntry& key, const TableContext& table, Reading& reading) {
+  std::vector<std::string> candidates;
+  for (const KeyRow& row : key_table()) {
+    if (row.entry == table.entry && row.supported) candidates.emplace_back(row.key);
+  }
+  reading.report(Code::E103, key.key_span,
+                 fmt::format("unknown key {} in {}", in_ticks(key.key), table.label),
+                 did_you_mean(key.key, candidates));
+}
+
+void report_missing(const std::vector<TomlEntry>& entries, const TableContext& table,
+                    Reading& reading) {
+  for (const KeyRow& row : key_table()) {
+    if (row.entry != table.entry || !row.required) continue;
+    const bool given = std::any_of(entries.begin(), entries.end(),
+                                   [&](const TomlEntry& entry) { return entry.key == row.key; });
+    if (given) continue;
+    reading.report(Code::E105, table.header, fmt::format("no `{}` in {}", row.key, table.label));
+  }
+}
+
+/// One of the words of the choice table: E104, E108.
+ValueSyntax read_choice(const TomlValue& value, const KeyRow& row, Reading& reading) {
+  ValueSyntax result = read_text(value, reading);
+  if (value.kind != TomlKind::string) return result;
+  std::vector<std::string> words;
+  for (const ChoiceRow& choice : choice_table()) {
+    if (choice.entry != row.entry || choice.key != row.key) continue;
+    if (choice.word == result.text && !choice.supported) {
+      reading.report(Code::E108, result.span, in_ticks(result.text) + " is not yet supported");
+    }
+    if (choice.word == result.text) return result;
+    if (choice.supported) words.push_back("`" + std::string(choice.word) + "`");
+  }
+  reading.report(
+      Code::E104, result.span,
+      fmt::format("{} where {} is expected", in_ticks(result.text), fmt::join(words, " or ")));
+  return result;
+}
+
+ValueSyntax read_choices(const TomlValue& value, const KeyRow& row, Reading& reading) {
+  ValueSyntax result = empty_value(value, ValueKind::list);
+  if (value.kind != TomlKind::array) report_wrong_type(value, "a list of strings", reading);
+  for (const TomlValue& item : value.items) result.items.push_back(read_choice(item, row, reading));
+  return result;
+}
+
+ValueSyntax read_table(const TomlEntry& key, const KeyRow& row, Reading& reading) {
+  ValueSyntax result = empty_value(key.value, ValueKind::table);
+  if (key.value.kind != TomlKind::table) {
+    report_wrong_type(key.value, "a table", reading);
+    return result;
+  }
+  const TableContext table{fmt::format("{}.{}", row.entry, row.key), in_ticks(key.key),
+                           key.key_span};
+  result.entries = read_keys(key.value.entries, table, reading);
+  return result;
+}
+
+ValueSyntax read_by_type(const TomlEntry& key, const KeyRow& row, Reading& reading) {
+  const TomlValue& value = key.value;
+  const bool is_table = value.kind == TomlKind::table;
+  switch (row.type) {
+    case KeyType::expression:
+      return read_expression_value(value, reading);
+    case KeyType::expression_list:
+      return read_list(value, 0, reading);
+    case KeyType::expression_matrix:
+      return read_matrix(value, reading);
+    case KeyType::expression_or_list:
+      return value.kind == TomlKind::array ? read_list(value, 0, reading)
+                                           : read_expression_value(value, reading);
+    case KeyType::expression_or_table:
+      return is_table ? read_table(key, row, reading) : read_expression_value(value, reading);
+    case KeyType::closed_form:
+      return is_table ? read_table(key, row, reading) : read_array_or_expression(value, reading);
+    case KeyType::name:
+      return read_name(value, reading);
+    case KeyType::text:
+      return read_text(value, reading);
+    case KeyType::choice:
+      return read_choice(value, row, reading);
+    case KeyType::choice_list:
+      return read_choices(value, row, reading);
+    case KeyType::unit:
+      return read_text(value, reading);
+    case KeyType::repetition:
+      return read_repetition(value, reading);
+    case KeyType::integer:
+      return read_integer(value, reading);
+    case KeyType::boolean:
+      return read_boolean(value, reading);
+    case KeyType::range:
+      return read_list(value, 2, reading);
+    case KeyType::table:
+      return read_table(key, row, reading);
+    case KeyType::boolean_or_table:
+      return is_table ? read_table(key, row, reading) : read_boolean(value, reading);
+    case KeyType::text_or_table:
+      return is_table ? read_table(key, row, reading) : read_text(value, reading);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<KeySyntax> read_keys(const std::vector<TomlEntry>& entries, const TableContext& table,
+                                 Reading& reading) {
+  std::vector<KeySyntax> result;
+  bool all_supported = true;
+  for (const TomlEntry& entry : entries) {
+    const KeyRow* row = find_row(table.entry, entry.key);
+    if (row == nullptr) {
+      report_unknown(entry, table, reading);
+    } else if (!row->supported) {
+      all_supported = false;
+      reading.report(Code::E108, entry.key_span, in_ticks(entry.key) + " is not yet supported");
+    } else {
+      result.push_back({entry.key, entry.key_span, read_by_type(entry, *row, reading)});
+    }
+  }
+  // What an unsupported key would have replaced is not missed.
+  if (all_supported) report_missing(entries, table, reading);
+  return result;
+}
+
+}  // namespace elgen::parsing

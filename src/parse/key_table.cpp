@@ -1,0 +1,207 @@
+// The key table: every entry and key of model and scene files, what its value is, and whether this
+// version reads it. The reader, its messages and the documentation follow these rows.
+#include <vector>
+
+#include "elgen/syntax.hpp"
+
+namespace elgen {
+
+namespace {
+
+constexpr bool optional = false;
+constexpr bool required = true;
+constexpr bool later = false;  ///< of `supported`
+
+/// Keys of a model file.
+const std::vector<KeyRow>& model_rows() {
+  using enum KeyType;
+  static const std::vector<KeyRow> rows{
+      {"", "format", integer, required, true, "version of the file format: 1"},
+
+      {"model", "name", name, required, true, "lower-case name; becomes the C++ namespace"},
+      {"model", "title", text, optional, true, "one line"},
+      {"model", "description", text, optional, true, "where angles are measured from, …"},
+      {"model", "reference", text, optional, true, "book or paper"},
+
+      {"coordinate", "name", name, required, true, "name of q_i; its rate is dot(name)"},
+      {"coordinate", "kind", choice, optional, true, "one number"},
+      {"coordinate", "unit", unit, optional, true, "unit of q_i"},
+      {"coordinate", "range", range, optional, true, "[low, high], for sampling and plots"},
+      {"coordinate", "rate_range", range, optional, true, "[low, high] of the rate"},
+      {"coordinate", "start", table, optional, true, "nominal state"},
+      {"coordinate", "wrap", boolean, optional, true, "an angle that may turn all the way round"},
+      {"coordinate", "singular", expression, optional, true, "zero where the chart breaks"},
+      {"coordinate", "armature", expression, optional, true, "J: adds 1/2 J v^2 to T"},
+      {"coordinate", "latex", text, optional, true, "symbol in formulas"},
+      {"coordinate", "doc", text, optional, true, "one line"},
+      {"coordinate", "for", repetition, optional, true, "repeats the entry"},
+      {"coordinate.start", "value", expression, optional, true, "q_i at the start"},
+      {"coordinate.start", "rate", expression, optional, true, "v_i at the start"},
+
+      {"parameters", "*", expression_or_table, optional, true, "a constant with its value"},
+      {"parameters.*", "value", expression_or_list, required, true, "number, or one per element"},
+      {"parameters.*", "unit", unit, optional, true, "unit of the value"},
+      {"parameters.*", "min", expression, optional, true, "smallest value, for sampling"},
+      {"parameters.*", "max", expression, optional, true, "largest value, for sampling"},
+      {"parameters.*", "assume", choice, optional, true, "sign of the value"},
+      {"parameters.*", "size", expression, optional, true,
+       "makes it an array NAME[1] … NAME[size]"},
+      {"parameters.*", "latex", text, optional, true, "symbol in formulas"},
+      {"parameters.*", "doc", text, optional, true, "one line"},
+
+      {"sizes", "*", integer, optional, true, "an integer for repetitions"},
+      {"define", "*", expression, optional, true, "a named expression"},
+
+      {"prescribed", "name", name, required, true, "a known function of time"},
+      {"prescribed", "value", expression, required, true, "its value as a function of t"},
+      {"prescribed", "unit", unit, optional, true, "unit of the value"},
+      {"prescribed", "latex", text, optional, true, "symbol in formulas"},
+      {"prescribed", "doc", text, optional, true, "one line"},
+      {"prescribed", "for", repetition, optional, true, "repeats the entry"},
+
+      {"point", "name", name, required, true, "name of the point"},
+      {"point", "at", expression_list, required, true, "its 2 or 3 world coordinates"},
+      {"point", "mass", expression, optional, true, "adds 1/2 m v^2 to T and its weight to V"},
+      {"point", "frame", name, optional, later, "`at` in the axes of this frame"},
+      {"point", "for", repetition, optional, true, "repeats the entry"},
+      {"point", "doc", text, optional, true, "one line"},
+
+      {"body", "name", name, required, true, "name of the body"},
+      {"body", "mass", expression, optional, true, "without it, rotation only"},
+      {"body", "com", expression_list, optional, true, "centre of mass in the world"},
+      {"body", "frame", name, optional, later, "com and inertia in this frame"},
+      {"body", "spin", expression_or_list, optional, true, "angular velocity, axes of inertia"},
+      {"body", "inertia", expression_or_list, optional, true, "1, 3 or 6: xx yy zz xy xz yz"},
+      {"body", "inertia_about", choice, optional, true, "reference point of the inertia"},
+      {"body", "for", repetition, optional, true, "repeats the entry"},
+      {"body", "doc", text, optional, true, "one line"},
+
+      {"gravity", "vector", expression_list, required, true, "acceleration of gravity, m/s^2"},
+
+      {"energy", "T", expression, optional, true, "kinetic energy beside points and bodies"},
+      {"energy", "V", expression, optional, true, "potential energy beside that of weights"},
+      {"energy", "D", expression, optional, true, "Rayleigh function; force -dD/dv"},
+      {"energy", "L", expression, optional, true, "Lagrangian, instead of T and V"},
+
+      {"input", "name", name, required, true, "name of u_k"},
+      {"input", "unit", unit, optional, true, "unit of u_k"},
+      {"input", "on", name, optional, true, "coordinate it acts on"},
+      {"input", "limits", range, optional, true, "[low, high]"},
+      {"input", "doc", text, optional, true, "one line"},
+      {"input", "for", repetition, optional, true, "repeats the entry"},
+
+      {"force", "name", name, optional, true, "name of the force"},
+      {"force", "value", expression_or_list, required, true, "affine in the inputs"},
+      {"force", "on", name, optional, true, "coordinate: a generalized force"},
+      {"force", "at", name, optional, true, "point: a force in N, world axes"},
+      {"force", "from", name, optional, true, "point that takes the reaction"},
+      {"force", "frame", name, optional, later, "frame: a torque in N*m"},
+      {"force", "in", name, optional, later, "axes of the components"},
+      {"force", "for", repetition, optional, true, "repeats the entry"},
+
+      {"output", "name", name, required, true, "name of the emitted function"},
+      {"output", "value", expression_or_list, required, true, "what it returns"},
+      {"output", "jacobian", boolean, optional, true, "also emits its Jacobian and bias"},
+      {"output", "frame", name, optional, later, "pose and Jacobian of this frame"},
+      {"output", "axes", name, optional, later, "axes of the Jacobian"},
+      {"output", "doc", text, optional, true, "one line"},
+      {"output", "for", repetition, optional, true, "repeats the entry"},
+
+      {"expect", "conserved", expression_list, optional, true, "constant along the motion, u = 0"},
+      {"expect", "*", closed_form, optional, true, "an output's closed form"},
+      {"expect.*", "for", repetition, required, true, "the indices of the entry"},
+      {"expect.*", "value", expression, required, true, "the entry at these indices"},
+  };
+  return rows;
+}
+
+/// Keys of a scene file.
+const std::vector<KeyRow>& scene_rows() {
+  using enum KeyType;
+  static const std::vector<KeyRow> rows{
+      {"scene", "format", integer, required, true, "version of the file format: 1"},
+      {"scene", "model", text, required, true, "path of the model, relative to the scene"},
+      {"scene", "name", name, required, true, "files and namespace are called MODEL_NAME"},
+      {"scene", "doc", text, optional, true, "one line"},
+
+      {"scene.outputs", "*", boolean_or_table, optional, true, "true where it is wanted"},
+      {"scene.outputs.*", "form", text, optional, later, "closed or recursive"},
+      {"scene.outputs.*", "rename", name, optional, true, "name of the emitted function"},
+
+      {"scene.parameters", "fixed", text_or_table, optional, true, "become numbers in the code"},
+      {"scene.parameters.fixed", "*", expression, optional, true, "the parameter's value"},
+
+      {"scene.sizes", "*", integer, optional, true, "instead of the model's"},
+
+      {"scene.numeric", "scalar", choice_list, optional, true, "scalar types the code is for"},
+      {"scene.numeric", "form", text, optional, later, "closed or recursive"},
+      {"scene.numeric", "check", table, optional, later, "ranges and tolerance of the checks"},
+      {"scene.numeric", "trigonometry", table, optional, later, "polynomial sine and cosine"},
+      {"scene.numeric", "batch", integer, optional, later, "states evaluated at once"},
+
+      {"scene.emit", "language", choice, optional, true, "language of the emitted code"},
+      {"scene.emit", "namespace", text, optional, true, "C++ namespace, instead of the base name"},
+      {"scene.emit", "eigen", boolean, optional, later, "overloads for Eigen"},
+      {"scene.emit", "storage", text, optional, later, "order of matrix entries"},
+  };
+  return rows;
+}
+
+std::vector<KeyRow> joined(const std::vector<KeyRow>& first, const std::vector<KeyRow>& second) {
+  std::vector<KeyRow> rows = first;
+  rows.insert(rows.end(), second.begin(), second.end());
+  return rows;
+}
+
+}  // namespace
+
+const std::vector<KeyRow>& key_table() {
+  static const std::vector<KeyRow> rows = joined(model_rows(), scene_rows());
+  return rows;
+}
+
+const std::vector<ChoiceRow>& choice_table() {
+  static const std::vector<ChoiceRow> rows{
+      {"coordinate", "kind", "scalar"},           {"coordinate", "kind", "rotation", later},
+      {"parameters.*", "assume", "positive"},     {"parameters.*", "assume", "nonnegative"},
+      {"body", "inertia_about", "com"},           {"body", "inertia_about", "origin"},
+      {"scene.numeric", "scalar", "float"},       {"scene.numeric", "scalar", "double"},
+      {"scene.numeric", "scalar", "long double"}, {"scene.emit", "language", "c++17"},
+      {"scene.emit", "language", "c99", later},
+  };
+  return rows;
+}
+
+const std::vector<EntryRow>& entry_table() {
+  constexpr bool single = false;
+  constexpr bool repeated = true;
+  static const std::vector<EntryRow> rows{
+      {"model", single, required, true, "what the system is called"},
+      {"coordinate", repeated, required, true, "a generalized coordinate, in this order"},
+      {"parameters", single, optional, true, "constants that stay variables of the code"},
+      {"sizes", single, optional, true, "integers for repetitions"},
+      {"define", single, optional, true, "named expressions, in any order"},
+      {"prescribed", repeated, optional, true, "a known function of time"},
+      {"point", repeated, optional, true, "a place that moves with the coordinates"},
+      {"frame", repeated, optional, later, "a coordinate system"},
+      {"body", repeated, optional, true, "a rigid body"},
+      {"gravity", single, optional, true, "acceleration of gravity"},
+      {"energy", single, optional, true, "energies as expressions"},
+      {"input", repeated, optional, true, "an actuator"},
+      {"force", repeated, optional, true, "a force that no energy gives"},
+      {"output", repeated, optional, true, "a function to emit"},
+      {"constraint", repeated, optional, later, "an equation the motion obeys"},
+      {"function", repeated, optional, later, "a function supplied by the user"},
+      {"expect", repeated, optional, true, "closed forms to be verified"},
+      {"scene.outputs", single, optional, true, "what is derived and emitted"},
+      {"scene.parameters", single, optional, true, "parameters that become numbers"},
+      {"scene.sizes", single, optional, true, "sizes other than the model's"},
+      {"scene.lock", single, optional, later, "coordinates held still"},
+      {"scene.approximate", single, optional, later, "expansion about a state"},
+      {"scene.numeric", single, optional, true, "arithmetic"},
+      {"scene.emit", single, optional, true, "the emitted code"},
+  };
+  return rows;
+}
+
+}  // namespace elgen

@@ -1,0 +1,63 @@
+// Lexer: the text of an expression, one token at a time, so that errors come in reading order.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "decoded_text.hpp"
+#include "elgen/diagnostic.hpp"
+
+namespace elgen::parsing {
+
+enum class TokenKind : std::uint8_t {
+  number,
+  name,
+  plus,
+  minus,
+  times,
+  divide,
+  power,
+  open,         ///< (
+  close,        ///< )
+  open_index,   ///< [
+  close_index,  ///< ]
+  comma,
+  end,      ///< empty, just behind the last token
+  invalid,  ///< problem() says why
+};
+
+/// Bytes [begin, end) of the decoded text.
+struct Token {
+  TokenKind kind = TokenKind::end;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+class Lexer {
+ public:
+  /// Reads bytes [begin, end) of `text`, which must outlive the lexer.
+  Lexer(const DecodedText& text, std::size_t begin, std::size_t end);
+
+  [[nodiscard]] Token next();
+  [[nodiscard]] std::string_view text(const Token& token) const;
+  /// What is wrong with the last token, if it is invalid: E301, E305, E307, E308, E317.
+  [[nodiscard]] const std::optional<Diagnostic>& problem() const { return problem_; }
+
+ private:
+  [[nodiscard]] char peek(std::size_t ahead = 0) const;
+  Token take(TokenKind kind, std::size_t bytes);
+  Token number();
+  Token name();
+  Token comparison();
+  Token unknown_character();
+  Token invalid(Code code, std::size_t bytes, std::string message, std::string hint);
+
+  const DecodedText& source_;
+  std::string_view bytes_;  ///< up to the end of the expression
+  std::size_t position_;
+  std::size_t last_end_;
+  std::optional<Diagnostic> problem_;
+};
+
+}  // namespace elgen::parsing

@@ -1,0 +1,103 @@
+// Files and expressions to syntax trees: size and encoding first, then TOML, the format, the
+// entries.
+#include "elgen/syntax.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "entry_reader.hpp"
+#include "expression_parser.hpp"
+#include "toml_document.hpp"
+#include "utf8.hpp"
+
+namespace elgen {
+
+namespace {
+
+using parsing::FileKind;
+using parsing::Reading;
+using parsing::TomlValue;
+
+Span all_of(const SourceText& source) {
+  return {&source, 0, static_cast<std::uint32_t>(source.text.size())};
+}
+
+std::optional<Diagnostic> encoding_error(const SourceText& source) {
+  const auto invalid = parsing::find_invalid_utf8(source.text);
+  if (!invalid) return std::nullopt;
+  const auto begin = static_cast<std::uint32_t>(*invalid);
+  const auto byte = static_cast<unsigned char>(source.text[begin]);
+  return Diagnostic{Code::E110,
+                    {&source, begin, begin + 1},
+                    fmt::format("byte 0x{:02X} is not UTF-8", byte),
+                    "save the file as UTF-8"};
+}
+
+std::optional<Diagnostic> size_error(const SourceText& source, const Limits& limits) {
+  if (source.text.size() <= limits.file_bytes) return std::nullopt;
+  return Diagnostic{
+      Code::E901,
+      {&source, 0, 0},
+      fmt::format("file has {} bytes, more than {}", source.text.size(), limits.file_bytes),
+      "`--limit file_bytes=N` raises the limit"};
+}
+
+/// A file of another format has other keys, so this is the only error it gets.
+std::optional<Diagnostic> format_error(const TomlValue& root) {
+  const auto entry =
+      std::find_if(root.entries.begin(), root.entries.end(),
+                   [](const parsing::TomlEntry& candidate) { return candidate.key == "format"; });
+  if (entry == root.entries.end() || entry->value.kind != parsing::TomlKind::number) {
+    return std::nullopt;  // missing, or of the wrong type: said with the other keys
+  }
+  const std::string& text = entry->value.text.text;
+  if (text == "1") return std::nullopt;
+  return Diagnostic{Code::E102, entry->value.span, "format " + parsing::in_ticks(text),
+                    "this version reads `format = 1`"};
+}
+
+struct ReadFile {
+  std::vector<EntrySyntax> entries = {};
+  Diagnostics diagnostics = {};
+};
+
+ReadFile read_file(const SourceText& source, FileKind kind, const Limits& limits) {
+  if (auto error = size_error(source, limits)) return {{}, {*std::move(error)}};
+  if (auto error = encoding_error(source)) return {{}, {*std::move(error)}};
+  const Result<TomlValue> root = parsing::read_toml(source);
+  if (!root) return {{}, root.diagnostics};
+  if (auto error = format_error(*root)) return {{}, {*std::move(error)}};
+  Reading reading{limits};
+  std::vector<EntrySyntax> entries = parsing::read_entries(*root, kind, reading);
+  sort_by_position(reading.diagnostics);
+  return {std::move(entries), std::move(reading.diagnostics)};
+}
+
+}  // namespace
+
+const KeySyntax* EntrySyntax::find(std::string_view key) const {
+  const auto found = std::find_if(keys.begin(), keys.end(),
+                                  [&](const KeySyntax& candidate) { return candidate.key == key; });
+  return found == keys.end() ? nullptr : &*found;
+}
+
+Result<ModelSyntax> parse_model(SourcePointer source, const Limits& limits) {
+  ReadFile file = read_file(*source, FileKind::model, limits);
+  if (has_errors(file.diagnostics)) return std::move(file.diagnostics);
+  return ModelSyntax{std::move(source), std::move(file.entries)};
+}
+
+Result<SceneSyntax> parse_scene(SourcePointer source, const Limits& limits) {
+  ReadFile file = read_file(*source, FileKind::scene, limits);
+  if (has_errors(file.diagnostics)) return std::move(file.diagnostics);
+  return SceneSyntax{std::move(source), std::move(file.entries)};
+}
+
+Result<ExpressionSyntax> parse_expression(SourcePointer source, const Limits& limits) {
+  if (auto error = encoding_error(*source)) return *std::move(error);
+  return parsing::read_expression(parsing::copied_text(all_of(*source)), limits);
+}
+
+}  // namespace elgen

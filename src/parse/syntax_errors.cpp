@@ -1,0 +1,94 @@
+// Errors of the grammar of expressions. Each names the token that was met; the hint says how the
+// thing that was probably meant is written.
+#include "syntax_errors.hpp"
+
+#include <fmt/format.h>
+
+namespace elgen::parsing {
+
+namespace {
+
+Diagnostic at_current(const TokenStream& tokens, Code code, std::string message,
+                      std::string hint = {}) {
+  return {code, tokens.span(tokens.current()), std::move(message), std::move(hint)};
+}
+
+Diagnostic misplaced_comma(const TokenStream& tokens) {
+  const Token& number = tokens.previous();
+  const Token& comma = tokens.current();
+  TokenStream ahead = tokens;
+  ahead.advance();
+  const bool touches = number.end == comma.begin && comma.end == ahead.current().begin;
+  if (touches && number.kind == TokenKind::number && ahead.at(TokenKind::number)) {
+    const std::string whole(tokens.text(number));
+    const std::string fraction(tokens.text(ahead.current()));
+    return at_current(tokens, Code::E306,
+                      fmt::format("`{},{}` has a decimal comma", whole, fraction),
+                      fmt::format("write `{}.{}`", whole, fraction));
+  }
+  return at_current(tokens, Code::E301, "`,` outside the arguments of a function");
+}
+
+/// `2x`, `x y`, `2(x + y)`, `(x)(y)`.
+Diagnostic missing_operator(const TokenStream& tokens) {
+  const Token& left = tokens.previous();
+  const Token& right = tokens.current();
+  constexpr std::size_t short_enough = 20;
+  const bool both_words = left.kind == TokenKind::number || left.kind == TokenKind::name;
+  const bool shown_whole =
+      both_words && right.end - left.begin <= short_enough && !tokens.at(TokenKind::open);
+  return at_current(tokens, Code::E303,
+                    tokens.shown(right) + " follows " + tokens.shown(left) + " without an operator",
+                    shown_whole
+                        ? fmt::format("write `{}*{}`", tokens.text(left), tokens.text(right))
+                        : "a product is written with `*`");
+}
+
+}  // namespace
+
+Diagnostic missing_operand(const TokenStream& tokens) {
+  switch (tokens.current().kind) {
+    case TokenKind::invalid:
+      return *tokens.problem();
+    case TokenKind::end:
+      return at_current(tokens, Code::E302, "expression ends where an operand is expected");
+    case TokenKind::open_index:
+      return at_current(tokens, Code::E301, "`[` where an operand is expected",
+                        "an index follows a name: `q[i]`");
+    default:
+      return at_current(tokens, Code::E302,
+                        tokens.shown(tokens.current()) + " where an operand is expected");
+  }
+}
+
+Diagnostic misplaced_token(const TokenStream& tokens) {
+  switch (tokens.current().kind) {
+    case TokenKind::invalid:
+      return *tokens.problem();
+    case TokenKind::comma:
+      return misplaced_comma(tokens);
+    case TokenKind::open_index:
+      return at_current(tokens, Code::E301, "`[` after " + tokens.shown(tokens.previous()),
+                        "a name takes one index: `q[i]`");
+    case TokenKind::close:
+    case TokenKind::close_index:
+      return at_current(tokens, Code::E304, tokens.shown(tokens.current()) + " was never opened");
+    default:
+      return missing_operator(tokens);
+  }
+}
+
+Diagnostic unclosed_bracket(const TokenStream& tokens, const Token& opened) {
+  const bool ends = tokens.at(TokenKind::end);
+  const bool closes = tokens.at(TokenKind::close) || tokens.at(TokenKind::close_index);
+  if (!ends && !closes) return misplaced_token(tokens);
+  Diagnostic result = at_current(tokens, Code::E304,
+                                 ends ? tokens.shown(opened) + " is not closed"
+                                      : tokens.shown(tokens.current()) + " stands where " +
+                                            tokens.shown(opened) + " is to be closed");
+  result.related = tokens.span(opened);
+  result.related_message = "opened here";
+  return result;
+}
+
+}  // namespace elgen::parsing

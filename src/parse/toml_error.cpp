@@ -1,0 +1,88 @@
+// Malformed TOML: the description without its preamble, and a hint where the mistake is a usual one
+// (numbers wider than TOML's, expressions without quotes, strings that are not closed).
+#include "toml_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "utf8.hpp"
+
+namespace elgen::parsing {
+
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+bool is_token_character(char c) {
+  const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  return letter || is_digit(c) || c == '_' || c == '.' || c == '+' || c == '-';
+}
+
+bool contains(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+/// "Error while parsing key-value pair: cannot redefine existing integer 'a'" to
+/// "cannot redefine existing integer `a`".
+std::string message_of(std::string_view description) {
+  const std::size_t colon = description.find(": ");
+  std::string message(colon == std::string_view::npos ? description
+                                                      : description.substr(colon + 2));
+  std::replace(message.begin(), message.end(), '\'', '`');
+  return message;
+}
+
+/// The word that ends at `offset`, where toml++ stops after a number it cannot hold.
+Span word_before(const SourceText& source, std::uint32_t offset) {
+  std::uint32_t begin = offset;
+  while (begin > 0 && is_token_character(source.text[begin - 1])) --begin;
+  return {&source, begin, offset};
+}
+
+/// One character, or nothing at the end of the file.
+Span character_at(const SourceText& source, std::uint32_t offset) {
+  if (offset >= source.text.size()) return {&source, offset, offset};
+  const std::size_t bytes = std::max<std::size_t>(1, code_point_at(source.text, offset).bytes);
+  return {&source, offset, offset + static_cast<std::uint32_t>(bytes)};
+}
+
+bool at_line_end(const SourceText& source, std::uint32_t offset) {
+  return offset >= source.text.size() || source.text[offset] == '\n' || source.text[offset] == '\r';
+}
+
+bool is_unquoted_value(std::string_view description) {
+  return contains(description, "decimal integer") || contains(description, "floating-point") ||
+         contains(description, "could not determine value type");
+}
+
+}  // namespace
+
+bool is_decimal_token(std::string_view token) {
+  const std::size_t sign = token.substr(0, 1) == "+" || token.substr(0, 1) == "-" ? 1 : 0;
+  const std::string_view digits = token.substr(sign);
+  const bool radix = digits.size() > 1 && digits[0] == '0' &&
+                     (digits[1] == 'x' || digits[1] == 'o' || digits[1] == 'b');
+  constexpr std::string_view characters = "0123456789_.eE+-";
+  return !digits.empty() && is_digit(digits[0]) && !radix &&
+         digits.find_first_not_of(characters) == std::string_view::npos;
+}
+
+Diagnostic toml_error(const SourceText& source, std::uint32_t offset,
+                      std::string_view description) {
+  const Span word = word_before(source, offset);
+  const bool too_wide = contains(description, "not representable") ||
+                        contains(description, "could not be interpreted");
+  if (too_wide && is_decimal_token(covered_text(word))) {
+    return {Code::E109, word, in_ticks(covered_text(word)) + " is wider than TOML's numbers",
+            "write it as a string, in quotes"};
+  }
+  if (contains(description, "parsing string") && at_line_end(source, offset)) {
+    return {Code::E101, character_at(source, offset), "string is not closed",
+            "a string over several lines has three quotes at each end"};
+  }
+  return {Code::E101, character_at(source, offset), message_of(description),
+          is_unquoted_value(description) ? "texts and expressions are written in quotes" : ""};
+}
+
+}  // namespace elgen::parsing

@@ -1,0 +1,30 @@
+// UTF-8: code points of a text, where it stops being UTF-8, and user text made fit for a message.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace elgen::parsing {
+
+struct CodePoint {
+  char32_t value = 0;
+  std::size_t bytes = 0;  ///< 0: the bytes here are not UTF-8
+};
+
+/// The code point at `position`, which lies inside `text`.
+[[nodiscard]] CodePoint code_point_at(std::string_view text, std::size_t position);
+
+/// The first byte that is not part of UTF-8 text.
+[[nodiscard]] std::optional<std::size_t> find_invalid_utf8(std::string_view text);
+
+/// "U+03C0".
+[[nodiscard]] std::string code_point_name(char32_t value);
+
+void append_utf8(std::string& text, char32_t value);
+
+/// User text in back-ticks: cut after 40 characters, control characters by name.
+[[nodiscard]] std::string in_ticks(std::string_view text);
+
+}  // namespace elgen::parsing

@@ -1,0 +1,176 @@
+// Values whose type needs no table: expressions, names, lists, texts, booleans, integers. A value
+// that cannot be read leaves its error in the Reading, and an empty value, which nobody sees then.
+#include "value_reader.hpp"
+
+#include <cln/integer_ring.h>
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "decimal.hpp"
+#include "expression_parser.hpp"
+#include "utf8.hpp"
+
+namespace elgen::parsing {
+
+namespace {
+
+std::string described(const TomlValue& value) {
+  switch (value.kind) {
+    case TomlKind::string:
+      return "string " + in_ticks(value.text.text);
+    case TomlKind::number:
+      return "number " + in_ticks(value.text.text);
+    case TomlKind::boolean:
+      return value.boolean ? "`true`" : "`false`";
+    case TomlKind::array:
+      return "list";
+    case TomlKind::table:
+      return "table";
+    case TomlKind::other:
+      break;
+  }
+  return in_ticks(value.text.text);
+}
+
+/// A bare number, signed.
+void read_number(const TomlValue& value, ValueSyntax& result, Reading& reading) {
+  const std::string& text = value.text.text;
+  const bool negative = text[0] == '-';
+  const DecimalParts parts = decimal_parts(text);
+  result.expression.span = result.expression.token = value.span;
+  if (std::optional<LimitHit> hit = limit_hit(parts, reading.limits)) {
+    reading.report(hit->code, value.span, std::move(hit->message), std::move(hit->hint));
+    return;
+  }
+  const cln::cl_RA magnitude = decimal_value(parts);
+  result.expression.value = negative ? cln::cl_RA(-magnitude) : magnitude;
+}
+
+void keep(Result<ExpressionSyntax> read, ExpressionSyntax& expression, Reading& reading) {
+  if (read) expression = std::move(*read);
+  for (Diagnostic& problem : read.diagnostics) {
+    reading.diagnostics.push_back(std::move(problem));
+  }
+}
+
+/// Whether the tree is all of the text: `q[i]`, not `(q)` or ` q`.
+bool is_name(const ExpressionSyntax& tree, const DecodedText& text) {
+  return tree.kind == SyntaxKind::name && tree.token.begin == text.whole.begin &&
+         tree.span.end == text.whole.end;
+}
+
+/// Errors that say more than "not a name": a letter of another alphabet, a mistake inside an index.
+bool speaks_for_itself(const Result<ExpressionSyntax>& read, const DecodedText& text) {
+  if (read || read.diagnostics.empty()) return false;
+  return read.diagnostics.front().code == Code::E307 || text.text.find('[') != std::string::npos;
+}
+
+}  // namespace
+
+void Reading::report(Code code, const Span& span, std::string message, std::string hint) {
+  diagnostics.push_back({code, span, std::move(message), std::move(hint)});
+}
+
+ValueSyntax empty_value(const TomlValue& value, ValueKind kind) {
+  ValueSyntax result;
+  result.kind = kind;
+  result.span = value.kind == TomlKind::string ? value.text.whole : value.span;
+  result.text = value.text.text;
+  return result;
+}
+
+void report_wrong_type(const TomlValue& value, std::string_view expected, Reading& reading) {
+  if (value.kind == TomlKind::other) {
+    reading.report(Code::E109, value.span, described(value) + " is not a decimal number",
+                   "numbers are written `12`, `0.5` or `1e-3`");
+    return;
+  }
+  reading.report(Code::E104, value.span,
+                 fmt::format("{} where {} is expected", described(value), expected));
+}
+
+ValueSyntax read_expression_value(const TomlValue& value, Reading& reading) {
+  ValueSyntax result = empty_value(value, ValueKind::expression);
+  if (value.kind == TomlKind::number) {
+    read_number(value, result, reading);
+  } else if (value.kind == TomlKind::string) {
+    keep(read_expression(value.text, reading.limits), result.expression, reading);
+  } else {
+    report_wrong_type(value, "an expression (a number or a string)", reading);
+  }
+  return result;
+}
+
+ValueSyntax read_name(const TomlValue& value, Reading& reading) {
+  ValueSyntax result = empty_value(value, ValueKind::expression);
+  if (value.kind != TomlKind::string) {
+    report_wrong_type(value, "a name (a string)", reading);
+    return result;
+  }
+  Result<ExpressionSyntax> read = read_expression(value.text, reading.limits);
+  const bool good = read && is_name(*read, value.text);
+  if (good || speaks_for_itself(read, value.text)) {
+    keep(std::move(read), result.expression, reading);
+  } else {
+    reading.report(Code::E205, value.text.whole, in_ticks(value.text.text) + " is not a name",
+                   "names are letters, digits and underscores, starting with a letter");
+  }
+  return result;
+}
+
+ValueSyntax read_list(const TomlValue& value, std::size_t count, Reading& reading) {
+  ValueSyntax result = empty_value(value, ValueKind::list);
+  const bool wrong_size = count != 0 && value.items.size() != count;
+  if (value.kind != TomlKind::array || wrong_size) {
+    const std::string expected =
+        count == 0 ? "a list of expressions" : fmt::format("a list of {} expressions", count);
+    report_wrong_type(value, expected, reading);
+    return result;
+  }
+  for (const TomlValue& item : value.items) {
+    result.items.push_back(read_expression_value(item, reading));
+  }
+  return result;
+}
+
+ValueSyntax read_matrix(const TomlValue& value, Reading& reading) {
+  ValueSyntax result = empty_value(value, ValueKind::list);
+  if (value.kind != TomlKind::array) {
+    report_wrong_type(value, "a list of lists of expressions", reading);
+  }
+  for (const TomlValue& row : value.items) result.items.push_back(read_list(row, 0, reading));
+  return result;
+}
+
+ValueSyntax read_array_or_expression(const TomlValue& value, Reading& reading) {
+  if (value.kind != TomlKind::array) return read_expression_value(value, reading);
+  ValueSyntax result = empty_value(value, ValueKind::list);
+  for (const TomlValue& item : value.items) {
+    result.items.push_back(item.kind == TomlKind::array ? read_list(item, 0, reading)
+                                                        : read_expression_value(item, reading));
+  }
+  return result;
+}
+
+ValueSyntax read_text(const TomlValue& value, Reading& reading) {
+  if (value.kind != TomlKind::string) report_wrong_type(value, "a string", reading);
+  return empty_value(value, ValueKind::text);
+}
+
+ValueSyntax read_boolean(const TomlValue& value, Reading& reading) {
+  ValueSyntax result = empty_value(value, ValueKind::boolean);
+  result.boolean = value.boolean;
+  if (value.kind != TomlKind::boolean) report_wrong_type(value, "`true` or `false`", reading);
+  return result;
+}
+
+ValueSyntax read_integer(const TomlValue& value, Reading& reading) {
+  ValueSyntax result = empty_value(value, ValueKind::expression);
+  if (value.kind == TomlKind::number) read_number(value, result, reading);
+  const bool whole = cln:: instanceof (result.expression.value, cln::cl_I_ring);
+  if (value.kind != TomlKind::number || !whole) report_wrong_type(value, "an integer", reading);
+  return result;
+}
+
+}  // namespace elgen::parsing
