@@ -59,7 +59,7 @@ std::string operation_text(const Program& program, const Instruction& instructio
 }
 
 std::string heading(const Function& function) {
-  const std::string_view kind = output_row(function.kind).name;
+  const std::string_view kind = kind_name(function.kind);
   const bool is_user = function.kind == OutputKind::user_value ||
                        function.kind == OutputKind::user_jacobian ||
                        function.kind == OutputKind::user_bias;

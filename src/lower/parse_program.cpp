@@ -112,7 +112,7 @@ class Reader {
     function.name = std::string(words[1]);
     const OutputRow* kind = nullptr;
     for (const OutputRow& row : output_table()) {
-      if (row.name == (renamed ? words[3] : words[1])) kind = &row;
+      if (kind_name(row.kind) == (renamed ? words[3] : words[1])) kind = &row;
     }
     if (kind == nullptr) return fmt::format("`{}` is no output", words[renamed ? 3 : 1]);
     function.kind = kind->kind;

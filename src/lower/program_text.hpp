@@ -30,6 +30,21 @@ inline constexpr std::array opcode_names{
     OpcodeName{Opcode::square_root, "square_root"},
 };
 
+/// How a function's heading names its output: as the table of outputs does, users' ones by their
+/// kind.
+[[nodiscard]] inline std::string_view kind_name(OutputKind kind) {
+  switch (kind) {
+    case OutputKind::user_value:
+      return "user_value";
+    case OutputKind::user_jacobian:
+      return "user_jacobian";
+    case OutputKind::user_bias:
+      return "user_bias";
+    default:
+      return output_row(kind).name;
+  }
+}
+
 /// The names a leaf opcode's operand is written by; null for other opcodes, constants and time.
 [[nodiscard]] inline const std::vector<std::string>* leaf_spellings(const LeafNames& leaves,
                                                                     Opcode opcode) {

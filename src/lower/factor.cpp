@@ -1,0 +1,126 @@
+// factor: see factor.hpp.
+#include "factor.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+namespace elgen {
+namespace {
+
+/// Sums longer than this stay as they are; the greedy search takes quadratic time.
+constexpr std::size_t maximal_terms = 400;
+
+/// A term as its factors; `value` stands for terms that are not to be taken apart.
+struct FactoredTerm {
+  bool negative = false;
+  std::vector<Power> factors = {};
+  bool is_divisible = false;
+};
+
+bool has_factor(const FactoredTerm& term, NodeId factor) {
+  return term.is_divisible &&
+         std::any_of(term.factors.begin(), term.factors.end(), [&](const Power& power) {
+           return power.base.node == factor && power.exponent > 0;
+         });
+}
+
+void divide(FactoredTerm& term, NodeId factor) {
+  for (Power& power : term.factors) {
+    if (power.base.node == factor) --power.exponent;
+  }
+  term.factors.erase(std::remove_if(term.factors.begin(), term.factors.end(),
+                                    [](const Power& power) { return power.exponent == 0; }),
+                     term.factors.end());
+}
+
+class Factoring {
+ public:
+  explicit Factoring(const Expressions& expressions)
+      : uses_(use_counts(expressions.graph, expressions.values)) {}
+
+  Ref operator()(Graph& graph, const RebuildStep& step) const {
+    const Node& node = step.old_graph.node(step.old_node);
+    if (node.kind != NodeKind::sum || node.operands.size() > maximal_terms) {
+      return copy(graph, step);
+    }
+    std::vector<FactoredTerm> terms;
+    for (const Operand& operand : node.operands) terms.push_back(term(graph, step, operand));
+    return sum_of_terms(graph, std::move(terms));
+  }
+
+ private:
+  FactoredTerm term(const Graph& graph, const RebuildStep& step, const Operand& operand) const {
+    const Ref value = with_sign(step.renewed[operand.node], operand.weight < 0);
+    FactoredTerm result{value.negative, {}, true};
+    const Node& node = graph.node(value.node);
+    if (node.kind == NodeKind::product && uses_[operand.node] == 1) {
+      for (const Operand& factor : node.operands) {
+        result.factors.push_back({{factor.node, false}, factor.weight});
+      }
+      return result;
+    }
+    result.factors = {{{value.node, false}, 1}};
+    result.is_divisible = node.kind != NodeKind::constant;
+    return result;
+  }
+
+  /// The factor of most terms, or nothing where no two terms share one.
+  static std::optional<NodeId> most_common(const Graph& graph,
+                                           const std::vector<FactoredTerm>& terms) {
+    std::map<NodeId, std::size_t> counts;
+    for (const FactoredTerm& term : terms) {
+      for (const Power& power : term.factors) {
+        if (has_factor(term, power.base.node)) ++counts[power.base.node];
+      }
+    }
+    std::optional<NodeId> best;
+    for (const auto& [factor, count] : counts) {
+      if (count < 2) continue;
+      const std::size_t most = best ? counts[*best] : 0;
+      if (count > most || (count == most && graph.less(factor, *best))) best = factor;
+    }
+    return best;
+  }
+
+  static Ref sum_of_terms(Graph& graph, std::vector<FactoredTerm> terms) {
+    std::vector<Ref> finished;
+    while (const std::optional<NodeId> common = most_common(graph, terms)) {
+      const auto rest = std::stable_partition(
+          terms.begin(), terms.end(),
+          [&](const FactoredTerm& term) { return has_factor(term, *common); });
+      std::vector<FactoredTerm> inner(terms.begin(), rest);
+      terms.erase(terms.begin(), rest);
+      for (FactoredTerm& term : inner) divide(term, *common);
+      terms.push_back(product_term(graph, *common, sum_of_terms(graph, std::move(inner))));
+    }
+    for (const FactoredTerm& term : terms) {
+      finished.push_back(with_sign(graph.product(term.factors), term.negative));
+    }
+    return graph.sum(finished);
+  }
+
+  /// common * inner; where inner is itself a product, its factors can be common again.
+  static FactoredTerm product_term(Graph& graph, NodeId common, Ref inner) {
+    FactoredTerm result{inner.negative, {{{common, false}, 1}}, true};
+    const Node& node = graph.node(inner.node);
+    if (node.kind != NodeKind::product) {
+      result.factors.push_back({{inner.node, false}, 1});
+      return result;
+    }
+    for (const Operand& factor : node.operands) {
+      result.factors.push_back({{factor.node, false}, factor.weight});
+    }
+    return result;
+  }
+
+  std::vector<std::uint32_t> uses_;
+};
+
+}  // namespace
+
+Expressions factor(const Expressions& expressions) {
+  return rebuild(expressions, Factoring(expressions));
+}
+
+}  // namespace elgen

@@ -1,0 +1,193 @@
+// from_ginac: each needed definition becomes one signed reference, in the order of the list.
+//
+// A definition's symbol stands for its node from then on; the node keeps the definition's name.
+#include "from_ginac.hpp"
+
+#include <cln/number.h>
+#include <cln/real.h>
+#include <fmt/core.h>
+
+namespace elgen {
+namespace {
+
+class Importer {
+ public:
+  explicit Importer(const EquationsOfMotion& equations) : equations_(equations) {
+    add_leaves(Opcode::parameter, equations.symbols.parameters);
+    add_leaves(Opcode::coordinate, equations.symbols.q);
+    add_leaves(Opcode::velocity, equations.symbols.v);
+    add_leaves(Opcode::acceleration, equations.symbols.a);
+    add_leaves(Opcode::input, equations.symbols.u);
+    known_[equations.symbols.t] = graph.leaf(Opcode::time, 0);
+  }
+
+  void add_definition(std::uint32_t position) {
+    const Definition& definition = equations_.definitions.list[position];
+    graph.set_birth(position);
+    const Ref value = import(definition.value);
+    graph.name(value, definition.name);
+    known_[definition.symbol] = value;
+  }
+
+  Ref import(const GiNaC::ex& e) {
+    if (GiNaC::is_a<GiNaC::symbol>(e)) return symbol(e);
+    if (GiNaC::is_a<GiNaC::numeric>(e)) return numeric(GiNaC::ex_to<GiNaC::numeric>(e));
+    if (GiNaC::is_a<GiNaC::add>(e)) return sum(e);
+    if (GiNaC::is_a<GiNaC::mul>(e)) return product(e);
+    if (GiNaC::is_a<GiNaC::power>(e)) return graph.product(powers(e));
+    if (GiNaC::is_a<GiNaC::function>(e)) return call(e);
+    if (e.is_equal(GiNaC::Pi)) return graph.constant(pi_constant());
+    return fail(Code::E912, fmt::format("cannot import the GiNaC class `{}`", class_name(e)));
+  }
+
+  Graph graph = {};
+  std::optional<Diagnostic> problem = {};  ///< the first thing that could not be imported
+
+ private:
+  static std::string class_name(const GiNaC::ex& e) {
+    return GiNaC::ex_to<GiNaC::basic>(e).class_name();
+  }
+
+  Ref fail(Code code, std::string message) {
+    if (!problem) problem = Diagnostic{code, {}, std::move(message)};
+    return graph.rational(0);
+  }
+
+  void add_leaves(Opcode opcode, const std::vector<GiNaC::ex>& symbols) {
+    for (std::uint32_t i = 0; i < symbols.size(); ++i) known_[symbols[i]] = graph.leaf(opcode, i);
+  }
+
+  Ref symbol(const GiNaC::ex& e) {
+    const auto it = known_.find(e);
+    if (it != known_.end()) return it->second;
+    return fail(Code::E912, fmt::format("symbol `{}` is not defined before its use",
+                                        GiNaC::ex_to<GiNaC::symbol>(e).get_name()));
+  }
+
+  Ref numeric(const GiNaC::numeric& number) {
+    if (!number.is_real()) return fail(Code::E912, "a complex number reached the equations");
+    return graph.constant(make_constant(cln::the<cln::cl_R>(number.to_cl_N())));
+  }
+
+  Ref sum(const GiNaC::ex& e) {
+    std::vector<Ref> terms;
+    for (std::size_t i = 0; i < e.nops(); ++i) terms.push_back(import(e.op(i)));
+    return graph.sum(terms);
+  }
+
+  Ref product(const GiNaC::ex& e) {
+    std::vector<Power> factors;
+    for (std::size_t i = 0; i < e.nops(); ++i) {
+      const std::vector<Power> factor = powers(e.op(i));
+      factors.insert(factors.end(), factor.begin(), factor.end());
+    }
+    return graph.product(factors);
+  }
+
+  /// x^(5/2) as x^2 sqrt(x), other exponents y as exp(y log x).
+  std::vector<Power> powers(const GiNaC::ex& e) {
+    if (!GiNaC::is_a<GiNaC::power>(e)) return {{import(e), 1}};
+    const Ref base = import(e.op(0));
+    const GiNaC::ex exponent = e.op(1);
+    const bool is_half_integer =
+        GiNaC::is_a<GiNaC::numeric>(exponent) && (exponent * 2).info(GiNaC::info_flags::integer);
+    if (!is_half_integer) {
+      const Ref log = graph.call(FunctionId::log, {base});
+      return {{graph.call(FunctionId::exp, {graph.product({{import(exponent)}, {log}})}), 1}};
+    }
+    const int halves = GiNaC::ex_to<GiNaC::numeric>(exponent * 2).to_int();
+    if (halves < 0 && graph.is_zero(base.node)) {
+      fail(Code::E312, "a denominator is 0 whatever the state is");
+      return {};
+    }
+    std::vector<Power> result;
+    if (halves / 2 != 0) result.push_back({base, halves / 2});
+    if (halves % 2 != 0) result.push_back({graph.square_root(base), halves % 2});
+    return result;
+  }
+
+  Ref call(const GiNaC::ex& e) {
+    std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
+    constexpr std::string_view kinked = "elgen_";
+    if (name.rfind(kinked, 0) == 0) name.erase(0, kinked.size());
+    std::vector<Ref> arguments;
+    for (std::size_t i = 0; i < e.nops(); ++i) arguments.push_back(import(e.op(i)));
+    for (const FunctionRow& row : function_table) {
+      if (row.name == name && row.arity == arguments.size()) return graph.call(row.id, arguments);
+    }
+    return fail(Code::E912, fmt::format("cannot import the GiNaC function `{}`", name));
+  }
+
+  const EquationsOfMotion& equations_;
+  ExpressionMap<Ref> known_;
+};
+
+/// Marks the definitions whose symbols occur in e.
+void mark_symbols(const GiNaC::ex& e, const ExpressionMap<std::uint32_t>& positions,
+                  std::vector<bool>& needed) {
+  if (GiNaC::is_a<GiNaC::symbol>(e)) {
+    const auto it = positions.find(e);
+    if (it != positions.end()) needed[it->second] = true;
+    return;
+  }
+  for (std::size_t i = 0; i < e.nops(); ++i) mark_symbols(e.op(i), positions, needed);
+}
+
+std::vector<bool> needed_definitions(const Definitions& definitions,
+                                     const std::vector<const OutputEquations*>& outputs) {
+  ExpressionMap<std::uint32_t> positions;
+  for (std::uint32_t i = 0; i < definitions.list.size(); ++i) {
+    positions[definitions.list[i].symbol] = i;
+  }
+  std::vector<bool> needed(definitions.list.size(), false);
+  for (const OutputEquations* output : outputs) {
+    for (const FieldEquations& field : output->fields) {
+      for (const GiNaC::ex& entry : field.entries) mark_symbols(entry, positions, needed);
+    }
+  }
+  for (std::size_t i = needed.size(); i-- > 0;) {
+    if (!needed[i]) continue;
+    for (const std::uint32_t used : definitions.list[i].uses) needed[used] = true;
+  }
+  return needed;
+}
+
+std::vector<Field> import_fields(Importer& importer, const OutputEquations& output,
+                                 std::vector<Ref>& values) {
+  std::vector<Field> fields;
+  for (const FieldEquations& equations : output.fields) {
+    Field field{equations.name, equations.rows, equations.columns, {}};
+    for (const GiNaC::ex& entry : equations.entries) {
+      field.entries.push_back(static_cast<std::uint32_t>(values.size()));
+      values.push_back(importer.import(entry));
+    }
+    fields.push_back(std::move(field));
+  }
+  return fields;
+}
+
+}  // namespace
+
+Result<ImportedOutputs> from_ginac(const EquationsOfMotion& equations,
+                                   const std::vector<const OutputEquations*>& outputs,
+                                   std::uint64_t maximum_nodes) {
+  Importer importer(equations);
+  const std::vector<bool> needed = needed_definitions(equations.definitions, outputs);
+  for (std::uint32_t i = 0; i < needed.size(); ++i) {
+    if (needed[i]) importer.add_definition(i);
+    if (importer.problem) return *importer.problem;
+    if (importer.graph.size() > maximum_nodes) {
+      return Diagnostic{Code::E908, {}, fmt::format("more than {} nodes", maximum_nodes)};
+    }
+  }
+  importer.graph.set_birth(static_cast<std::uint32_t>(needed.size()));
+  ImportedOutputs imported;
+  for (const OutputEquations* output : outputs) {
+    imported.fields.push_back(import_fields(importer, *output, imported.values));
+  }
+  if (importer.problem) return *importer.problem;
+  imported.graph = std::move(importer.graph);
+  return imported;
+}
+
+}  // namespace elgen

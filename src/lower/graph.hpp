@@ -1,0 +1,116 @@
+// Graph: hash-consed n-ary sums and products, canonical up to sign, in elgen's own order.
+//
+// A Ref is a node and a sign, so negation is free: products carry no sign, the leading term of a
+// sum is positive, sin(-x) = -sin(x), cos(-x) = cos(x). Equal terms and equal bases are merged with
+// exact coefficients. Operands are ordered by less(): leaves by kind and declaration, everything
+// else by birth (the definition during whose import it first appeared), then structure. Nothing
+// depends on the order in which operands were given.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "constant.hpp"
+#include "elgen/program.hpp"
+
+namespace elgen {
+
+using NodeId = std::uint32_t;
+
+struct Ref {
+  NodeId node = 0;
+  bool negative = false;
+  friend bool operator==(const Ref&, const Ref&) = default;
+};
+
+[[nodiscard]] inline Ref operator-(Ref x) { return {x.node, !x.negative}; }
+
+/// x or -x.
+[[nodiscard]] inline Ref with_sign(Ref x, bool negative) {
+  return {x.node, x.negative != negative};
+}
+
+enum class NodeKind : std::uint8_t { constant, leaf, product, square_root, call, sum };
+
+/// weight: the exponent in a product (not 0), the sign (1 or -1) elsewhere.
+struct Operand {
+  NodeId node = 0;
+  std::int32_t weight = 1;
+  friend bool operator==(const Operand&, const Operand&) = default;
+};
+
+struct Node {
+  NodeKind kind = NodeKind::constant;
+  Opcode leaf = Opcode::constant;         ///< which leaf
+  FunctionId function = FunctionId::sin;  ///< which call
+  std::uint32_t index = 0;                ///< of the leaf or the constant
+  std::vector<Operand> operands = {};     ///< a constant factor or term comes first
+  std::uint32_t birth = 0;
+  std::string name = {};  ///< what it is, for a reader
+};
+
+struct Power {
+  Ref base;
+  std::int32_t exponent = 1;
+};
+
+class Graph {
+ public:
+  /// Nodes first built from now on are born here; later births come later in the order.
+  void set_birth(std::uint32_t birth) { birth_ = birth; }
+
+  Ref constant(const SignedConstant& value);
+  Ref rational(const cln::cl_RA& value) { return constant(make_constant(value)); }
+  Ref leaf(Opcode leaf, std::uint32_t index);
+  Ref sum(const std::vector<Ref>& terms);
+  /// A constant base must not be 0 where its exponent is negative.
+  Ref product(const std::vector<Power>& powers);
+  Ref square_root(Ref radicand);
+  Ref call(FunctionId function, std::vector<Ref> arguments);
+
+  /// The first name stays; leaves and constants have their own.
+  void name(Ref value, const std::string& name);
+
+  [[nodiscard]] const Node& node(NodeId id) const { return nodes_[id]; }
+  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+  [[nodiscard]] bool is_constant(NodeId id) const { return node(id).kind == NodeKind::constant; }
+  [[nodiscard]] const Constant& constant_of(NodeId id) const { return constants_[node(id).index]; }
+  [[nodiscard]] bool is_zero(NodeId id) const;
+
+  /// The total order; strict, the same in every process.
+  [[nodiscard]] bool less(NodeId x, NodeId y) const { return compare(x, y) < 0; }
+
+ private:
+  struct Factors;
+  struct Term;
+
+  NodeId intern(Node node);
+  [[nodiscard]] int compare(NodeId x, NodeId y) const;
+  [[nodiscard]] int compare_constants(NodeId x, NodeId y) const;
+  [[nodiscard]] int compare_operands(const Node& x, const Node& y) const;
+  void sort(std::vector<Operand>& operands) const;
+
+  [[nodiscard]] SignedConstant signed_constant(Ref value) const;
+  void collect(const Power& power, Factors& factors) const;
+  void merge_factors(Factors& factors) const;
+  Ref build_product(Factors factors);
+  Term split_coefficient(Ref term);
+  Ref build_sum(const std::vector<Term>& terms, const SignedConstant& constant);
+
+  std::vector<Node> nodes_;
+  std::vector<Constant> constants_;
+  std::unordered_map<std::string, std::uint32_t> constant_index_;
+  std::unordered_multimap<std::size_t, NodeId> known_;
+  std::uint32_t birth_ = 0;
+};
+
+/// Operands before users, each node once: what `outputs` need.
+[[nodiscard]] std::vector<NodeId> reachable(const Graph& graph, const std::vector<Ref>& outputs);
+
+/// How many operand slots and outputs hold each node.
+[[nodiscard]] std::vector<std::uint32_t> use_counts(const Graph& graph,
+                                                    const std::vector<Ref>& outputs);
+
+}  // namespace elgen

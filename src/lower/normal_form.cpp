@@ -1,0 +1,178 @@
+// Graph::sum and Graph::product: the normal forms of n-ary nodes.
+//
+//     sum:      y - x + 2*x          -> x + y        equal terms merged, leading term positive
+//               2*y - 2*x            -> -2*(x - y)   a coefficient all terms share pulled out
+//     product:  (y - x)*x*(x - y)    -> -x*(x - y)^2 signs pulled out, equal bases merged
+//               2*pi*x/4             -> (1/2*pi)*x   constants folded into one
+#include <algorithm>
+
+#include "graph.hpp"
+
+namespace elgen {
+
+/// A product taken apart: sign, constants, and powers of other nodes.
+struct Graph::Factors {
+  cln::cl_RA coefficient = 1;                   ///< signed
+  std::vector<SignedConstant> irrational = {};  ///< none negative
+  std::vector<Operand> powers = {};
+};
+
+/// coefficient * node; the node carries no rational coefficient of its own.
+struct Graph::Term {
+  cln::cl_RA coefficient = 1;
+  NodeId node = 0;
+};
+
+void Graph::collect(const Power& power, Factors& factors) const {
+  const Node& base = node(power.base.node);
+  const bool is_odd = power.exponent % 2 != 0;
+  if (power.base.negative && is_odd) factors.coefficient = -factors.coefficient;
+  if (base.kind == NodeKind::constant) {
+    const SignedConstant value = power_of({constants_[base.index], false}, power.exponent);
+    if (is_rational(value.constant)) {
+      factors.coefficient = factors.coefficient * rational_value(value.constant);
+    } else {
+      factors.irrational.push_back(value);
+    }
+    return;
+  }
+  // c*x is taken apart, so that coefficients meet; longer products stay whole, because they may be
+  // shared.
+  const bool is_scaled = base.kind == NodeKind::product && base.operands.size() == 2 &&
+                         is_constant(base.operands[0].node) && base.operands[1].weight == 1;
+  if (is_scaled) {
+    collect({{base.operands[0].node, false}, power.exponent}, factors);
+    collect({{base.operands[1].node, false}, power.exponent}, factors);
+    return;
+  }
+  factors.powers.push_back({power.base.node, power.exponent});
+}
+
+/// Equal bases become one; sqrt(x)^2 becomes x, which may meet other powers of x.
+void Graph::merge_factors(Factors& factors) const {
+  std::vector<Operand>& powers = factors.powers;
+  for (bool changed = true; changed;) {
+    changed = false;
+    std::sort(powers.begin(), powers.end(),
+              [](const Operand& x, const Operand& y) { return x.node < y.node; });
+    std::vector<Operand> merged;
+    for (const Operand& power : powers) {
+      if (!merged.empty() && merged.back().node == power.node) {
+        merged.back().weight += power.weight;
+      } else {
+        merged.push_back(power);
+      }
+    }
+    merged.erase(std::remove_if(merged.begin(), merged.end(),
+                                [](const Operand& power) { return power.weight == 0; }),
+                 merged.end());
+    powers.clear();
+    for (const Operand& power : merged) {
+      const Node& base = node(power.node);
+      const bool is_squared = base.kind == NodeKind::square_root && std::abs(power.weight) > 1;
+      if (!is_squared) {
+        powers.push_back(power);
+        continue;
+      }
+      changed = true;
+      const Operand& radicand = base.operands[0];
+      if (power.weight % 2 != 0) powers.push_back({power.node, power.weight % 2});
+      collect({{radicand.node, radicand.weight < 0}, power.weight / 2}, factors);
+    }
+  }
+}
+
+Ref Graph::build_product(Factors factors) {
+  if (cln::zerop(factors.coefficient)) return rational(0);
+  SignedConstant constant = make_constant(factors.coefficient);
+  if (!factors.irrational.empty()) {
+    factors.irrational.push_back(constant);
+    constant = product_of(std::move(factors.irrational));
+  }
+  const Ref coefficient = this->constant(constant);
+  if (factors.powers.empty()) return coefficient;
+  const bool has_coefficient = constant.constant.text != "1";
+  if (!has_coefficient && factors.powers.size() == 1 && factors.powers[0].weight == 1) {
+    return {factors.powers[0].node, constant.negative};
+  }
+  if (has_coefficient) factors.powers.push_back({coefficient.node, 1});
+  sort(factors.powers);
+  return {intern({.kind = NodeKind::product, .operands = std::move(factors.powers)}),
+          constant.negative};
+}
+
+Ref Graph::product(const std::vector<Power>& powers) {
+  Factors factors;
+  for (const Power& power : powers) collect(power, factors);
+  merge_factors(factors);
+  return build_product(std::move(factors));
+}
+
+Graph::Term Graph::split_coefficient(Ref term) {
+  const Node& product = node(term.node);
+  const cln::cl_RA sign = term.negative ? -1 : 1;
+  const bool is_scaled = product.kind == NodeKind::product &&
+                         is_constant(product.operands[0].node) &&
+                         is_rational(constant_of(product.operands[0].node));
+  if (!is_scaled) return {sign, term.node};
+  const cln::cl_RA coefficient = sign * rational_value(constant_of(product.operands[0].node));
+  Factors rest;
+  rest.powers.assign(product.operands.begin() + 1, product.operands.end());
+  return {coefficient, build_product(std::move(rest)).node};
+}
+
+Ref Graph::build_sum(const std::vector<Term>& terms, const SignedConstant& constant) {
+  const bool has_constant = !cln::zerop(constant.constant.value);
+  if (terms.empty()) return this->constant(constant);
+  const cln::cl_RA first = cln::abs(terms[0].coefficient);
+  const bool is_common =
+      !has_constant && std::all_of(terms.begin(), terms.end(),
+                                   [&](const Term& t) { return cln::abs(t.coefficient) == first; });
+  std::vector<Operand> operands;
+  for (const Term& term : terms) {
+    const cln::cl_RA magnitude = is_common ? cln::cl_RA(1) : cln::abs(term.coefficient);
+    const Ref scaled = product({{rational(magnitude)}, {{term.node, false}}});
+    operands.push_back({scaled.node, cln::minusp(term.coefficient) ? -1 : 1});
+  }
+  if (has_constant) {
+    operands.push_back({this->constant(constant).node, constant.negative ? -1 : 1});
+  }
+  sort(operands);
+  const bool negative = operands[0].weight < 0;
+  if (negative) {
+    for (Operand& operand : operands) operand.weight = -operand.weight;
+  }
+  Ref result{operands[0].node, negative};
+  if (operands.size() > 1) {
+    result.node = intern({.kind = NodeKind::sum, .operands = std::move(operands)});
+  }
+  return is_common ? product({{rational(first)}, {result}}) : result;
+}
+
+Ref Graph::sum(const std::vector<Ref>& terms) {
+  std::vector<SignedConstant> constants;
+  std::vector<Term> split;
+  for (const Ref term : terms) {
+    if (is_constant(term.node)) {
+      constants.push_back(signed_constant(term));
+    } else {
+      split.push_back(split_coefficient(term));
+    }
+  }
+  std::sort(split.begin(), split.end(),
+            [](const Term& x, const Term& y) { return x.node < y.node; });
+  std::vector<Term> merged;
+  for (const Term& term : split) {
+    if (!merged.empty() && merged.back().node == term.node) {
+      merged.back().coefficient = merged.back().coefficient + term.coefficient;
+    } else {
+      merged.push_back(term);
+    }
+  }
+  merged.erase(std::remove_if(merged.begin(), merged.end(),
+                              [](const Term& t) { return cln::zerop(t.coefficient); }),
+               merged.end());
+  return build_sum(merged, sum_of(std::move(constants)));
+}
+
+}  // namespace elgen

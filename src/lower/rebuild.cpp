@@ -1,0 +1,56 @@
+// rebuild: the frame of every pass from Graph to Graph; operands are renewed before their users.
+#include "rebuild.hpp"
+
+namespace elgen {
+
+std::vector<Ref> renewed_terms(const RebuildStep& step) {
+  std::vector<Ref> terms;
+  for (const Operand& operand : step.old_graph.node(step.old_node).operands) {
+    terms.push_back(with_sign(step.renewed[operand.node], operand.weight < 0));
+  }
+  return terms;
+}
+
+std::vector<Power> renewed_factors(const RebuildStep& step) {
+  std::vector<Power> factors;
+  for (const Operand& operand : step.old_graph.node(step.old_node).operands) {
+    factors.push_back({step.renewed[operand.node], operand.weight});
+  }
+  return factors;
+}
+
+Ref copy(Graph& graph, const RebuildStep& step) {
+  const Node& node = step.old_graph.node(step.old_node);
+  switch (node.kind) {
+    case NodeKind::constant:
+      return graph.constant({step.old_graph.constant_of(step.old_node), false});
+    case NodeKind::leaf:
+      return graph.leaf(node.leaf, node.index);
+    case NodeKind::product:
+      return graph.product(renewed_factors(step));
+    case NodeKind::square_root:
+      return graph.square_root(renewed_terms(step)[0]);
+    case NodeKind::call:
+      return graph.call(node.function, renewed_terms(step));
+    case NodeKind::sum:
+      return graph.sum(renewed_terms(step));
+  }
+  return {};
+}
+
+Expressions rebuild(const Expressions& expressions, const RebuildRule& rule) {
+  const Graph& old_graph = expressions.graph;
+  Expressions result;
+  std::vector<Ref> renewed(old_graph.size());
+  for (const NodeId id : reachable(old_graph, expressions.values)) {
+    result.graph.set_birth(old_graph.node(id).birth);
+    renewed[id] = rule(result.graph, {old_graph, id, renewed});
+    result.graph.name(renewed[id], old_graph.node(id).name);
+  }
+  for (const Ref value : expressions.values) {
+    result.values.push_back(with_sign(renewed[value.node], value.negative));
+  }
+  return result;
+}
+
+}  // namespace elgen

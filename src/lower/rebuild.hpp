@@ -1,0 +1,38 @@
+// rebuild: copies what some outputs need of a Graph into a new Graph, node by node, through a rule.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "graph.hpp"
+
+namespace elgen {
+
+/// A graph with the values that are wanted of it.
+struct Expressions {
+  Graph graph = {};
+  std::vector<Ref> values = {};
+};
+
+/// Where a pass stands: the old node, and what its operands became.
+struct RebuildStep {
+  const Graph& old_graph;
+  NodeId old_node;
+  const std::vector<Ref>& renewed;  ///< by old NodeId
+};
+
+/// The old node's operands in the new graph: terms of a sum or arguments, with their signs.
+[[nodiscard]] std::vector<Ref> renewed_terms(const RebuildStep& step);
+
+/// The factors of a product in the new graph.
+[[nodiscard]] std::vector<Power> renewed_factors(const RebuildStep& step);
+
+/// The old node in the new graph, unchanged.
+[[nodiscard]] Ref copy(Graph& graph, const RebuildStep& step);
+
+/// What a pass makes of one node; births and names are carried over around it.
+using RebuildRule = std::function<Ref(Graph&, const RebuildStep&)>;
+
+[[nodiscard]] Expressions rebuild(const Expressions& expressions, const RebuildRule& rule);
+
+}  // namespace elgen

@@ -1,0 +1,168 @@
+// temporary_names: what instructions are called in equations and emitted code.
+//
+//     sin of a leaf, or of a sum of leaves       sin_theta, cos_q1_q2, sin_q1_minus_q2
+//     an instruction that has a name             that name
+//     used more than once, or too long to read   t_4f2a9: a hash of what it computes
+//
+// The hash covers leaves, constants and operations, not positions, so a change elsewhere leaves it
+// alone.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
+#include <optional>
+#include <set>
+
+#include "elgen/program.hpp"
+#include "program_text.hpp"
+
+namespace elgen {
+namespace {
+
+/// Longer expressions are broken up, so that a line stays readable.
+constexpr std::size_t longest_expression = 12;
+constexpr int shortest_hash = 5;
+
+/// Names the emitted functions use themselves, beside the functions of the language.
+constexpr std::array<std::string_view, 12> reserved_names{
+    "p", "q", "v", "a", "u", "t", "sqrt", "constant", "result", "parameters", "Scalar", "std"};
+
+bool is_leaf(const Instruction& instruction) { return operand_count(instruction) == 0; }
+
+std::string identifier(std::string_view spelling) {
+  std::string name;
+  for (const char c : spelling) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
+      name += c;
+    } else if (c == '[') {
+      name += '_';
+    }
+  }
+  return name;
+}
+
+class Naming {
+ public:
+  Naming(const Program& program, const Function& function)
+      : program_(program), function_(function) {
+    for (const std::string_view name : reserved_names) taken_.emplace(name);
+    for (const FunctionRow& row : function_table) taken_.emplace(row.name);
+    for (const std::string& leaf : program.leaves.parameters) taken_.insert(identifier(leaf));
+    for (const std::string& leaf : program.leaves.coordinates) taken_.insert(identifier(leaf));
+    for (const std::string& leaf : program.leaves.inputs) taken_.insert(identifier(leaf));
+    count_uses();
+    for (std::size_t at = 0; at < function.instructions.size(); ++at) hash(at);
+  }
+
+  std::vector<std::string> names() {
+    const std::size_t count = function_.instructions.size();
+    std::vector<std::string> names(count);
+    std::vector<std::size_t> sizes(count, 0);
+    for (std::size_t at = 0; at < count; ++at) {
+      const Instruction& i = function_.instructions[at];
+      if (is_leaf(i)) continue;
+      sizes[at] = 1 + sizes[i.a] + (operand_count(i) > 1 ? sizes[i.b] : 0);
+      names[at] = name(at, sizes[at]);
+      if (!names[at].empty()) sizes[at] = 0;
+    }
+    return names;
+  }
+
+ private:
+  /// A negation is written out wherever it is used, so its uses are its operand's.
+  void count_uses() {
+    uses_.resize(function_.instructions.size(), 0);
+    for (const Field& field : function_.fields) {
+      for (const std::uint32_t entry : field.entries) ++uses_[entry];
+    }
+    for (std::size_t at = uses_.size(); at-- > 0;) {
+      const Instruction& i = function_.instructions[at];
+      if (operand_count(i) > 0) uses_[i.a] += i.opcode == Opcode::negate ? uses_[at] : 1;
+      if (operand_count(i) > 1) ++uses_[i.b];
+    }
+  }
+
+  std::string name(std::size_t at, std::size_t size) {
+    const Instruction& i = function_.instructions[at];
+    if (i.opcode == Opcode::negate) return "";
+    if (const auto angle = angle_name(i)) return unique(*angle);
+    if (!function_.names[at].empty()) return unique(function_.names[at]);
+    if (uses_[at] > 1 || size > longest_expression) return hash_name(hashes_[at]);
+    return "";
+  }
+
+  /// "sin_theta", "cos_q1_minus_q2"; nothing where the argument is no sum of leaves.
+  std::optional<std::string> angle_name(const Instruction& i) const {
+    const bool is_angle = i.opcode == Opcode::call &&
+                          (i.function == FunctionId::sin || i.function == FunctionId::cos);
+    if (!is_angle) return std::nullopt;
+    const std::optional<std::string> argument = leaf_sum(i.a);
+    if (!argument) return std::nullopt;
+    return fmt::format("{}_{}", function_row(i.function).name, *argument);
+  }
+
+  std::optional<std::string> leaf_sum(std::size_t at) const {
+    const Instruction& i = function_.instructions[at];
+    if (i.opcode == Opcode::time) return "t";
+    if (const auto* spellings = leaf_spellings(program_.leaves, i.opcode)) {
+      return identifier((*spellings)[i.a]);
+    }
+    if (i.opcode != Opcode::add && i.opcode != Opcode::subtract) return std::nullopt;
+    const std::optional<std::string> left = leaf_sum(i.a);
+    const std::optional<std::string> right = leaf_sum(i.b);
+    if (!left || !right) return std::nullopt;
+    return *left + (i.opcode == Opcode::add ? "_" : "_minus_") + *right;
+  }
+
+  std::string unique(const std::string& wanted) {
+    std::string name = wanted;
+    for (int number = 1; !taken_.insert(name).second; ++number) {
+      name = number == 1 ? wanted + "_" : fmt::format("{}_{}", wanted, number);
+    }
+    return name;
+  }
+
+  std::string hash_name(std::uint64_t hash) {
+    const std::string digits = fmt::format("{:016x}", hash);
+    for (int length = shortest_hash; length < 16; ++length) {
+      const std::string name = "t_" + digits.substr(0, static_cast<std::size_t>(length));
+      if (taken_.insert(name).second) return name;
+    }
+    return unique("t_" + digits);
+  }
+
+  /// FNV-1a over the operation, the spelling of leaves and constants, and the hashes of operands.
+  void hash(std::size_t at) {
+    const Instruction& i = function_.instructions[at];
+    std::string content =
+        fmt::format("{} {} ", static_cast<int>(i.opcode),
+                    i.opcode == Opcode::call ? function_row(i.function).name : "");
+    if (i.opcode == Opcode::constant) content += program_.constants[i.a].text;
+    if (const auto* spellings = leaf_spellings(program_.leaves, i.opcode)) {
+      content += (*spellings)[i.a];
+    }
+    if (operand_count(i) > 0) content += fmt::format("{:x} ", hashes_[i.a]);
+    if (operand_count(i) > 1) content += fmt::format("{:x} ", hashes_[i.b]);
+    std::uint64_t value = 0xCBF29CE484222325U;
+    for (const char c : content) {
+      value = (value ^ static_cast<unsigned char>(c)) * 0x100000001B3U;
+    }
+    hashes_.push_back(value);
+  }
+
+  const Program& program_;
+  const Function& function_;
+  std::set<std::string, std::less<>> taken_;
+  std::vector<std::size_t> uses_;
+  std::vector<std::uint64_t> hashes_;
+};
+
+}  // namespace
+
+std::vector<std::string> temporary_names(const Program& program, const Function& function) {
+  return Naming(program, function).names();
+}
+
+}  // namespace elgen
