@@ -15,10 +15,6 @@ namespace {
 
 const std::string noun_folder = "include/elgen/";
 
-bool starts_with(const std::string& text, const std::string& start) {
-  return text.rfind(start, 0) == 0;
-}
-
 bool is_code(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension();
   return extension == ".cpp" || extension == ".hpp" || extension == ".def";

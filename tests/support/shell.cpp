@@ -44,6 +44,14 @@ bool mentions(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
+bool starts_with(const std::string& text, const std::string& start) {
+  return text.rfind(start, 0) == 0;
+}
+
+std::string files_below(const std::filesystem::path& folder) {
+  return shell("find . -type f | LC_ALL=C sort", folder).output;
+}
+
 Workspace::Workspace() {
   std::string pattern = (std::filesystem::temp_directory_path() / "elgen_test_XXXXXX").string();
   if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");

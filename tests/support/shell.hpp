@@ -20,6 +20,10 @@ struct Outcome {
 void prepare(const std::string& command, const std::filesystem::path& folder);
 
 [[nodiscard]] bool mentions(const std::string& text, const std::string& part);
+[[nodiscard]] bool starts_with(const std::string& text, const std::string& start);
+
+/// Every file below the folder ("./a/b.txt"), one a line, sorted.
+[[nodiscard]] std::string files_below(const std::filesystem::path& folder);
 
 /// A fresh folder, removed at the end of the scope.
 class Workspace {

@@ -1,0 +1,73 @@
+// The command line: help, version, limits, stages, and words that are not understood.
+#include <catch2/catch.hpp>
+
+#include "elgen/limits.hpp"
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
+
+Outcome run(const std::string& command) {
+  const Workspace workspace;
+  return shell(command, workspace.path());
+}
+
+}  // namespace
+
+TEST_CASE("help starts with three examples and names what there is, and only that") {
+  const Outcome outcome = run("elgen --help");
+  CHECK(outcome.status == 0);
+  std::size_t examples = 0;
+  const std::string head = outcome.output.substr(0, outcome.output.find("Usage"));
+  for (std::size_t at = head.find("  elgen "); at != std::string::npos;
+       at = head.find("  elgen ", at + 1)) {
+    ++examples;
+  }
+  CHECK(examples == 3);
+  for (const char* command : {"generate", "verify", "explain"}) {
+    CHECK(mentions(outcome.output, command));
+  }
+  for (const char* later : {"simulate", "tradeoff", "import", "sarif"}) {
+    CHECK_FALSE(mentions(outcome.output, later));
+  }
+}
+
+TEST_CASE("version and limits are printed on stdout") {
+  CHECK(run("elgen --version").output == "elgen 0.1.0\n");
+  const Outcome limits = run("elgen --limits");
+  CHECK(limits.status == 0);
+  for (const LimitRow& row : limit_table()) CHECK(mentions(limits.output, std::string(row.name)));
+}
+
+TEST_CASE("a command line that is not understood exits with 2") {
+  for (const char* line :
+       {"elgen", "elgen generte x.toml", "elgen generate", "elgen generate --outptus x a.toml",
+        "elgen --limit seconds=soon generate a.toml", "elgen --limit apples=3 generate a.toml"}) {
+    INFO(line);
+    const Outcome outcome = run(line);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.output.empty());
+    CHECK_FALSE(outcome.errors.empty());
+  }
+  CHECK(mentions(run("elgen generte x.toml").errors, "did you mean `generate`"));
+}
+
+TEST_CASE("every stage can be dumped, and stopping there writes nothing") {
+  for (const char* stage :
+       {"parse", "check", "formulate", "specialise", "derive", "lower", "emit"}) {
+    INFO(stage);
+    const Workspace workspace;
+    const Outcome outcome = shell("elgen generate --dump " + std::string(stage) + " --stop-after " +
+                                      stage + " " + models + "/simple_pendulum.toml",
+                                  workspace.path());
+    CHECK(outcome.status == 0);
+    CHECK(mentions(outcome.output, "theta"));
+    CHECK(shell("ls", workspace.path()).output.empty());
+  }
+  CHECK(run("elgen generate --dump nowhere " + models + "/simple_pendulum.toml").status == 2);
+}
+
+}  // namespace elgen::test

@@ -1,0 +1,28 @@
+// Model texts -> checked models, for the tests of every stage after check.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "elgen/scene.hpp"
+
+namespace elgen::test {
+
+/// parse and check; throws the formatted errors.
+inline CheckedModel checked_model(const std::string& text, const SceneOptions& options = {}) {
+  const Limits limits;
+  const SourcePointer source = make_source("test.toml", text);
+  Result<ModelSyntax> syntax = parse_model(source, limits);
+  if (!syntax) throw std::runtime_error(format(syntax.diagnostics));
+  Result<CheckedModel> checked = check(*syntax, nullptr, options, limits);
+  if (!checked) throw std::runtime_error(format(checked.diagnostics));
+  return *checked;
+}
+
+/// A model of the given coordinates (unit 1 apart, nothing checked) and the rest of the file as
+/// written.
+inline std::string model_text(const std::string& name, const std::string& rest) {
+  return "format = 1\n[model]\nname = \"" + name + "\"\n" + rest;
+}
+
+}  // namespace elgen::test
