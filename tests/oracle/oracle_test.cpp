@@ -102,7 +102,7 @@ Values times(const Values& matrix, const Values& x) {
 }
 
 std::vector<ModelBuilder> quadratic_systems() {
-  return {pendulum(),         cart_pole(),        double_pendulum(),
+  return {pendulum(),           cart_pole(),        double_pendulum(),
           spherical_pendulum(), charged_particle(), rotating_hoop("W*t + sin(t)/5")};
 }
 
@@ -129,8 +129,7 @@ TEST_CASE("pendulum: closed forms") {
 
 TEST_CASE("cart and pole: closed forms") {
   const ModelBuilder b = cart_pole();
-  check_closed_form(b, OutputKind::mass_matrix,
-                    {"M + m", "m*l*cos(th)", "m*l*cos(th)", "m*l^2"});
+  check_closed_form(b, OutputKind::mass_matrix, {"M + m", "m*l*cos(th)", "m*l*cos(th)", "m*l^2"});
   check_closed_form(b, OutputKind::coriolis_matrix, {"0", "-m*l*sin(th)*th_d", "0", "0"});
   check_closed_form(b, OutputKind::velocity_force, {"-m*l*sin(th)*th_d^2", "0"});
   check_closed_form(b, OutputKind::gravity, {"0", "-m*g*l*sin(th)"});
@@ -144,9 +143,9 @@ TEST_CASE("cart and pole: closed forms") {
 
 TEST_CASE("double and spherical pendulum: closed forms") {
   const ModelBuilder two = double_pendulum();
-  check_closed_form(two, OutputKind::mass_matrix,
-                    {"(m1 + m2)*l1^2", "m2*l1*l2*cos(th1 - th2)", "m2*l1*l2*cos(th1 - th2)",
-                     "m2*l2^2"});
+  check_closed_form(
+      two, OutputKind::mass_matrix,
+      {"(m1 + m2)*l1^2", "m2*l1*l2*cos(th1 - th2)", "m2*l1*l2*cos(th1 - th2)", "m2*l2^2"});
   check_closed_form(two, OutputKind::velocity_force,
                     {"m2*l1*l2*sin(th1 - th2)*th2_d^2", "-m2*l1*l2*sin(th1 - th2)*th1_d^2"});
   const ModelBuilder sphere = spherical_pendulum();
@@ -172,8 +171,7 @@ TEST_CASE("explicit time is drift: the rotating hoop") {
   check_closed_form(uniform, OutputKind::energy_function,
                     {"m*R^2*(th_d^2 - W^2*sin(th)^2)/2 - m*g*R*cos(th)"});
   const ModelBuilder spun_up = rotating_hoop("W*t^2/2");
-  check_closed_form(spun_up, OutputKind::bias,
-                    {"-m*R^2*(W*t)^2*sin(th)*cos(th) + m*g*R*sin(th)"});
+  check_closed_form(spun_up, OutputKind::bias, {"-m*R^2*(W*t)^2*sin(th)*cos(th) + m*g*R*sin(th)"});
 }
 
 TEST_CASE("a Lagrangian that is not quadratic: the relativistic particle") {

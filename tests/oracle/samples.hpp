@@ -102,9 +102,10 @@ inline ModelBuilder chain(std::size_t n) {
   for (std::size_t i = 1; i <= n; ++i) {
     const std::string k = std::to_string(i);
     const std::string before = "p" + std::to_string(i - 1);
-    b.coordinate("q" + k, "rad").point(
-        "p" + k, {"x(" + before + ") + l*sin(q" + k + ")", "y(" + before + ") - l*cos(q" + k + ")"},
-        "m");
+    b.coordinate("q" + k, "rad")
+        .point("p" + k,
+               {"x(" + before + ") + l*sin(q" + k + ")", "y(" + before + ") - l*cos(q" + k + ")"},
+               "m");
   }
   b.gravity({"0", "-g"});
   return b;

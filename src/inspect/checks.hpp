@@ -1,0 +1,38 @@
+// The checks of the inspection, each from a subject to the diagnostics it deserves.
+#pragma once
+
+#include "elgen/diagnostic.hpp"
+#include "elgen/model.hpp"
+#include "elgen/scene.hpp"
+
+namespace elgen::inspection {
+
+/// What is inspected: a model with the parameter values of a scene.
+struct Subject {
+  const Model& model;
+  const Scene& scene;
+};
+
+/// Matrices of more coordinates are not sampled: n^2 directional derivatives each as long as the
+/// chain.
+inline constexpr std::size_t most_coordinates_sampled = 24;
+
+/// Charts are searched for singular configurations up to this many coordinates.
+inline constexpr std::size_t most_coordinates_searched = 3;
+
+/// E501: M x = 0 at every sampled state.
+[[nodiscard]] Diagnostics inspect_mass_matrix(const Subject& subject);
+
+/// E507: a planar spin that is not the rate of an angle(q, t).
+[[nodiscard]] Diagnostics inspect_spins(const Subject& subject);
+
+/// E508: an inertia that no distribution of mass has.
+[[nodiscard]] Diagnostics inspect_inertias(const Subject& subject);
+
+/// E511: configurations at which M loses rank.
+[[nodiscard]] Diagnostics inspect_charts(const Subject& subject);
+
+/// E512: the written potential falls as a point with a mass rises.
+[[nodiscard]] Diagnostics inspect_potential(const Subject& subject);
+
+}  // namespace elgen::inspection

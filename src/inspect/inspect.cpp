@@ -1,0 +1,22 @@
+// Inspection: one check after another; each sees the model only through the oracle.
+#include "elgen/inspect.hpp"
+
+#include "checks.hpp"
+
+namespace elgen {
+
+Diagnostics inspect(const Model& model, const Scene& scene) {
+  const inspection::Subject subject{model, scene};
+  Diagnostics all;
+  const auto add = [&](Diagnostics found) { all.insert(all.end(), found.begin(), found.end()); };
+  add(inspection::inspect_inertias(subject));
+  add(inspection::inspect_spins(subject));
+  add(inspection::inspect_mass_matrix(subject));
+  // A matrix that is singular everywhere would be reported again at every special configuration.
+  if (!has_errors(all)) add(inspection::inspect_charts(subject));
+  add(inspection::inspect_potential(subject));
+  sort_by_position(all);
+  return all;
+}
+
+}  // namespace elgen

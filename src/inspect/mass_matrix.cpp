@@ -1,0 +1,97 @@
+// E501: a direction x with M x = 0 at every sampled state is a motion without kinetic energy.
+//
+// One non-singular sample acquits. Otherwise the null space is named: by its vectors where they are
+// the same at every sample, by its dimension where they turn with the configuration.
+#include <fmt/format.h>
+
+#include "checks.hpp"
+#include "null_space.hpp"
+#include "readable.hpp"
+#include "samples.hpp"
+
+namespace elgen::inspection {
+namespace {
+
+using cln::cl_R;
+
+constexpr unsigned samples = 3;
+
+bool agree(const Vector& x, const Vector& y) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (readable(x[i]) != readable(y[i])) return false;
+  }
+  return true;
+}
+
+bool agree(const std::vector<Vector>& x, const std::vector<Vector>& y) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!agree(x[i], y[i])) return false;
+  }
+  return true;
+}
+
+std::vector<std::size_t> moving(const Vector& x) {
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (readable(x[i]) != "0") indices.push_back(i);
+  }
+  return indices;
+}
+
+/// "x1 : x2 = 1 : -1"
+std::string proportion(const Model& model, const Vector& x, const std::vector<std::size_t>& part) {
+  std::string names;
+  std::string shares;
+  for (const std::size_t i : part) {
+    const char* separator = names.empty() ? "" : " : ";
+    names += separator + model.coordinates[i].name;
+    shares += separator + readable(x[i] / x[part.front()]);
+  }
+  return names + " = " + shares;
+}
+
+Diagnostic motion_without_energy(const Model& model, const Vector& x) {
+  const std::vector<std::size_t> part = moving(x);
+  const Coordinate& first = model.coordinates[part.front()];
+  if (part.size() == 1) {
+    return {Code::E501, first.span,
+            fmt::format("the rate of `{}` has no kinetic energy", first.name),
+            "give it a mass, or remove the coordinate"};
+  }
+  return {Code::E501, first.span,
+          fmt::format("the motion `{}` has no kinetic energy", proportion(model, x, part)),
+          "too many coordinates, or a mass is missing"};
+}
+
+Diagnostic rank_deficit(const Model& model, std::size_t deficit) {
+  const std::size_t n = model.coordinates.size();
+  return {Code::E501, model.coordinates.front().span,
+          fmt::format("rank {} of {} at every sampled configuration", n - deficit, n),
+          "too many coordinates, or a mass is missing"};
+}
+
+}  // namespace
+
+Diagnostics inspect_mass_matrix(const Subject& subject) {
+  const std::size_t n = subject.model.coordinates.size();
+  if (n > most_coordinates_sampled) return {};
+  std::vector<std::vector<Vector>> found;
+  for (unsigned seed = 0; seed < samples; ++seed) {
+    const auto sample = sampled_mass_matrix(subject, seed);
+    if (!sample) return {};
+    found.push_back(null_space(sample->matrix, row_maxima(sample->matrix, n)));
+    if (found.back().empty()) return {};
+  }
+  for (const std::vector<Vector>& basis : found) {
+    if (basis.size() != found.front().size() || !agree(basis, found.front())) {
+      return {rank_deficit(subject.model, basis.size())};
+    }
+  }
+  Diagnostics diagnostics;
+  for (const Vector& x : found.front()) {
+    diagnostics.push_back(motion_without_energy(subject.model, x));
+  }
+  return diagnostics;
+}
+
+}  // namespace elgen::inspection

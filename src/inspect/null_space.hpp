@@ -1,0 +1,20 @@
+// Null space of a square matrix of 60-digit numbers, by Gauss–Jordan elimination.
+#pragma once
+
+#include <cln/real.h>
+
+#include <vector>
+
+namespace elgen::inspection {
+
+using Vector = std::vector<cln::cl_R>;
+
+/// The largest magnitude in each row of an n x n matrix, row-major.
+[[nodiscard]] Vector row_maxima(const Vector& matrix, std::size_t n);
+
+/// A basis of {x : A x = 0}. Entries below 1e-50 of their row's scale are what cancellation left of
+/// zero; a row whose scale is 0 is zero. Each basis vector has one entry 1 where all the others
+/// have 0.
+[[nodiscard]] std::vector<Vector> null_space(const Vector& matrix, const Vector& row_scales);
+
+}  // namespace elgen::inspection

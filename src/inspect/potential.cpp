@@ -1,0 +1,141 @@
+// E512: where the written V uses a point's height, V must not fall steadily as a point with a mass
+// rises.
+//
+// `Up` is against [gravity], else along the last component of the points. The point is raised by a
+// coordinate of its own, and dV/d(height) is sampled: negative and the same everywhere is a weight
+// with the wrong sign.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "checks.hpp"
+#include "samples.hpp"
+
+namespace elgen::inspection {
+namespace {
+
+using cln::cl_R;
+using Direction = std::array<cl_R, 3>;
+
+constexpr unsigned samples = 3;
+
+/// The points whose components an expression refers to, directly or through names.
+std::vector<std::uint32_t> points_in(const Model& model, ExpressionId root) {
+  std::vector<bool> seen(model.expressions.size(), false);
+  std::vector<std::uint32_t> points;
+  std::vector<ExpressionId> pending{root};
+  while (!pending.empty()) {
+    const ExpressionId id = pending.back();
+    pending.pop_back();
+    if (seen[id]) continue;
+    seen[id] = true;
+    const Expression& e = model.expressions[id];
+    pending.insert(pending.end(), e.operands.begin(), e.operands.end());
+    if (e.kind == ExpressionKind::definition) pending.push_back(model.definitions[e.index].value);
+    if (e.kind == ExpressionKind::point_component) points.push_back(e.index / 3);
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+/// Against gravity, or the last axis of the point.
+std::optional<Direction> upward(const Subject& subject, const Point& point) {
+  Direction up{0, 0, 0};
+  if (!subject.model.gravity) {
+    up[point.dimension - 1] = 1;
+    return up;
+  }
+  const State state = nominal_state(subject.model, subject.scene);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto component = oracle_expression(subject.model, (*subject.model.gravity)[c], state);
+    if (!component) return std::nullopt;
+    up[c] = -*component;
+  }
+  return up;
+}
+
+ExpressionId append(Model& model, Expression expression) {
+  model.expressions.push_back(std::move(expression));
+  return static_cast<ExpressionId>(model.expressions.size() - 1);
+}
+
+ExpressionId node(Model& model, ExpressionKind kind, std::vector<ExpressionId> operands) {
+  Expression e;
+  e.kind = kind;
+  e.operands = std::move(operands);
+  return append(model, std::move(e));
+}
+
+ExpressionId number(Model& model, const cl_R& value) {
+  Expression e;
+  e.number = cln::rational(value);
+  return append(model, std::move(e));
+}
+
+/// The model with one more coordinate that moves the point along `up`.
+Model liftable(const Model& model, std::uint32_t point, const Direction& up) {
+  Model result = model;
+  const ExpressionId lift = node(result, ExpressionKind::coordinate, {});
+  result.expressions[lift].index = static_cast<std::uint32_t>(model.coordinates.size());
+  result.coordinates.emplace_back();
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (cln::zerop(up[c])) continue;
+    const ExpressionId scale = number(result, up[c]);
+    const ExpressionId shift = node(result, ExpressionKind::multiply, {scale, lift});
+    ExpressionId& at = result.points[point].at[c];
+    at = node(result, ExpressionKind::add, {at, shift});
+  }
+  return result;
+}
+
+/// dV/d(lift) at a sampled state, all else at rest.
+std::optional<cl_R> slope(const Model& liftable, ExpressionId potential, State state) {
+  state.v.assign(liftable.coordinates.size(), cl_R(0));
+  state.a = state.v;
+  state.q.emplace_back(0);
+  const auto at_rest = oracle_rate(liftable, potential, state);
+  state.v.back() = 1;
+  const auto rising = oracle_rate(liftable, potential, state);
+  if (!at_rest || !rising) return std::nullopt;
+  return *rising - *at_rest;
+}
+
+bool has_mass(const Model& model, std::uint32_t point) {
+  if (model.points[point].mass) return true;
+  if (!model.energies.T) return false;
+  const std::vector<std::uint32_t> moving = points_in(model, *model.energies.T);
+  return std::find(moving.begin(), moving.end(), point) != moving.end();
+}
+
+bool falls_steadily(const Subject& subject, std::uint32_t point, const Direction& up) {
+  const Model lifted = liftable(subject.model, point, up);
+  std::optional<cl_R> first;
+  for (unsigned seed = 0; seed < samples; ++seed) {
+    const auto here = slope(lifted, *subject.model.energies.V, sampled_state(subject, seed));
+    if (!here || *here >= 0) return false;
+    if (!first) first = here;
+    // Equal to 50 digits: what a weight does and a spring does not.
+    if (cln::abs(*here - *first) > -*first * cln::expt(cl_R(10), -50)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Diagnostics inspect_potential(const Subject& subject) {
+  const Model& model = subject.model;
+  if (!model.energies.V || model.coordinates.size() > most_coordinates_sampled) return {};
+  Diagnostics diagnostics;
+  for (const std::uint32_t index : points_in(model, *model.energies.V)) {
+    const Point& point = model.points[index];
+    const auto up = has_mass(model, index) ? upward(subject, point) : std::nullopt;
+    if (!up || !falls_steadily(subject, index, *up)) continue;
+    diagnostics.push_back({Code::E512, model.expressions[*model.energies.V].span,
+                           fmt::format("V falls as `{}` rises", point.name),
+                           "a weight is `m*g*height`: sign mistake?"});
+  }
+  return diagnostics;
+}
+
+}  // namespace elgen::inspection

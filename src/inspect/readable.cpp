@@ -1,0 +1,55 @@
+// The simplest fraction near x by continued fractions, in exact arithmetic.
+#include "readable.hpp"
+
+#include <cln/float.h>
+#include <cln/integer.h>
+#include <cln/integer_io.h>
+#include <cln/rational.h>
+#include <fmt/format.h>
+
+#include <sstream>
+
+namespace elgen::inspection {
+namespace {
+
+using cln::cl_I;
+using cln::cl_R;
+using cln::cl_RA;
+
+constexpr int largest_denominator = 999;
+
+std::string text(const cl_I& integer) {
+  std::ostringstream stream;
+  stream << integer;
+  return stream.str();
+}
+
+std::string text(const cl_RA& fraction) {
+  const std::string numerator = text(cln::numerator(fraction));
+  const cl_I denominator = cln::denominator(fraction);
+  return denominator == 1 ? numerator : numerator + "/" + text(denominator);
+}
+
+}  // namespace
+
+std::string readable(const cl_R& x) {
+  if (cln::abs(x) < cln::expt(cl_R(10), -40)) return "0";
+  // Convergents h/k of the continued fraction of x, until one is near enough or too long.
+  cl_I h = 1, h_before = 0, k = 0, k_before = 1;
+  for (cl_R rest = x;;) {
+    const cl_I whole = cln::floor1(rest);
+    const cl_I next_h = whole * h + h_before;
+    const cl_I next_k = whole * k + k_before;
+    h_before = h;
+    k_before = k;
+    h = next_h;
+    k = next_k;
+    if (k > largest_denominator) break;
+    const cl_RA convergent = cl_RA(h) / k;
+    if (cln::abs(x - convergent) < cln::abs(x) * cln::expt(cl_R(10), -9)) return text(convergent);
+    rest = 1 / (rest - whole);
+  }
+  return fmt::format("{:.5g}", cln::double_approx(x));
+}
+
+}  // namespace elgen::inspection

@@ -1,0 +1,58 @@
+// Sampled states: fractions of a Mersenne twister, whose raw numbers the C++ standard fixes.
+#include "samples.hpp"
+
+#include <random>
+
+namespace elgen::inspection {
+namespace {
+
+using cln::cl_R;
+
+constexpr unsigned attempts = 8;
+
+/// low + (high - low) k/1009, k = 1 … 1008: never an end of the range, where charts like to break.
+cl_R fraction_between(std::mt19937& random, const cl_R& low, const cl_R& high) {
+  const cl_R share = cln::cl_RA(static_cast<int>(random() % 1008) + 1) / cln::cl_RA(1009);
+  return low + (high - low) * share;
+}
+
+cl_R in_range(std::mt19937& random, const std::optional<Interval>& range, int otherwise) {
+  return range ? fraction_between(random, range->low, range->high)
+               : fraction_between(random, cl_R(-otherwise), cl_R(otherwise));
+}
+
+}  // namespace
+
+State sampled_state(const Subject& subject, unsigned seed) {
+  std::mt19937 random(seed);
+  State state = nominal_state(subject.model, subject.scene);
+  for (std::uint32_t i = 0; i < state.parameters.size(); ++i) {
+    const bool fixed = subject.scene.specialisation.fixed.count(i) > 0;
+    if (!fixed && cln::zerop(state.parameters[i])) {
+      state.parameters[i] = fraction_between(random, 0, 1);
+    }
+  }
+  for (std::size_t i = 0; i < state.q.size(); ++i) {
+    state.q[i] = in_range(random, subject.model.coordinates[i].range, 2);
+    state.v[i] = in_range(random, subject.model.coordinates[i].rate_range, 1);
+  }
+  state.t = fraction_between(random, 0, 1);
+  return state;
+}
+
+OracleValues mass_matrix(const Model& model, const State& state) {
+  OutputRequest request;
+  request.kind = OutputKind::mass_matrix;
+  return oracle_values(model, request, state);
+}
+
+std::optional<MassSample> sampled_mass_matrix(const Subject& subject, unsigned seed) {
+  for (unsigned attempt = 0; attempt < attempts; ++attempt) {
+    State state = sampled_state(subject, seed * attempts + attempt);
+    OracleValues matrix = mass_matrix(subject.model, state);
+    if (matrix) return MassSample{std::move(state), std::move(*matrix)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace elgen::inspection

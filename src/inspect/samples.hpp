@@ -1,0 +1,26 @@
+// Sampled states: exact, random but the same in every process, inside the declared ranges.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "checks.hpp"
+#include "elgen/oracle.hpp"
+
+namespace elgen::inspection {
+
+/// Coordinates in their range, or [-2, 2]; rates in theirs, or [-1, 1]. Run-time parameters whose
+/// value is 0 are sampled too: zero is a default there, not a property of the system.
+[[nodiscard]] State sampled_state(const Subject& subject, unsigned seed);
+
+/// M at a state, row-major.
+[[nodiscard]] OracleValues mass_matrix(const Model& model, const State& state);
+
+/// A state at which M has a value, and M there; empty where a few attempts found none.
+struct MassSample {
+  State state;
+  std::vector<cln::cl_R> matrix;
+};
+[[nodiscard]] std::optional<MassSample> sampled_mass_matrix(const Subject& subject, unsigned seed);
+
+}  // namespace elgen::inspection

@@ -1,0 +1,67 @@
+// E507: in the plane w = s(q, t).v + s0(q, t) must be d/dt of an angle(q, t).
+//
+// A function linear in the rates is a total time derivative iff its Euler–Lagrange expression
+//
+//     d/dt dw/dv_i - dw/dq_i = sum_j (ds_i/dq_j - ds_j/dq_i) v_j + ds_i/dt - ds0/dq_i
+//
+// vanishes identically: the curl and the time part in one. So the oracle is asked for the equation
+// of motion of the Lagrangian L = w.
+#include <fmt/format.h>
+
+#include "checks.hpp"
+#include "samples.hpp"
+
+namespace elgen::inspection {
+namespace {
+
+using cln::cl_R;
+
+constexpr unsigned samples = 3;
+
+Model with_lagrangian(const Model& model, ExpressionId lagrangian) {
+  Model bare;
+  bare.expressions = model.expressions;
+  bare.definitions = model.definitions;
+  bare.prescribed = model.prescribed;
+  bare.coordinates = model.coordinates;
+  for (Coordinate& coordinate : bare.coordinates) coordinate.armature.reset();
+  bare.points = model.points;
+  for (Point& point : bare.points) point.mass.reset();
+  bare.energies.L = lagrangian;
+  return bare;
+}
+
+/// What is left of terms of the size of `scale` when they cancel.
+bool vanishes(const cl_R& x, const cl_R& scale) {
+  return cln::abs(x) <= (1 + cln::abs(scale)) * cln::expt(cl_R(10), -50);
+}
+
+/// True where the Euler–Lagrange expression differs from zero at a sampled state.
+bool has_curl(const Subject& subject, ExpressionId spin) {
+  const Model bare = with_lagrangian(subject.model, spin);
+  for (unsigned seed = 0; seed < samples; ++seed) {
+    const State state = sampled_state(subject, seed);
+    const std::vector<cl_R> direction = sampled_state(subject, seed + samples).v;
+    const auto curl = oracle_projected_inverse_dynamics(bare, state, direction);
+    const auto value = oracle_expression(bare, spin, state);
+    if (curl && value && !vanishes(*curl, *value)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Diagnostics inspect_spins(const Subject& subject) {
+  if (subject.model.coordinates.size() > most_coordinates_sampled) return {};
+  Diagnostics diagnostics;
+  for (const Body& body : subject.model.bodies) {
+    if (body.dimension != 2 || body.spin.empty()) continue;
+    if (!has_curl(subject, body.spin.back())) continue;
+    diagnostics.push_back({Code::E507, body.span,
+                           fmt::format("spin of `{}` is the rate of no angle", body.name),
+                           "write the angle's rate, or the term in `[energy] T`"});
+  }
+  return diagnostics;
+}
+
+}  // namespace elgen::inspection

@@ -1,0 +1,62 @@
+// What the inspection finds in models that are mechanically wrong, and that it leaves sound ones
+// alone.
+#include "elgen/inspect.hpp"
+
+#include <catch2/catch.hpp>
+#include <chrono>
+
+#include "oracle/samples.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+/// "E501: the motion … ", one line per diagnostic.
+std::string found(const Model& model) {
+  std::string lines;
+  for (const Diagnostic& d : inspect(model, {})) {
+    lines += (lines.empty() ? "" : "\n") + std::string(code_row(d.code).name) + ": " + d.message;
+  }
+  return lines;
+}
+
+}  // namespace
+
+TEST_CASE("sound models have nothing to report") {
+  CHECK(found(pendulum().model).empty());
+  CHECK(found(cart_pole().model).empty());
+  CHECK(found(double_pendulum().model).empty());
+  CHECK(found(charged_particle().model).empty());
+  CHECK(found(rotating_hoop("W*t").model).empty());
+  CHECK(found(relativistic_particle().model).empty());
+}
+
+TEST_CASE("everything found in one model is reported at once") {
+  ModelBuilder b = spherical_pendulum();
+  b.model.gravity.reset();
+  b.V("-m*g*z(bob)");
+  CHECK(found(b.model) ==
+        "E511: the mass matrix loses rank at `th` = 0, pi\n"
+        "E512: V falls as `bob` rises");
+}
+
+TEST_CASE("a model that is singular everywhere is not searched for singular charts") {
+  ModelBuilder b;
+  b.coordinate("x").coordinate("y", "rad").T("(x_d + y_d)^2/2");
+  CHECK(found(b.model) == "E501: the motion `x : y = 1 : -1` has no kinetic energy");
+}
+
+TEST_CASE("the inspection is quick: two coordinates, a chain of 20, a chain of 1000") {
+  const auto milliseconds = [](const Model& model) {
+    const auto start = std::chrono::steady_clock::now();
+    const Diagnostics none = inspect(model, {});
+    CHECK(none.empty());
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
+  };
+  // Ten times what is promised for an idle machine: tests share theirs.
+  CHECK(milliseconds(cart_pole().model) < 100);
+  CHECK(milliseconds(chain(20).model) < 1000);
+  CHECK(milliseconds(chain(1000).model) < 500);
+}
