@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 
+#include "inspect/found.hpp"
 #include "oracle/samples.hpp"
 
 using namespace elgen;
@@ -12,14 +13,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// "E501: the motion … ", one line per diagnostic.
-std::string found(const Model& model) {
-  std::string lines;
-  for (const Diagnostic& d : inspect(model, {})) {
-    lines += (lines.empty() ? "" : "\n") + std::string(code_row(d.code).name) + ": " + d.message;
-  }
-  return lines;
-}
+std::string found(const Model& model) { return text_of(inspect(model, {})); }
 
 }  // namespace
 

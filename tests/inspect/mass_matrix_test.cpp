@@ -1,0 +1,65 @@
+// E501: motions without kinetic energy are named.
+#include <catch2/catch.hpp>
+
+#include "inspect/checks.hpp"
+#include "inspect/found.hpp"
+#include "oracle/samples.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+std::string found(const ModelBuilder& b, const Scene& scene = {}) {
+  return text_of(inspection::inspect_mass_matrix({b.model, scene}));
+}
+
+}  // namespace
+
+TEST_CASE("regular mass matrices pass, also those that are indefinite") {
+  CHECK(found(double_pendulum()).empty());
+  ModelBuilder exchange;
+  exchange.coordinate("x").coordinate("y").T("x_d*y_d");
+  CHECK(found(exchange).empty());
+}
+
+TEST_CASE("a coordinate without a mass is named, at its own place") {
+  ModelBuilder b;
+  b.coordinate("x").coordinate("y").T("x_d^2/2 + 0*y_d");
+  b.model.coordinates[1].span = {nullptr, 7, 8};
+  CHECK(found(b) == "E501: the rate of `y` has no kinetic energy");
+  CHECK(inspection::inspect_mass_matrix({b.model, {}})[0].span.begin == 7);
+}
+
+TEST_CASE("a null vector is printed as a proportion") {
+  ModelBuilder b;
+  b.coordinate("x1").coordinate("x2").coordinate("x3").parameter("m", "2").parameter("l", "0.75");
+  CHECK(found(b.T("m*(x1_d - x2_d)^2 + m*x3_d^2")) ==
+        "E501: the motion `x1 : x2 = 1 : 1` has no kinetic energy");
+  CHECK(found(b.T("m*(x1_d - l*x3_d)^2 + m*x2_d^2")) ==
+        "E501: the motion `x1 : x3 = 1 : 4/3` has no kinetic energy");
+}
+
+TEST_CASE("two missing masses are two diagnostics") {
+  ModelBuilder b;
+  b.coordinate("x").coordinate("y").coordinate("z").T("y_d^2/2");
+  CHECK(found(b) ==
+        "E501: the rate of `x` has no kinetic energy\n"
+        "E501: the rate of `z` has no kinetic energy");
+}
+
+TEST_CASE("a null vector that turns with the configuration is counted") {
+  ModelBuilder b;  // one point in the plane cannot hold three coordinates apart
+  b.coordinate("x").coordinate("y").coordinate("th");
+  b.point("p", {"x + cos(th)", "y + sin(th)"}, "1");
+  CHECK(found(b) == "E501: rank 2 of 3 at every sampled configuration");
+}
+
+TEST_CASE("a mass that is 0 by default is no mistake, one fixed at 0 is") {
+  ModelBuilder b;
+  b.coordinate("x").parameter("m", "0").T("m*x_d^2/2");
+  CHECK(found(b).empty());
+  Scene scene;
+  scene.specialisation.fixed[0] = 0;
+  CHECK(found(b, scene) == "E501: the rate of `x` has no kinetic energy");
+}

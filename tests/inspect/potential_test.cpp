@@ -1,0 +1,53 @@
+// E512: a written potential that falls as a mass rises.
+#include <catch2/catch.hpp>
+
+#include "inspect/checks.hpp"
+#include "inspect/found.hpp"
+#include "oracle/samples.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+ModelBuilder falling_bob(const std::string& potential, const std::string& mass = "m") {
+  ModelBuilder b;
+  b.coordinate("th").parameter("m", "2").parameter("g", "9.81").parameter("k", "3");
+  b.point("bob", {"sin(th)", "-cos(th)"}, mass).V(potential);
+  return b;
+}
+
+std::string found(const ModelBuilder& b) {
+  return text_of(inspection::inspect_potential({b.model, {}}));
+}
+
+const std::string pushed_up = "E512: V falls as `bob` rises";
+
+}  // namespace
+
+TEST_CASE("weights and springs pass") {
+  CHECK(found(falling_bob("m*g*y(bob)")).empty());
+  CHECK(found(falling_bob("k*y(bob)^2/2 - m*g*y(bob)")).empty());
+  CHECK(found(falling_bob("-m*g*x(bob)")).empty());
+  CHECK(found(falling_bob("-m*g*cos(th)")).empty());
+}
+
+TEST_CASE("a weight of the wrong sign is noted, also through a definition") {
+  CHECK(found(falling_bob("-m*g*y(bob)")) == pushed_up);
+  ModelBuilder b = falling_bob("0");
+  b.definition("height", "y(bob) + 1").V("-m*g*height");
+  CHECK(found(b) == pushed_up);
+}
+
+TEST_CASE("up is against gravity where that is given") {
+  ModelBuilder sideways = falling_bob("-m*g*y(bob)");
+  CHECK(found(sideways.gravity({"-g", "0"})).empty());
+  ModelBuilder down = falling_bob("m*g*y(bob)");
+  CHECK(found(down.gravity({"0", "g"})) == pushed_up);
+}
+
+TEST_CASE("a point without a mass has no weight") {
+  CHECK(found(falling_bob("-k*y(bob)", "")).empty());
+  ModelBuilder b = falling_bob("-m*g*y(bob)", "");
+  CHECK(found(b.T("m*(ddt(x(bob))^2 + ddt(y(bob))^2)/2")) == pushed_up);
+}
