@@ -1,0 +1,29 @@
+// cpp_constant: an exact number -> the C++ expression that makes it in any scalar type.
+//
+//     1/2    constant<Scalar>(0.5)                                      exact in every type
+//     9.81   constant<Scalar>(9.81F, 9.81, 9.81L, {981}, {100})         nearest values, numerator, denominator
+//     1e-300 constant<Scalar>(detail::OutOfRange{}, 1e-300, 1e-300L, {1}, {1}, -300)
+#pragma once
+
+#include <cln/real.h>
+
+#include <string>
+
+#include "elgen/program.hpp"
+
+namespace elgen {
+
+/// The expression for |value|; signs are operators of the equations.
+[[nodiscard]] std::string cpp_magnitude(const cln::cl_R& value);
+
+/// The expression for the value, with its sign.
+[[nodiscard]] std::string cpp_constant(const cln::cl_R& value);
+
+/// True where the expression is short enough to stand in an equation.
+[[nodiscard]] bool is_short_constant(const cln::cl_R& value);
+
+/// The name of the function that holds a long constant: "number_9p81", "number_1_3", "number_pi".
+/// Empty text or one beyond 40 characters is named by its hash.
+[[nodiscard]] std::string constant_name(const Constant& constant);
+
+}  // namespace elgen

@@ -1,0 +1,149 @@
+// cpp_declarations: an array is one line where it fits, one element a line where not.
+#include "cpp_declarations.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "cpp_constant.hpp"
+#include "cpp_names.hpp"
+#include "decimal.hpp"
+#include "layout.hpp"
+
+namespace elgen {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+/// "{{1, 2}}", or `{}` for no elements; doubled braces name the array inside std::array.
+std::string braced(const Texts& elements, std::size_t column) {
+  if (elements.empty()) return "{}";
+  const std::string line = fmt::format("{{{{{}}}}}", fmt::join(elements, ", "));
+  if (column + line.size() < line_width) return line;
+  return fmt::format("{{{{\n    {},\n}}}}", fmt::join(elements, ",\n    "));
+}
+
+TemplateData declared(const char* type, const char* name, const Texts& elements) {
+  const std::string count = std::to_string(elements.size());
+  const std::size_t column =
+      fmt::format("inline constexpr std::array<{}, {}> {};", type, count, name).size();
+  TemplateData item;
+  item.set("type", type);
+  item.set("count", count);
+  item.set("name", name);
+  item.set("value", braced(elements, column));
+  return item;
+}
+
+std::string bound(const cln::cl_R& value, const char* unbounded) {
+  const bool is_finite = fit(value, ScalarKind::double_precision) != Fit::too_large;
+  return is_finite ? shortest_literal(value, ScalarKind::double_precision) : unbounded;
+}
+
+std::string interval(const std::optional<Interval>& range) {
+  if (!range) return "{-unbounded, unbounded}";
+  return fmt::format("{{{}, {}}}", bound(range->low, "-unbounded"),
+                     bound(range->high, "unbounded"));
+}
+
+template <class Element>
+Texts each(const std::vector<Element>& elements,
+           const std::function<std::string(const Element&)>& text) {
+  Texts texts;
+  std::transform(elements.begin(), elements.end(), std::back_inserter(texts), text);
+  return texts;
+}
+
+Texts parameter_values(const Model& model, const ParameterArray& array) {
+  Texts values;
+  for (std::uint32_t i = 0; i < array.count; ++i) {
+    values.push_back(cpp_constant(model.parameters[array.first + i].value));
+  }
+  return values;
+}
+
+bool is_filled(const Model& model, const ParameterArray& array) {
+  const Texts values = parameter_values(model, array);
+  const auto is_first = [&values](const std::string& value) { return value == values.front(); };
+  return array.is_array && array.count > 1 && std::all_of(values.begin(), values.end(), is_first);
+}
+
+std::string member_declaration(const Model& model, const ParameterArray& array) {
+  const Texts values = parameter_values(model, array);
+  if (!array.is_array) return fmt::format("Scalar {} = {};", array.name, values.front());
+  const std::string start = fmt::format("std::array<Scalar, {}> {} = ", array.count, array.name);
+  if (is_filled(model, array)) {
+    return fmt::format("{}detail::filled<{}>({});", start, array.count, values.front());
+  }
+  return fmt::format("{}{{{{\n      {},\n  }}}};", start, fmt::join(values, ",\n      "));
+}
+
+std::string member_doc(const ParameterArray& array) {
+  Texts parts;
+  if (!array.doc.empty()) parts.push_back(comment_text(array.doc));
+  if (!array.unit_text.empty()) parts.push_back("[" + comment_text(array.unit_text) + "]");
+  if (array.range) {
+    parts.push_back(
+        fmt::format("in [{}, {}]", exact_text(array.range->low), exact_text(array.range->high)));
+  }
+  return parts.empty() ? array.name : fmt::format("{}", fmt::join(parts, " "));
+}
+
+}  // namespace
+
+TemplateData declared_arrays(const Model& model) {
+  using C = Coordinate;
+  TemplateData list(TemplateData::type::list);
+  const auto coordinates = [&](const std::function<std::string(const C&)>& text) {
+    return each<C>(model.coordinates, text);
+  };
+  const auto inputs = [&](const std::function<std::string(const Input&)>& text) {
+    return each<Input>(model.inputs, text);
+  };
+  const char* const text = "const char*";
+  list << declared(text, "coordinate_names",
+                   coordinates([](const C& c) { return string_literal(c.name); }));
+  list << declared(text, "coordinate_units",
+                   coordinates([](const C& c) { return string_literal(c.unit_text); }));
+  list << declared("Interval", "coordinate_ranges",
+                   coordinates([](const C& c) { return interval(c.range); }));
+  list << declared("Interval", "rate_ranges",
+                   coordinates([](const C& c) { return interval(c.rate_range); }));
+  list << declared(text, "input_names",
+                   inputs([](const Input& i) { return string_literal(i.name); }));
+  list << declared(text, "input_units",
+                   inputs([](const Input& i) { return string_literal(i.unit_text); }));
+  list << declared("Interval", "input_limits",
+                   inputs([](const Input& i) { return interval(i.limits); }));
+  return list;
+}
+
+TemplateData parameter_members(const Model& model, const Scene& scene) {
+  TemplateData list(TemplateData::type::list);
+  for (const ParameterArray& array : model.parameter_arrays) {
+    if (!is_emitted(array, scene)) continue;
+    TemplateData item;
+    item.set("declaration", member_declaration(model, array));
+    item.set("doc", member_doc(array));
+    list.push_back(item);
+  }
+  return list;
+}
+
+bool has_filled_array(const Model& model, const Scene& scene) {
+  const auto& arrays = model.parameter_arrays;
+  return std::any_of(arrays.begin(), arrays.end(), [&](const ParameterArray& array) {
+    return is_emitted(array, scene) && is_filled(model, array);
+  });
+}
+
+std::size_t emitted_parameter_count(const Model& model, const Scene& scene) {
+  std::size_t count = 0;
+  for (const ParameterArray& array : model.parameter_arrays) {
+    if (is_emitted(array, scene)) count += array.count;
+  }
+  return count;
+}
+
+}  // namespace elgen

@@ -1,0 +1,41 @@
+// emission_input: hashes and printed equations. Of the path of a model only the file name is used,
+// so that the same model gives the same bytes in every folder.
+#include "emission_input.hpp"
+
+#include <fmt/format.h>
+
+#include "elgen/emitted_files.hpp"
+#include "layout.hpp"
+#include "stamp.hpp"
+
+namespace elgen {
+namespace {
+
+std::string file_name(const SourcePointer& source) {
+  if (source == nullptr) return "a model";
+  const std::size_t slash = source->path.find_last_of("/\\");
+  return comment_text(slash == std::string::npos ? source->path : source->path.substr(slash + 1));
+}
+
+std::string path_with(const Scene& scene, std::string_view ending) {
+  return fmt::format("{0}/{0}{1}", scene.base_name, ending);
+}
+
+}  // namespace
+
+EmissionInput emission_input(const Model& model, const Scene& scene, const Program& program) {
+  std::vector<FunctionEquations> printed;
+  for (const Function& function : program.functions) printed.push_back(equations(program, function));
+  return {model,
+          scene,
+          program,
+          std::move(printed),
+          fmt::format("{} from {}. DO NOT EDIT.", generated_marker, file_name(model.source)),
+          content_hash(dump(model)),
+          scene.canonical.empty() ? "full" : content_hash(scene.canonical)};
+}
+
+std::string header_path(const Scene& scene) { return path_with(scene, ".hpp"); }
+std::string sidecar_path(const Scene& scene) { return path_with(scene, ".equations.json"); }
+
+}  // namespace elgen

@@ -1,0 +1,57 @@
+// entry_units: one switch over the rules of the output table.
+#include "entry_units.hpp"
+
+#include <set>
+
+namespace elgen {
+namespace {
+
+constexpr std::size_t longest_list = 60;
+
+std::optional<Unit> times(const std::optional<Unit>& a, const std::optional<Unit>& b) {
+  if (!a || !b) return std::nullopt;
+  return *a * *b;
+}
+
+std::optional<Unit> over(const std::optional<Unit>& a, const std::optional<Unit>& b) {
+  if (!a || !b) return std::nullopt;
+  return *a / *b;
+}
+
+}  // namespace
+
+std::optional<Unit> unit_of_entry(const Model& model, const EntryPlace& place) {
+  const std::optional<Unit> joule = find_unit("J");
+  const std::optional<Unit> second = find_unit("s");
+  const auto coordinate = [&model](std::size_t i) { return model.coordinates[i].unit; };
+  const std::string_view rule = output_row(place.kind).unit;
+  if (rule == "energy") return joule;
+  if (rule == "user" || rule.empty()) return std::nullopt;
+  if (place.field == "relative_pivots") return Unit{};
+  if (rule == "acceleration") return over(coordinate(place.row), times(second, second));
+  const std::optional<Unit> force = over(joule, coordinate(place.row));
+  if (rule == "momentum") return times(force, second);
+  if (rule == "input") return over(force, model.inputs[place.column].unit);
+  if (rule == "force") return force;
+  const std::optional<Unit> per_rate = over(times(force, second), coordinate(place.column));
+  return rule == "mass" ? times(per_rate, second) : per_rate;
+}
+
+std::string units_text(const Model& model, OutputKind kind, const Field& field) {
+  std::string list;
+  std::set<std::string> different;
+  for (std::size_t i = 0; i < field.rows; ++i) {
+    for (std::size_t j = 0; j < field.columns; ++j) {
+      const std::optional<Unit> unit = unit_of_entry(model, {kind, field.name, i, j});
+      if (!unit) return "";
+      const std::string text = to_string(*unit);
+      different.insert(text);
+      if (i + j > 0) list += j == 0 && field.columns > 1 ? "; " : ", ";
+      list += text;
+    }
+  }
+  if (different.size() == 1) return *different.begin();
+  return list.size() <= longest_list ? list : "";
+}
+
+}  // namespace elgen

@@ -1,0 +1,163 @@
+// function_docs: sentence, equation, then the entries as a matrix where they fit, else one a line.
+// Beyond `longest_listing` lines the entries are left to the sidecar.
+#include "function_docs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cpp_names.hpp"
+#include "cpp_spelling.hpp"
+#include "entry_units.hpp"
+#include "layout.hpp"
+
+namespace elgen {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+constexpr std::size_t longest_listing = 60;
+constexpr std::size_t listing_width = 88;  // what `///` and the indentation leave of a line
+
+std::string shape_text(const Field& field) {
+  if (field.columns > 1) return fmt::format("{} x {}, row-major", field.rows, field.columns);
+  return field.rows > 1 ? fmt::format("{} entries", field.rows) : "Scalar";
+}
+
+/// What the model says of its own output, or what the table says of a standard one.
+std::string output_doc(const FunctionText& text, OutputKind kind, const Function& function) {
+  const std::string_view standard = output_row(kind).doc;
+  const bool is_users = output_row(kind).unit == "user";
+  if (!is_users) return std::string(standard);
+  const UserOutput& output = text.model.outputs[function.user];
+  const std::string what = kind == OutputKind::user_value      ? "Output"
+                           : kind == OutputKind::user_jacobian ? "Jacobian of output"
+                                                               : "Bias of the second rate of output";
+  const std::string doc = comment_text(output.doc);
+  return fmt::format("{} `{}`{}{}", what, output.name, doc.empty() ? "." : ": ", doc);
+}
+
+const Function& origin(const FunctionText& text, const Field& field) {
+  for (const Function& candidate : text.program.functions) {
+    if (candidate.name == field.name) return candidate;
+  }
+  return text.function;
+}
+
+std::string equation_text(const OutputRow& row) {
+  const bool is_whole = row.equation.find(" = ") != std::string_view::npos;
+  if (is_whole || row.equation == row.symbol) return std::string(row.equation);
+  return fmt::format("{} = {}", row.symbol, row.equation);
+}
+
+/// The entries as rows of equal column widths; empty where a row would be too long.
+Lines matrix_lines(const Field& field, const std::vector<std::string>& entries) {
+  std::vector<std::size_t> widths(field.columns, 0);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    std::size_t& width = widths[i % field.columns];
+    width = std::max(width, entries[i].size());
+  }
+  Lines lines;
+  for (std::size_t row = 0; row < field.rows; ++row) {
+    std::string line = "[ ";
+    for (std::size_t column = 0; column < field.columns; ++column) {
+      const bool is_last = column + 1 == field.columns;
+      const std::string entry = entries[row * field.columns + column] + (is_last ? "" : ",");
+      line += fmt::format("{:<{}}", entry, widths[column] + (is_last ? 0 : 2));
+    }
+    lines.push_back(line + " ]");
+    if (lines.back().size() > listing_width) return {};
+  }
+  return lines;
+}
+
+void append(Lines& to, const Lines& from) { to.insert(to.end(), from.begin(), from.end()); }
+
+Lines wrapped(const std::string& line) {
+  return wrap_expression(line, {listing_width, "    "});
+}
+
+/// "[0, 1] = l*m*cos(theta)"
+Lines indexed_lines(const Field& field, const std::vector<std::string>& entries) {
+  Lines lines;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const std::string index = field.columns > 1
+                                  ? fmt::format("[{}, {}]", i / field.columns, i % field.columns)
+                                  : fmt::format("[{}]", i);
+    append(lines, wrapped(fmt::format("{} = {}", index, entries[i])));
+  }
+  return lines;
+}
+
+Lines entry_lines(const Field& field, const std::vector<std::string>& entries) {
+  if (entries.size() == 1) return wrapped("= " + entries.front());
+  const Lines matrix = matrix_lines(field, entries);
+  return matrix.empty() ? indexed_lines(field, entries) : matrix;
+}
+
+Lines listing(const FunctionText& text) {
+  Lines lines;
+  for (const EquationLine& line : text.equations.definitions) {
+    append(lines, wrapped(line.name + " = " + line.value));
+    if (lines.size() > longest_listing) return lines;
+  }
+  if (!lines.empty()) lines.emplace_back();
+  for (std::size_t i = 0; i < text.function.fields.size(); ++i) {
+    const Field& field = text.function.fields[i];
+    if (!field.name.empty()) lines.push_back(field.name + ":");
+    append(lines, entry_lines(field, text.equations.entries[i]));
+  }
+  return lines;
+}
+
+std::string too_long_note(const FunctionText& text) {
+  return fmt::format("{} definitions and {} entries: see {}.", text.equations.definitions.size(),
+                     entry_count(text.function), text.sidecar);
+}
+
+Lines shown_equations(const FunctionText& text) {
+  const bool is_dynamics = text.function.kind == OutputKind::dynamics;
+  if (is_dynamics) return {};
+  const Lines all = listing(text);
+  Lines lines = {equation_text(output_row(text.function.kind)), ""};
+  append(lines, all.size() > longest_listing ? Lines{too_long_note(text)} : all);
+  return lines;
+}
+
+std::string ordering_note(const Function& function) {
+  const std::set<FunctionId> calls = usage(function).calls;
+  const bool has_kinks = std::any_of(calls.begin(), calls.end(), [](FunctionId id) {
+    return function_row(id).use == FunctionUse::forces;
+  });
+  return has_kinks ? " Needs an ordered Scalar." : "";
+}
+
+std::string heading(const FunctionText& text) {
+  const std::string doc = output_doc(text, text.function.kind, text.function);
+  const std::string note = ordering_note(text.function);
+  if (returns_struct(text.function)) return doc + note;
+  return field_doc(text, text.function.fields.front()) + note;
+}
+
+}  // namespace
+
+std::string field_doc(const FunctionText& text, const Field& field) {
+  const OutputKind kind = kind_of_field(text.program, text.function, field);
+  const std::string units = units_text(text.model, kind, field);
+  const bool is_part = text.function.kind == OutputKind::forward_dynamics;
+  const std::string doc = is_part ? "" : output_doc(text, kind, origin(text, field)) + " ";
+  return fmt::format("{}{}{}.", doc, shape_text(field), units.empty() ? "" : " [" + units + "]");
+}
+
+std::vector<std::string> function_docs(const FunctionText& text) {
+  Lines lines;
+  for (const std::string& line : wrap_words(heading(text), {line_width - 4, ""})) {
+    lines.push_back(" " + line);
+  }
+  const Lines equations = shown_equations(text);
+  if (!equations.empty()) lines.emplace_back();
+  for (const std::string& line : equations) lines.push_back(line.empty() ? "" : "     " + line);
+  return lines;
+}
+
+}  // namespace elgen

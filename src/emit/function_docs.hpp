@@ -1,0 +1,34 @@
+// function_docs: a Function and its equations -> the lines of its documentation comment.
+//
+//     Mass matrix, symmetric. 2 x 2, row-major [kg, kg*m; kg*m, kg*m^2].
+//
+//         M = d^2 L/dv^2
+//
+//         [ M + m,          l*m*cos(theta) ]
+//         [ l*m*cos(theta), l^2*m          ]
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "elgen/model.hpp"
+#include "elgen/program.hpp"
+
+namespace elgen {
+
+/// What documentation is made of.
+struct FunctionText {
+  const Model& model;
+  const Program& program;
+  const Function& function;
+  const FunctionEquations& equations;
+  std::string sidecar = {};  ///< where the reader finds what is too long to show
+};
+
+/// Lines as they follow `///`: empty, or beginning with a space.
+[[nodiscard]] std::vector<std::string> function_docs(const FunctionText& text);
+
+/// "Mass matrix, symmetric. 2 x 2, row-major [kg].": one field in one sentence or two.
+[[nodiscard]] std::string field_doc(const FunctionText& text, const Field& field);
+
+}  // namespace elgen

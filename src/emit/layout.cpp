@@ -1,0 +1,114 @@
+// layout: where lines break. Columns are counted in bytes; only user text is ever wider than ASCII.
+#include "layout.hpp"
+
+#include <cctype>
+#include <optional>
+
+namespace elgen {
+namespace {
+
+bool is_operator(char c) { return c == '+' || c == '-' || c == '*' || c == '/'; }
+
+/// A space where an expression may break, and how deep it cuts: brackets count most, products some.
+struct Break {
+  std::size_t at = 0;
+  int depth = 0;
+};
+
+std::optional<int> depth_of_break(std::string_view text, std::size_t space, int brackets) {
+  const char before = space > 0 ? text[space - 1] : ' ';
+  if (before == ',' || before == ';') return 3 * brackets;
+  const bool is_binary = space + 2 < text.size() && is_operator(text[space + 1]) &&
+                         text[space + 2] == ' ';
+  if (!is_binary) return std::nullopt;
+  const bool is_product = text[space + 1] == '*' || text[space + 1] == '/';
+  return 3 * brackets + (is_product ? 2 : 1);
+}
+
+/// The last of the shallowest breaks in the second half of the first `width` columns; where there is
+/// none, the last one of the first half; where there is none either, the first one beyond.
+std::optional<Break> best_break(std::string_view text, std::size_t width) {
+  std::optional<Break> best;
+  int brackets = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '(' || text[i] == '[' || text[i] == '{') ++brackets;
+    if (text[i] == ')' || text[i] == ']' || text[i] == '}') --brackets;
+    if (text[i] != ' ') continue;
+    const std::optional<int> depth = depth_of_break(text, i, brackets);
+    if (!depth) continue;
+    if (i > width) return best ? best : Break{i, *depth};
+    if (!best || *depth <= best->depth || best->at < width / 2) best = Break{i, *depth};
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<std::string> wrap_expression(std::string_view text, const Wrapping& wrapping) {
+  std::vector<std::string> lines;
+  std::size_t width = wrapping.first;
+  std::string indent;
+  while (text.size() > width) {
+    const std::optional<Break> at = best_break(text, width);
+    if (!at) break;
+    lines.push_back(indent + std::string(text.substr(0, at->at)));
+    text.remove_prefix(at->at + 1);
+    indent = wrapping.indent;
+    width = line_width - indent.size();
+  }
+  lines.push_back(indent + std::string(text));
+  return lines;
+}
+
+std::vector<std::string> wrap_words(std::string_view text, const Wrapping& wrapping) {
+  std::vector<std::string> lines;
+  std::size_t width = wrapping.first;
+  std::string indent;
+  while (text.size() > width) {
+    std::size_t at = text.rfind(' ', width);
+    if (at == std::string_view::npos) at = text.find(' ', width);
+    if (at == std::string_view::npos) break;
+    lines.push_back(indent + std::string(text.substr(0, at)));
+    text.remove_prefix(at + 1);
+    indent = wrapping.indent;
+    width = line_width - indent.size();
+  }
+  lines.push_back(indent + std::string(text));
+  return lines;
+}
+
+std::string comment_text(std::string_view text) {
+  std::string line;
+  for (const char c : text) {
+    const bool is_blank = static_cast<unsigned char>(c) <= ' ' || c == '\x7f';
+    if (!is_blank) line += c;
+    if (is_blank && !line.empty() && line.back() != ' ') line += ' ';
+  }
+  while (!line.empty() && line.back() == ' ') line.pop_back();
+  // A backslash at the end of a line would make the next line part of the comment.
+  if (!line.empty() && line.back() == '\\') line += '.';
+  return line;
+}
+
+std::string string_literal(std::string_view text) {
+  std::string literal = "\"";
+  for (const char c : comment_text(text)) {
+    if (c == '"' || c == '\\') literal += '\\';
+    literal += c;
+  }
+  return literal + '"';
+}
+
+std::string camel_case(std::string_view name) {
+  std::string result;
+  bool starts_word = true;
+  for (const char c : name) {
+    if (c != '_') {
+      result += starts_word ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    }
+    starts_word = c == '_';
+  }
+  return result;
+}
+
+}  // namespace elgen

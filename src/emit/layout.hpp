@@ -1,0 +1,39 @@
+// layout: long expressions, lists and comments -> lines of at most `line_width` columns.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace elgen {
+
+inline constexpr std::size_t line_width = 100;
+
+/// How a text is broken: the first line may be `first` columns long, the others begin with `indent`.
+struct Wrapping {
+  std::size_t first = line_width;
+  std::string indent = {};
+};
+
+/// Breaks an expression before operators and after commas, at the outermost bracket that fits:
+///
+///     a*b + sin(c + d)*e   ->   a*b +       (no: operators start a line)
+///                          ->   a*b
+///                               + sin(c + d)*e
+[[nodiscard]] std::vector<std::string> wrap_expression(std::string_view text,
+                                                       const Wrapping& wrapping);
+
+/// Breaks prose at spaces.
+[[nodiscard]] std::vector<std::string> wrap_words(std::string_view text, const Wrapping& wrapping);
+
+/// User text as part of a `//` comment: one line, no control characters, no backslash at its end.
+[[nodiscard]] std::string comment_text(std::string_view text);
+
+/// User text as a C++ string literal, quotes included.
+[[nodiscard]] std::string string_literal(std::string_view text);
+
+/// "forward_dynamics" -> "ForwardDynamics".
+[[nodiscard]] std::string camel_case(std::string_view name);
+
+}  // namespace elgen

@@ -1,0 +1,50 @@
+// scalar_range: each value against each scalar, by correct rounding.
+#include "scalar_range.hpp"
+
+#include <fmt/format.h>
+
+#include "cpp_names.hpp"
+#include "decimal.hpp"
+
+namespace elgen {
+namespace {
+
+/// The value, what it is, and where it was written.
+struct Candidate {
+  const cln::cl_R& value;
+  std::string name;
+  Span span;
+};
+
+void check(const Candidate& candidate, const Scene& scene, Diagnostics& diagnostics) {
+  for (const ScalarKind scalar : scene.numerics.scalars) {
+    const Fit result = fit(candidate.value, scalar);
+    if (result == Fit::fits) continue;
+    const char* const fault = result == Fit::too_large ? "overflows" : "vanishes";
+    diagnostics.push_back(
+        {Code::E702, candidate.span,
+         fmt::format("`{}`{} {} in {}", literal_text(rounded_decimal(candidate.value, 6)),
+                     candidate.name, fault, scalar_name(scalar))});
+  }
+}
+
+}  // namespace
+
+Diagnostics check_scalar_range(const Model& model, const Scene& scene, const Program& program) {
+  Diagnostics diagnostics;
+  for (const ParameterArray& array : model.parameter_arrays) {
+    if (!is_emitted(array, scene)) continue;
+    for (std::uint32_t i = 0; i < array.count; ++i) {
+      const Parameter& parameter = model.parameters[array.first + i];
+      check({parameter.value, fmt::format(", the value of `{}`,", parameter.name), array.span},
+            scene, diagnostics);
+    }
+  }
+  for (const Constant& constant : program.constants) {
+    check({constant.value, ", a constant of the equations,", {}}, scene, diagnostics);
+  }
+  sort_by_position(diagnostics);
+  return diagnostics;
+}
+
+}  // namespace elgen
