@@ -1,0 +1,46 @@
+// Code points, malformed bytes, and user text in messages.
+#include "parse/utf8.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace elgen::parsing;
+
+TEST_CASE("code points have the length UTF-8 gives them", "[parse]") {
+  CHECK(code_point_at("a", 0).value == U'a');
+  CHECK(code_point_at("\u03C0", 0).value == 0x3C0);
+  CHECK(code_point_at("\u03C0", 0).bytes == 2);
+  CHECK(code_point_at("\u2212", 0).bytes == 3);
+  CHECK(code_point_at("\U0001F600", 0).value == 0x1F600);
+}
+
+TEST_CASE("what is not UTF-8 is found where it starts", "[parse]") {
+  CHECK_FALSE(find_invalid_utf8("x + \u03C0"));
+  CHECK(find_invalid_utf8("ab\xFF") == 2U);
+  CHECK(find_invalid_utf8("\x80") == 0U);              // continuation without a start
+  CHECK(find_invalid_utf8("a\xCF") == 1U);             // cut off
+  CHECK(find_invalid_utf8("\xC0\xAF") == 0U);          // overlong /
+  CHECK(find_invalid_utf8("\xED\xA0\x80") == 0U);      // surrogate
+  CHECK(find_invalid_utf8("\xF4\x90\x80\x80") == 0U);  // beyond U+10FFFF
+}
+
+TEST_CASE("code points are written as they are read", "[parse]") {
+  for (const char32_t value : {0x41U, 0x7FU, 0x80U, 0x7FFU, 0x800U, 0xFFFFU, 0x10000U, 0x10FFFFU}) {
+    std::string text;
+    append_utf8(text, value);
+    CHECK(code_point_at(text, 0).value == value);
+    CHECK(code_point_at(text, 0).bytes == text.size());
+  }
+}
+
+TEST_CASE("code points have names", "[parse]") {
+  CHECK(code_point_name(0x3C0) == "U+03C0");
+  CHECK(code_point_name(0x1F600) == "U+1F600");
+}
+
+TEST_CASE("user text is made fit for a message", "[parse]") {
+  CHECK(in_ticks("m") == "`m`");
+  CHECK(in_ticks(std::string_view("\0", 1)) == "`U+0000`");
+  CHECK(in_ticks("a\nb") == "`aU+000Ab`");
+  CHECK(in_ticks(std::string(40, 'x')) == "`" + std::string(40, 'x') + "`");
+  CHECK(in_ticks(std::string(41, 'x')) == "`" + std::string(40, 'x') + "…`");
+}
