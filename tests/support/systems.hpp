@@ -12,7 +12,7 @@ namespace elgen::test {
 using NamedText = std::pair<std::string, std::string>;
 
 inline const std::string& cart_pole_text() {
-  static const std::string text = model_text("cart_pole", R"(
+  static const std::string text = model_text("cart_pole", R"toml(
 [[coordinate]]
 name = "x"
 [[coordinate]]
@@ -35,12 +35,12 @@ vector = ["0", "-g"]
 [[input]]
 name = "u"
 on = "x"
-)");
+)toml");
   return text;
 }
 
 inline const std::string& chain_text() {
-  static const std::string text = model_text("chain", R"(
+  static const std::string text = model_text("chain", R"toml(
 [sizes]
 n = 3
 [[coordinate]]
@@ -60,16 +60,14 @@ at = ["x(p[i-1]) + l[i]*sin(q[i])", "y(p[i-1]) - l[i]*cos(q[i])"]
 mass = "m[i]"
 [gravity]
 vector = ["0", "-g"]
-)");
+)toml");
   return text;
 }
 
 /// Prescribed motion, T with all three grades, V linear in a rate, dissipation, forces on points
 /// and coordinates with inputs inside definitions, a body with spin, an armature, an output.
 inline const std::string& everything_text() {
-  static const std::string text = model_text(
-      "everything",
-      R"(
+  static const std::string text = model_text("everything", R"toml(
 [[coordinate]]
 name = "r"
 [[coordinate]]
@@ -77,24 +75,64 @@ name = "theta"
 armature = "J"
 [[prescribed]]
 name = "phi"
-value = "Omega*t + A*sin(nu*t)"[parameters] m = 2 J = {value = "1/7"} k =
-          5 b = {value = "1/3"} c = {value = "2/5"} Omega = 3 A = {value = "1/4"} nu = 2 g =
-              9.81 e = {value = "3/2"}[define] slider_rate = "dot(r) + Omega*r*cos(theta)" drive =
-                  "(u - b*dot(theta))/c" [[point]] name = "bead" at =
-                      [ "r*sin(theta + phi)", "-r*cos(theta + phi)" ] mass = "m"
-      [[point]] name = "hook" at = [ "r*cos(phi)", "1" ] [[body]] name = "wheel" mass = "m" com =
-          [ "2*r", "sin(theta)" ] inertia = "J" spin = "3*dot(theta) + dot(phi)"[gravity] vector =
-              [ "0", "-g" ][energy] T = "1/2*m*slider_rate^2" V =
-                  "1/2*k*(r - 1)^2 - e*r^2*dot(theta)" D = "1/2*b*dot(r)^2*(1 + r^2)"
-      [[input]] name = "u" [[input]] name = "w" on = "r" [[force]] name = "motor" on =
-          "theta" value = "drive*cos(r)" [[force]] name = "pull" at = "hook" from = "bead" value =
-              [ "u*r - b*dot(r)", "t" ] [[output]] name = "tip" value =
-                  [ "x(bead)", "r^2*t" ] jacobian = true) ");
-      return text;
+value = "Omega*t + A*sin(nu*t)"
+[parameters]
+m = 2
+J = { value = "1/7" }
+k = 5
+b = { value = "1/3" }
+c = { value = "2/5" }
+Omega = 3
+A = { value = "1/4" }
+nu = 2
+g = 9.81
+e = { value = "3/2" }
+[define]
+slider_rate = "dot(r) + Omega*r*cos(theta)"
+drive = "(u - b*dot(theta))/c"
+[[point]]
+name = "bead"
+at = ["r*sin(theta + phi)", "-r*cos(theta + phi)"]
+mass = "m"
+[[point]]
+name = "hook"
+at = ["r*cos(phi)", "1"]
+[[body]]
+name = "wheel"
+mass = "m"
+com = ["2*r", "sin(theta)"]
+inertia = "J"
+spin = "3*dot(theta) + dot(phi)"
+[gravity]
+vector = ["0", "-g"]
+[energy]
+T = "1/2*m*slider_rate^2"
+V = "1/2*k*(r - 1)^2 - e*r^2*dot(theta)"
+D = "1/2*b*dot(r)^2*(1 + r^2)"
+[[input]]
+name = "u"
+[[input]]
+name = "w"
+on = "r"
+[[force]]
+name = "motor"
+on = "theta"
+value = "drive*cos(r)"
+[[force]]
+name = "pull"
+at = "hook"
+from = "bead"
+value = ["u*r - b*dot(r)", "t"]
+[[output]]
+name = "tip"
+value = ["x(bead)", "r^2*t"]
+jacobian = true
+)toml");
+  return text;
 }
 
 inline const std::string& relativistic_text() {
-  static const std::string text = model_text("relativistic", R"(
+  static const std::string text = model_text("relativistic", R"toml(
 [[coordinate]]
 name = "x"
 [parameters]
@@ -103,12 +141,12 @@ c = { value = 300, assume = "positive" }
 k = 5
 [energy]
 L = "-m*c^2*sqrt(1 - dot(x)^2/c^2) - 1/2*k*x^2"
-)");
+)toml");
   return text;
 }
 
 inline const std::string& gyroscope_text() {
-  static const std::string text = model_text("gyroscope", R"(
+  static const std::string text = model_text("gyroscope", R"toml(
 [[coordinate]]
 name = "phi"
 [[coordinate]]
@@ -133,7 +171,7 @@ spin = ["dot(phi)*sin(theta)*sin(psi) + dot(theta)*cos(psi)",
 inertia_about = "origin"
 [gravity]
 vector = ["0", "0", "-g"]
-)");
+)toml");
   return text;
 }
 

@@ -1,0 +1,81 @@
+// The one formatter: exact text.
+#include <catch2/catch.hpp>
+
+#include "elgen/diagnostic.hpp"
+
+using namespace elgen;
+
+namespace {
+
+Span span_of(const SourcePointer& source, const std::string& part) {
+  const auto begin = static_cast<std::uint32_t>(source->text.find(part));
+  return {source.get(), begin, begin + static_cast<std::uint32_t>(part.size())};
+}
+
+}  // namespace
+
+TEST_CASE("position, code, message, source line, caret and hint") {
+  const SourcePointer source = make_source("m.toml", "format = 1\nT = \"1/2*mq*v\"\n");
+  const Diagnostics list{
+      {Code::E201, span_of(source, "mq"), "unknown name `mq`", "did you mean `m`?"}};
+  CHECK(format(list) ==
+        "m.toml:2:10: error[E201]: unknown name `mq`\n"
+        "    2 | T = \"1/2*mq*v\"\n"
+        "      |          ^~ did you mean `m`?\n");
+}
+
+TEST_CASE("code points under the caret, tabs and control characters") {
+  const SourcePointer source = make_source("m.toml", "\tθ\x01 = πππ");
+  const Diagnostics list{{Code::E307, span_of(source, "πππ"), "non-ASCII character"}};
+  CHECK(format(list) ==
+        "m.toml:1:7: error[E307]: non-ASCII character\n"
+        "    1 |  θ? = πππ\n"
+        "      |       ^~~\n");
+}
+
+TEST_CASE("a related place has a line of its own; without a source there is no excerpt") {
+  const SourcePointer source = make_source("m.toml", "a\nb\n");
+  const Diagnostics list{{Code::E203, span_of(source, "b"), "duplicate name `b`", "",
+                          span_of(source, "a"), "first declared here"},
+                         {Code::E913, {}, "no command given", "see `elgen --help`"}};
+  CHECK(format(list) ==
+        "m.toml:2:1: error[E203]: duplicate name `b`\n"
+        "    2 | b\n"
+        "      | ^\n"
+        "m.toml:1:1: first declared here\n"
+        "elgen: error[E913]: no command given\n"
+        "      see `elgen --help`\n");
+}
+
+TEST_CASE("long lines are cut around the caret") {
+  const SourcePointer source =
+      make_source("m.toml", std::string(5000, 'a') + "!" + std::string(5000, 'b'));
+  const std::string text = format({{Code::E301, span_of(source, "!"), "unexpected `!`"}});
+  CHECK(text.find("m.toml:1:5001:") == 0);
+  CHECK(text.size() < 500);
+  const std::size_t line = text.find(" | ") + 3;
+  const std::size_t caret = text.find('^') - (text.rfind(" | ") + 3);
+  CHECK(text[line + caret] == '!');
+}
+
+TEST_CASE("at most `maximum` errors are shown and the rest counted") {
+  const SourcePointer source = make_source("m.toml", "x");
+  const Diagnostics list(25, {Code::E201, span_of(source, "x"), "unknown name `x`"});
+  const std::string text = format(list);
+  CHECK(text.find("elgen: 5 more errors not shown\n") != std::string::npos);
+}
+
+TEST_CASE("JSON has one object a line, and colour only where asked") {
+  const SourcePointer source = make_source("m.toml", "ab");
+  const Diagnostics list{{Code::E511, span_of(source, "b"), "singular at \"x\""}};
+  DiagnosticStyle json;
+  json.format = DiagnosticFormat::json;
+  CHECK(format(list, json) ==
+        R"({"severity":"warning","code":"E511","message":"singular at \"x\"",)"
+        R"("position":{"file":"m.toml","line":1,"column":2,"end_line":1,"end_column":3}})"
+        "\n");
+  DiagnosticStyle color;
+  color.color = true;
+  CHECK(format(list).find('\x1b') == std::string::npos);
+  CHECK(format(list, color).find("\x1b[1;33mwarning[E511]") != std::string::npos);
+}

@@ -1,0 +1,103 @@
+// Which outputs are derived, their shapes, and the limit on their size.
+#include <catch2/catch.hpp>
+
+#include "derived.hpp"
+#include "elgen/equations_of_motion.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+Result<EquationsOfMotion> derived(const CheckedModel& checked,
+                                  const std::vector<OutputRequest>& outputs,
+                                  const Limits& limits = {}) {
+  return derive(*formulate(checked.model), outputs, limits);
+}
+
+const OutputRequest& request(const CheckedModel& checked, OutputKind kind) {
+  for (const OutputRequest& output : checked.scene.outputs) {
+    if (output.kind == kind) return output;
+  }
+  throw std::runtime_error("not an output of this model");
+}
+
+}  // namespace
+
+TEST_CASE("every output of the full scene has entries of its shape") {
+  for (const auto& [name, text] : systems()) {
+    INFO(name);
+    const CheckedModel checked = checked_model(text);
+    const auto equations = derived(checked, checked.scene.outputs);
+    REQUIRE(equations);
+    std::size_t wanted = 0;
+    for (const OutputRequest& output : checked.scene.outputs) {
+      if (output.kind != OutputKind::dynamics) ++wanted;
+    }
+    CHECK(equations->outputs.size() == wanted);
+    for (const OutputEquations& output : equations->outputs) {
+      INFO(output.request.name);
+      CHECK(output.fields.size() == output_row(output.request.kind).fields.size());
+      for (const FieldEquations& field : output.fields) {
+        CHECK(field.entries.size() == std::size_t{field.rows} * field.columns);
+      }
+    }
+  }
+}
+
+TEST_CASE("gravity alone builds nothing that moves") {
+  const CheckedModel checked = checked_model(chain_text());
+  const auto equations = derived(checked, {request(checked, OutputKind::gravity)});
+  REQUIRE(equations);
+  for (const Definition& definition : equations->definitions.list) {
+    CHECK((definition.depends & (on_velocities | on_accelerations)) == 0);
+  }
+}
+
+TEST_CASE("the list of definitions grows linearly along a chain") {
+  const auto count = [](int n) {
+    std::string text = chain_text();
+    text.replace(text.find("n = 3"), 5, "n = " + std::to_string(n));
+    const CheckedModel checked = checked_model(text);
+    const auto equations = derived(checked, {request(checked, OutputKind::inverse_dynamics)});
+    REQUIRE(equations);
+    return equations->definitions.list.size();
+  };
+  // Each link adds the same definitions, so second differences vanish.
+  CHECK(count(30) - count(20) == count(20) - count(10));
+}
+
+TEST_CASE("more definitions than the limit are refused, naming the output") {
+  const CheckedModel checked = checked_model(chain_text());
+  Limits limits;
+  limits.derived_nodes = 10;
+  const auto equations = derived(checked, checked.scene.outputs, limits);
+  REQUIRE_FALSE(equations);
+  CHECK(equations.diagnostics.front().code == Code::E908);
+  CHECK(equations.diagnostics.front().message.find("the limit is 10") != std::string::npos);
+}
+
+TEST_CASE("an energy that has no value at rest names the output that needs it") {
+  const CheckedModel checked = checked_model(model_text("pole", R"toml(
+[[coordinate]]
+name = "x"
+[parameters]
+m = 2
+[energy]
+L = "1/2*m*dot(x)^2"
+)toml"));
+  Lagrangian lagrangian = *formulate(checked.model);
+  lagrangian.lagrangian.push_back(1 / lagrangian.symbols.v[0]);
+  const auto equations = derive(lagrangian, {request(checked, OutputKind::gravity)}, {});
+  REQUIRE_FALSE(equations);
+  CHECK(equations.diagnostics.front().code == Code::E313);
+}
+
+TEST_CASE("a dump lists definitions, then entries, the same in every run") {
+  const CheckedModel checked = checked_model(cart_pole_text());
+  const std::string text = dump(*derived(checked, {request(checked, OutputKind::mass_matrix)}));
+  CHECK(text.find("; bob_x\n") != std::string::npos);
+  CHECK(text.find("mass_matrix (2 x 2) =") != std::string::npos);
+  CHECK(text == dump(*derived(checked_model(cart_pole_text()),
+                              {request(checked, OutputKind::mass_matrix)})));
+}

@@ -1,0 +1,134 @@
+// The plain textbook route: write L out in full, differentiate, expand. Slow, and obviously right.
+//
+//     tau = d/dt dL/dv - dL/dq + dD/dv - Q,    d/dt = sum v d/dq + sum a d/dv + d/dt
+#pragma once
+
+#include <vector>
+
+#include "elgen/equations_of_motion.hpp"
+#include "formulate/written_out.hpp"
+
+namespace elgen::test {
+
+class Textbook {
+ public:
+  explicit Textbook(const Lagrangian& lagrangian) : source_(lagrangian), s_(lagrangian.symbols) {
+    for (const PointMass& mass : source_.masses) add_mass(mass);
+    kinetic_ += sum(source_.kinetic);
+    potential_ += sum(source_.potential);
+    lagrangian_ = kinetic_ - potential_ + sum(source_.lagrangian);
+  }
+
+  [[nodiscard]] GiNaC::ex out(const GiNaC::ex& value) const {
+    return written_out(source_.definitions, value);
+  }
+
+  [[nodiscard]] GiNaC::ex rate(const GiNaC::ex& value) const {
+    GiNaC::ex result = by(value, s_.t);
+    for (std::size_t i = 0; i < s_.q.size(); ++i) {
+      result += by(value, s_.q[i]) * s_.v[i] + by(value, s_.v[i]) * s_.a[i];
+    }
+    return result;
+  }
+
+  /// Generalized force of every declared force and input on coordinate i.
+  [[nodiscard]] GiNaC::ex force(std::size_t i) const {
+    GiNaC::ex result = out(source_.forces[i]);
+    for (const PointForce& applied : source_.point_forces) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        result += out(applied.force[axis]) * by(out(applied.position[axis]), s_.q[i]);
+      }
+    }
+    return result;
+  }
+
+  [[nodiscard]] GiNaC::ex without_inputs(GiNaC::ex value) const {
+    for (const GiNaC::ex& u : s_.u) value = value.subs(u == 0);
+    return value;
+  }
+
+  [[nodiscard]] GiNaC::ex at_rest(GiNaC::ex value) const {
+    for (const GiNaC::ex& v : s_.v) value = value.subs(v == 0);
+    return value;
+  }
+
+  [[nodiscard]] GiNaC::ex coasting(GiNaC::ex value) const {
+    for (const GiNaC::ex& a : s_.a) value = value.subs(a == 0);
+    return value;
+  }
+
+  [[nodiscard]] GiNaC::ex momentum(std::size_t i) const { return by(lagrangian_, s_.v[i]); }
+
+  [[nodiscard]] GiNaC::ex inverse_dynamics(std::size_t i) const {
+    return rate(momentum(i)) - by(lagrangian_, s_.q[i]) +
+           by(out(sum(source_.dissipation)), s_.v[i]) - without_inputs(force(i));
+  }
+
+  [[nodiscard]] GiNaC::ex bias(std::size_t i) const { return coasting(inverse_dynamics(i)); }
+
+  [[nodiscard]] GiNaC::ex mass(std::size_t i, std::size_t j) const {
+    return by(momentum(i), s_.v[j]);
+  }
+
+  /// The Christoffel form of C.
+  [[nodiscard]] GiNaC::ex coriolis(std::size_t i, std::size_t j) const {
+    GiNaC::ex result = 0;
+    for (std::size_t k = 0; k < s_.q.size(); ++k) {
+      result += (by(mass(i, j), s_.q[k]) + by(mass(i, k), s_.q[j]) - by(mass(j, k), s_.q[i])) *
+                s_.v[k] / 2;
+    }
+    return result;
+  }
+
+  [[nodiscard]] GiNaC::ex velocity_force(std::size_t i) const {
+    GiNaC::ex result = 0;
+    for (std::size_t j = 0; j < s_.q.size(); ++j) result += coriolis(i, j) * s_.v[j];
+    return result;
+  }
+
+  [[nodiscard]] GiNaC::ex gravity(std::size_t i) const {
+    return by(at_rest(potential0()), s_.q[i]);
+  }
+
+  [[nodiscard]] GiNaC::ex drift(std::size_t i) const {
+    return bias(i) - velocity_force(i) - gravity(i) - by(out(sum(source_.dissipation)), s_.v[i]) +
+           without_inputs(force(i));
+  }
+
+  [[nodiscard]] GiNaC::ex energy() const {
+    GiNaC::ex result = -lagrangian_;
+    for (std::size_t i = 0; i < s_.v.size(); ++i) result += s_.v[i] * momentum(i);
+    return result;
+  }
+
+  [[nodiscard]] GiNaC::ex kinetic() const { return kinetic_; }
+  [[nodiscard]] GiNaC::ex potential() const { return potential_; }
+  [[nodiscard]] GiNaC::ex potential0() const { return at_rest(potential_); }
+
+  [[nodiscard]] static GiNaC::ex by(const GiNaC::ex& value, const GiNaC::ex& symbol) {
+    return value.diff(GiNaC::ex_to<GiNaC::symbol>(symbol));
+  }
+
+ private:
+  [[nodiscard]] GiNaC::ex sum(const std::vector<GiNaC::ex>& terms) const {
+    GiNaC::ex result = 0;
+    for (const GiNaC::ex& term : terms) result += out(term);
+    return result;
+  }
+
+  void add_mass(const PointMass& mass) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const GiNaC::ex position = out(mass.position[axis]);
+      if (mass.kinetic) kinetic_ += out(mass.mass) * GiNaC::pow(rate(position), 2) / 2;
+      if (source_.gravity) potential_ -= out(mass.mass) * out((*source_.gravity)[axis]) * position;
+    }
+  }
+
+  const Lagrangian& source_;
+  const Symbols& s_;
+  GiNaC::ex kinetic_ = 0;
+  GiNaC::ex potential_ = 0;
+  GiNaC::ex lagrangian_ = 0;
+};
+
+}  // namespace elgen::test

@@ -1,0 +1,37 @@
+// The list of definitions: atoms, repetition, order of symbols.
+#include <catch2/catch.hpp>
+
+#include "elgen/lagrangian.hpp"
+
+using namespace elgen;
+using GiNaC::ex;
+
+TEST_CASE("symbols come leaves first, as declared, then definitions") {
+  Definitions definitions;
+  const GiNaC::realsymbol z("z"), a("a");
+  add_leaf(definitions, z, on_parameters);
+  add_leaf(definitions, a, on_coordinates);
+  const ex p = define(definitions, a * a);
+  const ex r = define(definitions, z + p);
+  const auto symbols = symbols_of(definitions, r * p + a * sin(z) + a);
+  REQUIRE(symbols.size() == 4);
+  CHECK(symbols[0].is_equal(z));
+  CHECK(symbols[1].is_equal(a));
+  CHECK(symbols[2].is_equal(p));
+  CHECK(symbols[3].is_equal(r));
+  CHECK(dependence(definitions, r) == (on_parameters | on_coordinates));
+  CHECK(dependence(definitions, ex(4)) == 0);
+}
+
+TEST_CASE("numbers, symbols and their negatives need no definition") {
+  Definitions definitions;
+  const GiNaC::realsymbol a("a");
+  add_leaf(definitions, a, on_coordinates);
+  CHECK(define(definitions, GiNaC::numeric(2, 3)).is_equal(GiNaC::numeric(2, 3)));
+  CHECK(define(definitions, a).is_equal(a));
+  CHECK(define(definitions, -a).is_equal(-a));
+  CHECK(definitions.list.empty());
+  define(definitions, 2 * a, {"twice", {}});
+  REQUIRE(definitions.list.size() == 1);
+  CHECK(definitions.list[0].name == "twice");
+}

@@ -1,0 +1,49 @@
+// Named things come after what they need, whatever the order of declaration.
+#include "formulate/entities.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "support/models.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+TEST_CASE("definitions, prescribed motions and points are ordered by need") {
+  const CheckedModel checked = checked_model(model_text("ordered", R"toml(
+[[coordinate]]
+name = "x"
+[define]
+late = "early*x(tip)"
+early = "2*phi"
+[[prescribed]]
+name = "phi"
+value = "t^2"
+[[point]]
+name = "tip"
+at = ["x(base) + early", "x"]
+[[point]]
+name = "base"
+at = ["x", "0"]
+mass = "1"
+)toml"));
+  std::vector<std::string> names;
+  for (const Entity& entity : entities_in_order(checked.model)) {
+    const Model& model = checked.model;
+    names.push_back(entity.kind == EntityKind::point        ? model.points[entity.index].name
+                    : entity.kind == EntityKind::prescribed ? model.prescribed[entity.index].name
+                                                            : model.definitions[entity.index].name);
+  }
+  CHECK(names == std::vector<std::string>{"phi", "early", "base", "tip", "late"});
+}
+
+TEST_CASE("a long chain declared backwards is ordered without recursion") {
+  std::string text = "[[coordinate]]\nname = \"x\"\n[energy]\nT = \"dot(x)^2\"\n[define]\n";
+  for (int i = 4000; i > 0; --i) {
+    text += "d" + std::to_string(i) + " = \"d" + std::to_string(i - 1) + " + 1\"\n";
+  }
+  text += "d0 = \"x\"\n";
+  const auto order = entities_in_order(checked_model(model_text("chain", text)).model);
+  REQUIRE(order.size() == 4001);
+  CHECK(order.front().index == 4000);
+  CHECK(order.back().index == 0);
+}

@@ -1,0 +1,74 @@
+// Energies and forces of a model as terms over definitions.
+#include <catch2/catch.hpp>
+
+#include "elgen/lagrangian.hpp"
+#include "formulate/written_out.hpp"
+#include "support/systems.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+using GiNaC::ex;
+
+TEST_CASE("points with a mass become point masses, with gravity") {
+  const auto lagrangian = formulate(checked_model(cart_pole_text()).model);
+  REQUIRE(lagrangian);
+  const Symbols& s = lagrangian->symbols;
+  REQUIRE(lagrangian->masses.size() == 2);
+  const auto& bob = lagrangian->masses[1];
+  const auto out = [&](const ex& value) { return written_out(lagrangian->definitions, value); };
+  CHECK(out(bob.position[0]).is_equal(s.q[0] + s.parameters[2] * sin(s.q[1])));
+  CHECK(out(bob.position[1]).is_equal(s.parameters[2] * cos(s.q[1])));
+  CHECK(bob.position[2].is_zero());
+  CHECK(out((*lagrangian->gravity)[1]).is_equal(-s.parameters[3]));
+  CHECK(lagrangian->forces[0].is_equal(s.u[0]));
+  CHECK(lagrangian->forces[1].is_zero());
+}
+
+TEST_CASE("bodies add 1/2 w.I w with products of inertia as tensor entries") {
+  const auto lagrangian = formulate(checked_model(gyroscope_text()).model);
+  REQUIRE(lagrangian);
+  CHECK_FALSE(lagrangian->masses.front().kinetic);
+  ex kinetic = 0;
+  for (const ex& term : lagrangian->kinetic) {
+    kinetic += written_out(lagrangian->definitions, term);
+  }
+  const Symbols& s = lagrangian->symbols;
+  const ex& theta = s.q[1];
+  const ex& psi = s.q[2];
+  const ex wx = s.v[0] * sin(theta) * sin(psi) + s.v[1] * cos(psi);
+  const ex wy = s.v[0] * sin(theta) * cos(psi) - s.v[1] * sin(psi);
+  const ex wz = s.v[0] * cos(theta) + s.v[2];
+  const ex A = s.parameters[0], C = s.parameters[1], P = s.parameters[2];
+  const ex expected = (A * wx * wx + A * wy * wy + C * wz * wz) / 2 + P * wx * wy + P / 2 * wy * wz;
+  std::vector<ex> leaves = s.q;
+  leaves.insert(leaves.end(), s.v.begin(), s.v.end());
+  leaves.insert(leaves.end(), s.parameters.begin(), s.parameters.end());
+  CHECK(vanishes(kinetic - expected, leaves));
+}
+
+TEST_CASE("an armature adds 1/2 J v^2, and forces keep their inputs") {
+  const auto lagrangian = formulate(checked_model(everything_text()).model);
+  REQUIRE(lagrangian);
+  const Symbols& s = lagrangian->symbols;
+  const ex rate = s.v[1];
+  CHECK(lagrangian->kinetic.back().is_equal(s.parameters[1] * rate * rate / 2));
+  CHECK(lagrangian->point_forces.size() == 2);
+  CHECK(lagrangian->point_forces[0].force[0].is_equal(-lagrangian->point_forces[1].force[0]));
+  CHECK(lagrangian->forces[0].is_equal(s.u[1]));
+  CHECK((dependence(lagrangian->definitions, lagrangian->forces[1]) & on_inputs) != 0);
+}
+
+TEST_CASE("a division by zero that only algebra shows is reported where it stands") {
+  const auto lagrangian = formulate(checked_model(model_text("nowhere", R"toml(
+[[coordinate]]
+name = "x"
+[energy]
+T = "dot(x)^2/2"
+V = "1/(x + 1 - (x + 1))"
+)toml"))
+                                        .model);
+  REQUIRE_FALSE(lagrangian);
+  const Diagnostic& error = lagrangian.diagnostics.front();
+  CHECK(error.code == Code::E312);
+  CHECK(covered_text(error.span) == "1/(x + 1 - (x + 1))");
+}

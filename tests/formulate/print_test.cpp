@@ -1,0 +1,22 @@
+// Printing for people: names, sorted terms, brackets.
+#include "formulate/print.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace elgen;
+
+TEST_CASE("terms and factors are sorted, powers and functions bracketed") {
+  Definitions definitions;
+  const GiNaC::realsymbol b("b"), a("a"), x("x");
+  add_leaf(definitions, b, on_parameters);
+  add_leaf(definitions, a, on_parameters);
+  add_leaf(definitions, x, on_coordinates);
+  const GiNaC::ex p = define(definitions, b * sin(x), {"p", {}});
+  const ExpressionPrinter print(definitions);
+  CHECK(print(x + b + a) == "a + b + x");
+  CHECK(print(x * b * (a + x)) == "(a + x)*b*x");
+  CHECK(print(pow(a + b, 2) * p) == "(a + b)^2*d0");
+  CHECK(print(pow(x, GiNaC::numeric(-1, 2))) == "x^(-1/2)");
+  CHECK(print(atan2(x, a)) == "atan2(x, a)");
+  CHECK(dump(definitions) == "d0 = b*sin(x)    ; p\n");
+}

@@ -1,0 +1,40 @@
+// Definitions written out into one expression, and equality of such expressions at exact points:
+// the obvious way that derivation avoids.
+#pragma once
+
+#include <vector>
+
+#include "elgen/lagrangian.hpp"
+
+namespace elgen::test {
+
+/// `value` with every definition replaced by what it stands for.
+inline GiNaC::ex written_out(const Definitions& definitions, GiNaC::ex value) {
+  GiNaC::exmap known;
+  for (const Definition& definition : definitions.list) {
+    known[definition.symbol] = definition.value.subs(known, GiNaC::subs_options::no_pattern);
+  }
+  return value.subs(known, GiNaC::subs_options::no_pattern);
+}
+
+/// Whether `difference` is zero at exact points, in 60-digit arithmetic. The points are small
+/// rationals, so values are of order 1 to 1e6, and 1e-45 is far above their rounding and far below
+/// any mistake.
+inline bool vanishes(const GiNaC::ex& difference, const std::vector<GiNaC::ex>& symbols) {
+  GiNaC::Digits = 60;
+  for (int sample = 0; sample < 3; ++sample) {
+    GiNaC::exmap point;
+    int seed = 7 + 11 * sample;
+    for (const GiNaC::ex& symbol : symbols) {
+      point[symbol] = GiNaC::numeric(1 + seed % 13, 17);
+      seed += 5;
+    }
+    const GiNaC::ex at_point = difference.subs(point, GiNaC::subs_options::no_pattern).evalf();
+    if (!GiNaC::is_a<GiNaC::numeric>(at_point)) return false;
+    const GiNaC::numeric size = GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(at_point));
+    if (size > GiNaC::pow(GiNaC::numeric(10), GiNaC::numeric(-45))) return false;
+  }
+  return true;
+}
+
+}  // namespace elgen::test

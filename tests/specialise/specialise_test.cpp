@@ -1,0 +1,85 @@
+// Fixed parameters become numbers, and what they make zero is gone.
+#include "elgen/specialise.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "elgen/equations_of_motion.hpp"
+#include "support/systems.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+SceneOptions fixing(const std::vector<std::string>& settings) {
+  SceneOptions options;
+  for (const std::string& setting : settings) {
+    options.fixed.push_back(make_source("command line", setting));
+  }
+  return options;
+}
+
+Lagrangian specialised(const std::string& text, const std::vector<std::string>& settings) {
+  const CheckedModel checked = checked_model(text, fixing(settings));
+  return specialise(*formulate(checked.model), checked.scene.specialisation);
+}
+
+/// Definitions that an energy, force or output of the Lagrangian still reaches.
+bool mentions(const Lagrangian& lagrangian, const std::string& text) {
+  return dump(lagrangian).find(text) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("nothing fixed changes nothing") {
+  CHECK(dump(specialised(cart_pole_text(), {})) ==
+        dump(*formulate(checked_model(cart_pole_text()).model)));
+}
+
+TEST_CASE("a fixed parameter is an exact number everywhere") {
+  const Lagrangian lagrangian = specialised(cart_pole_text(), {"l=1/3", "M=4"});
+  CHECK(lagrangian.masses[0].mass.is_equal(4));
+  const GiNaC::ex& x = lagrangian.masses[1].position[0];
+  const Definition& bob = lagrangian.definitions.list[lagrangian.definitions.places.at(x).index];
+  const GiNaC::ex& q = lagrangian.symbols.q[0];
+  const GiNaC::ex& theta = lagrangian.symbols.q[1];
+  CHECK(bob.value.is_equal(q + GiNaC::numeric(1, 3) * sin(theta)));
+}
+
+TEST_CASE("what a fixed zero multiplies disappears from the equations") {
+  const CheckedModel checked = checked_model(cart_pole_text(), fixing({"g=0"}));
+  const Lagrangian lagrangian = specialise(*formulate(checked.model), checked.scene.specialisation);
+  const auto equations = derive(lagrangian, checked.scene.outputs, {});
+  REQUIRE(equations);
+  for (const OutputEquations& output : equations->outputs) {
+    if (output.request.kind != OutputKind::gravity) continue;
+    for (const GiNaC::ex& entry : output.fields.front().entries) CHECK(entry.is_zero());
+  }
+}
+
+TEST_CASE("every part of a Lagrangian is specialised") {
+  const Lagrangian lagrangian =
+      specialised(everything_text(), {"m", "J", "k", "b", "c", "Omega", "A", "nu", "g", "e"});
+  unsigned depends = 0;
+  const auto look = [&](const std::vector<GiNaC::ex>& values) {
+    for (const GiNaC::ex& value : values) depends |= dependence(lagrangian.definitions, value);
+  };
+  for (const PointMass& mass : lagrangian.masses) {
+    look({mass.mass, mass.position[0], mass.position[1], mass.position[2]});
+  }
+  look({(*lagrangian.gravity)[0], (*lagrangian.gravity)[1]});
+  look(lagrangian.kinetic);
+  look(lagrangian.potential);
+  look(lagrangian.dissipation);
+  look(lagrangian.forces);
+  for (const PointForce& force : lagrangian.point_forces) {
+    look({force.position[0], force.position[1], force.force[0], force.force[1]});
+  }
+  for (const NamedOutput& output : lagrangian.outputs) look(output.values);
+  CHECK((depends & on_parameters) == 0);
+  CHECK((depends & on_coordinates) != 0);
+}
+
+TEST_CASE("a dump after specialising shows the numbers") {
+  CHECK(mentions(specialised(cart_pole_text(), {"M=4"}), "mass 4 at"));
+}
