@@ -1,0 +1,104 @@
+// emit: golden header and sidecar of a small model, and what must not change them.
+// ELGEN_UPDATE=1 rewrites the golden files.
+#include "elgen/emitted_files.hpp"
+
+#include <clocale>
+#include <cstdlib>
+#include <fstream>
+#include <locale>
+#include <sstream>
+
+#include "fixture.hpp"
+
+using namespace elgen;
+using elgen::testing::cart_pole;
+using elgen::testing::Subject;
+
+namespace {
+
+EmittedFiles emitted(const Subject& subject) {
+  const Result<EmittedFiles> files = emit(subject.model, subject.scene, subject.program);
+  REQUIRE(files);
+  return *files;
+}
+
+std::string read(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+/// Groups digits and has a decimal comma.
+class CommaDecimal final : public std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+}  // namespace
+
+TEST_CASE("header and sidecar are the golden ones, byte for byte") {
+  for (const auto& [path, text] : emitted(cart_pole()).files) {
+    const std::string name = path.substr(path.find('/') + 1);
+    const std::string golden = std::string(ELGEN_SOURCE_DIR) + "/tests/emit/golden/" + name;
+    if (std::getenv("ELGEN_UPDATE") != nullptr) std::ofstream(golden, std::ios::binary) << text;
+    INFO(golden);
+    CHECK(text == read(golden));
+  }
+}
+
+TEST_CASE("the paths are known without deriving anything") {
+  std::vector<std::string> paths;
+  for (const auto& file : emitted(cart_pole()).files) paths.push_back(file.first);
+  CHECK(emitted_paths(cart_pole().scene) == paths);
+}
+
+TEST_CASE("a locale with a decimal comma changes no byte") {
+  const EmittedFiles before = emitted(cart_pole());
+  const std::locale previous = std::locale::global(std::locale(std::locale(), new CommaDecimal));
+  std::setlocale(LC_ALL, "de_DE.UTF-8");
+  const EmittedFiles after = emitted(cart_pole());
+  std::locale::global(previous);
+  CHECK(after.files == before.files);
+}
+
+TEST_CASE("the folder of the model changes no byte") {
+  Subject elsewhere = cart_pole();
+  elsewhere.model.source = make_source("cart_pole.toml", "");
+  CHECK(emitted(elsewhere).files == emitted(cart_pole()).files);
+}
+
+TEST_CASE("what a scene says changes the stamp and the namespace") {
+  Subject subject = cart_pole();
+  subject.scene.canonical = "fixed g = 9.81";
+  subject.scene.emission.cpp_namespace = "plant";
+  const std::string header = emitted(subject).files.at("cart_pole/cart_pole.hpp");
+  CHECK(header.find("scene full") == std::string::npos);
+  CHECK(header.find("namespace plant {") != std::string::npos);
+}
+
+TEST_CASE("every file bears our mark in its first 200 bytes and the hash of its text") {
+  for (const auto& [path, text] : emitted(cart_pole()).files) {
+    INFO(path);
+    CHECK(text.substr(0, 200).find(generated_marker) != std::string::npos);
+    CHECK(body_hash(text).stated == body_hash(text).actual);
+  }
+}
+
+TEST_CASE("names and numbers that do not fit are errors, and nothing is emitted") {
+  Subject subject = cart_pole();
+  subject.program.functions[1].name = "constant";
+  elgen::testing::add_parameter(subject.model, "tiny", cln::expt(cln::cl_RA(10), -400), "m");
+  const Result<EmittedFiles> files = emit(subject.model, subject.scene, subject.program);
+  REQUIRE_FALSE(files);
+  REQUIRE(files.diagnostics.size() == 2);
+  CHECK(files.diagnostics[0].code == Code::E701);
+  CHECK(files.diagnostics[1].code == Code::E702);
+}
+
+TEST_CASE("dump shows path and text") {
+  EmittedFiles files;
+  files.files["a/a.hpp"] = "text\n";
+  CHECK(dump(files) == "== a/a.hpp\ntext\n");
+}

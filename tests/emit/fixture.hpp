@@ -1,0 +1,154 @@
+// A cart and pole by hand: Model, Scene and a Program in text form, as the stages before would give them.
+#pragma once
+
+#include <catch2/catch.hpp>
+#include <cln/rational.h>
+#include <cln/real.h>
+
+#include <string>
+
+#include "elgen/model.hpp"
+#include "elgen/program.hpp"
+#include "elgen/scene.hpp"
+#include "lower/read_program.hpp"
+
+namespace elgen::testing {
+
+struct Subject {
+  Model model;
+  Scene scene;
+  Program program;
+};
+
+inline void add_parameter(Model& model, const std::string& name, const cln::cl_R& value,
+                          const std::string& unit) {
+  const auto index = static_cast<std::uint32_t>(model.parameters.size());
+  const auto array = static_cast<std::uint32_t>(model.parameter_arrays.size());
+  model.parameters.push_back({name, name, array, 0, value, Assumption::none, find_unit(unit)});
+  ParameterArray declared;
+  declared.name = name;
+  declared.first = index;
+  declared.unit_text = unit;
+  model.parameter_arrays.push_back(declared);
+}
+
+/// An array parameter, elements named "l[1]", ….
+inline void add_parameter_array(Model& model, const std::string& name,
+                                const std::vector<cln::cl_R>& values) {
+  ParameterArray declared;
+  declared.name = name;
+  declared.first = static_cast<std::uint32_t>(model.parameters.size());
+  declared.count = static_cast<std::uint32_t>(values.size());
+  declared.is_array = true;
+  const auto array = static_cast<std::uint32_t>(model.parameter_arrays.size());
+  for (std::uint32_t i = 0; i < declared.count; ++i) {
+    const std::string element = name + "[" + std::to_string(i + 1) + "]";
+    model.parameters.push_back(
+        {element, name + "_" + std::to_string(i + 1), array, i, values[i], Assumption::none, {}});
+  }
+  model.parameter_arrays.push_back(declared);
+}
+
+inline void add_coordinate(Model& model, const std::string& name, const std::string& unit) {
+  Coordinate coordinate;
+  coordinate.name = name;
+  coordinate.identifier = name;
+  coordinate.unit = find_unit(unit);
+  coordinate.unit_text = unit;
+  model.coordinates.push_back(coordinate);
+}
+
+inline const char* const cart_pole_program = R"(parameters M m l g
+coordinates x theta
+inputs u
+function mass_matrix
+  0 = parameter M
+  1 = parameter m
+  2 = add 0 1
+  3 = parameter l
+  4 = multiply 3 1
+  5 = coordinate theta
+  6 = cos 5
+  7 = multiply 4 6
+  8 = multiply 3 3
+  9 = multiply 8 1
+  result 2 2 = 2 7 7 9
+function gravity
+  0 = constant 0
+  1 = parameter g
+  2 = parameter l
+  3 = multiply 1 2
+  4 = parameter m
+  5 = multiply 3 4
+  6 = coordinate theta
+  7 = sin 6
+  8 = multiply 5 7
+  9 = negate 8
+  result 2 1 = 0 9
+function kinetic_energy
+  0 = constant 1/2
+  1 = parameter M
+  2 = velocity x
+  3 = multiply 2 2
+  4 = multiply 0 1
+  5 = multiply 4 3
+  result 1 1 = 5
+function input_matrix
+  0 = constant 0
+  1 = constant 1
+  result 2 1 = 1 0
+function forward_dynamics
+  0 = input u
+  1 = parameter M
+  2 = divide 0 1
+  3 = constant 1/3
+  4 = parameter l
+  5 = square_root 4
+  6 = multiply 3 5
+  7 = constant 1
+  result acceleration 2 1 = 2 6
+  result relative_pivots 2 1 = 7 7
+function dynamics
+  0 = parameter M
+  1 = parameter m
+  2 = add 0 1
+  3 = constant 0
+  4 = velocity x
+  result mass_matrix 2 2 = 2 3 3 1
+  result gravity 2 1 = 3 4
+  result kinetic_energy 1 1 = 2
+)";
+
+inline Model cart_pole_model() {
+  Model model;
+  model.source = make_source("/somewhere/models/cart_pole.toml", "");
+  model.name = "cart_pole";
+  model.title = "Cart and pole with a force on the cart";
+  add_coordinate(model, "x", "m");
+  add_coordinate(model, "theta", "rad");
+  model.coordinates[0].range = Interval{-2, 2};
+  add_parameter(model, "M", 1, "kg");
+  add_parameter(model, "m", cln::cl_RA(1) / 10, "kg");
+  add_parameter(model, "l", cln::cl_RA(1) / 2, "m");
+  add_parameter(model, "g", cln::cl_RA(980665) / 100000, "m/s^2");
+  model.parameter_arrays[0].doc = "cart mass";
+  Input input;
+  input.name = "u";
+  input.identifier = "u";
+  input.on = 0;
+  input.unit = find_unit("N");
+  input.unit_text = "N";
+  input.limits = Interval{-20, 20};
+  model.inputs.push_back(input);
+  return model;
+}
+
+inline Subject cart_pole() {
+  Subject subject;
+  subject.model = cart_pole_model();
+  subject.scene.base_name = "cart_pole";
+  subject.program = read_program(cart_pole_program);
+  return subject;
+}
+
+}  // namespace elgen::testing
