@@ -1,0 +1,78 @@
+#include "oracle/evaluation.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "oracle/mechanics.hpp"
+#include "oracle/samples.hpp"
+
+using namespace elgen;
+using namespace elgen::oracle;
+using namespace elgen::test;
+using cln::cl_R;
+
+namespace {
+
+/// x = 2, v = 3, a = 5, u = 7, p = 11, t = 13
+struct Fixture {
+  ModelBuilder b;
+  Motion motion{{11}, {2}, {3}, {5}, {7}, 13};
+  JetFunctions functions = {};
+
+  Fixture() { b.coordinate("x").input("u").parameter("p", "11"); }
+
+  cl_R value(const std::string& text, unsigned time_order = 0) {
+    const ExpressionId id = b.expression(text);
+    const Schedule schedule = make_schedule(b.model, {{id, time_order}});
+    const Evaluation at(b.model, schedule, motion, functions);
+    if (time_order == 0) return at.value(id).real();
+    return (time_order == 1 ? at.rate(id) : at.second_rate(id)).real();
+  }
+};
+
+}  // namespace
+
+TEST_CASE("leaves and operations") {
+  Fixture f;
+  CHECK(f.value("x + x_d + x_dd + u + p + t") == 2 + 3 + 5 + 7 + 11 + 13);
+  CHECK(f.value("-x*x_d - x_dd/2") == exact("-17/2"));
+  CHECK(f.value("x^3 + x^-1") == exact("17/2"));
+  CHECK(f.value("max(x, x_d)*min(x, x_d)") == 6);
+  CHECK(agree(f.value("cos(pi)"), -1, 90));
+}
+
+TEST_CASE("names stand for their values") {
+  Fixture f;
+  f.b.definition("twice", "2*x").prescribed("s", "t^2").point("P", {"twice", "s"});
+  CHECK(f.value("x(P) + y(P) + z(P)") == 4 + 169);
+}
+
+TEST_CASE("rates along the motion: q -> v, v -> a, t -> 1, inputs and parameters rest") {
+  Fixture f;
+  CHECK(f.value("x + 10*x_d + 100*t + u + p", 1) == 3 + 50 + 100);
+  CHECK(f.value("x^2", 1) == 12);
+  CHECK(f.value("x^2", 2) == 2 * 3 * 3 + 2 * 2 * 5);
+  CHECK(f.value("t^3", 2) == 6 * 13);
+}
+
+TEST_CASE("time derivatives inside expressions, nested and mixed with plain values") {
+  Fixture f;
+  CHECK(f.value("ddt(x^2)") == 12);
+  CHECK(f.value("ddt(ddt(x^2))") == 38);
+  CHECK(f.value("x*ddt(x) + ddt(x*ddt(x))") == 6 + 9 + 10);
+  CHECK(f.value("x*ddt(x)", 1) == 9 + 10);
+}
+
+TEST_CASE("directions of differentiation pass through time derivatives") {
+  Fixture f;
+  const ExpressionId id = f.b.expression("ddt(x^3)");  // 3 x^2 v, d/dx = 6 x v
+  displace(f.motion.q, {1}, generator(0));
+  const Schedule schedule = make_schedule(f.b.model, {{id, 0}});
+  const Evaluation at(f.b.model, schedule, f.motion, f.functions);
+  CHECK(at.value(id).coefficient(generator(0)) == 36);
+}
+
+TEST_CASE("an expression used with and without its rate keeps both apart") {
+  Fixture f;
+  f.b.definition("c", "x^2");
+  CHECK(f.value("c + ddt(c) + c*ddt(c)") == 4 + 12 + 48);
+}

@@ -1,0 +1,77 @@
+#include "oracle/real_functions.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "oracle/samples.hpp"
+
+using namespace elgen;
+using namespace elgen::oracle;
+using namespace elgen::test;
+using cln::cl_R;
+
+namespace {
+
+cl_R value(FunctionId function, const cl_R& x, const cl_R& y = 0) {
+  RealFunctions functions;
+  return functions.value(function, x, y);
+}
+
+}  // namespace
+
+TEST_CASE("exact arguments with exact values stay exact") {
+  CHECK(is_rational(value(FunctionId::sin, 0)));
+  CHECK(value(FunctionId::cos, 0) == 1);
+  CHECK(value(FunctionId::exp, 0) == 1);
+  CHECK(value(FunctionId::log, 1) == 0);
+  CHECK(value(FunctionId::atan2, 0, 2) == 0);
+  CHECK(real_power(exact("9/4"), exact("1/2")) == exact("3/2"));
+  CHECK(real_power(exact("9/4"), exact("-3/2")) == exact("8/27"));
+}
+
+TEST_CASE("sines of huge exact angles are right: sin(1e22) is the classical check") {
+  CHECK(agree(value(FunctionId::sin, exact("1e22")), exact("-0.8522008497671888017727058937530294"),
+              30));
+  const cl_R huge = exact("1e300");
+  const cl_R sine = value(FunctionId::sin, huge);
+  const cl_R cosine = value(FunctionId::cos, huge);
+  CHECK(agree(sine * sine + cosine * cosine, 1, 90));
+  // The doubled angle has other digits of pi to be reduced with.
+  CHECK(agree(value(FunctionId::sin, 2 * huge), 2 * sine * cosine, 90));
+}
+
+TEST_CASE("inverse functions invert to almost all digits") {
+  const cl_R x = exact("0.37");
+  CHECK(agree(value(FunctionId::asin, value(FunctionId::sin, x)), x, 90));
+  CHECK(agree(value(FunctionId::acos, value(FunctionId::cos, x)), x, 90));
+  CHECK(agree(value(FunctionId::atan, value(FunctionId::tan, x)), x, 90));
+  CHECK(agree(value(FunctionId::log, value(FunctionId::exp, x)), x, 90));
+  CHECK(agree(value(FunctionId::atan2, -1, -1), -real_pi() * 3 / 4, 90));
+  CHECK(agree(value(FunctionId::asin, 1), real_pi() / 2, 90));
+  CHECK(agree(value(FunctionId::acos, 0), real_pi() / 2, 90));
+  CHECK(agree(value(FunctionId::tanh, 300), 1, 90));
+}
+
+TEST_CASE("kinked functions choose") {
+  CHECK(value(FunctionId::abs, -3) == 3);
+  CHECK(value(FunctionId::sign, -3) == -1);
+  CHECK(value(FunctionId::sign, 0) == 0);
+  CHECK(value(FunctionId::min, 0, -1) == -1);
+  CHECK(value(FunctionId::max, 0, -1) == 0);
+}
+
+TEST_CASE("outside the domain") {
+  CHECK_THROWS_AS(value(FunctionId::log, 0), OutsideDomain);
+  CHECK_THROWS_AS(value(FunctionId::log, -1), OutsideDomain);
+  CHECK_THROWS_AS(value(FunctionId::asin, exact("1.1")), OutsideDomain);
+  CHECK_THROWS_AS(value(FunctionId::atan2, 0, 0), OutsideDomain);
+  CHECK_THROWS_AS(value(FunctionId::exp, exact("1e9")), OutsideDomain);
+  CHECK_THROWS_AS(quotient(1, 0), OutsideDomain);
+  CHECK_THROWS_AS(real_power(-1, exact("1/2")), OutsideDomain);
+}
+
+TEST_CASE("long rationals become floats, short ones stay") {
+  CHECK(is_rational(shortened(exact("1/3"))));
+  const cl_R lengthy = cln::expt(exact("1/3"), cln::cl_I(5000));
+  CHECK_FALSE(is_rational(shortened(lengthy)));
+  CHECK(agree(shortened(lengthy), lengthy, 90));
+}
