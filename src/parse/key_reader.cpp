@@ -59,7 +59,7 @@ ValueSyntax read_choice(const TomlValue& value, const KeyRow& row, Reading& read
       reading.report(Code::E108, result.span, in_ticks(result.text) + " is not yet supported");
     }
     if (choice.word == result.text) return result;
-    if (choice.supported) words.push_back("`" + std::string(choice.word) + "`");
+    if (choice.supported) words.push_back(fmt::format("`{}`", choice.word));
   }
   reading.report(
       Code::E104, result.span,

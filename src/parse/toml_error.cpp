@@ -47,6 +47,14 @@ Span character_at(const SourceText& source, std::uint32_t offset) {
   return {&source, offset, offset + static_cast<std::uint32_t>(bytes)};
 }
 
+/// toml++ points at the second value of a key; the key says more. Headers stay as they are.
+Span redefined(const SourceText& source, std::uint32_t offset) {
+  std::uint32_t end = offset;
+  while (end > 0 && (source.text[end - 1] == ' ' || source.text[end - 1] == '=')) --end;
+  const Span key = word_before(source, end);
+  return end < offset && key.begin < key.end ? key : character_at(source, offset);
+}
+
 bool at_line_end(const SourceText& source, std::uint32_t offset) {
   return offset >= source.text.size() || source.text[offset] == '\n' || source.text[offset] == '\r';
 }
@@ -81,7 +89,9 @@ Diagnostic toml_error(const SourceText& source, std::uint32_t offset,
     return {Code::E101, character_at(source, offset), "string is not closed",
             "a string over several lines has three quotes at each end"};
   }
-  return {Code::E101, character_at(source, offset), message_of(description),
+  const Span place = contains(description, "cannot redefine") ? redefined(source, offset)
+                                                              : character_at(source, offset);
+  return {Code::E101, place, message_of(description),
           is_unquoted_value(description) ? "texts and expressions are written in quotes" : ""};
 }
 

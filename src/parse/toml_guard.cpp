@@ -26,6 +26,7 @@ std::size_t skip_quoted(std::string_view text, std::size_t begin) {
 std::optional<std::size_t> find_endless_key(std::string_view text) {
   std::size_t points = 0;
   bool after_part = false;
+  bool after_space = false;
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
     if (c == '"' || c == '\'') {
@@ -37,11 +38,13 @@ std::optional<std::size_t> find_endless_key(std::string_view text) {
       if (++points == most_key_parts) return i;
       after_part = false;
     } else if (is_key_character(c)) {
+      if (after_part && after_space) points = 0;  // two words are no key
       after_part = true;
     } else if (c != ' ' && c != '\t') {
       points = 0;
       after_part = false;
     }
+    after_space = c == ' ' || c == '\t';
     ++i;
   }
   return std::nullopt;

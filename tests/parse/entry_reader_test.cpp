@@ -1,0 +1,64 @@
+// Tables of a file: order, unknown ones, the wrong kind, those that come later, those that are
+// missing.
+#include "parse/entry_reader.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "parse_testing.hpp"
+
+using namespace elgen;
+using testing::first_error;
+using testing::model_answer;
+using testing::scene_answer;
+
+namespace {
+
+const std::string head = "format = 1\n[model]\nname = \"m\"\n";
+
+}  // namespace
+
+TEST_CASE("entries come in file order, whatever their names", "[parse]") {
+  CHECK(model_answer(head + "[[point]]\nname = \"p\"\nat = [0, 0]\n[[coordinate]]\nname = \"x\"\n"
+                            "[[point]]\nname = \"a\"\nat = [0, 0]\n") ==
+        "1:1 []\n  format = 1\n2:1 [model]\n  name = m\n4:1 [point]\n  name = p\n  at = [0, 0]\n"
+        "7:1 [coordinate]\n  name = x\n9:1 [point]\n  name = a\n  at = [0, 0]\n");
+}
+
+TEST_CASE("unknown entries are named, with the nearest one", "[parse]") {
+  const std::string text = head + "[[coordinate]]\nname = \"x\"\n[[coordinates]]\nname = \"y\"\n";
+  CHECK(model_answer(text) == "E106 6:1");
+  CHECK(first_error(text).message == "unknown entry `coordinates`");
+  CHECK(first_error(text).hint == "did you mean `[[coordinate]]`?");
+  CHECK(first_error(head + "[[coordinate]]\nname = \"x\"\n[lock]\n").code == Code::E106);
+}
+
+TEST_CASE("tables of the wrong kind are told the right one", "[parse]") {
+  const std::string single = head + "[coordinate]\nname = \"x\"\n";
+  CHECK(model_answer(single) == "E107 4:1");
+  CHECK(first_error(single).hint == "write `[[coordinate]]`");
+  const std::string doubled = head + "[[coordinate]]\nname = \"x\"\n[[parameters]]\nm = 1\n";
+  CHECK(model_answer(doubled) == "E107 6:1");
+  CHECK(first_error(doubled).hint == "write `[parameters]`");
+  CHECK(model_answer("coordinate = 3\n" + head) == "E104 1:14");
+}
+
+TEST_CASE("entries that come later say so", "[parse]") {
+  const std::string base = head + "[[coordinate]]\nname = \"x\"\n";
+  CHECK(model_answer(base + "[[frame]]\nname = \"F\"\n[[frame]]\nname = \"G\"\n") == "E108 6:1");
+  CHECK(model_answer(base + "[[constraint]]\n[[function]]\n") == "E108 6:1\nE108 7:1");
+  const std::string scene = "format = 1\nmodel = \"m\"\nname = \"s\"\n";
+  CHECK(scene_answer(scene + "[lock]\nx = {value = 1}\n[approximate]\norder = 1\n") ==
+        "E108 4:1\nE108 6:1");
+}
+
+TEST_CASE("a model without a name or coordinates is told so", "[parse]") {
+  CHECK(model_answer("format = 1\n") == "E105 1:1\nE105 1:1");
+  CHECK(first_error(head).message == "no `[[coordinate]]` in the file");
+}
+
+TEST_CASE("keys of the top level", "[parse]") {
+  CHECK(model_answer("titel = \"x\"\n" + head + "[[coordinate]]\nname = \"x\"\n") == "E103 1:1");
+  CHECK(scene_answer("format = 1\nname = \"s\"\n") == "E105 1:1");
+  CHECK(scene_answer("format = 1\nmodel = \"m\"\nname = \"s\"\noutputs.bias = true\n") ==
+        "1:1 []\n  format = 1\n  model = \"m\"\n  name = s\n4:1 [outputs]\n  bias = true\n");
+}

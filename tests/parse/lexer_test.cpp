@@ -1,0 +1,84 @@
+// Tokens and their places, and what the lexer says of everything that is no token.
+#include "parse/lexer.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace elgen;
+using namespace elgen::parsing;
+
+namespace {
+
+struct Lexed {
+  std::string tokens;  ///< each in brackets
+  std::optional<Diagnostic> problem;
+};
+
+Lexed lex(const std::string& input) {
+  const SourcePointer source = make_source("test", input);
+  const auto size = static_cast<std::uint32_t>(input.size());
+  const DecodedText text = copied_text({source.get(), 0, size});
+  Lexer lexer(text, 0, input.size());
+  Lexed result;
+  while (true) {
+    const Token token = lexer.next();
+    if (token.kind == TokenKind::end || token.kind == TokenKind::invalid) break;
+    result.tokens += "[" + std::string(lexer.text(token)) + "]";
+  }
+  result.problem = lexer.problem();
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("expressions are cut into tokens", "[parse]") {
+  CHECK(lex("a+b_1*2.5e-3").tokens == "[a][+][b_1][*][2.5e-3]");
+  CHECK(lex("-x^2 / (y)").tokens == "[-][x][^][2][/][(][y][)]");
+  CHECK(lex("p[i-1], \n\t q").tokens == "[p][[][i][-][1][]][,][q]");
+  CHECK(lex("2x").tokens == "[2][x]");
+  CHECK(lex("").tokens.empty());
+}
+
+TEST_CASE("the end stands just behind the last token", "[parse]") {
+  const SourcePointer source = make_source("test", "x   ");
+  const DecodedText text = copied_text({source.get(), 0, 4});
+  Lexer lexer(text, 0, 4);
+  (void)lexer.next();
+  const Token end = lexer.next();
+  CHECK(end.kind == TokenKind::end);
+  CHECK(end.begin == 1);
+}
+
+TEST_CASE("what is no token is named", "[parse]") {
+  struct Row {
+    std::string input;
+    Code code;
+    std::uint32_t begin;
+    std::string message;
+    std::string hint;
+  };
+  const auto row = GENERATE(values<Row>({
+      {"x**2", Code::E305, 1, "`**` is not an operator", "powers are written `^`"},
+      {"a == b", Code::E317, 2, "`==` in an expression",
+       "an expression is a value, without `=` or comparisons"},
+      {"a != b", Code::E317, 2, "`!=` in an expression",
+       "an expression is a value, without `=` or comparisons"},
+      {"5!", Code::E301, 1, "`!` has no meaning in an expression", "there is no factorial"},
+      {"x'", Code::E301, 1, "`'` has no meaning in an expression", "write `dot(x)`"},
+      {"x # note", Code::E301, 2, "`#` has no meaning in an expression",
+       "a comment stands outside the quotes"},
+      {"_a", Code::E301, 0, "`_` has no meaning in an expression", "a name starts with a letter"},
+      {"{x}", Code::E301, 0, "`{` has no meaning in an expression", "write `(`"},
+      {"x\x01", Code::E301, 1, "`U+0001` has no meaning in an expression", ""},
+      {"2\u00B7x", Code::E307, 1, "`\u00B7` (U+00B7) is not ASCII",
+       "write `*` instead of this character"},
+      {"1.2.3", Code::E308, 0, "`1.2.3` is not a number",
+       "numbers are written `12`, `0.5` or `1e-3`"},
+  }));
+  INFO(row.input);
+  const Lexed lexed = lex(row.input);
+  REQUIRE(lexed.problem);
+  CHECK(lexed.problem->code == row.code);
+  CHECK(lexed.problem->span.begin == row.begin);
+  CHECK(lexed.problem->message == row.message);
+  CHECK(lexed.problem->hint == row.hint);
+}

@@ -1,0 +1,105 @@
+// Values by type: what is accepted, what is E104, E109, E205 or a limit, each at its place. Every
+// row is one key of an otherwise sound model, in line 5.
+#include "parse/value_reader.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "parse_testing.hpp"
+
+using namespace elgen;
+using testing::model_answer;
+
+namespace {
+
+/// The model with one more key in its coordinate, which has line 5.
+std::string coordinate_with(std::string_view line) {
+  return "format = 1\nmodel.name = \"m\"\n[[coordinate]]\nname = \"x\"\n" + std::string(line) +
+         "\n";
+}
+
+/// The dump of that key, or the places of the errors.
+std::string answer(std::string_view line) {
+  const std::string all = model_answer(coordinate_with(line));
+  const std::size_t begin = all.find("  name = x\n  ");
+  if (begin == std::string::npos) return all;
+  return all.substr(begin + 13, all.size() - begin - 14);
+}
+
+}  // namespace
+
+TEST_CASE("expressions are strings or bare decimals", "[parse]") {
+  CHECK(answer("armature = 1_000.50") == "armature = 1000.5");
+  CHECK(answer("armature = -0.1") == "armature = -0.1");
+  CHECK(answer("armature = +1e-3") == "armature = 0.001");
+  CHECK(answer("armature = \"1e-400\"") == "armature = 1e-400");
+  CHECK(answer("armature = 0.30000000000000000000001") == "armature = 0.30000000000000000000001");
+  CHECK(answer("armature = true") == "E104 5:12");
+  CHECK(answer("armature = [1]") == "E104 5:12");
+  CHECK(answer("armature = \"\"") == "E310 5:13");
+}
+
+TEST_CASE("what is no decimal is refused wherever it stands", "[parse]") {
+  CHECK(answer("armature = 0x10") == "E109 5:12");
+  CHECK(answer("armature = inf") == "E109 5:12");
+  CHECK(answer("armature = -nan") == "E109 5:12");
+  CHECK(answer("armature = 1979-05-27") == "E109 5:12");
+  CHECK(answer("range = [0, 0b11]") == "E109 5:13");
+  CHECK(answer("doc = inf") == "E109 5:7");
+}
+
+TEST_CASE("bare numbers obey the limits of literals", "[parse]") {
+  CHECK(answer("armature = 0." + std::string(401, '1')) == "E903 5:12");
+  CHECK(answer("armature = \"1e401\"") == "E904 5:13");
+}
+
+TEST_CASE("names have one optional index", "[parse]") {
+  const auto named = [](const std::string& name) {
+    return model_answer("format = 1\nmodel.name = \"m\"\n[[coordinate]]\nname = " + name + "\n");
+  };
+  CHECK(named("\"q[i+1]\"").find("name = q[(i + 1)]") != std::string::npos);
+  CHECK(named("\"2q\"") == "E205 4:9");
+  CHECK(named("\"a b\"") == "E205 4:9");
+  CHECK(named("\" a\"") == "E205 4:9");
+  CHECK(named("\"(a)\"") == "E205 4:9");
+  CHECK(named("\"\"") == "E205 4:9");
+  CHECK(named("\"a-b\"") == "E205 4:9");
+  CHECK(named("\"\u03B8\"") == "E307 4:9");
+  CHECK(named("\"q[i\"") == "E304 4:12");
+  CHECK(named("1") == "E104 4:8");
+}
+
+TEST_CASE("lists have expressions, ranges two of them", "[parse]") {
+  CHECK(answer("range = [\"-pi\", 3]") == "range = [(-pi), 3]");
+  CHECK(answer("range = [1]") == "E104 5:9");
+  CHECK(answer("range = 1") == "E104 5:9");
+  CHECK(answer("range = [\"(\", \"2x\"]") == "E302 5:12\nE303 5:18");
+}
+
+TEST_CASE("texts, booleans, tables", "[parse]") {
+  CHECK(answer("doc = 'a \"b\" \\'") == "doc = \"a \\\"b\\\" \\\\\"");
+  CHECK(answer("doc = 3") == "E104 5:7");
+  CHECK(answer("wrap = true") == "wrap = true");
+  CHECK(answer("wrap = \"yes\"") == "E104 5:8");
+  CHECK(answer("start = {rate = 1, value = \"a\"}") == "start = {rate = 1, value = a}");
+  CHECK(answer("start = 1") == "E104 5:9");
+}
+
+TEST_CASE("a wrong type says what was met and what is expected", "[parse]") {
+  const auto message = [](std::string_view line) {
+    return testing::first_error(coordinate_with(line)).message;
+  };
+  CHECK(message("doc = 3") == "number `3` where a string is expected");
+  CHECK(message("range = \"x\"") == "string `x` where a list of 2 expressions is expected");
+  CHECK(message("armature = {}") == "table where an expression (a number or a string) is expected");
+  CHECK(message("armature = 0x1F") == "`0x1F` is not a decimal number");
+}
+
+TEST_CASE("integers are bare and whole", "[parse]") {
+  const auto size = [](const std::string& value) {
+    return model_answer(
+        "format = 1\nmodel.name = \"m\"\n[[coordinate]]\nname = \"x\"\n[sizes]\nn = " + value);
+  };
+  CHECK(size("5").find("n = 5") != std::string::npos);
+  CHECK(size("5.5") == "E104 6:5");
+  CHECK(size("\"5\"") == "E104 6:5");
+}
