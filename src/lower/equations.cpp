@@ -62,7 +62,7 @@ class Printer {
     const Instruction& i = function_.instructions[at];
     switch (i.opcode) {
       case Opcode::negate:
-        return {"-" + bracketed(print(i.a), Precedence::product), Precedence::sum};
+        return {fmt::format("-{}", bracketed(print(i.a), Precedence::product)), Precedence::sum};
       case Opcode::add:
         return {print(i.a).text + " + " + bracketed(print(i.b), Precedence::product),
                 Precedence::sum};
@@ -126,7 +126,8 @@ class Printer {
       const Precedence least = exponent > 1   ? Precedence::atom
                                : text.empty() ? Precedence::product
                                               : Precedence::power;
-      text += (text.empty() ? "" : "*") + bracketed(print(*factor), least);
+      if (!text.empty()) text += '*';
+      text += bracketed(print(*factor), least);
       if (exponent > 1) text += fmt::format("^{}", exponent);
       ++bases;
     }

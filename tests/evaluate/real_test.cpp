@@ -1,0 +1,71 @@
+#include <catch2/catch.hpp>
+#include <cln/float.h>
+#include <cln/rational.h>
+
+#include "elgen/evaluate.hpp"
+
+using namespace elgen;
+
+namespace {
+
+Real real(const char* text) { return Real(cln::cl_RA(text)); }
+
+/// Equal to 62 of 64 digits.
+bool near(const Real& x, const Real& y) {
+  const cln::cl_F scale = cln::max(cln::abs(y.value()), cln::cl_float(1, Real::format()));
+  return x.is_defined() && cln::abs(x.value() - y.value()) <
+                               scale * cln::cl_float(cln::expt(cln::cl_RA(10), -62), Real::format());
+}
+
+}  // namespace
+
+TEST_CASE("functions and their inverses") {
+  const Real x = real("3/10");
+  CHECK(near(asin(sin(x)), x));
+  CHECK(near(acos(cos(x)), x));
+  CHECK(near(atan(tan(x)), x));
+  CHECK(near(log(exp(x)), x));
+  CHECK(near(sqrt(x) * sqrt(x), x));
+  CHECK(near(tanh(x) * cosh(x), sinh(x)));
+  CHECK(near(sin(x) * sin(x) + cos(x) * cos(x), Real(1)));
+}
+
+TEST_CASE("atan2 takes the ordinate first and knows the quadrant") {
+  CHECK(near(atan2(real("1"), real("-1")), Real(cln::pi(Real::format()) * 3 / 4)));
+  CHECK(near(atan2(real("-1"), real("1")), Real(-cln::pi(Real::format()) / 4)));
+  CHECK(near(atan2(real("0"), real("0")), real("0")));
+  CHECK(near(acos(real("-1")), Real(cln::pi(Real::format()))));
+}
+
+TEST_CASE("large angles keep all digits") {
+  const cln::cl_RA two_pi = cln::rational(cln::pi(cln::float_format(140))) * 2;
+  const cln::cl_R angle = two_pi * cln::expt(cln::cl_RA(10), 40) + cln::cl_RA("1/2");
+  // 10^40 turns and 1/2: as Real rounds the angle to 64 digits, 24 are left behind the point.
+  const Real difference = sin(Real(angle)) - sin(real("1/2"));
+  CHECK(cln::abs(difference.value()) < cln::cl_float(cln::expt(cln::cl_RA(10), -22), Real::format()));
+  const Real exact_angle(cln::expt(cln::cl_RA(10), 40));
+  CHECK(near(sin(exact_angle) * sin(exact_angle), Real(1) - cos(exact_angle) * cos(exact_angle)));
+}
+
+TEST_CASE("outside of the domain a value is undefined and stays so") {
+  const Real zero;
+  CHECK_FALSE((real("1") / zero).is_defined());
+  CHECK_FALSE(sqrt(real("-1")).is_defined());
+  CHECK_FALSE(log(zero).is_defined());
+  CHECK_FALSE(asin(real("2")).is_defined());
+  CHECK_FALSE(acos(real("-11/10")).is_defined());
+  const Real undefined = Real::undefined();
+  CHECK_FALSE((undefined + zero).is_defined());
+  CHECK_FALSE((zero * undefined).is_defined());
+  CHECK_FALSE((-undefined).is_defined());
+  CHECK_FALSE(max(zero, undefined).is_defined());
+  CHECK_FALSE(sin(undefined).is_defined());
+}
+
+TEST_CASE("kinked functions") {
+  CHECK(near(sign(Real()), real("0")));
+  CHECK(near(sign(real("-7")), real("-1")));
+  CHECK(near(abs(real("-7/2")), real("7/2")));
+  CHECK(near(min(real("1"), real("2")), real("1")));
+  CHECK(near(max(real("1"), real("2")), real("2")));
+}

@@ -1,0 +1,77 @@
+#include <catch2/catch.hpp>
+
+#include "elgen/program.hpp"
+#include "lower/read_program.hpp"
+
+using namespace elgen;
+
+TEST_CASE("a program reads back as it was printed") {
+  const std::string text =
+      "parameters m l[2]\n"
+      "coordinates theta\n"
+      "inputs u\n"
+      "time\n"
+      "constant pi = "
+      "3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803482"
+      "5342117067982148086513282306647L0\n"
+      "function mass_matrix\n"
+      "  0 = parameter l[2]\n"
+      "  1 = constant 1/2\n"
+      "  2 = multiply 0 1  ; half_length\n"
+      "  3 = constant pi\n"
+      "  4 = atan2 2 3\n"
+      "  5 = negate 4\n"
+      "  6 = square_root 5\n"
+      "  result 1 2 = 4 6\n"
+      "function both = dynamics\n"
+      "  0 = time\n"
+      "  1 = velocity theta\n"
+      "  2 = divide 1 0\n"
+      "  result bias 1 1 = 2\n"
+      "  result gravity 1 1 = 0\n";
+  const Program program = testing::read_program(text);
+  CHECK(dump(program) == text);
+  CHECK(program.constants.size() == 2);
+  CHECK(program.functions.at(1).kind == OutputKind::dynamics);
+}
+
+TEST_CASE("comments and empty lines are passed over, names are kept") {
+  const Program program = testing::read_program(
+      "; a comment\n\ncoordinates x\nfunction gravity\n  0 = coordinate x ; position of it\n"
+      "  result 1 1 = 0\n");
+  CHECK(program.functions.at(0).names.at(0) == "position");
+}
+
+TEST_CASE("mistakes are reported with the span of their line") {
+  struct Row {
+    std::string line;
+    std::string message;
+  };
+  const Row row = GENERATE(values<Row>({
+      {"  1 = square 0", "`square` is no operation"},
+      {"  1 = sin", "`sin` has other operands"},
+      {"  1 = atan2 0", "`atan2` has other operands"},
+      {"  1 = parameter m", "`parameter` has other operands"},
+      {"  1 = constant x", "`constant` has other operands"},
+      {"  1 = negate -1", "`negate` has other operands"},
+      {"  2 = negate 0", "expected `1 = OPERATION …`"},
+      {"  result 1 1", "expected `result [NAME] ROWS COLUMNS = ENTRIES`"},
+      {"  result 1 1 = a", "`a` is not a number"},
+      {"function nothing", "`nothing` is no output"},
+      {"function", "expected `function NAME [= KIND [NUMBER]]`"},
+      {"constant pi", "expected `constant NAME = DIGITS`"},
+      {"constant pi = 3,14", "`3,14` is not a number"},
+  }));
+  const std::string head = "coordinates x\nfunction bias\n  0 = coordinate x\n";
+  const SourcePointer source = make_source("program", head + row.line + "\n");
+  const Result<Program> program = parse_program(source);
+  REQUIRE_FALSE(program);
+  CHECK(program.diagnostics.at(0).message == row.message);
+  CHECK(covered_text(program.diagnostics.at(0).span) == row.line);
+}
+
+TEST_CASE("instructions belong to functions") {
+  const auto program = parse_program(make_source("program", "  0 = time\n"));
+  REQUIRE_FALSE(program);
+  CHECK(program.diagnostics.at(0).message == "`0` outside of a function");
+}

@@ -1,0 +1,18 @@
+// Reads the text form of a program, or fails the test with the diagnostics.
+#pragma once
+
+#include <catch2/catch.hpp>
+
+#include <string>
+
+#include "elgen/program.hpp"
+
+namespace elgen::testing {
+
+[[nodiscard]] inline Program read_program(const std::string& text) {
+  const Result<Program> program = parse_program(make_source("program", text));
+  if (!program) FAIL(program.diagnostics.at(0).message);
+  return *program;
+}
+
+}  // namespace elgen::testing
