@@ -1,0 +1,215 @@
+// Program against oracle. Two steps per state and entry: the program, run in 64 digits, must be the
+// oracle's value (the mathematics is right); the program, run in the scalar, must be within 8 u B
+// of it (so is the rounding).
+#include "accuracy.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "elgen/outputs.hpp"
+#include "oracle_cache.hpp"
+#include "own_bound.hpp"
+#include "tally.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_R;
+
+constexpr const char* reason = "8 u B + N eta (own bound): B run along the program";
+
+/// One field of a function, and what was found of it so far.
+struct FieldRecord {
+  const Function* function = nullptr;
+  const Field* field = nullptr;
+  OutputRequest request = {};     ///< what the oracle is asked for
+  std::size_t first = 0;          ///< of its entries among the function's
+  std::size_t first_oracle = 0;   ///< of its entries among the oracle's
+  Tally errors = {};              ///< in u B
+  Tally cancellation = {};        ///< B/|x|: how badly the physics cancels
+  std::vector<double> ulps = {};  ///< at nominal states
+  std::size_t undefined = 0;      ///< states by regime
+  std::size_t overflows = 0;
+  std::size_t ill_conditioned = 0;
+  std::string mistake = {};  ///< the first entry whose exact value is wrong, and where
+  std::string mistake_at = {};
+};
+
+/// `dynamics` holds other outputs under their names; every other function is one output.
+FieldRecord record_of(const Subject& subject, const Function& function, const Field& field) {
+  FieldRecord record;
+  record.function = &function;
+  record.field = &field;
+  record.request = standard_request(function.kind);
+  record.request.user = function.user;
+  if (function.kind == OutputKind::dynamics) {
+    if (const OutputRequest* member = find_request(subject.scene, field.name)) {
+      record.request = *member;
+    }
+  }
+  return record;
+}
+
+std::vector<FieldRecord> records_of(const Subject& subject) {
+  std::vector<FieldRecord> records;
+  for (const Function& function : subject.program.functions) {
+    std::size_t first = 0;
+    for (const Field& field : function.fields) {
+      FieldRecord record = record_of(subject, function, field);
+      record.first = first;
+      record.first_oracle = function.kind == OutputKind::dynamics ? 0 : first;
+      first += field.entries.size();
+      records.push_back(std::move(record));
+    }
+  }
+  return records;
+}
+
+/// To 50 digits of the bound; entries that are zero on paper are rounding of `scale` in 60.
+bool is_right(const Bound& entry, const cl_R& truth, const Real& scale) {
+  static const Real of_bound(cl_R("1e-50"));
+  static const Real of_scale(cl_R("1e-54"));
+  const Real allowed = entry.bound * of_bound + scale * of_scale;
+  const Real difference = abs(entry.value - Real(truth));
+  return difference.is_defined() && difference.value() <= allowed.value();
+}
+
+template <class Scalar>
+double ulps_apart(Scalar x, const cl_R& truth) {
+  const Scalar magnitude = std::abs(ScalarTraits<Scalar>::from_real(truth));
+  const Scalar next = std::nextafter(magnitude, std::numeric_limits<Scalar>::infinity());
+  const Real difference = abs(Real(exact_value(static_cast<double>(x)) - truth));
+  return ScalarTraits<double>::from_real(difference.value()) /
+         static_cast<double>(next - magnitude);
+}
+
+double cancellation(const Bound& entry) {
+  if (cln::zerop(entry.value.value())) return 0;
+  return ScalarTraits<double>::from_real((entry.bound / abs(entry.value)).value());
+}
+
+/// One function at one state.
+template <class Scalar>
+struct Run {
+  BoundedRun exact;
+  std::vector<Scalar> values;
+  bool nominal = false;
+};
+
+template <class Scalar>
+void record_entry(FieldRecord& record, const Run<Scalar>& run, std::size_t i, OracleCache& oracle) {
+  const Bound& entry = run.exact.entries[record.first + i];
+  const cl_R& truth = (*oracle.values(record.request))[record.first_oracle + i];
+  const Scalar x = run.values[record.first + i];
+  if (record.mistake.empty() &&
+      !is_right(entry, truth, run.exact.largest + Real(oracle.energy()))) {
+    record.mistake = fmt::format("entry {} is {}, the oracle says {}", i + 1,
+                                 short_text(entry.value.value()), short_text(truth));
+  }
+  record.errors.add(error_in_bounds(x, entry, record.function->instructions.size()),
+                    oracle.state());
+  record.cancellation.add(cancellation(entry), oracle.state());
+  if (run.nominal && !cln::zerop(truth)) record.ulps.push_back(ulps_apart(x, truth));
+}
+
+bool is_regular(FieldRecord& record, Regime regime) {
+  record.undefined += regime == Regime::undefined ? 1 : 0;
+  record.overflows += regime == Regime::overflow ? 1 : 0;
+  record.ill_conditioned += regime == Regime::ill_conditioned ? 1 : 0;
+  return regime == Regime::regular;
+}
+
+template <class Scalar>
+void record_state(FieldRecord& record, const Run<Scalar>& run, OracleCache& oracle,
+                  const Subject& subject) {
+  if (!is_regular(record, run.exact.regime)) return;
+  if (!oracle.values(record.request)) {
+    ++record.undefined;
+    return;
+  }
+  const bool was_right = record.mistake.empty();
+  for (std::size_t i = 0; i < record.field->entries.size(); ++i) {
+    record_entry(record, run, i, oracle);
+  }
+  if (was_right && !record.mistake.empty()) record.mistake_at = describe(subject, oracle.state());
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+std::string figures(const FieldRecord& record) {
+  std::string text =
+      fmt::format("{:.2g} u B; median {:.2g} ulp; cancellation {:.2g}", record.errors.worst(),
+                  median(record.ulps), record.cancellation.worst());
+  if (record.overflows > 0) text += fmt::format("; {} overflow, reported", record.overflows);
+  if (record.undefined > 0) text += fmt::format("; {} outside the domain", record.undefined);
+  if (record.ill_conditioned > 0) {
+    text += fmt::format("; {} too ill-conditioned to bound", record.ill_conditioned);
+  }
+  return text;
+}
+
+CertificateRow row_of(const Subject& subject, const FieldRecord& record, const char* scalar) {
+  const Field& field = *record.field;
+  CertificateRow row;
+  row.check = "program vs oracle";
+  row.subject = fmt::format("{}{}{} ({})", record.function->name, field.name.empty() ? "" : ".",
+                            field.name, scalar);
+  row.formula = "|x - x*| / (u B)";
+  row.samples = record.errors.samples() / std::max<std::size_t>(field.entries.size(), 1);
+  row.tolerance = reason;
+  row.worst = figures(record);
+  row.where = record.errors.where(subject);
+  row.verdict = record.errors.verdict(promised_bounds);
+  if (!record.mistake.empty()) {
+    row.worst = record.mistake;
+    row.where = record.mistake_at;
+    row.verdict = Verdict::fails;
+  }
+  return row;
+}
+
+template <class Scalar>
+void record_sample(std::vector<FieldRecord>& records, const Subject& subject,
+                   const SampledState<Scalar>& sample) {
+  OracleCache oracle(subject, exact_state(subject, sample.values));
+  const Function* evaluated = nullptr;
+  Run<Scalar> run;
+  for (FieldRecord& record : records) {
+    if (record.function != evaluated) {
+      evaluated = record.function;
+      run = {bounded_run<Scalar>(subject.program, *evaluated, oracle.state()),
+             evaluate(subject.program, *evaluated, sample.values),
+             sample.region == Region::nominal};
+    }
+    record_state(record, run, oracle, subject);
+  }
+}
+
+}  // namespace
+
+template <class Scalar>
+std::vector<CertificateRow> check_accuracy(const Subject& subject,
+                                           const std::vector<SampledState<Scalar>>& states) {
+  std::vector<FieldRecord> records = records_of(subject);
+  for (const SampledState<Scalar>& sample : states) record_sample(records, subject, sample);
+  std::vector<CertificateRow> rows;
+  for (const FieldRecord& record : records) {
+    rows.push_back(row_of(subject, record, std::is_same_v<Scalar, float> ? "float" : "double"));
+  }
+  return rows;
+}
+
+template std::vector<CertificateRow> check_accuracy(const Subject&,
+                                                    const std::vector<SampledState<double>>&);
+template std::vector<CertificateRow> check_accuracy(const Subject&,
+                                                    const std::vector<SampledState<float>>&);
+
+}  // namespace elgen

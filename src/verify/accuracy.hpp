@@ -1,0 +1,22 @@
+// Accuracy: a program's values in double and float against the 60-digit oracle, in units of the
+// program's own error bound.
+#pragma once
+
+#include <vector>
+
+#include "elgen/certificate.hpp"
+#include "states.hpp"
+
+namespace elgen {
+
+/// The promise: |x - x*| <= 8 u B + N eta, u half the scalar's epsilon, eta its smallest denormal,
+/// N operations.
+inline constexpr double promised_bounds = 8;
+
+/// One row per output and field. A state fails where the exact value of the program is not the
+/// oracle's (to 50 digits of its bound), and where the rounded value is further off than promised.
+template <class Scalar>
+[[nodiscard]] std::vector<CertificateRow> check_accuracy(
+    const Subject& subject, const std::vector<SampledState<Scalar>>& states);
+
+}  // namespace elgen

@@ -1,0 +1,134 @@
+// The rules of error bounds.
+#include "bounded.hpp"
+
+#include <limits>
+
+namespace elgen {
+namespace {
+
+template <class Scalar>
+Real real(Scalar x) {
+  return Real(exact_value(static_cast<double>(x)));
+}
+
+template <class Scalar>
+Rounding rounding_of() {
+  using Limits = std::numeric_limits<Scalar>;
+  const Real u = real(Limits::epsilon()) / Real(2);
+  return {u, real(Limits::denorm_min()) / u, real(Limits::min()), real(Limits::max()) / Real(16)};
+}
+
+bool is_less(const Real& x, const Real& y) {
+  return x.is_defined() && y.is_defined() && x.value() < y.value();
+}
+
+Bound computed(const Real& value, const Real& bound, const Rounding& rounding) {
+  const bool tiny = is_less(abs(value), rounding.smallest);
+  return {value, tiny ? bound + rounding.underflow : bound, false, false};
+}
+
+Bound inherit(Bound result, const Bound& x, const Bound& y) {
+  result.lost = result.lost || x.lost || y.lost;
+  return result;
+}
+
+/// Known to within a tenth, with the promised 8 u B.
+bool is_certain(const Bound& x, const Rounding& rounding) {
+  return x.exact || is_less(x.bound * rounding.roundoff * Real(80), abs(x.value));
+}
+
+bool is_power_of_two(const Bound& x) {
+  if (!x.exact || !x.value.is_defined() || cln::zerop(x.value.value())) return false;
+  return cln::abs(cln::decode_float(x.value.value()).mantissa) == cln::cl_RA(1) / 2;
+}
+
+/// f, f' and f'' in one argument, the other held.
+Dual<Dual<Real>> with_derivatives(FunctionId function, const Bound& x, const Bound& y,
+                                  bool in_first) {
+  const Dual<Real> moving_x{x.value, Real(in_first ? 1 : 0)};
+  const Dual<Real> moving_y{y.value, Real(in_first ? 0 : 1)};
+  const Dual<Dual<Real>> first{moving_x, {moving_x.slope, Real()}};
+  const Dual<Dual<Real>> second{moving_y, {moving_y.slope, Real()}};
+  return interpreter::call(function, first, second);
+}
+
+/// |f'| A + 1/2 u max|f''| A^2 of one argument.
+Real argument_part(FunctionId function, const Bound& x, const Bound& y, bool in_first,
+                   const Rounding& rounding) {
+  const Bound& argument = in_first ? x : y;
+  if (argument.exact) return {};
+  const Dual<Dual<Real>> f = with_derivatives(function, x, y, in_first);
+  const bool is_wave = function == FunctionId::sin || function == FunctionId::cos;
+  const Real curvature = is_wave ? Real(1) : abs(f.slope.slope);
+  const Real& a = argument.bound;
+  return abs(f.value.slope) * a + rounding.roundoff * curvature * a * a / Real(2);
+}
+
+bool is_kinked(FunctionId function) { return function_row(function).use == FunctionUse::forces; }
+
+/// abs, min and max pass an operand on; sign is 1 in magnitude.
+Bound kinked(FunctionId function, const Bound& x, const Bound& y) {
+  const Bound f{interpreter::call(function, x.value, y.value), max(x.bound, y.bound), false,
+                x.lost || y.lost};
+  return function == FunctionId::sign ? leaf_bound(f.value, true) : f;
+}
+
+}  // namespace
+
+template <class Scalar>
+const Rounding& rounding() {
+  static const Rounding constants = rounding_of<Scalar>();
+  return constants;
+}
+template const Rounding& rounding<float>();
+template const Rounding& rounding<double>();
+
+Bound leaf_bound(const Real& value, bool exact) { return {value, abs(value), exact, false}; }
+
+Bound negated(const Bound& x) { return {-x.value, x.bound, x.exact, x.lost}; }
+
+Bound sum(const Bound& x, const Bound& y, const Rounding& rounding) {
+  return inherit(computed(x.value + y.value, x.bound + y.bound, rounding), x, y);
+}
+
+Bound product(const Bound& x, const Bound& y, const Rounding& rounding) {
+  Bound result = inherit(computed(x.value * y.value, x.bound * y.bound, rounding), x, y);
+  const bool scaled = (is_power_of_two(x) && y.exact) || (is_power_of_two(y) && x.exact);
+  result.exact = scaled && !is_less(abs(result.value), rounding.smallest);
+  return result;
+}
+
+Bound quotient(const Bound& x, const Bound& y, const Rounding& rounding) {
+  const Real value = x.value / y.value;
+  const Real bound = (x.bound + abs(value) * y.bound) / abs(y.value);
+  Bound result = inherit(computed(value, bound, rounding), x, y);
+  result.lost = result.lost || !is_certain(y, rounding);
+  return result;
+}
+
+Bound root(const Bound& x, const Rounding& rounding) {
+  const Real value = sqrt(x.value);
+  if (!value.is_defined() || cln::zerop(value.value())) {
+    return {value, sqrt(x.bound), false, x.lost || !x.exact};
+  }
+  const Real slope = Real(1) / (value + value);
+  const Real a = x.exact ? Real() : x.bound;
+  const Real curvature = slope / (x.value + x.value);
+  const Real bound = value + slope * a + rounding.roundoff * curvature * a * a / Real(2);
+  Bound result = computed(value, bound, rounding);
+  result.lost = x.lost || !is_certain(x, rounding);
+  return result;
+}
+
+Bound function_bound(FunctionId function, const Bound& x, const Bound& y,
+                     const Rounding& rounding) {
+  if (is_kinked(function)) return kinked(function, x, y);
+  const Real value = interpreter::call(function, x.value, y.value);
+  Real bound = abs(value) + argument_part(function, x, y, true, rounding);
+  if (function_row(function).arity == 2) {
+    bound = bound + argument_part(function, x, y, false, rounding);
+  }
+  return inherit(computed(value, bound, rounding), x, y);
+}
+
+}  // namespace elgen

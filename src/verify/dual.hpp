@@ -1,0 +1,99 @@
+// Dual: value + slope * epsilon with epsilon^2 = 0; a program evaluated on it gives its derivative
+// along one direction, exact to the base type. Nests: Dual<Dual<Real>> gives second derivatives.
+#pragma once
+
+#include <vector>
+
+#include "elgen/evaluate.hpp"
+
+namespace elgen {
+
+template <class Base>
+struct Dual {
+  Base value = Base();
+  Base slope = Base();
+};
+
+template <class Base>
+struct ScalarTraits<Dual<Base>> {
+  [[nodiscard]] static Dual<Base> from_real(const cln::cl_R& value) {
+    return {ScalarTraits<Base>::from_real(value), ScalarTraits<Base>::from_real(0)};
+  }
+};
+
+template <class Base>
+[[nodiscard]] Dual<Base> operator-(const Dual<Base>& x) {
+  return {-x.value, -x.slope};
+}
+template <class Base>
+[[nodiscard]] Dual<Base> operator+(const Dual<Base>& x, const Dual<Base>& y) {
+  return {x.value + y.value, x.slope + y.slope};
+}
+template <class Base>
+[[nodiscard]] Dual<Base> operator-(const Dual<Base>& x, const Dual<Base>& y) {
+  return {x.value - y.value, x.slope - y.slope};
+}
+template <class Base>
+[[nodiscard]] Dual<Base> operator*(const Dual<Base>& x, const Dual<Base>& y) {
+  return {x.value * y.value, x.slope * y.value + x.value * y.slope};
+}
+template <class Base>
+[[nodiscard]] Dual<Base> operator/(const Dual<Base>& x, const Dual<Base>& y) {
+  const Base quotient = x.value / y.value;
+  return {quotient, (x.slope - quotient * y.slope) / y.value};
+}
+template <class Base>
+[[nodiscard]] Dual<Base> sqrt(const Dual<Base>& x) {
+  const Base root = sqrt(x.value);
+  return {root, x.slope / (root + root)};
+}
+
+/// The tables of derivatives multiply by small integers.
+[[nodiscard]] inline Real operator*(const Real& x, int factor) { return x * Real(factor); }
+template <class Base>
+[[nodiscard]] Dual<Base> operator*(const Dual<Base>& x, int factor) {
+  return {x.value * factor, x.slope * factor};
+}
+
+#define ELGEN_DUAL_1(name, first, second)                               \
+  template <class Base>                                                 \
+  [[nodiscard]] Dual<Base> name(const Dual<Base>& argument) {           \
+    const Base& x = argument.value;                                     \
+    const Base f = name(x);                                             \
+    [[maybe_unused]] const Base one = ScalarTraits<Base>::from_real(1); \
+    return {f, (first)*argument.slope};                                 \
+  }
+#define ELGEN_DUAL_2(name, first, second)                                          \
+  template <class Base>                                                            \
+  [[nodiscard]] Dual<Base> name(const Dual<Base>& left, const Dual<Base>& right) { \
+    const Base& x = left.value;                                                    \
+    const Base& y = right.value;                                                   \
+    const Base f = name(x, y);                                                     \
+    [[maybe_unused]] const Base one = ScalarTraits<Base>::from_real(1);            \
+    return {f, (first)*left.slope + (second)*right.slope};                         \
+  }
+#define ELGEN_FUNCTION(name, arity, use, first, second) ELGEN_DUAL_##arity(name, first, second)
+#include "elgen/functions.def"
+#undef ELGEN_FUNCTION
+#undef ELGEN_DUAL_2
+#undef ELGEN_DUAL_1
+
+/// A point that moves with epsilon: values at `point`, slopes from `direction`.
+template <class Base>
+[[nodiscard]] Arguments<Dual<Base>> moving(const Arguments<Base>& point,
+                                           const Arguments<Base>& direction) {
+  const auto zip = [](const std::vector<Base>& values, const std::vector<Base>& slopes) {
+    std::vector<Dual<Base>> result;
+    result.reserve(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) result.push_back({values[i], slopes[i]});
+    return result;
+  };
+  return {zip(point.parameters, direction.parameters),
+          zip(point.q, direction.q),
+          zip(point.v, direction.v),
+          zip(point.a, direction.a),
+          zip(point.u, direction.u),
+          {point.t, direction.t}};
+}
+
+}  // namespace elgen

@@ -1,0 +1,254 @@
+// Expectations by sampling. Two exact functions of the model agree where they agree to 45 digits at
+// 64 random points; the row says that it was sampled, since that is no proof.
+#include "expectations.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "elgen/outputs.hpp"
+#include "random.hpp"
+#include "tally.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_R;
+
+constexpr std::size_t point_count = 64;
+constexpr double tolerance = 1e-45;
+constexpr const char* reason =
+    "1e-45 of the largest entry: sampled at 64 points to 50 digits, no proof";
+
+/// Half to twice the value; a parameter that is zero becomes a positive number up to 1.
+cl_R varied(const cl_R& value, Random& random) {
+  const cln::cl_RA r = cln::abs(random.rational());
+  if (cln::zerop(value)) return r;
+  return value * (cln::cl_RA(1) / 2 + r * 3 / 2);
+}
+
+State random_point(const Model& model, Random& random) {
+  State state = nominal_state(model, {});
+  for (cl_R& parameter : state.parameters) parameter = varied(parameter, random);
+  for (std::vector<cl_R>* quantity : {&state.q, &state.v, &state.a, &state.u}) {
+    for (cl_R& value : *quantity) value = random.rational();
+  }
+  state.t = random.rational();
+  return state;
+}
+
+std::vector<State> random_points(const Model& model, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<State> points;
+  for (std::size_t i = 0; i < point_count; ++i) points.push_back(random_point(model, random));
+  return points;
+}
+
+cl_R largest(const std::vector<cl_R>& values) {
+  cl_R result = 0;
+  for (const cl_R& value : values) result = cln::max(result, cln::abs(value));
+  return result;
+}
+
+double quotient(const cl_R& difference, const cl_R& scale) {
+  if (cln::zerop(difference)) return 0;
+  return ScalarTraits<double>::from_real(cln::abs(difference) / scale);
+}
+
+struct PointOfComparison {
+  State state;
+  std::optional<std::vector<cl_R>> derived;  ///< entries of the output, by the oracle
+  cl_R scale;  ///< of what counts as zero: the largest entry of the output and of M
+};
+
+std::vector<PointOfComparison> compare_at(const Model& model, const OutputRequest& request,
+                                          const std::vector<State>& states) {
+  const OutputRequest mass = standard_request(OutputKind::mass_matrix);
+  std::vector<PointOfComparison> points;
+  for (const State& state : states) {
+    PointOfComparison point{state, oracle_values(model, request, state), 0};
+    const OracleValues masses = oracle_values(model, mass, state);
+    if (point.derived) point.scale = largest(*point.derived);
+    if (masses) point.scale = cln::max(point.scale, largest(*masses));
+    points.push_back(std::move(point));
+  }
+  return points;
+}
+
+std::string entry_name(const Expectation& expectation, std::size_t entry) {
+  const std::size_t columns = std::max<std::size_t>(expectation.columns, 1);
+  if (expectation.entries.size() == 1) return expectation.output;
+  if (columns == 1) return fmt::format("{}[{}]", expectation.output, entry + 1);
+  return fmt::format("{}[{},{}]", expectation.output, entry / columns + 1, entry % columns + 1);
+}
+
+Span entry_span(const Expectation& expectation, std::size_t entry) {
+  return entry < expectation.spans.size() ? expectation.spans[entry] : expectation.span;
+}
+
+CertificateRow expectation_row(const Expectation& expectation, std::size_t entry,
+                               const Subject& subject) {
+  CertificateRow row;
+  row.check = "[[expect]]";
+  row.subject = entry_name(expectation, entry);
+  row.formula = to_string(subject.model, expectation.entries[entry]);
+  row.tolerance = reason;
+  return row;
+}
+
+void finish(CertificateRow& row, const Tally& tally, const Subject& subject) {
+  row.samples = tally.samples();
+  row.worst = fmt::format("{:.1e} relative", tally.worst());
+  if (tally.skipped() > 0) row.worst += fmt::format("; {} outside the domain", tally.skipped());
+  row.where = tally.within(tolerance) ? std::string() : tally.where(subject);
+  row.verdict = tally.verdict(tolerance);
+}
+
+/// What stands in the file, what is right, and where to see it.
+struct Witness {
+  cl_R written;
+  cl_R derived;
+  State state;
+};
+
+Diagnostic wrong_entry(const Expectation& expectation, std::size_t entry, const Subject& subject,
+                       const Witness& witness) {
+  return {Code::E510, entry_span(expectation, entry),
+          fmt::format("{} is {} by this form, {} as derived, {} too much, at {}",
+                      entry_name(expectation, entry), short_text(witness.written),
+                      short_text(witness.derived), short_text(witness.written - witness.derived),
+                      describe(subject, witness.state))};
+}
+
+/// Compares one entry everywhere; the first point where it is wrong becomes the diagnostic.
+void check_entry(ExpectationReport& report, const Expectation& expectation, std::size_t entry,
+                 const Subject& subject, const std::vector<PointOfComparison>& points) {
+  Tally tally;
+  std::optional<Witness> witness;
+  for (const PointOfComparison& point : points) {
+    const auto written = oracle_expression(subject.model, expectation.entries[entry], point.state);
+    if (!written || !point.derived || entry >= point.derived->size()) {
+      tally.skip();
+      continue;
+    }
+    const cl_R& derived = (*point.derived)[entry];
+    const double figure = quotient(*written - derived, cln::max(point.scale, cln::abs(*written)));
+    tally.add(figure, point.state);
+    if (!witness && !(figure <= tolerance)) witness = Witness{*written, derived, point.state};
+  }
+  CertificateRow row = expectation_row(expectation, entry, subject);
+  finish(row, tally, subject);
+  report.rows.push_back(std::move(row));
+  if (witness) {
+    report.diagnostics.push_back(wrong_entry(expectation, entry, subject, *witness));
+  }
+}
+
+/// The state at rest of inputs, with the acceleration it then has; none where M is singular.
+std::optional<State> free_motion(const Model& model, State state) {
+  for (cl_R& u : state.u) u = 0;
+  const OracleValues solution =
+      oracle_values(model, standard_request(OutputKind::forward_dynamics), state);
+  if (!solution) return std::nullopt;
+  for (std::size_t i = 0; i < state.a.size(); ++i) state.a[i] = (*solution)[i];
+  return state;
+}
+
+struct Rate {
+  cl_R value;  ///< de/dt along the motion
+  cl_R scale;  ///< of its terms: |e|, the part without a, and the part of each a_i
+};
+
+std::optional<Rate> rate_along(const Model& model, ExpressionId expression, const State& motion) {
+  const auto value = oracle_expression(model, expression, motion);
+  const auto rate = oracle_rate(model, expression, motion);
+  State part = motion;
+  part.a.assign(motion.a.size(), cl_R(0));
+  const auto coasting = oracle_rate(model, expression, part);
+  if (!value || !rate || !coasting) return std::nullopt;
+  Rate result{*rate, cln::abs(*value) + cln::abs(*coasting)};
+  for (std::size_t i = 0; i < motion.a.size(); ++i) {
+    part.a[i] = motion.a[i];
+    const auto accelerated = oracle_rate(model, expression, part);
+    part.a[i] = 0;
+    if (!accelerated) return std::nullopt;
+    result.scale = result.scale + cln::abs(*accelerated - *coasting);
+  }
+  return result;
+}
+
+void check_conserved(ExpectationReport& report, const Expectation& expectation, std::size_t entry,
+                     const Subject& subject, const std::vector<State>& motions) {
+  Tally tally;
+  std::optional<Witness> witness;
+  for (const State& motion : motions) {
+    const auto rate = rate_along(subject.model, expectation.entries[entry], motion);
+    if (!rate) {
+      tally.skip();
+      continue;
+    }
+    const double figure = quotient(rate->value, rate->scale);
+    tally.add(figure, motion);
+    if (!witness && !(figure <= tolerance)) witness = Witness{rate->value, 0, motion};
+  }
+  CertificateRow row = expectation_row(expectation, entry, subject);
+  row.formula = fmt::format("d/dt ({}) = 0 at u = 0", row.formula);
+  finish(row, tally, subject);
+  report.rows.push_back(std::move(row));
+  if (witness) {
+    report.diagnostics.push_back(
+        {Code::E510, entry_span(expectation, entry),
+         fmt::format("its rate is {} instead of 0 at {}", short_text(witness->written),
+                     describe(subject, witness->state))});
+  }
+}
+
+std::vector<State> free_motions(const Model& model, const std::vector<State>& states) {
+  std::vector<State> motions;
+  for (const State& state : states) {
+    if (std::optional<State> motion = free_motion(model, state)) {
+      motions.push_back(std::move(*motion));
+    }
+  }
+  return motions;
+}
+
+}  // namespace
+
+std::optional<OutputRequest> expected_request(const Model& model, std::string_view name) {
+  if (const OutputRow* row = find_output(name)) return standard_request(row->kind);
+  for (std::uint32_t i = 0; i < model.outputs.size(); ++i) {
+    for (const OutputKind kind :
+         {OutputKind::user_value, OutputKind::user_jacobian, OutputKind::user_bias}) {
+      OutputRequest request = standard_request(kind);
+      request.user = i;
+      request.name = model.outputs[i].name + request.name;
+      if (request.name == name) return request;
+    }
+  }
+  return std::nullopt;
+}
+
+ExpectationReport check_expectations(const Subject& subject, std::uint64_t seed) {
+  ExpectationReport report;
+  if (subject.model.expectations.empty()) return report;
+  const std::vector<State> states = random_points(subject.model, seed);
+  for (const Expectation& expectation : subject.model.expectations) {
+    const bool conserved = expectation.output == "conserved";
+    const auto request = expected_request(subject.model, expectation.output);
+    const std::vector<State> motions =
+        conserved ? free_motions(subject.model, states) : std::vector<State>();
+    const std::vector<PointOfComparison> points =
+        request ? compare_at(subject.model, *request, states) : std::vector<PointOfComparison>();
+    for (std::size_t entry = 0; entry < expectation.entries.size(); ++entry) {
+      if (conserved) {
+        check_conserved(report, expectation, entry, subject, motions);
+      } else {
+        check_entry(report, expectation, entry, subject, points);
+      }
+    }
+  }
+  return report;
+}
+
+}  // namespace elgen

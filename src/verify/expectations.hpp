@@ -1,0 +1,28 @@
+// [[expect]]: the closed forms an author writes down, compared with the oracle at random exact
+// points.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "elgen/certificate.hpp"
+#include "subject.hpp"
+
+namespace elgen {
+
+struct ExpectationReport {
+  std::vector<CertificateRow> rows = {};
+  Diagnostics diagnostics = {};  ///< E510, one per wrong entry, at the entry
+};
+
+/// 64 points with rational coordinates, rates, inputs and parameters (from half to twice their
+/// value, with the sign they have; fixed ones too, since an expectation speaks of the model).
+/// `conserved` entries: their rate along the motion with u = 0 is zero.
+[[nodiscard]] ExpectationReport check_expectations(const Subject& subject, std::uint64_t seed);
+
+/// The oracle's request for the output an expectation names; none where the model has no such
+/// output.
+[[nodiscard]] std::optional<OutputRequest> expected_request(const Model& model,
+                                                            std::string_view name);
+
+}  // namespace elgen

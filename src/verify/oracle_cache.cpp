@@ -1,0 +1,22 @@
+// Values of the oracle, kept per output: `dynamics` and the functions it repeats ask for the same
+// ones.
+#include "oracle_cache.hpp"
+
+namespace elgen {
+
+const OracleValues& OracleCache::values(const OutputRequest& request) {
+  const auto key = std::make_pair(request.kind, request.user);
+  const auto known = known_.find(key);
+  if (known != known_.end()) return known->second;
+  return known_[key] = oracle_values(subject_.model, request, state_);
+}
+
+const cln::cl_R& OracleCache::energy() {
+  if (!energy_) {
+    const OracleValues& e = values(standard_request(OutputKind::energy_function));
+    energy_ = e ? cln::abs(e->front()) : cln::cl_R(0);
+  }
+  return *energy_;
+}
+
+}  // namespace elgen

@@ -1,0 +1,30 @@
+// OracleCache: the oracle's values at one state, each output computed once.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "subject.hpp"
+
+namespace elgen {
+
+class OracleCache {
+ public:
+  OracleCache(const Subject& subject, State state) : subject_(subject), state_(std::move(state)) {}
+
+  [[nodiscard]] const State& state() const { return state_; }
+
+  [[nodiscard]] const OracleValues& values(const OutputRequest& request);
+
+  /// |E|, in whose rounding entries that are zero on paper drown; 0 where E is undefined.
+  [[nodiscard]] const cln::cl_R& energy();
+
+ private:
+  const Subject& subject_;
+  State state_;
+  std::map<std::pair<OutputKind, std::uint32_t>, OracleValues> known_ = {};
+  std::optional<cln::cl_R> energy_ = {};
+};
+
+}  // namespace elgen

@@ -1,0 +1,64 @@
+// Running bounds along a function, and errors measured in them.
+#include "own_bound.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace elgen {
+namespace {
+
+/// The worst that holds of one instruction.
+Regime regime_of(const Bound& x, const Rounding& rounding) {
+  if (!x.value.is_defined()) return Regime::undefined;
+  if (abs(x.value).value() > rounding.largest.value()) return Regime::overflow;
+  if (x.lost) return Regime::ill_conditioned;
+  return Regime::regular;
+}
+
+/// An undefined value outweighs an overflow, and that a lost bound.
+Regime worse(Regime x, Regime y) {
+  if (x == Regime::regular) return y;
+  if (y == Regime::regular) return x;
+  return x < y ? x : y;
+}
+
+}  // namespace
+
+template <class Scalar>
+BoundedRun bounded_run(const Program& program, const Function& function, const State& state) {
+  BoundedRun run;
+  const auto values =
+      evaluate_instructions(program, function, arguments_at<Bounded<Scalar>>(state));
+  for (const Bound& value : values) {
+    const Regime here = regime_of(value, rounding<Scalar>());
+    run.regime = worse(run.regime, here);
+    if (here != Regime::undefined) run.largest = max(run.largest, abs(value.value));
+  }
+  for (const Field& field : function.fields) {
+    for (const std::uint32_t entry : field.entries) run.entries.push_back(values[entry]);
+  }
+  return run;
+}
+
+template BoundedRun bounded_run<double>(const Program&, const Function&, const State&);
+template BoundedRun bounded_run<float>(const Program&, const Function&, const State&);
+
+template <class Scalar>
+double error_in_bounds(Scalar x, const Bound& entry, std::size_t operations) {
+  if (!std::isfinite(x)) return std::numeric_limits<double>::infinity();
+  const Real computed(exact_value(static_cast<double>(x)));
+  const Rounding& constants = rounding<Scalar>();
+  const Real eta = constants.underflow * constants.roundoff;
+  const Real underflow = eta * Real(cln::cl_R(static_cast<long>(operations)));
+  const Real excess = abs(computed - entry.value) - underflow;
+  if (!excess.is_defined()) return std::numeric_limits<double>::infinity();
+  if (!cln::plusp(excess.value())) return 0;
+  const Real figure = excess / (constants.roundoff * entry.bound);
+  return figure.is_defined() ? ScalarTraits<double>::from_real(figure.value())
+                             : std::numeric_limits<double>::infinity();
+}
+
+template double error_in_bounds(double, const Bound&, std::size_t);
+template double error_in_bounds(float, const Bound&, std::size_t);
+
+}  // namespace elgen

@@ -1,0 +1,36 @@
+// Own bound: how far a program may be from the truth by rounding alone, run along the program
+// itself.
+#pragma once
+
+#include <vector>
+
+#include "bounded.hpp"
+
+namespace elgen {
+
+/// What can be said of a function at one state.
+enum class Regime : std::uint8_t {
+  regular,
+  undefined,        ///< an intermediate has no value (1/0, sqrt(-1))
+  overflow,         ///< an exact intermediate exceeds max/16 of the scalar
+  ill_conditioned,  ///< a divisor or radicand is uncertain by more than a tenth: no first-order
+                    ///< bound
+};
+
+struct BoundedRun {
+  Regime regime = Regime::regular;
+  std::vector<Bound> entries = {};  ///< of all fields
+  Real largest = {};                ///< magnitude of the largest intermediate
+};
+
+/// Runs exact values and bounds along a function. Scalar: double or float.
+template <class Scalar>
+[[nodiscard]] BoundedRun bounded_run(const Program& program, const Function& function,
+                                     const State& state);
+
+/// |x - exact| / (u B), less `operations` times the smallest denormal, which underflow may cost; 0
+/// where both are equal, infinite where x is not a number or B is 0. Scalar: double or float.
+template <class Scalar>
+[[nodiscard]] double error_in_bounds(Scalar x, const Bound& entry, std::size_t operations);
+
+}  // namespace elgen

@@ -1,0 +1,28 @@
+// Random: SplitMix64. Own and tiny, because the standard distributions differ between libraries and
+// a seed must name the same states everywhere.
+#pragma once
+
+#include <cln/rational.h>
+
+#include <cstdint>
+
+namespace elgen {
+
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+
+  [[nodiscard]] std::uint64_t next();
+  /// In [low, high).
+  [[nodiscard]] double uniform(double low, double high);
+  /// +-m 2^k with m in [1, 2) and k uniform in [low_exponent, high_exponent].
+  [[nodiscard]] double log_uniform(int low_exponent, int high_exponent);
+  /// k / 997 in [-1, 1] without 0: small enough to stay quick, no divisor in common with models'
+  /// decimals.
+  [[nodiscard]] cln::cl_RA rational();
+
+ private:
+  std::uint64_t state_;
+};
+
+}  // namespace elgen

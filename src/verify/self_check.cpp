@@ -1,0 +1,134 @@
+// self_check: what precedes every write. At each state every function is run in double, in 64
+// digits with its error bound, and projected on random directions against the oracle. The clock
+// decides only how many states are visited.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "accuracy.hpp"
+#include "elgen/certificate.hpp"
+#include "projection.hpp"
+#include "states.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr std::size_t least_states = 2;
+constexpr std::size_t most_states = 32;
+
+/// One state on its way through all functions.
+class Visit {
+ public:
+  Visit(const Subject& subject, const Arguments<double>& values, Random& random)
+      : subject_(subject),
+        values_(values),
+        random_(random),
+        oracle_(subject, exact_state(subject, values)) {}
+
+  /// What is wrong with a function here; empty where nothing is.
+  std::string mistake(const Function& function) {
+    BoundedRun run = bounded_run<double>(subject_.program, function, oracle_.state());
+    if (run.regime != Regime::regular) return {};
+    ++compared_;
+    const std::vector<double> rounded = evaluate(subject_.program, function, values_);
+    for (std::size_t i = 0; i < rounded.size(); ++i) {
+      const double error =
+          error_in_bounds(rounded[i], run.entries[i], function.instructions.size());
+      worst_ = std::max(worst_, error);
+      if (!(error <= promised_bounds)) return imprecise(rounded[i], run.entries[i], error);
+    }
+    if (function.kind == OutputKind::dynamics) return differing_field(function, run);
+    std::string wrong = compare_projection(subject_, {function, run}, oracle_, random_);
+    exact_.emplace_back(&function, std::move(run));
+    return wrong;
+  }
+
+  [[nodiscard]] std::size_t compared() const { return compared_; }
+  [[nodiscard]] double worst() const { return worst_; }
+  [[nodiscard]] std::string where() const { return describe(subject_, oracle_.state()); }
+
+ private:
+  static std::string imprecise(double x, const Bound& entry, double error) {
+    return fmt::format("{:.17g} instead of {} is {:.2g} times its error bound", x,
+                       short_text(entry.value.value()), error);
+  }
+
+  /// `dynamics` repeats other functions, which come before it and are checked by themselves.
+  std::string differing_field(const Function& dynamics, const BoundedRun& run) const {
+    std::size_t first = 0;
+    for (const Field& field : dynamics.fields) {
+      const auto same = std::find_if(exact_.begin(), exact_.end(), [&field](const auto& known) {
+        return known.first->name == field.name;
+      });
+      if (same != exact_.end() && !equal_entries(same->second, run, first)) {
+        return fmt::format("field {} differs from the function of that name", field.name);
+      }
+      first += field.entries.size();
+    }
+    return {};
+  }
+
+  static bool equal_entries(const BoundedRun& alone, const BoundedRun& within, std::size_t first) {
+    static const Real of_bound(cln::cl_R("1e-50"));
+    static const Real of_scale(cln::cl_R("1e-54"));
+    for (std::size_t i = 0; i < alone.entries.size(); ++i) {
+      const Bound& entry = alone.entries[i];
+      const Real difference = abs(entry.value - within.entries[first + i].value);
+      const Real allowed = entry.bound * of_bound + within.largest * of_scale;
+      if (difference.value() > allowed.value()) return false;
+    }
+    return true;
+  }
+
+  const Subject& subject_;
+  const Arguments<double>& values_;
+  Random& random_;
+  OracleCache oracle_;
+  std::vector<std::pair<const Function*, BoundedRun>> exact_ = {};
+  std::size_t compared_ = 0;
+  double worst_ = 0;
+};
+
+/// Visits all functions at one state; adds to `result`.
+void check_state(SelfCheck& result, const Subject& subject, const Arguments<double>& values,
+                 Random& random) {
+  Visit visit(subject, values, random);
+  for (const Function& function : subject.program.functions) {
+    const std::string mistake = visit.mistake(function);
+    if (mistake.empty()) continue;
+    result.failure = fmt::format("`{}`: {}, at {}", function.name, mistake, visit.where());
+    return;
+  }
+  result.states += visit.compared() > 0 ? 1 : 0;
+  result.worst = std::max(result.worst, visit.worst());
+}
+
+}  // namespace
+
+SelfCheck self_check(const Model& model, const Scene& scene, const Program& program,
+                     double seconds) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  const Subject subject{model, scene, program};
+  Random random(1);
+  SelfCheck result;
+  for (const auto& sample : sample_states<double>(subject, {most_states, 1, false})) {
+    const std::chrono::duration<double> elapsed = Clock::now() - start;
+    if (result.states >= least_states && elapsed.count() > seconds) break;
+    check_state(result, subject, sample.values, random);
+    if (!result.failure.empty()) break;
+  }
+  if (result.states == 0 && result.failure.empty() && !program.functions.empty()) {
+    result.failure =
+        fmt::format("no output has a value at any of {} states; declare a `range`", most_states);
+  }
+  return result;
+}
+
+std::string receipt(const SelfCheck& result) {
+  return fmt::format("checked {} states against 60 digits: {:.1f} uB (own bound)", result.states,
+                     result.worst);
+}
+
+}  // namespace elgen

@@ -1,0 +1,181 @@
+// The rows of structure: the table of identities, and the two properties of M that are no
+// identities.
+#include "structure.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "elgen/outputs.hpp"
+#include "identities.hpp"
+#include "pivots.hpp"
+#include "tally.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr double identity_tolerance = 1e-40;
+constexpr const char* identity_reason =
+    "1e-40 of the largest term: 64-digit arithmetic less 24 digits for cancellation";
+
+/// Pivots below this are those of a singular chart (a pole, a gimbal), where no sign is claimed.
+constexpr double singular_pivot = 1e-10;
+
+CertificateRow finish(CertificateRow row, const Tally& tally, const Subject& subject,
+                      double tolerance) {
+  row.samples = tally.samples();
+  row.where = tally.where(subject);
+  row.verdict = tally.verdict(tolerance);
+  if (tally.skipped() > 0) row.worst += fmt::format("; {} undefined", tally.skipped());
+  return row;
+}
+
+template <class Compute>
+CertificateRow identity_row(CertificateRow row, std::vector<ExactValues>& points,
+                            const Compute& compute) {
+  Tally tally;
+  for (ExactValues& at : points) {
+    const std::optional<double> figure = compute(at).figure(at.floor());
+    if (figure) {
+      tally.add(*figure, at.state());
+    } else {
+      tally.skip();
+    }
+  }
+  row.worst = fmt::format("{:.1e} relative", tally.worst());
+  row.tolerance = identity_reason;
+  return finish(std::move(row), tally, points.front().subject(), identity_tolerance);
+}
+
+bool has_all(const Program& program, const std::vector<OutputKind>& kinds) {
+  for (const OutputKind kind : kinds) {
+    if (find_function(program, kind) == nullptr) return false;
+  }
+  return true;
+}
+
+void add_identities(std::vector<CertificateRow>& rows, std::vector<ExactValues>& points) {
+  const Program& program = points.front().subject().program;
+  for (const Identity& identity : identities()) {
+    if (!has_all(program, identity.functions)) continue;
+    CertificateRow row;
+    row.check = identity.check;
+    row.subject = find_function(program, identity.functions.front())->name;
+    row.formula = identity.formula;
+    rows.push_back(identity_row(std::move(row), points, identity.balance));
+  }
+}
+
+void add_output_row(std::vector<CertificateRow>& rows, std::vector<ExactValues>& points,
+                    const Function& function) {
+  const bool is_jacobian = function.kind == OutputKind::user_jacobian;
+  const std::uint32_t user = function.user;
+  CertificateRow row;
+  row.check = is_jacobian ? "Jacobian by dual numbers" : "output bias by dual numbers";
+  row.subject = function.name;
+  row.formula = is_jacobian ? "J = dy/dq" : "bias = d^2 y/dt^2 at a = 0";
+  rows.push_back(identity_row(std::move(row), points, [=](ExactValues& at) {
+    return is_jacobian ? jacobian_balance(at, user) : output_bias_balance(at, user);
+  }));
+}
+
+void add_outputs(std::vector<CertificateRow>& rows, std::vector<ExactValues>& points) {
+  const Program& program = points.front().subject().program;
+  for (const Function& function : program.functions) {
+    const bool derived =
+        function.kind == OutputKind::user_jacobian || function.kind == OutputKind::user_bias;
+    if (derived && find_function(program, OutputKind::user_value, function.user) != nullptr) {
+      add_output_row(rows, points, function);
+    }
+  }
+}
+
+/// Largest |M_ij - M_ji| as the program computes it in double.
+double asymmetry(const std::vector<double>& m, std::size_t n) {
+  double largest = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      largest = std::fmax(largest, std::abs(m[i * n + j] - m[j * n + i]));
+    }
+  }
+  return largest;
+}
+
+CertificateRow symmetry_row(const Subject& subject, const Function& function,
+                            const std::vector<State>& states) {
+  Tally tally;
+  for (const State& state : states) {
+    const std::vector<double> m = evaluate(subject.program, function, arguments_at<double>(state));
+    tally.add(asymmetry(m, state.q.size()), state);
+  }
+  CertificateRow row;
+  row.check = "mass matrix symmetric";
+  row.subject = function.name;
+  row.formula = "M_ij = M_ji in double";
+  row.worst = fmt::format("{:g} apart", tally.worst());
+  row.tolerance = "exact: both entries are one value";
+  return finish(std::move(row), tally, subject, 0);
+}
+
+/// The smallest D_i / M_ii; -1 where a diagonal entry of M is negative, 0 where M is singular. None
+/// where undefined.
+std::optional<double> smallest_pivot(const std::vector<Real>& m, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!m[i * n + i].is_defined()) return std::nullopt;
+    if (cln::minusp(m[i * n + i].value())) return -1;
+  }
+  const auto pivots = relative_pivots(m, n);
+  if (!pivots) return 0;
+  double smallest = 1;
+  for (const Real& pivot : *pivots) {
+    smallest = std::fmin(smallest, ScalarTraits<double>::from_real(pivot.value()));
+  }
+  return smallest;
+}
+
+CertificateRow definiteness_row(const Function& function, std::vector<ExactValues>& points) {
+  Tally tally;
+  for (ExactValues& at : points) {
+    const std::optional<double> pivot =
+        smallest_pivot(at.value(OutputKind::mass_matrix), at.size());
+    if (!pivot || std::abs(*pivot) < singular_pivot) {
+      tally.skip();
+    } else {
+      tally.add(-*pivot, at.state());
+    }
+  }
+  CertificateRow row;
+  row.check = "mass matrix positive definite";
+  row.subject = function.name;
+  row.formula = "D_i/M_ii > 0, M = L D L^T";
+  row.worst = tally.samples() == 0 ? "no regular state"
+                                   : fmt::format("smallest pivot {:.2g}", -tally.worst());
+  row.tolerance = fmt::format("> {:g}; smaller ones are singular charts, skipped", singular_pivot);
+  row.samples = tally.samples();
+  row.where = tally.where(points.front().subject());
+  row.verdict = tally.verdict(-singular_pivot);
+  if (tally.skipped() > 0) row.worst += fmt::format("; {} singular", tally.skipped());
+  return row;
+}
+
+}  // namespace
+
+std::vector<CertificateRow> check_structure(const Subject& subject,
+                                            const std::vector<State>& states) {
+  std::vector<CertificateRow> rows;
+  if (states.empty()) return rows;
+  std::vector<ExactValues> points;
+  points.reserve(states.size());
+  for (const State& state : states) points.emplace_back(subject, state);
+  const Function* mass = find_function(subject.program, OutputKind::mass_matrix);
+  if (mass != nullptr) {
+    rows.push_back(symmetry_row(subject, *mass, states));
+    rows.push_back(definiteness_row(*mass, points));
+  }
+  add_identities(rows, points);
+  add_outputs(rows, points);
+  return rows;
+}
+
+}  // namespace elgen

@@ -1,0 +1,130 @@
+// States between views: binary arguments become exact rationals, and text for people.
+#include "subject.hpp"
+
+#include <cln/dfloat.h>
+#include <cln/ffloat.h>
+#include <cln/float.h>
+#include <cln/integer.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "elgen/outputs.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_R;
+
+template <class Scalar>
+std::vector<cl_R> exact(const std::vector<Scalar>& values) {
+  std::vector<cl_R> result;
+  result.reserve(values.size());
+  for (const Scalar value : values) result.push_back(exact_value(static_cast<double>(value)));
+  return result;
+}
+
+std::string list(const char* name, const std::vector<cl_R>& values) {
+  if (values.empty()) return {};
+  std::string text = fmt::format("{} = (", name);
+  const std::size_t shown = std::min<std::size_t>(values.size(), 8);
+  for (std::size_t i = 0; i < shown; ++i) {
+    text += (i == 0 ? "" : ", ") + short_text(values[i]);
+  }
+  return text + (shown < values.size() ? ", …)" : ")");
+}
+
+std::string changed_parameters(const Subject& subject, const State& state) {
+  const std::vector<double> nominal =
+      arguments_at<double>(nominal_state(subject.model, subject.scene)).parameters;
+  const std::vector<double> actual = arguments_at<double>(state).parameters;
+  std::string text;
+  for (std::size_t i = 0; i < actual.size(); ++i) {
+    const double scale = std::max(std::abs(nominal[i]), std::abs(actual[i]));
+    // A float's rounding of the nominal value is no change.
+    if (std::abs(actual[i] - nominal[i]) <= 1e-6 * scale) continue;
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", subject.model.parameters[i].name,
+                        short_text(state.parameters[i]));
+  }
+  return text;
+}
+
+}  // namespace
+
+cl_R exact_value(double value) {
+  if (!std::isfinite(value)) return 0;
+  // CLN has no denormals, so the exponent is applied to an integer significand.
+  int exponent = 0;
+  const double fraction = std::frexp(value, &exponent);
+  const auto significand = static_cast<long>(std::ldexp(fraction, 53));
+  return cln::cl_RA(significand) * cln::expt(cln::cl_RA(2), exponent - 53);
+}
+
+template <class Scalar>
+State exact_state(const Subject& subject, const Arguments<Scalar>& arguments) {
+  State state = nominal_state(subject.model, subject.scene);
+  const auto& fixed = subject.scene.specialisation.fixed;
+  for (std::uint32_t i = 0; i < state.parameters.size(); ++i) {
+    if (fixed.count(i) == 0) {
+      state.parameters[i] = exact_value(static_cast<double>(arguments.parameters[i]));
+    }
+  }
+  state.q = exact(arguments.q);
+  state.v = exact(arguments.v);
+  state.a = exact(arguments.a);
+  state.u = exact(arguments.u);
+  state.t = exact_value(static_cast<double>(arguments.t));
+  return state;
+}
+
+template State exact_state(const Subject&, const Arguments<double>&);
+template State exact_state(const Subject&, const Arguments<float>&);
+
+const Function* find_function(const Program& program, OutputKind kind, std::uint32_t user) {
+  const auto found =
+      std::find_if(program.functions.begin(), program.functions.end(),
+                   [&](const Function& f) { return f.kind == kind && f.user == user; });
+  return found == program.functions.end() ? nullptr : &*found;
+}
+
+const OutputRequest* find_request(const Scene& scene, std::string_view name) {
+  const auto found = std::find_if(scene.outputs.begin(), scene.outputs.end(),
+                                  [&](const OutputRequest& output) { return output.name == name; });
+  return found == scene.outputs.end() ? nullptr : &*found;
+}
+
+OutputRequest standard_request(OutputKind kind) {
+  OutputRequest request;
+  request.kind = kind;
+  request.name = output_row(kind).name;
+  return request;
+}
+
+std::string describe(const Subject& subject, const State& state) {
+  std::string text = list("q", state.q);
+  for (const std::string& part :
+       {list("v", state.v), list("a", state.a), list("u", state.u),
+        subject.model.uses_time ? "t = " + short_text(state.t) : std::string(),
+        changed_parameters(subject, state)}) {
+    if (!part.empty()) text += ", " + part;
+  }
+  return text;
+}
+
+std::string short_text(const cl_R& value) {
+  if (cln::zerop(value)) return "0";
+  const cln::cl_F number = cln::cl_float(value, cln::float_format(20));
+  const double rounded = ScalarTraits<double>::from_real(value);
+  if (std::isfinite(rounded) && std::abs(rounded) > std::numeric_limits<double>::min()) {
+    return fmt::format("{:.6g}", rounded);
+  }
+  // Beyond double: the leading digit by a power of ten from the binary exponent.
+  const auto exponent = static_cast<long>(cln::float_exponent(number));
+  const long decimal = std::lround(std::floor(static_cast<double>(exponent) * 0.30103));
+  const cl_R scaled = value / cln::expt(cln::cl_RA(10), cln::cl_I(decimal));
+  return fmt::format("{:.3g}e{}", ScalarTraits<double>::from_real(scaled), decimal);
+}
+
+}  // namespace elgen

@@ -1,0 +1,60 @@
+// Subject: the three views of one system that verification compares, and the ways between their
+// states.
+#pragma once
+
+#include <string>
+
+#include "elgen/evaluate.hpp"
+#include "elgen/model.hpp"
+#include "elgen/oracle.hpp"
+#include "elgen/program.hpp"
+#include "elgen/scene.hpp"
+
+namespace elgen {
+
+struct Subject {
+  const Model& model;
+  const Scene& scene;
+  const Program& program;
+};
+
+/// The rational a binary number is; 0 where it is none.
+[[nodiscard]] cln::cl_R exact_value(double value);
+
+/// The exact state the oracle gets for binary inputs; fixed parameters stay the exact numbers they
+/// are. Scalar: double or float.
+template <class Scalar>
+[[nodiscard]] State exact_state(const Subject& subject, const Arguments<Scalar>& arguments);
+
+/// The arguments of a program at an exact state, rounded to Scalar where Scalar rounds.
+template <class Scalar>
+[[nodiscard]] Arguments<Scalar> arguments_at(const State& state) {
+  const auto convert = [](const std::vector<cln::cl_R>& values) {
+    std::vector<Scalar> result;
+    result.reserve(values.size());
+    for (const cln::cl_R& value : values) result.push_back(ScalarTraits<Scalar>::from_real(value));
+    return result;
+  };
+  return {convert(state.parameters), convert(state.q), convert(state.v),
+          convert(state.a),          convert(state.u), ScalarTraits<Scalar>::from_real(state.t)};
+}
+
+/// Null where the program has no function of this kind.
+[[nodiscard]] const Function* find_function(const Program& program, OutputKind kind,
+                                            std::uint32_t user = 0);
+
+/// The request behind a function, or behind a field of `dynamics`; null where the scene has none of
+/// that name.
+[[nodiscard]] const OutputRequest* find_request(const Scene& scene, std::string_view name);
+
+/// A built-in output, whether or not the scene asks for it.
+[[nodiscard]] OutputRequest standard_request(OutputKind kind);
+
+/// "q = (0.1, 2), v = (3, -1), u = (0.5), t = 2"; parameters only where they are not at their
+/// value.
+[[nodiscard]] std::string describe(const Subject& subject, const State& state);
+
+/// Six significant digits of an exact number, whatever its size.
+[[nodiscard]] std::string short_text(const cln::cl_R& value);
+
+}  // namespace elgen

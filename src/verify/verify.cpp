@@ -1,0 +1,58 @@
+// verify: oracle, program and compiled code of one scene, compared row by row. Each kind of check
+// lives in a file of its own; here is only the order of the certificate.
+#include <algorithm>
+
+#include "accuracy.hpp"
+#include "compiled_code.hpp"
+#include "elgen/certificate.hpp"
+#include "expectations.hpp"
+#include "states.hpp"
+#include "structure.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr std::size_t quick_samples = 16;
+/// Identities hold at all states or at none, so that few states tell.
+constexpr std::size_t structure_samples = 32;
+
+void append(std::vector<CertificateRow>& rows, const std::vector<CertificateRow>& more) {
+  rows.insert(rows.end(), more.begin(), more.end());
+}
+
+std::vector<State> nominal_states(const Subject& subject,
+                                  const std::vector<SampledState<double>>& samples) {
+  std::vector<State> states;
+  for (const SampledState<double>& sample : samples) {
+    if (sample.region != Region::nominal || states.size() == structure_samples) continue;
+    states.push_back(exact_state(subject, sample.values));
+  }
+  return states;
+}
+
+}  // namespace
+
+Verification verify(const Model& model, const Scene& scene, const Program& program,
+                    const CompiledModel* compiled, const VerifyOptions& options) {
+  const Subject subject{model, scene, program};
+  const Sampling sampling{options.quick ? quick_samples : options.samples, options.seed, true};
+  const auto doubles = sample_states<double>(subject, sampling);
+  const auto floats = sample_states<float>(subject, sampling);
+
+  Verification result;
+  result.certificate = {model.name, scene.name.empty() ? "full" : scene.name, options.seed, {}};
+  std::vector<CertificateRow>& rows = result.certificate.rows;
+  ExpectationReport expected = check_expectations(subject, options.seed);
+  append(rows, expected.rows);
+  append(rows, check_accuracy(subject, doubles));
+  append(rows, check_accuracy(subject, floats));
+  if (compiled != nullptr && !options.quick) {
+    append(rows, check_compiled(subject, *compiled, doubles));
+    append(rows, check_compiled(subject, *compiled, floats));
+  }
+  append(rows, check_structure(subject, nominal_states(subject, doubles)));
+  result.diagnostics = std::move(expected.diagnostics);
+  return result;
+}
+
+}  // namespace elgen
