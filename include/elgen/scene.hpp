@@ -67,6 +67,9 @@ struct SceneOptions {
   std::vector<SourcePointer> outputs = {};  ///< "mass_matrix,bias"
   std::vector<SourcePointer> fixed = {};    ///< "NAME", "NAME=VALUE" or "all"
   std::vector<SourcePointer> sizes = {};    ///< "n=20"
+  /// Expand sized closed forms (`mass_matrix_entry`) of more than 4096 entries too. Without it their
+  /// first entry is resolved, so that its mistakes are reported, and they are not kept.
+  bool large_expectations = false;
 };
 
 /// Resolves both syntaxes. `scene` may be null: the built-in scene `full`.

@@ -1,0 +1,85 @@
+// check: ModelSyntax and SceneSyntax -> Model and Scene.
+//
+// The order matters and is written here only: sizes, names, then every expression (so that all may
+// refer forward), then what is judged of resolved expressions: cycles, ingredients, degrees, units;
+// last the scene. Errors are collected throughout; a stage that could only repeat earlier ones is
+// skipped.
+#include "context.hpp"
+#include "dependencies.hpp"
+#include "elgen/scene.hpp"
+#include "entries.hpp"
+#include "expand.hpp"
+#include "expectations.hpp"
+#include "mechanics.hpp"
+#include "options.hpp"
+#include "parameters.hpp"
+#include "places.hpp"
+#include "requests.hpp"
+#include "scene_reader.hpp"
+#include "traits.hpp"
+#include "unit_inference.hpp"
+
+namespace elgen {
+namespace {
+
+using namespace checking;
+
+/// Keeps the texts alive that spans of the model point into.
+void keep_sources(Model& model, const ModelSyntax& syntax, const SceneSyntax* scene,
+                  const SceneOptions& options) {
+  model.source = syntax.source;
+  model.scene_source = scene == nullptr ? nullptr : scene->source;
+  for (const auto* list : {&options.outputs, &options.fixed, &options.sizes}) {
+    model.option_sources.insert(model.option_sources.end(), list->begin(), list->end());
+  }
+}
+
+void resolve_entries(Context& context, const ModelSyntax& syntax) {
+  const std::vector<Instance> instances = expand_entries(context, syntax);
+  read_parameters(context, syntax);
+  for (const Instance& instance : instances) {
+    read_variable(context, instance);
+  }
+  for (const Instance& instance : instances) {
+    read_mass(context, instance);
+  }
+  for (const EntrySyntax& entry : syntax.entries) {
+    read_table(context, entry);
+  }
+  for (const Instance& instance : instances) {
+    read_force_or_output(context, instance);
+  }
+  check_output_names(context.model, context.report);
+}
+
+/// Closed forms are read once it is known which outputs the model has, then judged with the rest.
+void judge(Context& context, const ModelSyntax& syntax, const SceneOptions& options) {
+  if (const auto order = dependency_order(context)) {
+    check_mechanics(context, find_traits(context, *order));
+  }
+  read_expectations(context, syntax, options.large_expectations);
+  if (const auto order = dependency_order(context)) {
+    check_places(context, find_traits(context, *order));
+    check_units(context, *order);
+  }
+}
+
+}  // namespace
+
+Result<CheckedModel> check(const ModelSyntax& model, const SceneSyntax* scene,
+                           const SceneOptions& options, const Limits& limits) {
+  Context context(limits);
+  keep_sources(context.model, model, scene, options);
+  const std::vector<SizeOverride> sizes = size_overrides(scene, options, context.report);
+  apply_sizes(context, model, sizes);
+  resolve_entries(context, model);
+  judge(context, model, options);
+  Scene checked_scene = read_scene(context, {scene, options, sizes});
+  if (context.report.errors() > 0) {
+    return context.report.sorted();
+  }
+  return {CheckedModel{std::move(context.model), std::move(checked_scene)},
+          context.report.sorted()};
+}
+
+}  // namespace elgen

@@ -1,0 +1,71 @@
+// Context: what the parts of check share while a Model is being built.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "constants.hpp"
+#include "elgen/limits.hpp"
+#include "elgen/model.hpp"
+#include "integers.hpp"
+#include "report.hpp"
+#include "symbols.hpp"
+
+namespace elgen::checking {
+
+/// What an expression is made of, as bits.
+enum Ingredient : std::uint8_t {
+  uses_coordinate = 1,
+  uses_rate = 2,
+  uses_acceleration = 4,
+  uses_input = 8,
+  uses_time = 16,
+  uses_kink = 32,
+  uses_parameter = 64,
+};
+using Ingredients = std::uint8_t;
+
+/// Where an expression stands: what it may be made of, and which error says that it may not.
+struct Place {
+  std::string_view noun;  ///< "a position"
+  Ingredients allowed = 0;
+  Code otherwise = Code::E319;
+};
+
+/// What depends on other expressions by name.
+enum class OwnerKind : std::uint8_t { none, definition, prescribed, point };
+
+/// One expression of the file in the arena: the nodes [first, value], its place and its unit.
+struct Root {
+  ExpressionId first = 0;
+  ExpressionId value = 0;
+  Place place = {};
+  std::optional<Unit> unit = {};  ///< that the place asks for; none: any
+  OwnerKind owner = OwnerKind::none;
+  std::uint32_t owner_index = 0;
+};
+
+/// The first node of every arena: the number 0, for what is absent (the z of a planar point) or
+/// could not be resolved. It has no root, so nothing is ever said about it.
+inline constexpr ExpressionId no_expression = 0;
+
+struct Context {
+  explicit Context(const Limits& the_limits) : limits(the_limits) {
+    model.expressions.emplace_back();
+    (void)constants.append(model.expressions);
+  }
+
+  const Limits& limits;
+  Report report = {};
+  Sizes sizes = {};
+  Symbols symbols = {};
+  Model model = {};
+  Constants constants = {};
+  Span model_span = {};  ///< the header `[model]`
+  std::vector<Root> roots = {};
+  std::vector<std::optional<Unit>> prescribed_units = {};  ///< as declared, by prescribed function
+};
+
+}  // namespace elgen::checking

@@ -1,0 +1,25 @@
+// Entries: reads the keys of one instance of an entry into its row of the Model.
+#pragma once
+
+#include "context.hpp"
+#include "elgen/syntax.hpp"
+#include "expand.hpp"
+
+namespace elgen::checking {
+
+/// Coordinates, inputs and prescribed functions: what other entries take units from.
+void read_variable(Context& context, const Instance& instance);
+
+/// Points and bodies.
+void read_mass(Context& context, const Instance& instance);
+
+/// Forces and outputs; needs the units of coordinates.
+void read_force_or_output(Context& context, const Instance& instance);
+
+/// [model], [define], [gravity], [energy]: the tables that are not repeated.
+void read_table(Context& context, const EntrySyntax& entry);
+
+/// Unit of the generalized force on a coordinate, J/unit(q).
+[[nodiscard]] std::optional<Unit> force_unit(const Coordinate& coordinate);
+
+}  // namespace elgen::checking

@@ -1,0 +1,179 @@
+// Expansion: declares all names first, then lists the instances whose expressions are to be
+// resolved.
+#include "expand.hpp"
+
+#include <array>
+
+#include "parameters.hpp"
+
+namespace elgen::checking {
+namespace {
+
+/// How an entry of an array of tables becomes a row of the Model.
+struct EntryKind {
+  std::string_view entry;
+  SymbolKind kind;
+  std::uint32_t (*add)(Model& model, const NewName& name);
+};
+
+template <class Row>
+std::uint32_t append(std::vector<Row>& rows, const NewName& name) {
+  Row row;
+  row.name = name.text();
+  row.span = name.span;
+  if constexpr (requires { row.identifier; }) {
+    row.identifier = name.identifier();
+  }
+  rows.push_back(std::move(row));
+  return static_cast<std::uint32_t>(rows.size() - 1);
+}
+
+constexpr std::array<EntryKind, 7> entry_kinds{{
+    {"coordinate", SymbolKind::coordinate,
+     [](Model& model, const NewName& name) { return append(model.coordinates, name); }},
+    {"prescribed", SymbolKind::prescribed,
+     [](Model& model, const NewName& name) { return append(model.prescribed, name); }},
+    {"point", SymbolKind::point,
+     [](Model& model, const NewName& name) { return append(model.points, name); }},
+    {"body", SymbolKind::body,
+     [](Model& model, const NewName& name) { return append(model.bodies, name); }},
+    {"input", SymbolKind::input,
+     [](Model& model, const NewName& name) { return append(model.inputs, name); }},
+    {"force", SymbolKind::force,
+     [](Model& model, const NewName& name) { return append(model.forces, name); }},
+    {"output", SymbolKind::output,
+     [](Model& model, const NewName& name) { return append(model.outputs, name); }},
+}};
+
+const EntryKind* find_kind(std::string_view entry) {
+  for (const EntryKind& kind : entry_kinds) {
+    if (kind.entry == entry) {
+      return &kind;
+    }
+  }
+  return nullptr;
+}
+
+/// The number of components decides the dimension; it is known before any expression is.
+void note_dimension(Model& model, const EntrySyntax& entry, std::uint32_t point) {
+  const KeySyntax* at = entry.find("at");
+  if (at != nullptr && at->value.items.size() == 2) {
+    model.points[point].dimension = 2;
+  }
+}
+
+void declare_definition(Context& context, const KeySyntax& key) {
+  std::vector<NamedExpression>& definitions = context.model.definitions;
+  const auto target = static_cast<std::uint32_t>(definitions.size());
+  const NewName name{key.key, {}, key.key_span};
+  if (context.symbols.declare(name, SymbolKind::definition, target, context.report)) {
+    append(definitions, name);
+  }
+}
+
+class Expander {
+ public:
+  explicit Expander(Context& context) : context_(context) {}
+
+  void expand(const EntrySyntax& entry) {
+    const EntryKind* kind = find_kind(entry.name);
+    if (kind == nullptr) {
+      return;
+    }
+    const KeySyntax* repetition = entry.find("for");
+    Scope scope(context_.sizes);
+    if (repetition == nullptr) {
+      add_instance(entry, *kind, scope);
+      return;
+    }
+    const std::vector<RangeSyntax> ranges = read_repetition(repetition->value);
+    if (check_indices(ranges)) {
+      repeat(ranges, scope, context_.report, [&] { return add_instance(entry, *kind, scope); });
+    }
+  }
+
+  std::vector<Instance> take() { return std::move(instances_); }
+
+ private:
+  /// False where nothing more should be added.
+  bool add_instance(const EntrySyntax& entry, const EntryKind& kind, const Scope& scope) {
+    NewName name;
+    name.span = entry.span;
+    const KeySyntax* key = entry.find("name");
+    if (key != nullptr && !read_new_name(key->value, scope, name)) {
+      return false;
+    }
+    if (!within_limits(kind.kind, name.span)) {
+      return false;
+    }
+    const std::uint32_t target = kind.add(context_.model, name);
+    if (kind.kind == SymbolKind::point) {
+      note_dimension(context_.model, entry, target);
+    }
+    instances_.push_back({&entry, scope, target});
+    return key == nullptr || context_.symbols.declare(name, kind.kind, target, context_.report);
+  }
+
+  bool read_new_name(const ValueSyntax& value, const Scope& scope, NewName& name) {
+    name.base = value.expression.text;
+    name.span = value.span;
+    if (value.expression.operands.empty()) {
+      return true;
+    }
+    name.index = integer_value(value.expression.operands.front(), scope, context_.report);
+    return name.index.has_value();
+  }
+
+  bool within_limits(SymbolKind kind, const Span& span) {
+    const bool is_coordinate = kind == SymbolKind::coordinate;
+    const std::uint64_t limit =
+        is_coordinate ? context_.limits.coordinates : context_.limits.definitions;
+    const std::uint64_t count =
+        is_coordinate ? context_.model.coordinates.size() : instances_.size();
+    if (count < limit) {
+      return true;
+    }
+    context_.report.add(is_coordinate ? Code::E906 : Code::E907, span,
+                        "more than " + std::to_string(limit) +
+                            (is_coordinate ? " coordinates" : " entries after repetition"));
+    return false;
+  }
+
+  /// A running index that is also a name of the model would hide it.
+  bool check_indices(const std::vector<RangeSyntax>& ranges) {
+    for (const RangeSyntax& range : ranges) {
+      if (const Symbol* symbol = context_.symbols.find(range.index)) {
+        Diagnostic diagnostic{Code::E203, range.index_span,
+                              "the running index " + quoted(range.index) + " is also a " +
+                                  std::string(noun(symbol->kind))};
+        diagnostic.related = symbol->span;
+        diagnostic.related_message = "declared here";
+        context_.report.add(std::move(diagnostic));
+        return false;
+      }
+    }
+    return true;
+  }
+
+  Context& context_;
+  std::vector<Instance> instances_;
+};
+
+}  // namespace
+
+std::vector<Instance> expand_entries(Context& context, const ModelSyntax& syntax) {
+  Expander expander(context);
+  for (const EntrySyntax& entry : syntax.entries) {
+    for (const KeySyntax& key : entry.keys) {
+      if (entry.name == "parameters") {
+        declare_parameter(context, key);
+      } else if (entry.name == "define") {
+        declare_definition(context, key);
+      }
+    }
+    expander.expand(entry);
+  }
+  return expander.take();
+}
+
+}  // namespace elgen::checking

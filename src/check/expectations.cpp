@@ -1,0 +1,215 @@
+// Expectations: closed forms as matrices of expressions, row-major, or by entry:
+//
+//     gravity_entry = { for = "i in 1..2", value = "m[i]*g" }   ->   gravity = [m[1]*g, m[2]*g]
+#include "expectations.hpp"
+
+#include "output_units.hpp"
+#include "places.hpp"
+#include "requests.hpp"
+#include "values.hpp"
+
+namespace elgen::checking {
+namespace {
+
+constexpr std::string_view entry_suffix = "_entry";
+constexpr Place closed_form{"a closed form", place::anything};
+
+std::string shape(std::size_t rows, std::size_t columns) {
+  return std::to_string(rows) + " x " + std::to_string(columns);
+}
+
+/// The rows of a value: a list of lists, a list (a column), or one expression.
+std::vector<std::vector<const ValueSyntax*>> rows_of(const ValueSyntax& value) {
+  std::vector<std::vector<const ValueSyntax*>> rows;
+  if (value.kind != ValueKind::list) {
+    return {{&value}};
+  }
+  for (const ValueSyntax& item : value.items) {
+    rows.emplace_back();
+    if (item.kind != ValueKind::list) {
+      rows.back().push_back(&item);
+    }
+    for (const ValueSyntax& entry : item.items) {
+      rows.back().push_back(&entry);
+    }
+  }
+  return rows;
+}
+
+class ExpectationReader {
+ public:
+  ExpectationReader(Context& context, bool large)
+      : context_(context), large_(large), values_(context, Scope(context.sizes)) {}
+
+  void read(const KeySyntax& key) {
+    if (key.key == "conserved") {
+      read_conserved(key);
+    } else if (key.value.kind == ValueKind::table) {
+      read_sized(key);
+    } else if (const auto request = require(key.key, key.key_span)) {
+      read_matrix(key, *request);
+    }
+  }
+
+ private:
+  std::optional<OutputRequest> require(std::string_view name, const Span& span) {
+    return require_request(context_.model, name, span, context_.report);
+  }
+
+  void read_conserved(const KeySyntax& key) {
+    Expectation expectation = blank(key.key, key.key_span);
+    for (const ValueSyntax& item : key.value.items) {
+      expectation.entries.push_back(values_.root(item, {closed_form}));
+      expectation.spans.push_back(item.span);
+    }
+    expectation.rows = static_cast<std::uint32_t>(expectation.entries.size());
+    expectation.columns = 1;
+    context_.model.expectations.push_back(std::move(expectation));
+  }
+
+  void read_matrix(const KeySyntax& key, const OutputRequest& request) {
+    const auto rows = rows_of(key.value);
+    Expectation expectation = blank(key.key, key.key_span);
+    expectation.rows = request.rows;
+    expectation.columns = request.columns;
+    bool fits = rows.size() == request.rows;
+    for (std::uint32_t i = 0; fits && i < rows.size(); ++i) {
+      fits = rows[i].size() == request.columns;
+      for (std::uint32_t j = 0; fits && j < rows[i].size(); ++j) {
+        add_entry(expectation, *rows[i][j], unit_of_entry(context_.model, request, i, j));
+      }
+    }
+    if (!fits) {
+      const std::size_t columns = rows.empty() ? 0 : rows.front().size();
+      context_.report.add(Code::E517, key.value.span,
+                          shape(rows.size(), columns) + " entries, but " + quoted(key.key) +
+                              " is " + shape(request.rows, request.columns));
+      return;
+    }
+    context_.model.expectations.push_back(std::move(expectation));
+  }
+
+  void add_entry(Expectation& expectation, const ValueSyntax& value,
+                 const std::optional<Unit>& unit) {
+    expectation.entries.push_back(values_.root(value, {closed_form, unit}));
+    expectation.spans.push_back(value.span);
+  }
+
+  void read_sized(const KeySyntax& key) {
+    const std::string_view name = key.key;
+    if (!name.ends_with(entry_suffix)) {
+      context_.report.add(Code::E601, key.key_span,
+                          quoted(name) + " is given by entry, but is not called so",
+                          "did you mean `" + key.key + std::string(entry_suffix) + "`?");
+      return;
+    }
+    const auto request = require(name.substr(0, name.size() - entry_suffix.size()), key.key_span);
+    const KeySyntax* repetition = find_key(key.value, "for");
+    const KeySyntax* value = find_key(key.value, "value");
+    if (!request || repetition == nullptr || value == nullptr) {
+      return;
+    }
+    const std::vector<RangeSyntax> ranges = read_repetition(repetition->value);
+    const std::size_t indices = request->columns == 1 ? 1 : 2;
+    if (ranges.size() != indices) {
+      context_.report.add(Code::E517, repetition->value.span,
+                          std::to_string(ranges.size()) + " indices, but an entry of " +
+                              quoted(request->name) + " has " + std::to_string(indices));
+      return;
+    }
+    expand(*request, ranges, *value, key.key_span);
+  }
+
+  void expand(const OutputRequest& request, const std::vector<RangeSyntax>& ranges,
+              const KeySyntax& value, const Span& span) {
+    const std::uint64_t count = std::uint64_t{request.rows} * request.columns;
+    const bool all = large_ || count <= entries_in_full;
+    Expectation expectation = blank(request.name, span);
+    expectation.rows = request.rows;
+    expectation.columns = request.columns;
+    expectation.entries.assign(all ? count : 1, no_expression);
+    expectation.spans.assign(all ? count : 1, value.value.span);
+    std::vector<bool> given(expectation.entries.size(), false);
+    Scope scope(context_.sizes);
+    const auto add = [&] {
+      const auto at = position(request, ranges, scope, value.value.span);
+      if (!at) {
+        return false;
+      }
+      const std::uint64_t index = all ? at->row * std::uint64_t{request.columns} + at->column : 0;
+      const auto unit = unit_of_entry(context_.model, request, at->row, at->column);
+      const std::size_t errors = context_.report.errors();
+      expectation.entries[index] =
+          ValueReader(context_, scope).root(value.value, {closed_form, unit});
+      given[index] = true;
+      return all && context_.report.errors() == errors;
+    };
+    const bool complete = repeat(ranges, scope, context_.report, add);
+    if (complete && check_complete(request, given, value.value.span)) {
+      context_.model.expectations.push_back(std::move(expectation));
+    }
+  }
+
+  struct Position {
+    std::uint32_t row = 0;
+    std::uint32_t column = 0;
+  };
+
+  /// Indices count from 1 in files.
+  std::optional<Position> position(const OutputRequest& request,
+                                   const std::vector<RangeSyntax>& ranges, const Scope& scope,
+                                   const Span& span) {
+    const std::int64_t row = *scope.find(ranges[0].index);
+    const std::int64_t column = ranges.size() > 1 ? *scope.find(ranges[1].index) : 1;
+    const bool inside = row >= 1 && row <= request.rows && column >= 1 && column <= request.columns;
+    if (!inside) {
+      context_.report.add(Code::E517, span,
+                          "entry " + std::to_string(row) + ", " + std::to_string(column) +
+                              ", but " + quoted(request.name) + " is " +
+                              shape(request.rows, request.columns));
+      return std::nullopt;
+    }
+    return Position{static_cast<std::uint32_t>(row - 1), static_cast<std::uint32_t>(column - 1)};
+  }
+
+  bool check_complete(const OutputRequest& request, const std::vector<bool>& given,
+                      const Span& span) {
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      if (!given[i]) {
+        context_.report.add(Code::E517, span,
+                            "no entry " + std::to_string(i / request.columns + 1) + ", " +
+                                std::to_string(i % request.columns + 1) + " of " +
+                                quoted(request.name));
+        return false;
+      }
+    }
+    return true;
+  }
+
+  static Expectation blank(const std::string& output, const Span& span) {
+    Expectation expectation;
+    expectation.output = output;
+    expectation.span = span;
+    return expectation;
+  }
+
+  Context& context_;
+  bool large_;
+  ValueReader values_;
+};
+
+}  // namespace
+
+void read_expectations(Context& context, const ModelSyntax& syntax, bool large) {
+  ExpectationReader reader(context, large);
+  for (const EntrySyntax& entry : syntax.entries) {
+    if (entry.name != "expect") {
+      continue;
+    }
+    for (const KeySyntax& key : entry.keys) {
+      reader.read(key);
+    }
+  }
+}
+
+}  // namespace elgen::checking

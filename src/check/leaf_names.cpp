@@ -1,0 +1,28 @@
+// LeafNames of a model, and the dimensions outputs are shaped by.
+#include "elgen/leaf_names.hpp"
+
+namespace elgen {
+namespace {
+
+template <class Rows>
+std::vector<std::string> names_of(const Rows& rows) {
+  std::vector<std::string> names;
+  for (const auto& row : rows) {
+    names.push_back(row.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+LeafNames leaf_names(const Model& model) {
+  return {names_of(model.parameters), names_of(model.coordinates), names_of(model.inputs),
+          model.uses_time};
+}
+
+Dimensions dimensions(const Model& model) {
+  return {model.coordinates.size(), model.coordinates.size(), model.inputs.size(),
+          model.parameters.size()};
+}
+
+}  // namespace elgen

@@ -1,0 +1,83 @@
+// Places: walks every root and reports the nodes that bring in what its place does not take.
+#include "places.hpp"
+
+#include <array>
+
+namespace elgen::checking {
+namespace {
+
+struct IngredientRow {
+  Ingredient ingredient;
+  std::string_view noun;
+};
+
+constexpr std::array<IngredientRow, 7> ingredient_table{{
+    {uses_acceleration, "a second derivative"},
+    {uses_kink, "a function with a kink"},
+    {uses_input, "an input"},
+    {uses_rate, "a rate"},
+    {uses_coordinate, "a coordinate"},
+    {uses_time, "time"},
+    {uses_parameter, "a parameter"},
+}};
+
+Code code_of(Ingredient ingredient, const Place& place) {
+  if (place.otherwise == Code::E319 && ingredient == uses_acceleration) {
+    return Code::E502;
+  }
+  if (place.otherwise == Code::E319 && ingredient == uses_kink) {
+    return Code::E315;
+  }
+  return place.otherwise;
+}
+
+/// Whether the node itself, not one of its operands, brings the ingredient in.
+bool brings_in(const Expression& node, const std::vector<Traits>& traits, ExpressionId id,
+               Ingredient ingredient) {
+  if ((traits[id].ingredients & ingredient) == 0) {
+    return false;
+  }
+  for (const ExpressionId operand : node.operands) {
+    if ((traits[operand].ingredients & ingredient) != 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void report(Context& context, const Root& root, const Expression& node, const IngredientRow& row) {
+  const bool is_name =
+      node.kind == ExpressionKind::definition || node.kind == ExpressionKind::point_component;
+  std::string message = quoted(node.span) + (is_name ? " contains " : " is ");
+  message += std::string(row.noun) + ", and " + std::string(root.place.noun) + " takes none";
+  const std::string hint = row.ingredient == uses_kink ? "a smooth stand-in is tanh(x/width)" : "";
+  context.report.add(code_of(row.ingredient, root.place), node.span, std::move(message), hint);
+}
+
+void check_root(Context& context, const std::vector<Traits>& traits, const Root& root) {
+  const auto excess =
+      static_cast<Ingredients>(traits[root.value].ingredients & ~unsigned{root.place.allowed});
+  if (excess == 0) {
+    return;
+  }
+  for (ExpressionId id = root.first; id <= root.value; ++id) {
+    const Expression& node = context.model.expressions[id];
+    for (const IngredientRow& row : ingredient_table) {
+      const bool forbidden = (excess & row.ingredient) != 0;
+      if (forbidden && brings_in(node, traits, id, row.ingredient)) {
+        report(context, root, node, row);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void check_places(Context& context, const std::vector<Traits>& traits) {
+  for (std::size_t i = 0; i < context.roots.size(); ++i) {
+    const Root root = context.roots[i];
+    check_root(context, traits, root);
+  }
+}
+
+}  // namespace elgen::checking

@@ -1,0 +1,156 @@
+// Points and bodies: where mass is, and how it turns.
+#include <algorithm>
+
+#include "entries.hpp"
+#include "places.hpp"
+#include "values.hpp"
+
+namespace elgen::checking {
+namespace {
+
+using Components = std::vector<ExpressionId>;
+
+std::array<ExpressionId, 3> padded(const Components& components) {
+  std::array<ExpressionId, 3> result{no_expression, no_expression, no_expression};
+  for (std::size_t i = 0; i < std::min<std::size_t>(components.size(), 3); ++i) {
+    result[i] = components[i];
+  }
+  return result;
+}
+
+bool is_vector(const ValueSyntax& value, Report& report) {
+  const std::size_t count = value.items.size();
+  if (value.kind == ValueKind::list && (count == 2 || count == 3)) {
+    return true;
+  }
+  report.add(Code::E104, value.span,
+             std::to_string(count) + " components, but a vector has 2 or 3");
+  return false;
+}
+
+RootRequest mass_request() {
+  return {{"a mass", place::parameters_only, Code::E506}, find_unit("kg")};
+}
+
+void read_point(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
+  Context& context = values.context();
+  Point point = context.model.points[target];
+  point.doc = text_of(entry, "doc");
+  const KeySyntax* at = entry.find("at");
+  if (at != nullptr && is_vector(at->value, context.report)) {
+    const Place place{"a position", place::of_configuration};
+    point.at = padded(values.roots(at->value, {place, find_unit("m"), OwnerKind::point, target}));
+  }
+  if (const KeySyntax* mass = entry.find("mass")) {
+    point.mass = values.root(mass->value, mass_request());
+  }
+  context.model.points[target] = std::move(point);
+}
+
+class BodyReader {
+ public:
+  BodyReader(ValueReader& values, const EntrySyntax& entry, Body& body)
+      : values_(values), entry_(entry), body_(body), report_(values.context().report) {}
+
+  void read() {
+    body_.doc = text_of(entry_, "doc");
+    read_com();
+    if (const KeySyntax* mass = entry_.find("mass")) {
+      body_.mass = values_.root(mass->value, mass_request());
+    }
+    read_spin();
+    read_inertia();
+    body_.inertia_about_origin = text_of(entry_, "inertia_about") == "origin";
+    check_completeness();
+  }
+
+ private:
+  void read_com() {
+    const KeySyntax* com = entry_.find("com");
+    if (com == nullptr || !is_vector(com->value, report_)) {
+      return;
+    }
+    const Place place{"a position", place::of_configuration};
+    body_.com = padded(values_.roots(com->value, {place, find_unit("m")}));
+    body_.dimension = static_cast<std::uint32_t>(com->value.items.size());
+  }
+
+  void read_spin() {
+    const KeySyntax* spin = entry_.find("spin");
+    if (spin == nullptr) {
+      return;
+    }
+    const Place place{"a spin", place::of_state};
+    body_.spin = values_.roots(spin->value, {place, find_unit("Hz")});
+    const std::size_t count = body_.spin.size();
+    const bool has_com = entry_.find("com") != nullptr;
+    if (count != 1 && count != 3) {
+      report_.add(Code::E104, spin->value.span,
+                  std::to_string(count) + " components, but a spin has 1 or 3");
+    } else if (has_com && (count == 1) != (body_.dimension == 2)) {
+      report_.add(Code::E516, spin->value.span,
+                  std::string(count == 1 ? "a planar" : "a spatial") +
+                      " spin, but the centre of mass has " + std::to_string(body_.dimension) +
+                      " components");
+    }
+    body_.dimension = count == 1 ? 2 : 3;
+  }
+
+  void read_inertia() {
+    const KeySyntax* inertia = entry_.find("inertia");
+    if (inertia == nullptr) {
+      return;
+    }
+    const Place place{"an inertia", place::parameters_only, Code::E506};
+    const Unit unit = *find_unit("kg") * power(*find_unit("m"), {2, 1});
+    body_.inertia = values_.roots(inertia->value, {place, unit});
+    const std::size_t count = body_.inertia.size();
+    const bool fits = body_.spin.size() == 1 ? count == 1 : count == 3 || count == 6;
+    if (!body_.spin.empty() && !fits) {
+      report_.add(Code::E516, inertia->value.span,
+                  std::to_string(count) + " moments of inertia for a spin of " +
+                      std::to_string(body_.spin.size()),
+                  "planar bodies have 1, spatial ones 3 or 6: xx yy zz xy xz yz");
+    }
+    if (count == 3) {
+      body_.inertia.resize(6, no_expression);
+    }
+  }
+
+  void check_completeness() {
+    if (body_.mass && entry_.find("com") == nullptr) {
+      missing("com", "mass");
+    }
+    if (!body_.inertia.empty() && body_.spin.empty()) {
+      missing("spin", "inertia");
+    }
+    if (!body_.spin.empty() && body_.inertia.empty()) {
+      missing("inertia", "spin");
+    }
+  }
+
+  void missing(const std::string& key, const std::string& other) {
+    report_.add(Code::E105, entry_.span,
+                quoted(body_.name) + " has `" + other + "` but no `" + key + "`");
+  }
+
+  ValueReader& values_;
+  const EntrySyntax& entry_;
+  Body& body_;
+  Report& report_;
+};
+
+}  // namespace
+
+void read_mass(Context& context, const Instance& instance) {
+  ValueReader values(context, instance.scope);
+  if (instance.entry->name == "point") {
+    read_point(values, *instance.entry, instance.target);
+  } else if (instance.entry->name == "body") {
+    Body body = context.model.bodies[instance.target];
+    BodyReader(values, *instance.entry, body).read();
+    context.model.bodies[instance.target] = std::move(body);
+  }
+}
+
+}  // namespace elgen::checking

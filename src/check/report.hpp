@@ -1,0 +1,42 @@
+// Report: collects the diagnostics of one run, each once.
+#pragma once
+
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "elgen/diagnostic.hpp"
+
+namespace elgen::checking {
+
+class Report {
+ public:
+  /// Repetition meets one mistake many times; what is equal is kept once.
+  void add(Diagnostic diagnostic);
+  void add(Code code, const Span& span, std::string message, std::string hint = {});
+
+  [[nodiscard]] std::size_t errors() const { return errors_; }
+  /// Suggestions cost a search each; nobody reads the hundredth.
+  [[nodiscard]] bool wants_suggestion() const { return errors_ < 100; }
+  /// Everything so far, in order of position.
+  [[nodiscard]] Diagnostics sorted() const;
+
+ private:
+  using Key = std::tuple<const SourceText*, std::uint32_t, std::uint32_t, Code, std::string>;
+  Diagnostics diagnostics_;
+  std::set<Key> seen_;
+  std::size_t errors_ = 0;
+};
+
+/// User text in back-ticks, cut where it is long.
+[[nodiscard]] std::string quoted(std::string_view text);
+
+/// The source text of a span in back-ticks.
+[[nodiscard]] std::string quoted(const Span& span);
+
+/// "did you mean `m`?", or nothing.
+[[nodiscard]] std::string suggestion(std::string_view word,
+                                     const std::vector<std::string>& candidates);
+
+}  // namespace elgen::checking

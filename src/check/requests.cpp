@@ -1,0 +1,159 @@
+// Requests: which outputs a model has, and their shapes.
+#include "requests.hpp"
+
+#include <array>
+#include <map>
+
+namespace elgen::checking {
+namespace {
+
+constexpr std::array user_kinds{OutputKind::user_value, OutputKind::user_jacobian,
+                                OutputKind::user_bias};
+
+std::uint32_t extent(const Model& model, Extent kind, std::uint32_t user) {
+  switch (kind) {
+    case Extent::velocities:
+      return static_cast<std::uint32_t>(model.coordinates.size());
+    case Extent::inputs:
+      return static_cast<std::uint32_t>(model.inputs.size());
+    case Extent::user:
+      return static_cast<std::uint32_t>(model.outputs[user].values.size());
+    case Extent::one:
+      break;
+  }
+  return 1;
+}
+
+OutputRequest make_request(const Model& model, const OutputRow& row, std::uint32_t user) {
+  OutputRequest request;
+  request.kind = row.kind;
+  request.user = user;
+  request.name = std::string(row.name);
+  if (!row.fields.empty()) {
+    request.rows = extent(model, row.fields.front().rows, user);
+    request.columns = extent(model, row.fields.front().columns, user);
+  }
+  return request;
+}
+
+OutputRequest make_user_request(const Model& model, OutputKind kind, std::uint32_t user) {
+  OutputRequest request = make_request(model, output_row(kind), user);
+  request.name = model.outputs[user].name + request.name;
+  return request;
+}
+
+/// Why the model lacks what the output needs.
+struct Lack {
+  Code code;
+  std::string reason;
+};
+
+std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
+  const Requirement requirement = output_row(request.kind).requirement;
+  const bool needs_quadratic =
+      requirement == Requirement::quadratic || requirement == Requirement::energies;
+  if (needs_quadratic && !model.quadratic) {
+    return Lack{Code::E505, "needs a Lagrangian at most quadratic in the rates"};
+  }
+  if (requirement == Requirement::energies && model.energies.L) {
+    return Lack{Code::E603, "needs T and V apart, but the model gives L"};
+  }
+  if (requirement == Requirement::inputs && model.inputs.empty()) {
+    return Lack{Code::E603, "needs inputs, and the model has none"};
+  }
+  const bool is_derivative =
+      request.kind == OutputKind::user_jacobian || request.kind == OutputKind::user_bias;
+  if (is_derivative && !model.outputs[request.user].jacobian) {
+    return Lack{Code::E603, "needs `jacobian = true` in the output's entry"};
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> available_names(const Model& model) {
+  std::vector<std::string> names;
+  for (const OutputRequest& request : full_requests(model)) {
+    names.push_back(request.name);
+  }
+  return names;
+}
+
+/// Built-in rows, then each kind of declared output, as the table orders them.
+std::vector<OutputRequest> all_requests(const Model& model) {
+  std::vector<OutputRequest> result;
+  for (const OutputRow& row : output_table()) {
+    if (find_output(row.name) != nullptr) {
+      result.push_back(make_request(model, row, 0));
+      continue;
+    }
+    for (std::uint32_t user = 0; user < model.outputs.size(); ++user) {
+      result.push_back(make_user_request(model, row.kind, user));
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<OutputRequest> find_request(const Model& model, std::string_view name) {
+  if (const OutputRow* row = find_output(name)) {
+    return make_request(model, *row, 0);
+  }
+  for (std::uint32_t user = 0; user < model.outputs.size(); ++user) {
+    for (const OutputKind kind : user_kinds) {
+      OutputRequest request = make_user_request(model, kind, user);
+      if (request.name == name) {
+        return request;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<OutputRequest> require_request(const Model& model, std::string_view name,
+                                             const Span& span, Report& report) {
+  if (is_later_output(name)) {
+    report.add(Code::E108, span, "the output " + quoted(name) + " is not yet supported");
+    return std::nullopt;
+  }
+  std::optional<OutputRequest> request = find_request(model, name);
+  if (!request) {
+    report.add(Code::E601, span, "unknown output " + quoted(name),
+               suggestion(name, available_names(model)));
+    return std::nullopt;
+  }
+  if (const std::optional<Lack> lack = lack_of(model, *request)) {
+    report.add(lack->code, span, quoted(name) + " " + lack->reason);
+    return std::nullopt;
+  }
+  request->span = span;
+  return request;
+}
+
+std::vector<OutputRequest> full_requests(const Model& model) {
+  std::vector<OutputRequest> result;
+  for (OutputRequest& request : all_requests(model)) {
+    const bool fits = std::uint64_t{request.rows} * request.columns <= entries_in_full;
+    if (fits && !lack_of(model, request)) {
+      result.push_back(std::move(request));
+    }
+  }
+  return result;
+}
+
+void check_output_names(const Model& model, Report& report) {
+  std::map<std::string, Span> taken;
+  for (std::uint32_t user = 0; user < model.outputs.size(); ++user) {
+    const Span& span = model.outputs[user].span;
+    for (const OutputKind kind : user_kinds) {
+      const OutputRequest request = make_user_request(model, kind, user);
+      const bool exists = kind == OutputKind::user_value || model.outputs[user].jacobian;
+      const bool is_built_in =
+          find_output(request.name) != nullptr || is_later_output(request.name);
+      if (exists && (is_built_in || !taken.emplace(request.name, span).second)) {
+        report.add(Code::E609, span, "another output is already called " + quoted(request.name));
+      }
+    }
+  }
+}
+
+}  // namespace elgen::checking

@@ -1,0 +1,172 @@
+// Which names a model may not give to its entries: they mean something else in expressions, or
+// would not compile as members of the emitted structs.
+#include "reserved_names.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "elgen/functions.hpp"
+
+namespace elgen::checking {
+namespace {
+
+constexpr std::array keywords{"alignas",
+                              "alignof",
+                              "and",
+                              "and_eq",
+                              "asm",
+                              "auto",
+                              "bitand",
+                              "bitor",
+                              "bool",
+                              "break",
+                              "case",
+                              "catch",
+                              "char",
+                              "char16_t",
+                              "char32_t",
+                              "char8_t",
+                              "class",
+                              "co_await",
+                              "co_return",
+                              "co_yield",
+                              "compl",
+                              "concept",
+                              "const",
+                              "const_cast",
+                              "consteval",
+                              "constexpr",
+                              "constinit",
+                              "continue",
+                              "decltype",
+                              "default",
+                              "delete",
+                              "do",
+                              "double",
+                              "dynamic_cast",
+                              "else",
+                              "enum",
+                              "explicit",
+                              "export",
+                              "extern",
+                              "false",
+                              "float",
+                              "for",
+                              "friend",
+                              "goto",
+                              "if",
+                              "inline",
+                              "int",
+                              "long",
+                              "mutable",
+                              "namespace",
+                              "new",
+                              "noexcept",
+                              "not",
+                              "not_eq",
+                              "nullptr",
+                              "operator",
+                              "or",
+                              "or_eq",
+                              "private",
+                              "protected",
+                              "public",
+                              "register",
+                              "reinterpret_cast",
+                              "requires",
+                              "restrict",
+                              "return",
+                              "short",
+                              "signed",
+                              "sizeof",
+                              "static",
+                              "static_assert",
+                              "static_cast",
+                              "struct",
+                              "switch",
+                              "template",
+                              "this",
+                              "thread_local",
+                              "throw",
+                              "true",
+                              "try",
+                              "typedef",
+                              "typeid",
+                              "typename",
+                              "typeof",
+                              "union",
+                              "unsigned",
+                              "using",
+                              "virtual",
+                              "void",
+                              "volatile",
+                              "wchar_t",
+                              "while",
+                              "xor",
+                              "xor_eq"};
+
+constexpr std::array macros{
+    "HUGE",       "HUGE_VAL",   "HUGE_VALF", "HUGE_VALL", "INFINITY",
+    "NAN",        "OVERFLOW",   "UNDERFLOW", "DOMAIN",    "SING",
+    "PLOSS",      "TLOSS",      "I",         "complex",   "imaginary",
+    "NULL",       "EOF",        "errno",     "assert",    "linux",
+    "unix",       "i386",       "MAXFLOAT",  "SNAN",      "math_errhandling",
+    "signgam",    "isfinite",   "isinf",     "isnan",     "isnormal",
+    "signbit",    "fpclassify", "isgreater", "isless",    "islessgreater",
+    "isunordered"};
+
+constexpr std::array macro_prefixes{"M_", "FP_", "MATH_", "DBL_", "FLT_", "LDBL_", "INT_"};
+
+constexpr std::array own_functions{"sqrt", "dot", "sum", "delta", "v2", "dist2"};
+
+template <class List>
+bool contains(const List& list, std::string_view name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+bool is_function(std::string_view name) {
+  const auto named = [&](const FunctionRow& row) { return row.name == name; };
+  return contains(own_functions, name) ||
+         std::any_of(function_table.begin(), function_table.end(), named);
+}
+
+bool has_macro_prefix(std::string_view name) {
+  const auto starts = [&](std::string_view prefix) { return name.starts_with(prefix); };
+  return std::any_of(macro_prefixes.begin(), macro_prefixes.end(), starts);
+}
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+}  // namespace
+
+std::string_view reserved_reason(std::string_view name) {
+  if (name == "t") {
+    return "it is time";
+  }
+  if (name == "pi") {
+    return "it is the number pi";
+  }
+  if (is_function(name)) {
+    return "it is a function of expressions";
+  }
+  if (contains(keywords, name)) {
+    return "it is a keyword of C++";
+  }
+  if (contains(macros, name) || has_macro_prefix(name)) {
+    return "it is a macro of C or C++";
+  }
+  if (name.find("__") != std::string_view::npos) {
+    return "names with two underscores in a row belong to C++";
+  }
+  return {};
+}
+
+bool is_well_formed_name(std::string_view name) {
+  const auto may_follow = [](char c) { return is_letter(c) || is_digit(c) || c == '_'; };
+  return !name.empty() && is_letter(name.front()) &&
+         std::all_of(name.begin(), name.end(), may_follow);
+}
+
+}  // namespace elgen::checking

@@ -1,0 +1,276 @@
+// Resolver, calls: the functions of functions.def, and those that are expanded here:
+//
+//     dot(q) -> rate    sqrt(e) -> e^(1/2)    sum(i, a, b, e) -> e[a] + … + e[b]    delta(i, j) ->
+//     0 or 1 x(P) y(P) z(P) -> components    v2(P) -> sum of dot(component)^2 dist2(P, Q) -> sum of
+//     (component difference)^2
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "elgen/functions.hpp"
+#include "resolver.hpp"
+
+namespace elgen::checking {
+namespace {
+
+constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
+constexpr std::array<std::string_view, 9> own_functions{"sqrt", "dot", "sum", "delta", "x",
+                                                        "y",    "z",   "v2",  "dist2"};
+
+std::optional<FunctionId> find_function(std::string_view name) {
+  for (const FunctionRow& row : function_table) {
+    if (row.name == name) {
+      return row.id;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<std::string> function_names() {
+  std::vector<std::string> names(own_functions.begin(), own_functions.end());
+  for (const FunctionRow& row : function_table) {
+    names.emplace_back(row.name);
+  }
+  return names;
+}
+
+std::optional<ExpressionId> Resolver::resolve_call(const ExpressionSyntax& call) {
+  using Rule = std::optional<ExpressionId> (Resolver::*)(const ExpressionSyntax&);
+  static constexpr std::array<std::pair<std::string_view, Rule>, own_functions.size()> rules{{
+      {"sqrt", &Resolver::resolve_sqrt},
+      {"dot", &Resolver::resolve_dot},
+      {"sum", &Resolver::resolve_sum},
+      {"delta", &Resolver::resolve_delta},
+      {"x", &Resolver::resolve_component},
+      {"y", &Resolver::resolve_component},
+      {"z", &Resolver::resolve_component},
+      {"v2", &Resolver::resolve_squared_speed},
+      {"dist2", &Resolver::resolve_squared_distance},
+  }};
+  if (const auto function = find_function(call.text)) {
+    return resolve_function(call, *function);
+  }
+  for (const auto& [name, rule] : rules) {
+    if (name == call.text) {
+      return (this->*rule)(call);
+    }
+  }
+  context_.report.add(Code::E202, call.span, "unknown function " + quoted(call.text),
+                      suggestion(call.text, function_names()));
+  return std::nullopt;
+}
+
+bool Resolver::has_arity(const ExpressionSyntax& call, std::size_t arity) {
+  if (call.operands.size() == arity) {
+    return true;
+  }
+  context_.report.add(Code::E309, call.span,
+                      std::to_string(call.operands.size()) + " arguments, but " +
+                          quoted(call.text) + " takes " + std::to_string(arity));
+  return false;
+}
+
+std::optional<ExpressionId> Resolver::resolve_function(const ExpressionSyntax& call,
+                                                       FunctionId function) {
+  if (!has_arity(call, function_row(function).arity)) {
+    return std::nullopt;
+  }
+  std::optional<Operands> operands = resolve_all(call.operands);
+  if (!operands) {
+    return std::nullopt;
+  }
+  Expression node;
+  node.kind = ExpressionKind::function;
+  node.function = function;
+  node.operands = std::move(*operands);
+  node.span = call.span;
+  return push(std::move(node));
+}
+
+std::optional<ExpressionId> Resolver::resolve_sqrt(const ExpressionSyntax& call) {
+  if (!has_arity(call, 1)) {
+    return std::nullopt;
+  }
+  const std::optional<ExpressionId> radicand = resolve(call.operands[0]);
+  if (!radicand) {
+    return std::nullopt;
+  }
+  Expression node;
+  node.kind = ExpressionKind::power;
+  node.operands = {*radicand};
+  node.number = cln::cl_RA(1) / 2;
+  node.span = call.span;
+  return push(std::move(node));
+}
+
+std::optional<ExpressionId> Resolver::resolve_dot(const ExpressionSyntax& call) {
+  if (!has_arity(call, 1)) {
+    return std::nullopt;
+  }
+  const std::optional<ExpressionId> argument = resolve(call.operands[0]);
+  if (!argument) {
+    return std::nullopt;
+  }
+  const Expression& inner = context_.model.expressions[*argument];
+  if (inner.kind == ExpressionKind::coordinate) {
+    return push_leaf(ExpressionKind::rate, inner.index, call.span);
+  }
+  if (inner.kind == ExpressionKind::rate) {
+    return push_leaf(ExpressionKind::acceleration, inner.index, call.span);
+  }
+  if (context_.constants[*argument]) {
+    return push_number(0, call.span);
+  }
+  Expression node;
+  node.kind = ExpressionKind::time_derivative;
+  node.operands = {*argument};
+  node.span = call.span;
+  return push(std::move(node));
+}
+
+std::optional<ExpressionId> Resolver::resolve_sum(const ExpressionSyntax& call) {
+  if (!has_arity(call, 4)) {
+    return std::nullopt;
+  }
+  const ExpressionSyntax& index = call.operands[0];
+  if (index.kind != SyntaxKind::name || !index.operands.empty()) {
+    context_.report.add(Code::E210, index.span,
+                        quoted(index.span) + " is not the name of a running index",
+                        "write `sum(i, 1, n, …)`");
+    return std::nullopt;
+  }
+  const RangeSyntax range{index.text, call.operands[1], call.operands[2], index.span, call.span};
+  std::vector<std::optional<ExpressionId>> terms;
+  const auto add_term = [&] {
+    terms.push_back(resolve(call.operands[3]));
+    return terms.back().has_value();
+  };
+  if (!repeat({range}, scope_, context_.report, add_term)) {
+    return std::nullopt;
+  }
+  return push_sum(std::move(terms), call.span);
+}
+
+std::optional<ExpressionId> Resolver::resolve_delta(const ExpressionSyntax& call) {
+  if (!has_arity(call, 2)) {
+    return std::nullopt;
+  }
+  const auto i = integer_value(call.operands[0], scope_, context_.report);
+  const auto j = integer_value(call.operands[1], scope_, context_.report);
+  return i && j ? push_number(*i == *j ? 1 : 0, call.span) : std::nullopt;
+}
+
+std::optional<std::uint32_t> Resolver::resolve_point(const ExpressionSyntax& name) {
+  const Symbol* symbol = context_.symbols.find(name.text);
+  if (name.kind != SyntaxKind::name || symbol == nullptr || symbol->kind != SymbolKind::point) {
+    const std::vector<std::string> points = context_.symbols.names(SymbolKind::point);
+    context_.report.add(Code::E201, name.span, "unknown point " + quoted(name.span),
+                        context_.symbols.suggest(name.text, points, context_.report));
+    return std::nullopt;
+  }
+  return element(name, *symbol);
+}
+
+std::optional<ExpressionId> Resolver::push_component(std::uint32_t point, std::uint32_t axis,
+                                                     const Span& span) {
+  return push_leaf(ExpressionKind::point_component, 3 * point + axis, span);
+}
+
+std::optional<ExpressionId> Resolver::resolve_component(const ExpressionSyntax& call) {
+  if (!has_arity(call, 1)) {
+    return std::nullopt;
+  }
+  const std::optional<std::uint32_t> point = resolve_point(call.operands[0]);
+  if (!point) {
+    return std::nullopt;
+  }
+  const auto axis =
+      static_cast<std::uint32_t>(std::find(axes.begin(), axes.end(), call.text) - axes.begin());
+  if (axis >= context_.model.points[*point].dimension) {
+    context_.report.add(Code::E516, call.span,
+                        quoted(call.operands[0].span) + " is planar, so it has no " + call.text);
+    return std::nullopt;
+  }
+  return push_component(*point, axis, call.span);
+}
+
+std::optional<ExpressionId> Resolver::resolve_squared_speed(const ExpressionSyntax& call) {
+  if (!has_arity(call, 1)) {
+    return std::nullopt;
+  }
+  const std::optional<std::uint32_t> point = resolve_point(call.operands[0]);
+  if (!point) {
+    return std::nullopt;
+  }
+  std::vector<std::optional<ExpressionId>> terms;
+  for (std::uint32_t axis = 0; axis < context_.model.points[*point].dimension; ++axis) {
+    Expression rate;
+    rate.kind = ExpressionKind::time_derivative;
+    rate.operands = {*push_component(*point, axis, call.span)};
+    rate.span = call.span;
+    terms.push_back(push_square(push(std::move(rate)), call.span));
+  }
+  return push_sum(std::move(terms), call.span);
+}
+
+std::optional<ExpressionId> Resolver::resolve_squared_distance(const ExpressionSyntax& call) {
+  if (!has_arity(call, 2)) {
+    return std::nullopt;
+  }
+  const std::optional<std::uint32_t> from = resolve_point(call.operands[0]);
+  const std::optional<std::uint32_t> to = resolve_point(call.operands[1]);
+  if (!from || !to) {
+    return std::nullopt;
+  }
+  const std::uint32_t dimension = context_.model.points[*from].dimension;
+  if (dimension != context_.model.points[*to].dimension) {
+    context_.report.add(Code::E516, call.span,
+                        "one of the points of " + quoted(call.span) + " is planar");
+    return std::nullopt;
+  }
+  std::vector<std::optional<ExpressionId>> terms;
+  for (std::uint32_t axis = 0; axis < dimension; ++axis) {
+    Expression minus;
+    minus.kind = ExpressionKind::negate;
+    minus.operands = {*push_component(*from, axis, call.span)};
+    minus.span = call.span;
+    const auto subtracted = push(std::move(minus));
+    const auto difference = push_sum({push_component(*to, axis, call.span), subtracted}, call.span);
+    terms.push_back(push_square(difference, call.span));
+  }
+  return push_sum(std::move(terms), call.span);
+}
+
+std::optional<ExpressionId> Resolver::push_square(std::optional<ExpressionId> base,
+                                                  const Span& span) {
+  if (!base) {
+    return std::nullopt;
+  }
+  Expression node;
+  node.kind = ExpressionKind::power;
+  node.operands = {*base};
+  node.number = 2;
+  node.span = span;
+  return push(std::move(node));
+}
+
+std::optional<ExpressionId> Resolver::push_sum(std::vector<std::optional<ExpressionId>> terms,
+                                               const Span& span) {
+  Expression node;
+  node.kind = ExpressionKind::add;
+  node.span = span;
+  for (const std::optional<ExpressionId>& term : terms) {
+    if (!term) {
+      return std::nullopt;
+    }
+    node.operands.push_back(*term);
+  }
+  if (node.operands.size() == 1) {
+    return node.operands.front();
+  }
+  return push(std::move(node));
+}
+
+}  // namespace elgen::checking

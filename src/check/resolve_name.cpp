@@ -1,0 +1,114 @@
+// Resolver, names: time, pi, running indices and sizes (as numbers), and what the model declares.
+#include <algorithm>
+
+#include "elgen/functions.hpp"
+#include "resolver.hpp"
+
+namespace elgen::checking {
+namespace {
+
+std::optional<ExpressionKind> leaf_kind(SymbolKind kind) {
+  switch (kind) {
+    case SymbolKind::coordinate:
+      return ExpressionKind::coordinate;
+    case SymbolKind::parameter:
+      return ExpressionKind::parameter;
+    case SymbolKind::definition:
+      return ExpressionKind::definition;
+    case SymbolKind::prescribed:
+      return ExpressionKind::prescribed;
+    case SymbolKind::input:
+      return ExpressionKind::input;
+    default:
+      return std::nullopt;
+  }
+}
+
+bool is_function_name(const std::string& name) {
+  const std::vector<std::string> functions = function_names();
+  return std::find(functions.begin(), functions.end(), name) != functions.end();
+}
+
+std::string elements_of(const std::string& name, const Symbol& symbol) {
+  const std::int64_t first = symbol.elements.begin()->first;
+  const std::int64_t last = symbol.elements.rbegin()->first;
+  return quoted(name) + " has the elements " + std::to_string(first) + " to " +
+         std::to_string(last);
+}
+
+}  // namespace
+
+std::optional<ExpressionId> Resolver::resolve_name(const ExpressionSyntax& name) {
+  const bool indexed = !name.operands.empty();
+  if (!indexed && name.text == "t") {
+    return push_leaf(ExpressionKind::time, 0, name.span);
+  }
+  if (!indexed && name.text == "pi") {
+    return push_leaf(ExpressionKind::pi, 0, name.span);
+  }
+  if (const auto value = scope_.find(name.text); value && !indexed) {
+    return push_number(cln::cl_I(static_cast<long>(*value)), name.span);
+  }
+  if (const Symbol* symbol = context_.symbols.find(name.text)) {
+    return resolve_symbol(name, *symbol);
+  }
+  return unknown_name(name);
+}
+
+std::optional<ExpressionId> Resolver::resolve_symbol(const ExpressionSyntax& name,
+                                                     const Symbol& symbol) {
+  const std::optional<ExpressionKind> kind = leaf_kind(symbol.kind);
+  if (!kind) {
+    const bool is_point = symbol.kind == SymbolKind::point;
+    context_.report.add(
+        Code::E319, name.span,
+        quoted(name.span) + " is a " + std::string(noun(symbol.kind)) + ", not a number",
+        is_point ? "its components are `x(" + name.text + ")` and so on" : "");
+    return std::nullopt;
+  }
+  const std::optional<std::uint32_t> index = element(name, symbol);
+  return index ? push_leaf(*kind, *index, name.span) : std::nullopt;
+}
+
+std::optional<std::uint32_t> Resolver::element(const ExpressionSyntax& name, const Symbol& symbol) {
+  if (symbol.is_array == name.operands.empty()) {
+    context_.report.add(
+        Code::E208, name.span,
+        symbol.is_array ? quoted(name.text) + " needs an index: " + elements_of(name.text, symbol)
+                        : quoted(name.text) + " takes no index");
+    return std::nullopt;
+  }
+  if (!symbol.is_array) {
+    return symbol.elements.begin()->second;
+  }
+  const auto index = integer_value(name.operands.front(), scope_, context_.report);
+  if (!index) {
+    return std::nullopt;
+  }
+  const auto found = symbol.elements.find(*index);
+  if (found == symbol.elements.end()) {
+    context_.report.add(Code::E207, name.span,
+                        quoted(name.span) + " is " +
+                            quoted(name.text + "[" + std::to_string(*index) + "]") + ", but " +
+                            elements_of(name.text, symbol));
+    return std::nullopt;
+  }
+  return found->second;
+}
+
+std::optional<ExpressionId> Resolver::unknown_name(const ExpressionSyntax& name) {
+  if (is_function_name(name.text)) {
+    context_.report.add(Code::E316, name.span, quoted(name.text) + " has no argument",
+                        "write `" + name.text + "(…)`");
+    return std::nullopt;
+  }
+  std::vector<std::string> candidates = context_.symbols.names();
+  const std::vector<std::string> indices = scope_.names();
+  candidates.insert(candidates.end(), indices.begin(), indices.end());
+  candidates.insert(candidates.end(), {"pi", "t"});
+  context_.report.add(Code::E201, name.span, "unknown name " + quoted(name.text),
+                      context_.symbols.suggest(name.text, candidates, context_.report));
+  return std::nullopt;
+}
+
+}  // namespace elgen::checking

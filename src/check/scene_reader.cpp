@@ -1,0 +1,269 @@
+// Scene: outputs in the order of the table, fixed parameters, scalars, namespace, and the canonical
+// text that is hashed into stamps.
+#include "scene_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "number_text.hpp"
+#include "options.hpp"
+#include "requests.hpp"
+#include "reserved_names.hpp"
+#include "syntax_part.hpp"
+#include "values.hpp"
+
+namespace elgen::checking {
+namespace {
+
+struct ScalarRow {
+  std::string_view name;
+  ScalarKind kind;
+};
+constexpr std::array<ScalarRow, 3> scalar_table{{
+    {"float", ScalarKind::single_precision},
+    {"double", ScalarKind::double_precision},
+    {"long double", ScalarKind::long_double},
+}};
+
+bool precedes(const OutputRequest& a, const OutputRequest& b) {
+  return std::pair(a.kind, a.user) < std::pair(b.kind, b.user);
+}
+
+class SceneReader {
+ public:
+  SceneReader(Context& context, const SceneInput& input)
+      : context_(context), model_(context.model), input_(input) {}
+
+  Scene read() {
+    read_header();
+    read_outputs();
+    read_fixed();
+    read_numerics();
+    scene_.has_options = !input_.options.outputs.empty() || !input_.options.fixed.empty() ||
+                         !input_.options.sizes.empty();
+    scene_.canonical = canonical_text();
+    return std::move(scene_);
+  }
+
+ private:
+  [[nodiscard]] const EntrySyntax* find_entry(std::string_view name) const {
+    if (input_.scene == nullptr) {
+      return nullptr;
+    }
+    for (const EntrySyntax& entry : input_.scene->entries) {
+      if (entry.name == name) {
+        return &entry;
+      }
+    }
+    return nullptr;
+  }
+
+  void read_header() {
+    scene_.base_name = model_.name;
+    if (const EntrySyntax* top = find_entry("")) {
+      scene_.source = input_.scene->source;
+      scene_.name = text_of(*top, "name");
+      scene_.doc = text_of(*top, "doc");
+      scene_.base_name += "_" + scene_.name;
+    }
+    scene_.emission.cpp_namespace = scene_.base_name;
+    const EntrySyntax* emit = find_entry("emit");
+    const KeySyntax* key = emit == nullptr ? nullptr : emit->find("namespace");
+    if (key != nullptr) {
+      scene_.emission.cpp_namespace = key->value.text;
+      check_name(key->value.text, key->value.span);
+    }
+  }
+
+  void check_name(const std::string& name, const Span& span) {
+    if (!is_well_formed_name(name)) {
+      context_.report.add(Code::E205, span,
+                          quoted(name) + " is not letters, digits and underscores after a letter");
+    } else if (const auto reason = reserved_reason(name); !reason.empty()) {
+      context_.report.add(Code::E204, span, quoted(name) + " is reserved: " + std::string(reason));
+    }
+  }
+
+  void read_outputs() {
+    const EntrySyntax* outputs = find_entry("outputs");
+    if (!input_.options.outputs.empty()) {
+      for (const OptionWord& word : words_of(input_.options.outputs)) {
+        request(word.text, word.span);
+      }
+    } else if (outputs != nullptr) {
+      for (const KeySyntax& key : outputs->keys) {
+        read_output(key);
+      }
+    } else {
+      scene_.outputs = full_requests(model_);
+      return;
+    }
+    lists_outputs_ = true;
+    std::stable_sort(scene_.outputs.begin(), scene_.outputs.end(), precedes);
+    check_function_names();
+  }
+
+  OutputRequest* request(const std::string& name, const Span& span) {
+    auto found = require_request(model_, name, span, context_.report);
+    if (!found) {
+      return nullptr;
+    }
+    for (OutputRequest& other : scene_.outputs) {
+      if (!precedes(other, *found) && !precedes(*found, other)) {
+        return &other;
+      }
+    }
+    scene_.outputs.push_back(std::move(*found));
+    return &scene_.outputs.back();
+  }
+
+  void read_output(const KeySyntax& key) {
+    if (key.value.kind == ValueKind::boolean && !key.value.boolean) {
+      (void)require_request(model_, key.key, key.key_span, context_.report);
+      return;
+    }
+    OutputRequest* output = request(key.key, key.key_span);
+    const KeySyntax* rename = find_key(key.value, "rename");
+    if (output != nullptr && rename != nullptr) {
+      output->name = rename->value.text;
+      output->span = rename->value.span;
+      check_name(output->name, output->span);
+    }
+  }
+
+  void check_function_names() {
+    std::map<std::string, Span> taken;
+    for (const OutputRequest& output : scene_.outputs) {
+      if (!taken.emplace(output.name, output.span).second) {
+        context_.report.add(Code::E609, output.span,
+                            "another output is already called " + quoted(output.name));
+      }
+    }
+  }
+
+  void read_fixed() {
+    const EntrySyntax* parameters = find_entry("parameters");
+    const KeySyntax* fixed = parameters == nullptr ? nullptr : parameters->find("fixed");
+    if (fixed != nullptr && fixed->value.kind == ValueKind::text) {
+      fix_named(fixed->value.text, fixed->value.span, nullptr);
+    } else if (fixed != nullptr) {
+      for (const KeySyntax& key : fixed->value.entries) {
+        fix_named(key.key, key.key_span, &key.value.expression);
+      }
+    }
+    for (const OptionWord& word : words_of(input_.options.fixed)) {
+      read_fix_option(word);
+    }
+  }
+
+  void read_fix_option(const OptionWord& word) {
+    const Assignment assignment = split_assignment(word);
+    if (assignment.value.begin == assignment.value.end) {
+      const bool lacks_value = word.text.find('=') != std::string::npos;
+      if (lacks_value) {
+        context_.report.add(Code::E606, word.span, quoted(word.text) + " has no value");
+      } else {
+        fix_named(word.text, word.span, nullptr);
+      }
+      return;
+    }
+    const auto value = parse_part(assignment.value, context_.limits, context_.report);
+    if (value) {
+      fix_named(assignment.name.text, assignment.name.span, &*value);
+    }
+  }
+
+  /// NAME fixes all elements, NAME[i] one, "all" every parameter; without a value at the model's.
+  void fix_named(const std::string& name, const Span& span, const ExpressionSyntax* value) {
+    std::vector<std::uint32_t> targets;
+    for (std::uint32_t i = 0; i < model_.parameters.size(); ++i) {
+      const Parameter& parameter = model_.parameters[i];
+      const bool all = value == nullptr && name == "all";
+      if (all || parameter.name == name || model_.parameter_arrays[parameter.array].name == name) {
+        targets.push_back(i);
+      }
+    }
+    if (targets.empty() && name != "all") {
+      const std::vector<std::string> names = context_.symbols.names(SymbolKind::parameter);
+      context_.report.add(Code::E602, span, "unknown parameter " + quoted(name),
+                          context_.symbols.suggest(name, names, context_.report));
+      return;
+    }
+    std::optional<cln::cl_R> number;
+    if (value != nullptr) {
+      ValueSyntax syntax;
+      syntax.expression = *value;
+      number = ValueReader(context_, Scope(context_.sizes)).constant(syntax);
+    }
+    for (const std::uint32_t target : targets) {
+      scene_.specialisation.fixed[target] = number.value_or(model_.parameters[target].value);
+    }
+  }
+
+  void read_numerics() {
+    const EntrySyntax* numeric = find_entry("numeric");
+    const KeySyntax* scalars = numeric == nullptr ? nullptr : numeric->find("scalar");
+    if (scalars == nullptr) {
+      return;
+    }
+    scene_.numerics.scalars.clear();
+    for (const ScalarRow& row : scalar_table) {
+      const auto named = [&](const ValueSyntax& item) { return item.text == row.name; };
+      const auto& items = scalars->value.items;
+      if (std::any_of(items.begin(), items.end(), named)) {
+        scene_.numerics.scalars.push_back(row.kind);
+      }
+    }
+  }
+
+  /// One line per thing said beyond `full`, in a fixed order.
+  [[nodiscard]] std::string canonical_text() const {
+    std::string text;
+    for (const OutputRequest& output : scene_.outputs) {
+      if (lists_outputs_) {
+        const std::string name = standard_name(output);
+        text += "output " + name + (name == output.name ? "" : " as " + output.name) + "\n";
+      }
+    }
+    for (const auto& [target, value] : scene_.specialisation.fixed) {
+      text += "fixed " + model_.parameters[target].name + " = " + number_text(value) + "\n";
+    }
+    std::map<std::string, std::int64_t> sizes;
+    for (const SizeOverride& size : input_.sizes) {
+      sizes[size.name] = size.value;
+    }
+    for (const auto& [name, value] : sizes) {
+      text += "size " + name + " = " + std::to_string(value) + "\n";
+    }
+    if (scene_.numerics.scalars != Numerics{}.scalars) {
+      for (const ScalarKind kind : scene_.numerics.scalars) {
+        text += "scalar " + std::string(scalar_table[static_cast<std::size_t>(kind)].name) + "\n";
+      }
+    }
+    if (scene_.emission.cpp_namespace != scene_.base_name) {
+      text += "namespace " + scene_.emission.cpp_namespace + "\n";
+    }
+    return text;
+  }
+
+  [[nodiscard]] std::string standard_name(const OutputRequest& output) const {
+    const std::string_view name = output_row(output.kind).name;
+    const bool is_built_in = find_output(name) != nullptr;
+    return (is_built_in ? "" : model_.outputs[output.user].name) + std::string(name);
+  }
+
+  Context& context_;
+  const Model& model_;
+  const SceneInput& input_;
+  Scene scene_ = {};
+  bool lists_outputs_ = false;
+};
+
+}  // namespace
+
+Scene read_scene(Context& context, const SceneInput& input) {
+  return SceneReader(context, input).read();
+}
+
+}  // namespace elgen::checking

@@ -1,0 +1,20 @@
+// Scene: what a scene file and options want of a resolved model.
+#pragma once
+
+#include "context.hpp"
+#include "elgen/scene.hpp"
+#include "expand.hpp"
+
+namespace elgen::checking {
+
+/// What the scene is made from; `scene` may be null.
+struct SceneInput {
+  const SceneSyntax* scene = nullptr;
+  const SceneOptions& options;
+  const std::vector<SizeOverride>& sizes;
+};
+
+/// E601–E609, E505, E108. An option given replaces what the scene says of the same.
+[[nodiscard]] Scene read_scene(Context& context, const SceneInput& input);
+
+}  // namespace elgen::checking

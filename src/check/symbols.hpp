@@ -1,0 +1,67 @@
+// Symbols: the one set of names of a model, with the elements of repeated names.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "report.hpp"
+
+namespace elgen::checking {
+
+enum class SymbolKind : std::uint8_t {
+  coordinate,
+  parameter,
+  definition,
+  prescribed,
+  point,
+  body,
+  input,
+  force,
+  output,
+  size,
+};
+
+[[nodiscard]] std::string_view noun(SymbolKind kind);
+
+/// A name with one meaning, or (`is_array`) with one per index.
+struct Symbol {
+  SymbolKind kind = SymbolKind::parameter;
+  bool is_array = false;
+  std::map<std::int64_t, std::uint32_t> elements = {};  ///< index in the file -> index in the Model
+  Span span = {};
+};
+
+/// A name about to be declared: "q", or "q[3]" from "q[i]".
+struct NewName {
+  std::string base;
+  std::optional<std::int64_t> index = {};
+  Span span = {};
+
+  [[nodiscard]] std::string text() const;        ///< "q[3]"
+  [[nodiscard]] std::string identifier() const;  ///< "q_3"
+};
+
+class Symbols {
+ public:
+  /// False after E203, E204, E205 or E211. `target` is the index in the Model.
+  bool declare(const NewName& name, SymbolKind kind, std::uint32_t target, Report& report);
+
+  [[nodiscard]] const Symbol* find(std::string_view base) const;
+  [[nodiscard]] std::vector<std::string> names() const;
+  [[nodiscard]] std::vector<std::string> names(SymbolKind kind) const;
+  /// "did you mean `m`? (parameter, line 20)", or nothing.
+  [[nodiscard]] std::string suggest(std::string_view word, const std::vector<std::string>& among,
+                                    const Report& report) const;
+
+ private:
+  bool report_duplicate(const NewName& name, const Symbol& first, Report& report) const;
+  bool claim_identifier(const NewName& name, Report& report);
+
+  std::map<std::string, Symbol, std::less<>> symbols_;
+  std::map<std::string, NewName, std::less<>> identifiers_;
+};
+
+}  // namespace elgen::checking

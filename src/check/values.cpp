@@ -1,0 +1,111 @@
+// Values: reads the values of keys as roots, constants, units and references.
+#include "values.hpp"
+
+#include <cln/float.h>
+#include <cln/rational_ring.h>
+
+#include "resolver.hpp"
+
+namespace elgen::checking {
+namespace {
+
+cln::cl_R rounded(const cln::cl_R& value) {
+  if (cln:: instanceof (value, cln::cl_RA_ring)) {
+    return value;
+  }
+  return cln::cl_float(value, cln::float_format(constant_digits));
+}
+
+}  // namespace
+
+ExpressionId ValueReader::root(const ExpressionSyntax& expression, const RootRequest& request) {
+  const auto first = static_cast<ExpressionId>(context_.model.expressions.size());
+  const std::optional<ExpressionId> id = Resolver(context_, scope_).resolve(expression);
+  if (!id) {
+    return no_expression;
+  }
+  context_.roots.push_back(
+      {first, *id, request.place, request.unit, request.owner, request.owner_index});
+  return *id;
+}
+
+ExpressionId ValueReader::root(const ValueSyntax& value, const RootRequest& request) {
+  return root(value.expression, request);
+}
+
+std::vector<ExpressionId> ValueReader::roots(const ValueSyntax& value, const RootRequest& request) {
+  if (value.kind != ValueKind::list) {
+    return {root(value, request)};
+  }
+  std::vector<ExpressionId> result;
+  for (const ValueSyntax& item : value.items) {
+    result.push_back(root(item, request));
+  }
+  return result;
+}
+
+std::optional<cln::cl_R> ValueReader::constant(const ValueSyntax& value) {
+  const ExpressionSyntax& syntax = value.expression;
+  const std::size_t size = context_.model.expressions.size();
+  const std::optional<ExpressionId> id = Resolver(context_, scope_).resolve(syntax);
+  const std::optional<cln::cl_R> result = id ? context_.constants[*id] : std::optional<cln::cl_R>{};
+  context_.model.expressions.resize(size);
+  context_.constants.truncate(size);
+  if (id && !result) {
+    context_.report.add(Code::E319, syntax.span, quoted(syntax.span) + " is not a constant number");
+  }
+  return result ? std::optional(rounded(*result)) : std::nullopt;
+}
+
+std::optional<Interval> ValueReader::interval(const ValueSyntax& value) {
+  const std::optional<cln::cl_R> low = constant(value.items[0]);
+  const std::optional<cln::cl_R> high = constant(value.items[1]);
+  if (!low || !high) {
+    return std::nullopt;
+  }
+  if (*low >= *high) {
+    context_.report.add(
+        Code::E112, value.span,
+        quoted(value.items[0].span) + " is not below " + quoted(value.items[1].span));
+    return std::nullopt;
+  }
+  return Interval{*low, *high};
+}
+
+std::optional<std::int64_t> ValueReader::integer(const ValueSyntax& value) {
+  return integer_value(value.expression, scope_, context_.report);
+}
+
+std::optional<std::uint32_t> ValueReader::reference(const ValueSyntax& value, SymbolKind kind) {
+  const ExpressionSyntax& name = value.expression;
+  const Symbol* symbol = context_.symbols.find(name.text);
+  if (symbol == nullptr || symbol->kind != kind) {
+    const std::vector<std::string> names = context_.symbols.names(kind);
+    context_.report.add(Code::E201, value.span,
+                        "unknown " + std::string(noun(kind)) + " " + quoted(name.text),
+                        context_.symbols.suggest(name.text, names, context_.report));
+    return std::nullopt;
+  }
+  return Resolver(context_, scope_).element(name, *symbol);
+}
+
+const KeySyntax* find_key(const ValueSyntax& table, std::string_view key) {
+  for (const KeySyntax& entry : table.entries) {
+    if (entry.key == key) {
+      return &entry;
+    }
+  }
+  return nullptr;
+}
+
+std::string text_of(const EntrySyntax& entry, std::string_view key) {
+  const KeySyntax* found = entry.find(key);
+  return found == nullptr ? "" : found->value.text;
+}
+
+std::string text_of(const ValueSyntax& table, std::string_view key) {
+  const KeySyntax* found = find_key(table, key);
+  return found == nullptr ? "" : found->value.text;
+}
+
+}  // namespace elgen::checking

@@ -1,0 +1,61 @@
+// Values: reads the values of keys as roots, constants, units and references.
+#pragma once
+
+#include <cln/real.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "context.hpp"
+#include "elgen/syntax.hpp"
+#include "expand.hpp"
+
+namespace elgen::checking {
+
+/// What is known of an expression before it is read.
+struct RootRequest {
+  Place place = {};
+  std::optional<Unit> unit = {};
+  OwnerKind owner = OwnerKind::none;
+  std::uint32_t owner_index = 0;
+};
+
+/// Reads keys for one instance of an entry.
+class ValueReader {
+ public:
+  ValueReader(Context& context, const Scope& scope) : context_(context), scope_(scope) {}
+
+  /// Resolves an expression and registers it as a root; `no_expression` after an error.
+  ExpressionId root(const ExpressionSyntax& expression, const RootRequest& request);
+  ExpressionId root(const ValueSyntax& value, const RootRequest& request);
+
+  /// Every item of a list (or the one value) as a root.
+  std::vector<ExpressionId> roots(const ValueSyntax& value, const RootRequest& request);
+
+  /// An exact rational where it is one, else a float of 100 digits. E319 where names occur.
+  std::optional<cln::cl_R> constant(const ValueSyntax& value);
+
+  /// [low, high]; E112 unless low < high.
+  std::optional<Interval> interval(const ValueSyntax& value);
+
+  std::optional<std::int64_t> integer(const ValueSyntax& value);
+
+  /// The index in the Model of what a name refers to. E201, E207, E208.
+  std::optional<std::uint32_t> reference(const ValueSyntax& value, SymbolKind kind);
+
+  Context& context() { return context_; }
+
+ private:
+  Context& context_;
+  Scope scope_;
+};
+
+/// Text of an optional key, or nothing.
+[[nodiscard]] std::string text_of(const EntrySyntax& entry, std::string_view key);
+[[nodiscard]] std::string text_of(const ValueSyntax& table, std::string_view key);
+
+/// The entry of a table value, or null.
+[[nodiscard]] const KeySyntax* find_key(const ValueSyntax& table, std::string_view key);
+
+}  // namespace elgen::checking
