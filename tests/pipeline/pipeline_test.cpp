@@ -1,0 +1,80 @@
+// The stages run in their order, stop where they should, and hand over what they made.
+#include "elgen/pipeline.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "support/shell.hpp"
+
+namespace elgen {
+
+namespace {
+
+Inputs model(const std::string& file) {
+  const std::string path = std::string(ELGEN_SOURCE_DIR) + "/models/" + file;
+  return {make_source(file, test::read_text(path)), nullptr};
+}
+
+std::vector<std::string> stages(const Products& products) {
+  std::vector<std::string> names;
+  for (const StageTime& time : products.times) names.push_back(time.stage);
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("all stages run in their order and give a checked program and its files") {
+  const Products products = run_pipeline(model("cart_pole.toml"), {});
+  REQUIRE(products.self_check.has_value());
+  CHECK(products.self_check->failure.empty());
+  CHECK(products.self_check->states >= 2);
+  CHECK(products.files->files.size() == 2);
+  CHECK(check_invariants(*products.program).empty());
+  std::vector<std::string> expected = stage_names();
+  expected.push_back("self-check");
+  CHECK(stages(products) == expected);
+}
+
+TEST_CASE("stop_after ends after that stage, whichever it is") {
+  for (std::size_t count = 1; count <= stage_names().size(); ++count) {
+    PipelineOptions options;
+    options.stop_after = stage_names()[count - 1];
+    const Products products = run_pipeline(model("simple_pendulum.toml"), options);
+    INFO(options.stop_after);
+    CHECK(stages(products).size() == count);
+    CHECK(products.files.has_value() == (options.stop_after == "emit"));
+    CHECK_FALSE(products.self_check.has_value());
+  }
+}
+
+TEST_CASE("each stage is told before it runs, and dumped where asked") {
+  for (const std::string& name : stage_names()) {
+    PipelineOptions options;
+    options.dump_stage = name;
+    options.stop_after = name;
+    std::string last;
+    options.on_stage = [&](const std::string& stage) { last = stage; };
+    const Products products = run_pipeline(model("cart_pole.toml"), options);
+    INFO(name);
+    CHECK(last == name);
+    CHECK(products.dump.empty() == (name == "inspect"));  // nothing is wrong with this model
+  }
+}
+
+TEST_CASE("an error ends the run at its stage") {
+  const Inputs faulty{make_source("faulty.toml", "format = 2\n"), nullptr};
+  const Products products = run_pipeline(faulty, {});
+  CHECK(has_errors(products.diagnostics));
+  CHECK(stages(products) == std::vector<std::string>{"parse"});
+  CHECK_FALSE(products.checked.has_value());
+}
+
+TEST_CASE("a limit on derived nodes reaches the stages that derive") {
+  PipelineOptions options;
+  options.limits.derived_nodes = 3;
+  const Products products = run_pipeline(model("cart_pole.toml"), options);
+  REQUIRE(products.diagnostics.size() == 1);
+  CHECK(products.diagnostics.front().code == Code::E908);
+  CHECK_FALSE(products.files.has_value());
+}
+
+}  // namespace elgen

@@ -1,0 +1,103 @@
+// The README names everything the tables of the code have, so that neither outgrows the other.
+#include <catch2/catch.hpp>
+
+#include "elgen/functions.hpp"
+#include "elgen/limits.hpp"
+#include "elgen/outputs.hpp"
+#include "elgen/syntax.hpp"
+#include "elgen/units.hpp"
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+const std::string& readme() {
+  static const std::string text = read_text(std::string(ELGEN_SOURCE_DIR) + "/README.md");
+  return text;
+}
+
+/// The README's table row that explains an entry of a model or scene.
+std::string row_of(const std::string& entry) {
+  const bool is_scene = starts_with(entry, "scene");
+  const std::size_t scenes = readme().find("A scene (");
+  std::string name = is_scene && entry != "scene" ? entry.substr(6) : entry;
+  name = name.substr(0, name.find('.'));
+  const std::size_t from = is_scene ? scenes : 0;
+  for (const std::string& header : {"| `[[" + name + "]]`", "| `[" + name + "]`"}) {
+    const std::size_t start = readme().find(header, from);
+    if (start != std::string::npos) {
+      return readme().substr(start, readme().find('\n', start) - start);
+    }
+  }
+  const std::size_t top = readme().find("| top level", scenes);
+  return readme().substr(top, readme().find('\n', top) - top);
+}
+
+}  // namespace
+
+TEST_CASE("the README explains every key of the format that is supported") {
+  for (const KeyRow& row : key_table()) {
+    if (!row.supported || row.key == "*" || row.entry.empty()) continue;
+    INFO("[" << row.entry << "] " << row.key);
+    CHECK(mentions(row_of(std::string(row.entry)), std::string(row.key)));
+  }
+}
+
+TEST_CASE("the README names every function, unit, output and limit") {
+  for (const FunctionRow& row : function_table) {
+    INFO(row.name);
+    CHECK(mentions(readme(), "`" + std::string(row.name) + "`"));
+  }
+  for (const OutputRow& row : output_table()) {
+    if (row.kind == OutputKind::user_value || row.kind == OutputKind::user_jacobian ||
+        row.kind == OutputKind::user_bias) {
+      continue;
+    }
+    INFO(row.name);
+    CHECK(mentions(readme(), "`" + std::string(row.name) + "`"));
+  }
+  for (const UnitRow& row : unit_table()) {
+    INFO(row.name);
+    CHECK(mentions(readme(), " " + std::string(row.name)));
+  }
+  for (const LimitRow& row : limit_table()) {
+    INFO(row.name);
+    CHECK(mentions(readme(), "`" + std::string(row.name) + "`"));
+  }
+}
+
+TEST_CASE("the README's excerpt of a model and of a header stand in the files") {
+  const std::string folder = ELGEN_SOURCE_DIR;
+  for (const auto& [fence, file] :
+       {std::pair<std::string, std::string>{"```toml\n", "/models/simple_pendulum.toml"},
+        {"```cpp\n", "/generated/simple_pendulum/simple_pendulum.hpp"}}) {
+    const std::size_t start = readme().find(fence) + fence.size();
+    const std::string excerpt = readme().substr(start, readme().find("```", start) - start);
+    const std::string text = read_text(folder + file);
+    std::size_t end = 0;
+    for (std::size_t at = 0; at < excerpt.size(); at = end + 1) {
+      end = excerpt.find('\n', at);
+      const std::string line = excerpt.substr(at, end - at);
+      INFO(file << ": " << line);
+      CHECK((line == "…" || mentions(text, line)));
+    }
+  }
+}
+
+TEST_CASE("every option of the command line is in the README") {
+  const Workspace workspace;
+  for (const std::string command : {"", "generate", "verify", "explain"}) {
+    const std::string help = shell("elgen " + command + " --help", workspace.path()).output;
+    REQUIRE(mentions(help, "--help"));
+    for (std::size_t at = help.find("  --"); at != std::string::npos;
+         at = help.find("  --", at + 1)) {
+      const std::size_t start = at + 2;
+      const std::string option = help.substr(start, help.find_first_of(" ,\n", start) - start);
+      INFO(command << " " << option);
+      CHECK(mentions(readme(), "`" + option));
+    }
+  }
+}
+
+}  // namespace elgen::test
