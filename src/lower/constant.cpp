@@ -141,8 +141,11 @@ SignedConstant product_of(std::vector<SignedConstant> factors) {
   for (const SignedConstant& factor : factors) {
     value = value * value_of(factor);
     if (factor.constant.text == "1") continue;
-    const std::string part = atom_text({factor.constant, false});
-    text += text.empty() ? part : "*" + part;
+    // Only the first factor may be a quotient without brackets.
+    const bool is_first = text.empty();
+    if (!is_first) text += '*';
+    text += is_first && is_rational(factor.constant) ? factor.constant.text
+                                                     : atom_text({factor.constant, false});
   }
   return make_constant(value, text);
 }

@@ -1,6 +1,7 @@
-#include <catch2/catch.hpp>
 #include <cln/float.h>
 #include <cln/rational.h>
+
+#include <catch2/catch.hpp>
 
 #include "elgen/program.hpp"
 

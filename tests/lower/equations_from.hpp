@@ -1,0 +1,58 @@
+// Equations of motion made by hand from GiNaC expressions, for tests of the import and what follows
+// it.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "elgen/equations_of_motion.hpp"
+
+namespace elgen::testing {
+
+/// Leaves m, l (parameters), x, y (coordinates), u (input), t. `rotation` changes the order in
+/// which the symbols are created, and with it GiNaC's own order of terms.
+inline EquationsOfMotion leaves(std::size_t rotation = 0) {
+  const std::vector<std::string> names = {"m", "l", "x", "y", "vx", "vy", "ax", "ay", "u", "t"};
+  std::vector<GiNaC::ex> symbols(names.size());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::size_t at = (i * 7 + rotation) % names.size();
+    symbols[at] = GiNaC::symbol(names[at]);
+  }
+  EquationsOfMotion equations;
+  equations.leaves = {{"m", "l"}, {"x", "y"}, {"u"}, true};
+  equations.symbols = {{symbols[0], symbols[1]},
+                       {symbols[2], symbols[3]},
+                       {symbols[4], symbols[5]},
+                       {symbols[6], symbols[7]},
+                       {symbols[8]},
+                       symbols[9]};
+  return equations;
+}
+
+/// Appends a definition; `uses` are found by its symbols.
+inline GiNaC::ex define_as(EquationsOfMotion& equations, const std::string& name,
+                           const GiNaC::ex& value) {
+  Definition definition;
+  definition.symbol = GiNaC::symbol(name.empty() ? "anonymous" : name);
+  definition.value = value;
+  definition.name = name;
+  for (std::uint32_t i = 0; i < equations.definitions.list.size(); ++i) {
+    if (value.has(equations.definitions.list[i].symbol)) definition.uses.push_back(i);
+  }
+  equations.definitions.list.push_back(definition);
+  return definition.symbol;
+}
+
+/// One output of one row; the request that asks for it is returned.
+inline OutputRequest add_output(EquationsOfMotion& equations, OutputKind kind,
+                                const std::vector<GiNaC::ex>& entries) {
+  OutputRequest request;
+  request.kind = kind;
+  request.name = std::string(output_row(kind).name);
+  request.columns = static_cast<std::uint32_t>(entries.size());
+  equations.outputs.push_back({request, {{"", 1, request.columns, entries}}});
+  return request;
+}
+
+}  // namespace elgen::testing
