@@ -33,11 +33,13 @@ std::string message_of(std::string_view description) {
   return message;
 }
 
-/// The word that ends at `offset`, where toml++ stops after a number it cannot hold.
-Span word_before(const SourceText& source, std::uint32_t offset) {
+/// The word at `offset` or just before it: toml++ stops in or after a number it cannot hold.
+Span word_at(const SourceText& source, std::uint32_t offset) {
   std::uint32_t begin = offset;
+  std::uint32_t end = offset;
   while (begin > 0 && is_token_character(source.text[begin - 1])) --begin;
-  return {&source, begin, offset};
+  while (end < source.text.size() && is_token_character(source.text[end])) ++end;
+  return {&source, begin, end};
 }
 
 /// One character, or nothing at the end of the file.
@@ -51,12 +53,17 @@ Span character_at(const SourceText& source, std::uint32_t offset) {
 Span redefined(const SourceText& source, std::uint32_t offset) {
   std::uint32_t end = offset;
   while (end > 0 && (source.text[end - 1] == ' ' || source.text[end - 1] == '=')) --end;
-  const Span key = word_before(source, end);
+  const Span key = word_at(source, end);
   return end < offset && key.begin < key.end ? key : character_at(source, offset);
 }
 
 bool at_line_end(const SourceText& source, std::uint32_t offset) {
   return offset >= source.text.size() || source.text[offset] == '\n' || source.text[offset] == '\r';
+}
+
+bool is_too_wide(std::string_view description) {
+  return contains(description, "not representable") || contains(description, "length limit") ||
+         contains(description, "could not be interpreted") || contains(description, "too long");
 }
 
 bool is_unquoted_value(std::string_view description) {
@@ -78,10 +85,8 @@ bool is_decimal_token(std::string_view token) {
 
 Diagnostic toml_error(const SourceText& source, std::uint32_t offset,
                       std::string_view description) {
-  const Span word = word_before(source, offset);
-  const bool too_wide = contains(description, "not representable") ||
-                        contains(description, "could not be interpreted");
-  if (too_wide && is_decimal_token(covered_text(word))) {
+  const Span word = word_at(source, offset);
+  if (is_too_wide(description) && is_decimal_token(covered_text(word))) {
     return {Code::E109, word, in_ticks(covered_text(word)) + " is wider than TOML's numbers",
             "write it as a string, in quotes"};
   }

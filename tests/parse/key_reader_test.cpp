@@ -52,7 +52,7 @@ TEST_CASE("keys that come later say so, and nothing they would replace is missed
 TEST_CASE("choices take the words of the table", "[parse]") {
   CHECK(model_answer(model("kind = \"scalar\"")).find("kind = \"scalar\"") != std::string::npos);
   const std::string text = model("[parameters]\nm = {value = 1, assume = \"positiv\"}\n");
-  CHECK(model_answer(text) == "E104 6:28");
+  CHECK(model_answer(text) == "E104 6:27");
   CHECK(testing::first_error(text).message ==
         "`positiv` where `positive` or `nonnegative` is expected");
   CHECK(scene_answer(scene("[numeric]\nscalar = [\"float\", \"half\"]\n")) == "E104 5:21");

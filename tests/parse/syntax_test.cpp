@@ -44,7 +44,7 @@ TEST_CASE("errors inside strings stand at the character of the file", "[parse]")
 
 TEST_CASE("columns count code points before the error", "[parse]") {
   CHECK(model_answer("format = 1\nmodel = {name = \"m\", title = \"\u03C0\u03C0\", nmae = 1}\n"
-                     "[[coordinate]]\nname = \"x\"\n") == "E103 2:37");
+                     "[[coordinate]]\nname = \"x\"\n") == "E103 2:36");
 }
 
 TEST_CASE("files with carriage returns have the same places", "[parse]") {

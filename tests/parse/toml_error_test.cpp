@@ -38,6 +38,12 @@ TEST_CASE("malformed TOML is reported once, where it is", "[parse]") {
   CHECK(result.diagnostics.at(0).hint == row.hint);
 }
 
+TEST_CASE("numbers of more digits than toml++ reads are told so", "[parse]") {
+  const std::string digits(200, '7');
+  CHECK(testing::model_answer("a = " + digits) == "E109 1:5");
+  CHECK(testing::model_answer("a = [-0." + digits + "]") == "E109 1:6");
+}
+
 TEST_CASE("decimal tokens are told from other numbers", "[parse]") {
   using parsing::is_decimal_token;
   CHECK(is_decimal_token("12"));
