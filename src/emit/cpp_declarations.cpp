@@ -16,6 +16,9 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
+/// Comments of members stand in one column, except behind declarations longer than this.
+constexpr std::size_t widest_alignment = 72;
+
 /// "{{1, 2}}", or `{}` for no elements; doubled braces name the array inside std::array.
 std::string braced(const Texts& elements, std::size_t column) {
   if (elements.empty()) return "{}";
@@ -120,12 +123,19 @@ TemplateData declared_arrays(const Model& model) {
 }
 
 TemplateData parameter_members(const Model& model, const Scene& scene) {
-  TemplateData list(TemplateData::type::list);
+  std::vector<std::pair<std::string, std::string>> members;
+  std::size_t width = 0;
   for (const ParameterArray& array : model.parameter_arrays) {
     if (!is_emitted(array, scene)) continue;
+    members.emplace_back(member_declaration(model, array), member_doc(array));
+    const std::size_t size = members.back().first.size();
+    if (size <= widest_alignment) width = std::max(width, size);
+  }
+  TemplateData list(TemplateData::type::list);
+  for (const auto& [declaration, doc] : members) {
     TemplateData item;
-    item.set("declaration", member_declaration(model, array));
-    item.set("doc", member_doc(array));
+    item.set("declaration", fmt::format("{:<{}}", declaration, width));
+    item.set("doc", doc);
     list.push_back(item);
   }
   return list;

@@ -25,23 +25,16 @@ std::string shape_text(const Field& field) {
 }
 
 /// What the model says of its own output, or what the table says of a standard one.
-std::string output_doc(const FunctionText& text, OutputKind kind, const Function& function) {
-  const std::string_view standard = output_row(kind).doc;
+std::string output_doc(const FunctionText& text) {
+  const OutputKind kind = text.function.kind;
   const bool is_users = output_row(kind).unit == "user";
-  if (!is_users) return std::string(standard);
-  const UserOutput& output = text.model.outputs[function.user];
+  if (!is_users) return std::string(output_row(kind).doc);
+  const UserOutput& output = text.model.outputs[text.function.user];
   const std::string what = kind == OutputKind::user_value      ? "Output"
                            : kind == OutputKind::user_jacobian ? "Jacobian of output"
                                                                : "Bias of the second rate of output";
   const std::string doc = comment_text(output.doc);
   return fmt::format("{} `{}`{}{}", what, output.name, doc.empty() ? "." : ": ", doc);
-}
-
-const Function& origin(const FunctionText& text, const Field& field) {
-  for (const Function& candidate : text.program.functions) {
-    if (candidate.name == field.name) return candidate;
-  }
-  return text.function;
 }
 
 std::string equation_text(const OutputRow& row) {
@@ -133,20 +126,17 @@ std::string ordering_note(const Function& function) {
 }
 
 std::string heading(const FunctionText& text) {
-  const std::string doc = output_doc(text, text.function.kind, text.function);
-  const std::string note = ordering_note(text.function);
-  if (returns_struct(text.function)) return doc + note;
-  return field_doc(text, text.function.fields.front()) + note;
+  const std::string doc = output_doc(text) + ordering_note(text.function);
+  if (returns_struct(text.function)) return doc;
+  return doc + " " + field_summary(text, text.function.fields.front()) + ".";
 }
 
 }  // namespace
 
-std::string field_doc(const FunctionText& text, const Field& field) {
+std::string field_summary(const FunctionText& text, const Field& field) {
   const OutputKind kind = kind_of_field(text.program, text.function, field);
   const std::string units = units_text(text.model, kind, field);
-  const bool is_part = text.function.kind == OutputKind::forward_dynamics;
-  const std::string doc = is_part ? "" : output_doc(text, kind, origin(text, field)) + " ";
-  return fmt::format("{}{}{}.", doc, shape_text(field), units.empty() ? "" : " [" + units + "]");
+  return shape_text(field) + (units.empty() ? "" : " [" + units + "]");
 }
 
 std::vector<std::string> function_docs(const FunctionText& text) {

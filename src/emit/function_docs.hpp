@@ -28,7 +28,7 @@ struct FunctionText {
 /// Lines as they follow `///`: empty, or beginning with a space.
 [[nodiscard]] std::vector<std::string> function_docs(const FunctionText& text);
 
-/// "Mass matrix, symmetric. 2 x 2, row-major [kg].": one field in one sentence or two.
-[[nodiscard]] std::string field_doc(const FunctionText& text, const Field& field);
+/// "2 x 2, row-major [kg]": shape and units of one field.
+[[nodiscard]] std::string field_summary(const FunctionText& text, const Field& field);
 
 }  // namespace elgen

@@ -41,7 +41,7 @@ TemplateData numbers(const Program& program) {
     const cln::cl_R magnitude = cln::abs(constant.value);
     item.set("text", is_rational(magnitude) ? exact_text(magnitude) : constant.text);
     item.set("name", name);
-    const Wrapping wrapping{line_width - 10, std::string(9 + 7, ' ')};
+    const Wrapping wrapping{line_width - 10, std::string(6, ' ')};
     item.set("value", fmt::format("{}", fmt::join(wrap_expression(cpp_magnitude(constant.value),
                                                                   wrapping), "\n")));
     list.push_back(item);
@@ -64,7 +64,7 @@ TemplateData struct_data(const FunctionText& text) {
     TemplateData member;
     member.set("type", field_type(kind_of_field(text.program, text.function, field), field));
     member.set("name", field.name);
-    member.set("doc", field_doc(text, field));
+    member.set("doc", field_summary(text, field));
     members.push_back(member);
   }
   TemplateData data;

@@ -30,6 +30,17 @@ class StrictContext final : public kainjow::mustache::context<std::string> {
   }
 };
 
+/// kainjow leaves an empty line where a section on lines of its own is not rendered.
+std::string without_repeated_blank_lines(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    const bool repeats = c == '\n' && result.size() > 1 && result.back() == '\n' &&
+                         result[result.size() - 2] == '\n';
+    if (!repeats) result += c;
+  }
+  return result;
+}
+
 }  // namespace
 
 TemplateData section_if(bool present, const TemplateData& values) {
@@ -50,9 +61,9 @@ std::string render(std::string_view path, const TemplateData& data) {
   kainjow::mustache::mustache picture{std::string(text)};
   picture.set_custom_escape([](const std::string& value) { return value; });
   StrictContext context(&data);
-  std::string result = picture.render(context);
+  const std::string result = picture.render(context);
   if (!picture.is_valid()) throw std::logic_error(picture.error_message());
-  return result;
+  return without_repeated_blank_lines(result);
 }
 
 }  // namespace elgen

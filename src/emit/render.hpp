@@ -18,7 +18,8 @@ using TemplateData = kainjow::mustache::data;
 /// One element per line, each with the hole `line`; what a comment block repeats over.
 [[nodiscard]] TemplateData lines_data(const std::vector<std::string>& lines);
 
-/// Fills the embedded template at `path` ("cpp/header.hpp.mustache"). Text is put in unescaped.
+/// Fills the embedded template at `path` ("cpp/header.hpp.mustache"). Text is put in unescaped; blank
+/// lines are never doubled.
 [[nodiscard]] std::string render(std::string_view path, const TemplateData& data);
 
 }  // namespace elgen

@@ -1,0 +1,197 @@
+// Emitted headers, compiled: every function of every header below generated/ and of the test's own
+// model, for every scalar type, by both compilers under strict warnings. One driver instantiates all;
+// values are compared with 50-digit ones, operations with what the sidecar states.
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "elgen/emitted_files.hpp"
+#include "fixture.hpp"
+
+using namespace elgen;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Header {
+  std::string path;       ///< as included
+  std::string name_space;
+  std::string text;
+  Json sidecar;
+};
+
+std::string read(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+std::string namespace_of(const std::string& text) {
+  const std::size_t begin = text.find("\nnamespace ") + 11;
+  return text.substr(begin, text.find(" {", begin) - begin);
+}
+
+void add_folder(std::vector<Header>& headers, const fs::path& folder) {
+  if (!fs::exists(folder)) return;
+  std::set<fs::path> sorted;
+  for (const auto& entry : fs::directory_iterator(folder)) sorted.insert(entry.path());
+  for (const fs::path& path : sorted) {
+    const std::string name = path.filename().string();
+    const fs::path header = path / (name + ".hpp");
+    if (!fs::exists(header)) continue;
+    const std::string text = read(header);
+    headers.push_back({header.string(), namespace_of(text), text,
+                       Json::parse(read(path / (name + ".equations.json")))});
+  }
+}
+
+bool mentions(const Header& header, std::string_view word) {
+  return header.text.find(word) != std::string::npos;
+}
+
+/// Packs and arrays have no order and no atan2, AutoDiffScalar has neither atan nor the hyperbolic
+/// functions' inverses.
+std::vector<std::string> scalars_of(const Header& header) {
+  std::vector<std::string> scalars = {"float", "double", "long double", "Decimal"};
+  const bool needs_order = mentions(header, "detail::sign_of<") ||
+                           mentions(header, "detail::smaller<") ||
+                           mentions(header, "detail::larger<");
+  if (!needs_order && !mentions(header, "atan2(")) {
+    scalars.insert(scalars.end(), {"Pack", "Array"});
+  }
+  if (!mentions(header, "atan")) scalars.emplace_back("AutoDiff");
+  return scalars;
+}
+
+/// A lambda over h::name that can be asked which arguments it takes.
+std::string lambda(const std::string& name) {
+  return fmt::format("[](const auto&... x) -> decltype(h::{0}(x...)) {{ return h::{0}(x...); }}",
+                     name);
+}
+
+std::string appended(const Json& output, const std::string& result) {
+  std::string text;
+  if (output.contains("entries")) text = fmt::format("    append(to, {});\n", result);
+  if (output.contains("fields")) {
+    for (const auto& [field, value] : output["fields"].items()) {
+      text += fmt::format("    append(to, {}.{});\n", result, field);
+    }
+  }
+  return text.empty() ? fmt::format("    (void){};\n", result) : text;
+}
+
+std::string prologue(const Header& header, std::size_t index) {
+  return fmt::format(R"(
+namespace header_{0} {{
+namespace h = ::{1};
+template <class Scalar>
+auto arguments() {{
+  return Arguments<h::Parameters<Scalar>, h::Coordinates<Scalar>, h::Velocities<Scalar>,
+                   h::Inputs<Scalar>, Scalar>{{
+      {{}}, state<Scalar, h::coordinate_count>(0.375), state<Scalar, h::velocity_count>(0.8125),
+      state<Scalar, h::velocity_count>(-1.0625), state<Scalar, h::input_count>(1.5625),
+      made<Scalar>(0.6875)}};
+}}
+)",
+                     index, header.name_space);
+}
+
+std::string values_function(const Header& header) {
+  std::string text =
+      "template <class Scalar>\nstd::vector<Reference> values() {\n"
+      "  std::vector<Reference> to;\n  const auto x = arguments<Scalar>();\n";
+  for (const auto& [name, output] : header.sidecar["outputs"].items()) {
+    text += fmt::format("  {{\n    const auto result = call({}, x);\n{}  }}\n", lambda(name),
+                        appended(output, "result"));
+  }
+  return text + "  return to;\n}\n";
+}
+
+std::string checks(const Header& header) {
+  std::string text = "void check() {\n  const auto reference = values<Reference>();\n";
+  for (const std::string& scalar : scalars_of(header)) {
+    text += fmt::format("  compare(\"{0} in {1}\", values<{1}>(), reference, epsilon<{1}>());\n",
+                        header.name_space, scalar);
+  }
+  text += "  const auto x = arguments<Counted>();\n";
+  for (const auto& [name, output] : header.sidecar["outputs"].items()) {
+    const Json& n = output["operations"];
+    text += fmt::format(
+        "  counts = {{}};\n  (void)call({}, x);\n"
+        "  compare_counts(\"{}::{}\", {{{}, {}, {}, {}, {}, {}}});\n",
+        lambda(name), header.name_space, name, n["add"].get<int>(), n["mul"].get<int>(),
+        n["div"].get<int>(), n["sqrt"].get<int>(), n["sincos"].get<int>(), n["other"].get<int>());
+  }
+  return text + "}\n}\n";
+}
+
+std::string driver(const std::vector<Header>& headers) {
+  std::string text;
+  for (const Header& header : headers) text += fmt::format("#include \"{}\"\n", header.path);
+  text += "#include \"compiled_support.hpp\"\nusing namespace compiled;\nnamespace {\n";
+  std::string calls;
+  for (std::size_t i = 0; i < headers.size(); ++i) {
+    text += prologue(headers[i], i) + values_function(headers[i]) + checks(headers[i]);
+    calls += fmt::format("  header_{}::check();\n", i);
+  }
+  return text + "}\nint main() {\n" + calls + "  return failures == 0 ? 0 : 1;\n}\n";
+}
+
+fs::path write_driver(const fs::path& folder) {
+  testing::Subject subject = testing::cart_pole();
+  subject.scene.emission.cpp_namespace = "own_cart_pole";  // generated/ has a cart_pole too
+  const Result<EmittedFiles> files = emit(subject.model, subject.scene, subject.program);
+  REQUIRE(files);
+  for (const auto& [path, text] : files->files) {
+    fs::create_directories((folder / "own" / path).parent_path());
+    std::ofstream(folder / "own" / path, std::ios::binary) << text;
+  }
+  std::vector<Header> headers;
+  add_folder(headers, folder / "own");
+  add_folder(headers, fs::path(ELGEN_SOURCE_DIR) / "generated");
+  std::ofstream(folder / "driver.cpp", std::ios::binary) << driver(headers);
+  return folder / "driver.cpp";
+}
+
+int run(const std::string& command) {
+  const int status = std::system(command.c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+bool is_installed(const std::string& compiler) {
+  return run("command -v " + compiler + " > /dev/null") == 0;
+}
+
+void compile_and_run(const std::string& compiler) {
+  const fs::path folder = fs::temp_directory_path() / fmt::format("elgen_emit_{}_{}", compiler, getpid());
+  fs::create_directories(folder);
+  const fs::path source = write_driver(folder);
+  const std::string command = fmt::format(
+      "{} -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow "
+      "-Wdouble-promotion -Wfloat-equal -Werror -isystem /usr/include/eigen3 -I{}/tests/emit {} "
+      "-o {}/driver",
+      compiler, ELGEN_SOURCE_DIR, source.string(), folder.string());
+  CHECK(run(command) == 0);
+  CHECK(run((folder / "driver").string()) == 0);
+  fs::remove_all(folder);
+}
+
+}  // namespace
+
+TEST_CASE("g++ compiles every header for every scalar, values and counts agree") {
+  if (is_installed("g++")) compile_and_run("g++");
+}
+
+TEST_CASE("clang++ compiles every header for every scalar, values and counts agree") {
+  if (is_installed("clang++")) compile_and_run("clang++");
+}
