@@ -56,7 +56,7 @@ struct ValueSyntax {
   bool boolean = false;
   ExpressionSyntax expression = {};
   std::vector<ValueSyntax> items = {};  ///< list
-  std::vector<KeySyntax> entries = {};  ///< table, in file order
+  std::vector<KeySyntax> entries;       ///< table, in file order
 };
 
 struct KeySyntax {
@@ -88,7 +88,6 @@ struct SceneSyntax {
 enum class KeyType : std::uint8_t {
   expression,           ///< bare number or string: ValueKind::expression
   expression_list,      ///< list of expressions
-  expression_matrix,    ///< list of lists of expressions
   expression_or_list,   ///< either
   expression_or_table,  ///< a parameter: an expression, or a table (rows `<entry>.<key>`)
   closed_form,          ///< expression, list, matrix, or a table {for, value}

@@ -94,8 +94,6 @@ ValueSyntax read_by_type(const TomlEntry& key, const KeyRow& row, Reading& readi
       return read_expression_value(value, reading);
     case KeyType::expression_list:
       return read_list(value, 0, reading);
-    case KeyType::expression_matrix:
-      return read_matrix(value, reading);
     case KeyType::expression_or_list:
       return value.kind == TomlKind::array ? read_list(value, 0, reading)
                                            : read_expression_value(value, reading);

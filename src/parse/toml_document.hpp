@@ -31,7 +31,7 @@ struct TomlValue {
   DecodedText text = {};  ///< of a string; of a number as it stands
   bool boolean = false;
   std::vector<TomlValue> items = {};
-  std::vector<TomlEntry> entries = {};  ///< in file order
+  std::vector<TomlEntry> entries;  ///< in file order
 };
 
 struct TomlEntry {

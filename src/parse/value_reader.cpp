@@ -134,15 +134,6 @@ ValueSyntax read_list(const TomlValue& value, std::size_t count, Reading& readin
   return result;
 }
 
-ValueSyntax read_matrix(const TomlValue& value, Reading& reading) {
-  ValueSyntax result = empty_value(value, ValueKind::list);
-  if (value.kind != TomlKind::array) {
-    report_wrong_type(value, "a list of lists of expressions", reading);
-  }
-  for (const TomlValue& row : value.items) result.items.push_back(read_list(row, 0, reading));
-  return result;
-}
-
 ValueSyntax read_array_or_expression(const TomlValue& value, Reading& reading) {
   if (value.kind != TomlKind::array) return read_expression_value(value, reading);
   ValueSyntax result = empty_value(value, ValueKind::list);

@@ -23,9 +23,6 @@ struct Reading {
 /// A list of `count` expressions, of any number where `count` is 0; E104.
 [[nodiscard]] ValueSyntax read_list(const TomlValue& value, std::size_t count, Reading& reading);
 
-/// A list of lists of expressions.
-[[nodiscard]] ValueSyntax read_matrix(const TomlValue& value, Reading& reading);
-
 /// An expression, a list, or a list of lists.
 [[nodiscard]] ValueSyntax read_array_or_expression(const TomlValue& value, Reading& reading);
 

@@ -1,4 +1,5 @@
 // Keys of one table: unknown, missing, unsupported, and words out of a choice.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "parse/entry_reader.hpp"
@@ -19,6 +20,118 @@ std::string scene(std::string_view rest) {
 }
 
 }  // namespace
+
+namespace {
+
+/// The codes that one key of an entry gets, missing neighbours aside.
+std::vector<Code> codes_of(const KeyRow& row, const std::string& value) {
+  const std::string key = row.key == "*" ? "any_name" : std::string(row.key);
+  const SourcePointer source = make_source("test", key + " = " + value);
+  const auto root = parsing::read_toml(*source);
+  REQUIRE(root);
+  const Limits limits;
+  parsing::Reading reading{limits};
+  const parsing::TableContext table{std::string(row.entry), "the entry", {source.get(), 0, 0}};
+  const auto keys = parsing::read_keys(root->entries, table, reading);
+  std::vector<Code> codes;
+  for (const Diagnostic& d : reading.diagnostics) {
+    if (d.code != Code::E105) codes.push_back(d.code);
+  }
+  CHECK(keys.size() == (row.supported ? 1 : 0));
+  return codes;
+}
+
+/// Values by what they are; each type takes some of them.
+struct Samples {
+  std::string number = "1.5";
+  std::string integer = "3";
+  std::string name = "\"abc\"";
+  std::string expression = "\"2*abc\"";
+  std::string repetition = "\"i in 1..n\"";
+  std::string boolean = "true";
+  std::string list = "[1, \"x\"]";
+  std::string matrix = "[[1], [\"x\"]]";
+  std::string table = "{}";
+};
+
+/// Which samples are values of the type.
+std::vector<std::string> accepted_by(KeyType type) {
+  const Samples s;
+  switch (type) {
+    case KeyType::expression:
+      return {s.number, s.integer, s.name, s.expression};
+    case KeyType::expression_list:
+      return {s.list};
+    case KeyType::expression_or_list:
+      return {s.number, s.integer, s.name, s.expression, s.list};
+    case KeyType::expression_or_table:
+      return {s.number, s.integer, s.name, s.expression, s.table};
+    case KeyType::closed_form:
+      return {s.number, s.integer, s.name, s.expression, s.list, s.matrix, s.table};
+    case KeyType::name:
+      return {s.name};
+    case KeyType::text:
+    case KeyType::unit:
+      return {s.name, s.expression, s.repetition};
+    case KeyType::repetition:
+      return {s.repetition};
+    case KeyType::integer:
+      return {s.integer};
+    case KeyType::boolean:
+      return {s.boolean};
+    case KeyType::range:
+      return {s.list};
+    case KeyType::table:
+      return {s.table};
+    case KeyType::boolean_or_table:
+      return {s.boolean, s.table};
+    case KeyType::text_or_table:
+      return {s.name, s.expression, s.repetition, s.table};
+    case KeyType::choice:
+    case KeyType::choice_list:
+      return {};  // no sample is one of their words
+  }
+  return {};
+}
+
+std::vector<std::string> all_samples() {
+  const Samples s;
+  return {s.number,  s.integer, s.name,   s.expression, s.repetition,
+          s.boolean, s.list,    s.matrix, s.table};
+}
+
+}  // namespace
+
+TEST_CASE("every key takes the values of its type and refuses all others", "[parse]") {
+  for (const KeyRow& row : key_table()) {
+    const std::vector<std::string> accepted = accepted_by(row.type);
+    for (const std::string& value : all_samples()) {
+      INFO(row.entry << "." << row.key << " = " << value);
+      const std::vector<Code> codes = codes_of(row, value);
+      const bool fits = std::find(accepted.begin(), accepted.end(), value) != accepted.end();
+      if (row.supported) {
+        CHECK(codes.empty() == fits);
+      } else {
+        CHECK(codes == std::vector<Code>{Code::E108});
+      }
+    }
+  }
+}
+
+TEST_CASE("every word of a choice is taken, or comes later", "[parse]") {
+  for (const ChoiceRow& choice : choice_table()) {
+    const auto row = std::find_if(key_table().begin(), key_table().end(), [&](const KeyRow& r) {
+      return r.entry == choice.entry && r.key == choice.key;
+    });
+    REQUIRE(row != key_table().end());
+    INFO(choice.entry << "." << choice.key << " = " << choice.word);
+    const std::string word = "\"" + std::string(choice.word) + "\"";
+    const bool list = row->type == KeyType::choice_list;
+    const std::vector<Code> expected =
+        choice.supported ? std::vector<Code>{} : std::vector<Code>{Code::E108};
+    CHECK(codes_of(*row, list ? "[" + word + "]" : word) == expected);
+  }
+}
 
 TEST_CASE("an unknown key is named, with the nearest one", "[parse]") {
   const std::string text = model("ragne = [0, 1]\nnonsense = 1\n");
