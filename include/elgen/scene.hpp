@@ -67,8 +67,8 @@ struct SceneOptions {
   std::vector<SourcePointer> outputs = {};  ///< "mass_matrix,bias"
   std::vector<SourcePointer> fixed = {};    ///< "NAME", "NAME=VALUE" or "all"
   std::vector<SourcePointer> sizes = {};    ///< "n=20"
-  /// Expand sized closed forms (`mass_matrix_entry`) of more than 4096 entries too. Without it their
-  /// first entry is resolved, so that its mistakes are reported, and they are not kept.
+  /// Keep closed forms of more than 4096 nodes too: `verify` needs them. Without it they are read
+  /// until there, so that mistakes in them are reported, and dropped.
   bool large_expectations = false;
 };
 

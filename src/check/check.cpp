@@ -36,6 +36,9 @@ void keep_sources(Model& model, const ModelSyntax& syntax, const SceneSyntax* sc
 
 void resolve_entries(Context& context, const ModelSyntax& syntax) {
   const std::vector<Instance> instances = expand_entries(context, syntax);
+  if (context.beyond_limits) {
+    return;
+  }
   read_parameters(context, syntax);
   for (const Instance& instance : instances) {
     read_variable(context, instance);
@@ -73,6 +76,9 @@ Result<CheckedModel> check(const ModelSyntax& model, const SceneSyntax* scene,
   const std::vector<SizeOverride> sizes = size_overrides(scene, options, context.report);
   apply_sizes(context, model, sizes);
   resolve_entries(context, model);
+  if (context.beyond_limits) {
+    return context.report.sorted();
+  }
   judge(context, model, options);
   Scene checked_scene = read_scene(context, {scene, options, sizes});
   if (context.report.errors() > 0) {

@@ -94,13 +94,8 @@ ConstantOutcome product(const Operands& x) {
   return value(total);
 }
 
-ConstantOutcome quotient(const Operands& x) {
-  const cl_R denominator = x[1];
-  if (cln::zerop(denominator)) {
-    return failure(Code::E312, "is zero", 1);
-  }
-  return value(x[0] / denominator);
-}
+/// The denominator is not zero; append() looks at it even where the numerator is no constant.
+ConstantOutcome quotient(const Operands& x) { return value(x[0] / x[1]); }
 
 /// base^(p/q) of a positive base; exact where the root is.
 ConstantOutcome root_power(const cl_R& base, const cl_RA& exponent, int digits) {
@@ -298,6 +293,8 @@ bool is_too_large(const cl_R& x) {
   return std::abs(magnitude(x)) > largest_decimal_exponent;
 }
 
+bool is_zero(const std::optional<cl_R>& x) { return x && cln::zerop(*x); }
+
 bool is_constant_leaf(ExpressionKind kind) {
   return kind == ExpressionKind::number || kind == ExpressionKind::pi;
 }
@@ -318,6 +315,9 @@ std::optional<ConstantFailure> Constants::append(const std::vector<Expression>& 
   values_.emplace_back();
   const auto constant = [&](ExpressionId id) { return values_[id].has_value(); };
   const bool all = std::all_of(node.operands.begin(), node.operands.end(), constant);
+  if (node.kind == ExpressionKind::divide && is_zero(values_[node.operands[1]])) {
+    return ConstantFailure{Code::E312, "is zero", 1};
+  }
   if (!all || (node.operands.empty() && !is_constant_leaf(node.kind))) {
     return std::nullopt;
   }

@@ -87,8 +87,12 @@ class Expander {
       return;
     }
     const std::vector<RangeSyntax> ranges = read_repetition(repetition->value);
-    if (check_indices(ranges)) {
-      repeat(ranges, scope, context_.report, [&] { return add_instance(entry, *kind, scope); });
+    const bool complete = check_indices(ranges) && repeat(ranges, scope, context_.report, [&] {
+                            return add_instance(entry, *kind, scope);
+                          });
+    const KeySyntax* name = entry.find("name");
+    if (!complete && name != nullptr) {
+      context_.symbols.mark_failed(name->value.expression.text);
     }
   }
 
@@ -133,6 +137,7 @@ class Expander {
     if (count < limit) {
       return true;
     }
+    context_.beyond_limits = true;
     context_.report.add(is_coordinate ? Code::E906 : Code::E907, span,
                         "more than " + std::to_string(limit) +
                             (is_coordinate ? " coordinates" : " entries after repetition"));

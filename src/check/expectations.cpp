@@ -3,6 +3,8 @@
 //     gravity_entry = { for = "i in 1..2", value = "m[i]*g" }   ->   gravity = [m[1]*g, m[2]*g]
 #include "expectations.hpp"
 
+#include <utility>
+
 #include "output_units.hpp"
 #include "places.hpp"
 #include "requests.hpp"
@@ -38,8 +40,8 @@ std::vector<std::vector<const ValueSyntax*>> rows_of(const ValueSyntax& value) {
 
 class ExpectationReader {
  public:
-  ExpectationReader(Context& context, bool large)
-      : context_(context), large_(large), values_(context, Scope(context.sizes)) {}
+  explicit ExpectationReader(Context& context)
+      : context_(context), values_(context, Scope(context.sizes)) {}
 
   void read(const KeySyntax& key) {
     if (key.key == "conserved") {
@@ -64,7 +66,7 @@ class ExpectationReader {
     }
     expectation.rows = static_cast<std::uint32_t>(expectation.entries.size());
     expectation.columns = 1;
-    context_.model.expectations.push_back(std::move(expectation));
+    keep(std::move(expectation));
   }
 
   void read_matrix(const KeySyntax& key, const OutputRequest& request) {
@@ -86,7 +88,13 @@ class ExpectationReader {
                               " is " + shape(request.rows, request.columns));
       return;
     }
-    context_.model.expectations.push_back(std::move(expectation));
+    keep(std::move(expectation));
+  }
+
+  void keep(Expectation expectation) {
+    if (!context_.beyond_limits) {
+      context_.model.expectations.push_back(std::move(expectation));
+    }
   }
 
   void add_entry(Expectation& expectation, const ValueSyntax& value,
@@ -122,27 +130,26 @@ class ExpectationReader {
 
   void expand(const OutputRequest& request, const std::vector<RangeSyntax>& ranges,
               const KeySyntax& value, const Span& span) {
-    const std::uint64_t count = std::uint64_t{request.rows} * request.columns;
-    const bool all = large_ || count <= entries_in_full;
+    const std::size_t count = std::size_t{request.rows} * request.columns;
     Expectation expectation = blank(request.name, span);
     expectation.rows = request.rows;
     expectation.columns = request.columns;
-    expectation.entries.assign(all ? count : 1, no_expression);
-    expectation.spans.assign(all ? count : 1, value.value.span);
-    std::vector<bool> given(expectation.entries.size(), false);
+    expectation.entries.assign(count, no_expression);
+    expectation.spans.assign(count, value.value.span);
+    std::vector<bool> given(count, false);
     Scope scope(context_.sizes);
     const auto add = [&] {
       const auto at = position(request, ranges, scope, value.value.span);
       if (!at) {
         return false;
       }
-      const std::uint64_t index = all ? at->row * std::uint64_t{request.columns} + at->column : 0;
+      const std::size_t index = at->row * std::size_t{request.columns} + at->column;
       const auto unit = unit_of_entry(context_.model, request, at->row, at->column);
       const std::size_t errors = context_.report.errors();
       expectation.entries[index] =
           ValueReader(context_, scope).root(value.value, {closed_form, unit});
       given[index] = true;
-      return all && context_.report.errors() == errors;
+      return context_.report.errors() == errors;
     };
     const bool complete = repeat(ranges, scope, context_.report, add);
     if (complete && check_complete(request, given, value.value.span)) {
@@ -194,20 +201,45 @@ class ExpectationReader {
   }
 
   Context& context_;
-  bool large_;
   ValueReader values_;
 };
+
+/// Reads one closed form with few nodes; one that needs more is dropped again, but what was wrong
+/// with it until then is reported.
+void read_small(Context& context, const KeySyntax& key) {
+  constexpr std::uint64_t few_nodes = 4096;
+  const std::size_t nodes = context.model.expressions.size();
+  const std::size_t roots = context.roots.size();
+  const std::uint64_t limit = std::exchange(context.node_limit, nodes + few_nodes);
+  Report outer = std::exchange(context.report, Report{});
+  ExpectationReader(context).read(key);
+  const Report inner = std::exchange(context.report, std::move(outer));
+  context.node_limit = limit;
+  if (std::exchange(context.beyond_limits, false)) {
+    context.model.expressions.resize(nodes);
+    context.constants.truncate(nodes);
+    context.roots.resize(roots);
+  }
+  for (const Diagnostic& diagnostic : inner.sorted()) {
+    if (diagnostic.code != Code::E908) {
+      context.report.add(diagnostic);
+    }
+  }
+}
 
 }  // namespace
 
 void read_expectations(Context& context, const ModelSyntax& syntax, bool large) {
-  ExpectationReader reader(context, large);
   for (const EntrySyntax& entry : syntax.entries) {
     if (entry.name != "expect") {
       continue;
     }
     for (const KeySyntax& key : entry.keys) {
-      reader.read(key);
+      if (large) {
+        ExpectationReader(context).read(key);
+      } else {
+        read_small(context, key);
+      }
     }
   }
 }

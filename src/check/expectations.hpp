@@ -6,10 +6,9 @@
 
 namespace elgen::checking {
 
-/// Resolves every closed form and compares its shape with that of the output. Sized forms
-/// (`mass_matrix_entry`) of more than `entries_in_full` entries are expanded only where `large`;
-/// otherwise their first entry is resolved, so that its mistakes are reported, and not kept.
-/// E517, E601, E603, E505.
+/// Resolves every closed form and compares its shape with that of the output. Closed forms of sized
+/// models grow faster than the model, so that those of more than 4096 nodes are kept only where
+/// `large`. E517, E601, E603, E505.
 void read_expectations(Context& context, const ModelSyntax& syntax, bool large);
 
 }  // namespace elgen::checking

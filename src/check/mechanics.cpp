@@ -43,7 +43,9 @@ class MechanicsCheck {
 
   void check_degree(const std::optional<ExpressionId>& energy, std::uint8_t most, Code code,
                     const std::string& rule) {
-    if (!energy || traits_[*energy].rate_degree <= most) {
+    // A kink is reported as such.
+    const bool has_kink = energy && (traits_[*energy].ingredients & uses_kink) != 0;
+    if (!energy || has_kink || traits_[*energy].rate_degree <= most) {
       return;
     }
     const std::uint8_t degree = traits_[*energy].rate_degree;

@@ -151,15 +151,18 @@ void declare_parameter(Context& context, const KeySyntax& key) {
   if (size != nullptr) {
     const auto value = ValueReader(context, Scope(context.sizes)).integer(size->value);
     if (!value) {
+      context.symbols.mark_failed(key.key);
       return;
     }
     count = *value;
     if (count < 1) {
+      context.symbols.mark_failed(key.key);
       context.report.add(Code::E209, size->value.span,
                          "the size is " + std::to_string(count) + ", so there is no element");
       return;
     }
     if (static_cast<std::uint64_t>(count) > context.limits.definitions) {
+      context.beyond_limits = true;
       context.report.add(Code::E907, size->value.span,
                          std::to_string(count) + " elements, but the limit is " +
                              std::to_string(context.limits.definitions));

@@ -107,7 +107,9 @@ class Printer {
     std::string text;
     for (const ExpressionId operand : node.operands) {
       // Only the first factor may be a quotient without brackets: a/b*c is (a/b)*c.
-      const Binding needed = text.empty() ? Binding::product : Binding::power;
+      const bool negated = model_.expressions[operand].kind == ExpressionKind::negate;
+      const Binding first = negated ? Binding::sum : Binding::product;
+      const Binding needed = text.empty() ? first : Binding::power;
       text += (text.empty() ? "" : "*") + within(print(operand), needed);
     }
     return {text, Binding::product};

@@ -38,6 +38,7 @@ void read_point(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
   point.doc = text_of(entry, "doc");
   const KeySyntax* at = entry.find("at");
   if (at != nullptr && is_vector(at->value, context.report)) {
+    values.check_dimension(at->value.items.size(), at->value.span);
     const Place place{"a position", place::of_configuration};
     point.at = padded(values.roots(at->value, {place, find_unit("m"), OwnerKind::point, target}));
   }
@@ -70,6 +71,7 @@ class BodyReader {
     if (com == nullptr || !is_vector(com->value, report_)) {
       return;
     }
+    values_.check_dimension(com->value.items.size(), com->value.span);
     const Place place{"a position", place::of_configuration};
     body_.com = padded(values_.roots(com->value, {place, find_unit("m")}));
     body_.dimension = static_cast<std::uint32_t>(com->value.items.size());

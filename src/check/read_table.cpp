@@ -63,6 +63,9 @@ void read_gravity(ValueReader& values, const EntrySyntax& entry) {
         Code::E104, vector->value.span,
         std::to_string(components.size()) + " components, but a vector has 2 or 3");
   }
+  if (components.size() == 2 || components.size() == 3) {
+    values.check_dimension(components.size(), vector->value.span);
+  }
   components.resize(3, no_expression);
   values.context().model.gravity = {components[0], components[1], components[2]};
 }

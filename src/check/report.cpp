@@ -1,6 +1,8 @@
 // Report: collects the diagnostics of one run, each once, and quotes user text in messages.
 #include "report.hpp"
 
+#include <algorithm>
+
 namespace elgen::checking {
 namespace {
 
@@ -12,11 +14,19 @@ std::string_view shortened(std::string_view text, std::size_t length) {
   return text.substr(0, length);
 }
 
+std::string without_digits(std::string text) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  text.erase(std::remove_if(text.begin(), text.end(), is_digit), text.end());
+  return text;
+}
+
 }  // namespace
 
 void Report::add(Diagnostic diagnostic) {
   const Span& span = diagnostic.span;
-  if (!seen_.insert({span.source, span.begin, span.end, diagnostic.code, diagnostic.message})
+  if (!seen_
+           .insert({span.source, span.begin, span.end, diagnostic.code,
+                    without_digits(diagnostic.message)})
            .second) {
     return;
   }

@@ -12,7 +12,8 @@ namespace elgen::checking {
 
 class Report {
  public:
-  /// Repetition meets one mistake many times; what is equal is kept once.
+  /// Repetition meets one mistake many times; messages at one place that differ in their numbers
+  /// only are kept once.
   void add(Diagnostic diagnostic);
   void add(Code code, const Span& span, std::string message, std::string hint = {});
 

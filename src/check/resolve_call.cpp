@@ -164,6 +164,9 @@ std::optional<ExpressionId> Resolver::resolve_delta(const ExpressionSyntax& call
 
 std::optional<std::uint32_t> Resolver::resolve_point(const ExpressionSyntax& name) {
   const Symbol* symbol = context_.symbols.find(name.text);
+  if (symbol == nullptr && context_.symbols.has_failed(name.text)) {
+    return std::nullopt;
+  }
   if (name.kind != SyntaxKind::name || symbol == nullptr || symbol->kind != SymbolKind::point) {
     const std::vector<std::string> points = context_.symbols.names(SymbolKind::point);
     context_.report.add(Code::E201, name.span, "unknown point " + quoted(name.span),

@@ -52,7 +52,7 @@ std::optional<ExpressionId> Resolver::resolve_name(const ExpressionSyntax& name)
   if (const Symbol* symbol = context_.symbols.find(name.text)) {
     return resolve_symbol(name, *symbol);
   }
-  return unknown_name(name);
+  return context_.symbols.has_failed(name.text) ? std::nullopt : unknown_name(name);
 }
 
 std::optional<ExpressionId> Resolver::resolve_symbol(const ExpressionSyntax& name,

@@ -44,9 +44,12 @@ std::optional<ExpressionId> Resolver::resolve(const ExpressionSyntax& expression
 }
 
 bool Resolver::within_limits(const Span& span) {
-  const std::uint64_t limit = context_.limits.derived_nodes;
-  if (++steps_ <= limit && context_.model.expressions.size() < limit) {
+  const std::uint64_t limit = context_.node_limit;
+  if (++steps_ <= limit && context_.model.expressions.size() < limit && !context_.beyond_limits) {
     return true;
+  }
+  if (std::exchange(context_.beyond_limits, true)) {
+    return false;
   }
   context_.report.add(
       Code::E908, span,

@@ -70,6 +70,7 @@ std::string NewName::identifier() const {
 
 bool Symbols::declare(const NewName& name, SymbolKind kind, std::uint32_t target, Report& report) {
   if (!check_spelling(name, report)) {
+    mark_failed(name.base);
     return false;
   }
   const auto found = symbols_.find(name.base);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,10 @@ class Symbols {
   /// False after E203, E204, E205 or E211. `target` is the index in the Model.
   bool declare(const NewName& name, SymbolKind kind, std::uint32_t target, Report& report);
 
+  /// Marks a name whose declaration has an error of its own, so that its uses are not reported too.
+  void mark_failed(const std::string& base) { failed_.insert(base); }
+  [[nodiscard]] bool has_failed(std::string_view base) const { return failed_.count(base) > 0; }
+
   [[nodiscard]] const Symbol* find(std::string_view base) const;
   [[nodiscard]] std::vector<std::string> names() const;
   [[nodiscard]] std::vector<std::string> names(SymbolKind kind) const;
@@ -60,6 +65,7 @@ class Symbols {
   bool report_duplicate(const NewName& name, const Symbol& first, Report& report) const;
   bool claim_identifier(const NewName& name, Report& report);
 
+  std::set<std::string, std::less<>> failed_;
   std::map<std::string, Symbol, std::less<>> symbols_;
   std::map<std::string, NewName, std::less<>> identifiers_;
 };

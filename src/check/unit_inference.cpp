@@ -229,7 +229,10 @@ void check_units(Context& context, const std::vector<std::uint32_t>& order) {
   for (const std::uint32_t root : order) {
     inference.visit(context.roots[root]);
   }
-  note_missing_units(context);
+  // Beside errors a note would only distract.
+  if (context.report.errors() == 0) {
+    note_missing_units(context);
+  }
 }
 
 }  // namespace elgen::checking

@@ -79,6 +79,9 @@ std::optional<std::int64_t> ValueReader::integer(const ValueSyntax& value) {
 std::optional<std::uint32_t> ValueReader::reference(const ValueSyntax& value, SymbolKind kind) {
   const ExpressionSyntax& name = value.expression;
   const Symbol* symbol = context_.symbols.find(name.text);
+  if (symbol == nullptr && context_.symbols.has_failed(name.text)) {
+    return std::nullopt;
+  }
   if (symbol == nullptr || symbol->kind != kind) {
     const std::vector<std::string> names = context_.symbols.names(kind);
     context_.report.add(Code::E201, value.span,
@@ -87,6 +90,16 @@ std::optional<std::uint32_t> ValueReader::reference(const ValueSyntax& value, Sy
     return std::nullopt;
   }
   return Resolver(context_, scope_).element(name, *symbol);
+}
+
+void ValueReader::check_dimension(std::size_t count, const Span& span) {
+  if (context_.dimension == 0) {
+    context_.dimension = static_cast<std::uint32_t>(count);
+  } else if (count != context_.dimension) {
+    context_.report.add(Code::E516, span,
+                        std::to_string(count) + " components in a model whose first vector has " +
+                            std::to_string(context_.dimension));
+  }
 }
 
 const KeySyntax* find_key(const ValueSyntax& table, std::string_view key) {
