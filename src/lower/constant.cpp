@@ -169,11 +169,7 @@ SignedConstant square_root_of(const Constant& radicand) {
 
 SignedConstant call_of(FunctionId function, const std::vector<SignedConstant>& arguments) {
   const SignedConstant& last = arguments.back();
-  const bool zero_at_zero = function != FunctionId::cos && function != FunctionId::cosh &&
-                            function != FunctionId::exp && function != FunctionId::acos;
-  const bool at_zero = arguments.size() == 1 && cln::zerop(last.constant.value);
   if (!in_domain(function, value_of(arguments[0]))) return {};
-  if (at_zero && function != FunctionId::acos) return make_constant(zero_at_zero ? 0 : 1);
   if (is_exact(function)) {
     return make_constant(call_value(function, value_of(arguments[0]), value_of(last)),
                          arguments[0].constant.text);
@@ -183,7 +179,12 @@ SignedConstant call_of(FunctionId function, const std::vector<SignedConstant>& a
     text += fmt::format("{}{}{}", i == 0 ? "(" : ", ", arguments[i].negative ? "-" : "",
                         arguments[i].constant.text);
   }
-  return make_constant(call_value(function, as_float(arguments[0]), as_float(last)), text + ")");
+  text += ')';
+  const cln::cl_R value = call_value(function, as_float(arguments[0]), as_float(last));
+  if (cln::zerop(value)) return make_constant(0);
+  if (value == 1) return make_constant(1);
+  // The text states the magnitude.
+  return make_constant(value, cln::minusp(value) ? fmt::format("(-{})", text) : text);
 }
 
 }  // namespace elgen

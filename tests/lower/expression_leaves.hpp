@@ -1,0 +1,59 @@
+// A graph of some leaves, and Expressions read back as text, for tests of passes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "elgen/program.hpp"
+#include "lower/linearise.hpp"
+#include "lower/network.hpp"
+
+namespace elgen::testing {
+
+/// Coordinates a, b, c, d, e in one graph.
+struct ExpressionLeaves {
+  Expressions expressions = {};
+  Graph& graph = expressions.graph;
+  Ref a = graph.leaf(Opcode::coordinate, 0);
+  Ref b = graph.leaf(Opcode::coordinate, 1);
+  Ref c = graph.leaf(Opcode::coordinate, 2);
+  Ref d = graph.leaf(Opcode::coordinate, 3);
+  Ref e = graph.leaf(Opcode::coordinate, 4);
+
+  Ref product(std::vector<Ref> factors) {
+    std::vector<Power> powers;
+    for (const Ref factor : factors) powers.push_back({factor});
+    return graph.product(powers);
+  }
+};
+
+/// The values as one program, in order.
+inline Program program_of(const Network& network) {
+  Program program;
+  program.leaves.coordinates = {"a", "b", "c", "d", "e"};
+  Function function;
+  function.name = "bias";
+  function.kind = OutputKind::bias;
+  Field field;
+  field.columns = static_cast<std::uint32_t>(network.values.size());
+  for (std::uint32_t i = 0; i < field.columns; ++i) field.entries.push_back(i);
+  function.fields = {field};
+  linearise(network, program, function);
+  program.functions = {function};
+  return program;
+}
+
+inline std::vector<std::string> texts_of(const Network& network) {
+  const Program program = program_of(network);
+  return equations(program, program.functions[0]).entries.at(0);
+}
+
+inline std::vector<std::string> texts_of(const Expressions& expressions) {
+  return texts_of(make_network(expressions));
+}
+
+inline OperationCounts counts_of(const Network& network) {
+  return count_operations(program_of(network).functions[0]);
+}
+
+}  // namespace elgen::testing

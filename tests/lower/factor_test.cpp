@@ -1,0 +1,40 @@
+#include "lower/factor.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "lower/expression_leaves.hpp"
+
+using namespace elgen;
+using testing::texts_of;
+
+TEST_CASE("common factors are multiplied once") {
+  testing::ExpressionLeaves l;
+  const Ref sum = l.graph.sum({l.product({l.a, l.b, l.c}), l.product({l.a, l.c, l.d}), -l.e});
+  const Ref powers = l.graph.sum({l.graph.product({{l.a, 2}, {l.b}}), l.product({l.a, l.c})});
+  l.expressions.values = {sum, powers};
+  const Expressions factored = factor(l.expressions);
+  CHECK(texts_of(factored) == std::vector<std::string>{"-(e - a*c*(b + d))", "a*(c + a*b)"});
+}
+
+TEST_CASE("what is left is factored again, inside and outside") {
+  testing::ExpressionLeaves l;
+  l.expressions.values = {
+      l.graph.sum({l.product({l.a, l.b, l.c}), l.product({l.a, l.b, l.d}), l.product({l.a, l.e}),
+                   l.product({l.c, l.d}), l.product({l.c, l.e})})};
+  const OperationCounts counts = testing::counts_of(make_network(factor(l.expressions)));
+  // a*(e + b*(c + d)) + c*(d + e)
+  CHECK(counts == OperationCounts{.add = 4, .mul = 3});
+}
+
+TEST_CASE("a product that something else needs too is left alone") {
+  testing::ExpressionLeaves l;
+  const Ref shared = l.product({l.a, l.b});
+  l.expressions.values = {l.graph.sum({shared, l.product({l.a, l.c})}), l.graph.sum({shared, l.d})};
+  CHECK(texts_of(factor(l.expressions)) == std::vector<std::string>{"a*b + a*c", "d + a*b"});
+}
+
+TEST_CASE("a term that is the factor leaves 1") {
+  testing::ExpressionLeaves l;
+  l.expressions.values = {l.graph.sum({l.a, -l.product({l.a, l.b})})};
+  CHECK(texts_of(factor(l.expressions)) == std::vector<std::string>{"a*(1 - b)"});
+}

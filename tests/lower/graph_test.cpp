@@ -1,0 +1,101 @@
+#include "lower/graph.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace elgen;
+
+TEST_CASE("equal nodes are one node") {
+  Graph graph;
+  const Ref x = graph.leaf(Opcode::coordinate, 0);
+  const Ref y = graph.leaf(Opcode::coordinate, 1);
+  CHECK(graph.leaf(Opcode::coordinate, 0) == x);
+  CHECK(graph.leaf(Opcode::velocity, 0).node != x.node);
+  CHECK(graph.sum({x, y}) == graph.sum({y, x}));
+  CHECK(graph.rational(-2) == -graph.rational(2));
+}
+
+TEST_CASE("odd functions give up the sign of their argument, even ones drop it") {
+  Graph graph;
+  const Ref x = graph.leaf(Opcode::coordinate, 0);
+  for (const FunctionId odd : {FunctionId::sin, FunctionId::tan, FunctionId::asin, FunctionId::atan,
+                               FunctionId::sinh, FunctionId::tanh, FunctionId::sign}) {
+    CHECK(graph.call(odd, {-x}) == -graph.call(odd, {x}));
+  }
+  for (const FunctionId even : {FunctionId::cos, FunctionId::cosh, FunctionId::abs}) {
+    CHECK(graph.call(even, {-x}) == graph.call(even, {x}));
+  }
+  for (const FunctionId neither : {FunctionId::exp, FunctionId::log, FunctionId::acos}) {
+    CHECK(graph.call(neither, {-x}).node != graph.call(neither, {x}).node);
+  }
+}
+
+TEST_CASE("min and max commute, atan2 does not") {
+  Graph graph;
+  const Ref x = graph.leaf(Opcode::coordinate, 0);
+  const Ref y = graph.leaf(Opcode::coordinate, 1);
+  CHECK(graph.call(FunctionId::min, {y, -x}) == graph.call(FunctionId::min, {-x, y}));
+  CHECK(graph.call(FunctionId::atan2, {x, y}).node != graph.call(FunctionId::atan2, {y, x}).node);
+}
+
+TEST_CASE("the order: kinds of leaves, then birth, then structure") {
+  Graph graph;
+  const Ref time = graph.leaf(Opcode::time, 0);
+  const Ref velocity = graph.leaf(Opcode::velocity, 0);
+  const Ref y = graph.leaf(Opcode::coordinate, 1);
+  const Ref x = graph.leaf(Opcode::coordinate, 0);
+  graph.set_birth(2);
+  const Ref late = graph.call(FunctionId::cos, {x});
+  graph.set_birth(1);
+  const Ref early = graph.call(FunctionId::sin, {y});
+  const Ref early_cosine = graph.call(FunctionId::cos, {y});
+  const Ref early_sum = graph.sum({x, y});
+  const Ref parameter = graph.leaf(Opcode::parameter, 0);
+  const Ref half = graph.rational(cln::cl_RA("1/2"));
+  const Ref pi = graph.constant(pi_constant());
+  const std::vector<Ref> ordered = {half,         pi,        parameter, x,        y,   early,
+                                    early_cosine, early_sum, late,      velocity, time};
+  for (std::size_t i = 0; i < ordered.size(); ++i) {
+    for (std::size_t j = 0; j < ordered.size(); ++j) {
+      CHECK(graph.less(ordered[i].node, ordered[j].node) == (i < j));
+    }
+  }
+}
+
+TEST_CASE("only what outputs need is reachable, and uses are counted by operand") {
+  Graph graph;
+  const Ref x = graph.leaf(Opcode::coordinate, 0);
+  const Ref y = graph.leaf(Opcode::coordinate, 1);
+  const Ref sine = graph.call(FunctionId::sin, {x});
+  const Ref sum = graph.sum({sine, x});
+  const Ref unused = graph.product({{sum}, {y}});
+  CHECK(reachable(graph, {sum}) == std::vector<NodeId>{x.node, sine.node, sum.node});
+  const std::vector<std::uint32_t> uses = use_counts(graph, {sum, -sine});
+  CHECK(uses[x.node] == 2);
+  CHECK(uses[sine.node] == 2);
+  CHECK(uses[sum.node] == 1);
+  CHECK(uses[unused.node] == 0);
+}
+
+TEST_CASE("the first name of a node stays, and belongs to its positive value") {
+  Graph graph;
+  const Ref x = graph.leaf(Opcode::coordinate, 0);
+  const Ref sine = graph.call(FunctionId::sin, {x});
+  graph.name(x, "alias");
+  graph.name(-sine, "negative");
+  CHECK(graph.node(sine.node).name.empty());
+  graph.name(sine, "height");
+  graph.name(sine, "other");
+  CHECK(graph.node(sine.node).name == "height");
+  CHECK(graph.node(x.node).name.empty());
+}
+
+TEST_CASE("calls and roots of constants are constants") {
+  Graph graph;
+  CHECK(graph.call(FunctionId::cos, {graph.rational(0)}) == graph.rational(1));
+  CHECK(graph.square_root(graph.rational(4)) == graph.rational(2));
+  const Ref cosine = graph.call(FunctionId::cos, {graph.rational(3)});
+  CHECK(graph.is_constant(cosine.node));
+  CHECK(cosine.negative);  // cos(3) < 0
+  CHECK(graph.is_zero(graph.rational(0).node));
+  CHECK_FALSE(graph.is_zero(cosine.node));
+}

@@ -1,0 +1,44 @@
+#include "lower/network.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "lower/expression_leaves.hpp"
+
+using namespace elgen;
+using testing::counts_of;
+using testing::texts_of;
+
+TEST_CASE("powers are repeated factors, denominators one division") {
+  testing::ExpressionLeaves l;
+  l.expressions.values = {l.graph.product({{l.a, 2}, {l.b}, {l.c, -1}, {l.d, -2}})};
+  const Network network = make_network(l.expressions);
+  CHECK(texts_of(network) == std::vector<std::string>{"a^2*b/(c*d^2)"});
+  CHECK(counts_of(network) == OperationCounts{.mul = 4, .div = 1});
+}
+
+TEST_CASE("high powers are squared repeatedly") {
+  testing::ExpressionLeaves l;
+  l.expressions.values = {l.graph.product({{l.a, 13}})};
+  const Network network = make_network(l.expressions);
+  CHECK(counts_of(network).mul == 5);  // a * ((a^2)^2)^3
+  CHECK(texts_of(network) == std::vector<std::string>{"a^13"});
+}
+
+TEST_CASE("what divides two products becomes a reciprocal") {
+  testing::ExpressionLeaves l;
+  l.expressions.values = {l.graph.product({{l.a}, {l.c, -1}}), l.graph.product({{l.b}, {l.c, -1}})};
+  CHECK(counts_of(make_network(l.expressions)) == OperationCounts{.mul = 2, .div = 1});
+}
+
+TEST_CASE("operations follow their operands in canonical order") {
+  testing::ExpressionLeaves l;
+  l.expressions.values = {l.graph.sum({l.e, l.product({l.d, l.c}), l.a})};
+  const Network network = make_network(l.expressions);
+  std::vector<std::uint32_t> leaves;
+  for (NodeId id = 0; id < network.operations.size(); ++id) {
+    const Operation& operation = network.operations[id];
+    if (operation.kind == OperationKind::leaf) leaves.push_back(operation.index);
+    for (const Ref operand : operation.operands) CHECK(operand.node < id);
+  }
+  CHECK(leaves == std::vector<std::uint32_t>{0, 4, 2, 3});
+}
