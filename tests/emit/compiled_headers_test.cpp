@@ -75,7 +75,7 @@ std::vector<std::string> scalars_of(const Header& header) {
 
 /// A lambda over h::name that can be asked which arguments it takes.
 std::string lambda(const std::string& name) {
-  return fmt::format("[](const auto&... x) -> decltype(h::{0}(x...)) {{ return h::{0}(x...); }}",
+  return fmt::format("[](const auto&... y) -> decltype(h::{0}(y...)) {{ return h::{0}(y...); }}",
                      name);
 }
 

@@ -1,0 +1,59 @@
+// cpp_constant: rows of value -> text, then many values compiled once and compared in every type.
+#include "emit/cpp_constant.hpp"
+
+#include <catch2/catch.hpp>
+#include <cln/float.h>
+#include <cln/rational.h>
+
+using namespace elgen;
+using cln::cl_R;
+using cln::cl_RA;
+
+namespace {
+
+cl_R pi() { return cln::pi(cln::float_format(100)); }
+cl_RA ten_to(long exponent) { return cln::expt(cl_RA(10), cln::cl_I(exponent)); }
+
+}  // namespace
+
+TEST_CASE("what a float holds is one literal") {
+  CHECK(cpp_constant(0) == "constant<Scalar>(0.0)");
+  CHECK(cpp_constant(cl_RA(-1) / 2) == "-constant<Scalar>(0.5)");
+  CHECK(is_short_constant(1000));
+}
+
+TEST_CASE("other numbers have a literal of each type and an exact fraction") {
+  CHECK(cpp_constant(cl_RA(981) / 100) == "constant<Scalar>(9.81F, 9.81, 9.81L, {981}, {100})");
+  CHECK(cpp_constant(cl_RA(1) / 3) ==
+        "constant<Scalar>(0.33333334F, 0.3333333333333333, "
+        "0.3333333333333333333333333333333333333333L, {1}, {3})");
+  CHECK(cpp_constant(cln::cl_I("10267495893")) ==
+        "constant<Scalar>(10267495893.0F, 10267495893.0, 10267495893.0L, {10267, 495893}, {1})");
+  CHECK_FALSE(is_short_constant(cl_RA(1) / 3));
+}
+
+TEST_CASE("decimal powers are exponents, and what a type cannot hold has no literal") {
+  CHECK(cpp_constant(ten_to(-300)) ==
+        "constant<Scalar>(detail::OutOfRange{}, 1e-300, 1e-300L, {1}, {1}, -300)");
+  CHECK(cpp_constant(3 * ten_to(400)) ==
+        "constant<Scalar>(detail::OutOfRange{}, detail::OutOfRange{}, 3e400L, {3}, {1}, 400)");
+}
+
+TEST_CASE("an irrational number is a fraction of 66 digits") {
+  const std::string text = cpp_constant(pi());
+  CHECK(text.find("(3.1415927F, 3.141592653589793, 3.141592653589793238462643383279502884197L, "
+                  "{314159, 265358, 979323, 846264,") != std::string::npos);
+  CHECK(text.find("{1}, -65)") != std::string::npos);
+}
+
+TEST_CASE("names of constants") {
+  CHECK(constant_name({cl_RA(981) / 100, "981/100"}) == "number_9p81");
+  CHECK(constant_name({cl_RA(-1) / 3, "-1/3"}) == "number_1_3");
+  CHECK(constant_name({ten_to(-300), ""}) == "number_1em300");
+  CHECK(constant_name({pi(), "pi"}) == "number_pi");
+  CHECK(constant_name({cln::cos(cln::cl_float(cl_RA(3) / 10, cln::float_format(100))),
+                       "cos(3/10)"}) == "number_cos_3_10");
+  const cl_RA wide = cln::cl_I("123456789012345678901234567890") /
+                     cl_RA(cln::cl_I("99999999999999999999999999977"));
+  CHECK(constant_name({wide, ""}).size() == std::string("number_").size() + 8);
+}

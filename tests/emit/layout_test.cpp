@@ -1,0 +1,53 @@
+// layout: where lines break, and what user text may not do to a comment.
+#include "emit/layout.hpp"
+
+#include <catch2/catch.hpp>
+#include <rapidcheck.h>
+
+using namespace elgen;
+using Lines = std::vector<std::string>;
+
+TEST_CASE("an expression breaks before its outermost operators") {
+  CHECK(wrap_expression("a * b + c * d", {100, "  "}) == Lines{"a * b + c * d"});
+  CHECK(wrap_expression("a * b + c * d", {8, "  "}) == Lines{"a * b", "  + c * d"});
+  CHECK(wrap_expression("f * (a + b) * g", {11, "  "}) == Lines{"f * (a + b)", "  * g"});
+  CHECK(wrap_expression("f(aaaa, bbbb)", {10, "  "}) == Lines{"f(aaaa,", "  bbbb)"});
+}
+
+TEST_CASE("what cannot be broken stays whole") {
+  CHECK(wrap_expression("a_long_name", {4, "  "}) == Lines{"a_long_name"});
+  CHECK(wrap_expression("-a_long_name", {4, "  "}) == Lines{"-a_long_name"});
+  CHECK(wrap_words("word", {2, ""}) == Lines{"word"});
+}
+
+TEST_CASE("words") { CHECK(wrap_words("aa bb cc", {5, " "}) == Lines{"aa bb", " cc"}); }
+
+TEST_CASE("wrapping loses nothing") {
+  CHECK(rc::check("lines joined by spaces are the text", [] {
+    const auto words = *rc::gen::container<std::vector<std::string>>(
+        rc::gen::element<std::string>("a", "(b + c)", "d * e", "+ f", "g, h"));
+    std::string text = "x";
+    for (const std::string& word : words) text += " " + word;
+    std::string joined;
+    for (const std::string& line : wrap_expression(text, {10, ""})) {
+      joined += (joined.empty() ? "" : " ") + line;
+    }
+    RC_ASSERT(joined == text);
+  }));
+}
+
+TEST_CASE("user text cannot leave its comment") {
+  CHECK(comment_text("two\nlines\t here ") == "two lines here");
+  CHECK(comment_text("continued \\") == "continued \\.");
+  CHECK(comment_text("") == "");
+}
+
+TEST_CASE("user text cannot leave its literal") {
+  CHECK(string_literal("q[1]") == "\"q[1]\"");
+  CHECK(string_literal("a\"b\\c") == "\"a\\\"b\\\\c\"");
+}
+
+TEST_CASE("struct names") {
+  CHECK(camel_case("forward_dynamics") == "ForwardDynamics");
+  CHECK(camel_case("x2") == "X2");
+}
