@@ -1,5 +1,6 @@
 // The README names everything the tables of the code have, so that neither outgrows the other.
 #include <catch2/catch.hpp>
+#include <sstream>
 
 #include "elgen/functions.hpp"
 #include "elgen/limits.hpp"
@@ -15,6 +16,12 @@ namespace {
 const std::string& readme() {
   static const std::string text = read_text(std::string(ELGEN_SOURCE_DIR) + "/README.md");
   return text;
+}
+
+/// What the first block that `fence` opens holds.
+std::string block(const std::string& fence) {
+  const std::size_t start = readme().find("\n" + fence) + 1 + fence.size();
+  return readme().substr(start, readme().find("```", start) - start);
 }
 
 /// The README's table row that explains an entry of a model or scene.
@@ -67,22 +74,25 @@ TEST_CASE("the README names every function, unit, output and limit") {
   }
 }
 
-TEST_CASE("the README's excerpt of a model and of a header stand in the files") {
-  const std::string folder = ELGEN_SOURCE_DIR;
-  for (const auto& [fence, file] :
-       {std::pair<std::string, std::string>{"```toml\n", "/models/simple_pendulum.toml"},
-        {"```cpp\n", "/generated/simple_pendulum/simple_pendulum.hpp"}}) {
-    const std::size_t start = readme().find(fence) + fence.size();
-    const std::string excerpt = readme().substr(start, readme().find("```", start) - start);
-    const std::string text = read_text(folder + file);
-    std::size_t end = 0;
-    for (std::size_t at = 0; at < excerpt.size(); at = end + 1) {
-      end = excerpt.find('\n', at);
-      const std::string line = excerpt.substr(at, end - at);
-      INFO(file << ": " << line);
-      CHECK((line == "…" || mentions(text, line)));
-    }
+TEST_CASE("the README's model gives the README's header") {
+  const Workspace workspace;
+  write_text(workspace.path() / "pendulum.toml", block("```toml\n"));
+  const Outcome outcome = shell("elgen generate --stdout pendulum.toml", workspace.path());
+  CHECK(outcome.status == 0);
+  std::istringstream excerpt(block("```cpp\n"));
+  for (std::string line; std::getline(excerpt, line);) {
+    INFO(line);
+    CHECK((line == "…" || mentions(outcome.output, line + "\n")));
   }
+}
+
+TEST_CASE("the README's mistake gives the README's message") {
+  const Workspace workspace;
+  std::string model = block("```toml\n");
+  model.replace(model.find("cos(theta)"), 10, "cos(tehta)");
+  write_text(workspace.path() / "pendulum.toml", model);
+  const Outcome outcome = shell("elgen generate pendulum.toml", workspace.path());
+  CHECK(outcome.errors == block("```\n"));
 }
 
 TEST_CASE("every option of the command line is in the README") {
