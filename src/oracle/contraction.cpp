@@ -1,19 +1,18 @@
-// Contractions: an output contracted with directions, so that a big matrix costs as little as one
-// entry.
-#include <cln/exception.h>
+// Contractions: the equations of the output table, each multiplied by w from the left.
+#include "contraction.hpp"
 
-#include "elgen/oracle.hpp"
-#include "mechanics.hpp"
-#include "output_values.hpp"
-
-namespace elgen {
+namespace elgen::oracle {
 namespace {
 
 using cln::cl_R;
-using oracle::Direction;
-using oracle::Mechanics;
 
-/// 2 C_ij = dM_ij/dt + R_ij - R_ji, dM/dt along v, R_ij = d/dq_j (M v)_i
+/// w.C v = d/dq (w.M v) v - 1/2 d/dq (v.M v) w
+cl_R velocity_force(Mechanics& at, const Direction& w) {
+  const Direction& v = at.state().v;
+  return at.mass_gradient(v, w, v) - at.mass_gradient(w, v, v) / 2;
+}
+
+/// w.C y = 1/2 (d/dq (w.M y) v + d/dq (w.M v) y - d/dq (y.M v) w)
 cl_R coriolis(Mechanics& at, const Direction& w, const Direction& y) {
   const Direction& v = at.state().v;
   return (at.mass_gradient(v, w, y) + at.mass_gradient(y, w, v) - at.mass_gradient(w, y, v)) / 2;
@@ -23,69 +22,65 @@ cl_R bias(Mechanics& at, const Direction& w) {
   return at.inverse_dynamics(w, Direction(at.size(), cl_R(0)));
 }
 
+/// What of the bias no other output holds.
 cl_R drift(Mechanics& at, const Direction& w) {
-  return bias(at, w) - coriolis(at, w, at.state().v) - at.gravity(w) - at.dissipation_force(w) +
+  return bias(at, w) - velocity_force(at, w) - at.gravity(w) - at.dissipation_force(w) +
          at.applied_force(w);
-}
-
-cl_R input_force(Mechanics& at, const Direction& w, const Direction& y) {
-  cl_R sum = 0;
-  for (std::size_t k = 0; k < y.size(); ++k) sum = sum + y[k] * at.input_force(w, k);
-  return sum;
-}
-
-cl_R contracted(const std::vector<cl_R>& entries, const Contraction& by) {
-  cl_R sum = 0;
-  const std::size_t columns = by.y.empty() ? 1 : by.y.size();
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const cl_R term = by.w[i / columns] * entries[i];
-    sum = sum + (by.y.empty() ? term : term * by.y[i % columns]);
-  }
-  return sum;
-}
-
-cl_R contraction(const Model& model, const OutputRequest& output, const State& state,
-                 const Contraction& by) {
-  Mechanics at(model, state);
-  switch (output.kind) {
-    case OutputKind::mass_matrix:
-      return at.mass(by.w, by.y);
-    case OutputKind::coriolis_matrix:
-      return coriolis(at, by.w, by.y);
-    case OutputKind::velocity_force:
-      return coriolis(at, by.w, state.v);
-    case OutputKind::gravity:
-      return at.gravity(by.w);
-    case OutputKind::drift:
-      return drift(at, by.w);
-    case OutputKind::dissipation:
-      return at.dissipation_force(by.w);
-    case OutputKind::applied_force:
-      return at.applied_force(by.w);
-    case OutputKind::bias:
-      return bias(at, by.w);
-    case OutputKind::momentum:
-      return at.momentum(by.w);
-    case OutputKind::input_matrix:
-      return input_force(at, by.w, by.y);
-    case OutputKind::inverse_dynamics:
-      return at.inverse_dynamics(by.w, state.a);
-    default:
-      return contracted(oracle::output_values(model, output, state), by);
-  }
 }
 
 }  // namespace
 
-std::optional<cl_R> oracle_contraction(const Model& model, const OutputRequest& output,
-                                       const State& state, const Contraction& by) {
-  try {
-    return contraction(model, output, state, by);
-  } catch (const cln::runtime_exception&) {
-    return std::nullopt;
-  } catch (const oracle::OutsideDomain&) {
-    return std::nullopt;
+bool is_contractible_column(OutputKind kind) {
+  switch (kind) {
+    case OutputKind::velocity_force:
+    case OutputKind::gravity:
+    case OutputKind::drift:
+    case OutputKind::dissipation:
+    case OutputKind::applied_force:
+    case OutputKind::bias:
+    case OutputKind::momentum:
+    case OutputKind::inverse_dynamics:
+      return true;
+    default:
+      return false;
   }
 }
 
-}  // namespace elgen
+bool is_contractible_matrix(OutputKind kind) {
+  return kind == OutputKind::mass_matrix || kind == OutputKind::coriolis_matrix ||
+         kind == OutputKind::input_matrix;
+}
+
+cl_R contracted_column(OutputKind kind, Mechanics& at, const Direction& w) {
+  switch (kind) {
+    case OutputKind::velocity_force:
+      return velocity_force(at, w);
+    case OutputKind::gravity:
+      return at.gravity(w);
+    case OutputKind::drift:
+      return drift(at, w);
+    case OutputKind::dissipation:
+      return at.dissipation_force(w);
+    case OutputKind::applied_force:
+      return at.applied_force(w);
+    case OutputKind::bias:
+      return bias(at, w);
+    case OutputKind::momentum:
+      return at.momentum(w);
+    default:
+      return at.inverse_dynamics(w, at.state().a);
+  }
+}
+
+cl_R contracted_matrix(OutputKind kind, Mechanics& at, const Direction& w, const Direction& y) {
+  switch (kind) {
+    case OutputKind::mass_matrix:
+      return at.mass(w, y);
+    case OutputKind::coriolis_matrix:
+      return coriolis(at, w, y);
+    default:
+      return at.input_force(w, y);
+  }
+}
+
+}  // namespace elgen::oracle

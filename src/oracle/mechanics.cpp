@@ -150,9 +150,9 @@ Jet Mechanics::force_along(const Motion& motion, const Direction& w) {
 
 cl_R Mechanics::applied_force(const Direction& w) { return force_along(base_, w).real(); }
 
-cl_R Mechanics::input_force(const Direction& w, std::size_t k) {
+cl_R Mechanics::input_force(const Direction& w, const Direction& y) {
   Motion motion = base_;
-  motion.u[k] = Jet(second, 1);
+  displace(motion.u, y, second);
   return force_along(motion, w).coefficient(second);
 }
 

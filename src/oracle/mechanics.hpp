@@ -53,8 +53,8 @@ class Mechanics {
   /// w.Q at u = 0
   [[nodiscard]] cln::cl_R applied_force(const Direction& w);
 
-  /// w.dQ/du_k
-  [[nodiscard]] cln::cl_R input_force(const Direction& w, std::size_t k);
+  /// w.B y, B = dQ/du; y is a direction of the inputs.
+  [[nodiscard]] cln::cl_R input_force(const Direction& w, const Direction& y);
 
   /// T, or 1/2 v.M v where the Lagrangian is given whole.
   [[nodiscard]] cln::cl_R kinetic_energy();

@@ -52,6 +52,11 @@ std::optional<cl_R> oracle_projected_mass(const Model& model, const State& state
   return guarded([&] { return oracle::Mechanics(model, state).mass(w, y); });
 }
 
+std::optional<cl_R> oracle_contraction(const Model& model, const OutputRequest& output,
+                                       const State& state, const Contraction& by) {
+  return guarded([&] { return oracle::contracted_values(model, output, state, by); });
+}
+
 std::optional<cl_R> oracle_expression(const Model& model, ExpressionId expression,
                                       const State& state) {
   return guarded([&] {

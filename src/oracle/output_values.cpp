@@ -1,6 +1,7 @@
 // Output values: the definitions of the output table, one function each.
 #include "output_values.hpp"
 
+#include "contraction.hpp"
 #include "linear_solve.hpp"
 
 namespace elgen::oracle {
@@ -8,24 +9,6 @@ namespace {
 
 using cln::cl_R;
 using Values = std::vector<cl_R>;
-
-Values operator+(Values x, const Values& y) {
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] = x[i] + y[i];
-  return x;
-}
-
-Values operator-(Values x, const Values& y) {
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] = x[i] - y[i];
-  return x;
-}
-
-/// entry(e_i) for every unit vector.
-template <class Entry>
-Values along_units(const Mechanics& at, const Entry& entry) {
-  Values values;
-  for (std::size_t i = 0; i < at.size(); ++i) values.push_back(entry(at.unit(i)));
-  return values;
-}
 
 /// entry(e_i, e_j) = entry(e_j, e_i)
 template <class Entry>
@@ -59,45 +42,20 @@ Values coriolis_matrix(Mechanics& at) {
   return c;
 }
 
-/// w.C v = d/dq (w.M v) v - 1/2 d/dq (v.M v) w
-Values velocity_force(Mechanics& at) {
-  const Direction& v = at.state().v;
-  return along_units(at, [&](const Direction& w) {
-    return at.mass_gradient(v, w, v) - at.mass_gradient(w, v, v) / 2;
-  });
-}
-
-Values gravity(Mechanics& at) {
-  return along_units(at, [&](const Direction& w) { return at.gravity(w); });
-}
-
-Values dissipation(Mechanics& at) {
-  return along_units(at, [&](const Direction& w) { return at.dissipation_force(w); });
-}
-
-Values applied_force(Mechanics& at) {
-  return along_units(at, [&](const Direction& w) { return at.applied_force(w); });
-}
-
-Values inverse_dynamics(Mechanics& at, const Direction& a) {
-  return along_units(at, [&](const Direction& w) { return at.inverse_dynamics(w, a); });
-}
-
-Values bias(Mechanics& at) { return inverse_dynamics(at, Direction(at.size(), cl_R(0))); }
-
-Values drift(Mechanics& at) {
-  return bias(at) - velocity_force(at) - gravity(at) - dissipation(at) + applied_force(at);
-}
-
-Values momentum(Mechanics& at) {
-  return along_units(at, [&](const Direction& w) { return at.momentum(w); });
+Values column(OutputKind kind, Mechanics& at) {
+  Values values;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    values.push_back(contracted_column(kind, at, at.unit(i)));
+  }
+  return values;
 }
 
 Values input_matrix(Mechanics& at) {
+  const std::size_t inputs = at.state().u.size();
   Values values;
   for (std::size_t i = 0; i < at.size(); ++i) {
-    for (std::size_t k = 0; k < at.state().u.size(); ++k) {
-      values.push_back(at.input_force(at.unit(i), k));
+    for (std::size_t k = 0; k < inputs; ++k) {
+      values.push_back(at.input_force(at.unit(i), unit_direction(inputs, k)));
     }
   }
   return values;
@@ -105,13 +63,11 @@ Values input_matrix(Mechanics& at) {
 
 /// M a = B u - bias: a, then the relative pivots.
 Values forward_dynamics(Mechanics& at) {
-  const Values b = input_matrix(at);
-  const Direction& u = at.state().u;
-  Values right_side = Values(at.size(), cl_R(0)) - bias(at);
+  Values right_side;
   for (std::size_t i = 0; i < at.size(); ++i) {
-    for (std::size_t k = 0; k < u.size(); ++k) {
-      right_side[i] = right_side[i] + b[i * u.size() + k] * u[k];
-    }
+    const Direction w = at.unit(i);
+    right_side.push_back(at.input_force(w, at.state().u) -
+                         contracted_column(OutputKind::bias, at, w));
   }
   const Solution solution = solve_symmetric(mass_matrix(at), right_side);
   Values values = solution.x;
@@ -164,37 +120,22 @@ Values user_bias(const Model& model, const UserOutput& output, const State& stat
 }
 
 Values mechanical_values(OutputKind kind, Mechanics at) {
+  if (is_contractible_column(kind)) return column(kind, at);
   switch (kind) {
     case OutputKind::mass_matrix:
       return mass_matrix(at);
     case OutputKind::coriolis_matrix:
       return coriolis_matrix(at);
-    case OutputKind::velocity_force:
-      return velocity_force(at);
-    case OutputKind::gravity:
-      return gravity(at);
+    case OutputKind::input_matrix:
+      return input_matrix(at);
     case OutputKind::potential_energy:
       return {at.potential_energy_at_rest()};
-    case OutputKind::drift:
-      return drift(at);
-    case OutputKind::dissipation:
-      return dissipation(at);
-    case OutputKind::applied_force:
-      return applied_force(at);
-    case OutputKind::bias:
-      return bias(at);
-    case OutputKind::momentum:
-      return momentum(at);
     case OutputKind::kinetic_energy:
       return {at.kinetic_energy()};
     case OutputKind::total_energy:
       return {at.kinetic_energy() + at.potential_energy()};
     case OutputKind::energy_function:
       return {at.energy_function()};
-    case OutputKind::input_matrix:
-      return input_matrix(at);
-    case OutputKind::inverse_dynamics:
-      return inverse_dynamics(at, at.state().a);
     case OutputKind::forward_dynamics:
       return forward_dynamics(at);
     default:
@@ -215,6 +156,25 @@ Values output_values(const Model& model, const OutputRequest& output, const Stat
     default:
       return mechanical_values(output.kind, Mechanics(model, state));
   }
+}
+
+cl_R contracted_values(const Model& model, const OutputRequest& output, const State& state,
+                       const Contraction& by) {
+  if (is_contractible_column(output.kind)) {
+    Mechanics at(model, state);
+    return contracted_column(output.kind, at, by.w);
+  }
+  if (is_contractible_matrix(output.kind)) {
+    Mechanics at(model, state);
+    return contracted_matrix(output.kind, at, by.w, by.y);
+  }
+  const Values values = output_values(model, output, state);
+  const std::size_t columns = by.y.empty() ? 1 : by.y.size();
+  cl_R sum = 0;
+  for (std::size_t k = 0; k < by.w.size() * columns; ++k) {
+    sum = sum + by.w[k / columns] * values[k] * (by.y.empty() ? cl_R(1) : by.y[k % columns]);
+  }
+  return sum;
 }
 
 }  // namespace elgen::oracle

@@ -13,4 +13,9 @@ namespace elgen::oracle {
 [[nodiscard]] std::vector<cln::cl_R> output_values(const Model& model, const OutputRequest& output,
                                                    const State& state);
 
+/// w.x or w.X y; by directional derivatives where the output is made of them, else from all entries
+/// (of a structure: of its first field, or as many as w has). Throws OutsideDomain.
+[[nodiscard]] cln::cl_R contracted_values(const Model& model, const OutputRequest& output,
+                                          const State& state, const Contraction& by);
+
 }  // namespace elgen::oracle

@@ -62,7 +62,7 @@ TEST_CASE("forces at points do work along the displacement, with their reaction"
   Mechanics at(b.model, state);
   CHECK(at.applied_force(along_x) == 10 * 3 - (10 * 1 + 1 * 4));
   CHECK(at.applied_force(along_y) == 10 * 2);
-  CHECK(at.input_force(along_x, 0) == 2 * (3 - 1));
+  CHECK(at.input_force(along_x, {1}) == 2 * (3 - 1));
 }
 
 TEST_CASE("generalized forces, inputs on a coordinate, kinks and dissipation") {
@@ -73,8 +73,8 @@ TEST_CASE("generalized forces, inputs on a coordinate, kinks and dissipation") {
   Mechanics at(b.model, state);
   CHECK(at.applied_force(along_x) == -21);
   CHECK(at.applied_force(along_y) == 0);
-  CHECK(at.input_force(along_x, 0) == 2);
-  CHECK(at.input_force(along_y, 1) == 1);
+  CHECK(at.input_force(along_x, {1, 0}) == 2);
+  CHECK(at.input_force(along_y, {0, 1}) == 1);
   CHECK(at.dissipation_force(along_x) == 2 * 5 * 7);
   CHECK(at.dissipation_force(along_y) == 25);
 }

@@ -1,0 +1,76 @@
+#include "oracle/contraction.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "oracle/samples.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+using cln::cl_R;
+using Values = std::vector<cl_R>;
+
+namespace {
+
+ModelBuilder everything() {
+  ModelBuilder b = rotating_hoop("W*t^2");
+  b.coordinate("s").input("u", 1).input("w").T("s_d^2*(1 + th^2) + s_d*th_d + s_d").V("s*th*th_d");
+  b.D("s_d^2*th_d^2").force_on(0, "s*w - tanh(s_d)").output({"s*th", "sin(s)", "th^2"});
+  return b;
+}
+
+/// w.x or w.X y from all entries.
+cl_R contracted(const Values& values, const Contraction& by) {
+  cl_R sum = 0;
+  for (std::size_t i = 0; i < by.w.size(); ++i) {
+    if (by.y.empty()) sum = sum + by.w[i] * values[i];
+    for (std::size_t j = 0; j < by.y.size(); ++j) {
+      sum = sum + by.w[i] * values[i * by.y.size() + j] * by.y[j];
+    }
+  }
+  return sum;
+}
+
+void check(OutputKind kind, const Contraction& by) {
+  const ModelBuilder b = everything();
+  const State state = random_state(b.model, 3);
+  OutputRequest request;
+  request.kind = kind;
+  const auto values = oracle_values(b.model, request, state);
+  const auto number = oracle_contraction(b.model, request, state, by);
+  CAPTURE(static_cast<int>(kind));
+  REQUIRE(values);
+  REQUIRE(number);
+  // A few operations on 95 digits.
+  CHECK(agree(*number, contracted(*values, by), 85, 1));
+}
+
+}  // namespace
+
+TEST_CASE("contractions are the sums over all entries, for every output of the table") {
+  for (const OutputRow& row : output_table()) {
+    if (row.fields.empty()) continue;
+    const auto count = [](Extent extent) {
+      switch (extent) {
+        case Extent::one:
+          return 1;
+        case Extent::user:
+          return 3;
+        default:
+          return 2;
+      }
+    };
+    Contraction by;
+    for (int i = 0; i < count(row.fields[0].rows); ++i) by.w.push_back(2 * i - 1);
+    const bool is_matrix = row.fields[0].columns != Extent::one;
+    for (int j = 0; is_matrix && j < 2; ++j) by.y.push_back(3 - 5 * j);
+    check(row.kind, by);
+  }
+}
+
+TEST_CASE("a contraction outside the domain is empty") {
+  ModelBuilder b;
+  b.coordinate("x").T("x_d^2/2").V("log(x)");
+  OutputRequest request;
+  request.kind = OutputKind::gravity;
+  CHECK_FALSE(oracle_contraction(b.model, request, nominal_state(b.model, {}), {{1}, {}}));
+}
