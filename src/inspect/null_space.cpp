@@ -1,4 +1,4 @@
-// Gauss–Jordan elimination on scaled rows; columns without a pivot span the null space.
+// Gauss-Jordan elimination on scaled rows; columns without a pivot span the null space.
 #include "null_space.hpp"
 
 namespace elgen::inspection {

@@ -1,4 +1,4 @@
-// Null space of a square matrix of 60-digit numbers, by Gauss–Jordan elimination.
+// Null space of a square matrix of 60-digit numbers, by Gauss-Jordan elimination.
 #pragma once
 
 #include <cln/real.h>

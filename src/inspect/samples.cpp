@@ -10,7 +10,7 @@ using cln::cl_R;
 
 constexpr unsigned attempts = 8;
 
-/// low + (high - low) k/1009, k = 1 … 1008: never an end of the range, where charts like to break.
+/// low + (high - low) k/1009, k = 1 to 1008: never an end of the range, where charts like to break.
 cl_R fraction_between(std::mt19937& random, const cl_R& low, const cl_R& high) {
   const cl_R share = cln::cl_RA(static_cast<int>(random() % 1008) + 1) / cln::cl_RA(1009);
   return low + (high - low) * share;

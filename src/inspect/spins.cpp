@@ -1,6 +1,6 @@
 // E507: in the plane w = s(q, t).v + s0(q, t) must be d/dt of an angle(q, t).
 //
-// A function linear in the rates is a total time derivative iff its Euler–Lagrange expression
+// A function linear in the rates is a total time derivative iff its Euler-Lagrange expression
 //
 //     d/dt dw/dv_i - dw/dq_i = sum_j (ds_i/dq_j - ds_j/dq_i) v_j + ds_i/dt - ds0/dq_i
 //
@@ -36,7 +36,7 @@ bool vanishes(const cl_R& x, const cl_R& scale) {
   return cln::abs(x) <= (1 + cln::abs(scale)) * cln::expt(cl_R(10), -50);
 }
 
-/// True where the Euler–Lagrange expression differs from zero at a sampled state.
+/// True where the Euler-Lagrange expression differs from zero at a sampled state.
 bool has_curl(const Subject& subject, ExpressionId spin) {
   const Model bare = with_lagrangian(subject.model, spin);
   for (unsigned seed = 0; seed < samples; ++seed) {
