@@ -2,13 +2,12 @@
 // is derived, and to keep exact what is exact.
 //
 // The precision follows the magnitude: sin(10^30) is evaluated with 30 more digits. Sizes are
-// bounded (10^±10000, 4096 exact digits) before anything is computed, so that no constant can hang.
+// bounded (10^±10000, 4096 exact digits) before anything is computed, so that no constant hangs.
 #include "constants.hpp"
 
 #include <cln/cln.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace elgen::checking {

@@ -65,10 +65,13 @@ struct Context {
   Constants constants = {};
   /// Expression nodes (and steps to resolve one expression) before E908.
   std::uint64_t node_limit = limits.derived_nodes;
+  std::uint64_t coordinate_count = 0;
+  std::uint64_t definition_count = 0;  ///< definitions, points, bodies and the like
   bool beyond_limits = false;  ///< E906, E907 or E908 was reported; nothing more is resolved
   /// The number of components of the first vector of the model, and where it stands.
   std::uint32_t dimension = 0;
-  Span model_span = {};  ///< the header `[model]`
+  Span model_span = {};       ///< the header `[model]`
+  Span lagrangian_span = {};  ///< the key `L`
   std::vector<Root> roots = {};
   std::vector<std::optional<Unit>> prescribed_units = {};  ///< as declared, by prescribed function
 };

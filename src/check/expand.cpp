@@ -3,6 +3,7 @@
 #include "expand.hpp"
 
 #include <array>
+#include <utility>
 
 #include "parameters.hpp"
 
@@ -62,7 +63,27 @@ void note_dimension(Model& model, const EntrySyntax& entry, std::uint32_t point)
   }
 }
 
+/// E906, E907; false where the limit is reached.
+bool within_limits(Context& context, SymbolKind kind, const Span& span) {
+  const bool is_coordinate = kind == SymbolKind::coordinate;
+  std::uint64_t& count = is_coordinate ? context.coordinate_count : context.definition_count;
+  const std::uint64_t limit =
+      is_coordinate ? context.limits.coordinates : context.limits.definitions;
+  if (++count <= limit) {
+    return true;
+  }
+  if (!std::exchange(context.beyond_limits, true)) {
+    context.report.add(is_coordinate ? Code::E906 : Code::E907, span,
+                       "more than " + std::to_string(limit) +
+                           (is_coordinate ? " coordinates" : " entries after repetition"));
+  }
+  return false;
+}
+
 void declare_definition(Context& context, const KeySyntax& key) {
+  if (!within_limits(context, SymbolKind::definition, key.key_span)) {
+    return;
+  }
   std::vector<NamedExpression>& definitions = context.model.definitions;
   const auto target = static_cast<std::uint32_t>(definitions.size());
   const NewName name{key.key, {}, key.key_span};
@@ -107,7 +128,7 @@ class Expander {
     if (key != nullptr && !read_new_name(key->value, scope, name)) {
       return false;
     }
-    if (!within_limits(kind.kind, name.span)) {
+    if (!within_limits(context_, kind.kind, name.span)) {
       return false;
     }
     const std::uint32_t target = kind.add(context_.model, name);
@@ -126,22 +147,6 @@ class Expander {
     }
     name.index = integer_value(value.expression.operands.front(), scope, context_.report);
     return name.index.has_value();
-  }
-
-  bool within_limits(SymbolKind kind, const Span& span) {
-    const bool is_coordinate = kind == SymbolKind::coordinate;
-    const std::uint64_t limit =
-        is_coordinate ? context_.limits.coordinates : context_.limits.definitions;
-    const std::uint64_t count =
-        is_coordinate ? context_.model.coordinates.size() : instances_.size();
-    if (count < limit) {
-      return true;
-    }
-    context_.beyond_limits = true;
-    context_.report.add(is_coordinate ? Code::E906 : Code::E907, span,
-                        "more than " + std::to_string(limit) +
-                            (is_coordinate ? " coordinates" : " entries after repetition"));
-    return false;
   }
 
   /// A running index that is also a name of the model would hide it.

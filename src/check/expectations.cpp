@@ -38,6 +38,15 @@ std::vector<std::vector<const ValueSyntax*>> rows_of(const ValueSyntax& value) {
   return rows;
 }
 
+bool is_matrix(const OutputRequest& request) {
+  const std::vector<FieldRow>& fields = output_row(request.kind).fields;
+  return !fields.empty() && fields.front().columns != Extent::one;
+}
+
+bool is_nested(const ValueSyntax& value) {
+  return !value.items.empty() && value.items.front().kind == ValueKind::list;
+}
+
 class ExpectationReader {
  public:
   explicit ExpectationReader(Context& context)
@@ -74,7 +83,7 @@ class ExpectationReader {
     Expectation expectation = blank(key.key, key.key_span);
     expectation.rows = request.rows;
     expectation.columns = request.columns;
-    bool fits = rows.size() == request.rows;
+    bool fits = rows.size() == request.rows && (!is_matrix(request) || is_nested(key.value));
     for (std::uint32_t i = 0; fits && i < rows.size(); ++i) {
       fits = rows[i].size() == request.columns;
       for (std::uint32_t j = 0; fits && j < rows[i].size(); ++j) {
@@ -85,7 +94,8 @@ class ExpectationReader {
       const std::size_t columns = rows.empty() ? 0 : rows.front().size();
       context_.report.add(Code::E517, key.value.span,
                           shape(rows.size(), columns) + " entries, but " + quoted(key.key) +
-                              " is " + shape(request.rows, request.columns));
+                              " is " + shape(request.rows, request.columns),
+                          is_matrix(request) ? "a matrix is a list of rows: [[…], […]]" : "");
       return;
     }
     keep(std::move(expectation));

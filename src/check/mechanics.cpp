@@ -70,7 +70,7 @@ class MechanicsCheck {
     const Energies& energies = model_.energies;
     if (energies.L && (energies.T || energies.V || has_masses(model_))) {
       const std::string other = energies.T || energies.V ? "T or V" : "the mass of an entry";
-      context_.report.add(Code::E515, span(*energies.L), "`L` is given beside " + other);
+      context_.report.add(Code::E515, context_.lagrangian_span, "`L` is given beside " + other);
     }
     if (!energies.L && !energies.T && !has_masses(model_)) {
       context_.report.add(Code::E514, context_.model_span,

@@ -36,6 +36,19 @@ void read_point_force(ValueReader& values, const KeySyntax& at, const KeySyntax&
   force.value.resize(3, no_expression);
 }
 
+bool has_one_place(const KeySyntax* on, const KeySyntax* at, const Span& header, Report& report) {
+  if (on == nullptr && at == nullptr) {
+    report.add(Code::E112, header, "neither `on` nor `at` says where the force acts");
+    return false;
+  }
+  if (on != nullptr && at != nullptr) {
+    const KeySyntax& second = on->key_span.begin < at->key_span.begin ? *at : *on;
+    report.add(Code::E112, second.key_span, "a force has `on` or `at`, not both");
+    return false;
+  }
+  return true;
+}
+
 void read_force(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
   Context& context = values.context();
   Force force = context.model.forces[target];
@@ -45,10 +58,7 @@ void read_force(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
   if (value == nullptr) {
     return;
   }
-  if ((on == nullptr) == (at == nullptr)) {
-    context.report.add(
-        Code::E112, entry.span,
-        on == nullptr ? "a force has `on` or `at`" : "a force has `on` or `at`, not both");
+  if (!has_one_place(on, at, entry.span, context.report)) {
     return;
   }
   if (on != nullptr) {

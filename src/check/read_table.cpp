@@ -87,6 +87,9 @@ void read_energies(ValueReader& values, const EntrySyntax& entry) {
   for (const EnergyKey& energy : energy_keys) {
     if (const KeySyntax* key = entry.find(energy.key)) {
       const Place place{energy.key, place::of_state};
+      if (energy.key == "L") {
+        values.context().lagrangian_span = key->key_span;
+      }
       values.context().model.energies.*energy.member =
           values.root(key->value, {place, find_unit(energy.unit)});
     }

@@ -1,8 +1,9 @@
 // Resolver, calls: the functions of functions.def, and those that are expanded here:
 //
-//     dot(q) -> rate    sqrt(e) -> e^(1/2)    sum(i, a, b, e) -> e[a] + … + e[b]    delta(i, j) ->
-//     0 or 1 x(P) y(P) z(P) -> components    v2(P) -> sum of dot(component)^2 dist2(P, Q) -> sum of
-//     (component difference)^2
+//     dot(q) -> rate    sqrt(e) -> e^(1/2)    delta(i, j) -> 0 or 1
+//     sum(i, a, b, e) -> e[a] + … + e[b]
+//     x(P) y(P) z(P) -> components    v2(P) -> sum of dot(component)^2
+//     dist2(P, Q) -> sum of (component difference)^2
 #include <algorithm>
 #include <array>
 #include <utility>

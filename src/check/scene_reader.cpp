@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 
 #include "number_text.hpp"
 #include "options.hpp"
@@ -133,11 +134,15 @@ class SceneReader {
   }
 
   void check_function_names() {
-    std::map<std::string, Span> taken;
-    for (const OutputRequest& output : scene_.outputs) {
-      if (!taken.emplace(output.name, output.span).second) {
-        context_.report.add(Code::E609, output.span,
-                            "another output is already called " + quoted(output.name));
+    std::set<std::string> taken;
+    // A new name gives way to a standard one, whichever stands first.
+    for (const bool renamed : {false, true}) {
+      for (const OutputRequest& output : scene_.outputs) {
+        const bool is_renamed = output.name != standard_name(output);
+        if (is_renamed == renamed && !taken.insert(output.name).second) {
+          context_.report.add(Code::E609, output.span,
+                              "another output is already called " + quoted(output.name));
+        }
       }
     }
   }

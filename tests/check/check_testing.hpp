@@ -1,0 +1,40 @@
+// Models as text, and what check() says of them as text.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "elgen/scene.hpp"
+
+namespace elgen::test {
+
+/// Options of one run, as on the command line; `scene` is the text of a scene file.
+struct Wanted {
+  std::string scene = {};
+  std::vector<std::string> outputs = {};
+  std::vector<std::string> fixed = {};
+  std::vector<std::string> sizes = {};
+  Limits limits = {};
+  bool large_expectations = false;
+};
+
+/// Parses and checks; the texts must be free of syntax errors.
+[[nodiscard]] Result<CheckedModel> run_check(const std::string& model, const Wanted& wanted = {});
+
+/// One line per diagnostic: "E201 12:6 unknown name `z` | did you mean `x`? (coordinate, line 5)".
+[[nodiscard]] std::string messages(const std::string& model, const Wanted& wanted = {});
+
+/// The model and scene of a text without errors.
+[[nodiscard]] CheckedModel checked(const std::string& model, const Wanted& wanted = {});
+
+/// A mass m on a spring k at x, eleven lines; `more` starts on line 12, still inside [energy].
+[[nodiscard]] std::string block(const std::string& more = {});
+
+/// The lines of dump(Model) that start with `word`.
+[[nodiscard]] std::string dumped(const std::string& model, const std::string& word,
+                                 const Wanted& wanted = {});
+
+/// The text of a file of the project.
+[[nodiscard]] std::string file_text(const std::string& path);
+
+}  // namespace elgen::test

@@ -1,0 +1,38 @@
+// Reserved names: what would not compile or would mean two things, and what stays free.
+#include "check/reserved_names.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace elgen::checking {
+namespace {
+
+TEST_CASE("names with another meaning are reserved") {
+  for (const char* name :
+       {"t", "pi", "sin", "atan2", "max", "sqrt", "dot", "sum", "delta", "v2", "dist2", "double",
+        "class", "and", "xor_eq", "co_await", "I", "M_PI", "NAN", "INFINITY", "HUGE_VAL", "FP_NAN",
+        "errno", "linux", "a__b", "isnan"}) {
+    INFO(name);
+    CHECK_FALSE(reserved_reason(name).empty());
+  }
+  CHECK(reserved_reason("int") == "it is a keyword of C++");
+  CHECK(reserved_reason("M_E") == "it is a macro of C or C++");
+}
+
+TEST_CASE("usual names of mechanics are free") {
+  for (const char* name : {"M", "g", "x", "y", "z", "m", "J", "C", "e", "q", "u", "theta", "tau",
+                           "gamma", "T", "V", "L", "D", "a_b", "Ix", "std"}) {
+    INFO(name);
+    CHECK(reserved_reason(name).empty());
+  }
+}
+
+TEST_CASE("names are letters, digits and underscores after a letter") {
+  CHECK(is_well_formed_name("q1_a"));
+  for (const char* name : {"", "1q", "_q", "q-1", "q.x", "q ", "ä"}) {
+    INFO(name);
+    CHECK_FALSE(is_well_formed_name(name));
+  }
+}
+
+}  // namespace
+}  // namespace elgen::checking

@@ -1,0 +1,70 @@
+// Unit expressions: grammar, and errors at the exact character.
+#include "check/unit_expression.hpp"
+
+#include <catch2/catch.hpp>
+#include <utility>
+
+namespace elgen::checking {
+namespace {
+
+struct Reading {
+  std::optional<Unit> unit;
+  std::string error;
+};
+
+Reading read(const std::string& text) {
+  const SourcePointer source = make_source("m.toml", text);
+  ValueSyntax value;
+  value.text = text;
+  value.span = {source.get(), 0, static_cast<std::uint32_t>(text.size())};
+  Report report;
+  Reading reading{read_unit(value, report), {}};
+  for (const Diagnostic& diagnostic : report.sorted()) {
+    reading.error = std::to_string(diagnostic.span.begin + 1) + " " + diagnostic.message +
+                    (diagnostic.hint.empty() ? "" : " | " + diagnostic.hint);
+  }
+  return reading;
+}
+
+TEST_CASE("products, quotients and powers are read from left to right") {
+  const std::vector<std::pair<std::string, std::string>> rows{
+      {"1", "1"},           {"rad", "1"},        {"kg*m^2/s^2", "J"}, {"N/m/s", "kg/s^3"},
+      {"N/(m*s)", "kg/s^3"}, {"m^(1/2)", "m^(1/2)"}, {" N * m ", "J"},   {"1/s", "1/s"},
+      {"(m/s)^2", "m^2/s^2"}, {"s^-1", "1/s"},     {"V*A", "W"},        {"m^(2)", "m^2"},
+  };
+  for (const auto& [text, spelling] : rows) {
+    INFO(text);
+    const Reading reading = read(text);
+    CHECK(reading.error.empty());
+    REQUIRE(reading.unit);
+    CHECK(to_string(*reading.unit) == spelling);
+  }
+}
+
+TEST_CASE("errors point at the character") {
+  const std::vector<std::pair<std::string, std::string>> rows{
+      {"kg*ft", "4 unknown unit `ft`"},
+      {"Kg", "1 unknown unit `Kg` | did you mean `kg`?"},
+      {"", "1 a unit is missing in the unit ``"},
+      {"m*", "3 a unit is missing in the unit `m*`"},
+      {"m^x", "3 an exponent is an integer, or `(p/q)` in the unit `m^x`"},
+      {"m^99", "3 an exponent is an integer, or `(p/q)` in the unit `m^99`"},
+      {"m^(1/0)", "3 an exponent is an integer, or `(p/q)` in the unit `m^(1/0)`"},
+      {"(m", "3 missing `)` in the unit `(m`"},
+      {"m)", "2 unexpected `)` in the unit `m)`"},
+      {"m kg", "3 unexpected `k` in the unit `m kg`"},
+  };
+  for (const auto& [text, error] : rows) {
+    INFO(text);
+    const Reading reading = read(text);
+    CHECK_FALSE(reading.unit);
+    CHECK(reading.error == error);
+  }
+}
+
+TEST_CASE("deep brackets are refused, not followed") {
+  CHECK_FALSE(read(std::string(100'000, '(')).unit);
+}
+
+}  // namespace
+}  // namespace elgen::checking
