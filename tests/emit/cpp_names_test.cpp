@@ -1,0 +1,80 @@
+// cpp_names: every name the emitted code keeps is refused where it would collide, and nowhere else.
+#include "emit/cpp_names.hpp"
+
+#include "fixture.hpp"
+
+using namespace elgen;
+using elgen::testing::cart_pole;
+using elgen::testing::Subject;
+
+namespace {
+
+Diagnostics diagnostics_of(const Subject& subject) {
+  return check_names(subject.model, subject.scene, subject.program);
+}
+
+}  // namespace
+
+TEST_CASE("a usual model has no colliding names") { CHECK(diagnostics_of(cart_pole()).empty()); }
+
+TEST_CASE("members of Parameters may not hide what their defaults need") {
+  for (const char* name : {"Scalar", "Parameters", "constant", "detail", "std"}) {
+    Subject subject = cart_pole();
+    subject.model.parameter_arrays[2].name = name;
+    INFO(name);
+    CHECK(diagnostics_of(subject).size() == 1);
+    subject.scene.specialisation.fixed[2] = 1;  // no member any more
+    CHECK(diagnostics_of(subject).empty());
+  }
+}
+
+TEST_CASE("functions may not have the name of anything else in the header") {
+  for (const char* name : {"constant", "coordinate_count", "is_regular", "number_pi", "std"}) {
+    Subject subject = cart_pole();
+    subject.program.functions[0].name = name;
+    const Diagnostics diagnostics = diagnostics_of(subject);
+    INFO(name);
+    REQUIRE(diagnostics.size() == 1);
+    CHECK(diagnostics[0].code == Code::E701);
+    CHECK(diagnostics[0].message.find(name) != std::string::npos);
+  }
+}
+
+TEST_CASE("structs may not collide either") {
+  Subject subject = cart_pole();
+  subject.program.functions[4].name = "parameters";
+  CHECK(diagnostics_of(subject).size() == 1);
+  subject.program.functions[4].name = "dynamics_";
+  CHECK(diagnostics_of(subject).size() == 1);
+}
+
+TEST_CASE("the namespace of the library is not the model's") {
+  Subject subject = cart_pole();
+  subject.scene.emission.cpp_namespace = "std";
+  CHECK(diagnostics_of(subject).size() == 1);
+}
+
+TEST_CASE("temporaries give way") {
+  CHECK(cpp_temporary("sin_theta") == "sin_theta");
+  CHECK(cpp_temporary("p") == "p_");
+  CHECK(cpp_temporary("sin") == "sin_");
+  CHECK(cpp_temporary("constant") == "constant_");
+  CHECK(cpp_temporary("velocity_count") == "velocity_count_");
+}
+
+TEST_CASE("one unnamed field is returned as it is") {
+  const Program program = cart_pole().program;
+  CHECK_FALSE(returns_struct(program.functions[0]));
+  CHECK(returns_struct(program.functions[4]));
+  CHECK(struct_name(program.functions[4]) == "ForwardDynamics");
+}
+
+TEST_CASE("an array stays a parameter until every element is fixed") {
+  Subject subject = cart_pole();
+  elgen::testing::add_parameter_array(subject.model, "k", {1, 2});
+  const ParameterArray& array = subject.model.parameter_arrays.back();
+  subject.scene.specialisation.fixed[4] = 1;
+  CHECK(is_emitted(array, subject.scene));
+  subject.scene.specialisation.fixed[5] = 1;
+  CHECK_FALSE(is_emitted(array, subject.scene));
+}

@@ -1,0 +1,84 @@
+// function_docs: the comment above a function, line for line.
+#include "emit/function_docs.hpp"
+
+#include "emit/statements.hpp"
+#include "fixture.hpp"
+
+using namespace elgen;
+using elgen::testing::cart_pole;
+using elgen::testing::Subject;
+using Lines = std::vector<std::string>;
+
+namespace {
+
+Lines docs(const Subject& subject, std::size_t index) {
+  const Function& function = subject.program.functions[index];
+  const FunctionEquations printed = equations(subject.program, function);
+  return function_docs({subject.model, subject.program, function, printed, "a.equations.json"});
+}
+
+}  // namespace
+
+TEST_CASE("sentence, equation and matrix") {
+  CHECK(docs(cart_pole(), 0) ==
+        Lines{" Mass matrix, symmetric. 2 x 2, row-major [kg, kg*m; kg*m, kg*m^2].", "",
+              "     M = d^2 L/dv^2", "", "     [ M + m,          l*m*cos(theta) ]",
+              "     [ l*m*cos(theta), l^2*m          ]"});
+}
+
+TEST_CASE("a scalar") {
+  const Lines lines = docs(cart_pole(), 2);
+  CHECK(lines.front() == " Kinetic energy. Scalar [J].");
+  CHECK(lines.back() == "     = 1/2*M*dot(x)^2");
+}
+
+TEST_CASE("fields have headings") {
+  const Lines lines = docs(cart_pole(), 4);
+  CHECK(std::count(lines.begin(), lines.end(), "     acceleration:") == 1);
+  CHECK(std::count(lines.begin(), lines.end(), "     relative_pivots:") == 1);
+}
+
+TEST_CASE("dynamics refers to its outputs") {
+  CHECK(docs(cart_pole(), 5) ==
+        Lines{" Every chosen output that takes neither a nor u, computed at once."});
+}
+
+TEST_CASE("a user's output is documented by the user") {
+  Subject subject = cart_pole();
+  UserOutput output;
+  output.name = "tip";
+  output.doc = "position of the tip";
+  subject.model.outputs.push_back(output);
+  subject.program.functions[2].kind = OutputKind::user_value;
+  CHECK(docs(subject, 2).front() == " Output `tip`: position of the tip. Scalar.");
+}
+
+TEST_CASE("what needs an order says so") {
+  Subject subject = cart_pole();
+  subject.program = elgen::testing::read_program(
+      "coordinates x theta\nfunction applied_force\n  0 = velocity x\n  1 = sign 0\n"
+      "  result 2 1 = 1 1\n");
+  CHECK(docs(subject, 0).front().find("Needs an ordered Scalar.") != std::string::npos);
+}
+
+TEST_CASE("long rows become indexed lines, long listings a pointer to the sidecar") {
+  Subject subject = cart_pole();
+  FunctionEquations printed;
+  const std::string wide = "some_long_name*another_long_name + a_third_long_name";
+  printed.entries = {{wide, wide, wide, wide}};
+  const Function& mass_matrix = subject.program.functions[0];
+  const auto lines = [&] {
+    return function_docs({subject.model, subject.program, mass_matrix, printed, "a.json"});
+  };
+  CHECK(lines().back() == "     [1, 1] = " + wide);
+  for (int i = 0; i < 100; ++i) printed.definitions.push_back({"x" + std::to_string(i), "1"});
+  CHECK(lines().back() == "     100 definitions and 4 entries: see a.json.");
+}
+
+TEST_CASE("summary of a field") {
+  const Subject subject = cart_pole();
+  const Function& function = subject.program.functions[4];
+  const FunctionEquations printed;
+  CHECK(field_summary({subject.model, subject.program, function, printed, ""},
+                      function.fields[0]) == "2 entries [m/s^2, 1/s^2]");
+}

@@ -1,0 +1,79 @@
+// introduction: the equation of motion with the terms a model has, and the table of operations.
+#include "emit/introduction.hpp"
+
+#include <algorithm>
+
+#include "fixture.hpp"
+
+using namespace elgen;
+using elgen::testing::cart_pole;
+using elgen::testing::Subject;
+using Lines = std::vector<std::string>;
+
+namespace {
+
+std::string equation(const Subject& subject) {
+  return equation_of_motion(subject.model, subject.program);
+}
+
+bool contains(const Lines& lines, const std::string& line) {
+  return std::find(lines.begin(), lines.end(), line) != lines.end();
+}
+
+}  // namespace
+
+TEST_CASE("a term nothing is known of stays") {
+  CHECK(equation(cart_pole()) == "M(q) a + C(q,v) v + drift(q,v) + g(q) = B(q) u");
+}
+
+TEST_CASE("a term that is zero, or that the model cannot have, is left out") {
+  Subject subject = cart_pole();
+  subject.program = elgen::testing::read_program(
+      "coordinates x theta\nfunction gravity\n  0 = constant 0\n  result 2 1 = 0 0\n"
+      "function drift\n  0 = constant 0\n  result 2 1 = 0 0\n");
+  subject.model.inputs.clear();
+  CHECK(equation(subject) == "M(q) a + C(q,v) v = 0");
+}
+
+TEST_CASE("dissipation, other forces and time") {
+  Subject subject = cart_pole();
+  subject.model.energies.D = 0;
+  subject.model.forces.emplace_back();
+  subject.model.uses_time = true;
+  CHECK(equation(subject) ==
+        "M(q,t) a + C(q,v,t) v + drift(q,v,t) + g(q,t) + dD/dv = B(q,t) u + Q(q,v,t)");
+}
+
+TEST_CASE("an L that is not quadratic has a bias only") {
+  Subject subject = cart_pole();
+  subject.model.quadratic = false;
+  CHECK(equation(subject) == "M(q,v) a + bias(q,v) = B(q) u");
+}
+
+TEST_CASE("title, variables and fixed parameters") {
+  Subject subject = cart_pole();
+  subject.scene.specialisation.fixed[3] = cln::cl_RA(981) / 100;
+  const Lines lines = introduction(subject.model, subject.scene, subject.program);
+  CHECK(lines.front() == " Cart and pole with a force on the cart");
+  CHECK(contains(lines,
+                 "   q = (x [m], theta [rad]), v = dq/dt, a = dv/dt, u = (u [N])"));
+  CHECK(lines.back() == " Fixed: g = 9.81.");
+}
+
+TEST_CASE("many variables are shown by the first two and the last") {
+  Subject subject = cart_pole();
+  for (int i = 0; i < 10; ++i) subject.model.coordinates.push_back(subject.model.coordinates[0]);
+  const Lines lines = introduction(subject.model, subject.scene, subject.program);
+  CHECK(contains(lines,
+                 "   q = (x [m], theta [rad], ..., x [m]), v = dq/dt, a = dv/dt, u = (u [N])"));
+}
+
+TEST_CASE("one row per function, columns aligned") {
+  const Program program = cart_pole().program;
+  std::vector<FunctionEquations> printed(program.functions.size());
+  printed[0].definitions.resize(12);
+  const Lines table = operation_table(program, printed);
+  REQUIRE(table.size() == 1 + program.functions.size());
+  CHECK(table[0] == "function             add    mul   div  sqrt sincos other  definitions");
+  CHECK(table[1] == "mass_matrix            1      4     0     0      1     0           12");
+}

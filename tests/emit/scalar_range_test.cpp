@@ -1,0 +1,55 @@
+// scalar_range: E702 for parameters and constants, in the scalars asked for and no others.
+#include "emit/scalar_range.hpp"
+
+#include "fixture.hpp"
+
+using namespace elgen;
+using elgen::testing::cart_pole;
+using elgen::testing::Subject;
+
+namespace {
+
+cln::cl_RA ten_to(int exponent) { return cln::expt(cln::cl_RA(10), cln::cl_I(exponent)); }
+
+Diagnostics diagnostics_of(const Subject& subject) {
+  return check_scalar_range(subject.model, subject.scene, subject.program);
+}
+
+}  // namespace
+
+TEST_CASE("usual values fit everywhere") {
+  Subject subject = cart_pole();
+  subject.scene.numerics.scalars = {ScalarKind::single_precision, ScalarKind::double_precision,
+                                    ScalarKind::long_double};
+  CHECK(diagnostics_of(subject).empty());
+}
+
+TEST_CASE("a value is judged in the scalars asked for") {
+  Subject subject = cart_pole();
+  elgen::testing::add_parameter(subject.model, "tiny", ten_to(-50), "m");
+  CHECK(diagnostics_of(subject).empty());
+  subject.scene.numerics.scalars = {ScalarKind::single_precision};
+  const Diagnostics diagnostics = diagnostics_of(subject);
+  REQUIRE(diagnostics.size() == 1);
+  CHECK(diagnostics[0].code == Code::E702);
+  CHECK(diagnostics[0].message == "`1e-50`, the value of `tiny`, vanishes in float");
+}
+
+TEST_CASE("overflow, subnormals, constants") {
+  Subject subject = cart_pole();
+  elgen::testing::add_parameter(subject.model, "huge", -ten_to(309), "m");
+  elgen::testing::add_parameter(subject.model, "subnormal", ten_to(-310), "m");
+  subject.program.constants.push_back({ten_to(400), "1e400"});
+  const Diagnostics diagnostics = diagnostics_of(subject);
+  REQUIRE(diagnostics.size() == 3);
+  CHECK(diagnostics[0].message == "`-1e309`, the value of `huge`, overflows in double");
+  CHECK(diagnostics[1].message == "`1e-310`, the value of `subnormal`, vanishes in double");
+  CHECK(diagnostics[2].message == "`1e400`, a constant of the equations, overflows in double");
+}
+
+TEST_CASE("a fixed parameter is no run-time value") {
+  Subject subject = cart_pole();
+  elgen::testing::add_parameter(subject.model, "tiny", ten_to(-400), "m");
+  subject.scene.specialisation.fixed[4] = 1;
+  CHECK(diagnostics_of(subject).empty());
+}

@@ -1,0 +1,63 @@
+// sidecar: the JSON is valid, has the keys in order, and says what the program does.
+#include "emit/sidecar.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "fixture.hpp"
+
+using namespace elgen;
+using elgen::testing::cart_pole;
+using elgen::testing::Subject;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+std::string text_of(const Subject& subject) {
+  return sidecar(emission_input(subject.model, subject.scene, subject.program));
+}
+
+}  // namespace
+
+TEST_CASE("one key order") {
+  std::vector<std::string> keys;
+  for (const auto& item : Json::parse(text_of(cart_pole())).items()) keys.push_back(item.key());
+  CHECK(keys == std::vector<std::string>{"generated", "format", "name", "coordinates", "inputs",
+                                         "parameters", "outputs", "hash"});
+}
+
+TEST_CASE("outputs") {
+  const Json outputs = Json::parse(text_of(cart_pole()))["outputs"];
+  CHECK(outputs["mass_matrix"]["shape"] == Json{2, 2});
+  CHECK(outputs["mass_matrix"]["entries"][0] == "M + m");
+  CHECK(outputs["mass_matrix"]["operations"]["mul"] == 4);
+  CHECK(outputs["forward_dynamics"]["fields"]["acceleration"]["shape"] == Json{2, 1});
+  CHECK(outputs["dynamics"].size() == 1);
+  CHECK(outputs["dynamics"].contains("operations"));
+}
+
+TEST_CASE("definitions are listed in order, before the entries that use them") {
+  Subject subject = cart_pole();
+  subject.program = elgen::testing::read_program(
+      "coordinates x theta\nfunction gravity\n  0 = velocity x\n  1 = coordinate x\n"
+      "  2 = add 0 1  ; total\n  3 = multiply 2 2\n  result 2 1 = 3 2\n");
+  const Json output = Json::parse(text_of(subject))["outputs"]["gravity"];
+  CHECK(output["definitions"] == Json::array({{{"name", "total"}, {"value", "dot(x) + x"}}}));
+  CHECK(output["entries"] == Json{"total^2", "total"});
+}
+
+TEST_CASE("parameters: exact texts, arrays as one entry, fixed ones left out") {
+  Subject subject = cart_pole();
+  elgen::testing::add_parameter_array(subject.model, "k", {cln::cl_RA(1) / 3, 2});
+  subject.scene.specialisation.fixed[0] = 1;
+  const Json parameters = Json::parse(text_of(subject))["parameters"];
+  REQUIRE(parameters.size() == 4);
+  CHECK(parameters[0] == Json{{"name", "m"}, {"unit", "kg"}, {"value", "0.1"}});
+  CHECK(parameters[3] == Json{{"name", "k"}, {"size", 2}, {"value", {"1/3", "2"}}});
+}
+
+TEST_CASE("short lists stand on one line, lines end with LF") {
+  const std::string text = text_of(cart_pole());
+  CHECK(text.find("      \"shape\": [2, 2],\n") != std::string::npos);
+  CHECK(text.find('\r') == std::string::npos);
+  CHECK(text.back() == '\n');
+}
