@@ -48,6 +48,7 @@ class ExpressionParser {
  private:
   Step sum();
   Step product();
+  Step quotient(const Token& token, Subtree numerator, Subtree denominator);
   Step unary();
   Step power();
   Step primary();
@@ -119,19 +120,27 @@ Step ExpressionParser::product() {
       factors.push_back(*std::move(factor));
       continue;
     }
-    std::deque<Subtree> operands;
-    operands.push_back(node(SyntaxKind::multiply, star, std::move(factors)));
-    operands.push_back(*std::move(factor));
-    Subtree quotient = node(SyntaxKind::divide, token, std::move(operands));
-    ++quotient.levels;
-    if (depth_ + quotient.levels > deepest_) {
-      too_deep(token);
-      return std::nullopt;
-    }
+    Step divided =
+        quotient(token, node(SyntaxKind::multiply, star, std::move(factors)), *std::move(factor));
+    if (!divided) return std::nullopt;
     factors.clear();
-    factors.push_back(std::move(quotient));
+    factors.push_back(*std::move(divided));
   }
   return node(SyntaxKind::multiply, star, std::move(factors));
+}
+
+/// Quotients of a chain nest to the left, where the way down has not counted them.
+Step ExpressionParser::quotient(const Token& token, Subtree numerator, Subtree denominator) {
+  std::deque<Subtree> operands;
+  operands.push_back(std::move(numerator));
+  operands.push_back(std::move(denominator));
+  Subtree result = node(SyntaxKind::divide, token, std::move(operands));
+  ++result.levels;
+  if (depth_ + result.levels > deepest_) {
+    too_deep(token);
+    return std::nullopt;
+  }
+  return result;
 }
 
 Step ExpressionParser::unary() {
