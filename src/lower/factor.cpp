@@ -109,7 +109,12 @@ class Factoring {
       return result;
     }
     for (const Operand& factor : node.operands) {
-      result.factors.push_back({{factor.node, false}, factor.weight});
+      // Each base once: a term is divided by a factor in one place.
+      if (factor.node == common) {
+        result.factors.front().exponent += factor.weight;
+      } else {
+        result.factors.push_back({{factor.node, false}, factor.weight});
+      }
     }
     return result;
   }

@@ -38,3 +38,11 @@ TEST_CASE("a term that is the factor leaves 1") {
   l.expressions.values = {l.graph.sum({l.a, -l.product({l.a, l.b})})};
   CHECK(texts_of(factor(l.expressions)) == std::vector<std::string>{"a*(1 - b)"});
 }
+
+TEST_CASE("a common factor keeps its power") {
+  testing::ExpressionLeaves l;
+  const Ref first = l.graph.product({{l.a}, {l.b, 2}, {l.c, 2}});
+  const Ref second = l.graph.product({{l.a}, {l.b, 2}, {l.d, 2}});
+  l.expressions.values = {l.graph.sum({first, second})};
+  CHECK(texts_of(factor(l.expressions)) == std::vector<std::string>{"a*b^2*(c^2 + d^2)"});
+}
