@@ -88,7 +88,7 @@ Result<SelfCheck> checked(const CheckedModel& checked, const Program& program, d
   SelfCheck check =
       self_check(checked.model, checked.scene, program, std::max(0.02, generation / 4));
   if (check.failure.empty()) return check;
-  return {std::move(check), {{Code::E911, {}, "self-check failed: " + check.failure}}};
+  return Diagnostic{Code::E911, {}, "self-check failed: " + check.failure};
 }
 
 }  // namespace
