@@ -70,8 +70,8 @@ std::vector<FieldRecord> records_of(const Subject& subject) {
 
 /// To 50 digits of the bound; entries that are zero on paper are rounding of `scale` in 60.
 bool is_right(const Bound& entry, const cl_R& truth, const Real& scale) {
-  static const Real of_bound(cl_R("1e-50"));
-  static const Real of_scale(cl_R("1e-54"));
+  static const Real of_bound(power_of_ten(-50));
+  static const Real of_scale(power_of_ten(-54));
   const Real allowed = entry.bound * of_bound + scale * of_scale;
   const Real difference = abs(entry.value - Real(truth));
   return difference.is_defined() && difference.value() <= allowed.value();

@@ -38,7 +38,7 @@ ExactValues::ExactValues(const Subject& subject, State state)
     if (here.is_defined()) largest = max(largest, here);
     values_[{function.kind, function.user}] = entries_of(function, values);
   }
-  floor_ = largest * Real(cln::cl_R("1e-20"));
+  floor_ = largest * Real(power_of_ten(-20));
 }
 
 const std::vector<Real>& ExactValues::value(OutputKind kind, std::uint32_t user) {

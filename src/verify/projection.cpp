@@ -34,8 +34,8 @@ struct Sum {
 };
 
 bool agrees(const Sum& sum, const cl_R& truth, const Real& scale) {
-  static const Real of_bound(cl_R("1e-50"));
-  static const Real of_scale(cl_R("1e-52"));
+  static const Real of_bound(power_of_ten(-50));
+  static const Real of_scale(power_of_ten(-52));
   const Real allowed = sum.bound * of_bound + scale * of_scale;
   const Real difference = abs(sum.value - Real(truth));
   return difference.is_defined() && difference.value() <= allowed.value();

@@ -70,8 +70,8 @@ class Visit {
   }
 
   static bool equal_entries(const BoundedRun& alone, const BoundedRun& within, std::size_t first) {
-    static const Real of_bound(cln::cl_R("1e-50"));
-    static const Real of_scale(cln::cl_R("1e-54"));
+    static const Real of_bound(power_of_ten(-50));
+    static const Real of_scale(power_of_ten(-54));
     for (std::size_t i = 0; i < alone.entries.size(); ++i) {
       const Bound& entry = alone.entries[i];
       const Real difference = abs(entry.value - within.entries[first + i].value);

@@ -62,6 +62,8 @@ cl_R exact_value(double value) {
   return cln::cl_RA(significand) * cln::expt(cln::cl_RA(2), exponent - 53);
 }
 
+cl_R power_of_ten(int exponent) { return cln::expt(cln::cl_RA(10), exponent); }
+
 template <class Scalar>
 State exact_state(const Subject& subject, const Arguments<Scalar>& arguments) {
   State state = nominal_state(subject.model, subject.scene);
@@ -123,7 +125,7 @@ std::string short_text(const cl_R& value) {
   // Beyond double: the leading digit by a power of ten from the binary exponent.
   const auto exponent = static_cast<long>(cln::float_exponent(number));
   const long decimal = std::lround(std::floor(static_cast<double>(exponent) * 0.30103));
-  const cl_R scaled = value / cln::expt(cln::cl_RA(10), cln::cl_I(decimal));
+  const cl_R scaled = value / power_of_ten(static_cast<int>(decimal));
   return fmt::format("{:.3g}e{}", ScalarTraits<double>::from_real(scaled), decimal);
 }
 

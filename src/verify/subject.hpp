@@ -21,6 +21,9 @@ struct Subject {
 /// The rational a binary number is; 0 where it is none.
 [[nodiscard]] cln::cl_R exact_value(double value);
 
+/// 10^exponent. (CLN reads decimals as short floats, which underflow.)
+[[nodiscard]] cln::cl_R power_of_ten(int exponent);
+
 /// The exact state the oracle gets for binary inputs; fixed parameters stay the exact numbers they
 /// are. Scalar: double or float.
 template <class Scalar>

@@ -1,6 +1,7 @@
 // Tally: the largest of many figures, where it occurred, and how many states had none.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -13,8 +14,8 @@ class Tally {
  public:
   void add(double figure, const State& state) {
     ++samples_;
-    // Written so that a NaN becomes the worst.
-    if (worst_state_ && figure <= worst_) return;
+    // A NaN is the worst there is.
+    if (worst_state_ && (std::isnan(worst_) || figure <= worst_)) return;
     worst_ = figure;
     worst_state_ = state;
   }

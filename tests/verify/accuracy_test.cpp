@@ -1,0 +1,96 @@
+// Program against oracle: right programs keep the promise, wrong and imprecise ones are told apart.
+#include "verify/accuracy.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "verify/systems.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+template <class Scalar>
+std::vector<CertificateRow> rows_of(const System& system, std::size_t count = 16,
+                                    bool extremes = true) {
+  return check_accuracy(system.subject(),
+                        sample_states<Scalar>(system.subject(), {count, 1, extremes}));
+}
+
+const CertificateRow& row_of(const std::vector<CertificateRow>& rows, const std::string& subject) {
+  for (const CertificateRow& row : rows) {
+    if (row.subject == subject) return row;
+  }
+  FAIL("no row " << subject);
+  return rows.front();
+}
+
+template <class Scalar>
+void check_all_hold(const System& system) {
+  for (const CertificateRow& row : rows_of<Scalar>(system)) {
+    INFO(row.subject << ": " << row.worst << " at " << row.where);
+    CHECK(row.verdict == Verdict::holds);
+  }
+}
+
+/// V0 = m l g (1 - cos th) - m l g of a pendulum, where 1 - cos th is computed as it stands.
+const char* cancelling =
+    "parameters m l g\ncoordinates th\nfunction potential_energy\n"
+    "  0 = parameter m\n  1 = parameter l\n  2 = parameter g\n  3 = coordinate th\n"
+    "  4 = cos 3\n  5 = constant 1\n  6 = subtract 5 4\n  7 = multiply 0 1\n  8 = multiply 7 2\n"
+    "  9 = multiply 8 6\n  10 = subtract 9 8\n  result 1 1 = 10\n";
+
+}  // namespace
+
+TEST_CASE("a right program keeps 8 u B at ordinary and extreme states") {
+  check_all_hold<double>(cart_pole_system());
+  check_all_hold<float>(cart_pole_system());
+}
+
+TEST_CASE("there is a row per output and field, dynamics included") {
+  const auto rows = rows_of<double>(cart_pole_system(), 2, false);
+  CHECK(rows.size() == 21);
+  CHECK(row_of(rows, "forward_dynamics.relative_pivots (double)").samples == 2);
+  CHECK(row_of(rows, "dynamics.bias (double)").verdict == Verdict::holds);
+}
+
+TEST_CASE("a wrong program fails with both values and the state") {
+  for (const auto& [function, from, to] :
+       {std::tuple{"bias", "23 = add 19 20", "23 = subtract 19 20"},
+        std::tuple{"mass_matrix", "10 = add 0 1", "10 = subtract 0 1"},
+        std::tuple{"potential_energy", "= 13", "= 11"},
+        std::tuple{"drift", "13 = constant 0", "13 = constant 1/1000000000000000000"}}) {
+    const auto rows = rows_of<double>(mutated(function, from, to), 2, false);
+    const auto& row = row_of(rows, std::string(function) + " (double)");
+    CHECK(row.verdict == Verdict::fails);
+    CHECK(row.worst.find("the oracle says") != std::string::npos);
+    CHECK(row.where.find("q = (") == 0);
+  }
+}
+
+TEST_CASE("dynamics is judged by itself") {
+  const auto rows = rows_of<double>(mutated("dynamics", "= 23 22", "= 23 21"), 2, false);
+  CHECK(row_of(rows, "dynamics.bias (double)").verdict == Verdict::fails);
+  CHECK(row_of(rows, "dynamics.mass_matrix (double)").verdict == Verdict::holds);
+  CHECK(row_of(rows, "bias (double)").verdict == Verdict::holds);
+}
+
+TEST_CASE("cancellation is the physics' fault and is reported, not failed") {
+  const auto rows = rows_of<double>(system_of(pendulum().model, cancelling));
+  CHECK(row_of(rows, "potential_energy (double)").verdict == Verdict::holds);
+}
+
+TEST_CASE("overflows are reported, not failed") {
+  const auto rows = rows_of<double>(cart_pole_system(), 0);
+  const auto& row = row_of(rows, "kinetic_energy (double)");
+  CHECK(row.verdict == Verdict::holds);
+  CHECK(row.worst.find("overflow, reported") != std::string::npos);
+}
+
+TEST_CASE("states outside the domain are counted, and none inside is no success") {
+  const Model model = pendulum().V("sqrt(-1 - th^2)").model;
+  const System system = system_of(model, cancelling);
+  const auto rows = rows_of<double>(system, 4, false);
+  CHECK(rows.front().verdict == Verdict::skipped);
+  CHECK(rows.front().worst.find("4 outside the domain") != std::string::npos);
+}

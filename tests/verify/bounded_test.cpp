@@ -1,0 +1,71 @@
+// The rules of error bounds, one by one, and that they bound what rounding does.
+#include "verify/bounded.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "oracle/model_builder.hpp"
+
+using namespace elgen;
+
+namespace {
+
+using B = Bounded<double>;
+
+B leaf(const char* text) { return ScalarTraits<B>::from_real(test::exact(text)); }
+double bound(const B& x) { return ScalarTraits<double>::from_real(x.bound.value()); }
+
+}  // namespace
+
+TEST_CASE("leaves: binary numbers are exact, others are rounded") {
+  CHECK(leaf("-3/4").exact);
+  CHECK_FALSE(leaf("1/10").exact);
+  CHECK(bound(leaf("-3/4")) == 0.75);
+}
+
+TEST_CASE("sums add bounds, products multiply them") {
+  CHECK(bound(leaf("3") - leaf("2")) == 5);
+  CHECK(bound((leaf("3") - leaf("2")) * leaf("-4")) == 20);
+}
+
+TEST_CASE("quotients: (Bx + |x/y| By) / |y|") {
+  CHECK(bound((leaf("3") - leaf("2")) / leaf("-4")) == Approx((5 + 0.25 * 4) / 4));
+}
+
+TEST_CASE("functions: |f| + |f'| A, without A where the argument is exact") {
+  CHECK(bound(sin(leaf("1/2"))) == Approx(std::sin(0.5)));
+  CHECK(bound(sin(-leaf("1/2") * leaf("4"))) == Approx(std::sin(2.0)));
+  const B angle = leaf("3/4") * leaf("3");
+  CHECK_FALSE(angle.exact);
+  CHECK(bound(sin(angle)) == Approx(std::sin(2.25) + std::abs(std::cos(2.25)) * 2.25));
+  CHECK(bound(sqrt(leaf("1") + leaf("3"))) == Approx(2 + 4.0 / 4));
+  CHECK(bound(atan2(leaf("1") + leaf("2"), leaf("4"))) == Approx(std::atan2(3, 4) + 3.0 * 4 / 25));
+}
+
+TEST_CASE("the second order matters at large angles") {
+  const B angle = leaf("1000000000000001") * leaf("3");
+  const double a = 3e15;
+  CHECK(bound(sin(angle)) > 0.5 * 0x1p-53 * a * a);
+}
+
+TEST_CASE("what may underflow carries the smallest denormal along") {
+  const B tiny = leaf("1e-300") * leaf("1e-300");
+  CHECK(bound(tiny) >= 0x1p-1074 / 0x1p-53);
+  CHECK(bound(tiny / leaf("1e-300")) > 1e-9);
+}
+
+TEST_CASE("dividing by what is uncertain loses the bound, also for what follows") {
+  const B difference = leaf("3000000000000001") * leaf("3") - leaf("9000000000000000");
+  CHECK_FALSE(difference.lost);
+  CHECK((leaf("1") / difference).lost);
+  CHECK((leaf("2") + leaf("1") / difference).lost);
+  CHECK(sqrt(difference).lost);
+  CHECK_FALSE((leaf("1") / leaf("3")).lost);
+}
+
+TEST_CASE("float bounds speak of float's rounding") {
+  using F = Bounded<float>;
+  const F x = ScalarTraits<F>::from_real(cln::cl_R("16777217"));
+  CHECK_FALSE(x.exact);
+  CHECK(leaf("16777217").exact);
+}

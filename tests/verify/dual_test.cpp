@@ -1,0 +1,65 @@
+// Dual numbers: derivatives of every function against differences in 64 digits, and nested ones.
+#include "verify/dual.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "elgen/functions.hpp"
+
+using namespace elgen;
+
+namespace {
+
+Real real(const char* text) { return Real(cln::cl_R(text)); }
+
+/// |x - y| as a double.
+double apart(const Real& x, const Real& y) {
+  return ScalarTraits<double>::from_real(abs(x - y).value());
+}
+
+}  // namespace
+
+TEST_CASE("the slope of every smooth function is its derivative") {
+  const Real x = real("3/7");
+  const Real y = real("5/4");
+  const Real h = real("1/100000000000000000000");
+  for (const FunctionRow& row : function_table) {
+    if (row.use == FunctionUse::forces) continue;
+    INFO(row.name);
+    const Dual<Real> dual = interpreter::call<Dual<Real>>(row.id, {x, Real(1)}, {y, Real()});
+    const Real right = interpreter::call(row.id, x + h, y);
+    const Real left = interpreter::call(row.id, x - h, y);
+    // Central differences are off by h^2/6 f''' = 1e-40 times a third derivative below 100.
+    CHECK(apart(dual.slope, (right - left) / (h + h)) < 1e-38);
+    CHECK(apart(dual.value, interpreter::call(row.id, x, y)) == 0);
+  }
+}
+
+TEST_CASE("atan2 has a slope in its second argument") {
+  // d/dx atan2(y, x) = -y / (x^2 + y^2) at (3, 4)
+  const Dual<Real> angle = atan2(Dual<Real>{real("3"), Real()}, Dual<Real>{real("4"), Real(1)});
+  CHECK(apart(angle.slope, real("-3/25")) < 1e-60);
+}
+
+TEST_CASE("products, quotients and roots follow the rules of Leibniz") {
+  const Dual<Real> x{real("4"), Real(1)};
+  const Dual<Real> three = ScalarTraits<Dual<Real>>::from_real(3);
+  CHECK(apart((x * x - three).slope, real("8")) < 1e-60);
+  CHECK(apart((three / x).slope, real("-3/16")) < 1e-60);
+  CHECK(apart((-sqrt(x)).slope, real("-1/4")) < 1e-60);
+}
+
+TEST_CASE("nested duals give second derivatives") {
+  const Dual<Real> inner{real("2"), Real(1)};
+  const Dual<Dual<Real>> x{inner, {Real(1), Real()}};
+  CHECK(apart((x * x * x).slope.slope, real("12")) < 1e-60);
+  CHECK(apart(sin(x).slope.slope, -sin(real("2"))) < 1e-60);
+}
+
+TEST_CASE("moving arguments carry point and direction") {
+  const Arguments<Real> point{.q = {real("1")}, .v = {real("2")}, .t = real("3")};
+  const Arguments<Real> direction{.q = {real("4")}, .v = {real("5")}, .t = real("6")};
+  const Arguments<Dual<Real>> moved = moving(point, direction);
+  CHECK(apart(moved.q[0].slope, real("4")) == 0);
+  CHECK(apart(moved.v[0].value, real("2")) == 0);
+  CHECK(apart(moved.t.slope, real("6")) == 0);
+}

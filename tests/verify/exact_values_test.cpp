@@ -1,0 +1,62 @@
+// Values, slopes and curvatures of a program at one state.
+#include "verify/exact_values.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "verify/balance.hpp"
+#include "verify/systems.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+double number(const Real& x) { return ScalarTraits<double>::from_real(x.value()); }
+
+ExactValues at(const System& system) {
+  State state = nominal_state(system.model, system.scene);
+  state.q = {cln::cl_R(2), cln::cl_R(0)};
+  state.v = {cln::cl_R(3), cln::cl_R(4)};
+  return {system.subject(), state};
+}
+
+}  // namespace
+
+TEST_CASE("values are the program's") {
+  const System system = cart_pole_system();
+  ExactValues values = at(system);
+  CHECK(number(values.value(OutputKind::mass_matrix)[0]) == 1.1);
+  CHECK(number(values.value(OutputKind::user_value)[1]) == 0.5);
+  CHECK(number(values.floor()) > 1e-20);
+}
+
+TEST_CASE("what the program lacks is the oracle's, undefined where it has none") {
+  const System system = cart_pole_system();
+  ExactValues values = at(system);
+  CHECK(number(values.value(OutputKind::applied_force)[0]) == 0);
+  const System singular = system_of(pendulum().parameter("z", "0").T("1/z").model, "");
+  ExactValues none(singular.subject(), nominal_state(singular.model, singular.scene));
+  CHECK_FALSE(none.value(OutputKind::kinetic_energy)[0].is_defined());
+}
+
+TEST_CASE("slopes and curvatures are along the direction") {
+  const System system = cart_pole_system();
+  const ExactValues values = at(system);
+  Arguments<Real> direction = values.at_rest();
+  direction.q[1] = Real(2);
+  // tip = (x + l sin th, l cos th) at th = 0: slopes (2 l, 0), curvatures (0, -4 l)
+  const auto slopes = values.slopes(OutputKind::user_value, direction);
+  CHECK(number(slopes[0]) == 1);
+  CHECK(number(slopes[1]) == 0);
+  const auto curvatures = values.curvatures(OutputKind::user_value, direction);
+  CHECK(number(curvatures[0]) == 0);
+  CHECK(number(curvatures[1]) == -2);
+}
+
+TEST_CASE("functions can be evaluated elsewhere") {
+  const System system = cart_pole_system();
+  const ExactValues values = at(system);
+  Arguments<Real> moved = values.arguments();
+  moved.v = {Real(5), Real(0)};
+  CHECK(number(values.value_at(OutputKind::dissipation, moved)[0]) == 1.5);
+}

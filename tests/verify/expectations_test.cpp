@@ -1,0 +1,109 @@
+// [[expect]]: right closed forms hold, wrong ones are pointed at with a witness.
+#include "verify/expectations.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "verify/systems.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+/// A builder's model with one expectation, each entry with a span of its own.
+System expecting(ModelBuilder builder, const std::string& output, std::uint32_t columns,
+                 const std::vector<std::string>& entries) {
+  Expectation expectation;
+  expectation.output = output;
+  expectation.columns = columns;
+  expectation.rows = static_cast<std::uint32_t>(entries.size()) / columns;
+  for (std::uint32_t i = 0; i < entries.size(); ++i) {
+    expectation.entries.push_back(builder.expression(entries[i]));
+    expectation.spans.push_back({nullptr, 10 * i, 10 * i + 1});
+  }
+  builder.model.expectations.push_back(expectation);
+  return system_of(builder.model, "");
+}
+
+ExpectationReport report_of(const System& system) {
+  return check_expectations(system.subject(), 1);
+}
+
+void check_holds(const System& system) {
+  const ExpectationReport report = report_of(system);
+  CHECK(report.diagnostics.empty());
+  CHECK_FALSE(report.rows.empty());
+  for (const CertificateRow& row : report.rows) {
+    INFO(row.subject << ": " << row.worst);
+    CHECK(row.verdict == Verdict::holds);
+    CHECK(row.samples == 64);
+    CHECK(row.tolerance.find("sampled at 64 points to 50 digits") != std::string::npos);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("right closed forms hold, zeros included") {
+  check_holds(
+      expecting(cart_pole(), "mass_matrix", 2, {"M + m", "m*l*cos(th)", "m*l*cos(th)", "m*l^2"}));
+  check_holds(expecting(cart_pole(), "velocity_force", 1, {"-m*l*sin(th)*th_d^2", "0"}));
+  check_holds(expecting(cart_pole(), "input_matrix", 1, {"1", "0"}));
+  check_holds(expecting(pendulum(), "velocity_force", 1, {"0"}));
+  check_holds(expecting(pendulum(), "forward_dynamics", 1, {"-g/l*sin(th)"}));
+}
+
+TEST_CASE("a wrong entry is pointed at, with both values and their difference") {
+  const auto report = report_of(
+      expecting(cart_pole(), "mass_matrix", 2, {"M + m", "m*l*cos(th)", "m*l*sin(th)", "m*l^2"}));
+  REQUIRE(report.diagnostics.size() == 1);
+  const Diagnostic& diagnostic = report.diagnostics.front();
+  CHECK(diagnostic.code == Code::E510);
+  CHECK(diagnostic.span.begin == 20);
+  CHECK(diagnostic.message.find("mass_matrix[2,1] is ") == 0);
+  CHECK(diagnostic.message.find(" as derived, ") != std::string::npos);
+  CHECK(diagnostic.message.find("q = (") != std::string::npos);
+  CHECK(report.rows[2].verdict == Verdict::fails);
+  CHECK(report.rows[3].verdict == Verdict::holds);
+}
+
+TEST_CASE("a difference in the fortieth digit is a difference") {
+  const auto report = report_of(expecting(pendulum(), "mass_matrix", 1, {"m*l^2*(1 + 1e-40)"}));
+  CHECK(report.diagnostics.size() == 1);
+}
+
+TEST_CASE("parameters vary too, so a form that holds for their values alone is wrong") {
+  // m = 2, l = 3/4
+  CHECK(report_of(expecting(pendulum(), "mass_matrix", 1, {"9/8"})).diagnostics.size() == 1);
+}
+
+TEST_CASE("conserved quantities: the energy is one, the angle is not") {
+  check_holds(expecting(pendulum(), "conserved", 1, {"m*l^2*th_d^2/2 - m*g*l*cos(th)"}));
+  check_holds(expecting(cart_pole(), "conserved", 1, {"(M + m)*x_d + m*l*cos(th)*th_d"}));
+  const auto report = report_of(expecting(pendulum(), "conserved", 1, {"th"}));
+  REQUIRE(report.diagnostics.size() == 1);
+  CHECK(report.diagnostics.front().code == Code::E510);
+  CHECK(report.diagnostics.front().message.find("its rate is ") == 0);
+}
+
+TEST_CASE("declared damping breaks conservation") {
+  ModelBuilder builder = pendulum();
+  builder.D("th_d^2/2");
+  const auto report =
+      report_of(expecting(builder, "conserved", 1, {"m*l^2*th_d^2/2 - m*g*l*cos(th)"}));
+  CHECK(report.diagnostics.size() == 1);
+}
+
+TEST_CASE("a form that is undefined everywhere is skipped, not held") {
+  const auto report = report_of(expecting(pendulum(), "mass_matrix", 1, {"sqrt(-1 - th^2)"}));
+  CHECK(report.rows.front().verdict == Verdict::skipped);
+  CHECK(report.rows.front().worst.find("64 outside the domain") != std::string::npos);
+}
+
+TEST_CASE("outputs of the model are expected under their names") {
+  const Model model = cart_pole_model();
+  CHECK(expected_request(model, "tip")->kind == OutputKind::user_value);
+  CHECK(expected_request(model, "tip_jacobian")->kind == OutputKind::user_jacobian);
+  CHECK(expected_request(model, "tip_bias")->kind == OutputKind::user_bias);
+  CHECK(expected_request(model, "bias")->kind == OutputKind::bias);
+  CHECK_FALSE(expected_request(model, "nothing"));
+}

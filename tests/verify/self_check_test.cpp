@@ -1,0 +1,72 @@
+// The check before every write: right programs pass, every kind of mistake is named.
+#include <catch2/catch.hpp>
+
+#include "elgen/certificate.hpp"
+#include "verify/systems.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+SelfCheck check(const System& system, double seconds = 0) {
+  return self_check(system.model, system.scene, system.program, seconds);
+}
+
+}  // namespace
+
+TEST_CASE("a right program passes, at two states at least") {
+  const SelfCheck result = check(cart_pole_system());
+  CHECK(result.failure.empty());
+  CHECK(result.states == 2);
+  CHECK(result.worst > 0);
+  CHECK(result.worst <= 8);
+}
+
+TEST_CASE("more time means more states, up to 32") {
+  CHECK(check(cart_pole_system(), 1e9).states == 32);
+}
+
+TEST_CASE("a mistake in any function is found and the function named") {
+  for (const auto& [function, from, to] :
+       {std::tuple{"mass_matrix", "= 10 11 11 12", "= 10 11 9 12"},
+        std::tuple{"coriolis_matrix", "= 17 18 17 17", "= 17 16 17 17"},
+        std::tuple{"velocity_force", "= 19 17", "= 18 17"},
+        std::tuple{"gravity", "= 16 15", "= 16 14"},
+        std::tuple{"potential_energy", "= 13", "= 11"},
+        std::tuple{"drift", "= 13 13", "= 13 0"},
+        std::tuple{"dissipation", "= 20 17", "= 17 20"},
+        std::tuple{"bias", "23 = add 19 20", "23 = subtract 19 20"},
+        std::tuple{"momentum", "29 = add 27 28", "29 = subtract 27 28"},
+        std::tuple{"kinetic_energy", "34 = multiply 33 32", "34 = add 33 32"},
+        std::tuple{"total_energy", "36 = add 34 35", "36 = subtract 34 35"},
+        std::tuple{"energy_function", "36 = add 34 35", "36 = subtract 34 35"},
+        std::tuple{"input_matrix", "= 14 13", "= 13 14"},
+        std::tuple{"inverse_dynamics", "33 = add 32 22", "33 = add 32 21"},
+        std::tuple{"forward_dynamics", "25 = subtract 24 23", "25 = add 24 23"},
+        std::tuple{"forward_dynamics", "36 = divide 28 12", "36 = divide 28 10"},
+        std::tuple{"tip", "= 14 15", "= 15 14"},
+        std::tuple{"tip_jacobian", "= 13 15 14 17", "= 13 15 14 16"},
+        std::tuple{"tip_bias", "= 17 19", "= 17 18"},
+        std::tuple{"dynamics", "= 23 22", "= 23 21"}}) {
+    INFO(function);
+    const SelfCheck result = check(mutated(function, from, to));
+    CHECK(result.failure.find("`" + std::string(function) + "`: ") == 0);
+    CHECK(result.failure.find("q = (") != std::string::npos);
+  }
+}
+
+TEST_CASE("a model without a value anywhere is no success") {
+  const System system = system_of(pendulum().model,
+                                  "parameters m l g\ncoordinates th\nfunction bias\n"
+                                  "  0 = constant -1\n  1 = square_root 0\n  result 1 1 = 1\n");
+  CHECK(check(system).failure.find("no output has a value") == 0);
+}
+
+TEST_CASE("nothing to check is nothing wrong") {
+  CHECK(check(system_of(pendulum().model, "")).failure.empty());
+}
+
+TEST_CASE("the receipt says what was done, and by which measure") {
+  CHECK(receipt({32, 2.13, ""}) == "checked 32 states against 60 digits: 2.1 uB (own bound)");
+}

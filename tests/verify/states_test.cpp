@@ -1,0 +1,106 @@
+// Sampled states: deterministic, within the ranges, with the extremes.
+#include "verify/states.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "verify/systems.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+template <class Scalar>
+std::size_t count(const std::vector<SampledState<Scalar>>& states, Region region) {
+  return static_cast<std::size_t>(std::count_if(
+      states.begin(), states.end(), [region](const auto& s) { return s.region == region; }));
+}
+
+template <class Scalar>
+const SampledState<Scalar>& named(const std::vector<SampledState<Scalar>>& states,
+                                  const std::string& name) {
+  const auto found =
+      std::find_if(states.begin(), states.end(), [&](const auto& s) { return s.name == name; });
+  REQUIRE(found != states.end());
+  return *found;
+}
+
+}  // namespace
+
+TEST_CASE("half are nominal, a quarter small, a quarter large") {
+  const System system = cart_pole_system();
+  const auto states = sample_states<double>(system.subject(), {64, 1, false});
+  CHECK(states.size() == 64);
+  CHECK(count(states, Region::nominal) == 32);
+  CHECK(count(states, Region::small) == 16);
+  CHECK(count(states, Region::large) == 16);
+}
+
+TEST_CASE("a seed names the same states every time") {
+  const System system = cart_pole_system();
+  const auto first = sample_states<double>(system.subject(), {8, 5, true});
+  const auto again = sample_states<double>(system.subject(), {8, 5, true});
+  const auto other = sample_states<double>(system.subject(), {8, 6, true});
+  REQUIRE(first.size() == again.size());
+  for (std::size_t i = 0; i < first.size(); ++i) CHECK(first[i].values.q == again[i].values.q);
+  CHECK(first[0].values.q != other[0].values.q);
+}
+
+TEST_CASE("nominal states keep to the declared ranges, or to the usual ones") {
+  System system = cart_pole_system();
+  system.model.coordinates[0].range = Interval{cln::cl_R(2), cln::cl_R(3)};
+  system.model.inputs[0].limits = Interval{cln::cl_R(-1), cln::cl_R(0)};
+  double widest_angle = 0;
+  for (const auto& state : sample_states<double>(system.subject(), {200, 1, false})) {
+    if (state.region != Region::nominal) continue;
+    REQUIRE((state.values.q[0] >= 2 && state.values.q[0] < 3));
+    REQUIRE(std::abs(state.values.q[1]) <= 3.1416);
+    REQUIRE((state.values.u[0] >= -1 && state.values.u[0] < 0));
+    REQUIRE(std::abs(state.values.v[0]) <= 10);
+    REQUIRE(state.values.parameters[1] == 0.1);
+    widest_angle = std::fmax(widest_angle, std::abs(state.values.q[1]));
+  }
+  CHECK(widest_angle > 3);
+}
+
+TEST_CASE("small and large states have the magnitudes they promise") {
+  const System system = cart_pole_system();
+  for (const auto& state : sample_states<double>(system.subject(), {100, 1, false})) {
+    const double v = std::abs(state.values.v[1]);
+    if (state.region == Region::small) REQUIRE((v > 0.9e-12 && v < 1e-3));
+    if (state.region == Region::large) REQUIRE((v > 0.7e-8 && v < 1.4e8));
+  }
+}
+
+TEST_CASE("the extremes are there, each extreme in one thing") {
+  System system = cart_pole_system();
+  system.model.coordinates[0].range = Interval{cln::cl_R(-2), cln::cl_R(3)};
+  const auto states = sample_states<double>(system.subject(), {0, 1, true});
+  CHECK(named(states, "origin").values.q == std::vector<double>{0, 0});
+  CHECK(named(states, "low ends of ranges").values.q[0] == -2);
+  CHECK(named(states, "high ends of ranges").values.v[0] == 10);
+  CHECK(std::abs(named(states, "angles 1e+15").values.q[1]) == 1e15);
+  CHECK(std::abs(named(states, "angles 1e+15").values.q[0]) <= 3);
+  CHECK(std::abs(named(states, "rates 1e+300").values.v[0]) == 1e300);
+  const auto& ratios = named(states, "parameter ratios 1e+12").values.parameters;
+  CHECK(ratios[0] == 1e12);
+  CHECK(ratios[1] == 0.1);
+  const double distance = named(states, "angles 1e-15 from 1.57").values.q[1] - 1.5707963267948966;
+  CHECK((distance != 0 && std::abs(distance) < 1e-14));
+}
+
+TEST_CASE("the extremes of float are its own") {
+  const System system = cart_pole_system();
+  const auto states = sample_states<float>(system.subject(), {0, 1, true});
+  for (const auto& state : states) {
+    for (const float v : state.values.v) REQUIRE(std::isfinite(v));
+  }
+  const float denormal = std::numeric_limits<float>::denorm_min();
+  const bool reached = std::any_of(states.begin(), states.end(), [&](const auto& s) {
+    return std::abs(s.values.q[1]) == denormal;
+  });
+  CHECK(reached);
+}

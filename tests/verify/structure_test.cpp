@@ -1,0 +1,117 @@
+// Every structural row holds for a right program, and a mutation of the program turns it red.
+#include "verify/structure.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "verify/states.hpp"
+#include "verify/systems.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+std::vector<CertificateRow> rows_of(const System& system) {
+  std::vector<State> states;
+  for (const auto& sample : sample_states<double>(system.subject(), {8, 1, false})) {
+    if (sample.region == Region::nominal) {
+      states.push_back(exact_state(system.subject(), sample.values));
+    }
+  }
+  return check_structure(system.subject(), states);
+}
+
+Verdict verdict_of(const System& system, const std::string& check) {
+  for (const CertificateRow& row : rows_of(system)) {
+    if (row.check == check) return row.verdict;
+  }
+  FAIL("no row " << check);
+  return Verdict::skipped;
+}
+
+struct Mutation {
+  std::string check;
+  std::string function;
+  std::string from;
+  std::string to;
+};
+
+const std::vector<Mutation> mutations{
+    {"mass matrix symmetric", "mass_matrix", "= 10 11 11 12", "= 10 11 9 12"},
+    {"mass matrix positive definite", "mass_matrix", "10 = add 0 1", "10 = subtract 1 0"},
+    {"rate of M less 2 C skew", "coriolis_matrix", "= 17 18 17 17", "= 17 16 17 17"},
+    {"power balance", "forward_dynamics", "25 = subtract 24 23", "25 = add 24 23"},
+    {"inverse of forward dynamics", "inverse_dynamics", "29 = add 28 23", "29 = subtract 28 23"},
+    {"momentum gradient", "momentum", "29 = add 27 28", "29 = subtract 27 28"},
+    {"energy gradient", "energy_function", "34 = multiply 33 32", "34 = multiply 33 30"},
+    {"momentum from energies", "kinetic_energy", "34 = multiply 33 32", "34 = add 33 32"},
+    {"gravity from potential", "gravity", "= 16 15", "= 16 14"},
+    {"velocity force from C", "velocity_force", "= 19 17", "= 18 17"},
+    {"bias from parts", "bias", "23 = add 19 20", "23 = subtract 19 20"},
+    {"inverse dynamics from parts", "inverse_dynamics", "33 = add 32 22", "33 = add 32 21"},
+    {"Jacobian by dual numbers", "tip_jacobian", "= 13 15 14 17", "= 13 15 14 16"},
+    {"output bias by dual numbers", "tip_bias", "= 17 19", "= 17 18"},
+};
+
+}  // namespace
+
+TEST_CASE("all identities hold for a right program") {
+  const auto rows = rows_of(cart_pole_system());
+  CHECK(rows.size() == mutations.size());
+  for (const CertificateRow& row : rows) {
+    INFO(row.check << ": " << row.worst);
+    CHECK(row.verdict == Verdict::holds);
+    CHECK(row.samples == 4);
+  }
+}
+
+TEST_CASE("each structural row turns red under a mutation of the program") {
+  for (const Mutation& mutation : mutations) {
+    INFO(mutation.check);
+    const System system = mutated(mutation.function, mutation.from, mutation.to);
+    CHECK(verdict_of(system, mutation.check) == Verdict::fails);
+  }
+}
+
+TEST_CASE("rows of outputs that the program lacks are absent") {
+  System system = cart_pole_system();
+  system.program.functions.resize(1);
+  CHECK(rows_of(system).size() == 2);
+}
+
+TEST_CASE("a chart that is singular everywhere is skipped with words, not failed") {
+  const System system = system_of(pendulum().model,
+                                  "parameters m l g\ncoordinates th\nfunction mass_matrix\n"
+                                  "  0 = constant 0\n  result 1 1 = 0\n");
+  for (const CertificateRow& row : rows_of(system)) {
+    if (row.check != "mass matrix positive definite") continue;
+    CHECK(row.verdict == Verdict::skipped);
+    CHECK(row.worst.find("4 singular") != std::string::npos);
+  }
+}
+
+TEST_CASE("power balance counts explicit time") {
+  ModelBuilder builder = rotating_hoop("W*t");
+  builder.model.uses_time = true;
+  const std::string head =
+      "parameters m R g W\ncoordinates th\ntime\n"
+      "function momentum\n  0 = parameter m\n  1 = parameter R\n  2 = velocity th\n"
+      "  3 = multiply 1 1\n  4 = multiply 0 3\n  5 = multiply 4 2\n  result 1 1 = 5\n";
+  const std::string common =
+      "  0 = parameter m\n  1 = parameter R\n  2 = parameter g\n  3 = parameter W\n"
+      "  4 = coordinate th\n  5 = velocity th\n  6 = sin 4\n  7 = cos 4\n  8 = multiply 1 1\n"
+      "  9 = multiply 0 8\n  10 = multiply 3 6\n  11 = divide 2 1\n";
+  // E = 1/2 m R^2 (v^2 - W^2 s^2) - m g R c;  a = W^2 s c - g/R s
+  const std::string text =
+      head + "function energy_function\n" + common +
+      "  12 = multiply 5 5\n  13 = multiply 10 10\n  14 = subtract 12 13\n  15 = multiply 9 14\n"
+      "  16 = constant 1/2\n  17 = multiply 16 15\n  18 = multiply 9 11\n  19 = multiply 18 7\n"
+      "  20 = subtract 17 19\n  result 1 1 = 20\n"
+      "function forward_dynamics\n" +
+      common +
+      "  12 = multiply 10 3\n  13 = multiply 12 7\n  14 = multiply 11 6\n  15 = subtract 13 14\n"
+      "  16 = constant 1\n  result acceleration 1 1 = 15\n  result relative_pivots 1 1 = 16\n";
+  CHECK(verdict_of(system_of(builder.model, text), "power balance") == Verdict::holds);
+  const std::string wrong = with(text, "15 = subtract 13 14", "15 = add 13 14");
+  CHECK(verdict_of(system_of(builder.model, wrong), "power balance") == Verdict::fails);
+}

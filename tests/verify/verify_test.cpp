@@ -1,0 +1,53 @@
+// The whole certificate: its order, its options, its diagnostics, and that it is the same every
+// time.
+#include <catch2/catch.hpp>
+
+#include "elgen/certificate.hpp"
+#include "verify/systems.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+Verification quick(const System& system, std::uint64_t seed = 1) {
+  return verify(system.model, system.scene, system.program, nullptr, {4, true, seed});
+}
+
+bool has_check(const Certificate& certificate, const std::string& check) {
+  for (const CertificateRow& row : certificate.rows) {
+    if (row.check == check) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("a right program has a certificate that holds") {
+  const Verification result = quick(cart_pole_system());
+  CHECK(holds(result.certificate));
+  CHECK(result.diagnostics.empty());
+  CHECK(result.certificate.scene == "full");
+  CHECK(has_check(result.certificate, "program vs oracle"));
+  CHECK(has_check(result.certificate, "power balance"));
+  CHECK_FALSE(has_check(result.certificate, "compiled code vs program"));
+}
+
+TEST_CASE("one seed gives one text") {
+  const System system = cart_pole_system();
+  CHECK(to_text(quick(system).certificate) == to_text(quick(system).certificate));
+  CHECK(to_text(quick(system, 1).certificate) != to_text(quick(system, 2).certificate));
+}
+
+TEST_CASE("a wrong program, and a wrong expectation, do not hold") {
+  CHECK_FALSE(holds(quick(mutated("gravity", "= 16 15", "= 16 14")).certificate));
+  ModelBuilder builder = pendulum();
+  Expectation expectation;
+  expectation.output = "mass_matrix";
+  expectation.rows = expectation.columns = 1;
+  expectation.entries = {builder.expression("m*l")};
+  builder.model.expectations.push_back(expectation);
+  const Verification result = quick(system_of(builder.model, ""));
+  CHECK_FALSE(holds(result.certificate));
+  CHECK(exit_code(result.diagnostics) == ExitCode::differs);
+}
