@@ -121,6 +121,8 @@ struct FunctionEquations {
 
 /// Prints a function as named definitions and entries over them: an instruction used more than
 /// once, or that carries a name, is a definition; everything else is written out where it is used.
+/// An entry of at most 12 operations is written out over the leaves; only definitions that other
+/// entries need are listed.
 [[nodiscard]] FunctionEquations equations(const Program& program, const Function& function);
 
 /// The names under which `equations` and the emitted code know an instruction; "" where it is

@@ -3,7 +3,7 @@
 //     definitions  sin_theta = sin(theta)
 //     entries      m*l^2, -m*l*sin_theta
 //
-// An entry of at most 40 operations is written out over the leaves alone; definitions are those the
+// An entry of at most 12 operations is written out over the leaves alone; definitions are those the
 // others need.
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@
 namespace elgen {
 namespace {
 
-constexpr std::size_t longest_entry = 40;
+constexpr std::size_t longest_entry = 12;
 
 enum class Precedence : std::uint8_t { sum, product, power, atom };
 

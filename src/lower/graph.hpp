@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -93,9 +94,10 @@ class Graph {
   void sort(std::vector<Operand>& operands) const;
 
   [[nodiscard]] SignedConstant signed_constant(Ref value) const;
-  void collect(const Power& power, Factors& factors) const;
-  void merge_factors(Factors& factors) const;
+  void collect(const Power& power, Factors& factors);
+  void merge_factors(Factors& factors);
   Ref build_product(Factors factors);
+  std::optional<Term> scaled_product(NodeId id);
   Term split_coefficient(Ref term);
   Ref build_sum(const std::vector<Term>& terms, const SignedConstant& constant);
 

@@ -1,5 +1,5 @@
-// lower: EquationsOfMotion -> Program, one output at a time: import, flatten, factor, share,
-// linearise.
+// lower: EquationsOfMotion -> Program, one output at a time: import, flatten, factor, share, turn
+// signs, linearise.
 //
 // Each function is lowered with common factors pulled out of its sums and without; the cheaper is
 // kept (with, on a tie), since pulling out can undo what two sums would share.
@@ -14,6 +14,7 @@
 #include "from_ginac.hpp"
 #include "linearise.hpp"
 #include "share.hpp"
+#include "turn_signs.hpp"
 
 namespace elgen {
 namespace {
@@ -61,6 +62,7 @@ std::size_t cost_of(const Network& network, const Function& unfilled) {
 Network shared_network(const Expressions& expressions) {
   Network network = make_network(expressions);
   share(network);
+  turn_signs(network);
   return network;
 }
 

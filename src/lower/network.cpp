@@ -36,7 +36,7 @@ class Conversion {
       pending.pop_back();
       if (!converted_[id]) converted_[id] = convert_node(id);
     }
-    return {*converted_[value.node], value.negative};
+    return {*converted_[value.node], value.negative && !graph_.is_zero(value.node)};
   }
 
   Network network = {};

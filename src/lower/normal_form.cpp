@@ -5,6 +5,7 @@
 //     product:  (y - x)*x*(x - y)    -> -x*(x - y)^2 signs pulled out, equal bases merged
 //               2*pi*x/4             -> (1/2*pi)*x   constants folded into one
 #include <algorithm>
+#include <optional>
 
 #include "graph.hpp"
 
@@ -23,7 +24,7 @@ struct Graph::Term {
   NodeId node = 0;
 };
 
-void Graph::collect(const Power& power, Factors& factors) const {
+void Graph::collect(const Power& power, Factors& factors) {
   const Node& base = node(power.base.node);
   const bool is_odd = power.exponent % 2 != 0;
   if (power.base.negative && is_odd) factors.coefficient = -factors.coefficient;
@@ -36,20 +37,17 @@ void Graph::collect(const Power& power, Factors& factors) const {
     }
     return;
   }
-  // c*x is taken apart, so that coefficients meet; longer products stay whole, because they may be
-  // shared.
-  const bool is_scaled = base.kind == NodeKind::product && base.operands.size() == 2 &&
-                         is_constant(base.operands[0].node) && base.operands[1].weight == 1;
-  if (is_scaled) {
-    collect({{base.operands[0].node, false}, power.exponent}, factors);
-    collect({{base.operands[1].node, false}, power.exponent}, factors);
+  // Coefficients meet outside; what they scale stays whole, because it may be shared.
+  if (const std::optional<Term> scaled = scaled_product(power.base.node)) {
+    factors.coefficient = factors.coefficient * cln::expt(scaled->coefficient, power.exponent);
+    collect({{scaled->node, false}, power.exponent}, factors);
     return;
   }
   factors.powers.push_back({power.base.node, power.exponent});
 }
 
 /// Equal bases become one; sqrt(x)^2 becomes x, which may meet other powers of x.
-void Graph::merge_factors(Factors& factors) const {
+void Graph::merge_factors(Factors& factors) {
   std::vector<Operand>& powers = factors.powers;
   for (bool changed = true; changed;) {
     changed = false;
@@ -75,7 +73,7 @@ void Graph::merge_factors(Factors& factors) const {
         continue;
       }
       changed = true;
-      const Operand& radicand = base.operands[0];
+      const Operand radicand = base.operands[0];
       if (power.weight % 2 != 0) powers.push_back({power.node, power.weight % 2});
       collect({{radicand.node, radicand.weight < 0}, power.weight / 2}, factors);
     }
@@ -108,17 +106,23 @@ Ref Graph::product(const std::vector<Power>& powers) {
   return build_product(std::move(factors));
 }
 
-Graph::Term Graph::split_coefficient(Ref term) {
-  const Node& product = node(term.node);
-  const cln::cl_RA sign = term.negative ? -1 : 1;
+/// c and the product without it, where a product has a rational coefficient c.
+std::optional<Graph::Term> Graph::scaled_product(NodeId id) {
+  const Node& product = node(id);
   const bool is_scaled = product.kind == NodeKind::product &&
                          is_constant(product.operands[0].node) &&
                          is_rational(constant_of(product.operands[0].node));
-  if (!is_scaled) return {sign, term.node};
-  const cln::cl_RA coefficient = sign * rational_value(constant_of(product.operands[0].node));
+  if (!is_scaled) return std::nullopt;
+  const cln::cl_RA coefficient = rational_value(constant_of(product.operands[0].node));
   Factors rest;
   rest.powers.assign(product.operands.begin() + 1, product.operands.end());
-  return {coefficient, build_product(std::move(rest)).node};
+  return Term{coefficient, build_product(std::move(rest)).node};
+}
+
+Graph::Term Graph::split_coefficient(Ref term) {
+  Term result = scaled_product(term.node).value_or(Term{1, term.node});
+  if (term.negative) result.coefficient = -result.coefficient;
+  return result;
 }
 
 Ref Graph::build_sum(const std::vector<Term>& terms, const SignedConstant& constant) {

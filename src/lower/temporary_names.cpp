@@ -2,6 +2,7 @@
 //
 //     sin of a leaf, or of a sum of leaves       sin_theta, cos_q1_q2, sin_q1_minus_q2
 //     an instruction that has a name             that name
+//     a sum of leaves used more than once        sum_q1_q2
 //     used more than once, or too long to read   t_4f2a9: a hash of what it computes
 //
 // The hash covers leaves, constants and operations, not positions, so a change elsewhere leaves it
@@ -23,6 +24,7 @@ namespace {
 
 /// Longer expressions are broken up, so that a line stays readable.
 constexpr std::size_t longest_expression = 12;
+constexpr std::size_t longest_name = 40;
 constexpr int shortest_hash = 5;
 
 /// Names the emitted functions use themselves, beside the functions of the language.
@@ -89,11 +91,13 @@ class Naming {
     if (i.opcode == Opcode::negate) return "";
     if (const auto angle = angle_name(i)) return unique(*angle);
     if (!function_.names[at].empty()) return unique(function_.names[at]);
-    if (uses_[at] > 1 || size > longest_expression) return hash_name(hashes_[at]);
-    return "";
+    if (uses_[at] <= 1 && size <= longest_expression) return "";
+    const std::optional<std::string> sum = leaf_sum(at);
+    return sum ? unique("sum_" + *sum) : hash_name(hashes_[at]);
   }
 
-  /// "sin_theta", "cos_q1_minus_q2"; nothing where the argument is no sum of leaves.
+  /// "sin_theta", "cos_q1_minus_q2"; nothing where the argument is no short sum of
+  /// leaves.
   std::optional<std::string> angle_name(const Instruction& i) const {
     const bool is_angle = i.opcode == Opcode::call &&
                           (i.function == FunctionId::sin || i.function == FunctionId::cos);
@@ -113,7 +117,8 @@ class Naming {
     const std::optional<std::string> left = leaf_sum(i.a);
     const std::optional<std::string> right = leaf_sum(i.b);
     if (!left || !right) return std::nullopt;
-    return *left + (i.opcode == Opcode::add ? "_" : "_minus_") + *right;
+    const std::string name = *left + (i.opcode == Opcode::add ? "_" : "_minus_") + *right;
+    return name.size() <= longest_name ? std::optional(name) : std::nullopt;
   }
 
   std::string unique(const std::string& wanted) {

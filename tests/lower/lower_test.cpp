@@ -65,7 +65,7 @@ const std::vector<Row> rows = {
      {"-m*(x - y)^2"}},
     {"a common coefficient is pulled out",
      [](const Leaves& s) { return std::vector<ex>{2 * s.y - 2 * s.x}; },
-     {"-2*(x - y)"}},
+     {"2*(y - x)"}},
     {"half-integer powers",
      [](const Leaves& s) { return std::vector<ex>{pow(s.m, ex(3) / 2)}; },
      {"m*sqrt(m)"}},

@@ -59,6 +59,9 @@ TEST_CASE("coefficients meet, and zero swallows") {
         l.graph.product({{l.x}, {l.y}}));
   CHECK(l.graph.product({{l.times("2", l.x), -1}}) ==
         l.graph.product({{l.number("1/2")}, {l.x, -1}}));
+  const Ref pair = l.graph.product({{l.y}, {l.z}});
+  CHECK(l.graph.product({{l.times("2", pair)}, {l.times("1/2", l.x)}}) ==
+        l.graph.product({{pair}, {l.x}}));
   CHECK(l.graph.product({{l.x}, {l.number("0")}}) == l.graph.rational(0));
 }
 

@@ -44,6 +44,22 @@ TEST_CASE("sines and cosines of sums of leaves are named after them") {
   CHECK(names[10].empty());  // used once: written out
   CHECK(names[11] == "cos_t");
   CHECK(names[0].empty());
+  CHECK(names[4] == "sum_q_1_minus_q_2");
+  CHECK(names[5].empty());
+}
+
+TEST_CASE("a sum of leaves too long to spell has a hash") {
+  std::string coordinates = "coordinates";
+  std::string sums;
+  for (int i = 1; i <= 9; ++i) coordinates += fmt::format(" angle{}", i);
+  for (int i = 0; i < 9; ++i) sums += fmt::format("  {} = coordinate angle{}\n", i, i + 1);
+  for (int i = 9; i < 17; ++i) {
+    sums += fmt::format("  {} = add {} {}\n", i, i == 9 ? 0 : i - 1, i - 8);
+  }
+  const auto names = names_of(coordinates + "\nfunction bias\n" + sums +
+                              "  17 = sin 16\n  18 = cos 16\n  result 1 2 = 17 18\n");
+  CHECK(names[16].substr(0, 2) == "t_");
+  CHECK(names[17].empty());
 }
 
 TEST_CASE("a name of its own is kept unless something else is called so") {
