@@ -34,7 +34,8 @@ bool has_errors(const Diagnostics& diagnostics) {
 void sort_by_position(Diagnostics& diagnostics) {
   const auto key = [](const Diagnostic& d) {
     const bool is_file = d.span.source != nullptr && d.span.source->path != "command line";
-    const std::string_view path = d.span.source == nullptr ? "" : d.span.source->path;
+    const std::string_view path =
+        d.span.source == nullptr ? std::string_view() : std::string_view(d.span.source->path);
     return std::tuple(!is_file, path, d.span.begin, d.code, std::string_view(d.message));
   };
   std::stable_sort(

@@ -64,9 +64,11 @@ constexpr std::size_t widest_line = 160;
 Excerpt excerpt(const Span& span) {
   const LineColumn at = line_column(*span.source, span.begin);
   const std::string_view line = line_text(*span.source, at.line);
-  const std::size_t start = span.source->line_starts[at.line - 1];
-  const std::size_t begin = std::min<std::size_t>(span.begin - start, line.size());
-  const std::size_t end = std::clamp<std::size_t>(span.end - start, begin, line.size());
+  const auto start = static_cast<std::size_t>(line.data() - span.source->text.data());
+  const std::size_t begin =
+      std::min<std::size_t>(std::max<std::size_t>(span.begin, start) - start, line.size());
+  const std::size_t end =
+      std::clamp<std::size_t>(span.end, start + begin, start + line.size()) - start;
   std::size_t from = 0;
   std::size_t to = line.size();
   if (line.size() > widest_line) {

@@ -8,6 +8,9 @@ namespace elgen {
 
 namespace {
 
+/// A byte order mark is no character of the first line.
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
 bool starts_code_point(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }
 
 }  // namespace
@@ -28,7 +31,9 @@ LineColumn line_column(const SourceText& source, std::uint32_t offset) {
   offset = std::min(offset, end);
   const auto& starts = source.line_starts;
   const auto next = std::upper_bound(starts.begin(), starts.end(), offset);
-  const std::uint32_t start = *(next - 1);
+  std::uint32_t start = *(next - 1);
+  const bool is_marked = std::string_view(source.text).substr(0, 3) == byte_order_mark;
+  if (start == 0 && is_marked) start = std::min<std::uint32_t>(3, offset);
   const auto points =
       std::count_if(source.text.begin() + start, source.text.begin() + offset, starts_code_point);
   return {static_cast<std::uint32_t>(next - starts.begin()),
@@ -39,6 +44,7 @@ std::string_view line_text(const SourceText& source, std::uint32_t line) {
   const std::string_view text = source.text;
   const std::uint32_t start = source.line_starts.at(line - 1);
   std::string_view rest = text.substr(start);
+  if (start == 0 && rest.substr(0, 3) == byte_order_mark) rest.remove_prefix(3);
   rest = rest.substr(0, rest.find('\n'));
   if (!rest.empty() && rest.back() == '\r') rest.remove_suffix(1);
   return rest;

@@ -32,3 +32,11 @@ TEST_CASE("a span covers its bytes, and nothing without a source") {
   CHECK(covered_text({source.get(), 2, 4}) == "cd");
   CHECK(covered_text({}).empty());
 }
+
+TEST_CASE("a byte order mark is no column and no text of the first line") {
+  const SourcePointer source = make_source("a.toml", "\xEF\xBB\xBFx = 1\ny = 2\n");
+  CHECK(line_column(*source, 3).column == 1);
+  CHECK(line_column(*source, 5).column == 3);
+  CHECK(line_text(*source, 1) == "x = 1");
+  CHECK(line_text(*source, 2) == "y = 2");
+}
