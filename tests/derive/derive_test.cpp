@@ -3,6 +3,7 @@
 
 #include "derived.hpp"
 #include "elgen/equations_of_motion.hpp"
+#include "elgen/specialise.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
@@ -51,6 +52,18 @@ TEST_CASE("gravity alone builds nothing that moves") {
   REQUIRE(equations);
   for (const Definition& definition : equations->definitions.list) {
     CHECK((definition.depends & (on_velocities | on_accelerations)) == 0);
+  }
+}
+
+TEST_CASE("what a fixed zero multiplies disappears from the equations") {
+  SceneOptions options;
+  options.fixed = {make_source("command line", "g=0")};
+  const CheckedModel checked = checked_model(cart_pole_text(), options);
+  const Lagrangian lagrangian = specialise(*formulate(checked.model), checked.scene.specialisation);
+  const auto equations = derive(lagrangian, {request(checked, OutputKind::gravity)}, {});
+  REQUIRE(equations);
+  for (const auto& entry : equations->outputs.front().fields.front().entries) {
+    CHECK(entry.is_zero());
   }
 }
 

@@ -12,19 +12,21 @@ TEST_CASE("definitions, prescribed motions and points are ordered by need") {
   const CheckedModel checked = checked_model(model_text("ordered", R"toml(
 [[coordinate]]
 name = "x"
+[parameters]
+m = 1
 [define]
 late = "early*x(tip)"
 early = "2*phi"
 [[prescribed]]
 name = "phi"
-value = "t^2"
+value = "m*t^2"
 [[point]]
 name = "tip"
 at = ["x(base) + early", "x"]
 [[point]]
 name = "base"
 at = ["x", "0"]
-mass = "1"
+mass = "m"
 )toml"));
   std::vector<std::string> names;
   for (const Entity& entity : entities_in_order(checked.model)) {
@@ -37,7 +39,8 @@ mass = "1"
 }
 
 TEST_CASE("a long chain declared backwards is ordered without recursion") {
-  std::string text = "[[coordinate]]\nname = \"x\"\n[energy]\nT = \"dot(x)^2\"\n[define]\n";
+  std::string text =
+      "[[coordinate]]\nname = \"x\"\n[parameters]\nk = 1\n[energy]\nT = \"k*dot(x)^2\"\n[define]\n";
   for (int i = 4000; i > 0; --i) {
     text += "d" + std::to_string(i) + " = \"d" + std::to_string(i - 1) + " + 1\"\n";
   }

@@ -62,13 +62,15 @@ TEST_CASE("a division by zero that only algebra shows is reported where it stand
   const auto lagrangian = formulate(checked_model(model_text("nowhere", R"toml(
 [[coordinate]]
 name = "x"
+[parameters]
+k = 2
 [energy]
-T = "dot(x)^2/2"
-V = "1/(x + 1 - (x + 1))"
+T = "k*dot(x)^2/2"
+V = "k/(x + 1 - (x + 1))"
 )toml"))
                                         .model);
   REQUIRE_FALSE(lagrangian);
   const Diagnostic& error = lagrangian.diagnostics.front();
   CHECK(error.code == Code::E312);
-  CHECK(covered_text(error.span) == "1/(x + 1 - (x + 1))");
+  CHECK(covered_text(error.span) == "k/(x + 1 - (x + 1))");
 }

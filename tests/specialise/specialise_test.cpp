@@ -3,7 +3,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "elgen/equations_of_motion.hpp"
 #include "support/systems.hpp"
 
 using namespace elgen;
@@ -24,7 +23,6 @@ Lagrangian specialised(const std::string& text, const std::vector<std::string>& 
   return specialise(*formulate(checked.model), checked.scene.specialisation);
 }
 
-/// Definitions that an energy, force or output of the Lagrangian still reaches.
 bool mentions(const Lagrangian& lagrangian, const std::string& text) {
   return dump(lagrangian).find(text) != std::string::npos;
 }
@@ -44,17 +42,6 @@ TEST_CASE("a fixed parameter is an exact number everywhere") {
   const GiNaC::ex& q = lagrangian.symbols.q[0];
   const GiNaC::ex& theta = lagrangian.symbols.q[1];
   CHECK(bob.value.is_equal(q + GiNaC::numeric(1, 3) * sin(theta)));
-}
-
-TEST_CASE("what a fixed zero multiplies disappears from the equations") {
-  const CheckedModel checked = checked_model(cart_pole_text(), fixing({"g=0"}));
-  const Lagrangian lagrangian = specialise(*formulate(checked.model), checked.scene.specialisation);
-  const auto equations = derive(lagrangian, checked.scene.outputs, {});
-  REQUIRE(equations);
-  for (const OutputEquations& output : equations->outputs) {
-    if (output.request.kind != OutputKind::gravity) continue;
-    for (const GiNaC::ex& entry : output.fields.front().entries) CHECK(entry.is_zero());
-  }
 }
 
 TEST_CASE("every part of a Lagrangian is specialised") {

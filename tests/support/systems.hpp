@@ -96,11 +96,11 @@ at = ["r*sin(theta + phi)", "-r*cos(theta + phi)"]
 mass = "m"
 [[point]]
 name = "hook"
-at = ["r*cos(phi)", "1"]
+at = ["r*cos(phi)", "c"]
 [[body]]
 name = "wheel"
 mass = "m"
-com = ["2*r", "sin(theta)"]
+com = ["2*r", "c*sin(theta)"]
 inertia = "J"
 spin = "3*dot(theta) + dot(phi)"
 [gravity]
@@ -122,7 +122,7 @@ value = "drive*cos(r)"
 name = "pull"
 at = "hook"
 from = "bead"
-value = ["u*r - b*dot(r)", "t"]
+value = ["u*r - b*dot(r)", "e*t"]
 [[output]]
 name = "tip"
 value = ["x(bead)", "r^2*t"]

@@ -1,0 +1,122 @@
+// The whole path, in double, against published values: model text -> program -> numbers.
+//
+// Each entry is within 4 ulp of the exact value for the same binary inputs, or, where its terms
+// cancel, within 8 own bounds: u times the absolute-value evaluation along the program.
+#include <cln/dfloat.h>
+#include <cln/real.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "elgen/evaluate.hpp"
+#include "elgen/oracle.hpp"
+#include "elgen/pipeline.hpp"
+#include "parse/decimal.hpp"
+#include "verify/own_bound.hpp"
+
+using namespace elgen;
+using nlohmann::json;
+
+namespace {
+
+constexpr double largest_ulps = 4.0;
+constexpr double largest_bounds = 8.0;
+
+std::string model_text(const json& system) {
+  std::string text = "format = 1\n[model]\nname = \"reference\"\n";
+  for (const auto& name : system["coordinates"]) {
+    text += "[[coordinate]]\nname = \"" + name.get<std::string>() + "\"\n";
+    text += "[[input]]\nname = \"tau_" + name.get<std::string>() + "\"\non = \"" +
+            name.get<std::string>() + "\"\n";
+  }
+  text += "[parameters]\n";
+  for (const auto& [name, value] : system["parameters"].items()) {
+    text += name + " = \"" + value.get<std::string>() + "\"\n";
+  }
+  return text + "[energy]\nT = \"" + system["T"].get<std::string>() + "\"\nV = \"" +
+         system["V"].get<std::string>() + "\"\n";
+}
+
+cln::cl_R exact(const std::string& decimal) {
+  return parsing::decimal_value(parsing::decimal_parts(decimal));
+}
+
+cln::cl_R rational(double value) { return cln::rational(cln::cl_DF(value)); }
+
+std::vector<double> rounded(const json& decimals) {
+  std::vector<double> values;
+  for (const auto& decimal : decimals) values.push_back(std::stod(decimal.get<std::string>()));
+  return values;
+}
+
+struct BinaryState {
+  Arguments<double> arguments;
+  State state;
+};
+
+BinaryState binary_state(const Model& model, const json& given) {
+  BinaryState result;
+  Arguments<double>& x = result.arguments;
+  for (const Parameter& parameter : model.parameters) {
+    x.parameters.push_back(ScalarTraits<double>::from_real(parameter.value));
+  }
+  x.q = rounded(given["q"]);
+  x.v = rounded(given["v"]);
+  x.u = rounded(given["u"]);
+  x.a.assign(x.q.size(), 0.0);
+  const auto all = [](const std::vector<double>& values) {
+    std::vector<cln::cl_R> numbers;
+    for (const double value : values) numbers.push_back(rational(value));
+    return numbers;
+  };
+  result.state = {all(x.parameters), all(x.q), all(x.v), all(x.a), all(x.u), 0};
+  return result;
+}
+
+/// Distance from the exact value in units of the last place of its nearest double.
+double ulps(double x, const cln::cl_R& value) {
+  const double nearest = ScalarTraits<double>::from_real(value);
+  const double step = std::nextafter(std::fabs(nearest), std::numeric_limits<double>::infinity()) -
+                      std::fabs(nearest);
+  const cln::cl_R distance = cln::abs(rational(x) - value) / rational(step);
+  return ScalarTraits<double>::from_real(distance);
+}
+
+void check_state(const Products& products, const json& given) {
+  const BinaryState at = binary_state(products.checked->model, given["state"]);
+  for (const auto& [name, decimals] : given["state"]["expected"].items()) {
+    for (const Function& function : products.program->functions) {
+      if (function.name != name) continue;
+      const auto values = evaluate(*products.program, function, at.arguments);
+      const BoundedRun bounds = bounded_run<double>(*products.program, function, at.state);
+      REQUIRE(bounds.regime == Regime::regular);
+      for (std::size_t i = 0; i < decimals.size(); ++i) {
+        const double in_ulps = ulps(values[i], exact(decimals[i].get<std::string>()));
+        const double in_bounds = error_in_bounds(values[i], bounds.entries[i], 1000);
+        INFO(given["id"] << " " << name << "[" << i << "]: " << in_ulps << " ulp, " << in_bounds
+                         << " u B");
+        CHECK((in_ulps <= largest_ulps || in_bounds <= largest_bounds));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("static values of textbook systems in double") {
+  std::ifstream file(ELGEN_SOURCE_DIR "/tests/pipeline/reference_cases.json");
+  const json cases = json::parse(file);
+  REQUIRE(cases["cases"].size() == 9);
+  for (const json& system : cases["cases"]) {
+    const Inputs inputs{make_source("reference.toml", model_text(system)), nullptr};
+    const Products products = run_pipeline(inputs, {});
+    INFO(format(products.diagnostics));
+    REQUIRE(products.program);
+    for (const json& state : system["states"]) {
+      check_state(products, {{"id", system["id"]}, {"state", state}});
+    }
+  }
+}
