@@ -44,7 +44,9 @@ void add_global_options(CLI::App& app, CommandLine& line, RawOptions& raw) {
       ->check(CLI::IsMember(stage_names()));
   app.add_flag("--timings", line.global.timings, "time of every stage");
   app.add_flag("--limits", raw.list_limits, "list the limits and leave");
-  app.add_option("--limit", raw.limits, "raise or lower a limit")->type_name("NAME=VALUE");
+  app.add_option("--limit", raw.limits, "raise or lower a limit")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
 }
 
 CLI::App* add_generate(CLI::App& app, CommandLine& line, RawOptions& raw) {
@@ -56,10 +58,14 @@ CLI::App* add_generate(CLI::App& app, CommandLine& line, RawOptions& raw) {
       ->type_name("DIR")
       ->capture_default_str();
   command->add_option("--outputs", raw.outputs, "only these: mass_matrix,bias,…")
-      ->type_name("LIST");
+      ->type_name("LIST")
+      ->allow_extra_args(false);
   command->add_option("--fix", raw.fixed, "make a parameter a number: NAME, NAME=VALUE or all")
-      ->type_name("NAME[=VALUE]");
-  command->add_option("--size", raw.sizes, "override a size of the model")->type_name("NAME=N");
+      ->type_name("NAME[=VALUE]")
+      ->allow_extra_args(false);
+  command->add_option("--size", raw.sizes, "override a size of the model")
+      ->type_name("NAME=N")
+      ->allow_extra_args(false);
   command->add_flag("--check", options.check, "write nothing; exit 1 if the files differ");
   command->add_flag("--force", options.force, "overwrite files that elgen did not generate");
   command->add_flag("--list-outputs", options.list_outputs, "print the paths it would write");

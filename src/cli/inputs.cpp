@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <vector>
 
 namespace elgen::cli {
 
@@ -17,6 +18,12 @@ bool is_scene(const std::string& path) {
   static const std::string suffix = ".scene.toml";
   return path.size() > suffix.size() &&
          path.compare(path.size() - suffix.size(), suffix.size(), suffix) == 0;
+}
+
+/// Diagnostics point into sources without owning them, so sources live as long as the process.
+const SourcePointer& kept(SourcePointer source) {
+  static std::vector<SourcePointer> sources;
+  return sources.emplace_back(std::move(source));
 }
 
 const ValueSyntax* model_path(const SceneSyntax& scene) {
@@ -51,7 +58,7 @@ Result<SourcePointer> read_source(const std::string& path, const Limits& limits)
   std::ostringstream text;
   text << file.rdbuf();
   if (!file) return Diagnostic{Code::E707, {}, fmt::format("`{}` could not be read", path)};
-  return make_source(path, text.str());
+  return kept(make_source(path, text.str()));
 }
 
 Result<Inputs> read_inputs(const std::string& path, const Limits& limits) {
