@@ -2,7 +2,6 @@
 //
 // Each entry is within 4 ulp of the exact value for the same binary inputs, or, where its terms
 // cancel, within 8 own bounds: u times the absolute-value evaluation along the program.
-#include <cln/dfloat.h>
 #include <cln/real.h>
 
 #include <catch2/catch.hpp>
@@ -16,6 +15,7 @@
 #include "elgen/pipeline.hpp"
 #include "parse/decimal.hpp"
 #include "verify/own_bound.hpp"
+#include "verify/subject.hpp"
 
 using namespace elgen;
 using nlohmann::json;
@@ -44,8 +44,6 @@ cln::cl_R exact(const std::string& decimal) {
   return parsing::decimal_value(parsing::decimal_parts(decimal));
 }
 
-cln::cl_R rational(double value) { return cln::rational(cln::cl_DF(value)); }
-
 std::vector<double> rounded(const json& decimals) {
   std::vector<double> values;
   for (const auto& decimal : decimals) values.push_back(std::stod(decimal.get<std::string>()));
@@ -69,7 +67,7 @@ BinaryState binary_state(const Model& model, const json& given) {
   x.a.assign(x.q.size(), 0.0);
   const auto all = [](const std::vector<double>& values) {
     std::vector<cln::cl_R> numbers;
-    for (const double value : values) numbers.push_back(rational(value));
+    for (const double value : values) numbers.push_back(exact_value(value));
     return numbers;
   };
   result.state = {all(x.parameters), all(x.q), all(x.v), all(x.a), all(x.u), 0};
@@ -81,7 +79,7 @@ double ulps(double x, const cln::cl_R& value) {
   const double nearest = ScalarTraits<double>::from_real(value);
   const double step = std::nextafter(std::fabs(nearest), std::numeric_limits<double>::infinity()) -
                       std::fabs(nearest);
-  const cln::cl_R distance = cln::abs(rational(x) - value) / rational(step);
+  const cln::cl_R distance = cln::abs(exact_value(x) - value) / exact_value(step);
   return ScalarTraits<double>::from_real(distance);
 }
 
