@@ -20,8 +20,9 @@ struct Factors {
   Vector reciprocals;  ///< 1 / D
 };
 
-std::string named(const char* kind, const Derivation& derivation, std::size_t i) {
-  return std::string(kind) + derivation.lagrangian.leaves.coordinates[i];
+/// "acceleration_theta": the symbols of the coordinates bear their identifiers.
+std::string name_of_acceleration(const ex& coordinate) {
+  return "acceleration_" + GiNaC::ex_to<GiNaC::symbol>(coordinate).get_name();
 }
 
 ex entry(Derivation& derivation, const Factors& factors, std::size_t i, std::size_t j) {
@@ -71,7 +72,7 @@ ForwardDynamics forward_dynamics(Derivation& derivation) {
       terms.push_back(-factors.lower[k * n + i] * result.acceleration[k]);
     }
     result.acceleration[i] = define(derivation.definitions, GiNaC::add(terms),
-                                    {named("acceleration_", derivation, i), {}});
+                                    {name_of_acceleration(derivation.symbols.q[i]), {}});
   }
   for (std::size_t i = 0; i < n; ++i) {
     result.relative_pivots.push_back(factors.pivots[i] / factors.mass[i * n + i]);

@@ -52,3 +52,10 @@ TEST_CASE("the second relative pivot is det M over the product of the diagonal")
   CHECK(s.agree(solved.relative_pivots[0], 1));
   CHECK(s.agree(solved.relative_pivots[1], (m00 * m11 - m01 * m01) / (m00 * m11)));
 }
+
+TEST_CASE("accelerations are named by identifiers, for repeated coordinates too") {
+  Derived s(chain_text());
+  const auto solved = forward_dynamics(s.derivation);
+  const auto& place = s.derivation.definitions.places.at(solved.acceleration.back());
+  CHECK(s.derivation.definitions.list[place.index].name == "acceleration_q_3");
+}
