@@ -136,7 +136,8 @@ struct SineCosine {
 };
 
 SineCosine sine_cosine(const Operands& x) {
-  const int extra = std::max(0, static_cast<int>(magnitude(x[0])) + 1);
+  // The kept value tells the magnitude: asking for more digits twice would double with every level.
+  const int extra = std::max(0, static_cast<int>(magnitude(x.get(0, constant_digits))) + 1);
   const cl_R angle = x.get(0, x.digits + extra);
   if (cln::zerop(angle)) {
     return {0, 1};
@@ -227,6 +228,8 @@ cl_R arc_tangent(const cl_R& x, int digits) {
   return cln::zerop(x) ? cl_R(0) : cl_R(cln::atan(as_float(x, digits)));
 }
 
+int sign(const cl_R& x) { return cln::zerop(x) ? 0 : (cln::minusp(x) ? -1 : 1); }
+
 ConstantOutcome call(const Operands& x) {
   switch (x.node.function) {
     case FunctionId::sin:
@@ -253,7 +256,7 @@ ConstantOutcome call(const Operands& x) {
     case FunctionId::abs:
       return value(cln::abs(x[0]));
     case FunctionId::sign:
-      return value(cln::zerop(x[0]) ? 0 : (cln::minusp(x[0]) ? -1 : 1));
+      return value(sign(x[0]));
     case FunctionId::min:
       return value(cln::min(x[0], x[1]));
     case FunctionId::max:
@@ -302,6 +305,9 @@ bool is_constant_leaf(ExpressionKind kind) {
 
 ConstantOutcome evaluate_constant(const Expression& node, const OperandValue& operand, int digits) {
   ConstantOutcome outcome = dispatch(Operands{node, operand, digits});
+  if (is_zero(outcome.value)) {
+    return value(0);  // exact, also where a float became 0
+  }
   if (outcome.value && is_too_large(*outcome.value)) {
     return failure(Code::E914, is_rational(*outcome.value) ? "has more than 4096 digits"
                                                            : "is beyond 10^±10000");
@@ -321,8 +327,7 @@ std::optional<ConstantFailure> Constants::append(const std::vector<Expression>& 
     return std::nullopt;
   }
   const auto operand = [&](std::size_t i, int digits) {
-    return digits <= constant_digits ? *values_[node.operands[i]]
-                                     : at(arena, node.operands[i], digits);
+    return at(arena, node.operands[i], digits);
   };
   ConstantOutcome outcome = evaluate_constant(node, operand, constant_digits);
   values_.back() = std::move(outcome.value);
@@ -331,7 +336,7 @@ std::optional<ConstantFailure> Constants::append(const std::vector<Expression>& 
 
 cl_R Constants::at(const std::vector<Expression>& arena, ExpressionId id, int digits) const {
   const Expression& node = arena[id];
-  if (is_rational(*values_[id])) {
+  if (digits <= constant_digits || is_rational(*values_[id])) {
     return *values_[id];
   }
   const auto operand = [&](std::size_t i, int more) { return at(arena, node.operands[i], more); };

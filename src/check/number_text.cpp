@@ -46,6 +46,9 @@ std::string float_text(const cln::cl_R& value) {
 }  // namespace
 
 std::string number_text(const cln::cl_R& value) {
+  if (cln::zerop(value)) {
+    return "0";
+  }
   if (!cln:: instanceof (value, cln::cl_RA_ring)) {
     return float_text(value);
   }

@@ -67,8 +67,9 @@ bool Resolver::has_arity(const ExpressionSyntax& call, std::size_t arity) {
   if (call.operands.size() == arity) {
     return true;
   }
+  const std::size_t count = call.operands.size();
   context_.report.add(Code::E309, call.span,
-                      std::to_string(call.operands.size()) + " arguments, but " +
+                      std::to_string(count) + (count == 1 ? " argument" : " arguments") + ", but " +
                           quoted(call.text) + " takes " + std::to_string(arity));
   return false;
 }

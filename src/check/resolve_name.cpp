@@ -87,10 +87,12 @@ std::optional<std::uint32_t> Resolver::element(const ExpressionSyntax& name, con
   }
   const auto found = symbol.elements.find(*index);
   if (found == symbol.elements.end()) {
+    const std::string element = name.text + "[" + std::to_string(*index) + "]";
+    const bool says_so = covered_text(name.span) == element;
     context_.report.add(Code::E207, name.span,
-                        quoted(name.span) + " is " +
-                            quoted(name.text + "[" + std::to_string(*index) + "]") + ", but " +
-                            elements_of(name.text, symbol));
+                        (says_so ? "there is no " + quoted(element)
+                                 : quoted(name.span) + " is " + quoted(element)) +
+                            (says_so ? ": " : ", but ") + elements_of(name.text, symbol));
     return std::nullopt;
   }
   return found->second;

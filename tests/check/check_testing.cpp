@@ -44,8 +44,7 @@ Result<CheckedModel> run_check(const std::string& model, const Wanted& wanted) {
   options.fixed = as_options(wanted.fixed);
   options.sizes = as_options(wanted.sizes);
   options.large_expectations = wanted.large_expectations;
-  Result<CheckedModel> result =
-      check(*syntax, scene ? &*scene : nullptr, options, wanted.limits);
+  Result<CheckedModel> result = check(*syntax, scene ? &*scene : nullptr, options, wanted.limits);
   // Spans of errors outlive this function.
   static std::vector<SourcePointer> alive;
   alive.push_back(syntax->source);

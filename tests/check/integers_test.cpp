@@ -38,8 +38,14 @@ RangeSyntax range(const std::string& index, const std::string& low, const std::s
 
 TEST_CASE("index expressions are integer arithmetic") {
   const std::vector<std::pair<std::string, std::string>> rows{
-      {"3", "3"},          {"i", "2"},       {"n-i", "2"},      {"2*n+1", "9"},
-      {"-i", "-2"},        {"max(i, n)", "4"}, {"min(i, n)", "2"}, {"i*i*n - 1", "15"},
+      {"3", "3"},
+      {"i", "2"},
+      {"n-i", "2"},
+      {"2*n+1", "9"},
+      {"-i", "-2"},
+      {"max(i, n)", "4"},
+      {"min(i, n)", "2"},
+      {"i*i*n - 1", "15"},
       {"n/2", "E318 1 `n/2` is not integer arithmetic over sizes and indices"},
       {"1/2", "E318 1 `1/2` is not integer arithmetic over sizes and indices"},
       {"0.5", "E318 1 `0.5` is not integer arithmetic over sizes and indices"},
@@ -70,11 +76,10 @@ TEST_CASE("repetitions run the last index fastest; later bounds may use earlier 
   Scope scope(sizes);
   Report report;
   std::string order;
-  const bool complete =
-      repeat({range("a", "1", "n-1"), range("b", "a", "2")}, scope, report, [&] {
-        order += std::to_string(*scope.find("a")) + std::to_string(*scope.find("b")) + " ";
-        return true;
-      });
+  const bool complete = repeat({range("a", "1", "n-1"), range("b", "a", "2")}, scope, report, [&] {
+    order += std::to_string(*scope.find("a")) + std::to_string(*scope.find("b")) + " ";
+    return true;
+  });
   // a = 3 leaves b no element.
   CHECK_FALSE(complete);
   CHECK(order == "11 12 22 ");

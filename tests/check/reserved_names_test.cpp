@@ -8,9 +8,9 @@ namespace {
 
 TEST_CASE("names with another meaning are reserved") {
   for (const char* name :
-       {"t", "pi", "sin", "atan2", "max", "sqrt", "dot", "sum", "delta", "v2", "dist2", "double",
-        "class", "and", "xor_eq", "co_await", "I", "M_PI", "NAN", "INFINITY", "HUGE_VAL", "FP_NAN",
-        "errno", "linux", "a__b", "isnan"}) {
+       {"t",   "pi",       "sin",      "atan2",  "max",   "sqrt",   "dot",      "sum",  "delta",
+        "v2",  "dist2",    "double",   "class",  "and",   "xor_eq", "co_await", "I",    "M_PI",
+        "NAN", "INFINITY", "HUGE_VAL", "FP_NAN", "errno", "linux",  "a__b",     "isnan"}) {
     INFO(name);
     CHECK_FALSE(reserved_reason(name).empty());
   }
@@ -19,8 +19,8 @@ TEST_CASE("names with another meaning are reserved") {
 }
 
 TEST_CASE("usual names of mechanics are free") {
-  for (const char* name : {"M", "g", "x", "y", "z", "m", "J", "C", "e", "q", "u", "theta", "tau",
-                           "gamma", "T", "V", "L", "D", "a_b", "Ix", "std"}) {
+  for (const char* name : {"M",     "g",   "x",     "y", "z", "m", "J", "C",   "e",  "q",  "u",
+                           "theta", "tau", "gamma", "T", "V", "L", "D", "a_b", "Ix", "std"}) {
     INFO(name);
     CHECK(reserved_reason(name).empty());
   }

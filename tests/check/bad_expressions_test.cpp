@@ -1,0 +1,147 @@
+// Every row of tests/parse/bad_expressions.tsv that parses: the code and column, or the value to 20
+// digits, within 1 s and 256 MiB.
+#include <cln/cln.h>
+#include <sys/resource.h>
+
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <map>
+#include <sstream>
+
+#include "check/constants.hpp"
+#include "check/number_text.hpp"
+#include "check_testing.hpp"
+
+namespace elgen::test {
+namespace {
+
+struct Row {
+  std::string input;
+  std::string stage;
+  std::string answer;
+  std::string column;
+  std::string value;
+};
+
+/// `\xHH`, and `\<N*text>` with # for the number of the repeat.
+std::string expanded(const std::string& input) {
+  std::string result;
+  for (std::size_t i = 0; i < input.size();) {
+    if (input.compare(i, 2, "\\<") != 0) {
+      result += input[i++];
+      continue;
+    }
+    const std::size_t star = input.find('*', i);
+    const std::size_t end = input.find('>', i);
+    const std::string text = input.substr(star + 1, end - star - 1);
+    const std::size_t hash = text.find('#');
+    for (int n = 0; n < std::stoi(input.substr(i + 2)); ++n) {
+      result += hash == std::string::npos
+                    ? text
+                    : text.substr(0, hash) + std::to_string(n) + text.substr(hash + 1);
+    }
+    i = end + 1;
+  }
+  return result;
+}
+
+std::vector<Row> rows_of_stage(const std::string& stage) {
+  std::istringstream file(file_text("tests/parse/bad_expressions.tsv"));
+  std::vector<Row> rows;
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream fields(line);
+    std::string category;
+    Row row;
+    std::getline(fields, category, '\t');
+    std::getline(fields, row.input, '\t');
+    std::getline(fields, row.stage, '\t');
+    std::getline(fields, row.answer, '\t');
+    std::getline(fields, row.column, '\t');
+    std::getline(fields, row.value, '\t');
+    if (row.stage == stage) rows.push_back(row);
+  }
+  return rows;
+}
+
+/// A model whose only force is still to be filled in.
+ModelSyntax model_with_force(const ExpressionSyntax& value) {
+  std::string text = "format = 1\n[model]\nname = \"hostile\"\n";
+  std::string energy;
+  for (const char* name : {"x", "y", "z", "q", "a", "b", "c", "d"}) {
+    text += "[[coordinate]]\nname = \"" + std::string(name) + "\"\n";
+    energy += (energy.empty() ? "" : " + ") + ("dot(" + std::string(name) + ")^2");
+  }
+  text += "[[force]]\non = \"x\"\nvalue = \"0\"\n[energy]\nT = \"" + energy + "\"\n";
+  static const SourcePointer source = make_source("hostile.toml", text);
+  ModelSyntax syntax = *parse_model(source, {});
+  for (EntrySyntax& entry : syntax.entries) {
+    for (KeySyntax& key : entry.keys) {
+      if (entry.name == "force" && key.key == "value") key.value.expression = value;
+    }
+  }
+  return syntax;
+}
+
+/// The value of an expression at the state of the table, to that many digits.
+cln::cl_R value_at_state(const Model& model, ExpressionId id, int digits) {
+  static const std::map<std::string, cln::cl_RA> state{
+      {"x", cln::cl_RA(3) / 4}, {"y", cln::cl_RA(5) / 4}, {"z", cln::cl_RA(-1) / 2},
+      {"q", cln::cl_RA(3) / 8}, {"a", cln::cl_RA(3) / 2}, {"b", cln::cl_RA(-1) / 4},
+      {"c", cln::cl_RA(5) / 8}, {"d", cln::cl_RA(9) / 4}};
+  const Expression& node = model.expressions[id];
+  if (node.kind == ExpressionKind::coordinate) {
+    return state.at(model.coordinates[node.index].name);
+  }
+  const auto operand = [&](std::size_t i, int more) {
+    return value_at_state(model, node.operands[i], more);
+  };
+  const auto outcome = checking::evaluate_constant(node, operand, digits);
+  REQUIRE(outcome.value);
+  return *outcome.value;
+}
+
+void check_value(const CheckedModel& result, const std::string& expected) {
+  const cln::cl_R value =
+      value_at_state(result.model, result.model.forces.front().value.front(), 60);
+  std::string plain = expected;
+  const std::size_t e = plain.find("e+");
+  if (e != std::string::npos) plain.erase(e + 1, 1);
+  const auto literal = parse_expression(make_source("value", plain), {});
+  REQUIRE(literal);
+  const ExpressionSyntax& number =
+      literal->kind == SyntaxKind::negate ? literal->operands.front() : *literal;
+  const cln::cl_RA exact = literal->kind == SyntaxKind::negate ? -number.value : number.value;
+  INFO(checking::number_text(value));
+  // The table rounds to 20 digits: half a unit of the last.
+  CHECK(cln::abs(value - exact) <= cln::abs(exact) * cln::expt(cln::cl_RA(10), -19) / 2);
+}
+
+TEST_CASE("hostile expressions that parse are answered as the table says") {
+  const std::vector<Row> rows = rows_of_stage("check");
+  REQUIRE(rows.size() == 100);
+  for (const Row& row : rows) {
+    INFO(row.input);
+    const SourcePointer source = make_source("force", expanded(row.input));
+    const auto begin = std::chrono::steady_clock::now();
+    const auto expression = parse_expression(source, {});
+    REQUIRE(expression);
+    const auto result = check(model_with_force(*expression), nullptr, {}, {});
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    CHECK(seconds.count() < 1.0);
+    if (row.answer == "accepted") {
+      REQUIRE(result);
+      check_value(*result, row.value);
+      continue;
+    }
+    REQUIRE_FALSE(result.diagnostics.empty());
+    const Diagnostic& first = result.diagnostics.front();
+    CHECK(code_row(first.code).name == row.answer);
+    CHECK(std::to_string(line_column(*source, first.span.begin).column) == row.column);
+  }
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  CHECK(usage.ru_maxrss < 256 * 1024);
+}
+
+}  // namespace
+}  // namespace elgen::test

@@ -1,0 +1,120 @@
+// Constants: exact where they can be, right where they are large, refused where they have no value.
+#include "check/constants.hpp"
+
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <utility>
+
+#include "check/number_text.hpp"
+#include "check_testing.hpp"
+
+namespace elgen::checking {
+namespace {
+
+using test::block;
+using test::checked;
+using test::messages;
+
+/// The value of a parameter given by this text.
+std::string value_of(const std::string& text) {
+  const Model model = checked(block("[define]\none = \"1\"\n[parameters.c]\nvalue = \"" + text +
+                                    "\"\nunit = \"1\"\n"))
+                          .model;
+  return number_text(model.parameters.back().value);
+}
+
+TEST_CASE("rational constants stay exact") {
+  const std::vector<std::pair<std::string, std::string>> rows{
+      {"0.1", "1/10"},        {"1/3 + 1/6", "1/2"}, {"2^-3", "1/8"},      {"sqrt(4/9)", "2/3"},
+      {"8^(2/3)", "4"},       {"(-2)^3", "-8"},     {"1e16+1-1e16", "1"}, {"abs(-3)", "3"},
+      {"min(2, 1/3)", "1/3"}, {"sign(-7)", "-1"},   {"exp(0)", "1"},      {"log(1)", "0"},
+      {"sin(0)", "0"},        {"cos(0)", "1"},      {"atan2(0, 2)", "0"}, {"tanh(0)", "0"},
+      {"asin(0)", "0"},
+  };
+  for (const auto& [text, value] : rows) {
+    INFO(text);
+    CHECK(value_of(text) == value);
+  }
+}
+
+TEST_CASE("functions of constants are good to 100 digits") {
+  // 30 digits from tables of these constants.
+  const std::vector<std::pair<std::string, std::string>> rows{
+      {"pi", "3.14159265358979323846264338328e0"},
+      {"exp(1)", "2.71828182845904523536028747135e0"},
+      {"sqrt(2)", "1.41421356237309504880168872421e0"},
+      {"log(2)", "6.93147180559945309417232121458e-1"},
+      {"4*atan(1)", "3.14159265358979323846264338328e0"},
+      {"2*asin(1)", "3.14159265358979323846264338328e0"},
+      {"acos(-1)", "3.14159265358979323846264338328e0"},
+      {"atan2(1, -1)", "2.35619449019234492884698253746e0"},
+      {"sinh(1)", "1.17520119364380145688238185060e0"},
+      {"cosh(1)", "1.54308063481524377847790562076e0"},
+      {"tanh(1)", "7.61594155955764888119458282605e-1"},
+      {"tan(1)", "1.55740772465490223050697480746e0"},
+      {"exp(1e-20)-1", "1.00000000000000000000500000000e-20"},
+  };
+  for (const auto& [text, value] : rows) {
+    INFO(text);
+    CHECK(value_of(text) == value);
+  }
+}
+
+TEST_CASE("the precision of trigonometry follows the magnitude of the angle") {
+  CHECK(value_of("sin(1e15)").substr(0, 20) == "8.582727931702358355");
+  CHECK(value_of("sin(10^30)").substr(0, 21) == "-9.011690191213805803");
+  CHECK(value_of("sin(1e300)").substr(0, 21) == "-9.857504251603769966");
+  // sin(2 pi k + 1/2): the angle itself is known to as many digits as its size asks for.
+  CHECK(value_of("sin(2e30*pi + 1/2) - sin(1/2)") == "0");
+}
+
+TEST_CASE("what cancels is an exact zero, so that division by it is found") {
+  for (const char* zero : {"sin(pi)", "cos(pi/2)", "sqrt(2)^2 - 2", "4*atan(1) - pi"}) {
+    INFO(zero);
+    CHECK(messages(block("V = \"x/(" + std::string(zero) + ")\"\n")).substr(0, 4) == "E312");
+  }
+}
+
+TEST_CASE("constants without a value are found where they are written") {
+  const std::vector<std::pair<std::string, std::string>> rows{
+      {"1/0", "E312 12:8 `0` is zero"},
+      {"m/0", "E312 12:8 `0` is zero"},
+      {"0^(-1)", "E312 12:6 `0` is zero"},
+      {"0^0", "E313 12:6 `0^0` has no value"},
+      {"log(0)", "E313 12:6 `log(0)` has no value"},
+      {"m*tan(pi/2)", "E313 12:8 `tan(pi/2)` has no value"},
+      {"atan2(0, 0)", "E313 12:6 `atan2(0, 0)` has no value"},
+      {"log(-1)", "E314 12:6 `log(-1)` is not a real number"},
+      {"sqrt(-2)", "E314 12:6 `sqrt(-2)` is not a real number"},
+      {"(-8)^(1/3)", "E314 12:6 `(-8)^(1/3)` is not a real number"},
+      {"asin(2)", "E314 12:6 `asin(2)` is not a real number"},
+      {"acos(1.0000000001)", "E314 12:6 `acos(1.0000000001)` is not a real number"},
+      {"exp(1e30)", "E914 12:6 `exp(1e30)` is beyond 10^±10000"},
+      {"exp(exp(exp(10)))", "E914 12:6 `exp(exp(exp(10)))` is beyond 10^±10000"},
+      {"cosh(1e9)", "E914 12:6 `cosh(1e9)` is beyond 10^±10000"},
+      {"((1e300+1)^16)", "E914 12:6 `((1e300+1)^16)` has more than 4096 digits"},
+      {"((10^64)^64)^64", "E914 12:6 `((10^64)^64)` has more than 4096 digits"},
+  };
+  for (const auto& [text, error] : rows) {
+    INFO(text);
+    CHECK(messages(block("V = \"" + text + "\"\n")) == error + "\n");
+  }
+}
+
+TEST_CASE("values at the very end of a domain are in it") {
+  CHECK(value_of("asin(sqrt(2)/2*sqrt(2))").substr(0, 20) == "1.570796326794896619");
+  CHECK(value_of("acos(1)") == "0");
+}
+
+TEST_CASE("nested angles cost no more than their depth") {
+  std::string text = "1";
+  for (int i = 0; i < 60; ++i) text = "sin(1e9*" + text + ")";
+  const auto begin = std::chrono::steady_clock::now();
+  CHECK(messages(block("V = \"k*x^2*" + text + "\"\n")).empty());
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  // Re-evaluating every level twice would take 2^60 steps.
+  CHECK(seconds.count() < 5.0);
+}
+
+}  // namespace
+}  // namespace elgen::checking
