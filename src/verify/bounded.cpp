@@ -2,6 +2,7 @@
 #include "bounded.hpp"
 
 #include <limits>
+#include <optional>
 
 namespace elgen {
 namespace {
@@ -66,6 +67,27 @@ Real argument_part(FunctionId function, const Bound& x, const Bound& y, bool in_
 
 bool is_kinked(FunctionId function) { return function_row(function).use == FunctionUse::forces; }
 
+/// The value of an exponential function so far out that 64 digits do not tell it from its limit;
+/// the exponent of exp(1e300) would leave even CLN's range. Infinite limits are beyond the overflow
+/// threshold.
+std::optional<Real> limit_value(FunctionId function, const Real& x, const Rounding& rounding) {
+  static const Real far(cln::cl_R(1 << 20));
+  if (!is_less(far, abs(x))) return std::nullopt;
+  const Real infinite = rounding.largest * Real(32);
+  switch (function) {
+    case FunctionId::exp:
+      return cln::plusp(x.value()) ? infinite : Real();
+    case FunctionId::sinh:
+      return sign(x) * infinite;
+    case FunctionId::cosh:
+      return infinite;
+    case FunctionId::tanh:
+      return sign(x);
+    default:
+      return std::nullopt;
+  }
+}
+
 /// abs, min and max pass an operand on; sign is 1 in magnitude.
 Bound kinked(FunctionId function, const Bound& x, const Bound& y) {
   const Bound f{interpreter::call(function, x.value, y.value), max(x.bound, y.bound), false,
@@ -123,6 +145,9 @@ Bound root(const Bound& x, const Rounding& rounding) {
 Bound function_bound(FunctionId function, const Bound& x, const Bound& y,
                      const Rounding& rounding) {
   if (is_kinked(function)) return kinked(function, x, y);
+  if (const auto limit = limit_value(function, x.value, rounding)) {
+    return inherit(computed(*limit, abs(*limit), rounding), x, y);
+  }
   const Real value = interpreter::call(function, x.value, y.value);
   Real bound = abs(value) + argument_part(function, x, y, true, rounding);
   if (function_row(function).arity == 2) {

@@ -69,3 +69,13 @@ TEST_CASE("float bounds speak of float's rounding") {
   CHECK_FALSE(x.exact);
   CHECK(leaf("16777217").exact);
 }
+
+TEST_CASE("exponentials far out take their limits") {
+  const B far = leaf("1e300");
+  CHECK(bound(tanh(-far)) == 1);
+  CHECK(cln::minusp(tanh(-far).value.value()));
+  CHECK(cln::zerop(exp(-far).value.value()));
+  for (const B& infinite : {exp(far), cosh(far), sinh(far), -sinh(-far)}) {
+    CHECK(infinite.value.value() > rounding<double>().largest.value());
+  }
+}

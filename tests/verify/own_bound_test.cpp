@@ -41,6 +41,14 @@ TEST_CASE("each regime is told") {
   CHECK(run_at<double>(next, 3).regime == Regime::ill_conditioned);
 }
 
+TEST_CASE("what leaves every exponent is an overflow too") {
+  const Program program = program_of(
+      "coordinates x\nfunction bias\n  0 = coordinate x\n  1 = exp 0\n  result 1 1 = 1\n");
+  State state;
+  state.q = {exact_value(1e300)};
+  CHECK(bounded_run<double>(program, program.functions.front(), state).regime == Regime::overflow);
+}
+
 TEST_CASE("entries are exact to 64 digits, and the largest intermediate is known") {
   const BoundedRun run = run_at<double>(3, 2);
   CHECK(ScalarTraits<double>::from_real(run.entries.at(0).value.value()) == 3);
