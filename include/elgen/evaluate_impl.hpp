@@ -1,4 +1,4 @@
-// Implementation of evaluate.hpp: the interpreter loop and the scalar type Real of at least 60
+// Implementation of evaluate.hpp, which alone includes it: the interpreter loop and the scalar type Real of at least 60
 // digits.
 //
 // A scalar type of your own works after specialising ScalarTraits (from_real) and declaring the
@@ -12,8 +12,6 @@
 #include <string>
 #include <type_traits>
 #include <vector>
-
-#include "elgen/evaluate.hpp"
 
 namespace elgen {
 

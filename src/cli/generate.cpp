@@ -193,8 +193,9 @@ ExitCode list(const GenerateOptions& options, const std::vector<Job>& jobs) {
 
 ExitCode print_headers(const std::vector<Job>& jobs) {
   for (const Job& job : jobs) {
-    const auto paths = emitted_paths(job.scene());
-    fmt::print("{}", job.products.files->files.at(paths.front()));
+    for (const auto& [name, text] : job.products.files->files) {
+      if (fs::path(name).extension() == ".hpp") fmt::print("{}", text);
+    }
   }
   return ExitCode::success;
 }

@@ -48,7 +48,7 @@ TEST_CASE("a changed model makes its output stale: the difference and the remedy
   CHECK(outcome.status == 1);
   const std::string text = outcome.output + outcome.errors;
   CHECK(mentions(text, "generated/cart_pole/cart_pole.hpp"));
-  CHECK(mentions(text, "\n@@"));
+  CHECK(mentions(text, "\n  @@"));
   CHECK(mentions(text, "elgen generate cart_pole.toml"));
 }
 

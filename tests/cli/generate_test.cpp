@@ -48,16 +48,10 @@ TEST_CASE("--depfile names what the output depends on, in the language of make")
       shell("elgen generate -q -o out --depfile out.d models/scenes/balance.scene.toml",
             workspace.path());
   REQUIRE(outcome.status == 0);
-  const std::string text = read_text(workspace.path() / "out.d");
-  INFO(text);
-  const std::size_t colon = text.find(':');
-  REQUIRE(colon != std::string::npos);
-  const std::string targets = text.substr(0, colon);
-  const std::string sources = text.substr(colon);
-  CHECK(mentions(targets, "out/cart_pole_balance/cart_pole_balance.hpp"));
-  CHECK(mentions(targets, "out/cart_pole_balance/cart_pole_balance.equations.json"));
-  CHECK(mentions(sources, "models/cart_pole.toml"));
-  CHECK(mentions(sources, "models/scenes/balance.scene.toml"));
+  const std::string stem = "out/cart_pole_balance/cart_pole_balance";
+  const std::string sources = ": models/cart_pole.toml models/scenes/balance.scene.toml\n";
+  CHECK(read_text(workspace.path() / "out.d") ==
+        stem + ".equations.json" + sources + stem + ".hpp" + sources);
 }
 
 TEST_CASE("options that would change the model's own output are refused without -o") {

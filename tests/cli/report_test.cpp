@@ -18,15 +18,14 @@ Outcome run(const std::string& command) {
 
 }  // namespace
 
-TEST_CASE("diagnostics as JSON carry code, place and message") {
+TEST_CASE("a diagnostic as JSON is one line with code, place and message") {
   const Outcome outcome = run("elgen --format json generate " + broken + "/near_miss_name.toml");
   CHECK(outcome.status == 2);
   const nlohmann::json parsed = nlohmann::json::parse(outcome.errors);
-  REQUIRE(parsed.is_array());
-  REQUIRE(parsed.size() == 1);
-  CHECK(parsed[0]["code"] == "E201");
-  CHECK(parsed[0]["line"] == 27);
-  CHECK(parsed[0]["column"] == 20);
+  CHECK(parsed["code"] == "E201");
+  CHECK(parsed["severity"] == "error");
+  CHECK(parsed["position"]["line"] == 27);
+  CHECK(parsed["position"]["column"] == 20);
 }
 
 TEST_CASE("colour on request, and never on a pipe without it") {

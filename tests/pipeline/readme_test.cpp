@@ -92,7 +92,7 @@ TEST_CASE("the README's mistake gives the README's message") {
   model.replace(model.find("cos(theta)"), 10, "cos(tehta)");
   write_text(workspace.path() / "pendulum.toml", model);
   const Outcome outcome = shell("elgen generate pendulum.toml", workspace.path());
-  CHECK(outcome.errors == block("```\n"));
+  CHECK(outcome.errors == block("```text\n"));
 }
 
 TEST_CASE("every option of the command line is in the README") {
