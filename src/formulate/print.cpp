@@ -1,9 +1,8 @@
-// Sorted printing. The strings are for people; nothing reads them back.
+// Sorted, signed printing. The strings are for people; nothing reads them back.
 #include "formulate/print.hpp"
 
 #include <algorithm>
 #include <sstream>
-#include <vector>
 
 namespace elgen {
 
@@ -17,47 +16,88 @@ std::string plain(const ex& value) {
   return text.str();
 }
 
-bool needs_brackets(const ex& value) {
-  return GiNaC::is_a<GiNaC::add>(value) || GiNaC::is_a<GiNaC::mul>(value) ||
-         (GiNaC::is_a<GiNaC::numeric>(value) && !value.info(GiNaC::info_flags::nonnegint));
-}
+bool is_positive_integer(const ex& value) { return value.info(GiNaC::info_flags::posint); }
 
 }  // namespace
 
-std::string ExpressionPrinter::joined(const ex& value, const char* separator) const {
-  std::vector<std::string> parts;
-  for (std::size_t i = 0; i < value.nops(); ++i) {
-    const ex part = value.op(i);
-    const bool bracketed = GiNaC::is_a<GiNaC::add>(part) && GiNaC::is_a<GiNaC::mul>(value);
-    parts.push_back(bracketed ? "(" + (*this)(part) + ")" : (*this)(part));
-  }
-  std::sort(parts.begin(), parts.end());
-  std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : separator) + part;
-  return text;
+std::string ExpressionPrinter::operator()(const ex& value) const {
+  const Signed printed = print(value);
+  if (!printed.negative) return printed.text;
+  return GiNaC::is_a<GiNaC::add>(value) ? "-(" + printed.text + ")" : "-" + printed.text;
 }
 
-std::string ExpressionPrinter::operator()(const ex& value) const {
+ExpressionPrinter::Signed ExpressionPrinter::print(const ex& value) const {
   if (GiNaC::is_a<GiNaC::symbol>(value)) {
     const SymbolPlace& at = definitions_.places.at(value);
-    return at.is_definition ? "d" + std::to_string(at.index) : plain(value);
+    return {false, at.is_definition ? "d" + std::to_string(at.index) : plain(value)};
   }
-  if (GiNaC::is_a<GiNaC::add>(value)) return joined(value, " + ");
-  if (GiNaC::is_a<GiNaC::mul>(value)) return joined(value, "*");
-  if (GiNaC::is_a<GiNaC::power>(value)) {
-    const std::string base = (*this)(value.op(0));
-    const std::string exponent = (*this)(value.op(1));
-    return (needs_brackets(value.op(0)) ? "(" + base + ")" : base) + "^" +
-           (needs_brackets(value.op(1)) ? "(" + exponent + ")" : exponent);
+  if (GiNaC::is_a<GiNaC::numeric>(value)) {
+    const bool negative = value.info(GiNaC::info_flags::negative);
+    return {negative, plain(negative ? -value : value)};
   }
-  if (GiNaC::is_a<GiNaC::function>(value)) {
-    std::string text = GiNaC::ex_to<GiNaC::function>(value).get_name() + "(";
-    for (std::size_t i = 0; i < value.nops(); ++i) {
-      text += (i == 0 ? "" : ", ") + (*this)(value.op(i));
-    }
-    return text + ")";
+  if (GiNaC::is_a<GiNaC::add>(value)) return sum(value);
+  if (GiNaC::is_a<GiNaC::mul>(value)) return product(value);
+  if (GiNaC::is_a<GiNaC::power>(value)) return power(value);
+  if (GiNaC::is_a<GiNaC::function>(value)) return function(value);
+  return {false, plain(value)};
+}
+
+std::vector<ExpressionPrinter::Signed> ExpressionPrinter::sorted(const ex& value,
+                                                                 bool as_factors) const {
+  std::vector<Signed> parts;
+  for (std::size_t i = 0; i < value.nops(); ++i) {
+    parts.push_back(as_factors ? factor(value.op(i)) : print(value.op(i)));
   }
-  return plain(value);
+  std::sort(parts.begin(), parts.end(),
+            [](const Signed& left, const Signed& right) { return left.text < right.text; });
+  return parts;
+}
+
+/// The first term is positive; where it is not, the sum is printed as its negative.
+ExpressionPrinter::Signed ExpressionPrinter::sum(const ex& value) const {
+  const std::vector<Signed> terms = sorted(value, false);
+  const bool negative = terms.front().negative;
+  std::string text = terms.front().text;
+  for (std::size_t i = 1; i < terms.size(); ++i) {
+    text += (terms[i].negative == negative ? " + " : " - ") + terms[i].text;
+  }
+  return {negative, text};
+}
+
+ExpressionPrinter::Signed ExpressionPrinter::product(const ex& value) const {
+  Signed result;
+  for (const Signed& part : sorted(value, true)) {
+    result.negative = result.negative != part.negative;
+    if (part.text == "1") continue;
+    result.text += (result.text.empty() ? "" : "*") + part.text;
+  }
+  return result;
+}
+
+ExpressionPrinter::Signed ExpressionPrinter::factor(const ex& value) const {
+  Signed printed = print(value);
+  if (GiNaC::is_a<GiNaC::add>(value)) printed.text = "(" + printed.text + ")";
+  return printed;
+}
+
+ExpressionPrinter::Signed ExpressionPrinter::power(const ex& value) const {
+  const ex exponent = value.op(1);
+  Signed base = factor(value.op(0));
+  if (base.negative && !exponent.info(GiNaC::info_flags::integer)) {
+    base = {false, "(-" + base.text + ")"};
+  }
+  const std::string raised = (*this)(exponent);
+  const bool negative = base.negative && exponent.info(GiNaC::info_flags::odd);
+  return {negative,
+          base.text + "^" + (is_positive_integer(exponent) ? raised : "(" + raised + ")")};
+}
+
+ExpressionPrinter::Signed ExpressionPrinter::function(const ex& value) const {
+  std::string text = GiNaC::ex_to<GiNaC::function>(value).get_name() + "(";
+  for (std::size_t i = 0; i < value.nops(); ++i) {
+    text += (i == 0 ? "" : ", ") + (*this)(value.op(i));
+  }
+  return {false, text + ")"};
 }
 
 std::string dump(const Definitions& definitions) {

@@ -1,7 +1,9 @@
-// GiNaC expressions as text with terms and factors sorted, so that two runs print the same.
+// GiNaC expressions as text with terms and factors sorted and signs in one place, so that two runs
+// print the same although GiNaC orders by address.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "elgen/lagrangian.hpp"
 
@@ -15,7 +17,19 @@ class ExpressionPrinter {
   [[nodiscard]] std::string operator()(const GiNaC::ex& value) const;
 
  private:
-  [[nodiscard]] std::string joined(const GiNaC::ex& value, const char* separator) const;
+  /// Text up to its sign; GiNaC moves signs in and out of sums.
+  struct Signed {
+    bool negative = false;
+    std::string text;
+  };
+
+  [[nodiscard]] Signed print(const GiNaC::ex& value) const;
+  [[nodiscard]] Signed sum(const GiNaC::ex& value) const;
+  [[nodiscard]] Signed product(const GiNaC::ex& value) const;
+  [[nodiscard]] Signed power(const GiNaC::ex& value) const;
+  [[nodiscard]] Signed function(const GiNaC::ex& value) const;
+  [[nodiscard]] Signed factor(const GiNaC::ex& value) const;
+  [[nodiscard]] std::vector<Signed> sorted(const GiNaC::ex& value, bool as_factors) const;
 
   const Definitions& definitions_;
 };

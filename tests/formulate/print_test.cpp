@@ -20,3 +20,20 @@ TEST_CASE("terms and factors are sorted, powers and functions bracketed") {
   CHECK(print(atan2(x, a)) == "atan2(x, a)");
   CHECK(dump(definitions) == "d0 = b*sin(x)    ; p\n");
 }
+
+TEST_CASE("signs stand in one place, wherever GiNaC keeps them") {
+  Definitions definitions;
+  const GiNaC::realsymbol a("a"), b("b"), k("k");
+  for (const GiNaC::ex& leaf : std::vector<GiNaC::ex>{a, b, k}) {
+    add_leaf(definitions, leaf, on_coordinates);
+  }
+  const ExpressionPrinter print(definitions);
+  CHECK(print((a - b) * k) == "(a - b)*k");
+  CHECK(print((b - a) * k) == "-(a - b)*k");
+  CHECK(print(pow(b - a, 2) * k) == "(a - b)^2*k");
+  CHECK(print(pow(b - a, 3)) == "-(a - b)^3");
+  CHECK(print(sqrt(b - a)) == "(-(a - b))^(1/2)");
+  CHECK(print(b - a) == "-(a - b)");
+  CHECK(print(-k / 2) == "-1/2*k");
+  CHECK(print(sin(b - a)) == "sin(-(a - b))");
+}
