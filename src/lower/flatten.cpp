@@ -6,8 +6,8 @@ namespace {
 
 class Flattening {
  public:
-  explicit Flattening(const Expressions& expressions)
-      : uses_(use_counts(expressions.graph, expressions.values)) {}
+  Flattening(const Expressions& expressions, Flattened which)
+      : uses_(use_counts(expressions.graph, expressions.values)), which_(which) {}
 
   Ref operator()(Graph& graph, const RebuildStep& step) const {
     const NodeKind kind = step.old_graph.node(step.old_node).kind;
@@ -17,10 +17,12 @@ class Flattening {
   }
 
  private:
-  /// Used once, and still of its user's kind after its own renewal.
+  /// Of its user's kind, still so after its own renewal, and used once.
   bool is_spliced(const Graph& graph, const RebuildStep& step, const Operand& operand) const {
     const NodeKind kind = step.old_graph.node(step.old_node).kind;
-    return uses_[operand.node] == 1 && step.old_graph.node(operand.node).kind == kind &&
+    const bool is_wanted = uses_[operand.node] == 1 ||
+                           (which_ == Flattened::all_products && kind == NodeKind::product);
+    return is_wanted && step.old_graph.node(operand.node).kind == kind &&
            graph.node(step.renewed[operand.node].node).kind == kind;
   }
 
@@ -44,25 +46,27 @@ class Flattening {
     bool negative = false;
     for (const Operand& operand : step.old_graph.node(step.old_node).operands) {
       const Ref renewed = step.renewed[operand.node];
-      if (operand.weight != 1 || !is_spliced(graph, step, operand)) {
+      const bool is_power = operand.weight != 1 && which_ == Flattened::used_once;
+      if (is_power || !is_spliced(graph, step, operand)) {
         factors.push_back({renewed, operand.weight});
         continue;
       }
-      negative = negative != renewed.negative;
+      negative = negative != (renewed.negative && operand.weight % 2 != 0);
       for (const Operand& factor : graph.node(renewed.node).operands) {
-        factors.push_back({{factor.node, false}, factor.weight});
+        factors.push_back({{factor.node, false}, factor.weight * operand.weight});
       }
     }
     return with_sign(graph.product(factors), negative);
   }
 
   std::vector<std::uint32_t> uses_;
+  Flattened which_;
 };
 
 }  // namespace
 
-Expressions flatten(const Expressions& expressions) {
-  return rebuild(expressions, Flattening(expressions));
+Expressions flatten(const Expressions& expressions, Flattened which) {
+  return rebuild(expressions, Flattening(expressions, which));
 }
 
 }  // namespace elgen

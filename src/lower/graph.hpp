@@ -99,6 +99,9 @@ class Graph {
   Ref build_product(Factors factors);
   std::optional<Term> scaled_product(NodeId id);
   Term split_coefficient(Ref term);
+  [[nodiscard]] std::size_t squared_sine(NodeId id) const;
+  bool join_squares(std::vector<Term>& terms);
+  static void merge_terms(std::vector<Term>& terms);
   Ref build_sum(const std::vector<Term>& terms, const SignedConstant& constant);
 
   std::vector<Node> nodes_;

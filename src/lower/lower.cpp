@@ -1,8 +1,9 @@
 // lower: EquationsOfMotion -> Program, one output at a time: import, flatten, factor, share, turn
 // signs, linearise.
 //
-// Each function is lowered with common factors pulled out of its sums and without; the cheaper is
-// kept (with, on a tie), since pulling out can undo what two sums would share.
+// Pulling common factors out of sums saves products but can undo what two sums would share, and
+// writing products out lets factors meet but takes shared ones apart. So each function is lowered
+// in several of these forms, and the cheapest is kept (the first on a tie).
 #include "elgen/lower.hpp"
 
 #include <fmt/core.h>
@@ -18,6 +19,9 @@
 
 namespace elgen {
 namespace {
+
+/// Larger graphs are not tried with all products written out, which takes them longest.
+constexpr std::size_t maximal_nodes_written_out = 20'000;
 
 /// `dynamics` holds what depends on q, v and t alone.
 bool belongs_to_dynamics(const OutputEquations& output) {
@@ -52,26 +56,37 @@ std::vector<Field> fields_of(const OutputRequest& request, const ImportedOutputs
   return fields;
 }
 
-std::size_t cost_of(const Network& network, const Function& unfilled) {
+struct Candidate {
+  Network network = {};
+  std::size_t cost = 0;
+};
+
+Candidate candidate(const Expressions& expressions, const Function& unfilled) {
+  Candidate result{make_network(expressions)};
+  share(result.network);
+  turn_signs(result.network);
   Program scratch;
   Function function = unfilled;
-  linearise(network, scratch, function);
-  return cost(count_operations(function));
+  linearise(result.network, scratch, function);
+  result.cost = cost(count_operations(function));
+  return result;
 }
 
-Network shared_network(const Expressions& expressions) {
-  Network network = make_network(expressions);
-  share(network);
-  turn_signs(network);
-  return network;
-}
+/// Factoring takes sums apart, so that their terms can meet in one sum, which may factor again.
+Expressions factored(const Expressions& flat) { return factor(flatten(factor(flat))); }
 
 Network cheapest_network(const Expressions& expressions, const Function& unfilled) {
   const Expressions flat = flatten(expressions);
-  Network as_imported = shared_network(flat);
-  Network factored = shared_network(factor(flat));
-  const bool is_factored = cost_of(factored, unfilled) <= cost_of(as_imported, unfilled);
-  return is_factored ? std::move(factored) : std::move(as_imported);
+  Candidate best = candidate(factored(flat), unfilled);
+  const auto consider = [&](Candidate other) {
+    if (other.cost < best.cost) best = std::move(other);
+  };
+  consider(candidate(flat, unfilled));
+  if (flat.graph.size() <= maximal_nodes_written_out) {
+    const Expressions written_out = flatten(flat, Flattened::all_products);
+    consider(candidate(factored(written_out), unfilled));
+  }
+  return std::move(best.network);
 }
 
 Diagnostics lower_output(const EquationsOfMotion& equations, const OutputRequest& request,

@@ -2,6 +2,7 @@
 //
 //     sum:      y - x + 2*x          -> x + y        equal terms merged, leading term positive
 //               2*y - 2*x            -> -2*(x - y)   a coefficient all terms share pulled out
+//               m*sin(x)^2 + m*cos(x)^2 -> m
 //     product:  (y - x)*x*(x - y)    -> -x*(x - y)^2 signs pulled out, equal bases merged
 //               2*pi*x/4             -> (1/2*pi)*x   constants folded into one
 #include <algorithm>
@@ -153,6 +154,65 @@ Ref Graph::build_sum(const std::vector<Term>& terms, const SignedConstant& const
   return is_common ? product({{rational(first)}, {result}}) : result;
 }
 
+/// The position of sin(x)^2 among the factors of a product, or its size.
+std::size_t Graph::squared_sine(NodeId id) const {
+  const std::vector<Operand>& factors = node(id).operands;
+  if (node(id).kind != NodeKind::product) return factors.size();
+  const auto is_squared_sine = [this](const Operand& factor) {
+    const Node& base = node(factor.node);
+    return factor.weight == 2 && base.kind == NodeKind::call && base.function == FunctionId::sin;
+  };
+  const auto it = std::find_if(factors.begin(), factors.end(), is_squared_sine);
+  return static_cast<std::size_t>(it - factors.begin());
+}
+
+/// Replaces the first f*sin(x)^2 that has an f*cos(x)^2 beside it by f. First in the order of the
+/// graph, because another pair could leave another sum.
+bool Graph::join_squares(std::vector<Term>& terms) {
+  std::vector<Term*> candidates;
+  for (Term& term : terms) {
+    if (squared_sine(term.node) < node(term.node).operands.size()) candidates.push_back(&term);
+  }
+  std::sort(candidates.begin(), candidates.end(),
+            [this](const Term* x, const Term* y) { return less(x->node, y->node); });
+  for (Term* term : candidates) {
+    const std::size_t position = squared_sine(term->node);
+    const Operand angle = node(node(term->node).operands[position].node).operands[0];
+    std::vector<Power> powers;
+    for (const Operand& factor : node(term->node).operands) {
+      powers.push_back({{factor.node, false}, factor.weight});
+    }
+    powers[position].base = call(FunctionId::cos, {{angle.node, false}});
+    const NodeId partner = product(powers).node;
+    const auto other = std::find_if(terms.begin(), terms.end(), [&](const Term& t) {
+      return t.node == partner && t.coefficient == term->coefficient;
+    });
+    if (other == terms.end()) continue;
+    powers.erase(powers.begin() + static_cast<std::ptrdiff_t>(position));
+    term->node = product(powers).node;
+    terms.erase(other);
+    return true;
+  }
+  return false;
+}
+
+void Graph::merge_terms(std::vector<Term>& terms) {
+  std::sort(terms.begin(), terms.end(),
+            [](const Term& x, const Term& y) { return x.node < y.node; });
+  std::vector<Term> merged;
+  for (const Term& term : terms) {
+    if (!merged.empty() && merged.back().node == term.node) {
+      merged.back().coefficient = merged.back().coefficient + term.coefficient;
+    } else {
+      merged.push_back(term);
+    }
+  }
+  merged.erase(std::remove_if(merged.begin(), merged.end(),
+                              [](const Term& t) { return cln::zerop(t.coefficient); }),
+               merged.end());
+  terms = std::move(merged);
+}
+
 Ref Graph::sum(const std::vector<Ref>& terms) {
   std::vector<SignedConstant> constants;
   std::vector<Term> split;
@@ -163,20 +223,14 @@ Ref Graph::sum(const std::vector<Ref>& terms) {
       split.push_back(split_coefficient(term));
     }
   }
-  std::sort(split.begin(), split.end(),
-            [](const Term& x, const Term& y) { return x.node < y.node; });
-  std::vector<Term> merged;
+  merge_terms(split);
+  if (!join_squares(split)) return build_sum(split, sum_of(std::move(constants)));
+  std::vector<Ref> joined;
   for (const Term& term : split) {
-    if (!merged.empty() && merged.back().node == term.node) {
-      merged.back().coefficient = merged.back().coefficient + term.coefficient;
-    } else {
-      merged.push_back(term);
-    }
+    joined.push_back(product({{rational(term.coefficient)}, {{term.node, false}}}));
   }
-  merged.erase(std::remove_if(merged.begin(), merged.end(),
-                              [](const Term& t) { return cln::zerop(t.coefficient); }),
-               merged.end());
-  return build_sum(merged, sum_of(std::move(constants)));
+  for (const SignedConstant& value : constants) joined.push_back(constant(value));
+  return sum(joined);
 }
 
 }  // namespace elgen

@@ -1,6 +1,7 @@
-#include <catch2/catch.hpp>
 #include <cln/float.h>
 #include <cln/rational.h>
+
+#include <catch2/catch.hpp>
 
 #include "elgen/evaluate.hpp"
 
@@ -13,8 +14,9 @@ Real real(const char* text) { return Real(cln::cl_RA(text)); }
 /// Equal to 62 of 64 digits.
 bool near(const Real& x, const Real& y) {
   const cln::cl_F scale = cln::max(cln::abs(y.value()), cln::cl_float(1, Real::format()));
-  return x.is_defined() && cln::abs(x.value() - y.value()) <
-                               scale * cln::cl_float(cln::expt(cln::cl_RA(10), -62), Real::format());
+  return x.is_defined() &&
+         cln::abs(x.value() - y.value()) <
+             scale * cln::cl_float(cln::expt(cln::cl_RA(10), -62), Real::format());
 }
 
 }  // namespace
@@ -42,7 +44,8 @@ TEST_CASE("large angles keep all digits") {
   const cln::cl_R angle = two_pi * cln::expt(cln::cl_RA(10), 40) + cln::cl_RA("1/2");
   // 10^40 turns and 1/2: as Real rounds the angle to 64 digits, 24 are left behind the point.
   const Real difference = sin(Real(angle)) - sin(real("1/2"));
-  CHECK(cln::abs(difference.value()) < cln::cl_float(cln::expt(cln::cl_RA(10), -22), Real::format()));
+  CHECK(cln::abs(difference.value()) <
+        cln::cl_float(cln::expt(cln::cl_RA(10), -22), Real::format()));
   const Real exact_angle(cln::expt(cln::cl_RA(10), 40));
   CHECK(near(sin(exact_angle) * sin(exact_angle), Real(1) - cos(exact_angle) * cos(exact_angle)));
 }

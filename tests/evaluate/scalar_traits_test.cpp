@@ -1,9 +1,9 @@
-#include <catch2/catch.hpp>
 #include <cln/float.h>
 #include <cln/integer.h>
 #include <cln/rational.h>
 #include <rapidcheck.h>
 
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -47,7 +47,8 @@ void check_limits() {
   CHECK(from<Scalar>(eta * 3 / 4) == smallest);
   CHECK(from<Scalar>(-eta * 5 / 4) == -smallest);
   CHECK(from<Scalar>(cln::expt(eta, 3)) == 0);
-  const cln::cl_RA half_ulp = exact(Limits::max()) - exact(std::nextafter(Limits::max(), Scalar(0)));
+  const cln::cl_RA half_ulp =
+      exact(Limits::max()) - exact(std::nextafter(Limits::max(), Scalar(0)));
   CHECK(from<Scalar>(exact(Limits::max()) + half_ulp / 3) == Limits::max());
   CHECK(from<Scalar>(exact(Limits::max()) + half_ulp / 2) == Limits::infinity());
   CHECK(from<Scalar>(-exact(Limits::max()) * 5) == -Limits::infinity());

@@ -39,3 +39,16 @@ TEST_CASE("powers of a product are not written out") {
   l.expressions.values = {l.graph.product({{p, 2}, {l.c}})};
   CHECK(testing::counts_of(make_network(flatten(l.expressions))).mul == 3);
 }
+
+TEST_CASE("all products: written out wherever they stand, so that factors meet") {
+  testing::ExpressionLeaves l;
+  const Ref sine = l.graph.call(FunctionId::sin, {l.b});
+  const Ref cosine = l.graph.call(FunctionId::cos, {l.b});
+  const Ref p = l.product({l.a, sine});
+  const Ref r = l.product({l.a, cosine});
+  l.expressions.values = {l.graph.sum({l.product({p, sine}), l.product({r, cosine})}),
+                          l.graph.product({{p, -2}, {l.c}}), p, r};
+  const Expressions flat = flatten(l.expressions, Flattened::all_products);
+  CHECK(texts_of(flat) ==
+        std::vector<std::string>{"a", "c/(a^2*sin(b)^2)", "a*sin(b)", "a*cos(b)"});
+}

@@ -83,3 +83,19 @@ TEST_CASE("the square of a square root is its radicand") {
   CHECK(l.graph.product({{l.graph.square_root(-l.x), 2}}) == -l.x);
   CHECK(l.graph.product({{root, -2}}) == l.graph.product({{l.x, -1}}));
 }
+
+TEST_CASE("the squares of sine and cosine of one angle add up") {
+  Leaves l;
+  const Ref sine = l.graph.call(FunctionId::sin, {l.x});
+  const Ref cosine = l.graph.call(FunctionId::cos, {l.x});
+  const auto squared = [&](Ref factor, Ref base) { return l.graph.product({{factor}, {base, 2}}); };
+  const Ref one = l.number("1");
+  CHECK(l.graph.sum({squared(one, sine), squared(one, cosine)}) == one);
+  CHECK(l.graph.sum({squared(l.y, sine), l.z, squared(l.y, cosine)}) == l.graph.sum({l.y, l.z}));
+  CHECK(l.graph.sum({squared(-l.y, sine), l.y, squared(-l.y, cosine)}) == l.number("0"));
+  const Ref difference = l.graph.sum({squared(l.y, cosine), -squared(l.y, sine)});
+  CHECK(l.graph.node(difference.node).kind == NodeKind::sum);
+  const Ref other = l.graph.call(FunctionId::cos, {l.y});
+  const Ref unequal = l.graph.sum({squared(one, sine), squared(one, other)});
+  CHECK(l.graph.node(unequal.node).operands.size() == 2);
+}
