@@ -79,6 +79,9 @@ struct Function {
   std::vector<Field> fields = {};
 };
 
+/// Entries of all fields.
+[[nodiscard]] std::size_t entry_count(const Function& function);
+
 struct Program {
   LeafNames leaves = {};
   std::vector<Constant> constants = {};

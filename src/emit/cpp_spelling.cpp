@@ -156,12 +156,6 @@ OutputKind kind_of_field(const Program& program, const Function& function, const
   return row != nullptr ? row->kind : function.kind;
 }
 
-std::size_t entry_count(const Function& function) {
-  std::size_t count = 0;
-  for (const Field& field : function.fields) count += field.entries.size();
-  return count;
-}
-
 std::string cpp_signature(const Model& model, const Function& function) {
   const std::string type = result_type(function);
   std::vector<std::string> arguments = cpp_arguments(model, function);

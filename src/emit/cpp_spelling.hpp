@@ -34,7 +34,6 @@ class CppSpelling final : public Spelling {
 
 /// Outputs beyond so many entries are written by reference: they would not fit a stack.
 inline constexpr std::size_t largest_returned = 4096;
-[[nodiscard]] std::size_t entry_count(const Function& function);
 
 /// "[[nodiscard]] SquareMatrix<Scalar> mass_matrix(const Parameters<Scalar>& p, …) noexcept", with
 /// line breaks; arguments that the body does not use have no name.

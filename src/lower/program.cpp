@@ -31,6 +31,12 @@ std::size_t operand_count(const Instruction& instruction) {
   return 0;
 }
 
+std::size_t entry_count(const Function& function) {
+  std::size_t count = 0;
+  for (const Field& field : function.fields) count += field.entries.size();
+  return count;
+}
+
 OperationCounts count_operations(const Function& function) {
   OperationCounts counts;
   std::set<std::uint32_t> angles;

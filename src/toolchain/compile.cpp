@@ -96,12 +96,6 @@ bool write_all(const std::filesystem::path& directory, const EmittedFiles& files
   return headers && write(directory / "driver.cpp", driver);
 }
 
-std::size_t entry_count(const Function& function) {
-  std::size_t count = 0;
-  for (const Field& field : function.fields) count += field.entries.size();
-  return count;
-}
-
 /// Empty where a symbol is missing.
 std::vector<LoadedFunction> load(const Library& library, const Program& program) {
   std::vector<LoadedFunction> functions;

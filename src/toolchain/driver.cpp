@@ -100,12 +100,6 @@ std::string arguments(const Model& model, const Function& function) {
   return text;
 }
 
-std::size_t entry_count(const Function& function) {
-  std::size_t count = 0;
-  for (const Field& field : function.fields) count += field.entries.size();
-  return count;
-}
-
 std::string call_body(const Model& model, const Function& function) {
   const std::string call_arguments = arguments(model, function);
   const std::size_t entries = entry_count(function);

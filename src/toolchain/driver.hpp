@@ -2,7 +2,7 @@
 // flat arrays.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -6,6 +6,13 @@
 
 using namespace elgen;
 
+TEST_CASE("the entries of all fields are counted") {
+  Function function;
+  CHECK(entry_count(function) == 0);
+  function.fields = {{"A", 2, 2, {0, 1, 2, 3}}, {"B", 2, 1, {4, 5}}};
+  CHECK(entry_count(function) == 6);
+}
+
 TEST_CASE("operations are counted as the emitted function executes them") {
   const Program program = testing::read_program(
       "parameters m\n"
