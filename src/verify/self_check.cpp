@@ -29,14 +29,11 @@ class Visit {
   /// What is wrong with a function here; empty where nothing is.
   std::string mistake(const Function& function) {
     BoundedRun run = bounded_run<double>(subject_.program, function, oracle_.state());
-    if (run.regime != Regime::regular) return {};
+    if (run.regime == Regime::undefined || run.regime == Regime::overflow) return {};
     ++compared_;
-    const std::vector<double> rounded = evaluate(subject_.program, function, values_);
-    for (std::size_t i = 0; i < rounded.size(); ++i) {
-      const double error =
-          error_in_bounds(rounded[i], run.entries[i], function.instructions.size());
-      worst_ = std::max(worst_, error);
-      if (!(error <= promised_bounds)) return imprecise(rounded[i], run.entries[i], error);
+    if (run.regime == Regime::regular) {
+      const std::string wrong = imprecise_entry(function, run);
+      if (!wrong.empty()) return wrong;
     }
     if (function.kind == OutputKind::dynamics) return differing_field(function, run);
     std::string wrong = compare_projection(subject_, {function, run}, oracle_, random_);
@@ -49,6 +46,18 @@ class Visit {
   [[nodiscard]] std::string where() const { return describe(subject_, oracle_.state()); }
 
  private:
+  /// Rounded entries against exact ones, in own bounds.
+  std::string imprecise_entry(const Function& function, const BoundedRun& run) {
+    const std::vector<double> rounded = evaluate(subject_.program, function, values_);
+    for (std::size_t i = 0; i < rounded.size(); ++i) {
+      const double error =
+          error_in_bounds(rounded[i], run.entries[i], function.instructions.size());
+      worst_ = std::max(worst_, error);
+      if (!(error <= promised_bounds)) return imprecise(rounded[i], run.entries[i], error);
+    }
+    return {};
+  }
+
   static std::string imprecise(double x, const Bound& entry, double error) {
     return fmt::format("{:.17g} instead of {} is {:.2g} times its error bound", x,
                        short_text(entry.value.value()), error);

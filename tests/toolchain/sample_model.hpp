@@ -51,7 +51,10 @@ inline constexpr std::size_t coordinate_count = 1, velocity_count = 1, input_cou
 template <class Scalar> struct Parameters { Scalar m; std::array<Scalar, 2> l; };
 template <class Scalar> using Vector = std::array<Scalar, 1>;
 template <class Scalar> using Inputs = std::array<Scalar, 0>;
-template <class Scalar> struct Forward { Vector<Scalar> acceleration; Vector<Scalar> relative_pivots; };
+template <class Scalar> struct Forward {
+  Vector<Scalar> acceleration;
+  Vector<Scalar> relative_pivots;
+};
 template <class Scalar>
 Vector<Scalar> inverse_dynamics(const Parameters<Scalar>& p, const Vector<Scalar>& q,
                                 const Vector<Scalar>& v, const Vector<Scalar>& a) noexcept {

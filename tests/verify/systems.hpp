@@ -61,84 +61,104 @@ inline Model cart_pole_model() {
   return builder.model;
 }
 
-/// All outputs of cart_pole_model, with s = sin(th), c = cos(th), k = m l.
+namespace instructions {
+
+// 0 M  1 m  2 l  3 g  4 c  5 x  6 th  7 s  8 cos  9 k = m l  10 M + m  11 k cos  12 k l
+inline const std::string common =
+    "  0 = parameter M\n  1 = parameter m\n  2 = parameter l\n  3 = parameter g\n"
+    "  4 = parameter c\n  5 = coordinate x\n  6 = coordinate th\n  7 = sin 6\n  8 = cos 6\n"
+    "  9 = multiply 1 2\n  10 = add 0 1\n  11 = multiply 9 8\n  12 = multiply 9 2\n";
+// 13 v1  14 v2  15 k s  16 k s v2  17 0  18 -k s v2  19 -k s v2^2  20 c v1  21 -k g s  22 bias_1
+inline const std::string rates =
+    common +
+    "  13 = velocity x\n  14 = velocity th\n  15 = multiply 9 7\n  16 = multiply 15 14\n"
+    "  17 = constant 0\n  18 = negate 16\n  19 = multiply 18 14\n  20 = multiply 4 13\n"
+    "  21 = multiply 15 3\n  22 = negate 21\n  23 = add 19 20\n";
+inline const std::string gravity = common +
+                                   "  13 = multiply 9 7\n  14 = multiply 13 3\n"
+                                   "  15 = negate 14\n  16 = constant 0\n";
+// 24 (M + m) v1  25 k cos v2  26 p1  27 k cos v1  28 k l v2  29 p2  30 p.v  … 33 T  34 V
+inline const std::string momentum =
+    rates +
+    "  24 = multiply 10 13\n  25 = multiply 11 14\n  26 = add 24 25\n  27 = multiply 11 13\n"
+    "  28 = multiply 12 14\n  29 = add 27 28\n  30 = multiply 26 13\n  31 = multiply 29 14\n"
+    "  32 = add 30 31\n  33 = constant 1/2\n  34 = multiply 33 32\n  35 = multiply 11 3\n"
+    "  36 = add 34 35\n";
+// M = L D L^T: 26 L  27 D2  28 r1  29 L r1  30 r2 - L r1  31 a2  32 r1/D1  33 L a2  34 a1  35
+// pivot 2
+inline const std::string solve =
+    rates +
+    "  24 = input u\n  25 = subtract 24 23\n  26 = divide 11 10\n  27 = multiply 26 11\n"
+    "  28 = subtract 12 27\n  29 = multiply 26 25\n  30 = subtract 21 29\n  31 = divide 30 28\n"
+    "  32 = divide 25 10\n  33 = multiply 26 31\n  34 = subtract 32 33\n  35 = constant 1\n"
+    "  36 = divide 28 12\n";
+
+}  // namespace instructions
+
+/// One function of a program's text.
+inline std::string function_text(const std::string& name, const std::string& body,
+                                 const std::string& results) {
+  return "function " + name + "\n" + body + results;
+}
+
+/// The energies and forces of cart_pole_model, with s = sin(th), c = cos(th), k = m l.
+inline std::string cart_pole_forces() {
+  using namespace instructions;
+  return function_text("mass_matrix", common, "  result 2 2 = 10 11 11 12\n") +
+         function_text("coriolis_matrix", rates, "  result 2 2 = 17 18 17 17\n") +
+         function_text("velocity_force", rates, "  result 2 1 = 19 17\n") +
+         function_text("gravity", gravity, "  result 2 1 = 16 15\n") +
+         function_text("potential_energy", common + "  13 = multiply 11 3\n",
+                       "  result 1 1 = 13\n") +
+         function_text("drift", common + "  13 = constant 0\n", "  result 2 1 = 13 13\n") +
+         function_text("dissipation", rates, "  result 2 1 = 20 17\n") +
+         function_text("bias", rates, "  result 2 1 = 23 22\n") +
+         function_text("momentum", momentum, "  result 2 1 = 26 29\n") +
+         function_text("kinetic_energy", momentum, "  result 1 1 = 34\n") +
+         function_text("total_energy", momentum, "  result 1 1 = 36\n") +
+         function_text("energy_function", momentum, "  result 1 1 = 36\n") +
+         function_text("input_matrix", common + "  13 = constant 0\n  14 = constant 1\n",
+                       "  result 2 1 = 14 13\n");
+}
+
+/// Its dynamics and outputs.
+inline std::string cart_pole_motion() {
+  using namespace instructions;
+  return function_text("inverse_dynamics",
+                       rates +
+                           "  24 = acceleration x\n  25 = acceleration th\n  26 = multiply 10 24\n"
+                           "  27 = multiply 11 25\n  28 = add 26 27\n  29 = add 28 23\n"
+                           "  30 = multiply 11 24\n  31 = multiply 12 25\n  32 = add 30 31\n"
+                           "  33 = add 32 22\n",
+                       "  result 2 1 = 29 33\n") +
+         function_text(
+             "forward_dynamics", solve,
+             "  result acceleration 2 1 = 34 31\n  result relative_pivots 2 1 = 35 36\n") +
+         function_text("tip = user_value 0",
+                       common + "  13 = multiply 2 7\n  14 = add 5 13\n  15 = multiply 2 8\n",
+                       "  result 2 1 = 14 15\n") +
+         function_text("tip_jacobian = user_jacobian 0",
+                       common +
+                           "  13 = constant 1\n  14 = constant 0\n  15 = multiply 2 8\n"
+                           "  16 = multiply 2 7\n  17 = negate 16\n",
+                       "  result 2 2 = 13 15 14 17\n") +
+         function_text("tip_bias = user_bias 0",
+                       common +
+                           "  13 = velocity th\n  14 = multiply 13 13\n  15 = multiply 2 14\n"
+                           "  16 = multiply 15 7\n  17 = negate 16\n  18 = multiply 15 8\n"
+                           "  19 = negate 18\n",
+                       "  result 2 1 = 17 19\n") +
+         function_text("dynamics", rates,
+                       "  result mass_matrix 2 2 = 10 11 11 12\n  result bias 2 1 = 23 22\n");
+}
+
+/// All outputs of cart_pole_model.
 inline std::string cart_pole_program() {
   const std::string leaves =
       "parameters M m l g c\n"
       "coordinates x th\n"
       "inputs u\n";
-  // 0 M  1 m  2 l  3 g  4 c  5 x  6 th  7 s  8 cos  9 k = m l  10 M + m  11 k cos  12 k l
-  const std::string common =
-      "  0 = parameter M\n  1 = parameter m\n  2 = parameter l\n  3 = parameter g\n"
-      "  4 = parameter c\n  5 = coordinate x\n  6 = coordinate th\n  7 = sin 6\n  8 = cos 6\n"
-      "  9 = multiply 1 2\n  10 = add 0 1\n  11 = multiply 9 8\n  12 = multiply 9 2\n";
-  // 13 v1  14 v2  15 k s  16 k s v2  17 0  18 -k s v2  19 -k s v2^2  20 c v1  21 -k g s  22 bias_1
-  const std::string rates =
-      common +
-      "  13 = velocity x\n  14 = velocity th\n  15 = multiply 9 7\n  16 = multiply 15 14\n"
-      "  17 = constant 0\n  18 = negate 16\n  19 = multiply 18 14\n  20 = multiply 4 13\n"
-      "  21 = multiply 15 3\n  22 = negate 21\n  23 = add 19 20\n";
-  const std::string gravity = common +
-                              "  13 = multiply 9 7\n  14 = multiply 13 3\n"
-                              "  15 = negate 14\n  16 = constant 0\n";
-  // 24 (M + m) v1  25 k cos v2  26 p1  27 k cos v1  28 k l v2  29 p2  30 p.v  … 33 T  34 V
-  const std::string momentum =
-      rates +
-      "  24 = multiply 10 13\n  25 = multiply 11 14\n  26 = add 24 25\n  27 = multiply 11 13\n"
-      "  28 = multiply 12 14\n  29 = add 27 28\n  30 = multiply 26 13\n  31 = multiply 29 14\n"
-      "  32 = add 30 31\n  33 = constant 1/2\n  34 = multiply 33 32\n  35 = multiply 11 3\n"
-      "  36 = add 34 35\n";
-  // M = L D L^T: 26 L  27 D2  28 r1  29 L r1  30 r2 - L r1  31 a2  32 r1/D1  33 L a2  34 a1  35
-  // pivot 2
-  const std::string solve =
-      rates +
-      "  24 = input u\n  25 = subtract 24 23\n  26 = divide 11 10\n  27 = multiply 26 11\n"
-      "  28 = subtract 12 27\n  29 = multiply 26 25\n  30 = subtract 21 29\n  31 = divide 30 28\n"
-      "  32 = divide 25 10\n  33 = multiply 26 31\n  34 = subtract 32 33\n  35 = constant 1\n"
-      "  36 = divide 28 12\n";
-  const auto function = [](const std::string& name, const std::string& body,
-                           const std::string& results) {
-    return "function " + name + "\n" + body + results;
-  };
-  return leaves + function("mass_matrix", common, "  result 2 2 = 10 11 11 12\n") +
-         function("coriolis_matrix", rates, "  result 2 2 = 17 18 17 17\n") +
-         function("velocity_force", rates, "  result 2 1 = 19 17\n") +
-         function("gravity", gravity, "  result 2 1 = 16 15\n") +
-         function("potential_energy", common + "  13 = multiply 11 3\n", "  result 1 1 = 13\n") +
-         function("drift", common + "  13 = constant 0\n", "  result 2 1 = 13 13\n") +
-         function("dissipation", rates, "  result 2 1 = 20 17\n") +
-         function("bias", rates, "  result 2 1 = 23 22\n") +
-         function("momentum", momentum, "  result 2 1 = 26 29\n") +
-         function("kinetic_energy", momentum, "  result 1 1 = 34\n") +
-         function("total_energy", momentum, "  result 1 1 = 36\n") +
-         function("energy_function", momentum, "  result 1 1 = 36\n") +
-         function("input_matrix", common + "  13 = constant 0\n  14 = constant 1\n",
-                  "  result 2 1 = 14 13\n") +
-         function("inverse_dynamics",
-                  rates +
-                      "  24 = acceleration x\n  25 = acceleration th\n  26 = multiply 10 24\n"
-                      "  27 = multiply 11 25\n  28 = add 26 27\n  29 = add 28 23\n"
-                      "  30 = multiply 11 24\n  31 = multiply 12 25\n  32 = add 30 31\n"
-                      "  33 = add 32 22\n",
-                  "  result 2 1 = 29 33\n") +
-         function("forward_dynamics", solve,
-                  "  result acceleration 2 1 = 34 31\n  result relative_pivots 2 1 = 35 36\n") +
-         function("tip = user_value 0",
-                  common + "  13 = multiply 2 7\n  14 = add 5 13\n  15 = multiply 2 8\n",
-                  "  result 2 1 = 14 15\n") +
-         function("tip_jacobian = user_jacobian 0",
-                  common +
-                      "  13 = constant 1\n  14 = constant 0\n  15 = multiply 2 8\n"
-                      "  16 = multiply 2 7\n  17 = negate 16\n",
-                  "  result 2 2 = 13 15 14 17\n") +
-         function("tip_bias = user_bias 0",
-                  common +
-                      "  13 = velocity th\n  14 = multiply 13 13\n  15 = multiply 2 14\n"
-                      "  16 = multiply 15 7\n  17 = negate 16\n  18 = multiply 15 8\n"
-                      "  19 = negate 18\n",
-                  "  result 2 1 = 17 19\n") +
-         function("dynamics", rates,
-                  "  result mass_matrix 2 2 = 10 11 11 12\n  result bias 2 1 = 23 22\n");
+  return leaves + cart_pole_forces() + cart_pole_motion();
 }
 
 inline System cart_pole_system() { return system_of(cart_pole_model(), cart_pole_program()); }
