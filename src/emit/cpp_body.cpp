@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "cpp_names.hpp"
+#include "cpp_signature.hpp"
 #include "cpp_spelling.hpp"
 #include "layout.hpp"
 
@@ -25,22 +26,24 @@ bool is_standard(FunctionId function) {
   return function != FunctionId::sign && function != FunctionId::min && function != FunctionId::max;
 }
 
-std::string using_declarations(const Function& function) {
-  const Usage used = usage(function);
-  std::set<std::string> names;
-  if (used.opcodes.count(Opcode::square_root) != 0) names.insert("sqrt");
-  for (const FunctionId call : used.calls) {
-    if (is_standard(call)) names.insert(std::string(function_row(call).name));
+/// Those of the standard functions that the statements mention.
+std::string using_declarations(const std::string& statements) {
+  std::set<std::string> names = {"sqrt"};
+  for (const FunctionRow& row : function_table) {
+    if (is_standard(row.id)) names.emplace(row.name);
   }
   std::string text;
-  for (const std::string& name : names) text += fmt::format("  using std::{};\n", name);
+  for (const std::string& name : names) {
+    if (mentions(statements, name)) text += fmt::format("  using std::{};\n", name);
+  }
   return text;
 }
 
-std::string statement_line(const Statement& statement) {
-  const std::string start = fmt::format("  const Scalar {} = ", statement.name);
+/// "  const Scalar x = …;"
+std::string assignment(const std::string& target, const Term& value) {
+  const std::string start = fmt::format("  {} = ", target);
   const Wrapping wrapping{line_width - start.size() - 1, "      "};
-  return start + joined_lines(wrap_expression(statement.value, wrapping)) + ";\n";
+  return start + joined_lines(wrap_expression(value.text, wrapping)) + ";\n";
 }
 
 /// The rows of a matrix, joined by commas, where every row fits a line; else one line per entry.
@@ -72,7 +75,8 @@ std::string field_value(const Value& value, std::size_t indent) {
   const auto& [field, entries, is_scalar] = value;
   const std::string margin(indent, ' ');
   if (is_scalar) {
-    return joined_lines(wrap_expression(entries.front(), {line_width - indent - 8, margin + "    "}));
+    return joined_lines(
+        wrap_expression(entries.front(), {line_width - indent - 8, margin + "    "}));
   }
   if (entries.empty()) return "{}";
   const std::string line = fmt::format("{{{{{}}}}}", fmt::join(entries, ", "));
@@ -82,47 +86,74 @@ std::string field_value(const Value& value, std::size_t indent) {
                      fmt::join(lines, ",\n" + margin + "    "));
 }
 
-std::string struct_value(const std::vector<Value>& values) {
-  std::string text = "{\n";
-  for (const Value& value : values) text += fmt::format("      {},\n", field_value(value, 6));
-  return text + "  }";
+/// "result.gravity[1]"
+std::string target_of(const CppText& text, const SectionItem& item) {
+  const Field& field = text.function.fields[item.field];
+  const std::string member = field.name.empty() ? "" : "." + field.name;
+  const std::string index = text.is_scalar[item.field] ? "" : fmt::format("[{}]", item.index);
+  return "result" + member + index;
 }
 
-/// The result through a reference, entry by entry.
-std::string assignments(const std::vector<Value>& values) {
-  std::string text;
-  for (const auto& [field, entries, is_scalar] : values) {
-    const std::string to = field.name.empty() ? "result" : "result." + field.name;
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-      const std::string index = is_scalar ? "" : fmt::format("[{}]", i);
-      const std::string start = fmt::format("  {}{} = ", to, index);
-      const Wrapping wrapping{line_width - start.size() - 1, "      "};
-      text += start + joined_lines(wrap_expression(entries[i], wrapping)) + ";\n";
+Texts texts_of(const std::vector<Term>& terms) {
+  Texts texts;
+  for (const Term& term : terms) texts.push_back(term.text);
+  return texts;
+}
+
+std::string result_statement(const CppText& text) {
+  Texts values;
+  const bool is_struct = returns_struct(text.function);
+  for (std::size_t i = 0; i < text.function.fields.size(); ++i) {
+    const Texts entries = texts_of(text.body.entries[i]);
+    values.push_back(
+        field_value({text.function.fields[i], entries, text.is_scalar[i]}, is_struct ? 6 : 2));
+  }
+  if (!is_struct) return fmt::format("  return {};\n", values.front());
+  return fmt::format("  return {{\n      {},\n  }};\n", fmt::join(values, ",\n      "));
+}
+
+/// Entry by entry, through the reference.
+std::string result_assignments(const CppText& text) {
+  std::string lines;
+  for (std::uint32_t field = 0; field < text.body.entries.size(); ++field) {
+    for (std::uint32_t index = 0; index < text.body.entries[field].size(); ++index) {
+      const SectionItem item{true, field, index};
+      lines += assignment(target_of(text, item), value_of(text.body, item));
     }
   }
-  return text;
-}
-
-std::string result_text(const Function& function, const std::vector<Value>& values) {
-  if (entry_count(function) > largest_returned) return assignments(values);
-  const bool is_struct = returns_struct(function);
-  return fmt::format("  return {};\n",
-                     is_struct ? struct_value(values) : field_value(values.front(), 2));
+  return lines;
 }
 
 }  // namespace
 
-std::string cpp_body(const Model& model, const Program& program, const Function& function) {
-  const FunctionBody body = statements(program, function, CppSpelling(model, program));
-  std::string text = using_declarations(function);
-  for (const Statement& statement : body.statements) text += statement_line(statement);
-  std::vector<Value> values;
-  for (std::size_t i = 0; i < function.fields.size(); ++i) {
-    const Field& field = function.fields[i];
-    const std::string type = field_type(kind_of_field(program, function, field), field);
-    values.push_back({field, body.entries[i], type == "Scalar"});
+CppText cpp_text(const Program& program, const Function& function, const FunctionBody& body) {
+  CppText text{function, body};
+  for (const Field& field : function.fields) {
+    const OutputKind kind = kind_of_field(program, function, field);
+    text.is_scalar.push_back(field_type(kind, field) == "Scalar");
   }
-  return text + result_text(function, values);
+  return text;
+}
+
+std::string cpp_body(const CppText& text) {
+  std::string lines;
+  for (const Statement& statement : text.body.statements) {
+    lines += assignment("const Scalar " + statement.name, statement.value);
+  }
+  const bool is_returned = entry_count(text.function) <= largest_returned;
+  lines += is_returned ? result_statement(text) : result_assignments(text);
+  return using_declarations(lines) + lines;
+}
+
+std::string cpp_part(const CppText& text, const Sections& sections, std::size_t part) {
+  std::string lines;
+  for (const SectionItem& item : sections.parts[part]) {
+    const bool is_local = !item.is_entry && !sections.crosses[item.index];
+    const std::string target =
+        item.is_entry ? target_of(text, item) : text.body.statements[item.index].name;
+    lines += assignment((is_local ? "const Scalar " : "") + target, value_of(text.body, item));
+  }
+  return using_declarations(lines) + lines;
 }
 
 }  // namespace elgen

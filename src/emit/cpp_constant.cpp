@@ -1,5 +1,5 @@
-// cpp_constant: decimal literals for built-in types, chunks of six digits for all others. Chunks fit
-// an int wherever int has at least 21 bits, and every scalar type can be made from an int.
+// cpp_constant: decimal literals for built-in types, chunks of six digits for all others. Chunks
+// fit an int wherever int has at least 21 bits, and every scalar type can be made from an int.
 #include "cpp_constant.hpp"
 
 #include <cln/integer.h>
@@ -33,7 +33,8 @@ constexpr std::size_t readable_digits = 17;
 
 Fraction fraction_of(const Decimal& decimal) {
   const cln::cl_I scale = power_of_ten(std::abs(decimal.exponent));
-  if (std::abs(decimal.exponent) > small_exponent) return {decimal.significand, 1, decimal.exponent};
+  if (std::abs(decimal.exponent) > small_exponent)
+    return {decimal.significand, 1, decimal.exponent};
   if (decimal.exponent < 0) return {decimal.significand, scale, 0};
   return {decimal.significand * scale, 1, 0};
 }

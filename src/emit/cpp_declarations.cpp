@@ -9,15 +9,11 @@
 #include "cpp_constant.hpp"
 #include "cpp_names.hpp"
 #include "decimal.hpp"
-#include "layout.hpp"
 
 namespace elgen {
 namespace {
 
 using Texts = std::vector<std::string>;
-
-/// Comments of members stand in one column, except behind declarations longer than this.
-constexpr std::size_t widest_alignment = 72;
 
 /// "{{1, 2}}", or `{}` for no elements; doubled braces name the array inside std::array.
 std::string braced(const Texts& elements, std::size_t column) {
@@ -122,23 +118,13 @@ TemplateData declared_arrays(const Model& model) {
   return list;
 }
 
-TemplateData parameter_members(const Model& model, const Scene& scene) {
-  std::vector<std::pair<std::string, std::string>> members;
-  std::size_t width = 0;
+std::vector<Member> parameter_members(const Model& model, const Scene& scene) {
+  std::vector<Member> members;
   for (const ParameterArray& array : model.parameter_arrays) {
     if (!is_emitted(array, scene)) continue;
-    members.emplace_back(member_declaration(model, array), member_doc(array));
-    const std::size_t size = members.back().first.size();
-    if (size <= widest_alignment) width = std::max(width, size);
+    members.push_back({member_declaration(model, array), member_doc(array)});
   }
-  TemplateData list(TemplateData::type::list);
-  for (const auto& [declaration, doc] : members) {
-    TemplateData item;
-    item.set("declaration", fmt::format("{:<{}}", declaration, width));
-    item.set("doc", doc);
-    list.push_back(item);
-  }
-  return list;
+  return members;
 }
 
 bool has_filled_array(const Model& model, const Scene& scene) {

@@ -1,10 +1,12 @@
-// cpp_declarations: what a Model declares (names, units, ranges, parameters) -> values of template holes.
+// cpp_declarations: what a Model declares (names, units, ranges, parameters) -> values of template
+// holes.
 #pragma once
 
 #include <cstddef>
 
 #include "elgen/model.hpp"
 #include "elgen/scene.hpp"
+#include "layout.hpp"
 #include "render.hpp"
 
 namespace elgen {
@@ -12,8 +14,8 @@ namespace elgen {
 /// Names, units, ranges and limits of coordinates and inputs: type, count, name, value.
 [[nodiscard]] TemplateData declared_arrays(const Model& model);
 
-/// Members of Parameters: declaration with its default, doc. Parameters fixed by the scene have none.
-[[nodiscard]] TemplateData parameter_members(const Model& model, const Scene& scene);
+/// Members of Parameters, with their defaults. Parameters fixed by the scene are none.
+[[nodiscard]] std::vector<Member> parameter_members(const Model& model, const Scene& scene);
 
 /// Whether a member is made by detail::filled: an array parameter with one value for all elements.
 [[nodiscard]] bool has_filled_array(const Model& model, const Scene& scene);

@@ -1,4 +1,5 @@
-// cpp_names: which names the emitted C++ keeps for itself, and E701 where a model wants one of them.
+// cpp_names: which names the emitted C++ keeps for itself, and E701 where a model wants one of
+// them.
 #pragma once
 
 #include <string>

@@ -4,12 +4,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <map>
-
 #include "cpp_constant.hpp"
 #include "cpp_names.hpp"
-#include "layout.hpp"
 
 namespace elgen {
 namespace {
@@ -22,53 +18,6 @@ std::string member_text(const Model& model, const std::string& leaf) {
                           : "p." + array.name;
   }
   return "p." + leaf;
-}
-
-/// An argument's type, and its name where the body uses it.
-std::string argument(std::string_view type, std::string_view name, bool is_used) {
-  return is_used ? fmt::format("const {}& {}", type, name) : fmt::format("const {}&", type);
-}
-
-std::vector<std::string> cpp_arguments(const Model& model, const Function& function) {
-  const OutputRow& row = output_row(function.kind);
-  const std::set<Opcode> used = usage(function).opcodes;
-  const bool mass_takes_velocity = function.kind == OutputKind::mass_matrix && !model.quadratic;
-  std::vector<std::string> list;
-  const auto add = [&](bool is_taken, std::string_view type, std::string_view name, Opcode opcode) {
-    if (is_taken) list.push_back(argument(type, name, used.count(opcode) != 0));
-  };
-  add(true, "Parameters<Scalar>", "p", Opcode::parameter);
-  add(true, "Coordinates<Scalar>", "q", Opcode::coordinate);
-  add(row.takes_velocity || mass_takes_velocity, "Velocities<Scalar>", "v", Opcode::velocity);
-  add(row.takes_acceleration, "Accelerations<Scalar>", "a", Opcode::acceleration);
-  add(row.takes_input, "Inputs<Scalar>", "u", Opcode::input);
-  add(model.uses_time, "std::common_type_t<Scalar>", "t", Opcode::time);
-  return list;
-}
-
-std::string result_type(const Function& function) {
-  if (returns_struct(function)) return struct_name(function) + "<Scalar>";
-  return field_type(function.kind, function.fields.front());
-}
-
-/// "name(a, b) noexcept" in lines below `start`: arguments aligned, or indented where that is narrow.
-std::string with_arguments(const std::string& start, const std::vector<std::string>& arguments) {
-  constexpr std::size_t widest_alignment = 60;
-  const bool is_aligned = start.size() <= widest_alignment;
-  const std::string indent(is_aligned ? start.size() : 4, ' ');
-  std::string text = is_aligned ? start : start + "\n" + indent;
-  std::size_t column = is_aligned ? start.size() : indent.size();
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const bool is_last = i + 1 == arguments.size();
-    const std::string piece = arguments[i] + (is_last ? ") noexcept" : ",");
-    const std::size_t needed = piece.size() + (is_last ? 2 : 0);
-    const bool breaks = i > 0 && column + 1 + needed > line_width;
-    if (breaks) text += "\n" + indent;
-    if (i > 0 && !breaks) text += ' ';
-    column = (breaks ? indent.size() : column + (i > 0 ? 1 : 0)) + piece.size();
-    text += piece;
-  }
-  return text;
 }
 
 }  // namespace
@@ -124,6 +73,8 @@ std::string CppSpelling::square_root(const std::string& argument) const {
 
 std::string CppSpelling::temporary(const std::string& name) const { return cpp_temporary(name); }
 
+std::string CppSpelling::shared(const std::string& name) const { return "w." + name; }
+
 std::string field_type(OutputKind kind, const Field& field) {
   switch (kind) {
     case OutputKind::mass_matrix:
@@ -154,16 +105,6 @@ OutputKind kind_of_field(const Program& program, const Function& function, const
   }
   const OutputRow* row = find_output(field.name);
   return row != nullptr ? row->kind : function.kind;
-}
-
-std::string cpp_signature(const Model& model, const Function& function) {
-  const std::string type = result_type(function);
-  std::vector<std::string> arguments = cpp_arguments(model, function);
-  if (entry_count(function) > largest_returned) {
-    arguments.insert(arguments.begin(), type + "& result");
-    return with_arguments(fmt::format("void {}(", function.name), arguments);
-  }
-  return with_arguments(fmt::format("[[nodiscard]] {} {}(", type, function.name), arguments);
 }
 
 }  // namespace elgen

@@ -20,6 +20,7 @@ class CppSpelling final : public Spelling {
   [[nodiscard]] std::string call(FunctionId function, const std::string& arguments) const override;
   [[nodiscard]] std::string square_root(const std::string& argument) const override;
   [[nodiscard]] std::string temporary(const std::string& name) const override;
+  [[nodiscard]] std::string shared(const std::string& name) const override;
 
  private:
   std::vector<std::string> parameters_;  ///< of each leaf number
@@ -34,9 +35,5 @@ class CppSpelling final : public Spelling {
 
 /// Outputs beyond so many entries are written by reference: they would not fit a stack.
 inline constexpr std::size_t largest_returned = 4096;
-
-/// "[[nodiscard]] SquareMatrix<Scalar> mass_matrix(const Parameters<Scalar>& p, …) noexcept", with
-/// line breaks; arguments that the body does not use have no name.
-[[nodiscard]] std::string cpp_signature(const Model& model, const Function& function);
 
 }  // namespace elgen

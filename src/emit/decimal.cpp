@@ -82,7 +82,7 @@ cln::cl_I power_of_ten(long exponent) {
   return exponent == 0 ? cln::cl_I(1) : cln::expt_pos(cln::cl_I(10), cln::cl_I(exponent));
 }
 
-bool is_rational(const cln::cl_R& value) { return cln::instanceof (value, cln::cl_RA_ring); }
+bool is_rational(const cln::cl_R& value) { return cln:: instanceof (value, cln::cl_RA_ring); }
 
 std::optional<Decimal> exact_decimal(const cln::cl_R& value) {
   if (!is_rational(value)) return std::nullopt;
@@ -113,7 +113,8 @@ std::string literal_text(const Decimal& decimal) {
   const bool negative = cln::minusp(decimal.significand);
   const std::string sign = negative ? "-" : "";
   std::string digits = integer_text(cln::abs(decimal.significand));
-  const long point = static_cast<long>(digits.size()) + decimal.exponent;  // before the first digit: 0
+  const long point =
+      static_cast<long>(digits.size()) + decimal.exponent;  // before the first digit: 0
   if (point < -3 || point > 17) {
     const std::string fraction = digits.size() > 1 ? "." + digits.substr(1) : "";
     return fmt::format("{}{}{}e{}", sign, digits[0], fraction, point - 1);

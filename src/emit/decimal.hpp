@@ -37,7 +37,8 @@ struct Decimal {
 /// The exact value to read: "9.81", "1/3"; 50 digits of what is irrational.
 [[nodiscard]] std::string exact_text(const cln::cl_R& value);
 
-/// How a value fares in a built-in scalar. `too_small` is 0 or a subnormal where the value is not 0.
+/// How a value fares in a built-in scalar. `too_small` is 0 or a subnormal where the value is not
+/// 0.
 enum class Fit : std::uint8_t { fits, too_large, too_small };
 
 [[nodiscard]] Fit fit(const cln::cl_R& value, ScalarKind scalar);

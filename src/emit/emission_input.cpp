@@ -25,7 +25,8 @@ std::string path_with(const Scene& scene, std::string_view ending) {
 
 EmissionInput emission_input(const Model& model, const Scene& scene, const Program& program) {
   std::vector<FunctionEquations> printed;
-  for (const Function& function : program.functions) printed.push_back(equations(program, function));
+  for (const Function& function : program.functions)
+    printed.push_back(equations(program, function));
   return {model,
           scene,
           program,

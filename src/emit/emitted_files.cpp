@@ -1,4 +1,5 @@
-// emit: Model, Scene, Program -> the text of every file, after the checks that only emission can make.
+// emit: Model, Scene, Program -> the text of every file, after the checks that only emission can
+// make.
 #include "elgen/emitted_files.hpp"
 
 #include <fmt/format.h>

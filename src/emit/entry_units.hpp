@@ -18,9 +18,9 @@ struct EntryPlace {
   std::size_t column = 0;
 };
 
-/// With u_i the unit of coordinate i: M_ij in J s^2/(u_i u_j), C_ij in J s/(u_i u_j), forces in J/u_i,
-/// momenta in J s/u_i, B_ij in J/u_i per unit of input j, accelerations in u_i/s^2. None where a unit
-/// is unknown, and for outputs of the model's own.
+/// With u_i the unit of coordinate i: M_ij in J s^2/(u_i u_j), C_ij in J s/(u_i u_j), forces in
+/// J/u_i, momenta in J s/u_i, B_ij in J/u_i per unit of input j, accelerations in u_i/s^2. None
+/// where a unit is unknown, and for outputs of the model's own.
 [[nodiscard]] std::optional<Unit> unit_of_entry(const Model& model, const EntryPlace& place);
 
 /// "kg, kg*m; kg*m, kg*m^2", or one unit where all are equal; empty where one is unknown or the

@@ -30,9 +30,10 @@ std::string output_doc(const FunctionText& text) {
   const bool is_users = output_row(kind).unit == "user";
   if (!is_users) return std::string(output_row(kind).doc);
   const UserOutput& output = text.model.outputs[text.function.user];
-  const std::string what = kind == OutputKind::user_value      ? "Output"
-                           : kind == OutputKind::user_jacobian ? "Jacobian of output"
-                                                               : "Bias of the second rate of output";
+  const std::string what = kind == OutputKind::user_value ? "Output"
+                           : kind == OutputKind::user_jacobian
+                               ? "Jacobian of output"
+                               : "Bias of the second rate of output";
   const std::string doc = comment_text(output.doc);
   return fmt::format("{} `{}`{}{}", what, output.name, doc.empty() ? "." : ": ", doc);
 }
@@ -66,9 +67,7 @@ Lines matrix_lines(const Field& field, const std::vector<std::string>& entries) 
 
 void append(Lines& to, const Lines& from) { to.insert(to.end(), from.begin(), from.end()); }
 
-Lines wrapped(const std::string& line) {
-  return wrap_expression(line, {listing_width, "    "});
-}
+Lines wrapped(const std::string& line) { return wrap_expression(line, {listing_width, "    "}); }
 
 /// "[0, 1] = l*m*cos(theta)"
 Lines indexed_lines(const Field& field, const std::vector<std::string>& entries) {
@@ -118,7 +117,7 @@ Lines shown_equations(const FunctionText& text) {
 }
 
 std::string ordering_note(const Function& function) {
-  const std::set<FunctionId> calls = usage(function).calls;
+  const std::set<FunctionId> calls = called_functions(function);
   const bool has_kinks = std::any_of(calls.begin(), calls.end(), [](FunctionId id) {
     return function_row(id).use == FunctionUse::forces;
   });

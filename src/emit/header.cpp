@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "cpp_body.hpp"
 #include "cpp_constant.hpp"
 #include "cpp_declarations.hpp"
+#include "cpp_function.hpp"
 #include "cpp_names.hpp"
 #include "cpp_spelling.hpp"
 #include "decimal.hpp"
@@ -42,8 +42,9 @@ TemplateData numbers(const Program& program) {
     item.set("text", is_rational(magnitude) ? exact_text(magnitude) : constant.text);
     item.set("name", name);
     const Wrapping wrapping{line_width - 10, std::string(6, ' ')};
-    item.set("value", fmt::format("{}", fmt::join(wrap_expression(cpp_magnitude(constant.value),
-                                                                  wrapping), "\n")));
+    item.set("value",
+             fmt::format(
+                 "{}", fmt::join(wrap_expression(cpp_magnitude(constant.value), wrapping), "\n")));
     list.push_back(item);
   }
   return list;
@@ -51,7 +52,7 @@ TemplateData numbers(const Program& program) {
 
 bool has_kinks(const Program& program) {
   return std::any_of(program.functions.begin(), program.functions.end(), [](const Function& f) {
-    const std::set<FunctionId> calls = usage(f).calls;
+    const std::set<FunctionId> calls = called_functions(f);
     return calls.count(FunctionId::sign) + calls.count(FunctionId::min) +
                calls.count(FunctionId::max) >
            0;
@@ -59,18 +60,31 @@ bool has_kinks(const Program& program) {
 }
 
 TemplateData struct_data(const FunctionText& text) {
-  TemplateData members(List::list);
+  std::vector<Member> members;
   for (const Field& field : text.function.fields) {
-    TemplateData member;
-    member.set("type", field_type(kind_of_field(text.program, text.function, field), field));
-    member.set("name", field.name);
-    member.set("doc", field_summary(text, field));
-    members.push_back(member);
+    const std::string type = field_type(kind_of_field(text.program, text.function, field), field);
+    members.push_back({fmt::format("{} {};", type, field.name), field_summary(text, field)});
   }
   TemplateData data;
   data.set("name", struct_name(text.function));
   data.set("doc", fmt::format("What {} returns.", text.function.name));
-  data.set("members", members);
+  data.set("members", lines_data(documented_members(members)));
+  return data;
+}
+
+TemplateData parts_data(const Function& function, const CppFunction& definition) {
+  TemplateData list(List::list);
+  for (const auto& [signature, body] : definition.parts) {
+    TemplateData part;
+    part.set("signature", signature);
+    part.set("body", body);
+    list.push_back(part);
+  }
+  TemplateData data;
+  data.set("function", function.name);
+  data.set("workspace", workspace_name(function));
+  data.set("values", lines_data(definition.workspace));
+  data.set("part", list);
   return data;
 }
 
@@ -82,8 +96,12 @@ TemplateData function_data(const EmissionInput& input, std::size_t index) {
   data.set("struct", section_if(returns_struct(function),
                                 returns_struct(function) ? struct_data(text) : TemplateData()));
   data.set("documentation", lines_data(function_docs(text)));
-  data.set("signature", cpp_signature(input.model, function));
-  data.set("body", cpp_body(input.model, input.program, function));
+  const CppFunction definition = cpp_function(input.model, input.program, function);
+  const bool has_parts = !definition.parts.empty();
+  data.set("parts",
+           section_if(has_parts, has_parts ? parts_data(function, definition) : TemplateData()));
+  data.set("signature", definition.definition.signature);
+  data.set("body", definition.definition.body);
   return data;
 }
 
@@ -96,9 +114,8 @@ TemplateData functions(const EmissionInput& input) {
 }
 
 bool has_pivots(const Program& program) {
-  return std::any_of(program.functions.begin(), program.functions.end(), [](const Function& f) {
-    return f.kind == OutputKind::forward_dynamics;
-  });
+  return std::any_of(program.functions.begin(), program.functions.end(),
+                     [](const Function& f) { return f.kind == OutputKind::forward_dynamics; });
 }
 
 void set_stamp(TemplateData& data, const EmissionInput& input) {
@@ -131,8 +148,10 @@ std::string cpp_header(const EmissionInput& input) {
   data.set("numbers", numbers(input.program));
   data.set("kinks", section_if(has_kinks(input.program)));
   data.set("kinked", partial("cpp/kinked.hpp.mustache"));
-  data.set("parameters", parameter_members(input.model, input.scene));
+  data.set("parameters",
+           lines_data(documented_members(parameter_members(input.model, input.scene))));
   data.set("functions", functions(input));
+  data.set("parts_of_function", partial("cpp/parts.hpp.mustache"));
   data.set("regular", section_if(has_pivots(input.program)));
   return stamped(render("cpp/header.hpp.mustache", data));
 }

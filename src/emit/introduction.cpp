@@ -71,15 +71,16 @@ std::string tuple(const Lines& names) {
   return fmt::format("({}, {}, ..., {})", names[0], names[1], names.back());
 }
 
-std::string variables(const Model& model) {
+Lines variables(const Model& model) {
   Lines coordinates;
   Lines inputs;
   for (const Coordinate& c : model.coordinates) {
     coordinates.push_back(with_unit(c.name, c.unit_text));
   }
   for (const Input& input : model.inputs) inputs.push_back(with_unit(input.name, input.unit_text));
-  return fmt::format("q = {}, v = dq/dt, a = dv/dt{}{}", tuple(coordinates),
-                     inputs.empty() ? "" : ", u = ", inputs.empty() ? "" : tuple(inputs));
+  Lines lines = {"q = " + tuple(coordinates), "v = dq/dt, a = dv/dt"};
+  if (!inputs.empty()) lines.push_back("u = " + tuple(inputs));
+  return lines;
 }
 
 std::string fixed_parameters(const Model& model, const Scene& scene) {
@@ -92,7 +93,8 @@ std::string fixed_parameters(const Model& model, const Scene& scene) {
 
 void add_prose(Lines& lines, const std::string& text) {
   if (text.empty()) return;
-  for (const std::string& line : wrap_words(text, {line_width - 3, ""})) lines.push_back(" " + line);
+  for (const std::string& line : wrap_words(text, {line_width - 3, ""}))
+    lines.push_back(" " + line);
 }
 
 }  // namespace
@@ -110,9 +112,7 @@ std::vector<std::string> introduction(const Model& model, const Scene& scene,
   if (!lines.empty()) lines.emplace_back();
   lines.push_back("   " + equation_of_motion(model, program));
   lines.emplace_back();
-  for (const std::string& line : wrap_words(variables(model), {line_width - 5, "    "})) {
-    lines.push_back("   " + line);
-  }
+  for (const std::string& line : variables(model)) lines.push_back("   " + line);
   const std::string fixed = fixed_parameters(model, scene);
   if (!fixed.empty()) lines.emplace_back();
   add_prose(lines, fixed);

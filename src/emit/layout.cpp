@@ -1,6 +1,7 @@
 // layout: where lines break. Columns are counted in bytes; only user text is ever wider than ASCII.
 #include "layout.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <optional>
 
@@ -8,6 +9,9 @@ namespace elgen {
 namespace {
 
 bool is_operator(char c) { return c == '+' || c == '-' || c == '*' || c == '/'; }
+
+/// Comments of members stand in one column, except behind declarations longer than this.
+constexpr std::size_t widest_alignment = 72;
 
 /// A space where an expression may break, and how deep it cuts: brackets count most, products some.
 struct Break {
@@ -18,15 +22,16 @@ struct Break {
 std::optional<int> depth_of_break(std::string_view text, std::size_t space, int brackets) {
   const char before = space > 0 ? text[space - 1] : ' ';
   if (before == ',' || before == ';') return 3 * brackets;
-  const bool is_binary = space + 2 < text.size() && is_operator(text[space + 1]) &&
-                         text[space + 2] == ' ';
+  const bool is_binary =
+      space + 2 < text.size() && is_operator(text[space + 1]) && text[space + 2] == ' ';
   if (!is_binary) return std::nullopt;
   const bool is_product = text[space + 1] == '*' || text[space + 1] == '/';
   return 3 * brackets + (is_product ? 2 : 1);
 }
 
-/// The last of the shallowest breaks in the second half of the first `width` columns; where there is
-/// none, the last one of the first half; where there is none either, the first one beyond.
+/// The last of the shallowest breaks in the last two thirds of the first `width` columns; where
+/// there is none, the last one of the first third; where there is none either, the first one
+/// beyond.
 std::optional<Break> best_break(std::string_view text, std::size_t width) {
   std::optional<Break> best;
   int brackets = 0;
@@ -37,7 +42,7 @@ std::optional<Break> best_break(std::string_view text, std::size_t width) {
     const std::optional<int> depth = depth_of_break(text, i, brackets);
     if (!depth) continue;
     if (i > width) return best ? best : Break{i, *depth};
-    if (!best || *depth <= best->depth || best->at < width / 2) best = Break{i, *depth};
+    if (!best || *depth <= best->depth || best->at < width / 3) best = Break{i, *depth};
   }
   return best;
 }
@@ -97,6 +102,25 @@ std::string string_literal(std::string_view text) {
     literal += c;
   }
   return literal + '"';
+}
+
+std::vector<std::string> documented_members(const std::vector<Member>& members) {
+  std::size_t width = 0;
+  for (const Member& member : members) {
+    if (member.declaration.size() <= widest_alignment) {
+      width = std::max(width, member.declaration.size());
+    }
+  }
+  std::vector<std::string> lines;
+  for (const auto& [declaration, doc] : members) {
+    const bool is_aligned = declaration.size() <= width;
+    const std::string padding(is_aligned ? width - declaration.size() : 0, ' ');
+    const std::string line = declaration + padding + "  ///< " + doc;
+    const bool fits = line.size() + 2 <= line_width;
+    if (!fits) lines.push_back("/// " + doc);
+    lines.push_back(fits ? line : declaration);
+  }
+  return lines;
 }
 
 std::string camel_case(std::string_view name) {

@@ -10,7 +10,8 @@ namespace elgen {
 
 inline constexpr std::size_t line_width = 100;
 
-/// How a text is broken: the first line may be `first` columns long, the others begin with `indent`.
+/// How a text is broken: the first line may be `first` columns long, the others begin with
+/// `indent`.
 struct Wrapping {
   std::size_t first = line_width;
   std::string indent = {};
@@ -32,6 +33,16 @@ struct Wrapping {
 
 /// User text as a C++ string literal, quotes included.
 [[nodiscard]] std::string string_literal(std::string_view text);
+
+/// A struct's member: "Scalar m = 1;" and what it is.
+struct Member {
+  std::string declaration;
+  std::string doc;
+};
+
+/// Declarations with their documentation behind them in one column, or above where a line is too
+/// short.
+[[nodiscard]] std::vector<std::string> documented_members(const std::vector<Member>& members);
 
 /// "forward_dynamics" -> "ForwardDynamics".
 [[nodiscard]] std::string camel_case(std::string_view name);

@@ -2,9 +2,9 @@
 // -(a*b) is written -a * b and (-a)*b likewise: both round to the same number.
 #include "statements.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
-
-#include "stamp.hpp"
 
 namespace elgen {
 namespace {
@@ -24,22 +24,30 @@ std::string right(const Term& term, Precedence precedence) {
   return binds_tighter && !begins_with_minus(term) ? term.text : bracketed(term.text);
 }
 
+std::vector<std::uint32_t> united(const Term& a, const Term& b) {
+  std::vector<std::uint32_t> uses;
+  std::set_union(a.uses.begin(), a.uses.end(), b.uses.begin(), b.uses.end(),
+                 std::back_inserter(uses));
+  return uses;
+}
+
 Term binary(const Term& a, const char* sign, const Term& b, Precedence precedence) {
-  return {left(a, precedence) + sign + right(b, precedence), precedence};
+  return {left(a, precedence) + sign + right(b, precedence), precedence, united(a, b)};
 }
 
 Term negated(const Term& a) {
   const bool needs_brackets = a.precedence == Precedence::sum || begins_with_minus(a);
-  const Precedence precedence =
-      a.precedence == Precedence::product && !needs_brackets ? Precedence::product
-                                                             : Precedence::negation;
-  return {"-" + (needs_brackets ? bracketed(a.text) : a.text), precedence};
+  const Precedence precedence = a.precedence == Precedence::product && !needs_brackets
+                                    ? Precedence::product
+                                    : Precedence::negation;
+  return {"-" + (needs_brackets ? bracketed(a.text) : a.text), precedence, a.uses};
 }
 
 class Writer {
  public:
-  Writer(const Program& program, const Function& function, const Spelling& spelling)
-      : program_(program), function_(function), spelling_(spelling) {
+  Writer(const Program& program, const Function& function, const Spelling& spelling,
+         const std::vector<bool>& is_shared)
+      : program_(program), function_(function), spelling_(spelling), is_shared_(is_shared) {
     names_ = temporary_names(program, function);
     for (std::string& name : names_) {
       if (!name.empty()) name = unique(spelling.temporary(name));
@@ -51,8 +59,8 @@ class Writer {
       terms_.push_back(settled(i, term(function_.instructions[i])));
     }
     for (const Field& field : function_.fields) {
-      std::vector<std::string>& entries = body_.entries.emplace_back();
-      for (const std::uint32_t entry : field.entries) entries.push_back(terms_[entry].text);
+      std::vector<Term>& entries = body_.entries.emplace_back();
+      for (const std::uint32_t entry : field.entries) entries.push_back(terms_[entry]);
     }
     return std::move(body_);
   }
@@ -73,28 +81,30 @@ class Writer {
       case Opcode::divide:
         return binary(terms_[i.a], " / ", terms_[i.b], Precedence::product);
       case Opcode::square_root:
-        return {spelling_.square_root(terms_[i.a].text)};
+        return {spelling_.square_root(terms_[i.a].text), Precedence::primary, terms_[i.a].uses};
       case Opcode::call:
-        return {spelling_.call(i.function, arguments(i))};
+        return call(i);
       default:
         return {spelling_.leaf(i)};
     }
   }
 
-  std::string arguments(const Instruction& i) const {
-    const bool has_two = operand_count(i) == 2;
-    return has_two ? terms_[i.a].text + ", " + terms_[i.b].text : terms_[i.a].text;
+  Term call(const Instruction& i) const {
+    const Term& a = terms_[i.a];
+    if (operand_count(i) == 1)
+      return {spelling_.call(i.function, a.text), Precedence::primary, a.uses};
+    const Term& b = terms_[i.b];
+    return {spelling_.call(i.function, a.text + ", " + b.text), Precedence::primary, united(a, b)};
   }
 
-  /// A named value becomes a statement, and so does one too long to be written out.
+  /// A named value becomes a statement.
   Term settled(std::size_t i, Term term) {
-    std::string name = names_[i];
-    if (name.empty() && term.text.size() > longest_expression) {
-      name = unique("x_" + short_hash(term.text));
-    }
-    if (name.empty()) return term;
-    body_.statements.push_back({name, std::move(term.text)});
-    return {name};
+    if (names_[i].empty()) return term;
+    const auto index = static_cast<std::uint32_t>(body_.statements.size());
+    const bool is_shared = index < is_shared_.size() && is_shared_[index];
+    const std::string name = is_shared ? spelling_.shared(names_[i]) : names_[i];
+    body_.statements.push_back({name, std::move(term)});
+    return {name, Precedence::primary, {index}};
   }
 
   std::string unique(std::string name) {
@@ -105,6 +115,7 @@ class Writer {
   const Program& program_;
   const Function& function_;
   const Spelling& spelling_;
+  const std::vector<bool>& is_shared_;
   std::vector<std::string> names_;
   std::set<std::string> taken_;
   std::vector<Term> terms_;
@@ -113,17 +124,17 @@ class Writer {
 
 }  // namespace
 
-FunctionBody statements(const Program& program, const Function& function, const Spelling& spelling) {
-  return Writer(program, function, spelling).body();
+FunctionBody statements(const Program& program, const Function& function, const Spelling& spelling,
+                        const std::vector<bool>& is_shared) {
+  return Writer(program, function, spelling, is_shared).body();
 }
 
-Usage usage(const Function& function) {
-  Usage used;
+std::set<FunctionId> called_functions(const Function& function) {
+  std::set<FunctionId> calls;
   for (const Instruction& instruction : function.instructions) {
-    used.opcodes.insert(instruction.opcode);
-    if (instruction.opcode == Opcode::call) used.calls.insert(instruction.function);
+    if (instruction.opcode == Opcode::call) calls.insert(instruction.function);
   }
-  return used;
+  return calls;
 }
 
 }  // namespace elgen

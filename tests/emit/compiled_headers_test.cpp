@@ -1,6 +1,6 @@
 // Emitted headers, compiled: every function of every header below generated/ and of the test's own
-// model, for every scalar type, by both compilers under strict warnings. One driver instantiates all;
-// values are compared with 50-digit ones, operations with what the sidecar states.
+// model, for every scalar type, by both compilers under strict warnings. One driver instantiates
+// all; values are compared with 50-digit ones, operations with what the sidecar states.
 #include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -23,7 +23,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Header {
-  std::string path;       ///< as included
+  std::string path;  ///< as included
   std::string name_space;
   std::string text;
   Json sidecar;
@@ -173,7 +173,8 @@ bool is_installed(const std::string& compiler) {
 }
 
 void compile_and_run(const std::string& compiler) {
-  const fs::path folder = fs::temp_directory_path() / fmt::format("elgen_emit_{}_{}", compiler, getpid());
+  const fs::path folder =
+      fs::temp_directory_path() / fmt::format("elgen_emit_{}_{}", compiler, getpid());
   fs::create_directories(folder);
   const fs::path source = write_driver(folder);
   const std::string command = fmt::format(

@@ -82,9 +82,7 @@ inline Counted tanh(Counted a) { return ++counts.other, Counted(std::tanh(a.x));
 inline Counted exp(Counted a) { return ++counts.other, Counted(std::exp(a.x)); }
 inline Counted log(Counted a) { return ++counts.other, Counted(std::log(a.x)); }
 inline Counted abs(Counted a) { return ++counts.other, Counted(std::abs(a.x)); }
-inline Counted atan2(Counted a, Counted b) {
-  return ++counts.other, Counted(std::atan2(a.x, b.x));
-}
+inline Counted atan2(Counted a, Counted b) { return ++counts.other, Counted(std::atan2(a.x, b.x)); }
 
 /// `number` in every component: dyadic, so that all types hold the same value.
 template <class Scalar>
@@ -156,8 +154,9 @@ void append(std::vector<Reference>& to, const std::array<Scalar, Size>& values) 
   for (const Scalar& value : values) to.push_back(lowered(value));
 }
 
-/// Prints a line and counts a failure where values differ by more than the type's rounding can make:
-/// the sums have up to some hundred terms of the size of the largest entry, hence 4000 epsilon of it.
+/// Prints a line and counts a failure where values differ by more than the type's rounding can
+/// make: the sums have up to some hundred terms of the size of the largest entry, hence 4000
+/// epsilon of it.
 inline int failures = 0;
 inline void compare(const char* what, const std::vector<Reference>& values,
                     const std::vector<Reference>& reference, double epsilon) {

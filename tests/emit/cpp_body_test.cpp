@@ -12,9 +12,15 @@ using elgen::testing::Subject;
 
 namespace {
 
+std::string body_of(const Subject& subject, const Function& function) {
+  const CppSpelling spelling(subject.model, subject.program);
+  const FunctionBody body = statements(subject.program, function, spelling);
+  return cpp_body(cpp_text(subject.program, function, body));
+}
+
 std::string body_of(std::size_t function) {
   const Subject subject = cart_pole();
-  return cpp_body(subject.model, subject.program, subject.program.functions[function]);
+  return body_of(subject, subject.program.functions[function]);
 }
 
 }  // namespace
@@ -41,7 +47,7 @@ TEST_CASE("kinked functions are the header's own") {
   subject.program = elgen::testing::read_program(
       "coordinates x theta\nfunction applied_force\n  0 = velocity x\n  1 = sign 0\n"
       "  2 = abs 0\n  result 2 1 = 1 2\n");
-  const std::string body = cpp_body(subject.model, subject.program, subject.program.functions[0]);
+  const std::string body = body_of(subject, subject.program.functions[0]);
   CHECK(body.find("using std::abs;") != std::string::npos);
   CHECK(body.find("using std::sign;") == std::string::npos);
 }
@@ -52,11 +58,11 @@ TEST_CASE("a matrix too long for a line is one row a line, or one entry a line")
   function.instructions = {{Opcode::velocity, FunctionId::sin, 0, 0}};
   function.names = {""};
   function.fields = {{"", 12, 12, std::vector<std::uint32_t>(144, 0)}};
-  const std::string row = "      v[0], v[0], v[0], v[0], v[0], v[0], v[0], v[0], v[0], v[0], v[0], v[0],\n";
-  CHECK(cpp_body(subject.model, subject.program, function).find(row + row) != std::string::npos);
+  const std::string row =
+      "      v[0], v[0], v[0], v[0], v[0], v[0], v[0], v[0], v[0], v[0], v[0], v[0],\n";
+  CHECK(body_of(subject, function).find(row + row) != std::string::npos);
   function.fields = {{"", 2, 40, std::vector<std::uint32_t>(80, 0)}};
-  CHECK(cpp_body(subject.model, subject.program, function).find("      v[0],\n      v[0],\n") !=
-        std::string::npos);
+  CHECK(body_of(subject, function).find("      v[0],\n      v[0],\n") != std::string::npos);
 }
 
 TEST_CASE("big results are written entry by entry") {
@@ -67,7 +73,29 @@ TEST_CASE("big results are written entry by entry") {
   function.names = {""};
   const auto count = static_cast<std::uint32_t>(largest_returned + 1);
   function.fields = {{"", count, 1, std::vector<std::uint32_t>(count, 0)}};
-  const std::string body = cpp_body(subject.model, subject.program, function);
+  const std::string body = body_of(subject, function);
   CHECK(body.rfind("  result[0] = v[1];\n  result[1] = v[1];\n", 0) == 0);
   CHECK(body.find("return") == std::string::npos);
+}
+
+TEST_CASE("a part writes its own values, the shared ones and the entries") {
+  Subject subject = cart_pole();
+  subject.program = elgen::testing::read_program(
+      "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  1 = sin 0\n"
+      "  2 = add 1 0  ; sum\n  3 = multiply 2 2  ; square\n  4 = multiply 3 1\n"
+      "  result 2 1 = 3 4\n");
+  const Function& function = subject.program.functions[0];
+  const CppSpelling spelling(subject.model, subject.program);
+  const Sections cut = sections(statements(subject.program, function, spelling), 3);
+  REQUIRE(cut.parts.size() == 2);
+  const FunctionBody body = statements(subject.program, function, spelling, cut.crosses);
+  const CppText text = cpp_text(subject.program, function, body);
+  CHECK(cpp_part(text, cut, 0) ==
+        "  using std::sin;\n"
+        "  w.sin_x = sin(q[0]);\n"
+        "  const Scalar sum = w.sin_x + q[0];\n"
+        "  w.square = sum * sum;\n");
+  CHECK(cpp_part(text, cut, 1) ==
+        "  result[0] = w.square;\n"
+        "  result[1] = w.square * w.sin_x;\n");
 }

@@ -1,9 +1,10 @@
 // cpp_constant: rows of value -> text, then many values compiled once and compared in every type.
 #include "emit/cpp_constant.hpp"
 
-#include <catch2/catch.hpp>
 #include <cln/float.h>
 #include <cln/rational.h>
+
+#include <catch2/catch.hpp>
 
 using namespace elgen;
 using cln::cl_R;

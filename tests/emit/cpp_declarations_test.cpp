@@ -16,8 +16,8 @@ std::string value_of(const Model& model, const std::string& name) {
   return "absent";
 }
 
-std::string member(const Model& model, std::size_t index, const char* hole) {
-  return parameter_members(model, Scene()).list_value().at(index).get(hole)->string_value();
+Member member(const Model& model, std::size_t index) {
+  return parameter_members(model, Scene()).at(index);
 }
 
 }  // namespace
@@ -42,9 +42,9 @@ TEST_CASE("a model without inputs has empty arrays") {
 TEST_CASE("parameters and their documentation") {
   Model model = cart_pole_model();
   model.parameter_arrays[0].range = Interval{0, 10};
-  CHECK(member(model, 0, "declaration").rfind("Scalar M = constant<Scalar>(1.0);", 0) == 0);
-  CHECK(member(model, 0, "doc") == "cart mass [kg] in [0, 10]");
-  CHECK(member(model, 3, "doc") == "[m/s^2]");
+  CHECK(member(model, 0).declaration.rfind("Scalar M = constant<Scalar>(1.0);", 0) == 0);
+  CHECK(member(model, 0).doc == "cart mass [kg] in [0, 10]");
+  CHECK(member(model, 3).doc == "[m/s^2]");
 }
 
 TEST_CASE("array parameters") {
@@ -54,8 +54,8 @@ TEST_CASE("array parameters") {
   CHECK_FALSE(has_filled_array(model, Scene()));
   elgen::testing::add_parameter_array(model, "c", {3, 3, 3});
   CHECK(has_filled_array(model, Scene()));
-  CHECK(member(model, 4, "declaration").rfind("std::array<Scalar, 2> k = {{\n", 0) == 0);
-  CHECK(member(model, 5, "declaration").rfind(
+  CHECK(member(model, 4).declaration.rfind("std::array<Scalar, 2> k = {{\n", 0) == 0);
+  CHECK(member(model, 5).declaration.rfind(
             "std::array<Scalar, 3> c = detail::filled<3>(constant<Scalar>(3.0));", 0) == 0);
   CHECK(emitted_parameter_count(model, Scene()) == 9);
 }
@@ -64,5 +64,5 @@ TEST_CASE("fixed parameters are no members") {
   Scene scene;
   scene.specialisation.fixed[3] = 9;
   CHECK(emitted_parameter_count(cart_pole_model(), scene) == 3);
-  CHECK(parameter_members(cart_pole_model(), scene).list_value().size() == 3);
+  CHECK(parameter_members(cart_pole_model(), scene).size() == 3);
 }

@@ -9,17 +9,7 @@ using elgen::testing::Subject;
 
 namespace {
 
-Instruction leaf(Opcode opcode, std::uint32_t index) {
-  return {opcode, FunctionId::sin, index, 0};
-}
-
-Function with_kind(OutputKind kind, std::uint32_t rows) {
-  Function function;
-  function.kind = kind;
-  function.name = std::string(output_row(kind).name);
-  function.fields.push_back({"", rows, 1, std::vector<std::uint32_t>(rows, 0)});
-  return function;
-}
+Instruction leaf(Opcode opcode, std::uint32_t index) { return {opcode, FunctionId::sin, index, 0}; }
 
 }  // namespace
 
@@ -55,6 +45,8 @@ TEST_CASE("calls") {
   CHECK(spelling.call(FunctionId::min, "x, y") == "detail::smaller<Scalar>(x, y)");
   CHECK(spelling.call(FunctionId::max, "x, y") == "detail::larger<Scalar>(x, y)");
   CHECK(spelling.square_root("x") == "sqrt(x)");
+  CHECK(spelling.temporary("sin") == "sin_");
+  CHECK(spelling.shared("sin_theta") == "w.sin_theta");
 }
 
 TEST_CASE("types of fields") {
@@ -68,34 +60,4 @@ TEST_CASE("types of fields") {
   CHECK(field_type(OutputKind::user_value, one) == "Scalar");
   CHECK(field_type(OutputKind::user_jacobian, {"", 3, 2, {}}) ==
         "std::array<Scalar, 3 * velocity_count>");
-}
-
-TEST_CASE("signatures take all arguments and name those that are used") {
-  const Subject subject = cart_pole();
-  CHECK(cpp_signature(subject.model, subject.program.functions[2]) ==
-        "[[nodiscard]] Scalar kinetic_energy(const Parameters<Scalar>& p, "
-        "const Coordinates<Scalar>&,\n"
-        "                                    const Velocities<Scalar>& v) noexcept");
-}
-
-TEST_CASE("time comes last in every function of a model that has it") {
-  Subject subject = cart_pole();
-  subject.model.uses_time = true;
-  const std::string signature = cpp_signature(subject.model, subject.program.functions[0]);
-  CHECK(signature.find("const std::common_type_t<Scalar>&) noexcept") != std::string::npos);
-}
-
-TEST_CASE("the mass matrix takes v where L is not quadratic") {
-  Subject subject = cart_pole();
-  subject.model.quadratic = false;
-  CHECK(cpp_signature(subject.model, subject.program.functions[0]).find("Velocities<Scalar>&)") !=
-        std::string::npos);
-}
-
-TEST_CASE("more entries than a stack should hold are written by reference") {
-  const Model model = cart_pole().model;
-  const std::string at = cpp_signature(model, with_kind(OutputKind::bias, largest_returned));
-  const std::string beyond = cpp_signature(model, with_kind(OutputKind::bias, largest_returned + 1));
-  CHECK(at.rfind("[[nodiscard]] Forces<Scalar> bias(const Parameters", 0) == 0);
-  CHECK(beyond.rfind("void bias(Forces<Scalar>& result, const Parameters", 0) == 0);
 }

@@ -1,10 +1,10 @@
 // decimal: known texts, and properties over random rationals.
 #include "emit/decimal.hpp"
 
-#include <catch2/catch.hpp>
 #include <cln/rational.h>
 #include <rapidcheck.h>
 
+#include <catch2/catch.hpp>
 #include <cstdlib>
 
 #include "elgen/evaluate.hpp"
@@ -77,8 +77,8 @@ TEST_CASE("literals of double are read back as the nearest double") {
     const auto exponent = *rc::gen::inRange<long>(-250, 250);
     const cl_RA value = ratio(numerator, denominator) * ten_to(exponent);
     const double nearest = ScalarTraits<double>::from_real(value);
-    RC_ASSERT(std::strtod(shortest_literal(value, ScalarKind::double_precision).c_str(),
-                          nullptr) == nearest);
+    RC_ASSERT(std::strtod(shortest_literal(value, ScalarKind::double_precision).c_str(), nullptr) ==
+              nearest);
     RC_ASSERT(std::strtod(literal_text(rounded_decimal(value, 30)).c_str(), nullptr) == nearest);
   }));
 }

@@ -42,7 +42,6 @@ TEST_CASE("an unknown unit leaves the rest unsaid") {
 
 TEST_CASE("lists of units") {
   const Model model = cart_pole_model();
-  CHECK(units_text(model, OutputKind::mass_matrix, {"", 2, 2, {}}) ==
-        "kg, kg*m; kg*m, kg*m^2");
+  CHECK(units_text(model, OutputKind::mass_matrix, {"", 2, 2, {}}) == "kg, kg*m; kg*m, kg*m^2");
   CHECK(units_text(model, OutputKind::forward_dynamics, {"relative_pivots", 2, 1, {}}) == "1");
 }

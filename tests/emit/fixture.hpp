@@ -1,10 +1,11 @@
-// A cart and pole by hand: Model, Scene and a Program in text form, as the stages before would give them.
+// A cart and pole by hand: Model, Scene and a Program in text form, as the stages before would give
+// them.
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <cln/rational.h>
 #include <cln/real.h>
 
+#include <catch2/catch.hpp>
 #include <string>
 
 #include "elgen/model.hpp"

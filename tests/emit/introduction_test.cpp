@@ -55,8 +55,9 @@ TEST_CASE("title, variables and fixed parameters") {
   subject.scene.specialisation.fixed[3] = cln::cl_RA(981) / 100;
   const Lines lines = introduction(subject.model, subject.scene, subject.program);
   CHECK(lines.front() == " Cart and pole with a force on the cart");
-  CHECK(contains(lines,
-                 "   q = (x [m], theta [rad]), v = dq/dt, a = dv/dt, u = (u [N])"));
+  CHECK(contains(lines, "   q = (x [m], theta [rad])"));
+  CHECK(contains(lines, "   v = dq/dt, a = dv/dt"));
+  CHECK(contains(lines, "   u = (u [N])"));
   CHECK(lines.back() == " Fixed: g = 9.81.");
 }
 
@@ -64,8 +65,7 @@ TEST_CASE("many variables are shown by the first two and the last") {
   Subject subject = cart_pole();
   for (int i = 0; i < 10; ++i) subject.model.coordinates.push_back(subject.model.coordinates[0]);
   const Lines lines = introduction(subject.model, subject.scene, subject.program);
-  CHECK(contains(lines,
-                 "   q = (x [m], theta [rad], ..., x [m]), v = dq/dt, a = dv/dt, u = (u [N])"));
+  CHECK(contains(lines, "   q = (x [m], theta [rad], ..., x [m])"));
 }
 
 TEST_CASE("one row per function, columns aligned") {

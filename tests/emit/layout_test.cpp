@@ -1,8 +1,9 @@
 // layout: where lines break, and what user text may not do to a comment.
 #include "emit/layout.hpp"
 
-#include <catch2/catch.hpp>
 #include <rapidcheck.h>
+
+#include <catch2/catch.hpp>
 
 using namespace elgen;
 using Lines = std::vector<std::string>;
@@ -45,6 +46,14 @@ TEST_CASE("user text cannot leave its comment") {
 TEST_CASE("user text cannot leave its literal") {
   CHECK(string_literal("q[1]") == "\"q[1]\"");
   CHECK(string_literal("a\"b\\c") == "\"a\\\"b\\\\c\"");
+}
+
+TEST_CASE("documentation of members stands in one column") {
+  CHECK(documented_members({{"int a;", "one"}, {"double b;", "two"}}) ==
+        Lines{"int a;     ///< one", "double b;  ///< two"});
+  const std::string wide(80, 'x');
+  CHECK(documented_members({{"int a;", "one"}, {wide, "a doc that has no place"}}) ==
+        Lines{"int a;  ///< one", "/// a doc that has no place", wide});
 }
 
 TEST_CASE("struct names") {

@@ -1,14 +1,13 @@
-// render: strict holes, no escaping, no doubled blank lines; and every template is known by its path.
+// render: strict holes, no escaping, no doubled blank lines; and every template is known by its
+// path.
 #include "emit/render.hpp"
 
 #include <catch2/catch.hpp>
-
 #include <stdexcept>
 
 #include "emit/embedded_templates.hpp"
 
 using namespace elgen;
-
 
 TEST_CASE("a template without holes is its own text") {
   CHECK(render("cpp/kinked.hpp.mustache", TemplateData()) ==

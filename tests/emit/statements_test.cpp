@@ -22,6 +22,7 @@ class Plain final : public Spelling {
   }
   std::string square_root(const std::string& x) const override { return "sqrt(" + x + ")"; }
   std::string temporary(const std::string& name) const override { return name; }
+  std::string shared(const std::string& name) const override { return "shared." + name; }
 };
 
 FunctionBody body_of(const std::string& instructions) {
@@ -31,9 +32,8 @@ FunctionBody body_of(const std::string& instructions) {
 }
 
 std::string entry_of(const std::string& operations, int last) {
-  const std::string leaves =
-      "  0 = parameter a\n  1 = parameter b\n  2 = parameter c\n";
-  return body_of(leaves + operations + fmt::format("  result 1 1 = {}\n", last)).entries[0][0];
+  const std::string leaves = "  0 = parameter a\n  1 = parameter b\n  2 = parameter c\n";
+  return body_of(leaves + operations + fmt::format("  result 1 1 = {}\n", last)).entries[0][0].text;
 }
 
 }  // namespace
@@ -74,15 +74,29 @@ TEST_CASE("a shared value is one statement, before its uses") {
       "  result 2 1 = 3 2\n");
   REQUIRE(body.statements.size() == 1);
   CHECK(body.statements[0].name == "total");
-  CHECK(body.statements[0].value == "x0 + x1");
-  CHECK(body.entries == std::vector<std::vector<std::string>>{{"total * total", "total"}});
+  CHECK(body.statements[0].value.text == "x0 + x1");
+  CHECK(body.statements[0].value.uses.empty());
+  CHECK(body.entries[0][0].text == "total * total");
+  CHECK(body.entries[0][1].text == "total");
+  CHECK(body.entries[0][0].uses == std::vector<std::uint32_t>{0});
 }
 
-TEST_CASE("usage lists opcodes and calls") {
+TEST_CASE("a shared statement is spelt as such where it is written and read") {
   const Program program = elgen::testing::read_program(
-      "parameters a\ncoordinates x\nfunction gravity\n  0 = coordinate x\n  1 = sin 0\n"
-      "  result 1 1 = 1\n");
-  const Usage used = usage(program.functions.front());
-  CHECK(used.opcodes == std::set<Opcode>{Opcode::coordinate, Opcode::call});
-  CHECK(used.calls == std::set<FunctionId>{FunctionId::sin});
+      "parameters a b\nfunction gravity\n  0 = parameter a\n  1 = parameter b\n"
+      "  2 = add 0 1  ; total\n  3 = multiply 2 0  ; part\n  4 = add 3 2\n  5 = multiply 3 4\n"
+      "  result 2 1 = 4 5\n");
+  const Function& function = program.functions.front();
+  const FunctionBody body = statements(program, function, Plain(), {false, true});
+  CHECK(body.statements[0].name == "total");
+  CHECK(body.statements[1].name == "shared.part");
+  const std::vector<Term>& entries = body.entries.front();
+  CHECK(entries[1].text.find("shared.part * ") == 0);
+}
+
+TEST_CASE("functions called") {
+  const Program program = elgen::testing::read_program(
+      "coordinates x\nfunction gravity\n  0 = coordinate x\n  1 = sin 0\n  2 = square_root 1\n"
+      "  result 1 1 = 2\n");
+  CHECK(called_functions(program.functions.front()) == std::set<FunctionId>{FunctionId::sin});
 }

@@ -1,0 +1,74 @@
+// cpp_function: short functions whole, long ones in parts.
+#include "emit/cpp_function.hpp"
+
+#include <fmt/format.h>
+
+#include "fixture.hpp"
+
+using namespace elgen;
+using elgen::testing::cart_pole;
+using elgen::testing::Subject;
+
+namespace {
+
+/// A chain of statements: each named value is used by the next two.
+Subject long_function(std::size_t statements) {
+  Subject subject = cart_pole();
+  std::string text = "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  1 = sin 0\n";
+  for (std::size_t i = 2; i < statements + 2; ++i) {
+    text += fmt::format("  {} = add {} {}  ; s{}\n", i, i - 1, i - 2, i);
+  }
+  text += fmt::format("  result 2 1 = {} 1\n", statements + 1);
+  subject.program = elgen::testing::read_program(text);
+  return subject;
+}
+
+CppFunction function_of(const Subject& subject) {
+  return cpp_function(subject.model, subject.program, subject.program.functions.front());
+}
+
+}  // namespace
+
+TEST_CASE("a short function is one body") {
+  const CppFunction function = function_of(long_function(20));
+  CHECK(function.parts.empty());
+  CHECK(function.workspace.empty());
+  CHECK(function.definition.body.find("return {{") != std::string::npos);
+}
+
+TEST_CASE("a long function calls its parts in order") {
+  const CppFunction function = function_of(long_function(longest_body));
+  REQUIRE(function.parts.size() == 3);
+  CHECK(function.definition.body ==
+        "  Forces<Scalar> result;\n"
+        "  detail::GravityWorkspace<Scalar> w;\n"
+        "  detail::gravity_part_1(result, w, p, q);\n"
+        "  detail::gravity_part_2(result, w, p, q);\n"
+        "  detail::gravity_part_3(result, w, p, q);\n"
+        "  return result;\n");
+  CHECK(function.definition.signature.find("Parameters<Scalar>& p") != std::string::npos);
+  CHECK(function.workspace.size() == 4);  // two at each cut
+}
+
+TEST_CASE("parts name the arguments they mention") {
+  const CppFunction function = function_of(long_function(longest_body));
+  const std::string& last = function.parts.back().signature;
+  CHECK(last.find("GravityWorkspace<Scalar>& w") != std::string::npos);
+  CHECK(last.find("const Coordinates<Scalar>&)") != std::string::npos);
+  CHECK(function.parts.front().signature.find("const Coordinates<Scalar>& q)") !=
+        std::string::npos);
+}
+
+TEST_CASE("more entries than a stack should hold are written by reference") {
+  Subject subject = cart_pole();
+  Function bias;
+  bias.kind = OutputKind::bias;
+  bias.name = "bias";
+  bias.instructions = {{Opcode::velocity, FunctionId::sin, 1, 0}};
+  bias.names = {""};
+  bias.fields = {{"", 4097, 1, std::vector<std::uint32_t>(4097, 0)}};
+  subject.program.functions = {bias};
+  const CppFunction function = function_of(subject);
+  CHECK(function.definition.signature.rfind("void bias(Forces<Scalar>& result,", 0) == 0);
+  CHECK(function.definition.body.find("return") == std::string::npos);
+}
