@@ -1,5 +1,5 @@
-// Implementation of evaluate.hpp, which alone includes it: the interpreter loop and the scalar type Real of at least 60
-// digits.
+// Implementation of evaluate.hpp, which alone includes it: the interpreter loop and the scalar type
+// Real of at least 60 digits.
 //
 // A scalar type of your own works after specialising ScalarTraits (from_real) and declaring the
 // functions of functions.def and sqrt beside it; abs, sign, min and max need an order only where a

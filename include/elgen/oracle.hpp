@@ -52,16 +52,20 @@ using OracleValues = std::optional<std::vector<cln::cl_R>>;
                                                              const std::vector<cln::cl_R>& w,
                                                              const std::vector<cln::cl_R>& y);
 
-/// Directions an output is contracted with: w . x for columns, w . X y for matrices; y is empty for columns.
+/// Directions an output is contracted with: w . x for columns, w . X y for matrices; y is empty for
+/// columns.
 struct Contraction {
   std::vector<cln::cl_R> w = {};
   std::vector<cln::cl_R> y = {};
 };
 
-/// The contraction of any output of one field, at the cost of a few directional derivatives instead of all
-/// entries (energies, forward_dynamics and user outputs: of all entries). For self-checks of large models.
-[[nodiscard]] std::optional<cln::cl_R> oracle_contraction(const Model& model, const OutputRequest& output,
-                                                          const State& state, const Contraction& by);
+/// The contraction of any output of one field, at the cost of a few directional derivatives instead
+/// of all entries (energies, forward_dynamics and user outputs: of all entries). For self-checks of
+/// large models.
+[[nodiscard]] std::optional<cln::cl_R> oracle_contraction(const Model& model,
+                                                          const OutputRequest& output,
+                                                          const State& state,
+                                                          const Contraction& by);
 
 /// The value of one expression of the model (for [[expect]]); t, q, v, a, u, parameters from the
 /// state.
