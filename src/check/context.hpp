@@ -45,6 +45,7 @@ struct Root {
   std::optional<Unit> unit = {};  ///< that the place asks for; none: any
   OwnerKind owner = OwnerKind::none;
   std::uint32_t owner_index = 0;
+  bool misplaced = false;  ///< made of what its place does not take; its unit is not judged too
 };
 
 /// The first node of every arena: the number 0, for what is absent (the z of a planar point) or

@@ -43,9 +43,10 @@ class MechanicsCheck {
 
   void check_degree(const std::optional<ExpressionId>& energy, std::uint8_t most, Code code,
                     const std::string& rule) {
-    // A kink is reported as such.
-    const bool has_kink = energy && (traits_[*energy].ingredients & uses_kink) != 0;
-    if (!energy || has_kink || traits_[*energy].rate_degree <= most) {
+    // What has no place in an energy is reported as such.
+    constexpr unsigned misplaced = uses_kink | uses_input | uses_acceleration;
+    if (!energy || (traits_[*energy].ingredients & misplaced) != 0 ||
+        traits_[*energy].rate_degree <= most) {
       return;
     }
     const std::uint8_t degree = traits_[*energy].rate_degree;

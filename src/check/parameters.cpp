@@ -109,8 +109,8 @@ class ParameterReader {
     }
     if (!array_.is_array || value.items.size() != array_.count) {
       context_.report.add(Code::E104, value.span,
-                          std::to_string(value.items.size()) + " values, but " +
-                              quoted(array_.name) + " has " +
+                          counted(value.items.size(), "value") + ", but " + quoted(array_.name) +
+                              " has " +
                               (array_.is_array ? "size " + std::to_string(array_.count)
                                                : std::string("no `size`")));
       return;

@@ -54,12 +54,13 @@ void report(Context& context, const Root& root, const Expression& node, const In
   context.report.add(code_of(row.ingredient, root.place), node.span, std::move(message), hint);
 }
 
-void check_root(Context& context, const std::vector<Traits>& traits, const Root& root) {
+void check_root(Context& context, const std::vector<Traits>& traits, Root& root) {
   const auto excess =
       static_cast<Ingredients>(traits[root.value].ingredients & ~unsigned{root.place.allowed});
   if (excess == 0) {
     return;
   }
+  root.misplaced = true;
   for (ExpressionId id = root.first; id <= root.value; ++id) {
     const Expression& node = context.model.expressions[id];
     for (const IngredientRow& row : ingredient_table) {
@@ -74,8 +75,7 @@ void check_root(Context& context, const std::vector<Traits>& traits, const Root&
 }  // namespace
 
 void check_places(Context& context, const std::vector<Traits>& traits) {
-  for (std::size_t i = 0; i < context.roots.size(); ++i) {
-    const Root root = context.roots[i];
+  for (Root& root : context.roots) {
     check_root(context, traits, root);
   }
 }

@@ -82,6 +82,10 @@ class Printer {
     }
   }
 
+  static bool is_negative(const Expression& term) {
+    return term.kind == ExpressionKind::number && cln::minusp(term.number);
+  }
+
   static Printed number(const cln::cl_RA& value) {
     const bool is_integer = cln::denominator(value) == 1;
     if (cln::minusp(value)) {
@@ -96,6 +100,8 @@ class Printer {
       const Expression& term = model_.expressions[operand];
       if (term.kind == ExpressionKind::negate && !text.empty()) {
         text += " - " + within(print(term.operands[0]), Binding::product);
+      } else if (is_negative(term) && !text.empty()) {
+        text += " - " + number_text(-term.number);
       } else {
         text += (text.empty() ? "" : " + ") + within(print(operand), Binding::product);
       }

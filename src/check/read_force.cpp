@@ -30,7 +30,7 @@ void read_point_force(ValueReader& values, const KeySyntax& at, const KeySyntax&
   const std::size_t count = force.value.size();
   if (force.at && count != context.model.points[*force.at].dimension) {
     context.report.add(Code::E516, value.value.span,
-                       std::to_string(count) + " components, but the point has " +
+                       counted(count, "component") + ", but the point has " +
                            std::to_string(context.model.points[*force.at].dimension));
   }
   force.value.resize(3, no_expression);

@@ -23,8 +23,7 @@ bool is_vector(const ValueSyntax& value, Report& report) {
   if (value.kind == ValueKind::list && (count == 2 || count == 3)) {
     return true;
   }
-  report.add(Code::E104, value.span,
-             std::to_string(count) + " components, but a vector has 2 or 3");
+  report.add(Code::E104, value.span, counted(count, "component") + ", but a vector has 2 or 3");
   return false;
 }
 
@@ -88,12 +87,11 @@ class BodyReader {
     const bool has_com = entry_.find("com") != nullptr;
     if (count != 1 && count != 3) {
       report_.add(Code::E104, spin->value.span,
-                  std::to_string(count) + " components, but a spin has 1 or 3");
+                  counted(count, "component") + ", but a spin has 1 or 3");
     } else if (has_com && (count == 1) != (body_.dimension == 2)) {
       report_.add(Code::E516, spin->value.span,
                   std::string(count == 1 ? "a planar" : "a spatial") +
-                      " spin, but the centre of mass has " + std::to_string(body_.dimension) +
-                      " components");
+                      " spin, but the centre of mass has " + counted(body_.dimension, "component"));
     }
     body_.dimension = count == 1 ? 2 : 3;
   }

@@ -61,7 +61,7 @@ void read_gravity(ValueReader& values, const EntrySyntax& entry) {
   if (components.size() != 2 && components.size() != 3) {
     values.context().report.add(
         Code::E104, vector->value.span,
-        std::to_string(components.size()) + " components, but a vector has 2 or 3");
+        counted(components.size(), "component") + ", but a vector has 2 or 3");
   }
   if (components.size() == 2 || components.size() == 3) {
     values.check_dimension(components.size(), vector->value.span);

@@ -54,6 +54,10 @@ std::string quoted(std::string_view text) {
   return "`" + std::string(shortened(text, longest)) + "…`";
 }
 
+std::string counted(std::size_t count, std::string_view noun) {
+  return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
+}
+
 std::string quoted(const Span& span) { return quoted(covered_text(span)); }
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) {

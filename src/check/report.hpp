@@ -33,6 +33,9 @@ class Report {
 /// User text in back-ticks, cut where it is long.
 [[nodiscard]] std::string quoted(std::string_view text);
 
+/// "1 component", "3 components"
+[[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
+
 /// The source text of a span in back-ticks.
 [[nodiscard]] std::string quoted(const Span& span);
 

@@ -29,12 +29,15 @@ std::optional<FunctionId> find_function(std::string_view name) {
 
 }  // namespace
 
-std::vector<std::string> function_names() {
-  std::vector<std::string> names(own_functions.begin(), own_functions.end());
-  for (const FunctionRow& row : function_table) {
-    names.emplace_back(row.name);
-  }
-  return names;
+const std::vector<std::string>& function_names() {
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> names(own_functions.begin(), own_functions.end());
+    for (const FunctionRow& row : function_table) {
+      names.emplace_back(row.name);
+    }
+    return names;
+  }();
+  return all;
 }
 
 std::optional<ExpressionId> Resolver::resolve_call(const ExpressionSyntax& call) {
@@ -69,8 +72,8 @@ bool Resolver::has_arity(const ExpressionSyntax& call, std::size_t arity) {
   }
   const std::size_t count = call.operands.size();
   context_.report.add(Code::E309, call.span,
-                      std::to_string(count) + (count == 1 ? " argument" : " arguments") + ", but " +
-                          quoted(call.text) + " takes " + std::to_string(arity));
+                      counted(count, "argument") + ", but " + quoted(call.text) + " takes " +
+                          std::to_string(arity));
   return false;
 }
 
@@ -172,7 +175,7 @@ std::optional<std::uint32_t> Resolver::resolve_point(const ExpressionSyntax& nam
   if (name.kind != SyntaxKind::name || symbol == nullptr || symbol->kind != SymbolKind::point) {
     const std::vector<std::string> points = context_.symbols.names(SymbolKind::point);
     context_.report.add(Code::E201, name.span, "unknown point " + quoted(name.span),
-                        context_.symbols.suggest(name.text, points, context_.report));
+                        context_.symbols.suggest(name.text, points));
     return std::nullopt;
   }
   return element(name, *symbol);

@@ -1,5 +1,6 @@
 // Resolver, names: time, pi, running indices and sizes (as numbers), and what the model declares.
 #include <algorithm>
+#include <utility>
 
 #include "elgen/functions.hpp"
 #include "resolver.hpp"
@@ -25,7 +26,7 @@ std::optional<ExpressionKind> leaf_kind(SymbolKind kind) {
 }
 
 bool is_function_name(const std::string& name) {
-  const std::vector<std::string> functions = function_names();
+  const std::vector<std::string>& functions = function_names();
   return std::find(functions.begin(), functions.end(), name) != functions.end();
 }
 
@@ -104,12 +105,15 @@ std::optional<ExpressionId> Resolver::unknown_name(const ExpressionSyntax& name)
                         "write `" + name.text + "(…)`");
     return std::nullopt;
   }
-  std::vector<std::string> candidates = context_.symbols.names();
-  const std::vector<std::string> indices = scope_.names();
-  candidates.insert(candidates.end(), indices.begin(), indices.end());
-  candidates.insert(candidates.end(), {"pi", "t"});
-  context_.report.add(Code::E201, name.span, "unknown name " + quoted(name.text),
-                      context_.symbols.suggest(name.text, candidates, context_.report));
+  std::string hint;
+  if (context_.report.wants_suggestion()) {
+    std::vector<std::string> candidates = context_.symbols.names();
+    const std::vector<std::string> indices = scope_.names();
+    candidates.insert(candidates.end(), indices.begin(), indices.end());
+    candidates.insert(candidates.end(), {"pi", "t"});
+    hint = context_.symbols.suggest(name.text, candidates);
+  }
+  context_.report.add(Code::E201, name.span, "unknown name " + quoted(name.text), std::move(hint));
   return std::nullopt;
 }
 

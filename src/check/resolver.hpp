@@ -70,6 +70,6 @@ class Resolver {
 };
 
 /// Names of everything that can be called.
-[[nodiscard]] std::vector<std::string> function_names();
+[[nodiscard]] const std::vector<std::string>& function_names();
 
 }  // namespace elgen::checking

@@ -192,7 +192,7 @@ class SceneReader {
     if (targets.empty() && name != "all") {
       const std::vector<std::string> names = context_.symbols.names(SymbolKind::parameter);
       context_.report.add(Code::E602, span, "unknown parameter " + quoted(name),
-                          context_.symbols.suggest(name, names, context_.report));
+                          context_.symbols.suggest(name, names));
       return;
     }
     std::optional<cln::cl_R> number;

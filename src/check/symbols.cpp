@@ -142,11 +142,7 @@ std::vector<std::string> Symbols::names(SymbolKind kind) const {
   return result;
 }
 
-std::string Symbols::suggest(std::string_view word, const std::vector<std::string>& among,
-                             const Report& report) const {
-  if (!report.wants_suggestion()) {
-    return "";
-  }
+std::string Symbols::suggest(std::string_view word, const std::vector<std::string>& among) const {
   const std::string near = nearest(word, among);
   const Symbol* symbol = near.empty() ? nullptr : find(near);
   if (symbol == nullptr) {

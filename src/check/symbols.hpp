@@ -58,8 +58,8 @@ class Symbols {
   [[nodiscard]] std::vector<std::string> names() const;
   [[nodiscard]] std::vector<std::string> names(SymbolKind kind) const;
   /// "did you mean `m`? (parameter, line 20)", or nothing.
-  [[nodiscard]] std::string suggest(std::string_view word, const std::vector<std::string>& among,
-                                    const Report& report) const;
+  [[nodiscard]] std::string suggest(std::string_view word,
+                                    const std::vector<std::string>& among) const;
 
  private:
   bool report_duplicate(const NewName& name, const Symbol& first, Report& report) const;

@@ -1,7 +1,8 @@
 // Units of expressions: one pass over the arena.
 //
 // Numbers are pure, but 0 has any unit; what touches a leaf without a unit is not known and not
-// compared. After an error the node counts as not known, so that one mistake is reported once.
+// compared, and a model without any unit is not judged at all. After an error the node counts as
+// not known, so that one mistake is reported once.
 #include "unit_inference.hpp"
 
 #include <cln/integer.h>
@@ -43,7 +44,8 @@ class UnitInference {
       units_[id] = of(model_.expressions[id]);
     }
     const InferredUnit& inferred = units_[root.value];
-    if (root.unit && inferred.known == Known::yes && inferred.unit != *root.unit) {
+    if (root.unit && !root.misplaced && inferred.known == Known::yes &&
+        inferred.unit != *root.unit) {
       const Span& span = model_.expressions[root.value].span;
       context_.report.add(Code::E403, span,
                           quoted(span) + " is in " + to_string(inferred.unit) + ", but " +
@@ -144,11 +146,11 @@ class UnitInference {
         result = term;
       }
       if (term.known == Known::yes && term.unit != result.unit) {
-        report_difference(model_.expressions[operand].span, term.unit, what, result.unit);
+        report_difference(term_span(operand), term.unit, what, result.unit);
         return {};
       }
     }
-    return result.known == Known::any && !complete ? InferredUnit{} : result;
+    return complete ? result : InferredUnit{};
   }
 
   InferredUnit of_call(const Expression& node) {
@@ -159,10 +161,9 @@ class UnitInference {
       case FunctionId::max:
         return common(node, "the other argument");
       case FunctionId::atan2:
-        common(node, "the other argument");
-        return known({});
+        return ratio(common(node, "the other argument"));
       case FunctionId::sign:
-        return known({});
+        return ratio(units_[node.operands[0]]);
       default:
         return pure(node);
     }
@@ -176,7 +177,19 @@ class UnitInference {
                           quoted(span) + " is in " + to_string(argument.unit) + ", but " +
                               quoted(function_row(node.function).name) + " takes a pure number");
     }
-    return known({});
+    return ratio(argument);
+  }
+
+  /// A pure number, as far as the argument is known.
+  static InferredUnit ratio(const InferredUnit& argument) {
+    return argument.known == Known::no ? InferredUnit{} : known({});
+  }
+
+  /// Of `a - b` the term is b.
+  [[nodiscard]] const Span& term_span(ExpressionId id) const {
+    const Expression& term = model_.expressions[id];
+    return term.kind == ExpressionKind::negate ? model_.expressions[term.operands[0]].span
+                                               : term.span;
   }
 
   void report_difference(const Span& span, const Unit& observed, std::string_view what,
@@ -190,6 +203,17 @@ class UnitInference {
   const Model& model_;
   std::vector<InferredUnit> units_;
 };
+
+bool declares_units(const Context& context) {
+  const auto has_unit = [](const auto& row) { return row.unit.has_value(); };
+  const auto any = [&](const auto& rows) {
+    return std::any_of(rows.begin(), rows.end(), has_unit);
+  };
+  const auto& prescribed = context.prescribed_units;
+  const auto given = [](const std::optional<Unit>& unit) { return unit.has_value(); };
+  return any(context.model.coordinates) || any(context.model.parameters) ||
+         any(context.model.inputs) || std::any_of(prescribed.begin(), prescribed.end(), given);
+}
 
 /// Names of what has no unit, each once, and where the first of them is declared.
 void note_missing_units(Context& context) {
@@ -226,7 +250,7 @@ void note_missing_units(Context& context) {
 
 void check_units(Context& context, const std::vector<std::uint32_t>& order) {
   UnitInference inference(context);
-  for (const std::uint32_t root : order) {
+  for (const std::uint32_t root : declares_units(context) ? order : std::vector<std::uint32_t>{}) {
     inference.visit(context.roots[root]);
   }
   // Beside errors a note would only distract.

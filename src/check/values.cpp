@@ -86,7 +86,7 @@ std::optional<std::uint32_t> ValueReader::reference(const ValueSyntax& value, Sy
     const std::vector<std::string> names = context_.symbols.names(kind);
     context_.report.add(Code::E201, value.span,
                         "unknown " + std::string(noun(kind)) + " " + quoted(name.text),
-                        context_.symbols.suggest(name.text, names, context_.report));
+                        context_.symbols.suggest(name.text, names));
     return std::nullopt;
   }
   return Resolver(context_, scope_).element(name, *symbol);
@@ -97,7 +97,7 @@ void ValueReader::check_dimension(std::size_t count, const Span& span) {
     context_.dimension = static_cast<std::uint32_t>(count);
   } else if (count != context_.dimension) {
     context_.report.add(Code::E516, span,
-                        std::to_string(count) + " components in a model whose first vector has " +
+                        counted(count, "component") + " in a model whose first vector has " +
                             std::to_string(context_.dimension));
   }
 }

@@ -4,7 +4,7 @@
 #include <sys/resource.h>
 
 #include <catch2/catch.hpp>
-#include <chrono>
+#include <ctime>
 #include <map>
 #include <sstream>
 
@@ -106,7 +106,9 @@ void check_value(const CheckedModel& result, const std::string& expected) {
   std::string plain = expected;
   const std::size_t e = plain.find("e+");
   if (e != std::string::npos) plain.erase(e + 1, 1);
-  const auto literal = parse_expression(make_source("value", plain), {});
+  Limits limits;
+  limits.decimal_exponent = 500;
+  const auto literal = parse_expression(make_source("value", plain), limits);
   REQUIRE(literal);
   const ExpressionSyntax& number =
       literal->kind == SyntaxKind::negate ? literal->operands.front() : *literal;
@@ -122,12 +124,12 @@ TEST_CASE("hostile expressions that parse are answered as the table says") {
   for (const Row& row : rows) {
     INFO(row.input);
     const SourcePointer source = make_source("force", expanded(row.input));
-    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t begin = std::clock();
     const auto expression = parse_expression(source, {});
     REQUIRE(expression);
     const auto result = check(model_with_force(*expression), nullptr, {}, {});
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    CHECK(seconds.count() < 1.0);
+    // Processor time: other processes do not count.
+    CHECK(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC < 1.0);
     if (row.answer == "accepted") {
       REQUIRE(result);
       check_value(*result, row.value);

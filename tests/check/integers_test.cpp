@@ -52,7 +52,7 @@ TEST_CASE("index expressions are integer arithmetic") {
       {"i^2", "E318 1 `i^2` is not integer arithmetic over sizes and indices"},
       {"sin(i)", "E318 1 `sin(i)` is not integer arithmetic over sizes and indices"},
       {"1 + i[2]", "E318 5 `i[2]` is not integer arithmetic over sizes and indices"},
-      {"i + j", "E201 5 unknown index `j` | did you mean `i`?"},
+      {"i + j", "E201 5 unknown index `j`"},
       {"1e9*1e9*1e9", "E318 1 `1e9*1e9*1e9` is not integer arithmetic over sizes and indices"},
       {"1e10", "E318 1 `1e10` is not integer arithmetic over sizes and indices"},
   };

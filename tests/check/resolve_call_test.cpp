@@ -66,7 +66,7 @@ TEST_CASE("sqrt is the power 1/2, delta a number, sum a sum") {
   CHECK(potential("c*x^2*delta(1, 1) + c*delta(1, 2)") == "energy V = c*x^2*1 + c*0\n");
   CHECK(potential("sum(i, 2, 2, i*c*x^2)") == "energy V = 2*c*x^2\n");
   CHECK(potential("sum(i, 1, 2, sum(j, i, 2, delta(i, j)*c*x^2))") ==
-        "energy V = 1*c*x^2 + 0*c*x^2 + 1*c*x^2\n");
+        "energy V = (1*c*x^2 + 0*c*x^2) + 1*c*x^2\n");
 }
 
 TEST_CASE("calls that mean nothing") {

@@ -1,0 +1,103 @@
+// Expectations: shapes, entries by index, and closed forms too big to keep.
+#include <catch2/catch.hpp>
+#include <utility>
+
+#include "check_testing.hpp"
+
+namespace elgen::test {
+namespace {
+
+const std::string masses = R"toml(format = 1
+[model]
+name = "masses"
+[sizes]
+n = 2
+[[coordinate]]
+for = "i in 1..n"
+name = "x[i]"
+unit = "m"
+[parameters]
+m = { size = "n", value = 1, unit = "kg" }
+k = { value = 1, unit = "N/m" }
+[energy]
+T = "sum(i, 1, n, 1/2*m[i]*dot(x[i])^2)"
+V = "1/2*k*x[1]^2"
+[[expect]]
+)toml";
+
+TEST_CASE("closed forms are columns, matrices, or entries by index") {
+  CHECK(dumped(masses +
+                   "gravity = [\"k*x[1]\", \"0\"]\nmass_matrix = [[\"m[1]\", 0], [0, \"m[2]\"]]\n",
+               "expect") ==
+        "expect gravity 2 1 = [k*x[1], 0]\nexpect mass_matrix 2 2 = [m[1], 0, 0, m[2]]\n");
+  CHECK(dumped(masses + "mass_matrix_entry = { for = [\"i in 1..n\", \"j in 1..n\"], value = "
+                        "\"delta(i, j)*m[i]\" }\nmomentum_entry = { for = \"i in 1..n\", value = "
+                        "\"m[i]*dot(x[i])\" }\n",
+               "expect") ==
+        "expect mass_matrix 2 2 = [1*m[1], 0*m[1], 0*m[2], 1*m[2]]\n"
+        "expect momentum 2 1 = [m[1]*dot(x[1]), m[2]*dot(x[2])]\n");
+  CHECK(dumped(masses + "potential_energy = \"1/2*k*x[1]^2\"\nconserved = [\"dot(x[2])\", \"k\"]\n",
+               "expect") ==
+        "expect potential_energy 1 1 = [1/2*k*x[1]^2]\nexpect conserved 2 1 = [dot(x[2]), k]\n");
+}
+
+TEST_CASE("closed forms that do not fit") {
+  const std::vector<std::pair<std::string, std::string>> rows{
+      {"gravity = [\"k*x[1]\"]\n", "E517 17:11 1 x 1 entries, but `gravity` is 2 x 1\n"},
+      {"mass_matrix = [\"m[1]\", \"m[2]\"]\n",
+       "E517 17:15 2 x 1 entries, but `mass_matrix` is 2 x 2 | a matrix is a list of rows: [[…], "
+       "[…]]\n"},
+      {"mass_matrix = [[\"m[1]\", 0], [0]]\n",
+       "E517 17:15 2 x 2 entries, but `mass_matrix` is 2 x 2 | a matrix is a list of rows: [[…], "
+       "[…]]\n"},
+      {"gravty = [\"0\", \"0\"]\n",
+       "E601 17:1 unknown output `gravty` | did you mean `gravity`?\n"},
+      {"linearization = [\"0\"]\n", "E108 17:1 the output `linearization` is not yet supported\n"},
+      {"gravity = { for = \"i in 1..n\", value = \"0\" }\n",
+       "E601 17:1 `gravity` is given by entry, but is not called so | did you mean "
+       "`gravity_entry`?\n"},
+      {"gravity_entry = { for = \"i in 1..n-1\", value = \"k*x[1]\" }\n",
+       "E517 17:49 no entry 2, 1 of `gravity`\n"},
+      {"gravity_entry = { for = \"i in 1..n+1\", value = \"k*x[1]\" }\n",
+       "E517 17:49 entry 3, 1, but `gravity` is 2 x 1\n"},
+      {"gravity_entry = { for = [\"i in 1..n\", \"j in 1..n\"], value = \"0\" }\n",
+       "E517 17:25 2 indices, but an entry of `gravity` has 1\n"},
+      {"gravity = [\"kk\", \"0\"]\n",
+       "E201 17:13 unknown name `kk` | did you mean `k`? (parameter, line 12)\n"},
+      {"gravity = [\"k\", \"0\"]\n", "E403 17:13 `k` is in kg/s^2, but a closed form is in N\n"},
+      {"input_matrix = [[\"1\"], [\"0\"]]\n",
+       "E603 17:1 `input_matrix` needs inputs, and the model has none\n"},
+  };
+  for (const auto& [expect, expected] : rows) {
+    INFO(expect);
+    CHECK(messages(masses + expect) == expected);
+  }
+}
+
+TEST_CASE("big closed forms are kept only where they are asked for") {
+  const std::string model = masses +
+                            "mass_matrix_entry = { for = [\"i in 1..n\", \"j in 1..n\"], value = "
+                            "\"delta(i, j)*m[i]\" }\ngravity_entry = { for = \"i in 1..n\", value "
+                            "= \"delta(i, 1)*k*x[i]\" }\n";
+  Wanted wanted;
+  wanted.sizes = {"n=64"};
+  CHECK(dumped(model, "expect mass", wanted).empty());
+  CHECK(checked(model, wanted).model.expectations.size() == 1);
+  wanted.large_expectations = true;
+  const Model large = checked(model, wanted).model;
+  REQUIRE(large.expectations.size() == 2);
+  CHECK(large.expectations[0].entries.size() == 64 * 64);
+  CHECK(to_string(large, large.expectations[0].entries.back()) == "1*m[64]");
+}
+
+TEST_CASE("mistakes in big closed forms are found all the same") {
+  Wanted wanted;
+  wanted.sizes = {"n=1000"};
+  CHECK(messages(masses + "mass_matrix_entry = { for = [\"i in 1..n\", \"j in 1..n\"], value = "
+                          "\"delta(i, j)*mm[i]\" }\n",
+                 wanted) ==
+        "E201 17:78 unknown name `mm` | did you mean `m`? (parameter, line 11)\n");
+}
+
+}  // namespace
+}  // namespace elgen::test

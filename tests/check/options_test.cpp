@@ -1,0 +1,46 @@
+// Options: words and assignments keep their places.
+#include "check/options.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace elgen::checking {
+namespace {
+
+TEST_CASE("words are split at commas and keep their places") {
+  const SourcePointer one = make_source("command line", "a, b c ,d");
+  const SourcePointer two = make_source("command line", "e");
+  const std::vector<OptionWord> words = words_of({one, two});
+  REQUIRE(words.size() == 4);
+  CHECK(words[1].text == "b c");
+  CHECK(words[1].span.begin == 3);
+  CHECK(words[1].span.end == 6);
+  CHECK(words[3].span.source == two.get());
+  CHECK(words_of({make_source("command line", "a,")}).back().text.empty());
+  CHECK(words_of({}).empty());
+}
+
+TEST_CASE("assignments are split at the first equals sign") {
+  const SourcePointer source = make_source("command line", "g, m = 1/2 ");
+  const std::vector<OptionWord> words = words_of({source});
+  const Assignment whole = split_assignment(words[0]);
+  CHECK(whole.name.text == "g");
+  CHECK(whole.value.begin == whole.value.end);
+  const Assignment parts = split_assignment(words[1]);
+  CHECK(parts.name.text == "m");
+  CHECK(covered_text(parts.value) == "1/2");
+  CHECK(parts.value.begin == 7);
+}
+
+TEST_CASE("sizes of the option follow those of the scene") {
+  SceneOptions options;
+  options.sizes = {make_source("command line", "n=3,m=4")};
+  Report report;
+  const std::vector<SizeOverride> sizes = size_overrides(nullptr, options, report);
+  REQUIRE(sizes.size() == 2);
+  CHECK(sizes[1].name == "m");
+  CHECK(sizes[1].value == 4);
+  CHECK(report.errors() == 0);
+}
+
+}  // namespace
+}  // namespace elgen::checking

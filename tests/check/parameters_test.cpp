@@ -1,0 +1,89 @@
+// Parameters: exact values, arrays, and values that contradict what is said of them.
+#include <catch2/catch.hpp>
+#include <utility>
+
+#include "check_testing.hpp"
+
+namespace elgen::test {
+namespace {
+
+std::string model_with(const std::string& parameters) {
+  return "format = 1\n[model]\nname = \"a\"\n[sizes]\nn = 3\n[[coordinate]]\nname = \"x\"\n"
+         "unit = \"m\"\n[energy]\nT = \"dot(x)^2*0\"\nV = \"0\"\n[parameters]\n" +
+         parameters;
+}
+
+TEST_CASE("values are exact; arrays take one number for all, or a list") {
+  CHECK(dumped(model_with("a = { value = 0.1, unit = \"kg\" }\n"), "parameter") ==
+        "parameter a = 1/10 [kg]\n");
+  CHECK(dumped(model_with("a = { value = \"1/3\", size = \"n-1\", unit = \"1\" }\n"),
+               "parameter") == "parameter a[1] = 1/3 [1]\nparameter a[2] = 1/3 [1]\n");
+  CHECK(dumped(model_with("a = { value = [1, \"2/3\", 3e0], size = \"n\", unit = \"m\" }\n"),
+               "parameter") ==
+        "parameter a[1] = 1 [m]\nparameter a[2] = 2/3 [m]\nparameter a[3] = 3 [m]\n");
+  CHECK(dumped(model_with("a = 5\n"), "parameter") == "parameter a = 5\n");
+}
+
+TEST_CASE("declarations keep what they say") {
+  const Model model =
+      checked(model_with("a = { value = 2, size = \"n\", unit = \"kg*m\", min = 1, "
+                         "max = 3, assume = \"positive\", doc = \"a doc\", "
+                         "latex = \"\\\\alpha\" }\nb = { value = 1, unit = \"1\" }\n"))
+          .model;
+  REQUIRE(model.parameter_arrays.size() == 2);
+  const ParameterArray& a = model.parameter_arrays[0];
+  CHECK(a.is_array);
+  CHECK(a.count == 3);
+  CHECK(a.unit_text == "kg*m");
+  CHECK(a.doc == "a doc");
+  CHECK(a.latex == "\\alpha");
+  REQUIRE(a.range);
+  CHECK(a.range->low == 1);
+  CHECK(a.range->high == 3);
+  CHECK(model.parameter_arrays[1].first == 3);
+  CHECK_FALSE(model.parameter_arrays[1].is_array);
+  CHECK(model.parameters[2].identifier == "a_3");
+  CHECK(model.parameters[2].element == 2);
+  CHECK(model.parameters[2].assumption == Assumption::positive);
+}
+
+TEST_CASE("values that do not fit") {
+  const std::vector<std::pair<std::string, std::string>> rows{
+      {"a = { value = [1, 2], size = \"n\", unit = \"m\" }\n",
+       "E104 13:15 2 values, but `a` has size 3\n"},
+      {"a = { value = [1, 2], unit = \"m\" }\n", "E104 13:15 2 values, but `a` has no `size`\n"},
+      {"a = { value = 1, size = \"n-3\", unit = \"m\" }\n",
+       "E209 13:26 the size is 0, so there is no element\n"},
+      {"a = { value = 1, size = \"k\", unit = \"m\" }\n", "E201 13:26 unknown index `k`\n"},
+      {"a = { value = \"b\", unit = \"m\" }\n", "E201 13:16 unknown name `b`\n"},
+      {"a = { value = \"2*x\", unit = \"m\" }\n", "E319 13:16 `2*x` is not a constant number\n"},
+      {"a = { value = 1, unit = \"m\", min = 3, max = 2 }\n",
+       "E518 13:15 `1` is not what `assume`, `min` or `max` of `a` say\n"
+       "E112 13:45 `2` is below `min`\n"},
+      {"a = { value = 1, unit = \"lb\" }\n", "E402 13:26 unknown unit `lb`\n"},
+  };
+  for (const auto& [parameters, expected] : rows) {
+    INFO(parameters);
+    CHECK(messages(model_with(parameters)) == expected);
+  }
+}
+
+TEST_CASE("contradictions are warnings") {
+  for (const char* says :
+       {"value = 0, assume = \"positive\"", "value = -1, assume = \"nonnegative\"",
+        "value = 1, min = 2", "value = 3, max = 2"}) {
+    const std::string text = model_with("a = { unit = \"m\", " + std::string(says) + " }\n");
+    CHECK(messages(text).substr(0, 4) == "E518");
+    CHECK(run_check(text));
+  }
+  CHECK(
+      messages(model_with("a = { unit = \"m\", value = 0, assume = \"nonnegative\" }\n")).empty());
+}
+
+TEST_CASE("more elements than entries may be are refused before they are made") {
+  CHECK(messages(model_with("a = { value = 1, size = \"1000000000\", unit = \"m\" }\n")) ==
+        "E907 13:26 1000000000 elements, but the limit is 20000\n");
+}
+
+}  // namespace
+}  // namespace elgen::test

@@ -1,0 +1,55 @@
+// Places: what may stand where, at the node that brings it in.
+#include <catch2/catch.hpp>
+#include <utility>
+
+#include "check_testing.hpp"
+
+namespace elgen::test {
+namespace {
+
+const std::string entries = R"toml([[input]]
+name = "u"
+unit = "N"
+[define]
+speed = "dot(x)"
+drive = "u*x"
+[parameters.T0]
+value = 1
+unit = "kg*s^2"
+)toml";
+
+TEST_CASE("each ingredient is reported where it comes in, also through a definition") {
+  const std::vector<std::pair<std::string, std::string>> rows{
+      {"V = \"k*x^2 + u*x\"\n", "E319 12:14 `u` is an input, and V takes none\n"},
+      {"V = \"drive\"\n", "E319 12:6 `drive` contains an input, and V takes none\n"},
+      {"V = \"T0*dot(dot(x))^2\"\n",
+       "E502 12:9 `dot(dot(x))` is a second derivative, and V takes none\n"},
+      {"V = \"T0*dot(speed)^2\"\n",
+       "E502 12:9 `dot(speed)` is a second derivative, and V takes none\n"},
+      {"V = \"k*max(x, 0)^2\"\n",
+       "E315 12:8 `max(x, 0)` is a function with a kink, and V takes none | a smooth stand-in is "
+       "tanh(x/width)\n"},
+      {"V = \"u*x + u*x\"\n",
+       "E319 12:6 `u` is an input, and V takes none\nE319 12:12 `u` is an input, and V takes "
+       "none\n"},
+  };
+  for (const auto& [energy, expected] : rows) {
+    INFO(energy);
+    CHECK(messages(block(energy + entries)) == expected);
+  }
+}
+
+TEST_CASE("definitions take no accelerations, closed forms take everything") {
+  CHECK(messages(block(entries + "[[expect]]\ninverse_dynamics = [\"m*dot(dot(x))\"]\n")).empty());
+  CHECK(messages(block("[define]\na = \"m*dot(dot(x))\"\n")) ==
+        "E502 13:8 `dot(dot(x))` is a second derivative, and a definition takes none\n");
+}
+
+TEST_CASE("a rate may stand in an energy, a spin and a force, in nothing else") {
+  CHECK(messages(block("D = \"0.5*T0*speed^2/x^2*dot(x)*0\"\n" + entries)).empty());
+  CHECK(messages(block(entries + "[[point]]\nname = \"p\"\nat = [\"speed*0\", \"0\"]\n")) ==
+        "E319 23:8 `speed` contains a rate, and a position takes none\n");
+}
+
+}  // namespace
+}  // namespace elgen::test

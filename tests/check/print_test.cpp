@@ -1,0 +1,50 @@
+// Printing: what is printed parses back to the same expression.
+#include <catch2/catch.hpp>
+#include <utility>
+
+#include "check_testing.hpp"
+
+namespace elgen::test {
+namespace {
+
+std::string printed(const std::string& text) {
+  const std::string head =
+      "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n"
+      "[[coordinate]]\nname = \"y\"\n[energy]\nT = \"dot(x)^2 + dot(y)^2\"\nV = \"";
+  const Model model = checked(head + text + "\"\n").model;
+  return to_string(model, *model.energies.V);
+}
+
+TEST_CASE("brackets are printed where they are needed") {
+  const std::vector<std::pair<std::string, std::string>> rows{
+      {"x + y*2", "x + y*2"},
+      {"(x + y)*2", "(x + y)*2"},
+      {"x - (y - 2)", "x - (y - 2)"},
+      {"x - y - 2", "x - y - 2"},
+      {"-x*y", "-x*y"},
+      {"-(x + y)", "-(x + y)"},
+      {"(-x)^2", "(-x)^2"},
+      {"-x^2", "-x^2"},
+      {"x/y/2", "x/y/2"},
+      {"x/(y*2)", "x/(y*2)"},
+      {"x*(y/2)", "x*(y/2)"},
+      {"(x/y)*2", "x/y*2"},
+      {"x^(1/3)", "x^(1/3)"},
+      {"x^-1", "x^(-1)"},
+      {"sqrt(x + y)", "sqrt(x + y)"},
+      {"(x^2)^3", "(x^2)^3"},
+      {"sin(x)^2*atan2(x, y)", "sin(x)^2*atan2(x, y)"},
+      {"0.5*x", "1/2*x"},
+      {"x*0.5", "x*(1/2)"},
+      {"pi*t*x", "pi*t*x"},
+      {"x*(-y)", "x*(-y)"},
+  };
+  for (const auto& [text, expected] : rows) {
+    INFO(text);
+    CHECK(printed(text) == expected);
+    CHECK(printed(printed(text)) == expected);
+  }
+}
+
+}  // namespace
+}  // namespace elgen::test

@@ -1,0 +1,125 @@
+// Requests: availability, shapes and names of outputs.
+#include "check/requests.hpp"
+
+#include <catch2/catch.hpp>
+#include <utility>
+
+#include "check_testing.hpp"
+
+namespace elgen::test {
+namespace {
+
+const std::string with_output = block(R"toml([[input]]
+name = "u"
+unit = "N"
+on = "x"
+[[output]]
+name = "tip"
+value = ["x", "2*x"]
+jacobian = true
+[[output]]
+name = "place"
+value = "x"
+)toml");
+
+std::vector<std::string> names_in_full(const std::string& model) {
+  std::vector<std::string> names;
+  for (const OutputRequest& request : checked(model).scene.outputs) {
+    names.push_back(request.name);
+  }
+  return names;
+}
+
+bool has(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+TEST_CASE("full is every output the model has") {
+  const std::vector<std::string> all = names_in_full(with_output);
+  CHECK(all.front() == "mass_matrix");
+  CHECK(all.back() == "dynamics");
+  for (const char* name : {"input_matrix", "tip", "place", "tip_jacobian", "tip_bias", "gravity"}) {
+    CHECK(has(all, name));
+  }
+  CHECK_FALSE(has(all, "place_jacobian"));
+  CHECK_FALSE(has(names_in_full(block()), "input_matrix"));
+}
+
+TEST_CASE("outputs of another Lagrangian") {
+  const std::string head =
+      "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n"
+      "unit = \"m\"\n[parameters]\nm = { value = 1, unit = \"kg\" }\n"
+      "c = { value = 1, unit = \"m/s\" }\n[energy]\n";
+  const std::string relativistic = head + "L = \"-m*c^2*sqrt(1 - dot(x)^2/c^2)\"\n";
+  const std::vector<std::string> some = names_in_full(relativistic);
+  for (const char* name : {"mass_matrix", "bias", "momentum", "energy_function"}) {
+    CHECK(has(some, name));
+  }
+  for (const char* name : {"coriolis_matrix", "velocity_force", "gravity", "drift",
+                           "kinetic_energy", "potential_energy", "total_energy"}) {
+    CHECK_FALSE(has(some, name));
+  }
+  Wanted wanted;
+  wanted.outputs = {"gravity"};
+  CHECK(messages(relativistic, wanted) ==
+        "E505 1:1 `gravity` needs a Lagrangian at most quadratic in the rates\n");
+  // Quadratic, but T and V are not told apart.
+  const std::string whole = head + "L = \"m*dot(x)^2\"\n";
+  CHECK(has(names_in_full(whole), "gravity"));
+  wanted.outputs = {"total_energy"};
+  CHECK(messages(whole, wanted) ==
+        "E603 1:1 `total_energy` needs T and V apart, but the model gives L\n");
+}
+
+TEST_CASE("shapes follow the dimensions") {
+  const CheckedModel model = checked(with_output);
+  const auto shape = [&](const char* name) {
+    const auto request = checking::find_request(model.model, name);
+    REQUIRE(request);
+    return std::pair(request->rows, request->columns);
+  };
+  CHECK(shape("mass_matrix") == std::pair(1U, 1U));
+  CHECK(shape("input_matrix") == std::pair(1U, 1U));
+  CHECK(shape("tip") == std::pair(2U, 1U));
+  CHECK(shape("tip_jacobian") == std::pair(2U, 1U));
+  CHECK(shape("tip_bias") == std::pair(2U, 1U));
+  CHECK(shape("forward_dynamics") == std::pair(1U, 1U));
+  CHECK_FALSE(checking::find_request(model.model, "tipp"));
+}
+
+TEST_CASE("names that cannot be had") {
+  const std::vector<std::pair<std::string, std::string>> rows{
+      {"mass_matrx", "E601 1:1 unknown output `mass_matrx` | did you mean `mass_matrix`?\n"},
+      {"bias, tp", "E601 1:7 unknown output `tp` | did you mean `tip`?\n"},
+      {"linearization", "E108 1:1 the output `linearization` is not yet supported\n"},
+      {"place_jacobian",
+       "E603 1:1 `place_jacobian` needs `jacobian = true` in the output's entry\n"},
+  };
+  for (const auto& [outputs, expected] : rows) {
+    INFO(outputs);
+    Wanted wanted;
+    wanted.outputs = {outputs};
+    CHECK(messages(with_output, wanted) == expected);
+  }
+  Wanted wanted;
+  wanted.outputs = {"input_matrix"};
+  CHECK(messages(block(), wanted) ==
+        "E603 1:1 `input_matrix` needs inputs, and the model has none\n");
+}
+
+TEST_CASE("big outputs are left out of full, but can be had by name") {
+  const std::string model =
+      "format = 1\n[model]\nname = \"a\"\n[sizes]\nn = 64\n[[coordinate]]\n"
+      "for = \"i in 1..n\"\nname = \"x[i]\"\n[energy]\n"
+      "T = \"sum(i, 1, n, dot(x[i])^2)\"\n";
+  CHECK(has(names_in_full(model), "mass_matrix"));
+  Wanted wanted;
+  wanted.sizes = {"n=65"};
+  const CheckedModel big = checked(model, wanted);
+  CHECK(big.scene.outputs.front().name == "velocity_force");
+  wanted.outputs = {"mass_matrix"};
+  CHECK(checked(model, wanted).scene.outputs.front().rows == 65);
+}
+
+}  // namespace
+}  // namespace elgen::test

@@ -1,0 +1,141 @@
+// Scenes: outputs, fixed parameters, scalars, names and the canonical text.
+#include "check/scene_reader.hpp"
+
+#include <catch2/catch.hpp>
+#include <utility>
+
+#include "check/number_text.hpp"
+#include "check_testing.hpp"
+
+namespace elgen::test {
+namespace {
+
+const std::string arrays = block("[parameters.l]\nvalue = [1, 2]\nsize = 2\nunit = \"m\"\n");
+const std::string head = "format = 1\nmodel = \"block.toml\"\nname = \"fast\"\n";
+
+Scene scene_of(const std::string& more, Wanted wanted = {}) {
+  wanted.scene = head + more;
+  return checked(arrays, wanted).scene;
+}
+
+std::string scene_messages(const std::string& more) {
+  Wanted wanted;
+  wanted.scene = head + more;
+  return messages(arrays, wanted);
+}
+
+std::string output_names(const Scene& scene) {
+  std::string names;
+  for (const OutputRequest& output : scene.outputs) {
+    names += (names.empty() ? "" : " ") + output.name;
+  }
+  return names;
+}
+
+std::string fixed(const Scene& scene) {
+  std::string text;
+  for (const auto& [parameter, value] : scene.specialisation.fixed) {
+    text += std::to_string(parameter) + "=" + checking::number_text(value) + " ";
+  }
+  return text;
+}
+
+TEST_CASE("a model alone is the scene full") {
+  const Scene full = checked(arrays).scene;
+  CHECK(full.name.empty());
+  CHECK(full.base_name == "block");
+  CHECK(full.emission.cpp_namespace == "block");
+  CHECK(full.canonical.empty());
+  CHECK_FALSE(full.has_options);
+}
+
+TEST_CASE("a scene is named after model and scene") {
+  const Scene scene = scene_of("doc = \"quick\"\n[emit]\nnamespace = \"quick\"\n");
+  CHECK(scene.base_name == "block_fast");
+  CHECK(scene.emission.cpp_namespace == "quick");
+  CHECK(scene.doc == "quick");
+  CHECK(scene.canonical == "namespace quick\n");
+}
+
+TEST_CASE("outputs come in the order of the table, once each") {
+  CHECK(output_names(scene_of("[outputs]\nbias = true\nmass_matrix = true\ngravity = false\n")) ==
+        "mass_matrix bias");
+  Wanted wanted;
+  wanted.outputs = {"bias,mass_matrix", "bias"};
+  const Scene scene = checked(arrays, wanted).scene;
+  CHECK(output_names(scene) == "mass_matrix bias");
+  CHECK(scene.canonical == "output mass_matrix\noutput bias\n");
+  CHECK(scene.has_options);
+  CHECK(scene.base_name == "block");
+}
+
+TEST_CASE("options replace what the scene says of outputs") {
+  Wanted wanted;
+  wanted.outputs = {"drift"};
+  CHECK(output_names(scene_of("[outputs]\nbias = true\n", wanted)) == "drift");
+}
+
+TEST_CASE("outputs may be renamed, but not to a name in use") {
+  const Scene scene = scene_of("[outputs]\nbias = { rename = \"h\" }\n");
+  CHECK(output_names(scene) == "h");
+  CHECK(scene.canonical == "output bias as h\n");
+  CHECK(scene_messages("[outputs]\nmass_matrix = { rename = \"bias\" }\nbias = true\n") ==
+        "E609 5:27 another output is already called `bias`\n");
+  CHECK(scene_messages("[outputs]\nbias = { rename = \"double\" }\n") ==
+        "E204 5:20 `double` is reserved: it is a keyword of C++\n");
+}
+
+TEST_CASE("parameters are fixed by name, by element, or all") {
+  CHECK(fixed(scene_of("[parameters]\nfixed = { k = \"1/2\", l = 3 }\n")) == "1=1/2 2=3 3=3 ");
+  CHECK(fixed(scene_of("[parameters]\nfixed = \"all\"\n")) == "0=1 1=2 2=1 3=2 ");
+  Wanted wanted;
+  wanted.fixed = {"m,l[2]=7", "k=pi/4"};
+  const Scene scene = checked(arrays, wanted).scene;
+  CHECK(fixed(scene) == "0=1 1=7.85398163397448309615660845820e-1 3=7 ");
+  CHECK(scene.canonical ==
+        "fixed m = 1\nfixed k = 7.85398163397448309615660845820e-1\nfixed l[2] = 7\n");
+}
+
+TEST_CASE("what cannot be fixed") {
+  CHECK(scene_messages("[parameters]\nfixed = { kk = 1 }\n") ==
+        "E602 5:11 unknown parameter `kk` | did you mean `k`? (parameter, line 9)\n");
+  const std::vector<std::pair<std::string, std::string>> rows{
+      {"m, h=2", "E602 1:4 unknown parameter `h`\n"},
+      {"m=", "E606 1:1 `m=` has no value\n"},
+      {"m=1/0", "E312 1:5 `0` is zero\n"},
+      {"m=(1", "E304 1:5 `(` is not closed\n"},
+      {"m=k", "E319 1:3 `k` is not a constant number\n"},
+  };
+  for (const auto& [option, expected] : rows) {
+    INFO(option);
+    Wanted wanted;
+    wanted.fixed = {option};
+    CHECK(messages(arrays, wanted) == expected);
+  }
+}
+
+TEST_CASE("scalars come in one order") {
+  const Scene scene = scene_of("[numeric]\nscalar = [\"double\", \"float\"]\n");
+  CHECK(scene.numerics.scalars ==
+        std::vector{ScalarKind::single_precision, ScalarKind::double_precision});
+  CHECK(scene.canonical == "scalar float\nscalar double\n");
+  CHECK(scene_of("[numeric]\nscalar = [\"double\"]\n").canonical.empty());
+}
+
+TEST_CASE("sizes are part of what a scene says") {
+  const std::string sized = block() + "[sizes]\nn = 2\n";
+  Wanted wanted;
+  wanted.sizes = {"n=4"};
+  CHECK(checked(sized, wanted).scene.canonical == "size n = 4\n");
+}
+
+TEST_CASE("errors of model and scene are told together, each at its place") {
+  Wanted wanted;
+  wanted.scene = head + "[outputs]\nbiass = true\n";
+  const std::string text = messages(block("V = \"kk*x^2\"\n"), wanted);
+  CHECK(text.find("E201 12:6 unknown name `kk`") != std::string::npos);
+  CHECK(text.find("E601 5:1 unknown output `biass` | did you mean `bias`?") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace elgen::test

@@ -1,0 +1,84 @@
+// Units of expressions: what is compared, what is free, and what is not checked.
+#include <catch2/catch.hpp>
+#include <utility>
+
+#include "check_testing.hpp"
+
+namespace elgen::test {
+namespace {
+
+std::string error_of(const std::string& potential) {
+  return messages(block("V = \"" + potential + "\"\n"));
+}
+
+TEST_CASE("units that agree") {
+  for (const char* text : {"1/2*k*x^2", "0", "k*x^2 + 0", "k*x*sqrt(x^2)", "k*x^2*cos(2*pi*x/x)",
+                           "sqrt(k^2*x^4)", "k*x^2*exp(-x/x)", "k*x^2*atan2(x, 2*x)", "0*m + k*x^2",
+                           "(k*m)^(1/2)*x^2*(k/m)^(1/2)", "k*x^2 + 0*m", "k*x^2*t/t"}) {
+    INFO(text);
+    CHECK(error_of(text).empty());
+  }
+}
+
+TEST_CASE("units that differ") {
+  const std::vector<std::pair<std::string, std::string>> rows{
+      {"k*x^2 + k*x", "E401 12:14 `k*x` is in N, but the sum is in J\n"},
+      {"k*x^2 - x", "E401 12:14 `x` is in m, but the sum is in J\n"},
+      {"k*x^2*(1 + x)", "E401 12:17 `x` is in m, but the sum is in 1\n"},
+      {"k*x^2*sin(x)", "E404 12:16 `x` is in m, but `sin` takes a pure number\n"},
+      {"k*x^2*exp(t)", "E404 12:16 `t` is in s, but `exp` takes a pure number\n"},
+      {"k*x^2*atan2(x, m)", "E401 12:21 `m` is in kg, but the other argument is in m\n"},
+      {"k*x", "E403 12:6 `k*x` is in N, but V is in J\n"},
+      {"5", "E403 12:6 `5` is in 1, but V is in J\n"},
+      {"k*x^2/t", "E403 12:6 `k*x^2/t` is in W, but V is in J\n"},
+      {"sqrt(k*x^2)", "E403 12:6 `sqrt(k*x^2)` is in kg^(1/2)*m/s, but V is in J\n"},
+      // One mistake, one message: the sum counts as unknown above.
+      {"2*(k*x^2 + m)", "E401 12:17 `m` is in kg, but the sum is in J\n"},
+  };
+  for (const auto& [text, expected] : rows) {
+    INFO(text);
+    CHECK(error_of(text) == expected);
+  }
+}
+
+TEST_CASE("what touches something without a unit is not checked, and noted once") {
+  const std::string model = block(
+      "V = \"c*x + 1/2*k*x^2 + d\"\n[parameters.c]\nvalue = 1\n"
+      "[parameters.d]\nvalue = 2\n[[input]]\nname = \"u\"\n");
+  CHECK(messages(model) ==
+        "E520 13:13 `c`, `d`, `u`: no unit, so what touches it is not checked\n");
+  // Beside an error the note is left out.
+  CHECK(messages(block("V = \"c*x + k + m\"\n[parameters.c]\nvalue = 1\n")) ==
+        "E401 12:16 `m` is in kg, but the sum is in kg/s^2\n");
+}
+
+TEST_CASE("a model without any unit is not judged, and what is unknown stays so in functions") {
+  const std::string free =
+      "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"q\"\n"
+      "[[point]]\nname = \"p\"\nat = [\"cos(q)\", 1]\nmass = 1\n";
+  CHECK(messages(free) == "E520 5:9 `q`: no unit, so what touches it is not checked\n");
+  // With one unit declared the literals count, but what touches q does not.
+  CHECK(messages(free + "[parameters]\nm = { value = 1, unit = \"kg\" }\n") ==
+        "E403 8:17 `1` is in 1, but a position is in m\n"
+        "E403 9:8 `1` is in 1, but a mass is in kg\n");
+}
+
+TEST_CASE("rates, accelerations and derivatives carry their seconds") {
+  CHECK(messages(block("[[expect]]\nbias = [\"m*dot(dot(x))\"]\nmomentum = [\"m*dot(x)\"]\n"))
+            .empty());
+  CHECK(messages(block("[[expect]]\nbias = [\"m*dot(x)\"]\n")) ==
+        "E403 13:10 `m*dot(x)` is in kg*m/s, but a closed form is in N\n");
+  CHECK(messages(block("D = \"m*dot(x^2)*0 + k*dot(x*x)\"\n")).empty());
+}
+
+TEST_CASE("points are in metre, prescribed functions in their own unit") {
+  const std::string entries =
+      "[[point]]\nname = \"p\"\nat = [\"x\", \"x\"]\n"
+      "[[prescribed]]\nname = \"h\"\nunit = \"m\"\nvalue = \"0\"\n";
+  CHECK(messages(block("V = \"k*y(p)*h\"\n" + entries)).empty());
+  CHECK(messages(block("V = \"k*(y(p) + h + t)^2\"\n" + entries)) ==
+        "E401 12:20 `t` is in s, but the sum is in m\n");
+}
+
+}  // namespace
+}  // namespace elgen::test
