@@ -54,7 +54,9 @@ cln::float_format_t format_of(int digits) {
 
 cl_F as_float(const cl_R& x, int digits) { return cln::cl_float(x, format_of(digits)); }
 
-cl_R ten_to_minus(int digits) { return cln::recip(cln::expt_pos(cl_RA(10), digits)); }
+cl_R ten_to_minus(int digits) {
+  return cln::recip(cln::expt_pos(cl_RA(10), static_cast<uintL>(digits)));
+}
 
 /// 0 where |x| is below what rounding leaves of `scale`.
 cl_R without_rounding(const cl_R& x, const cl_R& scale, int digits) {
