@@ -140,8 +140,7 @@ std::string cpp_body(const CppText& text) {
   for (const Statement& statement : text.body.statements) {
     lines += assignment("const Scalar " + statement.name, statement.value);
   }
-  const bool is_returned = entry_count(text.function) <= largest_returned;
-  lines += is_returned ? result_statement(text) : result_assignments(text);
+  lines += is_returned(text.function) ? result_statement(text) : result_assignments(text);
   return using_declarations(lines) + lines;
 }
 

@@ -18,8 +18,6 @@
 namespace elgen {
 namespace {
 
-bool is_returned(const Function& function) { return entry_count(function) <= largest_returned; }
-
 CppDefinition definition(const Model& model, const Function& function, const std::string& body) {
   std::vector<CppArgument> arguments = cpp_arguments(model, function);
   const std::string type = result_type(function);

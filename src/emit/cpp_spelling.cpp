@@ -107,4 +107,6 @@ OutputKind kind_of_field(const Program& program, const Function& function, const
   return row != nullptr ? row->kind : function.kind;
 }
 
+bool is_returned(const Function& function) { return entry_count(function) <= largest_returned; }
+
 }  // namespace elgen

@@ -35,5 +35,6 @@ class CppSpelling final : public Spelling {
 
 /// Outputs beyond so many entries are written by reference: they would not fit a stack.
 inline constexpr std::size_t largest_returned = 4096;
+[[nodiscard]] bool is_returned(const Function& function);
 
 }  // namespace elgen

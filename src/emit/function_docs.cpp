@@ -24,6 +24,12 @@ std::string shape_text(const Field& field) {
   return field.rows > 1 ? fmt::format("{} entries", field.rows) : "Scalar";
 }
 
+/// A user's text ends like a sentence, because another one follows.
+std::string sentence(std::string text) {
+  const bool has_end = !text.empty() && (text.back() == '.' || text.back() == '!');
+  return has_end ? text : text + ".";
+}
+
 /// What the model says of its own output, or what the table says of a standard one.
 std::string output_doc(const FunctionText& text) {
   const OutputKind kind = text.function.kind;
@@ -35,7 +41,7 @@ std::string output_doc(const FunctionText& text) {
                                ? "Jacobian of output"
                                : "Bias of the second rate of output";
   const std::string doc = comment_text(output.doc);
-  return fmt::format("{} `{}`{}{}", what, output.name, doc.empty() ? "." : ": ", doc);
+  return sentence(fmt::format("{} `{}`{}{}", what, output.name, doc.empty() ? "" : ": ", doc));
 }
 
 std::string equation_text(const OutputRow& row) {

@@ -37,13 +37,17 @@ TEST_CASE("outputs") {
 }
 
 TEST_CASE("definitions are listed in order, before the entries that use them") {
-  Subject subject = cart_pole();
-  subject.program = elgen::testing::read_program(
-      "coordinates x theta\nfunction gravity\n  0 = velocity x\n  1 = coordinate x\n"
-      "  2 = add 0 1  ; total\n  3 = multiply 2 2\n  result 2 1 = 3 2\n");
-  const Json output = Json::parse(text_of(subject))["outputs"]["gravity"];
-  CHECK(output["definitions"] == Json::array({{{"name", "total"}, {"value", "dot(x) + x"}}}));
-  CHECK(output["entries"] == Json{"total^2", "total"});
+  const Subject subject = cart_pole();
+  EmissionInput input = emission_input(subject.model, subject.scene, subject.program);
+  input.equations[1] = {{{"sum", "x + y"}, {"square", "sum^2"}}, {{"square", "0"}}};
+  const Json json = Json::parse(sidecar(input));
+  const Json& output = json["outputs"]["gravity"];
+  CHECK(output["definitions"] == Json::parse(R"([{"name": "sum", "value": "x + y"},
+                                                 {"name": "square", "value": "sum^2"}])"));
+  CHECK(output["entries"] == Json::parse(R"(["square", "0"])"));
+  std::vector<std::string> keys;
+  for (const auto& item : output.items()) keys.push_back(item.key());
+  CHECK(keys == std::vector<std::string>{"definitions", "shape", "entries", "operations"});
 }
 
 TEST_CASE("parameters: exact texts, arrays as one entry, fixed ones left out") {
