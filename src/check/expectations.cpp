@@ -3,6 +3,7 @@
 //     gravity_entry = { for = "i in 1..2", value = "m[i]*g" }   ->   gravity = [m[1]*g, m[2]*g]
 #include "expectations.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "output_units.hpp"
@@ -140,29 +141,27 @@ class ExpectationReader {
 
   void expand(const OutputRequest& request, const std::vector<RangeSyntax>& ranges,
               const KeySyntax& value, const Span& span) {
-    const std::size_t count = std::size_t{request.rows} * request.columns;
     Expectation expectation = blank(request.name, span);
     expectation.rows = request.rows;
     expectation.columns = request.columns;
-    expectation.entries.assign(count, no_expression);
-    expectation.spans.assign(count, value.value.span);
-    std::vector<bool> given(count, false);
     Scope scope(context_.sizes);
     const auto add = [&] {
       const auto at = position(request, ranges, scope, value.value.span);
       if (!at) {
         return false;
       }
-      const std::size_t index = at->row * std::size_t{request.columns} + at->column;
       const auto unit = unit_of_entry(context_.model, request, at->row, at->column);
-      const std::size_t errors = context_.report.errors();
-      expectation.entries[index] =
+      const ExpressionId entry =
           ValueReader(context_, scope).root(value.value, {closed_form, unit});
-      given[index] = true;
-      return context_.report.errors() == errors;
+      const std::size_t index = at->row * std::size_t{request.columns} + at->column;
+      // Grown as needed: a form beyond the limit of nodes ends long before its last entry.
+      expectation.entries.resize(std::max(expectation.entries.size(), index + 1), no_expression);
+      expectation.entries[index] = entry;
+      return entry != no_expression;
     };
     const bool complete = repeat(ranges, scope, context_.report, add);
-    if (complete && check_complete(request, given, value.value.span)) {
+    if (complete && check_complete(expectation, value.value.span)) {
+      expectation.spans.assign(expectation.entries.size(), value.value.span);
       context_.model.expectations.push_back(std::move(expectation));
     }
   }
@@ -189,18 +188,19 @@ class ExpectationReader {
     return Position{static_cast<std::uint32_t>(row - 1), static_cast<std::uint32_t>(column - 1)};
   }
 
-  bool check_complete(const OutputRequest& request, const std::vector<bool>& given,
-                      const Span& span) {
-    for (std::size_t i = 0; i < given.size(); ++i) {
-      if (!given[i]) {
-        context_.report.add(Code::E517, span,
-                            "no entry " + std::to_string(i / request.columns + 1) + ", " +
-                                std::to_string(i % request.columns + 1) + " of " +
-                                quoted(request.name));
-        return false;
-      }
+  bool check_complete(Expectation& expectation, const Span& span) {
+    std::vector<ExpressionId>& entries = expectation.entries;
+    entries.resize(std::size_t{expectation.rows} * expectation.columns, no_expression);
+    const auto missing = std::find(entries.begin(), entries.end(), no_expression);
+    if (missing == entries.end()) {
+      return true;
     }
-    return true;
+    const auto index = static_cast<std::size_t>(missing - entries.begin());
+    context_.report.add(Code::E517, span,
+                        "no entry " + std::to_string(index / expectation.columns + 1) + ", " +
+                            std::to_string(index % expectation.columns + 1) + " of " +
+                            quoted(expectation.output));
+    return false;
   }
 
   static Expectation blank(const std::string& output, const Span& span) {
