@@ -7,6 +7,8 @@
 #include <cln/real.h>
 #include <fmt/core.h>
 
+#include "elgen/equations_of_motion.hpp"
+
 namespace elgen {
 namespace {
 
@@ -166,11 +168,47 @@ std::vector<Field> import_fields(Importer& importer, const OutputEquations& outp
   return fields;
 }
 
+/// `dynamics` holds what depends on q, v and t alone.
+bool belongs_to_dynamics(const OutputEquations& output) {
+  const OutputRow& row = output_row(output.request.kind);
+  return !row.takes_acceleration && !row.takes_input;
+}
+
+/// The equations a request stands for: its own, or for `dynamics` all that belong to it.
+std::vector<const OutputEquations*> equations_for(const EquationsOfMotion& equations,
+                                                  const OutputRequest& request) {
+  std::vector<const OutputEquations*> wanted;
+  for (const OutputEquations& output : equations.outputs) {
+    const bool is_wanted =
+        request.kind == OutputKind::dynamics
+            ? belongs_to_dynamics(output)
+            : output.request.kind == request.kind && output.request.user == request.user;
+    if (is_wanted) wanted.push_back(&output);
+  }
+  return wanted;
+}
+
+std::vector<Field> import_outputs(Importer& importer, const OutputRequest& request,
+                                  const std::vector<const OutputEquations*>& outputs,
+                                  std::vector<Ref>& values) {
+  std::vector<Field> fields;
+  for (const OutputEquations* output : outputs) {
+    for (Field& field : import_fields(importer, *output, values)) {
+      if (request.kind == OutputKind::dynamics) field.name = output->request.name;
+      fields.push_back(std::move(field));
+    }
+  }
+  return fields;
+}
+
 }  // namespace
 
-Result<ImportedOutputs> from_ginac(const EquationsOfMotion& equations,
-                                   const std::vector<const OutputEquations*>& outputs,
-                                   std::uint64_t maximum_nodes) {
+Result<ImportedOutput> from_ginac(const EquationsOfMotion& equations, const OutputRequest& request,
+                                  std::uint64_t maximum_nodes) {
+  const std::vector<const OutputEquations*> outputs = equations_for(equations, request);
+  if (outputs.empty()) {
+    return Diagnostic{Code::E912, request.span, fmt::format("`{}` was not derived", request.name)};
+  }
   Importer importer(equations);
   const std::vector<bool> needed = needed_definitions(equations.definitions, outputs);
   for (std::uint32_t i = 0; i < needed.size(); ++i) {
@@ -181,13 +219,13 @@ Result<ImportedOutputs> from_ginac(const EquationsOfMotion& equations,
     }
   }
   importer.graph.set_birth(static_cast<std::uint32_t>(needed.size()));
-  ImportedOutputs imported;
-  for (const OutputEquations* output : outputs) {
-    imported.fields.push_back(import_fields(importer, *output, imported.values));
-  }
+  ImportedOutput imported;
+  imported.fields = import_outputs(importer, request, outputs, imported.values);
   if (importer.problem) return *importer.problem;
   imported.graph = std::move(importer.graph);
   return imported;
 }
+
+LeafNames leaves_of(const EquationsOfMotion& equations) { return equations.leaves; }
 
 }  // namespace elgen

@@ -1,23 +1,29 @@
 // from_ginac: EquationsOfMotion -> Graph. The only importer; nothing of GiNaC's order survives it.
 #pragma once
 
-#include "elgen/equations_of_motion.hpp"
+#include "elgen/leaf_names.hpp"
+#include "elgen/scene.hpp"
 #include "graph.hpp"
 
 namespace elgen {
 
-/// The entries of some outputs over one graph, in the order given.
-struct ImportedOutputs {
+struct EquationsOfMotion;
+
+/// The entries of one output over a graph.
+struct ImportedOutput {
   Graph graph = {};
-  std::vector<std::vector<Field>> fields = {};  ///< per output; entries number `values`
-  std::vector<Ref> values = {};                 ///< every entry of every field
+  std::vector<Field> fields = {};  ///< entries number `values`
+  std::vector<Ref> values = {};    ///< every entry of every field
 };
 
-/// Imports the definitions that `outputs` need, once each, then the entries.
-/// E312: a constant denominator is 0. E908: more than `maximum_nodes` nodes. E912: something GiNaC
-/// should not hold.
-[[nodiscard]] Result<ImportedOutputs> from_ginac(const EquationsOfMotion& equations,
-                                                 const std::vector<const OutputEquations*>& outputs,
-                                                 std::uint64_t maximum_nodes);
+/// Imports the definitions that a requested output needs, once each, then its entries; for
+/// `dynamics` those of every output that depends on q, v and t alone, one field each. E312: a
+/// constant denominator is 0. E908: more than `maximum_nodes` nodes. E912: something GiNaC should
+/// not hold, or an output that was not derived.
+[[nodiscard]] Result<ImportedOutput> from_ginac(const EquationsOfMotion& equations,
+                                                const OutputRequest& request,
+                                                std::uint64_t maximum_nodes);
+
+[[nodiscard]] LeafNames leaves_of(const EquationsOfMotion& equations);
 
 }  // namespace elgen

@@ -23,39 +23,6 @@ namespace {
 /// Larger graphs are not tried with all products written out, which takes them longest.
 constexpr std::size_t maximal_nodes_written_out = 20'000;
 
-/// `dynamics` holds what depends on q, v and t alone.
-bool belongs_to_dynamics(const OutputEquations& output) {
-  const OutputRow& row = output_row(output.request.kind);
-  return !row.takes_acceleration && !row.takes_input;
-}
-
-/// The equations a request stands for: its own, or for `dynamics` all that belong to it.
-std::vector<const OutputEquations*> equations_for(const EquationsOfMotion& equations,
-                                                  const OutputRequest& request) {
-  std::vector<const OutputEquations*> wanted;
-  for (const OutputEquations& output : equations.outputs) {
-    const bool is_wanted =
-        request.kind == OutputKind::dynamics
-            ? belongs_to_dynamics(output)
-            : output.request.kind == request.kind && output.request.user == request.user;
-    if (is_wanted) wanted.push_back(&output);
-  }
-  return wanted;
-}
-
-std::vector<Field> fields_of(const OutputRequest& request, const ImportedOutputs& imported,
-                             const std::vector<const OutputEquations*>& outputs) {
-  if (request.kind != OutputKind::dynamics) return imported.fields.at(0);
-  std::vector<Field> fields;
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    for (Field field : imported.fields[i]) {
-      field.name = outputs[i]->request.name;
-      fields.push_back(std::move(field));
-    }
-  }
-  return fields;
-}
-
 struct Candidate {
   Network network = {};
   std::size_t cost = 0;
@@ -91,17 +58,13 @@ Network cheapest_network(const Expressions& expressions, const Function& unfille
 
 Diagnostics lower_output(const EquationsOfMotion& equations, const OutputRequest& request,
                          const Limits& limits, Program& program) {
-  const std::vector<const OutputEquations*> outputs = equations_for(equations, request);
-  if (outputs.empty()) {
-    return {{Code::E912, request.span, fmt::format("`{}` was not derived", request.name)}};
-  }
-  Result<ImportedOutputs> imported = from_ginac(equations, outputs, limits.derived_nodes);
+  Result<ImportedOutput> imported = from_ginac(equations, request, limits.derived_nodes);
   if (!imported) return imported.diagnostics;
   Function function;
   function.kind = request.kind;
   function.user = request.user;
   function.name = request.name;
-  function.fields = fields_of(request, *imported, outputs);
+  function.fields = std::move(imported->fields);
   const Expressions expressions{std::move(imported->graph), std::move(imported->values)};
   linearise(cheapest_network(expressions, function), program, function);
   program.functions.push_back(std::move(function));
@@ -113,7 +76,7 @@ Diagnostics lower_output(const EquationsOfMotion& equations, const OutputRequest
 Result<Program> lower(const EquationsOfMotion& equations, const std::vector<OutputRequest>& outputs,
                       const Limits& limits) {
   Program program;
-  program.leaves = equations.leaves;
+  program.leaves = leaves_of(equations);
   for (const OutputRequest& request : outputs) {
     Diagnostics errors = lower_output(equations, request, limits, program);
     if (!errors.empty()) return errors;

@@ -15,16 +15,18 @@ namespace {
 
 /// A value of the imported graph, as its node's kind and sign.
 Ref imported(EquationsOfMotion& equations, const ex& value, Graph& graph) {
+  equations.outputs.clear();
   testing::add_output(equations, OutputKind::bias, {value});
-  Result<ImportedOutputs> result = from_ginac(equations, {&equations.outputs.back()}, 1000);
+  Result<ImportedOutput> result = from_ginac(equations, equations.outputs.back().request, 1000);
   if (!result) FAIL(result.diagnostics.at(0).message);
   graph = std::move(result->graph);
   return result->values.at(0);
 }
 
 std::string failure(EquationsOfMotion& equations, const ex& value) {
+  equations.outputs.clear();
   testing::add_output(equations, OutputKind::bias, {value});
-  const auto result = from_ginac(equations, {&equations.outputs.back()}, 1000);
+  const auto result = from_ginac(equations, equations.outputs.back().request, 1000);
   return result ? "" : result.diagnostics.at(0).message;
 }
 
