@@ -6,7 +6,6 @@
 #include "compiled_code.hpp"
 #include "elgen/certificate.hpp"
 #include "expectations.hpp"
-#include "forward_accuracy.hpp"
 #include "states.hpp"
 #include "structure.hpp"
 
@@ -19,14 +18,6 @@ constexpr std::size_t structure_samples = 32;
 
 void append(std::vector<CertificateRow>& rows, const std::vector<CertificateRow>& more) {
   rows.insert(rows.end(), more.begin(), more.end());
-}
-
-/// Everything that compares a program with the oracle in one scalar.
-template <class Scalar>
-void append_accuracy(std::vector<CertificateRow>& rows, const Subject& subject,
-                     const std::vector<SampledState<Scalar>>& states) {
-  append(rows, check_accuracy(subject, states));
-  if (auto row = check_forward_accuracy(subject, states)) rows.push_back(std::move(*row));
 }
 
 std::vector<State> nominal_states(const Subject& subject,
@@ -53,8 +44,8 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
   std::vector<CertificateRow>& rows = result.certificate.rows;
   ExpectationReport expected = check_expectations(subject, options.seed);
   append(rows, expected.rows);
-  append_accuracy(rows, subject, doubles);
-  append_accuracy(rows, subject, floats);
+  append(rows, check_accuracy(subject, doubles));
+  append(rows, check_accuracy(subject, floats));
   if (compiled != nullptr && !options.quick) {
     append(rows, check_compiled(subject, *compiled, doubles));
     append(rows, check_compiled(subject, *compiled, floats));
