@@ -1,6 +1,7 @@
 // The rules of error bounds.
 #include "bounded.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -30,6 +31,7 @@ Bound computed(const Real& value, const Real& bound, const Rounding& rounding) {
 
 Bound inherit(Bound result, const Bound& x, const Bound& y) {
   result.lost = result.lost || x.lost || y.lost;
+  result.additions = std::max(x.additions, y.additions);
   return result;
 }
 
@@ -90,9 +92,9 @@ std::optional<Real> limit_value(FunctionId function, const Real& x, const Roundi
 
 /// abs, min and max pass an operand on; sign is 1 in magnitude.
 Bound kinked(FunctionId function, const Bound& x, const Bound& y) {
-  const Bound f{interpreter::call(function, x.value, y.value), max(x.bound, y.bound), false,
-                x.lost || y.lost};
-  return function == FunctionId::sign ? leaf_bound(f.value, true) : f;
+  const Real value = interpreter::call(function, x.value, y.value);
+  if (function == FunctionId::sign) return leaf_bound(value, true);
+  return inherit({value, max(x.bound, y.bound), false, false}, x, y);
 }
 
 }  // namespace
@@ -107,10 +109,12 @@ template const Rounding& rounding<double>();
 
 Bound leaf_bound(const Real& value, bool exact) { return {value, abs(value), exact, false}; }
 
-Bound negated(const Bound& x) { return {-x.value, x.bound, x.exact, x.lost}; }
+Bound negated(const Bound& x) { return {-x.value, x.bound, x.exact, x.lost, x.additions}; }
 
 Bound sum(const Bound& x, const Bound& y, const Rounding& rounding) {
-  return inherit(computed(x.value + y.value, x.bound + y.bound, rounding), x, y);
+  Bound result = inherit(computed(x.value + y.value, x.bound + y.bound, rounding), x, y);
+  ++result.additions;
+  return result;
 }
 
 Bound product(const Bound& x, const Bound& y, const Rounding& rounding) {
@@ -131,14 +135,14 @@ Bound quotient(const Bound& x, const Bound& y, const Rounding& rounding) {
 Bound root(const Bound& x, const Rounding& rounding) {
   const Real value = sqrt(x.value);
   if (!value.is_defined() || cln::zerop(value.value())) {
-    return {value, sqrt(x.bound), false, x.lost || !x.exact};
+    return inherit({value, sqrt(x.bound), false, !x.exact}, x, x);
   }
   const Real slope = Real(1) / (value + value);
   const Real a = x.exact ? Real() : x.bound;
   const Real curvature = slope / (x.value + x.value);
   const Real bound = value + slope * a + rounding.roundoff * curvature * a * a / Real(2);
-  Bound result = computed(value, bound, rounding);
-  result.lost = x.lost || !is_certain(x, rounding);
+  Bound result = inherit(computed(value, bound, rounding), x, x);
+  result.lost = result.lost || !is_certain(x, rounding);
   return result;
 }
 

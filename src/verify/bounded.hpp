@@ -24,9 +24,10 @@ template <class Scalar>
 
 struct Bound {
   Real value = {};
-  Real bound = {};    ///< B
-  bool exact = true;  ///< representable and without error
-  bool lost = false;  ///< divided by, or rooted, what is uncertain by more than a tenth
+  Real bound = {};              ///< B
+  bool exact = true;            ///< representable and without error
+  bool lost = false;            ///< divided by, or rooted, what is uncertain by more than a tenth
+  std::uint32_t additions = 0;  ///< on the longest way from a leaf: each may round
 };
 
 /// Bound whose rounding is Scalar's.

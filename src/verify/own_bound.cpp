@@ -1,6 +1,7 @@
 // Running bounds along a function, and errors measured in them.
 #include "own_bound.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -20,6 +21,17 @@ Regime worse(Regime x, Regime y) {
   if (x == Regime::regular) return y;
   if (y == Regime::regular) return x;
   return x < y ? x : y;
+}
+
+/// Additions one after another whose roundings 8 u B cover, each being at most u/2 of a partial
+/// sum.
+constexpr std::uint32_t covered_additions = 32;
+
+/// B, in proportion to the additions where they are more than covered: B itself does not count
+/// them.
+Real bound_of(const Bound& entry) {
+  const std::uint32_t additions = std::max(entry.additions, covered_additions);
+  return entry.bound * Real(cln::cl_RA(additions) / covered_additions);
 }
 
 }  // namespace
@@ -53,7 +65,7 @@ double error_in_bounds(Scalar x, const Bound& entry, std::size_t operations) {
   const Real excess = abs(computed - entry.value) - underflow;
   if (!excess.is_defined()) return std::numeric_limits<double>::infinity();
   if (!cln::plusp(excess.value())) return 0;
-  const Real figure = excess / (constants.roundoff * entry.bound);
+  const Real figure = excess / (constants.roundoff * bound_of(entry));
   return figure.is_defined() ? ScalarTraits<double>::from_real(figure.value())
                              : std::numeric_limits<double>::infinity();
 }

@@ -79,3 +79,11 @@ TEST_CASE("exponentials far out take their limits") {
     CHECK(infinite.value.value() > rounding<double>().largest.value());
   }
 }
+
+TEST_CASE("additions count along the longest way, other operations pass them on") {
+  const B x = leaf("3");
+  const B long_sum = x + x + x + x;
+  CHECK(long_sum.additions == 3);
+  CHECK((long_sum * x - x).additions == 4);
+  CHECK((-sqrt(long_sum) / x).additions == 3);
+}

@@ -68,3 +68,12 @@ TEST_CASE("no number, and a difference where the bound is 0, are infinitely wron
   CHECK(std::isinf(error_in_bounds(HUGE_VAL, unit(), 1)));
   CHECK(std::isinf(error_in_bounds(1e-100, leaf_bound(Real(), true), 1)));
 }
+
+TEST_CASE("a long sum may be off by a share of its roundings") {
+  const double next = std::nextafter(1.0, 2.0);
+  Bound entry = unit();
+  entry.additions = 32;
+  CHECK(error_in_bounds(next, entry, 5) == Approx(2));
+  entry.additions = 320;
+  CHECK(error_in_bounds(next, entry, 5) == Approx(0.2));
+}
