@@ -20,7 +20,7 @@ namespace {
 using cln::cl_R;
 
 constexpr const char* reason =
-    "8 u B + N eta (own bound): B run along the program, n/4 u B for n > 32 additions in a row";
+    "8 u B + N eta (own bound): B run along the program, n/2 u B for n > 16 additions in a row";
 
 /// One field of a function, and what was found of it so far.
 struct FieldRecord {

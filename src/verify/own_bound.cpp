@@ -23,9 +23,9 @@ Regime worse(Regime x, Regime y) {
   return x < y ? x : y;
 }
 
-/// Additions one after another whose roundings 8 u B cover, each being at most u/2 of a partial
-/// sum.
-constexpr std::uint32_t covered_additions = 32;
+/// Additions one after another that 8 u B cover: n of them are off by u times the sum of the
+/// partial sums, n/2 u B where all terms are equal.
+constexpr std::uint32_t covered_additions = 16;
 
 /// B, in proportion to the additions where they are more than covered: B itself does not count
 /// them.

@@ -28,7 +28,7 @@ template <class Scalar>
 [[nodiscard]] BoundedRun bounded_run(const Program& program, const Function& function,
                                      const State& state);
 
-/// |x - exact| / (u B), B grown in proportion where more than 32 additions follow each other, less
+/// |x - exact| / (u B), B grown in proportion where more than 16 additions follow each other, less
 /// `operations` times the smallest denormal, which underflow may cost; 0 where both are equal,
 /// infinite where x is not a number or B is 0. Scalar: double or float.
 template <class Scalar>
