@@ -49,7 +49,7 @@ double magnitude(const cl_R& x) {
 }
 
 cln::float_format_t format_of(int digits) {
-  return cln::float_format(static_cast<uintE>(digits + guard_digits));
+  return cln::float_format(static_cast<uintE>(digits) + guard_digits);
 }
 
 cl_F as_float(const cl_R& x, int digits) { return cln::cl_float(x, format_of(digits)); }

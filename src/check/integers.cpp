@@ -104,10 +104,10 @@ bool repeat_from(const std::vector<RangeSyntax>& ranges, std::size_t first, Scop
 }  // namespace
 
 std::optional<std::int64_t> Scope::find(std::string_view name) const {
-  for (auto index = indices_.rbegin(); index != indices_.rend(); ++index) {
-    if (index->first == name) {
-      return index->second;
-    }
+  const auto innermost = std::find_if(indices_.rbegin(), indices_.rend(),
+                                      [&](const auto& index) { return index.first == name; });
+  if (innermost != indices_.rend()) {
+    return innermost->second;
   }
   const auto size = sizes_->find(name);
   return size == sizes_->end() ? std::nullopt : std::optional(size->second);

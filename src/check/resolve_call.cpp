@@ -155,7 +155,7 @@ std::optional<ExpressionId> Resolver::resolve_sum(const ExpressionSyntax& call) 
   if (!repeat({range}, scope_, context_.report, add_term)) {
     return std::nullopt;
   }
-  return push_sum(std::move(terms), call.span);
+  return push_sum(terms, call.span);
 }
 
 std::optional<ExpressionId> Resolver::resolve_delta(const ExpressionSyntax& call) {
@@ -220,7 +220,7 @@ std::optional<ExpressionId> Resolver::resolve_squared_speed(const ExpressionSynt
     rate.span = call.span;
     terms.push_back(push_square(push(std::move(rate)), call.span));
   }
-  return push_sum(std::move(terms), call.span);
+  return push_sum(terms, call.span);
 }
 
 std::optional<ExpressionId> Resolver::resolve_squared_distance(const ExpressionSyntax& call) {
@@ -248,7 +248,7 @@ std::optional<ExpressionId> Resolver::resolve_squared_distance(const ExpressionS
     const auto difference = push_sum({push_component(*to, axis, call.span), subtracted}, call.span);
     terms.push_back(push_square(difference, call.span));
   }
-  return push_sum(std::move(terms), call.span);
+  return push_sum(terms, call.span);
 }
 
 std::optional<ExpressionId> Resolver::push_square(std::optional<ExpressionId> base,
@@ -264,8 +264,8 @@ std::optional<ExpressionId> Resolver::push_square(std::optional<ExpressionId> ba
   return push(std::move(node));
 }
 
-std::optional<ExpressionId> Resolver::push_sum(std::vector<std::optional<ExpressionId>> terms,
-                                               const Span& span) {
+std::optional<ExpressionId> Resolver::push_sum(
+    const std::vector<std::optional<ExpressionId>>& terms, const Span& span) {
   Expression node;
   node.kind = ExpressionKind::add;
   node.span = span;

@@ -60,7 +60,7 @@ class Resolver {
   std::optional<ExpressionId> push_square(std::optional<ExpressionId> base, const Span& span);
   std::optional<ExpressionId> push_component(std::uint32_t point, std::uint32_t axis,
                                              const Span& span);
-  std::optional<ExpressionId> push_sum(std::vector<std::optional<ExpressionId>> terms,
+  std::optional<ExpressionId> push_sum(const std::vector<std::optional<ExpressionId>>& terms,
                                        const Span& span);
   bool has_arity(const ExpressionSyntax& call, std::size_t arity);
 

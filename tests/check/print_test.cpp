@@ -1,4 +1,6 @@
 // Printing: what is printed parses back to the same expression.
+#include <rapidcheck.h>
+
 #include <catch2/catch.hpp>
 #include <utility>
 
@@ -44,6 +46,41 @@ TEST_CASE("brackets are printed where they are needed") {
     CHECK(printed(text) == expected);
     CHECK(printed(printed(text)) == expected);
   }
+}
+
+/// A random expression over x, y, t and small numbers.
+std::string random_expression(int depth) {
+  const std::vector<std::string> leaves{"x", "y", "t", "2", "0.5", "pi", "1/3"};
+  if (depth == 0) {
+    return *rc::gen::elementOf(leaves);
+  }
+  const std::string a = random_expression(depth - 1);
+  const std::string b = random_expression(depth - 1);
+  switch (*rc::gen::inRange(0, 8)) {
+    case 0:
+      return "(" + a + ") + (" + b + ")";
+    case 1:
+      return "(" + a + ") - (" + b + ")";
+    case 2:
+      return "(" + a + ")*(" + b + ")";
+    case 3:
+      return "(" + a + ")/(x + (" + b + ")^2)";
+    case 4:
+      return "-(" + a + ")";
+    case 5:
+      return "(2 + (" + a + ")^2)^(1/3)";
+    case 6:
+      return "sin(" + a + ")";
+    default:
+      return "sqrt(3 + (" + b + ")^2)";
+  }
+}
+
+TEST_CASE("what is printed parses back and prints the same") {
+  CHECK(rc::check("print, parse, print", [] {
+    const std::string once = printed("x + " + random_expression(3));
+    RC_ASSERT(printed(once) == once);
+  }));
 }
 
 }  // namespace

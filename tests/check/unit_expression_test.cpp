@@ -1,6 +1,8 @@
 // Unit expressions: grammar, and errors at the exact character.
 #include "check/unit_expression.hpp"
 
+#include <rapidcheck.h>
+
 #include <catch2/catch.hpp>
 #include <utility>
 
@@ -61,6 +63,19 @@ TEST_CASE("errors point at the character") {
     CHECK_FALSE(reading.unit);
     CHECK(reading.error == error);
   }
+}
+
+TEST_CASE("every spelling of a unit is read back") {
+  CHECK(rc::check("to_string, then read_unit", [] {
+    Unit unit;
+    for (Exponent& power : unit.powers) {
+      power.numerator = *rc::gen::inRange(-4, 5);
+      power.denominator = power.numerator % 2 == 0 ? 1 : *rc::gen::element(1, 2);
+    }
+    const Reading reading = read(to_string(unit));
+    RC_ASSERT(reading.error.empty());
+    RC_ASSERT(*reading.unit == unit);
+  }));
 }
 
 TEST_CASE("deep brackets are refused, not followed") {
