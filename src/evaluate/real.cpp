@@ -1,4 +1,5 @@
 // Real: CLN floats of 64 digits with the domain of every function guarded.
+#include <cln/exception.h>
 #include <cln/real.h>
 
 #include <algorithm>
@@ -11,10 +12,15 @@ namespace {
 
 const cln::cl_F& number(const Real& x) { return x.value(); }
 
-/// f(x) where x is defined and in the domain.
+/// f(x) where x is defined and in the domain, and the result within CLN's range of exponents.
 template <class Operation>
 Real guarded(bool in_domain, const Operation& operation) {
-  return in_domain ? Real(operation()) : Real::undefined();
+  if (!in_domain) return Real::undefined();
+  try {
+    return Real(operation());
+  } catch (const cln::runtime_exception&) {
+    return Real::undefined();
+  }
 }
 
 bool both(const Real& x, const Real& y) { return x.is_defined() && y.is_defined(); }

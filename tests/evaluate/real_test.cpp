@@ -72,3 +72,11 @@ TEST_CASE("kinked functions") {
   CHECK(near(min(real("1"), real("2")), real("1")));
   CHECK(near(max(real("1"), real("2")), real("2")));
 }
+
+TEST_CASE("beyond the range of exponents nothing is defined, and nothing is thrown") {
+  Real x(10);
+  for (int i = 0; i < 80; ++i) x = x * x;
+  CHECK_FALSE(x.is_defined());
+  CHECK_FALSE(exp(Real(cln::expt(cln::cl_RA(10), 300))).is_defined());
+  CHECK_FALSE((x + Real(1)).is_defined());
+}
