@@ -22,6 +22,7 @@ ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& opt
   pipeline.dump_stage = global.dump_stage;
   pipeline.stop_after = global.stop_after;
   pipeline.check_itself = false;
+  pipeline.scene.large_expectations = true;
   pipeline.on_stage = [&](const std::string& stage) { progress.stage(stage); };
   const Products products = run_pipeline(*inputs, pipeline);
   fmt::print("{}", products.dump);

@@ -45,6 +45,12 @@ bool is_angle(const Real& x) {
   return x.is_defined() && cln::float_exponent(number(x)) < maximal_angle_exponent;
 }
 
+/// Beyond, CLN's exponents overflow without a word.
+bool is_exponent(const Real& x) {
+  constexpr std::int64_t maximal_exponent = 30;
+  return x.is_defined() && cln::float_exponent(number(x)) < maximal_exponent;
+}
+
 }  // namespace
 
 Real Real::undefined() {
@@ -89,16 +95,16 @@ Real atan2(const Real& y, const Real& x) {
   return guarded(both(x, y), [&] { return cln::atan(number(x), number(y)); });
 }
 Real sinh(const Real& x) {
-  return guarded(x.is_defined(), [&] { return cln::sinh(number(x)); });
+  return guarded(is_exponent(x), [&] { return cln::sinh(number(x)); });
 }
 Real cosh(const Real& x) {
-  return guarded(x.is_defined(), [&] { return cln::cosh(number(x)); });
+  return guarded(is_exponent(x), [&] { return cln::cosh(number(x)); });
 }
 Real tanh(const Real& x) {
-  return guarded(x.is_defined(), [&] { return cln::tanh(number(x)); });
+  return guarded(is_exponent(x), [&] { return cln::tanh(number(x)); });
 }
 Real exp(const Real& x) {
-  return guarded(x.is_defined(), [&] { return cln::exp(number(x)); });
+  return guarded(is_exponent(x), [&] { return cln::exp(number(x)); });
 }
 Real log(const Real& x) {
   return guarded(x.is_defined() && cln::plusp(number(x)), [&] { return cln::ln(number(x)); });

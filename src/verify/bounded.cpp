@@ -25,6 +25,9 @@ bool is_less(const Real& x, const Real& y) {
 }
 
 Bound computed(const Real& value, const Real& bound, const Rounding& rounding) {
+  // Beyond CLN's exponents a bound says nothing; what is left are the digits that 60 leave to
+  // spare.
+  if (!bound.is_defined()) return {value, abs(value) * Real(power_of_ten(30)), false, true};
   const bool tiny = is_less(abs(value), rounding.smallest);
   return {value, tiny ? bound + rounding.underflow : bound, false, false};
 }

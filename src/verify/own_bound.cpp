@@ -12,7 +12,7 @@ namespace {
 Regime regime_of(const Bound& x, const Rounding& rounding) {
   if (!x.value.is_defined()) return Regime::undefined;
   if (abs(x.value).value() > rounding.largest.value()) return Regime::overflow;
-  if (x.lost || !x.bound.is_defined()) return Regime::ill_conditioned;
+  if (x.lost) return Regime::ill_conditioned;
   return Regime::regular;
 }
 

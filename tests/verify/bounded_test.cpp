@@ -87,3 +87,12 @@ TEST_CASE("additions count along the longest way, other operations pass them on"
   CHECK((long_sum * x - x).additions == 4);
   CHECK((-sqrt(long_sum) / x).additions == 3);
 }
+
+TEST_CASE("a bound beyond all numbers is lost") {
+  B x = leaf("3");
+  for (int i = 0; i < 80; ++i) x.bound = x.bound * x.bound;
+  CHECK_FALSE(x.bound.is_defined());
+  const B product = x * leaf("2");
+  CHECK(product.lost);
+  CHECK(product.bound.is_defined());
+}
