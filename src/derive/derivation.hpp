@@ -34,7 +34,7 @@ struct GradedEnergies {
 
 class Derivation {
  public:
-  explicit Derivation(const Lagrangian& lagrangian);
+  explicit Derivation(const Lagrangian& source);
 
   Lagrangian lagrangian;     ///< grows by definitions
   Definitions& definitions;  ///< of `lagrangian`

@@ -1,6 +1,8 @@
 // layout: where lines break. Columns are counted in bytes; only user text is ever wider than ASCII.
 #include "layout.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <optional>
@@ -115,7 +117,7 @@ std::vector<std::string> documented_members(const std::vector<Member>& members) 
   for (const auto& [declaration, doc] : members) {
     const bool is_aligned = declaration.size() <= width;
     const std::string padding(is_aligned ? width - declaration.size() : 0, ' ');
-    const std::string line = declaration + padding + "  ///< " + doc;
+    const std::string line = fmt::format("{}{}  ///< {}", declaration, padding, doc);
     const bool fits = line.size() + 2 <= line_width;
     if (!fits) lines.push_back("/// " + doc);
     lines.push_back(fits ? line : declaration);

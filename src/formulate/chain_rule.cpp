@@ -146,7 +146,7 @@ std::vector<ex> gradient(Definitions& definitions, const std::vector<Weighted>& 
   std::vector<ex> result;
   result.reserve(variables.size());
   for (const ex& variable : variables) {
-    result.push_back(GiNaC::add(adjoints.of_variables.at(variable)));
+    result.emplace_back(GiNaC::add(adjoints.of_variables.at(variable)));
   }
   return result;
 }

@@ -174,7 +174,7 @@ class Formulation {
         add_point_force(force);
       }
     }
-    for (const GiNaC::exvector& terms : on) lagrangian_.forces.push_back(GiNaC::add(terms));
+    for (const GiNaC::exvector& terms : on) lagrangian_.forces.emplace_back(GiNaC::add(terms));
   }
 
   void add_point_force(const Force& force) {
