@@ -12,7 +12,6 @@
 namespace elgen::inspection {
 namespace {
 
-using cln::cl_R;
 
 constexpr unsigned samples = 3;
 
