@@ -109,7 +109,7 @@ struct OperationCounts {
 [[nodiscard]] std::string check_invariants(const Program& program);
 
 [[nodiscard]] std::string dump(const Program& program);
-[[nodiscard]] Result<Program> parse_program(SourcePointer text);
+[[nodiscard]] Result<Program> parse_program(const SourcePointer& text);
 
 /// One named value of a function, as an equation to read.
 struct EquationLine {

@@ -12,7 +12,6 @@
 namespace elgen::inspection {
 namespace {
 
-
 constexpr unsigned samples = 3;
 
 bool agree(const Vector& x, const Vector& y) {

@@ -215,6 +215,6 @@ class Reader {
 
 }  // namespace
 
-Result<Program> parse_program(SourcePointer text) { return Reader(*text).read(); }
+Result<Program> parse_program(const SourcePointer& text) { return Reader(*text).read(); }
 
 }  // namespace elgen
