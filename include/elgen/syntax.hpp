@@ -144,7 +144,8 @@ struct EntryRow {
 [[nodiscard]] Result<SceneSyntax> parse_scene(SourcePointer source, const Limits& limits);
 
 /// Reads one expression of the model language; `source` holds nothing else (options, tests).
-[[nodiscard]] Result<ExpressionSyntax> parse_expression(SourcePointer source, const Limits& limits);
+[[nodiscard]] Result<ExpressionSyntax> parse_expression(const SourcePointer& source,
+                                                        const Limits& limits);
 
 [[nodiscard]] std::string dump(const ModelSyntax& syntax);
 [[nodiscard]] std::string dump(const SceneSyntax& syntax);

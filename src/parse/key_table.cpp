@@ -12,8 +12,8 @@ constexpr bool optional = false;
 constexpr bool required = true;
 constexpr bool later = false;  ///< of `supported`
 
-/// Keys of a model file.
-const std::vector<KeyRow>& model_rows() {
+/// Keys of a model file: what it names.
+const std::vector<KeyRow>& declaration_rows() {
   using enum KeyType;
   static const std::vector<KeyRow> rows{
       {"", "format", integer, required, true, "version of the file format: 1"},
@@ -58,7 +58,14 @@ const std::vector<KeyRow>& model_rows() {
       {"prescribed", "latex", text, optional, true, "symbol in formulas"},
       {"prescribed", "doc", text, optional, true, "one line"},
       {"prescribed", "for", repetition, optional, true, "repeats the entry"},
+  };
+  return rows;
+}
 
+/// Keys of a model file: what moves, pulls and is wanted.
+const std::vector<KeyRow>& mechanics_rows() {
+  using enum KeyType;
+  static const std::vector<KeyRow> rows{
       {"point", "name", name, required, true, "name of the point"},
       {"point", "at", expression_list, required, true, "its 2 or 3 world coordinates"},
       {"point", "mass", expression, optional, true, "adds 1/2 m v^2 to T and its weight to V"},
@@ -147,16 +154,16 @@ const std::vector<KeyRow>& scene_rows() {
   return rows;
 }
 
-std::vector<KeyRow> joined(const std::vector<KeyRow>& first, const std::vector<KeyRow>& second) {
-  std::vector<KeyRow> rows = first;
-  rows.insert(rows.end(), second.begin(), second.end());
-  return rows;
-}
-
 }  // namespace
 
 const std::vector<KeyRow>& key_table() {
-  static const std::vector<KeyRow> rows = joined(model_rows(), scene_rows());
+  static const std::vector<KeyRow> rows = [] {
+    std::vector<KeyRow> all;
+    for (const auto* part : {&declaration_rows(), &mechanics_rows(), &scene_rows()}) {
+      all.insert(all.end(), part->begin(), part->end());
+    }
+    return all;
+  }();
   return rows;
 }
 

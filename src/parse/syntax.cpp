@@ -95,7 +95,7 @@ Result<SceneSyntax> parse_scene(SourcePointer source, const Limits& limits) {
   return SceneSyntax{std::move(source), std::move(file.entries)};
 }
 
-Result<ExpressionSyntax> parse_expression(SourcePointer source, const Limits& limits) {
+Result<ExpressionSyntax> parse_expression(const SourcePointer& source, const Limits& limits) {
   if (auto error = encoding_error(*source)) return *std::move(error);
   return parsing::read_expression(parsing::copied_text(all_of(*source)), limits);
 }

@@ -2,8 +2,7 @@
 // to remove is not reported: nothing depends on it.
 #include "temporary_directory.hpp"
 
-#include <stdlib.h>
-
+#include <cstdlib>
 #include <string>
 #include <system_error>
 #include <utility>
