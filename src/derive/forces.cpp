@@ -7,6 +7,8 @@ using GiNaC::ex;
 
 namespace {
 
+/// Where both sides are derived, the left one is a variable: the order in which definitions are
+/// made must not be the compiler's choice.
 Vector plus(Vector left, const Vector& right) {
   for (std::size_t i = 0; i < left.size(); ++i) left[i] += right[i];
   return left;
@@ -107,7 +109,8 @@ Vector velocity_force(Derivation& derivation) {
   const Terms& kinetic = derivation.graded().kinetic2;
   append(pulled_back, weighted(kinetic, -1));
   const Vector momentum = derivation.by_velocity(weighted(kinetic, 1));
-  return plus(derivation.by_position(pulled_back), rates(momentum, derivation.frozen));
+  const Vector result = derivation.by_position(pulled_back);
+  return plus(result, rates(momentum, derivation.frozen));
 }
 
 Vector drift(Derivation& derivation) {
@@ -117,7 +120,8 @@ Vector drift(Derivation& derivation) {
       derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
         if (!mass.kinetic) return ex(0);
         const ex passing = define(definitions, derivation.passing(mass.position[axis]));
-        const ex acceleration = derivation.passing(passing) + 2 * derivation.frozen(passing);
+        const ex at_rest = derivation.passing(passing);
+        const ex acceleration = at_rest + 2 * derivation.frozen(passing);
         return define(definitions, mass.mass * acceleration);
       });
   const GradedEnergies& energies = derivation.graded();
@@ -162,8 +166,8 @@ Vector momentum(Derivation& derivation) {
             define(derivation.definitions, derivation.coasting(mass.position[axis]));
         return define(derivation.definitions, mass.mass * velocity);
       });
-  return plus(derivation.by_position(of_masses),
-              derivation.by_velocity(derivation.other_lagrangian()));
+  const Vector result = derivation.by_position(of_masses);
+  return plus(result, derivation.by_velocity(derivation.other_lagrangian()));
 }
 
 }  // namespace elgen
