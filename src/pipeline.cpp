@@ -1,11 +1,12 @@
 // The order of the stages, and the only place that knows it:
 //
-//     parse -> check -> inspect -> formulate -> specialise -> derive -> lower -> emit -> self-check
+//     parse -> check -> inspect -> formulate -> specialise -> derive -> lower -> present -> choose -> emit -> self-check
 #include "elgen/pipeline.hpp"
 
 #include <chrono>
 #include <utility>
 
+#include "elgen/choose.hpp"
 #include "elgen/equations_of_motion.hpp"
 #include "elgen/inspect.hpp"
 #include "elgen/lagrangian.hpp"
@@ -95,7 +96,7 @@ Result<SelfCheck> checked(const CheckedModel& checked, const Program& program, d
 
 const std::vector<std::string>& stage_names() {
   static const std::vector<std::string> names{"parse",      "check",  "inspect", "formulate",
-                                              "specialise", "derive", "lower",   "emit"};
+                                              "specialise", "derive", "lower",   "present", "choose", "emit"};
   return names;
 }
 
@@ -118,8 +119,16 @@ Products run_pipeline(const Inputs& inputs, const PipelineOptions& options) {
   });
   const auto equations = stages.run(
       "derive", [&] { return derive(*specialised, out.checked->scene.outputs, limits); });
-  out.program =
+  const auto recursive =
       stages.run("lower", [&] { return lower(*equations, out.checked->scene.outputs, limits); });
+  out.closed_forms =
+      stages.run("present", [&] { return Result<ClosedForms>(present(*recursive)); });
+  auto choice = stages.run(
+      "choose", [&] { return choose(*recursive, *out.closed_forms, out.checked->scene); });
+  if (choice) {
+    out.program = std::move(choice->program);
+    out.costs = std::move(choice->costs);
+  }
   out.files = stages.run(
       "emit", [&] { return emit(out.checked->model, out.checked->scene, *out.program); });
   if (options.check_itself) {

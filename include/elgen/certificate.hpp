@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "elgen/closed_forms.hpp"
 #include "elgen/diagnostic.hpp"
 #include "elgen/emitted_files.hpp"
 #include "elgen/model.hpp"
@@ -42,14 +43,16 @@ struct VerifyOptions {
 };
 
 /// Compares oracle, program, and compiled code, and checks the structure of M, C and energies.
-/// `compiled` may be null (quick): its rows are then absent. Diagnostics: wrong [[expect]] with
-/// witness point.
+/// `compiled` may be null (quick): its rows are then absent. `forms`, parallel to the program's
+/// functions, prove [[expect]]; without them, and where they do not decide, it is sampled.
+/// Diagnostics: wrong [[expect]] with witness point.
 struct Verification {
   Certificate certificate;
   Diagnostics diagnostics;
 };
 [[nodiscard]] Verification verify(const Model& model, const Scene& scene, const Program& program,
-                                  const CompiledModel* compiled, const VerifyOptions& options);
+                                  const CompiledModel* compiled, const VerifyOptions& options,
+                                  ClosedForms* forms = nullptr);
 
 [[nodiscard]] bool holds(const Certificate& certificate);
 [[nodiscard]] std::string to_text(const Certificate& certificate);

@@ -35,6 +35,14 @@ enum class OutputKind : std::uint8_t {
   dynamics,       ///< struct of every chosen output that takes neither a nor u
 };
 
+/// Which form of the equations a function is emitted in.
+enum class Form : std::uint8_t {
+  recursive,  ///< over the definitions of the derivation
+  closed,     ///< the cancelled, collected equation
+};
+
+[[nodiscard]] std::string_view name_of(Form form);
+
 enum class Extent : std::uint8_t { one, velocities, inputs, user };
 
 /// What a model must have for an output to exist.

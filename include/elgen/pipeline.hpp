@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "elgen/certificate.hpp"
+#include "elgen/choose.hpp"
+#include "elgen/closed_forms.hpp"
 #include "elgen/emitted_files.hpp"
 #include "elgen/limits.hpp"
 #include "elgen/model.hpp"
@@ -39,7 +41,9 @@ struct StageTime {
 /// What came out; a stage that did not run leaves its product empty.
 struct Products {
   std::optional<CheckedModel> checked = {};
-  std::optional<Program> program = {};
+  std::optional<ClosedForms> closed_forms = {};
+  std::optional<Program> program = {};  ///< each function in its chosen form
+  std::vector<FormCosts> costs = {};
   std::optional<EmittedFiles> files = {};
   std::optional<SelfCheck> self_check = {};
   Diagnostics diagnostics = {};

@@ -73,6 +73,7 @@ struct Function {
   OutputKind kind = OutputKind::mass_matrix;
   std::uint32_t user = 0;  ///< which user output, for the user_* kinds
   std::string name = {};
+  Form form = Form::recursive;
   std::vector<Instruction> instructions = {};
   std::vector<std::string> names =
       {};  ///< same length; what an instruction is ("sin_theta"), or ""
@@ -86,6 +87,9 @@ struct Program {
   LeafNames leaves = {};
   std::vector<Constant> constants = {};
   std::vector<Function> functions = {};  ///< in the order of the output table; `dynamics` last
+  /// Parallel to functions, where filled: the closed form of every entry as it is written for a
+  /// reader, nothing shared between entries. Without fields where there is none.
+  std::vector<Function> readable = {};
 };
 
 /// What one call executes: subtractions count as add; distinct sine/cosine angles as sincos;
@@ -127,6 +131,10 @@ struct FunctionEquations {
 /// An entry of at most 12 operations is written out over the leaves; only definitions that other
 /// entries need are listed.
 [[nodiscard]] FunctionEquations equations(const Program& program, const Function& function);
+
+/// The closed form of functions[index] with every entry written out over the leaves, where there is
+/// one to read; else what `equations` gives.
+[[nodiscard]] FunctionEquations readable_equations(const Program& program, std::size_t index);
 
 /// The names under which `equations` and the emitted code know an instruction; "" where it is
 /// written out. Every name is a C++ identifier, unique in the function, stable under changes

@@ -29,6 +29,7 @@ struct OutputRequest {
   std::uint32_t rows = 1;  ///< of the (single or first) field
   std::uint32_t columns = 1;
   Span span = {};  ///< where it was asked for
+  std::optional<Form> form = {};  ///< asked for; otherwise the cheaper one
 };
 
 enum class ScalarKind : std::uint8_t { single_precision, double_precision, long_double };

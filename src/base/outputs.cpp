@@ -149,6 +149,8 @@ bool is_user_kind(OutputKind kind) {
 
 }  // namespace
 
+std::string_view name_of(Form form) { return form == Form::closed ? "closed" : "recursive"; }
+
 const std::vector<OutputRow>& output_table() {
   static const std::vector<OutputRow> table = all_rows();
   return table;

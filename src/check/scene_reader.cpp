@@ -119,6 +119,13 @@ class SceneReader {
     return &scene_.outputs.back();
   }
 
+  static std::optional<Form> form_in(const KeySyntax* key) {
+    if (key == nullptr) {
+      return std::nullopt;
+    }
+    return key->value.text == name_of(Form::closed) ? Form::closed : Form::recursive;
+  }
+
   void read_output(const KeySyntax& key) {
     if (key.value.kind == ValueKind::boolean && !key.value.boolean) {
       (void)require_request(model_, key.key, key.key_span, context_.report);
@@ -126,6 +133,9 @@ class SceneReader {
     }
     OutputRequest* output = request(key.key, key.key_span);
     const KeySyntax* rename = find_key(key.value, "rename");
+    if (output != nullptr) {
+      output->form = form_in(find_key(key.value, "form"));
+    }
     if (output != nullptr && rename != nullptr) {
       output->name = rename->value.text;
       output->span = rename->value.span;
@@ -208,6 +218,11 @@ class SceneReader {
 
   void read_numerics() {
     const EntrySyntax* numeric = find_entry("numeric");
+    if (const auto form = form_in(numeric == nullptr ? nullptr : numeric->find("form"))) {
+      for (OutputRequest& output : scene_.outputs) {
+        output.form = output.form.value_or(*form);
+      }
+    }
     const KeySyntax* scalars = numeric == nullptr ? nullptr : numeric->find("scalar");
     if (scalars == nullptr) {
       return;
@@ -229,6 +244,11 @@ class SceneReader {
       if (lists_outputs_) {
         const std::string name = standard_name(output);
         text += "output " + name + (name == output.name ? "" : " as " + output.name) + "\n";
+      }
+    }
+    for (const OutputRequest& output : scene_.outputs) {
+      if (output.form) {
+        text += "form " + standard_name(output) + " " + std::string(name_of(*output.form)) + "\n";
       }
     }
     for (const auto& [target, value] : scene_.specialisation.fixed) {

@@ -144,10 +144,12 @@ ExitCode check(const GlobalOptions& global, const GenerateOptions& options,
 }
 
 void tell_equations(const GlobalOptions& global, const Job& job) {
-  for (const Function& function : job.products.program->functions) {
+  const Program& program = *job.products.program;
+  for (std::size_t index = 0; index < program.functions.size(); ++index) {
+    const Function& function = program.functions[index];
     if (function.kind == OutputKind::dynamics) continue;  // repeats the others
     tell(global, "\n" + function.name);
-    const FunctionEquations lines = equations(*job.products.program, function);
+    const FunctionEquations lines = readable_equations(program, index);
     for (const EquationLine& line : lines.definitions) {
       tell(global, fmt::format("  {} = {}", line.name, line.value));
     }

@@ -24,7 +24,7 @@ ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& opt
   pipeline.check_itself = false;
   pipeline.scene.large_expectations = true;
   pipeline.on_stage = [&](const std::string& stage) { progress.stage(stage); };
-  const Products products = run_pipeline(*inputs, pipeline);
+  Products products = run_pipeline(*inputs, pipeline);
   fmt::print("{}", products.dump);
   const ExitCode generated = report(global, products.diagnostics);
   tell_times(global, products);
@@ -40,7 +40,8 @@ ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& opt
   }
   progress.stage("verify");
   const Verification verification =
-      verify(model, scene, *products.program, compiled.get(), options.verify);
+      verify(model, scene, *products.program, compiled.get(), options.verify,
+             &*products.closed_forms);
   certificates += to_text(verification.certificate);
   const ExitCode found = report(global, verification.diagnostics);
   return holds(verification.certificate) ? found : std::max(found, ExitCode::differs);

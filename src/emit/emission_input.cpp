@@ -25,8 +25,9 @@ std::string path_with(const Scene& scene, std::string_view ending) {
 
 EmissionInput emission_input(const Model& model, const Scene& scene, const Program& program) {
   std::vector<FunctionEquations> printed;
-  for (const Function& function : program.functions)
-    printed.push_back(equations(program, function));
+  for (std::size_t i = 0; i < program.functions.size(); ++i) {
+    printed.push_back(readable_equations(program, i));
+  }
   return {model,
           scene,
           program,

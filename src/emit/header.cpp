@@ -140,7 +140,7 @@ std::string cpp_header(const EmissionInput& input) {
   set_stamp(data, input);
   set_counts(data, input);
   data.set("introduction", lines_data(introduction(input.model, input.scene, input.program)));
-  data.set("operation_table", lines_data(operation_table(input.program, input.equations)));
+  data.set("operation_table", lines_data(operation_table(input.program)));
   data.set("namespace", cpp_namespace(input.scene));
   data.set("declared", declared_arrays(input.model));
   data.set("constant", partial("cpp/constant.hpp.mustache"));

@@ -119,19 +119,19 @@ std::vector<std::string> introduction(const Model& model, const Scene& scene,
   return lines;
 }
 
-std::vector<std::string> operation_table(const Program& program,
-                                         const std::vector<FunctionEquations>& equations) {
+std::vector<std::string> operation_table(const Program& program) {
   std::size_t width = std::string_view("function").size();
   for (const Function& function : program.functions) width = std::max(width, function.name.size());
-  constexpr std::string_view row = "{:<{}}  {:>6} {:>6} {:>5} {:>5} {:>6} {:>5}  {:>11}";
+  constexpr std::string_view row = "{:<{}}  {:>6} {:>6} {:>5} {:>5} {:>6} {:>5}  {:>11}  {}";
   Lines lines = {fmt::format(row, "function", width, "add", "mul", "div", "sqrt", "sincos", "other",
-                             "definitions")};
-  for (std::size_t i = 0; i < program.functions.size(); ++i) {
-    const Function& function = program.functions[i];
+                             "definitions", "form")};
+  for (const Function& function : program.functions) {
     const OperationCounts n = count_operations(function);
-    const std::size_t definitions = equations[i].definitions.size();
+    const std::vector<std::string> names = temporary_names(program, function);
+    const auto unnamed = std::count(names.begin(), names.end(), std::string());
     lines.push_back(fmt::format(row, function.name, width, n.add, n.mul, n.div, n.sqrt, n.sincos,
-                                n.other, definitions));
+                                n.other, names.size() - static_cast<std::size_t>(unnamed),
+                                name_of(function.form)));
   }
   return lines;
 }

@@ -20,7 +20,6 @@ namespace elgen {
                                                     const Program& program);
 
 /// One heading and one line per function; `definitions` is the number of named values in it.
-[[nodiscard]] std::vector<std::string> operation_table(
-    const Program& program, const std::vector<FunctionEquations>& equations);
+[[nodiscard]] std::vector<std::string> operation_table(const Program& program);
 
 }  // namespace elgen

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <locale>
+#include <optional>
 #include <sstream>
 
 namespace elgen {
@@ -16,7 +17,23 @@ namespace {
 
 cln::float_format_t constant_format() { return cln::float_format(100); }
 
+/// Most constants are small; streams are slow.
+std::optional<std::string> small_number_text(const cln::cl_R& value) {
+  if (!cln:: instanceof (value, cln::cl_RA_ring)) return std::nullopt;
+  const cln::cl_RA rational = cln::rational(value);
+  const cln::cl_I numerator = cln::numerator(rational);
+  const cln::cl_I denominator = cln::denominator(rational);
+  constexpr std::uintptr_t bits = 31;
+  if (cln::integer_length(numerator) > bits || cln::integer_length(denominator) > bits) {
+    return std::nullopt;
+  }
+  const std::string text = std::to_string(cln::cl_I_to_long(numerator));
+  if (denominator == 1) return text;
+  return text + "/" + std::to_string(cln::cl_I_to_long(denominator));
+}
+
 std::string number_text(const cln::cl_R& value) {
+  if (auto text = small_number_text(value)) return *text;
   std::ostringstream out;
   out.imbue(std::locale::classic());
   out << value;

@@ -193,4 +193,18 @@ FunctionEquations equations(const Program& program, const Function& function) {
   return result;
 }
 
+FunctionEquations readable_equations(const Program& program, std::size_t index) {
+  const bool is_closed = index < program.readable.size() && !program.readable[index].fields.empty();
+  if (!is_closed) return equations(program, program.functions[index]);
+  const Function& function = program.readable[index];
+  const std::vector<std::string> no_names(function.instructions.size());
+  const Printer over_leaves(program, function, no_names);
+  FunctionEquations result;
+  for (const Field& field : function.fields) {
+    std::vector<std::string>& texts = result.entries.emplace_back();
+    for (const std::uint32_t entry : field.entries) texts.push_back(over_leaves.entry(entry));
+  }
+  return result;
+}
+
 }  // namespace elgen

@@ -55,14 +55,32 @@ class Factoring {
     FactoredTerm result{value.negative, {}, true};
     const Node& node = graph.node(value.node);
     if (node.kind == NodeKind::product && uses_[operand.node] == 1) {
-      for (const Operand& factor : node.operands) {
-        result.factors.push_back({{factor.node, false}, factor.weight});
-      }
+      append_factors(graph, step.old_graph, operand.node, node, result);
       return result;
     }
     result.factors = {{{value.node, false}, 1}};
     result.is_divisible = node.kind != NodeKind::constant;
     return result;
+  }
+
+  /// A coefficient times a product used nowhere else has the factors of both.
+  void append_factors(const Graph& graph, const Graph& old_graph, NodeId old_node,
+                      const Node& product, FactoredTerm& term) const {
+    const std::vector<Operand>& old = old_graph.node(old_node).operands;
+    const bool is_scaled = product.operands.size() == 2 &&
+                           graph.is_constant(product.operands[0].node) && old.size() == 2 &&
+                           uses_[old[1].node] == 1;
+    for (const Operand& factor : product.operands) {
+      const bool is_rest = is_scaled && factor.weight == 1 &&
+                           graph.node(factor.node).kind == NodeKind::product;
+      if (!is_rest) {
+        term.factors.push_back({{factor.node, false}, factor.weight});
+        continue;
+      }
+      for (const Operand& inner : graph.node(factor.node).operands) {
+        term.factors.push_back({{inner.node, false}, inner.weight});
+      }
+    }
   }
 
   /// The factor of most terms, or nothing where no two terms share one.
@@ -104,11 +122,10 @@ class Factoring {
   static FactoredTerm product_term(Graph& graph, NodeId common, Ref inner) {
     FactoredTerm result{inner.negative, {{{common, false}, 1}}, true};
     const Node& node = graph.node(inner.node);
-    if (node.kind != NodeKind::product) {
-      result.factors.push_back({{inner.node, false}, 1});
-      return result;
-    }
-    for (const Operand& factor : node.operands) {
+    const bool is_product = node.kind == NodeKind::product;
+    const std::vector<Operand> factors =
+        is_product ? node.operands : std::vector<Operand>{{inner.node, 1}};
+    for (const Operand& factor : factors) {
       // Each base once: a term is divided by a factor in one place.
       if (factor.node == common) {
         result.factors.front().exponent += factor.weight;

@@ -132,7 +132,7 @@ const std::vector<KeyRow>& scene_rows() {
       {"scene", "doc", text, optional, true, "one line"},
 
       {"scene.outputs", "*", boolean_or_table, optional, true, "true where it is wanted"},
-      {"scene.outputs.*", "form", text, optional, later, "closed or recursive"},
+      {"scene.outputs.*", "form", choice, optional, true, "closed or recursive, whichever costs less"},
       {"scene.outputs.*", "rename", name, optional, true, "name of the emitted function"},
 
       {"scene.parameters", "fixed", text_or_table, optional, true, "become numbers in the code"},
@@ -141,7 +141,7 @@ const std::vector<KeyRow>& scene_rows() {
       {"scene.sizes", "*", integer, optional, true, "instead of the model's"},
 
       {"scene.numeric", "scalar", choice_list, optional, true, "scalar types the code is for"},
-      {"scene.numeric", "form", text, optional, later, "closed or recursive"},
+      {"scene.numeric", "form", choice, optional, true, "of every output: closed or recursive"},
       {"scene.numeric", "check", table, optional, later, "ranges and tolerance of the checks"},
       {"scene.numeric", "trigonometry", table, optional, later, "polynomial sine and cosine"},
       {"scene.numeric", "batch", integer, optional, later, "states evaluated at once"},
@@ -174,7 +174,9 @@ const std::vector<ChoiceRow>& choice_table() {
       {"body", "inertia_about", "com"},           {"body", "inertia_about", "origin"},
       {"scene.numeric", "scalar", "float"},       {"scene.numeric", "scalar", "double"},
       {"scene.numeric", "scalar", "long double"}, {"scene.emit", "language", "c++17"},
-      {"scene.emit", "language", "c99", later},
+      {"scene.emit", "language", "c99", later},    {"scene.numeric", "form", "closed"},
+      {"scene.numeric", "form", "recursive"},     {"scene.outputs.*", "form", "closed"},
+      {"scene.outputs.*", "form", "recursive"},
   };
   return rows;
 }

@@ -1,5 +1,6 @@
-// Expectations by sampling. Two exact functions of the model agree where they agree to 45 digits at
-// 64 random points; the row says that it was sampled, since that is no proof.
+// Expectations: proved where that succeeds. Otherwise two exact functions of the model agree where
+// they agree to 45 digits at 64 random points; the row says that it was sampled, since that is no
+// proof.
 #include "expectations.hpp"
 
 #include <fmt/format.h>
@@ -7,6 +8,7 @@
 #include <algorithm>
 
 #include "elgen/outputs.hpp"
+#include "proofs.hpp"
 #include "random.hpp"
 #include "tally.hpp"
 
@@ -19,6 +21,8 @@ constexpr std::size_t point_count = 64;
 constexpr double tolerance = 1e-45;
 constexpr const char* reason =
     "1e-45 of the largest entry: sampled at 64 points to 50 digits, no proof";
+constexpr const char* proof = "proved: both are one canonical sum";
+constexpr const char* proof_of_rate = "proved: the rate is the empty canonical sum";
 
 /// Half to twice the value; a parameter that is zero becomes a positive number up to 1.
 cl_R varied(const cl_R& value, Random& random) {
@@ -177,6 +181,13 @@ std::optional<Rate> rate_along(const Model& model, ExpressionId expression, cons
   return result;
 }
 
+CertificateRow conserved_row(const Expectation& expectation, std::size_t entry,
+                             const Subject& subject) {
+  CertificateRow row = expectation_row(expectation, entry, subject);
+  row.formula = fmt::format("d/dt ({}) = 0 at u = 0", row.formula);
+  return row;
+}
+
 void check_conserved(ExpectationReport& report, const Expectation& expectation, std::size_t entry,
                      const Subject& subject, const std::vector<State>& motions) {
   Tally tally;
@@ -191,8 +202,7 @@ void check_conserved(ExpectationReport& report, const Expectation& expectation, 
     tally.add(figure, motion);
     if (!witness && !(figure <= tolerance)) witness = Witness{rate->value, 0, motion};
   }
-  CertificateRow row = expectation_row(expectation, entry, subject);
-  row.formula = fmt::format("d/dt ({}) = 0 at u = 0", row.formula);
+  CertificateRow row = conserved_row(expectation, entry, subject);
   finish(row, tally, subject);
   report.rows.push_back(std::move(row));
   if (witness) {
@@ -229,24 +239,55 @@ std::optional<OutputRequest> expected_request(const Model& model, std::string_vi
   return std::nullopt;
 }
 
-ExpectationReport check_expectations(const Subject& subject, std::uint64_t seed) {
+namespace {
+
+CertificateRow proved_row(CertificateRow row, const char* how) {
+  row.worst = "equal";
+  row.tolerance = how;
+  return row;
+}
+
+/// Entries of one expectation; the points are made for the first that is not proved.
+void check_values(ExpectationReport& report, const Expectation& expectation,
+                  const Subject& subject, Proofs& proofs, const std::vector<State>& states) {
+  const auto request = expected_request(subject.model, expectation.output);
+  std::optional<std::vector<PointOfComparison>> points;
+  for (std::size_t entry = 0; entry < expectation.entries.size(); ++entry) {
+    if (proofs.equal(expectation, entry)) {
+      report.rows.push_back(proved_row(expectation_row(expectation, entry, subject), proof));
+      continue;
+    }
+    if (!points && request) points = compare_at(subject.model, *request, states);
+    check_entry(report, expectation, entry, subject,
+                points.value_or(std::vector<PointOfComparison>()));
+  }
+}
+
+void check_rates(ExpectationReport& report, const Expectation& expectation, const Subject& subject,
+                 Proofs& proofs, const std::vector<State>& states) {
+  std::optional<std::vector<State>> motions;
+  for (std::size_t entry = 0; entry < expectation.entries.size(); ++entry) {
+    if (proofs.conserved(expectation, entry)) {
+      CertificateRow row = conserved_row(expectation, entry, subject);
+      report.rows.push_back(proved_row(std::move(row), proof_of_rate));
+      continue;
+    }
+    if (!motions) motions = free_motions(subject.model, states);
+    check_conserved(report, expectation, entry, subject, *motions);
+  }
+}
+
+}  // namespace
+
+ExpectationReport check_expectations(const Subject& subject, ClosedForms* forms,
+                                     std::uint64_t seed) {
   ExpectationReport report;
   if (subject.model.expectations.empty()) return report;
+  Proofs proofs(subject, forms);
   const std::vector<State> states = random_points(subject.model, seed);
   for (const Expectation& expectation : subject.model.expectations) {
-    const bool conserved = expectation.output == "conserved";
-    const auto request = expected_request(subject.model, expectation.output);
-    const std::vector<State> motions =
-        conserved ? free_motions(subject.model, states) : std::vector<State>();
-    const std::vector<PointOfComparison> points =
-        request ? compare_at(subject.model, *request, states) : std::vector<PointOfComparison>();
-    for (std::size_t entry = 0; entry < expectation.entries.size(); ++entry) {
-      if (conserved) {
-        check_conserved(report, expectation, entry, subject, motions);
-      } else {
-        check_entry(report, expectation, entry, subject, points);
-      }
-    }
+    const bool is_rate = expectation.output == "conserved";
+    (is_rate ? check_rates : check_values)(report, expectation, subject, proofs, states);
   }
   return report;
 }

@@ -1,5 +1,5 @@
-// [[expect]]: the closed forms an author writes down, compared with the oracle at random exact
-// points.
+// [[expect]]: the closed forms an author writes down, proved equal to what was derived, or compared
+// with the oracle at random exact points.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,11 @@ struct ExpectationReport {
   Diagnostics diagnostics = {};  ///< E510, one per wrong entry, at the entry
 };
 
-/// 64 points with rational coordinates, rates, inputs and parameters (from half to twice their
+/// What `forms` (may be null) does not prove is sampled, and the row says so: 64 points with rational coordinates, rates, inputs and parameters (from half to twice their
 /// value, with the sign they have; fixed ones too, since an expectation speaks of the model).
 /// `conserved` entries: their rate along the motion with u = 0 is zero.
-[[nodiscard]] ExpectationReport check_expectations(const Subject& subject, std::uint64_t seed);
+[[nodiscard]] ExpectationReport check_expectations(const Subject& subject, ClosedForms* forms,
+                                                   std::uint64_t seed);
 
 /// The oracle's request for the output an expectation names; none where the model has no such
 /// output.

@@ -26,7 +26,7 @@ System expecting(ModelBuilder builder, const std::string& output, std::uint32_t 
 }
 
 ExpectationReport report_of(const System& system) {
-  return check_expectations(system.subject(), 1);
+  return check_expectations(system.subject(), nullptr, 1);
 }
 
 void check_holds(const System& system) {

@@ -1,0 +1,41 @@
+// choose: which of its two forms each function is emitted in, and how its entries are written for a
+// reader.
+//
+// The recursive form keeps the definitions of the derivation: linear cost along a chain. The closed
+// form is the cancelled, collected equation: for small models fewer operations, and more accurate,
+// since what cancels on paper is gone. Both are lowered, counted after sharing, and the cheaper is
+// kept, the closed one on a tie, unless the scene asks for one.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "elgen/closed_forms.hpp"
+#include "elgen/program.hpp"
+#include "elgen/scene.hpp"
+
+namespace elgen {
+
+/// What one call of a function costs in either form.
+struct FormCosts {
+  std::string function = {};
+  OperationCounts recursive = {};
+  std::optional<OperationCounts> closed = {};  ///< none: given up, or far beyond the recursive form
+  Form chosen = Form::recursive;
+  bool is_asked_for = false;  ///< by the scene, whatever it costs
+};
+
+struct Choice {
+  Program program = {};  ///< with `readable` filled
+  std::vector<FormCosts> costs = {};  ///< parallel to program.functions
+};
+
+/// `recursive` is the program the closed forms were made of. E608: a closed form is asked for that
+/// was given up.
+[[nodiscard]] Result<Choice> choose(const Program& recursive, const ClosedForms& forms,
+                                    const Scene& scene);
+
+[[nodiscard]] std::string dump(const Choice& choice);
+
+}  // namespace elgen

@@ -1,0 +1,126 @@
+// ClosedForms: every entry of the wanted outputs as one canonical sum over one canonical
+// denominator, free of GiNaC and of the program's sharing.
+//
+//     numerator / product of denominator factors, each a sum of   (x + i y) * atoms^exponents
+//
+// Atoms are the leaves, roots (atom^2 = radicand), opaque calls, and e^(i angle) for every angle
+// that sines and cosines are taken of: cos(x) = (e^ix + e^-ix)/2, sin(x) = (e^ix - e^-ix)/(2i). In
+// these exponentials sums of angles, products of sines and sin^2 + cos^2 = 1 need no rule of their
+// own, so that two forms of one function of leaves, sines and cosines are the same sum. A form is
+// given up, never approximated, where it outgrows its budget.
+#pragma once
+
+#include <cln/rational.h>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "elgen/program.hpp"
+
+namespace elgen {
+
+using AtomId = std::uint32_t;
+
+struct AtomPower {
+  AtomId atom = 0;
+  std::int32_t exponent = 1;
+  friend bool operator==(const AtomPower&, const AtomPower&) = default;
+};
+
+/// Ascending atoms, no exponent 0; exponents may be negative.
+using Monomial = std::vector<AtomPower>;
+
+/// Lexicographic in the exponents; the same for x m and y m as for x and y.
+struct MonomialLess {
+  [[nodiscard]] bool operator()(const Monomial& x, const Monomial& y) const;
+};
+
+/// x + i y.
+struct Gaussian {
+  cln::cl_RA real = 0;
+  cln::cl_RA imaginary = 0;
+};
+
+/// No coefficient is 0; the empty sum is 0.
+using Polynomial = std::map<Monomial, Gaussian, MonomialLess>;
+
+/// numerator / product of factors[i]^exponent, exponents positive; no factor divides the numerator.
+struct Fraction {
+  Polynomial numerator = {};
+  std::map<std::uint32_t, std::int32_t> denominator = {};
+};
+
+enum class AtomKind : std::uint8_t {
+  leaf,
+  circular,  ///< e^(i angle), angle = argument / divisor
+  root,      ///< sqrt(argument), argument positive
+  call,      ///< function(arguments)
+  constant,  ///< neither rational nor a root of one
+};
+
+struct Atom {
+  AtomKind kind = AtomKind::leaf;
+  Opcode leaf = Opcode::constant;
+  std::uint32_t index = 0;  ///< of the leaf
+  FunctionId function = FunctionId::sin;
+  cln::cl_RA divisor = 1;
+  std::vector<Fraction> arguments = {};
+  Constant constant = {};
+};
+
+/// The atoms and denominator factors that fractions refer to.
+struct Algebra {
+  std::vector<Atom> atoms = {};
+  /// As first met, and normalised: without common monomial, leading coefficient 1.
+  struct Factor {
+    Polynomial shown = {};
+    Polynomial normal = {};
+  };
+  std::vector<Factor> factors = {};
+};
+
+struct ClosedField {
+  std::string name = {};
+  std::vector<std::optional<Fraction>> entries = {};  ///< none: beyond the budget
+};
+
+/// Parallel to Program::functions; `dynamics` has no fields, since it repeats the others.
+struct ClosedFunction {
+  std::vector<ClosedField> fields = {};
+};
+
+struct ClosedForms {
+  Algebra algebra = {};
+  std::vector<ClosedFunction> functions = {};
+};
+
+/// Terms multiplied with terms: what a form may cost before it is given up.
+struct PresentBudget {
+  std::size_t products_per_function = 30'000;
+  std::size_t products = 150'000;
+  std::size_t terms = 4'000;  ///< of any one sum on the way
+};
+
+/// The closed forms of a program's functions. Cost: at most `budget`, about 0.4 us a product.
+[[nodiscard]] ClosedForms present(const Program& program, const PresentBudget& budget = {});
+
+/// Whether x = y is proved: x - y is the empty sum. False says nothing where roots or calls occur.
+[[nodiscard]] bool proved_equal(ClosedForms& forms, const Fraction& x, const Fraction& y);
+
+/// Whether dx/dt = 0 is proved along the motion at u = 0; `accelerations` are those of the forward
+/// dynamics, one per velocity. False proves nothing.
+[[nodiscard]] bool proved_conserved(ClosedForms& forms, const Fraction& x,
+                                    const std::vector<Fraction>& accelerations);
+
+/// One expression of the model over the same atoms; `fixed` parameters are numbers. None where it
+/// outgrows the budget.
+[[nodiscard]] std::optional<Fraction> closed_form(ClosedForms& forms, const Model& model,
+                                                  const std::map<std::uint32_t, cln::cl_R>& fixed,
+                                                  ExpressionId expression);
+
+[[nodiscard]] std::string dump(const ClosedForms& forms);
+
+}  // namespace elgen

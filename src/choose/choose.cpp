@@ -1,0 +1,247 @@
+// choose: see choose.hpp. The one place that decides between the two forms.
+#include "elgen/choose.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "lower/cheapest.hpp"
+#include "lower/linearise.hpp"
+#include "lower/turn_signs.hpp"
+#include "readable.hpp"
+
+namespace elgen {
+namespace {
+
+/// A closed form whose entries, written out one by one, are this much longer than what the
+/// recursive form executes does not become cheaper by sharing, and is not lowered.
+constexpr std::size_t hopeless_ratio = 6;
+constexpr std::size_t always_tried = 400;
+
+/// The terms of all entries of a function beyond which its closed form is given up: it is neither
+/// read nor cheaper.
+constexpr std::size_t most_terms_together = 3'000;
+
+using ReadableEntries = std::vector<std::optional<ReadableForm>>;  ///< of all fields
+
+std::size_t term_count(const ClosedFunction& closed) {
+  std::size_t count = 0;
+  for (const ClosedField& field : closed.fields) {
+    for (const auto& entry : field.entries) count += entry ? entry->numerator.size() : 0;
+  }
+  return count;
+}
+
+ReadableEntries read_entries(const Program& program, const Function& function,
+                             const ClosedForms& forms, const ClosedFunction& closed) {
+  ReadableEntries entries;
+  if (term_count(closed) > most_terms_together) return entries;
+  for (std::size_t f = 0; f < closed.fields.size(); ++f) {
+    for (std::size_t e = 0; e < closed.fields[f].entries.size(); ++e) {
+      const std::optional<Fraction>& form = closed.fields[f].entries[e];
+      auto& entry = entries.emplace_back();
+      if (!form) continue;
+      const auto derived = as_derived(program, function, function.fields[f].entries[e]);
+      entry = shortest(forms.algebra, *form, derived ? &*derived : nullptr);
+    }
+  }
+  return entries;
+}
+
+bool is_complete(const ReadableEntries& entries) {
+  return !entries.empty() && std::all_of(entries.begin(), entries.end(),
+                                         [](const auto& entry) { return entry.has_value(); });
+}
+
+std::size_t length(const ReadableEntries& entries) {
+  std::size_t total = 0;
+  for (const auto& entry : entries) total += entry->length;
+  return total;
+}
+
+/// The same function without instructions, its entries numbered as values.
+Function unfilled(const Function& function) {
+  Function result{function.kind, function.user, function.name};
+  std::uint32_t next = 0;
+  for (const Field& field : function.fields) {
+    Field& copy = result.fields.emplace_back(Field{field.name, field.rows, field.columns, {}});
+    for (std::size_t i = 0; i < field.entries.size(); ++i) copy.entries.push_back(next++);
+  }
+  return result;
+}
+
+/// Copies the nodes of one value into a common graph.
+Ref copied(Graph& graph, const Expressions& from) {
+  std::vector<Ref> renewed(from.graph.size());
+  for (const NodeId id : reachable(from.graph, from.values)) {
+    renewed[id] = copy(graph, {from.graph, id, renewed});
+  }
+  const Ref value = from.values[0];
+  return with_sign(renewed[value.node], value.negative);
+}
+
+Function lowered(const Expressions& together, const Function& shape, Program& program) {
+  Function function = unfilled(shape);
+  function.form = Form::closed;
+  linearise(cheapest_network(together, function), program, function);
+  return function;
+}
+
+/// All entries over one graph, as they are read or in their shortest forms, whichever is cheaper.
+Function lowered_together(const ReadableEntries& entries, const Function& shape,
+                          Program& program) {
+  Expressions readable;
+  Expressions compact;
+  for (const auto& entry : entries) {
+    readable.values.push_back(copied(readable.graph, entry->readable));
+    compact.values.push_back(copied(compact.graph, entry->compact));
+  }
+  Function first = lowered(readable, shape, program);
+  Function second = lowered(compact, shape, program);
+  const bool is_second = cost(count_operations(second)) < cost(count_operations(first));
+  return is_second ? second : first;
+}
+
+void append_entry(Function& to, Field& field, const Function& one) {
+  const auto offset = static_cast<std::uint32_t>(to.instructions.size());
+  for (Instruction i : one.instructions) {
+    if (operand_count(i) > 0) i.a += offset;
+    if (operand_count(i) > 1) i.b += offset;
+    to.instructions.push_back(i);
+  }
+  to.names.resize(to.instructions.size());
+  field.entries.push_back(one.fields[0].entries[0] + offset);
+}
+
+/// Entry by entry, so that nothing is taken apart for what another entry shares.
+Function lowered_one_by_one(const ReadableEntries& entries, const Function& shape,
+                            Program& program) {
+  Function readable{shape.kind, shape.user, shape.name, Form::closed};
+  std::size_t next = 0;
+  for (const Field& field : shape.fields) {
+    Field& filled = readable.fields.emplace_back(Field{field.name, field.rows, field.columns, {}});
+    for (std::size_t i = 0; i < field.entries.size(); ++i) {
+      Function one;
+      one.fields = {Field{"", 1, 1, {0}}};
+      Network network = make_network(entries[next++]->readable);
+      turn_signs(network);
+      linearise(network, program, one);
+      append_entry(readable, filled, one);
+    }
+  }
+  return readable;
+}
+
+/// The request that asks for one form of the function; null where the cost decides.
+const OutputRequest* wish_for(const Scene& scene, const Function& function) {
+  for (const OutputRequest& request : scene.outputs) {
+    if (request.name == function.name && request.form.has_value()) return &request;
+  }
+  return nullptr;
+}
+
+class Choosing {
+ public:
+  Choosing(const Program& recursive, const ClosedForms& forms, const Scene& scene)
+      : recursive_(recursive), forms_(forms), scene_(scene) {
+    result_.program = recursive;
+    result_.program.readable.resize(recursive.functions.size());
+  }
+
+  Result<Choice> operator()() {
+    for (std::size_t i = 0; i < recursive_.functions.size(); ++i) {
+      Diagnostics errors = choose_form(i);
+      if (!errors.empty()) return errors;
+    }
+    return std::move(result_);
+  }
+
+ private:
+  /// `dynamics` is made of the entries of the others.
+  const ReadableEntries& entries_of(std::size_t index) {
+    const Function& function = recursive_.functions[index];
+    ReadableEntries& entries = entries_[function.name];
+    if (function.kind != OutputKind::dynamics) {
+      entries = read_entries(recursive_, function, forms_, forms_.functions[index]);
+      return entries;
+    }
+    for (const Field& field : function.fields) {
+      const auto member = entries_.find(field.name);
+      if (member == entries_.end()) return entries = {};
+      entries.insert(entries.end(), member->second.begin(), member->second.end());
+    }
+    return entries;
+  }
+
+  Diagnostics choose_form(std::size_t index) {
+    const Function& function = recursive_.functions[index];
+    const OutputRequest* wish = wish_for(scene_, function);
+    const bool wants_closed = wish != nullptr && wish->form == Form::closed;
+    const ReadableEntries& entries = entries_of(index);
+    FormCosts costs{function.name, count_operations(function)};
+    costs.is_asked_for = wish != nullptr;
+    if (is_complete(entries)) {
+      fill_readable(index, entries);
+      if (wants_closed || is_worth_lowering(entries, cost(costs.recursive))) {
+        compare(index, entries, costs);
+        if (wish != nullptr) costs.chosen = wants_closed ? Form::closed : Form::recursive;
+      }
+    } else if (wants_closed) {
+      return {{Code::E608, wish->span,
+               fmt::format("the closed form of `{}` was given up", function.name)}};
+    }
+    if (costs.chosen == Form::closed) {
+      result_.program.functions[index] = std::move(closed_);
+    }
+    result_.costs.push_back(std::move(costs));
+    return {};
+  }
+
+  static bool is_worth_lowering(const ReadableEntries& entries, std::size_t recursive) {
+    const std::size_t total = length(entries);
+    return total <= always_tried || total <= hopeless_ratio * recursive;
+  }
+
+  void compare(std::size_t index, const ReadableEntries& entries, FormCosts& costs) {
+    closed_ = lowered_together(entries, recursive_.functions[index], result_.program);
+    costs.closed = count_operations(closed_);
+    const bool is_cheaper = cost(*costs.closed) <= cost(costs.recursive);
+    costs.chosen = is_cheaper ? Form::closed : Form::recursive;
+  }
+
+  void fill_readable(std::size_t index, const ReadableEntries& entries) {
+    const Function& function = recursive_.functions[index];
+    if (function.kind == OutputKind::dynamics) return;
+    result_.program.readable[index] = lowered_one_by_one(entries, function, result_.program);
+  }
+
+  const Program& recursive_;
+  const ClosedForms& forms_;
+  const Scene& scene_;
+  std::map<std::string, ReadableEntries> entries_;
+  Function closed_;  ///< of the function being compared
+  Choice result_;
+};
+
+std::string counts_text(const OperationCounts& n) {
+  return fmt::format("add {} mul {} div {} sqrt {} sincos {} other {}, cost {}", n.add, n.mul,
+                     n.div, n.sqrt, n.sincos, n.other, cost(n));
+}
+
+}  // namespace
+
+Result<Choice> choose(const Program& recursive, const ClosedForms& forms, const Scene& scene) {
+  return Choosing(recursive, forms, scene)();
+}
+
+std::string dump(const Choice& choice) {
+  std::string text;
+  for (const FormCosts& costs : choice.costs) {
+    text += fmt::format("{}: {}{}\n  recursive {}\n", costs.function, name_of(costs.chosen),
+                        costs.is_asked_for ? " (asked for)" : "", counts_text(costs.recursive));
+    if (costs.closed) text += fmt::format("  closed    {}\n", counts_text(*costs.closed));
+  }
+  return text;
+}
+
+}  // namespace elgen

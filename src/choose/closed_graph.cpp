@@ -1,0 +1,295 @@
+// closed_graph: see closed_graph.hpp. What multiplies the whole numerator and stands in a
+// denominator too (sqrt(r)/r^2) is written as one power.
+#include "closed_graph.hpp"
+
+#include <algorithm>
+
+#include "present/polynomial.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_RA;
+
+class ClosedGraph {
+ public:
+  ClosedGraph(Graph& graph, const Algebra& algebra, Layout layout, std::size_t most)
+      : graph_(graph), algebra_(algebra), layout_(layout), most_(most) {}
+
+  std::optional<Ref> fraction(const Fraction& form) {
+    std::vector<Ref> parts;
+    for (const Fraction& part : by_roots(form)) {
+      const std::optional<Ref> value = part_of_fraction(part);
+      if (!value) return std::nullopt;
+      parts.push_back(*value);
+    }
+    return graph_.sum(parts);
+  }
+
+ private:
+  /// What has the same roots, each part over its own denominator:
+  /// (a sqrt(r) + b r)/r^2 = a sqrt(r)/r^2 + b/r.
+  [[nodiscard]] std::vector<Fraction> by_roots(const Fraction& form) const {
+    std::map<Monomial, Fraction, MonomialLess> parts;
+    for (const auto& [monomial, coefficient] : form.numerator) {
+      Monomial roots;
+      for (const AtomPower& power : monomial) {
+        if (algebra_.atoms[power.atom].kind == AtomKind::root) roots.push_back(power);
+      }
+      parts[roots].numerator.emplace(monomial, coefficient);
+    }
+    std::vector<Fraction> result;
+    for (auto& [roots, part] : parts) {
+      part.denominator = form.denominator;
+      if (parts.size() > 1) divide_out(part);
+      result.push_back(std::move(part));
+    }
+    return result;
+  }
+
+  void divide_out(Fraction& part) const {
+    std::size_t work = 100'000;
+    for (auto at = part.denominator.begin(); at != part.denominator.end();) {
+      while (at->second > 0 && part.numerator.size() > 1) {
+        auto divided =
+            presenting::quotient(part.numerator, algebra_.factors[at->first].shown, work);
+        if (!divided) break;
+        part.numerator = std::move(*divided);
+        --at->second;
+      }
+      at = at->second == 0 ? part.denominator.erase(at) : std::next(at);
+    }
+  }
+
+  std::optional<Ref> part_of_fraction(Fraction form) {
+    std::vector<Power> factors;
+    take_root(form, factors);
+    if (!take_divisors(form, factors)) return std::nullopt;
+    const std::optional<Ref> numerator = sum(form.numerator);
+    if (!numerator) return std::nullopt;
+    factors.push_back({*numerator, 1});
+    for (const auto& [factor, exponent] : form.denominator) {
+      const std::optional<Ref> value = sum(algebra_.factors[factor].shown);
+      if (!value) return std::nullopt;
+      factors.push_back({*value, -exponent});
+    }
+    return graph_.product(factors);
+  }
+
+  /// What two or more terms are divided by divides the sum: x/l + y/l^2 = (x l + y)/l^2.
+  bool take_divisors(Fraction& form, std::vector<Power>& factors) {
+    struct Divisor {
+      std::int32_t exponent = 0;
+      std::size_t terms = 0;
+    };
+    std::map<AtomId, Divisor> divisors;
+    for (const auto& [monomial, coefficient] : form.numerator) {
+      for (const AtomPower& power : monomial) {
+        if (power.exponent > 0 || is_exponential(power.atom)) continue;
+        Divisor& divisor = divisors[power.atom];
+        divisor.exponent = std::min(divisor.exponent, power.exponent);
+        ++divisor.terms;
+      }
+    }
+    Monomial taken;
+    for (const auto& [id, divisor] : divisors) {
+      if (divisor.terms < 2) continue;
+      taken.push_back({id, -divisor.exponent});
+      const std::optional<Ref> value = atom(algebra_.atoms[id]);
+      if (!value) return false;
+      factors.push_back({*value, divisor.exponent});
+    }
+    if (!taken.empty()) form.numerator = presenting::scaled(form.numerator, {1, 0}, taken);
+    return true;
+  }
+
+  [[nodiscard]] bool is_exponential(AtomId id) const {
+    return algebra_.atoms[id].kind == AtomKind::circular;
+  }
+
+  /// n sqrt(r) / r^k -> n sqrt(r)^-1 / r^(k-1)
+  void take_root(Fraction& form, std::vector<Power>& factors) {
+    for (auto& [factor, exponent] : form.denominator) {
+      const std::optional<AtomId> root = root_of(algebra_.factors[factor].shown);
+      if (!root || exponent == 0 || !divides(*root, form.numerator)) continue;
+      form.numerator =
+          presenting::scaled(form.numerator, {1, 0}, Monomial{{*root, -1}});
+      --exponent;
+      const std::optional<Ref> radicand = fraction(algebra_.atoms[*root].arguments[0]);
+      if (radicand) factors.push_back({graph_.square_root(*radicand), -1});
+    }
+    for (auto at = form.denominator.begin(); at != form.denominator.end();) {
+      at = at->second == 0 ? form.denominator.erase(at) : std::next(at);
+    }
+  }
+
+  [[nodiscard]] std::optional<AtomId> root_of(const Polynomial& radicand) const {
+    for (AtomId id = 0; id < algebra_.atoms.size(); ++id) {
+      const Atom& atom = algebra_.atoms[id];
+      if (atom.kind != AtomKind::root || !atom.arguments[0].denominator.empty()) continue;
+      const Polynomial difference =
+          presenting::sum(radicand, presenting::scaled(atom.arguments[0].numerator, {-1, 0}));
+      if (difference.empty()) return id;
+    }
+    return std::nullopt;
+  }
+
+  static bool divides(AtomId atom, const Polynomial& sum) {
+    return std::all_of(sum.begin(), sum.end(), [&](const auto& term) {
+      return std::any_of(term.first.begin(), term.first.end(), [&](const AtomPower& power) {
+        return power.atom == atom && power.exponent > 0;
+      });
+    });
+  }
+
+  /// The factors of one term, from what it is grouped by to what is left.
+  struct Factors {
+    std::vector<Power> rates = {};
+    std::vector<Power> coordinates = {};
+    std::vector<Power> rest = {};
+  };
+
+  /// The terms of a sum, each part that multiplies one product of rates in its own way.
+  [[nodiscard]] std::optional<std::vector<RealTerm>> terms_of(const Polynomial& polynomial) const {
+    if (layout_.trigonometry) {
+      return real_terms(algebra_, polynomial, *layout_.trigonometry, most_);
+    }
+    std::map<Monomial, Polynomial, MonomialLess> by_rates;
+    for (const auto& [monomial, coefficient] : polynomial) {
+      Monomial rates;
+      for (const AtomPower& power : monomial) {
+        if (is_rate(algebra_.atoms[power.atom])) rates.push_back(power);
+      }
+      by_rates[rates].emplace(monomial, coefficient);
+    }
+    std::vector<RealTerm> all;
+    for (const auto& [rates, part] : by_rates) {
+      const auto terms = shortest_terms(algebra_, part, most_);
+      if (!terms || all.size() + terms->size() > most_) return std::nullopt;
+      all.insert(all.end(), terms->begin(), terms->end());
+    }
+    return all;
+  }
+
+  std::optional<Ref> sum(const Polynomial& polynomial) {
+    const auto terms = terms_of(polynomial);
+    if (!terms) return std::nullopt;
+    std::vector<Factors> factors;
+    for (const RealTerm& term : *terms) {
+      auto of_term = factors_of(term);
+      if (!of_term) return std::nullopt;
+      factors.push_back(std::move(*of_term));
+    }
+    if (layout_.grouping == Grouping::none) return sum_of_products(factors);
+    return sum_of_groups(factors, &Factors::rates);
+  }
+
+  Ref sum_of_products(const std::vector<Factors>& terms) {
+    std::vector<Ref> refs;
+    for (const Factors& term : terms) {
+      std::vector<Power> all = term.rest;
+      all.insert(all.end(), term.coordinates.begin(), term.coordinates.end());
+      all.insert(all.end(), term.rates.begin(), term.rates.end());
+      refs.push_back(graph_.product(all));
+    }
+    return graph_.sum(refs);
+  }
+
+  /// One product per group: what its terms share, times the sum of what is left of them.
+  Ref sum_of_groups(const std::vector<Factors>& terms, std::vector<Power> Factors::*key) {
+    std::vector<std::pair<Ref, std::vector<Factors>>> groups;
+    for (Factors term : terms) {
+      const Ref shared = graph_.product(term.*key);
+      (term.*key).clear();
+      const auto known = std::find_if(groups.begin(), groups.end(),
+                                      [&](const auto& group) { return group.first == shared; });
+      if (known != groups.end()) {
+        known->second.push_back(std::move(term));
+      } else {
+        groups.push_back({shared, {std::move(term)}});
+      }
+    }
+    const bool is_split_again = key == &Factors::rates &&
+                                layout_.grouping == Grouping::by_rates_and_coordinates;
+    std::vector<Ref> refs;
+    for (const auto& [shared, members] : groups) {
+      const Ref rest = is_split_again ? sum_of_groups(members, &Factors::coordinates)
+                                      : sum_of_products(members);
+      refs.push_back(graph_.product({{shared, 1}, {rest, 1}}));
+    }
+    return graph_.sum(refs);
+  }
+
+  std::optional<Factors> factors_of(const RealTerm& term) {
+    Factors factors;
+    factors.rest.push_back({graph_.rational(term.coefficient), 1});
+    for (const AtomPower& power : term.powers) {
+      const Atom& atom = algebra_.atoms[power.atom];
+      const std::optional<Ref> value = this->atom(atom);
+      if (!value) return std::nullopt;
+      auto& part = is_rate(atom) ? factors.rates
+                   : is_parameter(atom) ? factors.rest
+                                        : factors.coordinates;
+      part.push_back({*value, power.exponent});
+    }
+    for (const CircularPower& power : term.circular) {
+      const std::optional<Ref> value = angle(power.angle);
+      if (!value) return std::nullopt;
+      const Ref cosine = graph_.call(FunctionId::cos, {*value});
+      const Ref sine = graph_.call(FunctionId::sin, {*value});
+      if (power.cosine != 0) factors.coordinates.push_back({cosine, power.cosine});
+      if (power.sine != 0) factors.coordinates.push_back({sine, power.sine});
+    }
+    return factors;
+  }
+
+  std::optional<Ref> angle(const Monomial& parts) {
+    std::vector<Ref> terms;
+    for (const AtomPower& part : parts) {
+      const Atom& atom = algebra_.atoms[part.atom];
+      const std::optional<Ref> argument = fraction(atom.arguments[0]);
+      if (!argument) return std::nullopt;
+      const Ref multiple = graph_.rational(cl_RA(part.exponent) / atom.divisor);
+      terms.push_back(graph_.product({{multiple, 1}, {*argument, 1}}));
+    }
+    return graph_.sum(terms);
+  }
+
+  std::optional<Ref> atom(const Atom& atom) {
+    if (atom.kind == AtomKind::leaf) return graph_.leaf(atom.leaf, atom.index);
+    if (atom.kind == AtomKind::constant) return graph_.constant(pi_constant());
+    std::vector<Ref> arguments;
+    for (const Fraction& argument : atom.arguments) {
+      const std::optional<Ref> value = fraction(argument);
+      if (!value) return std::nullopt;
+      arguments.push_back(*value);
+    }
+    if (atom.kind == AtomKind::root) return graph_.square_root(arguments[0]);
+    return graph_.call(atom.function, arguments);
+  }
+
+  Graph& graph_;
+  const Algebra& algebra_;
+  Layout layout_;
+  std::size_t most_;
+};
+
+}  // namespace
+
+bool is_rate(const Atom& atom) {
+  return atom.kind == AtomKind::leaf &&
+         (atom.leaf == Opcode::velocity || atom.leaf == Opcode::acceleration ||
+          atom.leaf == Opcode::input);
+}
+
+bool is_parameter(const Atom& atom) {
+  return atom.kind == AtomKind::constant ||
+         (atom.kind == AtomKind::leaf && atom.leaf == Opcode::parameter);
+}
+
+std::optional<Ref> closed_graph(Graph& graph, const Algebra& algebra, const Fraction& form,
+                                Layout layout, std::size_t most) {
+  return ClosedGraph(graph, algebra, layout, most).fraction(form);
+}
+
+}  // namespace elgen

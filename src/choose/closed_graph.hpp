@@ -1,0 +1,34 @@
+// closed_graph: a closed form -> Graph, one sum of products over one denominator.
+#pragma once
+
+#include <optional>
+
+#include "lower/graph.hpp"
+#include "real_terms.hpp"
+
+namespace elgen {
+
+/// How the terms of a sum are put together before common factors are collected.
+enum class Grouping : std::uint8_t {
+  none,
+  by_rates,       ///< what multiplies one product of velocities, accelerations and inputs
+  by_rates_and_coordinates,  ///< and within it one product of coordinates, sines and cosines
+};
+
+/// How a closed form is written. Without `trigonometry`, what multiplies one product of rates is
+/// written in the way that is shortest for it.
+struct Layout {
+  std::optional<Trigonometry> trigonometry = {};
+  Grouping grouping = Grouping::none;
+};
+
+/// Velocities, accelerations and inputs.
+[[nodiscard]] bool is_rate(const Atom& atom);
+/// Parameters and numbers.
+[[nodiscard]] bool is_parameter(const Atom& atom);
+
+/// None where the form has more than `most` terms.
+[[nodiscard]] std::optional<Ref> closed_graph(Graph& graph, const Algebra& algebra,
+                                              const Fraction& form, Layout layout, std::size_t most);
+
+}  // namespace elgen

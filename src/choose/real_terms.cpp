@@ -1,0 +1,277 @@
+// real_terms: see real_terms.hpp. (cos + i sin)^k is multiplied out and reduced by sin^2 + cos^2 =
+// 1 in the direction asked for; of each conjugate pair of exponentials one is visited.
+#include "real_terms.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "present/polynomial.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_RA;
+using presenting::is_zero;
+
+bool precedes(const CircularPower& x, const CircularPower& y) {
+  const MonomialLess less;
+  if (less(y.angle, x.angle)) return true;
+  if (less(x.angle, y.angle)) return false;
+  return std::tie(x.cosine, x.sine) < std::tie(y.cosine, y.sine);
+}
+
+struct CircularLess {
+  bool operator()(const std::vector<CircularPower>& x, const std::vector<CircularPower>& y) const {
+    return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end(), precedes);
+  }
+};
+
+/// A sum of products of sines and cosines.
+using CircularSum = std::map<std::vector<CircularPower>, Gaussian, CircularLess>;
+
+void add_to(CircularSum& sum, const std::vector<CircularPower>& powers, const Gaussian& value) {
+  const auto [at, is_new] = sum.try_emplace(powers, value);
+  if (is_new) return;
+  at->second.real = at->second.real + value.real;
+  at->second.imaginary = at->second.imaginary + value.imaginary;
+  if (is_zero(at->second)) sum.erase(at);
+}
+
+/// Exponents of cos and sin -> coefficient.
+using TwoPowers = std::map<std::pair<std::int32_t, std::int32_t>, Gaussian>;
+
+void add_to(TwoPowers& sum, std::int32_t cosine, std::int32_t sine, const Gaussian& value) {
+  Gaussian& at = sum[{cosine, sine}];
+  at.real = at.real + value.real;
+  at.imaginary = at.imaginary + value.imaginary;
+  if (is_zero(at)) sum.erase({cosine, sine});
+}
+
+/// One step of sin^2 = 1 - cos^2, or cos^2 = 1 - sin^2.
+TwoPowers reduced(const TwoPowers& sum, bool by_sines) {
+  TwoPowers result;
+  for (const auto& [powers, value] : sum) {
+    auto [cosine, sine] = powers;
+    const Gaussian opposite{-value.real, -value.imaginary};
+    if (by_sines && cosine >= 2) {
+      add_to(result, cosine - 2, sine, value);
+      add_to(result, cosine - 2, sine + 2, opposite);
+    } else if (!by_sines && sine >= 2) {
+      add_to(result, cosine, sine - 2, value);
+      add_to(result, cosine + 2, sine - 2, opposite);
+    } else {
+      add_to(result, cosine, sine, value);
+    }
+  }
+  return result;
+}
+
+/// (cos + i sin)^multiple
+TwoPowers power_of_exponential(std::int32_t multiple, bool by_sines) {
+  const Gaussian i{0, multiple < 0 ? -1 : 1};
+  TwoPowers result{{{0, 0}, Gaussian{1, 0}}};
+  for (std::int32_t k = 0; k < std::abs(multiple); ++k) {
+    TwoPowers next;
+    for (const auto& [powers, value] : result) {
+      add_to(next, powers.first + 1, powers.second, value);
+      add_to(next, powers.first, powers.second + 1, presenting::product(value, i));
+    }
+    result = reduced(next, by_sines);
+  }
+  return result;
+}
+
+struct SplitMonomial {
+  Monomial powers;
+  Monomial angle;
+};
+
+SplitMonomial split(const Algebra& algebra, const Monomial& monomial) {
+  SplitMonomial result;
+  for (const AtomPower& factor : monomial) {
+    const bool is_circular = algebra.atoms[factor.atom].kind == AtomKind::circular;
+    (is_circular ? result.angle : result.powers).push_back(factor);
+  }
+  return result;
+}
+
+std::int32_t common_divisor(const Monomial& angle) {
+  std::int32_t result = 0;
+  for (const AtomPower& part : angle) result = std::gcd(result, part.exponent);
+  return result;
+}
+
+Monomial divided(Monomial angle, std::int32_t divisor) {
+  for (AtomPower& part : angle) part.exponent /= divisor;
+  return angle;
+}
+
+class RealTerms {
+ public:
+  RealTerms(const Algebra& algebra, const Polynomial& sum, Trigonometry trigonometry)
+      : algebra_(algebra), trigonometry_(trigonometry) {
+    by_sines_ = trigonometry == Trigonometry::directions_by_sines ||
+                trigonometry == Trigonometry::units_by_sines;
+    for (const auto& [monomial, coefficient] : sum) note_angle(split(algebra, monomial).angle);
+  }
+
+  void add(const Monomial& monomial, const Gaussian& coefficient) {
+    const auto [powers, angle] = split(algebra_, monomial);
+    if (!angle.empty() && angle.front().exponent < 0) return;  // its conjugate says the same
+    CircularSum& sum = sums_[powers];
+    if (angle.empty()) return add_to(sum, {}, {coefficient.real, 0});
+    if (trigonometry_ == Trigonometry::multiple_angles) {
+      add_real(sum, {{angle, 1, 0}}, coefficient.real * 2);
+      return add_real(sum, {{angle, 0, 1}}, coefficient.imaginary * -2);
+    }
+    for (const auto& [circular, value] : expanded(angle)) {
+      add_real(sum, circular, presenting::product(value, coefficient).real * 2);
+    }
+  }
+
+  [[nodiscard]] std::size_t size() const {
+    std::size_t count = 0;
+    for (const auto& [powers, sum] : sums_) count += sum.size();
+    return count;
+  }
+
+  [[nodiscard]] std::vector<RealTerm> take() const {
+    std::vector<RealTerm> terms;
+    for (const auto& [powers, sum] : sums_) {
+      for (const auto& [circular, value] : sum) terms.push_back({value.real, powers, circular});
+    }
+    return terms;
+  }
+
+ private:
+  [[nodiscard]] bool by_units() const {
+    return trigonometry_ == Trigonometry::units_by_cosines ||
+           trigonometry_ == Trigonometry::units_by_sines;
+  }
+
+  static void add_real(CircularSum& sum, const std::vector<CircularPower>& powers,
+                       const cl_RA& value) {
+    if (!cln::zerop(value)) add_to(sum, powers, {value, 0});
+  }
+
+  /// What every multiple of a direction, or of a unit, is a multiple of: at most the angle itself.
+  void note_angle(const Monomial& angle) {
+    if (angle.empty()) return;
+    constexpr std::int32_t whole = 12;
+    for (const AtomPower& part : angle) {
+      std::int32_t& base = base_of_unit_.try_emplace(part.atom, whole).first->second;
+      base = std::gcd(base, part.exponent);
+    }
+    const std::int32_t multiple = common_divisor(angle);
+    std::int32_t& base =
+        base_of_direction_.try_emplace(direction(angle), whole).first->second;
+    base = std::gcd(base, multiple);
+  }
+
+  /// Without common divisor; the first part positive.
+  static Monomial direction(const Monomial& angle) {
+    const std::int32_t divisor = common_divisor(angle);
+    return divided(angle, angle.front().exponent < 0 ? -divisor : divisor);
+  }
+
+  [[nodiscard]] CircularSum expanded(const Monomial& angle) const {
+    if (!by_units()) {
+      const Monomial along = direction(angle);
+      const std::int32_t base = base_of_direction_.at(along);
+      return factor(presenting::power(along, base), common_divisor(angle) / base);
+    }
+    CircularSum result{{{}, Gaussian{1, 0}}};
+    for (const AtomPower& part : angle) {
+      const std::int32_t base = base_of_unit_.at(part.atom);
+      CircularSum next;
+      for (const auto& [more, b] : factor({{part.atom, base}}, part.exponent / base)) {
+        for (const auto& [own, a] : result) {
+          std::vector<CircularPower> powers = own;
+          powers.insert(powers.end(), more.begin(), more.end());
+          add_to(next, powers, presenting::product(a, b));
+        }
+      }
+      result = std::move(next);
+    }
+    return result;
+  }
+
+  [[nodiscard]] CircularSum factor(const Monomial& angle, std::int32_t multiple) const {
+    CircularSum result;
+    for (const auto& [powers, value] : power_of_exponential(multiple, by_sines_)) {
+      const bool is_one = powers.first == 0 && powers.second == 0;
+      add_to(result,
+             is_one ? std::vector<CircularPower>()
+                    : std::vector<CircularPower>{{angle, powers.first, powers.second}},
+             value);
+    }
+    return result;
+  }
+
+  const Algebra& algebra_;
+  Trigonometry trigonometry_;
+  bool by_sines_ = false;
+  std::map<AtomId, std::int32_t> base_of_unit_;
+  std::map<Monomial, std::int32_t, MonomialLess> base_of_direction_;
+  std::map<Monomial, CircularSum, MonomialLess> sums_;
+};
+
+}  // namespace
+
+std::optional<std::vector<RealTerm>> real_terms(const Algebra& algebra, const Polynomial& sum,
+                                                Trigonometry trigonometry, std::size_t most) {
+  RealTerms terms(algebra, sum, trigonometry);
+  for (const auto& [monomial, coefficient] : sum) {
+    terms.add(monomial, coefficient);
+    // Terms may still cancel, but not from far beyond the limit.
+    if (terms.size() > 4 * most) return std::nullopt;
+  }
+  if (terms.size() > most) return std::nullopt;
+  return terms.take();
+}
+
+namespace {
+
+std::size_t circular_length(const Algebra& algebra, const CircularPower& power) {
+  std::size_t angle = call_length + power.angle.size() - 1;
+  for (const AtomPower& part : power.angle) {
+    const bool is_itself = algebra.atoms[part.atom].divisor == std::abs(part.exponent);
+    if (!is_itself) angle += multiple_length;
+  }
+  std::size_t length = 0;
+  for (const std::int32_t exponent : {power.cosine, power.sine}) {
+    if (exponent > 0) length += angle + (exponent > 1 ? 1 : 0);
+  }
+  return length;
+}
+
+}  // namespace
+
+std::size_t written_length(const Algebra& algebra, const std::vector<RealTerm>& terms) {
+  std::size_t length = 0;
+  for (const RealTerm& term : terms) {
+    length += term.powers.size() + 1;
+    if (cln::abs(term.coefficient) != 1) ++length;
+    for (const CircularPower& power : term.circular) length += 1 + circular_length(algebra, power);
+  }
+  return length;
+}
+
+std::optional<std::vector<RealTerm>> shortest_terms(const Algebra& algebra, const Polynomial& sum,
+                                                    std::size_t most) {
+  std::optional<std::vector<RealTerm>> best;
+  std::size_t least = 0;
+  for (const Trigonometry trigonometry : trigonometries) {
+    auto terms = real_terms(algebra, sum, trigonometry, most);
+    if (!terms) continue;
+    const std::size_t length = written_length(algebra, *terms);
+    if (best && length >= least) continue;
+    least = length;
+    best = std::move(terms);
+  }
+  return best;
+}
+
+}  // namespace elgen

@@ -1,0 +1,65 @@
+// real_terms: a canonical sum of exponentials as real terms, in one of several ways to write it.
+//
+//     -1/4 m e^(2i theta) + 1/2 m - 1/4 m e^(-2i theta)
+//       multiple_angles   1/2 m - 1/2 m cos(2 theta)
+//       by_cosines        m - m cos(theta)^2
+//       by_sines          m sin(theta)^2
+//
+// Of "directions", q1 + q2 is an angle like any other; of "units" it is taken apart into q1 and q2.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "elgen/closed_forms.hpp"
+
+namespace elgen {
+
+enum class Trigonometry : std::uint8_t {
+  multiple_angles,
+  directions_by_cosines,
+  directions_by_sines,
+  units_by_cosines,
+  units_by_sines,
+};
+
+inline constexpr std::array trigonometries{
+    Trigonometry::multiple_angles, Trigonometry::directions_by_sines,
+    Trigonometry::directions_by_cosines, Trigonometry::units_by_sines,
+    Trigonometry::units_by_cosines};
+
+/// cos(angle)^cosine sin(angle)^sine; an angle is the sum of exponent/divisor * argument over its
+/// circular atoms.
+struct CircularPower {
+  Monomial angle = {};
+  std::int32_t cosine = 0;
+  std::int32_t sine = 0;
+};
+
+struct RealTerm {
+  cln::cl_RA coefficient = 0;
+  Monomial powers = {};  ///< of all other atoms
+  std::vector<CircularPower> circular = {};
+};
+
+/// What a call adds to the length of what is written, and what a multiple of an angle does:
+/// sin(2*x)/2 is no shorter than sin(x)*cos(x), whose parts occur elsewhere too.
+inline constexpr std::size_t call_length = 2;
+inline constexpr std::size_t multiple_length = 5;
+
+/// How long the terms are when written out: factors, signs and calls.
+[[nodiscard]] std::size_t written_length(const Algebra& algebra,
+                                         const std::vector<RealTerm>& terms);
+
+/// The shortest of all ways; on a tie the earlier one.
+[[nodiscard]] std::optional<std::vector<RealTerm>> shortest_terms(const Algebra& algebra,
+                                                                  const Polynomial& sum,
+                                                                  std::size_t most);
+
+/// The terms in a fixed order; none where there would be more than `most`.
+[[nodiscard]] std::optional<std::vector<RealTerm>> real_terms(const Algebra& algebra,
+                                                              const Polynomial& sum,
+                                                              Trigonometry trigonometry,
+                                                              std::size_t most);
+
+}  // namespace elgen

@@ -1,0 +1,183 @@
+// angle_sums: see angle_sums.hpp. Angles are compared as rational combinations of nodes.
+#include "angle_sums.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace elgen {
+namespace {
+
+using cln::cl_RA;
+
+using Combination = std::map<NodeId, cl_RA>;
+
+void add_scaled(Combination& to, NodeId node, const cl_RA& coefficient) {
+  const auto [at, is_new] = to.try_emplace(node, coefficient);
+  if (is_new) return;
+  at->second = at->second + coefficient;
+  if (cln::zerop(at->second)) to.erase(at);
+}
+
+/// Adds coefficient * node, taken apart into terms.
+void add_terms(const Graph& graph, NodeId id, const cl_RA& coefficient, Combination& to) {
+  const Node& node = graph.node(id);
+  if (node.kind == NodeKind::sum) {
+    for (const Operand& term : node.operands) {
+      add_terms(graph, term.node, coefficient * term.weight, to);
+    }
+    return;
+  }
+  const bool is_multiple = node.kind == NodeKind::product && node.operands.size() == 2 &&
+                           node.operands[0].weight == 1 && node.operands[1].weight == 1 &&
+                           graph.is_constant(node.operands[0].node) &&
+                           is_rational(graph.constant_of(node.operands[0].node));
+  if (is_multiple) {
+    const cl_RA factor = rational_value(graph.constant_of(node.operands[0].node));
+    add_terms(graph, node.operands[1].node, coefficient * factor, to);
+    return;
+  }
+  add_scaled(to, id, coefficient);
+}
+
+Combination plus(Combination x, const Combination& y, int sign) {
+  for (const auto& [node, coefficient] : y) add_scaled(x, node, coefficient * sign);
+  return x;
+}
+
+struct Angle {
+  NodeId argument = 0;
+  Combination terms = {};
+  cl_RA size = 0;  ///< sum of |coefficients|: simpler angles are smaller
+};
+
+/// argument = first + sign * second
+struct Split {
+  NodeId first = 0;
+  NodeId second = 0;
+  int sign = 1;
+};
+
+bool is_circular(const Node& node) {
+  return node.kind == NodeKind::call &&
+         (node.function == FunctionId::sin || node.function == FunctionId::cos);
+}
+
+std::vector<Angle> angles_of(const Expressions& expressions) {
+  const Graph& graph = expressions.graph;
+  std::vector<Angle> angles;
+  for (const NodeId id : reachable(graph, expressions.values)) {
+    if (!is_circular(graph.node(id))) continue;
+    const NodeId argument = graph.node(id).operands[0].node;
+    const auto same = [&](const Angle& known) { return known.argument == argument; };
+    if (std::any_of(angles.begin(), angles.end(), same)) continue;
+    Angle angle{argument};
+    add_terms(graph, argument, 1, angle.terms);
+    for (const auto& [node, coefficient] : angle.terms) {
+      angle.size = angle.size + cln::abs(coefficient);
+    }
+    angles.push_back(std::move(angle));
+  }
+  std::stable_sort(angles.begin(), angles.end(),
+                   [](const Angle& x, const Angle& y) { return x.size < y.size; });
+  return angles;
+}
+
+/// Larger sets take cubic time.
+constexpr std::size_t most_angles = 40;
+
+std::map<NodeId, Split> splits_of(const Expressions& expressions) {
+  std::map<NodeId, Split> splits;
+  const std::vector<Angle> angles = angles_of(expressions);
+  if (angles.size() > most_angles) return splits;
+  const auto equals = [](const Combination& x, const Combination& y) { return x == y; };
+  for (std::size_t k = angles.size(); k-- > 0;) {
+    for (std::size_t i = 0; i < k && splits.count(angles[k].argument) == 0; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) {
+        if (angles[i].size >= angles[k].size || angles[j].size >= angles[k].size) continue;
+        for (const int sign : {1, -1}) {
+          if (equals(plus(angles[i].terms, angles[j].terms, sign), angles[k].terms)) {
+            splits[angles[k].argument] = {angles[i].argument, angles[j].argument, sign};
+          }
+        }
+        // second - first, where the second is the simpler one
+        if (equals(plus(angles[j].terms, angles[i].terms, -1), angles[k].terms)) {
+          splits[angles[k].argument] = {angles[j].argument, angles[i].argument, -1};
+        }
+      }
+    }
+  }
+  return splits;
+}
+
+class AngleSums {
+ public:
+  explicit AngleSums(const Expressions& expressions) : splits_(splits_of(expressions)) {}
+
+  Ref operator()(Graph& graph, const RebuildStep& step) const {
+    const Node& node = step.old_graph.node(step.old_node);
+    if (!is_circular(node) || splits_.count(node.operands[0].node) == 0) return copy(graph, step);
+    const Ref value = circular(graph, step, node.function, node.operands[0].node);
+    const bool negative = node.function == FunctionId::sin && node.operands[0].weight < 0;
+    return with_sign(value, negative);
+  }
+
+ private:
+  /// An argument in the new graph, built anew: it may come later in the old one.
+  static Ref argument(Graph& graph, const RebuildStep& step, NodeId id) {
+    const Node& node = step.old_graph.node(id);
+    std::vector<Ref> terms;
+    std::vector<Power> factors;
+    switch (node.kind) {
+      case NodeKind::sum:
+        for (const Operand& term : node.operands) {
+          terms.push_back(with_sign(argument(graph, step, term.node), term.weight < 0));
+        }
+        return graph.sum(terms);
+      case NodeKind::product:
+        for (const Operand& factor : node.operands) {
+          factors.push_back({argument(graph, step, factor.node), factor.weight});
+        }
+        return graph.product(factors);
+      case NodeKind::constant:
+        return graph.constant({step.old_graph.constant_of(id), false});
+      case NodeKind::leaf:
+        return graph.leaf(node.leaf, node.index);
+      case NodeKind::square_root:
+        return graph.square_root(argument(graph, step, node.operands[0].node));
+      case NodeKind::call:
+        break;
+    }
+    for (const Operand& operand : node.operands) {
+      terms.push_back(with_sign(argument(graph, step, operand.node), operand.weight < 0));
+    }
+    return graph.call(node.function, terms);
+  }
+
+  Ref circular(Graph& graph, const RebuildStep& step, FunctionId function, NodeId id) const {
+    const auto split = splits_.find(id);
+    if (split == splits_.end()) return graph.call(function, {argument(graph, step, id)});
+    const auto& [first, second, sign] = split->second;
+    const Ref sine1 = circular(graph, step, FunctionId::sin, first);
+    const Ref cosine1 = circular(graph, step, FunctionId::cos, first);
+    const Ref sine2 = with_sign(circular(graph, step, FunctionId::sin, second), sign < 0);
+    const Ref cosine2 = circular(graph, step, FunctionId::cos, second);
+    if (function == FunctionId::sin) {
+      const Ref left = graph.product({{sine1}, {cosine2}});
+      return graph.sum({left, graph.product({{cosine1}, {sine2}})});
+    }
+    const Ref left = graph.product({{cosine1}, {cosine2}});
+    return graph.sum({left, -graph.product({{sine1}, {sine2}})});
+  }
+
+  std::map<NodeId, Split> splits_;
+};
+
+}  // namespace
+
+bool has_angle_sums(const Expressions& expressions) { return !splits_of(expressions).empty(); }
+
+Expressions expand_angle_sums(const Expressions& expressions) {
+  return rebuild(expressions, AngleSums(expressions));
+}
+
+}  // namespace elgen

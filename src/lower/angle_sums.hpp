@@ -1,0 +1,17 @@
+// angle_sums: sine and cosine of an angle that is the sum or difference of two others that occur.
+//
+//     before:  cos(q1), sin(q2), cos(q1 + q2)
+//     after:   cos(q1), sin(q2), cos(q1)*cos(q2) - sin(q1)*sin(q2)
+//
+// Three operations for a call, where the sines and cosines of the parts are there anyway; the cost
+// decides whether that pays. An angle is only ever taken apart into simpler ones.
+#pragma once
+
+#include "rebuild.hpp"
+
+namespace elgen {
+
+[[nodiscard]] bool has_angle_sums(const Expressions& expressions);
+[[nodiscard]] Expressions expand_angle_sums(const Expressions& expressions);
+
+}  // namespace elgen

@@ -1,0 +1,253 @@
+// Functions of closed forms. Sines and cosines become exponentials of their angle's terms; roots of
+// numbers are taken apart into primes; everything else is opaque, with a canonical argument.
+#include <cln/integer.h>
+#include <cln/rational_ring.h>
+
+#include <algorithm>
+#include <array>
+
+#include "arithmetic.hpp"
+#include "polynomial.hpp"
+
+namespace elgen::presenting {
+
+using cln::cl_I;
+using cln::cl_RA;
+
+namespace {
+
+/// Angles are held in twelfths of their monomials, so that halves, thirds and quarters are powers.
+constexpr int parts = 12;
+
+/// Larger primes stay together under one root.
+constexpr int largest_prime = 10'000;
+
+bool is_rational_multiple_of_pi(const Algebra& algebra, const Monomial& monomial) {
+  if (monomial.size() != 1 || monomial[0].exponent != 1) return false;
+  const Atom& atom = algebra.atoms[monomial[0].atom];
+  return atom.kind == AtomKind::constant && atom.constant.text == "pi";
+}
+
+bool has_exponential(const Algebra& algebra, const Monomial& monomial) {
+  return std::any_of(monomial.begin(), monomial.end(), [&](const AtomPower& factor) {
+    return algebra.atoms[factor.atom].kind == AtomKind::circular;
+  });
+}
+
+bool is_odd(FunctionId function) {
+  return function == FunctionId::asin || function == FunctionId::atan ||
+         function == FunctionId::sinh || function == FunctionId::tanh ||
+         function == FunctionId::sign;
+}
+
+bool is_even(FunctionId function) {
+  return function == FunctionId::cosh || function == FunctionId::abs;
+}
+
+/// The sign that makes the leading coefficient positive.
+bool has_negative_lead(const Fraction& x) {
+  if (x.numerator.empty()) return false;
+  const Gaussian& lead = x.numerator.rbegin()->second;
+  return cln::zerop(lead.real) ? cln::minusp(lead.imaginary) : cln::minusp(lead.real);
+}
+
+}  // namespace
+
+Form Arithmetic::opaque(Atom wanted) { return atom(std::move(wanted)); }
+
+/// sqrt of a positive integer: squares outside, one root per prime.
+Form Arithmetic::root_of_integer(cl_I value) {
+  cl_RA outside = 1;
+  std::vector<cl_I> primes;
+  for (cl_I p = 2; p <= largest_prime && p * p <= value; p = p + 1) {
+    while (cln::zerop(cln::mod(value, p * p))) {
+      outside = outside * p;
+      value = cln::exquo(value, p * p);
+    }
+    if (cln::zerop(cln::mod(value, p))) {
+      primes.push_back(p);
+      value = cln::exquo(value, p);
+    }
+  }
+  cl_I root;
+  if (cln::sqrtp(value, &root)) {
+    outside = outside * root;
+  } else {
+    primes.push_back(value);
+  }
+  Form result = fraction_of(outside);
+  for (const cl_I& prime : primes) {
+    result = multiply(
+        result, atom({.kind = AtomKind::root, .arguments = {fraction_of(cl_RA(prime))}}));
+  }
+  return result;
+}
+
+Form Arithmetic::square_root(const Form& x) {
+  if (!x) return std::nullopt;
+  const auto number = x->denominator.empty() ? rational_value(x->numerator) : std::nullopt;
+  if (!number) return opaque({.kind = AtomKind::root, .arguments = {*x}});
+  if (cln::minusp(*number)) return std::nullopt;
+  if (cln::zerop(*number)) return x;
+  const cl_I denominator = cln::denominator(*number);
+  return multiply(root_of_integer(cln::numerator(*number) * denominator),
+                  fraction_of(cl_RA(1) / denominator));
+}
+
+/// cos(k pi/12) + i sin(k pi/12) by sqrt(2) and sqrt(3).
+Form Arithmetic::circle_twelfths(long twelfths) {
+  // cos(k pi/12) = (a + b sqrt2 + c sqrt3 + d sqrt6)/4 for k = 0 … 6
+  static constexpr std::array<std::array<int, 4>, 7> cosines{
+      {{4, 0, 0, 0}, {0, 1, 0, 1}, {0, 0, 2, 0}, {0, 2, 0, 0}, {2, 0, 0, 0}, {0, -1, 0, 1}, {}}};
+  const Form root2 = root_of_integer(2);
+  const Form root3 = root_of_integer(3);
+  const std::array<Form, 4> basis{fraction_of(cl_RA(1)), root2, root3, multiply(root2, root3)};
+  const auto cosine = [&](long k) {
+    k = ((k % 24) + 24) % 24;
+    if (k > 12) k = 24 - k;
+    const int sign = k > 6 ? -1 : 1;
+    const auto& row = cosines[static_cast<std::size_t>(k > 6 ? 12 - k : k)];
+    Form value = Fraction{};
+    for (std::size_t i = 0; i < basis.size(); ++i) {
+      const Form weight = fraction_of(cl_RA(sign * row[i]) / 4);
+      value = add(value, multiply(weight, basis[i]));
+    }
+    return value;
+  };
+  const Form real = cosine(twelfths);
+  const Form imaginary = cosine(twelfths - 6);
+  return add(real, multiply(imaginary, fraction_of(Polynomial{{Monomial{}, Gaussian{0, 1}}})));
+}
+
+/// e^(i coefficient monomial)
+Form Arithmetic::exponential_of_term(const Monomial& monomial, const cl_RA& coefficient) {
+  const cl_RA twelfths = coefficient * parts;
+  const cl_I divisor = cln::denominator(twelfths);
+  const cl_I exponent = cln::numerator(twelfths);
+  if (cln::abs(exponent) > 1'000'000) return std::nullopt;
+  const long power = cln::cl_I_to_long(exponent);
+  if (is_rational_multiple_of_pi(algebra_, monomial) && divisor == 1) {
+    return circle_twelfths(power);
+  }
+  const Fraction unit = atom({.kind = AtomKind::circular,
+                              .divisor = cl_RA(divisor) * parts,
+                              .arguments = {fraction_of(Polynomial{{monomial, Gaussian{1, 0}}})}});
+  const Monomial base = unit.numerator.begin()->first;
+  return fraction_of(
+      Polynomial{{presenting::power(base, static_cast<std::int32_t>(power)), Gaussian{1, 0}}});
+}
+
+/// e^(i x), or e^(-i x): the product over the terms of x, where it is a sum of real monomials.
+Form Arithmetic::exponential(const Fraction& x, bool conjugate) {
+  Form result = fraction_of(cl_RA(1));
+  for (const auto& [monomial, coefficient] : x.numerator) {
+    const cl_RA signed_part = conjugate ? -coefficient.real : coefficient.real;
+    result = multiply(result, exponential_of_term(monomial, signed_part));
+  }
+  return result;
+}
+
+Form Arithmetic::sine_or_cosine(FunctionId function, const Fraction& x) {
+  const bool is_sum_of_monomials =
+      x.denominator.empty() &&
+      std::none_of(x.numerator.begin(), x.numerator.end(),
+                   [&](const auto& term) { return has_exponential(algebra_, term.first); });
+  Form forward;
+  Form backward;
+  if (is_sum_of_monomials) {
+    forward = exponential(x, false);
+    backward = exponential(x, true);
+  } else {
+    const bool turned = has_negative_lead(x);
+    const Form angle = turned ? negate(x) : Form(x);
+    const Fraction unit = atom({.kind = AtomKind::circular, .arguments = {*angle}});
+    forward = power(unit, turned ? -1 : 1);
+    backward = power(unit, turned ? 1 : -1);
+  }
+  const bool is_sine = function == FunctionId::sin;
+  const Gaussian half = is_sine ? Gaussian{0, cl_RA(-1) / 2} : Gaussian{cl_RA(1) / 2, 0};
+  const Form both = add(forward, is_sine ? negate(backward) : backward);
+  return multiply(both, fraction_of(Polynomial{{Monomial{}, half}}));
+}
+
+Form Arithmetic::call(FunctionId function, const std::vector<Form>& arguments) {
+  std::vector<Fraction> values;
+  for (const Form& argument : arguments) {
+    if (!argument) return std::nullopt;
+    values.push_back(*argument);
+  }
+  if (function == FunctionId::sin || function == FunctionId::cos) {
+    return sine_or_cosine(function, values[0]);
+  }
+  if (function == FunctionId::tan) {
+    return divide(sine_or_cosine(FunctionId::sin, values[0]),
+                  sine_or_cosine(FunctionId::cos, values[0]));
+  }
+  bool turned = false;
+  if ((is_odd(function) || is_even(function)) && has_negative_lead(values[0])) {
+    values[0] = *negate(values[0]);
+    turned = is_odd(function);
+  }
+  const Form value = opaque(
+      {.kind = AtomKind::call, .function = function, .arguments = std::move(values)});
+  return turned ? negate(value) : value;
+}
+
+namespace {
+
+/// A constant's text as a tree; a name it holds can only be pi.
+Form form_of(Arithmetic& arithmetic, const ExpressionSyntax& syntax, const Constant& whole) {
+  std::vector<Form> operands;
+  for (const ExpressionSyntax& operand : syntax.operands) {
+    operands.push_back(form_of(arithmetic, operand, whole));
+  }
+  switch (syntax.kind) {
+    case SyntaxKind::number:
+      return fraction_of(syntax.value);
+    case SyntaxKind::name:
+      return arithmetic.constant({whole.value, syntax.text});
+    case SyntaxKind::negate:
+      return arithmetic.negate(operands[0]);
+    case SyntaxKind::add: {
+      Form total = Fraction{};
+      for (const Form& term : operands) total = arithmetic.add(total, term);
+      return total;
+    }
+    case SyntaxKind::multiply: {
+      Form total = fraction_of(cl_RA(1));
+      for (const Form& factor : operands) total = arithmetic.multiply(total, factor);
+      return total;
+    }
+    case SyntaxKind::divide:
+      return arithmetic.divide(operands[0], operands[1]);
+    case SyntaxKind::power: {
+      const auto exponent = operands[1] ? rational_value(operands[1]->numerator) : std::nullopt;
+      if (!exponent || cln::denominator(*exponent) != 1 || cln::abs(*exponent) > 64) return {};
+      return arithmetic.power(
+          operands[0],
+          static_cast<std::int32_t>(cln::cl_I_to_long(cln::numerator(*exponent))));
+    }
+    case SyntaxKind::call:
+      break;
+  }
+  if (syntax.text == "sqrt") return arithmetic.square_root(operands[0]);
+  for (const FunctionRow& row : function_table) {
+    if (row.name == syntax.text) return arithmetic.call(row.id, operands);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Form Arithmetic::constant(const Constant& value) {
+  if (cln:: instanceof (value.value, cln::cl_RA_ring)) {
+    return fraction_of(cln::rational(value.value));
+  }
+  if (value.text == "pi") return atom({.kind = AtomKind::constant, .constant = value});
+  const SourcePointer source = make_source("constant", value.text);
+  const Result<ExpressionSyntax> syntax = parse_expression(source, {});
+  if (!syntax) return atom({.kind = AtomKind::constant, .constant = value});
+  return form_of(*this, *syntax, value);
+}
+
+}  // namespace elgen::presenting

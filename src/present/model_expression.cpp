@@ -1,0 +1,156 @@
+// A model's own expression as a closed form, by a route that shares nothing with the derivation:
+// what [[expect]] says is read here and compared with what was derived.
+#include <cln/integer.h>
+#include <cln/rational_ring.h>
+
+#include "arithmetic.hpp"
+#include "elgen/closed_forms.hpp"
+#include "elgen/model.hpp"
+#include "polynomial.hpp"
+
+namespace elgen {
+
+using cln::cl_RA;
+using presenting::Arithmetic;
+using presenting::Form;
+using presenting::fraction_of;
+
+namespace {
+
+class ModelExpressions {
+ public:
+  ModelExpressions(Arithmetic& arithmetic, const Model& model,
+                   const std::map<std::uint32_t, cln::cl_R>& fixed)
+      : arithmetic_(arithmetic), model_(model), fixed_(fixed), known_(model.expressions.size()) {}
+
+  /// Operands precede their users in the arena, so the depth is that of named things only.
+  Form operator()(ExpressionId wanted) {
+    if (known_[wanted].done) return known_[wanted].form;
+    std::vector<ExpressionId> pending{wanted};
+    while (!pending.empty()) {
+      const ExpressionId id = pending.back();
+      const std::size_t before = pending.size();
+      for (const ExpressionId operand : needs(model_.expressions[id])) {
+        if (!known_[operand].done) pending.push_back(operand);
+      }
+      if (pending.size() > before) continue;
+      pending.pop_back();
+      if (!known_[id].done) known_[id] = {true, compose(model_.expressions[id])};
+    }
+    return known_[wanted].form;
+  }
+
+ private:
+  struct Known {
+    bool done = false;
+    Form form = {};
+  };
+
+  /// Operands, and what a name stands for.
+  [[nodiscard]] std::vector<ExpressionId> needs(const Expression& e) const {
+    switch (e.kind) {
+      case ExpressionKind::definition:
+        return {model_.definitions[e.index].value};
+      case ExpressionKind::prescribed:
+        return {model_.prescribed[e.index].value};
+      case ExpressionKind::point_component:
+        return {model_.points[e.index / 3].at[e.index % 3]};
+      default:
+        return e.operands;
+    }
+  }
+
+  Form parameter(std::uint32_t index) {
+    const auto fixed = fixed_.find(index);
+    if (fixed == fixed_.end()) return arithmetic_.leaf(Opcode::parameter, index);
+    if (!cln:: instanceof (fixed->second, cln::cl_RA_ring)) return std::nullopt;
+    return fraction_of(cln::rational(fixed->second));
+  }
+
+  Form named(const Expression& e) { return known_[needs(e).front()].form; }
+
+  Form compose(const Expression& e) {
+    const auto operand = [&](std::size_t i) -> const Form& { return known_[e.operands[i]].form; };
+    switch (e.kind) {
+      case ExpressionKind::number:
+        return fraction_of(e.number);
+      case ExpressionKind::pi:
+        return arithmetic_.constant({cln::pi(), "pi"});
+      case ExpressionKind::time:
+        return arithmetic_.leaf(Opcode::time, 0);
+      case ExpressionKind::coordinate:
+        return arithmetic_.leaf(Opcode::coordinate, e.index);
+      case ExpressionKind::rate:
+        return arithmetic_.leaf(Opcode::velocity, e.index);
+      case ExpressionKind::acceleration:
+        return arithmetic_.leaf(Opcode::acceleration, e.index);
+      case ExpressionKind::input:
+        return arithmetic_.leaf(Opcode::input, e.index);
+      case ExpressionKind::parameter:
+        return parameter(e.index);
+      case ExpressionKind::prescribed:
+      case ExpressionKind::definition:
+      case ExpressionKind::point_component:
+        return named(e);
+      case ExpressionKind::negate:
+        return arithmetic_.negate(operand(0));
+      case ExpressionKind::add:
+        return sum(e);
+      case ExpressionKind::multiply:
+        return product(e);
+      case ExpressionKind::divide:
+        return arithmetic_.divide(operand(0), operand(1));
+      case ExpressionKind::power:
+        return power(operand(0), e.number);
+      case ExpressionKind::function:
+        return call(e);
+      case ExpressionKind::time_derivative:
+        return std::nullopt;  // of a leaf it is a leaf; of more it is left to sampling
+    }
+    return std::nullopt;
+  }
+
+  Form sum(const Expression& e) {
+    Form total = Fraction{};
+    for (const ExpressionId id : e.operands) total = arithmetic_.add(total, known_[id].form);
+    return total;
+  }
+
+  Form product(const Expression& e) {
+    Form total = fraction_of(cl_RA(1));
+    for (const ExpressionId id : e.operands) total = arithmetic_.multiply(total, known_[id].form);
+    return total;
+  }
+
+  Form power(const Form& base, const cl_RA& exponent) {
+    const cl_RA halves = exponent * 2;
+    if (cln::denominator(halves) != 1 || cln::abs(halves) > 128) return std::nullopt;
+    const auto count = static_cast<std::int32_t>(cln::cl_I_to_long(cln::numerator(halves)));
+    if (count % 2 == 0) return arithmetic_.power(base, count / 2);
+    return arithmetic_.power(arithmetic_.square_root(base), count);
+  }
+
+  Form call(const Expression& e) {
+    std::vector<Form> arguments;
+    for (const ExpressionId id : e.operands) arguments.push_back(known_[id].form);
+    return arithmetic_.call(e.function, arguments);
+  }
+
+  Arithmetic& arithmetic_;
+  const Model& model_;
+  const std::map<std::uint32_t, cln::cl_R>& fixed_;
+  std::vector<Known> known_;
+};
+
+}  // namespace
+
+std::optional<Fraction> closed_form(ClosedForms& forms, const Model& model,
+                                    const std::map<std::uint32_t, cln::cl_R>& fixed,
+                                    ExpressionId expression) {
+  const PresentBudget budget;
+  std::size_t work = budget.products_per_function;
+  Arithmetic arithmetic(forms.algebra, work, budget.terms);
+  return ModelExpressions(arithmetic, model, fixed)(expression);
+}
+
+}  // namespace elgen

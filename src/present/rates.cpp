@@ -1,0 +1,155 @@
+// Rates along the motion: de/dt = de/dq v + de/dv a + de/dt, by the chain rule on canonical sums.
+#include <algorithm>
+
+#include "arithmetic.hpp"
+#include "polynomial.hpp"
+
+namespace elgen {
+
+using cln::cl_RA;
+using presenting::Arithmetic;
+using presenting::Form;
+using presenting::fraction_of;
+
+namespace {
+
+bool is_input(const Atom& atom) {
+  return atom.kind == AtomKind::leaf && atom.leaf == Opcode::input;
+}
+
+class Rates {
+ public:
+  /// `accelerations` at u = 0.
+  Rates(Arithmetic& arithmetic, const Algebra& algebra, std::vector<Fraction> accelerations)
+      : arithmetic_(arithmetic), algebra_(algebra), accelerations_(std::move(accelerations)) {}
+
+  Form of(const Fraction& x) {
+    Form result = arithmetic_.multiply(of(x.numerator), over(x));
+    // (1/d^k)' = -k d'/d^(k+1)
+    for (const auto& [factor, exponent] : x.denominator) {
+      const Polynomial shown = algebra_.factors[factor].shown;
+      const Form relative = arithmetic_.divide(of(shown), fraction_of(shown));
+      const Form term = arithmetic_.multiply(fraction_of(cl_RA(-exponent)), relative);
+      result = arithmetic_.add(result, arithmetic_.multiply(term, x));
+    }
+    return result;
+  }
+
+ private:
+  static Fraction over(const Fraction& x) {
+    return {presenting::constant(1), x.denominator};
+  }
+
+  Form of(const Polynomial& sum) {
+    Form result = Fraction{};
+    for (const auto& [monomial, coefficient] : sum) {
+      for (const AtomPower& power : monomial) {
+        const Form own = of_atom(power.atom);
+        if (!own) return std::nullopt;
+        if (own->numerator.empty()) continue;
+        // n x^(n-1) x'
+        const Gaussian factor = presenting::product(coefficient, {power.exponent, 0});
+        const Monomial lowered = presenting::product(monomial, {{power.atom, -1}});
+        const Fraction slope = fraction_of(Polynomial{{lowered, factor}});
+        result = arithmetic_.add(result, arithmetic_.multiply(slope, own));
+      }
+    }
+    return result;
+  }
+
+  Form of_atom(AtomId id) {
+    if (const auto known = known_.find(id); known != known_.end()) return known->second;
+    const Atom atom = algebra_.atoms[id];  // a copy: atoms may be added
+    const Form rate = rate_of(atom, fraction_of(Polynomial{{Monomial{{id, 1}}, Gaussian{1, 0}}}));
+    known_[id] = rate;
+    return rate;
+  }
+
+  Form rate_of(const Atom& atom, const Fraction& itself) {
+    switch (atom.kind) {
+      case AtomKind::leaf:
+        return of_leaf(atom);
+      case AtomKind::constant:
+        return Fraction{};
+      case AtomKind::circular: {
+        const Gaussian i{0, 1 / atom.divisor};
+        const Fraction slope{presenting::scaled(itself.numerator, i), {}};
+        return arithmetic_.multiply(slope, of(atom.arguments[0]));
+      }
+      case AtomKind::root: {
+        const Form twice = arithmetic_.multiply(fraction_of(cl_RA(2)), itself);
+        return arithmetic_.divide(of(atom.arguments[0]), twice);
+      }
+      case AtomKind::call:
+        return of_call(atom);
+    }
+    return std::nullopt;
+  }
+
+  /// Of opaque calls only what stands still has a known rate.
+  Form of_call(const Atom& atom) {
+    for (const Fraction& argument : atom.arguments) {
+      const Form rate = of(argument);
+      if (!rate || !rate->numerator.empty()) return std::nullopt;
+    }
+    return Fraction{};
+  }
+
+  Form of_leaf(const Atom& atom) {
+    switch (atom.leaf) {
+      case Opcode::coordinate:
+        return arithmetic_.leaf(Opcode::velocity, atom.index);
+      case Opcode::velocity:
+        if (atom.index >= accelerations_.size()) return std::nullopt;
+        return accelerations_[atom.index];
+      case Opcode::time:
+        return fraction_of(cl_RA(1));
+      case Opcode::parameter:
+        return Fraction{};
+      default:
+        return std::nullopt;
+    }
+  }
+
+  Arithmetic& arithmetic_;
+  const Algebra& algebra_;
+  std::vector<Fraction> accelerations_;
+  std::map<AtomId, Form> known_;
+};
+
+/// x at u = 0; none where a denominator holds an input.
+Form without_inputs(const Algebra& algebra, const Fraction& x) {
+  const auto has_input = [&](const auto& term) {
+    return std::any_of(term.first.begin(), term.first.end(), [&](const AtomPower& power) {
+      return is_input(algebra.atoms[power.atom]);
+    });
+  };
+  for (const auto& [factor, exponent] : x.denominator) {
+    const Polynomial& shown = algebra.factors[factor].shown;
+    if (std::any_of(shown.begin(), shown.end(), has_input)) return std::nullopt;
+  }
+  Fraction result{{}, x.denominator};
+  for (const auto& term : x.numerator) {
+    if (!has_input(term)) result.numerator.insert(term);
+  }
+  return result;
+}
+
+}  // namespace
+
+bool proved_conserved(ClosedForms& forms, const Fraction& x,
+                      const std::vector<Fraction>& accelerations) {
+  const PresentBudget budget;
+  std::size_t work = budget.products;
+  Arithmetic arithmetic(forms.algebra, work, budget.terms);
+  std::vector<Fraction> free_motion;
+  for (const Fraction& acceleration : accelerations) {
+    Form free = without_inputs(forms.algebra, acceleration);
+    if (!free) return false;
+    free_motion.push_back(std::move(*free));
+  }
+  const Form rate = Rates(arithmetic, forms.algebra, std::move(free_motion)).of(x);
+  return rate && rate->numerator.empty();
+}
+
+}  // namespace elgen
