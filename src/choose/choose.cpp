@@ -88,8 +88,7 @@ Function lowered(const Expressions& together, const Function& shape, Program& pr
 }
 
 /// All entries over one graph, as they are read or in their shortest forms, whichever is cheaper.
-Function lowered_together(const ReadableEntries& entries, const Function& shape,
-                          Program& program) {
+Function lowered_together(const ReadableEntries& entries, const Function& shape, Program& program) {
   Expressions readable;
   Expressions compact;
   for (const auto& entry : entries) {

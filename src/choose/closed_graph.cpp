@@ -112,8 +112,7 @@ class ClosedGraph {
     for (auto& [factor, exponent] : form.denominator) {
       const std::optional<AtomId> root = root_of(algebra_.factors[factor].shown);
       if (!root || exponent == 0 || !divides(*root, form.numerator)) continue;
-      form.numerator =
-          presenting::scaled(form.numerator, {1, 0}, Monomial{{*root, -1}});
+      form.numerator = presenting::scaled(form.numerator, {1, 0}, Monomial{{*root, -1}});
       --exponent;
       const std::optional<Ref> radicand = fraction(algebra_.atoms[*root].arguments[0]);
       if (radicand) factors.push_back({graph_.square_root(*radicand), -1});
@@ -209,12 +208,12 @@ class ClosedGraph {
         groups.push_back({shared, {std::move(term)}});
       }
     }
-    const bool is_split_again = key == &Factors::rates &&
-                                layout_.grouping == Grouping::by_rates_and_coordinates;
+    const bool is_split_again =
+        key == &Factors::rates && layout_.grouping == Grouping::by_rates_and_coordinates;
     std::vector<Ref> refs;
     for (const auto& [shared, members] : groups) {
-      const Ref rest = is_split_again ? sum_of_groups(members, &Factors::coordinates)
-                                      : sum_of_products(members);
+      const Ref rest =
+          is_split_again ? sum_of_groups(members, &Factors::coordinates) : sum_of_products(members);
       refs.push_back(graph_.product({{shared, 1}, {rest, 1}}));
     }
     return graph_.sum(refs);
@@ -227,7 +226,7 @@ class ClosedGraph {
       const Atom& atom = algebra_.atoms[power.atom];
       const std::optional<Ref> value = this->atom(atom);
       if (!value) return std::nullopt;
-      auto& part = is_rate(atom) ? factors.rates
+      auto& part = is_rate(atom)        ? factors.rates
                    : is_parameter(atom) ? factors.rest
                                         : factors.coordinates;
       part.push_back({*value, power.exponent});

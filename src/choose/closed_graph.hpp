@@ -11,7 +11,7 @@ namespace elgen {
 /// How the terms of a sum are put together before common factors are collected.
 enum class Grouping : std::uint8_t {
   none,
-  by_rates,       ///< what multiplies one product of velocities, accelerations and inputs
+  by_rates,  ///< what multiplies one product of velocities, accelerations and inputs
   by_rates_and_coordinates,  ///< and within it one product of coordinates, sines and cosines
 };
 
@@ -29,6 +29,7 @@ struct Layout {
 
 /// None where the form has more than `most` terms.
 [[nodiscard]] std::optional<Ref> closed_graph(Graph& graph, const Algebra& algebra,
-                                              const Fraction& form, Layout layout, std::size_t most);
+                                              const Fraction& form, Layout layout,
+                                              std::size_t most);
 
 }  // namespace elgen

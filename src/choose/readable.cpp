@@ -111,8 +111,7 @@ struct Written {
 
 std::optional<Written> written(const Algebra& algebra, const Fraction& form, Layout layout) {
   Written result{layout};
-  const auto value =
-      closed_graph(result.expressions.graph, algebra, form, layout, most_terms);
+  const auto value = closed_graph(result.expressions.graph, algebra, form, layout, most_terms);
   if (!value) return std::nullopt;
   result.expressions.values.push_back(*value);
   result.length = Lengths(result.expressions).of(value->node);

@@ -2,8 +2,8 @@
 //
 // Candidates: multiple angles, and sin^2 or cos^2 turned into the other, each with common factors
 // collected; and the entry as it was derived, where that is short. Shortest is what has the fewest
-// signs and calls; on a tie the earlier one. A form collected by rates, or by rates and coordinates,
-// as textbooks do, is preferred while it is little longer.
+// signs and calls; on a tie the earlier one. A form collected by rates, or by rates and
+// coordinates, as textbooks do, is preferred while it is little longer.
 #pragma once
 
 #include <optional>

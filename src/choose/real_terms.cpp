@@ -165,8 +165,7 @@ class RealTerms {
       base = std::gcd(base, part.exponent);
     }
     const std::int32_t multiple = common_divisor(angle);
-    std::int32_t& base =
-        base_of_direction_.try_emplace(direction(angle), whole).first->second;
+    std::int32_t& base = base_of_direction_.try_emplace(direction(angle), whole).first->second;
     base = std::gcd(base, multiple);
   }
 

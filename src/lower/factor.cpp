@@ -71,8 +71,8 @@ class Factoring {
                            graph.is_constant(product.operands[0].node) && old.size() == 2 &&
                            uses_[old[1].node] == 1;
     for (const Operand& factor : product.operands) {
-      const bool is_rest = is_scaled && factor.weight == 1 &&
-                           graph.node(factor.node).kind == NodeKind::product;
+      const bool is_rest =
+          is_scaled && factor.weight == 1 && graph.node(factor.node).kind == NodeKind::product;
       if (!is_rest) {
         term.factors.push_back({{factor.node, false}, factor.weight});
         continue;

@@ -231,9 +231,9 @@ std::uint32_t Arithmetic::factor_index(const Polynomial& polynomial, Polynomial&
     algebra_.factors.push_back({scaled(polynomial, {1, 0}, inverse(common)), normal});
   }
   const Polynomial& shown = algebra_.factors[index].shown;
-  unit = Polynomial{{product(polynomial.rbegin()->first, inverse(shown.rbegin()->first)),
-                     product(polynomial.rbegin()->second,
-                             presenting::reciprocal(shown.rbegin()->second))}};
+  unit = Polynomial{
+      {product(polynomial.rbegin()->first, inverse(shown.rbegin()->first)),
+       product(polynomial.rbegin()->second, presenting::reciprocal(shown.rbegin()->second))}};
   return index;
 }
 
@@ -277,8 +277,8 @@ Form Arithmetic::reciprocal(const Fraction& x) {
     rest = std::move(unit);
   }
   const auto& [monomial, coefficient] = *rest.begin();
-  result.numerator = Polynomial{
-      {presenting::power(monomial, -1), presenting::reciprocal(coefficient)}};
+  result.numerator =
+      Polynomial{{presenting::power(monomial, -1), presenting::reciprocal(coefficient)}};
   for (const auto& [factor, exponent] : x.denominator) {
     for (std::int32_t i = 0; i < exponent; ++i) {
       auto next = multiplied(result.numerator, algebra_.factors[factor].shown);

@@ -24,7 +24,8 @@ std::string polynomial_text(const Polynomial& sum) {
     text += "(" + number_text(coefficient.real);
     if (!cln::zerop(coefficient.imaginary)) text += " + i " + number_text(coefficient.imaginary);
     text += ")";
-    for (const AtomPower& power : monomial) text += fmt::format(" #{}^{}", power.atom, power.exponent);
+    for (const AtomPower& power : monomial)
+      text += fmt::format(" #{}^{}", power.atom, power.exponent);
   }
   return text;
 }

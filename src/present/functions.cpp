@@ -77,8 +77,8 @@ Form Arithmetic::root_of_integer(cl_I value) {
   }
   Form result = fraction_of(outside);
   for (const cl_I& prime : primes) {
-    result = multiply(
-        result, atom({.kind = AtomKind::root, .arguments = {fraction_of(cl_RA(prime))}}));
+    result =
+        multiply(result, atom({.kind = AtomKind::root, .arguments = {fraction_of(cl_RA(prime))}}));
   }
   return result;
 }
@@ -188,8 +188,8 @@ Form Arithmetic::call(FunctionId function, const std::vector<Form>& arguments) {
     values[0] = *negate(values[0]);
     turned = is_odd(function);
   }
-  const Form value = opaque(
-      {.kind = AtomKind::call, .function = function, .arguments = std::move(values)});
+  const Form value =
+      opaque({.kind = AtomKind::call, .function = function, .arguments = std::move(values)});
   return turned ? negate(value) : value;
 }
 
@@ -224,8 +224,7 @@ Form form_of(Arithmetic& arithmetic, const ExpressionSyntax& syntax, const Const
       const auto exponent = operands[1] ? rational_value(operands[1]->numerator) : std::nullopt;
       if (!exponent || cln::denominator(*exponent) != 1 || cln::abs(*exponent) > 64) return {};
       return arithmetic.power(
-          operands[0],
-          static_cast<std::int32_t>(cln::cl_I_to_long(cln::numerator(*exponent))));
+          operands[0], static_cast<std::int32_t>(cln::cl_I_to_long(cln::numerator(*exponent))));
     }
     case SyntaxKind::call:
       break;

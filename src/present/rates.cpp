@@ -36,9 +36,7 @@ class Rates {
   }
 
  private:
-  static Fraction over(const Fraction& x) {
-    return {presenting::constant(1), x.denominator};
-  }
+  static Fraction over(const Fraction& x) { return {presenting::constant(1), x.denominator}; }
 
   Form of(const Polynomial& sum) {
     Form result = Fraction{};
@@ -120,9 +118,8 @@ class Rates {
 /// x at u = 0; none where a denominator holds an input.
 Form without_inputs(const Algebra& algebra, const Fraction& x) {
   const auto has_input = [&](const auto& term) {
-    return std::any_of(term.first.begin(), term.first.end(), [&](const AtomPower& power) {
-      return is_input(algebra.atoms[power.atom]);
-    });
+    return std::any_of(term.first.begin(), term.first.end(),
+                       [&](const AtomPower& power) { return is_input(algebra.atoms[power.atom]); });
   };
   for (const auto& [factor, exponent] : x.denominator) {
     const Polynomial& shown = algebra.factors[factor].shown;

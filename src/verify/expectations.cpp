@@ -248,8 +248,8 @@ CertificateRow proved_row(CertificateRow row, const char* how) {
 }
 
 /// Entries of one expectation; the points are made for the first that is not proved.
-void check_values(ExpectationReport& report, const Expectation& expectation,
-                  const Subject& subject, Proofs& proofs, const std::vector<State>& states) {
+void check_values(ExpectationReport& report, const Expectation& expectation, const Subject& subject,
+                  Proofs& proofs, const std::vector<State>& states) {
   const auto request = expected_request(subject.model, expectation.output);
   std::optional<std::vector<PointOfComparison>> points;
   for (std::size_t entry = 0; entry < expectation.entries.size(); ++entry) {

@@ -15,9 +15,10 @@ struct ExpectationReport {
   Diagnostics diagnostics = {};  ///< E510, one per wrong entry, at the entry
 };
 
-/// What `forms` (may be null) does not prove is sampled, and the row says so: 64 points with rational coordinates, rates, inputs and parameters (from half to twice their
-/// value, with the sign they have; fixed ones too, since an expectation speaks of the model).
-/// `conserved` entries: their rate along the motion with u = 0 is zero.
+/// What `forms` (may be null) does not prove is sampled, and the row says so: 64 points with
+/// rational coordinates, rates, inputs and parameters (from half to twice their value, with the
+/// sign they have; fixed ones too, since an expectation speaks of the model). `conserved` entries:
+/// their rate along the motion with u = 0 is zero.
 [[nodiscard]] ExpectationReport check_expectations(const Subject& subject, ClosedForms* forms,
                                                    std::uint64_t seed);
 

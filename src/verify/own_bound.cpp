@@ -16,13 +16,6 @@ Regime regime_of(const Bound& x, const Rounding& rounding) {
   return Regime::regular;
 }
 
-/// An undefined value outweighs an overflow, and that a lost bound.
-Regime worse(Regime x, Regime y) {
-  if (x == Regime::regular) return y;
-  if (y == Regime::regular) return x;
-  return x < y ? x : y;
-}
-
 /// Additions one after another that 8 u B cover: n of them are off by u times the sum of the
 /// partial sums, n/2 u B where all terms are equal.
 constexpr std::uint32_t covered_additions = 16;
@@ -35,6 +28,12 @@ Real bound_of(const Bound& entry) {
 }
 
 }  // namespace
+
+Regime worse(Regime x, Regime y) {
+  if (x == Regime::regular) return y;
+  if (y == Regime::regular) return x;
+  return x < y ? x : y;
+}
 
 template <class Scalar>
 BoundedRun bounded_run(const Program& program, const Function& function, const State& state) {
@@ -54,6 +53,22 @@ BoundedRun bounded_run(const Program& program, const Function& function, const S
 
 template BoundedRun bounded_run<double>(const Program&, const Function&, const State&);
 template BoundedRun bounded_run<float>(const Program&, const Function&, const State&);
+
+Judge judge_of(const Program& program, std::size_t index, const Field& field, std::size_t first) {
+  const Function& function = program.functions[index];
+  const Judge own{&function, first, false};
+  if (function.form != Form::closed) return own;
+  if (function.kind != OutputKind::dynamics) {
+    const bool is_readable =
+        index < program.readable.size() && !program.readable[index].fields.empty();
+    return is_readable ? Judge{&program.readable[index], first, true} : own;
+  }
+  // `dynamics` repeats the entries of the function that bears the field's name.
+  for (const Function& readable : program.readable) {
+    if (readable.name == field.name && !readable.fields.empty()) return {&readable, 0, true};
+  }
+  return own;
+}
 
 template <class Scalar>
 double error_in_bounds(Scalar x, const Bound& entry, std::size_t operations) {

@@ -17,6 +17,9 @@ enum class Regime : std::uint8_t {
                     ///< bound
 };
 
+/// An undefined value outweighs an overflow, and that a lost bound.
+[[nodiscard]] Regime worse(Regime x, Regime y);
+
 struct BoundedRun {
   Regime regime = Regime::regular;
   std::vector<Bound> entries = {};  ///< of all fields
@@ -27,6 +30,18 @@ struct BoundedRun {
 template <class Scalar>
 [[nodiscard]] BoundedRun bounded_run(const Program& program, const Function& function,
                                      const State& state);
+
+/// What judges an entry: B of the closed form where the function is emitted in it (a bound that
+/// does not depend on the code), else B run along the function itself, the weaker "own bound".
+struct Judge {
+  const Function* function = nullptr;
+  std::size_t first = 0;  ///< of the field's entries among the judge's
+  bool is_closed_form = false;
+};
+
+/// The judge of one field of functions[index], whose entries start at `first`.
+[[nodiscard]] Judge judge_of(const Program& program, std::size_t index, const Field& field,
+                             std::size_t first);
 
 /// |x - exact| / (u B), B grown in proportion where more than 16 additions follow each other, less
 /// `operations` times the smallest denormal, which underflow may cost; 0 where both are equal,

@@ -34,8 +34,7 @@ std::optional<Fraction> Proofs::written(const Expectation& expectation, std::siz
 bool Proofs::equal(const Expectation& expectation, std::size_t entry) {
   const auto request = expected_request(subject_.model, expectation.output);
   const ClosedFunction* function = request ? derived(request->kind, request->user) : nullptr;
-  const std::optional<Fraction>* form =
-      function == nullptr ? nullptr : entry_of(*function, entry);
+  const std::optional<Fraction>* form = function == nullptr ? nullptr : entry_of(*function, entry);
   if (form == nullptr || !form->has_value()) return false;
   const auto own = written(expectation, entry);
   return own && proved_equal(*forms_, *own, **form);
