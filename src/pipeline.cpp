@@ -1,6 +1,7 @@
 // The order of the stages, and the only place that knows it:
 //
-//     parse -> check -> inspect -> formulate -> specialise -> derive -> lower -> present -> choose -> emit -> self-check
+//     parse -> check -> inspect -> formulate -> specialise -> derive -> lower -> present -> choose
+//     -> emit -> self-check
 #include "elgen/pipeline.hpp"
 
 #include <chrono>
@@ -12,6 +13,7 @@
 #include "elgen/lagrangian.hpp"
 #include "elgen/lower.hpp"
 #include "elgen/specialise.hpp"
+#include "elgen/steps.hpp"
 
 namespace elgen {
 
@@ -30,6 +32,7 @@ struct Inspection {
   Diagnostics found;
 };
 std::string dump(const Inspection& inspection) { return format(inspection.found); }
+std::string dump(const ReadableSteps& steps) { return dump(steps.program); }
 std::string dump(const SelfCheck& check) { return receipt(check) + "\n"; }
 
 /// Times each stage, collects its diagnostics and its dump, and says whether the next one may run.
@@ -92,11 +95,34 @@ Result<SelfCheck> checked(const CheckedModel& checked, const Program& program, d
   return Diagnostic{Code::E911, {}, "self-check failed: " + check.failure};
 }
 
+std::string name_of(const Model& model, const Entity& origin) {
+  if (origin.kind == EntityKind::point) return model.points[origin.index].name;
+  if (origin.kind == EntityKind::body) return model.bodies[origin.index].name;
+  return {};
+}
+
+/// The steps go the way of every output: lowered, presented, and read in their closed forms.
+Result<ReadableSteps> steps(const Lagrangian& lagrangian, const CheckedModel& checked,
+                            const Limits& limits) {
+  const Result<Steps> derived = derive_steps(lagrangian);
+  if (!derived) return derived.diagnostics;
+  const Result<Program> recursive = lower(derived->equations, derived->requests, limits);
+  if (!recursive) return recursive.diagnostics;
+  Result<Choice> choice = choose(*recursive, present(*recursive), {});
+  if (!choice) return choice.diagnostics;
+  ReadableSteps result{std::move(choice->program), {}};
+  for (const Entity& mass : derived->masses) {
+    result.masses.push_back(name_of(checked.model, mass));
+  }
+  return result;
+}
+
 }  // namespace
 
 const std::vector<std::string>& stage_names() {
   static const std::vector<std::string> names{"parse",      "check",  "inspect", "formulate",
-                                              "specialise", "derive", "lower",   "present", "choose", "emit"};
+                                              "specialise", "derive", "lower",   "present",
+                                              "choose",     "emit"};
   return names;
 }
 
@@ -117,6 +143,10 @@ Products run_pipeline(const Inputs& inputs, const PipelineOptions& options) {
   const auto specialised = stages.run("specialise", [&] {
     return Result<Lagrangian>(specialise(*lagrangian, out.checked->scene.specialisation));
   });
+  if (options.steps) {
+    out.steps = stages.run("derive", [&] { return steps(*specialised, *out.checked, limits); });
+    return out;
+  }
   const auto equations = stages.run(
       "derive", [&] { return derive(*specialised, out.checked->scene.outputs, limits); });
   const auto recursive =

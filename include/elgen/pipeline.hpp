@@ -29,8 +29,15 @@ struct PipelineOptions {
   Limits limits = {};
   std::string dump_stage = {};  ///< its product as text, into Products::dump
   std::string stop_after = {};  ///< the last stage to run
+  bool steps = false;           ///< make Products::steps instead of the scene's outputs
   bool check_itself = true;     ///< compare with the oracle at the end
   std::function<void(const std::string&)> on_stage = {};  ///< told each name as it starts
+};
+
+/// The derivation step by step (the functions of elgen/steps.hpp), as it is read.
+struct ReadableSteps {
+  Program program = {};
+  std::vector<std::string> masses = {};  ///< what the fields of "positions" are
 };
 
 struct StageTime {
@@ -44,6 +51,7 @@ struct Products {
   std::optional<ClosedForms> closed_forms = {};
   std::optional<Program> program = {};  ///< each function in its chosen form
   std::vector<FormCosts> costs = {};
+  std::optional<ReadableSteps> steps = {};
   std::optional<EmittedFiles> files = {};
   std::optional<SelfCheck> self_check = {};
   Diagnostics diagnostics = {};

@@ -48,7 +48,7 @@ std::vector<FieldEquations> fields(Derivation& d, const OutputRequest& request) 
     case OutputKind::dissipation:
       return plain(request, dissipation(d));
     case OutputKind::applied_force:
-      return plain(request, applied_force(d));
+      return plain(request, applied_force(d, Inputs::absent));
     case OutputKind::bias:
       return plain(request, bias(d, Inputs::absent));
     case OutputKind::momentum:

@@ -46,6 +46,13 @@ GiNaC::exvector kinetic_terms(Derivation& derivation) {
 
 }  // namespace
 
+ex full_potential_energy(Derivation& derivation) {
+  GiNaC::exvector terms;
+  append_weights(terms, derivation.lagrangian);
+  append(terms, derivation.lagrangian.potential, 1);
+  return GiNaC::add(terms);
+}
+
 ex kinetic_energy(Derivation& derivation) { return GiNaC::add(kinetic_terms(derivation)); }
 
 ex potential_energy(Derivation& derivation) {

@@ -11,6 +11,9 @@ namespace elgen {
 /// V0, the potential energy at zero rates. L quadratic in v.
 [[nodiscard]] GiNaC::ex potential_energy(Derivation& derivation);
 
+/// V as given, with its part linear in v.
+[[nodiscard]] GiNaC::ex full_potential_energy(Derivation& derivation);
+
 /// T + V = T + V0 + V1.v. L quadratic in v.
 [[nodiscard]] GiNaC::ex total_energy(Derivation& derivation);
 

@@ -151,9 +151,9 @@ Vector dissipation(Derivation& derivation) {
                   derivation.symbols.v);
 }
 
-Vector applied_force(Derivation& derivation) {
-  Vector result = derivation.by_position(negative_point_forces(derivation, Inputs::absent));
-  const Vector direct = direct_forces(derivation, Inputs::absent);
+Vector applied_force(Derivation& derivation, Inputs inputs) {
+  Vector result = derivation.by_position(negative_point_forces(derivation, inputs));
+  const Vector direct = direct_forces(derivation, inputs);
   for (std::size_t i = 0; i < result.size(); ++i) result[i] = direct[i] - result[i];
   return result;
 }

@@ -26,8 +26,8 @@ enum class Inputs : unsigned char { absent, acting };
 /// dD/dv.
 [[nodiscard]] Vector dissipation(Derivation& derivation);
 
-/// Q: the declared forces with u = 0.
-[[nodiscard]] Vector applied_force(Derivation& derivation);
+/// Q: the declared forces with u = 0; with the inputs acting, Q + B u.
+[[nodiscard]] Vector applied_force(Derivation& derivation, Inputs inputs);
 
 /// dL/dv = M v + b.
 [[nodiscard]] Vector momentum(Derivation& derivation);

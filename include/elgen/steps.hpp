@@ -1,0 +1,27 @@
+// Steps: Lagrange's equations as a student derives them, each step over the definitions.
+//
+//     positions, velocities by the chain rule, T, V, L = T - V, then for every coordinate q
+//     dL/dv, d/dt dL/dv, dL/dq,      d/dt dL/dv - dL/dq + dD/dv = Q + B u
+//
+// and E = sum v dL/dv - L with dL/dt at fixed q and v: where it is zero, and no force or
+// dissipation works, E is conserved; where dL/dq is zero, and no force acts on q, its momentum
+// dL/dv is.
+#pragma once
+
+#include "elgen/equations_of_motion.hpp"
+
+namespace elgen {
+
+/// The functions of the equations in order: "positions" and "velocities" (one field of 3 rows per
+/// mass), "energies" (fields T, V unless L is given whole, L), one per coordinate named like it
+/// (fields momentum, momentum_rate, partial, dissipation, force, left), "invariants" (fields E,
+/// L_by_t).
+struct Steps {
+  EquationsOfMotion equations = {};
+  std::vector<OutputRequest> requests = {};  ///< of the functions, for lower()
+  std::vector<Entity> masses = {};           ///< what each field of the positions is
+};
+
+[[nodiscard]] Result<Steps> derive_steps(const Lagrangian& lagrangian);
+
+}  // namespace elgen
