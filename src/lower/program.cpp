@@ -72,8 +72,8 @@ OperationCounts count_operations(const Function& function) {
 }
 
 std::size_t cost(const OperationCounts& counts) {
-  return counts.mul + counts.add + 8 * counts.div + 10 * counts.sqrt + 40 * counts.sincos +
-         40 * counts.other;
+  return counts.mul + counts.add + 4 * counts.div + 8 * counts.sqrt + 26 * counts.sincos +
+         16 * counts.other;
 }
 
 }  // namespace elgen

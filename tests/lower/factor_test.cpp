@@ -39,6 +39,27 @@ TEST_CASE("a term that is the factor leaves 1") {
   CHECK(texts_of(factor(l.expressions)) == std::vector<std::string>{"a*(1 - b)"});
 }
 
+TEST_CASE("a common factor that is left alone meets itself") {
+  testing::ExpressionLeaves l;
+  const Ref sine = l.graph.call(FunctionId::sin, {l.b});
+  const Ref cosine = l.graph.call(FunctionId::cos, {l.b});
+  // What is left of a^2 sin^2 + a^2 cos^2 is 1, then a, then a^2.
+  const Ref first = l.graph.product({{l.a, 2}, {sine, 2}, {l.c}});
+  const Ref second = l.graph.product({{l.a, 2}, {cosine, 2}, {l.c}});
+  l.expressions.values = {l.graph.sum({first, second, l.product({l.c, l.d})})};
+  CHECK(texts_of(factor(l.expressions)) == std::vector<std::string>{"c*(d + a^2)"});
+  const Ref both = l.graph.product({{l.a, 2}, {l.b, 2}});
+  l.expressions.values = {l.graph.sum({both, l.graph.product({{l.a, 2}, {l.d}})})};
+  CHECK(texts_of(factor(l.expressions)) == std::vector<std::string>{"a^2*(d + b^2)"});
+}
+
+TEST_CASE("a coefficient does not hide common factors") {
+  testing::ExpressionLeaves l;
+  const Ref twice = l.graph.product({{l.graph.rational(2)}, {l.a}, {l.b}, {l.c}});
+  l.expressions.values = {l.graph.sum({twice, l.product({l.a, l.b, l.d})})};
+  CHECK(texts_of(factor(l.expressions)) == std::vector<std::string>{"a*b*(d + 2*c)"});
+}
+
 TEST_CASE("a common factor keeps its power") {
   testing::ExpressionLeaves l;
   const Ref first = l.graph.product({{l.a}, {l.b, 2}, {l.c, 2}});

@@ -1,0 +1,111 @@
+#include "elgen/choose.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "choose/chosen.hpp"
+#include "elgen/evaluate.hpp"
+#include "support/systems.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+Arguments<double> somewhere(const Model& model) {
+  Arguments<double> at;
+  double next = 0.3;
+  const auto fill = [&](std::vector<double>& values, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) values.push_back(next += 0.17);
+  };
+  const Dimensions n = dimensions(model);
+  fill(at.parameters, n.parameters);
+  fill(at.q, n.coordinates);
+  fill(at.v, n.velocities);
+  fill(at.a, n.velocities);
+  fill(at.u, n.inputs);
+  at.t = next;
+  return at;
+}
+
+Chosen with_form(const std::string& text, Form form) {
+  Chosen result{checked_model(text), {}, {}};
+  for (OutputRequest& output : result.checked.scene.outputs) output.form = form;
+  const auto lagrangian = formulate(result.checked.model);
+  const auto equations = derive(*lagrangian, result.checked.scene.outputs, {});
+  const auto recursive = lower(*equations, result.checked.scene.outputs, {});
+  result.forms = present(*recursive);
+  result.choice = *choose(*recursive, result.forms, result.checked.scene);
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("the cheaper form is chosen, the closed one on a tie") {
+  for (const auto& [name, text] : systems()) {
+    INFO(name);
+    const Chosen c = chosen(text);
+    REQUIRE(c.choice.costs.size() == c.choice.program.functions.size());
+    for (std::size_t i = 0; i < c.choice.costs.size(); ++i) {
+      const FormCosts& costs = c.choice.costs[i];
+      INFO(costs.function);
+      const bool is_closed = costs.closed && cost(*costs.closed) <= cost(costs.recursive);
+      CHECK((costs.chosen == Form::closed) == is_closed);
+      CHECK(c.choice.program.functions[i].form == costs.chosen);
+      const OperationCounts emitted = count_operations(c.choice.program.functions[i]);
+      CHECK(emitted == (is_closed ? *costs.closed : costs.recursive));
+    }
+    CHECK(check_invariants(c.choice.program).empty());
+  }
+}
+
+TEST_CASE("both forms are one function") {
+  for (const std::string& text : {cart_pole_text(), everything_text()}) {
+    const Chosen closed = with_form(text, Form::closed);
+    const Chosen recursive = with_form(text, Form::recursive);
+    const auto at = somewhere(closed.checked.model);
+    for (std::size_t i = 0; i < closed.choice.program.functions.size(); ++i) {
+      const Function& one = closed.choice.program.functions[i];
+      const Function& other = recursive.choice.program.functions[i];
+      INFO(one.name);
+      CHECK(one.form == Form::closed);
+      CHECK(other.form == Form::recursive);
+      const auto x = evaluate(closed.choice.program, one, at);
+      const auto y = evaluate(recursive.choice.program, other, at);
+      REQUIRE(x.size() == y.size());
+      // About a hundred operations on numbers of order one.
+      for (std::size_t k = 0; k < x.size(); ++k)
+        CHECK(x[k] == Approx(y[k]).epsilon(1e-12).margin(1e-12));
+    }
+  }
+}
+
+TEST_CASE("angle sums are calls or products, whichever costs less") {
+  const Chosen c = chosen(model_text("arm", R"toml(
+[[coordinate]]
+name = "q1"
+[[coordinate]]
+name = "q2"
+[parameters]
+m = 1
+l = 2
+[[point]]
+name = "p"
+at = ["l*cos(q1) + l*cos(q1 + q2)", "l*sin(q1) + l*sin(q1 + q2)"]
+mass = "m"
+[gravity]
+vector = ["0", "-9.81"]
+)toml"));
+  for (const FormCosts& costs : c.choice.costs) {
+    INFO(costs.function);
+    if (costs.closed) CHECK(costs.closed->sincos <= 2);
+  }
+}
+
+TEST_CASE("an entry is read the same whatever else is asked for") {
+  const Chosen all = chosen(cart_pole_text());
+  SceneOptions options;
+  options.outputs = {make_source("command line", "mass_matrix,gravity")};
+  const Chosen some = chosen(cart_pole_text(), options);
+  CHECK(readable(all, "mass_matrix") == readable(some, "mass_matrix"));
+  CHECK(readable(all, "gravity") == readable(some, "gravity"));
+}

@@ -1,0 +1,39 @@
+// A model text through every stage up to the choice of forms.
+#pragma once
+
+#include <string>
+
+#include "elgen/choose.hpp"
+#include "elgen/equations_of_motion.hpp"
+#include "elgen/lower.hpp"
+#include "elgen/render.hpp"
+#include "support/models.hpp"
+
+namespace elgen::test {
+
+struct Chosen {
+  CheckedModel checked;
+  ClosedForms forms;
+  Choice choice;
+};
+
+inline Chosen chosen(const std::string& text, const SceneOptions& options = {}) {
+  Chosen result{checked_model(text, options), {}, {}};
+  const Result<Lagrangian> lagrangian = formulate(result.checked.model);
+  const auto equations = derive(*lagrangian, result.checked.scene.outputs, {});
+  const Result<Program> recursive = lower(*equations, result.checked.scene.outputs, {});
+  result.forms = present(*recursive);
+  result.choice = *choose(*recursive, result.forms, result.checked.scene);
+  return result;
+}
+
+/// The entries of one function as they are read.
+inline std::vector<std::string> readable(const Chosen& chosen, const std::string& name) {
+  const Program& program = chosen.choice.program;
+  for (std::size_t i = 0; i < program.functions.size(); ++i) {
+    if (program.functions[i].name == name) return readable_equations(program, i).entries.at(0);
+  }
+  return {};
+}
+
+}  // namespace elgen::test
