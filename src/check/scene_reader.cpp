@@ -103,6 +103,25 @@ class SceneReader {
     lists_outputs_ = true;
     std::stable_sort(scene_.outputs.begin(), scene_.outputs.end(), precedes);
     check_function_names();
+    check_dynamics();
+  }
+
+  /// `dynamics` has no equations of its own.
+  void check_dynamics() {
+    const auto is_member = [](const OutputRequest& output) {
+      const OutputRow& row = output_row(output.kind);
+      return output.kind != OutputKind::dynamics && !row.takes_acceleration && !row.takes_input;
+    };
+    if (std::any_of(scene_.outputs.begin(), scene_.outputs.end(), is_member)) {
+      return;
+    }
+    for (const OutputRequest& output : scene_.outputs) {
+      if (output.kind == OutputKind::dynamics) {
+        context_.report.add(Code::E603, output.span,
+                            "`dynamics` holds the chosen outputs that take neither a nor u, and "
+                            "none is chosen");
+      }
+    }
   }
 
   OutputRequest* request(const std::string& name, const Span& span) {
