@@ -47,7 +47,7 @@ TEST_CASE("velocity force, drift and gravity of every quadratic system") {
 
 TEST_CASE("forces with and without inputs") {
   Derived s(everything_text());
-  check_entries(s, applied_force(s.derivation),
+  check_entries(s, applied_force(s.derivation, Inputs::absent),
                 [&](std::size_t i) { return s.textbook.without_inputs(s.textbook.force(i)); });
   check_entries(s, bias(s.derivation, Inputs::acting), [&](std::size_t i) {
     const GiNaC::ex force = s.textbook.force(i);
@@ -66,4 +66,10 @@ TEST_CASE("dissipation is the gradient of D by the rates") {
 TEST_CASE("where time does not occur nothing drifts") {
   Derived s(chain_text());
   for (const GiNaC::ex& entry : drift(s.derivation)) CHECK(entry.is_zero());
+}
+
+TEST_CASE("applied forces with the inputs acting are all of the right side") {
+  Derived s(everything_text());
+  check_entries(s, applied_force(s.derivation, Inputs::acting),
+                [&](std::size_t i) { return s.textbook.force(i); });
 }

@@ -157,9 +157,9 @@ TEST_CASE("keys that come later say so, and nothing they would replace is missed
   CHECK(model_answer(model("kind = \"rotation\"")) == "E108 5:9");
   CHECK(testing::first_error(model("kind = \"rotation\"")).message ==
         "`rotation` is not yet supported");
-  CHECK(scene_answer(scene("[numeric]\nform = \"closed\"\nbatch = 4\n")) == "E108 5:1\nE108 6:1");
+  CHECK(scene_answer(scene("[numeric]\nform = \"closed\"\nbatch = 4\n")) == "E108 6:1");
   CHECK(scene_answer(scene("[emit]\nlanguage = \"c99\"\neigen = true\n")) == "E108 5:13\nE108 6:1");
-  CHECK(scene_answer(scene("[outputs]\nbias = {form = \"closed\"}\n")) == "E108 5:9");
+  CHECK(scene_answer(scene("[outputs]\nbias = {form = \"shut\"}\n")) == "E104 5:17");
 }
 
 TEST_CASE("choices take the words of the table", "[parse]") {
