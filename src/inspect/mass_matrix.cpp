@@ -61,11 +61,17 @@ Diagnostic motion_without_energy(const Model& model, const Vector& x) {
           "too many coordinates, or a mass is missing"};
 }
 
-Diagnostic rank_deficit(const Model& model, std::size_t deficit) {
+/// The dimension, and one direction at one configuration.
+Diagnostic rank_deficit(const Model& model, const std::vector<Vector>& basis, const State& state) {
   const std::size_t n = model.coordinates.size();
-  return {Code::E501, model.coordinates.front().span,
-          fmt::format("rank {} of {} at every sampled configuration", n - deficit, n),
-          "too many coordinates, or a mass is missing"};
+  std::string at;
+  for (const cln::cl_R& q : state.q) at += (at.empty() ? "" : ", ") + readable(q);
+  return {
+      Code::E501, model.coordinates.front().span,
+      fmt::format("rank {} of {} at every sampled configuration: the motion `{}` has no kinetic "
+                  "energy at q = ({})",
+                  n - basis.size(), n, proportion(model, basis[0], moving(basis[0])), at),
+      "too many coordinates, or a mass is missing"};
 }
 
 }  // namespace
@@ -74,15 +80,17 @@ Diagnostics inspect_mass_matrix(const Subject& subject) {
   const std::size_t n = subject.model.coordinates.size();
   if (n > most_coordinates_sampled) return {};
   std::vector<std::vector<Vector>> found;
+  State last;
   for (unsigned seed = 0; seed < samples; ++seed) {
     const auto sample = sampled_mass_matrix(subject, seed);
     if (!sample) return {};
     found.push_back(null_space(sample->matrix, row_maxima(sample->matrix, n)));
     if (found.back().empty()) return {};
+    last = sample->state;
   }
   for (const std::vector<Vector>& basis : found) {
     if (basis.size() != found.front().size() || !agree(basis, found.front())) {
-      return {rank_deficit(subject.model, basis.size())};
+      return {rank_deficit(subject.model, found.back(), last)};
     }
   }
   Diagnostics diagnostics;

@@ -1,5 +1,6 @@
-// E512: where the written V uses a point's height, V must not fall steadily as a point with a mass
-// rises.
+// E512: a mass that is pushed up. [gravity] along the last axis pulls up where that axis is drawn
+// upwards, as most models do; and where the written V uses a point's height, V must not fall
+// steadily as a point with a mass rises.
 //
 // `Up` is against [gravity], else along the last component of the points. The point is raised by a
 // coordinate of its own, and dV/d(height) is sampled: negative and the same everywhere is a weight
@@ -121,12 +122,27 @@ bool falls_steadily(const Subject& subject, std::uint32_t point, const Direction
   return true;
 }
 
+/// "y" or "z": the last axis of the points, which most models draw upwards.
+Diagnostics gravity_along_last_axis(const Subject& subject) {
+  const Model& model = subject.model;
+  if (!model.gravity || model.points.empty()) return {};
+  const std::uint32_t last = model.points.front().dimension - 1;
+  const State state = nominal_state(model, subject.scene);
+  const auto component = oracle_expression(model, (*model.gravity)[last], state);
+  if (!component || *component <= 0) return {};
+  return {{Code::E512, model.expressions[(*model.gravity)[last]].span,
+           fmt::format("gravity pulls along +{}", last == 1 ? "y" : "z"),
+           "a weight that pulls down is negative where the axis points up: sign mistake?"}};
+}
+
 }  // namespace
 
 Diagnostics inspect_potential(const Subject& subject) {
   const Model& model = subject.model;
-  if (!model.energies.V || model.coordinates.size() > most_coordinates_sampled) return {};
-  Diagnostics diagnostics;
+  Diagnostics diagnostics = gravity_along_last_axis(subject);
+  if (!model.energies.V || model.coordinates.size() > most_coordinates_sampled) {
+    return diagnostics;
+  }
   for (const std::uint32_t index : points_in(model, *model.energies.V)) {
     const Point& point = model.points[index];
     const auto up = has_mass(model, index) ? upward(subject, point) : std::nullopt;

@@ -43,7 +43,16 @@ TEST_CASE("up is against gravity where that is given") {
   ModelBuilder sideways = falling_bob("-m*g*y(bob)");
   CHECK(found(sideways.gravity({"-g", "0"})).empty());
   ModelBuilder down = falling_bob("m*g*y(bob)");
-  CHECK(found(down.gravity({"0", "g"})) == pushed_up);
+  CHECK(found(down.gravity({"0", "g"})) == "E512: gravity pulls along +y\n" + pushed_up);
+}
+
+TEST_CASE("gravity along the last axis is noted") {
+  CHECK(found(falling_bob("0").gravity({"0", "g"})) == "E512: gravity pulls along +y");
+  CHECK(found(falling_bob("0").gravity({"0", "-g"})).empty());
+  CHECK(found(falling_bob("0").gravity({"g", "0"})).empty());
+  ModelBuilder space;
+  space.coordinate("z").parameter("g", "9.81").point("bob", {"0", "0", "z"}, "1");
+  CHECK(found(space.gravity({"0", "0", "g"})) == "E512: gravity pulls along +z");
 }
 
 TEST_CASE("a point without a mass has no weight") {
