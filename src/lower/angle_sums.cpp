@@ -2,7 +2,9 @@
 #include "angle_sums.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <optional>
 
 namespace elgen {
 namespace {
@@ -77,34 +79,35 @@ std::vector<Angle> angles_of(const Expressions& expressions) {
     }
     angles.push_back(std::move(angle));
   }
-  std::stable_sort(angles.begin(), angles.end(),
-                   [](const Angle& x, const Angle& y) { return x.size < y.size; });
   return angles;
 }
 
 /// Larger sets take cubic time.
 constexpr std::size_t most_angles = 40;
 
+/// The angle as a sum or difference of two of the simpler ones.
+std::optional<Split> split_of(const Angle& angle, const std::vector<Angle>& simpler) {
+  for (const Angle& first : simpler) {
+    for (const Angle& second : simpler) {
+      for (const int sign : {1, -1}) {
+        if (plus(first.terms, second.terms, sign) == angle.terms) {
+          return Split{first.argument, second.argument, sign};
+        }
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 std::map<NodeId, Split> splits_of(const Expressions& expressions) {
   std::map<NodeId, Split> splits;
   const std::vector<Angle> angles = angles_of(expressions);
   if (angles.size() > most_angles) return splits;
-  const auto equals = [](const Combination& x, const Combination& y) { return x == y; };
-  for (std::size_t k = angles.size(); k-- > 0;) {
-    for (std::size_t i = 0; i < k && splits.count(angles[k].argument) == 0; ++i) {
-      for (std::size_t j = 0; j <= i; ++j) {
-        if (angles[i].size >= angles[k].size || angles[j].size >= angles[k].size) continue;
-        for (const int sign : {1, -1}) {
-          if (equals(plus(angles[i].terms, angles[j].terms, sign), angles[k].terms)) {
-            splits[angles[k].argument] = {angles[i].argument, angles[j].argument, sign};
-          }
-        }
-        // second - first, where the second is the simpler one
-        if (equals(plus(angles[j].terms, angles[i].terms, -1), angles[k].terms)) {
-          splits[angles[k].argument] = {angles[j].argument, angles[i].argument, -1};
-        }
-      }
-    }
+  for (const Angle& angle : angles) {
+    std::vector<Angle> simpler;
+    std::copy_if(angles.begin(), angles.end(), std::back_inserter(simpler),
+                 [&](const Angle& other) { return other.size < angle.size; });
+    if (const auto split = split_of(angle, simpler)) splits[angle.argument] = *split;
   }
   return splits;
 }

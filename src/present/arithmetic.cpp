@@ -94,11 +94,11 @@ Fraction Arithmetic::atom(Atom wanted) {
   return fraction_of(Polynomial{{Monomial{{id, 1}}, Gaussian{1, 0}}});
 }
 
-Form Arithmetic::leaf(Opcode leaf, std::uint32_t index) {
+Value Arithmetic::leaf(Opcode leaf, std::uint32_t index) {
   return atom({.kind = AtomKind::leaf, .leaf = leaf, .index = index});
 }
 
-Form Arithmetic::limited(Fraction x) const {
+Value Arithmetic::limited(Fraction x) const {
   if (x.numerator.size() > terms_) return std::nullopt;
   return x;
 }
@@ -129,7 +129,7 @@ std::optional<Polynomial> Arithmetic::over(
   return result;
 }
 
-Form Arithmetic::add(const Form& x, const Form& y) {
+Value Arithmetic::add(const Value& x, const Value& y) {
   if (!x || !y) return std::nullopt;
   if (x->denominator == y->denominator) {
     Fraction result{sum(x->numerator, y->numerator), x->denominator};
@@ -145,12 +145,12 @@ Form Arithmetic::add(const Form& x, const Form& y) {
   return reduced_roots({sum(*left, *right), common});
 }
 
-Form Arithmetic::negate(const Form& x) const {
+Value Arithmetic::negate(const Value& x) const {
   if (!x) return std::nullopt;
   return Fraction{scaled(x->numerator, {-1, 0}), x->denominator};
 }
 
-Form Arithmetic::multiply(const Form& x, const Form& y) {
+Value Arithmetic::multiply(const Value& x, const Value& y) {
   if (!x || !y) return std::nullopt;
   auto numerator = multiplied(x->numerator, y->numerator);
   if (!numerator) return std::nullopt;
@@ -160,7 +160,7 @@ Form Arithmetic::multiply(const Form& x, const Form& y) {
 }
 
 /// Divides out every denominator factor that the numerator has.
-Form Arithmetic::cancelled(Fraction x) {
+Value Arithmetic::cancelled(Fraction x) {
   if (x.numerator.empty()) return Fraction{};
   for (auto at = x.denominator.begin(); at != x.denominator.end();) {
     const Polynomial& factor = algebra_.factors[at->first].shown;
@@ -176,7 +176,7 @@ Form Arithmetic::cancelled(Fraction x) {
 }
 
 /// sqrt(r)^k as sqrt(r)^(k mod 2) r^(k div 2).
-Form Arithmetic::reduced_roots(Fraction x) {
+Value Arithmetic::reduced_roots(Fraction x) {
   const auto excess = [&](const AtomPower& factor) {
     return algebra_.atoms[factor.atom].kind == AtomKind::root &&
            (factor.exponent < 0 || factor.exponent > 1);
@@ -187,7 +187,7 @@ Form Arithmetic::reduced_roots(Fraction x) {
   if (std::none_of(x.numerator.begin(), x.numerator.end(), is_reducible)) {
     return cancelled(std::move(x));
   }
-  Form result = Fraction{};
+  Value result = Fraction{};
   Fraction reduced;
   for (const auto& term : x.numerator) {
     if (!is_reducible(term)) {
@@ -195,7 +195,7 @@ Form Arithmetic::reduced_roots(Fraction x) {
       continue;
     }
     Monomial rest;
-    Form factor = fraction_of(cl_RA(1));
+    Value factor = fraction_of(cl_RA(1));
     for (AtomPower power : term.first) {
       if (excess(power)) {
         const std::int32_t odd = ((power.exponent % 2) + 2) % 2;
@@ -265,7 +265,7 @@ void Arithmetic::note_circular_factors(const Polynomial& rest) {
   }
 }
 
-Form Arithmetic::reciprocal(const Fraction& x) {
+Value Arithmetic::reciprocal(const Fraction& x) {
   if (x.numerator.empty()) return std::nullopt;
   Fraction result = fraction_of(cl_RA(1));
   Polynomial rest = x.numerator;
@@ -289,15 +289,15 @@ Form Arithmetic::reciprocal(const Fraction& x) {
   return reduced_roots(std::move(result));
 }
 
-Form Arithmetic::divide(const Form& x, const Form& y) {
+Value Arithmetic::divide(const Value& x, const Value& y) {
   if (!x || !y) return std::nullopt;
   return multiply(x, reciprocal(*y));
 }
 
-Form Arithmetic::power(const Form& x, std::int32_t exponent) {
+Value Arithmetic::power(const Value& x, std::int32_t exponent) {
   if (!x) return std::nullopt;
   if (exponent < 0) return power(reciprocal(*x), -exponent);
-  Form result = fraction_of(cl_RA(1));
+  Value result = fraction_of(cl_RA(1));
   for (std::int32_t i = 0; i < exponent; ++i) result = multiply(result, x);
   return result;
 }

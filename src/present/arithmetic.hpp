@@ -1,6 +1,6 @@
 // Arithmetic: the field operations and functions on closed forms over one algebra, within a budget.
 //
-// A Form is none where an operand was, where the budget is used up, or where there is no value
+// A Value is none where an operand was, where the budget is used up, or where there is no value
 // (division by zero). Atoms are found again by the canonical form of what they stand for.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace elgen::presenting {
 
-using Form = std::optional<Fraction>;
+using Value = std::optional<Fraction>;
 
 [[nodiscard]] Fraction fraction_of(const Polynomial& numerator);
 [[nodiscard]] Fraction fraction_of(const cln::cl_RA& value);
@@ -20,39 +20,39 @@ class Arithmetic {
   Arithmetic(Algebra& algebra, std::size_t& work, std::size_t terms)
       : algebra_(algebra), work_(work), terms_(terms) {}
 
-  [[nodiscard]] Form add(const Form& x, const Form& y);
-  [[nodiscard]] Form negate(const Form& x) const;
-  [[nodiscard]] Form multiply(const Form& x, const Form& y);
-  [[nodiscard]] Form divide(const Form& x, const Form& y);
+  [[nodiscard]] Value add(const Value& x, const Value& y);
+  [[nodiscard]] Value negate(const Value& x) const;
+  [[nodiscard]] Value multiply(const Value& x, const Value& y);
+  [[nodiscard]] Value divide(const Value& x, const Value& y);
   /// x^exponent, exponent an integer.
-  [[nodiscard]] Form power(const Form& x, std::int32_t exponent);
-  [[nodiscard]] Form square_root(const Form& x);
-  [[nodiscard]] Form call(FunctionId function, const std::vector<Form>& arguments);
+  [[nodiscard]] Value power(const Value& x, std::int32_t exponent);
+  [[nodiscard]] Value square_root(const Value& x);
+  [[nodiscard]] Value call(FunctionId function, const std::vector<Value>& arguments);
 
-  [[nodiscard]] Form leaf(Opcode leaf, std::uint32_t index);
+  [[nodiscard]] Value leaf(Opcode leaf, std::uint32_t index);
   /// Rational, or by its text: sums, products, roots and multiples of pi are taken apart.
-  [[nodiscard]] Form constant(const Constant& value);
+  [[nodiscard]] Value constant(const Constant& value);
 
  private:
   Fraction atom(Atom atom);
-  Form opaque(Atom atom);
-  [[nodiscard]] Form limited(Fraction x) const;
+  Value opaque(Atom atom);
+  [[nodiscard]] Value limited(Fraction x) const;
   std::optional<Polynomial> multiplied(const Polynomial& x, const Polynomial& y);
   std::optional<Polynomial> over(const Fraction& x,
                                  const std::map<std::uint32_t, std::int32_t>& denominator);
-  Form cancelled(Fraction x);
-  Form reduced_roots(Fraction x);
-  Form reciprocal(const Fraction& x);
+  Value cancelled(Fraction x);
+  Value reduced_roots(Fraction x);
+  Value reciprocal(const Fraction& x);
   void note_circular_factors(const Polynomial& rest);
   bool split_factors(Polynomial& rest, std::map<std::uint32_t, std::int32_t>& denominator);
   std::uint32_t factor_index(const Polynomial& polynomial, Polynomial& unit);
 
-  Form root_of_integer(cln::cl_I value);
+  Value root_of_integer(cln::cl_I value);
   /// e^(i x), x real.
-  Form exponential(const Fraction& x, bool conjugate);
-  Form exponential_of_term(const Monomial& monomial, const cln::cl_RA& coefficient);
-  Form circle_twelfths(long twelfths);
-  Form sine_or_cosine(FunctionId function, const Fraction& x);
+  Value exponential(const Fraction& x, bool conjugate);
+  Value exponential_of_term(const Monomial& monomial, const cln::cl_RA& coefficient);
+  Value circle_twelfths(long twelfths);
+  Value sine_or_cosine(FunctionId function, const Fraction& x);
 
   Algebra& algebra_;
   std::size_t& work_;

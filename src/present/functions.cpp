@@ -53,10 +53,10 @@ bool has_negative_lead(const Fraction& x) {
 
 }  // namespace
 
-Form Arithmetic::opaque(Atom wanted) { return atom(std::move(wanted)); }
+Value Arithmetic::opaque(Atom wanted) { return atom(std::move(wanted)); }
 
 /// sqrt of a positive integer: squares outside, one root per prime.
-Form Arithmetic::root_of_integer(cl_I value) {
+Value Arithmetic::root_of_integer(cl_I value) {
   cl_RA outside = 1;
   std::vector<cl_I> primes;
   for (cl_I p = 2; p <= largest_prime && p * p <= value; p = p + 1) {
@@ -75,7 +75,7 @@ Form Arithmetic::root_of_integer(cl_I value) {
   } else {
     primes.push_back(value);
   }
-  Form result = fraction_of(outside);
+  Value result = fraction_of(outside);
   for (const cl_I& prime : primes) {
     result =
         multiply(result, atom({.kind = AtomKind::root, .arguments = {fraction_of(cl_RA(prime))}}));
@@ -83,7 +83,7 @@ Form Arithmetic::root_of_integer(cl_I value) {
   return result;
 }
 
-Form Arithmetic::square_root(const Form& x) {
+Value Arithmetic::square_root(const Value& x) {
   if (!x) return std::nullopt;
   const auto number = x->denominator.empty() ? rational_value(x->numerator) : std::nullopt;
   if (!number) return opaque({.kind = AtomKind::root, .arguments = {*x}});
@@ -95,32 +95,32 @@ Form Arithmetic::square_root(const Form& x) {
 }
 
 /// cos(k pi/12) + i sin(k pi/12) by sqrt(2) and sqrt(3).
-Form Arithmetic::circle_twelfths(long twelfths) {
+Value Arithmetic::circle_twelfths(long twelfths) {
   // cos(k pi/12) = (a + b sqrt2 + c sqrt3 + d sqrt6)/4 for k = 0 … 6
   static constexpr std::array<std::array<int, 4>, 7> cosines{
       {{4, 0, 0, 0}, {0, 1, 0, 1}, {0, 0, 2, 0}, {0, 2, 0, 0}, {2, 0, 0, 0}, {0, -1, 0, 1}, {}}};
-  const Form root2 = root_of_integer(2);
-  const Form root3 = root_of_integer(3);
-  const std::array<Form, 4> basis{fraction_of(cl_RA(1)), root2, root3, multiply(root2, root3)};
+  const Value root2 = root_of_integer(2);
+  const Value root3 = root_of_integer(3);
+  const std::array<Value, 4> basis{fraction_of(cl_RA(1)), root2, root3, multiply(root2, root3)};
   const auto cosine = [&](long k) {
     k = ((k % 24) + 24) % 24;
     if (k > 12) k = 24 - k;
     const int sign = k > 6 ? -1 : 1;
     const auto& row = cosines[static_cast<std::size_t>(k > 6 ? 12 - k : k)];
-    Form value = Fraction{};
+    Value value = Fraction{};
     for (std::size_t i = 0; i < basis.size(); ++i) {
-      const Form weight = fraction_of(cl_RA(sign * row[i]) / 4);
+      const Value weight = fraction_of(cl_RA(sign * row[i]) / 4);
       value = add(value, multiply(weight, basis[i]));
     }
     return value;
   };
-  const Form real = cosine(twelfths);
-  const Form imaginary = cosine(twelfths - 6);
+  const Value real = cosine(twelfths);
+  const Value imaginary = cosine(twelfths - 6);
   return add(real, multiply(imaginary, fraction_of(Polynomial{{Monomial{}, Gaussian{0, 1}}})));
 }
 
 /// e^(i coefficient monomial)
-Form Arithmetic::exponential_of_term(const Monomial& monomial, const cl_RA& coefficient) {
+Value Arithmetic::exponential_of_term(const Monomial& monomial, const cl_RA& coefficient) {
   const cl_RA twelfths = coefficient * parts;
   const cl_I divisor = cln::denominator(twelfths);
   const cl_I exponent = cln::numerator(twelfths);
@@ -138,8 +138,8 @@ Form Arithmetic::exponential_of_term(const Monomial& monomial, const cl_RA& coef
 }
 
 /// e^(i x), or e^(-i x): the product over the terms of x, where it is a sum of real monomials.
-Form Arithmetic::exponential(const Fraction& x, bool conjugate) {
-  Form result = fraction_of(cl_RA(1));
+Value Arithmetic::exponential(const Fraction& x, bool conjugate) {
+  Value result = fraction_of(cl_RA(1));
   for (const auto& [monomial, coefficient] : x.numerator) {
     const cl_RA signed_part = conjugate ? -coefficient.real : coefficient.real;
     result = multiply(result, exponential_of_term(monomial, signed_part));
@@ -147,32 +147,32 @@ Form Arithmetic::exponential(const Fraction& x, bool conjugate) {
   return result;
 }
 
-Form Arithmetic::sine_or_cosine(FunctionId function, const Fraction& x) {
+Value Arithmetic::sine_or_cosine(FunctionId function, const Fraction& x) {
   const bool is_sum_of_monomials =
       x.denominator.empty() &&
       std::none_of(x.numerator.begin(), x.numerator.end(),
                    [&](const auto& term) { return has_exponential(algebra_, term.first); });
-  Form forward;
-  Form backward;
+  Value forward;
+  Value backward;
   if (is_sum_of_monomials) {
     forward = exponential(x, false);
     backward = exponential(x, true);
   } else {
     const bool turned = has_negative_lead(x);
-    const Form angle = turned ? negate(x) : Form(x);
+    const Value angle = turned ? negate(x) : Value(x);
     const Fraction unit = atom({.kind = AtomKind::circular, .arguments = {*angle}});
     forward = power(unit, turned ? -1 : 1);
     backward = power(unit, turned ? 1 : -1);
   }
   const bool is_sine = function == FunctionId::sin;
   const Gaussian half = is_sine ? Gaussian{0, cl_RA(-1) / 2} : Gaussian{cl_RA(1) / 2, 0};
-  const Form both = add(forward, is_sine ? negate(backward) : backward);
+  const Value both = add(forward, is_sine ? negate(backward) : backward);
   return multiply(both, fraction_of(Polynomial{{Monomial{}, half}}));
 }
 
-Form Arithmetic::call(FunctionId function, const std::vector<Form>& arguments) {
+Value Arithmetic::call(FunctionId function, const std::vector<Value>& arguments) {
   std::vector<Fraction> values;
-  for (const Form& argument : arguments) {
+  for (const Value& argument : arguments) {
     if (!argument) return std::nullopt;
     values.push_back(*argument);
   }
@@ -188,7 +188,7 @@ Form Arithmetic::call(FunctionId function, const std::vector<Form>& arguments) {
     values[0] = *negate(values[0]);
     turned = is_odd(function);
   }
-  const Form value =
+  const Value value =
       opaque({.kind = AtomKind::call, .function = function, .arguments = std::move(values)});
   return turned ? negate(value) : value;
 }
@@ -196,8 +196,8 @@ Form Arithmetic::call(FunctionId function, const std::vector<Form>& arguments) {
 namespace {
 
 /// A constant's text as a tree; a name it holds can only be pi.
-Form form_of(Arithmetic& arithmetic, const ExpressionSyntax& syntax, const Constant& whole) {
-  std::vector<Form> operands;
+Value form_of(Arithmetic& arithmetic, const ExpressionSyntax& syntax, const Constant& whole) {
+  std::vector<Value> operands;
   for (const ExpressionSyntax& operand : syntax.operands) {
     operands.push_back(form_of(arithmetic, operand, whole));
   }
@@ -209,13 +209,13 @@ Form form_of(Arithmetic& arithmetic, const ExpressionSyntax& syntax, const Const
     case SyntaxKind::negate:
       return arithmetic.negate(operands[0]);
     case SyntaxKind::add: {
-      Form total = Fraction{};
-      for (const Form& term : operands) total = arithmetic.add(total, term);
+      Value total = Fraction{};
+      for (const Value& term : operands) total = arithmetic.add(total, term);
       return total;
     }
     case SyntaxKind::multiply: {
-      Form total = fraction_of(cl_RA(1));
-      for (const Form& factor : operands) total = arithmetic.multiply(total, factor);
+      Value total = fraction_of(cl_RA(1));
+      for (const Value& factor : operands) total = arithmetic.multiply(total, factor);
       return total;
     }
     case SyntaxKind::divide:
@@ -238,7 +238,7 @@ Form form_of(Arithmetic& arithmetic, const ExpressionSyntax& syntax, const Const
 
 }  // namespace
 
-Form Arithmetic::constant(const Constant& value) {
+Value Arithmetic::constant(const Constant& value) {
   if (cln:: instanceof (value.value, cln::cl_RA_ring)) {
     return fraction_of(cln::rational(value.value));
   }

@@ -12,8 +12,8 @@ namespace elgen {
 
 using cln::cl_RA;
 using presenting::Arithmetic;
-using presenting::Form;
 using presenting::fraction_of;
+using presenting::Value;
 
 namespace {
 
@@ -24,7 +24,7 @@ class ModelExpressions {
       : arithmetic_(arithmetic), model_(model), fixed_(fixed), known_(model.expressions.size()) {}
 
   /// Operands precede their users in the arena, so the depth is that of named things only.
-  Form operator()(ExpressionId wanted) {
+  Value operator()(ExpressionId wanted) {
     if (known_[wanted].done) return known_[wanted].form;
     std::vector<ExpressionId> pending{wanted};
     while (!pending.empty()) {
@@ -43,7 +43,7 @@ class ModelExpressions {
  private:
   struct Known {
     bool done = false;
-    Form form = {};
+    Value form = {};
   };
 
   /// Operands, and what a name stands for.
@@ -60,17 +60,17 @@ class ModelExpressions {
     }
   }
 
-  Form parameter(std::uint32_t index) {
+  Value parameter(std::uint32_t index) {
     const auto fixed = fixed_.find(index);
     if (fixed == fixed_.end()) return arithmetic_.leaf(Opcode::parameter, index);
     if (!cln:: instanceof (fixed->second, cln::cl_RA_ring)) return std::nullopt;
     return fraction_of(cln::rational(fixed->second));
   }
 
-  Form named(const Expression& e) { return known_[needs(e).front()].form; }
+  Value named(const Expression& e) { return known_[needs(e).front()].form; }
 
-  Form compose(const Expression& e) {
-    const auto operand = [&](std::size_t i) -> const Form& { return known_[e.operands[i]].form; };
+  Value compose(const Expression& e) {
+    const auto operand = [&](std::size_t i) -> const Value& { return known_[e.operands[i]].form; };
     switch (e.kind) {
       case ExpressionKind::number:
         return fraction_of(e.number);
@@ -110,19 +110,19 @@ class ModelExpressions {
     return std::nullopt;
   }
 
-  Form sum(const Expression& e) {
-    Form total = Fraction{};
+  Value sum(const Expression& e) {
+    Value total = Fraction{};
     for (const ExpressionId id : e.operands) total = arithmetic_.add(total, known_[id].form);
     return total;
   }
 
-  Form product(const Expression& e) {
-    Form total = fraction_of(cl_RA(1));
+  Value product(const Expression& e) {
+    Value total = fraction_of(cl_RA(1));
     for (const ExpressionId id : e.operands) total = arithmetic_.multiply(total, known_[id].form);
     return total;
   }
 
-  Form power(const Form& base, const cl_RA& exponent) {
+  Value power(const Value& base, const cl_RA& exponent) {
     const cl_RA halves = exponent * 2;
     if (cln::denominator(halves) != 1 || cln::abs(halves) > 128) return std::nullopt;
     const auto count = static_cast<std::int32_t>(cln::cl_I_to_long(cln::numerator(halves)));
@@ -130,8 +130,8 @@ class ModelExpressions {
     return arithmetic_.power(arithmetic_.square_root(base), count);
   }
 
-  Form call(const Expression& e) {
-    std::vector<Form> arguments;
+  Value call(const Expression& e) {
+    std::vector<Value> arguments;
     for (const ExpressionId id : e.operands) arguments.push_back(known_[id].form);
     return arithmetic_.call(e.function, arguments);
   }

@@ -9,12 +9,12 @@
 namespace elgen {
 
 using presenting::Arithmetic;
-using presenting::Form;
+using presenting::Value;
 
 namespace {
 
-Form step(Arithmetic& arithmetic, const Program& program, const Instruction& i,
-          const std::vector<Form>& values) {
+Value step(Arithmetic& arithmetic, const Program& program, const Instruction& i,
+           const std::vector<Value>& values) {
   switch (i.opcode) {
     case Opcode::constant:
       return arithmetic.constant(program.constants[i.a]);
@@ -39,7 +39,7 @@ Form step(Arithmetic& arithmetic, const Program& program, const Instruction& i,
 }
 
 ClosedFunction run(Arithmetic& arithmetic, const Program& program, const Function& function) {
-  std::vector<Form> values;
+  std::vector<Value> values;
   values.reserve(function.instructions.size());
   for (const Instruction& i : function.instructions) {
     values.push_back(step(arithmetic, program, i, values));
@@ -75,7 +75,7 @@ bool proved_equal(ClosedForms& forms, const Fraction& x, const Fraction& y) {
   const PresentBudget budget;
   std::size_t work = budget.products_per_function;
   Arithmetic arithmetic(forms.algebra, work, budget.terms);
-  const Form difference = arithmetic.add(x, arithmetic.negate(y));
+  const Value difference = arithmetic.add(x, arithmetic.negate(y));
   return difference && difference->numerator.empty();
 }
 

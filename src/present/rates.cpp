@@ -8,8 +8,8 @@ namespace elgen {
 
 using cln::cl_RA;
 using presenting::Arithmetic;
-using presenting::Form;
 using presenting::fraction_of;
+using presenting::Value;
 
 namespace {
 
@@ -23,13 +23,13 @@ class Rates {
   Rates(Arithmetic& arithmetic, const Algebra& algebra, std::vector<Fraction> accelerations)
       : arithmetic_(arithmetic), algebra_(algebra), accelerations_(std::move(accelerations)) {}
 
-  Form of(const Fraction& x) {
-    Form result = arithmetic_.multiply(of(x.numerator), over(x));
+  Value of(const Fraction& x) {
+    Value result = arithmetic_.multiply(of(x.numerator), over(x));
     // (1/d^k)' = -k d'/d^(k+1)
     for (const auto& [factor, exponent] : x.denominator) {
       const Polynomial shown = algebra_.factors[factor].shown;
-      const Form relative = arithmetic_.divide(of(shown), fraction_of(shown));
-      const Form term = arithmetic_.multiply(fraction_of(cl_RA(-exponent)), relative);
+      const Value relative = arithmetic_.divide(of(shown), fraction_of(shown));
+      const Value term = arithmetic_.multiply(fraction_of(cl_RA(-exponent)), relative);
       result = arithmetic_.add(result, arithmetic_.multiply(term, x));
     }
     return result;
@@ -38,11 +38,11 @@ class Rates {
  private:
   static Fraction over(const Fraction& x) { return {presenting::constant(1), x.denominator}; }
 
-  Form of(const Polynomial& sum) {
-    Form result = Fraction{};
+  Value of(const Polynomial& sum) {
+    Value result = Fraction{};
     for (const auto& [monomial, coefficient] : sum) {
       for (const AtomPower& power : monomial) {
-        const Form own = of_atom(power.atom);
+        const Value own = of_atom(power.atom);
         if (!own) return std::nullopt;
         if (own->numerator.empty()) continue;
         // n x^(n-1) x'
@@ -55,15 +55,15 @@ class Rates {
     return result;
   }
 
-  Form of_atom(AtomId id) {
+  Value of_atom(AtomId id) {
     if (const auto known = known_.find(id); known != known_.end()) return known->second;
     const Atom atom = algebra_.atoms[id];  // a copy: atoms may be added
-    const Form rate = rate_of(atom, fraction_of(Polynomial{{Monomial{{id, 1}}, Gaussian{1, 0}}}));
+    const Value rate = rate_of(atom, fraction_of(Polynomial{{Monomial{{id, 1}}, Gaussian{1, 0}}}));
     known_[id] = rate;
     return rate;
   }
 
-  Form rate_of(const Atom& atom, const Fraction& itself) {
+  Value rate_of(const Atom& atom, const Fraction& itself) {
     switch (atom.kind) {
       case AtomKind::leaf:
         return of_leaf(atom);
@@ -75,7 +75,7 @@ class Rates {
         return arithmetic_.multiply(slope, of(atom.arguments[0]));
       }
       case AtomKind::root: {
-        const Form twice = arithmetic_.multiply(fraction_of(cl_RA(2)), itself);
+        const Value twice = arithmetic_.multiply(fraction_of(cl_RA(2)), itself);
         return arithmetic_.divide(of(atom.arguments[0]), twice);
       }
       case AtomKind::call:
@@ -85,15 +85,15 @@ class Rates {
   }
 
   /// Of opaque calls only what stands still has a known rate.
-  Form of_call(const Atom& atom) {
+  Value of_call(const Atom& atom) {
     for (const Fraction& argument : atom.arguments) {
-      const Form rate = of(argument);
+      const Value rate = of(argument);
       if (!rate || !rate->numerator.empty()) return std::nullopt;
     }
     return Fraction{};
   }
 
-  Form of_leaf(const Atom& atom) {
+  Value of_leaf(const Atom& atom) {
     switch (atom.leaf) {
       case Opcode::coordinate:
         return arithmetic_.leaf(Opcode::velocity, atom.index);
@@ -112,11 +112,11 @@ class Rates {
   Arithmetic& arithmetic_;
   const Algebra& algebra_;
   std::vector<Fraction> accelerations_;
-  std::map<AtomId, Form> known_;
+  std::map<AtomId, Value> known_;
 };
 
 /// x at u = 0; none where a denominator holds an input.
-Form without_inputs(const Algebra& algebra, const Fraction& x) {
+Value without_inputs(const Algebra& algebra, const Fraction& x) {
   const auto has_input = [&](const auto& term) {
     return std::any_of(term.first.begin(), term.first.end(),
                        [&](const AtomPower& power) { return is_input(algebra.atoms[power.atom]); });
@@ -141,11 +141,11 @@ bool proved_conserved(ClosedForms& forms, const Fraction& x,
   Arithmetic arithmetic(forms.algebra, work, budget.terms);
   std::vector<Fraction> free_motion;
   for (const Fraction& acceleration : accelerations) {
-    Form free = without_inputs(forms.algebra, acceleration);
+    Value free = without_inputs(forms.algebra, acceleration);
     if (!free) return false;
     free_motion.push_back(std::move(*free));
   }
-  const Form rate = Rates(arithmetic, forms.algebra, std::move(free_motion)).of(x);
+  const Value rate = Rates(arithmetic, forms.algebra, std::move(free_motion)).of(x);
   return rate && rate->numerator.empty();
 }
 
