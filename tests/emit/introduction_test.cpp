@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "elgen/render.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;
@@ -13,7 +14,7 @@ using Lines = std::vector<std::string>;
 namespace {
 
 std::string equation(const Subject& subject) {
-  return equation_of_motion(subject.model, subject.program);
+  return equation_of_motion(subject.model, subject.program).text;
 }
 
 bool contains(const Lines& lines, const std::string& line) {
@@ -69,11 +70,12 @@ TEST_CASE("many variables are shown by the first two and the last") {
 }
 
 TEST_CASE("one row per function, columns aligned") {
-  const Program program = cart_pole().program;
-  std::vector<FunctionEquations> printed(program.functions.size());
-  printed[0].definitions.resize(12);
-  const Lines table = operation_table(program, printed);
+  Program program = cart_pole().program;
+  program.functions[1].form = Form::closed;
+  const Lines table = operation_table(program);
   REQUIRE(table.size() == 1 + program.functions.size());
-  CHECK(table[0] == "function             add    mul   div  sqrt sincos other  definitions");
-  CHECK(table[1] == "mass_matrix            1      4     0     0      1     0           12");
+  CHECK(table[0] == "function             add    mul   div  sqrt sincos other  definitions  form");
+  CHECK(table[1] ==
+        "mass_matrix            1      4     0     0      1     0            2  recursive");
+  CHECK(table[2].find("  closed") != std::string::npos);
 }
