@@ -27,7 +27,7 @@ struct FormCosts {
 };
 
 struct Choice {
-  Program program = {};  ///< with `readable` filled
+  Program program = {};               ///< with `readable` filled
   std::vector<FormCosts> costs = {};  ///< parallel to program.functions
 };
 

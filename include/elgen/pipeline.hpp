@@ -14,6 +14,7 @@
 #include "elgen/limits.hpp"
 #include "elgen/model.hpp"
 #include "elgen/program.hpp"
+#include "elgen/render.hpp"
 #include "elgen/scene.hpp"
 #include "elgen/syntax.hpp"
 
@@ -32,12 +33,6 @@ struct PipelineOptions {
   bool steps = false;           ///< make Products::steps instead of the scene's outputs
   bool check_itself = true;     ///< compare with the oracle at the end
   std::function<void(const std::string&)> on_stage = {};  ///< told each name as it starts
-};
-
-/// The derivation step by step (the functions of elgen/steps.hpp), as it is read.
-struct ReadableSteps {
-  Program program = {};
-  std::vector<std::string> masses = {};  ///< what the fields of "positions" are
 };
 
 struct StageTime {

@@ -28,7 +28,7 @@ struct OutputRequest {
   std::string name = {};   ///< of the emitted function: renamed, or the standard one
   std::uint32_t rows = 1;  ///< of the (single or first) field
   std::uint32_t columns = 1;
-  Span span = {};  ///< where it was asked for
+  Span span = {};                 ///< where it was asked for
   std::optional<Form> form = {};  ///< asked for; otherwise the cheaper one
 };
 

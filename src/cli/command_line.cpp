@@ -15,7 +15,7 @@ namespace {
 constexpr const char* examples =
     "Symbolic Euler-Lagrange equations: a model file in, closed forms and fast C++ out.\n\n"
     "  elgen generate models/cart_pole.toml            write generated/cart_pole/cart_pole.hpp\n"
-    "  elgen generate --check models/*.toml            is the committed output up to date?\n"
+    "  elgen show models/cart_pole.toml --what steps   the derivation, step by step\n"
     "  elgen verify models/cart_pole.toml              compare with 60-digit arithmetic\n";
 
 /// Options whose values need more than CLI11's conversions.
@@ -49,6 +49,15 @@ void add_global_options(CLI::App& app, CommandLine& line, RawOptions& raw) {
       ->allow_extra_args(false);
 }
 
+void add_scene_options(CLI::App& command, RawOptions& raw) {
+  command.add_option("--fix", raw.fixed, "make a parameter a number: NAME, NAME=VALUE or all")
+      ->type_name("NAME[=VALUE]")
+      ->allow_extra_args(false);
+  command.add_option("--size", raw.sizes, "override a size of the model")
+      ->type_name("NAME=N")
+      ->allow_extra_args(false);
+}
+
 CLI::App* add_generate(CLI::App& app, CommandLine& line, RawOptions& raw) {
   CLI::App* command =
       app.add_subcommand("generate", "derive and write the code of models and scenes");
@@ -60,12 +69,7 @@ CLI::App* add_generate(CLI::App& app, CommandLine& line, RawOptions& raw) {
   command->add_option("--outputs", raw.outputs, "only these: mass_matrix,bias,…")
       ->type_name("LIST")
       ->allow_extra_args(false);
-  command->add_option("--fix", raw.fixed, "make a parameter a number: NAME, NAME=VALUE or all")
-      ->type_name("NAME[=VALUE]")
-      ->allow_extra_args(false);
-  command->add_option("--size", raw.sizes, "override a size of the model")
-      ->type_name("NAME=N")
-      ->allow_extra_args(false);
+  add_scene_options(*command, raw);
   command->add_flag("--check", options.check, "write nothing; exit 1 if the files differ");
   command->add_flag("--force", options.force, "overwrite files that elgen did not generate");
   command->add_flag("--list-outputs", options.list_outputs, "print the paths it would write");
@@ -74,6 +78,21 @@ CLI::App* add_generate(CLI::App& app, CommandLine& line, RawOptions& raw) {
                    "write the inputs of each file, for make and ninja")
       ->type_name("FILE");
   command->add_flag("--stdout", options.to_stdout, "print the header instead of writing files");
+  return command;
+}
+
+CLI::App* add_show(CLI::App& app, CommandLine& line, RawOptions& raw) {
+  CLI::App* command = app.add_subcommand("show", "print the equations of a model or scene");
+  ShowOptions& options = line.show;
+  command->add_option("input", options.input, "NAME.toml or NAME.scene.toml")->required();
+  command
+      ->add_option("--what", options.what,
+                   "outputs: mass_matrix,gravity,…; or lagrangian, steps or cost")
+      ->type_name("LIST");
+  command->add_option("--as", options.as, "text, latex, mathml, markdown or json")
+      ->check(CLI::IsMember({"text", "latex", "mathml", "markdown", "json"}))
+      ->capture_default_str();
+  add_scene_options(*command, raw);
   return command;
 }
 
@@ -191,6 +210,9 @@ Diagnostics finish(const RawOptions& raw, CommandLine& line) {
   line.global.style.color = wants_color(raw.color);
   line.global.style.format = raw.format == "json" ? DiagnosticFormat::json : DiagnosticFormat::text;
   line.generate.scene = {sources(raw.outputs), sources(raw.fixed), sources(raw.sizes)};
+  line.show.scene = {{}, sources(raw.fixed), sources(raw.sizes)};
+  const bool names_outputs = !line.show.what.empty() && !is_subject_of_its_own(line.show.what);
+  if (names_outputs) line.show.scene.outputs = sources({line.show.what});
   Result<Limits> limits = read_limits(raw.limits);
   if (!limits) return limits.diagnostics;
   line.global.limits = *limits;
@@ -207,6 +229,7 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
   app.get_formatter()->column_width(34);
   add_global_options(app, line, raw);
   const CLI::App* generate = add_generate(app, line, raw);
+  const CLI::App* show = add_show(app, line, raw);
   const CLI::App* verify = add_verify(app, line);
   CLI::App* explain = app.add_subcommand("explain", "what an error code means");
   explain->add_option("code", line.code, "E201")->required();
@@ -230,6 +253,7 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
     return Diagnostic{Code::E913, {}, "no command given", "see `elgen --help`"};
   }
   line.command = generate->parsed() ? Command::generate
+                 : show->parsed()   ? Command::show
                  : verify->parsed() ? Command::verify
                                     : Command::explain;
   line.generate.output_directory_given = generate->count("-o") > 0;

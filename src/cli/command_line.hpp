@@ -8,12 +8,13 @@
 
 namespace elgen::cli {
 
-enum class Command : unsigned char { none, generate, verify, explain };
+enum class Command : unsigned char { none, generate, show, verify, explain };
 
 struct CommandLine {
   Command command = Command::none;  ///< none: --help, --version, --limits; already answered
   GlobalOptions global = {};
   GenerateOptions generate = {};
+  ShowOptions show = {};
   VerifyCommandOptions verify = {};
   std::string code = {};
 };

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <map>
 
+#include "elgen/render.hpp"
 #include "inputs.hpp"
 #include "options.hpp"
 #include "output_files.hpp"
@@ -143,29 +144,6 @@ ExitCode check(const GlobalOptions& global, const GenerateOptions& options,
   return ExitCode::differs;
 }
 
-void tell_equations(const GlobalOptions& global, const Job& job) {
-  const Program& program = *job.products.program;
-  for (std::size_t index = 0; index < program.functions.size(); ++index) {
-    const Function& function = program.functions[index];
-    if (function.kind == OutputKind::dynamics) continue;  // repeats the others
-    tell(global, "\n" + function.name);
-    const FunctionEquations lines = readable_equations(program, index);
-    for (const EquationLine& line : lines.definitions) {
-      tell(global, fmt::format("  {} = {}", line.name, line.value));
-    }
-    for (std::size_t f = 0; f < lines.entries.size(); ++f) {
-      const Field& field = function.fields[f];
-      const std::string name = field.name.empty() ? function.name : field.name;
-      for (std::size_t i = 0; i < lines.entries[f].size(); ++i) {
-        const std::string at = field.columns == 1
-                                   ? fmt::format("[{}]", i)
-                                   : fmt::format("[{}, {}]", i / field.columns, i % field.columns);
-        tell(global, fmt::format("  {}{} = {}", name, at, lines.entries[f][i]));
-      }
-    }
-  }
-}
-
 ExitCode write(const GlobalOptions& global, const GenerateOptions& options,
                const std::vector<Job>& jobs) {
   Diagnostics errors = changed_by_options(options, jobs);
@@ -178,7 +156,9 @@ ExitCode write(const GlobalOptions& global, const GenerateOptions& options,
     for (const auto& [name, text] : job.products.files->files) {
       tell(global, "wrote " + (fs::path(options.output_directory) / name).generic_string());
     }
-    if (global.verbose) tell_equations(global, job);
+    if (global.verbose) {
+      tell(global, "\n" + text_page(job.products.checked->model, *job.products.program));
+    }
     tell(global, job.scene().base_name + ": " + receipt(*job.products.self_check));
   }
   return ExitCode::success;

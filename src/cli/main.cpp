@@ -17,6 +17,8 @@ ExitCode run_command(const CommandLine& line) {
     switch (line.command) {
       case Command::generate:
         return generate(line.global, line.generate);
+      case Command::show:
+        return show(line.global, line.show);
       case Command::verify:
         return verify_inputs(line.global, line.verify);
       case Command::explain:

@@ -38,9 +38,19 @@ struct VerifyCommandOptions {
   std::string certificate_file = {};
 };
 
+struct ShowOptions {
+  std::string input = {};
+  std::string what = {};  ///< outputs, or one of the words of show.cpp; empty: all outputs
+  std::string as = "text";
+  SceneOptions scene = {};
+};
+
 [[nodiscard]] ExitCode generate(const GlobalOptions& global, const GenerateOptions& options);
 [[nodiscard]] ExitCode verify_inputs(const GlobalOptions& global,
                                      const VerifyCommandOptions& options);
+/// Whether a word of --what is no output: lagrangian, steps, cost.
+[[nodiscard]] bool is_subject_of_its_own(const std::string& what);
+[[nodiscard]] ExitCode show(const GlobalOptions& global, const ShowOptions& options);
 [[nodiscard]] ExitCode explain(const GlobalOptions& global, const std::string& code);
 
 /// Prints diagnostics on stderr, and returns their exit code.

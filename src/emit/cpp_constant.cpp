@@ -11,7 +11,7 @@
 #include <cctype>
 #include <vector>
 
-#include "decimal.hpp"
+#include "evaluate/decimal.hpp"
 #include "stamp.hpp"
 
 namespace elgen {

@@ -8,7 +8,7 @@
 
 #include "cpp_constant.hpp"
 #include "cpp_names.hpp"
-#include "decimal.hpp"
+#include "evaluate/decimal.hpp"
 
 namespace elgen {
 namespace {

@@ -39,5 +39,6 @@ EmissionInput emission_input(const Model& model, const Scene& scene, const Progr
 
 std::string header_path(const Scene& scene) { return path_with(scene, ".hpp"); }
 std::string sidecar_path(const Scene& scene) { return path_with(scene, ".equations.json"); }
+std::string markdown_path(const Scene& scene) { return path_with(scene, ".md"); }
 
 }  // namespace elgen

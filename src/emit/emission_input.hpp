@@ -7,6 +7,7 @@
 
 #include "elgen/model.hpp"
 #include "elgen/program.hpp"
+#include "elgen/render.hpp"
 #include "elgen/scene.hpp"
 
 namespace elgen {
@@ -24,8 +25,9 @@ struct EmissionInput {
 [[nodiscard]] EmissionInput emission_input(const Model& model, const Scene& scene,
                                            const Program& program);
 
-/// "cart_pole/cart_pole.hpp", "cart_pole/cart_pole.equations.json": relative to the output folder.
+/// "cart_pole/cart_pole.hpp", ".equations.json", ".md": relative to the output folder.
 [[nodiscard]] std::string header_path(const Scene& scene);
 [[nodiscard]] std::string sidecar_path(const Scene& scene);
+[[nodiscard]] std::string markdown_path(const Scene& scene);
 
 }  // namespace elgen

@@ -7,6 +7,7 @@
 #include "cpp_names.hpp"
 #include "emission_input.hpp"
 #include "header.hpp"
+#include "markdown.hpp"
 #include "scalar_range.hpp"
 #include "sidecar.hpp"
 
@@ -21,11 +22,12 @@ Result<EmittedFiles> emit(const Model& model, const Scene& scene, const Program&
   EmittedFiles emitted;
   emitted.files[header_path(scene)] = cpp_header(input);
   emitted.files[sidecar_path(scene)] = sidecar(input);
+  emitted.files[markdown_path(scene)] = markdown(input);
   return emitted;
 }
 
 std::vector<std::string> emitted_paths(const Scene& scene) {
-  return {sidecar_path(scene), header_path(scene)};
+  return {sidecar_path(scene), header_path(scene), markdown_path(scene)};
 }
 
 std::string dump(const EmittedFiles& files) {

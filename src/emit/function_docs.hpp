@@ -13,6 +13,7 @@
 
 #include "elgen/model.hpp"
 #include "elgen/program.hpp"
+#include "elgen/render.hpp"
 
 namespace elgen {
 

@@ -7,58 +7,14 @@
 #include <algorithm>
 
 #include "cpp_spelling.hpp"
-#include "decimal.hpp"
+#include "elgen/render.hpp"
+#include "evaluate/decimal.hpp"
 #include "layout.hpp"
 
 namespace elgen {
 namespace {
 
 using Lines = std::vector<std::string>;
-
-bool is_zero(const Program& program, const Function& function, std::uint32_t entry) {
-  const Instruction& instruction = function.instructions[entry];
-  return instruction.opcode == Opcode::constant &&
-         cln::zerop(program.constants[instruction.a].value);
-}
-
-/// False where the program has the output and every entry of it is 0.
-bool may_be_nonzero(const Program& program, OutputKind kind) {
-  for (const Function& function : program.functions) {
-    if (function.kind != kind) continue;
-    const std::vector<std::uint32_t>& entries = function.fields.front().entries;
-    const auto is_entry_zero = [&](std::uint32_t e) { return is_zero(program, function, e); };
-    return !std::all_of(entries.begin(), entries.end(), is_entry_zero);
-  }
-  return true;
-}
-
-std::string joined(const Lines& terms) { return fmt::format("{}", fmt::join(terms, " + ")); }
-
-Lines left_side(const Model& model, const Program& program) {
-  const std::string t = model.uses_time ? ",t" : "";
-  if (!model.quadratic) return {fmt::format("M(q,v{}) a", t), fmt::format("bias(q,v{})", t)};
-  Lines terms = {fmt::format("M(q{}) a", t)};
-  const auto add = [&](bool may_exist, OutputKind kind, const std::string& term) {
-    if (may_exist && may_be_nonzero(program, kind)) terms.push_back(term);
-  };
-  add(true, OutputKind::velocity_force, fmt::format("C(q,v{}) v", t));
-  add(true, OutputKind::drift, fmt::format("drift(q,v{})", t));
-  add(true, OutputKind::gravity, fmt::format("g(q{})", t));
-  add(model.energies.D.has_value(), OutputKind::dissipation, "dD/dv");
-  return terms;
-}
-
-Lines right_side(const Model& model, const Program& program) {
-  const std::string t = model.uses_time ? ",t" : "";
-  Lines terms;
-  if (!model.inputs.empty()) terms.push_back(fmt::format("B(q{}) u", t));
-  const bool has_force = !model.forces.empty() && model.quadratic;
-  if (has_force && may_be_nonzero(program, OutputKind::applied_force)) {
-    terms.push_back(fmt::format("Q(q,v{})", t));
-  }
-  if (terms.empty()) terms.emplace_back("0");
-  return terms;
-}
 
 std::string with_unit(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : fmt::format("{} [{}]", name, unit);
@@ -99,10 +55,6 @@ void add_prose(Lines& lines, const std::string& text) {
 
 }  // namespace
 
-std::string equation_of_motion(const Model& model, const Program& program) {
-  return joined(left_side(model, program)) + " = " + joined(right_side(model, program));
-}
-
 std::vector<std::string> introduction(const Model& model, const Scene& scene,
                                       const Program& program) {
   Lines lines;
@@ -110,7 +62,7 @@ std::vector<std::string> introduction(const Model& model, const Scene& scene,
   add_prose(lines, comment_text(model.description));
   add_prose(lines, comment_text(model.reference));
   if (!lines.empty()) lines.emplace_back();
-  lines.push_back("   " + equation_of_motion(model, program));
+  lines.push_back("   " + equation_of_motion(model, program).text);
   lines.emplace_back();
   for (const std::string& line : variables(model)) lines.push_back("   " + line);
   const std::string fixed = fixed_parameters(model, scene);

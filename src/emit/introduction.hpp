@@ -11,10 +11,6 @@
 
 namespace elgen {
 
-/// "M(q) a + C(q,v) v + g(q) = B(q) u": a term is left out where the model cannot have it, or where
-/// the function that would hold it is there and is zero.
-[[nodiscard]] std::string equation_of_motion(const Model& model, const Program& program);
-
 /// Lines as they follow `//`: empty, or beginning with a space.
 [[nodiscard]] std::vector<std::string> introduction(const Model& model, const Scene& scene,
                                                     const Program& program);

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "cpp_names.hpp"
-#include "decimal.hpp"
+#include "evaluate/decimal.hpp"
 
 namespace elgen {
 namespace {

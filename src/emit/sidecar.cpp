@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cpp_names.hpp"
-#include "decimal.hpp"
+#include "evaluate/decimal.hpp"
 #include "layout.hpp"
 #include "stamp.hpp"
 

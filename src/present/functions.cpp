@@ -180,8 +180,8 @@ Value Arithmetic::call(FunctionId function, const std::vector<Value>& arguments)
     return sine_or_cosine(function, values[0]);
   }
   if (function == FunctionId::tan) {
-    return divide(sine_or_cosine(FunctionId::sin, values[0]),
-                  sine_or_cosine(FunctionId::cos, values[0]));
+    const Value sine = sine_or_cosine(FunctionId::sin, values[0]);
+    return divide(sine, sine_or_cosine(FunctionId::cos, values[0]));
   }
   bool turned = false;
   if ((is_odd(function) || is_even(function)) && has_negative_lead(values[0])) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "elgen/program.hpp"
+#include "elgen/render.hpp"
 #include "lower/linearise.hpp"
 #include "lower/network.hpp"
 

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "elgen/evaluate.hpp"
+#include "elgen/render.hpp"
 #include "lower/equations_from.hpp"
 
 using namespace elgen;

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "elgen/program.hpp"
+#include "elgen/render.hpp"
 #include "lower/read_program.hpp"
 
 using namespace elgen;

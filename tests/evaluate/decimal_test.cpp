@@ -1,5 +1,5 @@
 // decimal: known texts, and properties over random rationals.
-#include "emit/decimal.hpp"
+#include "evaluate/decimal.hpp"
 
 #include <cln/rational.h>
 #include <rapidcheck.h>

@@ -1,0 +1,133 @@
+// Equations of a Program as a reader sees them: in the language of models, in LaTeX, and as pages.
+//
+// What a page shows is a Sheet: formulas in LaTeX, everything else plain text. MathML is translated
+// from the LaTeX, so that all pages show the same.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "elgen/choose.hpp"
+#include "elgen/model.hpp"
+#include "elgen/program.hpp"
+#include "elgen/scene.hpp"
+
+namespace elgen {
+
+/// One named value of a function, as an equation to read.
+struct EquationLine {
+  std::string name;   ///< "sin_theta", "t_4f2a"
+  std::string value;  ///< over leaves and earlier names
+};
+
+struct FunctionEquations {
+  std::vector<EquationLine> definitions = {};          ///< in the order of evaluation
+  std::vector<std::vector<std::string>> entries = {};  ///< one list per field, row-major
+};
+
+/// Prints a function in the model language as named definitions and entries over them: an
+/// instruction used more than once, or that carries a name, is a definition; everything else is
+/// written out where it is used. An entry of at most 12 operations is written out over the leaves;
+/// only definitions that other entries need are listed.
+[[nodiscard]] FunctionEquations equations(const Program& program, const Function& function);
+
+/// The closed form of functions[index] with every entry written out over the leaves, where there is
+/// one to read; else what `equations` gives.
+[[nodiscard]] FunctionEquations readable_equations(const Program& program, std::size_t index);
+
+/// The same in LaTeX.
+[[nodiscard]] FunctionEquations latex_equations(const Model& model, const Program& program,
+                                                std::size_t index);
+
+/// "M(q) a + C(q,v) v + g(q) = B(q) u" and the same in LaTeX: a term is left out where the model
+/// cannot have it, or where the function that would hold it is there and is zero.
+struct EquationOfMotion {
+  std::string text = {};
+  std::string latex = {};
+};
+[[nodiscard]] EquationOfMotion equation_of_motion(const Model& model, const Program& program);
+
+/// A coordinate, an input or a parameter.
+struct SheetVariable {
+  std::string symbol = {};  ///< LaTeX
+  std::string name = {};    ///< as in the model; "l[1..5]"
+  std::string unit = {};
+  std::string value = {};  ///< of parameters: "0.5", "2, 3"
+  std::string doc = {};
+};
+
+/// `left` = a number, or a matrix of `rows` x `columns` entries. All of it LaTeX.
+struct SheetEquation {
+  std::string left = {};
+  std::uint32_t rows = 1;
+  std::uint32_t columns = 1;
+  std::vector<std::string> entries = {};
+};
+
+struct SheetOutput {
+  std::string name = {};        ///< of the function
+  std::string doc = {};         ///< what it is, in a sentence
+  std::string definition = {};  ///< LaTeX: how it is defined; may be empty
+  std::vector<SheetEquation> equations = {};
+};
+
+/// What is worth reading of a model.
+struct Sheet {
+  std::string title = {};
+  std::string description = {};
+  std::string reference = {};
+  std::string equation_of_motion = {};  ///< LaTeX
+  std::vector<SheetVariable> coordinates = {};
+  std::vector<SheetVariable> inputs = {};
+  std::vector<SheetVariable> parameters = {};
+  std::vector<SheetOutput> outputs = {};
+};
+
+/// What of a program a page shows; `dynamics`, which repeats the others, never.
+struct PageOptions {
+  bool zeros = false;                   ///< functions whose entries are all 0
+  std::size_t most_entries = SIZE_MAX;  ///< longer outputs are named, without their equations
+};
+
+[[nodiscard]] Sheet sheet(const Model& model, const Scene& scene, const Program& program,
+                          const PageOptions& options = {});
+
+/// A derivation step by step, as it is read.
+struct ReadableSteps {
+  Program program = {};                  ///< the functions of elgen/steps.hpp
+  std::vector<std::string> masses = {};  ///< what the fields of "positions" are
+};
+
+/// Positions, velocities, energies, Lagrange's equation of every coordinate, and what is conserved
+/// under which condition: one section per step.
+[[nodiscard]] Sheet steps_sheet(const Model& model, const Scene& scene, const ReadableSteps& steps);
+
+/// The section of T, V and L.
+inline constexpr std::string_view energies_title = "Energies";
+
+/// The same in the model language; of one section where its title is given.
+[[nodiscard]] std::string steps_text(const Model& model, const ReadableSteps& steps,
+                                     std::string_view title = {});
+
+/// True where every entry of the function is 0.
+[[nodiscard]] bool is_zero(const Program& program, const Function& function);
+
+/// The equation of motion, the variables, and every entry of every output in the model language.
+[[nodiscard]] std::string text_page(const Model& model, const Program& program,
+                                    const PageOptions& options = {});
+
+/// What one call of every function costs in either form, and which is emitted.
+[[nodiscard]] std::string cost_page(const std::vector<FormCosts>& costs);
+
+/// GitHub Markdown with blocks of $$.
+[[nodiscard]] std::string markdown_page(const Sheet& sheet);
+
+/// A complete document for pdflatex; needs nothing but amsmath.
+[[nodiscard]] std::string latex_document(const Sheet& sheet);
+
+/// A complete page of HTML with MathML Core.
+[[nodiscard]] std::string html_page(const Sheet& sheet);
+
+}  // namespace elgen

@@ -1,0 +1,117 @@
+// elgen show: the equations of one input, on stdout, in a notation for people or for programs.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "elgen/render.hpp"
+#include "inputs.hpp"
+#include "options.hpp"
+#include "progress.hpp"
+
+namespace elgen::cli {
+
+namespace {
+
+/// What --what may ask for beside outputs; each stands alone.
+enum class Subject : unsigned char { outputs, lagrangian, steps, cost };
+
+struct SubjectRow {
+  std::string_view word;
+  Subject subject;
+};
+
+constexpr std::array subjects{SubjectRow{"lagrangian", Subject::lagrangian},
+                              SubjectRow{"steps", Subject::steps},
+                              SubjectRow{"cost", Subject::cost}};
+
+Result<Subject> subject_of(const ShowOptions& options) {
+  for (const SubjectRow& row : subjects) {
+    if (options.what == row.word) {
+      const bool is_printed =
+          options.as != "json" && (row.subject != Subject::cost || options.as == "text");
+      if (is_printed) return row.subject;
+      return Diagnostic{
+          Code::E913, {}, fmt::format("`{}` is not printed as {}", row.word, options.as)};
+    }
+    if (("," + options.what + ",").find(fmt::format(",{},", row.word)) != std::string::npos) {
+      return Diagnostic{Code::E913,
+                        {},
+                        fmt::format("`{}` stands alone", row.word),
+                        "show it in a command of its own"};
+    }
+  }
+  return Subject::outputs;
+}
+
+Sheet sheet_of(const Products& products, Subject subject, const PageOptions& options) {
+  const auto& [model, scene] = *products.checked;
+  if (subject == Subject::outputs) return sheet(model, scene, *products.program, options);
+  Sheet steps = steps_sheet(model, scene, *products.steps);
+  if (subject == Subject::steps) return steps;
+  steps.outputs.erase(
+      std::remove_if(steps.outputs.begin(), steps.outputs.end(),
+                     [](const SheetOutput& step) { return step.name != energies_title; }),
+      steps.outputs.end());
+  return steps;
+}
+
+std::string text_of(const Products& products, Subject subject, const PageOptions& options) {
+  const Model& model = products.checked->model;
+  switch (subject) {
+    case Subject::outputs:
+      return text_page(model, *products.program, options);
+    case Subject::lagrangian:
+      return steps_text(model, *products.steps, energies_title);
+    case Subject::steps:
+      return steps_text(model, *products.steps);
+    case Subject::cost:
+      return cost_page(products.costs);
+  }
+  return {};
+}
+
+std::string page(const Products& products, Subject subject, const ShowOptions& wanted) {
+  const PageOptions options{!wanted.what.empty()};  // what is asked for by name is shown
+  if (wanted.as == "text") return text_of(products, subject, options);
+  if (wanted.as == "latex") return latex_document(sheet_of(products, subject, options));
+  if (wanted.as == "mathml") return html_page(sheet_of(products, subject, options));
+  if (wanted.as == "markdown") return markdown_page(sheet_of(products, subject, options));
+  for (const auto& [path, text] : products.files->files) {
+    if (path.size() > 5 && path.substr(path.size() - 5) == ".json") return text;
+  }
+  return {};
+}
+
+}  // namespace
+
+bool is_subject_of_its_own(const std::string& what) {
+  return std::any_of(subjects.begin(), subjects.end(),
+                     [&](const SubjectRow& row) { return row.word == what; });
+}
+
+ExitCode show(const GlobalOptions& global, const ShowOptions& options) {
+  const Result<Subject> subject = subject_of(options);
+  if (!subject) return report(global, subject.diagnostics);
+  const Result<Inputs> inputs = read_inputs(options.input, global.limits);
+  if (!inputs) return report(global, inputs.diagnostics);
+  const Progress progress(options.input);
+  PipelineOptions pipeline;
+  pipeline.scene = options.scene;
+  pipeline.limits = global.limits;
+  pipeline.dump_stage = global.dump_stage;
+  pipeline.stop_after = global.stop_after;
+  pipeline.steps = *subject == Subject::steps || *subject == Subject::lagrangian;
+  pipeline.check_itself = false;
+  pipeline.on_stage = [&](const std::string& stage) { progress.stage(stage); };
+  const Products products = run_pipeline(*inputs, pipeline);
+  fmt::print("{}", products.dump);
+  const ExitCode derived = report(global, products.diagnostics);
+  tell_times(global, products);
+  if (derived != ExitCode::success || !global.stop_after.empty()) return derived;
+  fmt::print("{}", page(products, *subject, options));
+  return ExitCode::success;
+}
+
+}  // namespace elgen::cli

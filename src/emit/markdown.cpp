@@ -1,0 +1,31 @@
+// markdown: the page of the sheet under a comment that states what made it.
+#include "markdown.hpp"
+
+#include <fmt/format.h>
+
+#include "elgen/render.hpp"
+#include "introduction.hpp"
+#include "stamp.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr std::size_t most_entries = 64;
+
+std::string operations(const Program& program) {
+  std::string text = "## Operations\n\n```text\n";
+  for (const std::string& line : operation_table(program)) text += line + "\n";
+  return text + "```\n";
+}
+
+}  // namespace
+
+std::string markdown(const EmissionInput& input) {
+  const std::string stamp =
+      fmt::format("<!-- {}\nmodel {} scene {} body {} -->\n\n", input.generated, input.model_hash,
+                  input.scene_hash, blank_hash());
+  const Sheet page = sheet(input.model, input.scene, input.program, {false, most_entries});
+  return stamped(stamp + markdown_page(page) + "\n" + operations(input.program));
+}
+
+}  // namespace elgen

@@ -1,0 +1,94 @@
+// equation_of_motion: the terms a model has. It is that of the whole model, also where a scene asks
+// for some of its terms only.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "elgen/render.hpp"
+
+namespace elgen {
+namespace {
+
+/// A term in both notations; `{}` is where `,t` stands in models with explicit time.
+struct Term {
+  std::string_view text;
+  std::string_view latex;
+};
+
+constexpr Term mass{"M(q{}) a", "M(q{}) \\ddot{{q}}"};
+constexpr Term mass_of_rates{"M(q,v{}) a", "M(q, \\dot{{q}}{}) \\ddot{{q}}"};
+constexpr Term rest{"bias(q,v{})", "\\mathrm{{bias}}(q, \\dot{{q}}{})"};
+constexpr Term coriolis{"C(q,v{}) v", "C(q, \\dot{{q}}{}) \\dot{{q}}"};
+constexpr Term drift{"drift(q,v{})", "\\mathrm{{drift}}(q, \\dot{{q}}{})"};
+constexpr Term gravity{"g(q{})", "g(q{})"};
+constexpr Term dissipation{"dD/dv", "\\frac{{\\partial D}}{{\\partial \\dot{{q}}}}"};
+constexpr Term input{"B(q{}) u", "B(q{}) u"};
+constexpr Term force{"Q(q,v{})", "Q(q, \\dot{{q}}{})"};
+constexpr Term nothing{"0", "0"};
+
+bool is_constant_zero(const Program& program, const Function& function, std::uint32_t entry) {
+  const Instruction& instruction = function.instructions[entry];
+  return instruction.opcode == Opcode::constant &&
+         cln::zerop(program.constants[instruction.a].value);
+}
+
+/// False where the program has the output and every entry of it is 0.
+bool may_be_nonzero(const Program& program, OutputKind kind) {
+  for (const Function& function : program.functions) {
+    if (function.kind == kind) return !is_zero(program, function);
+  }
+  return true;
+}
+
+std::vector<Term> left_side(const Model& model, const Program& program) {
+  if (!model.quadratic) return {mass_of_rates, rest};
+  std::vector<Term> terms = {mass};
+  const auto add = [&](bool may_exist, OutputKind kind, const Term& term) {
+    if (may_exist && may_be_nonzero(program, kind)) terms.push_back(term);
+  };
+  add(true, OutputKind::velocity_force, coriolis);
+  add(true, OutputKind::drift, drift);
+  add(true, OutputKind::gravity, gravity);
+  add(model.energies.D.has_value(), OutputKind::dissipation, dissipation);
+  return terms;
+}
+
+std::vector<Term> right_side(const Model& model, const Program& program) {
+  std::vector<Term> terms;
+  if (!model.inputs.empty()) terms.push_back(input);
+  const bool has_force = !model.forces.empty() && model.quadratic;
+  if (has_force && may_be_nonzero(program, OutputKind::applied_force)) terms.push_back(force);
+  if (terms.empty()) terms.push_back(nothing);
+  return terms;
+}
+
+std::string joined(const std::vector<Term>& terms, std::string_view Term::*notation,
+                   std::string_view time) {
+  std::string text;
+  for (const Term& term : terms) {
+    text += (text.empty() ? "" : " + ") + fmt::format(fmt::runtime(term.*notation), time);
+  }
+  return text;
+}
+
+}  // namespace
+
+bool is_zero(const Program& program, const Function& function) {
+  return std::all_of(function.fields.begin(), function.fields.end(), [&](const Field& field) {
+    return std::all_of(field.entries.begin(), field.entries.end(), [&](std::uint32_t entry) {
+      return is_constant_zero(program, function, entry);
+    });
+  });
+}
+
+EquationOfMotion equation_of_motion(const Model& model, const Program& program) {
+  const std::vector<Term> left = left_side(model, program);
+  const std::vector<Term> right = right_side(model, program);
+  const auto equation = [&](std::string_view Term::*notation, std::string_view time) {
+    return fmt::format("{} = {}", joined(left, notation, model.uses_time ? time : ""),
+                       joined(right, notation, model.uses_time ? time : ""));
+  };
+  return {equation(&Term::text, ",t"), equation(&Term::latex, ", t")};
+}
+
+}  // namespace elgen

@@ -1,0 +1,24 @@
+// headings: what outputs are called and how they are defined, in LaTeX.
+#pragma once
+
+#include <string>
+
+#include "elgen/model.hpp"
+#include "elgen/program.hpp"
+
+namespace elgen::rendering {
+
+struct Heading {
+  std::string symbol = {};      ///< "M"
+  std::string definition = {};  ///< "M = \frac{\partial^2 L}{\partial \dot{q}^2}"; may be empty
+};
+
+[[nodiscard]] Heading heading(const Model& model, const Function& function);
+
+/// What one field of a struct is called.
+[[nodiscard]] std::string field_symbol(const Field& field);
+
+/// One sentence: the table's, or the model's own about its outputs.
+[[nodiscard]] std::string output_doc(const Model& model, const Function& function);
+
+}  // namespace elgen::rendering

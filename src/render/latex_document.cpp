@@ -1,0 +1,90 @@
+// latex_document: a Sheet as a complete document; amsmath is all it needs.
+#include <fmt/format.h>
+
+#include "display.hpp"
+#include "elgen/render.hpp"
+
+namespace elgen {
+namespace {
+
+/// Text with what LaTeX would read as commands escaped; Unicode is left to inputenc.
+std::string plain(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '\\':
+        result += "\\textbackslash{}";
+        break;
+      case '^':
+        result += "\\textasciicircum{}";
+        break;
+      case '~':
+        result += "\\textasciitilde{}";
+        break;
+      case '#':
+      case '$':
+      case '%':
+      case '&':
+      case '_':
+      case '{':
+      case '}':
+        result += '\\';
+        [[fallthrough]];
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+std::string block(const std::string& latex) { return fmt::format("\\[\n{}\n\\]\n", latex); }
+
+std::string table(const std::string& title, const std::vector<SheetVariable>& variables,
+                  bool have_values) {
+  if (variables.empty()) return {};
+  std::string text = fmt::format(
+      "\\paragraph{{{}}}\\mbox{{}}\\\\\n\\begin{{tabular}}{{@{{}}lll{}p{{7cm}}@{{}}}}\n", title,
+      have_values ? "l" : "");
+  for (const SheetVariable& v : variables) {
+    const std::string value = have_values ? plain(v.value) + " & " : "";
+    text += fmt::format("${}$ & \\texttt{{{}}} & {}{} & {} \\\\\n", v.symbol, plain(v.name), value,
+                        plain(v.unit), plain(v.doc));
+  }
+  return text + "\\end{tabular}\n\n";
+}
+
+std::string section(const SheetOutput& output) {
+  std::string text = fmt::format("\n\\section*{{{}}}\n", plain(output.name));
+  if (!output.doc.empty()) text += plain(output.doc) + "\n";
+  if (!output.definition.empty()) text += block(output.definition);
+  for (const SheetEquation& equation : output.equations) {
+    for (const rendering::Display& display : rendering::displays(equation)) {
+      text += block(rendering::latex_block(display));
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string latex_document(const Sheet& sheet) {
+  std::string text =
+      "\\documentclass[a4paper]{article}\n"
+      "\\usepackage[T1]{fontenc}\n"
+      "\\usepackage[margin=2cm]{geometry}\n"
+      "\\usepackage{amsmath}\n"
+      "\\allowdisplaybreaks\n"
+      "\\setlength{\\parindent}{0pt}\n"
+      "\\begin{document}\n";
+  text += fmt::format("{{\\Large\\bfseries {}}}\n\n", plain(sheet.title));
+  if (!sheet.description.empty()) text += plain(sheet.description) + "\n\n";
+  if (!sheet.reference.empty()) text += plain(sheet.reference) + "\n\n";
+  text += block(sheet.equation_of_motion);
+  text += table("Coordinates", sheet.coordinates, false);
+  text += table("Inputs", sheet.inputs, false);
+  text += table("Parameters", sheet.parameters, true);
+  for (const SheetOutput& output : sheet.outputs) text += section(output);
+  return text + "\\end{document}\n";
+}
+
+}  // namespace elgen

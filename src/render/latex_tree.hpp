@@ -1,0 +1,48 @@
+// LatexTree: the LaTeX of our own formulas, read again, to measure it and to translate it.
+//
+// Only what this folder writes and what a symbol of a model may reasonably be; anything else is a word.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace elgen::rendering {
+
+enum class LatexKind : std::uint8_t {
+  row,       ///< parts, side by side
+  letter,    ///< x, \theta: text is the character
+  word,      ///< \mathrm{cart}, and commands unknown
+  function,  ///< \sin, \operatorname{sgn}
+  number,    ///< 12, 9.81
+  sign,      ///< + - = , \cdot
+  bracket,   ///< ( ) [ ] |
+  tall,      ///< the same after \left or \right; "" for `.`
+  space,     ///< text is the width in em
+  fraction,  ///< parts: above, below
+  root,      ///< parts: radicand
+  accent,    ///< parts: base; text is the dots
+  scripts,   ///< parts: base, below, above; an absent one is an empty row
+};
+
+struct LatexTree {
+  LatexKind kind = LatexKind::row;
+  std::string text = {};
+  std::vector<LatexTree> parts = {};
+};
+
+/// A row. Brackets need not match: a formula may be broken inside of them.
+[[nodiscard]] LatexTree read_latex(std::string_view latex);
+
+/// About the number of letters that fit its width.
+[[nodiscard]] double width(const LatexTree& tree);
+
+/// MathML Core: the elements of a row, without a <math> around them.
+[[nodiscard]] std::string mathml(const LatexTree& tree);
+
+/// Breaks a long formula before + and -, at the outermost bracket that fits; `\left` and `\right`
+/// are completed on both sides. Every line is at most about `widest` letters wide, if it can be.
+[[nodiscard]] std::vector<std::string> latex_lines(const std::string& latex, double widest);
+
+}  // namespace elgen::rendering

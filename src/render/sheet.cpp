@@ -1,0 +1,102 @@
+// sheet: Model, Scene, Program -> what a page shows.
+#include <fmt/format.h>
+
+#include "elgen/render.hpp"
+#include "evaluate/decimal.hpp"
+#include "headings.hpp"
+#include "symbols.hpp"
+
+namespace elgen {
+namespace {
+
+using rendering::latex_symbol;
+
+std::vector<SheetVariable> coordinates(const Model& model) {
+  std::vector<SheetVariable> list;
+  for (const Coordinate& c : model.coordinates) {
+    list.push_back({latex_symbol(c.name, c.latex).text(), c.name, c.unit_text, "", c.doc});
+  }
+  return list;
+}
+
+std::vector<SheetVariable> inputs(const Model& model) {
+  std::vector<SheetVariable> list;
+  for (const Input& input : model.inputs) {
+    list.push_back({latex_symbol(input.name).text(), input.name, input.unit_text, "", input.doc});
+  }
+  return list;
+}
+
+/// "0.5"; "0.3, 0.4"; "0.3 each"; with "(fixed)" where it is a number in the code.
+std::string value_text(const Model& model, const Scene& scene, const ParameterArray& array) {
+  std::string text;
+  bool is_uniform = true;
+  bool is_fixed = true;
+  std::string first;
+  for (std::uint32_t i = array.first; i < array.first + array.count; ++i) {
+    const auto fixed = scene.specialisation.fixed.find(i);
+    const bool has_value = fixed == scene.specialisation.fixed.end();
+    const std::string value = exact_text(has_value ? model.parameters[i].value : fixed->second);
+    if (i == array.first) first = value;
+    is_uniform = is_uniform && value == first;
+    is_fixed = is_fixed && !has_value;
+    text += (text.empty() ? "" : ", ") + value;
+  }
+  if (is_uniform) text = first + (array.count > 1 ? " each" : "");
+  return text + (is_fixed ? " (fixed)" : "");
+}
+
+std::vector<SheetVariable> parameters(const Model& model, const Scene& scene) {
+  std::vector<SheetVariable> list;
+  for (const ParameterArray& array : model.parameter_arrays) {
+    const std::string name =
+        array.is_array ? fmt::format("{}[1..{}]", array.name, array.count) : array.name;
+    const std::string key = array.is_array ? array.name + "[i]" : array.name;
+    list.push_back({latex_symbol(key, array.latex).text(), name, array.unit_text,
+                    value_text(model, scene, array), array.doc});
+  }
+  return list;
+}
+
+SheetOutput output(const Model& model, const Program& program, std::size_t index) {
+  const Function& function = program.functions[index];
+  const rendering::Heading heading = rendering::heading(model, function);
+  SheetOutput result{function.name, rendering::output_doc(model, function), heading.definition};
+  const FunctionEquations equations = latex_equations(model, program, index);
+  for (const EquationLine& line : equations.definitions) {
+    result.equations.push_back({line.name, 1, 1, {line.value}});
+  }
+  for (std::size_t f = 0; f < function.fields.size(); ++f) {
+    const Field& field = function.fields[f];
+    const std::string symbol = field.name.empty() ? heading.symbol : rendering::field_symbol(field);
+    result.equations.push_back({symbol, field.rows, field.columns, equations.entries[f]});
+  }
+  return result;
+}
+
+}  // namespace
+
+Sheet sheet(const Model& model, const Scene& scene, const Program& program,
+            const PageOptions& options) {
+  Sheet result{model.title.empty() ? model.name : model.title, model.description, model.reference};
+  result.equation_of_motion = equation_of_motion(model, program).latex;
+  result.coordinates = coordinates(model);
+  result.inputs = inputs(model);
+  result.parameters = parameters(model, scene);
+  for (std::size_t i = 0; i < program.functions.size(); ++i) {
+    const Function& function = program.functions[i];
+    if (function.kind == OutputKind::dynamics) continue;
+    if (!options.zeros && is_zero(program, function)) continue;
+    if (entry_count(function) <= options.most_entries) {
+      result.outputs.push_back(output(model, program, i));
+    } else {
+      const std::string doc = fmt::format("{} {} entries.", rendering::output_doc(model, function),
+                                          entry_count(function));
+      result.outputs.push_back(
+          {function.name, doc, rendering::heading(model, function).definition});
+    }
+  }
+  return result;
+}
+
+}  // namespace elgen

@@ -1,0 +1,206 @@
+// steps: the functions of a derivation -> a page in LaTeX, or plain text, in the order of a
+// textbook: positions, velocities, energies, then Lagrange's equation of one coordinate after the
+// other.
+#include <fmt/format.h>
+
+#include "elgen/render.hpp"
+#include "symbols.hpp"
+
+namespace elgen {
+namespace {
+
+using rendering::latex_symbol;
+
+/// `left` = one field of one function.
+struct StepEquation {
+  std::string text = {};
+  std::string latex = {};
+  std::size_t function = 0;
+  std::size_t field = 0;
+  std::uint32_t rows = 1;
+};
+
+struct Step {
+  std::string title = {};
+  std::string doc = {};
+  std::vector<StepEquation> equations = {};
+};
+
+class Outline {
+ public:
+  Outline(const Model& model, const ReadableSteps& steps) : model_(model), steps_(steps) {
+    for (std::size_t i = 0; i < steps.program.functions.size(); ++i) {
+      entries_.push_back(readable_equations(steps.program, i).entries);
+    }
+  }
+
+  std::vector<Step> operator()() {
+    std::size_t function = 0;
+    if (!steps_.masses.empty()) {
+      add_motions(function, "Positions", "Where the masses are, in the coordinates.", false);
+      add_motions(function + 1, "Velocities", "Their rates, by the chain rule.", true);
+      function += 2;
+    }
+    add_energies(function++);
+    for (const Coordinate& coordinate : model_.coordinates) {
+      add_coordinate(function++, coordinate);
+    }
+    add_invariants(function);
+    return std::move(outline_);
+  }
+
+  [[nodiscard]] const std::vector<std::string>& entries(const StepEquation& e) const {
+    return entries_[e.function][e.field];
+  }
+
+ private:
+  [[nodiscard]] bool is_zero(std::size_t function, std::size_t field) const {
+    return entries_[function][field] == std::vector<std::string>{"0"};
+  }
+
+  /// Models in a plane are written with two components.
+  [[nodiscard]] std::uint32_t dimension() const {
+    for (const Point& point : model_.points) {
+      if (point.dimension == 3) return 3;
+    }
+    for (const Body& body : model_.bodies) {
+      if (body.dimension == 3) return 3;
+    }
+    return 2;
+  }
+
+  void add_motions(std::size_t function, const char* title, const char* doc, bool are_rates) {
+    Step step{title, doc, {}};
+    for (std::size_t i = 0; i < steps_.masses.size(); ++i) {
+      const std::string& name = steps_.masses[i];
+      const std::string place = fmt::format("r_{{{}}}", latex_symbol(name).text());
+      step.equations.push_back({are_rates ? fmt::format("d({})/dt", name) : name,
+                                are_rates ? fmt::format("\\frac{{d}}{{dt}} {}", place) : place,
+                                function, i, dimension()});
+    }
+    outline_.push_back(std::move(step));
+  }
+
+  void add_energies(std::size_t function) {
+    const bool is_whole = model_.energies.L.has_value();
+    const char* doc =
+        is_whole ? "The Lagrangian as given." : "Kinetic and potential energy, L = T - V.";
+    Step step{std::string(energies_title), doc, {}};
+    const std::vector<std::string> names =
+        is_whole ? std::vector<std::string>{"L"} : std::vector<std::string>{"T", "V", "L"};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      step.equations.push_back({names[i], names[i], function, i});
+    }
+    outline_.push_back(std::move(step));
+  }
+
+  enum FieldOf : std::size_t { momentum, momentum_rate, partial, dissipation, force, left };
+
+  void add_coordinate(std::size_t function, const Coordinate& coordinate) {
+    const std::string& q = coordinate.name;
+    const rendering::Symbol symbol = latex_symbol(q, coordinate.latex);
+    const std::string rate = fmt::format("\\dot{{{}}}{}", symbol.base, symbol.scripts);
+    const std::string slope = fmt::format("\\frac{{\\partial L}}{{\\partial {}}}", rate);
+    Step step{fmt::format("Equation of {}", q), conservation(function, q), {}};
+    step.equations = {
+        {fmt::format("dL/d(dot({}))", q), slope, function, momentum},
+        {fmt::format("d/dt dL/d(dot({}))", q), "\\frac{d}{dt} " + slope, function, momentum_rate},
+        {fmt::format("dL/d{}", q),
+         fmt::format("\\frac{{\\partial L}}{{\\partial {}}}", symbol.text()), function, partial}};
+    std::string text = fmt::format("d/dt dL/d(dot({0})) - dL/d{0}", q);
+    std::string latex = fmt::format("\\frac{{d}}{{dt}} {} - {}", slope, step.equations[2].latex);
+    if (!is_zero(function, dissipation)) {
+      const std::string damping = fmt::format("\\frac{{\\partial D}}{{\\partial {}}}", rate);
+      step.equations.push_back({fmt::format("dD/d(dot({}))", q), damping, function, dissipation});
+      text += fmt::format(" + dD/d(dot({}))", q);
+      latex += " + " + damping;
+    }
+    step.equations.push_back({text, latex, function, left});
+    const std::string load = fmt::format("Q_{{{}}}", symbol.text());
+    step.equations.push_back({text + " = Q_" + q, latex + " = " + load, function, force});
+    outline_.push_back(std::move(step));
+  }
+
+  /// What a coordinate that L does not hold says of its momentum.
+  [[nodiscard]] std::string conservation(std::size_t function, const std::string& q) const {
+    if (!is_zero(function, partial)) return {};
+    const bool is_free = is_zero(function, force) && is_zero(function, dissipation);
+    const char* condition = is_free ? "" : " wherever no force and no dissipation act on it";
+    return fmt::format(
+        "{0} is cyclic: L does not hold it, so its momentum dL/d(dot({0})) is "
+        "conserved{1}.",
+        q, condition);
+  }
+
+  [[nodiscard]] bool is_free() const {
+    return model_.forces.empty() && model_.inputs.empty() && !model_.energies.D;
+  }
+
+  void add_invariants(std::size_t function) {
+    const bool is_autonomous = is_zero(function, 1);
+    Step step{"Energy function", {}, {}};
+    step.doc =
+        is_autonomous ? "L does not hold t, so E is conserved" : "L holds t, so E is not conserved";
+    if (is_autonomous && !is_free()) step.doc += " wherever no force and no dissipation work";
+    step.doc += is_free() ? ": dE/dt = -dL/dt at fixed q and v."
+                          : ": dE/dt = v (Q - dD/dv) - dL/dt, the last at fixed q and v.";
+    step.equations.push_back({"E = sum of v dL/dv - L",
+                              "E = \\dot{q}^{\\top} \\frac{\\partial L}{\\partial \\dot{q}} - L",
+                              function, 0});
+    if (!is_autonomous) {
+      step.equations.push_back(
+          {"dL/dt at fixed q and v", "\\frac{\\partial L}{\\partial t}", function, 1});
+    }
+    outline_.push_back(std::move(step));
+  }
+
+  const Model& model_;
+  const ReadableSteps& steps_;
+  std::vector<std::vector<std::vector<std::string>>> entries_;
+  std::vector<Step> outline_;
+};
+
+/// "(x, y)" of the first `rows` components, or the one value.
+std::string tuple(const std::vector<std::string>& entries, std::uint32_t rows) {
+  if (rows == 1) return entries.front();
+  const auto end = entries.begin() + rows;
+  return fmt::format("({})", fmt::join(entries.begin(), end, ", "));
+}
+
+}  // namespace
+
+std::string steps_text(const Model& model, const ReadableSteps& steps, std::string_view title) {
+  Outline outline(model, steps);
+  std::string text;
+  for (const Step& step : outline()) {
+    if (!title.empty() && step.title != title) continue;
+    text += fmt::format("{}{}\n", text.empty() ? "" : "\n", step.title);
+    if (!step.doc.empty()) text += fmt::format("  {}\n", step.doc);
+    for (const StepEquation& equation : step.equations) {
+      text += fmt::format("  {} = {}\n", equation.text,
+                          tuple(outline.entries(equation), equation.rows));
+    }
+  }
+  return text;
+}
+
+Sheet steps_sheet(const Model& model, const Scene& scene, const ReadableSteps& steps) {
+  Sheet result = sheet(model, scene, {});
+  result.equation_of_motion =
+      "\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot{q}} - \\frac{\\partial L}{\\partial q} + "
+      "\\frac{\\partial D}{\\partial \\dot{q}} = Q";
+  Outline outline(model, steps);
+  for (const Step& step : outline()) {
+    SheetOutput section{step.title, step.doc, {}, {}};
+    for (const StepEquation& equation : step.equations) {
+      std::vector<std::string> entries =
+          latex_equations(model, steps.program, equation.function).entries[equation.field];
+      entries.resize(equation.rows);
+      section.equations.push_back({equation.latex, equation.rows, 1, std::move(entries)});
+    }
+    result.outputs.push_back(std::move(section));
+  }
+  return result;
+}
+
+}  // namespace elgen

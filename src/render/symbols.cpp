@@ -1,0 +1,130 @@
+// symbols: letters first, digits and what follows an underscore below the line.
+#include "symbols.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace elgen::rendering {
+namespace {
+
+struct GreekRow {
+  std::string_view command;
+  std::string_view letter;
+};
+
+constexpr std::array greek_table{
+    GreekRow{"alpha", "α"},    GreekRow{"beta", "β"},    GreekRow{"gamma", "γ"},
+    GreekRow{"delta", "δ"},    GreekRow{"epsilon", "ϵ"}, GreekRow{"varepsilon", "ε"},
+    GreekRow{"zeta", "ζ"},     GreekRow{"eta", "η"},     GreekRow{"theta", "θ"},
+    GreekRow{"vartheta", "ϑ"}, GreekRow{"iota", "ι"},    GreekRow{"kappa", "κ"},
+    GreekRow{"lambda", "λ"},   GreekRow{"mu", "μ"},      GreekRow{"nu", "ν"},
+    GreekRow{"xi", "ξ"},       GreekRow{"pi", "π"},      GreekRow{"rho", "ρ"},
+    GreekRow{"varrho", "ϱ"},   GreekRow{"sigma", "σ"},   GreekRow{"tau", "τ"},
+    GreekRow{"upsilon", "υ"},  GreekRow{"phi", "ϕ"},     GreekRow{"varphi", "φ"},
+    GreekRow{"chi", "χ"},      GreekRow{"psi", "ψ"},     GreekRow{"omega", "ω"},
+    GreekRow{"Gamma", "Γ"},    GreekRow{"Delta", "Δ"},   GreekRow{"Theta", "Θ"},
+    GreekRow{"Lambda", "Λ"},   GreekRow{"Xi", "Ξ"},      GreekRow{"Pi", "Π"},
+    GreekRow{"Sigma", "Σ"},    GreekRow{"Upsilon", "Υ"}, GreekRow{"Phi", "Φ"},
+    GreekRow{"Psi", "Ψ"},      GreekRow{"Omega", "Ω"},
+};
+
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+/// "theta" -> \theta, "x" -> x, "12" -> 12, "cart" -> \mathrm{cart}
+std::string word(std::string_view text) {
+  const bool is_number = std::all_of(text.begin(), text.end(), is_digit);
+  if (text.size() == 1 || is_number) return std::string(text);
+  const bool is_greek = !greek_letter(text).empty();
+  return fmt::format(fmt::runtime(is_greek ? "\\{}" : "\\mathrm{{{}}}"), text);
+}
+
+std::string subscripts(const std::vector<std::string>& parts) {
+  return parts.empty() ? "" : fmt::format("_{{{}}}", fmt::join(parts, ", "));
+}
+
+/// "_{1}" and the index 2 -> "_{1, 2}"
+std::string with_index(const std::string& scripts, const std::string& index) {
+  if (index.empty()) return scripts;
+  if (scripts.empty()) return subscripts({index});
+  if (scripts.front() != '_' || scripts.find('^') != std::string::npos) {
+    return scripts + "," + index;
+  }
+  const bool is_group = scripts.back() == '}';
+  const std::string inside = is_group ? scripts.substr(2, scripts.size() - 3) : scripts.substr(1);
+  return subscripts({inside, index});
+}
+
+/// Where the scripts of a user's symbol begin: the first `_` or `^` outside of braces.
+std::size_t scripts_of(std::string_view key) {
+  int depth = 0;
+  for (std::size_t i = 0; i < key.size(); ++i) {
+    depth += (key[i] == '{') - (key[i] == '}');
+    if (depth == 0 && (key[i] == '_' || key[i] == '^')) return i;
+  }
+  return key.size();
+}
+
+Symbol named_symbol(std::string_view name) {
+  const std::size_t end = static_cast<std::size_t>(
+      std::find_if_not(name.begin(), name.end(), is_letter) - name.begin());
+  std::vector<std::string> parts;
+  for (std::size_t at = end; at < name.size();) {
+    const std::size_t stop = std::min(name.find('_', at), name.size());
+    if (stop > at) parts.push_back(word(name.substr(at, stop - at)));
+    at = stop + 1;
+  }
+  return {word(name.substr(0, end)), subscripts(parts)};
+}
+
+}  // namespace
+
+std::string_view greek_letter(std::string_view command) {
+  for (const GreekRow& row : greek_table) {
+    if (row.command == command) return row.letter;
+  }
+  return {};
+}
+
+Symbol latex_symbol(std::string_view name, const std::string& key) {
+  const std::size_t bracket = std::min(name.find('['), name.size());
+  std::string index(name.substr(bracket));
+  if (!index.empty()) index = index.substr(1, index.size() - 2);
+  Symbol symbol = named_symbol(name.substr(0, bracket));
+  if (!key.empty()) {
+    const std::size_t scripts = scripts_of(key);
+    symbol = {key.substr(0, scripts), key.substr(scripts)};
+  }
+  symbol.scripts = with_index(symbol.scripts, index);
+  return symbol;
+}
+
+Symbols text_symbols(const LeafNames& leaves) {
+  const auto verbatim = [](const std::vector<std::string>& names) {
+    std::vector<Symbol> symbols;
+    for (const std::string& name : names) symbols.push_back({name});
+    return symbols;
+  };
+  Symbols symbols;
+  symbols.parameters = verbatim(leaves.parameters);
+  symbols.coordinates = verbatim(leaves.coordinates);
+  symbols.inputs = verbatim(leaves.inputs);
+  return symbols;
+}
+
+Symbols latex_symbols(const Model& model) {
+  Symbols symbols;
+  for (const Parameter& p : model.parameters) {
+    symbols.parameters.push_back(latex_symbol(p.name, model.parameter_arrays[p.array].latex));
+  }
+  for (const Coordinate& c : model.coordinates) {
+    symbols.coordinates.push_back(latex_symbol(c.name, c.latex));
+  }
+  for (const Input& input : model.inputs) symbols.inputs.push_back(latex_symbol(input.name));
+  return symbols;
+}
+
+}  // namespace elgen::rendering

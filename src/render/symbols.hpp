@@ -1,0 +1,42 @@
+// symbols: names of a model -> symbols of formulas.
+//
+//     theta, theta1, l[2], x_cart, mass     \theta, \theta_{1}, l_{2}, x_{\mathrm{cart}}, \mathrm{mass}
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "elgen/leaf_names.hpp"
+#include "elgen/model.hpp"
+
+namespace elgen::rendering {
+
+/// Dots of rates stand over the base alone.
+struct Symbol {
+  std::string base = {};
+  std::string scripts = {};
+
+  [[nodiscard]] std::string text() const { return base + scripts; }
+};
+
+/// What the leaves of a program are called.
+struct Symbols {
+  std::vector<Symbol> parameters = {};
+  std::vector<Symbol> coordinates = {};
+  std::vector<Symbol> inputs = {};
+};
+
+/// As the model language writes them.
+[[nodiscard]] Symbols text_symbols(const LeafNames& leaves);
+
+/// In LaTeX: by the model's `latex` keys where there are some, else by name.
+[[nodiscard]] Symbols latex_symbols(const Model& model);
+
+/// The symbol of a name; of "l[2]" with the key of `l`. An empty key: as the name suggests.
+[[nodiscard]] Symbol latex_symbol(std::string_view name, const std::string& key = {});
+
+/// The character of a Greek letter's command ("theta"); empty for other words.
+[[nodiscard]] std::string_view greek_letter(std::string_view command);
+
+}  // namespace elgen::rendering

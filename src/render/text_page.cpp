@@ -1,0 +1,90 @@
+// text_page: equations in the model language, one entry a line, and what either form of a function
+// costs.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "elgen/render.hpp"
+
+namespace elgen {
+namespace {
+
+std::string with_unit(const std::string& name, const std::string& unit) {
+  return unit.empty() ? name : fmt::format("{} [{}]", name, unit);
+}
+
+template <class Variables>
+std::string tuple(const Variables& variables) {
+  std::string text;
+  for (const auto& variable : variables) {
+    text += (text.empty() ? "" : ", ") + with_unit(variable.name, variable.unit_text);
+  }
+  return "(" + text + ")";
+}
+
+std::string index_of(const Field& field, std::size_t entry) {
+  if (field.rows * field.columns == 1) return {};
+  if (field.columns == 1) return fmt::format("[{}]", entry + 1);
+  return fmt::format("[{},{}]", entry / field.columns + 1, entry % field.columns + 1);
+}
+
+std::string function_text(const Program& program, std::size_t index) {
+  const Function& function = program.functions[index];
+  const FunctionEquations equations = readable_equations(program, index);
+  std::string text;
+  for (const EquationLine& line : equations.definitions) {
+    text += fmt::format("  {} = {}\n", line.name, line.value);
+  }
+  for (std::size_t f = 0; f < function.fields.size(); ++f) {
+    const Field& field = function.fields[f];
+    const std::string& name = field.name.empty() ? function.name : field.name;
+    for (std::size_t i = 0; i < field.entries.size(); ++i) {
+      text += fmt::format("  {}{} = {}\n", name, index_of(field, i), equations.entries[f][i]);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string text_page(const Model& model, const Program& program, const PageOptions& options) {
+  std::string text = model.title.empty() ? model.name : model.title;
+  text += fmt::format("\n\n  {}\n\n", equation_of_motion(model, program).text);
+  text += fmt::format("  q = {}, v = dq/dt, a = dv/dt\n", tuple(model.coordinates));
+  if (!model.inputs.empty()) text += fmt::format("  u = {}\n", tuple(model.inputs));
+  for (std::size_t i = 0; i < program.functions.size(); ++i) {
+    const Function& function = program.functions[i];
+    if (function.kind == OutputKind::dynamics) continue;
+    if (!options.zeros && is_zero(program, function)) continue;
+    text += fmt::format("\n{}\n{}", function.name, function_text(program, i));
+  }
+  return text;
+}
+
+std::string cost_page(const std::vector<FormCosts>& costs) {
+  std::size_t width = std::string_view("function").size();
+  for (const FormCosts& row : costs) width = std::max(width, row.function.size());
+  constexpr std::string_view row =
+      "{:<{}}  {:<9}  {:>6} {:>6} {:>5} {:>5} {:>6} {:>5}  {:>6}  {}\n";
+  std::string text = fmt::format(row, "function", width, "form", "add", "mul", "div", "sqrt",
+                                 "sincos", "other", "cost", "");
+  const auto add = [&](const FormCosts& of, Form form, const OperationCounts& n) {
+    const char* mark = form != of.chosen ? "" : of.is_asked_for ? "asked for" : "emitted";
+    text += fmt::format(row, of.function, width, name_of(form), n.add, n.mul, n.div, n.sqrt,
+                        n.sincos, n.other, cost(n), mark);
+  };
+  for (const FormCosts& function : costs) {
+    if (function.closed) add(function, Form::closed, *function.closed);
+    add(function, Form::recursive, function.recursive);
+  }
+  std::string trimmed;
+  for (std::size_t start = 0; start < text.size();) {
+    const std::size_t end = text.find('\n', start);
+    const std::string line = text.substr(start, end - start);
+    trimmed += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    start = end + 1;
+  }
+  return trimmed;
+}
+
+}  // namespace elgen
