@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "latex_tree.hpp"
 
@@ -31,6 +32,51 @@ double matrix_width(const SheetEquation& equation) {
 Display lines_display(const std::string& left, const std::string& right) {
   const double first = measured(left) + 3;
   return {left, 0, latex_lines(right, page_width - std::max(first, indent))};
+}
+
+/// Where the brace that opens at `open` closes.
+std::size_t closing_brace(const std::string& latex, std::size_t open) {
+  int depth = 0;
+  for (std::size_t i = open; i < latex.size(); ++i) {
+    depth += (latex[i] == '{') - (latex[i] == '}');
+    if (depth == 0) return i;
+  }
+  return std::string::npos;
+}
+
+/// A formula that is one fraction, with its sign.
+struct WholeFraction {
+  std::string sign = {};
+  std::string numerator = {};
+  std::string denominator = {};
+};
+
+std::optional<WholeFraction> whole_fraction(const std::string& latex) {
+  const std::string sign = latex.substr(0, latex[0] == '-' ? 1 : 0);
+  const std::string start = sign + "\\frac{";
+  if (latex.substr(0, start.size()) != start) return std::nullopt;
+  const std::size_t above = closing_brace(latex, start.size() - 1);
+  const std::size_t below = above == std::string::npos ? above : closing_brace(latex, above + 1);
+  if (below == std::string::npos || below + 1 != latex.size()) return std::nullopt;
+  return WholeFraction{sign, latex.substr(start.size(), above - start.size()),
+                       latex.substr(above + 2, below - above - 2)};
+}
+
+/// One display, or three where a fraction is too wide: it, its numerator, its denominator.
+std::vector<Display> number_displays(const std::string& left, const std::string& right) {
+  const auto fraction = whole_fraction(right);
+  if (!fraction || measured(left) + measured(right) + 3 <= page_width) {
+    return {lines_display(left, right)};
+  }
+  const std::string numerator = "\\mathrm{numerator}";
+  const std::string denominator = "\\mathrm{denominator}";
+  return {{left, 0, {fmt::format("{}\\frac{{{}}}{{{}}}", fraction->sign, numerator, denominator)}},
+          lines_display(numerator, fraction->numerator),
+          lines_display(denominator, fraction->denominator)};
+}
+
+void append(std::vector<Display>& to, const std::vector<Display>& from) {
+  to.insert(to.end(), from.begin(), from.end());
 }
 
 bool needs_brackets(const std::string& symbol) {
@@ -72,7 +118,7 @@ std::vector<Display> entry_displays(const SheetEquation& equation) {
     if (is_half && row < column) {
       left += " = " + indexed(equation, column * equation.columns + row);
     }
-    all.push_back(lines_display(left, equation.entries[i]));
+    append(all, number_displays(left, equation.entries[i]));
   }
   return all;
 }
@@ -81,7 +127,7 @@ std::vector<Display> entry_displays(const SheetEquation& equation) {
 
 std::vector<Display> displays(const SheetEquation& equation) {
   if (equation.entries.size() == 1) {
-    return {lines_display(equation.left, equation.entries.front())};
+    return number_displays(equation.left, equation.entries.front());
   }
   const bool is_matrix = equation.columns <= largest_matrix && matrix_width(equation) <= page_width;
   if (is_matrix) return {{equation.left, equation.columns, equation.entries}};

@@ -90,7 +90,7 @@ constexpr const char* style =
     "table { border-collapse: collapse; margin: 1em 0; }\n"
     "caption { text-align: left; font-style: italic; }\n"
     "td { padding: 0.1em 0.8em 0.1em 0; }\n"
-    "math[display=block] { margin: 0.8em 0; overflow-x: auto; }\n"
+    "math[display=block] { margin: 0.8em 0; overflow-x: auto; overflow-y: hidden; }\n"
     "mtable.lines mtd { text-align: left; }\n";
 
 }  // namespace

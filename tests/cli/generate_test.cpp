@@ -20,7 +20,8 @@ TEST_CASE("a scene's base name is the model's and its own") {
   CHECK(outcome.status == 0);
   CHECK(files_below(workspace.path()) ==
         "./out/cart_pole_balance/cart_pole_balance.equations.json\n"
-        "./out/cart_pole_balance/cart_pole_balance.hpp\n");
+        "./out/cart_pole_balance/cart_pole_balance.hpp\n"
+        "./out/cart_pole_balance/cart_pole_balance.md\n");
 }
 
 TEST_CASE("--stdout prints the header and writes nothing") {
@@ -37,7 +38,9 @@ TEST_CASE("--list-outputs prints the paths and writes nothing") {
   const Outcome outcome =
       shell("elgen generate --list-outputs -o out " + models + "/cart_pole.toml", workspace.path());
   CHECK(outcome.status == 0);
-  CHECK(outcome.output == "out/cart_pole/cart_pole.equations.json\nout/cart_pole/cart_pole.hpp\n");
+  CHECK(outcome.output ==
+        "out/cart_pole/cart_pole.equations.json\nout/cart_pole/cart_pole.hpp\n"
+        "out/cart_pole/cart_pole.md\n");
   CHECK(files_below(workspace.path()).empty());
 }
 
@@ -51,7 +54,7 @@ TEST_CASE("--depfile names what the output depends on, in the language of make")
   const std::string stem = "out/cart_pole_balance/cart_pole_balance";
   const std::string sources = ": models/cart_pole.toml models/scenes/balance.scene.toml\n";
   CHECK(read_text(workspace.path() / "out.d") ==
-        stem + ".equations.json" + sources + stem + ".hpp" + sources);
+        stem + ".equations.json" + sources + stem + ".hpp" + sources + stem + ".md" + sources);
 }
 
 TEST_CASE("options that would change the model's own output are refused without -o") {

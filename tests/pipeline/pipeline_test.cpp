@@ -27,7 +27,7 @@ TEST_CASE("all stages run in their order and give a checked program and its file
   REQUIRE(products.self_check.has_value());
   CHECK(products.self_check->failure.empty());
   CHECK(products.self_check->states >= 2);
-  CHECK(products.files->files.size() == 2);
+  CHECK(products.files->files.size() == 3);
   CHECK(check_invariants(*products.program).empty());
   std::vector<std::string> expected = stage_names();
   expected.push_back("self-check");

@@ -76,8 +76,8 @@ TEST_CASE("the README names every function, unit, output and limit") {
 
 TEST_CASE("the README's model gives the README's header") {
   const Workspace workspace;
-  write_text(workspace.path() / "pendulum.toml", block("```toml\n"));
-  const Outcome outcome = shell("elgen generate --stdout pendulum.toml", workspace.path());
+  write_text(workspace.path() / "cart_pole.toml", block("```toml\n"));
+  const Outcome outcome = shell("elgen generate --stdout cart_pole.toml", workspace.path());
   CHECK(outcome.status == 0);
   std::istringstream excerpt(block("```cpp\n"));
   for (std::string line; std::getline(excerpt, line);) {
@@ -90,14 +90,14 @@ TEST_CASE("the README's mistake gives the README's message") {
   const Workspace workspace;
   std::string model = block("```toml\n");
   model.replace(model.find("cos(theta)"), 10, "cos(tehta)");
-  write_text(workspace.path() / "pendulum.toml", model);
-  const Outcome outcome = shell("elgen generate pendulum.toml", workspace.path());
+  write_text(workspace.path() / "cart_pole.toml", model);
+  const Outcome outcome = shell("elgen generate cart_pole.toml", workspace.path());
   CHECK(outcome.errors == block("```text\n"));
 }
 
 TEST_CASE("every option of the command line is in the README") {
   const Workspace workspace;
-  for (const std::string command : {"", "generate", "verify", "explain"}) {
+  for (const std::string command : {"", "generate", "show", "verify", "explain"}) {
     const std::string help = shell("elgen " + command + " --help", workspace.path()).output;
     REQUIRE(mentions(help, "--help"));
     for (std::size_t at = help.find("  --"); at != std::string::npos;

@@ -1,0 +1,123 @@
+// elgen show: what comes out in each notation.
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+Outcome show(const std::string& words) {
+  const Workspace workspace;
+  return shell("elgen show " + words, workspace.path());
+}
+
+std::string model(const std::string& name) {
+  return std::string(ELGEN_SOURCE_DIR) + "/models/" + name + ".toml";
+}
+
+bool has_program(const std::string& name) {
+  const Workspace workspace;
+  return shell("command -v " + name, workspace.path()).status == 0;
+}
+
+}  // namespace
+
+TEST_CASE("show prints what is not zero, in the model language") {
+  const Outcome outcome = show(model("cart_pole"));
+  CHECK(outcome.status == 0);
+  CHECK(mentions(outcome.output, "  M(q) a + C(q,v) v + g(q) = B(q) u\n"));
+  CHECK(mentions(outcome.output, "\n  mass_matrix[1,2] = m*l*cos(theta)\n"));
+  CHECK_FALSE(mentions(outcome.output, "drift"));
+}
+
+TEST_CASE("what is asked for by name is shown, zero or not") {
+  const Outcome outcome = show(model("cart_pole") + " --what drift");
+  CHECK(outcome.status == 0);
+  CHECK(mentions(outcome.output, "  drift[1] = 0\n"));
+  CHECK_FALSE(mentions(outcome.output, "mass_matrix"));
+}
+
+TEST_CASE("the steps of a derivation are those of a textbook") {
+  const Outcome outcome = show(model("simple_pendulum") + " --what steps");
+  CHECK(outcome.status == 0);
+  for (const char* line :
+       {"Positions\n", "  d(bob)/dt = (l*cos(theta)*dot(theta), l*sin(theta)*dot(theta))\n",
+        "  T = 1/2*m*l^2*dot(theta)^2\n", "  V = -m*l*g*cos(theta)\n",
+        "  dL/d(dot(theta)) = m*l^2*dot(theta)\n",
+        "  d/dt dL/d(dot(theta)) = m*l^2*dot(dot(theta))\n", "  dL/dtheta = -m*l*g*sin(theta)\n",
+        "L does not hold t, so E is conserved: "}) {
+    INFO(line);
+    CHECK(mentions(outcome.output, line));
+  }
+}
+
+TEST_CASE("cyclic coordinates are named with the condition of conservation") {
+  const std::string free = show(model("spherical_pendulum") + " --what steps").output;
+  CHECK(mentions(free,
+                 "phi is cyclic: L does not hold it, so its momentum dL/d(dot(phi)) is "
+                 "conserved.\n"));
+  const std::string driven = show(model("cart_pole") + " --what steps").output;
+  CHECK(mentions(driven, "x is cyclic: "));
+  CHECK(mentions(driven, "conserved wherever no force and no dissipation act on it"));
+  const std::string moving = show(model("rotating_hoop") + " --what lagrangian").output;
+  CHECK(mentions(moving, "  L = "));
+  CHECK_FALSE(mentions(moving, "Equation of"));
+}
+
+TEST_CASE("the cost of both forms, and which is emitted") {
+  const Outcome outcome = show(model("two_link_arm") + " --what cost");
+  CHECK(outcome.status == 0);
+  CHECK(mentions(outcome.output, "emitted\n"));
+  CHECK(mentions(outcome.output, "inverse_dynamics  closed "));
+  CHECK(mentions(outcome.output, "inverse_dynamics  recursive "));
+}
+
+TEST_CASE("pages in every notation") {
+  const std::string latex = show(model("cart_pole") + " --as latex").output;
+  CHECK(starts_with(latex, "\\documentclass"));
+  CHECK(mentions(latex, "M + m & m l \\cos \\theta \\\\\n"));
+  const std::string html = show(model("cart_pole") + " --as mathml").output;
+  CHECK(starts_with(html, "<!DOCTYPE html>\n"));
+  CHECK(mentions(html, "<mi>cos</mi>"));
+  const std::string markdown = show(model("cart_pole") + " --as markdown").output;
+  CHECK(mentions(markdown, "\n## mass_matrix\n"));
+  const std::string json = show(model("cart_pole") + " --as json").output;
+  CHECK(mentions(json, "\"entries\": [\"M + m\", \"m*l*cos(theta)\""));
+}
+
+TEST_CASE("words that show does not know are refused with their place") {
+  const Outcome unknown = show(model("cart_pole") + " --what mass_matrx");
+  CHECK(unknown.status == 2);
+  CHECK(mentions(unknown.errors, "error[E601]"));
+  CHECK(mentions(unknown.errors, "did you mean `mass_matrix`?"));
+  const Outcome mixed = show(model("cart_pole") + " --what gravity,steps");
+  CHECK(mixed.status == 2);
+  CHECK(mentions(mixed.errors, "`steps` stands alone"));
+  const Outcome cost = show(model("cart_pole") + " --what cost --as latex");
+  CHECK(cost.status == 2);
+  CHECK(mentions(cost.errors, "`cost` is not printed as latex"));
+}
+
+TEST_CASE("pdflatex takes the page of every model, without overfull lines") {
+  if (!has_program("pdflatex")) {
+    WARN("skipped: no pdflatex");
+    return;
+  }
+  const Workspace workspace;
+  for (const auto& file : std::filesystem::directory_iterator(ELGEN_SOURCE_DIR "/models")) {
+    if (file.path().extension() != ".toml") continue;
+    for (const char* what : {"", " --what steps"}) {
+      INFO(file.path() << what);
+      const Outcome outcome = shell("elgen show -q " + file.path().string() + what +
+                                        " --as latex > page.tex && "
+                                        "pdflatex -interaction=nonstopmode -halt-on-error page.tex",
+                                    workspace.path());
+      CHECK(outcome.status == 0);
+      CHECK_FALSE(mentions(outcome.output, "Overfull"));
+    }
+  }
+}
+
+}  // namespace elgen::test
