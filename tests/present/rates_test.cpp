@@ -1,0 +1,52 @@
+// Rates along the motion.
+#include <catch2/catch.hpp>
+
+#include "elgen/closed_forms.hpp"
+#include "support/models.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+/// Whether `quantity` is conserved where the acceleration of x is `acceleration`.
+bool is_conserved(const std::string& quantity, const std::string& acceleration) {
+  const Model model = checked_model(model_text("line", R"toml([[coordinate]]
+name = "x"
+[parameters]
+k = 2
+[[input]]
+name = "u"
+[[force]]
+value = "u"
+on = "x"
+[energy]
+T = "1/2*dot(x)^2"
+[[expect]]
+kinetic_energy = ")toml" + quantity + "\"\npotential_energy = \"" +
+                                                           acceleration + "\"\n"))
+                          .model;
+  ClosedForms forms;
+  const auto form = [&](std::size_t i) {
+    return *closed_form(forms, model, {}, model.expectations[i].entries[0]);
+  };
+  const Fraction conserved = form(0);
+  const Fraction rate = form(1);
+  return proved_conserved(forms, conserved, {rate});
+}
+
+}  // namespace
+
+TEST_CASE("energies of motions on a line") {
+  CHECK(is_conserved("1/2*dot(x)^2 + 1/2*k*x^2", "-k*x"));
+  CHECK_FALSE(is_conserved("1/2*dot(x)^2 + k*x^2", "-k*x"));
+  CHECK(is_conserved("1/2*dot(x)^2 - k*cos(x)", "-k*sin(x)"));
+  CHECK(is_conserved("1/2*dot(x)^2 - k/(1 + x)", "-k/(1 + x)^2"));
+  CHECK(is_conserved("1/2*dot(x)^2 + sqrt(1 + x^2)", "-x/sqrt(1 + x^2)"));
+}
+
+TEST_CASE("the rate of time is 1, inputs are off, opaque calls prove nothing") {
+  CHECK(is_conserved("x - t*dot(x)", "0"));
+  CHECK(is_conserved("dot(x) - k*t", "k + u"));
+  CHECK_FALSE(is_conserved("exp(x)*0 + dot(x)*exp(-x)", "dot(x)^2"));
+}

@@ -1,0 +1,21 @@
+#include <catch2/catch.hpp>
+
+#include "choose/chosen.hpp"
+#include "render/small_sheet.hpp"
+#include "support/systems.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+using elgen::testing::has;
+
+TEST_CASE("terms that are zero, or that a model cannot have, are left out") {
+  const Chosen c = chosen(cart_pole_text());
+  const EquationOfMotion equation = equation_of_motion(c.checked.model, c.choice.program);
+  CHECK(equation.text == "M(q) a + C(q,v) v + g(q) = B(q) u");
+  CHECK(equation.latex == "M(q) \\ddot{q} + C(q, \\dot{q}) \\dot{q} + g(q) = B(q) u");
+}
+
+TEST_CASE("explicit time is an argument") {
+  const Chosen c = chosen(everything_text());
+  CHECK(has(equation_of_motion(c.checked.model, c.choice.program).text, "M(q,t) a"));
+}

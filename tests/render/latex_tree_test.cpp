@@ -1,0 +1,26 @@
+#include "render/latex_tree.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace elgen::rendering;
+
+TEST_CASE("a formula is read into its parts") {
+  const LatexTree tree = read_latex("\\frac{a}{b} - \\sin^{2} x");
+  REQUIRE(tree.parts.size() == 4);
+  CHECK(tree.parts[0].kind == LatexKind::fraction);
+  CHECK(tree.parts[1].kind == LatexKind::sign);
+  CHECK(tree.parts[2].kind == LatexKind::scripts);
+  CHECK(tree.parts[2].parts.at(0).kind == LatexKind::function);
+  CHECK(tree.parts[3].kind == LatexKind::letter);
+}
+
+TEST_CASE("width is that of what is printed, not of its commands") {
+  CHECK(width(read_latex("\\theta")) < 2);
+  CHECK(width(read_latex("\\frac{abc}{d}")) < width(read_latex("abc + d")));
+  CHECK(width(read_latex("")) == 0);
+}
+
+TEST_CASE("what is unknown is a word, brackets need not match") {
+  CHECK(read_latex("\\unknown").parts.at(0).kind == LatexKind::word);
+  CHECK(read_latex("(a").parts.size() == 2);
+}

@@ -1,0 +1,17 @@
+#include <catch2/catch.hpp>
+
+#include "render/small_sheet.hpp"
+
+using namespace elgen;
+using namespace elgen::testing;
+
+TEST_CASE("what Markdown reads as markup is escaped") {
+  const std::string markdown = markdown_page(small_sheet());
+  CHECK(has(markdown, "# A & B\\_1\n"));
+  CHECK(has(markdown, "| $m_{1}$ | `m1` | 0.5 | kg | mass \\| of \\*one\\* |"));
+}
+
+TEST_CASE("vectors are columns") {
+  CHECK(has(markdown_page(small_sheet()),
+            "$$\ng = \\begin{pmatrix}\n0 \\\\\nm_{1} g\n\\end{pmatrix}\n$$"));
+}

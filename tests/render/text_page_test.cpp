@@ -1,0 +1,27 @@
+#include <catch2/catch.hpp>
+
+#include "choose/chosen.hpp"
+#include "render/small_sheet.hpp"
+#include "support/systems.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+using elgen::testing::has;
+
+TEST_CASE("the page in the model language") {
+  const Chosen c = chosen(cart_pole_text());
+  const std::string page = text_page(c.checked.model, c.choice.program);
+  CHECK(has(page, "  q = (x, theta), v = dq/dt, a = dv/dt\n"));
+  CHECK(has(page, "\nmass_matrix\n  mass_matrix[1,1] = M + m\n"));
+  CHECK(has(page, "  potential_energy = m*l*g*cos(theta)\n"));
+  CHECK_FALSE(has(page, "drift"));
+  CHECK(has(text_page(c.checked.model, c.choice.program, {true}), "  drift[2] = 0\n"));
+}
+
+TEST_CASE("costs of both forms, the emitted one marked") {
+  FormCosts row{"bias", {.add = 2}, OperationCounts{.mul = 1}, Form::closed, false};
+  CHECK(has(cost_page({row}),
+            "bias      closed          0      1     0     0      0     0       1  emitted\n"));
+  row.is_asked_for = true;
+  CHECK(has(cost_page({row}), "  asked for\n"));
+}
