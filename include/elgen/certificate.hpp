@@ -40,19 +40,20 @@ struct VerifyOptions {
   std::size_t samples = 256;  ///< states per output
   bool quick = false;         ///< 16 states, no compiler
   std::uint64_t seed = 1;
+  /// Prove [[expect]]; parallel to the program's functions. Without them, and where they do not
+  /// decide, it is sampled.
+  ClosedForms* forms = nullptr;
 };
 
 /// Compares oracle, program, and compiled code, and checks the structure of M, C and energies.
-/// `compiled` may be null (quick): its rows are then absent. `forms`, parallel to the program's
-/// functions, prove [[expect]]; without them, and where they do not decide, it is sampled.
+/// `compiled` may be null (quick): its rows are then absent.
 /// Diagnostics: wrong [[expect]] with witness point.
 struct Verification {
   Certificate certificate;
   Diagnostics diagnostics;
 };
 [[nodiscard]] Verification verify(const Model& model, const Scene& scene, const Program& program,
-                                  const CompiledModel* compiled, const VerifyOptions& options,
-                                  ClosedForms* forms = nullptr);
+                                  const CompiledModel* compiled, const VerifyOptions& options);
 
 [[nodiscard]] bool holds(const Certificate& certificate);
 [[nodiscard]] std::string to_text(const Certificate& certificate);

@@ -39,8 +39,10 @@ ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& opt
     compiled = std::move(*result);
   }
   progress.stage("verify");
-  const Verification verification = verify(model, scene, *products.program, compiled.get(),
-                                           options.verify, &*products.closed_forms);
+  VerifyOptions with_proofs = options.verify;
+  with_proofs.forms = &*products.closed_forms;
+  const Verification verification =
+      verify(model, scene, *products.program, compiled.get(), with_proofs);
   certificates += to_text(verification.certificate);
   const ExitCode found = report(global, verification.diagnostics);
   return holds(verification.certificate) ? found : std::max(found, ExitCode::differs);

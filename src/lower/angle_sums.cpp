@@ -85,15 +85,21 @@ std::vector<Angle> angles_of(const Expressions& expressions) {
 /// Larger sets take cubic time.
 constexpr std::size_t most_angles = 40;
 
+/// angle = first + second, or first - second.
+std::optional<Split> split_into(const Angle& angle, const Angle& first, const Angle& second) {
+  for (const int sign : {1, -1}) {
+    if (plus(first.terms, second.terms, sign) == angle.terms) {
+      return Split{first.argument, second.argument, sign};
+    }
+  }
+  return std::nullopt;
+}
+
 /// The angle as a sum or difference of two of the simpler ones.
 std::optional<Split> split_of(const Angle& angle, const std::vector<Angle>& simpler) {
   for (const Angle& first : simpler) {
     for (const Angle& second : simpler) {
-      for (const int sign : {1, -1}) {
-        if (plus(first.terms, second.terms, sign) == angle.terms) {
-          return Split{first.argument, second.argument, sign};
-        }
-      }
+      if (const auto split = split_into(angle, first, second)) return split;
     }
   }
   return std::nullopt;

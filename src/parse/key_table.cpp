@@ -132,7 +132,8 @@ const std::vector<KeyRow>& scene_rows() {
       {"scene", "doc", text, optional, true, "one line"},
 
       {"scene.outputs", "*", boolean_or_table, optional, true, "true where it is wanted"},
-      {"scene.outputs.*", "form", choice, optional, true, "closed or recursive, whichever costs less"},
+      {"scene.outputs.*", "form", choice, optional, true,
+       "closed or recursive, whichever costs less"},
       {"scene.outputs.*", "rename", name, optional, true, "name of the emitted function"},
 
       {"scene.parameters", "fixed", text_or_table, optional, true, "become numbers in the code"},
@@ -174,7 +175,7 @@ const std::vector<ChoiceRow>& choice_table() {
       {"body", "inertia_about", "com"},           {"body", "inertia_about", "origin"},
       {"scene.numeric", "scalar", "float"},       {"scene.numeric", "scalar", "double"},
       {"scene.numeric", "scalar", "long double"}, {"scene.emit", "language", "c++17"},
-      {"scene.emit", "language", "c99", later},    {"scene.numeric", "form", "closed"},
+      {"scene.emit", "language", "c99", later},   {"scene.numeric", "form", "closed"},
       {"scene.numeric", "form", "recursive"},     {"scene.outputs.*", "form", "closed"},
       {"scene.outputs.*", "form", "recursive"},
   };

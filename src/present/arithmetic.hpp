@@ -34,8 +34,8 @@ class Arithmetic {
   [[nodiscard]] Value constant(const Constant& value);
 
  private:
-  Fraction atom(Atom atom);
-  Value opaque(Atom atom);
+  Fraction atom(Atom wanted);
+  Value opaque(Atom wanted);
   [[nodiscard]] Value limited(Fraction x) const;
   std::optional<Polynomial> multiplied(const Polynomial& x, const Polynomial& y);
   std::optional<Polynomial> over(const Fraction& x,

@@ -1,6 +1,7 @@
 // LatexTree: the LaTeX of our own formulas, read again, to measure it and to translate it.
 //
-// Only what this folder writes and what a symbol of a model may reasonably be; anything else is a word.
+// Only what this folder writes and what a symbol of a model may reasonably be; anything else is a
+// word.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// pieces: parts of formulas, written in one notation, put together with as few brackets as precedence
-// allows.
+// pieces: parts of formulas, written in one notation, put together with as few brackets as
+// precedence allows.
 //
 //                       text                latex
 //     power, quotient   x^2, m/(k + c)      x^{2}, \frac{m}{k + c}

@@ -33,8 +33,7 @@ std::vector<State> nominal_states(const Subject& subject,
 }  // namespace
 
 Verification verify(const Model& model, const Scene& scene, const Program& program,
-                    const CompiledModel* compiled, const VerifyOptions& options,
-                    ClosedForms* forms) {
+                    const CompiledModel* compiled, const VerifyOptions& options) {
   const Subject subject{model, scene, program};
   const Sampling sampling{options.quick ? quick_samples : options.samples, options.seed, true};
   const auto doubles = sample_states<double>(subject, sampling);
@@ -43,7 +42,7 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
   Verification result;
   result.certificate = {model.name, scene.name.empty() ? "full" : scene.name, options.seed, {}};
   std::vector<CertificateRow>& rows = result.certificate.rows;
-  ExpectationReport expected = check_expectations(subject, forms, options.seed);
+  ExpectationReport expected = check_expectations(subject, options.forms, options.seed);
   append(rows, expected.rows);
   append(rows, check_accuracy(subject, doubles));
   append(rows, check_accuracy(subject, floats));

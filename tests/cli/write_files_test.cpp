@@ -42,8 +42,9 @@ TEST_CASE("a write that fails half-way leaves what was there, and no temporary f
       workspace.path());
   CHECK(shell("elgen generate -q --force cart_pole.toml", workspace.path()).status == 4);
   CHECK(read_text(workspace.path() / "generated/cart_pole/cart_pole.hpp") == before);
-  CHECK(files_below(workspace.path()) == "./cart_pole.toml\n./generated/cart_pole/cart_pole.hpp\n"
-                                         "./generated/cart_pole/cart_pole.md\n");
+  CHECK(files_below(workspace.path()) ==
+        "./cart_pole.toml\n./generated/cart_pole/cart_pole.hpp\n"
+        "./generated/cart_pole/cart_pole.md\n");
 }
 
 TEST_CASE("a file without our marker is overwritten with --force only") {

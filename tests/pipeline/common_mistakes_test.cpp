@@ -54,8 +54,8 @@ std::string disproved(const std::string& text) {
   const auto& [model, scene] = *products.checked;
   VerifyOptions quick;
   quick.quick = true;
-  return format(
-      verify(model, scene, *products.program, nullptr, quick, &*products.closed_forms).diagnostics);
+  quick.forms = &*products.closed_forms;
+  return format(verify(model, scene, *products.program, nullptr, quick).diagnostics);
 }
 
 bool has(const std::string& text, const std::string& part) {
