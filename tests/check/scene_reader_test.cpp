@@ -122,6 +122,24 @@ TEST_CASE("scalars come in one order") {
   CHECK(scene_of("[numeric]\nscalar = [\"double\"]\n").canonical.empty());
 }
 
+TEST_CASE("a form is asked for of one output, or of all") {
+  const Scene scene = scene_of(
+      "[outputs]\nmass_matrix = { form = \"recursive\" }\nbias = true\n"
+      "[numeric]\nform = \"closed\"\n");
+  REQUIRE(scene.outputs.size() == 2);
+  CHECK(scene.outputs[0].form == Form::recursive);
+  CHECK(scene.outputs[1].form == Form::closed);
+  CHECK(scene.canonical.find("form mass_matrix recursive\nform bias closed\n") !=
+        std::string::npos);
+  CHECK_FALSE(scene_of("[outputs]\nbias = true\n").outputs[0].form);
+}
+
+TEST_CASE("dynamics needs something to hold") {
+  CHECK(scene_messages("[outputs]\ninverse_dynamics = true\ndynamics = true\n") ==
+        "E603 6:1 `dynamics` holds the chosen outputs that take neither a nor u, and none is "
+        "chosen\n");
+}
+
 TEST_CASE("sizes are part of what a scene says") {
   const std::string sized = block() + "[sizes]\nn = 2\n";
   Wanted wanted;
