@@ -20,9 +20,9 @@ namespace {
 using cln::cl_R;
 
 constexpr const char* own_reason =
-    "8 u B + N eta (own bound): B run along the program, n/2 u B for n > 16 additions in a row";
+    "8 u B + N eta (own bound): B run along the program; n u B for n > 16 roundings in an entry";
 constexpr const char* closed_reason =
-    "8 u B + N eta: B of the closed form, n/2 u B for n > 16 additions in a row";
+    "8 u B + N eta: B of the closed form; n u B for n > 16 roundings in an entry";
 
 /// One field of a function, and what was found of it so far.
 struct FieldRecord {
@@ -120,8 +120,9 @@ void record_entry(FieldRecord& record, const Run<Scalar>& run, std::size_t i, Or
   const cl_R& truth = (*oracle.values(record.request))[record.first_oracle + i];
   const Scalar x = run.values[record.first + i];
   for (const Bound* value : {&exact, &entry}) {
-    if (!record.mistake.empty() ||
-        is_right(*value, truth, run.exact.largest + Real(oracle.energy()))) {
+    const Real scale = run.exact.largest + Real(oracle.energy());
+    if (!record.mistake.empty() || is_right(*value, truth, scale) ||
+        is_right(*value, truth, scale + Real(oracle.force()))) {
       continue;
     }
     record.mistake = fmt::format("entry {} is {}, the oracle says {}", i + 1,

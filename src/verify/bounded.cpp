@@ -34,7 +34,7 @@ Bound computed(const Real& value, const Real& bound, const Rounding& rounding) {
 
 Bound inherit(Bound result, const Bound& x, const Bound& y) {
   result.lost = result.lost || x.lost || y.lost;
-  result.additions = std::max(x.additions, y.additions);
+  result.roundings = std::max(x.roundings, y.roundings);
   return result;
 }
 
@@ -112,16 +112,18 @@ template const Rounding& rounding<double>();
 
 Bound leaf_bound(const Real& value, bool exact) { return {value, abs(value), exact, false}; }
 
-Bound negated(const Bound& x) { return {-x.value, x.bound, x.exact, x.lost, x.additions}; }
+Bound negated(const Bound& x) { return {-x.value, x.bound, x.exact, x.lost, x.roundings}; }
 
 Bound sum(const Bound& x, const Bound& y, const Rounding& rounding) {
   Bound result = inherit(computed(x.value + y.value, x.bound + y.bound, rounding), x, y);
-  ++result.additions;
+  ++result.roundings;
   return result;
 }
 
 Bound product(const Bound& x, const Bound& y, const Rounding& rounding) {
   Bound result = inherit(computed(x.value * y.value, x.bound * y.bound, rounding), x, y);
+  constexpr std::uint32_t most = 1'000'000;
+  result.roundings = std::min(x.roundings + y.roundings + 1, most);
   const bool scaled = (is_power_of_two(x) && y.exact) || (is_power_of_two(y) && x.exact);
   result.exact = scaled && !is_less(abs(result.value), rounding.smallest);
   return result;

@@ -27,7 +27,7 @@ struct Bound {
   Real bound = {};              ///< B
   bool exact = true;            ///< representable and without error
   bool lost = false;            ///< divided by, or rooted, what is uncertain by more than a tenth
-  std::uint32_t additions = 0;  ///< on the longest way from a leaf: each may round
+  std::uint32_t roundings = 0;  ///< relative errors of u, in first order, that may meet in it
 };
 
 /// Bound whose rounding is Scalar's.

@@ -19,4 +19,16 @@ const cln::cl_R& OracleCache::energy() {
   return *energy_;
 }
 
+cln::cl_R OracleCache::force() {
+  cln::cl_R largest = 0;
+  for (const OutputKind kind :
+       {OutputKind::velocity_force, OutputKind::gravity, OutputKind::bias}) {
+    if (find_request(subject_.scene, output_row(kind).name) == nullptr) continue;
+    const OracleValues& entries = values(standard_request(kind));
+    if (!entries) continue;
+    for (const cln::cl_R& entry : *entries) largest = cln::max(largest, cln::abs(entry));
+  }
+  return largest;
+}
+
 }  // namespace elgen

@@ -20,6 +20,10 @@ class OracleCache {
   /// |E|, in whose rounding entries that are zero on paper drown; 0 where E is undefined.
   [[nodiscard]] const cln::cl_R& energy();
 
+  /// The largest generalized force of the motion, in whose rounding the oracle's differences of
+  /// forces (drift) drown where that is larger than |E|.
+  [[nodiscard]] cln::cl_R force();
+
  private:
   const Subject& subject_;
   State state_;

@@ -16,15 +16,14 @@ Regime regime_of(const Bound& x, const Rounding& rounding) {
   return Regime::regular;
 }
 
-/// Additions one after another that 8 u B cover: n of them are off by u times the sum of the
-/// partial sums, n/2 u B where all terms are equal.
-constexpr std::uint32_t covered_additions = 16;
+/// Roundings that 8 u B cover. Where more meet in one entry, in a long sum or a high power, their
+/// number is the bound of first order: (x + y)^12 is off by up to 23 u, and B does not count.
+constexpr std::uint32_t covered_roundings = 16;
 
-/// B, in proportion to the additions where they are more than covered: B itself does not count
-/// them.
+/// B, such that 8 u of it cover all roundings.
 Real bound_of(const Bound& entry) {
-  const std::uint32_t additions = std::max(entry.additions, covered_additions);
-  return entry.bound * Real(cln::cl_RA(additions) / covered_additions);
+  if (entry.roundings <= covered_roundings) return entry.bound;
+  return entry.bound * Real(cln::cl_RA(entry.roundings) / 8);
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ struct Judge {
 [[nodiscard]] Judge judge_of(const Program& program, std::size_t index, const Field& field,
                              std::size_t first);
 
-/// |x - exact| / (u B), B grown in proportion where more than 16 additions follow each other, less
+/// |x - exact| / (u B), B grown to n B/8 where n > 16 roundings meet in the entry, less
 /// `operations` times the smallest denormal, which underflow may cost; 0 where both are equal,
 /// infinite where x is not a number or B is 0. Scalar: double or float.
 template <class Scalar>

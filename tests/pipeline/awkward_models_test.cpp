@@ -1,0 +1,56 @@
+// Energies that no textbook has: nested calls, roots of roots, quotients, high powers, odd angles.
+// Whatever form each function is emitted in, everything verify checks has to hold.
+#include <catch2/catch.hpp>
+
+#include "elgen/pipeline.hpp"
+
+namespace elgen {
+
+namespace {
+
+struct Energies {
+  const char* T;
+  const char* V;
+};
+
+std::string model_of(const Energies& energies) {
+  return std::string(
+             "format = 1\n[model]\nname = \"awkward\"\n"
+             "[[coordinate]]\nname = \"x\"\nrange = [0.2, 1.5]\n"
+             "[[coordinate]]\nname = \"y\"\nrange = [0.3, 1.2]\n"
+             "[parameters]\na = { value = 1.3, assume = \"positive\" }\nb = 0.7\nc = 2\n"
+             "[energy]\nT = \"") +
+         energies.T + "\"\nV = \"" + energies.V + "\"\n";
+}
+
+}  // namespace
+
+TEST_CASE("awkward energies hold in every check") {
+  const std::vector<Energies> all{
+      {"1/2*(2+sin(sin(x)))*dot(x)^2 + 1/2*a*dot(y)^2", "cos(x*cos(y))"},
+      {"1/2*sqrt(1+x^2)*dot(x)^2 + 1/2*sqrt(a+sqrt(1+y^2))*dot(y)^2", "sqrt(x^2+y^2)"},
+      {"1/2*dot(x)^2/(1+x) + 1/2*dot(y)^2/(a+b*cos(y))", "1/(x+y) + tan(x)"},
+      {"1/2*exp(x)*dot(x)^2 + 1/2*cosh(y)*dot(y)^2 + 1/4*dot(x)*dot(y)",
+       "x*exp(-y) + log(1+x^2) + tanh(x-y)"},
+      {"1/2*x^3*dot(x)^2 + 1/2*y^(1/3)*dot(y)^2", "x^(5/2) + (x+y)^12 + atan2(x,y)"},
+      {"1/2*(2+cos(x/2)*cos(x/3))*dot(x)^2 + 1/2*(2+sin(x+pi/5))*dot(y)^2",
+       "cos(0.3+x)+sin(pi/12+y)*cos(7*x)"},
+      {"1/2*(a*dot(x)+b*sin(x-2*y)*dot(y))^2 + 1/2*c*dot(y)^2", "1/(1+sin(x)^2)+1/(2-cos(2*y))"},
+  };
+  for (const Energies& energies : all) {
+    INFO(energies.T << ", " << energies.V);
+    const Inputs inputs{make_source("model.toml", model_of(energies)), nullptr};
+    Products products = run_pipeline(inputs, {});
+    REQUIRE(products.self_check);
+    const auto& [model, scene] = *products.checked;
+    VerifyOptions options;
+    options.quick = true;
+    options.forms = &*products.closed_forms;
+    const Certificate certificate =
+        verify(model, scene, *products.program, nullptr, options).certificate;
+    INFO(to_text(certificate));
+    CHECK(holds(certificate));
+  }
+}
+
+}  // namespace elgen
