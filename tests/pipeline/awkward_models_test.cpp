@@ -8,12 +8,12 @@ namespace elgen {
 
 namespace {
 
-struct Energies {
+struct EnergyTexts {
   const char* T;
   const char* V;
 };
 
-std::string model_of(const Energies& energies) {
+std::string model_of(const EnergyTexts& energies) {
   return std::string(
              "format = 1\n[model]\nname = \"awkward\"\n"
              "[[coordinate]]\nname = \"x\"\nrange = [0.2, 1.5]\n"
@@ -26,7 +26,7 @@ std::string model_of(const Energies& energies) {
 }  // namespace
 
 TEST_CASE("awkward energies hold in every check") {
-  const std::vector<Energies> all{
+  const std::vector<EnergyTexts> all{
       {"1/2*(2+sin(sin(x)))*dot(x)^2 + 1/2*a*dot(y)^2", "cos(x*cos(y))"},
       {"1/2*sqrt(1+x^2)*dot(x)^2 + 1/2*sqrt(a+sqrt(1+y^2))*dot(y)^2", "sqrt(x^2+y^2)"},
       {"1/2*dot(x)^2/(1+x) + 1/2*dot(y)^2/(a+b*cos(y))", "1/(x+y) + tan(x)"},
@@ -37,7 +37,7 @@ TEST_CASE("awkward energies hold in every check") {
        "cos(0.3+x)+sin(pi/12+y)*cos(7*x)"},
       {"1/2*(a*dot(x)+b*sin(x-2*y)*dot(y))^2 + 1/2*c*dot(y)^2", "1/(1+sin(x)^2)+1/(2-cos(2*y))"},
   };
-  for (const Energies& energies : all) {
+  for (const EnergyTexts& energies : all) {
     INFO(energies.T << ", " << energies.V);
     const Inputs inputs{make_source("model.toml", model_of(energies)), nullptr};
     Products products = run_pipeline(inputs, {});
