@@ -63,9 +63,9 @@ class Printer {
       case ExpressionKind::coordinate:
         return model_.coordinates[node.index].name;
       case ExpressionKind::rate:
-        return "dot(" + model_.coordinates[node.index].name + ")";
+        return "dot(" + model_.velocities[node.index].name + ")";
       case ExpressionKind::acceleration:
-        return "dot(dot(" + model_.coordinates[node.index].name + "))";
+        return "dot(dot(" + model_.velocities[node.index].name + "))";
       case ExpressionKind::input:
         return model_.inputs[node.index].name;
       case ExpressionKind::parameter:

@@ -13,7 +13,7 @@ constexpr std::array user_kinds{OutputKind::user_value, OutputKind::user_jacobia
 std::uint32_t extent(const Model& model, Extent kind, std::uint32_t user) {
   switch (kind) {
     case Extent::velocities:
-      return static_cast<std::uint32_t>(model.coordinates.size());
+      return static_cast<std::uint32_t>(model.velocities.size());
     case Extent::inputs:
       return static_cast<std::uint32_t>(model.inputs.size());
     case Extent::user:

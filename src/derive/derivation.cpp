@@ -13,7 +13,7 @@ namespace {
 Seeds seeds(const Symbols& symbols, bool coordinates_move, bool time_passes) {
   Seeds result;
   for (std::size_t i = 0; coordinates_move && i < symbols.q.size(); ++i) {
-    result.emplace(symbols.q[i], symbols.v[i]);
+    result.emplace(symbols.q[i], symbols.q_rates[i]);
   }
   if (time_passes) result.emplace(symbols.t, 1);
   return result;

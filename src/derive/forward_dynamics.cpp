@@ -20,9 +20,11 @@ struct Factors {
   Vector reciprocals;  ///< 1 / D
 };
 
-/// "acceleration_theta": the symbols of the coordinates bear their identifiers.
-std::string name_of_acceleration(const ex& coordinate) {
-  return "acceleration_" + GiNaC::ex_to<GiNaC::symbol>(coordinate).get_name();
+/// "acceleration_theta" of the velocity "theta_dot".
+std::string name_of_acceleration(const ex& velocity) {
+  std::string name = GiNaC::ex_to<GiNaC::symbol>(velocity).get_name();
+  name.resize(name.size() - std::string_view("_dot").size());
+  return "acceleration_" + name;
 }
 
 ex entry(Derivation& derivation, const Factors& factors, std::size_t i, std::size_t j) {
@@ -72,7 +74,7 @@ ForwardDynamics forward_dynamics(Derivation& derivation) {
       terms.push_back(-factors.lower[k * n + i] * result.acceleration[k]);
     }
     result.acceleration[i] = define(derivation.definitions, GiNaC::add(terms),
-                                    {name_of_acceleration(derivation.symbols.q[i]), {}});
+                                    {name_of_acceleration(derivation.symbols.v[i]), {}});
   }
   for (std::size_t i = 0; i < n; ++i) {
     result.relative_pivots.push_back(factors.pivots[i] / factors.mass[i * n + i]);
