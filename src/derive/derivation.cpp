@@ -48,6 +48,18 @@ Derivation::Derivation(const Lagrangian& source)
   append(other_, weighted(lagrangian.lagrangian, 1));
 }
 
+Tangent Derivation::displacement(std::size_t velocity) {
+  return {definitions, Seeds{{symbols.q[velocity], 1}}};
+}
+
+Tangent Derivation::unit_velocity(std::size_t velocity) {
+  return {definitions, Seeds{{symbols.v[velocity], 1}}};
+}
+
+std::string Derivation::velocity_identifier(std::size_t velocity) const {
+  return GiNaC::ex_to<GiNaC::symbol>(symbols.q[velocity]).get_name();
+}
+
 Derivation::~Derivation() = default;
 
 Tree& Derivation::tree() {
