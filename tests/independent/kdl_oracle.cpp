@@ -1,55 +1,17 @@
-// A robot as a KDL::Tree; chains are also given to the solvers that KDL has for chains alone.
-#include <fmt/format.h>
-
+// Chains are asked of the solvers that KDL has for chains alone, branched robots of its solver for
+// trees.
 #include <kdl/chaindynparam.hpp>
 #include <kdl/chainidsolver_recursive_newton_euler.hpp>
-#include <kdl/tree.hpp>
 #include <kdl/treeidsolver_recursive_newton_euler.hpp>
 #include <memory>
 #include <stdexcept>
 
+#include "independent/kdl_tree.hpp"
 #include "independent/robot.hpp"
 
 namespace elgen::test {
 
 namespace {
-
-KDL::Vector vector(const Triple& x) { return {x[0], x[1], x[2]}; }
-
-const KDL::Vector& weight() {
-  static const KDL::Vector vector(0.0, 0.0, -gravity_of_earth);
-  return vector;
-}
-
-std::string link_name(int index) { return index < 0 ? "base" : fmt::format("link{}", index); }
-
-/// Rx of an exact right angle.
-KDL::Rotation about_x(int quarter_turns) {
-  const double sine = quarter_turns;
-  const double cosine = quarter_turns == 0 ? 1.0 : 0.0;
-  return {1.0, 0.0, 0.0, 0.0, cosine, -sine, 0.0, sine, cosine};
-}
-
-KDL::Segment segment(const Link& link, int index) {
-  const KDL::Rotation turned = about_x(link.quarter_turns);
-  const KDL::Vector origin = vector(link.translation);
-  const std::string joint = fmt::format("joint{}", index);
-  const auto& [xx, yy, zz, xy, xz, yz] = link.inertia;
-  const KDL::Joint turning(joint, origin, turned.UnitZ(), KDL::Joint::RotAxis);
-  const KDL::RigidBodyInertia inertia(link.mass, vector(link.com),
-                                      KDL::RotationalInertia(xx, yy, zz, xy, xz, yz));
-  return KDL::Segment(link_name(index), turning, KDL::Frame(turned, origin), inertia);
-}
-
-KDL::Tree tree(const Robot& robot) {
-  if (robot.floating) throw std::runtime_error("KDL has no dynamics of a free base");
-  KDL::Tree result("base");
-  for (int i = 0; i < static_cast<int>(robot.links.size()); ++i) {
-    const Link& link = robot.links[static_cast<std::size_t>(i)];
-    result.addSegment(segment(link, i), link_name(link.parent));
-  }
-  return result;
-}
 
 KDL::JntArray joints(const std::vector<double>& values) {
   KDL::JntArray result(static_cast<unsigned>(values.size()));
@@ -68,16 +30,11 @@ void demand(int status) {
 /// By ChainDynParam and ChainIdSolver_RNE.
 class ChainOracle {
  public:
-  explicit ChainOracle(const Robot& robot) {
-    if (!tree(robot).getChain("base", link_name(static_cast<int>(robot.links.size()) - 1),
-                              chain_)) {
-      throw std::runtime_error("no chain");
-    }
-  }
+  explicit ChainOracle(const Robot& robot) : chain_(kdl_chain(robot)) {}
 
   [[nodiscard]] Dynamics at(const State& state) const {
-    KDL::ChainDynParam parts(chain_, weight());
-    KDL::ChainIdSolver_RNE solver(chain_, weight());
+    KDL::ChainDynParam parts(chain_, kdl_gravity());
+    KDL::ChainIdSolver_RNE solver(chain_, kdl_gravity());
     const unsigned size = chain_.getNrOfJoints();
     const KDL::JntArray q = joints(state.q);
     const KDL::JntArray v = joints(state.v);
@@ -101,12 +58,13 @@ class ChainOracle {
 /// By TreeIdSolver_RNE alone: the columns of M are what unit accelerations take at rest.
 class TreeOracle {
  public:
-  explicit TreeOracle(const Robot& robot) : tree_(tree(robot)) {}
+  explicit TreeOracle(const Robot& robot) : tree_(kdl_tree(robot)) {}
 
   [[nodiscard]] Dynamics at(const State& state) const {
     const std::size_t size = state.v.size();
     const std::vector<double> rest(size, 0.0);
-    Dynamics result{{}, torque({state.q, state.v, rest}, weight()), torque(state, weight())};
+    Dynamics result{
+        {}, torque({state.q, state.v, rest}, kdl_gravity()), torque(state, kdl_gravity())};
     for (std::size_t i = 0; i < size; ++i) {
       std::vector<double> unit = rest;
       unit[i] = 1.0;

@@ -1,12 +1,9 @@
-#include <mujoco/mujoco.h>
-
 #include <algorithm>
-#include <array>
-#include <cstring>
 #include <memory>
 #include <stdexcept>
 
 #include "independent/mjcf.hpp"
+#include "independent/mujoco_model.hpp"
 #include "independent/oracle.hpp"
 #include "independent/robot.hpp"
 #include "support/shell.hpp"
@@ -15,40 +12,12 @@ namespace elgen::test {
 
 namespace {
 
-struct DeleteModel {
-  void operator()(mjModel* model) const { mj_deleteModel(model); }
-};
-struct DeleteData {
-  void operator()(mjData* data) const { mj_deleteData(data); }
-};
-struct DeleteFiles {
-  void operator()(mjVFS* files) const {
-    mj_deleteVFS(files);
-    delete files;
-  }
-};
-using Model = std::unique_ptr<mjModel, DeleteModel>;
-using Data = std::unique_ptr<mjData, DeleteData>;
-
-/// MuJoCo reads files: the text becomes one that is nowhere on the disk.
-Model load(const std::string& text) {
-  const std::unique_ptr<mjVFS, DeleteFiles> files(new mjVFS);
-  mj_defaultVFS(files.get());
-  mj_makeEmptyFileVFS(files.get(), "robot.xml", static_cast<int>(text.size()));
-  std::memcpy(files->filedata[0], text.data(), text.size());
-  std::array<char, 1000> error{};
-  Model model(mj_loadXML("robot.xml", files.get(), error.data(), error.size()));
-  if (!model) throw std::runtime_error(error.data());
-  // Neither contacts nor stops: only what moves the links themselves.
-  model->opt.disableflags |= mjDSBL_CONSTRAINT;
-  return model;
-}
-
 std::vector<double> numbers(const mjtNum* first, int size) { return {first, first + size}; }
 
 class MujocoOracle {
  public:
-  explicit MujocoOracle(Model model) : model_(std::move(model)), data_(mj_makeData(model_.get())) {}
+  explicit MujocoOracle(MujocoModel model)
+      : model_(std::move(model)), data_(mj_makeData(model_.get())) {}
 
   [[nodiscard]] Dynamics at(const State& state) const {
     const int size = model_->nv;
@@ -68,12 +37,12 @@ class MujocoOracle {
   }
 
  private:
-  Model model_;
-  Data data_;
+  MujocoModel model_;
+  MujocoData data_;
 };
 
 Oracle oracle_of(const std::string& text) {
-  return [solver = std::make_shared<const MujocoOracle>(load(text))](const State& state) {
+  return [solver = std::make_shared<const MujocoOracle>(load_mujoco(text))](const State& state) {
     return solver->at(state);
   };
 }
