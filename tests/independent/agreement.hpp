@@ -11,6 +11,9 @@ namespace elgen::test {
 /// and MuJoCo. A wrong term shows at 1e-3 or more.
 inline constexpr double agreed = 1e-12;
 
+/// MuJoCo's reader of URDF diagonalises inertias to 7 digits.
+inline constexpr double agreed_of_urdf = 1e-6;
+
 /// Largest difference of an entry, in units of the largest entry of `reference`.
 [[nodiscard]] double relative_difference(const std::vector<double>& values,
                                          const std::vector<double>& reference);

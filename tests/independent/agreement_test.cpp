@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "independent/reference_check.hpp"
+#include "independent/checks.hpp"
 #include ELGEN_HEADER
 
 namespace elgen::test {
@@ -37,29 +37,23 @@ Dynamics emitted_dynamics(const State& state) {
           numbers(emitted::inverse_dynamics(parameters, q, v, a))};
 }
 
-Robot described_robot() {
-  Robot robot = read_robot(ELGEN_DESCRIPTION);
-  robot.floating = emitted::coordinate_count != emitted::velocity_count;
-  return robot;
-}
+const std::filesystem::path description = ELGEN_DESCRIPTION;
+constexpr bool floating = emitted::coordinate_count != emitted::velocity_count;
+constexpr std::size_t joints = emitted::velocity_count - (floating ? 6 : 0);
+
+bool is_urdf() { return description.extension() == ".urdf"; }
 
 }  // namespace
 
 TEST_CASE("the emitted functions agree with the independent program") {
-  const Robot robot = described_robot();
-  const std::size_t joints = robot.links.size() - (robot.floating ? 1 : 0);
-  const Differences worst =
-      differences(emitted_dynamics, ELGEN_ORACLE(robot), random_states(joints, robot.floating));
-  INFO("M " << worst.mass_matrix << ", bias " << worst.bias << ", torque " << worst.torque);
-  CHECK(worst.mass_matrix < agreed);
-  CHECK(worst.bias < agreed);
-  CHECK(worst.torque < agreed);
+  check_agreement(emitted_dynamics, ELGEN_ORACLE(description, floating),
+                  random_states(joints, floating), is_urdf() ? agreed_of_urdf : agreed);
 }
 
 TEST_CASE("the emitted functions give the reference values") {
-  const Robot robot = described_robot();
-  if (!robot.reference) return;
-  check_reference_values(emitted_dynamics, *robot.reference);
+  if (is_urdf()) return;
+  const Robot robot = read_robot(description, floating);
+  if (robot.reference) check_reference_values(emitted_dynamics, *robot.reference);
 }
 
 }  // namespace elgen::test

@@ -94,7 +94,8 @@ Oracle oracle_of(const Robot& robot) {
 
 }  // namespace
 
-Oracle kdl_oracle(const Robot& robot) {
+Oracle kdl_oracle(const std::filesystem::path& description, bool floating) {
+  const Robot robot = read_robot(description, floating);
   return is_chain(robot) ? oracle_of<ChainOracle>(robot) : oracle_of<TreeOracle>(robot);
 }
 

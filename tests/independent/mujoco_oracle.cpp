@@ -41,16 +41,15 @@ class MujocoOracle {
   MujocoData data_;
 };
 
-Oracle oracle_of(const std::string& text) {
+}  // namespace
+
+Oracle mujoco_oracle(const std::filesystem::path& description, bool floating) {
+  const std::string text = description.extension() == ".urdf"
+                               ? read_text(description)
+                               : mjcf(read_robot(description, floating));
   return [solver = std::make_shared<const MujocoOracle>(load_mujoco(text))](const State& state) {
     return solver->at(state);
   };
 }
-
-}  // namespace
-
-Oracle mujoco_oracle(const Robot& robot) { return oracle_of(mjcf(robot)); }
-
-Oracle mujoco_oracle(const std::filesystem::path& urdf) { return oracle_of(read_text(urdf)); }
 
 }  // namespace elgen::test

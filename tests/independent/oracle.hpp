@@ -7,8 +7,6 @@
 
 namespace elgen::test {
 
-struct Robot;
-
 /// A free base comes first: x y z and the quaternion w x y z in q; in v and a the velocity of its
 /// origin in the axes of the world and the angular velocity in its own.
 struct State {
@@ -23,13 +21,10 @@ struct Dynamics {
 
 using Oracle = std::function<Dynamics(const State&)>;
 
-/// Orocos KDL, by its solvers for chains or for trees. No free base.
-[[nodiscard]] Oracle kdl_oracle(const Robot& robot);
+/// Orocos KDL, by its solvers for chains or for trees, of a description in JSON. No free base.
+[[nodiscard]] Oracle kdl_oracle(const std::filesystem::path& description, bool floating);
 
-/// MuJoCo, by a model in its own language.
-[[nodiscard]] Oracle mujoco_oracle(const Robot& robot);
-
-/// MuJoCo, by its own reader of URDF.
-[[nodiscard]] Oracle mujoco_oracle(const std::filesystem::path& urdf);
+/// MuJoCo, of a description in JSON, or in URDF by its own reader.
+[[nodiscard]] Oracle mujoco_oracle(const std::filesystem::path& description, bool floating);
 
 }  // namespace elgen::test

@@ -36,11 +36,11 @@ State reference_state(std::size_t size) {
 
 }  // namespace
 
-Robot read_robot(const std::filesystem::path& path) {
+Robot read_robot(const std::filesystem::path& path, bool floating) {
   std::ifstream file(path);
   if (!file) throw std::runtime_error("cannot read " + path.string());
   const Json json = Json::parse(file);
-  Robot robot{path.stem().string()};
+  Robot robot{path.stem().string(), floating};
   const Json& joints = json.at("joints");
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const int before = static_cast<int>(i) - 1;

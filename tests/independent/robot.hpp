@@ -34,7 +34,7 @@ struct ReferenceValues {
 
 struct Robot {
   std::string name;
-  bool floating = false;  ///< the first link is free instead of turning about its z axis
+  bool floating;  ///< the first link is free instead of turning about its z axis
   std::vector<Link> links = {};
   std::optional<ReferenceValues> reference = {};
 };
@@ -42,7 +42,7 @@ struct Robot {
 inline constexpr double gravity_of_earth = 9.81;  ///< along -z of the base
 
 /// "parents" names the parent of each link, depth first; without it they are a chain.
-[[nodiscard]] Robot read_robot(const std::filesystem::path& path);
+[[nodiscard]] Robot read_robot(const std::filesystem::path& path, bool floating = false);
 
 /// Does every link hang on the one before?
 [[nodiscard]] bool is_chain(const Robot& robot);

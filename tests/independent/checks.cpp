@@ -1,10 +1,19 @@
-#include "independent/reference_check.hpp"
+#include "independent/checks.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "independent/agreement.hpp"
 
 namespace elgen::test {
+
+void check_agreement(const Oracle& oracle, const Oracle& reference,
+                     const std::vector<State>& states, double tolerance) {
+  const Differences worst = differences(oracle, reference, states);
+  INFO("M " << worst.mass_matrix << ", bias " << worst.bias << ", torque " << worst.torque);
+  CHECK(worst.mass_matrix < tolerance);
+  CHECK(worst.bias < tolerance);
+  CHECK(worst.torque < tolerance);
+}
 
 void check_reference_values(const Oracle& oracle, const ReferenceValues& reference) {
   constexpr double printed = 1e-11;
