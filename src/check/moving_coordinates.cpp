@@ -54,6 +54,9 @@ class RateSearch {
       case ExpressionKind::point_component:
         push(model_.points[node.index / 3].at[node.index % 3], visit.differentiated);
         return;
+      case ExpressionKind::frame_component:
+        push(component_of_frame(model_, node.index), visit.differentiated);
+        return;
       default:
         break;
     }

@@ -18,6 +18,7 @@ enum class SymbolKind : std::uint8_t {
   definition,
   prescribed,
   point,
+  frame,
   body,
   input,
   force,

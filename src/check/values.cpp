@@ -78,15 +78,16 @@ std::optional<std::int64_t> ValueReader::integer(const ValueSyntax& value) {
 
 std::optional<std::uint32_t> ValueReader::reference(const ValueSyntax& value, SymbolKind kind) {
   const ExpressionSyntax& name = value.expression;
-  const Symbol* symbol = context_.symbols.find(name.text);
-  if (symbol == nullptr && context_.symbols.has_failed(name.text)) {
+  const Symbols& symbols = kind == SymbolKind::frame ? context_.frames : context_.symbols;
+  const Symbol* symbol = symbols.find(name.text);
+  if (symbol == nullptr && symbols.has_failed(name.text)) {
     return std::nullopt;
   }
   if (symbol == nullptr || symbol->kind != kind) {
-    const std::vector<std::string> names = context_.symbols.names(kind);
+    const std::vector<std::string> names = symbols.names(kind);
     context_.report.add(Code::E201, value.span,
                         "unknown " + std::string(noun(kind)) + " " + quoted(name.text),
-                        context_.symbols.suggest(name.text, names));
+                        symbols.suggest(name.text, names));
     return std::nullopt;
   }
   return Resolver(context_, scope_).element(name, *symbol);
@@ -100,6 +101,12 @@ void ValueReader::check_dimension(std::size_t count, const Span& span) {
                         counted(count, "component") + " in a model whose first vector has " +
                             std::to_string(context_.dimension));
   }
+}
+
+std::optional<std::uint32_t> ValueReader::frame_or_world(const ValueSyntax& value) {
+  const ExpressionSyntax& name = value.expression;
+  if (name.text == world && name.operands.empty()) return std::nullopt;
+  return reference(value, SymbolKind::frame);
 }
 
 const KeySyntax* find_key(const ValueSyntax& table, std::string_view key) {

@@ -21,6 +21,9 @@ struct RootRequest {
   std::uint32_t owner_index = 0;
 };
 
+/// What has no frame of its own.
+inline constexpr std::string_view world = "world";
+
 /// Reads keys for one instance of an entry.
 class ValueReader {
  public:
@@ -43,6 +46,9 @@ class ValueReader {
 
   /// The index in the Model of what a name refers to. E201, E207, E208.
   std::optional<std::uint32_t> reference(const ValueSyntax& value, SymbolKind kind);
+
+  /// The same for a frame; nothing for `world` (and after an error).
+  std::optional<std::uint32_t> frame_or_world(const ValueSyntax& value);
 
   /// E516 unless all vectors of the model have as many components as the first.
   void check_dimension(std::size_t count, const Span& span);

@@ -2,6 +2,7 @@
 #include "derive/derivation.hpp"
 
 #include "derive/rate_grades.hpp"
+#include "derive/tree.hpp"
 
 namespace elgen {
 
@@ -45,6 +46,13 @@ Derivation::Derivation(const Lagrangian& source)
   append(other_, weighted(lagrangian.kinetic, 1));
   append(other_, weighted(lagrangian.potential, -1));
   append(other_, weighted(lagrangian.lagrangian, 1));
+}
+
+Derivation::~Derivation() = default;
+
+Tree& Derivation::tree() {
+  if (!tree_) tree_ = std::make_unique<Tree>(*this);
+  return *tree_;
 }
 
 const GradedEnergies& Derivation::graded() {

@@ -2,6 +2,8 @@
 #include "derive/matrices.hpp"
 
 #include "derive/forces.hpp"
+#include "derive/tree_matrices.hpp"
+#include "derive/tree_variables.hpp"
 
 namespace elgen {
 
@@ -13,6 +15,22 @@ Tangent unit_direction(Derivation& derivation, const ex& leaf) {
   return {derivation.definitions, Seeds{{leaf, 1}}};
 }
 
+void add(const SparseMatrix& matrix, std::size_t n, Vector& entries) {
+  for (const auto& [place, entry] : matrix) entries[place.first * n + place.second] += entry;
+}
+
+/// Wrenches per unit of what a direction moves.
+std::vector<Wrench> rates(Derivation& derivation, Tangent& along) {
+  std::vector<Wrench> result = derivation.lagrangian.tree.wrenches;
+  for (Wrench& wrench : result) {
+    for (ex& component : wrench.force) component = along(component);
+    for (ex& component : wrench.moment) component = along(component);
+  }
+  return result;
+}
+
+bool has_columns(Derivation& derivation) { return tree_variables(derivation.tree()).is_complete; }
+
 }  // namespace
 
 Vector mass_matrix(Derivation& derivation) {
@@ -20,6 +38,8 @@ Vector mass_matrix(Derivation& derivation) {
   const Vector other = derivation.by_velocity(derivation.lagrangian.quadratic
                                                   ? weighted(derivation.graded().kinetic2, 1)
                                                   : derivation.other_lagrangian());
+  const bool by_columns = has_columns(derivation);
+  const Vector of_frames = by_columns ? Vector(n) : momentum_of_frames(derivation);
   Vector entries(n * n);
   for (std::size_t j = 0; j < n; ++j) {
     Tangent position = unit_direction(derivation, derivation.symbols.q[j]);
@@ -31,21 +51,25 @@ Vector mass_matrix(Derivation& derivation) {
           return define(derivation.definitions, mass.mass * direction);
         }));
     for (std::size_t i = j; i < n; ++i) {
-      entries[i * n + j] = entries[j * n + i] = column[i] + velocity(other[i]);
+      const ex of_energy = velocity(other[i]);
+      entries[i * n + j] = entries[j * n + i] = column[i] + of_energy + velocity(of_frames[i]);
     }
   }
+  if (by_columns) add(tree_mass_matrix(derivation.tree()), n, entries);
   return entries;
 }
 
 Vector coriolis_matrix(Derivation& derivation) {
   const std::size_t n = derivation.size();
-  Vector force = velocity_force(derivation);
+  const bool by_columns = has_columns(derivation);
+  Vector force = velocity_force(derivation, by_columns ? Bodies::without_frames : Bodies::all);
   for (ex& entry : force) entry = define(derivation.definitions, entry);
   Vector entries(n * n);
   for (std::size_t j = 0; j < n; ++j) {
     Tangent velocity = unit_direction(derivation, derivation.symbols.v[j]);
     for (std::size_t i = 0; i < n; ++i) entries[i * n + j] = velocity(force[i]) / 2;
   }
+  if (by_columns) add(tree_coriolis_matrix(derivation.tree()), n, entries);
   return entries;
 }
 
@@ -61,7 +85,10 @@ Vector input_matrix(Derivation& derivation) {
         forces.push_back({applied.position[axis], input(applied.force[axis])});
       }
     }
-    const Vector column = derivation.by_position(forces);
+    const TreeForces of_wrenches = derivation.tree().wrench_forces(rates(derivation, input));
+    append(forces, of_wrenches.pulled_back);
+    Vector column = derivation.by_position(forces);
+    for (const auto& [velocity, force] : of_wrenches.on_velocities) column[velocity] += force;
     for (std::size_t i = 0; i < n; ++i) {
       entries[i * inputs + j] = column[i] + input(derivation.lagrangian.forces[i]);
     }

@@ -57,6 +57,8 @@ Jet Evaluation::evaluated(const Expression& e, unsigned time_order) {
       return operand(model_.definitions[e.index].value, time_order);
     case ExpressionKind::point_component:
       return operand(model_.points[e.index / 3].at[e.index % 3], time_order);
+    case ExpressionKind::frame_component:
+      return operand(component_of_frame(model_, e.index), time_order);
     case ExpressionKind::negate:
       return -operand(e.operands[0], time_order);
     case ExpressionKind::add:
