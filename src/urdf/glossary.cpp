@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace elgen::urdf {
 
 Glossary::Glossary(const Robot& robot, const Tree& tree)
@@ -25,7 +27,9 @@ Glossary::Glossary(const Robot& robot, const Tree& tree)
 }
 
 void Glossary::note_change(const std::string& from, const std::string& to) {
-  if (from != to) renamed_.push_back(fmt::format("`{}` is called {}", from, to));
+  const std::string change = fmt::format("`{}` is called {}", from, to);
+  const bool is_known = std::find(renamed_.begin(), renamed_.end(), change) != renamed_.end();
+  if (from != to && !is_known) renamed_.push_back(change);
 }
 
 void Glossary::open_group(std::string title) { groups_.push_back({std::move(title), {}}); }
