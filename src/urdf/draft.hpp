@@ -27,7 +27,7 @@ struct ParameterDraft {
   std::string name = {};
   std::string value = {};
   std::string unit = {};
-  std::string more = {};  ///< `, key = value`
+  std::string more = {};  ///< `key = value, …`
 };
 
 /// The parameters of one link and of the joint that carries it.

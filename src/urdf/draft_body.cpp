@@ -18,7 +18,7 @@ std::vector<std::string> inertia_of(Glossary& glossary, const std::string& link,
   const std::size_t count = std::all_of(numbers.begin() + 3, numbers.end(), is_zero) ? 3 : 6;
   std::vector<std::string> inertia;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::string sign = i < 3 ? ", assume = \"positive\"" : "";
+    const std::string sign = i < 3 ? "assume = \"positive\"" : "";
     inertia.push_back(glossary.parameter(fmt::format("{}_{}", inertia_names[i], link), numbers[i],
                                          "kg*m^2", sign));
   }
@@ -34,7 +34,7 @@ void draft_body(Drafting& drafting, std::size_t link, LinkDraft& to) {
   BodyDraft body;
   body.name = glossary.frame(link);
   body.frame = body.name;
-  body.mass = glossary.parameter("m_" + body.name, inertial->mass, "kg", ", assume = \"positive\"");
+  body.mass = glossary.parameter("m_" + body.name, inertial->mass, "kg", "assume = \"positive\"");
   for (std::size_t i = 0; i < 3; ++i) {
     body.com[i] = glossary.parameter(fmt::format("c{}_{}", axis_letter(i), body.name),
                                      inertial->origin.xyz[i], "m");

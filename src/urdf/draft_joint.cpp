@@ -114,9 +114,9 @@ class JointDrafter {
   }
 
   void draft_damping(const Coupling& coupling) {
-    const std::string damping = glossary_.parameter("damping_" + name_, joint_.damping,
-                                                    std::string(units_of(joint_.type).damping),
-                                                    ", assume = \"nonnegative\"");
+    const std::string damping =
+        glossary_.parameter("damping_" + name_, joint_.damping,
+                            std::string(units_of(joint_.type).damping), "assume = \"nonnegative\"");
     if (damping == "0" || coupling.factor == "0") return;
     const std::string plain = fmt::format("dot({})", coupling.coordinate);
     const bool is_plain = coupling.factor == "1" || coupling.factor == "-1";
@@ -128,12 +128,12 @@ class JointDrafter {
   void draft_friction(const Coupling& coupling) {
     const std::string friction =
         glossary_.parameter("friction_" + name_, joint_.friction,
-                            std::string(units_of(joint_.type).force), ", assume = \"nonnegative\"");
+                            std::string(units_of(joint_.type).force), "assume = \"nonnegative\"");
     if (friction == "0" || coupling.factor == "0") return;
     const Decimal scale{"0.01", cln::cl_RA(1) / 100, {}};
     const std::string stiction_rate = glossary_.parameter(
         name_ + "_stiction_rate", scale, std::string(units_of(joint_.type).rate),
-        ", assume = \"positive\", doc = \"friction is full at some times this rate\"");
+        "assume = \"positive\", doc = \"friction is full at some times this rate\"");
     const bool is_plain = coupling.factor == "1" || coupling.factor == "-1";
     const std::string factor = is_plain ? "" : coupling.factor + "*";
     const std::string rate =

@@ -66,22 +66,27 @@ std::optional<Decimal> ElementReader::required_number(std::string_view name) {
   return std::nullopt;
 }
 
-void ElementReader::vector(std::string_view name, Vector& vector) {
+bool ElementReader::vector(std::string_view name, Vector& vector) {
   const Attribute* found = attribute(name);
-  if (found == nullptr) return;
+  if (found == nullptr) return false;
   const std::vector<Span> words = words_of(found->span);
   if (words.size() != vector.size()) {
     reading_.found.push_back({Code::E805, found->span,
                               fmt::format("{} number{}, but `{}` has 3", words.size(),
                                           words.size() == 1 ? "" : "s", name)});
-    return;
+    return false;
   }
-  for (std::size_t i = 0; i < vector.size(); ++i) {
+  Vector read;
+  bool is_complete = true;
+  for (std::size_t i = 0; i < read.size(); ++i) {
     Result<Decimal> number = read_decimal(words[i], reading_.limits);
     auto& all = reading_.found;
     all.insert(all.end(), number.diagnostics.begin(), number.diagnostics.end());
-    if (number) vector[i] = *number;
+    is_complete = is_complete && number;
+    if (number) read[i] = *number;
   }
+  if (is_complete) vector = read;
+  return is_complete;
 }
 
 const Element* ElementReader::child(std::string_view name) {
@@ -137,8 +142,8 @@ Pose read_origin(ElementReader& parent, Reading& reading) {
   const Element* element = parent.child("origin");
   if (element == nullptr) return pose;
   ElementReader origin(*element, reading);
-  origin.vector("xyz", pose.xyz);
-  origin.vector("rpy", pose.rpy);
+  (void)origin.vector("xyz", pose.xyz);
+  (void)origin.vector("rpy", pose.rpy);
   origin.note_the_rest();
   return pose;
 }

@@ -16,15 +16,15 @@ class ElementReader {
   ElementReader(const Element& element, Reading& reading) : element_(element), reading_(reading) {}
 
   /// The attribute's text; E803 where `required` and absent.
-  Text text(std::string_view attribute);
-  Text required_text(std::string_view attribute);
+  Text text(std::string_view name);
+  Text required_text(std::string_view name);
 
   /// E804 where it is no number.
-  std::optional<Decimal> number(std::string_view attribute);
-  std::optional<Decimal> required_number(std::string_view attribute);
+  std::optional<Decimal> number(std::string_view name);
+  std::optional<Decimal> required_number(std::string_view name);
 
-  /// Three numbers: E805 where there are not three. Unchanged where the attribute is absent.
-  void vector(std::string_view attribute, Vector& vector);
+  /// Three numbers: E805 where there are not three. False, and unchanged, where they are not there.
+  bool vector(std::string_view name, Vector& vector);
 
   /// The first child of this name, or null; E803 where `required` and absent.
   const Element* child(std::string_view name);

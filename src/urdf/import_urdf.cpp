@@ -20,12 +20,11 @@ Result<ImportedModel> import_urdf(const SourcePointer& source, const Limits& lim
   Diagnostics found;
   urdf::Reading reading{limits, found};
   const urdf::Robot robot = urdf::read_robot(*root, reading);
+  const bool is_read = !has_errors(found);
   Result<urdf::Tree> tree;
-  if (root->name == "robot") {
-    tree = urdf::make_tree(robot);
-    append(found, tree.diagnostics);
-    if (tree) append(found, urdf::check_masses(robot, *tree));
-  }
+  if (root->name == "robot") tree = urdf::make_tree(robot);
+  append(found, tree.diagnostics);
+  if (is_read && tree) append(found, urdf::check_masses(robot, *tree));
   sort_by_position(found);
   if (has_errors(found)) return found;
   return {{urdf::print(urdf::make_draft(robot, *tree))}, std::move(found)};

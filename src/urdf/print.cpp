@@ -67,8 +67,10 @@ std::string coordinate_table(const CoordinateDraft& coordinate) {
 }
 
 std::vector<std::string> cells(const ParameterDraft& parameter) {
-  return {parameter.name, fmt::format(" = {{ value = {}, ", toml_number(parameter.value)),
-          fmt::format("unit = {}{} }}", toml_string(parameter.unit), parameter.more)};
+  const std::string value = fmt::format(" = {{ value = {}, ", toml_number(parameter.value));
+  const std::string unit = "unit = " + toml_string(parameter.unit);
+  if (parameter.more.empty()) return {parameter.name, value, unit + " }"};
+  return {parameter.name, value, unit + ", ", parameter.more + " }"};
 }
 
 std::string parameters_table(const Draft& draft) {

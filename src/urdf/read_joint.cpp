@@ -54,8 +54,9 @@ void read_axis(ElementReader& reader, Joint& joint, Reading& reading) {
   if (element == nullptr) return;
   ElementReader axis(*element, reading);
   joint.axis_span = axis.required_text("xyz").span;
-  axis.vector("xyz", joint.axis);
+  const bool is_read = axis.vector("xyz", joint.axis);
   axis.note_the_rest();
+  if (!is_read) return;
   const bool is_zero = std::all_of(joint.axis.begin(), joint.axis.end(),
                                    [](const Decimal& component) { return component.is_zero(); });
   if (is_zero) reading.found.push_back({Code::E813, joint.axis_span, "the axis has no direction"});

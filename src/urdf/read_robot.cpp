@@ -9,13 +9,18 @@ namespace elgen::urdf {
 
 namespace {
 
-void refuse_macros(const Element& root, Diagnostics& found) {
+/// Once for all of them.
+void refuse_macros(ElementReader& reader, const Element& root, Diagnostics& found) {
+  bool is_first = true;
   for (const Element& child : root.children) {
     if (!child.name.starts_with("xacro:")) continue;
-    found.push_back({Code::E802, child.span,
-                     fmt::format("{} is a macro", parsing::in_ticks("<" + child.name + ">")),
-                     "expand the file with xacro first"});
-    return;
+    if (is_first) {
+      found.push_back({Code::E802, child.span,
+                       fmt::format("{} is a macro", parsing::in_ticks("<" + child.name + ">")),
+                       "expand the file with xacro first"});
+    }
+    is_first = false;
+    reader.ignore({child.name});
   }
 }
 
@@ -37,8 +42,8 @@ Robot read_robot(const Element& root, Reading& reading) {
          fmt::format("{} is no `<robot>`", parsing::in_ticks("<" + root.name + ">"))});
     return robot;
   }
-  refuse_macros(root, reading.found);
   ElementReader reader(root, reading);
+  refuse_macros(reader, root, reading.found);
   robot.name = reader.required_text("name").text;
   for (const Element* link : reader.children("link")) {
     robot.links.push_back(read_link(*link, reading));

@@ -56,7 +56,9 @@ std::vector<std::string> aligned(const std::vector<std::vector<std::string>>& ro
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {
     widths.resize(std::max(widths.size(), row.size()));
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    for (std::size_t i = 0; i + 1 < row.size(); ++i) {
+      widths[i] = std::max(widths[i], row[i].size());
+    }
   }
   std::vector<std::string> lines;
   for (const auto& row : rows) {

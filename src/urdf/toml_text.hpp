@@ -34,7 +34,8 @@ class Table {
   std::vector<std::pair<std::string, std::string>> rows_ = {};
 };
 
-/// Rows of cells, each column as wide as its widest cell; the last has the width it has.
+/// Rows of cells, each column as wide as its widest cell; the last cell of a row is as wide as it
+/// is.
 [[nodiscard]] std::vector<std::string> aligned(const std::vector<std::vector<std::string>>& rows);
 
 }  // namespace elgen::urdf

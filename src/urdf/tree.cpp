@@ -36,7 +36,7 @@ Indices indices_of(const std::vector<Named>& elements, std::string_view noun, Di
     const auto [first, is_new] = indices.emplace(name.text, i);
     if (is_new || name.text.empty()) continue;
     Diagnostic twice{Code::E807, name.span,
-                     fmt::format("two {}s are called {}", noun, in_ticks(name.text))};
+                     fmt::format("{} names two {}s", in_ticks(name.text), noun)};
     twice.related = elements[first->second].name.span;
     twice.related_message = "the first is here";
     found.push_back(std::move(twice));
@@ -56,8 +56,8 @@ class TreeMaker {
 
   Result<Tree> make() {
     for (std::size_t i = 0; i < robot_.joints.size(); ++i) connect(i);
-    if (!has_errors(found_)) find_root();
-    if (!has_errors(found_)) grow();
+    if (is_connected_ && !has_errors(found_)) find_root();
+    if (is_connected_ && !has_errors(found_)) grow();
     for (Branch& branch : tree_.branches) find_mimicked(branch);
     if (has_errors(found_)) return found_;
     return tree_;
@@ -82,6 +82,7 @@ class TreeMaker {
   }
 
   std::optional<std::size_t> link_of(const Text& name) {
+    is_connected_ = is_connected_ && !name.text.empty();
     if (name.text.empty()) return std::nullopt;  // E803 was said
     const auto link = links_.find(name.text);
     if (link != links_.end()) return link->second;
@@ -187,6 +188,7 @@ class TreeMaker {
   Indices joints_;
   std::vector<std::optional<std::size_t>> joint_above_;  ///< by link
   std::vector<std::vector<std::size_t>> joints_below_;
+  bool is_connected_ = true;  ///< every joint names its links
   Tree tree_ = {};
 };
 

@@ -39,7 +39,7 @@ TEST_CASE("a number is a parameter of the open group, a zero is none") {
   glossary.open_group("knee");
   CHECK(glossary.parameter("m", urdf::decimal_of(0), "kg") == "0");
   CHECK(glossary.parameter("g", urdf::decimal_of(2), "kg") == "parameter_g");
-  CHECK(glossary.parameter("m", urdf::decimal_of(-2), "kg", ", assume") == "m");
+  CHECK(glossary.parameter("m", urdf::decimal_of(-2), "kg", "assume") == "m");
   const auto groups = glossary.take_groups();
   REQUIRE(groups.size() == 1);
   REQUIRE(groups[0].parameters.size() == 2);

@@ -41,7 +41,7 @@ TEST_CASE("an imported model is a model file, in which every number is as writte
   INFO(format(syntax.diagnostics));
   CHECK(syntax);
   CHECK(after(model, "m_panda_link1 ") ==
-        "  = { value = 4.970684,  unit = \"kg\", assume = \"positive\" }");
+        "  = { value = 4.970684,  unit = \"kg\",     assume = \"positive\" }");
 }
 
 TEST_CASE("all mistakes of a file are told in one run, in its order") {
@@ -53,12 +53,20 @@ TEST_CASE("all mistakes of a file are told in one run, in its order") {
                       "    <axis xyz=\"0 0\"/><origin xyz=\"1 2 inf\"/></joint>\n"
                       "</robot>\n") ==
       "E815 2:18 attribute `color` of `<link>` is not imported\n"
-      "E807 3:15 two links are called `a`\n"
-      "E803 3:20 `<inertial>` has no element `inertia`\n"
-      "E804 3:42 `x` is not a decimal number\n"
-      "E806 4:26 `hinge` is no type of joint\n"
-      "E808 4:47 the robot has no link `b` | did you mean `a`?\n"
+      "E807 3:15 `a` names two links\n"
+      "E803 3:19 `<inertial>` has no element `inertia`\n"
+      "E804 3:41 `x` is not a decimal number\n"
+      "E806 4:25 `hinge` is no type of joint\n"
+      "E808 4:46 the robot has no link `b`\n"
       "E804 5:39 `inf` is not finite\n");
+}
+
+TEST_CASE("a mistake does not bring about others: a joint without parent makes no second root") {
+  std::string text = arm_on("revolute", "<axis xyz=\"0 x 0\"/>");
+  text.replace(text.find("<parent link=\"base\"/>"), 21, "");
+  CHECK(import_messages(text) ==
+        "E803 4:4 `<joint>` has no element `parent`\n"
+        "E804 5:14 `x` is not a decimal number\n");
 }
 
 TEST_CASE("notes and warnings do not keep a model from being made") {

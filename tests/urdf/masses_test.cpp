@@ -53,7 +53,7 @@ TEST_CASE("a robot in which nothing moves is no model") {
 
 TEST_CASE("an inertia that no body has is a warning") {
   CHECK(said("<link name=\"a\"/>\n" + link("b", "1", "3") + joint("ab", "revolute")) ==
-        "E508 3:46 inertia 1, 1, 3, 0, 0, 0 of `b` belongs to no body | a principal inertia "
+        "E508 3:44 inertia 1, 1, 3, 0, 0, 0 of `b` belongs to no body | a principal inertia "
         "exceeds the sum of the other two\n");
 }
 

@@ -13,8 +13,8 @@ TEST_CASE("an arm of one link, whole") {
                         "<dynamics damping=\"0.1\"/>")) ==
         R"(# r, imported from r.urdf.
 #
-#   base     the world
-#     arm    j, revolute
+#   base   the world
+#     arm  j, revolute
 #
 # Every link is a frame of its name, every joint that moves a coordinate. Of a joint: x y z its
 # origin in the axes of the parent. Of a link, in its own axes: m its mass, cx cy cz its centre
@@ -37,9 +37,9 @@ doc        = "revolute joint: base to arm"
 g = { value = 9.81, unit = "m/s^2", min = 0, max = 25, doc = "gravity" }
 
 # arm, on j
-damping_j = { value = 0.1, unit = "N*m*s", assume = "nonnegative" }
+damping_j = { value = 0.1, unit = "N*m*s",  assume = "nonnegative" }
 z_j       = { value = 0.5, unit = "m" }
-m_arm     = { value = 1,   unit = "kg", assume = "positive" }
+m_arm     = { value = 1,   unit = "kg",     assume = "positive" }
 cx_arm    = { value = 0.1, unit = "m" }
 Ixx_arm   = { value = 2,   unit = "kg*m^2", assume = "positive" }
 Iyy_arm   = { value = 2,   unit = "kg*m^2", assume = "positive" }
@@ -94,7 +94,7 @@ TEST_CASE("oblique turns, attitudes and changed names") {
       "<axis xyz=\"1 2 0\"/></joint>"));
   CHECK(after(model, "kind ") == "= \"rotation\"");
   CHECK(after(model, "rotation  ") == "= \"j_attitude\"");
-  CHECK(after(model, "rotate    ") == "= [[[\"1\", \"2\", \"0\"], \"k\"]]");
+  CHECK(after(model, "rotate ") == "= [[[\"1\", \"2\", \"0\"], \"k\"]]");
   CHECK(after(model, "# `left-leg` ") == "is called left_leg");
   CHECK(after(model, "\"Izz_left_leg\",\n") == "           \"Ixy_left_leg\", \"0\", \"0\"]");
 }

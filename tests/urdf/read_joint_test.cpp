@@ -45,8 +45,8 @@ TEST_CASE("without an axis, it is x; without dynamics, nothing brakes") {
 
 TEST_CASE("a type that does not exist, and the one that was meant") {
   CHECK(said("revolut", "") ==
-        "E806 4:26 `revolut` is no type of joint | did you mean `revolute`?\n");
-  CHECK(said("ball", "") == "E806 4:26 `ball` is no type of joint\n");
+        "E806 4:25 `revolut` is no type of joint | did you mean `revolute`?\n");
+  CHECK(said("ball", "") == "E806 4:25 `ball` is no type of joint\n");
 }
 
 TEST_CASE("type, parent and child are required") {

@@ -50,23 +50,23 @@ TEST_CASE("a fixed joint moves where one before it does") {
 
 TEST_CASE("two of one name") {
   CHECK(tree_messages(links("aba") + joint("ab") + joint("ab")) ==
-        "E807 2:45 two links are called `a`\n"
-        "E807 4:14 two joints are called `ab`\n"
-        "E809 4:66 `b` is the child of two joints\n");
+        "E807 2:45 `a` names two links\n"
+        "E807 4:14 `ab` names two joints\n"
+        "E809 4:65 `b` is the child of two joints\n");
 }
 
 TEST_CASE("links that do not exist") {
   CHECK(tree_messages("<robot name=\"r\"><link name=\"base\"/><link name=\"arm\"/>\n"
                       "<joint name=\"j\" type=\"fixed\"><parent link=\"bsae\"/>"
                       "<child link=\"gripper\"/></joint>") ==
-        "E808 2:46 the robot has no link `bsae` | did you mean `base`?\n"
-        "E808 2:65 the robot has no link `gripper`\n");
+        "E808 2:44 the robot has no link `bsae` | did you mean `base`?\n"
+        "E808 2:64 the robot has no link `gripper`\n");
 }
 
 TEST_CASE("a link with two parents, at the second") {
   const urdf::Robot robot = robot_of(links("abc") + joint("ac") + joint("bc") + "</robot>");
   const Diagnostics found = urdf::make_tree(robot).diagnostics;
-  CHECK(messages(found) == "E809 4:66 `c` is the child of two joints\n");
+  CHECK(messages(found) == "E809 4:65 `c` is the child of two joints\n");
   CHECK(line_column(*found[0].related->source, found[0].related->begin).line == 3);
 }
 
@@ -74,10 +74,10 @@ TEST_CASE("two roots, no root, no link, and a loop beside the tree") {
   CHECK(tree_messages(links("abc") + joint("ab")) ==
         "E809 2:45 `c` is a second root link: no joint leads to it\n");
   CHECK(tree_messages(links("ab") + joint("ab") + joint("ba")) ==
-        "E809 4:66 the joints form a loop: a -> b -> a\n");
+        "E809 4:65 the joints form a loop: a -> b -> a\n");
   CHECK(tree_messages(links("abcd") + joint("ab") + joint("cd") + joint("dc")) ==
-        "E809 5:66 the joints form a loop: c -> d -> c\n");
-  CHECK(tree_messages(links("a") + joint("aa")) == "E809 3:66 the joints form a loop: a -> a\n");
+        "E809 5:65 the joints form a loop: c -> d -> c\n");
+  CHECK(tree_messages(links("a") + joint("aa")) == "E809 3:65 the joints form a loop: a -> a\n");
   CHECK(tree_messages("<robot name=\"r\">") == "E803 1:2 `<robot>` has no element `link`\n");
 }
 
@@ -88,19 +88,19 @@ TEST_CASE("who mimics whom") {
       robot_of(start + joint("ac", "revolute", mimic("ab")) + joint("ad") + "</robot>");
   CHECK(tree_of(robot).branches[1].mimics == 0U);
   CHECK(tree_messages(start + joint("ac", "revolute", mimic("bc")) + joint("ad")) ==
-        "E812 4:88 the robot has no joint `bc` | did you mean `ac`?\n");
+        "E812 4:83 the robot has no joint `bc` | did you mean `ac`?\n");
   CHECK(tree_messages(start + joint("ac", "revolute", mimic("ab")) +
                       joint("ad", "revolute", mimic("ac"))) ==
-        "E812 5:88 `ac` itself mimics `ab`\n");
+        "E812 5:83 `ac` itself mimics `ab`\n");
   CHECK(tree_messages(start + joint("ac", "revolute", mimic("ad")) +
                       joint("ad", "revolute", mimic("ac"))) ==
-        "E812 4:88 `ad` itself mimics `ac`\nE812 5:88 `ac` itself mimics `ad`\n");
+        "E812 4:83 `ad` itself mimics `ac`\nE812 5:83 `ac` itself mimics `ad`\n");
   CHECK(tree_messages(start + joint("ac", "revolute", mimic("ac")) + joint("ad")) ==
-        "E812 4:88 `ac` itself mimics `ac`\n");
+        "E812 4:83 `ac` itself mimics `ac`\n");
   CHECK(tree_messages(start + joint("ac", "revolute", mimic("ad")) + joint("ad", "fixed")) ==
-        "E812 4:88 `ad` is fixed: it has no coordinate to share\n");
+        "E812 4:83 `ad` is fixed: it has no coordinate to share\n");
   CHECK(tree_messages(start + joint("ac", "fixed", mimic("ab")) + joint("ad")) ==
-        "E812 4:85 `ac` is fixed: it has no coordinate to share\n");
+        "E812 4:80 `ac` is fixed: it has no coordinate to share\n");
 }
 
 TEST_CASE("a chain as long as a file may hold is no matter of the stack") {
