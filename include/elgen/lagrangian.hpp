@@ -24,9 +24,10 @@ struct Symbols {
   std::vector<GiNaC::ex> parameters = {};
   std::vector<GiNaC::ex> q = {};
   std::vector<GiNaC::ex> v = {};
-  std::vector<GiNaC::ex> a = {};
+  std::vector<GiNaC::ex> a = {};  ///< dv/dt
   std::vector<GiNaC::ex> u = {};
   GiNaC::ex t = {};
+  std::vector<GiNaC::ex> q_rates = {};  ///< dq/dt, of q and v
 };
 
 enum class EntityKind : std::uint8_t {
@@ -189,12 +190,16 @@ struct Lagrangian {
   std::vector<GiNaC::ex> dissipation = {};  ///< terms of D
   std::vector<GiNaC::ex> lagrangian =
       {};  ///< terms of L where it is given whole; then the above are empty
-  std::vector<GiNaC::ex> forces = {};  ///< generalized force on each coordinate, inputs included
+  std::vector<GiNaC::ex> forces = {};  ///< generalized force on each velocity, inputs included
   std::vector<PointForce> point_forces = {};
   FrameTree tree = {};
   std::vector<NamedOutput> outputs = {};
   bool quadratic = true;
+  bool eliminates_last_first = false;  ///< order of elimination of M; see Model
 };
+
+/// Gives a definition a name, where it has none yet.
+void name(Definitions& definitions, const GiNaC::ex& symbol, const std::string& text);
 
 /// Builds the Lagrangian of a checked model. E502: dot() of something that contains rates.
 [[nodiscard]] Result<Lagrangian> formulate(const Model& model);

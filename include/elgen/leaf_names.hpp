@@ -11,6 +11,7 @@ namespace elgen {
 struct LeafNames {
   std::vector<std::string> parameters = {};   ///< "m", "l[2]"
   std::vector<std::string> coordinates = {};  ///< "theta", "q[1]"
+  std::vector<std::string> velocities = {};   ///< what dot() is written around, as above
   std::vector<std::string> inputs = {};
   bool uses_time = false;
 };

@@ -2,8 +2,11 @@
 // constants exact.
 //
 // Expressions live in one arena (Model::expressions) and refer to each other, to coordinates,
-// parameters, definitions and points by index, so shared parts stay shared. Operands precede their
-// users.
+// velocities, parameters, definitions and points by index, so shared parts stay shared. Operands
+// precede their users.
+//
+// q lists the coordinates, v the velocities. A plain coordinate has one velocity, its rate; the
+// four components of a rotation have three, the angular velocity in the axes of the body.
 #pragma once
 
 #include <cln/rational.h>
@@ -28,9 +31,9 @@ enum class ExpressionKind : std::uint8_t {
   number,  ///< number
   pi,
   time,             ///< t
-  coordinate,       ///< q[index]
-  rate,             ///< v[index]
-  acceleration,     ///< a[index]; in [[expect]] only
+  coordinate,       ///< q[index]: coordinates[index]
+  rate,             ///< v[index]: velocities[index]
+  acceleration,     ///< a[index]: of velocities[index]; in [[expect]] only
   input,            ///< u[index]; in forces and [[expect]] only
   parameter,        ///< parameters[index]
   prescribed,       ///< prescribed[index], a function of t
@@ -67,11 +70,37 @@ struct Coordinate {
   std::optional<Unit> unit = {};  ///< none: not checked
   std::string unit_text = {};     ///< as written
   std::optional<Interval> range = {};
-  std::optional<Interval> rate_range = {};
   cln::cl_R start_value = 0;
+  std::uint32_t velocity = 0;  ///< of its rate in Model::velocities; the first one of its rotation
+  std::optional<std::uint32_t> rotation = {};  ///< whose component it is, in Model::rotations
+  std::optional<ExpressionId> armature = {};   ///< adds 1/2 J v^2 to T
+  std::optional<ExpressionId> singular = {};   ///< the chart breaks where this is zero
+  std::string latex = {};
+  std::string doc = {};
+  Span span = {};
+};
+
+/// One entry of v. `name` is what dot() is written around: "q[3]" for the rate of that coordinate,
+/// "attitude[2]" for a component of the angular velocity of a rotation.
+struct Velocity {
+  std::string name;
+  std::string identifier;
+  std::uint32_t coordinate = 0;                ///< whose rate it is; the first one of its rotation
+  std::optional<std::uint32_t> rotation = {};  ///< whose angular velocity it belongs to
+  std::optional<Unit> unit = {};               ///< of the velocity itself; none: not checked
+  std::string unit_text = {};                  ///< of what it is the rate of
+  std::optional<Interval> rate_range = {};
   cln::cl_R start_rate = 0;
-  std::optional<ExpressionId> armature = {};  ///< adds 1/2 J v^2 to T
-  std::optional<ExpressionId> singular = {};  ///< the chart breaks where this is zero
+  Span span = {};
+};
+
+/// A unit quaternion, scalar first, Hamilton, from the axes of the body to those of the parent:
+/// four coordinates, three velocities.
+struct Rotation {
+  std::string name;
+  std::string identifier;
+  std::uint32_t first_coordinate = 0;
+  std::uint32_t first_velocity = 0;
   std::string latex = {};
   std::string doc = {};
   Span span = {};
@@ -192,7 +221,7 @@ struct Body {
 struct Input {
   std::string name;
   std::string identifier;
-  std::optional<std::uint32_t> on = {};  ///< coordinate it acts on as a generalized force
+  std::optional<std::uint32_t> on = {};  ///< velocity it acts on as a generalized force
   std::optional<Interval> limits = {};
   std::optional<Unit> unit = {};
   std::string unit_text = {};
@@ -200,14 +229,14 @@ struct Input {
   Span span = {};
 };
 
-/// A generalized force on a coordinate, a force in N at a point (opposite on the point `from`), or
+/// A generalized force on a velocity, a force in N at a point (opposite on the point `from`), or
 /// a torque in N m on a frame (opposite on the frame `from_frame`). Affine in the inputs.
 struct Force {
   std::string name;
   /// One number; or the components (padded to 3): of a force in the world, of a torque in the axes
   /// of the frame it acts on.
   std::vector<ExpressionId> value = {};
-  std::optional<std::uint32_t> coordinate = {};
+  std::optional<std::uint32_t> on = {};  ///< velocity it does work on
   std::optional<std::uint32_t> at = {};
   std::optional<std::uint32_t> from = {};
   std::optional<std::uint32_t> frame = {};
@@ -262,7 +291,9 @@ struct Model {
   std::string reference = {};
 
   std::vector<Expression> expressions = {};
-  std::vector<Coordinate> coordinates = {};
+  std::vector<Coordinate> coordinates = {};  ///< q
+  std::vector<Velocity> velocities = {};     ///< v
+  std::vector<Rotation> rotations = {};
   std::vector<Parameter> parameters = {};
   std::vector<ParameterArray> parameter_arrays = {};
   std::vector<NamedExpression> prescribed = {};
@@ -282,15 +313,23 @@ struct Model {
       false;  ///< t occurs in an energy, a point, a force or an output: every function takes t
 };
 
+/// Adds a coordinate with its rate; its index.
+std::uint32_t append_coordinate(Model& model, Coordinate coordinate);
+
 /// The dimensions outputs are shaped by.
 struct Dimensions {
-  std::size_t coordinates = 0;
-  std::size_t velocities = 0;
+  std::size_t coordinates = 0;  ///< n_q
+  std::size_t velocities = 0;   ///< n_v
   std::size_t inputs = 0;
   std::size_t parameters = 0;
 };
 
 [[nodiscard]] Dimensions dimensions(const Model& model);
+
+/// The order in which M is eliminated: where a frame carries two or more others, the last velocity
+/// first, so that limbs do not fill each other in; otherwise the first one first. It decides the
+/// relative pivots of forward dynamics.
+[[nodiscard]] bool eliminates_last_first(const Model& model);
 
 /// What an ExpressionKind::frame_component of this index stands for.
 [[nodiscard]] ExpressionId component_of_frame(const Model& model, std::uint32_t index);

@@ -121,6 +121,21 @@ std::vector<OutputRow> dynamics() {
           {"a", "M a = B u - bias",
            "Acceleration, and the pivots D_i/M_ii of M = L D L^T: near 0 M is singular.",
            "acceleration"}),
+      row(K::linearization, "linearization", takes_qvu,
+          {{"A", Extent::states, Extent::states}, {"B", Extent::states, Extent::inputs}},
+          {"d(dx)/dt", "d(dx)/dt = A dx + B du, x = (q, v)",
+           "Linear equations of motion about the state and inputs given.", ""}),
+      row(K::inverse_dynamics_derivatives, "inverse_dynamics_derivatives", takes_qva,
+          {{"by_position", Extent::velocities, Extent::velocities},
+           {"by_velocity", Extent::velocities, Extent::velocities}},
+          {"d tau", "d tau = (dtau/dq) dq + (dtau/dv) dv + M da",
+           "Derivatives of the inverse dynamics.", ""}),
+      row(K::forward_dynamics_derivatives, "forward_dynamics_derivatives", takes_qvu,
+          {{"by_position", Extent::velocities, Extent::velocities},
+           {"by_velocity", Extent::velocities, Extent::velocities},
+           {"by_input", Extent::velocities, Extent::inputs}},
+          {"da", "da = (da/dq) dq + (da/dv) dv + (da/du) du",
+           "Derivatives of the forward dynamics.", ""}),
       row(K::user_value, "", takes_q, {{"", Extent::user, Extent::one}},
           {"y", "y(q)", "Value of an [[output]].", "user"}),
       row(K::user_jacobian, "_jacobian", takes_q, {{"", Extent::user, Extent::velocities}},
@@ -170,11 +185,7 @@ const OutputRow* find_output(std::string_view name) {
 }
 
 bool is_later_output(std::string_view name) {
-  static constexpr std::array<std::string_view, 6> later{"linearization",
-                                                         "inverse_dynamics_derivatives",
-                                                         "forward_dynamics_derivatives",
-                                                         "coordinate_rates",
-                                                         "normalized",
+  static constexpr std::array<std::string_view, 3> later{"coordinate_rates", "normalized",
                                                          "reaction"};
   return std::find(later.begin(), later.end(), name) != later.end();
 }

@@ -58,8 +58,9 @@ class ModelDump {
 
   void dump_variables() {
     for (const Coordinate& q : model_.coordinates) {
+      const Velocity& v = model_.velocities[q.velocity];
       line("coordinate " + q.name + unit_text(q.unit) + interval_text("range", q.range) +
-           interval_text("rate range", q.rate_range) +
+           interval_text("rate range", v.rate_range) +
            (q.armature ? ", armature " + expression(*q.armature) : "") +
            (q.singular ? ", singular " + expression(*q.singular) : ""));
     }
@@ -74,7 +75,7 @@ class ModelDump {
     }
     for (const Input& input : model_.inputs) {
       line("input " + input.name + unit_text(input.unit) + interval_text("limits", input.limits) +
-           (input.on ? ", on " + model_.coordinates[*input.on].name : ""));
+           (input.on ? ", on " + model_.velocities[*input.on].name : ""));
     }
   }
 
@@ -107,8 +108,7 @@ class ModelDump {
 
   void dump_forces() {
     for (const Force& force : model_.forces) {
-      const std::string place = force.coordinate
-                                    ? " on " + model_.coordinates[*force.coordinate].name
+      const std::string place = force.on   ? " on " + model_.velocities[*force.on].name
                                 : force.at ? " at " + model_.points[*force.at].name
                                            : "";
       line("force " + force.name + place +

@@ -16,13 +16,13 @@ void read_frame(Context& context, const Instance& instance);
 /// Points and bodies.
 void read_mass(Context& context, const Instance& instance);
 
-/// Forces and outputs; needs the units of coordinates.
+/// Forces and outputs; needs the units of velocities.
 void read_force_or_output(Context& context, const Instance& instance);
 
 /// [model], [define], [gravity], [energy]: the tables that are not repeated.
 void read_table(Context& context, const EntrySyntax& entry);
 
-/// Unit of the generalized force on a coordinate, J/unit(q).
-[[nodiscard]] std::optional<Unit> force_unit(const Coordinate& coordinate);
+/// Unit of the generalized force on a velocity, whose power is in W.
+[[nodiscard]] std::optional<Unit> force_unit(const Velocity& velocity);
 
 }  // namespace elgen::checking

@@ -18,20 +18,27 @@ struct EntryKind {
 };
 
 template <class Row>
-std::uint32_t append(std::vector<Row>& rows, const NewName& name) {
+Row named(const NewName& name) {
   Row row;
   row.name = name.text();
   row.span = name.span;
   if constexpr (requires { row.identifier; }) {
     row.identifier = name.identifier();
   }
-  rows.push_back(std::move(row));
+  return row;
+}
+
+template <class Row>
+std::uint32_t append(std::vector<Row>& rows, const NewName& name) {
+  rows.push_back(named<Row>(name));
   return static_cast<std::uint32_t>(rows.size() - 1);
 }
 
 constexpr std::array<EntryKind, 8> entry_kinds{{
     {"coordinate", SymbolKind::coordinate,
-     [](Model& model, const NewName& name) { return append(model.coordinates, name); }},
+     [](Model& model, const NewName& name) {
+       return append_coordinate(model, named<Coordinate>(name));
+     }},
     {"prescribed", SymbolKind::prescribed,
      [](Model& model, const NewName& name) { return append(model.prescribed, name); }},
     {"point", SymbolKind::point,

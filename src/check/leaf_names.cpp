@@ -16,12 +16,12 @@ std::vector<std::string> names_of(const Rows& rows) {
 }  // namespace
 
 LeafNames leaf_names(const Model& model) {
-  return {names_of(model.parameters), names_of(model.coordinates), names_of(model.inputs),
-          model.uses_time};
+  return {names_of(model.parameters), names_of(model.coordinates), names_of(model.velocities),
+          names_of(model.inputs), model.uses_time};
 }
 
 Dimensions dimensions(const Model& model) {
-  return {model.coordinates.size(), model.coordinates.size(), model.inputs.size(),
+  return {model.coordinates.size(), model.velocities.size(), model.inputs.size(),
           model.parameters.size()};
 }
 

@@ -83,12 +83,12 @@ class MechanicsCheck {
   }
 
   void check_motion() {
-    const std::vector<bool> moving = moving_coordinates(model_);
+    const std::vector<bool> moving = moving_velocities(model_);
     for (std::size_t i = 0; i < moving.size(); ++i) {
       if (!moving[i]) {
-        const Coordinate& coordinate = model_.coordinates[i];
-        context_.report.add(Code::E513, coordinate.span,
-                            "the rate of " + quoted(coordinate.name) +
+        const Velocity& velocity = model_.velocities[i];
+        context_.report.add(Code::E513, velocity.span,
+                            "the rate of " + quoted(velocity.name) +
                                 " is in no energy, so nothing determines its motion");
       }
     }

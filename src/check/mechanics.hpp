@@ -11,8 +11,8 @@ namespace elgen::checking {
 /// E503, E504, E509, E513, E514, E515; sets Model::quadratic and Model::uses_time.
 void check_mechanics(Context& context, const std::vector<Traits>& traits);
 
-/// Which coordinates have a rate in some energy: T, L, or the motion of a point or body with mass.
-[[nodiscard]] std::vector<bool> moving_coordinates(const Model& model);
+/// Which velocities are in some energy: T, L, or the motion of a point or body with mass.
+[[nodiscard]] std::vector<bool> moving_velocities(const Model& model);
 
 /// Whether the point or body has kinetic energy.
 [[nodiscard]] inline bool has_energy(const Point& point) { return point.mass.has_value(); }

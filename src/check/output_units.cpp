@@ -1,4 +1,4 @@
-// Units of the entries of outputs, from the units of coordinates and inputs.
+// Units of the entries of outputs, from the units of velocities and inputs.
 #include "output_units.hpp"
 
 #include <array>
@@ -6,21 +6,22 @@
 namespace elgen::checking {
 namespace {
 
-/// What a rule of the output table divides J s^seconds by.
+/// What a rule of the output table divides J s^seconds by. (A generalized force is a power per
+/// velocity, W = J s^-1.)
 struct UnitRule {
   std::string_view name;
   int seconds;
-  bool by_row_coordinate;
-  bool by_column_coordinate;
+  bool by_row_velocity;
+  bool by_column_velocity;
   bool by_column_input;
 };
 
 constexpr std::array<UnitRule, 6> rules{{
-    {"mass", 2, true, true, false},
-    {"coriolis", 1, true, true, false},
-    {"momentum", 1, true, false, false},
-    {"force", 0, true, false, false},
-    {"input", 0, true, false, true},
+    {"mass", 0, true, true, false},
+    {"coriolis", -1, true, true, false},
+    {"momentum", 0, true, false, false},
+    {"force", -1, true, false, false},
+    {"input", -1, true, false, true},
     {"energy", 0, false, false, false},
 }};
 
@@ -32,11 +33,11 @@ void divide(std::optional<Unit>& unit, const std::optional<Unit>& divisor) {
 std::optional<Unit> apply(const UnitRule& rule, const Model& model, std::uint32_t row,
                           std::uint32_t column) {
   std::optional<Unit> unit = *find_unit("J") * power(*find_unit("s"), {rule.seconds, 1});
-  if (rule.by_row_coordinate) {
-    divide(unit, model.coordinates[row].unit);
+  if (rule.by_row_velocity) {
+    divide(unit, model.velocities[row].unit);
   }
-  if (rule.by_column_coordinate) {
-    divide(unit, model.coordinates[column].unit);
+  if (rule.by_column_velocity) {
+    divide(unit, model.velocities[column].unit);
   }
   if (rule.by_column_input) {
     divide(unit, model.inputs[column].unit);
@@ -50,8 +51,8 @@ std::optional<Unit> unit_of_entry(const Model& model, const OutputRequest& outpu
                                   std::uint32_t row, std::uint32_t column) {
   const std::string_view name = output_row(output.kind).unit;
   if (name == "acceleration") {
-    std::optional<Unit> unit = model.coordinates[row].unit;
-    divide(unit, power(*find_unit("s"), {2, 1}));
+    std::optional<Unit> unit = model.velocities[row].unit;
+    divide(unit, find_unit("s"));
     return unit;
   }
   for (const UnitRule& rule : rules) {

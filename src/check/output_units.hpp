@@ -1,4 +1,4 @@
-// Units of the entries of outputs, from the units of coordinates and inputs.
+// Units of the entries of outputs, from the units of velocities and inputs.
 #pragma once
 
 #include <optional>

@@ -63,9 +63,9 @@ class Printer {
       case ExpressionKind::coordinate:
         return model_.coordinates[node.index].name;
       case ExpressionKind::rate:
-        return "dot(" + model_.coordinates[node.index].name + ")";
+        return "dot(" + model_.velocities[node.index].name + ")";
       case ExpressionKind::acceleration:
-        return "dot(dot(" + model_.coordinates[node.index].name + "))";
+        return "dot(dot(" + model_.velocities[node.index].name + "))";
       case ExpressionKind::input:
         return model_.inputs[node.index].name;
       case ExpressionKind::parameter:
@@ -153,6 +153,16 @@ class Printer {
 };
 
 }  // namespace
+
+bool eliminates_last_first(const Model& model) {
+  std::vector<bool> carries(model.frames.size(), false);
+  for (const Frame& frame : model.frames) {
+    if (!frame.parent) continue;
+    if (carries[*frame.parent]) return true;
+    carries[*frame.parent] = true;
+  }
+  return false;
+}
 
 ExpressionId component_of_frame(const Model& model, std::uint32_t index) {
   const Frame& frame = model.frames[index / components_per_frame];

@@ -1,4 +1,4 @@
-// Forces on coordinates and at points, and the outputs a model declares.
+// Forces on velocities, at points and on frames, and the outputs a model declares.
 #include <algorithm>
 #include <array>
 
@@ -14,10 +14,10 @@ constexpr Place force_place{"a force", place::of_force};
 
 void read_generalized_force(ValueReader& values, const KeySyntax& on, const KeySyntax& value,
                             Force& force) {
-  force.coordinate = values.reference(on.value, SymbolKind::coordinate);
+  force.on = values.velocity(on.value);
   std::optional<Unit> unit;
-  if (force.coordinate) {
-    unit = force_unit(values.context().model.coordinates[*force.coordinate]);
+  if (force.on) {
+    unit = force_unit(values.context().model.velocities[*force.on]);
   }
   force.value = values.roots(value.value, {force_place, unit});
   if (value.value.kind == ValueKind::list) {

@@ -23,7 +23,18 @@ void read_start(ValueReader& values, const ValueSyntax& table, Coordinate& coord
     coordinate.start_value = values.constant(value->value).value_or(0);
   }
   if (const KeySyntax* rate = find_key(table, "rate")) {
-    coordinate.start_rate = values.constant(rate->value).value_or(0);
+    values.context().model.velocities[coordinate.velocity].start_rate =
+        values.constant(rate->value).value_or(0);
+  }
+}
+
+void read_rate(ValueReader& values, const EntrySyntax& entry, const Coordinate& coordinate) {
+  std::optional<Interval> range = interval_of(values, entry, "rate_range");
+  Velocity& velocity = values.context().model.velocities[coordinate.velocity];
+  velocity.rate_range = std::move(range);
+  velocity.unit_text = coordinate.unit_text;
+  if (coordinate.unit) {
+    velocity.unit = *coordinate.unit / *find_unit("s");
   }
 }
 
@@ -42,7 +53,7 @@ void read_coordinate(ValueReader& values, const EntrySyntax& entry, std::uint32_
   coordinate.unit = unit_of(entry, context.report);
   coordinate.unit_text = text_of(entry, "unit");
   coordinate.range = interval_of(values, entry, "range");
-  coordinate.rate_range = interval_of(values, entry, "rate_range");
+  read_rate(values, entry, coordinate);
   coordinate.latex = text_of(entry, "latex");
   coordinate.doc = text_of(entry, "doc");
   if (const KeySyntax* start = entry.find("start")) {
@@ -60,12 +71,12 @@ void read_coordinate(ValueReader& values, const EntrySyntax& entry, std::uint32_
 }
 
 void check_input_unit(Context& context, const Input& input, const ValueSyntax& unit) {
-  const Coordinate& coordinate = context.model.coordinates[*input.on];
-  const std::optional<Unit> expected = force_unit(coordinate);
+  const Velocity& velocity = context.model.velocities[*input.on];
+  const std::optional<Unit> expected = force_unit(velocity);
   if (input.unit && expected && *input.unit != *expected) {
     context.report.add(Code::E403, unit.span,
                        quoted(input.name) + " is in " + to_string(*input.unit) +
-                           ", but a force on " + quoted(coordinate.name) + " is in " +
+                           ", but a force on " + quoted(velocity.name) + " is in " +
                            to_string(*expected));
   }
 }
@@ -78,7 +89,7 @@ void read_input(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
   input.limits = interval_of(values, entry, "limits");
   input.doc = text_of(entry, "doc");
   if (const KeySyntax* on = entry.find("on")) {
-    input.on = values.reference(on->value, SymbolKind::coordinate);
+    input.on = values.velocity(on->value);
   }
   if (const KeySyntax* unit = entry.find("unit"); unit != nullptr && input.on) {
     check_input_unit(context, input, unit->value);
@@ -103,8 +114,8 @@ void read_prescribed(ValueReader& values, const EntrySyntax& entry, std::uint32_
 
 }  // namespace
 
-std::optional<Unit> force_unit(const Coordinate& coordinate) {
-  return coordinate.unit ? std::optional(*find_unit("J") / *coordinate.unit) : std::nullopt;
+std::optional<Unit> force_unit(const Velocity& velocity) {
+  return velocity.unit ? std::optional(*find_unit("W") / *velocity.unit) : std::nullopt;
 }
 
 void read_variable(Context& context, const Instance& instance) {

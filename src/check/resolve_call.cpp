@@ -120,7 +120,8 @@ std::optional<ExpressionId> Resolver::resolve_dot(const ExpressionSyntax& call) 
   }
   const Expression& inner = context_.model.expressions[*argument];
   if (inner.kind == ExpressionKind::coordinate) {
-    return push_leaf(ExpressionKind::rate, inner.index, call.span);
+    return push_leaf(ExpressionKind::rate, context_.model.coordinates[inner.index].velocity,
+                     call.span);
   }
   if (inner.kind == ExpressionKind::rate) {
     return push_leaf(ExpressionKind::acceleration, inner.index, call.span);

@@ -66,9 +66,9 @@ class UnitInference {
       case ExpressionKind::coordinate:
         return declared(model_.coordinates[node.index].unit);
       case ExpressionKind::rate:
-        return over_time(declared(model_.coordinates[node.index].unit), 1);
+        return declared(model_.velocities[node.index].unit);
       case ExpressionKind::acceleration:
-        return over_time(declared(model_.coordinates[node.index].unit), 2);
+        return over_time(declared(model_.velocities[node.index].unit), 1);
       case ExpressionKind::input:
         return declared(model_.inputs[node.index].unit);
       case ExpressionKind::parameter:

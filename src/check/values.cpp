@@ -93,6 +93,12 @@ std::optional<std::uint32_t> ValueReader::reference(const ValueSyntax& value, Sy
   return Resolver(context_, scope_).element(name, *symbol);
 }
 
+std::optional<std::uint32_t> ValueReader::velocity(const ValueSyntax& value) {
+  const std::optional<std::uint32_t> coordinate = reference(value, SymbolKind::coordinate);
+  return coordinate ? std::optional(context_.model.coordinates[*coordinate].velocity)
+                    : std::nullopt;
+}
+
 void ValueReader::check_dimension(std::size_t count, const Span& span) {
   if (context_.dimension == 0) {
     context_.dimension = static_cast<std::uint32_t>(count);

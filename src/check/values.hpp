@@ -50,6 +50,9 @@ class ValueReader {
   /// The same for a frame; nothing for `world` (and after an error).
   std::optional<std::uint32_t> frame_or_world(const ValueSyntax& value);
 
+  /// The index in the Model of the velocity that `on` names by its coordinate. E201, E207, E208.
+  std::optional<std::uint32_t> velocity(const ValueSyntax& value);
+
   /// E516 unless all vectors of the model have as many components as the first.
   void check_dimension(std::size_t count, const Span& span);
 

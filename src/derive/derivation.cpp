@@ -13,7 +13,7 @@ namespace {
 Seeds seeds(const Symbols& symbols, bool coordinates_move, bool time_passes) {
   Seeds result;
   for (std::size_t i = 0; coordinates_move && i < symbols.q.size(); ++i) {
-    result.emplace(symbols.q[i], symbols.v[i]);
+    result.emplace(symbols.q[i], symbols.q_rates[i]);
   }
   if (time_passes) result.emplace(symbols.t, 1);
   return result;
@@ -46,6 +46,18 @@ Derivation::Derivation(const Lagrangian& source)
   append(other_, weighted(lagrangian.kinetic, 1));
   append(other_, weighted(lagrangian.potential, -1));
   append(other_, weighted(lagrangian.lagrangian, 1));
+}
+
+Tangent Derivation::displacement(std::size_t velocity) {
+  return {definitions, Seeds{{symbols.q[velocity], 1}}};
+}
+
+Tangent Derivation::unit_velocity(std::size_t velocity) {
+  return {definitions, Seeds{{symbols.v[velocity], 1}}};
+}
+
+std::string Derivation::velocity_identifier(std::size_t velocity) const {
+  return GiNaC::ex_to<GiNaC::symbol>(symbols.q[velocity]).get_name();
 }
 
 Derivation::~Derivation() = default;

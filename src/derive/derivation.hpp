@@ -47,9 +47,9 @@ class Derivation {
   Definitions& definitions;  ///< of `lagrangian`
   const Symbols& symbols;
 
-  Tangent motion;    ///< d/dt along the motion: q -> v, v -> a, t -> 1
+  Tangent motion;    ///< d/dt along the motion: q -> dq/dt, v -> a, t -> 1
   Tangent coasting;  ///< the same with a = 0
-  Tangent frozen;    ///< q -> v alone: time stands still
+  Tangent frozen;    ///< q -> dq/dt alone: time stands still
   Tangent passing;   ///< t -> 1 alone
 
   /// Terms of T - V beside those of point masses, or of L.
@@ -69,7 +69,14 @@ class Derivation {
   template <class Force>
   [[nodiscard]] std::vector<Weighted> on_masses(const Force& force);
 
-  [[nodiscard]] std::size_t size() const { return symbols.q.size(); }
+  /// Along the unit virtual displacement, or the unit velocity, of one velocity.
+  [[nodiscard]] Tangent displacement(std::size_t velocity);
+  [[nodiscard]] Tangent unit_velocity(std::size_t velocity);
+
+  /// C++ identifier of a velocity.
+  [[nodiscard]] std::string velocity_identifier(std::size_t velocity) const;
+
+  [[nodiscard]] std::size_t size() const { return symbols.v.size(); }
 
  private:
   std::vector<Weighted> other_;

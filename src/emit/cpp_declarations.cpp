@@ -107,8 +107,9 @@ TemplateData declared_arrays(const Model& model) {
                    coordinates([](const C& c) { return string_literal(c.unit_text); }));
   list << declared("Interval", "coordinate_ranges",
                    coordinates([](const C& c) { return interval(c.range); }));
-  list << declared("Interval", "rate_ranges",
-                   coordinates([](const C& c) { return interval(c.rate_range); }));
+  list << declared(
+      "Interval", "rate_ranges",
+      each<Velocity>(model.velocities, [](const Velocity& v) { return interval(v.rate_range); }));
   list << declared(text, "input_names",
                    inputs([](const Input& i) { return string_literal(i.name); }));
   list << declared(text, "input_units",

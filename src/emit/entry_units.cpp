@@ -8,11 +8,6 @@ namespace {
 
 constexpr std::size_t longest_list = 60;
 
-std::optional<Unit> times(const std::optional<Unit>& a, const std::optional<Unit>& b) {
-  if (!a || !b) return std::nullopt;
-  return *a * *b;
-}
-
 std::optional<Unit> over(const std::optional<Unit>& a, const std::optional<Unit>& b) {
   if (!a || !b) return std::nullopt;
   return *a / *b;
@@ -23,18 +18,19 @@ std::optional<Unit> over(const std::optional<Unit>& a, const std::optional<Unit>
 std::optional<Unit> unit_of_entry(const Model& model, const EntryPlace& place) {
   const std::optional<Unit> joule = find_unit("J");
   const std::optional<Unit> second = find_unit("s");
-  const auto coordinate = [&model](std::size_t i) { return model.coordinates[i].unit; };
+  const auto velocity = [&model](std::size_t i) { return model.velocities[i].unit; };
   const std::string_view rule = output_row(place.kind).unit;
   if (rule == "energy") return joule;
   if (rule == "user" || rule.empty()) return std::nullopt;
   if (place.field == "relative_pivots") return Unit{};
-  if (rule == "acceleration") return over(coordinate(place.row), times(second, second));
-  const std::optional<Unit> force = over(joule, coordinate(place.row));
-  if (rule == "momentum") return times(force, second);
+  if (rule == "acceleration") return over(velocity(place.row), second);
+  const std::optional<Unit> momentum = over(joule, velocity(place.row));
+  if (rule == "momentum") return momentum;
+  const std::optional<Unit> force = over(momentum, second);
   if (rule == "input") return over(force, model.inputs[place.column].unit);
   if (rule == "force") return force;
-  const std::optional<Unit> per_rate = over(times(force, second), coordinate(place.column));
-  return rule == "mass" ? times(per_rate, second) : per_rate;
+  const std::optional<Unit> mass = over(momentum, velocity(place.column));
+  return rule == "mass" ? mass : over(mass, second);
 }
 
 std::string units_text(const Model& model, OutputKind kind, const Field& field) {

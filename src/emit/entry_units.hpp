@@ -1,4 +1,4 @@
-// entry_units: the rule of an output and the units of coordinates -> the unit of each entry.
+// entry_units: the rule of an output and the units of velocities -> the unit of each entry.
 #pragma once
 
 #include <optional>

@@ -61,9 +61,9 @@ std::vector<Partial> partials(const Definitions& definitions, const ex& value, u
 Seeds motion_seeds(const Symbols& symbols) {
   Seeds seeds;
   for (std::size_t i = 0; i < symbols.q.size(); ++i) {
-    seeds.emplace(symbols.q[i], symbols.v[i]);
-    seeds.emplace(symbols.v[i], symbols.a[i]);
+    seeds.emplace(symbols.q[i], symbols.q_rates[i]);
   }
+  for (std::size_t i = 0; i < symbols.v.size(); ++i) seeds.emplace(symbols.v[i], symbols.a[i]);
   seeds.emplace(symbols.t, 1);
   return seeds;
 }

@@ -26,7 +26,7 @@ struct Partial {
 /// Rates of the leaves along a direction; a leaf that is absent stands still.
 using Seeds = ExpressionMap<GiNaC::ex>;
 
-/// q -> v, v -> a, t -> 1: the motion. Parts are left out by leaving their seeds out.
+/// q -> dq/dt, v -> a, t -> 1: the motion. Parts are left out by leaving their seeds out.
 [[nodiscard]] Seeds motion_seeds(const Symbols& symbols);
 
 /// Forward: the derivative along a direction, d/ds f = sum df/dx dx/ds.

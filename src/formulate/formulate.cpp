@@ -34,17 +34,20 @@ void add_symbols(const Model& model, Lagrangian& lagrangian) {
   for (const Coordinate& coordinate : model.coordinates) {
     add(symbols.q, GiNaC::realsymbol(coordinate.identifier), on_coordinates);
   }
-  for (const Coordinate& coordinate : model.coordinates) {
-    add(symbols.v, GiNaC::realsymbol(coordinate.identifier + "_dot"), on_velocities);
+  for (const Velocity& velocity : model.velocities) {
+    add(symbols.v, GiNaC::realsymbol(velocity.identifier + "_dot"), on_velocities);
   }
-  for (const Coordinate& coordinate : model.coordinates) {
-    add(symbols.a, GiNaC::realsymbol(coordinate.identifier + "_ddot"), on_accelerations);
+  for (const Velocity& velocity : model.velocities) {
+    add(symbols.a, GiNaC::realsymbol(velocity.identifier + "_ddot"), on_accelerations);
   }
   for (const Input& input : model.inputs) {
     add(symbols.u, GiNaC::realsymbol(input.identifier), on_inputs);
   }
   symbols.t = GiNaC::realsymbol("t");
   add_leaf(lagrangian.definitions, symbols.t, on_time);
+  for (const Coordinate& coordinate : model.coordinates) {
+    symbols.q_rates.push_back(symbols.v[coordinate.velocity]);
+  }
 }
 
 /// Builds the parts of a Lagrangian one after another; the first error ends it.
@@ -53,6 +56,7 @@ class Formulation {
   explicit Formulation(const Model& model) : model_(model), translation_(model, lagrangian_) {
     lagrangian_.leaves = leaf_names(model);
     lagrangian_.quadratic = model.quadratic;
+    lagrangian_.eliminates_last_first = eliminates_last_first(model);
     add_symbols(model, lagrangian_);
   }
 
@@ -156,23 +160,22 @@ class Formulation {
     add_terms(model_.energies.V, lagrangian_.potential);
     add_terms(model_.energies.D, lagrangian_.dissipation);
     add_terms(model_.energies.L, lagrangian_.lagrangian);
-    for (std::size_t i = 0; i < model_.coordinates.size(); ++i) {
-      const auto& armature = model_.coordinates[i].armature;
-      if (!armature) continue;
-      const ex rate = lagrangian_.symbols.v[i];
+    for (const Coordinate& coordinate : model_.coordinates) {
+      if (!coordinate.armature) continue;
+      const ex rate = lagrangian_.symbols.v[coordinate.velocity];
       auto& kinetic = lagrangian_.lagrangian.empty() ? lagrangian_.kinetic : lagrangian_.lagrangian;
-      kinetic.push_back(half * translated(*armature) * rate * rate);
+      kinetic.push_back(half * translated(*coordinate.armature) * rate * rate);
     }
   }
 
   void add_forces() {
-    std::vector<GiNaC::exvector> on(model_.coordinates.size());
+    std::vector<GiNaC::exvector> on(model_.velocities.size());
     for (std::size_t i = 0; i < model_.inputs.size(); ++i) {
       if (model_.inputs[i].on) on[*model_.inputs[i].on].push_back(lagrangian_.symbols.u[i]);
     }
     for (const Force& force : model_.forces) {
-      if (force.coordinate) {
-        on[*force.coordinate].push_back(translated(force.value.front()));
+      if (force.on) {
+        on[*force.on].push_back(translated(force.value.front()));
       } else if (force.at) {
         add_point_force(force);
       }

@@ -42,7 +42,7 @@ std::string proportion(const Model& model, const Vector& x, const std::vector<st
   std::string shares;
   for (const std::size_t i : part) {
     const char* separator = names.empty() ? "" : " : ";
-    names += separator + model.coordinates[i].name;
+    names += separator + model.velocities[i].name;
     shares += separator + readable(x[i] / x[part.front()]);
   }
   return names + " = " + shares;
@@ -50,7 +50,7 @@ std::string proportion(const Model& model, const Vector& x, const std::vector<st
 
 Diagnostic motion_without_energy(const Model& model, const Vector& x) {
   const std::vector<std::size_t> part = moving(x);
-  const Coordinate& first = model.coordinates[part.front()];
+  const Velocity& first = model.velocities[part.front()];
   if (part.size() == 1) {
     return {Code::E501, first.span,
             fmt::format("the rate of `{}` has no kinetic energy", first.name),
@@ -63,11 +63,11 @@ Diagnostic motion_without_energy(const Model& model, const Vector& x) {
 
 /// The dimension, and one direction at one configuration.
 Diagnostic rank_deficit(const Model& model, const std::vector<Vector>& basis, const State& state) {
-  const std::size_t n = model.coordinates.size();
+  const std::size_t n = model.velocities.size();
   std::string at;
   for (const cln::cl_R& q : state.q) at += (at.empty() ? "" : ", ") + readable(q);
   return {
-      Code::E501, model.coordinates.front().span,
+      Code::E501, model.velocities.front().span,
       fmt::format("rank {} of {} at every sampled configuration: the motion `{}` has no kinetic "
                   "energy at q = ({})",
                   n - basis.size(), n, proportion(model, basis[0], moving(basis[0])), at),
@@ -77,7 +77,7 @@ Diagnostic rank_deficit(const Model& model, const std::vector<Vector>& basis, co
 }  // namespace
 
 Diagnostics inspect_mass_matrix(const Subject& subject) {
-  const std::size_t n = subject.model.coordinates.size();
+  const std::size_t n = subject.model.velocities.size();
   if (n > most_coordinates_sampled) return {};
   std::vector<std::vector<Vector>> found;
   State last;

@@ -78,8 +78,7 @@ ExpressionId number(Model& model, const cl_R& value) {
 Model liftable(const Model& model, std::uint32_t point, const Direction& up) {
   Model result = model;
   const ExpressionId lift = node(result, ExpressionKind::coordinate, {});
-  result.expressions[lift].index = static_cast<std::uint32_t>(model.coordinates.size());
-  result.coordinates.emplace_back();
+  result.expressions[lift].index = append_coordinate(result, {});
   for (std::size_t c = 0; c < 3; ++c) {
     if (cln::zerop(up[c])) continue;
     const ExpressionId scale = number(result, up[c]);
@@ -92,7 +91,7 @@ Model liftable(const Model& model, std::uint32_t point, const Direction& up) {
 
 /// dV/d(lift) at a sampled state, all else at rest.
 std::optional<cl_R> slope(const Model& liftable, ExpressionId potential, State state) {
-  state.v.assign(liftable.coordinates.size(), cl_R(0));
+  state.v.assign(liftable.velocities.size(), cl_R(0));
   state.a = state.v;
   state.q.emplace_back(0);
   const auto at_rest = oracle_rate(liftable, potential, state);
@@ -140,7 +139,7 @@ Diagnostics gravity_along_last_axis(const Subject& subject) {
 Diagnostics inspect_potential(const Subject& subject) {
   const Model& model = subject.model;
   Diagnostics diagnostics = gravity_along_last_axis(subject);
-  if (!model.energies.V || model.coordinates.size() > most_coordinates_sampled) {
+  if (!model.energies.V || model.velocities.size() > most_coordinates_sampled) {
     return diagnostics;
   }
   for (const std::uint32_t index : points_in(model, *model.energies.V)) {

@@ -32,9 +32,11 @@ State sampled_state(const Subject& subject, unsigned seed) {
       state.parameters[i] = fraction_between(random, 0, 1);
     }
   }
-  for (std::size_t i = 0; i < state.q.size(); ++i) {
-    state.q[i] = in_range(random, subject.model.coordinates[i].range, 2);
-    state.v[i] = in_range(random, subject.model.coordinates[i].rate_range, 1);
+  for (std::size_t i = 0; i < state.v.size(); ++i) {
+    const Velocity& velocity = subject.model.velocities[i];
+    const Coordinate& coordinate = subject.model.coordinates[velocity.coordinate];
+    state.q[velocity.coordinate] = in_range(random, coordinate.range, 2);
+    state.v[i] = in_range(random, velocity.rate_range, 1);
   }
   state.t = fraction_between(random, 0, 1);
   return state;

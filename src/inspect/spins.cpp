@@ -24,6 +24,8 @@ Model with_lagrangian(const Model& model, ExpressionId lagrangian) {
   bare.definitions = model.definitions;
   bare.prescribed = model.prescribed;
   bare.coordinates = model.coordinates;
+  bare.velocities = model.velocities;
+  bare.rotations = model.rotations;
   for (Coordinate& coordinate : bare.coordinates) coordinate.armature.reset();
   bare.points = model.points;
   for (Point& point : bare.points) point.mass.reset();
@@ -52,7 +54,7 @@ bool has_curl(const Subject& subject, ExpressionId spin) {
 }  // namespace
 
 Diagnostics inspect_spins(const Subject& subject) {
-  if (subject.model.coordinates.size() > most_coordinates_sampled) return {};
+  if (subject.model.velocities.size() > most_coordinates_sampled) return {};
   Diagnostics diagnostics;
   for (const Body& body : subject.model.bodies) {
     if (body.dimension != 2 || body.spin.empty()) continue;

@@ -86,8 +86,12 @@ std::string function_text(const Program& program, const Function& function) {
 
 std::string dump(const Program& program) {
   std::string text = list_line("parameters", program.leaves.parameters) +
-                     list_line("coordinates", program.leaves.coordinates) +
-                     list_line("inputs", program.leaves.inputs);
+                     list_line("coordinates", program.leaves.coordinates);
+  // Where nothing rotates, velocities are called as their coordinates.
+  if (program.leaves.velocities != program.leaves.coordinates) {
+    text += list_line("velocities", program.leaves.velocities);
+  }
+  text += list_line("inputs", program.leaves.inputs);
   if (program.leaves.uses_time) text += "time\n";
   for (const Constant& constant : program.constants) text += constant_line(constant);
   for (const Function& function : program.functions) text += function_text(program, function);

@@ -20,9 +20,10 @@ std::size_t leaf_count(const Program& program, Opcode opcode) {
     case Opcode::parameter:
       return program.leaves.parameters.size();
     case Opcode::coordinate:
+      return program.leaves.coordinates.size();
     case Opcode::velocity:
     case Opcode::acceleration:
-      return program.leaves.coordinates.size();
+      return program.leaves.velocities.size();
     case Opcode::input:
       return program.leaves.inputs.size();
     default:

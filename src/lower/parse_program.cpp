@@ -78,7 +78,8 @@ class Reader {
     const Words words = split(line.substr(0, comment));
     if (words.empty()) return "";
     if (words[0] == "parameters") return read_names(words, program_.leaves.parameters);
-    if (words[0] == "coordinates") return read_names(words, program_.leaves.coordinates);
+    if (words[0] == "coordinates") return read_coordinates(words);
+    if (words[0] == "velocities") return read_names(words, program_.leaves.velocities);
     if (words[0] == "inputs") return read_names(words, program_.leaves.inputs);
     if (words[0] == "constant") return read_constant(words);
     if (words[0] == "function") return read_heading(words);
@@ -95,6 +96,12 @@ class Reader {
   static std::string read_names(const Words& words, std::vector<std::string>& names) {
     names.assign(words.begin() + 1, words.end());
     return "";
+  }
+
+  /// Velocities are called as coordinates unless a line of their own follows.
+  std::string read_coordinates(const Words& words) {
+    read_names(words, program_.leaves.velocities);
+    return read_names(words, program_.leaves.coordinates);
   }
 
   std::string read_constant(const Words& words) {

@@ -52,9 +52,10 @@ inline constexpr std::array opcode_names{
     case Opcode::parameter:
       return &leaves.parameters;
     case Opcode::coordinate:
+      return &leaves.coordinates;
     case Opcode::velocity:
     case Opcode::acceleration:
-      return &leaves.coordinates;
+      return &leaves.velocities;
     case Opcode::input:
       return &leaves.inputs;
     default:

@@ -53,6 +53,7 @@ class Naming {
     for (const FunctionRow& row : function_table) taken_.emplace(row.name);
     for (const std::string& leaf : program.leaves.parameters) taken_.insert(identifier(leaf));
     for (const std::string& leaf : program.leaves.coordinates) taken_.insert(identifier(leaf));
+    for (const std::string& leaf : program.leaves.velocities) taken_.insert(identifier(leaf));
     for (const std::string& leaf : program.leaves.inputs) taken_.insert(identifier(leaf));
     count_uses();
     for (std::size_t at = 0; at < function.instructions.size(); ++at) hash(at);

@@ -59,9 +59,9 @@ Jet spin_energy_twice(const Body& body, const Evaluation& at) {
 
 Jet armature_energy(const Model& model, const Evaluation& at, const Motion& motion) {
   Jet sum;
-  for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
-    const auto& armature = model.coordinates[i].armature;
-    if (armature) sum = sum + half() * at.value(*armature) * square(motion.v[i]);
+  for (const Coordinate& coordinate : model.coordinates) {
+    if (!coordinate.armature) continue;
+    sum = sum + half() * at.value(*coordinate.armature) * square(motion.v[coordinate.velocity]);
   }
   return sum;
 }

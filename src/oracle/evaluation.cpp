@@ -88,7 +88,8 @@ Jet Evaluation::leaf(const Expression& e, unsigned time_order) const {
       return motion_.t + s;
     case ExpressionKind::coordinate: {
       const Jet half_square = s * s * Jet(cln::cl_RA(1) / 2);
-      return motion_.q[e.index] + motion_.v[e.index] * s + motion_.a[e.index] * half_square;
+      const std::uint32_t rate = model_.coordinates[e.index].velocity;
+      return motion_.q[e.index] + motion_.v[rate] * s + motion_.a[rate] * half_square;
     }
     case ExpressionKind::rate:
       return motion_.v[e.index] + motion_.a[e.index] * s;

@@ -52,7 +52,7 @@ Mechanics::Mechanics(const Model& model, const State& state)
       potential_(make_schedule(model, potential_roots(model))),
       dissipation_(make_schedule(model, dissipation_roots(model))),
       forces_(make_schedule(model, force_roots(model))) {
-  base_.a.assign(model.coordinates.size(), Jet());
+  base_.a.assign(model.velocities.size(), Jet());
   base_.u.assign(model.inputs.size(), Jet());
 }
 
@@ -136,9 +136,7 @@ Jet Mechanics::force_along(const Motion& motion, const Direction& w) {
   };
   Jet sum;
   for (const Force& force : model_.forces) {
-    if (force.coordinate) {
-      sum = sum + at.value(force.value[0]).without(first) * Jet(w[*force.coordinate]);
-    }
+    if (force.on) sum = sum + at.value(force.value[0]).without(first) * Jet(w[*force.on]);
     if (force.at) sum = sum + work(force, *force.at);
     if (force.from) sum = sum - work(force, *force.from);
   }

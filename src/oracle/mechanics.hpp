@@ -28,7 +28,7 @@ class Mechanics {
  public:
   Mechanics(const Model& model, const State& state);
 
-  [[nodiscard]] std::size_t size() const { return model_.coordinates.size(); }
+  [[nodiscard]] std::size_t size() const { return model_.velocities.size(); }
   [[nodiscard]] Direction unit(std::size_t i) const { return unit_direction(size(), i); }
   [[nodiscard]] const State& state() const { return state_; }
 

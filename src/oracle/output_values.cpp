@@ -94,7 +94,7 @@ Values user_value(const Model& model, const UserOutput& output, const State& sta
 Values user_jacobian(const Model& model, const UserOutput& output, const State& state) {
   JetFunctions functions;
   const Schedule schedule = make_schedule(model, roots_of(output, 0));
-  const std::size_t n = state.q.size();
+  const std::size_t n = state.v.size();
   Values values(output.values.size() * n);
   for (std::size_t j = 0; j < n; ++j) {
     Motion motion = motion_of(state);
@@ -112,7 +112,7 @@ Values user_bias(const Model& model, const UserOutput& output, const State& stat
   JetFunctions functions;
   const Schedule schedule = make_schedule(model, roots_of(output, 2));
   Motion motion = motion_of(state);
-  motion.a.assign(state.q.size(), Jet());
+  motion.a.assign(state.v.size(), Jet());
   const Evaluation at(model, schedule, motion, functions);
   Values values;
   for (const ExpressionId id : output.values) values.push_back(at.second_rate(id).real());

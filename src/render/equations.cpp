@@ -83,9 +83,9 @@ class Walk {
       case Opcode::coordinate:
         return {symbols.coordinates[i.a].text()};
       case Opcode::velocity:
-        return dotted(language_.notation.rate, symbols.coordinates[i.a]);
+        return dotted(language_.notation.rate, symbols.velocities[i.a]);
       case Opcode::acceleration:
-        return dotted(language_.notation.second_rate, symbols.coordinates[i.a]);
+        return dotted(language_.notation.second_rate, symbols.velocities[i.a]);
       case Opcode::input:
         return {symbols.inputs[i.a].text()};
       default:

@@ -111,6 +111,7 @@ Symbols text_symbols(const LeafNames& leaves) {
   Symbols symbols;
   symbols.parameters = verbatim(leaves.parameters);
   symbols.coordinates = verbatim(leaves.coordinates);
+  symbols.velocities = verbatim(leaves.velocities);
   symbols.inputs = verbatim(leaves.inputs);
   return symbols;
 }
@@ -122,6 +123,9 @@ Symbols latex_symbols(const Model& model) {
   }
   for (const Coordinate& c : model.coordinates) {
     symbols.coordinates.push_back(latex_symbol(c.name, c.latex));
+  }
+  for (const Velocity& velocity : model.velocities) {
+    symbols.velocities.push_back(symbols.coordinates[velocity.coordinate]);
   }
   for (const Input& input : model.inputs) symbols.inputs.push_back(latex_symbol(input.name));
   return symbols;

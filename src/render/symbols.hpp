@@ -25,6 +25,7 @@ struct Symbol {
 struct Symbols {
   std::vector<Symbol> parameters = {};
   std::vector<Symbol> coordinates = {};
+  std::vector<Symbol> velocities = {};  ///< without their dots
   std::vector<Symbol> inputs = {};
 };
 

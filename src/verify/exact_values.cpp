@@ -20,7 +20,7 @@ std::vector<Real> from_oracle(const Subject& subject, const State& state, Output
   OutputRequest request = standard_request(kind);
   request.user = user;
   const OracleValues exact = oracle_values(subject.model, request, state);
-  if (!exact) return std::vector<Real>(state.q.size() * state.q.size(), Real::undefined());
+  if (!exact) return std::vector<Real>(state.v.size() * state.v.size(), Real::undefined());
   std::vector<Real> values;
   for (const cln::cl_R& value : *exact) values.emplace_back(value);
   return values;

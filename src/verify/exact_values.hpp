@@ -17,7 +17,7 @@ class ExactValues {
   [[nodiscard]] const Subject& subject() const { return subject_; }
   [[nodiscard]] const State& state() const { return state_; }
   [[nodiscard]] const Arguments<Real>& arguments() const { return arguments_; }
-  [[nodiscard]] std::size_t size() const { return state_.q.size(); }
+  [[nodiscard]] std::size_t size() const { return state_.v.size(); }
 
   /// The program's entries, or the oracle's where the program has no such function; undefined
   /// entries where neither has a value.

@@ -83,7 +83,7 @@ std::string compare_field(const Subject& subject, const FunctionRun& run, Oracle
 /// w.(M a + bias) - w.B u at the program's exact acceleration.
 std::string compare_acceleration(const Subject& subject, const FunctionRun& run,
                                  OracleCache& oracle, Random& random) {
-  const std::size_t n = oracle.state().q.size();
+  const std::size_t n = oracle.state().v.size();
   const Values w = random_direction(n, random);
   State state = oracle.state();
   for (std::size_t i = 0; i < n; ++i) state.a[i] = run.exact.entries[i].value.value();
@@ -103,7 +103,7 @@ std::string compare_acceleration(const Subject& subject, const FunctionRun& run,
 /// M of the program where it has one and the model is big, else the oracle's.
 std::vector<Real> mass_matrix(const Subject& subject, OracleCache& oracle) {
   const Function* function = find_function(subject.program, OutputKind::mass_matrix);
-  if (function != nullptr && oracle.state().q.size() > directly_solved) {
+  if (function != nullptr && oracle.state().v.size() > directly_solved) {
     return evaluate(subject.program, *function, arguments_at<Real>(oracle.state()));
   }
   std::vector<Real> m;
@@ -114,7 +114,7 @@ std::vector<Real> mass_matrix(const Subject& subject, OracleCache& oracle) {
 }
 
 std::string compare_pivots(const Subject& subject, const FunctionRun& run, OracleCache& oracle) {
-  const std::size_t n = oracle.state().q.size();
+  const std::size_t n = oracle.state().v.size();
   const auto pivots = relative_pivots(mass_matrix(subject, oracle), n);
   if (!pivots) return {};
   for (std::size_t i = 0; i < n; ++i) {

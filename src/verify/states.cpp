@@ -39,7 +39,9 @@ Ranges ranges_of(const Model& model) {
   Ranges ranges;
   for (const Coordinate& coordinate : model.coordinates) {
     ranges.q.push_back(range_or(coordinate.range, is_angle(coordinate) ? pi : 1));
-    ranges.v.push_back(range_or(coordinate.rate_range, default_rate));
+  }
+  for (const Velocity& velocity : model.velocities) {
+    ranges.v.push_back(range_or(velocity.rate_range, default_rate));
   }
   for (const Input& input : model.inputs) ranges.u.push_back(range_or(input.limits, default_rate));
   return ranges;
@@ -121,10 +123,8 @@ class Extremes {
 
   void ends(const char* name, double Range::*end) {
     Arguments<double>& values = add(name);
-    for (std::size_t i = 0; i < values.q.size(); ++i) {
-      values.q[i] = ranges_.q[i].*end;
-      values.v[i] = ranges_.v[i].*end;
-    }
+    for (std::size_t i = 0; i < values.q.size(); ++i) values.q[i] = ranges_.q[i].*end;
+    for (std::size_t i = 0; i < values.v.size(); ++i) values.v[i] = ranges_.v[i].*end;
     for (std::size_t i = 0; i < values.u.size(); ++i) values.u[i] = ranges_.u[i].*end;
   }
 

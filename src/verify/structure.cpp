@@ -107,7 +107,7 @@ CertificateRow symmetry_row(const Subject& subject, const Function& function,
   Tally tally;
   for (const State& state : states) {
     const std::vector<double> m = evaluate(subject.program, function, arguments_at<double>(state));
-    tally.add(asymmetry(m, state.q.size()), state);
+    tally.add(asymmetry(m, state.v.size()), state);
   }
   CertificateRow row;
   row.check = "mass matrix symmetric";

@@ -28,10 +28,13 @@ J = { value = 1, unit = "kg*m^2" }
   const Coordinate& q = model.coordinates.front();
   CHECK(q.unit == Unit{});
   CHECK(q.unit_text == "rad");
-  REQUIRE(q.rate_range);
-  CHECK(q.rate_range->low == -5);
+  const Velocity& rate = model.velocities[q.velocity];
+  CHECK(rate.name == "q");
+  CHECK(rate.unit == power(*find_unit("s"), {-1, 1}));
+  REQUIRE(rate.rate_range);
+  CHECK(rate.rate_range->low == -5);
   CHECK(q.start_value == cln::cl_RA(1) / 10);
-  CHECK(q.start_rate == cln::cl_RA(1) / 3);
+  CHECK(rate.start_rate == cln::cl_RA(1) / 3);
   CHECK(q.latex == "\\theta");
   CHECK(q.doc == "an angle");
   REQUIRE(q.armature);

@@ -16,7 +16,7 @@ Traits traits_of(const std::string& text) {
   Context context(limits);
   std::uint32_t index = 0;
   for (const char* name : {"x", "y"}) {
-    context.model.coordinates.emplace_back();
+    append_coordinate(context.model, {});
     context.symbols.declare({name, {}, {}}, SymbolKind::coordinate, index++, context.report);
   }
   context.model.inputs.emplace_back();

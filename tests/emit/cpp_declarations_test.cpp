@@ -24,7 +24,7 @@ Member member(const Model& model, std::size_t index) {
 
 TEST_CASE("names, units and bounds") {
   Model model = cart_pole_model();
-  model.coordinates[1].rate_range = Interval{0, cln::expt(cln::cl_RA(10), cln::cl_I(400))};
+  model.velocities[1].rate_range = Interval{0, cln::expt(cln::cl_RA(10), cln::cl_I(400))};
   CHECK(value_of(model, "coordinate_names") == "{{\"x\", \"theta\"}}");
   CHECK(value_of(model, "coordinate_units") == "{{\"m\", \"rad\"}}");
   CHECK(value_of(model, "coordinate_ranges") == "{{{-2.0, 2.0}, {-unbounded, unbounded}}}");

@@ -17,7 +17,7 @@ std::string spelled(const char* name) { return to_string(*find_unit(name)); }
 
 }  // namespace
 
-TEST_CASE("units follow from those of the coordinates") {
+TEST_CASE("units follow from those of the velocities") {
   CHECK(unit(OutputKind::mass_matrix, 0, 0) == "kg");
   CHECK(unit(OutputKind::mass_matrix, 0, 1) == "kg*m");
   CHECK(unit(OutputKind::mass_matrix, 1, 1) == "kg*m^2");
@@ -34,7 +34,7 @@ TEST_CASE("units follow from those of the coordinates") {
 
 TEST_CASE("an unknown unit leaves the rest unsaid") {
   Model model = cart_pole_model();
-  model.coordinates[1].unit.reset();
+  model.velocities[1].unit.reset();
   CHECK_FALSE(unit_of_entry(model, {OutputKind::mass_matrix, "", 0, 1}));
   CHECK(unit_of_entry(model, {OutputKind::mass_matrix, "", 0, 0}));
   CHECK(units_text(model, OutputKind::mass_matrix, {"", 2, 2, {}}) == "");

@@ -56,7 +56,7 @@ inline void add_coordinate(Model& model, const std::string& name, const std::str
   coordinate.identifier = name;
   coordinate.unit = find_unit(unit);
   coordinate.unit_text = unit;
-  model.coordinates.push_back(coordinate);
+  append_coordinate(model, coordinate);
 }
 
 inline const char* const cart_pole_program = R"(parameters M m l g

@@ -64,7 +64,7 @@ TEST_CASE("title, variables and fixed parameters") {
 
 TEST_CASE("many variables are shown by the first two and the last") {
   Subject subject = cart_pole();
-  for (int i = 0; i < 10; ++i) subject.model.coordinates.push_back(subject.model.coordinates[0]);
+  for (int i = 0; i < 10; ++i) append_coordinate(subject.model, subject.model.coordinates[0]);
   const Lines lines = introduction(subject.model, subject.scene, subject.program);
   CHECK(contains(lines, "   q = (x [m], theta [rad], ..., x [m])"));
 }

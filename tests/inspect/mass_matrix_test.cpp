@@ -26,7 +26,7 @@ TEST_CASE("regular mass matrices pass, also those that are indefinite") {
 TEST_CASE("a coordinate without a mass is named, at its own place") {
   ModelBuilder b;
   b.coordinate("x").coordinate("y").T("x_d^2/2 + 0*y_d");
-  b.model.coordinates[1].span = {nullptr, 7, 8};
+  b.model.velocities[1].span = {nullptr, 7, 8};
   CHECK(found(b) == "E501: the rate of `y` has no kinetic energy");
   CHECK(inspection::inspect_mass_matrix({b.model, {}})[0].span.begin == 7);
 }

@@ -33,7 +33,7 @@ Function every_opcode() {
 
 TEST_CASE("dump names leaves as the model does and writes constants exactly") {
   Program program;
-  program.leaves = {{"m", "l[2]"}, {"theta"}, {"u"}, true};
+  program.leaves = {{"m", "l[2]"}, {"theta"}, {"theta"}, {"u"}, true};
   program.constants = {{cln::cl_RA("-1/3"), "-1/3"}, {cln::cl_F("0.25L0"), "quarter"}};
   program.functions = {every_opcode()};
   CHECK(dump(program) ==

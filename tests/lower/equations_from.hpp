@@ -20,13 +20,14 @@ inline EquationsOfMotion leaves(std::size_t rotation = 0) {
     symbols[at] = GiNaC::symbol(names[at]);
   }
   EquationsOfMotion equations;
-  equations.leaves = {{"m", "l"}, {"x", "y"}, {"u"}, true};
+  equations.leaves = {{"m", "l"}, {"x", "y"}, {"x", "y"}, {"u"}, true};
   equations.symbols = {{symbols[0], symbols[1]},
                        {symbols[2], symbols[3]},
                        {symbols[4], symbols[5]},
                        {symbols[6], symbols[7]},
                        {symbols[8]},
-                       symbols[9]};
+                       symbols[9],
+                       {symbols[4], symbols[5]}};
   return equations;
 }
 

@@ -44,11 +44,11 @@ class ModelBuilder {
     Coordinate c;
     c.name = c.identifier = name;
     c.unit_text = unit_text;
-    const auto index = static_cast<std::uint32_t>(model.coordinates.size());
-    model.coordinates.push_back(c);
+    const std::uint32_t index = append_coordinate(model, c);
+    const std::uint32_t rate = model.coordinates[index].velocity;
     names_[name] = {ExpressionKind::coordinate, index};
-    names_[name + "_d"] = {ExpressionKind::rate, index};
-    names_[name + "_dd"] = {ExpressionKind::acceleration, index};
+    names_[name + "_d"] = {ExpressionKind::rate, rate};
+    names_[name + "_dd"] = {ExpressionKind::acceleration, rate};
     return *this;
   }
 
@@ -100,9 +100,9 @@ class ModelBuilder {
   ModelBuilder& D(const std::string& text) { return set(model.energies.D, text); }
   ModelBuilder& L(const std::string& text) { return set(model.energies.L, text); }
 
-  ModelBuilder& force_on(std::uint32_t coordinate, const std::string& value) {
+  ModelBuilder& force_on(std::uint32_t velocity, const std::string& value) {
     Force f;
-    f.coordinate = coordinate;
+    f.on = velocity;
     f.value = {expression(value)};
     model.forces.push_back(f);
     return *this;

@@ -11,7 +11,7 @@ namespace sample {
 inline elgen::Model model() {
   elgen::Model model;
   model.name = "sample";
-  model.coordinates.push_back({.name = "x", .identifier = "x"});
+  append_coordinate(model, {.name = "x", .identifier = "x"});
   model.parameter_arrays.push_back({.name = "m", .first = 0});
   model.parameter_arrays.push_back({.name = "l", .first = 1, .count = 2, .is_array = true});
   model.parameters.push_back({.name = "m", .identifier = "m", .array = 0});
@@ -31,7 +31,7 @@ inline elgen::Program program() {
   using elgen::OutputKind;
   elgen::Program program;
   program.leaves.parameters = {"m", "l[1]", "l[2]"};
-  program.leaves.coordinates = {"x"};
+  program.leaves.coordinates = program.leaves.velocities = {"x"};
   program.functions.push_back({.kind = OutputKind::inverse_dynamics,
                                .name = "inverse_dynamics",
                                .fields = {{.entries = {0}}}});

@@ -1,4 +1,4 @@
-// Which coordinates move something: a search from every energy down to its rates. Below a time
+// Which velocities move something: a search from every energy down to its rates. Below a time
 // derivative (and in the position of a mass) a coordinate counts as its rate does.
 #include "mechanics.hpp"
 
@@ -12,7 +12,7 @@ class RateSearch {
       : model_(model),
         plain_(model.expressions.size()),
         below_derivative_(model.expressions.size()),
-        moving_(model.coordinates.size()) {}
+        moving_(model.velocities.size()) {}
 
   void visit(ExpressionId id, bool differentiated) {
     push(id, differentiated);
@@ -46,7 +46,9 @@ class RateSearch {
         moving_[node.index] = true;
         return;
       case ExpressionKind::coordinate:
-        moving_[node.index] = moving_[node.index] || visit.differentiated;
+        if (visit.differentiated) {
+          moving_[model_.coordinates[node.index].velocity] = true;
+        }
         return;
       case ExpressionKind::definition:
         push(model_.definitions[node.index].value, visit.differentiated);
@@ -86,7 +88,7 @@ void visit_body(RateSearch& search, const Body& body) {
 
 }  // namespace
 
-std::vector<bool> moving_coordinates(const Model& model) {
+std::vector<bool> moving_velocities(const Model& model) {
   RateSearch search(model);
   for (const auto& energy : {model.energies.T, model.energies.L}) {
     if (energy) {
@@ -104,8 +106,10 @@ std::vector<bool> moving_coordinates(const Model& model) {
     visit_body(search, body);
   }
   std::vector<bool> moving = search.take();
-  for (std::size_t i = 0; i < moving.size(); ++i) {
-    moving[i] = moving[i] || model.coordinates[i].armature.has_value();
+  for (const Coordinate& coordinate : model.coordinates) {
+    if (coordinate.armature) {
+      moving[coordinate.velocity] = true;
+    }
   }
   return moving;
 }
