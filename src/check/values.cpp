@@ -93,6 +93,10 @@ std::optional<std::uint32_t> ValueReader::reference(const ValueSyntax& value, Sy
 }
 
 std::optional<std::uint32_t> ValueReader::velocity(const ValueSyntax& value) {
+  const Symbol* symbol = context_.symbols.find(value.expression.text);
+  if (symbol != nullptr && symbol->kind == SymbolKind::rotation) {
+    return Resolver(context_, scope_).element(value.expression, *symbol);
+  }
   const std::optional<std::uint32_t> coordinate = reference(value, SymbolKind::coordinate);
   return coordinate ? std::optional(context_.model.coordinates[*coordinate].velocity)
                     : std::nullopt;
