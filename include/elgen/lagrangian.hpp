@@ -19,6 +19,12 @@
 
 namespace elgen {
 
+/// Where a rotation stands in q and v.
+struct RotationPlace {
+  std::uint32_t first_coordinate = 0;
+  std::uint32_t first_velocity = 0;
+};
+
 /// The leaves, in the order of declaration.
 struct Symbols {
   std::vector<GiNaC::ex> parameters = {};
@@ -28,12 +34,14 @@ struct Symbols {
   std::vector<GiNaC::ex> u = {};
   GiNaC::ex t = {};
   std::vector<GiNaC::ex> q_rates = {};  ///< dq/dt, of q and v
+  std::vector<RotationPlace> rotations = {};
 };
 
 enum class EntityKind : std::uint8_t {
   definition,
   prescribed,
   point,
+  frame,
   body,
   coordinate,
   energy,
@@ -124,9 +132,58 @@ struct PointForce {
   std::array<GiNaC::ex, 3> force;
 };
 
+using ExVector3 = std::array<GiNaC::ex, 3>;
+
+/// One elementary motion (see FrameStep): x_parent = R x + p, of which one is trivial.
+struct TreeStep {
+  std::optional<std::uint32_t> parent = {};  ///< the step before; none: the world
+  FrameStepKind kind = FrameStepKind::translation;
+  ExVector3 vector;  ///< p in the axes of the parent, or the unit axis of the turn
+  GiNaC::ex angle = 0;
+  std::array<GiNaC::ex, 4> quaternion;         ///< of any length; of a rotation of length one
+  std::optional<std::uint32_t> rotation = {};  ///< of a rotation: its first velocity
+  std::string name = {};                       ///< the frame's identifier
+  Entity origin = {};
+};
+
+/// mass, com c and inertia (xx yy zz xy xz yz, empty for a point) in the axes after a step; the
+/// inertia is about the origin there, or about the com. T = 1/2 m v_c^2 + 1/2 w.I_c w.
+struct RigidBody {
+  std::optional<std::uint32_t> step = {};  ///< none: fixed to the world
+  GiNaC::ex mass = 0;
+  ExVector3 com;
+  std::vector<GiNaC::ex> inertia = {};
+  bool about_origin = false;
+  Entity origin = {};
+};
+
+/// A force through the point `at` (axes after `step`) and a moment, acting on what moves with
+/// `step`; force and moment have the axes after `axes` (none: the world).
+struct Wrench {
+  std::optional<std::uint32_t> step = {};
+  std::optional<std::uint32_t> axes = {};
+  ExVector3 at;
+  ExVector3 force;
+  ExVector3 moment;
+};
+
+/// Frames as a tree of elementary motions, parents first, and what moves with them.
+struct FrameTree {
+  std::vector<TreeStep> steps = {};
+  std::vector<RigidBody> bodies = {};
+  std::vector<Wrench> wrenches = {};
+};
+
+/// The twist (angular velocity; velocity of the origin) of what moves with a step.
+struct TwistOutput {
+  std::optional<std::uint32_t> step = {};  ///< none: the world, at rest
+  bool in_world = true;                    ///< axes; otherwise those after the step
+};
+
 struct NamedOutput {
   std::string name;
   std::vector<GiNaC::ex> values;
+  std::optional<TwistOutput> twist = {};
 };
 
 struct Lagrangian {
@@ -142,6 +199,7 @@ struct Lagrangian {
       {};  ///< terms of L where it is given whole; then the above are empty
   std::vector<GiNaC::ex> forces = {};  ///< generalized force on each velocity, inputs included
   std::vector<PointForce> point_forces = {};
+  FrameTree tree = {};
   std::vector<NamedOutput> outputs = {};
   bool quadratic = true;
 };

@@ -39,6 +39,7 @@ enum class ExpressionKind : std::uint8_t {
   prescribed,       ///< prescribed[index], a function of t
   definition,       ///< definitions[index]
   point_component,  ///< points[index / 3].at[index % 3]
+  frame_component,  ///< frames[index / 12].rotation (0 to 8, row-major) or .origin (9 to 11)
   negate,           ///< -operands[0]
   add,              ///< n-ary
   multiply,         ///< n-ary
@@ -140,30 +141,78 @@ struct NamedExpression {
   Span span = {};
 };
 
+using Vector3 = std::array<ExpressionId, 3>;
+
+enum class FrameStepKind : std::uint8_t {
+  translation,  ///< by `vector`, in the axes reached so far
+  turn,         ///< by `angle` about the unit axis `vector`
+  quaternion,   ///< by `quaternion` of any length but 0
+};
+
+/// One elementary motion; those of a frame follow one another, each in the axes of the one before.
+struct FrameStep {
+  FrameStepKind kind = FrameStepKind::translation;
+  Vector3 vector{};
+  ExpressionId angle = 0;
+  std::array<ExpressionId, 4> quaternion{};    ///< w, x, y, z
+  std::optional<std::uint32_t> rotation = {};  ///< whose unit quaternion it is
+};
+
+/// A coordinate system. x_world = rotation x_frame + origin; `rotation` and `origin` are written
+/// over those of the parent, so each is a few nodes.
+struct Frame {
+  std::string name;
+  std::string identifier;
+  std::optional<std::uint32_t> parent = {};  ///< none: the world
+  std::vector<FrameStep> steps = {};         ///< from the parent to the frame
+  std::array<ExpressionId, 9> rotation{};    ///< R, row-major
+  Vector3 origin{};                          ///< in the world
+  Vector3 spin{};  ///< angular velocity in the axes of the frame: [spin]x = R^T dR/dt
+  std::string doc = {};
+  Span span = {};
+};
+
+inline constexpr std::uint32_t components_per_frame = 12;
+
+/// A point, or a centre of mass, as it was given: in the axes of a frame.
+struct PlaceInFrame {
+  std::uint32_t frame = 0;
+  Vector3 at{};
+};
+
 /// A point with a mass adds 1/2 m v^2 to T and -m gravity.p to V.
 struct Point {
   std::string name;
   std::string identifier;
-  std::uint32_t dimension = 3;  ///< 2 or 3 components given; `at` is padded with 0
-  std::array<ExpressionId, 3> at{};
+  std::uint32_t dimension = 3;             ///< 2 or 3 components given; `at` is padded with 0
+  Vector3 at{};                            ///< in the world
+  std::optional<PlaceInFrame> local = {};  ///< where it was given in a frame
   std::optional<ExpressionId> mass = {};
   std::string doc = {};
   Span span = {};
 };
 
+/// How a body was given in a frame; about the frame's origin where `about_origin`.
+struct BodyInFrame {
+  PlaceInFrame com = {};
+  std::vector<ExpressionId> inertia = {};
+  bool about_origin = false;
+};
+
 /// A body written in world coordinates: centre of mass, angular velocity in the axes of its
 /// inertia. T = 1/2 m v_com^2 + 1/2 w.I w (about the com), or 1/2 w.I w alone where the inertia is
 /// about the world origin, at which the body is then fixed. The com may be absent only without a
-/// mass.
+/// mass. Of a body in a frame com and spin follow from the frame, and the inertia is about the com.
 struct Body {
   std::string name;
   std::string identifier;
   std::uint32_t dimension = 3;
-  std::array<ExpressionId, 3> com{};
+  Vector3 com{};
   std::optional<ExpressionId> mass = {};
   std::vector<ExpressionId> inertia = {};  ///< {} | {Izz} planar | {xx yy zz xy xz yz}
   std::vector<ExpressionId> spin = {};     ///< {} | {wz} planar | {wx wy wz}
   bool inertia_about_origin = false;
+  std::optional<BodyInFrame> local = {};  ///< a body in a frame; the above says the same of it
   std::string doc = {};
   Span span = {};
 };
@@ -179,21 +228,34 @@ struct Input {
   Span span = {};
 };
 
-/// A generalized force on a velocity, or a force in N at a point (opposite on `from`). Affine in
-/// the inputs.
+/// A generalized force on a velocity, a force in N at a point (opposite on the point `from`), or
+/// a torque in N m on a frame (opposite on the frame `from_frame`). Affine in the inputs.
 struct Force {
   std::string name;
-  std::vector<ExpressionId> value = {};  ///< one, or the components at a point (padded to 3)
+  /// One number; or the components (padded to 3): of a force in the world, of a torque in the axes
+  /// of the frame it acts on.
+  std::vector<ExpressionId> value = {};
   std::optional<std::uint32_t> on = {};  ///< velocity it does work on
   std::optional<std::uint32_t> at = {};
   std::optional<std::uint32_t> from = {};
+  std::optional<std::uint32_t> frame = {};
+  std::optional<std::uint32_t> from_frame = {};
+  /// The components as they were given, and the frame they were given in (none: the world).
+  std::vector<ExpressionId> written = {};
+  std::optional<std::uint32_t> axes = {};
   Span span = {};
 };
 
 /// An [[output]]: its value, and with `jacobian` also d value/dq and the bias of its second rate.
+/// Of a frame: the pose [R p], 3 x 4; the Jacobian is that of the twist (angular velocity; velocity
+/// of the origin), d twist/dv, and the bias what is left of its rate at a = 0.
 struct UserOutput {
   std::string name;
-  std::vector<ExpressionId> values = {};
+  std::vector<ExpressionId> values = {};  ///< row-major
+  std::uint32_t columns = 1;
+  std::optional<std::uint32_t> frame = {};
+  bool in_world = true;                  ///< axes of the twist: the world's, or the frame's
+  std::vector<ExpressionId> twist = {};  ///< six entries, linear in the rates
   bool jacobian = false;
   std::string doc = {};
   Span span = {};
@@ -235,6 +297,7 @@ struct Model {
   std::vector<ParameterArray> parameter_arrays = {};
   std::vector<NamedExpression> prescribed = {};
   std::vector<NamedExpression> definitions = {};  ///< in file order; acyclic
+  std::vector<Frame> frames = {};
   std::vector<Point> points = {};
   std::vector<Body> bodies = {};
   std::optional<std::array<ExpressionId, 3>> gravity = {};
@@ -268,6 +331,9 @@ struct Dimensions {
 };
 
 [[nodiscard]] Dimensions dimensions(const Model& model);
+
+/// What an ExpressionKind::frame_component of this index stands for.
+[[nodiscard]] ExpressionId component_of_frame(const Model& model, std::uint32_t index);
 
 /// Prints an expression in the model language, with the names of the model.
 [[nodiscard]] std::string to_string(const Model& model, ExpressionId expression);

@@ -101,6 +101,7 @@ enum class KeyType : std::uint8_t {
   integer,           ///< bare integer: a number expression
   boolean,           ///< ValueKind::boolean
   range,             ///< [low, high]: list of two expressions
+  turns,             ///< list of [axis, angle]: the axis a text or a list of three expressions
   table,             ///< inline table or sub-table (rows `<entry>.<key>`)
   boolean_or_table,  ///< a wanted output: true, or a table
   text_or_table,     ///< `fixed`: the text "all", or a table

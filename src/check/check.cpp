@@ -44,6 +44,9 @@ void resolve_entries(Context& context, const ModelSyntax& syntax) {
     read_variable(context, instance);
   }
   for (const Instance& instance : instances) {
+    read_frame(context, instance);
+  }
+  for (const Instance& instance : instances) {
     read_mass(context, instance);
   }
   for (const EntrySyntax& entry : syntax.entries) {

@@ -35,7 +35,7 @@ struct Place {
 };
 
 /// What depends on other expressions by name.
-enum class OwnerKind : std::uint8_t { none, definition, prescribed, point };
+enum class OwnerKind : std::uint8_t { none, definition, prescribed, point, frame };
 
 /// One expression of the file in the arena: the nodes [first, value], its place and its unit.
 struct Root {
@@ -46,6 +46,7 @@ struct Root {
   OwnerKind owner = OwnerKind::none;
   std::uint32_t owner_index = 0;
   bool misplaced = false;  ///< made of what its place does not take; its unit is not judged too
+  bool generated = false;  ///< by check itself: neither its place nor its units are judged
 };
 
 /// The first node of every arena: the number 0, for what is absent (the z of a planar point) or
@@ -62,6 +63,7 @@ struct Context {
   Report report = {};
   Sizes sizes = {};
   Symbols symbols = {};
+  Symbols frames = {};  ///< frames have names of their own: a body may be called like its frame
   Model model = {};
   Constants constants = {};
   /// Expression nodes (and steps to resolve one expression) before E908.

@@ -8,7 +8,7 @@
 namespace elgen::checking {
 namespace {
 
-/// A named thing: definitions first, then prescribed functions, then points.
+/// A named thing: definitions first, then prescribed functions, points, and frames.
 using Node = std::uint32_t;
 
 class DependencyGraph {
@@ -17,7 +17,8 @@ class DependencyGraph {
     const Model& model = context.model;
     first_prescribed_ = static_cast<Node>(model.definitions.size());
     first_point_ = first_prescribed_ + static_cast<Node>(model.prescribed.size());
-    const std::size_t count = first_point_ + model.points.size();
+    first_frame_ = first_point_ + static_cast<Node>(model.points.size());
+    const std::size_t count = first_frame_ + model.frames.size();
     roots_.resize(count);
     uses_.resize(count);
     for (std::uint32_t i = 0; i < context.roots.size(); ++i) {
@@ -31,6 +32,9 @@ class DependencyGraph {
 
   [[nodiscard]] std::string name(Node node) const {
     const Model& model = context_.model;
+    if (node >= first_frame_) {
+      return model.frames[node - first_frame_].name;
+    }
     if (node >= first_point_) {
       return model.points[node - first_point_].name;
     }
@@ -40,6 +44,9 @@ class DependencyGraph {
 
   [[nodiscard]] Span span(Node node) const {
     const Model& model = context_.model;
+    if (node >= first_frame_) {
+      return model.frames[node - first_frame_].span;
+    }
     if (node >= first_point_) {
       return model.points[node - first_point_].span;
     }
@@ -71,6 +78,9 @@ class DependencyGraph {
       case ExpressionKind::point_component:
         uses_[user].push_back(node_of(OwnerKind::point, node.index / 3));
         break;
+      case ExpressionKind::frame_component:
+        uses_[user].push_back(node_of(OwnerKind::frame, node.index / components_per_frame));
+        break;
       default:
         break;
     }
@@ -82,6 +92,8 @@ class DependencyGraph {
         return first_prescribed_ + index;
       case OwnerKind::point:
         return first_point_ + index;
+      case OwnerKind::frame:
+        return first_frame_ + index;
       default:
         return index;
     }
@@ -90,6 +102,7 @@ class DependencyGraph {
   const Context& context_;
   Node first_prescribed_ = 0;
   Node first_point_ = 0;
+  Node first_frame_ = 0;
   std::vector<std::vector<std::uint32_t>> roots_;
   std::vector<std::vector<Node>> uses_;
 };

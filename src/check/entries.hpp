@@ -10,6 +10,9 @@ namespace elgen::checking {
 /// Coordinates, inputs and prescribed functions: what other entries take units from.
 void read_variable(Context& context, const Instance& instance);
 
+/// Frames: the steps from the parent, and the pose.
+void read_frame(Context& context, const Instance& instance);
+
 /// Points and bodies.
 void read_mass(Context& context, const Instance& instance);
 

@@ -35,7 +35,7 @@ std::uint32_t append(std::vector<Row>& rows, const NewName& name) {
   return static_cast<std::uint32_t>(rows.size() - 1);
 }
 
-constexpr std::array<EntryKind, 7> entry_kinds{{
+constexpr std::array<EntryKind, 8> entry_kinds{{
     {"coordinate", SymbolKind::coordinate,
      [](Model& model, const NewName& name) {
        return append_coordinate(model, named<Coordinate>(name));
@@ -44,6 +44,8 @@ constexpr std::array<EntryKind, 7> entry_kinds{{
      [](Model& model, const NewName& name) { return append(model.prescribed, name); }},
     {"point", SymbolKind::point,
      [](Model& model, const NewName& name) { return append(model.points, name); }},
+    {"frame", SymbolKind::frame,
+     [](Model& model, const NewName& name) { return append(model.frames, name); }},
     {"body", SymbolKind::body,
      [](Model& model, const NewName& name) { return append(model.bodies, name); }},
     {"input", SymbolKind::input,
@@ -122,6 +124,7 @@ class Expander {
     const KeySyntax* name = entry.find("name");
     if (!complete && name != nullptr) {
       context_.symbols.mark_failed(name->value.expression.text);
+      context_.frames.mark_failed(name->value.expression.text);
     }
   }
 
@@ -147,7 +150,8 @@ class Expander {
       note_dimension(context_.model, entry, target);
     }
     instances_.push_back({&entry, scope, target});
-    return key == nullptr || context_.symbols.declare(name, kind.kind, target, context_.report);
+    Symbols& symbols = kind.kind == SymbolKind::frame ? context_.frames : context_.symbols;
+    return key == nullptr || symbols.declare(name, kind.kind, target, context_.report);
   }
 
   bool add_rotation(const EntrySyntax& entry, const NewName& name, const Scope& scope) {

@@ -76,7 +76,7 @@ void check_root(Context& context, const std::vector<Traits>& traits, Root& root)
 
 void check_places(Context& context, const std::vector<Traits>& traits) {
   for (Root& root : context.roots) {
-    check_root(context, traits, root);
+    if (!root.generated) check_root(context, traits, root);
   }
 }
 

@@ -77,9 +77,20 @@ class Printer {
       case ExpressionKind::point_component:
         return std::string(1, "xyz"[node.index % 3]) + "(" + model_.points[node.index / 3].name +
                ")";
+      case ExpressionKind::frame_component:
+        return frame_component(node.index);
       default:
         return "t";
     }
+  }
+
+  /// For dumps; a model does not write them.
+  [[nodiscard]] std::string frame_component(std::uint32_t index) const {
+    const std::string& name = model_.frames[index / components_per_frame].name;
+    const std::uint32_t k = index % components_per_frame;
+    return k < 9 ? "R(" + name + ")[" + std::to_string(k / 3 + 1) + "," +
+                       std::to_string(k % 3 + 1) + "]"
+                 : std::string(1, "xyz"[k - 9]) + "(" + name + ")";
   }
 
   static bool is_negative(const Expression& term) {
@@ -142,6 +153,12 @@ class Printer {
 };
 
 }  // namespace
+
+ExpressionId component_of_frame(const Model& model, std::uint32_t index) {
+  const Frame& frame = model.frames[index / components_per_frame];
+  const std::uint32_t k = index % components_per_frame;
+  return k < 9 ? frame.rotation[k] : frame.origin[k - 9];
+}
 
 std::string to_string(const Model& model, ExpressionId expression) {
   return Printer(model).print(expression).text;

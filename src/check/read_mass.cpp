@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "entries.hpp"
+#include "in_frame.hpp"
 #include "places.hpp"
 #include "values.hpp"
 
@@ -40,6 +41,12 @@ void read_point(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
     values.check_dimension(at->value.items.size(), at->value.span);
     const Place place{"a position", place::of_configuration};
     point.at = padded(values.roots(at->value, {place, find_unit("m"), OwnerKind::point, target}));
+    if (const KeySyntax* frame = entry.find("frame")) {
+      if (const auto index = values.frame_or_world(frame->value)) {
+        point.local = PlaceInFrame{*index, point.at};
+        point.at = world_position(context, *point.local, {point.span, OwnerKind::point, target});
+      }
+    }
   }
   if (const KeySyntax* mass = entry.find("mass")) {
     point.mass = values.root(mass->value, mass_request());
@@ -58,20 +65,38 @@ class BodyReader {
     if (const KeySyntax* mass = entry_.find("mass")) {
       body_.mass = values_.root(mass->value, mass_request());
     }
-    read_spin();
+    const KeySyntax* frame = entry_.find("frame");
+    if (frame == nullptr) {
+      read_spin();
+    } else {
+      read_frame(frame->value);
+    }
     read_inertia();
     body_.inertia_about_origin = text_of(entry_, "inertia_about") == "origin";
     check_completeness();
+    if (frame_) put_in_frame(values_.context(), *frame_, body_);
   }
 
  private:
+  void read_frame(const ValueSyntax& frame) {
+    if (const KeySyntax* spin = entry_.find("spin")) {
+      report_.add(Code::E112, spin->key_span, "a body has `frame` or `spin`, not both");
+    }
+    frame_ = values_.frame_or_world(frame);
+    const bool is_planar = values_.context().dimension == 2;
+    body_.dimension = is_planar ? 2 : 3;
+    body_.spin.assign(is_planar ? 1 : 3, no_expression);
+  }
+
   void read_com() {
     const KeySyntax* com = entry_.find("com");
     if (com == nullptr || !is_vector(com->value, report_)) {
       return;
     }
     values_.check_dimension(com->value.items.size(), com->value.span);
-    const Place place{"a position", place::of_configuration};
+    const bool in_frame = entry_.find("frame") != nullptr;
+    const Place place = in_frame ? Place{"a centre of mass", place::parameters_only, Code::E506}
+                                 : Place{"a position", place::of_configuration};
     body_.com = padded(values_.roots(com->value, {place, find_unit("m")}));
     body_.dimension = static_cast<std::uint32_t>(com->value.items.size());
   }
@@ -118,13 +143,13 @@ class BodyReader {
   }
 
   void check_completeness() {
-    if (body_.mass && entry_.find("com") == nullptr) {
+    if (body_.mass && entry_.find("com") == nullptr && entry_.find("frame") == nullptr) {
       missing("com", "mass");
     }
     if (!body_.inertia.empty() && body_.spin.empty()) {
       missing("spin", "inertia");
     }
-    if (!body_.spin.empty() && body_.inertia.empty()) {
+    if (entry_.find("spin") != nullptr && body_.inertia.empty()) {
       missing("inertia", "spin");
     }
   }
@@ -138,6 +163,7 @@ class BodyReader {
   const EntrySyntax& entry_;
   Body& body_;
   Report& report_;
+  std::optional<std::uint32_t> frame_ = {};
 };
 
 }  // namespace

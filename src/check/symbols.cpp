@@ -50,6 +50,8 @@ std::string_view noun(SymbolKind kind) {
       return "prescribed function";
     case SymbolKind::point:
       return "point";
+    case SymbolKind::frame:
+      return "frame";
     case SymbolKind::body:
       return "body";
     case SymbolKind::input:

@@ -20,6 +20,7 @@ enum class SymbolKind : std::uint8_t {
   definition,
   prescribed,
   point,
+  frame,
   body,
   input,
   force,

@@ -105,6 +105,8 @@ class TraitFinder {
         return traits_[model.definitions[node.index].value];
       case ExpressionKind::point_component:
         return traits_[model.points[node.index / 3].at[node.index % 3]];
+      case ExpressionKind::frame_component:
+        return traits_[component_of_frame(model, node.index)];
       default:
         return of_operation(node);
     }

@@ -40,6 +40,7 @@ class UnitInference {
       : context_(context), model_(context.model), units_(context.model.expressions.size()) {}
 
   void visit(const Root& root) {
+    if (root.generated) return;
     for (ExpressionId id = root.first; id <= root.value; ++id) {
       units_[id] = of(model_.expressions[id]);
     }
@@ -78,6 +79,8 @@ class UnitInference {
         return units_[model_.definitions[node.index].value];
       case ExpressionKind::point_component:
         return known(*find_unit("m"));
+      case ExpressionKind::frame_component:
+        return known(node.index % components_per_frame < 9 ? Unit{} : *find_unit("m"));
       default:
         return of_operation(node);
     }

@@ -78,18 +78,34 @@ std::optional<std::int64_t> ValueReader::integer(const ValueSyntax& value) {
 
 std::optional<std::uint32_t> ValueReader::reference(const ValueSyntax& value, SymbolKind kind) {
   const ExpressionSyntax& name = value.expression;
+  const Symbols& symbols = kind == SymbolKind::frame ? context_.frames : context_.symbols;
+  const Symbol* symbol = symbols.find(name.text);
+  if (symbol == nullptr && symbols.has_failed(name.text)) {
+    return std::nullopt;
+  }
+  if (symbol == nullptr || symbol->kind != kind) {
+    const std::vector<std::string> names = symbols.names(kind);
+    context_.report.add(Code::E201, value.span,
+                        "unknown " + std::string(noun(kind)) + " " + quoted(name.text),
+                        symbols.suggest(name.text, names));
+    return std::nullopt;
+  }
+  return Resolver(context_, scope_).element(name, *symbol);
+}
+
+std::optional<std::uint32_t> ValueReader::rotation(const ValueSyntax& value) {
+  const ExpressionSyntax& name = value.expression;
   const Symbol* symbol = context_.symbols.find(name.text);
   if (symbol == nullptr && context_.symbols.has_failed(name.text)) {
     return std::nullopt;
   }
-  if (symbol == nullptr || symbol->kind != kind) {
-    const std::vector<std::string> names = context_.symbols.names(kind);
-    context_.report.add(Code::E201, value.span,
-                        "unknown " + std::string(noun(kind)) + " " + quoted(name.text),
+  if (symbol == nullptr || symbol->kind != SymbolKind::rotation || !name.operands.empty()) {
+    const std::vector<std::string> names = context_.symbols.names(SymbolKind::rotation);
+    context_.report.add(Code::E201, value.span, "unknown rotation " + quoted(value.span),
                         context_.symbols.suggest(name.text, names));
     return std::nullopt;
   }
-  return Resolver(context_, scope_).element(name, *symbol);
+  return context_.model.velocities[symbol->elements.begin()->second].rotation;
 }
 
 std::optional<std::uint32_t> ValueReader::velocity(const ValueSyntax& value) {
@@ -110,6 +126,12 @@ void ValueReader::check_dimension(std::size_t count, const Span& span) {
                         counted(count, "component") + " in a model whose first vector has " +
                             std::to_string(context_.dimension));
   }
+}
+
+std::optional<std::uint32_t> ValueReader::frame_or_world(const ValueSyntax& value) {
+  const ExpressionSyntax& name = value.expression;
+  if (name.text == world && name.operands.empty()) return std::nullopt;
+  return reference(value, SymbolKind::frame);
 }
 
 const KeySyntax* find_key(const ValueSyntax& table, std::string_view key) {

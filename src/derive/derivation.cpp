@@ -2,6 +2,8 @@
 #include "derive/derivation.hpp"
 
 #include "derive/rate_grades.hpp"
+#include "derive/tree.hpp"
+#include "derive/turning.hpp"
 
 namespace elgen {
 
@@ -47,6 +49,13 @@ Derivation::Derivation(const Lagrangian& source)
   append(other_, weighted(lagrangian.lagrangian, 1));
 }
 
+Derivation::~Derivation() = default;
+
+Tree& Derivation::tree() {
+  if (!tree_) tree_ = std::make_unique<Tree>(*this);
+  return *tree_;
+}
+
 const GradedEnergies& Derivation::graded() {
   if (graded_) return *graded_;
   GradedEnergies energies;
@@ -73,7 +82,7 @@ const GradedEnergies& Derivation::graded() {
 }
 
 Vector Derivation::by_position(const std::vector<Weighted>& sum) {
-  return gradient(definitions, sum, symbols.q);
+  return along_velocities(*this, gradient(definitions, sum, symbols.q));
 }
 
 Vector Derivation::by_velocity(const std::vector<Weighted>& sum) {

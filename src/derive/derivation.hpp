@@ -5,12 +5,14 @@
 //     M a + C v + drift + g + dD/dv = B u + Q
 //     tau = M a + bias,   bias = C v + drift + g + dD/dv - Q
 //
-// Routes. A point mass gives its inertial force m p'' at once, pulled back by one reverse pass:
-// sum m p''.dp/dq (d'Alembert-Lagrange; Goldstein, Poole, Safko, 3rd ed., sec. 1.4). Everything
-// else goes by Lagrange's equation: reverse over the energy, then forward in time, d/dt dL/dv -
-// dL/dq.
+// Routes. Bodies in frames go by twists along the tree of frames (tree_dynamics.hpp,
+// tree_matrices.hpp). A point mass gives its inertial force m p'' at once, pulled back by one
+// reverse pass: sum m p''.dp/dq (d'Alembert-Lagrange; Goldstein, Poole, Safko, 3rd ed., sec. 1.4).
+// Everything else goes by Lagrange's equation: reverse over the energy, then forward in time, d/dt
+// dL/dv - dL/dq.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -32,9 +34,14 @@ struct GradedEnergies {
   Terms potential0 = {};
 };
 
+class Tree;
+
 class Derivation {
  public:
   explicit Derivation(const Lagrangian& source);
+  ~Derivation();
+  Derivation(const Derivation&) = delete;
+  Derivation& operator=(const Derivation&) = delete;
 
   Lagrangian lagrangian;     ///< grows by definitions
   Definitions& definitions;  ///< of `lagrangian`
@@ -50,7 +57,10 @@ class Derivation {
 
   [[nodiscard]] const GradedEnergies& graded();
 
-  /// sum over `sum` of weight * dvalue/dq.
+  /// The frames, and what passes along them.
+  [[nodiscard]] Tree& tree();
+
+  /// sum over `sum` of weight * dvalue/dq, along every velocity: N^T d/dq where dq/dt = N v.
   [[nodiscard]] Vector by_position(const std::vector<Weighted>& sum);
   /// The same by v, each entry a definition.
   [[nodiscard]] Vector by_velocity(const std::vector<Weighted>& sum);
@@ -64,6 +74,7 @@ class Derivation {
  private:
   std::vector<Weighted> other_;
   std::optional<GradedEnergies> graded_;
+  std::unique_ptr<Tree> tree_;
 };
 
 template <class Force>

@@ -7,6 +7,7 @@
 #include "derive/forces.hpp"
 #include "derive/forward_dynamics.hpp"
 #include "derive/matrices.hpp"
+#include "derive/turning.hpp"
 #include "elgen/equations_of_motion.hpp"
 #include "formulate/print.hpp"
 
@@ -65,6 +66,10 @@ std::vector<FieldEquations> fields(Derivation& d, const OutputRequest& request) 
       return plain(request, inverse_dynamics(d));
     case OutputKind::forward_dynamics:
       return accelerations(d);
+    case OutputKind::coordinate_rates:
+      return plain(request, coordinate_rates(d));
+    case OutputKind::normalized:
+      return plain(request, normalized(d));
     case OutputKind::user_value:
       return plain(request, user_values(d, request));
     case OutputKind::user_jacobian:

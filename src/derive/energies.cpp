@@ -1,6 +1,8 @@
 // Energies, term by term over the definitions.
 #include "derive/energies.hpp"
 
+#include "derive/tree_dynamics.hpp"
+
 namespace elgen {
 
 using GiNaC::ex;
@@ -11,7 +13,7 @@ void append(GiNaC::exvector& to, const Terms& from, int sign) {
   for (const ex& term : from) to.push_back(sign * term);
 }
 
-/// 1/2 m |dp/ds|^2 of each mass along a direction.
+/// 1/2 m |dp/ds|^2 of each mass, and of the bodies in frames, along a direction.
 void append_squares(GiNaC::exvector& terms, Derivation& derivation, Tangent& along, int sign) {
   for (const PointMass& mass : derivation.lagrangian.masses) {
     if (!mass.kinetic) continue;
@@ -22,11 +24,16 @@ void append_squares(GiNaC::exvector& terms, Derivation& derivation, Tangent& alo
     }
     terms.push_back(GiNaC::numeric(sign, 2) * mass.mass * GiNaC::add(squares));
   }
+  Tree& tree = derivation.tree();
+  append(terms, tree_kinetic_energy(tree, along), sign);
 }
 
-/// -m gravity.p of each mass.
-void append_weights(GiNaC::exvector& terms, const Lagrangian& lagrangian) {
+/// -m gravity.p of each mass, and of the bodies in frames.
+void append_weights(GiNaC::exvector& terms, Derivation& derivation) {
+  const Lagrangian& lagrangian = derivation.lagrangian;
   if (!lagrangian.gravity) return;
+  Tree& tree = derivation.tree();
+  append(terms, tree_potential_energy(tree), 1);
   for (const PointMass& mass : lagrangian.masses) {
     GiNaC::exvector heights;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -48,7 +55,7 @@ GiNaC::exvector kinetic_terms(Derivation& derivation) {
 
 ex full_potential_energy(Derivation& derivation) {
   GiNaC::exvector terms;
-  append_weights(terms, derivation.lagrangian);
+  append_weights(terms, derivation);
   append(terms, derivation.lagrangian.potential, 1);
   return GiNaC::add(terms);
 }
@@ -57,14 +64,14 @@ ex kinetic_energy(Derivation& derivation) { return GiNaC::add(kinetic_terms(deri
 
 ex potential_energy(Derivation& derivation) {
   GiNaC::exvector terms;
-  append_weights(terms, derivation.lagrangian);
+  append_weights(terms, derivation);
   append(terms, derivation.graded().potential0, 1);
   return GiNaC::add(terms);
 }
 
 ex total_energy(Derivation& derivation) {
   GiNaC::exvector terms = kinetic_terms(derivation);
-  append_weights(terms, derivation.lagrangian);
+  append_weights(terms, derivation);
   append(terms, derivation.graded().potential0, 1);
   append(terms, derivation.graded().potential1, 1);
   return GiNaC::add(terms);
@@ -84,7 +91,7 @@ ex energy_function(Derivation& derivation) {
   append_squares(terms, derivation, derivation.passing, -1);
   append(terms, derivation.graded().kinetic2, 1);
   append(terms, derivation.graded().kinetic0, -1);
-  append_weights(terms, derivation.lagrangian);
+  append_weights(terms, derivation);
   append(terms, derivation.graded().potential0, 1);
   return GiNaC::add(terms);
 }

@@ -1,6 +1,9 @@
 // Generalized forces: one reverse pass over positions and energies each, plus the rates of momenta.
 #include "derive/forces.hpp"
 
+#include "derive/tree_dynamics.hpp"
+#include "derive/turning.hpp"
+
 namespace elgen {
 
 using GiNaC::ex;
@@ -21,6 +24,13 @@ Vector rates(const Vector& values, Tangent& along) {
   return result;
 }
 
+/// d/dt dL/dv along a motion, as Hamel has it for angular velocities.
+Vector momentum_rates(Derivation& derivation, const Vector& momentum, Tangent& along) {
+  Vector result = rates(momentum, along);
+  const Vector turning = turning_force(derivation, momentum);
+  return plus(std::move(result), turning);
+}
+
 std::array<ex, 3> gravity_vector(const Derivation& derivation) {
   return derivation.lagrangian.gravity.value_or(std::array<ex, 3>{0, 0, 0});
 }
@@ -34,8 +44,12 @@ std::string force_name(const PointMass& mass, const Derivation& derivation, std:
   return name.empty() ? std::string() : "force_" + name;
 }
 
+void add(const TreeForces& forces, Vector& to) {
+  for (const auto& [velocity, force] : forces.on_velocities) to[velocity] += force;
+}
+
 /// m (p'' - gravity) on each mass, p'' by a second pass in `second` over the velocity.
-std::vector<Weighted> inertial_forces(Derivation& derivation, Tangent& second) {
+std::vector<Weighted> inertial_forces_of_masses(Derivation& derivation, Tangent& second) {
   const std::array<ex, 3> g = gravity_vector(derivation);
   return derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
     const ex acceleration =
@@ -73,16 +87,53 @@ Vector direct_forces(Derivation& derivation, Inputs inputs) {
   return result;
 }
 
+/// The wrenches' components with u = 0, or as they are.
+std::vector<Wrench> acting_wrenches(Derivation& derivation, Inputs inputs) {
+  std::vector<Wrench> result = derivation.lagrangian.tree.wrenches;
+  if (inputs == Inputs::acting) return result;
+  Seeds none;
+  for (const ex& input : derivation.symbols.u) none.emplace(input, 0);
+  Substitution without_inputs(derivation.definitions, none);
+  for (Wrench& wrench : result) {
+    for (ex& component : wrench.force) component = without_inputs(component);
+    for (ex& component : wrench.moment) component = without_inputs(component);
+  }
+  return result;
+}
+
+TreeForces negative(TreeForces forces) {
+  for (Weighted& term : forces.pulled_back) term.weight = -term.weight;
+  for (auto& [velocity, force] : forces.on_velocities) force = -force;
+  return forces;
+}
+
+TreeForces negative_wrenches(Derivation& derivation, Inputs inputs) {
+  const std::vector<Wrench> wrenches = acting_wrenches(derivation, inputs);
+  return negative(derivation.tree().wrench_forces(wrenches));
+}
+
+/// Of bodies in frames; gravity is an acceleration of their base.
+TreeForces tree_forces(Derivation& derivation, Tangent& second) {
+  return inertial_forces(derivation.tree(), {derivation.coasting, second, true});
+}
+
 /// Everything of tau that `second` gives: inertia, gravity, dissipation, forces.
 Vector left_side(Derivation& derivation, Tangent& second, Inputs inputs) {
-  std::vector<Weighted> pulled_back = inertial_forces(derivation, second);
+  std::vector<Weighted> pulled_back = inertial_forces_of_masses(derivation, second);
   append(pulled_back, negative_point_forces(derivation, inputs));
+  const TreeForces inertial = tree_forces(derivation, second);
+  const TreeForces wrenches = negative_wrenches(derivation, inputs);
+  append(pulled_back, inertial.pulled_back);
+  append(pulled_back, wrenches.pulled_back);
   for (const Weighted& term : derivation.other_lagrangian()) {
     pulled_back.push_back({term.value, -term.weight});
   }
   Vector result = derivation.by_position(pulled_back);
-  result = plus(result, rates(derivation.by_velocity(derivation.other_lagrangian()), second));
+  const Vector momentum = derivation.by_velocity(derivation.other_lagrangian());
+  result = plus(result, momentum_rates(derivation, momentum, second));
   result = plus(result, dissipation(derivation));
+  add(inertial, result);
+  add(wrenches, result);
   const Vector direct = direct_forces(derivation, inputs);
   for (std::size_t i = 0; i < result.size(); ++i) result[i] -= direct[i];
   return result;
@@ -98,7 +149,7 @@ Vector bias(Derivation& derivation, Inputs inputs) {
   return left_side(derivation, derivation.coasting, inputs);
 }
 
-Vector velocity_force(Derivation& derivation) {
+Vector velocity_force(Derivation& derivation, Bodies bodies) {
   Definitions& definitions = derivation.definitions;
   std::vector<Weighted> pulled_back =
       derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
@@ -108,9 +159,15 @@ Vector velocity_force(Derivation& derivation) {
       });
   const Terms& kinetic = derivation.graded().kinetic2;
   append(pulled_back, weighted(kinetic, -1));
+  TreeForces inertial;
+  if (bodies == Bodies::all) {
+    inertial = inertial_forces(derivation.tree(), {derivation.frozen, derivation.frozen, false});
+  }
+  append(pulled_back, inertial.pulled_back);
   const Vector momentum = derivation.by_velocity(weighted(kinetic, 1));
-  const Vector result = derivation.by_position(pulled_back);
-  return plus(result, rates(momentum, derivation.frozen));
+  Vector result = derivation.by_position(pulled_back);
+  add(inertial, result);
+  return plus(result, momentum_rates(derivation, momentum, derivation.frozen));
 }
 
 Vector drift(Derivation& derivation) {
@@ -129,9 +186,19 @@ Vector drift(Derivation& derivation) {
   append(linear, weighted(energies.potential1, -1));
   for (const Weighted& term : linear) pulled_back.push_back({term.value, -term.weight});
   append(pulled_back, weighted(energies.kinetic0, -1));
+  // Of bodies in frames all inertial forces less those at frozen time.
+  Tree& tree = derivation.tree();
+  const TreeForces all = inertial_forces(tree, {derivation.coasting, derivation.coasting, false});
+  const TreeForces frozen =
+      negative(inertial_forces(tree, {derivation.frozen, derivation.frozen, false}));
+  append(pulled_back, all.pulled_back);
+  append(pulled_back, frozen.pulled_back);
 
   Vector result = derivation.by_position(pulled_back);
-  result = plus(result, rates(derivation.by_velocity(linear), derivation.coasting));
+  add(all, result);
+  add(frozen, result);
+  const Vector momentum = derivation.by_velocity(linear);
+  result = plus(result, momentum_rates(derivation, momentum, derivation.coasting));
   const Vector quadratic = derivation.by_velocity(weighted(energies.kinetic2, 1));
   return plus(result, rates(quadratic, derivation.passing));
 }
@@ -143,7 +210,12 @@ Vector gravity(Derivation& derivation) {
         return define(derivation.definitions, -mass.mass * g[axis]);
       });
   append(pulled_back, weighted(derivation.graded().potential0, 1));
-  return derivation.by_position(pulled_back);
+  Tree& tree = derivation.tree();
+  const TreeForces weights = tree_gravity(tree);
+  append(pulled_back, weights.pulled_back);
+  Vector result = derivation.by_position(pulled_back);
+  add(weights, result);
+  return result;
 }
 
 Vector dissipation(Derivation& derivation) {
@@ -152,9 +224,20 @@ Vector dissipation(Derivation& derivation) {
 }
 
 Vector applied_force(Derivation& derivation, Inputs inputs) {
-  Vector result = derivation.by_position(negative_point_forces(derivation, inputs));
+  std::vector<Weighted> pulled_back = negative_point_forces(derivation, inputs);
+  const TreeForces wrenches = negative_wrenches(derivation, inputs);
+  append(pulled_back, wrenches.pulled_back);
+  Vector result = derivation.by_position(pulled_back);
+  add(wrenches, result);
   const Vector direct = direct_forces(derivation, inputs);
   for (std::size_t i = 0; i < result.size(); ++i) result[i] = direct[i] - result[i];
+  return result;
+}
+
+Vector momentum_of_frames(Derivation& derivation) {
+  const TreeForces of_bodies = tree_momentum(derivation.tree());
+  Vector result = derivation.by_position(of_bodies.pulled_back);
+  add(of_bodies, result);
   return result;
 }
 
@@ -166,7 +249,8 @@ Vector momentum(Derivation& derivation) {
             define(derivation.definitions, derivation.coasting(mass.position[axis]));
         return define(derivation.definitions, mass.mass * velocity);
       });
-  const Vector result = derivation.by_position(of_masses);
+  Vector result = derivation.by_position(of_masses);
+  result = plus(result, momentum_of_frames(derivation));
   return plus(result, derivation.by_velocity(derivation.other_lagrangian()));
 }
 

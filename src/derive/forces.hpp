@@ -14,8 +14,13 @@ enum class Inputs : unsigned char { absent, acting };
 /// C v + drift + g + dD/dv - Q; with the inputs acting, - Q - B u.
 [[nodiscard]] Vector bias(Derivation& derivation, Inputs inputs);
 
+enum class Bodies : unsigned char { all, without_frames };
+
 /// C v: the part quadratic in v. L quadratic in v.
-[[nodiscard]] Vector velocity_force(Derivation& derivation);
+[[nodiscard]] Vector velocity_force(Derivation& derivation, Bodies bodies = Bodies::all);
+
+/// dT/dv of the bodies in frames.
+[[nodiscard]] Vector momentum_of_frames(Derivation& derivation);
 
 /// (dM/dt) v + (db/dq - (db/dq)^T) v + db/dt - dT0/dq with b = b_T - V1. L quadratic in v.
 [[nodiscard]] Vector drift(Derivation& derivation);

@@ -2,6 +2,9 @@
 #include "derive/matrices.hpp"
 
 #include "derive/forces.hpp"
+#include "derive/tree_matrices.hpp"
+#include "derive/tree_variables.hpp"
+#include "derive/turning.hpp"
 
 namespace elgen {
 
@@ -13,16 +16,33 @@ Tangent unit_direction(Derivation& derivation, const ex& leaf) {
   return {derivation.definitions, Seeds{{leaf, 1}}};
 }
 
-}  // namespace
+void add(const SparseMatrix& matrix, std::size_t n, Vector& entries) {
+  for (const auto& [place, entry] : matrix) entries[place.first * n + place.second] += entry;
+}
 
-Vector mass_matrix(Derivation& derivation) {
+/// Wrenches per unit of what a direction moves.
+std::vector<Wrench> rates(Derivation& derivation, Tangent& along) {
+  std::vector<Wrench> result = derivation.lagrangian.tree.wrenches;
+  for (Wrench& wrench : result) {
+    for (ex& component : wrench.force) component = along(component);
+    for (ex& component : wrench.moment) component = along(component);
+  }
+  return result;
+}
+
+bool has_columns(Derivation& derivation) { return tree_variables(derivation.tree()).is_complete; }
+
+/// M of everything, or of what is not in frames.
+Vector mass_matrix_of(Derivation& derivation, Bodies bodies) {
   const std::size_t n = derivation.size();
   const Vector other = derivation.by_velocity(derivation.lagrangian.quadratic
                                                   ? weighted(derivation.graded().kinetic2, 1)
                                                   : derivation.other_lagrangian());
+  const Vector of_frames =
+      bodies == Bodies::without_frames ? Vector(n) : momentum_of_frames(derivation);
   Vector entries(n * n);
   for (std::size_t j = 0; j < n; ++j) {
-    Tangent position = unit_direction(derivation, derivation.symbols.q[j]);
+    Tangent position(derivation.definitions, displacement(derivation.symbols, j));
     Tangent velocity = unit_direction(derivation, derivation.symbols.v[j]);
     const Vector column =
         derivation.by_position(derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
@@ -31,21 +51,38 @@ Vector mass_matrix(Derivation& derivation) {
           return define(derivation.definitions, mass.mass * direction);
         }));
     for (std::size_t i = j; i < n; ++i) {
-      entries[i * n + j] = entries[j * n + i] = column[i] + velocity(other[i]);
+      const ex of_energy = velocity(other[i]);
+      entries[i * n + j] = entries[j * n + i] = column[i] + of_energy + velocity(of_frames[i]);
     }
   }
   return entries;
 }
 
+}  // namespace
+
+Vector mass_matrix(Derivation& derivation) {
+  if (!has_columns(derivation)) return mass_matrix_of(derivation, Bodies::all);
+  Vector entries = mass_matrix_of(derivation, Bodies::without_frames);
+  add(tree_mass_matrix(derivation.tree()), derivation.size(), entries);
+  return entries;
+}
+
 Vector coriolis_matrix(Derivation& derivation) {
   const std::size_t n = derivation.size();
-  Vector force = velocity_force(derivation);
+  const bool by_columns = has_columns(derivation);
+  const Bodies bodies = by_columns ? Bodies::without_frames : Bodies::all;
+  Vector force = velocity_force(derivation, bodies);
   for (ex& entry : force) entry = define(derivation.definitions, entry);
   Vector entries(n * n);
   for (std::size_t j = 0; j < n; ++j) {
     Tangent velocity = unit_direction(derivation, derivation.symbols.v[j]);
     for (std::size_t i = 0; i < n; ++i) entries[i * n + j] = velocity(force[i]) / 2;
   }
+  if (!derivation.symbols.rotations.empty()) {
+    const Vector mass = mass_matrix_of(derivation, bodies);
+    add_turning(derivation, mass, entries);
+  }
+  if (by_columns) add(tree_coriolis_matrix(derivation.tree()), n, entries);
   return entries;
 }
 
@@ -61,7 +98,10 @@ Vector input_matrix(Derivation& derivation) {
         forces.push_back({applied.position[axis], input(applied.force[axis])});
       }
     }
-    const Vector column = derivation.by_position(forces);
+    const TreeForces of_wrenches = derivation.tree().wrench_forces(rates(derivation, input));
+    append(forces, of_wrenches.pulled_back);
+    Vector column = derivation.by_position(forces);
+    for (const auto& [velocity, force] : of_wrenches.on_velocities) column[velocity] += force;
     for (std::size_t i = 0; i < n; ++i) {
       entries[i * inputs + j] = column[i] + input(derivation.lagrangian.forces[i]);
     }

@@ -82,6 +82,9 @@ std::string field_type(OutputKind kind, const Field& field) {
       return "SquareMatrix<Scalar>";
     case OutputKind::input_matrix:
       return "InputMatrix<Scalar>";
+    case OutputKind::coordinate_rates:
+    case OutputKind::normalized:
+      return "Coordinates<Scalar>";
     case OutputKind::user_value:
     case OutputKind::user_bias:
       return field.rows == 1 ? "Scalar" : fmt::format("std::array<Scalar, {}>", field.rows);

@@ -1,5 +1,5 @@
-// Depth-first order of definitions, prescribed motions and points, without recursion: chains are
-// long.
+// Depth-first order of definitions, prescribed motions, points and the frames they need, without
+// recursion: chains are long.
 #include "formulate/entities.hpp"
 
 #include <optional>
@@ -12,19 +12,22 @@ namespace {
 struct Numbering {
   std::size_t prescribed;  ///< node of the first prescribed motion; definitions start at 0
   std::size_t points;
+  std::size_t frames;
   std::size_t count;
 };
 
 Numbering number(const Model& model) {
   const std::size_t prescribed = model.definitions.size();
   const std::size_t points = prescribed + model.prescribed.size();
-  return {prescribed, points, points + model.points.size()};
+  const std::size_t frames = points + model.points.size();
+  return {prescribed, points, frames, frames + model.frames.size()};
 }
 
 Entity entity(const Numbering& numbering, std::size_t node) {
   const auto at = [&](EntityKind kind, std::size_t first) {
     return Entity{kind, static_cast<std::uint32_t>(node - first)};
   };
+  if (node >= numbering.frames) return at(EntityKind::frame, numbering.frames);
   if (node >= numbering.points) return at(EntityKind::point, numbering.points);
   if (node >= numbering.prescribed) return at(EntityKind::prescribed, numbering.prescribed);
   return at(EntityKind::definition, 0);
@@ -38,23 +41,16 @@ std::optional<std::size_t> referred(const Numbering& numbering, const Expression
       return numbering.prescribed + expression.index;
     case ExpressionKind::point_component:
       return numbering.points + expression.index / 3;
+    case ExpressionKind::frame_component:
+      return numbering.frames + expression.index / components_per_frame;
     default:
       return std::nullopt;
   }
 }
 
-/// The nodes that the expressions of `node` mention, in the order of mention.
-std::vector<std::size_t> needs(const Model& model, const Numbering& numbering, std::size_t node) {
-  const Entity named = entity(numbering, node);
-  std::vector<ExpressionId> stack;
-  if (named.kind == EntityKind::point) {
-    const auto& at = model.points[named.index].at;
-    stack.assign(at.rbegin(), at.rend());
-  } else if (named.kind == EntityKind::prescribed) {
-    stack.push_back(model.prescribed[named.index].value);
-  } else {
-    stack.push_back(model.definitions[named.index].value);
-  }
+/// The nodes that expressions mention, in the order of mention; `stack` holds them, first on top.
+std::vector<std::size_t> mentioned(const Model& model, const Numbering& numbering,
+                                   std::vector<ExpressionId> stack) {
   std::vector<std::size_t> result;
   while (!stack.empty()) {
     const Expression& expression = model.expressions[stack.back()];
@@ -65,6 +61,55 @@ std::vector<std::size_t> needs(const Model& model, const Numbering& numbering, s
   return result;
 }
 
+/// What the expressions of `node` mention.
+std::vector<std::size_t> needs(const Model& model, const Numbering& numbering, std::size_t node) {
+  const Entity named = entity(numbering, node);
+  std::vector<ExpressionId> stack;
+  if (named.kind == EntityKind::point) {
+    const auto& at = model.points[named.index].at;
+    stack.assign(at.rbegin(), at.rend());
+  } else if (named.kind == EntityKind::frame) {
+    const Frame& frame = model.frames[named.index];
+    stack.assign(frame.origin.rbegin(), frame.origin.rend());
+    stack.insert(stack.end(), frame.rotation.rbegin(), frame.rotation.rend());
+  } else if (named.kind == EntityKind::prescribed) {
+    stack.push_back(model.prescribed[named.index].value);
+  } else {
+    stack.push_back(model.definitions[named.index].value);
+  }
+  return mentioned(model, numbering, std::move(stack));
+}
+
+/// What energies, forces and outputs mention.
+std::vector<std::size_t> needed_by_energies(const Model& model, const Numbering& numbering) {
+  std::vector<ExpressionId> roots;
+  const Energies& e = model.energies;
+  for (const auto& energy : {e.T, e.V, e.D, e.L}) {
+    if (energy) roots.push_back(*energy);
+  }
+  for (const Force& force : model.forces) {
+    roots.insert(roots.end(), force.value.begin(), force.value.end());
+  }
+  for (const UserOutput& output : model.outputs) {
+    roots.insert(roots.end(), output.values.begin(), output.values.end());
+  }
+  return mentioned(model, numbering, {roots.rbegin(), roots.rend()});
+}
+
+/// Every definition, prescribed motion and point of the world, and of frames and their points those
+/// that something mentions: masses move by the twists of their frames.
+std::vector<std::size_t> wanted(const Model& model, const Numbering& numbering) {
+  std::vector<std::size_t> result;
+  for (std::size_t node = 0; node < numbering.frames; ++node) {
+    const bool is_point = node >= numbering.points;
+    if (is_point && model.points[node - numbering.points].local) continue;
+    result.push_back(node);
+  }
+  const std::vector<std::size_t> others = needed_by_energies(model, numbering);
+  result.insert(result.end(), others.begin(), others.end());
+  return result;
+}
+
 }  // namespace
 
 std::vector<Entity> entities_in_order(const Model& model) {
@@ -72,7 +117,7 @@ std::vector<Entity> entities_in_order(const Model& model) {
   std::vector<Entity> order;
   std::vector<bool> done(numbering.count, false);
   std::vector<std::pair<std::size_t, bool>> stack;  // node, whether its needs are on the stack
-  for (std::size_t first = 0; first < numbering.count; ++first) {
+  for (const std::size_t first : wanted(model, numbering)) {
     stack.emplace_back(first, false);
     while (!stack.empty()) {
       const auto [node, expanded] = stack.back();

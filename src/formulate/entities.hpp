@@ -7,8 +7,9 @@
 
 namespace elgen {
 
-/// Definitions, prescribed motions and points, each after those its expressions refer to; otherwise
-/// as declared. The model's are acyclic (check).
+/// Definitions, prescribed motions, points, and the frames (and points of frames) that an
+/// expression mentions, each after those its own expressions refer to; otherwise as declared. The
+/// model's are acyclic (check).
 [[nodiscard]] std::vector<Entity> entities_in_order(const Model& model);
 
 }  // namespace elgen

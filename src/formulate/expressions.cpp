@@ -65,7 +65,8 @@ Translation::Translation(const Model& model, Lagrangian& lagrangian)
       translated_(model.expressions.size()),
       definitions_(model.definitions.size()),
       prescribed_(model.prescribed.size()),
-      points_(model.points.size()) {}
+      points_(model.points.size()),
+      frames_(model.frames.size()) {}
 
 Result<ex> Translation::operator()(ExpressionId value) {
   std::vector<ExpressionId> needed;
@@ -126,6 +127,10 @@ Translation::Sized Translation::leaf(const Expression& expression) const {
       return {prescribed_[expression.index], 1};
     case ExpressionKind::definition:
       return {definitions_[expression.index], 1};
+    case ExpressionKind::frame_component:
+      return {
+          frames_[expression.index / components_per_frame][expression.index % components_per_frame],
+          1};
     default:
       return {points_[expression.index / 3][expression.index % 3], 1};
   }
@@ -200,26 +205,42 @@ Diagnostics Translation::define_named() {
   return {};
 }
 
-Diagnostics Translation::define_entity(const Entity& entity) {
-  Definitions& definitions = lagrangian_.definitions;
-  if (entity.kind == EntityKind::point) {
-    static constexpr std::array<const char*, 3> axes{"_x", "_y", "_z"};
-    const Point& point = model_.points[entity.index];
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Result<ex> value = (*this)(point.at[axis]);
-      if (!value) return value.diagnostics;
-      points_[entity.index][axis] =
-          define(definitions, *value, {point.identifier + axes[axis], entity});
-    }
-    return {};
+Diagnostics Translation::define_point(std::uint32_t index) {
+  static constexpr std::array<const char*, 3> axes{"_x", "_y", "_z"};
+  const Point& point = model_.points[index];
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Result<ex> value = (*this)(point.at[axis]);
+    if (!value) return value.diagnostics;
+    points_[index][axis] = define(lagrangian_.definitions, *value,
+                                  {point.identifier + axes[axis], {EntityKind::point, index}});
   }
+  return {};
+}
+
+/// R as link_R11 …, the origin as link_x …
+Diagnostics Translation::define_frame(std::uint32_t index) {
+  static constexpr std::array<const char*, components_per_frame> suffixes{
+      "_R11", "_R12", "_R13", "_R21", "_R22", "_R23", "_R31", "_R32", "_R33", "_x", "_y", "_z"};
+  const std::string& name = model_.frames[index].identifier;
+  for (std::uint32_t k = 0; k < components_per_frame; ++k) {
+    const Result<ex> value = (*this)(component_of_frame(model_, components_per_frame * index + k));
+    if (!value) return value.diagnostics;
+    frames_[index][k] =
+        define(lagrangian_.definitions, *value, {name + suffixes[k], {EntityKind::frame, index}});
+  }
+  return {};
+}
+
+Diagnostics Translation::define_entity(const Entity& entity) {
+  if (entity.kind == EntityKind::point) return define_point(entity.index);
+  if (entity.kind == EntityKind::frame) return define_frame(entity.index);
   const bool is_definition = entity.kind == EntityKind::definition;
   const NamedExpression& named =
       (is_definition ? model_.definitions : model_.prescribed)[entity.index];
   const Result<ex> value = (*this)(named.value);
   if (!value) return value.diagnostics;
   (is_definition ? definitions_ : prescribed_)[entity.index] =
-      define(definitions, *value, {named.identifier, entity});
+      define(lagrangian_.definitions, *value, {named.identifier, entity});
   return {};
 }
 

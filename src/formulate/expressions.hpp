@@ -38,6 +38,8 @@ class Translation {
   [[nodiscard]] Sized function(const Expression& expression);
   [[nodiscard]] Sized small(const Sized& sized);
   [[nodiscard]] Diagnostics define_entity(const Entity& entity);
+  [[nodiscard]] Diagnostics define_point(std::uint32_t index);
+  [[nodiscard]] Diagnostics define_frame(std::uint32_t index);
 
   const Model& model_;
   Lagrangian& lagrangian_;
@@ -46,6 +48,7 @@ class Translation {
   std::vector<GiNaC::ex> definitions_;
   std::vector<GiNaC::ex> prescribed_;
   std::vector<std::array<GiNaC::ex, 3>> points_;
+  std::vector<std::array<GiNaC::ex, components_per_frame>> frames_;
 };
 
 }  // namespace elgen

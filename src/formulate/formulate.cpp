@@ -7,6 +7,8 @@
 
 #include "elgen/lagrangian.hpp"
 #include "formulate/expressions.hpp"
+#include "formulate/frame_tree.hpp"
+#include "formulate/rotations.hpp"
 
 namespace elgen {
 
@@ -44,9 +46,7 @@ void add_symbols(const Model& model, Lagrangian& lagrangian) {
   }
   symbols.t = GiNaC::realsymbol("t");
   add_leaf(lagrangian.definitions, symbols.t, on_time);
-  for (const Coordinate& coordinate : model.coordinates) {
-    symbols.q_rates.push_back(symbols.v[coordinate.velocity]);
-  }
+  add_coordinate_rates(model, lagrangian);
 }
 
 /// Builds the parts of a Lagrangian one after another; the first error ends it.
@@ -66,6 +66,7 @@ class Formulation {
     if (errors_.empty()) add_energies();
     if (errors_.empty()) add_forces();
     if (errors_.empty()) add_outputs();
+    if (errors_.empty()) errors_ = add_frame_tree(model_, translation_, lagrangian_);
     if (!errors_.empty()) return errors_;
     return std::move(lagrangian_);
   }
@@ -98,7 +99,7 @@ class Formulation {
   void add_points() {
     for (std::uint32_t i = 0; i < model_.points.size(); ++i) {
       const Point& point = model_.points[i];
-      if (!point.mass) continue;
+      if (!point.mass || point.local) continue;
       const Entity origin{EntityKind::point, i};
       const ex mass = named(*point.mass, point.identifier + "_mass", origin);
       lagrangian_.masses.push_back(
@@ -109,6 +110,7 @@ class Formulation {
   void add_bodies() {
     for (std::uint32_t i = 0; i < model_.bodies.size(); ++i) {
       const Body& body = model_.bodies[i];
+      if (body.local) continue;
       const Entity origin{EntityKind::body, i};
       if (body.mass) {
         const ex mass = named(*body.mass, body.identifier + "_mass", origin);
@@ -172,7 +174,7 @@ class Formulation {
     for (const Force& force : model_.forces) {
       if (force.on) {
         on[*force.on].push_back(translated(force.value.front()));
-      } else {
+      } else if (force.at) {
         add_point_force(force);
       }
     }
@@ -184,16 +186,19 @@ class Formulation {
       return position(model_.points[point].at, model_.points[point].identifier,
                       {EntityKind::point, point});
     };
+    const bool acts_in_world = !model_.points[*force.at].local;
+    const bool reacts_in_world = force.from && !model_.points[*force.from].local;
+    if (!acts_in_world && !reacts_in_world) return;
     const std::array<ex, 3> value{translated(force.value[0]), translated(force.value[1]),
                                   translated(force.value[2])};
-    lagrangian_.point_forces.push_back({at(*force.at), value});
-    if (!force.from) return;
+    if (acts_in_world) lagrangian_.point_forces.push_back({at(*force.at), value});
+    if (!reacts_in_world) return;
     lagrangian_.point_forces.push_back({at(*force.from), {-value[0], -value[1], -value[2]}});
   }
 
   void add_outputs() {
     for (const UserOutput& output : model_.outputs) {
-      NamedOutput named{output.name, {}};
+      NamedOutput named{output.name, {}, {}};
       for (const ExpressionId id : output.values) named.values.push_back(translated(id));
       lagrangian_.outputs.push_back(std::move(named));
     }

@@ -48,6 +48,8 @@ std::vector<ExpressionId> references(const Model& model, ExpressionId expression
       return {model.definitions[e.index].value};
     case ExpressionKind::point_component:
       return {model.points[e.index / 3].at[e.index % 3]};
+    case ExpressionKind::frame_component:
+      return {component_of_frame(model, e.index)};
     default:
       return e.operands;
   }

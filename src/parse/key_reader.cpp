@@ -119,6 +119,8 @@ ValueSyntax read_by_type(const TomlEntry& key, const KeyRow& row, Reading& readi
       return read_boolean(value, reading);
     case KeyType::range:
       return read_list(value, 2, reading);
+    case KeyType::turns:
+      return read_turns(value, reading);
     case KeyType::table:
       return read_table(key, row, reading);
     case KeyType::boolean_or_table:

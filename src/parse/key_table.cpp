@@ -67,16 +67,16 @@ const std::vector<KeyRow>& mechanics_rows() {
   using enum KeyType;
   static const std::vector<KeyRow> rows{
       {"point", "name", name, required, true, "name of the point"},
-      {"point", "at", expression_list, required, true, "its 2 or 3 world coordinates"},
+      {"point", "at", expression_list, required, true, "its 2 or 3 coordinates, in the world"},
       {"point", "mass", expression, optional, true, "adds 1/2 m v^2 to T and its weight to V"},
-      {"point", "frame", name, optional, later, "`at` in the axes of this frame"},
+      {"point", "frame", name, optional, true, "`at` in the axes of this frame"},
       {"point", "for", repetition, optional, true, "repeats the entry"},
       {"point", "doc", text, optional, true, "one line"},
 
       {"body", "name", name, required, true, "name of the body"},
       {"body", "mass", expression, optional, true, "without it, rotation only"},
-      {"body", "com", expression_list, optional, true, "centre of mass in the world"},
-      {"body", "frame", name, optional, later, "com and inertia in this frame"},
+      {"body", "com", expression_list, optional, true, "centre of mass, in the world or frame"},
+      {"body", "frame", name, optional, true, "com and inertia in this frame"},
       {"body", "spin", expression_or_list, optional, true, "angular velocity, axes of inertia"},
       {"body", "inertia", expression_or_list, optional, true, "1, 3 or 6: xx yy zz xy xz yz"},
       {"body", "inertia_about", choice, optional, true, "reference point of the inertia"},
@@ -101,16 +101,16 @@ const std::vector<KeyRow>& mechanics_rows() {
       {"force", "value", expression_or_list, required, true, "affine in the inputs"},
       {"force", "on", name, optional, true, "coordinate: a generalized force"},
       {"force", "at", name, optional, true, "point: a force in N, world axes"},
-      {"force", "from", name, optional, true, "point that takes the reaction"},
-      {"force", "frame", name, optional, later, "frame: a torque in N*m"},
-      {"force", "in", name, optional, later, "axes of the components"},
+      {"force", "from", name, optional, true, "point, or frame, that takes the reaction"},
+      {"force", "frame", name, optional, true, "frame: a torque in N*m, axes of the frame"},
+      {"force", "in", name, optional, true, "frame, or world: axes of the components"},
       {"force", "for", repetition, optional, true, "repeats the entry"},
 
       {"output", "name", name, required, true, "name of the emitted function"},
-      {"output", "value", expression_or_list, required, true, "what it returns"},
+      {"output", "value", expression_or_list, optional, true, "what it returns"},
       {"output", "jacobian", boolean, optional, true, "also emits its Jacobian and bias"},
-      {"output", "frame", name, optional, later, "pose and Jacobian of this frame"},
-      {"output", "axes", name, optional, later, "axes of the Jacobian"},
+      {"output", "frame", name, optional, true, "pose and Jacobian of this frame"},
+      {"output", "axes", name, optional, true, "axes of its Jacobian: world, or the frame"},
       {"output", "doc", text, optional, true, "one line"},
       {"output", "for", repetition, optional, true, "repeats the entry"},
 
@@ -118,6 +118,29 @@ const std::vector<KeyRow>& mechanics_rows() {
       {"expect", "*", closed_form, optional, true, "an output's closed form"},
       {"expect.*", "for", repetition, required, true, "the indices of the entry"},
       {"expect.*", "value", expression, required, true, "the entry at these indices"},
+  };
+  return rows;
+}
+
+/// Keys of a model file: coordinate systems that move.
+const std::vector<KeyRow>& frame_rows() {
+  using enum KeyType;
+  static const std::vector<KeyRow> rows{
+      {"frame", "name", name, required, true, "name of the frame"},
+      {"frame", "parent", name, required, true, "world, or the frame it moves with"},
+      {"frame", "translate", expression_list, optional, true, "its origin, in the parent's axes"},
+      {"frame", "rotate", turns, optional, true, "[axis, angle] one after another, turning axes"},
+      {"frame", "rpy", expression_list, optional, true, "[r, p, y]: Rz(y) Ry(p) Rx(r)"},
+      {"frame", "dh", table, optional, true, "Denavit-Hartenberg parameters"},
+      {"frame", "quaternion", expression_list, optional, true, "[w, x, y, z], of any length"},
+      {"frame", "rotation", name, optional, true, "a coordinate of kind rotation"},
+      {"frame", "for", repetition, optional, true, "repeats the entry"},
+      {"frame", "doc", text, optional, true, "one line"},
+      {"frame.dh", "convention", choice, required, true, "standard, or modified (Craig)"},
+      {"frame.dh", "a", expression, optional, true, "length along x"},
+      {"frame.dh", "alpha", expression, optional, true, "angle about x"},
+      {"frame.dh", "d", expression, optional, true, "length along z"},
+      {"frame.dh", "theta", expression, optional, true, "angle about z"},
   };
   return rows;
 }
@@ -160,7 +183,8 @@ const std::vector<KeyRow>& scene_rows() {
 const std::vector<KeyRow>& key_table() {
   static const std::vector<KeyRow> rows = [] {
     std::vector<KeyRow> all;
-    for (const auto* part : {&declaration_rows(), &mechanics_rows(), &scene_rows()}) {
+    for (const auto* part :
+         {&declaration_rows(), &frame_rows(), &mechanics_rows(), &scene_rows()}) {
       all.insert(all.end(), part->begin(), part->end());
     }
     return all;
@@ -171,6 +195,7 @@ const std::vector<KeyRow>& key_table() {
 const std::vector<ChoiceRow>& choice_table() {
   static const std::vector<ChoiceRow> rows{
       {"coordinate", "kind", "scalar"},           {"coordinate", "kind", "rotation"},
+      {"frame.dh", "convention", "standard"},     {"frame.dh", "convention", "modified"},
       {"parameters.*", "assume", "positive"},     {"parameters.*", "assume", "nonnegative"},
       {"body", "inertia_about", "com"},           {"body", "inertia_about", "origin"},
       {"scene.numeric", "scalar", "float"},       {"scene.numeric", "scalar", "double"},
@@ -193,7 +218,7 @@ const std::vector<EntryRow>& entry_table() {
       {"define", single, optional, true, "named expressions, in any order"},
       {"prescribed", repeated, optional, true, "a known function of time"},
       {"point", repeated, optional, true, "a place that moves with the coordinates"},
-      {"frame", repeated, optional, later, "a coordinate system"},
+      {"frame", repeated, optional, true, "a coordinate system that moves"},
       {"body", repeated, optional, true, "a rigid body"},
       {"gravity", single, optional, true, "acceleration of gravity"},
       {"energy", single, optional, true, "energies as expressions"},

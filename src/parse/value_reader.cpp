@@ -144,6 +144,32 @@ ValueSyntax read_array_or_expression(const TomlValue& value, Reading& reading) {
   return result;
 }
 
+namespace {
+
+ValueSyntax read_turn(const TomlValue& value, Reading& reading) {
+  ValueSyntax result = empty_value(value, ValueKind::list);
+  if (value.kind != TomlKind::array || value.items.size() != 2) {
+    report_wrong_type(value, "[axis, angle]", reading);
+    return result;
+  }
+  const TomlValue& axis = value.items[0];
+  result.items.push_back(axis.kind == TomlKind::array ? read_list(axis, 3, reading)
+                                                      : read_text(axis, reading));
+  result.items.push_back(read_expression_value(value.items[1], reading));
+  return result;
+}
+
+}  // namespace
+
+ValueSyntax read_turns(const TomlValue& value, Reading& reading) {
+  ValueSyntax result = empty_value(value, ValueKind::list);
+  if (value.kind != TomlKind::array) {
+    report_wrong_type(value, "a list of [axis, angle]", reading);
+  }
+  for (const TomlValue& item : value.items) result.items.push_back(read_turn(item, reading));
+  return result;
+}
+
 ValueSyntax read_text(const TomlValue& value, Reading& reading) {
   if (value.kind != TomlKind::string) report_wrong_type(value, "a string", reading);
   return empty_value(value, ValueKind::text);

@@ -26,6 +26,9 @@ struct Reading {
 /// An expression, a list, or a list of lists.
 [[nodiscard]] ValueSyntax read_array_or_expression(const TomlValue& value, Reading& reading);
 
+/// A list of pairs [axis, angle]; the axis is a string or a list of three expressions.
+[[nodiscard]] ValueSyntax read_turns(const TomlValue& value, Reading& reading);
+
 [[nodiscard]] ValueSyntax read_text(const TomlValue& value, Reading& reading);
 [[nodiscard]] ValueSyntax read_boolean(const TomlValue& value, Reading& reading);
 [[nodiscard]] ValueSyntax read_integer(const TomlValue& value, Reading& reading);

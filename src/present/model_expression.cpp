@@ -55,6 +55,8 @@ class ModelExpressions {
         return {model_.prescribed[e.index].value};
       case ExpressionKind::point_component:
         return {model_.points[e.index / 3].at[e.index % 3]};
+      case ExpressionKind::frame_component:
+        return {component_of_frame(model_, e.index)};
       default:
         return e.operands;
     }
@@ -91,6 +93,7 @@ class ModelExpressions {
       case ExpressionKind::prescribed:
       case ExpressionKind::definition:
       case ExpressionKind::point_component:
+      case ExpressionKind::frame_component:
         return named(e);
       case ExpressionKind::negate:
         return arithmetic_.negate(operand(0));

@@ -42,6 +42,8 @@ const HeadingRow heading_table[] = {
     {OutputKind::input_matrix, "B", "B = \\frac{\\partial Q}{\\partial u}"},
     {OutputKind::inverse_dynamics, "\\tau", "\\tau = M \\ddot{q} + \\mathrm{bias}"},
     {OutputKind::forward_dynamics, "\\ddot{q}", "M \\ddot{q} = B u - \\mathrm{bias}"},
+    {OutputKind::coordinate_rates, "\\dot{q}", "\\dot{q} = N(q) v"},
+    {OutputKind::normalized, "q", ""},
 };
 
 std::string sentence(const std::string& text) {

@@ -59,6 +59,21 @@ Lagrangian specialise(Lagrangian lagrangian, const Specialisation& specialisatio
     specialised(force.position);
     specialised(force.force);
   }
+  for (TreeStep& step : lagrangian.tree.steps) {
+    specialised(step.vector);
+    specialised(step.angle);
+    for (ex& component : step.quaternion) specialised(component);
+  }
+  for (RigidBody& body : lagrangian.tree.bodies) {
+    specialised(body.mass);
+    specialised(body.com);
+    specialised(body.inertia);
+  }
+  for (Wrench& wrench : lagrangian.tree.wrenches) {
+    specialised(wrench.at);
+    specialised(wrench.force);
+    specialised(wrench.moment);
+  }
   for (NamedOutput& output : lagrangian.outputs) specialised(output.values);
   return lagrangian;
 }

@@ -1,0 +1,35 @@
+// What was given in the axes of a frame, said of the world as well: the oracle and everything that
+// needs positions reads it there.
+#pragma once
+
+#include "context.hpp"
+#include "node_builder.hpp"
+
+namespace elgen::checking {
+
+/// Whose nodes they are, and where the file says so.
+struct Ownership {
+  Span span = {};
+  OwnerKind kind = OwnerKind::none;
+  std::uint32_t index = 0;
+};
+
+/// R x + origin.
+[[nodiscard]] Vector3 world_position(Context& context, const PlaceInFrame& place,
+                                     const Ownership& owner);
+
+/// Keeps com and inertia as `local`, and fills com, spin and inertia about the com from the frame.
+void put_in_frame(Context& context, std::uint32_t frame, Body& body);
+
+/// Components in the axes of `from` (none: the world) as components in those of `to`: R_to^T R_from
+/// x.
+[[nodiscard]] Vector3 turned(NodeBuilder& nodes, const Vector3& x,
+                             std::optional<std::uint32_t> from, std::optional<std::uint32_t> to);
+
+/// The pose as values and the twist (angular velocity; velocity of the origin) of a frame's output.
+void write_frame_output(Context& context, UserOutput& output);
+
+/// The nine entries of the frame's rotation, as leaves.
+[[nodiscard]] Matrix3 rotation_of(NodeBuilder& nodes, std::uint32_t frame);
+
+}  // namespace elgen::checking

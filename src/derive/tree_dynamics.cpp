@@ -1,0 +1,351 @@
+// Forward over the tree for twists and accelerations, backward for forces.
+#include "derive/tree_dynamics.hpp"
+
+namespace elgen {
+
+using GiNaC::ex;
+
+namespace {
+
+const ex half = GiNaC::numeric(1, 2);
+
+ExVector3 gravity_vector(Tree& tree) {
+  return tree.derivation().lagrangian.gravity.value_or(ExVector3{0, 0, 0});
+}
+
+/// Spin of the step itself: the velocities of a rotation where it moves, else the rate of the turn.
+ExVector3 own_spin(Tree& tree, std::size_t k, Tangent& along) {
+  const auto& rotation = tree.step(k).rotation;
+  if (!rotation) return tree.relative_spin(k, along);
+  if (along(tree.step(k).quaternion[0]).is_zero()) return {0, 0, 0};
+  const auto& v = tree.derivation().symbols.v;
+  return {v[*rotation], v[*rotation + 1], v[*rotation + 2]};
+}
+
+/// U = [w']x + w w^T - w.w 1, row-major: acceleration of what is fixed to the step, per unit place.
+std::array<ex, 9> acceleration_gradient(VectorAlgebra& algebra, const ExVector3& w,
+                                        const ExVector3& rate) {
+  std::array<ex, 9> u;
+  std::array<ex, 3> squares;
+  for (std::size_t i = 0; i < 3; ++i) squares[i] = algebra.define(w[i] * w[i]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    const ex product = algebra.define(w[i] * w[j]);
+    u[3 * i + i] = algebra.define(-squares[j] - squares[k]);
+    u[3 * i + j] = algebra.define(product - rate[k]);
+    u[3 * j + i] = algebra.define(product + rate[k]);
+  }
+  return u;
+}
+
+ExVector3 product(VectorAlgebra& algebra, const std::array<ex, 9>& u, const ExVector3& x) {
+  ExVector3 result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    result[i] = u[3 * i] * x[0] + u[3 * i + 1] * x[1] + u[3 * i + 2] * x[2];
+  }
+  return algebra.define(result);
+}
+
+ExVector3 sum(const ExVector3& a, const ExVector3& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+/// Motion of what is fixed to a step.
+struct StepMotion {
+  ExVector3 spin{0, 0, 0};
+  ExVector3 spin_rate{0, 0, 0};
+  ExVector3 acceleration{0, 0, 0};
+  std::array<ex, 9> gradient;  ///< U
+};
+
+/// I w' + w x I w in the products of U:
+/// x: Ixx w'_x + (Izz - Iyy) w_y w_z - Ixy U_zx + Ixz U_yx + Iyz (U_yy - U_zz), and so on round.
+ExVector3 inertial_moment(VectorAlgebra& algebra, const std::vector<ex>& inertia,
+                          const StepMotion& motion) {
+  static constexpr std::array<std::array<std::size_t, 3>, 3> place{
+      {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}}};
+  const auto entry = [&](std::size_t i, std::size_t j) { return inertia[place[i][j]]; };
+  const auto& u = motion.gradient;
+  ExVector3 moment;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    const ex difference = algebra.define(entry(k, k) - entry(j, j));
+    const ex product = algebra.define(motion.spin[j] * motion.spin[k]);
+    const ex stretch = algebra.define(u[3 * j + j] - u[3 * k + k]);
+    moment[i] = entry(i, i) * motion.spin_rate[i] + difference * product -
+                entry(i, j) * u[3 * k + i] + entry(i, k) * u[3 * j + i] + entry(j, k) * stretch;
+  }
+  return algebra.define(moment);
+}
+
+class MotionRecursion {
+ public:
+  MotionRecursion(Tree& tree, const Acceleration& acceleration)
+      : tree_(tree), algebra_(tree.algebra), by_(acceleration) {}
+
+  std::vector<StepMotion> run() {
+    std::vector<StepMotion> motions;
+    for (std::size_t k = 0; k < tree_.size(); ++k) {
+      const auto& parent = tree_.step(k).parent;
+      const StepMotion from = parent ? motions[*parent] : base();
+      motions.push_back(tree_.step(k).kind == FrameStepKind::translation ? translated(k, from)
+                                                                         : turned(k, from));
+    }
+    return motions;
+  }
+
+ private:
+  StepMotion base() {
+    StepMotion motion;
+    const ExVector3 g = gravity_vector(tree_);
+    if (by_.with_gravity) motion.acceleration = {-g[0], -g[1], -g[2]};
+    motion.gradient.fill(0);
+    return motion;
+  }
+
+  StepMotion translated(std::size_t k, const StepMotion& from) {
+    const ExVector3& p = tree_.step(k).vector;
+    ExVector3 rate;
+    ExVector3 second_rate;
+    for (std::size_t i = 0; i < 3; ++i) {
+      rate[i] = algebra_.define(by_.first(p[i]));
+      second_rate[i] = algebra_.define(by_.second(rate[i]));
+    }
+    StepMotion motion = from;
+    const ExVector3 carried = product(algebra_, from.gradient, p);
+    const ExVector3 coriolis = algebra_.scaled(2, algebra_.cross(from.spin, rate));
+    const ExVector3 own = algebra_.add(coriolis, second_rate);
+    motion.acceleration = algebra_.add(from.acceleration, algebra_.add(carried, own));
+    return motion;
+  }
+
+  StepMotion turned(std::size_t k, const StepMotion& from) {
+    const TreeStep& step = tree_.step(k);
+    const ExVector3 own = own_spin(tree_, k, by_.first);
+    const ExVector3 own_rate = own_spin_rate(own);
+    StepMotion motion;
+    const ExVector3 carried = tree_.to_child(k, from.spin);
+    motion.spin = algebra_.define(sum(carried, own), step.name + "_spin", step.origin);
+    const ExVector3 carried_rate = tree_.to_child(k, from.spin_rate);
+    const ExVector3 across = algebra_.cross(carried, own);
+    const ExVector3 relative = algebra_.add(across, own_rate);
+    motion.spin_rate =
+        algebra_.define(sum(carried_rate, relative), step.name + "_spin_rate", step.origin);
+    motion.acceleration = tree_.to_child(k, from.acceleration);
+    motion.gradient = acceleration_gradient(algebra_, motion.spin, motion.spin_rate);
+    return motion;
+  }
+
+  ExVector3 own_spin_rate(const ExVector3& spin) {
+    ExVector3 rate;
+    for (std::size_t i = 0; i < 3; ++i) rate[i] = algebra_.define(by_.second(spin[i]));
+    return rate;
+  }
+
+  Tree& tree_;
+  VectorAlgebra& algebra_;
+  const Acceleration& by_;
+};
+
+/// F and N about the origin of the step.
+SpatialForce inertial_force(VectorAlgebra& algebra, const RigidBody& body,
+                            const StepMotion& motion) {
+  SpatialForce result;
+  if (!body.inertia.empty()) result.moment = inertial_moment(algebra, body.inertia, motion);
+  if (body.mass.is_zero()) return result;
+  if (body.about_origin) {
+    const ExVector3 first_moment = algebra.scaled(body.mass, body.com);
+    const ExVector3 own = algebra.scaled(body.mass, motion.acceleration);
+    result.force = algebra.add(own, product(algebra, motion.gradient, first_moment));
+    result.moment = algebra.add(result.moment, algebra.cross(first_moment, motion.acceleration));
+    return result;
+  }
+  const ExVector3 carried = product(algebra, motion.gradient, body.com);
+  result.force = algebra.scaled(body.mass, algebra.add(motion.acceleration, carried));
+  result.moment = algebra.add(result.moment, algebra.cross(body.com, result.force));
+  return result;
+}
+
+void accumulate(VectorAlgebra& algebra, const SpatialForce& from, SpatialForce& to) {
+  to.force = algebra.add(to.force, from.force);
+  to.moment = algebra.add(to.moment, from.moment);
+}
+
+/// I w about the point the inertia is about.
+ExVector3 spin_momentum(VectorAlgebra& algebra, const RigidBody& body, const ExVector3& w) {
+  if (body.inertia.empty()) return {0, 0, 0};
+  const auto& i = body.inertia;
+  return algebra.define(ExVector3{i[0] * w[0] + i[3] * w[1] + i[4] * w[2],
+                                  i[3] * w[0] + i[1] * w[1] + i[5] * w[2],
+                                  i[4] * w[0] + i[5] * w[1] + i[2] * w[2]});
+}
+
+/// m v_c.
+ExVector3 momentum_of(VectorAlgebra& algebra, const RigidBody& body, const Twist& twist) {
+  const ExVector3 carried = algebra.cross(twist.spin, body.com);
+  return algebra.scaled(body.mass, algebra.add(twist.velocity, carried));
+}
+
+}  // namespace
+
+TreeForces inertial_forces(Tree& tree, const Acceleration& acceleration) {
+  const std::vector<StepMotion> motions = MotionRecursion(tree, acceleration).run();
+  std::vector<SpatialForce> on_step(tree.size());
+  for (const RigidBody& body : tree.frames().bodies) {
+    if (!body.step) continue;
+    const SpatialForce force = inertial_force(tree.algebra, body, motions[*body.step]);
+    accumulate(tree.algebra, force, on_step[*body.step]);
+  }
+  return tree.pull_back(std::move(on_step));
+}
+
+std::vector<Twist> tree_twists(Tree& tree, Tangent& along) {
+  VectorAlgebra& algebra = tree.algebra;
+  std::vector<Twist> twists;
+  for (std::size_t k = 0; k < tree.size(); ++k) {
+    const TreeStep& step = tree.step(k);
+    const Twist from = step.parent ? twists[*step.parent] : Twist{};
+    Twist twist = from;
+    if (step.kind == FrameStepKind::translation) {
+      ExVector3 rate;
+      for (std::size_t i = 0; i < 3; ++i) rate[i] = algebra.define(along(step.vector[i]));
+      const ExVector3 carried = algebra.cross(from.spin, step.vector);
+      twist.velocity = algebra.add(from.velocity, algebra.add(carried, rate));
+    } else {
+      const ExVector3 own = own_spin(tree, k, along);
+      twist.spin = algebra.add(tree.to_child(k, from.spin), own);
+      twist.velocity = tree.to_child(k, from.velocity);
+    }
+    twists.push_back(twist);
+  }
+  return twists;
+}
+
+TreeForces tree_momentum(Tree& tree) {
+  VectorAlgebra& algebra = tree.algebra;
+  const std::vector<Twist> twists = tree_twists(tree, tree.derivation().coasting);
+  std::vector<SpatialForce> on_step(tree.size());
+  for (const RigidBody& body : tree.frames().bodies) {
+    if (!body.step) continue;
+    // Momentum about the com, so the inertia has to be about it too.
+    SpatialForce momentum;
+    momentum.moment = spin_momentum(algebra, body, twists[*body.step].spin);
+    momentum.force = momentum_of(algebra, body, twists[*body.step]);
+    const ExVector3 lever = body.about_origin ? algebra.cross(algebra.scaled(body.mass, body.com),
+                                                              twists[*body.step].velocity)
+                                              : algebra.cross(body.com, momentum.force);
+    momentum.moment = algebra.add(momentum.moment, lever);
+    accumulate(algebra, momentum, on_step[*body.step]);
+  }
+  return tree.pull_back(std::move(on_step));
+}
+
+Terms tree_kinetic_energy(Tree& tree, Tangent& along) {
+  VectorAlgebra& algebra = tree.algebra;
+  const std::vector<Twist> twists = tree_twists(tree, along);
+  Terms terms;
+  for (const RigidBody& body : tree.frames().bodies) {
+    if (!body.step) continue;
+    const Twist& twist = twists[*body.step];
+    const ExVector3 spin = spin_momentum(algebra, body, twist.spin);
+    terms.push_back(half * algebra.dot(spin, twist.spin));
+    if (body.mass.is_zero()) continue;
+    const ExVector3 carried = algebra.cross(twist.spin, body.com);
+    if (body.about_origin) {
+      // 1/2 m v_O^2 + m v_O.(w x c), the rest is in the inertia.
+      const ExVector3 mean = algebra.add(algebra.scaled(half, twist.velocity), carried);
+      terms.push_back(body.mass * algebra.dot(twist.velocity, mean));
+    } else {
+      const ExVector3 velocity = algebra.add(twist.velocity, carried);
+      terms.push_back(half * body.mass * algebra.dot(velocity, velocity));
+    }
+  }
+  return terms;
+}
+
+namespace {
+
+/// Gravity in the axes after every step.
+std::vector<ExVector3> gravity_by_step(Tree& tree) {
+  const ExVector3 g = gravity_vector(tree);
+  std::vector<ExVector3> result;
+  for (std::size_t k = 0; k < tree.size(); ++k) {
+    const auto& parent = tree.step(k).parent;
+    result.push_back(tree.to_child(k, parent ? result[*parent] : g));
+  }
+  return result;
+}
+
+/// Mass and first moment of what a step carries, in the axes after it.
+struct MassMoment {
+  ex mass = 0;
+  ExVector3 moment{0, 0, 0};
+};
+
+std::vector<MassMoment> mass_moments(Tree& tree) {
+  VectorAlgebra& algebra = tree.algebra;
+  std::vector<MassMoment> result(tree.size());
+  for (const RigidBody& body : tree.frames().bodies) {
+    if (!body.step) continue;
+    MassMoment& total = result[*body.step];
+    total.mass = algebra.define(total.mass + body.mass);
+    const ExVector3 moment = algebra.scaled(body.mass, body.com);
+    total.moment = algebra.add(total.moment, moment);
+  }
+  for (std::size_t k = tree.size(); k-- > 0;) {
+    const TreeStep& step = tree.step(k);
+    if (!step.parent) continue;
+    MassMoment& parent = result[*step.parent];
+    ExVector3 moment = tree.to_parent(k, result[k].moment);
+    if (step.kind == FrameStepKind::translation) {
+      const ExVector3 shift = algebra.scaled(result[k].mass, step.vector);
+      moment = algebra.add(moment, shift);
+    }
+    parent.mass = algebra.define(parent.mass + result[k].mass);
+    parent.moment = algebra.add(parent.moment, moment);
+  }
+  return result;
+}
+
+}  // namespace
+
+TreeForces tree_gravity(Tree& tree) {
+  TreeForces forces;
+  if (!tree.derivation().lagrangian.gravity) return forces;
+  const std::vector<ExVector3> g = gravity_by_step(tree);
+  const std::vector<MassMoment> carried = mass_moments(tree);
+  VectorAlgebra& algebra = tree.algebra;
+  for (std::size_t k = 0; k < tree.size(); ++k) {
+    // -(weight) and its moment about the origin of the step.
+    SpatialForce lift;
+    lift.force = algebra.scaled(-carried[k].mass, g[k]);
+    lift.moment = algebra.cross(g[k], carried[k].moment);
+    tree.weigh(k, lift, forces);
+  }
+  return forces;
+}
+
+Terms tree_potential_energy(Tree& tree) {
+  Terms terms;
+  if (!tree.derivation().lagrangian.gravity || tree.frames().bodies.empty()) return terms;
+  VectorAlgebra& algebra = tree.algebra;
+  const ExVector3 g = *tree.derivation().lagrangian.gravity;
+  const std::vector<MassMoment> carried = mass_moments(tree);
+  for (const RigidBody& body : tree.frames().bodies) {
+    if (!body.step) terms.push_back(-body.mass * algebra.dot(g, body.com));
+  }
+  for (std::size_t k = 0; k < tree.size(); ++k) {
+    if (tree.step(k).parent) continue;
+    ExVector3 moment = tree.to_parent(k, carried[k].moment);
+    if (tree.step(k).kind == FrameStepKind::translation) {
+      const ExVector3 shift = algebra.scaled(carried[k].mass, tree.step(k).vector);
+      moment = algebra.add(moment, shift);
+    }
+    terms.push_back(-algebra.dot(g, moment));
+  }
+  return terms;
+}
+
+}  // namespace elgen

@@ -1,0 +1,238 @@
+// Frames, parents first; then bodies, masses, wrenches and outputs by the step they move with.
+#include "formulate/frame_tree.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace elgen {
+
+using GiNaC::ex;
+
+namespace {
+
+bool is_zero(const ExVector3& vector) {
+  return std::all_of(vector.begin(), vector.end(), [](const ex& x) { return x.is_zero(); });
+}
+
+/// The frames that carry something, with all they hang on.
+std::vector<bool> carrying(const Model& model) {
+  std::vector<bool> needed(model.frames.size(), false);
+  const auto mark = [&](std::optional<std::uint32_t> frame) {
+    for (; frame && !needed[*frame]; frame = model.frames[*frame].parent) needed[*frame] = true;
+  };
+  const auto mark_point = [&](std::optional<std::uint32_t> point) {
+    if (point && model.points[*point].local) mark(model.points[*point].local->frame);
+  };
+  for (const Body& body : model.bodies) {
+    if (body.local) mark(body.local->com.frame);
+  }
+  for (std::uint32_t i = 0; i < model.points.size(); ++i) {
+    if (model.points[i].mass) mark_point(i);
+  }
+  for (const Force& force : model.forces) {
+    mark(force.frame);
+    mark(force.from_frame);
+    mark_point(force.at);
+    mark_point(force.from);
+    const bool uses_axes = force.frame || (force.at && model.points[*force.at].local) ||
+                           (force.from && model.points[*force.from].local);
+    if (uses_axes) mark(force.axes);
+  }
+  for (const UserOutput& output : model.outputs) mark(output.frame);
+  return needed;
+}
+
+/// Those frames, each after its parent; otherwise as declared.
+std::vector<std::uint32_t> parents_first(const Model& model, const std::vector<bool>& wanted) {
+  std::vector<std::uint32_t> order;
+  std::vector<bool> done(model.frames.size(), false);
+  for (std::uint32_t i = 0; i < model.frames.size(); ++i) {
+    std::vector<std::uint32_t> path;
+    std::optional<std::uint32_t> frame = i;
+    for (; frame && wanted[*frame] && !done[*frame]; frame = model.frames[*frame].parent) {
+      done[*frame] = true;
+      path.push_back(*frame);
+    }
+    order.insert(order.end(), path.rbegin(), path.rend());
+  }
+  return order;
+}
+
+class TreeFormulation {
+ public:
+  TreeFormulation(const Model& model, Translation& translation, Lagrangian& lagrangian)
+      : model_(model),
+        translation_(translation),
+        definitions_(lagrangian.definitions),
+        lagrangian_(lagrangian),
+        tree_(lagrangian.tree),
+        last_step_(model.frames.size()) {}
+
+  Diagnostics build() && {
+    for (const std::uint32_t frame : parents_first(model_, carrying(model_))) add_frame(frame);
+    for (std::uint32_t i = 0; i < model_.bodies.size(); ++i) add_body(i);
+    for (std::uint32_t i = 0; i < model_.points.size(); ++i) add_mass(i);
+    for (const Force& force : model_.forces) add_wrenches(force);
+    add_twists();
+    return std::move(errors_);
+  }
+
+ private:
+  using Step = std::optional<std::uint32_t>;
+
+  ex translated(ExpressionId id) {
+    Result<ex> value = translation_(id);
+    if (value) return *value;
+    errors_.insert(errors_.end(), value.diagnostics.begin(), value.diagnostics.end());
+    return 0;
+  }
+
+  ex named(ExpressionId id, std::string name, Entity origin) {
+    return define(definitions_, translated(id), {std::move(name), origin});
+  }
+
+  ExVector3 vector(const Vector3& ids, const std::string& name, Entity origin) {
+    static constexpr std::array<const char*, 3> axes{"_x", "_y", "_z"};
+    ExVector3 result;
+    for (std::size_t i = 0; i < 3; ++i) result[i] = named(ids[i], name + axes[i], origin);
+    return result;
+  }
+
+  void add_frame(std::uint32_t index) {
+    const Frame& frame = model_.frames[index];
+    Step last = frame.parent ? last_step_[*frame.parent] : Step{};
+    for (const FrameStep& step : frame.steps) last = add_step(index, step, last);
+    last_step_[index] = last;
+  }
+
+  Step add_step(std::uint32_t index, const FrameStep& step, Step parent) {
+    const std::string& name = model_.frames[index].identifier;
+    TreeStep added;
+    added.parent = parent;
+    added.kind = step.kind;
+    if (step.rotation) added.rotation = model_.rotations[*step.rotation].first_velocity;
+    added.name = name;
+    added.origin = {EntityKind::frame, index};
+    added.vector = vector(step.vector, name + "_offset", added.origin);
+    if (step.kind == FrameStepKind::turn) {
+      added.angle = translated(step.angle);
+      // Of a constant the sine is exact only while it is seen to be one.
+      const bool is_constant = symbols_of(definitions_, added.angle).empty();
+      if (!is_constant) {
+        added.angle = define(definitions_, added.angle, {name + "_angle", added.origin});
+      }
+      if (added.angle.is_zero()) return parent;
+    } else if (step.kind == FrameStepKind::quaternion) {
+      for (std::size_t i = 0; i < 4; ++i) {
+        added.quaternion[i] = named(step.quaternion[i], name + "_quaternion", added.origin);
+      }
+    } else if (is_zero(added.vector)) {
+      return parent;
+    }
+    return append(std::move(added));
+  }
+
+  Step append(TreeStep step) {
+    tree_.steps.push_back(std::move(step));
+    return static_cast<std::uint32_t>(tree_.steps.size() - 1);
+  }
+
+  void append_body(Step step, RigidBody body) {
+    body.step = step;
+    tree_.bodies.push_back(std::move(body));
+  }
+
+  void add_body(std::uint32_t index) {
+    const Body& body = model_.bodies[index];
+    if (!body.local) return;
+    const Entity origin{EntityKind::body, index};
+    RigidBody rigid;
+    rigid.origin = origin;
+    rigid.about_origin = body.local->about_origin;
+    if (body.mass) rigid.mass = named(*body.mass, body.identifier + "_mass", origin);
+    rigid.com = vector(body.local->com.at, body.identifier + "_com", origin);
+    for (const ExpressionId id : body.local->inertia) {
+      rigid.inertia.push_back(named(id, body.identifier + "_inertia", origin));
+    }
+    if (rigid.inertia.size() == 1) rigid.inertia = {0, 0, rigid.inertia.front(), 0, 0, 0};
+    append_body(last_step_[body.local->com.frame], std::move(rigid));
+  }
+
+  /// A point that moves in its frame gets a step of its own.
+  void add_mass(std::uint32_t index) {
+    const Point& point = model_.points[index];
+    if (!point.mass || !point.local) return;
+    const Entity origin{EntityKind::point, index};
+    RigidBody rigid;
+    rigid.origin = origin;
+    rigid.mass = named(*point.mass, point.identifier + "_mass", origin);
+    rigid.com = vector(point.local->at, point.identifier, origin);
+    Step step = last_step_[point.local->frame];
+    const bool moves = std::any_of(rigid.com.begin(), rigid.com.end(), [&](const ex& x) {
+      return (dependence(definitions_, x) & (on_coordinates | on_time)) != 0;
+    });
+    if (moves) {
+      TreeStep shift;
+      shift.parent = step;
+      shift.vector = std::exchange(rigid.com, {0, 0, 0});
+      shift.name = point.identifier;
+      shift.origin = origin;
+      step = append(std::move(shift));
+    }
+    append_body(step, std::move(rigid));
+  }
+
+  void add_wrenches(const Force& force) {
+    ExVector3 components;
+    const auto translate_components = [&] {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const bool given = i < force.written.size();
+        components[i] = given ? translated(force.written[i]) : ex(0);
+      }
+    };
+    const Step axes = force.axes ? last_step_[*force.axes] : Step{};
+    const auto negative = [&] { return ExVector3{-components[0], -components[1], -components[2]}; };
+    if (force.frame) {
+      translate_components();
+      tree_.wrenches.push_back({last_step_[*force.frame], axes, {0, 0, 0}, {0, 0, 0}, components});
+      if (!force.from_frame) return;
+      const Step from = last_step_[*force.from_frame];
+      tree_.wrenches.push_back({from, axes, {0, 0, 0}, {0, 0, 0}, negative()});
+    } else if (force.at) {
+      translate_components();
+      add_force_at(*force.at, axes, components);
+      if (force.from) add_force_at(*force.from, axes, negative());
+    }
+  }
+
+  void add_force_at(std::uint32_t index, Step axes, const ExVector3& components) {
+    const Point& point = model_.points[index];
+    if (!point.local) return;  // a PointForce
+    const ExVector3 at = vector(point.local->at, point.identifier, {EntityKind::point, index});
+    tree_.wrenches.push_back({last_step_[point.local->frame], axes, at, components, {0, 0, 0}});
+  }
+
+  void add_twists() {
+    for (std::size_t i = 0; i < model_.outputs.size(); ++i) {
+      const UserOutput& output = model_.outputs[i];
+      if (!output.frame) continue;
+      lagrangian_.outputs[i].twist = TwistOutput{last_step_[*output.frame], output.in_world};
+    }
+  }
+
+  const Model& model_;
+  Translation& translation_;
+  Definitions& definitions_;
+  Lagrangian& lagrangian_;
+  FrameTree& tree_;
+  std::vector<Step> last_step_;  ///< of each frame; none where it does not move from the world
+  Diagnostics errors_;
+};
+
+}  // namespace
+
+Diagnostics add_frame_tree(const Model& model, Translation& translation, Lagrangian& lagrangian) {
+  return TreeFormulation(model, translation, lagrangian).build();
+}
+
+}  // namespace elgen
