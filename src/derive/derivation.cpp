@@ -50,7 +50,7 @@ Derivation::Derivation(const Lagrangian& source)
 }
 
 Tangent Derivation::displacement(std::size_t velocity) {
-  return {definitions, Seeds{{symbols.q[velocity], 1}}};
+  return {definitions, displacement_seeds(symbols, velocity)};
 }
 
 Tangent Derivation::unit_velocity(std::size_t velocity) {
@@ -58,7 +58,9 @@ Tangent Derivation::unit_velocity(std::size_t velocity) {
 }
 
 std::string Derivation::velocity_identifier(std::size_t velocity) const {
-  return GiNaC::ex_to<GiNaC::symbol>(symbols.q[velocity]).get_name();
+  std::string name = GiNaC::ex_to<GiNaC::symbol>(symbols.v[velocity]).get_name();
+  name.resize(name.size() - std::string_view("_dot").size());
+  return name;
 }
 
 Derivation::~Derivation() = default;
