@@ -3,6 +3,7 @@
 
 #include "derive/rate_grades.hpp"
 #include "derive/tree.hpp"
+#include "derive/turning.hpp"
 
 namespace elgen {
 
@@ -93,7 +94,7 @@ const GradedEnergies& Derivation::graded() {
 }
 
 Vector Derivation::by_position(const std::vector<Weighted>& sum) {
-  return gradient(definitions, sum, symbols.q);
+  return along_velocities(*this, gradient(definitions, sum, symbols.q));
 }
 
 Vector Derivation::by_velocity(const std::vector<Weighted>& sum) {

@@ -1,6 +1,8 @@
 // Mechanics: each quantity is the coefficient of its generators in one evaluation of an energy.
 #include "mechanics.hpp"
 
+#include "rotations.hpp"
+
 namespace elgen::oracle {
 namespace {
 
@@ -44,6 +46,14 @@ void displace(std::vector<Jet>& quantity, const Direction& direction, Generators
   }
 }
 
+void displace_position(const Model& model, Motion& motion, const Direction& direction,
+                       Generators generators) {
+  const std::vector<Jet> rates = coordinate_rates(model, motion.q, jets(direction));
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    motion.q[i] = motion.q[i] + rates[i] * Jet(generators, 1);
+  }
+}
+
 Mechanics::Mechanics(const Model& model, const State& state)
     : model_(model),
       state_(state),
@@ -80,12 +90,16 @@ cl_R Mechanics::mass(const Direction& w, const Direction& y) {
   return lagrangian_at(motion).coefficient(first | second);
 }
 
+cl_R Mechanics::turned_mass(const Direction& w, const Direction& by, const Direction& y) {
+  return model_.rotations.empty() ? 0 : mass(turned(model_, w, by), y);
+}
+
 /// Coefficient of e0 e1 e2 in L(q + x e2, w e0 + y e1).
 cl_R Mechanics::mass_gradient(const Direction& x, const Direction& w, const Direction& y) {
   Motion motion = at_rest();
   displace(motion.v, w, first);
   displace(motion.v, y, second);
-  displace(motion.q, x, third);
+  displace_position(model_, motion, x, third);
   return lagrangian_at(motion).coefficient(first | second | third);
 }
 
@@ -95,22 +109,23 @@ cl_R Mechanics::momentum(const Direction& w) {
   return lagrangian_at(motion).coefficient(first);
 }
 
-/// d/dt (w.dL/dv) is the coefficient of e0 e1 in L(q + v e1, v + a e1 + w e0, t + e1).
+/// d/dt (w.dL/dv) is the coefficient of e0 e1 in L(q + dq/dt e1, v + a e1 + w e0, t + e1).
 cl_R Mechanics::inverse_dynamics(const Direction& w, const Direction& a) {
   Motion moving = base_;
-  displace(moving.q, state_.v, second);
+  displace_position(model_, moving, state_.v, second);
   displace(moving.v, a, second);
   displace(moving.v, w, first);
   moving.t = moving.t + Jet(second, 1);
   Motion displaced = base_;
-  displace(displaced.q, w, first);
-  return lagrangian_at(moving).coefficient(first | second) -
+  displace_position(model_, displaced, w, first);
+  const cl_R turning = model_.rotations.empty() ? 0 : momentum(turned(model_, w, state_.v));
+  return lagrangian_at(moving).coefficient(first | second) + turning -
          lagrangian_at(displaced).coefficient(first) + dissipation_force(w) - applied_force(w);
 }
 
 cl_R Mechanics::gravity(const Direction& w) {
   Motion motion = at_rest();
-  displace(motion.q, w, first);
+  displace_position(model_, motion, w, first);
   return potential_at(motion).coefficient(first);
 }
 
@@ -124,7 +139,7 @@ cl_R Mechanics::dissipation_force(const Direction& w) {
 /// sum Q_i w_i + sum F.(dp/dq w), where e0 displaces along w.
 Jet Mechanics::force_along(const Motion& motion, const Direction& w) {
   Motion displaced = motion;
-  displace(displaced.q, w, first);
+  displace_position(model_, displaced, w, first);
   const Evaluation at(model_, forces_, displaced, functions_);
   const auto work = [&](const Force& force, std::uint32_t point) {
     Jet sum;

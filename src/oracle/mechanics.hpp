@@ -24,6 +24,10 @@ using Direction = std::vector<cln::cl_R>;
 /// quantity += direction * generators, entry by entry.
 void displace(std::vector<Jet>& quantity, const Direction& direction, Generators generators);
 
+/// q += N(q) direction * generators, to first order, where dq/dt = N(q) v.
+void displace_position(const Model& model, Motion& motion, const Direction& direction,
+                       Generators generators);
+
 class Mechanics {
  public:
   Mechanics(const Model& model, const State& state);
@@ -35,13 +39,17 @@ class Mechanics {
   /// w.M y, M = d2L/dv2
   [[nodiscard]] cln::cl_R mass(const Direction& w, const Direction& y);
 
+  /// w.M y with directions turned: w.([v]x M y) is (w x v).M y, on the velocities of rotations.
+  [[nodiscard]] cln::cl_R turned_mass(const Direction& w, const Direction& by, const Direction& y);
+
   /// d/dq (w.M y) along x; for Lagrangians quadratic in the rates.
   [[nodiscard]] cln::cl_R mass_gradient(const Direction& x, const Direction& w, const Direction& y);
 
   /// w.dL/dv
   [[nodiscard]] cln::cl_R momentum(const Direction& w);
 
-  /// w.(d/dt dL/dv - dL/dq + dD/dv - Q) with acceleration a: w.(M a + bias)
+  /// w.(d/dt dL/dv + [w]x dL/dw - dL/dq + dD/dv - Q), the second term for angular velocities, with
+  /// acceleration a: w.(M a + bias)
   [[nodiscard]] cln::cl_R inverse_dynamics(const Direction& w, const Direction& a);
 
   /// w.dV0/dq; V0 = V(q, 0, t), or -L(q, 0, t)

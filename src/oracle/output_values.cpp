@@ -3,6 +3,7 @@
 
 #include "contraction.hpp"
 #include "linear_solve.hpp"
+#include "rotations.hpp"
 
 namespace elgen::oracle {
 namespace {
@@ -25,7 +26,7 @@ Values mass_matrix(Mechanics& at) {
                    [&](std::size_t i, std::size_t j) { return at.mass(at.unit(i), at.unit(j)); });
 }
 
-/// C_ij = 1/2 (dM_ij/dt + R_ij - R_ji) with dM/dt along v and R_ij = d/dq_j (M v)_i
+/// C_ij = 1/2 (dM_ij/dt + R_ij - R_ji + turning) with dM/dt along v and R_ij = d/dq_j (M v)_i
 Values coriolis_matrix(Mechanics& at) {
   const std::size_t n = at.size();
   const Direction& v = at.state().v;
@@ -34,7 +35,7 @@ Values coriolis_matrix(Mechanics& at) {
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) {
       const cl_R r = at.mass_gradient(at.unit(j), at.unit(i), v);
-      c[i * n + j] = c[i * n + j] + r;
+      c[i * n + j] = c[i * n + j] + r + turning(at, at.unit(i), at.unit(j));
       c[j * n + i] = c[j * n + i] - r;
     }
   }
@@ -98,7 +99,7 @@ Values user_jacobian(const Model& model, const UserOutput& output, const State& 
   Values values(output.values.size() * n);
   for (std::size_t j = 0; j < n; ++j) {
     Motion motion = motion_of(state);
-    displace(motion.q, unit_direction(n, j), generator(0));
+    displace_position(model, motion, unit_direction(n, j), generator(0));
     const Evaluation at(model, schedule, motion, functions);
     for (std::size_t i = 0; i < output.values.size(); ++i) {
       values[i * n + j] = at.value(output.values[i]).coefficient(generator(0));
@@ -116,6 +117,13 @@ Values user_bias(const Model& model, const UserOutput& output, const State& stat
   const Evaluation at(model, schedule, motion, functions);
   Values values;
   for (const ExpressionId id : output.values) values.push_back(at.second_rate(id).real());
+  return values;
+}
+
+Values rates_of_coordinates(const Model& model, const State& state) {
+  const Motion motion = motion_of(state);
+  Values values;
+  for (const Jet& rate : coordinate_rates(model, motion.q, motion.v)) values.push_back(rate.real());
   return values;
 }
 
@@ -147,6 +155,10 @@ Values mechanical_values(OutputKind kind, Mechanics at) {
 
 Values output_values(const Model& model, const OutputRequest& output, const State& state) {
   switch (output.kind) {
+    case OutputKind::coordinate_rates:
+      return rates_of_coordinates(model, state);
+    case OutputKind::normalized:
+      return normalized(model, state.q);
     case OutputKind::user_value:
       return user_value(model, model.outputs[output.user], state);
     case OutputKind::user_jacobian:
