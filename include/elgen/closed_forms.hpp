@@ -110,10 +110,14 @@ struct PresentBudget {
 /// Whether x = y is proved: x - y is the empty sum. False says nothing where roots or calls occur.
 [[nodiscard]] bool proved_equal(ClosedForms& forms, const Fraction& x, const Fraction& y);
 
+/// dq/dt of every coordinate; empty where nothing rotates, and dq/dt is v.
+[[nodiscard]] std::vector<Fraction> coordinate_rates(ClosedForms& forms, const Model& model);
+
 /// Whether dx/dt = 0 is proved along the motion at u = 0; `accelerations` are those of the forward
 /// dynamics, one per velocity. False proves nothing.
 [[nodiscard]] bool proved_conserved(ClosedForms& forms, const Fraction& x,
-                                    const std::vector<Fraction>& accelerations);
+                                    const std::vector<Fraction>& accelerations,
+                                    const std::vector<Fraction>& coordinate_rates = {});
 
 /// One expression of the model over the same atoms; `fixed` parameters are numbers. None where it
 /// outgrows the budget.

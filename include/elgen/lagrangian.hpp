@@ -19,6 +19,12 @@
 
 namespace elgen {
 
+/// Where a rotation stands in q and v.
+struct RotationPlace {
+  std::uint32_t first_coordinate = 0;
+  std::uint32_t first_velocity = 0;
+};
+
 /// The leaves, in the order of declaration.
 struct Symbols {
   std::vector<GiNaC::ex> parameters = {};
@@ -28,6 +34,7 @@ struct Symbols {
   std::vector<GiNaC::ex> u = {};
   GiNaC::ex t = {};
   std::vector<GiNaC::ex> q_rates = {};  ///< dq/dt, of q and v
+  std::vector<RotationPlace> rotations = {};
 };
 
 enum class EntityKind : std::uint8_t {

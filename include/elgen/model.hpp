@@ -88,7 +88,6 @@ struct Velocity {
   std::uint32_t coordinate = 0;                ///< whose rate it is; the first one of its rotation
   std::optional<std::uint32_t> rotation = {};  ///< whose angular velocity it belongs to
   std::optional<Unit> unit = {};               ///< of the velocity itself; none: not checked
-  std::string unit_text = {};                  ///< of what it is the rate of
   std::optional<Interval> rate_range = {};
   cln::cl_R start_rate = 0;
   Span span = {};
@@ -241,6 +240,7 @@ struct Force {
   std::optional<std::uint32_t> from = {};
   std::optional<std::uint32_t> frame = {};
   std::optional<std::uint32_t> from_frame = {};
+  std::vector<ExpressionId> reaction = {};  ///< the torque's components in the axes of from_frame
   /// The components as they were given, and the frame they were given in (none: the world).
   std::vector<ExpressionId> written = {};
   std::optional<std::uint32_t> axes = {};
@@ -315,6 +315,13 @@ struct Model {
 
 /// Adds a coordinate with its rate; its index.
 std::uint32_t append_coordinate(Model& model, Coordinate coordinate);
+
+inline constexpr std::uint32_t quaternion_size = 4;
+inline constexpr std::uint32_t axis_count = 3;
+
+/// Adds a rotation with its coordinates NAME_w, NAME_x, NAME_y, NAME_z and its velocities NAME[1],
+/// NAME[2], NAME[3]; its index.
+std::uint32_t append_rotation(Model& model, Rotation rotation);
 
 /// The dimensions outputs are shaped by.
 struct Dimensions {

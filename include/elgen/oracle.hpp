@@ -6,6 +6,9 @@
 //     tau = d/dt dL/dv - dL/dq + dD/dv - Q,   M = d2L/dv2,   h = C v from the Christoffel symbols
 //     of M, C e_j = 1/2 (h(v + e_j) - h(v) - h(e_j)),  C_ij = 1/2 dh_i/dv_j, drift = bias - C v - g
 //     - dD/dv + Q,   E = sum v dL/dv - L.
+//
+// Where velocities are angular, dq/dt = N(q) v: derivatives by q are along N, and d/dt dL/dv and C
+// have the terms of mechanics.hpp and contraction.cpp.
 #pragma once
 
 #include <cln/float.h>
@@ -31,9 +34,12 @@ struct State {
   cln::cl_R t = 0;
 };
 
-/// Parameters at their values (or as fixed by the scene), everything else zero, sized for the
-/// model.
+/// Parameters at their values (or as fixed by the scene), quaternions at (1, 0, 0, 0), everything
+/// else zero, sized for the model.
 [[nodiscard]] State nominal_state(const Model& model, const Scene& scene);
+
+/// Replaces every quaternion by a rational one of length 1, made of its last three components.
+void make_unit_quaternions(const Model& model, State& state);
 
 /// Values of one field after another, row-major; empty where an intermediate left the domain
 /// (sqrt(-1), 1/0).

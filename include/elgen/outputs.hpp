@@ -32,6 +32,8 @@ enum class OutputKind : std::uint8_t {
   linearization,
   inverse_dynamics_derivatives,
   forward_dynamics_derivatives,
+  coordinate_rates,
+  normalized,
   user_value,     ///< an [[output]] of the model
   user_jacobian,  ///< its Jacobian
   user_bias,      ///< its second rate without the terms in a
@@ -46,10 +48,10 @@ enum class Form : std::uint8_t {
 
 [[nodiscard]] std::string_view name_of(Form form);
 
-enum class Extent : std::uint8_t { one, velocities, states, inputs, user };
+enum class Extent : std::uint8_t { one, coordinates, velocities, states, inputs, user };
 
 /// What a model must have for an output to exist.
-enum class Requirement : std::uint8_t { nothing, quadratic, energies, inputs };
+enum class Requirement : std::uint8_t { nothing, quadratic, energies, inputs, rotations };
 
 /// One field of an output; plain outputs have one field without a name.
 struct FieldRow {

@@ -14,6 +14,7 @@ using Fields = std::vector<FieldRow>;
 
 Fields scalar() { return {{"", Extent::one, Extent::one}}; }
 Fields vector() { return {{"", Extent::velocities, Extent::one}}; }
+Fields coordinates() { return {{"", Extent::coordinates, Extent::one}}; }
 Fields square() { return {{"", Extent::velocities, Extent::velocities}}; }
 
 /// Which arguments a function takes beside parameters, q (and t where t occurs).
@@ -136,6 +137,15 @@ std::vector<OutputRow> dynamics() {
            {"by_input", Extent::velocities, Extent::inputs}},
           {"da", "da = (da/dq) dq + (da/dv) dv + (da/du) du",
            "Derivatives of the forward dynamics.", ""}),
+      requiring(Requirement::rotations,
+                row(K::coordinate_rates, "coordinate_rates", takes_qv, coordinates(),
+                    {"dq/dt", "dq/dt = N(q) v",
+                     "Rates of the coordinates: of a rotation 1/2 q w, w in the axes of the body.",
+                     "coordinate rate"})),
+      requiring(Requirement::rotations,
+                row(K::normalized, "normalized", takes_q, coordinates(),
+                    {"q", "q with every quaternion divided by its length",
+                     "Coordinates with their quaternions scaled back to length 1.", "coordinate"})),
       row(K::user_value, "", takes_q, {{"", Extent::user, Extent::one}},
           {"y", "y(q)", "Value of an [[output]].", "user"}),
       row(K::user_jacobian, "_jacobian", takes_q, {{"", Extent::user, Extent::velocities}},
@@ -185,8 +195,7 @@ const OutputRow* find_output(std::string_view name) {
 }
 
 bool is_later_output(std::string_view name) {
-  static constexpr std::array<std::string_view, 3> later{"coordinate_rates", "normalized",
-                                                         "reaction"};
+  static constexpr std::array<std::string_view, 1> later{"reaction"};
   return std::find(later.begin(), later.end(), name) != later.end();
 }
 

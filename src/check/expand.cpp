@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "parameters.hpp"
+#include "rotations.hpp"
 
 namespace elgen::checking {
 namespace {
@@ -141,6 +142,9 @@ class Expander {
     if (!within_limits(context_, kind.kind, name.span)) {
       return false;
     }
+    if (is_rotation(entry)) {
+      return add_rotation(entry, name, scope);
+    }
     const std::uint32_t target = kind.add(context_.model, name);
     if (kind.kind == SymbolKind::point) {
       note_dimension(context_.model, entry, target);
@@ -148,6 +152,14 @@ class Expander {
     instances_.push_back({&entry, scope, target});
     Symbols& symbols = kind.kind == SymbolKind::frame ? context_.frames : context_.symbols;
     return key == nullptr || symbols.declare(name, kind.kind, target, context_.report);
+  }
+
+  bool add_rotation(const EntrySyntax& entry, const NewName& name, const Scope& scope) {
+    const std::optional<std::uint32_t> target = declare_rotation(context_, entry, name);
+    if (target) {
+      instances_.push_back({&entry, scope, *target});
+    }
+    return target.has_value();
   }
 
   bool read_new_name(const ValueSyntax& value, const Scope& scope, NewName& name) {

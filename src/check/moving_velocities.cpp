@@ -1,5 +1,7 @@
 // Which velocities move something: a search from every energy down to its rates. Below a time
 // derivative (and in the position of a mass) a coordinate counts as its rate does.
+#include <algorithm>
+
 #include "mechanics.hpp"
 
 namespace elgen::checking {
@@ -39,6 +41,12 @@ class RateSearch {
     }
   }
 
+  /// All velocities that move the coordinate.
+  void mark(const Coordinate& coordinate) {
+    const std::uint32_t count = coordinate.rotation ? axis_count : 1;
+    std::fill_n(moving_.begin() + coordinate.velocity, count, true);
+  }
+
   void expand(const Visit& visit) {
     const Expression& node = model_.expressions[visit.id];
     switch (node.kind) {
@@ -47,7 +55,7 @@ class RateSearch {
         return;
       case ExpressionKind::coordinate:
         if (visit.differentiated) {
-          moving_[model_.coordinates[node.index].velocity] = true;
+          mark(model_.coordinates[node.index]);
         }
         return;
       case ExpressionKind::definition:

@@ -55,6 +55,14 @@ std::optional<Unit> unit_of_entry(const Model& model, const OutputRequest& outpu
     divide(unit, find_unit("s"));
     return unit;
   }
+  if (name == "coordinate") {
+    return model.coordinates[row].unit;
+  }
+  if (name == "coordinate rate") {
+    std::optional<Unit> unit = model.coordinates[row].unit;
+    divide(unit, find_unit("s"));
+    return unit;
+  }
   for (const UnitRule& rule : rules) {
     if (rule.name == name) {
       return apply(rule, model, row, column);

@@ -94,6 +94,7 @@ class FrameReader {
     if (const KeySyntax* key = entry_.find("rpy")) read_rpy(key->value);
     if (const KeySyntax* key = entry_.find("dh")) read_dh(key->value);
     if (const KeySyntax* key = entry_.find("quaternion")) read_quaternion(key->value);
+    if (const KeySyntax* key = entry_.find("rotation")) read_rotation(key->value);
   }
 
   void add_turn(std::size_t axis, ExpressionId angle) {
@@ -201,6 +202,20 @@ class FrameReader {
       report_.add(Code::E112, value.span, "a quaternion of length 0 is no orientation");
       return;
     }
+    frame_.steps.push_back(step);
+  }
+
+  void read_rotation(const ValueSyntax& value) {
+    const std::optional<std::uint32_t> rotation = values_.rotation(value);
+    if (!rotation) return;
+    NodeBuilder nodes(context_, frame_.span);
+    FrameStep step{FrameStepKind::quaternion};
+    for (std::uint32_t i = 0; i < quaternion_size; ++i) {
+      const std::uint32_t coordinate = context_.model.rotations[*rotation].first_coordinate + i;
+      step.quaternion[i] = nodes.leaf(ExpressionKind::coordinate, coordinate);
+    }
+    nodes.finish(OwnerKind::frame, target_);
+    step.rotation = rotation;
     frame_.steps.push_back(step);
   }
 

@@ -1,6 +1,7 @@
 // Coordinates, inputs and prescribed functions.
 #include "entries.hpp"
 #include "places.hpp"
+#include "rotations.hpp"
 #include "unit_expression.hpp"
 #include "values.hpp"
 
@@ -18,13 +19,22 @@ std::optional<Interval> interval_of(ValueReader& values, const EntrySyntax& entr
   return key == nullptr ? std::nullopt : values.interval(key->value);
 }
 
+/// E104: a list is what rotations start with.
+cln::cl_R start_constant(ValueReader& values, const ValueSyntax& value) {
+  if (value.kind == ValueKind::list) {
+    values.context().report.add(Code::E104, value.span, "a list, but the coordinate is one number");
+    return 0;
+  }
+  return values.constant(value).value_or(0);
+}
+
 void read_start(ValueReader& values, const ValueSyntax& table, Coordinate& coordinate) {
   if (const KeySyntax* value = find_key(table, "value")) {
-    coordinate.start_value = values.constant(value->value).value_or(0);
+    coordinate.start_value = start_constant(values, value->value);
   }
   if (const KeySyntax* rate = find_key(table, "rate")) {
     values.context().model.velocities[coordinate.velocity].start_rate =
-        values.constant(rate->value).value_or(0);
+        start_constant(values, rate->value);
   }
 }
 
@@ -32,7 +42,6 @@ void read_rate(ValueReader& values, const EntrySyntax& entry, const Coordinate& 
   std::optional<Interval> range = interval_of(values, entry, "rate_range");
   Velocity& velocity = values.context().model.velocities[coordinate.velocity];
   velocity.rate_range = std::move(range);
-  velocity.unit_text = coordinate.unit_text;
   if (coordinate.unit) {
     velocity.unit = *coordinate.unit / *find_unit("s");
   }
@@ -121,7 +130,9 @@ std::optional<Unit> force_unit(const Velocity& velocity) {
 void read_variable(Context& context, const Instance& instance) {
   ValueReader values(context, instance.scope);
   const EntrySyntax& entry = *instance.entry;
-  if (entry.name == "coordinate") {
+  if (is_rotation(entry)) {
+    read_rotation(values, entry, instance.target);
+  } else if (entry.name == "coordinate") {
     read_coordinate(values, entry, instance.target);
   } else if (entry.name == "input") {
     read_input(values, entry, instance.target);

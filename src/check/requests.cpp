@@ -12,6 +12,8 @@ constexpr std::array user_kinds{OutputKind::user_value, OutputKind::user_jacobia
 
 std::uint32_t extent(const Model& model, Extent kind, std::uint32_t user) {
   switch (kind) {
+    case Extent::coordinates:
+      return static_cast<std::uint32_t>(model.coordinates.size());
     case Extent::velocities:
       return static_cast<std::uint32_t>(model.velocities.size());
     case Extent::states:
@@ -68,6 +70,9 @@ std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
   }
   if (requirement == Requirement::inputs && model.inputs.empty()) {
     return Lack{Code::E603, "needs inputs, and the model has none"};
+  }
+  if (requirement == Requirement::rotations && model.rotations.empty()) {
+    return Lack{Code::E603, "needs a rotation; without one dq/dt is v"};
   }
   const bool is_derivative =
       request.kind == OutputKind::user_jacobian || request.kind == OutputKind::user_bias;

@@ -114,7 +114,14 @@ std::optional<ExpressionId> Resolver::resolve_dot(const ExpressionSyntax& call) 
   if (!has_arity(call, 1)) {
     return std::nullopt;
   }
-  const std::optional<ExpressionId> argument = resolve(call.operands[0]);
+  const ExpressionSyntax& operand = call.operands[0];
+  const Symbol* symbol = context_.symbols.find(operand.text);
+  if (operand.kind == SyntaxKind::name && symbol != nullptr &&
+      symbol->kind == SymbolKind::rotation) {
+    const std::optional<std::uint32_t> velocity = element(operand, *symbol);
+    return velocity ? push_leaf(ExpressionKind::rate, *velocity, call.span) : std::nullopt;
+  }
+  const std::optional<ExpressionId> argument = resolve(operand);
   if (!argument) {
     return std::nullopt;
   }

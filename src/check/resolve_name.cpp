@@ -30,6 +30,16 @@ bool is_function_name(const std::string& name) {
   return std::find(functions.begin(), functions.end(), name) != functions.end();
 }
 
+/// What can be written instead of a name that is no number.
+std::string numbers_of(const std::string& name, SymbolKind kind) {
+  if (kind == SymbolKind::point) return "its components are `x(" + name + ")` and so on";
+  if (kind == SymbolKind::rotation) {
+    return "it is the `rotation` of a [[frame]]; its angular velocity is `dot(" + name +
+           "[1])` to `dot(" + name + "[3])`";
+  }
+  return "";
+}
+
 std::string elements_of(const std::string& name, const Symbol& symbol) {
   const std::int64_t first = symbol.elements.begin()->first;
   const std::int64_t last = symbol.elements.rbegin()->first;
@@ -60,11 +70,10 @@ std::optional<ExpressionId> Resolver::resolve_symbol(const ExpressionSyntax& nam
                                                      const Symbol& symbol) {
   const std::optional<ExpressionKind> kind = leaf_kind(symbol.kind);
   if (!kind) {
-    const bool is_point = symbol.kind == SymbolKind::point;
     context_.report.add(
         Code::E319, name.span,
         quoted(name.span) + " is a " + std::string(noun(symbol.kind)) + ", not a number",
-        is_point ? "its components are `x(" + name.text + ")` and so on" : "");
+        numbers_of(name.text, symbol.kind));
     return std::nullopt;
   }
   const std::optional<std::uint32_t> index = element(name, symbol);

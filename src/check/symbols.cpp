@@ -38,6 +38,10 @@ std::string_view noun(SymbolKind kind) {
   switch (kind) {
     case SymbolKind::coordinate:
       return "coordinate";
+    case SymbolKind::rotation:
+      return "rotation";
+    case SymbolKind::quaternion_component:
+      return "component of a rotation";
     case SymbolKind::parameter:
       return "parameter";
     case SymbolKind::definition:

@@ -14,6 +14,8 @@ namespace elgen::checking {
 
 enum class SymbolKind : std::uint8_t {
   coordinate,
+  rotation,              ///< elements 1 to 3: its velocities
+  quaternion_component,  ///< of a rotation; a name of q, but of no expression
   parameter,
   definition,
   prescribed,

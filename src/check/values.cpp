@@ -93,7 +93,26 @@ std::optional<std::uint32_t> ValueReader::reference(const ValueSyntax& value, Sy
   return Resolver(context_, scope_).element(name, *symbol);
 }
 
+std::optional<std::uint32_t> ValueReader::rotation(const ValueSyntax& value) {
+  const ExpressionSyntax& name = value.expression;
+  const Symbol* symbol = context_.symbols.find(name.text);
+  if (symbol == nullptr && context_.symbols.has_failed(name.text)) {
+    return std::nullopt;
+  }
+  if (symbol == nullptr || symbol->kind != SymbolKind::rotation || !name.operands.empty()) {
+    const std::vector<std::string> names = context_.symbols.names(SymbolKind::rotation);
+    context_.report.add(Code::E201, value.span, "unknown rotation " + quoted(value.span),
+                        context_.symbols.suggest(name.text, names));
+    return std::nullopt;
+  }
+  return context_.model.velocities[symbol->elements.begin()->second].rotation;
+}
+
 std::optional<std::uint32_t> ValueReader::velocity(const ValueSyntax& value) {
+  const Symbol* symbol = context_.symbols.find(value.expression.text);
+  if (symbol != nullptr && symbol->kind == SymbolKind::rotation) {
+    return Resolver(context_, scope_).element(value.expression, *symbol);
+  }
   const std::optional<std::uint32_t> coordinate = reference(value, SymbolKind::coordinate);
   return coordinate ? std::optional(context_.model.coordinates[*coordinate].velocity)
                     : std::nullopt;

@@ -47,11 +47,15 @@ class ValueReader {
   /// The index in the Model of what a name refers to. E201, E207, E208.
   std::optional<std::uint32_t> reference(const ValueSyntax& value, SymbolKind kind);
 
+  /// The index in the Model of the velocity that `on` names: by its coordinate, or as
+  /// `attitude[2]`. E201, E207, E208.
+  std::optional<std::uint32_t> velocity(const ValueSyntax& value);
+
+  /// The index in the Model of the rotation a name refers to. E201.
+  std::optional<std::uint32_t> rotation(const ValueSyntax& value);
+
   /// The same for a frame; nothing for `world` (and after an error).
   std::optional<std::uint32_t> frame_or_world(const ValueSyntax& value);
-
-  /// The index in the Model of the velocity that `on` names by its coordinate. E201, E207, E208.
-  std::optional<std::uint32_t> velocity(const ValueSyntax& value);
 
   /// E516 unless all vectors of the model have as many components as the first.
   void check_dimension(std::size_t count, const Span& span);

@@ -1,4 +1,5 @@
 // Velocities: every coordinate comes with the entries of v that move it.
+#include <array>
 #include <utility>
 
 #include "elgen/model.hpp"
@@ -12,11 +13,40 @@ std::uint32_t append_coordinate(Model& model, Coordinate coordinate) {
   velocity.name = coordinate.name;
   velocity.identifier = coordinate.identifier;
   velocity.coordinate = index;
-  velocity.unit_text = coordinate.unit_text;
   velocity.span = coordinate.span;
   if (coordinate.unit) velocity.unit = *coordinate.unit / *find_unit("s");
   model.velocities.push_back(std::move(velocity));
   model.coordinates.push_back(std::move(coordinate));
+  return index;
+}
+
+std::uint32_t append_rotation(Model& model, Rotation rotation) {
+  static constexpr std::array<const char*, quaternion_size> components{"_w", "_x", "_y", "_z"};
+  const auto index = static_cast<std::uint32_t>(model.rotations.size());
+  rotation.first_coordinate = static_cast<std::uint32_t>(model.coordinates.size());
+  rotation.first_velocity = static_cast<std::uint32_t>(model.velocities.size());
+  for (const char* component : components) {
+    Coordinate coordinate;
+    coordinate.name = rotation.name + component;
+    coordinate.identifier = rotation.identifier + component;
+    coordinate.unit = Unit{};
+    coordinate.velocity = rotation.first_velocity;
+    coordinate.rotation = index;
+    coordinate.span = rotation.span;
+    model.coordinates.push_back(std::move(coordinate));
+  }
+  model.coordinates[rotation.first_coordinate].start_value = 1;
+  for (std::uint32_t axis = 1; axis <= axis_count; ++axis) {
+    Velocity velocity;
+    velocity.name = rotation.name + "[" + std::to_string(axis) + "]";
+    velocity.identifier = rotation.identifier + "_" + std::to_string(axis);
+    velocity.coordinate = rotation.first_coordinate;
+    velocity.rotation = index;
+    velocity.unit = Unit{} / *find_unit("s");
+    velocity.span = rotation.span;
+    model.velocities.push_back(std::move(velocity));
+  }
+  model.rotations.push_back(std::move(rotation));
   return index;
 }
 

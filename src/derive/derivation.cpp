@@ -3,6 +3,7 @@
 
 #include "derive/rate_grades.hpp"
 #include "derive/tree.hpp"
+#include "derive/turning.hpp"
 
 namespace elgen {
 
@@ -49,7 +50,7 @@ Derivation::Derivation(const Lagrangian& source)
 }
 
 Tangent Derivation::displacement(std::size_t velocity) {
-  return {definitions, Seeds{{symbols.q[velocity], 1}}};
+  return {definitions, displacement_seeds(symbols, velocity)};
 }
 
 Tangent Derivation::unit_velocity(std::size_t velocity) {
@@ -57,7 +58,9 @@ Tangent Derivation::unit_velocity(std::size_t velocity) {
 }
 
 std::string Derivation::velocity_identifier(std::size_t velocity) const {
-  return GiNaC::ex_to<GiNaC::symbol>(symbols.q[velocity]).get_name();
+  std::string name = GiNaC::ex_to<GiNaC::symbol>(symbols.v[velocity]).get_name();
+  name.resize(name.size() - std::string_view("_dot").size());
+  return name;
 }
 
 Derivation::~Derivation() = default;
@@ -93,7 +96,7 @@ const GradedEnergies& Derivation::graded() {
 }
 
 Vector Derivation::by_position(const std::vector<Weighted>& sum) {
-  return gradient(definitions, sum, symbols.q);
+  return along_velocities(*this, gradient(definitions, sum, symbols.q));
 }
 
 Vector Derivation::by_velocity(const std::vector<Weighted>& sum) {

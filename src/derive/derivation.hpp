@@ -60,7 +60,7 @@ class Derivation {
   /// The frames, and what passes along them.
   [[nodiscard]] Tree& tree();
 
-  /// sum over `sum` of weight * dvalue/dq.
+  /// sum over `sum` of weight * dvalue/dq, along every velocity: N^T d/dq where dq/dt = N v.
   [[nodiscard]] Vector by_position(const std::vector<Weighted>& sum);
   /// The same by v, each entry a definition.
   [[nodiscard]] Vector by_velocity(const std::vector<Weighted>& sum);

@@ -58,6 +58,18 @@ Vector negative_solutions(SymmetricSolve& mass, const Vector& x, std::size_t col
   return result;
 }
 
+/// -[w]x in the upper left block of A.
+void add_turning_of_displacement(const Symbols& symbols, const RotationPlace& rotation, Vector& a) {
+  const std::size_t columns = 2 * symbols.v.size();
+  for (std::size_t k = 0; k < axis_count; ++k) {
+    const std::size_t row = rotation.first_velocity + k;
+    const std::size_t i = rotation.first_velocity + (k + 1) % axis_count;
+    const std::size_t j = rotation.first_velocity + (k + 2) % axis_count;
+    a[row * columns + i] = symbols.v[j];
+    a[row * columns + j] = -symbols.v[i];
+  }
+}
+
 }  // namespace
 
 InverseDerivatives inverse_dynamics_derivatives(Derivation& derivation) {
@@ -92,6 +104,9 @@ Linearization linearization(Derivation& derivation) {
   Linearization result;
   result.a.assign(4 * n * n, 0);
   result.b.assign(2 * n * inputs, 0);
+  for (const RotationPlace& rotation : derivation.symbols.rotations) {
+    add_turning_of_displacement(derivation.symbols, rotation, result.a);
+  }
   for (std::size_t i = 0; i < n; ++i) {
     result.a[i * 2 * n + n + i] = 1;
     for (std::size_t j = 0; j < n; ++j) {

@@ -8,6 +8,7 @@
 #include "derive/forces.hpp"
 #include "derive/forward_dynamics.hpp"
 #include "derive/matrices.hpp"
+#include "derive/turning.hpp"
 #include "elgen/equations_of_motion.hpp"
 #include "formulate/print.hpp"
 
@@ -105,6 +106,10 @@ std::vector<FieldEquations> fields(Derivation& d, const OutputRequest& request) 
       return inverse_derivatives(d);
     case OutputKind::forward_dynamics_derivatives:
       return forward_derivatives(d);
+    case OutputKind::coordinate_rates:
+      return plain(request, coordinate_rates(d));
+    case OutputKind::normalized:
+      return plain(request, normalized(d));
     case OutputKind::user_value:
     case OutputKind::user_jacobian:
     case OutputKind::user_bias:

@@ -2,6 +2,7 @@
 #include "derive/forces.hpp"
 
 #include "derive/tree_dynamics.hpp"
+#include "derive/turning.hpp"
 
 namespace elgen {
 
@@ -21,6 +22,13 @@ Vector rates(const Vector& values, Tangent& along) {
   Vector result;
   for (const ex& value : values) result.push_back(along(value));
   return result;
+}
+
+/// d/dt dL/dv along a motion, as Hamel has it for angular velocities.
+Vector momentum_rates(Derivation& derivation, const Vector& momentum, Tangent& along) {
+  Vector result = rates(momentum, along);
+  const Vector turning = turning_force(derivation, momentum);
+  return plus(std::move(result), turning);
 }
 
 std::array<ex, 3> gravity_vector(const Derivation& derivation) {
@@ -122,7 +130,8 @@ Vector left_side(Derivation& derivation, Tangent& second, Inputs inputs, Bodies 
     pulled_back.push_back({term.value, -term.weight});
   }
   Vector result = derivation.by_position(pulled_back);
-  result = plus(result, rates(derivation.by_velocity(derivation.other_lagrangian()), second));
+  const Vector momentum = derivation.by_velocity(derivation.other_lagrangian());
+  result = plus(result, momentum_rates(derivation, momentum, second));
   result = plus(result, dissipation(derivation));
   add(inertial, result);
   add(wrenches, result);
@@ -163,7 +172,7 @@ Vector velocity_force(Derivation& derivation, Bodies bodies) {
   const Vector momentum = derivation.by_velocity(weighted(kinetic, 1));
   Vector result = derivation.by_position(pulled_back);
   add(inertial, result);
-  return plus(result, rates(momentum, derivation.frozen));
+  return plus(result, momentum_rates(derivation, momentum, derivation.frozen));
 }
 
 Vector drift(Derivation& derivation) {
@@ -193,7 +202,8 @@ Vector drift(Derivation& derivation) {
   Vector result = derivation.by_position(pulled_back);
   add(all, result);
   add(frozen, result);
-  result = plus(result, rates(derivation.by_velocity(linear), derivation.coasting));
+  const Vector momentum = derivation.by_velocity(linear);
+  result = plus(result, momentum_rates(derivation, momentum, derivation.coasting));
   const Vector quadratic = derivation.by_velocity(weighted(energies.kinetic2, 1));
   return plus(result, rates(quadratic, derivation.passing));
 }

@@ -4,6 +4,7 @@
 #include "derive/forces.hpp"
 #include "derive/tree_matrices.hpp"
 #include "derive/tree_variables.hpp"
+#include "derive/turning.hpp"
 
 namespace elgen {
 
@@ -31,15 +32,14 @@ std::vector<Wrench> rates(Derivation& derivation, Tangent& along) {
 
 bool has_columns(Derivation& derivation) { return tree_variables(derivation.tree()).is_complete; }
 
-}  // namespace
-
-Vector mass_matrix(Derivation& derivation) {
+/// M of everything, or of what is not in frames.
+Vector mass_matrix_of(Derivation& derivation, Bodies bodies) {
   const std::size_t n = derivation.size();
   const Vector other = derivation.by_velocity(derivation.lagrangian.quadratic
                                                   ? weighted(derivation.graded().kinetic2, 1)
                                                   : derivation.other_lagrangian());
-  const bool by_columns = has_columns(derivation);
-  const Vector of_frames = by_columns ? Vector(n) : momentum_of_frames(derivation);
+  const Vector of_frames =
+      bodies == Bodies::without_frames ? Vector(n) : momentum_of_frames(derivation);
   Vector entries(n * n);
   for (std::size_t j = 0; j < n; ++j) {
     Tangent position = derivation.displacement(j);
@@ -55,19 +55,32 @@ Vector mass_matrix(Derivation& derivation) {
       entries[i * n + j] = entries[j * n + i] = column[i] + of_energy + velocity(of_frames[i]);
     }
   }
-  if (by_columns) add(tree_mass_matrix(derivation.tree()), n, entries);
+  return entries;
+}
+
+}  // namespace
+
+Vector mass_matrix(Derivation& derivation) {
+  if (!has_columns(derivation)) return mass_matrix_of(derivation, Bodies::all);
+  Vector entries = mass_matrix_of(derivation, Bodies::without_frames);
+  add(tree_mass_matrix(derivation.tree()), derivation.size(), entries);
   return entries;
 }
 
 Vector coriolis_matrix(Derivation& derivation) {
   const std::size_t n = derivation.size();
   const bool by_columns = has_columns(derivation);
-  Vector force = velocity_force(derivation, by_columns ? Bodies::without_frames : Bodies::all);
+  const Bodies bodies = by_columns ? Bodies::without_frames : Bodies::all;
+  Vector force = velocity_force(derivation, bodies);
   for (ex& entry : force) entry = define(derivation.definitions, entry);
   Vector entries(n * n);
   for (std::size_t j = 0; j < n; ++j) {
     Tangent velocity = derivation.unit_velocity(j);
     for (std::size_t i = 0; i < n; ++i) entries[i * n + j] = velocity(force[i]) / 2;
+  }
+  if (!derivation.symbols.rotations.empty()) {
+    const Vector mass = mass_matrix_of(derivation, bodies);
+    add_turning(derivation, mass, entries);
   }
   if (by_columns) add(tree_coriolis_matrix(derivation.tree()), n, entries);
   return entries;

@@ -5,6 +5,7 @@
 #include "derive/derivation.hpp"
 #include "derive/energies.hpp"
 #include "derive/forces.hpp"
+#include "derive/turning.hpp"
 
 namespace elgen {
 
@@ -84,10 +85,11 @@ class StepByStep {
   void add_coordinates() {
     momentum_ = derivation_.by_velocity({{lagrangian_, 1}});
     const Vector partial = derivation_.by_position({{lagrangian_, 1}});
+    const Vector turning = turning_force(derivation_, momentum_);
     const Vector dissipation = elgen::dissipation(derivation_);
     const Vector force = applied_force(derivation_, Inputs::acting);
     for (std::size_t i = 0; i < derivation_.size(); ++i) {
-      const ex rate = derivation_.motion(momentum_[i]);
+      const ex rate = derivation_.motion(momentum_[i]) + turning[i];
       add(derivation_.lagrangian.leaves.velocities[i],
           {scalar("momentum", momentum_[i]), scalar("momentum_rate", rate),
            scalar("partial", partial[i]), scalar("dissipation", dissipation[i]),

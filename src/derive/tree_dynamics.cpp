@@ -13,10 +13,11 @@ ExVector3 gravity_vector(Tree& tree) {
   return tree.derivation().lagrangian.gravity.value_or(ExVector3{0, 0, 0});
 }
 
-/// Spin of the step itself: the velocities of a rotation, else the rate of the turn.
+/// Spin of the step itself: the velocities of a rotation where it moves, else the rate of the turn.
 ExVector3 own_spin(Tree& tree, std::size_t k, Tangent& along) {
   const auto& rotation = tree.step(k).rotation;
   if (!rotation) return tree.relative_spin(k, along);
+  if (along(tree.step(k).quaternion[0]).is_zero()) return {0, 0, 0};
   const auto& v = tree.derivation().symbols.v;
   return {v[*rotation], v[*rotation + 1], v[*rotation + 2]};
 }

@@ -8,6 +8,7 @@
 
 #include "cpp_constant.hpp"
 #include "cpp_names.hpp"
+#include "entry_units.hpp"
 #include "evaluate/decimal.hpp"
 
 namespace elgen {
@@ -100,6 +101,9 @@ TemplateData declared_arrays(const Model& model) {
   const auto inputs = [&](const std::function<std::string(const Input&)>& text) {
     return each<Input>(model.inputs, text);
   };
+  const auto velocities = [&](const std::function<std::string(const Velocity&)>& text) {
+    return each<Velocity>(model.velocities, text);
+  };
   const char* const text = "const char*";
   list << declared(text, "coordinate_names",
                    coordinates([](const C& c) { return string_literal(c.name); }));
@@ -107,9 +111,16 @@ TemplateData declared_arrays(const Model& model) {
                    coordinates([](const C& c) { return string_literal(c.unit_text); }));
   list << declared("Interval", "coordinate_ranges",
                    coordinates([](const C& c) { return interval(c.range); }));
-  list << declared(
-      "Interval", "rate_ranges",
-      each<Velocity>(model.velocities, [](const Velocity& v) { return interval(v.rate_range); }));
+  // Where nothing rotates, velocities are called as their coordinates.
+  if (!model.rotations.empty()) {
+    list << declared(text, "velocity_names",
+                     velocities([](const Velocity& v) { return string_literal(v.name); }));
+    list << declared(text, "velocity_units", velocities([&](const Velocity& v) {
+                       return string_literal(velocity_unit(model, v));
+                     }));
+  }
+  list << declared("Interval", "rate_ranges",
+                   velocities([](const Velocity& v) { return interval(v.rate_range); }));
   list << declared(text, "input_names",
                    inputs([](const Input& i) { return string_literal(i.name); }));
   list << declared(text, "input_units",

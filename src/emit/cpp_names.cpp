@@ -20,7 +20,8 @@ constexpr std::array<std::string_view, 24> emitted_names{
     "coordinate_names", "coordinate_ranges", "coordinate_units", "detail",
     "input_count",      "input_limits",      "input_names",      "input_units",
     "is_regular",       "parameter_count",   "rate_ranges",      "std"};
-constexpr std::array<std::string_view, 3> more_names{"unbounded", "velocity_count", "result"};
+constexpr std::array<std::string_view, 5> more_names{"unbounded", "velocity_count",
+                                                     "velocity_names", "velocity_units", "result"};
 constexpr std::array<std::string_view, 7> arguments{"p", "q", "v", "a", "u", "t", "w"};
 /// Members of Parameters hide these in the initialisers beside them.
 constexpr std::array<std::string_view, 5> hidden_by_members{"Parameters", "Scalar", "constant",

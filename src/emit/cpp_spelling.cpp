@@ -82,6 +82,9 @@ std::string field_type(OutputKind kind, const Field& field) {
       return "SquareMatrix<Scalar>";
     case OutputKind::input_matrix:
       return "InputMatrix<Scalar>";
+    case OutputKind::coordinate_rates:
+    case OutputKind::normalized:
+      return "Coordinates<Scalar>";
     case OutputKind::inverse_dynamics_derivatives:
     case OutputKind::forward_dynamics_derivatives:
       return field.name == "by_input" ? "InputMatrix<Scalar>" : "SquareMatrix<Scalar>";

@@ -23,6 +23,8 @@ std::optional<Unit> unit_of_entry(const Model& model, const EntryPlace& place) {
   if (rule == "energy") return joule;
   if (rule == "user" || rule.empty()) return std::nullopt;
   if (place.field == "relative_pivots") return Unit{};
+  if (rule == "coordinate") return model.coordinates[place.row].unit;
+  if (rule == "coordinate rate") return over(model.coordinates[place.row].unit, second);
   if (rule == "acceleration") return over(velocity(place.row), second);
   const std::optional<Unit> momentum = over(joule, velocity(place.row));
   if (rule == "momentum") return momentum;
@@ -48,6 +50,13 @@ std::string units_text(const Model& model, OutputKind kind, const Field& field) 
   }
   if (different.size() == 1) return *different.begin();
   return list.size() <= longest_list ? list : "";
+}
+
+std::string velocity_unit(const Model& model, const Velocity& velocity) {
+  if (!velocity.unit) return "";
+  const bool is_angle =
+      velocity.rotation || model.coordinates[velocity.coordinate].unit_text == "rad";
+  return is_angle ? "rad/s" : to_string(*velocity.unit);
 }
 
 }  // namespace elgen

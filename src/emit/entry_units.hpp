@@ -27,4 +27,7 @@ struct EntryPlace {
 /// list is too long to help.
 [[nodiscard]] std::string units_text(const Model& model, OutputKind kind, const Field& field);
 
+/// The unit of a velocity as text: angles per second stay "rad/s". Empty where it has none.
+[[nodiscard]] std::string velocity_unit(const Model& model, const Velocity& velocity);
+
 }  // namespace elgen

@@ -8,6 +8,7 @@
 
 #include "cpp_spelling.hpp"
 #include "elgen/render.hpp"
+#include "entry_units.hpp"
 #include "evaluate/decimal.hpp"
 #include "layout.hpp"
 
@@ -27,6 +28,16 @@ std::string tuple(const Lines& names) {
   return fmt::format("({}, {}, ..., {})", names[0], names[1], names.back());
 }
 
+/// "dot(x) [m/s]", "attitude[1] [rad/s]"
+Lines rates(const Model& model) {
+  Lines names;
+  for (const Velocity& velocity : model.velocities) {
+    const std::string name = velocity.rotation ? velocity.name : "dot(" + velocity.name + ")";
+    names.push_back(with_unit(name, velocity_unit(model, velocity)));
+  }
+  return names;
+}
+
 Lines variables(const Model& model) {
   Lines coordinates;
   Lines inputs;
@@ -34,7 +45,13 @@ Lines variables(const Model& model) {
     coordinates.push_back(with_unit(c.name, c.unit_text));
   }
   for (const Input& input : model.inputs) inputs.push_back(with_unit(input.name, input.unit_text));
-  Lines lines = {"q = " + tuple(coordinates), "v = dq/dt, a = dv/dt"};
+  Lines lines = {"q = " + tuple(coordinates)};
+  if (model.rotations.empty()) {
+    lines.push_back("v = dq/dt, a = dv/dt");
+  } else {
+    lines.push_back("v = " + tuple(rates(model)) + ", a = dv/dt");
+    lines.push_back("dq/dt = N(q) v: coordinate_rates");
+  }
   if (!inputs.empty()) lines.push_back("u = " + tuple(inputs));
   return lines;
 }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cpp_names.hpp"
+#include "entry_units.hpp"
 #include "evaluate/decimal.hpp"
 #include "layout.hpp"
 #include "stamp.hpp"
@@ -58,6 +59,12 @@ Json named(const std::string& name, const std::string& unit) {
 Json coordinates(const Model& model) {
   Json list = Json::array();
   for (const Coordinate& c : model.coordinates) list.push_back(named(c.name, c.unit_text));
+  return list;
+}
+
+Json velocities(const Model& model) {
+  Json list = Json::array();
+  for (const Velocity& v : model.velocities) list.push_back(named(v.name, velocity_unit(model, v)));
   return list;
 }
 
@@ -129,17 +136,18 @@ Json outputs(const EmissionInput& input) {
 }  // namespace
 
 std::string sidecar(const EmissionInput& input) {
-  const Json json = {{"generated", input.generated},
-                     {"format", 1},
-                     {"name", input.scene.base_name},
-                     {"coordinates", coordinates(input.model)},
-                     {"inputs", inputs(input.model)},
-                     {"parameters", parameters(input.model, input.scene)},
-                     {"outputs", outputs(input)},
-                     {"hash",
-                      {{"model", input.model_hash},
-                       {"scene", input.scene_hash},
-                       {"body", std::string(blank_hash())}}}};
+  Json json = {{"generated", input.generated},
+               {"format", 1},
+               {"name", input.scene.base_name},
+               {"coordinates", coordinates(input.model)}};
+  // Where nothing rotates, velocities are called as their coordinates.
+  if (!input.model.rotations.empty()) json["velocities"] = velocities(input.model);
+  json["inputs"] = inputs(input.model);
+  json["parameters"] = parameters(input.model, input.scene);
+  json["outputs"] = outputs(input);
+  json["hash"] = {{"model", input.model_hash},
+                  {"scene", input.scene_hash},
+                  {"body", std::string(blank_hash())}};
   return stamped(printed(json, 0, 0) + "\n");
 }
 

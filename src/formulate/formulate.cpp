@@ -8,6 +8,7 @@
 #include "elgen/lagrangian.hpp"
 #include "formulate/expressions.hpp"
 #include "formulate/frame_tree.hpp"
+#include "formulate/rotations.hpp"
 
 namespace elgen {
 
@@ -45,9 +46,7 @@ void add_symbols(const Model& model, Lagrangian& lagrangian) {
   }
   symbols.t = GiNaC::realsymbol("t");
   add_leaf(lagrangian.definitions, symbols.t, on_time);
-  for (const Coordinate& coordinate : model.coordinates) {
-    symbols.q_rates.push_back(symbols.v[coordinate.velocity]);
-  }
+  add_coordinate_rates(model, lagrangian);
 }
 
 /// Builds the parts of a Lagrangian one after another; the first error ends it.

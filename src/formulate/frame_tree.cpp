@@ -183,7 +183,7 @@ class TreeFormulation {
     const std::string& name = model_.frames[index].identifier;
     TreeStep result;
     result.kind = step.kind;
-    result.rotation = step.rotation;
+    if (step.rotation) result.rotation = model_.rotations[*step.rotation].first_velocity;
     result.name = name;
     result.origin = {EntityKind::frame, index};
     result.vector = vector(step.vector, name + "_offset", result.origin);

@@ -71,7 +71,7 @@ Diagnostics inspect_charts(const Subject& subject) {
   if (coordinates.size() > most_coordinates_searched) return diagnostics;
   const auto regular = sampled_mass_matrix(subject, 0);
   for (std::size_t i = 0; regular && i < coordinates.size(); ++i) {
-    if (coordinates[i].singular) continue;
+    if (coordinates[i].singular || coordinates[i].rotation) continue;
     const std::string values = breaking_values(subject, *regular, i);
     if (!values.empty()) diagnostics.push_back(found(coordinates[i], values));
   }

@@ -34,10 +34,16 @@ State sampled_state(const Subject& subject, unsigned seed) {
   }
   for (std::size_t i = 0; i < state.v.size(); ++i) {
     const Velocity& velocity = subject.model.velocities[i];
-    const Coordinate& coordinate = subject.model.coordinates[velocity.coordinate];
-    state.q[velocity.coordinate] = in_range(random, coordinate.range, 2);
+    // Three velocities of a rotation go with the three components that make its quaternion.
+    const std::uint32_t first = velocity.coordinate;
+    const auto axis = velocity.rotation
+                          ? static_cast<std::uint32_t>(
+                                i + 1 - subject.model.rotations[*velocity.rotation].first_velocity)
+                          : 0;
+    state.q[first + axis] = in_range(random, subject.model.coordinates[first].range, 2);
     state.v[i] = in_range(random, velocity.rate_range, 1);
   }
+  make_unit_quaternions(subject.model, state);
   state.t = fraction_between(random, 0, 1);
   return state;
 }

@@ -6,16 +6,20 @@ namespace {
 
 using cln::cl_R;
 
-/// w.C v = d/dq (w.M v) v - 1/2 d/dq (v.M v) w
+/// w.C v = d/dq (w.M v) v - 1/2 d/dq (v.M v) w + w.[v]x M v
 cl_R velocity_force(Mechanics& at, const Direction& w) {
   const Direction& v = at.state().v;
-  return at.mass_gradient(v, w, v) - at.mass_gradient(w, v, v) / 2;
+  return at.mass_gradient(v, w, v) - at.mass_gradient(w, v, v) / 2 + at.turned_mass(w, v, v);
 }
 
-/// w.C y = 1/2 (d/dq (w.M y) v + d/dq (w.M v) y - d/dq (y.M v) w)
+/// w.C y = 1/2 (d/dq (w.M y) v + d/dq (w.M v) y - d/dq (y.M v) w), and for angular velocities
+/// + 1/2 w.([v]x M y + [y]x M v + M [v]x y): half the gradient of w.C v, and what makes dM/dt - 2 C
+/// skew.
 cl_R coriolis(Mechanics& at, const Direction& w, const Direction& y) {
   const Direction& v = at.state().v;
-  return (at.mass_gradient(v, w, y) + at.mass_gradient(y, w, v) - at.mass_gradient(w, y, v)) / 2;
+  const cl_R christoffel =
+      at.mass_gradient(v, w, y) + at.mass_gradient(y, w, v) - at.mass_gradient(w, y, v);
+  return (christoffel + turning(at, w, y)) / 2;
 }
 
 cl_R bias(Mechanics& at, const Direction& w) {
@@ -29,6 +33,11 @@ cl_R drift(Mechanics& at, const Direction& w) {
 }
 
 }  // namespace
+
+cl_R turning(Mechanics& at, const Direction& w, const Direction& y) {
+  const Direction& v = at.state().v;
+  return at.turned_mass(w, v, y) + at.turned_mass(w, y, v) - at.turned_mass(y, v, w);
+}
 
 bool is_contractible_column(OutputKind kind) {
   switch (kind) {

@@ -13,6 +13,9 @@ namespace elgen::oracle {
 /// The outputs that are matrices of directional derivatives: M, C, B.
 [[nodiscard]] bool is_contractible_matrix(OutputKind kind);
 
+/// w.([v]x M y + [y]x M v + M [v]x y) on the velocities of rotations, v the state's.
+[[nodiscard]] cln::cl_R turning(Mechanics& at, const Direction& w, const Direction& y);
+
 /// w.x; the output must be a contractible column.
 [[nodiscard]] cln::cl_R contracted_column(OutputKind kind, Mechanics& at, const Direction& w);
 

@@ -1,6 +1,8 @@
 // Evaluation: walks the schedule once; every expression is computed from those before it.
 #include "evaluation.hpp"
 
+#include "rotations.hpp"
+
 namespace elgen::oracle {
 namespace {
 
@@ -86,11 +88,8 @@ Jet Evaluation::leaf(const Expression& e, unsigned time_order) const {
       return Jet(real_pi());
     case ExpressionKind::time:
       return motion_.t + s;
-    case ExpressionKind::coordinate: {
-      const Jet half_square = s * s * Jet(cln::cl_RA(1) / 2);
-      const std::uint32_t rate = model_.coordinates[e.index].velocity;
-      return motion_.q[e.index] + motion_.v[rate] * s + motion_.a[rate] * half_square;
-    }
+    case ExpressionKind::coordinate:
+      return position(e.index, s);
     case ExpressionKind::rate:
       return motion_.v[e.index] + motion_.a[e.index] * s;
     case ExpressionKind::acceleration:
@@ -100,6 +99,26 @@ Jet Evaluation::leaf(const Expression& e, unsigned time_order) const {
     default:
       return motion_.parameters[e.index];
   }
+}
+
+/// q + dq/dt s + 1/2 d2q/dt2 s^2
+Jet Evaluation::position(std::uint32_t index, const Jet& s) const {
+  const Coordinate& coordinate = model_.coordinates[index];
+  const Jet half_square = s * s * Jet(cln::cl_RA(1) / 2);
+  if (!coordinate.rotation) {
+    const std::uint32_t rate = coordinate.velocity;
+    return motion_.q[index] + motion_.v[rate] * s + motion_.a[rate] * half_square;
+  }
+  if (s.support() == 0) return motion_.q[index];
+  const Rotation& rotation = model_.rotations[*coordinate.rotation];
+  const std::uint32_t component = index - rotation.first_coordinate;
+  const Quaternion e = quaternion_of(rotation, motion_.q);
+  const Spin w = spin_of(rotation, motion_.v);
+  const Quaternion rate = rate_of(e, w);
+  const Quaternion turning = rate_of(rate, w);
+  const Quaternion accelerating = rate_of(e, spin_of(rotation, motion_.a));
+  return e[component] + rate[component] * s +
+         (turning[component] + accelerating[component]) * half_square;
 }
 
 Jet Evaluation::folded(const Expression& e, unsigned time_order) const {

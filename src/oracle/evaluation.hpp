@@ -4,6 +4,7 @@
 //
 //     q(s) = q + v s + a s^2/2,    v(s) = v + a s,    t(s) = t + s,
 //
+// (a quaternion e: e + 1/2 e w s + 1/2 (1/4 e w w + 1/2 e dw/dt) s^2, products of quaternions),
 // so that the coefficient of e_1 is d/dt along the motion and that of e_1 e_2 is d2/dt2.
 #pragma once
 
@@ -43,6 +44,7 @@ class Evaluation {
  private:
   Jet evaluated(const Expression& e, unsigned time_order);
   Jet leaf(const Expression& e, unsigned time_order) const;
+  [[nodiscard]] Jet position(std::uint32_t index, const Jet& s) const;
   Jet folded(const Expression& e, unsigned time_order) const;
   Jet function(const Expression& e, unsigned time_order);
   [[nodiscard]] Jet operand(ExpressionId id, unsigned time_order) const;

@@ -1,6 +1,8 @@
 // Mechanics: each quantity is the coefficient of its generators in one evaluation of an energy.
 #include "mechanics.hpp"
 
+#include "rotations.hpp"
+
 namespace elgen::oracle {
 namespace {
 
@@ -17,8 +19,23 @@ std::vector<Root> force_roots(const Model& model) {
   };
   for (const Force& force : model.forces) {
     for (const ExpressionId id : force.value) roots.push_back({id, 0});
+    for (const ExpressionId id : force.reaction) roots.push_back({id, 0});
     if (force.at) append_point(*force.at);
     if (force.from) append_point(*force.from);
+  }
+  return roots;
+}
+
+/// Spins of the frames that torques act on.
+std::vector<Root> spin_roots(const Model& model) {
+  std::vector<Root> roots;
+  const auto append_frame = [&](std::optional<std::uint32_t> frame) {
+    if (!frame) return;
+    for (const ExpressionId id : model.frames[*frame].spin) roots.push_back({id, 0});
+  };
+  for (const Force& force : model.forces) {
+    append_frame(force.frame);
+    append_frame(force.from_frame);
   }
   return roots;
 }
@@ -44,6 +61,14 @@ void displace(std::vector<Jet>& quantity, const Direction& direction, Generators
   }
 }
 
+void displace_position(const Model& model, Motion& motion, const Direction& direction,
+                       Generators generators) {
+  const std::vector<Jet> rates = coordinate_rates(model, motion.q, jets(direction));
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    motion.q[i] = motion.q[i] + rates[i] * Jet(generators, 1);
+  }
+}
+
 Mechanics::Mechanics(const Model& model, const State& state)
     : model_(model),
       state_(state),
@@ -51,7 +76,8 @@ Mechanics::Mechanics(const Model& model, const State& state)
       lagrangian_(make_schedule(model, lagrangian_roots(model))),
       potential_(make_schedule(model, potential_roots(model))),
       dissipation_(make_schedule(model, dissipation_roots(model))),
-      forces_(make_schedule(model, force_roots(model))) {
+      forces_(make_schedule(model, force_roots(model))),
+      spins_(make_schedule(model, spin_roots(model))) {
   base_.a.assign(model.velocities.size(), Jet());
   base_.u.assign(model.inputs.size(), Jet());
 }
@@ -80,12 +106,16 @@ cl_R Mechanics::mass(const Direction& w, const Direction& y) {
   return lagrangian_at(motion).coefficient(first | second);
 }
 
+cl_R Mechanics::turned_mass(const Direction& w, const Direction& by, const Direction& y) {
+  return model_.rotations.empty() ? 0 : mass(turned(model_, w, by), y);
+}
+
 /// Coefficient of e0 e1 e2 in L(q + x e2, w e0 + y e1).
 cl_R Mechanics::mass_gradient(const Direction& x, const Direction& w, const Direction& y) {
   Motion motion = at_rest();
   displace(motion.v, w, first);
   displace(motion.v, y, second);
-  displace(motion.q, x, third);
+  displace_position(model_, motion, x, third);
   return lagrangian_at(motion).coefficient(first | second | third);
 }
 
@@ -95,22 +125,53 @@ cl_R Mechanics::momentum(const Direction& w) {
   return lagrangian_at(motion).coefficient(first);
 }
 
-/// d/dt (w.dL/dv) is the coefficient of e0 e1 in L(q + v e1, v + a e1 + w e0, t + e1).
-cl_R Mechanics::inverse_dynamics(const Direction& w, const Direction& a) {
-  Motion moving = base_;
-  displace(moving.q, state_.v, second);
+/// d/dt (w.dL/dv) is the coefficient of e0 e1 in L(q + dq/dt e1, v + a e1 + w e0, t + e1).
+Jet Mechanics::residual(const Motion& at, const Direction& w, const Direction& a) {
+  Motion moving = at;
+  const std::vector<Jet> rates = coordinate_rates(model_, at.q, at.v);
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    moving.q[i] = moving.q[i] + rates[i] * Jet(second, 1);
+  }
   displace(moving.v, a, second);
   displace(moving.v, w, first);
   moving.t = moving.t + Jet(second, 1);
-  Motion displaced = base_;
-  displace(displaced.q, w, first);
-  return lagrangian_at(moving).coefficient(first | second) -
-         lagrangian_at(displaced).coefficient(first) + dissipation_force(w) - applied_force(w);
+  Motion displaced = at;
+  displace_position(model_, displaced, w, first);
+  Motion resisted = at;
+  displace(resisted.v, w, first);
+  const Evaluation dissipated(model_, dissipation_, resisted, functions_);
+  Jet sum = lagrangian_at(moving).tangent(first).tangent(second) -
+            lagrangian_at(displaced).tangent(first) +
+            dissipation(model_, dissipated).tangent(first) - force_along(at, w);
+  if (model_.rotations.empty()) return sum;
+  Motion turning = at;
+  const std::vector<Jet> across = turned(model_, jets(w), at.v);
+  for (std::size_t i = 0; i < across.size(); ++i) {
+    turning.v[i] = turning.v[i] + across[i] * Jet(first, 1);
+  }
+  return sum + lagrangian_at(turning).tangent(first);
+}
+
+cl_R Mechanics::inverse_dynamics(const Direction& w, const Direction& a) {
+  return residual(base_, w, a).real();
+}
+
+Direction Mechanics::across_velocity(const Direction& d) const {
+  return turned(model_, state_.v, d);
+}
+
+cl_R Mechanics::residual_slope(const Direction& w, const Displacement& along, const Direction& a,
+                               const Direction& inputs) {
+  Motion at = base_;
+  at.u = jets(inputs);
+  displace_position(model_, at, along.x, third);
+  displace(at.v, along.y, third);
+  return residual(at, w, a).coefficient(third);
 }
 
 cl_R Mechanics::gravity(const Direction& w) {
   Motion motion = at_rest();
-  displace(motion.q, w, first);
+  displace_position(model_, motion, w, first);
   return potential_at(motion).coefficient(first);
 }
 
@@ -124,7 +185,7 @@ cl_R Mechanics::dissipation_force(const Direction& w) {
 /// sum Q_i w_i + sum F.(dp/dq w), where e0 displaces along w.
 Jet Mechanics::force_along(const Motion& motion, const Direction& w) {
   Motion displaced = motion;
-  displace(displaced.q, w, first);
+  displace_position(model_, displaced, w, first);
   const Evaluation at(model_, forces_, displaced, functions_);
   const auto work = [&](const Force& force, std::uint32_t point) {
     Jet sum;
@@ -134,9 +195,26 @@ Jet Mechanics::force_along(const Motion& motion, const Direction& w) {
     }
     return sum;
   };
+  // The spin is linear in the rates, so at the rates w it is the rotation per displacement.
+  Motion turning = motion;
+  for (std::size_t i = 0; i < turning.v.size(); ++i) turning.v[i] = Jet(first, w[i]);
+  const Evaluation spinning(model_, spins_, turning, functions_);
+  const auto turn = [&](const Force& force) {
+    Jet work_of_torque;
+    const auto add = [&](std::uint32_t frame, const std::vector<ExpressionId>& torque, int sign) {
+      for (std::size_t c = 0; c < torque.size(); ++c) {
+        const Jet rotation = spinning.value(model_.frames[frame].spin[c]).tangent(first);
+        work_of_torque = work_of_torque + Jet(sign) * at.value(torque[c]).without(first) * rotation;
+      }
+    };
+    add(*force.frame, force.value, 1);
+    if (force.from_frame) add(*force.from_frame, force.reaction, -1);
+    return work_of_torque;
+  };
   Jet sum;
   for (const Force& force : model_.forces) {
     if (force.on) sum = sum + at.value(force.value[0]).without(first) * Jet(w[*force.on]);
+    if (force.frame) sum = sum + turn(force);
     if (force.at) sum = sum + work(force, *force.at);
     if (force.from) sum = sum - work(force, *force.from);
   }

@@ -33,6 +33,7 @@ State nominal_state(const Model& model, const Scene& scene) {
     state.parameters.push_back(is_fixed ? fixed->second : model.parameters[i].value);
   }
   state.q.assign(model.coordinates.size(), cl_R(0));
+  for (const Rotation& rotation : model.rotations) state.q[rotation.first_coordinate] = 1;
   state.v.assign(model.velocities.size(), cl_R(0));
   state.a = state.v;
   state.u.assign(model.inputs.size(), cl_R(0));

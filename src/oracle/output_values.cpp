@@ -2,7 +2,9 @@
 #include "output_values.hpp"
 
 #include "contraction.hpp"
-#include "linear_solve.hpp"
+#include "derivatives.hpp"
+#include "rotations.hpp"
+#include "solved_dynamics.hpp"
 
 namespace elgen::oracle {
 namespace {
@@ -20,12 +22,7 @@ Values symmetric(std::size_t n, const Entry& entry) {
   return values;
 }
 
-Values mass_matrix(Mechanics& at) {
-  return symmetric(at.size(),
-                   [&](std::size_t i, std::size_t j) { return at.mass(at.unit(i), at.unit(j)); });
-}
-
-/// C_ij = 1/2 (dM_ij/dt + R_ij - R_ji) with dM/dt along v and R_ij = d/dq_j (M v)_i
+/// C_ij = 1/2 (dM_ij/dt + R_ij - R_ji + turning) with dM/dt along v and R_ij = d/dq_j (M v)_i
 Values coriolis_matrix(Mechanics& at) {
   const std::size_t n = at.size();
   const Direction& v = at.state().v;
@@ -34,7 +31,7 @@ Values coriolis_matrix(Mechanics& at) {
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) {
       const cl_R r = at.mass_gradient(at.unit(j), at.unit(i), v);
-      c[i * n + j] = c[i * n + j] + r;
+      c[i * n + j] = c[i * n + j] + r + turning(at, at.unit(i), at.unit(j));
       c[j * n + i] = c[j * n + i] - r;
     }
   }
@@ -63,13 +60,7 @@ Values input_matrix(Mechanics& at) {
 
 /// M a = B u - bias: a, then the relative pivots.
 Values forward_dynamics(Mechanics& at) {
-  Values right_side;
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    const Direction w = at.unit(i);
-    right_side.push_back(at.input_force(w, at.state().u) -
-                         contracted_column(OutputKind::bias, at, w));
-  }
-  const Solution solution = solve_symmetric(mass_matrix(at), right_side);
+  const Solution solution = solved_dynamics(at, mass_matrix_values(at));
   Values values = solution.x;
   values.insert(values.end(), solution.relative_pivots.begin(), solution.relative_pivots.end());
   return values;
@@ -78,6 +69,12 @@ Values forward_dynamics(Mechanics& at) {
 std::vector<Root> roots_of(const UserOutput& output, unsigned time_order) {
   std::vector<Root> roots;
   for (const ExpressionId id : output.values) roots.push_back({id, time_order});
+  return roots;
+}
+
+std::vector<Root> twist_roots(const UserOutput& output, unsigned time_order) {
+  std::vector<Root> roots;
+  for (const ExpressionId id : output.twist) roots.push_back({id, time_order});
   return roots;
 }
 
@@ -91,14 +88,44 @@ Values user_value(const Model& model, const UserOutput& output, const State& sta
   return values;
 }
 
+/// The twist is linear in the rates: its coefficient of each.
+Values twist_jacobian(const Model& model, const UserOutput& output, const State& state) {
+  JetFunctions functions;
+  const Schedule schedule = make_schedule(model, twist_roots(output, 0));
+  const std::size_t n = state.v.size();
+  Values values(output.twist.size() * n);
+  for (std::size_t j = 0; j < n; ++j) {
+    Motion motion = motion_of(state);
+    displace(motion.v, unit_direction(n, j), generator(0));
+    const Evaluation at(model, schedule, motion, functions);
+    for (std::size_t i = 0; i < output.twist.size(); ++i) {
+      values[i * n + j] = at.value(output.twist[i]).coefficient(generator(0));
+    }
+  }
+  return values;
+}
+
+/// d twist/dt at a = 0
+Values twist_bias(const Model& model, const UserOutput& output, const State& state) {
+  JetFunctions functions;
+  const Schedule schedule = make_schedule(model, twist_roots(output, 1));
+  Motion motion = motion_of(state);
+  motion.a.assign(state.v.size(), Jet());
+  const Evaluation at(model, schedule, motion, functions);
+  Values values;
+  for (const ExpressionId id : output.twist) values.push_back(at.rate(id).real());
+  return values;
+}
+
 Values user_jacobian(const Model& model, const UserOutput& output, const State& state) {
   JetFunctions functions;
   const Schedule schedule = make_schedule(model, roots_of(output, 0));
   const std::size_t n = state.v.size();
+  if (output.frame) return twist_jacobian(model, output, state);
   Values values(output.values.size() * n);
   for (std::size_t j = 0; j < n; ++j) {
     Motion motion = motion_of(state);
-    displace(motion.q, unit_direction(n, j), generator(0));
+    displace_position(model, motion, unit_direction(n, j), generator(0));
     const Evaluation at(model, schedule, motion, functions);
     for (std::size_t i = 0; i < output.values.size(); ++i) {
       values[i * n + j] = at.value(output.values[i]).coefficient(generator(0));
@@ -109,6 +136,7 @@ Values user_jacobian(const Model& model, const UserOutput& output, const State& 
 
 /// d2/dt2 of the value at a = 0
 Values user_bias(const Model& model, const UserOutput& output, const State& state) {
+  if (output.frame) return twist_bias(model, output, state);
   JetFunctions functions;
   const Schedule schedule = make_schedule(model, roots_of(output, 2));
   Motion motion = motion_of(state);
@@ -119,11 +147,19 @@ Values user_bias(const Model& model, const UserOutput& output, const State& stat
   return values;
 }
 
+Values rates_of_coordinates(const Model& model, const State& state) {
+  const Motion motion = motion_of(state);
+  Values values;
+  for (const Jet& rate : coordinate_rates(model, motion.q, motion.v)) values.push_back(rate.real());
+  return values;
+}
+
 Values mechanical_values(OutputKind kind, Mechanics at) {
+  if (is_derivative(kind)) return derivative_values(kind, at);
   if (is_contractible_column(kind)) return column(kind, at);
   switch (kind) {
     case OutputKind::mass_matrix:
-      return mass_matrix(at);
+      return mass_matrix_values(at);
     case OutputKind::coriolis_matrix:
       return coriolis_matrix(at);
     case OutputKind::input_matrix:
@@ -147,6 +183,10 @@ Values mechanical_values(OutputKind kind, Mechanics at) {
 
 Values output_values(const Model& model, const OutputRequest& output, const State& state) {
   switch (output.kind) {
+    case OutputKind::coordinate_rates:
+      return rates_of_coordinates(model, state);
+    case OutputKind::normalized:
+      return normalized(model, state.q);
     case OutputKind::user_value:
       return user_value(model, model.outputs[output.user], state);
     case OutputKind::user_jacobian:
@@ -167,6 +207,10 @@ cl_R contracted_values(const Model& model, const OutputRequest& output, const St
   if (is_contractible_matrix(output.kind)) {
     Mechanics at(model, state);
     return contracted_matrix(output.kind, at, by.w, by.y);
+  }
+  if (is_derivative(output.kind)) {
+    Mechanics at(model, state);
+    return contracted_derivative(output.kind, at, by.w, by.y);
   }
   const Values values = output_values(model, output, state);
   const std::size_t columns = by.y.empty() ? 1 : by.y.size();

@@ -24,7 +24,7 @@ const std::vector<KeyRow>& declaration_rows() {
       {"model", "reference", text, optional, true, "book or paper"},
 
       {"coordinate", "name", name, required, true, "name of q_i; its rate is dot(name)"},
-      {"coordinate", "kind", choice, optional, true, "one number"},
+      {"coordinate", "kind", choice, optional, true, "one number, or a unit quaternion"},
       {"coordinate", "unit", unit, optional, true, "unit of q_i"},
       {"coordinate", "range", range, optional, true, "[low, high], for sampling and plots"},
       {"coordinate", "rate_range", range, optional, true, "[low, high] of the rate"},
@@ -35,8 +35,8 @@ const std::vector<KeyRow>& declaration_rows() {
       {"coordinate", "latex", text, optional, true, "symbol in formulas"},
       {"coordinate", "doc", text, optional, true, "one line"},
       {"coordinate", "for", repetition, optional, true, "repeats the entry"},
-      {"coordinate.start", "value", expression, optional, true, "q_i at the start"},
-      {"coordinate.start", "rate", expression, optional, true, "v_i at the start"},
+      {"coordinate.start", "value", expression_or_list, optional, true, "q_i at the start"},
+      {"coordinate.start", "rate", expression_or_list, optional, true, "v_i at the start"},
 
       {"parameters", "*", expression_or_table, optional, true, "a constant with its value"},
       {"parameters.*", "value", expression_or_list, required, true, "number, or one per element"},
@@ -194,7 +194,7 @@ const std::vector<KeyRow>& key_table() {
 
 const std::vector<ChoiceRow>& choice_table() {
   static const std::vector<ChoiceRow> rows{
-      {"coordinate", "kind", "scalar"},           {"coordinate", "kind", "rotation", later},
+      {"coordinate", "kind", "scalar"},           {"coordinate", "kind", "rotation"},
       {"frame.dh", "convention", "standard"},     {"frame.dh", "convention", "modified"},
       {"parameters.*", "assume", "positive"},     {"parameters.*", "assume", "nonnegative"},
       {"body", "inertia_about", "com"},           {"body", "inertia_about", "origin"},

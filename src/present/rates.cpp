@@ -1,7 +1,9 @@
 // Rates along the motion: de/dt = de/dq v + de/dv a + de/dt, by the chain rule on canonical sums.
 #include <algorithm>
+#include <array>
 
 #include "arithmetic.hpp"
+#include "elgen/model.hpp"
 #include "polynomial.hpp"
 
 namespace elgen {
@@ -19,9 +21,13 @@ bool is_input(const Atom& atom) {
 
 class Rates {
  public:
-  /// `accelerations` at u = 0.
-  Rates(Arithmetic& arithmetic, const Algebra& algebra, std::vector<Fraction> accelerations)
-      : arithmetic_(arithmetic), algebra_(algebra), accelerations_(std::move(accelerations)) {}
+  /// `accelerations` at u = 0; `coordinate_rates` where they are not the velocities.
+  Rates(Arithmetic& arithmetic, const Algebra& algebra, std::vector<Fraction> accelerations,
+        std::vector<Fraction> coordinate_rates)
+      : arithmetic_(arithmetic),
+        algebra_(algebra),
+        accelerations_(std::move(accelerations)),
+        coordinate_rates_(std::move(coordinate_rates)) {}
 
   Value of(const Fraction& x) {
     Value result = arithmetic_.multiply(of(x.numerator), over(x));
@@ -96,6 +102,7 @@ class Rates {
   Value of_leaf(const Atom& atom) {
     switch (atom.leaf) {
       case Opcode::coordinate:
+        if (atom.index < coordinate_rates_.size()) return coordinate_rates_[atom.index];
         return arithmetic_.leaf(Opcode::velocity, atom.index);
       case Opcode::velocity:
         if (atom.index >= accelerations_.size()) return std::nullopt;
@@ -112,8 +119,31 @@ class Rates {
   Arithmetic& arithmetic_;
   const Algebra& algebra_;
   std::vector<Fraction> accelerations_;
+  std::vector<Fraction> coordinate_rates_;
   std::map<AtomId, Value> known_;
 };
+
+/// A component of 1/2 e (0, w), the product of the quaternion and its angular velocity.
+Value quaternion_rate(Arithmetic& arithmetic, const Rotation& rotation, std::uint32_t coordinate) {
+  struct Product {
+    std::uint32_t component;
+    std::uint32_t axis;
+    int sign;
+  };
+  static constexpr std::array<std::array<Product, axis_count>, quaternion_size> rows{
+      {{{{1, 0, -1}, {2, 1, -1}, {3, 2, -1}}},
+       {{{0, 0, 1}, {2, 2, 1}, {3, 1, -1}}},
+       {{{0, 1, 1}, {3, 0, 1}, {1, 2, -1}}},
+       {{{0, 2, 1}, {1, 1, 1}, {2, 0, -1}}}}};
+  Value sum = Fraction{};
+  for (const auto& [component, axis, sign] : rows[coordinate - rotation.first_coordinate]) {
+    const Value e = arithmetic.leaf(Opcode::coordinate, rotation.first_coordinate + component);
+    const Value w = arithmetic.leaf(Opcode::velocity, rotation.first_velocity + axis);
+    const Value half = fraction_of(cl_RA(sign) / 2);
+    sum = arithmetic.add(sum, arithmetic.multiply(half, arithmetic.multiply(e, w)));
+  }
+  return sum;
+}
 
 /// x at u = 0; none where a denominator holds an input.
 Value without_inputs(const Algebra& algebra, const Fraction& x) {
@@ -134,8 +164,25 @@ Value without_inputs(const Algebra& algebra, const Fraction& x) {
 
 }  // namespace
 
+std::vector<Fraction> coordinate_rates(ClosedForms& forms, const Model& model) {
+  std::vector<Fraction> rates;
+  if (model.rotations.empty()) return rates;
+  const PresentBudget budget;
+  std::size_t work = budget.products;
+  Arithmetic arithmetic(forms.algebra, work, budget.terms);
+  for (std::uint32_t i = 0; i < model.coordinates.size(); ++i) {
+    const Coordinate& coordinate = model.coordinates[i];
+    const Value rate = coordinate.rotation
+                           ? quaternion_rate(arithmetic, model.rotations[*coordinate.rotation], i)
+                           : arithmetic.leaf(Opcode::velocity, coordinate.velocity);
+    rates.push_back(rate.value());  // a few products never outgrow the budget
+  }
+  return rates;
+}
+
 bool proved_conserved(ClosedForms& forms, const Fraction& x,
-                      const std::vector<Fraction>& accelerations) {
+                      const std::vector<Fraction>& accelerations,
+                      const std::vector<Fraction>& coordinate_rates) {
   const PresentBudget budget;
   std::size_t work = budget.products;
   Arithmetic arithmetic(forms.algebra, work, budget.terms);
@@ -145,7 +192,8 @@ bool proved_conserved(ClosedForms& forms, const Fraction& x,
     if (!free) return false;
     free_motion.push_back(std::move(*free));
   }
-  const Value rate = Rates(arithmetic, forms.algebra, std::move(free_motion)).of(x);
+  const Value rate =
+      Rates(arithmetic, forms.algebra, std::move(free_motion), coordinate_rates).of(x);
   return rate && rate->numerator.empty();
 }
 

@@ -83,9 +83,12 @@ class Walk {
       case Opcode::coordinate:
         return {symbols.coordinates[i.a].text()};
       case Opcode::velocity:
+        if (symbols.are_own[i.a]) return {symbols.velocities[i.a].text()};
         return dotted(language_.notation.rate, symbols.velocities[i.a]);
       case Opcode::acceleration:
-        return dotted(language_.notation.second_rate, symbols.velocities[i.a]);
+        return dotted(
+            symbols.are_own[i.a] ? language_.notation.rate : language_.notation.second_rate,
+            symbols.velocities[i.a]);
       case Opcode::input:
         return {symbols.inputs[i.a].text()};
       default:

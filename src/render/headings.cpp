@@ -51,6 +51,8 @@ const HeadingRow heading_table[] = {
      "\\delta\\ddot{q} = \\frac{\\partial \\ddot{q}}{\\partial q} \\delta q + "
      "\\frac{\\partial \\ddot{q}}{\\partial \\dot{q}} \\delta\\dot{q} + "
      "\\frac{\\partial \\ddot{q}}{\\partial u} \\delta u"},
+    {OutputKind::coordinate_rates, "\\dot{q}", "\\dot{q} = N(q) v"},
+    {OutputKind::normalized, "q", ""},
 };
 
 std::string sentence(const std::string& text) {

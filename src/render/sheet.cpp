@@ -13,8 +13,17 @@ using rendering::latex_symbol;
 
 std::vector<SheetVariable> coordinates(const Model& model) {
   std::vector<SheetVariable> list;
-  for (const Coordinate& c : model.coordinates) {
-    list.push_back({latex_symbol(c.name, c.latex).text(), c.name, c.unit_text, "", c.doc});
+  const rendering::Symbols symbols = rendering::latex_symbols(model);
+  for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
+    const Coordinate& c = model.coordinates[i];
+    const std::string& doc = c.rotation ? model.rotations[*c.rotation].doc : c.doc;
+    list.push_back({symbols.coordinates[i].text(), c.name, c.unit_text, "", doc});
+  }
+  for (std::size_t i = 0; i < model.velocities.size(); ++i) {
+    const Velocity& v = model.velocities[i];
+    if (!v.rotation) continue;
+    list.push_back({symbols.velocities[i].text(), "dot(" + v.name + ")", "rad/s", "",
+                    "angular velocity in the axes of the body"});
   }
   return list;
 }

@@ -26,6 +26,11 @@ struct Step {
   std::vector<StepEquation> equations = {};
 };
 
+constexpr std::string_view turning_doc =
+    "An angular velocity: d/dt is the rate seen from the world, with [w]x dL/dw, and the slope of "
+    "L "
+    "is along a turn about the axis of the body.";
+
 class Outline {
  public:
   Outline(const Model& model, const ReadableSteps& steps) : model_(model), steps_(steps) {
@@ -42,9 +47,7 @@ class Outline {
       function += 2;
     }
     add_energies(function++);
-    for (const Coordinate& coordinate : model_.coordinates) {
-      add_coordinate(function++, coordinate);
-    }
+    for (const Velocity& velocity : model_.velocities) add_velocity(function++, velocity);
     add_invariants(function);
     return std::move(outline_);
   }
@@ -96,12 +99,16 @@ class Outline {
 
   enum FieldOf : std::size_t { momentum, momentum_rate, partial, dissipation, force, left };
 
-  void add_coordinate(std::size_t function, const Coordinate& coordinate) {
-    const std::string& q = coordinate.name;
-    const rendering::Symbol symbol = latex_symbol(q, coordinate.latex);
+  void add_velocity(std::size_t function, const Velocity& velocity) {
+    const std::string& q = velocity.name;
+    const bool is_angular = velocity.rotation.has_value();
+    const rendering::Symbol symbol =
+        latex_symbol(q, is_angular ? std::string() : model_.coordinates[velocity.coordinate].latex);
     const std::string rate = fmt::format("\\dot{{{}}}{}", symbol.base, symbol.scripts);
     const std::string slope = fmt::format("\\frac{{\\partial L}}{{\\partial {}}}", rate);
-    Step step{fmt::format("Equation of {}", q), conservation(function, q), {}};
+    Step step{fmt::format("Equation of {}", q),
+              is_angular ? std::string(turning_doc) : conservation(function, q),
+              {}};
     step.equations = {
         {fmt::format("dL/d(dot({}))", q), slope, function, momentum},
         {fmt::format("d/dt dL/d(dot({}))", q), "\\frac{d}{dt} " + slope, function, momentum_rate},

@@ -80,6 +80,23 @@ Symbol named_symbol(std::string_view name) {
   return {word(name.substr(0, end)), subscripts(parts)};
 }
 
+/// "e_{w}" of a rotation with `latex = "e"`; empty where it has no key.
+std::string component_key(const Model& model, const Coordinate& component) {
+  const std::string& latex = model.rotations[*component.rotation].latex;
+  return latex.empty() ? "" : fmt::format("{}_{{{}}}", latex, component.name.back());
+}
+
+/// "\\omega_{2}", with the name of the rotation where there are several.
+Symbol spin_symbol(const Model& model, const Velocity& velocity) {
+  const std::string axis(1, velocity.name[velocity.name.size() - 2]);
+  std::vector<std::string> parts = {axis};
+  if (model.rotations.size() > 1) {
+    const Rotation& rotation = model.rotations[*velocity.rotation];
+    parts.insert(parts.begin(), latex_symbol(rotation.name, rotation.latex).text());
+  }
+  return {"\\omega", subscripts(parts)};
+}
+
 }  // namespace
 
 std::string_view greek_letter(std::string_view command) {
@@ -112,6 +129,7 @@ Symbols text_symbols(const LeafNames& leaves) {
   symbols.parameters = verbatim(leaves.parameters);
   symbols.coordinates = verbatim(leaves.coordinates);
   symbols.velocities = verbatim(leaves.velocities);
+  symbols.are_own.assign(symbols.velocities.size(), false);
   symbols.inputs = verbatim(leaves.inputs);
   return symbols;
 }
@@ -122,10 +140,13 @@ Symbols latex_symbols(const Model& model) {
     symbols.parameters.push_back(latex_symbol(p.name, model.parameter_arrays[p.array].latex));
   }
   for (const Coordinate& c : model.coordinates) {
-    symbols.coordinates.push_back(latex_symbol(c.name, c.latex));
+    const std::string key = c.rotation ? component_key(model, c) : c.latex;
+    symbols.coordinates.push_back(latex_symbol(c.name, key));
   }
   for (const Velocity& velocity : model.velocities) {
-    symbols.velocities.push_back(symbols.coordinates[velocity.coordinate]);
+    symbols.velocities.push_back(velocity.rotation ? spin_symbol(model, velocity)
+                                                   : symbols.coordinates[velocity.coordinate]);
+    symbols.are_own.push_back(velocity.rotation.has_value());
   }
   for (const Input& input : model.inputs) symbols.inputs.push_back(latex_symbol(input.name));
   return symbols;

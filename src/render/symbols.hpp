@@ -25,7 +25,8 @@ struct Symbol {
 struct Symbols {
   std::vector<Symbol> parameters = {};
   std::vector<Symbol> coordinates = {};
-  std::vector<Symbol> velocities = {};  ///< without their dots
+  std::vector<Symbol> velocities = {};  ///< of what they are the rates of, or their own
+  std::vector<bool> are_own = {};       ///< which velocities have a symbol of their own: no dot
   std::vector<Symbol> inputs = {};
 };
 

@@ -50,7 +50,9 @@ std::string function_text(const Program& program, std::size_t index) {
 std::string text_page(const Model& model, const Program& program, const PageOptions& options) {
   std::string text = model.title.empty() ? model.name : model.title;
   text += fmt::format("\n\n  {}\n\n", equation_of_motion(model, program).text);
-  text += fmt::format("  q = {}, v = dq/dt, a = dv/dt\n", tuple(model.coordinates));
+  const bool rotates = !model.rotations.empty();
+  text += fmt::format("  q = {}, {}, a = dv/dt\n", tuple(model.coordinates),
+                      rotates ? "dq/dt = N(q) v" : "v = dq/dt");
   if (!model.inputs.empty()) text += fmt::format("  u = {}\n", tuple(model.inputs));
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     const Function& function = program.functions[i];

@@ -75,6 +75,25 @@ std::vector<Real> ExactValues::curvatures(OutputKind kind, const Arguments<Real>
   return result;
 }
 
+std::vector<Real> ExactValues::coordinate_rates(const std::vector<Real>& v) const {
+  State state = state_;
+  for (std::size_t i = 0; i < v.size(); ++i) state.v[i] = v[i].value();
+  return from_oracle(subject_, state, OutputKind::coordinate_rates, 0);
+}
+
+std::vector<Real> ExactValues::coasting_accelerations() const {
+  const Model& model = subject_.model;
+  if (model.rotations.empty()) return std::vector<Real>(state_.q.size());
+  State state = state_;
+  const std::vector<Real> rates = coordinate_rates(arguments_.v);
+  for (std::size_t i = 0; i < rates.size(); ++i) state.q[i] = rates[i].value();
+  std::vector<Real> result = from_oracle(subject_, state, OutputKind::coordinate_rates, 0);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (!model.coordinates[i].rotation) result[i] = Real();
+  }
+  return result;
+}
+
 Arguments<Real> ExactValues::at_rest() const {
   const auto zeros = [](const std::vector<Real>& like) { return std::vector<Real>(like.size()); };
   return {zeros(arguments_.parameters), zeros(arguments_.q), zeros(arguments_.v),

@@ -37,6 +37,12 @@ class ExactValues {
   /// A direction that moves nothing.
   [[nodiscard]] Arguments<Real> at_rest() const;
 
+  /// dq/dt with these velocities: N(q) v.
+  [[nodiscard]] std::vector<Real> coordinate_rates(const std::vector<Real>& v) const;
+
+  /// d2q/dt2 with the state's velocities, where they do not change: 0 but for quaternions.
+  [[nodiscard]] std::vector<Real> coasting_accelerations() const;
+
   /// What counts as rounding here: 1e-20 of the largest intermediate of any function.
   [[nodiscard]] Real floor() const { return floor_; }
 

@@ -38,6 +38,7 @@ State random_point(const Model& model, Random& random) {
     for (cl_R& value : *quantity) value = random.rational();
   }
   state.t = random.rational();
+  make_unit_quaternions(model, state);
   return state;
 }
 

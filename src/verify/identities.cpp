@@ -23,9 +23,12 @@ void add_product(Balance& balance, const Values& matrix, const Values& x, int fa
   }
 }
 
+/// A unit displacement along velocity i.
 Arguments<Real> unit_position(const ExactValues& at, std::size_t i) {
   Arguments<Real> direction = at.at_rest();
-  direction.q[i] = Real(1);
+  std::vector<Real> velocity(at.size());
+  velocity[i] = Real(1);
+  direction.q = at.coordinate_rates(velocity);
   return direction;
 }
 
@@ -55,7 +58,7 @@ Values input_force(ExactValues& at) {
 /// N = (sum_k dM/dq_k v_k) - 2 C, N + N^T = 0
 Balance skew(ExactValues& at) {
   Arguments<Real> direction = at.at_rest();
-  direction.q = at.arguments().v;
+  direction.q = at.coordinate_rates(at.arguments().v);
   const Values rate = at.slopes(K::mass_matrix, direction);
   const Values& c = at.value(K::coriolis_matrix);
   const std::size_t n = at.size();
@@ -84,7 +87,7 @@ void add_explicit_time(Balance& balance, ExactValues& at) {
 /// dE/dt - v.(B u + Q - dD/dv) + dL/dt
 Balance power(ExactValues& at) {
   Arguments<Real> motion = at.at_rest();
-  motion.q = at.arguments().v;
+  motion.q = at.coordinate_rates(at.arguments().v);
   motion.v = acceleration(at);
   motion.t = Real(1);
   Balance balance(1);
@@ -228,12 +231,16 @@ Balance jacobian_balance(ExactValues& at, std::uint32_t user) {
 
 Balance output_bias_balance(ExactValues& at, std::uint32_t user) {
   Arguments<Real> motion = at.at_rest();
-  motion.q = at.arguments().v;
+  motion.q = at.coordinate_rates(at.arguments().v);
   motion.t = Real(1);
   const Values& bias = at.value(K::user_bias, user);
   Balance balance(bias.size());
   add_all(balance, bias, 1);
   add_all(balance, at.curvatures(K::user_value, motion, user), -1);
+  if (at.subject().model.rotations.empty()) return balance;
+  Arguments<Real> turning = at.at_rest();
+  turning.q = at.coasting_accelerations();
+  add_all(balance, at.slopes(K::user_value, turning, user), -1);
   return balance;
 }
 

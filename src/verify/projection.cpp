@@ -46,10 +46,11 @@ std::string mismatch(const char* what, const Sum& sum, const cl_R& truth) {
                      short_text(truth));
 }
 
+/// Of the first field, as many entries as w and y have.
 Sum contracted(const BoundedRun& run, const Contraction& by) {
   Sum sum;
   const std::size_t columns = by.y.empty() ? 1 : by.y.size();
-  for (std::size_t i = 0; i < run.entries.size(); ++i) {
+  for (std::size_t i = 0; i < by.w.size() * columns; ++i) {
     const cl_R factor = by.y.empty() ? by.w[i] : by.w[i / columns] * by.y[i % columns];
     sum.add(run.entries[i].value * Real(factor), run.entries[i].bound * Real(cln::abs(factor)));
   }

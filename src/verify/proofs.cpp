@@ -49,7 +49,8 @@ bool Proofs::conserved(const Expectation& expectation, std::size_t entry) {
     accelerations.push_back(*acceleration);
   }
   const auto own = written(expectation, entry);
-  return own && proved_conserved(*forms_, *own, accelerations);
+  const std::vector<Fraction> rates = coordinate_rates(*forms_, subject_.model);
+  return own && proved_conserved(*forms_, *own, accelerations, rates);
 }
 
 }  // namespace elgen

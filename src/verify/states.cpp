@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <type_traits>
 
@@ -23,6 +25,26 @@ Range range_or(const std::optional<Interval>& interval, double otherwise) {
   if (!interval) return {-otherwise, otherwise};
   return {ScalarTraits<double>::from_real(interval->low),
           ScalarTraits<double>::from_real(interval->high)};
+}
+
+/// Quaternions to length 1, as far as binary numbers go; (1, 0, 0, 0) where there is no direction.
+void scale_quaternions(const Model& model, Arguments<double>& values) {
+  for (const Rotation& rotation : model.rotations) {
+    double* e = &values.q[rotation.first_coordinate];
+    const double largest =
+        std::max({std::abs(e[0]), std::abs(e[1]), std::abs(e[2]), std::abs(e[3])});
+    if (largest < std::numeric_limits<double>::min()) {
+      std::fill_n(e, quaternion_size, 0.0);
+      e[0] = 1;
+      continue;
+    }
+    double square = 0;
+    for (std::size_t i = 0; i < quaternion_size; ++i) {
+      e[i] /= largest;
+      square += e[i] * e[i];
+    }
+    for (std::size_t i = 0; i < quaternion_size; ++i) e[i] /= std::sqrt(square);
+  }
 }
 
 struct Ranges {
@@ -195,7 +217,8 @@ std::vector<SampledState<Scalar>> sample_states(const Subject& subject, const Sa
   }
   std::vector<SampledState<Scalar>> result;
   result.reserve(states.size());
-  for (const SampledState<double>& state : states) {
+  for (SampledState<double>& state : states) {
+    scale_quaternions(subject.model, state.values);
     result.push_back({state.region, state.name, rounded<Scalar>(state.values)});
   }
   return result;

@@ -51,6 +51,15 @@ std::string changed_parameters(const Subject& subject, const State& state) {
   return text;
 }
 
+/// Where quaternions are of length 1 only to rounding, the two sides of a comparison may go on
+/// differently off the unit sphere; on it, and by a few roundings from the arguments, they must
+/// not.
+void scale_to_length_one(const Model& model, State& state) {
+  if (model.rotations.empty()) return;
+  const OracleValues scaled = oracle_values(model, standard_request(OutputKind::normalized), state);
+  if (scaled) state.q = *scaled;
+}
+
 }  // namespace
 
 cl_R exact_value(double value) {
@@ -78,6 +87,7 @@ State exact_state(const Subject& subject, const Arguments<Scalar>& arguments) {
   state.a = exact(arguments.a);
   state.u = exact(arguments.u);
   state.t = exact_value(static_cast<double>(arguments.t));
+  scale_to_length_one(subject.model, state);
   return state;
 }
 

@@ -25,7 +25,7 @@ struct Subject {
 [[nodiscard]] cln::cl_R power_of_ten(int exponent);
 
 /// The exact state the oracle gets for binary inputs; fixed parameters stay the exact numbers they
-/// are. Scalar: double or float.
+/// are, and quaternions get the length 1 that rounding took from them. Scalar: double or float.
 template <class Scalar>
 [[nodiscard]] State exact_state(const Subject& subject, const Arguments<Scalar>& arguments);
 

@@ -1,4 +1,4 @@
-// Which coordinates have a rate in some energy.
+// Which velocities are in some energy.
 #include <catch2/catch.hpp>
 #include <utility>
 

@@ -52,6 +52,22 @@ class ModelBuilder {
     return *this;
   }
 
+  /// The quaternion is `name_w` to `name_z`, the angular velocity `name1_d` to `name3_d`.
+  ModelBuilder& rotation(const std::string& name) {
+    Rotation r;
+    r.name = r.identifier = name;
+    const Rotation& added = model.rotations[append_rotation(model, r)];
+    for (std::uint32_t i = 0; i < quaternion_size; ++i) {
+      const std::uint32_t index = added.first_coordinate + i;
+      names_[model.coordinates[index].name] = {ExpressionKind::coordinate, index};
+    }
+    for (std::uint32_t i = 0; i < axis_count; ++i) {
+      const std::uint32_t index = added.first_velocity + i;
+      names_[name + std::to_string(i + 1) + "_d"] = {ExpressionKind::rate, index};
+    }
+    return *this;
+  }
+
   ModelBuilder& parameter(const std::string& name, const std::string& value) {
     Parameter p;
     p.name = p.identifier = name;

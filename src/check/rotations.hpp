@@ -1,0 +1,25 @@
+// Rotations: coordinates of `kind = "rotation"`, unit quaternions with angular velocities.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "context.hpp"
+#include "elgen/syntax.hpp"
+#include "values.hpp"
+
+namespace elgen::checking {
+
+[[nodiscard]] bool is_rotation(const EntrySyntax& entry);
+
+/// Declares NAME[1..3] and NAME_w … NAME_z and adds the rotation to the Model; its index. E112
+/// where it is repeated, E203, E204, E205, E211.
+[[nodiscard]] std::optional<std::uint32_t> declare_rotation(Context& context,
+                                                            const EntrySyntax& entry,
+                                                            const NewName& name);
+
+/// Reads its keys. E112 for keys that only numbers have, and for a start of another length than 1;
+/// E403 for a unit.
+void read_rotation(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
+
+}  // namespace elgen::checking

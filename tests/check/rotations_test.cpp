@@ -1,0 +1,88 @@
+// Coordinates of kind rotation: names, keys, and what may be written of them.
+#include <catch2/catch.hpp>
+
+#include "check_testing.hpp"
+
+namespace elgen::test {
+namespace {
+
+/// Lines 4 to 6 declare the rotation, `keys` follow on line 7; `more` ends the file.
+std::string flying(const std::string& keys = {}, const std::string& more = {}) {
+  return "format = 1\n[model]\nname = \"flying\"\n[[coordinate]]\nname = \"e\"\n"
+         "kind = \"rotation\"\n" +
+         keys + "[parameters]\nJ = 1\n[[frame]]\nname = \"body\"\nparent = \"world\"\n" +
+         "rotation = \"e\"\n[[body]]\nname = \"top\"\nframe = \"body\"\n" +
+         "inertia = [\"J\", \"2*J\", \"3*J\"]\n" + more;
+}
+
+}  // namespace
+
+TEST_CASE("a rotation has four coordinates and three velocities") {
+  const Model model =
+      checked(flying("rate_range = [-5, 5]\nlatex = \"R\"\ndoc = \"attitude\"\n"
+                     "start = { value = [0.6, 0, 0.8, 0], rate = [1, \"1/2\", 0] }\n"))
+          .model;
+  REQUIRE(model.rotations.size() == 1);
+  CHECK(model.rotations[0].latex == "R");
+  CHECK(model.rotations[0].doc == "attitude");
+  REQUIRE(model.coordinates.size() == 4);
+  REQUIRE(model.velocities.size() == 3);
+  CHECK(model.coordinates[0].name == "e_w");
+  CHECK(model.coordinates[3].identifier == "e_z");
+  CHECK(model.coordinates[2].start_value == cln::cl_RA(4) / 5);
+  CHECK(model.velocities[1].name == "e[2]");
+  CHECK(model.velocities[1].identifier == "e_2");
+  CHECK(model.velocities[1].start_rate == cln::cl_RA(1) / 2);
+  CHECK(model.velocities[2].rate_range->high == 5);
+}
+
+TEST_CASE("its angular velocities stand where rates stand, and take torques") {
+  const std::string forces =
+      "[[input]]\nname = \"u\"\nunit = \"N*m\"\non = \"e[2]\"\n"
+      "[[force]]\non = \"e[3]\"\nvalue = \"-J*dot(e[3])\"\n";
+  const Model model = checked(flying("", forces)).model;
+  CHECK(model.inputs[0].on == 1U);
+  CHECK(model.forces[0].on == 2U);
+  CHECK(dumped(flying("", forces), "force") == "force  on e[3] = [-J*dot(e[3])]\n");
+}
+
+TEST_CASE("a rotation is no number") {
+  const auto energy = [](const std::string& text) {
+    return messages(flying("", "[energy]\nV = \"" + text + "\"\n"));
+  };
+  const std::string hint =
+      " | it is the `rotation` of a [[frame]]; its angular velocity is `dot(e[1])` to `dot(e[3])`";
+  CHECK(energy("J*e") == "E319 19:8 `e` is a rotation, not a number" + hint + "\n");
+  CHECK(energy("J*e[1]") == "E319 19:8 `e[1]` is a rotation, not a number" + hint + "\n");
+  CHECK(energy("J*e_w") == "E319 19:8 `e_w` is a component of a rotation, not a number\n");
+  CHECK(energy("J*dot(e[4])") == "E207 19:12 there is no `e[4]`: `e` has the elements 1 to 3\n");
+  CHECK(energy("J*dot(e)") == "E208 19:12 `e` needs an index: `e` has the elements 1 to 3\n");
+}
+
+TEST_CASE("keys that only numbers have") {
+  CHECK(messages(flying("range = [0, 1]\n")) == "E112 7:1 a rotation has no `range`\n");
+  CHECK(messages(flying("wrap = true\n")) == "E112 7:1 a rotation has no `wrap`\n");
+  CHECK(messages(flying("armature = 1\n")) == "E112 7:1 a rotation has no `armature`\n");
+  CHECK(messages(flying("singular = \"J\"\n")) == "E112 7:1 a rotation has no `singular`\n");
+  CHECK(messages(flying("unit = \"m\"\n")) ==
+        "E403 7:8 a rotation is a pure number; its angular velocity is in rad/s\n");
+  CHECK(messages(flying("for = \"i in 1..2\"\n")) ==
+        "E112 7:1 a rotation is not repeated: its index counts its angular velocities\n");
+}
+
+TEST_CASE("the start is a unit quaternion and three rates") {
+  CHECK(messages(flying("start = { value = [1, 1, 0, 0] }\n")) ==
+        "E112 7:19 the start of a rotation is a unit quaternion (w, x, y, z), but the squares of "
+        "this one do not add up to 1\n");
+  CHECK(messages(flying("start = { value = 1 }\n")) ==
+        "E104 7:19 one number, but a rotation has 4 here\n");
+  CHECK(messages(flying("start = { rate = [1, 2] }\n")) ==
+        "E104 7:18 2 components, but a rotation has 3 here\n");
+}
+
+TEST_CASE("names of the components are taken") {
+  CHECK(messages(flying("", "[define]\ne_x = 1\n")) ==
+        "E203 19:1 `e_x` is already a component of a rotation | first at line 5\n");
+}
+
+}  // namespace elgen::test

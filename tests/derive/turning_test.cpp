@@ -1,0 +1,87 @@
+// Turning: Euler's equations and the Christoffel form of angular velocities, from an energy alone.
+#include "derive/turning.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "derive/forces.hpp"
+#include "derive/matrices.hpp"
+#include "formulate/chain_rule.hpp"
+
+namespace elgen::test {
+namespace {
+
+using GiNaC::ex;
+
+/// A rotation with T = 1/2 (2 w1^2 + 3 w2^2 + 5 w3^2).
+Lagrangian top() {
+  Model model;
+  Rotation rotation;
+  rotation.name = rotation.identifier = "e";
+  append_rotation(model, rotation);
+  Result<Lagrangian> lagrangian = formulate(model);
+  REQUIRE(lagrangian);
+  const std::vector<ex> v = lagrangian->symbols.v;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int inertia = i == 0 ? 2 : i == 1 ? 3 : 5;
+    lagrangian->kinetic.push_back(GiNaC::numeric(inertia, 2) * v[i] * v[i]);
+  }
+  return std::move(*lagrangian);
+}
+
+/// Definitions put back in.
+ex written_out(const Definitions& definitions, ex value) {
+  for (auto d = definitions.list.rbegin(); d != definitions.list.rend(); ++d) {
+    value = value.subs(d->symbol == d->value);
+  }
+  return value.expand();
+}
+
+}  // namespace
+
+TEST_CASE("velocity forces are Euler's") {
+  Derivation derivation(top());
+  const std::vector<ex>& w = derivation.symbols.v;
+  const Vector force = velocity_force(derivation);
+  const Vector expected{2 * w[1] * w[2], -3 * w[2] * w[0], w[0] * w[1]};
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK((written_out(derivation.definitions, force[i]) - expected[i]).expand().is_zero());
+  }
+}
+
+TEST_CASE("C is skew where M is constant") {
+  Derivation derivation(top());
+  const Vector c = coriolis_matrix(derivation);
+  const Vector force = velocity_force(derivation);
+  for (std::size_t i = 0; i < 3; ++i) {
+    ex product = -force[i];
+    for (std::size_t j = 0; j < 3; ++j) {
+      product += c[3 * i + j] * derivation.symbols.v[j];
+      const ex sum = c[3 * i + j] + c[3 * j + i];
+      CHECK(written_out(derivation.definitions, sum).is_zero());
+    }
+    CHECK(written_out(derivation.definitions, product).is_zero());
+  }
+}
+
+TEST_CASE("gradients are along turns") {
+  Derivation derivation(top());
+  const std::vector<ex>& e = derivation.symbols.q;
+  // R_33 = w^2 - x^2 - y^2 + z^2 falls by R_32 along a turn about x, and rises by R_31 about y.
+  const ex height = e[0] * e[0] - e[1] * e[1] - e[2] * e[2] + e[3] * e[3];
+  const Vector slope = derivation.by_position({{height, 1}});
+  const Vector expected{-2 * (e[2] * e[3] + e[0] * e[1]), 2 * (e[1] * e[3] - e[0] * e[2]), 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK((written_out(derivation.definitions, slope[i]) - expected[i]).expand().is_zero());
+    Tangent along = derivation.displacement(i);
+    CHECK((along(height) - expected[i]).expand().is_zero());
+  }
+}
+
+TEST_CASE("normalized quaternions have length 1") {
+  Derivation derivation(top());
+  ex square = 0;
+  for (const ex& component : normalized(derivation)) square += component * component;
+  CHECK(written_out(derivation.definitions, square).normal().is_equal(1));
+}
+
+}  // namespace elgen::test
