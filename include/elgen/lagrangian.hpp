@@ -202,7 +202,11 @@ struct Lagrangian {
   FrameTree tree = {};
   std::vector<NamedOutput> outputs = {};
   bool quadratic = true;
+  bool eliminates_last_first = false;  ///< order of elimination of M; see Model
 };
+
+/// Gives a definition a name, where it has none yet.
+void name(Definitions& definitions, const GiNaC::ex& symbol, const std::string& text);
 
 /// Builds the Lagrangian of a checked model. E502: dot() of something that contains rates.
 [[nodiscard]] Result<Lagrangian> formulate(const Model& model);

@@ -332,6 +332,11 @@ struct Dimensions {
 
 [[nodiscard]] Dimensions dimensions(const Model& model);
 
+/// The order in which M is eliminated: where a frame carries two or more others, the last velocity
+/// first, so that limbs do not fill each other in; otherwise the first one first. It decides the
+/// relative pivots of forward dynamics.
+[[nodiscard]] bool eliminates_last_first(const Model& model);
+
 /// What an ExpressionKind::frame_component of this index stands for.
 [[nodiscard]] ExpressionId component_of_frame(const Model& model, std::uint32_t index);
 

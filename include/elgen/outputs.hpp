@@ -29,6 +29,9 @@ enum class OutputKind : std::uint8_t {
   input_matrix,
   inverse_dynamics,
   forward_dynamics,
+  linearization,
+  inverse_dynamics_derivatives,
+  forward_dynamics_derivatives,
   coordinate_rates,
   normalized,
   user_value,     ///< an [[output]] of the model
@@ -45,7 +48,7 @@ enum class Form : std::uint8_t {
 
 [[nodiscard]] std::string_view name_of(Form form);
 
-enum class Extent : std::uint8_t { one, coordinates, velocities, inputs, user };
+enum class Extent : std::uint8_t { one, coordinates, velocities, states, inputs, user };
 
 /// What a model must have for an output to exist.
 enum class Requirement : std::uint8_t { nothing, quadratic, energies, inputs, rotations };

@@ -122,6 +122,21 @@ std::vector<OutputRow> dynamics() {
           {"a", "M a = B u - bias",
            "Acceleration, and the pivots D_i/M_ii of M = L D L^T: near 0 M is singular.",
            "acceleration"}),
+      row(K::linearization, "linearization", takes_qvu,
+          {{"A", Extent::states, Extent::states}, {"B", Extent::states, Extent::inputs}},
+          {"d(dx)/dt", "d(dx)/dt = A dx + B du, x = (q, v)",
+           "Linear equations of motion about the state and inputs given.", ""}),
+      row(K::inverse_dynamics_derivatives, "inverse_dynamics_derivatives", takes_qva,
+          {{"by_position", Extent::velocities, Extent::velocities},
+           {"by_velocity", Extent::velocities, Extent::velocities}},
+          {"d tau", "d tau = (dtau/dq) dq + (dtau/dv) dv + M da",
+           "Derivatives of the inverse dynamics.", ""}),
+      row(K::forward_dynamics_derivatives, "forward_dynamics_derivatives", takes_qvu,
+          {{"by_position", Extent::velocities, Extent::velocities},
+           {"by_velocity", Extent::velocities, Extent::velocities},
+           {"by_input", Extent::velocities, Extent::inputs}},
+          {"da", "da = (da/dq) dq + (da/dv) dv + (da/du) du",
+           "Derivatives of the forward dynamics.", ""}),
       requiring(Requirement::rotations,
                 row(K::coordinate_rates, "coordinate_rates", takes_qv, coordinates(),
                     {"dq/dt", "dq/dt = N(q) v",
@@ -180,8 +195,7 @@ const OutputRow* find_output(std::string_view name) {
 }
 
 bool is_later_output(std::string_view name) {
-  static constexpr std::array<std::string_view, 4> later{
-      "linearization", "inverse_dynamics_derivatives", "forward_dynamics_derivatives", "reaction"};
+  static constexpr std::array<std::string_view, 1> later{"reaction"};
   return std::find(later.begin(), later.end(), name) != later.end();
 }
 

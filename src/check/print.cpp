@@ -154,6 +154,16 @@ class Printer {
 
 }  // namespace
 
+bool eliminates_last_first(const Model& model) {
+  std::vector<bool> carries(model.frames.size(), false);
+  for (const Frame& frame : model.frames) {
+    if (!frame.parent) continue;
+    if (carries[*frame.parent]) return true;
+    carries[*frame.parent] = true;
+  }
+  return false;
+}
+
 ExpressionId component_of_frame(const Model& model, std::uint32_t index) {
   const Frame& frame = model.frames[index / components_per_frame];
   const std::uint32_t k = index % components_per_frame;

@@ -1,4 +1,4 @@
-// Forces on velocities and at points, and the outputs a model declares.
+// Forces on velocities, at points and on frames, and the outputs a model declares.
 #include <algorithm>
 #include <array>
 

@@ -16,6 +16,8 @@ std::uint32_t extent(const Model& model, Extent kind, std::uint32_t user) {
       return static_cast<std::uint32_t>(model.coordinates.size());
     case Extent::velocities:
       return static_cast<std::uint32_t>(model.velocities.size());
+    case Extent::states:
+      return static_cast<std::uint32_t>(2 * model.velocities.size());
     case Extent::inputs:
       return static_cast<std::uint32_t>(model.inputs.size());
     case Extent::user:
@@ -40,7 +42,13 @@ OutputRequest make_request(const Model& model, const OutputRow& row, std::uint32
 
 OutputRequest make_user_request(const Model& model, OutputKind kind, std::uint32_t user) {
   OutputRequest request = make_request(model, output_row(kind), user);
-  request.name = model.outputs[user].name + request.name;
+  const UserOutput& output = model.outputs[user];
+  request.name = output.name + request.name;
+  if (output.frame) {
+    const bool is_pose = kind == OutputKind::user_value;
+    request.rows = is_pose ? 3 : 6;
+    request.columns = is_pose ? output.columns : request.columns;
+  }
   return request;
 }
 

@@ -49,6 +49,20 @@ Derivation::Derivation(const Lagrangian& source)
   append(other_, weighted(lagrangian.lagrangian, 1));
 }
 
+Tangent Derivation::displacement(std::size_t velocity) {
+  return {definitions, displacement_seeds(symbols, velocity)};
+}
+
+Tangent Derivation::unit_velocity(std::size_t velocity) {
+  return {definitions, Seeds{{symbols.v[velocity], 1}}};
+}
+
+std::string Derivation::velocity_identifier(std::size_t velocity) const {
+  std::string name = GiNaC::ex_to<GiNaC::symbol>(symbols.v[velocity]).get_name();
+  name.resize(name.size() - std::string_view("_dot").size());
+  return name;
+}
+
 Derivation::~Derivation() = default;
 
 Tree& Derivation::tree() {

@@ -69,6 +69,13 @@ class Derivation {
   template <class Force>
   [[nodiscard]] std::vector<Weighted> on_masses(const Force& force);
 
+  /// Along the unit virtual displacement, or the unit velocity, of one velocity.
+  [[nodiscard]] Tangent displacement(std::size_t velocity);
+  [[nodiscard]] Tangent unit_velocity(std::size_t velocity);
+
+  /// C++ identifier of a velocity.
+  [[nodiscard]] std::string velocity_identifier(std::size_t velocity) const;
+
   [[nodiscard]] std::size_t size() const { return symbols.v.size(); }
 
  private:

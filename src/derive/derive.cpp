@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "derive/derivation.hpp"
+#include "derive/derivatives.hpp"
 #include "derive/energies.hpp"
 #include "derive/forces.hpp"
 #include "derive/forward_dynamics.hpp"
@@ -28,8 +29,41 @@ std::vector<FieldEquations> accelerations(Derivation& derivation) {
           {"relative_pivots", n, 1, std::move(solved.relative_pivots)}};
 }
 
-const Terms& user_values(const Derivation& derivation, const OutputRequest& request) {
-  return derivation.lagrangian.outputs[request.user].values;
+std::vector<FieldEquations> inverse_derivatives(Derivation& derivation) {
+  InverseDerivatives derived = inverse_dynamics_derivatives(derivation);
+  const auto n = static_cast<std::uint32_t>(derivation.size());
+  return {{"by_position", n, n, std::move(derived.by_position)},
+          {"by_velocity", n, n, std::move(derived.by_velocity)}};
+}
+
+std::vector<FieldEquations> forward_derivatives(Derivation& derivation) {
+  ForwardDerivatives derived = forward_dynamics_derivatives(derivation);
+  const auto n = static_cast<std::uint32_t>(derivation.size());
+  const auto inputs = static_cast<std::uint32_t>(derivation.symbols.u.size());
+  std::vector<FieldEquations> result{{"by_position", n, n, std::move(derived.by_position)},
+                                     {"by_velocity", n, n, std::move(derived.by_velocity)}};
+  if (inputs > 0) result.push_back({"by_input", n, inputs, std::move(derived.by_input)});
+  return result;
+}
+
+std::vector<FieldEquations> state_matrices(Derivation& derivation) {
+  Linearization linear = linearization(derivation);
+  const auto n = static_cast<std::uint32_t>(2 * derivation.size());
+  const auto inputs = static_cast<std::uint32_t>(derivation.symbols.u.size());
+  std::vector<FieldEquations> result{{"A", n, n, std::move(linear.a)}};
+  if (inputs > 0) result.push_back({"B", n, inputs, std::move(linear.b)});
+  return result;
+}
+
+Vector user_value(Derivation& derivation, const OutputRequest& request) {
+  const NamedOutput& output = derivation.lagrangian.outputs[request.user];
+  if (request.kind == OutputKind::user_value) return output.values;
+  const bool is_jacobian = request.kind == OutputKind::user_jacobian;
+  if (output.twist) {
+    return is_jacobian ? twist_jacobian(derivation, *output.twist)
+                       : twist_bias(derivation, *output.twist);
+  }
+  return is_jacobian ? jacobian(derivation, output.values) : second_rate(derivation, output.values);
 }
 
 std::vector<FieldEquations> fields(Derivation& d, const OutputRequest& request) {
@@ -66,16 +100,20 @@ std::vector<FieldEquations> fields(Derivation& d, const OutputRequest& request) 
       return plain(request, inverse_dynamics(d));
     case OutputKind::forward_dynamics:
       return accelerations(d);
+    case OutputKind::linearization:
+      return state_matrices(d);
+    case OutputKind::inverse_dynamics_derivatives:
+      return inverse_derivatives(d);
+    case OutputKind::forward_dynamics_derivatives:
+      return forward_derivatives(d);
     case OutputKind::coordinate_rates:
       return plain(request, coordinate_rates(d));
     case OutputKind::normalized:
       return plain(request, normalized(d));
     case OutputKind::user_value:
-      return plain(request, user_values(d, request));
     case OutputKind::user_jacobian:
-      return plain(request, jacobian(d, user_values(d, request)));
     case OutputKind::user_bias:
-      return plain(request, second_rate(d, user_values(d, request)));
+      return plain(request, user_value(d, request));
     case OutputKind::dynamics:
       break;
   }

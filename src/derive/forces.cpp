@@ -118,10 +118,11 @@ TreeForces tree_forces(Derivation& derivation, Tangent& second) {
 }
 
 /// Everything of tau that `second` gives: inertia, gravity, dissipation, forces.
-Vector left_side(Derivation& derivation, Tangent& second, Inputs inputs) {
+Vector left_side(Derivation& derivation, Tangent& second, Inputs inputs, Bodies bodies) {
   std::vector<Weighted> pulled_back = inertial_forces_of_masses(derivation, second);
   append(pulled_back, negative_point_forces(derivation, inputs));
-  const TreeForces inertial = tree_forces(derivation, second);
+  TreeForces inertial;
+  if (bodies == Bodies::all) inertial = tree_forces(derivation, second);
   const TreeForces wrenches = negative_wrenches(derivation, inputs);
   append(pulled_back, inertial.pulled_back);
   append(pulled_back, wrenches.pulled_back);
@@ -142,11 +143,15 @@ Vector left_side(Derivation& derivation, Tangent& second, Inputs inputs) {
 }  // namespace
 
 Vector inverse_dynamics(Derivation& derivation) {
-  return left_side(derivation, derivation.motion, Inputs::absent);
+  return left_side(derivation, derivation.motion, Inputs::absent, Bodies::all);
+}
+
+Vector residual(Derivation& derivation, Inputs inputs, Bodies bodies) {
+  return left_side(derivation, derivation.motion, inputs, bodies);
 }
 
 Vector bias(Derivation& derivation, Inputs inputs) {
-  return left_side(derivation, derivation.coasting, inputs);
+  return left_side(derivation, derivation.coasting, inputs, Bodies::all);
 }
 
 Vector velocity_force(Derivation& derivation, Bodies bodies) {

@@ -7,14 +7,16 @@
 namespace elgen {
 
 enum class Inputs : unsigned char { absent, acting };
+enum class Bodies : unsigned char { all, without_frames };
 
 /// tau = M a + bias.
 [[nodiscard]] Vector inverse_dynamics(Derivation& derivation);
 
+/// The same less B u where the inputs act; without what the bodies in frames add, where asked so.
+[[nodiscard]] Vector residual(Derivation& derivation, Inputs inputs, Bodies bodies);
+
 /// C v + drift + g + dD/dv - Q; with the inputs acting, - Q - B u.
 [[nodiscard]] Vector bias(Derivation& derivation, Inputs inputs);
-
-enum class Bodies : unsigned char { all, without_frames };
 
 /// C v: the part quadratic in v. L quadratic in v.
 [[nodiscard]] Vector velocity_force(Derivation& derivation, Bodies bodies = Bodies::all);

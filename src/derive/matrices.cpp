@@ -42,8 +42,8 @@ Vector mass_matrix_of(Derivation& derivation, Bodies bodies) {
       bodies == Bodies::without_frames ? Vector(n) : momentum_of_frames(derivation);
   Vector entries(n * n);
   for (std::size_t j = 0; j < n; ++j) {
-    Tangent position(derivation.definitions, displacement(derivation.symbols, j));
-    Tangent velocity = unit_direction(derivation, derivation.symbols.v[j]);
+    Tangent position = derivation.displacement(j);
+    Tangent velocity = derivation.unit_velocity(j);
     const Vector column =
         derivation.by_position(derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
           if (!mass.kinetic) return ex(0);
@@ -75,7 +75,7 @@ Vector coriolis_matrix(Derivation& derivation) {
   for (ex& entry : force) entry = define(derivation.definitions, entry);
   Vector entries(n * n);
   for (std::size_t j = 0; j < n; ++j) {
-    Tangent velocity = unit_direction(derivation, derivation.symbols.v[j]);
+    Tangent velocity = derivation.unit_velocity(j);
     for (std::size_t i = 0; i < n; ++i) entries[i * n + j] = velocity(force[i]) / 2;
   }
   if (!derivation.symbols.rotations.empty()) {
@@ -105,6 +105,35 @@ Vector input_matrix(Derivation& derivation) {
     for (std::size_t i = 0; i < n; ++i) {
       entries[i * inputs + j] = column[i] + input(derivation.lagrangian.forces[i]);
     }
+  }
+  return entries;
+}
+
+Vector twist_of(Derivation& derivation, const TwistOutput& output) {
+  if (!output.step) return Vector(6, 0);
+  Tree& tree = derivation.tree();
+  const Twist twist = tree_twists(tree, derivation.coasting)[*output.step];
+  const auto axes = output.in_world ? std::optional<std::uint32_t>() : output.step;
+  const ExVector3 spin = tree.turned(twist.spin, output.step, axes);
+  const ExVector3 velocity = tree.turned(twist.velocity, output.step, axes);
+  Vector result(spin.begin(), spin.end());
+  result.insert(result.end(), velocity.begin(), velocity.end());
+  return result;
+}
+
+Vector twist_jacobian(Derivation& derivation, const TwistOutput& output) {
+  Vector entries;
+  for (const ex& rate : twist_of(derivation, output)) {
+    const Vector row = gradient(derivation.definitions, {{rate, 1}}, derivation.symbols.v);
+    entries.insert(entries.end(), row.begin(), row.end());
+  }
+  return entries;
+}
+
+Vector twist_bias(Derivation& derivation, const TwistOutput& output) {
+  Vector entries;
+  for (const ex& rate : twist_of(derivation, output)) {
+    entries.push_back(derivation.coasting(rate));
   }
   return entries;
 }

@@ -189,23 +189,32 @@ void Tree::weigh(std::size_t index, const SpatialForce& on_step, TreeForces& for
   }
 }
 
-TreeForces Tree::pull_back(std::vector<SpatialForce> on_step) {
-  TreeForces forces;
-  for (std::size_t k = size(); k-- > 0;) {
-    const TreeStep& s = step(k);
-    const SpatialForce& here = on_step[k];
-    if (is_zero(here.force) && is_zero(here.moment)) continue;
-    weigh(k, here, forces);
-    if (!s.parent) continue;
-    SpatialForce& parent = on_step[*s.parent];
-    const ExVector3 force = to_parent(k, here.force);
-    ExVector3 moment = to_parent(k, here.moment);
-    if (s.kind == FrameStepKind::translation) {
-      moment = algebra.add(moment, algebra.cross(s.vector, force));
-    }
-    parent.force = algebra.add(parent.force, force);
-    parent.moment = algebra.add(parent.moment, moment);
+SpatialForce Tree::before(std::size_t index, const SpatialForce& force) {
+  SpatialForce result;
+  result.force = to_parent(index, force.force);
+  result.moment = to_parent(index, force.moment);
+  if (step(index).kind == FrameStepKind::translation) {
+    const ExVector3 lever = algebra.cross(step(index).vector, result.force);
+    result.moment = algebra.add(result.moment, lever);
   }
+  return result;
+}
+
+std::vector<SpatialForce> Tree::carried(std::vector<SpatialForce> on_step) {
+  for (std::size_t k = size(); k-- > 0;) {
+    if (!step(k).parent) continue;
+    const SpatialForce passed = before(k, on_step[k]);
+    SpatialForce& parent = on_step[*step(k).parent];
+    parent.force = algebra.add(parent.force, passed.force);
+    parent.moment = algebra.add(parent.moment, passed.moment);
+  }
+  return on_step;
+}
+
+TreeForces Tree::pull_back(std::vector<SpatialForce> on_step) {
+  on_step = carried(std::move(on_step));
+  TreeForces forces;
+  for (std::size_t k = size(); k-- > 0;) weigh(k, on_step[k], forces);
   return forces;
 }
 

@@ -58,8 +58,13 @@ class Tree {
   /// motion: axis dangle/ds, or 2 (w de - dw e - e x de)/|q|^2.
   [[nodiscard]] ExVector3 relative_spin(std::size_t step, Tangent& along);
 
-  /// Sums forces from the leaves to the root, and weighs every angle and offset by what works on
-  /// it. `on_step[k]` acts on what moves with step k.
+  /// Moves a force before a step: to the axes and the origin of its parent.
+  [[nodiscard]] SpatialForce before(std::size_t step, const SpatialForce& force);
+
+  /// What acts on everything a step carries, from what acts on each step.
+  [[nodiscard]] std::vector<SpatialForce> carried(std::vector<SpatialForce> on_step);
+
+  /// Weighs every angle and offset by what works on it.
   [[nodiscard]] TreeForces pull_back(std::vector<SpatialForce> on_step);
 
   /// The generalized forces of wrenches.

@@ -51,14 +51,6 @@ ExVector3 sum(const ExVector3& a, const ExVector3& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
-/// Motion of what is fixed to a step.
-struct StepMotion {
-  ExVector3 spin{0, 0, 0};
-  ExVector3 spin_rate{0, 0, 0};
-  ExVector3 acceleration{0, 0, 0};
-  std::array<ex, 9> gradient;  ///< U
-};
-
 /// I w' + w x I w in the products of U:
 /// x: Ixx w'_x + (Izz - Iyy) w_y w_z - Ixy U_zx + Ixz U_yx + Iyz (U_yy - U_zz), and so on round.
 ExVector3 inertial_moment(VectorAlgebra& algebra, const std::vector<ex>& inertia,
@@ -89,7 +81,7 @@ class MotionRecursion {
     std::vector<StepMotion> motions;
     for (std::size_t k = 0; k < tree_.size(); ++k) {
       const auto& parent = tree_.step(k).parent;
-      const StepMotion from = parent ? motions[*parent] : base();
+      const StepMotion from = parent ? motions[*parent] : base_motion(tree_, by_.with_gravity);
       motions.push_back(tree_.step(k).kind == FrameStepKind::translation ? translated(k, from)
                                                                          : turned(k, from));
     }
@@ -97,14 +89,6 @@ class MotionRecursion {
   }
 
  private:
-  StepMotion base() {
-    StepMotion motion;
-    const ExVector3 g = gravity_vector(tree_);
-    if (by_.with_gravity) motion.acceleration = {-g[0], -g[1], -g[2]};
-    motion.gradient.fill(0);
-    return motion;
-  }
-
   StepMotion translated(std::size_t k, const StepMotion& from) {
     const ExVector3& p = tree_.step(k).vector;
     ExVector3 rate;
@@ -190,15 +174,31 @@ ExVector3 momentum_of(VectorAlgebra& algebra, const RigidBody& body, const Twist
 
 }  // namespace
 
-TreeForces inertial_forces(Tree& tree, const Acceleration& acceleration) {
-  const std::vector<StepMotion> motions = MotionRecursion(tree, acceleration).run();
+StepMotion base_motion(Tree& tree, bool with_gravity) {
+  StepMotion motion;
+  const ExVector3 g = gravity_vector(tree);
+  if (with_gravity) motion.acceleration = {-g[0], -g[1], -g[2]};
+  return motion;
+}
+
+std::vector<StepMotion> tree_motions(Tree& tree, const Acceleration& acceleration) {
+  return MotionRecursion(tree, acceleration).run();
+}
+
+std::vector<SpatialForce> inertial_forces_on_steps(Tree& tree,
+                                                   const std::vector<StepMotion>& motions) {
   std::vector<SpatialForce> on_step(tree.size());
   for (const RigidBody& body : tree.frames().bodies) {
     if (!body.step) continue;
     const SpatialForce force = inertial_force(tree.algebra, body, motions[*body.step]);
     accumulate(tree.algebra, force, on_step[*body.step]);
   }
-  return tree.pull_back(std::move(on_step));
+  return on_step;
+}
+
+TreeForces inertial_forces(Tree& tree, const Acceleration& acceleration) {
+  const std::vector<StepMotion> motions = tree_motions(tree, acceleration);
+  return tree.pull_back(inertial_forces_on_steps(tree, motions));
 }
 
 std::vector<Twist> tree_twists(Tree& tree, Tangent& along) {

@@ -24,6 +24,22 @@ struct Acceleration {
   bool with_gravity = false;
 };
 
+/// Motion of what is fixed to a step, in the axes after it.
+struct StepMotion {
+  ExVector3 spin{0, 0, 0};
+  ExVector3 spin_rate{0, 0, 0};
+  ExVector3 acceleration{0, 0, 0};                                  ///< of the origin, less gravity
+  std::array<GiNaC::ex, 9> gradient = {0, 0, 0, 0, 0, 0, 0, 0, 0};  ///< U, row-major
+};
+[[nodiscard]] std::vector<StepMotion> tree_motions(Tree& tree, const Acceleration& acceleration);
+
+/// Where the base is: at rest, but for gravity.
+[[nodiscard]] StepMotion base_motion(Tree& tree, bool with_gravity);
+
+/// F and N of the bodies fixed to every step.
+[[nodiscard]] std::vector<SpatialForce> inertial_forces_on_steps(
+    Tree& tree, const std::vector<StepMotion>& motions);
+
 /// Inertial forces (and weights) of the bodies.
 [[nodiscard]] TreeForces inertial_forces(Tree& tree, const Acceleration& acceleration);
 

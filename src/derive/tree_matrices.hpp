@@ -30,4 +30,22 @@ using SparseMatrix = std::map<std::pair<std::size_t, std::size_t>, GiNaC::ex>;
 [[nodiscard]] SparseMatrix tree_mass_matrix(Tree& tree);
 [[nodiscard]] SparseMatrix tree_coriolis_matrix(Tree& tree);
 
+/// Whether every variable is linear in the coordinates, with constant coefficients.
+[[nodiscard]] bool has_linear_variables(Tree& tree);
+
+/// d tau/dq and d tau/dv of the inertial forces and weights; for linear variables. With
+/// R1 = v x S, R2 = a x S + v x R1 (v, a of the step below, gravity an acceleration of the base):
+///
+///     dtau_k/dq_l = (I_k S_k).R2_l + 2 (B_k^T S_k).R1_l         l below k, or k
+///     dtau_l/dq_k = S_l.(I_k R2_k + 2 B_k R1_k + S_k x* f_k)
+///     dtau_k/dv_l = (I_k S_k).(R1_l + S'_l) + 2 (B_k^T S_k).S_l,   and so on
+///
+/// For a rotation d/dq is along the rotation vector in its own axes. Singh, Russell, Wensing,
+/// Efficient Analytical Derivatives of Rigid-Body Dynamics (2022).
+struct TreeDerivatives {
+  SparseMatrix by_position = {};
+  SparseMatrix by_velocity = {};
+};
+[[nodiscard]] TreeDerivatives tree_derivatives(Tree& tree, Tangent& second);
+
 }  // namespace elgen

@@ -30,7 +30,7 @@ Vector along_velocities(Derivation& derivation, const Vector& by_coordinates) {
   return result;
 }
 
-Seeds displacement(const Symbols& symbols, std::size_t velocity) {
+Seeds displacement_seeds(const Symbols& symbols, std::size_t velocity) {
   Seeds seeds;
   for (const RotationPlace& rotation : symbols.rotations) {
     if (velocity < rotation.first_velocity || velocity >= rotation.first_velocity + axis_count) {

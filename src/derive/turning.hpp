@@ -16,7 +16,7 @@ namespace elgen {
 [[nodiscard]] Vector along_velocities(Derivation& derivation, const Vector& by_coordinates);
 
 /// dq of a unit displacement along velocity j.
-[[nodiscard]] Seeds displacement(const Symbols& symbols, std::size_t velocity);
+[[nodiscard]] Seeds displacement_seeds(const Symbols& symbols, std::size_t velocity);
 
 /// momentum += [w]x momentum on the velocities of rotations, all else 0: what d/dt dL/dv lacks.
 [[nodiscard]] Vector turning_force(Derivation& derivation, const Vector& momentum);

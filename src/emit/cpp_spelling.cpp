@@ -85,7 +85,17 @@ std::string field_type(OutputKind kind, const Field& field) {
     case OutputKind::coordinate_rates:
     case OutputKind::normalized:
       return "Coordinates<Scalar>";
+    case OutputKind::inverse_dynamics_derivatives:
+    case OutputKind::forward_dynamics_derivatives:
+      return field.name == "by_input" ? "InputMatrix<Scalar>" : "SquareMatrix<Scalar>";
+    case OutputKind::linearization:
+      return field.name == "A" ? "std::array<Scalar, 4 * velocity_count * velocity_count>"
+                               : "std::array<Scalar, 2 * velocity_count * input_count>";
     case OutputKind::user_value:
+      if (field.columns > 1) {
+        return fmt::format("std::array<Scalar, {}>", field.rows * field.columns);
+      }
+      [[fallthrough]];
     case OutputKind::user_bias:
       return field.rows == 1 ? "Scalar" : fmt::format("std::array<Scalar, {}>", field.rows);
     case OutputKind::user_jacobian:

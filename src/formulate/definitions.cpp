@@ -74,4 +74,11 @@ GiNaC::ex define(Definitions& definitions, const GiNaC::ex& value, Label label) 
   return definitions.list.back().symbol;
 }
 
+void name(Definitions& definitions, const GiNaC::ex& symbol, const std::string& text) {
+  const auto found = definitions.places.find(symbol);
+  if (found == definitions.places.end() || !found->second.is_definition) return;
+  std::string& known = definitions.list[found->second.index].name;
+  if (known.empty()) known = text;
+}
+
 }  // namespace elgen

@@ -55,6 +55,7 @@ class Formulation {
   explicit Formulation(const Model& model) : model_(model), translation_(model, lagrangian_) {
     lagrangian_.leaves = leaf_names(model);
     lagrangian_.quadratic = model.quadratic;
+    lagrangian_.eliminates_last_first = eliminates_last_first(model);
     add_symbols(model, lagrangian_);
   }
 

@@ -58,6 +58,71 @@ std::vector<std::uint32_t> parents_first(const Model& model, const std::vector<b
   return order;
 }
 
+/// Moves nothing.
+bool is_trivial(const TreeStep& step) {
+  if (step.kind == FrameStepKind::turn) return step.angle.is_zero();
+  return step.kind == FrameStepKind::translation && is_zero(step.vector);
+}
+
+/// Turns x by a constant quarter turn about a coordinate axis, backwards; false for other turns.
+bool undo_quarter_turn(const TreeStep& step, ExVector3& x) {
+  const ex cosine = GiNaC::cos(step.angle);
+  const ex sine = GiNaC::sin(step.angle);
+  if (!GiNaC::is_a<GiNaC::numeric>(cosine) || !GiNaC::is_a<GiNaC::numeric>(sine)) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!(step.vector[k] * step.vector[k]).is_equal(1)) continue;
+    const std::size_t i = (k + 1) % 3;
+    const std::size_t j = (k + 2) % 3;
+    const ex turned = cosine * x[i] + step.vector[k] * sine * x[j];
+    x[j] = cosine * x[j] - step.vector[k] * sine * x[i];
+    x[i] = turned;
+    return true;
+  }
+  return false;
+}
+
+/// The one coordinate axis along which x lies; none where it has more components.
+std::optional<std::size_t> single_axis(const ExVector3& x) {
+  std::optional<std::size_t> axis;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (x[k].is_zero()) continue;
+    if (axis) return std::nullopt;
+    axis = k;
+  }
+  return axis;
+}
+
+/// A shift along the axis of a turn commutes with it. It comes last, so that frames whose axes meet
+/// share their origin, and no force has to be passed on for its moment.
+///
+///     before    shift (a, d, 0), turn -pi/2 about x, turn q about z
+///     after     shift (a, 0, 0), turn -pi/2 about x, turn q about z, shift (0, 0, d)
+std::vector<TreeStep> with_slides_last(std::vector<TreeStep> steps) {
+  if (steps.size() < 2 || steps.front().kind != FrameStepKind::translation) return steps;
+  const TreeStep& turn = steps.back();
+  if (turn.kind != FrameStepKind::turn) return steps;
+  const std::optional<std::size_t> axis = single_axis(turn.vector);
+  if (!axis) return steps;
+  ExVector3 shift = steps.front().vector;
+  for (std::size_t k = 1; k + 1 < steps.size(); ++k) {
+    if (steps[k].kind != FrameStepKind::turn || !undo_quarter_turn(steps[k], shift)) return steps;
+  }
+  if (shift[*axis].is_zero()) return steps;
+  TreeStep slide = steps.front();
+  slide.vector = {0, 0, 0};
+  slide.vector[*axis] = shift[*axis];
+  // What is left of the shift, in its own axes: the components that were not along the turn's axis.
+  for (std::size_t k = 0; k < 3; ++k) {
+    ExVector3 unit{0, 0, 0};
+    unit[k] = 1;
+    for (std::size_t i = 1; i + 1 < steps.size(); ++i) (void)undo_quarter_turn(steps[i], unit);
+    if (!unit[*axis].is_zero()) steps.front().vector[k] = 0;
+  }
+  steps.push_back(std::move(slide));
+  if (is_trivial(steps.front())) steps.erase(steps.begin());
+  return steps;
+}
+
 class TreeFormulation {
  public:
   TreeFormulation(const Model& model, Translation& translation, Lagrangian& lagrangian)
@@ -100,36 +165,38 @@ class TreeFormulation {
 
   void add_frame(std::uint32_t index) {
     const Frame& frame = model_.frames[index];
+    std::vector<TreeStep> steps;
+    for (const FrameStep& step : frame.steps) {
+      TreeStep translated_step = translate_step(index, step);
+      if (!is_trivial(translated_step)) steps.push_back(std::move(translated_step));
+    }
     Step last = frame.parent ? last_step_[*frame.parent] : Step{};
-    for (const FrameStep& step : frame.steps) last = add_step(index, step, last);
+    for (TreeStep& step : with_slides_last(std::move(steps))) {
+      step.parent = last;
+      last = append(std::move(step));
+    }
     last_step_[index] = last;
   }
 
-  Step add_step(std::uint32_t index, const FrameStep& step, Step parent) {
+  TreeStep translate_step(std::uint32_t index, const FrameStep& step) {
     const std::string& name = model_.frames[index].identifier;
-    TreeStep added;
-    added.parent = parent;
-    added.kind = step.kind;
-    if (step.rotation) added.rotation = model_.rotations[*step.rotation].first_velocity;
-    added.name = name;
-    added.origin = {EntityKind::frame, index};
-    added.vector = vector(step.vector, name + "_offset", added.origin);
+    TreeStep result;
+    result.kind = step.kind;
+    if (step.rotation) result.rotation = model_.rotations[*step.rotation].first_velocity;
+    result.name = name;
+    result.origin = {EntityKind::frame, index};
+    result.vector = vector(step.vector, name + "_offset", result.origin);
     if (step.kind == FrameStepKind::turn) {
-      added.angle = translated(step.angle);
+      result.angle = translated(step.angle);
       // Of a constant the sine is exact only while it is seen to be one.
-      const bool is_constant = symbols_of(definitions_, added.angle).empty();
-      if (!is_constant) {
-        added.angle = define(definitions_, added.angle, {name + "_angle", added.origin});
+      if (!symbols_of(definitions_, result.angle).empty()) {
+        result.angle = define(definitions_, result.angle, {name + "_angle", result.origin});
       }
-      if (added.angle.is_zero()) return parent;
-    } else if (step.kind == FrameStepKind::quaternion) {
-      for (std::size_t i = 0; i < 4; ++i) {
-        added.quaternion[i] = named(step.quaternion[i], name + "_quaternion", added.origin);
-      }
-    } else if (is_zero(added.vector)) {
-      return parent;
     }
-    return append(std::move(added));
+    for (std::size_t i = 0; step.kind == FrameStepKind::quaternion && i < 4; ++i) {
+      result.quaternion[i] = named(step.quaternion[i], name + "_quaternion", result.origin);
+    }
+    return result;
   }
 
   Step append(TreeStep step) {

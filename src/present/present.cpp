@@ -52,6 +52,15 @@ ClosedFunction run(Arithmetic& arithmetic, const Program& program, const Functio
   return closed;
 }
 
+/// Long programs are those whose closed forms outgrow them: beyond `short_program` instructions the
+/// budget falls with the square of the length, so that trying costs less than lowering did.
+std::size_t budget_of(const Function& function, const PresentBudget& budget) {
+  constexpr double short_program = 500;
+  const double length = std::max(static_cast<double>(function.instructions.size()), short_program);
+  const double share = short_program / length;
+  return static_cast<std::size_t>(static_cast<double>(budget.products_per_function) * share * share);
+}
+
 }  // namespace
 
 ClosedForms present(const Program& program, const PresentBudget& budget) {
@@ -62,7 +71,7 @@ ClosedForms present(const Program& program, const PresentBudget& budget) {
       forms.functions.emplace_back();
       continue;
     }
-    const std::size_t share = std::min(left, budget.products_per_function);
+    const std::size_t share = std::min(left, budget_of(function, budget));
     std::size_t work = share;
     Arithmetic arithmetic(forms.algebra, work, budget.terms);
     forms.functions.push_back(run(arithmetic, program, function));

@@ -42,6 +42,15 @@ const HeadingRow heading_table[] = {
     {OutputKind::input_matrix, "B", "B = \\frac{\\partial Q}{\\partial u}"},
     {OutputKind::inverse_dynamics, "\\tau", "\\tau = M \\ddot{q} + \\mathrm{bias}"},
     {OutputKind::forward_dynamics, "\\ddot{q}", "M \\ddot{q} = B u - \\mathrm{bias}"},
+    {OutputKind::linearization, "\\delta\\dot{x}",
+     "\\delta\\dot{x} = A \\, \\delta x + B \\, \\delta u"},
+    {OutputKind::inverse_dynamics_derivatives, "\\delta\\tau",
+     "\\delta\\tau = \\frac{\\partial \\tau}{\\partial q} \\delta q + "
+     "\\frac{\\partial \\tau}{\\partial \\dot{q}} \\delta\\dot{q} + M \\delta\\ddot{q}"},
+    {OutputKind::forward_dynamics_derivatives, "\\delta\\ddot{q}",
+     "\\delta\\ddot{q} = \\frac{\\partial \\ddot{q}}{\\partial q} \\delta q + "
+     "\\frac{\\partial \\ddot{q}}{\\partial \\dot{q}} \\delta\\dot{q} + "
+     "\\frac{\\partial \\ddot{q}}{\\partial u} \\delta u"},
     {OutputKind::coordinate_rates, "\\dot{q}", "\\dot{q} = N(q) v"},
     {OutputKind::normalized, "q", ""},
 };

@@ -9,6 +9,12 @@
 
 namespace bench {
 
+/// The compiler has to make `value` and must assume that it changes.
+template <class Value>
+void keep(const Value& value) {
+  asm volatile("" : : "r"(&value) : "memory");
+}
+
 /// Median nanoseconds per call of each alternative, `calls` calls a repetition, all in turn.
 inline std::vector<double> medians(const std::vector<std::function<void(int)>>& alternatives,
                                    int calls, int repetitions) {

@@ -1,18 +1,18 @@
-// What a generated driver needs to call every function of emitted headers with every scalar type:
-// values of a fixed state, calls that find out their own arguments, a scalar that counts.
+// What a generated driver needs to compare every function of emitted headers with every scalar
+// type.
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_dec_float.hpp>
-#include <cmath>
 #include <cstdio>
 #include <experimental/simd>
 #include <limits>
-#include <set>
 #include <unsupported/Eigen/AutoDiff>
 #include <vector>
+
+#include "../support/counted.hpp"
+#include "../support/emitted_calls.hpp"
 
 namespace compiled {
 
@@ -48,101 +48,9 @@ inline double epsilon<Decimal>() {
   return 1e-48;
 }
 
-/// What one call executed, by the rules of the header's table.
-struct Counts {
-  int add = 0, mul = 0, div = 0, sqrt = 0, other = 0;
-  std::set<double> angles = {};
-};
-inline Counts counts;
-
-/// A double that counts what is done with it.
-struct Counted {
-  using value_type = double;
-  double x = 0;
-  Counted() = default;
-  Counted(double value) : x(value) {}
-};
-inline Counted operator+(Counted a, Counted b) { return ++counts.add, Counted(a.x + b.x); }
-inline Counted operator-(Counted a, Counted b) { return ++counts.add, Counted(a.x - b.x); }
-inline Counted operator*(Counted a, Counted b) { return ++counts.mul, Counted(a.x * b.x); }
-inline Counted operator/(Counted a, Counted b) { return ++counts.div, Counted(a.x / b.x); }
-inline Counted operator-(Counted a) { return Counted(-a.x); }
-inline bool operator<(Counted a, Counted b) { return a.x < b.x; }
-inline bool operator>(Counted a, Counted b) { return a.x > b.x; }
-inline Counted sin(Counted a) { return counts.angles.insert(a.x), Counted(std::sin(a.x)); }
-inline Counted cos(Counted a) { return counts.angles.insert(a.x), Counted(std::cos(a.x)); }
-inline Counted sqrt(Counted a) { return ++counts.sqrt, Counted(std::sqrt(a.x)); }
-inline Counted tan(Counted a) { return ++counts.other, Counted(std::tan(a.x)); }
-inline Counted asin(Counted a) { return ++counts.other, Counted(std::asin(a.x)); }
-inline Counted acos(Counted a) { return ++counts.other, Counted(std::acos(a.x)); }
-inline Counted atan(Counted a) { return ++counts.other, Counted(std::atan(a.x)); }
-inline Counted sinh(Counted a) { return ++counts.other, Counted(std::sinh(a.x)); }
-inline Counted cosh(Counted a) { return ++counts.other, Counted(std::cosh(a.x)); }
-inline Counted tanh(Counted a) { return ++counts.other, Counted(std::tanh(a.x)); }
-inline Counted exp(Counted a) { return ++counts.other, Counted(std::exp(a.x)); }
-inline Counted log(Counted a) { return ++counts.other, Counted(std::log(a.x)); }
-inline Counted abs(Counted a) { return ++counts.other, Counted(std::abs(a.x)); }
-inline Counted atan2(Counted a, Counted b) { return ++counts.other, Counted(std::atan2(a.x, b.x)); }
-
-/// `number` in every component: dyadic, so that all types hold the same value.
-template <class Scalar>
-Scalar made(double number) {
-  Scalar result;
-  result = static_cast<Scalar>(number);
-  return result;
-}
 template <>
 inline Array made<Array>(double number) {
   return Array::Constant(number);
-}
-
-/// start, start + 11/64, …: no two entries, sums or differences of the state are equal.
-template <class Scalar, std::size_t Size>
-std::array<Scalar, Size> state(double start) {
-  std::array<Scalar, Size> result{};
-  double number = start;
-  for (Scalar& entry : result) {
-    entry = made<Scalar>(number);
-    number += 11.0 / 64.0 + number / 1024.0;
-  }
-  return result;
-}
-
-/// The arguments of all functions: each takes as many of them as it wants.
-template <class Parameters, class Coordinates, class Velocities, class Inputs, class Scalar>
-struct Arguments {
-  Parameters p;
-  Coordinates q;
-  Velocities v, a;
-  Inputs u;
-  Scalar t;
-};
-
-template <class Function, class All>
-auto call(const Function& f, const All& x) {
-  const auto& [p, q, v, a, u, t] = x;
-  using P = decltype(p);
-  using Q = decltype(q);
-  using V = decltype(v);
-  using U = decltype(u);
-  using T = decltype(t);
-  if constexpr (std::is_invocable_v<Function, P, Q>) {
-    return f(p, q);
-  } else if constexpr (std::is_invocable_v<Function, P, Q, V>) {
-    return f(p, q, v);
-  } else if constexpr (std::is_invocable_v<Function, P, Q, V, V>) {
-    return f(p, q, v, a);
-  } else if constexpr (std::is_invocable_v<Function, P, Q, V, U>) {
-    return f(p, q, v, u);
-  } else if constexpr (std::is_invocable_v<Function, P, Q, T>) {
-    return f(p, q, t);
-  } else if constexpr (std::is_invocable_v<Function, P, Q, V, T>) {
-    return f(p, q, v, t);
-  } else if constexpr (std::is_invocable_v<Function, P, Q, V, V, T>) {
-    return f(p, q, v, a, t);
-  } else {
-    return f(p, q, v, u, t);
-  }
 }
 
 template <class Scalar>

@@ -1,0 +1,23 @@
+// Models and states of MuJoCo, with owners.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <memory>
+#include <string>
+
+namespace elgen::test {
+
+struct DeleteMujocoModel {
+  void operator()(mjModel* model) const { mj_deleteModel(model); }
+};
+struct DeleteMujocoData {
+  void operator()(mjData* data) const { mj_deleteData(data); }
+};
+using MujocoModel = std::unique_ptr<mjModel, DeleteMujocoModel>;
+using MujocoData = std::unique_ptr<mjData, DeleteMujocoData>;
+
+/// From a text in MJCF or URDF. Neither contacts nor stops: only what moves the links themselves.
+[[nodiscard]] MujocoModel load_mujoco(const std::string& text);
+
+}  // namespace elgen::test

@@ -1,0 +1,50 @@
+// The description that the independent programs are given: a tree of rigid links with revolute
+// joints, read from JSON (tests/reference/panda7.json says what its figures mean).
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "independent/oracle.hpp"
+
+namespace elgen::test {
+
+using Triple = std::array<double, 3>;
+
+/// x_parent = Rx(quarter_turns * 90 degrees) Rz(q) x + translation.
+struct Link {
+  int parent;         ///< index of a link before this one, -1 for the base
+  int quarter_turns;  ///< -1, 0 or 1
+  Triple translation;
+  double mass;
+  Triple com;
+  std::array<double, 6> inertia;  ///< about com: xx yy zz xy xz yz
+};
+
+/// One state and what was computed there elsewhere, to 12 digits.
+struct ReferenceValues {
+  State state;
+  std::vector<double> torque;
+  std::vector<double> first_row_of_mass_matrix;
+  std::vector<double> gravity;
+};
+
+struct Robot {
+  std::string name;
+  bool floating;  ///< the first link is free instead of turning about its z axis
+  std::vector<Link> links = {};
+  std::optional<ReferenceValues> reference = {};
+};
+
+inline constexpr double gravity_of_earth = 9.81;  ///< along -z of the base
+
+/// "parents" names the parent of each link, depth first; without it they are a chain.
+[[nodiscard]] Robot read_robot(const std::filesystem::path& path, bool floating = false);
+
+/// Does every link hang on the one before?
+[[nodiscard]] bool is_chain(const Robot& robot);
+
+}  // namespace elgen::test
