@@ -85,4 +85,12 @@ TEST_CASE("names of the components are taken") {
         "E203 19:1 `e_x` is already a component of a rotation | first at line 5\n");
 }
 
+TEST_CASE("a rotation turns exactly one frame") {
+  const std::string second = "[[frame]]\nname = \"other\"\nparent = \"world\"\nrotation = \"e\"\n";
+  CHECK(messages(flying("", second)) ==
+        "E112 19:8 `e` is already the rotation of the frame `body`\n");
+  const std::string alone = "[[coordinate]]\nname = \"f\"\nkind = \"rotation\"\n";
+  CHECK(messages(flying("", alone)) == "E513 19:8 `f` is the `rotation` of no [[frame]]\n");
+}
+
 }  // namespace elgen::test
