@@ -240,6 +240,7 @@ struct Force {
   std::optional<std::uint32_t> from = {};
   std::optional<std::uint32_t> frame = {};
   std::optional<std::uint32_t> from_frame = {};
+  std::vector<ExpressionId> reaction = {};  ///< the torque's components in the axes of from_frame
   /// The components as they were given, and the frame they were given in (none: the world).
   std::vector<ExpressionId> written = {};
   std::optional<std::uint32_t> axes = {};

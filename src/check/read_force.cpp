@@ -85,6 +85,11 @@ void read_torque(ValueReader& values, const EntrySyntax& entry, Force& force) {
     force.from_frame = values.frame_or_world(from->value);
   }
   turn_components(context, force.frame, force);
+  if (!force.from_frame) return;
+  NodeBuilder nodes(context, force.span);
+  const Vector3 components = turned(nodes, padded(force.written), force.axes, force.from_frame);
+  nodes.finish();
+  force.reaction.assign(components.begin(), components.end());
 }
 
 constexpr std::array<std::string_view, 3> force_places{"on", "at", "frame"};

@@ -109,6 +109,16 @@ CLI::App* add_verify(CLI::App& app, CommandLine& line) {
   return command;
 }
 
+CLI::App* add_import(CLI::App& app, CommandLine& line) {
+  CLI::App* command = app.add_subcommand("import", "print a robot description as a model file");
+  ImportOptions& options = line.import_options;
+  command->add_option("input", options.input, "NAME.urdf")->required();
+  command->add_option("-o,--output", options.output, "write the model here instead")
+      ->type_name("FILE");
+  command->add_flag("--force", options.force, "overwrite FILE");
+  return command;
+}
+
 /// A source that shows the command line, with a span on `word`.
 Diagnostic pointing_at(const std::vector<std::string>& words, const std::string& word,
                        std::string message, std::string hint) {
@@ -231,6 +241,7 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
   const CLI::App* generate = add_generate(app, line, raw);
   const CLI::App* show = add_show(app, line, raw);
   const CLI::App* verify = add_verify(app, line);
+  const CLI::App* import_command = add_import(app, line);
   CLI::App* explain = app.add_subcommand("explain", "what an error code means");
   explain->add_option("code", line.code, "E201")->required();
   try {
@@ -252,10 +263,11 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
   if (app.get_subcommands().empty()) {
     return Diagnostic{Code::E913, {}, "no command given", "see `elgen --help`"};
   }
-  line.command = generate->parsed() ? Command::generate
-                 : show->parsed()   ? Command::show
-                 : verify->parsed() ? Command::verify
-                                    : Command::explain;
+  line.command = generate->parsed()         ? Command::generate
+                 : show->parsed()           ? Command::show
+                 : verify->parsed()         ? Command::verify
+                 : import_command->parsed() ? Command::import
+                                            : Command::explain;
   line.generate.output_directory_given = generate->count("-o") > 0;
   const Diagnostics errors = finish(raw, line);
   if (!errors.empty()) return errors;

@@ -8,7 +8,7 @@
 
 namespace elgen::cli {
 
-enum class Command : unsigned char { none, generate, show, verify, explain };
+enum class Command : unsigned char { none, generate, show, verify, import, explain };
 
 struct CommandLine {
   Command command = Command::none;  ///< none: --help, --version, --limits; already answered
@@ -16,6 +16,7 @@ struct CommandLine {
   GenerateOptions generate = {};
   ShowOptions show = {};
   VerifyCommandOptions verify = {};
+  ImportOptions import_options = {};
   std::string code = {};
 };
 

@@ -21,6 +21,8 @@ ExitCode run_command(const CommandLine& line) {
         return show(line.global, line.show);
       case Command::verify:
         return verify_inputs(line.global, line.verify);
+      case Command::import:
+        return import_file(line.global, line.import_options);
       case Command::explain:
         return explain(line.global, line.code);
       case Command::none:

@@ -45,12 +45,19 @@ struct ShowOptions {
   SceneOptions scene = {};
 };
 
+struct ImportOptions {
+  std::string input = {};
+  std::string output = {};  ///< empty: stdout
+  bool force = false;
+};
+
 [[nodiscard]] ExitCode generate(const GlobalOptions& global, const GenerateOptions& options);
 [[nodiscard]] ExitCode verify_inputs(const GlobalOptions& global,
                                      const VerifyCommandOptions& options);
 /// Whether a word of --what is no output: lagrangian, steps, cost.
 [[nodiscard]] bool is_subject_of_its_own(const std::string& what);
 [[nodiscard]] ExitCode show(const GlobalOptions& global, const ShowOptions& options);
+[[nodiscard]] ExitCode import_file(const GlobalOptions& global, const ImportOptions& options);
 [[nodiscard]] ExitCode explain(const GlobalOptions& global, const std::string& code);
 
 /// Prints diagnostics on stderr, and returns their exit code.

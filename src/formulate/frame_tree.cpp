@@ -131,7 +131,8 @@ class TreeFormulation {
         definitions_(lagrangian.definitions),
         lagrangian_(lagrangian),
         tree_(lagrangian.tree),
-        last_step_(model.frames.size()) {}
+        last_step_(model.frames.size()),
+        point_places_(model.points.size()) {}
 
   Diagnostics build() && {
     for (const std::uint32_t frame : parents_first(model_, carrying(model_))) add_frame(frame);
@@ -225,7 +226,33 @@ class TreeFormulation {
     append_body(last_step_[body.local->com.frame], std::move(rigid));
   }
 
+  /// The step a point moves with, and where it is in the axes after that.
+  struct PointPlace {
+    Step step;
+    ExVector3 at;
+  };
+
   /// A point that moves in its frame gets a step of its own.
+  const PointPlace& place_of(std::uint32_t index) {
+    std::optional<PointPlace>& known = point_places_[index];
+    if (known) return *known;
+    const Point& point = model_.points[index];
+    const Entity origin{EntityKind::point, index};
+    known = PointPlace{last_step_[point.local->frame],
+                       vector(point.local->at, point.identifier, origin)};
+    const bool moves = std::any_of(known->at.begin(), known->at.end(), [&](const ex& x) {
+      return (dependence(definitions_, x) & (on_coordinates | on_time)) != 0;
+    });
+    if (!moves) return *known;
+    TreeStep shift;
+    shift.parent = known->step;
+    shift.vector = std::exchange(known->at, {0, 0, 0});
+    shift.name = point.identifier;
+    shift.origin = origin;
+    known->step = append(std::move(shift));
+    return *known;
+  }
+
   void add_mass(std::uint32_t index) {
     const Point& point = model_.points[index];
     if (!point.mass || !point.local) return;
@@ -233,20 +260,9 @@ class TreeFormulation {
     RigidBody rigid;
     rigid.origin = origin;
     rigid.mass = named(*point.mass, point.identifier + "_mass", origin);
-    rigid.com = vector(point.local->at, point.identifier, origin);
-    Step step = last_step_[point.local->frame];
-    const bool moves = std::any_of(rigid.com.begin(), rigid.com.end(), [&](const ex& x) {
-      return (dependence(definitions_, x) & (on_coordinates | on_time)) != 0;
-    });
-    if (moves) {
-      TreeStep shift;
-      shift.parent = step;
-      shift.vector = std::exchange(rigid.com, {0, 0, 0});
-      shift.name = point.identifier;
-      shift.origin = origin;
-      step = append(std::move(shift));
-    }
-    append_body(step, std::move(rigid));
+    const PointPlace& place = place_of(index);
+    rigid.com = place.at;
+    append_body(place.step, std::move(rigid));
   }
 
   void add_wrenches(const Force& force) {
@@ -273,10 +289,9 @@ class TreeFormulation {
   }
 
   void add_force_at(std::uint32_t index, Step axes, const ExVector3& components) {
-    const Point& point = model_.points[index];
-    if (!point.local) return;  // a PointForce
-    const ExVector3 at = vector(point.local->at, point.identifier, {EntityKind::point, index});
-    tree_.wrenches.push_back({last_step_[point.local->frame], axes, at, components, {0, 0, 0}});
+    if (!model_.points[index].local) return;  // a PointForce
+    const PointPlace& place = place_of(index);
+    tree_.wrenches.push_back({place.step, axes, place.at, components, {0, 0, 0}});
   }
 
   void add_twists() {
@@ -293,6 +308,7 @@ class TreeFormulation {
   Lagrangian& lagrangian_;
   FrameTree& tree_;
   std::vector<Step> last_step_;  ///< of each frame; none where it does not move from the world
+  std::vector<std::optional<PointPlace>> point_places_;  ///< of those in frames that carry or bear
   Diagnostics errors_;
 };
 

@@ -19,8 +19,23 @@ std::vector<Root> force_roots(const Model& model) {
   };
   for (const Force& force : model.forces) {
     for (const ExpressionId id : force.value) roots.push_back({id, 0});
+    for (const ExpressionId id : force.reaction) roots.push_back({id, 0});
     if (force.at) append_point(*force.at);
     if (force.from) append_point(*force.from);
+  }
+  return roots;
+}
+
+/// Spins of the frames that torques act on.
+std::vector<Root> spin_roots(const Model& model) {
+  std::vector<Root> roots;
+  const auto append_frame = [&](std::optional<std::uint32_t> frame) {
+    if (!frame) return;
+    for (const ExpressionId id : model.frames[*frame].spin) roots.push_back({id, 0});
+  };
+  for (const Force& force : model.forces) {
+    append_frame(force.frame);
+    append_frame(force.from_frame);
   }
   return roots;
 }
@@ -61,7 +76,8 @@ Mechanics::Mechanics(const Model& model, const State& state)
       lagrangian_(make_schedule(model, lagrangian_roots(model))),
       potential_(make_schedule(model, potential_roots(model))),
       dissipation_(make_schedule(model, dissipation_roots(model))),
-      forces_(make_schedule(model, force_roots(model))) {
+      forces_(make_schedule(model, force_roots(model))),
+      spins_(make_schedule(model, spin_roots(model))) {
   base_.a.assign(model.velocities.size(), Jet());
   base_.u.assign(model.inputs.size(), Jet());
 }
@@ -110,17 +126,47 @@ cl_R Mechanics::momentum(const Direction& w) {
 }
 
 /// d/dt (w.dL/dv) is the coefficient of e0 e1 in L(q + dq/dt e1, v + a e1 + w e0, t + e1).
-cl_R Mechanics::inverse_dynamics(const Direction& w, const Direction& a) {
-  Motion moving = base_;
-  displace_position(model_, moving, state_.v, second);
+Jet Mechanics::residual(const Motion& at, const Direction& w, const Direction& a) {
+  Motion moving = at;
+  const std::vector<Jet> rates = coordinate_rates(model_, at.q, at.v);
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    moving.q[i] = moving.q[i] + rates[i] * Jet(second, 1);
+  }
   displace(moving.v, a, second);
   displace(moving.v, w, first);
   moving.t = moving.t + Jet(second, 1);
-  Motion displaced = base_;
+  Motion displaced = at;
   displace_position(model_, displaced, w, first);
-  const cl_R turning = model_.rotations.empty() ? 0 : momentum(turned(model_, w, state_.v));
-  return lagrangian_at(moving).coefficient(first | second) + turning -
-         lagrangian_at(displaced).coefficient(first) + dissipation_force(w) - applied_force(w);
+  Motion resisted = at;
+  displace(resisted.v, w, first);
+  const Evaluation dissipated(model_, dissipation_, resisted, functions_);
+  Jet sum = lagrangian_at(moving).tangent(first).tangent(second) -
+            lagrangian_at(displaced).tangent(first) +
+            dissipation(model_, dissipated).tangent(first) - force_along(at, w);
+  if (model_.rotations.empty()) return sum;
+  Motion turning = at;
+  const std::vector<Jet> across = turned(model_, jets(w), at.v);
+  for (std::size_t i = 0; i < across.size(); ++i) {
+    turning.v[i] = turning.v[i] + across[i] * Jet(first, 1);
+  }
+  return sum + lagrangian_at(turning).tangent(first);
+}
+
+cl_R Mechanics::inverse_dynamics(const Direction& w, const Direction& a) {
+  return residual(base_, w, a).real();
+}
+
+Direction Mechanics::across_velocity(const Direction& d) const {
+  return turned(model_, state_.v, d);
+}
+
+cl_R Mechanics::residual_slope(const Direction& w, const Displacement& along, const Direction& a,
+                               const Direction& inputs) {
+  Motion at = base_;
+  at.u = jets(inputs);
+  displace_position(model_, at, along.x, third);
+  displace(at.v, along.y, third);
+  return residual(at, w, a).coefficient(third);
 }
 
 cl_R Mechanics::gravity(const Direction& w) {
@@ -149,9 +195,26 @@ Jet Mechanics::force_along(const Motion& motion, const Direction& w) {
     }
     return sum;
   };
+  // The spin is linear in the rates, so at the rates w it is the rotation per displacement.
+  Motion turning = motion;
+  for (std::size_t i = 0; i < turning.v.size(); ++i) turning.v[i] = Jet(first, w[i]);
+  const Evaluation spinning(model_, spins_, turning, functions_);
+  const auto turn = [&](const Force& force) {
+    Jet work_of_torque;
+    const auto add = [&](std::uint32_t frame, const std::vector<ExpressionId>& torque, int sign) {
+      for (std::size_t c = 0; c < torque.size(); ++c) {
+        const Jet rotation = spinning.value(model_.frames[frame].spin[c]).tangent(first);
+        work_of_torque = work_of_torque + Jet(sign) * at.value(torque[c]).without(first) * rotation;
+      }
+    };
+    add(*force.frame, force.value, 1);
+    if (force.from_frame) add(*force.from_frame, force.reaction, -1);
+    return work_of_torque;
+  };
   Jet sum;
   for (const Force& force : model_.forces) {
     if (force.on) sum = sum + at.value(force.value[0]).without(first) * Jet(w[*force.on]);
+    if (force.frame) sum = sum + turn(force);
     if (force.at) sum = sum + work(force, *force.at);
     if (force.from) sum = sum - work(force, *force.from);
   }

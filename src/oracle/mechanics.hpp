@@ -28,6 +28,12 @@ void displace(std::vector<Jet>& quantity, const Direction& direction, Generators
 void displace_position(const Model& model, Motion& motion, const Direction& direction,
                        Generators generators);
 
+/// A change of position and velocity.
+struct Displacement {
+  Direction x = {};
+  Direction y = {};
+};
+
 class Mechanics {
  public:
   Mechanics(const Model& model, const State& state);
@@ -35,6 +41,10 @@ class Mechanics {
   [[nodiscard]] std::size_t size() const { return model_.velocities.size(); }
   [[nodiscard]] Direction unit(std::size_t i) const { return unit_direction(size(), i); }
   [[nodiscard]] const State& state() const { return state_; }
+  [[nodiscard]] const Model& model() const { return model_; }
+
+  /// v x d on the velocities of rotations, 0 elsewhere.
+  [[nodiscard]] Direction across_velocity(const Direction& d) const;
 
   /// w.M y, M = d2L/dv2
   [[nodiscard]] cln::cl_R mass(const Direction& w, const Direction& y);
@@ -51,6 +61,11 @@ class Mechanics {
   /// w.(d/dt dL/dv + [w]x dL/dw - dL/dq + dD/dv - Q), the second term for angular velocities, with
   /// acceleration a: w.(M a + bias)
   [[nodiscard]] cln::cl_R inverse_dynamics(const Direction& w, const Direction& a);
+
+  /// Slope of w.(M a + bias - B u) where q moves along x and v along y, to first order. For a
+  /// rotation x is its rotation vector in its own axes. u acts as in `inputs`.
+  [[nodiscard]] cln::cl_R residual_slope(const Direction& w, const Displacement& along,
+                                         const Direction& a, const Direction& inputs);
 
   /// w.dV0/dq; V0 = V(q, 0, t), or -L(q, 0, t)
   [[nodiscard]] cln::cl_R gravity(const Direction& w);
@@ -80,6 +95,7 @@ class Mechanics {
   Jet lagrangian_at(const Motion& motion);
   Jet potential_at(const Motion& motion);
   Jet force_along(const Motion& motion, const Direction& w);
+  Jet residual(const Motion& at, const Direction& w, const Direction& a);
   Motion at_rest() const;
 
   const Model& model_;
@@ -90,6 +106,7 @@ class Mechanics {
   Schedule potential_;
   Schedule dissipation_;
   Schedule forces_;
+  Schedule spins_;
 };
 
 }  // namespace elgen::oracle

@@ -2,8 +2,9 @@
 #include "output_values.hpp"
 
 #include "contraction.hpp"
-#include "linear_solve.hpp"
+#include "derivatives.hpp"
 #include "rotations.hpp"
+#include "solved_dynamics.hpp"
 
 namespace elgen::oracle {
 namespace {
@@ -19,11 +20,6 @@ Values symmetric(std::size_t n, const Entry& entry) {
     for (std::size_t j = 0; j <= i; ++j) values[i * n + j] = values[j * n + i] = entry(i, j);
   }
   return values;
-}
-
-Values mass_matrix(Mechanics& at) {
-  return symmetric(at.size(),
-                   [&](std::size_t i, std::size_t j) { return at.mass(at.unit(i), at.unit(j)); });
 }
 
 /// C_ij = 1/2 (dM_ij/dt + R_ij - R_ji + turning) with dM/dt along v and R_ij = d/dq_j (M v)_i
@@ -64,13 +60,7 @@ Values input_matrix(Mechanics& at) {
 
 /// M a = B u - bias: a, then the relative pivots.
 Values forward_dynamics(Mechanics& at) {
-  Values right_side;
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    const Direction w = at.unit(i);
-    right_side.push_back(at.input_force(w, at.state().u) -
-                         contracted_column(OutputKind::bias, at, w));
-  }
-  const Solution solution = solve_symmetric(mass_matrix(at), right_side);
+  const Solution solution = solved_dynamics(at, mass_matrix_values(at));
   Values values = solution.x;
   values.insert(values.end(), solution.relative_pivots.begin(), solution.relative_pivots.end());
   return values;
@@ -79,6 +69,12 @@ Values forward_dynamics(Mechanics& at) {
 std::vector<Root> roots_of(const UserOutput& output, unsigned time_order) {
   std::vector<Root> roots;
   for (const ExpressionId id : output.values) roots.push_back({id, time_order});
+  return roots;
+}
+
+std::vector<Root> twist_roots(const UserOutput& output, unsigned time_order) {
+  std::vector<Root> roots;
+  for (const ExpressionId id : output.twist) roots.push_back({id, time_order});
   return roots;
 }
 
@@ -92,10 +88,40 @@ Values user_value(const Model& model, const UserOutput& output, const State& sta
   return values;
 }
 
+/// The twist is linear in the rates: its coefficient of each.
+Values twist_jacobian(const Model& model, const UserOutput& output, const State& state) {
+  JetFunctions functions;
+  const Schedule schedule = make_schedule(model, twist_roots(output, 0));
+  const std::size_t n = state.v.size();
+  Values values(output.twist.size() * n);
+  for (std::size_t j = 0; j < n; ++j) {
+    Motion motion = motion_of(state);
+    displace(motion.v, unit_direction(n, j), generator(0));
+    const Evaluation at(model, schedule, motion, functions);
+    for (std::size_t i = 0; i < output.twist.size(); ++i) {
+      values[i * n + j] = at.value(output.twist[i]).coefficient(generator(0));
+    }
+  }
+  return values;
+}
+
+/// d twist/dt at a = 0
+Values twist_bias(const Model& model, const UserOutput& output, const State& state) {
+  JetFunctions functions;
+  const Schedule schedule = make_schedule(model, twist_roots(output, 1));
+  Motion motion = motion_of(state);
+  motion.a.assign(state.v.size(), Jet());
+  const Evaluation at(model, schedule, motion, functions);
+  Values values;
+  for (const ExpressionId id : output.twist) values.push_back(at.rate(id).real());
+  return values;
+}
+
 Values user_jacobian(const Model& model, const UserOutput& output, const State& state) {
   JetFunctions functions;
   const Schedule schedule = make_schedule(model, roots_of(output, 0));
   const std::size_t n = state.v.size();
+  if (output.frame) return twist_jacobian(model, output, state);
   Values values(output.values.size() * n);
   for (std::size_t j = 0; j < n; ++j) {
     Motion motion = motion_of(state);
@@ -110,6 +136,7 @@ Values user_jacobian(const Model& model, const UserOutput& output, const State& 
 
 /// d2/dt2 of the value at a = 0
 Values user_bias(const Model& model, const UserOutput& output, const State& state) {
+  if (output.frame) return twist_bias(model, output, state);
   JetFunctions functions;
   const Schedule schedule = make_schedule(model, roots_of(output, 2));
   Motion motion = motion_of(state);
@@ -128,10 +155,11 @@ Values rates_of_coordinates(const Model& model, const State& state) {
 }
 
 Values mechanical_values(OutputKind kind, Mechanics at) {
+  if (is_derivative(kind)) return derivative_values(kind, at);
   if (is_contractible_column(kind)) return column(kind, at);
   switch (kind) {
     case OutputKind::mass_matrix:
-      return mass_matrix(at);
+      return mass_matrix_values(at);
     case OutputKind::coriolis_matrix:
       return coriolis_matrix(at);
     case OutputKind::input_matrix:
@@ -179,6 +207,10 @@ cl_R contracted_values(const Model& model, const OutputRequest& output, const St
   if (is_contractible_matrix(output.kind)) {
     Mechanics at(model, state);
     return contracted_matrix(output.kind, at, by.w, by.y);
+  }
+  if (is_derivative(output.kind)) {
+    Mechanics at(model, state);
+    return contracted_derivative(output.kind, at, by.w, by.y);
   }
   const Values values = output_values(model, output, state);
   const std::size_t columns = by.y.empty() ? 1 : by.y.size();

@@ -24,6 +24,8 @@ using Spin = std::array<Jet, axis_count>;             ///< in the axes of the bo
 /// w x y on the velocities of rotations, all else 0.
 [[nodiscard]] std::vector<cln::cl_R> turned(const Model& model, const std::vector<cln::cl_R>& w,
                                             const std::vector<cln::cl_R>& y);
+[[nodiscard]] std::vector<Jet> turned(const Model& model, const std::vector<Jet>& w,
+                                      const std::vector<Jet>& y);
 
 /// q with every quaternion divided by its length.
 [[nodiscard]] std::vector<cln::cl_R> normalized(const Model& model, std::vector<cln::cl_R> q);

@@ -46,10 +46,11 @@ std::string mismatch(const char* what, const Sum& sum, const cl_R& truth) {
                      short_text(truth));
 }
 
+/// Of the first field, as many entries as w and y have.
 Sum contracted(const BoundedRun& run, const Contraction& by) {
   Sum sum;
   const std::size_t columns = by.y.empty() ? 1 : by.y.size();
-  for (std::size_t i = 0; i < run.entries.size(); ++i) {
+  for (std::size_t i = 0; i < by.w.size() * columns; ++i) {
     const cl_R factor = by.y.empty() ? by.w[i] : by.w[i / columns] * by.y[i % columns];
     sum.add(run.entries[i].value * Real(factor), run.entries[i].bound * Real(cln::abs(factor)));
   }
@@ -64,10 +65,9 @@ std::string compare_field(const Subject& subject, const FunctionRun& run, Oracle
                           Random& random) {
   const Field& field = run.function.fields.front();
   Contraction by{random_direction(field.rows, random), {}};
-  if (field.columns > 1 || run.function.kind == OutputKind::mass_matrix ||
-      run.function.kind == OutputKind::coriolis_matrix ||
-      run.function.kind == OutputKind::input_matrix ||
-      run.function.kind == OutputKind::user_jacobian) {
+  const bool is_matrix =
+      output_row(run.function.kind).fields.front().columns != Extent::one || field.columns > 1;
+  if (is_matrix) {
     by.y = random_direction(field.columns, random);
   }
   OutputRequest request = standard_request(run.function.kind);

@@ -97,7 +97,7 @@ TEST_CASE("the README's mistake gives the README's message") {
 
 TEST_CASE("every option of the command line is in the README") {
   const Workspace workspace;
-  for (const std::string command : {"", "generate", "show", "verify", "explain"}) {
+  for (const std::string command : {"", "generate", "show", "verify", "import", "explain"}) {
     const std::string help = shell("elgen " + command + " --help", workspace.path()).output;
     REQUIRE(mentions(help, "--help"));
     for (std::size_t at = help.find("  --"); at != std::string::npos;

@@ -1,0 +1,20 @@
+// Derivatives of the dynamics: slopes of w.(M a + bias - B u) along displacements, and for forward
+// dynamics a solve with M.
+#pragma once
+
+#include "elgen/outputs.hpp"
+#include "mechanics.hpp"
+
+namespace elgen::oracle {
+
+/// linearization and the derivatives of inverse and forward dynamics.
+[[nodiscard]] bool is_derivative(OutputKind kind);
+
+/// All entries, one field after another.
+[[nodiscard]] std::vector<cln::cl_R> derivative_values(OutputKind kind, Mechanics& at);
+
+/// w.X y of the first field.
+[[nodiscard]] cln::cl_R contracted_derivative(OutputKind kind, Mechanics& at, const Direction& w,
+                                              const Direction& y);
+
+}  // namespace elgen::oracle

@@ -1,0 +1,151 @@
+// Takes an element apart, and remembers what was taken.
+#include "element_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "parse/utf8.hpp"
+
+namespace elgen::urdf {
+
+namespace {
+
+/// Spellings of XML itself, which say nothing about a robot.
+bool belongs_to_xml(std::string_view name) {
+  return name.starts_with("xmlns") || name.starts_with("xml:");
+}
+
+}  // namespace
+
+const Attribute* ElementReader::attribute(std::string_view name) {
+  const auto& all = element_.attributes;
+  const auto found = std::find_if(
+      all.begin(), all.end(), [&](const Attribute& candidate) { return candidate.name == name; });
+  if (found == all.end()) return nullptr;
+  taken_.insert(&*found);
+  return &*found;
+}
+
+void ElementReader::report_missing(std::string_view kind, std::string_view name) {
+  reading_.found.push_back(
+      {Code::E803, element_.span, fmt::format("`<{}>` has no {} `{}`", element_.name, kind, name)});
+}
+
+Text ElementReader::text(std::string_view name) {
+  const Attribute* found = attribute(name);
+  return found == nullptr ? Text{} : Text{found->value, found->span};
+}
+
+Text ElementReader::required_text(std::string_view name) {
+  const Attribute* found = attribute(name);
+  if (found != nullptr && !found->value.empty()) return {found->value, found->span};
+  report_missing("attribute", name);
+  return {};
+}
+
+std::optional<Decimal> ElementReader::number(std::string_view name) {
+  const Attribute* found = attribute(name);
+  if (found == nullptr) return std::nullopt;
+  const std::vector<Span> words = words_of(found->span);
+  if (words.size() != 1) {
+    reading_.found.push_back(
+        {Code::E805, found->span,
+         fmt::format("{} numbers, but `{}` is one number", words.size(), name)});
+    return std::nullopt;
+  }
+  Result<Decimal> number = read_decimal(words.front(), reading_.limits);
+  auto& all = reading_.found;
+  all.insert(all.end(), number.diagnostics.begin(), number.diagnostics.end());
+  return number.value;
+}
+
+std::optional<Decimal> ElementReader::required_number(std::string_view name) {
+  if (attribute(name) != nullptr) return number(name);
+  report_missing("attribute", name);
+  return std::nullopt;
+}
+
+bool ElementReader::vector(std::string_view name, Vector& vector) {
+  const Attribute* found = attribute(name);
+  if (found == nullptr) return false;
+  const std::vector<Span> words = words_of(found->span);
+  if (words.size() != vector.size()) {
+    reading_.found.push_back({Code::E805, found->span,
+                              fmt::format("{} number{}, but `{}` has 3", words.size(),
+                                          words.size() == 1 ? "" : "s", name)});
+    return false;
+  }
+  Vector read;
+  bool is_complete = true;
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    Result<Decimal> number = read_decimal(words[i], reading_.limits);
+    auto& all = reading_.found;
+    all.insert(all.end(), number.diagnostics.begin(), number.diagnostics.end());
+    is_complete = is_complete && number;
+    if (number) read[i] = *number;
+  }
+  if (is_complete) vector = read;
+  return is_complete;
+}
+
+const Element* ElementReader::child(std::string_view name) {
+  const auto& all = element_.children;
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const Element& element) { return element.name == name; });
+  if (found == all.end()) return nullptr;
+  taken_.insert(&*found);
+  return &*found;
+}
+
+const Element* ElementReader::required_child(std::string_view name) {
+  const Element* found = child(name);
+  if (found == nullptr) report_missing("element", name);
+  return found;
+}
+
+std::vector<const Element*> ElementReader::children(std::string_view name) {
+  std::vector<const Element*> found;
+  for (const Element& element : element_.children) {
+    if (element.name != name) continue;
+    taken_.insert(&element);
+    found.push_back(&element);
+  }
+  return found;
+}
+
+void ElementReader::ignore(std::initializer_list<std::string_view> names) {
+  for (const std::string_view name : names) {
+    (void)attribute(name);
+    (void)children(name);
+  }
+}
+
+void ElementReader::note_the_rest() const {
+  for (const Attribute& attribute : element_.attributes) {
+    if (taken_.count(&attribute) > 0 || belongs_to_xml(attribute.name)) continue;
+    reading_.found.push_back({Code::E815, attribute.name_span,
+                              fmt::format("attribute {} of `<{}>` is not imported",
+                                          parsing::in_ticks(attribute.name), element_.name)});
+  }
+  for (const Element& child : element_.children) {
+    if (taken_.count(&child) > 0) continue;
+    reading_.found.push_back(
+        {Code::E815, child.span,
+         fmt::format("{} in `<{}>` is not imported", parsing::in_ticks("<" + child.name + ">"),
+                     element_.name)});
+  }
+}
+
+Pose read_origin(ElementReader& parent, Reading& reading) {
+  Pose pose;
+  const Element* element = parent.child("origin");
+  if (element == nullptr) return pose;
+  ElementReader origin(*element, reading);
+  (void)origin.vector("xyz", pose.xyz);
+  (void)origin.vector("rpy", pose.rpy);
+  origin.note_the_rest();
+  return pose;
+}
+
+}  // namespace elgen::urdf

@@ -1,0 +1,52 @@
+// ElementReader: takes attributes and children from one element; what nobody took becomes a note.
+#pragma once
+
+#include <initializer_list>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "robot.hpp"
+
+namespace elgen::urdf {
+
+class ElementReader {
+ public:
+  ElementReader(const Element& element, Reading& reading) : element_(element), reading_(reading) {}
+
+  /// The attribute's text; E803 where `required` and absent.
+  Text text(std::string_view name);
+  Text required_text(std::string_view name);
+
+  /// E804 where it is no number.
+  std::optional<Decimal> number(std::string_view name);
+  std::optional<Decimal> required_number(std::string_view name);
+
+  /// Three numbers: E805 where there are not three. False, and unchanged, where they are not there.
+  bool vector(std::string_view name, Vector& vector);
+
+  /// The first child of this name, or null; E803 where `required` and absent.
+  const Element* child(std::string_view name);
+  const Element* required_child(std::string_view name);
+  std::vector<const Element*> children(std::string_view name);
+
+  /// Takes what has no part in the motion, silently.
+  void ignore(std::initializer_list<std::string_view> names);
+
+  /// E815 for every attribute and child that was not taken.
+  void note_the_rest() const;
+
+ private:
+  const Attribute* attribute(std::string_view name);
+  void report_missing(std::string_view kind, std::string_view name);
+
+  const Element& element_;
+  Reading& reading_;
+  std::set<const void*> taken_ = {};
+};
+
+/// An `<origin>` among the children, or none.
+[[nodiscard]] Pose read_origin(ElementReader& parent, Reading& reading);
+
+}  // namespace elgen::urdf

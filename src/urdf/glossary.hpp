@@ -1,0 +1,41 @@
+// Glossary: the names of a model being made, and the parameters that its numbers become.
+#pragma once
+
+#include "draft.hpp"
+#include "names.hpp"
+
+namespace elgen::urdf {
+
+class Glossary {
+ public:
+  Glossary(const Robot& robot, const Tree& tree);
+
+  /// "world", or the frame of a link.
+  [[nodiscard]] const std::string& frame(std::size_t link) const { return frames_[link]; }
+  /// The one coordinate of a joint; of other joints, what their names start with.
+  [[nodiscard]] const std::string& joint(std::size_t joint) const { return joints_[joint]; }
+  /// Names the URDF has otherwise: "`left-leg` is called left_leg".
+  [[nodiscard]] const std::vector<std::string>& renamed() const { return renamed_; }
+
+  std::string claim(const std::string& wanted, const std::string& kind) {
+    return names_.claim(wanted, kind);
+  }
+
+  /// Parameters go into this group from now on.
+  void open_group(std::string title);
+  /// A parameter of the open group; "0" for the number 0, so that it stays a zero of the equations.
+  std::string parameter(const std::string& name, const Decimal& number, const std::string& unit,
+                        const std::string& more = {});
+  [[nodiscard]] std::vector<ParameterGroup> take_groups() { return std::move(groups_); }
+
+ private:
+  void note_change(const std::string& from, const std::string& to);
+
+  Names names_ = {};
+  std::vector<std::string> frames_;
+  std::vector<std::string> joints_;
+  std::vector<std::string> renamed_ = {};
+  std::vector<ParameterGroup> groups_ = {};
+};
+
+}  // namespace elgen::urdf

@@ -1,0 +1,33 @@
+// import_urdf: XML -> Robot -> Tree -> Draft -> text.
+#include <utility>
+
+#include "draft.hpp"
+#include "elgen/urdf.hpp"
+
+namespace elgen {
+
+namespace {
+
+void append(Diagnostics& to, const Diagnostics& more) {
+  to.insert(to.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+Result<ImportedModel> import_urdf(const SourcePointer& source, const Limits& limits) {
+  const Result<urdf::Element> root = urdf::read_xml(*source);
+  if (!root) return root.diagnostics;
+  Diagnostics found;
+  urdf::Reading reading{limits, found};
+  const urdf::Robot robot = urdf::read_robot(*root, reading);
+  const bool is_read = !has_errors(found);
+  Result<urdf::Tree> tree;
+  if (root->name == "robot") tree = urdf::make_tree(robot);
+  append(found, tree.diagnostics);
+  if (is_read && tree) append(found, urdf::check_masses(robot, *tree));
+  sort_by_position(found);
+  if (has_errors(found)) return found;
+  return {{urdf::print(urdf::make_draft(robot, *tree))}, std::move(found)};
+}
+
+}  // namespace elgen

@@ -1,0 +1,122 @@
+// Numbers: C's decimal notation, which URDF files are written in, to that of TOML.
+#include "numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "parse/decimal.hpp"
+#include "parse/utf8.hpp"
+
+namespace elgen::urdf {
+
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+std::string take_digits(std::string_view& rest) {
+  const auto end = std::find_if_not(rest.begin(), rest.end(), is_digit);
+  const auto count = static_cast<std::size_t>(end - rest.begin());
+  std::string digits(rest.substr(0, count));
+  rest.remove_prefix(count);
+  return digits;
+}
+
+bool take(std::string_view& rest, std::string_view any_of) {
+  if (rest.empty() || any_of.find(rest.front()) == std::string_view::npos) return false;
+  rest.remove_prefix(1);
+  return true;
+}
+
+/// "e-3", or nothing where there is no exponent; not a value where it has no digits.
+std::optional<std::string> take_exponent(std::string_view& rest) {
+  if (!take(rest, "eE")) return std::string();
+  std::string exponent = "e";
+  if (take(rest, "-")) {
+    exponent += '-';
+  } else {
+    take(rest, "+");
+  }
+  const std::string digits = take_digits(rest);
+  if (digits.empty()) return std::nullopt;
+  return exponent + digits;
+}
+
+bool is_nonzero(const std::string& digits) {
+  return digits.find_first_not_of('0') != std::string::npos;
+}
+
+/// The number without its sign as TOML writes it; not a value where `rest` is none.
+std::optional<std::string> spelled(std::string_view rest) {
+  std::string whole = take_digits(rest);
+  std::string fraction;
+  if (take(rest, ".")) fraction = take_digits(rest);
+  if (whole.empty() && fraction.empty()) return std::nullopt;
+  const std::optional<std::string> exponent = take_exponent(rest);
+  if (!exponent || !rest.empty()) return std::nullopt;
+  if (!is_nonzero(whole) && !is_nonzero(fraction)) return "0";
+  whole.erase(0, std::min(whole.find_first_not_of('0'), whole.size()));
+  if (whole.empty()) whole = "0";
+  return whole + (fraction.empty() ? "" : "." + fraction) + *exponent;
+}
+
+bool is_not_finite(std::string word) {
+  std::transform(word.begin(), word.end(), word.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return word == "nan" || word == "inf" || word == "infinity";
+}
+
+Diagnostic refused(const Span& span, std::string_view unsigned_text) {
+  const std::string shown = parsing::in_ticks(covered_text(span));
+  if (is_not_finite(std::string(unsigned_text))) {
+    return {Code::E804, span, shown + " is not finite"};
+  }
+  const bool is_macro = covered_text(span).find('$') != std::string_view::npos;
+  return {Code::E804, span, shown + " is not a decimal number",
+          is_macro ? "expand the file with xacro first" : ""};
+}
+
+}  // namespace
+
+Decimal decimal_of(int value) { return {std::to_string(value), value, {}}; }
+
+Decimal negative(Decimal number) {
+  if (number.is_zero()) return number;
+  if (number.text.front() == '-') {
+    number.text.erase(0, 1);
+  } else {
+    number.text.insert(0, 1, '-');
+  }
+  number.value = -number.value;
+  return number;
+}
+
+Result<Decimal> read_decimal(const Span& span, const Limits& limits) {
+  std::string_view rest = covered_text(span);
+  const bool is_negative = take(rest, "-");
+  if (!is_negative) take(rest, "+");
+  const std::optional<std::string> text = spelled(rest);
+  if (!text) return refused(span, rest);
+  const parsing::DecimalParts parts = parsing::decimal_parts(*text);
+  if (const auto hit = parsing::limit_hit(parts, limits)) {
+    return Diagnostic{hit->code, span, hit->message, hit->hint};
+  }
+  const Decimal number{*text, parsing::decimal_value(parts), span};
+  return is_negative ? negative(number) : number;
+}
+
+std::vector<Span> words_of(const Span& span) {
+  constexpr std::string_view blanks = " \t\r\n";
+  const std::string_view text = covered_text(span);
+  std::vector<Span> words;
+  std::size_t begin = text.find_first_not_of(blanks);
+  while (begin != std::string_view::npos) {
+    const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
+    words.push_back({span.source, span.begin + static_cast<std::uint32_t>(begin),
+                     span.begin + static_cast<std::uint32_t>(end)});
+    begin = text.find_first_not_of(blanks, end);
+  }
+  return words;
+}
+
+}  // namespace elgen::urdf

@@ -1,0 +1,37 @@
+// Numbers of a URDF: their digits, as TOML writes them, and their exact value; never a double.
+#pragma once
+
+#include <cln/rational.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "elgen/diagnostic.hpp"
+#include "elgen/limits.hpp"
+
+namespace elgen::urdf {
+
+struct Decimal {
+  std::string text = "0";  ///< the digits of the file: `+.50` is `0.50`, every zero is `0`
+  cln::cl_RA value = 0;
+  Span span = {};
+
+  [[nodiscard]] bool is_zero() const { return text == "0"; }
+};
+
+using Vector = std::array<Decimal, 3>;
+
+[[nodiscard]] Decimal decimal_of(int value);
+
+[[nodiscard]] Decimal negative(Decimal number);
+
+/// The number that a span covers. E804: no decimal number, or not finite; E903, E904: limits.
+[[nodiscard]] Result<Decimal> read_decimal(const Span& span, const Limits& limits);
+
+/// The spans of the words a span covers.
+[[nodiscard]] std::vector<Span> words_of(const Span& span);
+
+}  // namespace elgen::urdf

@@ -1,0 +1,147 @@
+// <joint>: how a link moves in its parent, and what limits, brakes and drives it.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "element_reader.hpp"
+#include "parse/utf8.hpp"
+#include "rotations.hpp"
+
+namespace elgen::urdf {
+
+namespace {
+
+struct TypeRow {
+  JointType type;
+  std::string_view word;
+};
+
+constexpr std::array types{
+    TypeRow{JointType::revolute, "revolute"},   TypeRow{JointType::continuous, "continuous"},
+    TypeRow{JointType::prismatic, "prismatic"}, TypeRow{JointType::fixed, "fixed"},
+    TypeRow{JointType::floating, "floating"},   TypeRow{JointType::planar, "planar"},
+};
+
+JointType read_type(ElementReader& joint, Reading& reading) {
+  const Text text = joint.required_text("type");
+  const auto row = std::find_if(types.begin(), types.end(),
+                                [&](const TypeRow& type) { return type.word == text.text; });
+  if (row != types.end()) return row->type;
+  if (text.text.empty()) return JointType::fixed;  // E803 was said
+  std::vector<std::string> words;
+  for (const TypeRow& type : types) words.emplace_back(type.word);
+  const std::string near = nearest(text.text, words);
+  reading.found.push_back({Code::E806, text.span,
+                           fmt::format("{} is no type of joint", parsing::in_ticks(text.text)),
+                           near.empty() ? "" : fmt::format("did you mean `{}`?", near)});
+  return JointType::fixed;
+}
+
+Text read_link_name(ElementReader& joint, std::string_view role, Reading& reading) {
+  const Element* element = joint.required_child(role);
+  if (element == nullptr) return {};
+  ElementReader reader(*element, reading);
+  Text name = reader.required_text("link");
+  reader.note_the_rest();
+  return name;
+}
+
+/// Without `<axis>`, URDF means x.
+void read_axis(ElementReader& reader, Joint& joint, Reading& reading) {
+  joint.axis = {decimal_of(1), decimal_of(0), decimal_of(0)};
+  if (joint.type == JointType::fixed || joint.type == JointType::floating) return;
+  const Element* element = reader.child("axis");
+  if (element == nullptr) return;
+  ElementReader axis(*element, reading);
+  joint.axis_span = axis.required_text("xyz").span;
+  const bool is_read = axis.vector("xyz", joint.axis);
+  axis.note_the_rest();
+  if (!is_read) return;
+  const bool is_zero = std::all_of(joint.axis.begin(), joint.axis.end(),
+                                   [](const Decimal& component) { return component.is_zero(); });
+  if (is_zero) reading.found.push_back({Code::E813, joint.axis_span, "the axis has no direction"});
+  if (joint.type == JointType::planar && !is_zero && !axis_of(joint.axis).along) {
+    reading.found.push_back({Code::E108, joint.axis_span,
+                             "a planar joint is imported only with an axis along x, y or z"});
+  }
+}
+
+void refuse_negative(const std::optional<Decimal>& number, std::string_view name,
+                     Diagnostics& found) {
+  if (!number || !cln::minusp(number->value)) return;
+  found.push_back(
+      {Code::E814, number->span, fmt::format("{} `{}` is negative", name, number->text)});
+}
+
+void read_limit(ElementReader& reader, JointLimit& limit, Reading& reading) {
+  const Element* element = reader.child("limit");
+  if (element == nullptr) return;
+  ElementReader numbers(*element, reading);
+  limit.lower = numbers.number("lower");
+  limit.upper = numbers.number("upper");
+  limit.velocity = numbers.number("velocity");
+  limit.effort = numbers.number("effort");
+  numbers.note_the_rest();
+  if (limit.lower && limit.upper && limit.lower->value > limit.upper->value) {
+    reading.found.push_back(
+        {Code::E814, limit.lower->span,
+         fmt::format("lower `{}` is above upper `{}`", limit.lower->text, limit.upper->text)});
+  }
+  refuse_negative(limit.velocity, "velocity", reading.found);
+  refuse_negative(limit.effort, "effort", reading.found);
+}
+
+void read_dynamics(ElementReader& reader, Joint& joint, Reading& reading) {
+  const Element* element = reader.child("dynamics");
+  if (element == nullptr) return;
+  ElementReader dynamics(*element, reading);
+  joint.damping = dynamics.number("damping").value_or(Decimal{});
+  joint.friction = dynamics.number("friction").value_or(Decimal{});
+  dynamics.note_the_rest();
+}
+
+void read_mimic(ElementReader& reader, Joint& joint, Reading& reading) {
+  const Element* element = reader.child("mimic");
+  if (element == nullptr) return;
+  ElementReader mimic(*element, reading);
+  joint.mimic =
+      Mimic{mimic.required_text("joint"), mimic.number("multiplier").value_or(decimal_of(1)),
+            mimic.number("offset").value_or(Decimal{})};
+  mimic.note_the_rest();
+}
+
+}  // namespace
+
+std::string_view word(JointType type) {
+  const auto row = std::find_if(types.begin(), types.end(),
+                                [&](const TypeRow& candidate) { return candidate.type == type; });
+  return row->word;
+}
+
+bool has_one_coordinate(JointType type) {
+  return type == JointType::revolute || type == JointType::continuous ||
+         type == JointType::prismatic;
+}
+
+Joint read_joint(const Element& element, Reading& reading) {
+  ElementReader reader(element, reading);
+  Joint joint;
+  joint.name = reader.required_text("name");
+  joint.type = read_type(reader, reading);
+  joint.parent = read_link_name(reader, "parent", reading);
+  joint.child = read_link_name(reader, "child", reading);
+  joint.origin = read_origin(reader, reading);
+  if (has_one_coordinate(joint.type)) {
+    read_limit(reader, joint.limit, reading);
+    read_dynamics(reader, joint, reading);
+  }
+  if (joint.type == JointType::fixed) reader.ignore({"axis", "limit", "dynamics"});
+  if (joint.type == JointType::floating) reader.ignore({"axis"});
+  read_axis(reader, joint, reading);
+  read_mimic(reader, joint, reading);
+  reader.ignore({"calibration", "safety_controller"});
+  reader.note_the_rest();
+  return joint;
+}
+
+}  // namespace elgen::urdf

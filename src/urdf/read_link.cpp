@@ -1,0 +1,54 @@
+// <link>: its mass and inertia; shapes are no mechanics.
+#include <fmt/format.h>
+
+#include "element_reader.hpp"
+
+namespace elgen::urdf {
+
+namespace {
+
+constexpr std::array<std::string_view, 6> inertia_names{"ixx", "iyy", "izz", "ixy", "ixz", "iyz"};
+
+void read_mass(ElementReader& inertial, Inertial& to, Reading& reading) {
+  const Element* element = inertial.required_child("mass");
+  if (element == nullptr) return;
+  ElementReader mass(*element, reading);
+  to.mass = mass.required_number("value").value_or(Decimal{});
+  mass.note_the_rest();
+  if (cln::minusp(to.mass.value)) {
+    reading.found.push_back(
+        {Code::E811, to.mass.span, fmt::format("the mass `{}` is negative", to.mass.text)});
+  }
+}
+
+void read_inertia(ElementReader& inertial, Inertial& to, Reading& reading) {
+  const Element* element = inertial.required_child("inertia");
+  if (element == nullptr) return;
+  to.span = element->span;
+  ElementReader inertia(*element, reading);
+  for (std::size_t i = 0; i < inertia_names.size(); ++i) {
+    to.inertia[i] = inertia.required_number(inertia_names[i]).value_or(Decimal{});
+  }
+  inertia.note_the_rest();
+}
+
+}  // namespace
+
+Link read_link(const Element& element, Reading& reading) {
+  ElementReader reader(element, reading);
+  Link link{reader.required_text("name"), {}};
+  if (const Element* child = reader.child("inertial")) {
+    Inertial inertial;
+    ElementReader parts(*child, reading);
+    inertial.origin = read_origin(parts, reading);
+    read_mass(parts, inertial, reading);
+    read_inertia(parts, inertial, reading);
+    parts.note_the_rest();
+    link.inertial = inertial;
+  }
+  reader.ignore({"visual", "collision", "type"});
+  reader.note_the_rest();
+  return link;
+}
+
+}  // namespace elgen::urdf

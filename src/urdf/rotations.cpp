@@ -1,0 +1,114 @@
+// Quarter turns are signed permutations of the axes, so what they turn keeps its digits.
+#include "rotations.hpp"
+
+#include <cln/rational.h>
+#include <cln/real.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace elgen::urdf {
+
+namespace {
+
+constexpr double tolerance = 1e-5;  // rad
+constexpr double right_angle = 1.5707963267948966;
+
+/// Only to find out what a number is near to; numbers that are kept stay decimals. Beyond the range
+/// of double everything is large or small alike.
+double approximate(const cln::cl_RA& value) {
+  const cln::cl_RA large = 1'000'000'000;
+  const cln::cl_RA size = cln::abs(value);
+  if (size > large) return cln::minusp(value) ? -1e9 : 1e9;
+  return size * large < 1 ? 0.0 : cln::double_approx(value);
+}
+
+std::string multiple_of_right_angle(int count) {
+  const std::string sign = count < 0 ? "-" : "";
+  const int size = std::abs(count);
+  const int times = size % 2 == 0 ? size / 2 : size;
+  return sign + (times == 1 ? "" : fmt::format("{}*", times)) + (size % 2 == 0 ? "pi" : "pi/2");
+}
+
+/// Row i of a signed permutation has `sign` in column `from`: component i of R x is sign * x[from].
+struct SignedAxis {
+  std::size_t from = 0;
+  int sign = 1;
+};
+using Permutation = std::array<SignedAxis, 3>;
+
+/// One quarter turn about an axis, after another rotation.
+Permutation turned(const Permutation& before, std::size_t axis) {
+  const std::size_t next = (axis + 1) % 3;
+  const std::size_t last = (axis + 2) % 3;
+  Permutation after = before;
+  after[next] = {before[last].from, -before[last].sign};
+  after[last] = before[next];
+  return after;
+}
+
+std::size_t place_of(std::size_t row, std::size_t column) {
+  return row == column ? row : row + column + 2;
+}
+
+}  // namespace
+
+Angle angle_of(const Decimal& number) {
+  if (number.is_zero()) return {};
+  const double angle = approximate(number.value);
+  constexpr double largest = 1e6;  // beyond, nobody means a multiple of a right angle
+  if (std::abs(angle) > largest) return {number.text, std::nullopt};
+  const double count = std::round(angle / right_angle);
+  if (std::abs(angle - count * right_angle) > tolerance) return {number.text, std::nullopt};
+  const int turns = static_cast<int>(count);
+  return {turns % 4 == 0 ? "0" : multiple_of_right_angle(turns), turns, true};
+}
+
+bool Rotation::is_zero() const {
+  return std::all_of(rpy.begin(), rpy.end(), [](const Angle& angle) { return angle.is_zero(); });
+}
+
+bool Rotation::is_rounded() const {
+  return std::any_of(rpy.begin(), rpy.end(), [](const Angle& angle) { return angle.is_rounded; });
+}
+
+Rotation rotation_of(const Vector& rpy) {
+  return {{angle_of(rpy[0]), angle_of(rpy[1]), angle_of(rpy[2])}};
+}
+
+std::optional<std::array<Decimal, 6>> rotated(const Rotation& rotation,
+                                              const std::array<Decimal, 6>& inertia) {
+  Permutation permutation{{{0, 1}, {1, 1}, {2, 1}}};
+  for (std::size_t axis = 0; axis < 3; ++axis) {  // about x, y, z of the outer frame, in this order
+    const std::optional<int>& count = rotation.rpy[axis].quarter_turns;
+    if (!count) return std::nullopt;
+    for (int turn = 0; turn < (*count % 4 + 4) % 4; ++turn) permutation = turned(permutation, axis);
+  }
+  std::array<Decimal, 6> result;
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = row; column < 3; ++column) {
+      const auto [first, first_sign] = permutation[row];
+      const auto [second, second_sign] = permutation[column];
+      const Decimal& entry = inertia[place_of(first, second)];
+      result[place_of(row, column)] = first_sign == second_sign ? entry : negative(entry);
+    }
+  }
+  return result;
+}
+
+Axis axis_of(const Vector& direction) {
+  const auto shorter = [](const Decimal& left, const Decimal& right) {
+    return cln::abs(left.value) < cln::abs(right.value);
+  };
+  const auto* longest = std::max_element(direction.begin(), direction.end(), shorter);
+  const auto along = static_cast<std::size_t>(longest - direction.begin());
+  const Decimal& second = direction[(along + 1) % 3];
+  const Decimal& third = direction[(along + 2) % 3];
+  const double sine = std::hypot(approximate(second.value / longest->value),
+                                 approximate(third.value / longest->value));
+  if (sine > tolerance) return {};
+  return {along, cln::minusp(longest->value), !second.is_zero() || !third.is_zero()};
+}
+
+}  // namespace elgen::urdf

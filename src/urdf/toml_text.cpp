@@ -1,0 +1,75 @@
+// Quoting, and columns.
+#include "toml_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace elgen::urdf {
+
+namespace {
+
+bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }
+
+}  // namespace
+
+std::string toml_string(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (is_control(c)) {
+      quoted += fmt::format("\\u{:04X}", static_cast<unsigned>(c));
+    } else {
+      if (c == '"' || c == '\\') quoted += '\\';
+      quoted += c;
+    }
+  }
+  return quoted + "\"";
+}
+
+std::string toml_number(std::string_view digits) {
+  constexpr std::size_t widest_integer = 18;
+  const bool is_integer = digits.find_first_of(".e") == std::string_view::npos;
+  return is_integer && digits.size() > widest_integer ? toml_string(digits) : std::string(digits);
+}
+
+std::string toml_list(const std::vector<std::string>& values) {
+  return fmt::format("[{}]", fmt::join(values, ", "));
+}
+
+std::string comment(std::string_view text) {
+  std::string line(text);
+  std::replace_if(line.begin(), line.end(), is_control, '?');
+  return line.empty() ? "#\n" : "# " + line + "\n";
+}
+
+std::string Table::text() const {
+  std::size_t width = 0;
+  for (const auto& [key, value] : rows_) width = std::max(width, key.size());
+  std::string text = header_ + "\n";
+  for (const auto& [key, value] : rows_) {
+    text += fmt::format("{:<{}} = {}\n", key, width, value);
+  }
+  return text;
+}
+
+std::vector<std::string> aligned(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t i = 0; i + 1 < row.size(); ++i) {
+      widths[i] = std::max(widths[i], row[i].size());
+    }
+  }
+  std::vector<std::string> lines;
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      line += i + 1 == row.size() ? row[i] : fmt::format("{:<{}}", row[i], widths[i]);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+}  // namespace elgen::urdf

@@ -1,0 +1,199 @@
+// Names become indices, and the joints a tree.
+#include "tree.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "parse/utf8.hpp"
+
+namespace elgen::urdf {
+
+namespace {
+
+using parsing::in_ticks;
+using Indices = std::map<std::string, std::size_t>;
+
+std::vector<std::string> names_of(const Indices& indices) {
+  std::vector<std::string> names;
+  for (const auto& [name, index] : indices) names.push_back(name);
+  return names;
+}
+
+std::string did_you_mean(const std::string& word, const Indices& among) {
+  const std::string near = nearest(word, names_of(among));
+  return near.empty() ? "" : fmt::format("did you mean {}?", in_ticks(near));
+}
+
+/// Every element by its name; E807 for the second of one name. Nameless ones were reported.
+template <class Named>
+Indices indices_of(const std::vector<Named>& elements, std::string_view noun, Diagnostics& found) {
+  Indices indices;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const Text& name = elements[i].name;
+    const auto [first, is_new] = indices.emplace(name.text, i);
+    if (is_new || name.text.empty()) continue;
+    Diagnostic twice{Code::E807, name.span,
+                     fmt::format("{} names two {}s", in_ticks(name.text), noun)};
+    twice.related = elements[first->second].name.span;
+    twice.related_message = "the first is here";
+    found.push_back(std::move(twice));
+  }
+  indices.erase("");
+  return indices;
+}
+
+class TreeMaker {
+ public:
+  explicit TreeMaker(const Robot& robot)
+      : robot_(robot),
+        links_(indices_of(robot.links, "link", found_)),
+        joints_(indices_of(robot.joints, "joint", found_)),
+        joint_above_(robot.links.size()),
+        joints_below_(robot.links.size()) {}
+
+  Result<Tree> make() {
+    for (std::size_t i = 0; i < robot_.joints.size(); ++i) connect(i);
+    if (is_connected_ && !has_errors(found_)) find_root();
+    if (is_connected_ && !has_errors(found_)) grow();
+    for (Branch& branch : tree_.branches) find_mimicked(branch);
+    if (has_errors(found_)) return found_;
+    return tree_;
+  }
+
+ private:
+  void connect(std::size_t index) {
+    const Joint& joint = robot_.joints[index];
+    const auto parent = link_of(joint.parent);
+    const auto child = link_of(joint.child);
+    if (!parent || !child) return;
+    if (const auto& first = joint_above_[*child]) {
+      Diagnostic second{Code::E809, joint.child.span,
+                        fmt::format("{} is the child of two joints", in_ticks(joint.child.text))};
+      second.related = robot_.joints[*first].child.span;
+      second.related_message = "the first is here";
+      found_.push_back(std::move(second));
+      return;
+    }
+    joint_above_[*child] = index;
+    joints_below_[*parent].push_back(index);
+  }
+
+  std::optional<std::size_t> link_of(const Text& name) {
+    is_connected_ = is_connected_ && !name.text.empty();
+    if (name.text.empty()) return std::nullopt;  // E803 was said
+    const auto link = links_.find(name.text);
+    if (link != links_.end()) return link->second;
+    found_.push_back({Code::E808, name.span,
+                      fmt::format("the robot has no link {}", in_ticks(name.text)),
+                      did_you_mean(name.text, links_)});
+    return std::nullopt;
+  }
+
+  void find_root() {
+    std::optional<std::size_t> root;
+    for (std::size_t i = 0; i < robot_.links.size(); ++i) {
+      if (joint_above_[i]) continue;
+      if (!root) {
+        root = i;
+        continue;
+      }
+      Diagnostic second{Code::E809, robot_.links[i].name.span,
+                        fmt::format("{} is a second root link: no joint leads to it",
+                                    in_ticks(robot_.links[i].name.text))};
+      second.related = robot_.links[*root].name.span;
+      second.related_message = "the first is here";
+      found_.push_back(std::move(second));
+    }
+    tree_.root = root.value_or(0);
+    if (robot_.links.empty()) {
+      found_.push_back({Code::E803, robot_.span, "`<robot>` has no element `link`"});
+    } else if (!root) {
+      report_loop(0);
+    }
+  }
+
+  /// Depth first, children in the order of the file.
+  void grow() {
+    std::vector<Branch> open;
+    const auto open_below = [&](std::size_t link, std::size_t depth, bool moves) {
+      const auto& below = joints_below_[link];
+      for (auto joint = below.rbegin(); joint != below.rend(); ++joint) {
+        const Joint& next = robot_.joints[*joint];
+        open.push_back({*joint, link, links_.at(next.child.text), depth,
+                        moves || next.type != JointType::fixed});
+      }
+    };
+    std::vector<bool> reached(robot_.links.size());
+    reached[tree_.root] = true;
+    open_below(tree_.root, 0, false);
+    while (!open.empty()) {
+      const Branch branch = open.back();
+      open.pop_back();
+      tree_.branches.push_back(branch);
+      reached[branch.child] = true;
+      open_below(branch.child, branch.depth + 1, branch.moves);
+    }
+    const auto left = std::find(reached.begin(), reached.end(), false);
+    if (left != reached.end()) report_loop(static_cast<std::size_t>(left - reached.begin()));
+  }
+
+  /// Upwards from a link that hangs on no root: the way ends in a loop.
+  void report_loop(std::size_t link) {
+    std::set<std::size_t> seen;
+    while (seen.insert(link).second) link = parent_of(link);
+    const Text& last = robot_.joints[*joint_above_[link]].child;
+    std::string way = last.text;
+    for (std::size_t up = parent_of(link); up != link; up = parent_of(up)) {
+      way = fmt::format("{} -> {}", robot_.links[up].name.text, way);
+    }
+    found_.push_back(
+        {Code::E809, last.span, fmt::format("the joints form a loop: {} -> {}", last.text, way)});
+  }
+
+  std::size_t parent_of(std::size_t link) const {
+    return links_.at(robot_.joints[*joint_above_[link]].parent.text);
+  }
+
+  void find_mimicked(Branch& branch) {
+    const Joint& joint = robot_.joints[branch.joint];
+    if (!joint.mimic || joint.mimic->joint.text.empty()) return;
+    const Text& name = joint.mimic->joint;
+    const auto refuse = [&](std::string message, std::string hint = {}) {
+      found_.push_back({Code::E812, name.span, std::move(message), std::move(hint)});
+    };
+    const auto other = joints_.find(name.text);
+    if (other == joints_.end()) {
+      return refuse(fmt::format("the robot has no joint {}", in_ticks(name.text)),
+                    did_you_mean(name.text, joints_));
+    }
+    const Joint& mimicked = robot_.joints[other->second];
+    if (mimicked.mimic) {
+      return refuse(fmt::format("{} itself mimics {}", in_ticks(name.text),
+                                in_ticks(mimicked.mimic->joint.text)));
+    }
+    for (const Joint* one : {&joint, &mimicked}) {
+      if (has_one_coordinate(one->type)) continue;
+      return refuse(fmt::format("{} is {}: it has no coordinate to share", in_ticks(one->name.text),
+                                word(one->type)));
+    }
+    branch.mimics = other->second;
+  }
+
+  const Robot& robot_;
+  Diagnostics found_ = {};
+  Indices links_;
+  Indices joints_;
+  std::vector<std::optional<std::size_t>> joint_above_;  ///< by link
+  std::vector<std::vector<std::size_t>> joints_below_;
+  bool is_connected_ = true;  ///< every joint names its links
+  Tree tree_ = {};
+};
+
+}  // namespace
+
+Result<Tree> make_tree(const Robot& robot) { return TreeMaker(robot).make(); }
+
+}  // namespace elgen::urdf

@@ -1,0 +1,132 @@
+// tinyxml2 parses in place: names and values are pointers into its copy of the text. So the place
+// of a piece is the difference of two pointers, once the first piece has been found in the source.
+#include "xml.hpp"
+
+#include <fmt/format.h>
+#include <tinyxml2.h>
+
+#include <algorithm>
+#include <array>
+
+#include "parse/utf8.hpp"
+
+namespace elgen::urdf {
+
+namespace {
+
+struct MistakeRow {
+  tinyxml2::XMLError error;
+  std::string_view words;
+};
+
+constexpr std::array mistakes{
+    MistakeRow{tinyxml2::XML_ERROR_PARSING_ATTRIBUTE,
+               "an attribute is not written `name=\"value\"`"},
+    MistakeRow{tinyxml2::XML_ERROR_PARSING_TEXT, "a text has no end"},
+    MistakeRow{tinyxml2::XML_ERROR_PARSING_CDATA, "a CDATA section has no end"},
+    MistakeRow{tinyxml2::XML_ERROR_PARSING_COMMENT, "a comment has no end"},
+    MistakeRow{tinyxml2::XML_ERROR_PARSING_DECLARATION, "`<?xml` stands in a wrong place"},
+    MistakeRow{tinyxml2::XML_ERROR_PARSING_UNKNOWN, "a `<!` has no end"},
+    MistakeRow{tinyxml2::XML_ERROR_EMPTY_DOCUMENT, "the file has no element"},
+    MistakeRow{tinyxml2::XML_ERROR_MISMATCHED_ELEMENT, "an element is not closed by its own name"},
+    MistakeRow{tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED, "elements are nested more than 100 deep"},
+};
+
+std::string_view words_of(tinyxml2::XMLError error) {
+  const auto row = std::find_if(mistakes.begin(), mistakes.end(),
+                                [&](const MistakeRow& mistake) { return mistake.error == error; });
+  return row == mistakes.end() ? "an element is malformed" : row->words;
+}
+
+Span span_at(const SourceText& source, std::size_t begin, std::size_t length) {
+  return {&source, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(begin + length)};
+}
+
+/// A line without the blanks at its start.
+Span span_of_line(const SourceText& source, int line) {
+  const auto last = static_cast<int>(source.line_starts.size());
+  const std::string_view text =
+      line_text(source, static_cast<std::uint32_t>(std::clamp(line, 1, last)));
+  const std::size_t blanks = std::min(text.find_first_not_of(" \t"), text.size());
+  const auto begin = static_cast<std::size_t>(text.data() - source.text.data()) + blanks;
+  return span_at(source, begin, text.size() - blanks);
+}
+
+Diagnostic malformed(const SourceText& source, int line, std::string_view words) {
+  return {Code::E801, span_of_line(source, line), fmt::format("not XML: {}", words)};
+}
+
+std::size_t skip_blanks(std::string_view text, std::size_t position) {
+  return std::min(text.find_first_not_of(" \t\r\n", position), text.size());
+}
+
+/// Where tinyxml2's copy of the text starts: its first node's text stands behind the node's opening
+/// characters.
+const char* start_of_copy(const tinyxml2::XMLDocument& document, std::string_view text) {
+  std::size_t first = skip_blanks(text, 0);
+  if (text.substr(first, 3) == "\xEF\xBB\xBF") first = skip_blanks(text, first + 3);
+  const tinyxml2::XMLNode* node = document.FirstChild();
+  const std::size_t opening = node->ToComment() != nullptr   ? std::string_view("<!--").size()
+                              : node->ToElement() != nullptr ? std::string_view("<").size()
+                                                             : std::string_view("<?").size();
+  return node->Value() - (first + opening);
+}
+
+/// Copies tinyxml2's nodes; they are at most 100 deep.
+class Copier {
+ public:
+  Copier(const SourceText& source, const char* start) : source_(source), start_(start) {}
+
+  Element copy(const tinyxml2::XMLElement& from) const {
+    Element element{from.Name(), name_span(from.Name())};
+    for (const auto* next = from.FirstAttribute(); next != nullptr; next = next->Next()) {
+      element.attributes.push_back(
+          {next->Name(), next->Value(), name_span(next->Name()), value_span(next->Value())});
+    }
+    for (const auto* next = from.FirstChildElement(); next != nullptr;
+         next = next->NextSiblingElement()) {
+      element.children.push_back(copy(*next));
+    }
+    return element;
+  }
+
+ private:
+  [[nodiscard]] Span name_span(const char* name) const {
+    return span_at(source_, static_cast<std::size_t>(name - start_), std::string_view(name).size());
+  }
+
+  /// In the source, entities and line ends may be longer than in the value: to the closing quote.
+  [[nodiscard]] Span value_span(const char* value) const {
+    const auto begin = static_cast<std::size_t>(value - start_);
+    const std::size_t end = source_.text.find(source_.text[begin - 1], begin);
+    return span_at(source_, begin, end - begin);
+  }
+
+  const SourceText& source_;
+  const char* start_;
+};
+
+}  // namespace
+
+Result<Element> read_xml(const SourceText& source) {
+  if (const auto invalid = parsing::find_invalid_utf8(source.text)) {
+    return Diagnostic{Code::E110, span_at(source, *invalid, 1), "the file is not UTF-8 text"};
+  }
+  if (const std::size_t zero = source.text.find('\0'); zero != std::string::npos) {
+    return Diagnostic{Code::E801, span_at(source, zero, 1), "not XML: a byte is zero"};
+  }
+  tinyxml2::XMLDocument document;
+  document.Parse(source.text.data(), source.text.size());
+  if (document.Error()) {
+    return malformed(source, document.ErrorLineNum(), words_of(document.ErrorID()));
+  }
+  const tinyxml2::XMLElement* root = document.RootElement();
+  for (const auto* node = document.FirstChild(); node != nullptr; node = node->NextSibling()) {
+    if (node->ToText() == nullptr && (node->ToElement() == nullptr || node == root)) continue;
+    return malformed(source, node->GetLineNum(), "something follows or precedes the root element");
+  }
+  if (root == nullptr) return malformed(source, 1, words_of(tinyxml2::XML_ERROR_EMPTY_DOCUMENT));
+  return Copier(source, start_of_copy(document, source.text)).copy(*root);
+}
+
+}  // namespace elgen::urdf

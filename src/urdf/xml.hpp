@@ -1,0 +1,29 @@
+// XML: elements and attributes as values, each with its place in the source.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "elgen/diagnostic.hpp"
+#include "elgen/source_text.hpp"
+
+namespace elgen::urdf {
+
+struct Attribute {
+  std::string name = {};
+  std::string value = {};  ///< entities decoded
+  Span name_span = {};
+  Span span = {};  ///< the value, inside its quotes
+};
+
+struct Element {
+  std::string name = {};
+  Span span = {};  ///< its name in the opening tag
+  std::vector<Attribute> attributes = {};
+  std::vector<Element> children = {};
+};
+
+/// The root element. E110: not UTF-8; E801: not XML (the first mistake alone).
+[[nodiscard]] Result<Element> read_xml(const SourceText& source);
+
+}  // namespace elgen::urdf

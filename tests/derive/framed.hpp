@@ -1,0 +1,165 @@
+// A system of frames: derived outputs as numbers of 60 digits, and the same by the oracle, which
+// knows frames only as positions and spins in the world.
+#pragma once
+
+#include <algorithm>
+
+#include "derive/derivation.hpp"
+#include "elgen/equations_of_motion.hpp"
+#include "elgen/oracle.hpp"
+#include "support/frame_systems.hpp"
+
+namespace elgen::test {
+
+using Reals = std::vector<cln::cl_R>;
+
+/// Some state with no zero in it.
+inline State some_state(const CheckedModel& checked, int sample = 1) {
+  const Model& model = checked.model;
+  State state = nominal_state(model, checked.scene);
+  int seed = 3 + 7 * sample;
+  const auto next = [&] {
+    seed += 5;
+    return cln::cl_RA(1 + seed % 13) / 17;
+  };
+  for (cln::cl_R& q : state.q) q = next();
+  for (cln::cl_R& v : state.v) v = next() - cln::cl_RA(1) / 3;
+  for (cln::cl_R& a : state.a) a = next() - cln::cl_RA(1) / 2;
+  for (cln::cl_R& u : state.u) u = next();
+  state.t = next();
+  return state;
+}
+
+inline bool nearly_equal(const Reals& a, const Reals& b, int digits = 40) {
+  const cln::cl_R tolerance = cln::expt(cln::cl_RA(10), -digits);
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](const cln::cl_R& x, const cln::cl_R& y) {
+                      return cln::abs(x - y) <= tolerance * (1 + cln::abs(y));
+                    });
+}
+
+/// Definitions as numbers at a state, one after another.
+class NumbersAt {
+ public:
+  NumbersAt(const Symbols& symbols, const Definitions& definitions, const State& state) {
+    GiNaC::Digits = 60;
+    set(symbols.parameters, state.parameters);
+    set(symbols.q, state.q);
+    set(symbols.v, state.v);
+    set(symbols.a, state.a);
+    set(symbols.u, state.u);
+    set({symbols.t}, {state.t});
+    for (const Definition& definition : definitions.list) {
+      known_[definition.symbol] = number(definition.value);
+    }
+  }
+
+  [[nodiscard]] cln::cl_R operator()(const GiNaC::ex& value) const {
+    return cln::the<cln::cl_R>(GiNaC::ex_to<GiNaC::numeric>(number(value)).to_cl_N());
+  }
+
+  [[nodiscard]] Reals operator()(const Vector& values) const {
+    Reals result;
+    for (const GiNaC::ex& value : values) result.push_back((*this)(value));
+    return result;
+  }
+
+ private:
+  void set(const std::vector<GiNaC::ex>& leaves, const Reals& values) {
+    for (std::size_t i = 0; i < leaves.size(); ++i) known_[leaves[i]] = GiNaC::numeric(values[i]);
+  }
+
+  [[nodiscard]] GiNaC::ex number(const GiNaC::ex& value) const {
+    return value.subs(known_, GiNaC::subs_options::no_pattern).evalf();
+  }
+
+  GiNaC::exmap known_;
+};
+
+class Framed {
+ public:
+  explicit Framed(const std::string& text)
+      : checked(checked_model(text)), lagrangian(*formulate(checked.model)) {}
+
+  [[nodiscard]] const OutputRequest& request(const std::string& name) const {
+    for (const OutputRequest& output : checked.scene.outputs) {
+      if (output.name == name) return output;
+    }
+    throw std::runtime_error(name + " is not an output of this model");
+  }
+
+  /// All entries of an output as derived, of every field.
+  [[nodiscard]] Vector derived(const std::string& name) {
+    equations_ = *derive(lagrangian, {request(name)}, {});
+    Vector entries;
+    for (const FieldEquations& field : equations_.outputs.front().fields) {
+      entries.insert(entries.end(), field.entries.begin(), field.entries.end());
+    }
+    return entries;
+  }
+
+  /// The same as numbers.
+  [[nodiscard]] Reals derived(const std::string& name, const State& state) {
+    const Vector entries = derived(name);
+    return NumbersAt(equations_.symbols, equations_.definitions, state)(entries);
+  }
+
+  [[nodiscard]] Reals expected(const std::string& name, const State& state) const {
+    const OutputRequest& wanted = request(name);
+    const bool is_value =
+        wanted.kind != OutputKind::user_jacobian && wanted.kind != OutputKind::user_bias;
+    if (is_value || !checked.model.outputs[wanted.user].frame) {
+      return *oracle_values(checked.model, wanted, state);
+    }
+    const std::vector<ExpressionId>& twist = checked.model.outputs[wanted.user].twist;
+    return wanted.kind == OutputKind::user_jacobian ? twist_slopes(twist, state)
+                                                    : twist_rates(twist, state);
+  }
+
+  [[nodiscard]] bool agrees(const std::string& name) {
+    const Vector entries = derived(name);
+    for (const int sample : {1, 2}) {
+      const State state = some_state(checked, sample);
+      const NumbersAt at(equations_.symbols, equations_.definitions, state);
+      if (!nearly_equal(at(entries), expected(name, state))) return false;
+    }
+    return true;
+  }
+
+  [[nodiscard]] std::size_t size() const { return checked.model.velocities.size(); }
+
+  /// Definitions that the last derived output needed.
+  [[nodiscard]] const Definitions& definitions() const { return equations_.definitions; }
+
+  CheckedModel checked;
+  Lagrangian lagrangian;
+
+ private:
+  /// The twist is linear in v, but for what time moves.
+  [[nodiscard]] Reals twist_slopes(const std::vector<ExpressionId>& twist, State state) const {
+    Reals result;
+    for (const ExpressionId entry : twist) {
+      for (cln::cl_R& v : state.v) v = 0;
+      const cln::cl_R at_rest = *oracle_expression(checked.model, entry, state);
+      for (cln::cl_R& v : state.v) {
+        v = 1;
+        result.push_back(*oracle_expression(checked.model, entry, state) - at_rest);
+        v = 0;
+      }
+    }
+    return result;
+  }
+
+  [[nodiscard]] Reals twist_rates(const std::vector<ExpressionId>& twist, State state) const {
+    for (cln::cl_R& a : state.a) a = 0;
+    Reals result;
+    for (const ExpressionId entry : twist) {
+      result.push_back(*oracle_rate(checked.model, entry, state));
+    }
+    return result;
+  }
+
+  EquationsOfMotion equations_;
+};
+
+}  // namespace elgen::test

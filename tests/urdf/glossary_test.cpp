@@ -1,0 +1,50 @@
+// Glossary: who gets which name, and which numbers become parameters.
+#include "urdf/glossary.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "urdf/urdf_testing.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+urdf::Robot same_names() {
+  return robot_of(
+      "<robot name=\"r\"><link name=\"world\"/><link name=\"knee\"/><link name=\"foot-1\"/>"
+      "<joint name=\"knee\" type=\"revolute\"><parent link=\"world\"/><child "
+      "link=\"knee\"/></joint>"
+      "<joint name=\"foot-1\" type=\"fixed\"><parent link=\"knee\"/><child "
+      "link=\"foot-1\"/></joint>"
+      "</robot>");
+}
+
+}  // namespace
+
+TEST_CASE("a joint keeps its name before a link; the root link is the world") {
+  const urdf::Robot robot = same_names();
+  const urdf::Glossary glossary(robot, tree_of(robot));
+  CHECK(glossary.joint(0) == "knee");
+  CHECK(glossary.joint(1) == "foot_1");
+  CHECK(glossary.frame(0) == "world");
+  CHECK(glossary.frame(1) == "link_knee");
+  CHECK(glossary.frame(2) == "foot_1");
+  CHECK(glossary.renamed() ==
+        std::vector<std::string>{"`foot-1` is called foot_1", "`knee` is called link_knee"});
+}
+
+TEST_CASE("a number is a parameter of the open group, a zero is none") {
+  const urdf::Robot robot = same_names();
+  urdf::Glossary glossary(robot, tree_of(robot));
+  glossary.open_group("knee");
+  CHECK(glossary.parameter("m", urdf::decimal_of(0), "kg") == "0");
+  CHECK(glossary.parameter("g", urdf::decimal_of(2), "kg") == "parameter_g");
+  CHECK(glossary.parameter("m", urdf::decimal_of(-2), "kg", "assume") == "m");
+  const auto groups = glossary.take_groups();
+  REQUIRE(groups.size() == 1);
+  REQUIRE(groups[0].parameters.size() == 2);
+  CHECK(groups[0].parameters[0].value == "2");
+  CHECK(groups[0].parameters[1].more.empty());
+}
+
+}  // namespace elgen::test

@@ -1,0 +1,75 @@
+// Numbers: digits as written, in TOML's spelling, and the exact value.
+#include "urdf/numbers.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "urdf/urdf_testing.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+Result<urdf::Decimal> read(const SourcePointer& source) {
+  const Span span{source.get(), 0, static_cast<std::uint32_t>(source->text.size())};
+  return urdf::read_decimal(span, {});
+}
+
+std::string spelled(const std::string& text) { return read(make_source("r.urdf", text))->text; }
+
+std::string refused(const std::string& text) {
+  const SourcePointer source = make_source("r.urdf", text);
+  return messages(read(source).diagnostics);
+}
+
+}  // namespace
+
+TEST_CASE("the digits of a number are kept, its spelling is TOML's") {
+  CHECK(spelled("0.333") == "0.333");
+  CHECK(spelled("-1.5707963267948966192313") == "-1.5707963267948966192313");
+  CHECK(spelled("+.5") == "0.5");
+  CHECK(spelled("5.") == "5");
+  CHECK(spelled("007.10") == "7.10");
+  CHECK(spelled("1E+05") == "1e05");
+  CHECK(spelled("-2.5e-3") == "-2.5e-3");
+  for (const char* zero : {"0", "-0", "0.000", "-.0", "0e5", "00"}) CHECK(spelled(zero) == "0");
+}
+
+TEST_CASE("the value of a number is exact") {
+  CHECK(read(make_source("r.urdf", "-0.1"))->value == -cln::cl_RA(1) / 10);
+  CHECK(read(make_source("r.urdf", "25E-1"))->value == cln::cl_RA(5) / 2);
+  CHECK(read(make_source("r.urdf", "0"))->is_zero());
+}
+
+TEST_CASE("a sign turns digits and value") {
+  const urdf::Decimal one = urdf::decimal_of(1);
+  CHECK(urdf::negative(one).text == "-1");
+  CHECK(urdf::negative(one).value == -1);
+  CHECK(urdf::negative(urdf::negative(one)).text == "1");
+  CHECK(urdf::negative(urdf::decimal_of(0)).text == "0");
+}
+
+TEST_CASE("what is no finite decimal is refused") {
+  CHECK(refused("1,5") == "E804 1:1 `1,5` is not a decimal number\n");
+  CHECK(refused("0x10") == "E804 1:1 `0x10` is not a decimal number\n");
+  CHECK(refused("1e") == "E804 1:1 `1e` is not a decimal number\n");
+  CHECK(refused(".") == "E804 1:1 `.` is not a decimal number\n");
+  CHECK(refused("--1") == "E804 1:1 `--1` is not a decimal number\n");
+  CHECK(refused("nan") == "E804 1:1 `nan` is not finite\n");
+  CHECK(refused("-INF") == "E804 1:1 `-INF` is not finite\n");
+  CHECK(refused("${pi/2}") ==
+        "E804 1:1 `${pi/2}` is not a decimal number | expand the file with xacro first\n");
+  CHECK(refused("1e99999") ==
+        "E904 1:1 decimal exponent `99999` is beyond ±400 | `--limit decimal_exponent=N` raises "
+        "the limit\n");
+}
+
+TEST_CASE("words are what stands between blanks") {
+  const SourcePointer source = make_source("r.urdf", " 1 \t-2\n3 ");
+  const auto words = urdf::words_of({source.get(), 0, 9});
+  REQUIRE(words.size() == 3);
+  CHECK(covered_text(words[0]) == "1");
+  CHECK(covered_text(words[1]) == "-2");
+  CHECK(covered_text(words[2]) == "3");
+}
+
+}  // namespace elgen::test

@@ -1,0 +1,88 @@
+// Right angles, axes, and inertias in turned axes.
+#include "urdf/rotations.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace elgen::test {
+
+namespace {
+
+urdf::Decimal decimal(const std::string& text) {
+  const SourcePointer source = make_source("r.urdf", text);
+  return *urdf::read_decimal({source.get(), 0, static_cast<std::uint32_t>(text.size())}, {});
+}
+
+urdf::Vector vector(const std::string& x, const std::string& y, const std::string& z) {
+  return {decimal(x), decimal(y), decimal(z)};
+}
+
+std::string angle(const std::string& text) { return urdf::angle_of(decimal(text)).text; }
+
+/// "x", "-z", or "oblique".
+std::string axis(const std::string& x, const std::string& y, const std::string& z) {
+  const urdf::Axis result = urdf::axis_of(vector(x, y, z));
+  if (!result.along) return "oblique";
+  return (result.is_reversed ? "-" : "") + std::string(1, "xyz"[*result.along]) +
+         (result.is_rounded ? " rounded" : "");
+}
+
+/// Inertias as their first digits: the tensor 123456 where nothing turns.
+std::string turned(const std::string& roll, const std::string& pitch, const std::string& yaw) {
+  const std::array<urdf::Decimal, 6> inertia{decimal("1"), decimal("2"), decimal("3"),
+                                             decimal("4"), decimal("5"), decimal("6")};
+  const auto result = urdf::rotated(urdf::rotation_of(vector(roll, pitch, yaw)), inertia);
+  if (!result) return "oblique";
+  std::string text;
+  for (const urdf::Decimal& entry : *result) text += entry.text;
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("an angle near a multiple of a right angle is one") {
+  CHECK(angle("1.57079632679") == "pi/2");
+  CHECK(angle("-1.5708") == "-pi/2");
+  CHECK(angle("3.14159") == "pi");
+  CHECK(angle("-3.1415926535") == "-pi");
+  CHECK(angle("4.71238898") == "3*pi/2");
+  CHECK(angle("6.28318530718") == "0");
+  CHECK(angle("1e-6") == "0");
+  CHECK(angle("0") == "0");
+}
+
+TEST_CASE("other angles keep their digits") {
+  CHECK(angle("1.57") == "1.57");
+  CHECK(angle("0.785398163397") == "0.785398163397");
+  CHECK(angle("2e-5") == "2e-5");
+  CHECK(angle("1e300") == "1e300");
+}
+
+TEST_CASE("an axis near x, y or z is one, whatever its length") {
+  CHECK(axis("0", "0", "1") == "z");
+  CHECK(axis("0", "-1", "0") == "-y");
+  CHECK(axis("1e-200", "0", "0") == "x");
+  CHECK(axis("1e300", "0", "1e-300") == "x rounded");
+  CHECK(axis("0", "1", "6.1e-17") == "y rounded");
+  CHECK(axis("0.6", "0", "0.8") == "oblique");
+  CHECK(axis("1e-4", "0", "1") == "oblique");
+}
+
+TEST_CASE("quarter turns move the digits of an inertia") {
+  CHECK(turned("0", "0", "0") == "123456");
+  CHECK(turned("1.5707963", "0", "0") == "132-54-6");
+  CHECK(turned("0", "1.5707963", "0") == "3216-5-4");
+  CHECK(turned("0", "0", "1.5707963") == "213-4-65");
+  CHECK(turned("0", "0", "3.1415927") == "1234-5-6");
+  CHECK(turned("1.5707963", "0", "1.5707963") == "312564");
+  CHECK(turned("-1.5707963", "0", "0") == turned("4.712389", "0", "0"));
+  CHECK(turned("0", "0.3", "0") == "oblique");
+}
+
+TEST_CASE("a rotation knows whether it is one, and whether its digits were changed") {
+  CHECK(urdf::rotation_of(vector("0", "0", "0")).is_zero());
+  CHECK_FALSE(urdf::rotation_of(vector("0", "0.1", "0")).is_zero());
+  CHECK_FALSE(urdf::rotation_of(vector("0", "0.1", "0")).is_rounded());
+  CHECK(urdf::rotation_of(vector("0", "0", "1.5708")).is_rounded());
+}
+
+}  // namespace elgen::test

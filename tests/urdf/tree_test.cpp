@@ -1,0 +1,118 @@
+// make_tree: order, and every way not to be a tree.
+#include "urdf/tree.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "urdf/urdf_testing.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+std::string links(const std::string& names) {
+  std::string text = "<robot name=\"r\">\n";
+  for (const char name : names) text += std::string("<link name=\"") + name + "\"/>";
+  return text + "\n";
+}
+
+/// A joint `ab` from a to b, on a line of its own.
+std::string joint(const std::string& name, const std::string& type = "revolute",
+                  const std::string& inside = "") {
+  return "<joint name=\"" + name + "\" type=\"" + type + "\"><parent link=\"" + name[0] +
+         "\"/><child link=\"" + name[1] + "\"/>" + inside + "</joint>\n";
+}
+
+std::string tree_messages(const std::string& text) {
+  const urdf::Robot robot = robot_of(text + "</robot>");
+  return messages(urdf::make_tree(robot).diagnostics);
+}
+
+}  // namespace
+
+TEST_CASE("parents come first, children in the order of the file") {
+  const urdf::Robot robot = robot_of(links("abcde") + joint("cd") + joint("ac", "fixed") +
+                                     joint("ab") + joint("be") + "</robot>");
+  const urdf::Tree tree = tree_of(robot);
+  CHECK(tree.root == 0);
+  std::string order;
+  for (const urdf::Branch& branch : tree.branches) {
+    order += robot.joints[branch.joint].name.text + std::to_string(branch.depth) +
+             (branch.moves ? "m " : " ");
+  }
+  CHECK(order == "ac0 cd1m ab0m be1m ");
+}
+
+TEST_CASE("a fixed joint moves where one before it does") {
+  const urdf::Robot robot =
+      robot_of(links("abc") + joint("ab") + joint("bc", "fixed") + "</robot>");
+  CHECK(tree_of(robot).branches[1].moves);
+}
+
+TEST_CASE("two of one name") {
+  CHECK(tree_messages(links("aba") + joint("ab") + joint("ab")) ==
+        "E807 2:45 `a` names two links\n"
+        "E807 4:14 `ab` names two joints\n"
+        "E809 4:65 `b` is the child of two joints\n");
+}
+
+TEST_CASE("links that do not exist") {
+  CHECK(tree_messages("<robot name=\"r\"><link name=\"base\"/><link name=\"arm\"/>\n"
+                      "<joint name=\"j\" type=\"fixed\"><parent link=\"bsae\"/>"
+                      "<child link=\"gripper\"/></joint>") ==
+        "E808 2:44 the robot has no link `bsae` | did you mean `base`?\n"
+        "E808 2:64 the robot has no link `gripper`\n");
+}
+
+TEST_CASE("a link with two parents, at the second") {
+  const urdf::Robot robot = robot_of(links("abc") + joint("ac") + joint("bc") + "</robot>");
+  const Diagnostics found = urdf::make_tree(robot).diagnostics;
+  CHECK(messages(found) == "E809 4:65 `c` is the child of two joints\n");
+  CHECK(line_column(*found[0].related->source, found[0].related->begin).line == 3);
+}
+
+TEST_CASE("two roots, no root, no link, and a loop beside the tree") {
+  CHECK(tree_messages(links("abc") + joint("ab")) ==
+        "E809 2:45 `c` is a second root link: no joint leads to it\n");
+  CHECK(tree_messages(links("ab") + joint("ab") + joint("ba")) ==
+        "E809 4:65 the joints form a loop: a -> b -> a\n");
+  CHECK(tree_messages(links("abcd") + joint("ab") + joint("cd") + joint("dc")) ==
+        "E809 5:65 the joints form a loop: c -> d -> c\n");
+  CHECK(tree_messages(links("a") + joint("aa")) == "E809 3:65 the joints form a loop: a -> a\n");
+  CHECK(tree_messages("<robot name=\"r\">") == "E803 1:2 `<robot>` has no element `link`\n");
+}
+
+TEST_CASE("who mimics whom") {
+  const std::string start = links("abcd") + joint("ab");
+  const auto mimic = [](const std::string& name) { return "<mimic joint=\"" + name + "\"/>"; };
+  const urdf::Robot robot =
+      robot_of(start + joint("ac", "revolute", mimic("ab")) + joint("ad") + "</robot>");
+  CHECK(tree_of(robot).branches[1].mimics == 0U);
+  CHECK(tree_messages(start + joint("ac", "revolute", mimic("bc")) + joint("ad")) ==
+        "E812 4:83 the robot has no joint `bc` | did you mean `ac`?\n");
+  CHECK(tree_messages(start + joint("ac", "revolute", mimic("ab")) +
+                      joint("ad", "revolute", mimic("ac"))) ==
+        "E812 5:83 `ac` itself mimics `ab`\n");
+  CHECK(tree_messages(start + joint("ac", "revolute", mimic("ad")) +
+                      joint("ad", "revolute", mimic("ac"))) ==
+        "E812 4:83 `ad` itself mimics `ac`\nE812 5:83 `ac` itself mimics `ad`\n");
+  CHECK(tree_messages(start + joint("ac", "revolute", mimic("ac")) + joint("ad")) ==
+        "E812 4:83 `ac` itself mimics `ac`\n");
+  CHECK(tree_messages(start + joint("ac", "revolute", mimic("ad")) + joint("ad", "fixed")) ==
+        "E812 4:83 `ad` is fixed: it has no coordinate to share\n");
+  CHECK(tree_messages(start + joint("ac", "fixed", mimic("ab")) + joint("ad")) ==
+        "E812 4:80 `ac` is fixed: it has no coordinate to share\n");
+}
+
+TEST_CASE("a chain as long as a file may hold is no matter of the stack") {
+  std::string text = "<robot name=\"r\"><link name=\"l0\"/>";
+  for (int i = 1; i < 20000; ++i) {
+    const std::string here = std::to_string(i);
+    text += "<link name=\"l" + here + "\"/><joint name=\"j" + here +
+            "\" type=\"fixed\"><parent link=\"l" + std::to_string(i - 1) + "\"/><child link=\"l" +
+            here + "\"/></joint>";
+  }
+  const urdf::Robot robot = robot_of(text + "</robot>");
+  CHECK(tree_of(robot).branches.size() == 19999);
+}
+
+}  // namespace elgen::test

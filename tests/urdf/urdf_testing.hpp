@@ -1,0 +1,37 @@
+// What the tests of urdf share: small robots, and what is said of them as lines of text.
+#pragma once
+
+#include <string>
+
+#include "elgen/urdf.hpp"
+#include "urdf/tree.hpp"
+
+namespace elgen::test {
+
+/// One line per diagnostic: "E804 3:7 `1,5` is not a decimal number | hint".
+[[nodiscard]] std::string messages(const Diagnostics& diagnostics);
+
+/// The same of importing `text` whole.
+[[nodiscard]] std::string import_messages(const std::string& text);
+
+/// The imported model; throws the errors.
+[[nodiscard]] std::string imported(const std::string& text);
+
+/// `<robot name="r">`, a link `base`, a link `arm` of mass 1 on line 3, and `rest` from line 4 on.
+[[nodiscard]] std::string with_arm(const std::string& rest);
+
+/// with_arm() and the joint `j` from base to arm: its type, and its other elements on line 5.
+[[nodiscard]] std::string arm_on(const std::string& type, const std::string& elements);
+
+/// The robot and its tree; throws where there is none. The source lives as long as the process.
+[[nodiscard]] urdf::Element xml_of(const std::string& text);
+[[nodiscard]] urdf::Robot robot_of(const std::string& text);
+[[nodiscard]] urdf::Tree tree_of(const urdf::Robot& robot);
+
+/// What read_robot() says.
+[[nodiscard]] std::string reading_messages(const std::string& text);
+
+/// The part of a text from `start` to the end of its line, without either.
+[[nodiscard]] std::string after(const std::string& text, const std::string& start);
+
+}  // namespace elgen::test
