@@ -14,6 +14,7 @@
 #include "options.hpp"
 #include "parameters.hpp"
 #include "places.hpp"
+#include "plane.hpp"
 #include "requests.hpp"
 #include "rotations.hpp"
 #include "scene_reader.hpp"
@@ -57,6 +58,7 @@ void resolve_entries(Context& context, const ModelSyntax& syntax) {
   for (const Instance& instance : instances) {
     read_force_or_output(context, instance);
   }
+  check_plane(context);
   check_output_names(context.model, context.report);
 }
 

@@ -11,10 +11,9 @@ using namespace elgen::test;
 TEST_CASE("energies, momenta and forces of frames", "[frames]") {
   for (const auto& [name, text] : frame_systems()) {
     Framed system(text);
-    for (const char* output :
-         {"kinetic_energy", "potential_energy", "total_energy", "energy_function", "momentum",
-          "gravity", "velocity_force", "drift", "dissipation", "applied_force", "bias",
-          "inverse_dynamics"}) {
+    for (const char* output : {"kinetic_energy", "potential_energy", "total_energy",
+                               "energy_function", "momentum", "gravity", "velocity_force", "drift",
+                               "dissipation", "applied_force", "bias", "inverse_dynamics"}) {
       INFO(name << " " << output);
       CHECK(system.agrees(output));
     }

@@ -3,10 +3,31 @@
 
 #include <catch2/catch.hpp>
 
+#include "derive/matrices.hpp"
 #include "framed.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
+
+namespace {
+
+/// The same model with its frames, points, bodies and forces in the opposite order.
+std::string reversed_entries(const std::string& text) {
+  std::string front;
+  std::string back;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t next = text.find("\n[", begin);
+    const std::size_t end = next == std::string::npos ? text.size() : next + 1;
+    const std::string entry = text.substr(begin, end - begin);
+    const bool is_placed = entry.rfind("[[frame", 0) == 0 || entry.rfind("[[point", 0) == 0 ||
+                           entry.rfind("[[body", 0) == 0 || entry.rfind("[[force", 0) == 0;
+    (is_placed ? back : front).insert(is_placed ? 0 : front.size(), entry);
+    begin = end;
+  }
+  return front + back;
+}
+
+}  // namespace
 
 TEST_CASE("mass and Coriolis matrices of frames", "[frames]") {
   for (const auto& [name, text] : frame_systems()) {
@@ -29,6 +50,56 @@ TEST_CASE("outputs of frames: pose, Jacobian of the twist, and its bias", "[fram
       }
       INFO(name << " " << request.name);
       CHECK(system.agrees(request.name));
+    }
+  }
+}
+
+TEST_CASE("two arms meet in their base only", "[frames]") {
+  Framed system(two_arms_text());
+  const std::size_t n = system.size();
+  const Vector mass = system.derived("mass_matrix");
+  const Vector coriolis = system.derived("coriolis_matrix");
+  // x a1 a2 b1 b2; the energy couples a1 and b2
+  for (const auto& [i, j] :
+       std::vector<std::pair<std::size_t, std::size_t>>{{1, 3}, {2, 3}, {2, 4}}) {
+    INFO(i << " " << j);
+    CHECK(mass[i * n + j].is_zero());
+    CHECK(mass[j * n + i].is_zero());
+    CHECK(coriolis[i * n + j].is_zero());
+    CHECK(coriolis[j * n + i].is_zero());
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < i; ++j) CHECK(mass[i * n + j].is_equal(mass[j * n + i]));
+  }
+}
+
+TEST_CASE("dM/dt - 2 C is skew", "[frames]") {
+  for (const auto& [name, text] : frame_systems()) {
+    INFO(name);
+    const Framed system(text);
+    Derivation derivation(system.lagrangian);
+    const std::size_t n = derivation.size();
+    const Vector mass = mass_matrix(derivation);
+    const Vector coriolis = coriolis_matrix(derivation);
+    Vector rates;
+    Vector sums;
+    for (std::size_t i = 0; i < n * n; ++i) {
+      rates.push_back(derivation.frozen(mass[i]));
+      sums.push_back(coriolis[i] + coriolis[i % n * n + i / n]);
+    }
+    const NumbersAt at(derivation.symbols, derivation.definitions, some_state(system.checked));
+    CHECK(nearly_equal(at(sums), at(rates)));
+  }
+}
+
+TEST_CASE("the order of declaration changes no number", "[frames]") {
+  for (const auto& [name, text] : frame_systems()) {
+    Framed system(text);
+    Framed reversed(reversed_entries(text));
+    const State state = some_state(system.checked);
+    for (const char* output : {"mass_matrix", "coriolis_matrix", "bias", "inverse_dynamics"}) {
+      INFO(name << " " << output);
+      CHECK(nearly_equal(reversed.derived(output, state), system.derived(output, state)));
     }
   }
 }

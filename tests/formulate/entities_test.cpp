@@ -38,6 +38,39 @@ mass = "m"
   CHECK(names == std::vector<std::string>{"phi", "early", "base", "tip", "late"});
 }
 
+TEST_CASE("frames come before what is placed in them, after their parents", "[frames]") {
+  const CheckedModel checked = checked_model(model_text("ordered", R"toml(
+[[coordinate]]
+name = "q"
+[parameters]
+m = 1
+[define]
+angle = "2*q"
+height = "z(tip)"
+[[point]]
+name = "tip"
+frame = "lower"
+at = ["m", "0", "0"]
+mass = "m"
+[[frame]]
+name = "lower"
+parent = "upper"
+rotate = [["x", "angle"]]
+[[frame]]
+name = "upper"
+parent = "world"
+translate = ["0", "0", "m"]
+)toml"));
+  std::vector<std::string> names;
+  for (const Entity& entity : entities_in_order(checked.model)) {
+    const Model& model = checked.model;
+    names.push_back(entity.kind == EntityKind::point   ? model.points[entity.index].name
+                    : entity.kind == EntityKind::frame ? model.frames[entity.index].name
+                                                       : model.definitions[entity.index].name);
+  }
+  CHECK(names == std::vector<std::string>{"angle", "upper", "lower", "tip", "height"});
+}
+
 TEST_CASE("a long chain declared backwards is ordered without recursion") {
   std::string text =
       "[[coordinate]]\nname = \"x\"\n[parameters]\nk = 1\n[energy]\nT = \"k*dot(x)^2\"\n[define]\n";

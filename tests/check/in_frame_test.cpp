@@ -1,0 +1,196 @@
+// Points, bodies, loads and outputs given in frames, as the world sees them.
+#include "check/in_frame.hpp"
+
+#include <catch2/catch.hpp>
+#include <utility>
+
+#include "check_testing.hpp"
+#include "model_numbers.hpp"
+
+namespace elgen::test {
+namespace {
+
+constexpr double q = 0.3;
+constexpr double s = 0.8;
+constexpr double l = 0.7;
+constexpr double m = 2;
+constexpr double J = 0.2;
+constexpr double q_rate = 1.5;
+constexpr double s_rate = -0.6;
+
+/// Frames `f` (shifted by s, turned by q about z) and `g` (turned by 0.4 about x) on lines 16 to
+/// 23.
+std::string with_two(const std::string& entries) {
+  return with_frames(R"([[frame]]
+name = "f"
+parent = "world"
+translate = ["0", "s", "l"]
+rotate = [["z", "q"]]
+[[frame]]
+name = "g"
+parent = "f"
+rotate = [["x", "0.4"]]
+)" + entries);
+}
+
+Model two(const std::string& entries) { return checked(with_two(entries)).model; }
+
+ModelNumbers numbers(const Model& model) { return {model, {q, s}, {q_rate, s_rate}}; }
+
+TEST_CASE("points in frames are where the frame takes them", "[frames]") {
+  const Model model =
+      two("[[point]]\nname = \"p\"\nframe = \"f\"\nat = [\"l\", \"2*s\", \"0\"]\nmass = \"m\"\n"
+          "[[point]]\nname = \"w\"\nframe = \"world\"\nat = [\"l\", \"0\", \"0\"]\n");
+  const Triple expected = Triple{0, s, l} + about_z(q) * Triple{l, 2 * s, 0};
+  CHECK(close(numbers(model).values(model.points[0].at), listed(expected)));
+  REQUIRE(model.points[0].local);
+  CHECK(model.points[0].local->frame == 0);
+  CHECK(to_string(model, model.points[0].local->at[1]) == "2*s");
+  CHECK_FALSE(model.points[1].local);
+}
+
+TEST_CASE("bodies turn with their frame", "[frames]") {
+  const Model model =
+      two("[[body]]\nname = \"b\"\nframe = \"g\"\nmass = \"m\"\ncom = [\"l\", \"0\", \"2*l\"]\n"
+          "inertia = [\"J\", \"2*J\", \"3*J\", \"J/9\", \"0\", \"J/8\"]\n");
+  const Body& body = model.bodies[0];
+  const ModelNumbers at = numbers(model);
+  const Triple com = Triple{0, s, l} + about_z(q) * (about_x(0.4) * Triple{l, 0, 2 * l});
+  CHECK(close(at.values(body.com), listed(com)));
+  CHECK(close(at.values(body.spin), listed(about_x(-0.4) * Triple{0, 0, q_rate})));
+  CHECK(close(at.values(body.inertia), {J, 2 * J, 3 * J, J / 9, 0, J / 8}));
+  CHECK_FALSE(body.inertia_about_origin);
+  CHECK_FALSE(body.local->about_origin);
+}
+
+TEST_CASE("an inertia about the origin becomes one about the centre of mass", "[frames]") {
+  const Model model =
+      two("[[body]]\nname = \"b\"\nframe = \"f\"\nmass = \"m\"\n"
+          "com = [\"l/7\", \"-2*l/7\", \"3*l/7\"]\n"
+          "inertia = [\"9*J\", \"8*J\", \"7*J\", \"J/9\", \"0\", \"J/8\"]\ninertia_about = "
+          "\"origin\"\n");
+  const Body& body = model.bodies[0];
+  const double x = 0.1;
+  const double y = -0.2;
+  const double z = 0.3;
+  CHECK(close(numbers(model).values(body.inertia),
+              {9 * J - m * (y * y + z * z), 8 * J - m * (x * x + z * z),
+               7 * J - m * (x * x + y * y), J / 9 + m * x * y, m * x * z, J / 8 + m * y * z}));
+  CHECK_FALSE(body.inertia_about_origin);
+  REQUIRE(body.local);
+  CHECK(body.local->about_origin);
+  CHECK(to_string(model, body.local->inertia[0]) == "9*J");
+}
+
+TEST_CASE("a body without inertia has no spin", "[frames]") {
+  const Model model =
+      two("[[body]]\nname = \"b\"\nframe = \"g\"\nmass = \"m\"\ncom = [\"l\", \"0\", \"0\"]\n");
+  CHECK(model.bodies[0].spin.empty());
+}
+
+TEST_CASE("forces have the axes of the world or of `in`", "[frames]") {
+  const std::string point = "[[point]]\nname = \"p\"\nframe = \"g\"\nat = [\"l\", \"0\", \"0\"]\n";
+  const std::string force = "[[force]]\nat = \"p\"\nvalue = [\"1\", \"2\", \"3\"]\n";
+  const Model plain = two(point + force);
+  CHECK(close(numbers(plain).values(plain.forces[0].value), {1, 2, 3}));
+  CHECK_FALSE(plain.forces[0].axes);
+  const Model turned = two(point + force + "in = \"g\"\n");
+  CHECK(close(numbers(turned).values(turned.forces[0].value),
+              listed(about_z(q) * (about_x(0.4) * Triple{1, 2, 3}))));
+  CHECK(turned.forces[0].axes == 1U);
+  CHECK(close(numbers(turned).values(turned.forces[0].written), {1, 2, 3}));
+  const Model named = two(point + force + "in = \"world\"\n");
+  CHECK(close(numbers(named).values(named.forces[0].value), {1, 2, 3}));
+}
+
+TEST_CASE("torques are kept in the axes of the frame they turn", "[frames]") {
+  const std::string torque = "[[force]]\nframe = \"g\"\nvalue = [\"1\", \"2\", \"3\"]\n";
+  const Model own = two(torque);
+  CHECK(own.forces[0].frame == 1U);
+  CHECK_FALSE(own.forces[0].from_frame);
+  CHECK(own.forces[0].reaction.empty());
+  CHECK(close(numbers(own).values(own.forces[0].value), {1, 2, 3}));
+  const Model world = two(torque + "in = \"world\"\nfrom = \"f\"\n");
+  CHECK(world.forces[0].from_frame == 0U);
+  const Triple in_f = about_z(-q) * Triple{1, 2, 3};
+  CHECK(close(numbers(world).values(world.forces[0].value), listed(about_x(-0.4) * in_f)));
+  CHECK(close(numbers(world).values(world.forces[0].reaction), listed(in_f)));
+  CHECK(two(torque + "from = \"world\"\n").forces[0].reaction.empty());
+}
+
+TEST_CASE("the output of a frame is its pose, and its twist in the axes asked for", "[frames]") {
+  const std::string output = "[[output]]\nname = \"o\"\nframe = \"g\"\njacobian = true\n";
+  const Model world = two(output);
+  const UserOutput& pose = world.outputs[0];
+  CHECK(pose.columns == 4);
+  CHECK(pose.in_world);
+  const Rotation3 r = about_z(q) * about_x(0.4);
+  CHECK(close(numbers(world).values(pose.values),
+              {r[0], r[1], r[2], 0, r[3], r[4], r[5], s, r[6], r[7], r[8], l}));
+  CHECK(close(numbers(world).values(pose.twist), {0, 0, q_rate, 0, s_rate, 0}));
+  CHECK(two(output + "axes = \"world\"\n").outputs[0].in_world);
+  const Model own = two(output + "axes = \"g\"\n");
+  CHECK_FALSE(own.outputs[0].in_world);
+  const Triple spin = about_x(-0.4) * Triple{0, 0, q_rate};
+  const Triple velocity = about_x(-0.4) * (about_z(-q) * Triple{0, s_rate, 0});
+  std::vector<double> twist = listed(spin);
+  twist.insert(twist.end(), velocity.begin(), velocity.end());
+  CHECK(close(numbers(own).values(own.outputs[0].twist), twist));
+}
+
+TEST_CASE("planar models: two components, one inertia, one torque", "[frames]") {
+  const Model model = checked(with_frames(R"([[frame]]
+name = "f"
+parent = "world"
+translate = ["s", "l"]
+rotate = [["z", "q"]]
+[[body]]
+name = "b"
+frame = "f"
+mass = "m"
+com = ["l", "0"]
+inertia = "9*J"
+inertia_about = "origin"
+[[force]]
+frame = "f"
+value = "5*J/l^2*l^2/J"
+)"))
+                          .model;
+  const ModelNumbers at = numbers(model);
+  const Body& body = model.bodies[0];
+  CHECK(body.dimension == 2);
+  CHECK(close(at.values(body.com), {s + l * std::cos(q), l + l * std::sin(q), 0}));
+  CHECK(close(at.values(body.spin), {q_rate}));
+  CHECK(close(at.values(body.inertia), {9 * J - m * l * l}));
+  CHECK(close(at.values(model.forces[0].value), {0, 0, 5}));
+}
+
+TEST_CASE("what may not be in a frame", "[frames]") {
+  const std::vector<std::pair<std::string, std::string>> rows{
+      {"[[point]]\nname = \"p\"\nframe = \"ff\"\nat = [\"l\", \"0\", \"0\"]\n", ""},
+      {"[[point]]\nname = \"p\"\nframe = \"f\"\nat = [\"l\", \"0\"]\n", ""},
+      {"[[body]]\nname = \"b\"\nframe = \"f\"\nmass = \"m\"\ncom = [\"s\", \"0\", \"0\"]\n", ""},
+      {"[[body]]\nname = \"b\"\nframe = \"f\"\nmass = \"m\"\n", ""},
+      {"[[body]]\nname = \"b\"\nframe = \"f\"\nspin = [\"0\", \"0\", \"dot(q)\"]\ninertia = "
+       "[\"J\", \"J\", \"J\"]\n",
+       ""},
+      {"[[body]]\nname = \"b\"\nframe = \"f\"\ninertia = \"J\"\n", ""},
+      {"[[force]]\nframe = \"f\"\nvalue = \"J\"\n", ""},
+      {"[[force]]\nframe = \"h\"\nvalue = [\"0\", \"0\", \"0\"]\n", ""},
+      {"[[force]]\nframe = \"f\"\nfrom = \"q\"\nvalue = [\"0\", \"0\", \"0\"]\n", ""},
+      {"[[force]]\nframe = \"f\"\non = \"q\"\nvalue = [\"0\", \"0\", \"0\"]\n", ""},
+      {"[[force]]\nvalue = [\"0\", \"0\", \"0\"]\n", ""},
+      {"[[force]]\nframe = \"f\"\nvalue = [\"m\", \"0\", \"0\"]\n", ""},
+      {"[[output]]\nname = \"o\"\n", ""},
+      {"[[output]]\nname = \"o\"\nvalue = \"q\"\nframe = \"f\"\n", ""},
+      {"[[output]]\nname = \"o\"\nframe = \"f\"\naxes = \"g\"\n", ""},
+      {"[[output]]\nname = \"o\"\nframe = \"h\"\n", ""},
+  };
+  for (const auto& [entries, expected] : rows) {
+    INFO(entries);
+    CHECK(messages(with_two(entries)) == expected);
+  }
+}
+
+}  // namespace
+}  // namespace elgen::test

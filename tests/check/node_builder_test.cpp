@@ -1,0 +1,124 @@
+// Nodes written by check itself: what vanishes is never written.
+#include "check/node_builder.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace elgen::checking {
+namespace {
+
+/// A coordinate x, and nodes over it.
+struct Sheet {
+  Sheet() {
+    Coordinate coordinate;
+    coordinate.name = coordinate.identifier = "x";
+    append_coordinate(context.model, coordinate);
+    x = nodes.leaf(ExpressionKind::coordinate, 0);
+    one = nodes.number(1);
+    pi = nodes.leaf(ExpressionKind::pi, 0);
+  }
+
+  [[nodiscard]] std::string text(ExpressionId id) const { return to_string(context.model, id); }
+
+  Limits limits = {};
+  Context context{limits};
+  NodeBuilder nodes{context, {}};
+  ExpressionId x = 0;
+  ExpressionId one = 0;
+  ExpressionId pi = 0;
+};
+
+TEST_CASE("zeros and ones fold away", "[frames]") {
+  Sheet s;
+  NodeBuilder& nodes = s.nodes;
+  CHECK(nodes.number(0) == no_expression);
+  CHECK(nodes.is_one(s.one));
+  CHECK(nodes.add({no_expression, s.x, no_expression}) == s.x);
+  CHECK(nodes.add({no_expression, no_expression}) == no_expression);
+  CHECK(nodes.multiply({s.x, no_expression}) == no_expression);
+  CHECK(nodes.multiply({s.one, s.x, s.one}) == s.x);
+  CHECK(nodes.divide(no_expression, s.x) == no_expression);
+  CHECK(nodes.divide(s.x, s.one) == s.x);
+  CHECK(nodes.negate(no_expression) == no_expression);
+  const ExpressionId minus_x = nodes.negate(s.x);
+  CHECK(nodes.negate(minus_x) == s.x);
+  CHECK(nodes.subtract(s.x, no_expression) == s.x);
+}
+
+TEST_CASE("signs come out of products", "[frames]") {
+  Sheet s;
+  const ExpressionId minus_one = s.nodes.number(-1);
+  CHECK(s.text(s.nodes.multiply({minus_one, s.x})) == "-x");
+  CHECK(s.nodes.multiply({minus_one, s.x, minus_one}) == s.x);
+  CHECK(s.text(s.nodes.multiply({minus_one, minus_one, minus_one})) == "-1");
+}
+
+TEST_CASE("rational constants become numbers, others stay as written", "[frames]") {
+  Sheet s;
+  const ExpressionId three = s.nodes.number(3);
+  const ExpressionId half = s.nodes.number(cln::cl_RA(1) / 2);
+  CHECK(s.text(s.nodes.add({three, half})) == "7/2");
+  CHECK(s.text(s.nodes.divide(three, half)) == "6");
+  const ExpressionId four = s.nodes.number(4);
+  CHECK(s.text(s.nodes.power(four, cln::cl_RA(-1) / 2)) == "1/2");
+  CHECK(s.text(s.nodes.power(three, cln::cl_RA(1) / 2)) == "sqrt(3)");
+}
+
+TEST_CASE("sines and cosines of quarter turns are exact", "[frames]") {
+  Sheet s;
+  for (int k = -4; k <= 4; ++k) {
+    const ExpressionId quarters = s.nodes.number(cln::cl_RA(k) / 2);
+    const ExpressionId angle = s.nodes.multiply({quarters, s.pi});
+    const int expected_sine = k % 2 == 0 ? 0 : (k == 1 || k == -3 ? 1 : -1);
+    const int expected_cosine = k % 2 != 0 ? 0 : (k % 4 == 0 ? 1 : -1);
+    INFO(k);
+    CHECK(s.text(s.nodes.call(FunctionId::sin, angle)) == std::to_string(expected_sine));
+    CHECK(s.text(s.nodes.call(FunctionId::cos, angle)) == std::to_string(expected_cosine));
+  }
+  const ExpressionId third = s.nodes.number(3);
+  CHECK(s.text(s.nodes.call(FunctionId::cos, third)) == "cos(3)");
+}
+
+TEST_CASE("constants have no rate", "[frames]") {
+  Sheet s;
+  CHECK(s.nodes.rate(s.pi) == no_expression);
+  CHECK(s.text(s.nodes.rate(s.x)) == "dot(x)");
+}
+
+TEST_CASE("vectors and matrices", "[frames]") {
+  Sheet s;
+  NodeBuilder& nodes = s.nodes;
+  const Matrix3 quarter{no_expression, nodes.number(-1), no_expression,  // x -> y -> -x
+                        s.one,         no_expression,    no_expression,
+                        no_expression, no_expression,    s.one};
+  const Vector3 along{s.x, no_expression, s.one};
+  CHECK(nodes.apply(quarter, along) == Vector3{no_expression, s.x, s.one});
+  const Vector3 back = nodes.apply_transposed(quarter, along);
+  CHECK(back[0] == no_expression);
+  CHECK(s.text(back[1]) == "-x");
+  const Matrix3 half = nodes.multiply(quarter, quarter);
+  CHECK(s.text(half[0]) == "-1");
+  CHECK(s.text(half[1]) == "0");
+  CHECK(s.text(half[4]) == "-1");
+  const Matrix3 identity = nodes.identity();
+  CHECK(nodes.multiply(identity, identity)[8] == identity[8]);
+  const Vector3 sum = nodes.add(along, along);
+  CHECK(s.text(sum[0]) == "x + x");
+  CHECK(s.text(nodes.dot(along, along)) == "x*x + 1");
+}
+
+TEST_CASE("finished nodes are one root of their owner, which is not judged", "[frames]") {
+  Sheet s;
+  s.nodes.finish(OwnerKind::point, 7);
+  REQUIRE(s.context.roots.size() == 1);
+  CHECK(s.context.roots[0].generated);
+  CHECK(s.context.roots[0].owner == OwnerKind::point);
+  CHECK(s.context.roots[0].owner_index == 7);
+  CHECK(s.context.roots[0].first == 1);
+  CHECK(s.context.roots[0].value == s.context.model.expressions.size() - 1);
+  NodeBuilder nothing(s.context, {});
+  nothing.finish();
+  CHECK(s.context.roots.size() == 1);
+}
+
+}  // namespace
+}  // namespace elgen::checking

@@ -1,0 +1,152 @@
+// Frames: every way to shift and turn them, and what they may not be.
+#include <catch2/catch.hpp>
+#include <utility>
+
+#include "check_testing.hpp"
+#include "model_numbers.hpp"
+
+namespace elgen::test {
+namespace {
+
+constexpr double q = 0.3;
+constexpr double s = 0.8;
+constexpr double l = 0.7;
+
+/// The pose of a frame `f` in the world, at q and s.
+std::vector<double> pose_of(const std::string& keys) {
+  const Model model =
+      checked(with_frames("[[frame]]\nname = \"f\"\nparent = \"world\"\n" + keys)).model;
+  return ModelNumbers(model, {q, s}, {0, 0}).pose(0);
+}
+
+/// cos 1 + sin K + (1 - cos) n n^T as 1 + sin K + (1 - cos) K K.
+Rotation3 about(const Triple& n, double angle) {
+  const Rotation3 k{0, -n[2], n[1], n[2], 0, -n[0], -n[1], n[0], 0};
+  const Rotation3 square = k * k;
+  Rotation3 result{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  for (std::size_t i = 0; i < 9; ++i) {
+    result[i] += std::sin(angle) * k[i] + (1 - std::cos(angle)) * square[i];
+  }
+  return result;
+}
+
+TEST_CASE("a frame alone is its parent", "[frames]") {
+  CHECK(close(pose_of(""), as_pose(about_x(0), {0, 0, 0})));
+  CHECK(close(pose_of("translate = [\"s\", \"l\", \"0\"]\n"), as_pose(about_x(0), {s, l, 0})));
+}
+
+TEST_CASE("turns follow one another about the axes reached so far", "[frames]") {
+  CHECK(close(pose_of("rotate = [[\"x\", \"q\"]]\n"), as_pose(about_x(q), {0, 0, 0})));
+  CHECK(close(pose_of("rotate = [[\"y\", \"q\"]]\n"), as_pose(about_y(q), {0, 0, 0})));
+  CHECK(close(pose_of("rotate = [[\"z\", \"q\"]]\n"), as_pose(about_z(q), {0, 0, 0})));
+  CHECK(close(pose_of("translate = [\"0\", \"s\", \"l\"]\n"
+                      "rotate = [[\"x\", \"q\"], [\"z\", \"2*q\"], [\"y\", \"0.4\"]]\n"),
+              as_pose(about_x(q) * about_z(2 * q) * about_y(0.4), {0, s, l})));
+}
+
+TEST_CASE("axes may be three constants of any length", "[frames]") {
+  CHECK(close(pose_of("rotate = [[[\"1\", \"2\", \"2\"], \"q\"]]\n"),
+              as_pose(about({1.0 / 3, 2.0 / 3, 2.0 / 3}, q), {0, 0, 0})));
+  const double h = std::sqrt(0.5);
+  CHECK(close(pose_of("rotate = [[[\"0\", \"-1\", \"1\"], \"q\"], [[1, 0, 0], \"q\"]]\n"),
+              as_pose(about({0, -h, h}, q) * about_x(q), {0, 0, 0})));
+  CHECK(close(pose_of("rotate = [[[\"0\", \"0\", \"-2\"], \"q\"]]\n"),
+              as_pose(about_z(-q), {0, 0, 0})));
+}
+
+TEST_CASE("a constant axis has exactly length one", "[frames]") {
+  const Model model = checked(with_frames("[[frame]]\nname = \"f\"\nparent = \"world\"\nrotate = "
+                                          "[[[\"2\", \"3\", \"6\"], \"q\"]]\n"))
+                          .model;
+  const Vector3& axis = model.frames[0].steps[0].vector;
+  CHECK(to_string(model, axis[0]) == "2/7");
+  CHECK(to_string(model, axis[1]) == "3/7");
+  CHECK(to_string(model, axis[2]) == "6/7");
+}
+
+TEST_CASE("rpy are turns about the fixed axes x, y, z in this order", "[frames]") {
+  CHECK(close(pose_of("rpy = [\"q\", \"0.2\", \"-q\"]\n"),
+              as_pose(about_z(-q) * about_y(0.2) * about_x(q), {0, 0, 0})));
+}
+
+TEST_CASE("Denavit and Hartenberg, as they wrote it and as Craig did", "[frames]") {
+  const std::string values = "a = \"l\", alpha = \"0.4\", d = \"s\", theta = \"q\" }\n";
+  const Rotation3 theta = about_z(q);
+  CHECK(close(pose_of("dh = { convention = \"standard\", " + values),
+              as_pose(theta * about_x(0.4), Triple{0, 0, s} + theta * Triple{l, 0, 0})));
+  const Rotation3 alpha = about_x(0.4);
+  CHECK(close(pose_of("dh = { convention = \"modified\", " + values),
+              as_pose(alpha * theta, Triple{l, 0, 0} + alpha * Triple{0, 0, s})));
+  CHECK(close(pose_of("translate = [\"l\", \"s\", \"0\"]\n"
+                      "dh = { convention = \"standard\", theta = \"q\" }\n"),
+              as_pose(theta, {l, s, 0})));
+}
+
+TEST_CASE("quaternions have any length but 0, the scalar first", "[frames]") {
+  CHECK(close(pose_of("quaternion = [\"cos(q/2)\", \"0\", \"sin(q/2)\", \"0\"]\n"),
+              as_pose(about_y(q), {0, 0, 0})));
+  CHECK(close(pose_of("quaternion = [\"2\", \"0\", \"0\", \"2\"]\n"),
+              as_pose(about_z(std::acos(0.0)), {0, 0, 0})));
+  // (w, e) turns by 2 atan(|e|/w) about e.
+  const double length = std::sqrt(q * q + 4 + 0.01);
+  CHECK(close(pose_of("quaternion = [\"3\", \"q\", \"2\", \"0.1\"]\n"),
+              as_pose(about({q / length, 2 / length, 0.1 / length}, 2 * std::atan(length / 3)),
+                      {0, 0, 0})));
+}
+
+TEST_CASE("frames may be declared before their parents, and carry names of bodies", "[frames]") {
+  const Model model = checked(with_frames(R"([[frame]]
+name = "f"
+parent = "g"
+translate = ["l", "0", "0"]
+rotate = [["x", "q"]]
+[[frame]]
+name = "g"
+parent = "world"
+doc = "the first"
+translate = ["0", "s", "0"]
+rotate = [["z", "q"]]
+[[body]]
+name = "f"
+frame = "g"
+mass = "m"
+com = ["0", "0", "0"]
+)"))
+                          .model;
+  CHECK(model.frames[0].parent == 1U);
+  CHECK(model.frames[1].doc == "the first");
+  const Rotation3 parent = about_z(q);
+  CHECK(close(ModelNumbers(model, {q, s}, {0, 0}).pose(0),
+              as_pose(parent * about_x(q), Triple{0, s, 0} + parent * Triple{l, 0, 0})));
+}
+
+TEST_CASE("what frames may not be", "[frames]") {
+  const std::vector<std::pair<std::string, std::string>> rows{
+      {"name = \"f\"\nparent = \"worl\"\n", ""},
+      {"name = \"world\"\nparent = \"world\"\n", ""},
+      {"name = \"f\"\nparent = \"f\"\n", ""},
+      {"name = \"f\"\nparent = \"g\"\n[[frame]]\nname = \"g\"\nparent = \"f\"\n", ""},
+      {"name = \"f\"\nparent = \"world\"\n[[frame]]\nname = \"f\"\nparent = \"world\"\n", ""},
+      {"name = \"first\"\nparent = \"world\"\n[[frame]]\nname = \"g\"\nparent = \"fisrt\"\n", ""},
+      {"name = \"f\"\nparent = \"world\"\nrpy = [\"q\", \"0\", \"0\"]\nrotate = [[\"x\", \"q\"]]\n",
+       ""},
+      {"name = \"f\"\nparent = \"world\"\nrotate = [[\"w\", \"q\"]]\n", ""},
+      {"name = \"f\"\nparent = \"world\"\nrotate = [[[\"0\", \"0\", \"0\"], \"q\"]]\n", ""},
+      {"name = \"f\"\nparent = \"world\"\nrotate = [[[\"q\", \"0\", \"0\"], \"q\"]]\n", ""},
+      {"name = \"f\"\nparent = \"world\"\nrotate = [[\"x\", \"l\"]]\n", ""},
+      {"name = \"f\"\nparent = \"world\"\nrotate = [[\"x\", \"dot(q)\"]]\n", ""},
+      {"name = \"f\"\nparent = \"world\"\ntranslate = [\"q\", \"0\", \"0\"]\n", ""},
+      {"name = \"f\"\nparent = \"world\"\ntranslate = [\"l\"]\n", ""},
+      {"name = \"f\"\nparent = \"world\"\nrpy = [\"q\", \"0\"]\n", ""},
+      {"name = \"f\"\nparent = \"world\"\nquaternion = [\"1\", \"0\", \"0\"]\n", ""},
+      {"name = \"f\"\nparent = \"world\"\nquaternion = [\"0\", \"0\", \"0\", \"0\"]\n", ""},
+      {"name = \"f\"\nparent = \"world\"\nrotation = \"attitude\"\n", ""},
+  };
+  for (const auto& [keys, expected] : rows) {
+    INFO(keys);
+    CHECK(messages(with_frames("[[frame]]\n" + keys)) == expected);
+  }
+}
+
+}  // namespace
+}  // namespace elgen::test

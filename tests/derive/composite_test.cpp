@@ -1,0 +1,91 @@
+// Composite inertias against sums over the bodies in the world, and the laws of passing them on.
+#include "derive/composite.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "framed.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+/// A motion in the axes before a step, and the same in those after it.
+struct MovedTwist {
+  ExVector3 spin;
+  ExVector3 velocity;
+};
+
+MovedTwist after(Tree& tree, std::size_t step, const MovedTwist& before) {
+  MovedTwist result = before;
+  if (tree.step(step).kind == FrameStepKind::translation) {
+    const ExVector3 carried = tree.algebra.cross(before.spin, tree.step(step).vector);
+    result.velocity = tree.algebra.add(before.velocity, carried);
+    return result;
+  }
+  result.spin = tree.to_child(step, before.spin);
+  result.velocity = tree.to_child(step, before.velocity);
+  return result;
+}
+
+GiNaC::ex power(Tree& tree, const CompositeInertia& inertia, const MovedTwist& a,
+                const MovedTwist& b) {
+  const SpatialForce of_b = momentum(tree.algebra, inertia, b.spin, b.velocity);
+  const GiNaC::ex turning = tree.algebra.dot(a.spin, of_b.moment);
+  return turning + tree.algebra.dot(a.velocity, of_b.force);
+}
+
+const MovedTwist first{{GiNaC::numeric(2, 3), GiNaC::numeric(-1, 5), GiNaC::numeric(3, 7)},
+                       {GiNaC::numeric(1, 9), GiNaC::numeric(4, 5), GiNaC::numeric(-3, 2)}};
+const MovedTwist second{{GiNaC::numeric(1, 4), GiNaC::numeric(6, 5), GiNaC::numeric(-2, 7)},
+                        {GiNaC::numeric(5, 3), GiNaC::numeric(-1, 8), GiNaC::numeric(1, 2)}};
+
+}  // namespace
+
+TEST_CASE("entries of a symmetric matrix are xx yy zz xy xz yz", "[frames]") {
+  CHECK(symmetric_index(0, 0) == 0);
+  CHECK(symmetric_index(2, 2) == 2);
+  CHECK(symmetric_index(0, 1) == 3);
+  CHECK(symmetric_index(2, 0) == 4);
+  CHECK(symmetric_index(1, 2) == 5);
+}
+
+TEST_CASE("the base carries all bodies", "[frames]") {
+  const Framed system(two_arms_text());
+  const Model& model = system.checked.model;
+  const State state = some_state(system.checked);
+  Derivation derivation(system.lagrangian);
+  const CompositeInertia base = composite_inertias(derivation.tree()).front();
+  const auto value = [&](ExpressionId id) { return *oracle_expression(model, id, state); };
+  Reals expected(4, 0);  // mass and first moment about the base, which is at (x, 0, 0)
+  for (const Body& body : model.bodies) {
+    const cln::cl_R mass = value(*body.mass);
+    expected[0] = expected[0] + mass;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const cln::cl_R lever = value(body.com[k]) - (k == 0 ? state.q[0] : cln::cl_R(0));
+      expected[k + 1] = expected[k + 1] + mass * lever;
+    }
+  }
+  const NumbersAt at(derivation.symbols, derivation.definitions, state);
+  CHECK(nearly_equal(at({base.mass, base.moment[0], base.moment[1], base.moment[2]}), expected));
+}
+
+TEST_CASE("twice the kinetic energy does not depend on the axes", "[frames]") {
+  for (const auto& [name, text] : frame_systems()) {
+    const Framed system(text);
+    Derivation derivation(system.lagrangian);
+    Tree& tree = derivation.tree();
+    const std::vector<CompositeInertia> inertias = composite_inertias(tree);
+    for (std::size_t k = 0; k < tree.size(); ++k) {
+      INFO(name << " step " << k);
+      const CompositeInertia before = to_parent(tree, k, inertias[k]);
+      const GiNaC::ex expected = power(tree, before, first, second);
+      const GiNaC::ex transposed = power(tree, before, second, first);
+      const GiNaC::ex moved =
+          power(tree, inertias[k], after(tree, k, first), after(tree, k, second));
+      const NumbersAt at(derivation.symbols, derivation.definitions, some_state(system.checked));
+      CHECK(nearly_equal({at(moved)}, {at(expected)}));
+      CHECK(nearly_equal({at(transposed)}, {at(expected)}));
+    }
+  }
+}

@@ -1,0 +1,62 @@
+// Which variables meet on the way to the root, and what their columns say.
+#include "derive/tree_columns.hpp"
+
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "framed.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+using Pairs = std::multiset<std::pair<std::size_t, std::size_t>>;
+
+Pairs visited(Derivation& derivation) {
+  Tree& tree = derivation.tree();
+  const std::vector<TreeVariable> variables = tree_variables(tree).list;
+  TreeColumns columns(tree, variables, {derivation.frozen, derivation.frozen, false});
+  Pairs pairs;
+  columns.for_each_pair({ColumnKind::inertia}, [&](const ColumnPair& pair) {
+    CHECK(pair.columns.size() == 1);
+    CHECK(pair.is_mutual ==
+          (pair.upper != pair.lower && variables[pair.upper].step == variables[pair.lower].step));
+    pairs.emplace(pair.upper, pair.lower);
+  });
+  return pairs;
+}
+
+}  // namespace
+
+TEST_CASE("a variable meets itself and those below it, never those of another arm", "[frames]") {
+  Derivation derivation(Framed(two_arms_text()).lagrangian);
+  // 0 x, 1 a1, 2 a1 + a2, 3 b1, 4 b2
+  CHECK(visited(derivation) ==
+        Pairs{{0, 0}, {1, 1}, {1, 0}, {2, 2}, {2, 0}, {3, 3}, {3, 0}, {4, 4}, {4, 3}, {4, 0}});
+}
+
+TEST_CASE("variables of one step meet in both orders", "[frames]") {
+  Derivation derivation(Framed(sliders_text()).lagrangian);
+  const Pairs pairs = visited(derivation);
+  CHECK(pairs.count({0, 1}) == 1);
+  CHECK(pairs.count({1, 0}) == 1);
+  CHECK(pairs.count({2, 0}) == 1);
+  CHECK(pairs.count({0, 2}) == 0);
+}
+
+TEST_CASE("a turn carries the inertia about its axis", "[frames]") {
+  const Framed system(planar_text());
+  Derivation derivation(system.lagrangian);
+  Tree& tree = derivation.tree();
+  const std::vector<TreeVariable> variables = tree_variables(tree).list;
+  const std::vector<CompositeInertia> inertias = composite_inertias(tree);
+  TreeColumns columns(tree, variables, {derivation.frozen, derivation.frozen, false});
+  columns.for_each_pair({ColumnKind::inertia}, [&](const ColumnPair& pair) {
+    const TreeVariable& variable = variables[pair.upper];
+    if (pair.upper != pair.lower || is_zero(variable.spin)) return;
+    const GiNaC::ex entry = columns.along(pair.lower, UnitKind::unit, pair.columns[0]);
+    const NumbersAt at(derivation.symbols, derivation.definitions, some_state(system.checked));
+    CHECK(nearly_equal({at(entry)}, {at(inertias[variable.step].inertia[2])}));
+  });
+}
