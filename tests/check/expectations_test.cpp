@@ -52,7 +52,7 @@ TEST_CASE("closed forms that do not fit") {
        "[…]]\n"},
       {"gravty = [\"0\", \"0\"]\n",
        "E601 17:1 unknown output `gravty` | did you mean `gravity`?\n"},
-      {"linearization = [\"0\"]\n", "E108 17:1 the output `linearization` is not yet supported\n"},
+      {"reaction = [\"0\"]\n", "E108 17:1 the output `reaction` is not yet supported\n"},
       {"gravity = { for = \"i in 1..n\", value = \"0\" }\n",
        "E601 17:1 `gravity` is given by entry, but is not called so | did you mean "
        "`gravity_entry`?\n"},
