@@ -16,6 +16,7 @@
 #include "places.hpp"
 #include "plane.hpp"
 #include "requests.hpp"
+#include "rotations.hpp"
 #include "scene_reader.hpp"
 #include "traits.hpp"
 #include "unit_inference.hpp"
@@ -47,6 +48,7 @@ void resolve_entries(Context& context, const ModelSyntax& syntax) {
   for (const Instance& instance : instances) {
     read_frame(context, instance);
   }
+  check_rotations(context);
   for (const Instance& instance : instances) {
     read_mass(context, instance);
   }

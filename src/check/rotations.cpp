@@ -146,4 +146,28 @@ void read_rotation(ValueReader& values, const EntrySyntax& entry, std::uint32_t 
   }
 }
 
+void check_rotations(Context& context) {
+  const Model& model = context.model;
+  std::vector<const Frame*> turned(model.rotations.size(), nullptr);
+  for (const Frame& frame : model.frames) {
+    for (const FrameStep& step : frame.steps) {
+      if (!step.rotation) continue;
+      const Frame*& first = turned[*step.rotation];
+      if (first != nullptr) {
+        context.report.add(Code::E112, frame.span,
+                           quoted(model.rotations[*step.rotation].name) +
+                               " is already the rotation of the frame " + quoted(first->name));
+      }
+      first = &frame;
+    }
+  }
+  // A frame with an error of its own may be what is missed.
+  for (std::size_t i = 0; i < turned.size() && context.report.errors() == 0; ++i) {
+    if (turned[i] != nullptr) continue;
+    const Rotation& rotation = model.rotations[i];
+    context.report.add(Code::E513, rotation.span,
+                       quoted(rotation.name) + " is the `rotation` of no [[frame]]");
+  }
+}
+
 }  // namespace elgen::checking

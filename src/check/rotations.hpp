@@ -22,4 +22,7 @@ namespace elgen::checking {
 /// E403 for a unit.
 void read_rotation(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
+/// E513 for a rotation that turns no frame, E112 where it turns two.
+void check_rotations(Context& context);
+
 }  // namespace elgen::checking

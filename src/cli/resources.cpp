@@ -41,10 +41,17 @@ void set_resource_limits(const Limits& limits) {
                             "raised by --limit seconds=N"}});
   std::signal(SIGXCPU, end_on_time);
   std::signal(SIGINT, end_on_interrupt);
-  limit(RLIMIT_CPU, limits.seconds);
+  renew_time_limit(limits);
 #if !defined(__SANITIZE_ADDRESS__)  // its shadow memory counts
   limit(RLIMIT_AS, limits.memory_mib << 20U);
 #endif
+}
+
+void renew_time_limit(const Limits& limits) {
+  rusage used{};
+  ::getrusage(RUSAGE_SELF, &used);
+  const auto seconds = static_cast<std::uint64_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec);
+  limit(RLIMIT_CPU, seconds + limits.seconds);
 }
 
 Diagnostic out_of_memory(const Limits& limits) {

@@ -11,6 +11,9 @@ namespace elgen::cli {
 /// one half-written.
 void set_resource_limits(const Limits& limits);
 
+/// Gives the next input as much processor time as the first one had.
+void renew_time_limit(const Limits& limits);
+
 [[nodiscard]] Diagnostic out_of_memory(const Limits& limits);
 
 }  // namespace elgen::cli

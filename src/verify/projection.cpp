@@ -65,10 +65,9 @@ std::string compare_field(const Subject& subject, const FunctionRun& run, Oracle
                           Random& random) {
   const Field& field = run.function.fields.front();
   Contraction by{random_direction(field.rows, random), {}};
-  if (field.columns > 1 || run.function.kind == OutputKind::mass_matrix ||
-      run.function.kind == OutputKind::coriolis_matrix ||
-      run.function.kind == OutputKind::input_matrix ||
-      run.function.kind == OutputKind::user_jacobian) {
+  const bool is_matrix =
+      output_row(run.function.kind).fields.front().columns != Extent::one || field.columns > 1;
+  if (is_matrix) {
     by.y = random_direction(field.columns, random);
   }
   OutputRequest request = standard_request(run.function.kind);

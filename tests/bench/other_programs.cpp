@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "independent/robot.hpp"
 #ifdef WITH_KDL
 #include <kdl/chaindynparam.hpp>
 #include <kdl/chainidsolver_recursive_newton_euler.hpp>
@@ -12,17 +13,20 @@
 #ifdef WITH_MUJOCO
 #include "independent/mjcf.hpp"
 #include "independent/mujoco_model.hpp"
+#include "support/shell.hpp"
 #endif
 
 namespace bench {
 
 namespace {
 
-using elgen::test::Robot;
+namespace test = elgen::test;
+
+bool is_urdf(const std::filesystem::path& path) { return path.extension() == ".urdf"; }
 
 #ifdef WITH_KDL
-struct KdlArm {
-  explicit KdlArm(const Robot& robot) : chain(elgen::test::kdl_chain(robot)) {}
+struct KdlRobot {
+  explicit KdlRobot(const test::Robot& robot) : chain(test::kdl_chain(robot)) {}
 
   void set(const double* at_q, const double* at_v, const double* at_a) {
     std::copy_n(at_q, size, q.data.data());
@@ -32,35 +36,36 @@ struct KdlArm {
 
   KDL::Chain chain;
   unsigned size = chain.getNrOfJoints();
-  KDL::ChainDynParam parts{chain, elgen::test::kdl_gravity()};
-  KDL::ChainIdSolver_RNE solver{chain, elgen::test::kdl_gravity()};
+  KDL::ChainDynParam parts{chain, test::kdl_gravity()};
+  KDL::ChainIdSolver_RNE solver{chain, test::kdl_gravity()};
   KDL::JntSpaceInertiaMatrix mass{static_cast<int>(size)};
   KDL::JntArray q{size}, v{size}, a{size}, rest{size}, result{size};
   KDL::Wrenches no_loads{chain.getNrOfSegments(), KDL::Wrench::Zero()};
 };
 
-OtherProgram kdl_program(const Robot& robot) {
-  const auto arm = std::make_shared<KdlArm>(robot);
+OtherProgram kdl_program(const std::filesystem::path& description) {
+  const auto robot = std::make_shared<KdlRobot>(test::read_robot(description));
   return {"KDL",
-          [arm](const double* q, const double* v, const double* a) {
-            arm->set(q, v, a);
-            arm->parts.JntToMass(arm->q, arm->mass);
+          [robot](const double* q, const double* v, const double* a) {
+            robot->set(q, v, a);
+            robot->parts.JntToMass(robot->q, robot->mass);
           },
-          [arm](const double* q, const double* v, const double* a) {
-            arm->set(q, v, a);
-            arm->solver.CartToJnt(arm->q, arm->v, arm->rest, arm->no_loads, arm->result);
+          [robot](const double* q, const double* v, const double* a) {
+            robot->set(q, v, a);
+            robot->solver.CartToJnt(robot->q, robot->v, robot->rest, robot->no_loads,
+                                    robot->result);
           },
-          [arm](const double* q, const double* v, const double* a) {
-            arm->set(q, v, a);
-            arm->solver.CartToJnt(arm->q, arm->v, arm->a, arm->no_loads, arm->result);
+          [robot](const double* q, const double* v, const double* a) {
+            robot->set(q, v, a);
+            robot->solver.CartToJnt(robot->q, robot->v, robot->a, robot->no_loads, robot->result);
           }};
 }
 #endif
 
 #ifdef WITH_MUJOCO
-struct MujocoArm {
-  explicit MujocoArm(const Robot& robot)
-      : model(elgen::test::load_mujoco(elgen::test::mjcf(robot))), data(mj_makeData(model.get())) {}
+struct MujocoRobot {
+  explicit MujocoRobot(const std::string& text)
+      : model(test::load_mujoco(text)), data(mj_makeData(model.get())) {}
 
   /// What M and the forces are made of, and no more.
   void set(const double* q, const double* v, const double* a) {
@@ -76,39 +81,41 @@ struct MujocoArm {
     mj_rne(model.get(), data.get(), with_acceleration, result.data());
   }
 
-  elgen::test::MujocoModel model;
-  elgen::test::MujocoData data;
+  test::MujocoModel model;
+  test::MujocoData data;
   std::vector<double> result = std::vector<double>(static_cast<std::size_t>(model->nv * model->nv));
 };
 
-OtherProgram mujoco_program(const Robot& robot) {
-  const auto arm = std::make_shared<MujocoArm>(robot);
+OtherProgram mujoco_program(const std::filesystem::path& description) {
+  const auto robot = std::make_shared<MujocoRobot>(is_urdf(description)
+                                                       ? test::read_text(description)
+                                                       : test::mjcf(test::read_robot(description)));
   return {"MuJoCo",
-          [arm](const double* q, const double* v, const double* a) {
-            arm->set(q, v, a);
-            mj_crb(arm->model.get(), arm->data.get());
-            mj_fullM(arm->model.get(), arm->result.data(), arm->data->qM);
+          [robot](const double* q, const double* v, const double* a) {
+            robot->set(q, v, a);
+            mj_crb(robot->model.get(), robot->data.get());
+            mj_fullM(robot->model.get(), robot->result.data(), robot->data->qM);
           },
-          [arm](const double* q, const double* v, const double* a) {
-            arm->set(q, v, a);
-            arm->forces(0);
+          [robot](const double* q, const double* v, const double* a) {
+            robot->set(q, v, a);
+            robot->forces(0);
           },
-          [arm](const double* q, const double* v, const double* a) {
-            arm->set(q, v, a);
-            arm->forces(1);
+          [robot](const double* q, const double* v, const double* a) {
+            robot->set(q, v, a);
+            robot->forces(1);
           }};
 }
 #endif
 
 }  // namespace
 
-std::vector<OtherProgram> other_programs([[maybe_unused]] const Robot& robot) {
+std::vector<OtherProgram> other_programs(const std::filesystem::path& description) {
   std::vector<OtherProgram> programs;
 #ifdef WITH_KDL
-  programs.push_back(kdl_program(robot));
+  if (!is_urdf(description)) programs.push_back(kdl_program(description));
 #endif
 #ifdef WITH_MUJOCO
-  programs.push_back(mujoco_program(robot));
+  programs.push_back(mujoco_program(description));
 #endif
   return programs;
 }

@@ -1,10 +1,9 @@
 // KDL and MuJoCo for timing: everything they allocate stands before the first call.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <vector>
-
-#include "independent/robot.hpp"
 
 namespace bench {
 
@@ -15,7 +14,7 @@ struct OtherProgram {
   Evaluate mass_matrix, bias, inverse_dynamics;
 };
 
-/// The arm by each program that is installed.
-[[nodiscard]] std::vector<OtherProgram> other_programs(const elgen::test::Robot& robot);
+/// The robot by each program that is installed; in URDF, for MuJoCo alone.
+[[nodiscard]] std::vector<OtherProgram> other_programs(const std::filesystem::path& description);
 
 }  // namespace bench

@@ -52,11 +52,11 @@ TEST_CASE("a rotation is no number") {
   };
   const std::string hint =
       " | it is the `rotation` of a [[frame]]; its angular velocity is `dot(e[1])` to `dot(e[3])`";
-  CHECK(energy("J*e") == "E319 19:8 `e` is a rotation, not a number" + hint + "\n");
-  CHECK(energy("J*e[1]") == "E319 19:8 `e[1]` is a rotation, not a number" + hint + "\n");
-  CHECK(energy("J*e_w") == "E319 19:8 `e_w` is a component of a rotation, not a number\n");
-  CHECK(energy("J*dot(e[4])") == "E207 19:12 there is no `e[4]`: `e` has the elements 1 to 3\n");
-  CHECK(energy("J*dot(e)") == "E208 19:12 `e` needs an index: `e` has the elements 1 to 3\n");
+  CHECK(energy("J*e") == "E319 18:8 `e` is a rotation, not a number" + hint + "\n");
+  CHECK(energy("J*e[1]") == "E319 18:8 `e[1]` is a rotation, not a number" + hint + "\n");
+  CHECK(energy("J*e_w") == "E319 18:8 `e_w` is a component of a rotation, not a number\n");
+  CHECK(energy("J*dot(e[4])") == "E207 18:12 there is no `e[4]`: `e` has the elements 1 to 3\n");
+  CHECK(energy("J*dot(e)") == "E208 18:12 `e` needs an index: `e` has the elements 1 to 3\n");
 }
 
 TEST_CASE("keys that only numbers have") {
@@ -65,7 +65,7 @@ TEST_CASE("keys that only numbers have") {
   CHECK(messages(flying("armature = 1\n")) == "E112 7:1 a rotation has no `armature`\n");
   CHECK(messages(flying("singular = \"J\"\n")) == "E112 7:1 a rotation has no `singular`\n");
   CHECK(messages(flying("unit = \"m\"\n")) ==
-        "E403 7:8 a rotation is a pure number; its angular velocity is in rad/s\n");
+        "E403 7:9 a rotation is a pure number; its angular velocity is in rad/s\n");
   CHECK(messages(flying("for = \"i in 1..2\"\n")) ==
         "E112 7:1 a rotation is not repeated: its index counts its angular velocities\n");
 }
@@ -82,7 +82,15 @@ TEST_CASE("the start is a unit quaternion and three rates") {
 
 TEST_CASE("names of the components are taken") {
   CHECK(messages(flying("", "[define]\ne_x = 1\n")) ==
-        "E203 19:1 `e_x` is already a component of a rotation | first at line 5\n");
+        "E203 18:1 `e_x` is already a component of a rotation | first at line 5\n");
+}
+
+TEST_CASE("a rotation turns exactly one frame") {
+  const std::string second = "[[frame]]\nname = \"other\"\nparent = \"world\"\nrotation = \"e\"\n";
+  CHECK(messages(flying("", second)) ==
+        "E112 18:9 `e` is already the rotation of the frame `body`\n");
+  const std::string alone = "[[coordinate]]\nname = \"f\"\nkind = \"rotation\"\n";
+  CHECK(messages(flying("", alone)) == "E513 18:9 `f` is the `rotation` of no [[frame]]\n");
 }
 
 }  // namespace elgen::test

@@ -38,7 +38,7 @@ class ChainOracle {
     const unsigned size = chain_.getNrOfJoints();
     const KDL::JntArray q = joints(state.q);
     const KDL::JntArray v = joints(state.v);
-    KDL::JntSpaceInertiaMatrix mass(size);
+    KDL::JntSpaceInertiaMatrix mass(static_cast<int>(size));
     KDL::JntArray velocity_force(size), gravity(size), bias(size), torque(size);
     demand(parts.JntToMass(q, mass));
     demand(parts.JntToCoriolis(q, v, velocity_force));

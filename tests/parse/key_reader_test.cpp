@@ -90,6 +90,8 @@ std::vector<std::string> accepted_by(KeyType type) {
     case KeyType::choice:
     case KeyType::choice_list:
       return {};  // no sample is one of their words
+    case KeyType::turns:
+      return {};  // no sample is a list of pairs
   }
   return {};
 }

@@ -58,7 +58,8 @@ constexpr const char* program = R"cpp(
   }
 
   int main() {
-    const body::Parameters<double> p{};
+    body::Parameters<double> p{};
+  p.g = 0;  // falling 50 km would drown what is conserved
     State x{{0, 0, 0, 1, 0, 0, 0}, {1, 2, 3, 0.1, 5, 0.1}};
     const double energy = body::energy_function(p, x.q, x.v);
     const double momentum = spin(p, x);
@@ -88,7 +89,7 @@ TEST_CASE("a free body tumbles for a million steps") {
   std::istringstream(outcome.output) >> length >> energy >> momentum;
   CAPTURE(outcome.output);
   CHECK(length <= 4 * 2.220446049250313e-16);
-  CHECK(energy < 1e-9);
+  CHECK(energy < 1e-12);
   CHECK(momentum < 1e-11);
 }
 

@@ -1,7 +1,10 @@
-// M, bias and inverse dynamics of a serial arm by programs of different origin, in one run: emitted
-// code with parameters and with numbers, the recursion by hand (panda7), KDL and MuJoCo where they
-// are installed. MODEL and FIXED are the namespaces, HEADER and FIXED_HEADER the paths of the
-// emitted headers, DESCRIPTION the JSON of the arm. Prints rows of a Markdown table.
+// M, bias and inverse dynamics of a robot by programs of different origin, in one run: emitted code
+// with parameters and with numbers, the recursion by hand (panda7), KDL and MuJoCo where they are
+// installed. MODEL and FIXED are the namespaces, HEADER and FIXED_HEADER the paths of the emitted
+// headers, DESCRIPTION the robot in JSON or URDF. Prints rows of a Markdown table.
+#include HEADER
+#include FIXED_HEADER
+
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -11,30 +14,38 @@
 #ifdef BY_HAND
 #include "panda_by_hand.hpp"
 #endif
-#include HEADER
-#include FIXED_HEADER
 
 namespace {
 
 namespace emitted = ::MODEL;
 namespace fixed = ::FIXED;
 
-constexpr std::size_t joints = emitted::coordinate_count;
-using Numbers = std::array<double, joints>;
+constexpr std::size_t joints = emitted::velocity_count;
+using Forces = std::array<double, joints>;
 
 struct JointState {
-  Numbers q, v, a;
+  std::array<double, emitted::coordinate_count> q;
+  Forces v, a;
 };
+
+/// A quaternion of a free base has length 1.
+void normalise_base(JointState& state) {
+  if (emitted::coordinate_count == joints) return;
+  double sum = 0.0;
+  for (std::size_t i = 3; i < 7; ++i) sum += state.q[i] * state.q[i];
+  for (std::size_t i = 3; i < 7; ++i) state.q[i] /= std::sqrt(sum);
+}
 
 std::vector<JointState> some_states() {
   std::vector<JointState> states(16);
   for (std::size_t k = 0; k < states.size(); ++k) {
+    const auto x = [k](std::size_t i) { return static_cast<double>(7 * k + i); };
+    for (std::size_t i = 0; i < states[k].q.size(); ++i) states[k].q[i] = 3.0 * std::sin(x(i));
     for (std::size_t i = 0; i < joints; ++i) {
-      const auto x = static_cast<double>(7 * k + i);
-      states[k].q[i] = 3.0 * std::sin(x);
-      states[k].v[i] = 2.0 * std::cos(3.0 * x);
-      states[k].a[i] = 4.0 * std::sin(5.0 * x);
+      states[k].v[i] = 2.0 * std::cos(3.0 * x(i));
+      states[k].a[i] = 4.0 * std::sin(5.0 * x(i));
     }
+    normalise_base(states[k]);
   }
   return states;
 }
@@ -63,10 +74,10 @@ class Contest {
     });
   }
 
-  void print(const std::string& arm) const {
+  void print(const std::string& robot) const {
     const std::vector<double> ns = bench::medians(alternatives_, 200, 301);
     for (std::size_t i = 0; i < ns.size(); ++i) {
-      std::printf("| %s | %s | %s | %.0f | %.2f |\n", arm.c_str(), quantity_, programs_[i], ns[i],
+      std::printf("| %s | %s | %s | %.0f | %.2f |\n", robot.c_str(), quantity_, programs_[i], ns[i],
                   ns[i] / ns[0]);
     }
   }
@@ -114,37 +125,39 @@ Contest inverse_dynamics() {
 /// Where the two differ, something is timed that is wrong.
 void demand_agreement(const bench::Panda<double>& panda) {
   for (const JointState& at : some_states()) {
-    const Numbers own = emitted::inverse_dynamics(emitted::Parameters<double>{}, at.q, at.v, at.a);
-    const Numbers hand = bench::inverse_dynamics(panda, at.q, at.v, at.a);
+    const Forces own = emitted::inverse_dynamics(emitted::Parameters<double>{}, at.q, at.v, at.a);
+    const Forces hand = bench::inverse_dynamics(panda, at.q, at.v, at.a);
     for (std::size_t i = 0; i < joints; ++i) {
       if (!(std::abs(own[i] - hand[i]) < 1e-11)) throw std::runtime_error("by hand it differs");
     }
   }
 }
 
-void add_by_hand(Contest& contest, const elgen::test::Robot& robot) {
-  const bench::Panda<double> panda = bench::panda_of(robot);
+void add_by_hand(Contest& contest) {
+  const bench::Panda<double> panda = bench::panda_of(elgen::test::read_robot(DESCRIPTION));
   demand_agreement(panda);
   contest.add("Newton-Euler by hand", [panda](const JointState& at) {
     return bench::inverse_dynamics(panda, at.q, at.v, at.a);
   });
 }
 #else
-void add_by_hand(const Contest& /*contest*/, const elgen::test::Robot& /*robot*/) {}
+void add_by_hand(const Contest& /*contest*/) {}
 #endif
 
 }  // namespace
 
 int main() {
-  const elgen::test::Robot robot = elgen::test::read_robot(DESCRIPTION);
+  const std::filesystem::path description = DESCRIPTION;
   Contest mass = mass_matrices();
   Contest bias = biases();
   Contest torque = inverse_dynamics();
-  add_by_hand(torque, robot);
-  for (const bench::OtherProgram& program : bench::other_programs(robot)) {
+  add_by_hand(torque);
+  for (const bench::OtherProgram& program : bench::other_programs(description)) {
     mass.add(program.name, program.mass_matrix);
     bias.add(program.name, program.bias);
     torque.add(program.name, program.inverse_dynamics);
   }
-  for (const Contest* contest : {&mass, &bias, &torque}) contest->print(robot.name);
+  for (const Contest* contest : {&mass, &bias, &torque}) {
+    contest->print(description.stem().string());
+  }
 }
