@@ -11,6 +11,7 @@ namespace elgen::checking {
 namespace {
 
 constexpr Place force_place{"a force", place::of_force};
+constexpr Place torque_place{"a torque", place::of_force};
 
 void read_generalized_force(ValueReader& values, const KeySyntax& on, const KeySyntax& value,
                             Force& force) {
@@ -72,7 +73,7 @@ void read_torque(ValueReader& values, const EntrySyntax& entry, Force& force) {
   const KeySyntax& value = *entry.find("value");
   force.frame = values.reference(entry.find("frame")->value, SymbolKind::frame);
   force.axes = axes_of(values, entry, force.frame);
-  force.value = values.roots(value.value, {force_place, find_unit("N*m")});
+  force.value = values.roots(value.value, {torque_place, *find_unit("N") * *find_unit("m")});
   const std::size_t expected = context.dimension == 2 ? 1 : 3;
   if (force.value.size() != expected) {
     context.report.add(Code::E516, value.value.span,

@@ -52,7 +52,9 @@ TEST_CASE("closed forms that do not fit") {
        "[…]]\n"},
       {"gravty = [\"0\", \"0\"]\n",
        "E601 17:1 unknown output `gravty` | did you mean `gravity`?\n"},
-      {"reaction = [\"0\"]\n", "E108 17:1 the output `reaction` is not yet supported\n"},
+      {"linearization = [\"0\"]\n",
+       "E517 17:17 1 x 1 entries, but `linearization` is 4 x 4 | a matrix is a list of rows: [[…], "
+       "[…]]\n"},
       {"gravity = { for = \"i in 1..n\", value = \"0\" }\n",
        "E601 17:1 `gravity` is given by entry, but is not called so | did you mean "
        "`gravity_entry`?\n"},

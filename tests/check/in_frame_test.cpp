@@ -88,9 +88,16 @@ TEST_CASE("a body without inertia has no spin", "[frames]") {
   CHECK(model.bodies[0].spin.empty());
 }
 
+TEST_CASE("a body without a centre of mass has it at the origin of its frame", "[frames]") {
+  const Model model = two("[[body]]\nname = \"b\"\nframe = \"f\"\nmass = \"m\"\n");
+  CHECK(close(numbers(model).values(model.bodies[0].com), {0, s, l}));
+}
+
 TEST_CASE("forces have the axes of the world or of `in`", "[frames]") {
   const std::string point = "[[point]]\nname = \"p\"\nframe = \"g\"\nat = [\"l\", \"0\", \"0\"]\n";
-  const std::string force = "[[force]]\nat = \"p\"\nvalue = [\"1\", \"2\", \"3\"]\n";
+  const std::string force =
+      "[parameters.F]\nvalue = 1\nunit = \"N\"\n"
+      "[[force]]\nat = \"p\"\nvalue = [\"F\", \"2*F\", \"3*F\"]\n";
   const Model plain = two(point + force);
   CHECK(close(numbers(plain).values(plain.forces[0].value), {1, 2, 3}));
   CHECK_FALSE(plain.forces[0].axes);
@@ -104,7 +111,9 @@ TEST_CASE("forces have the axes of the world or of `in`", "[frames]") {
 }
 
 TEST_CASE("torques are kept in the axes of the frame they turn", "[frames]") {
-  const std::string torque = "[[force]]\nframe = \"g\"\nvalue = [\"1\", \"2\", \"3\"]\n";
+  const std::string torque =
+      "[parameters.F]\nvalue = 1\nunit = \"N*m\"\n"
+      "[[force]]\nframe = \"g\"\nvalue = [\"F\", \"2*F\", \"3*F\"]\n";
   const Model own = two(torque);
   CHECK(own.forces[0].frame == 1U);
   CHECK_FALSE(own.forces[0].from_frame);
@@ -139,7 +148,7 @@ TEST_CASE("the output of a frame is its pose, and its twist in the axes asked fo
 }
 
 TEST_CASE("planar models: two components, one inertia, one torque", "[frames]") {
-  const Model model = checked(with_frames(R"([[frame]]
+  const Model model = checked(with_frames(R"toml([[frame]]
 name = "f"
 parent = "world"
 translate = ["s", "l"]
@@ -153,8 +162,11 @@ inertia = "9*J"
 inertia_about = "origin"
 [[force]]
 frame = "f"
-value = "5*J/l^2*l^2/J"
-)"))
+value = "5*F"
+[parameters.F]
+value = 1
+unit = "N*m"
+)toml"))
                           .model;
   const ModelNumbers at = numbers(model);
   const Body& body = model.bodies[0];
@@ -167,24 +179,35 @@ value = "5*J/l^2*l^2/J"
 
 TEST_CASE("what may not be in a frame", "[frames]") {
   const std::vector<std::pair<std::string, std::string>> rows{
-      {"[[point]]\nname = \"p\"\nframe = \"ff\"\nat = [\"l\", \"0\", \"0\"]\n", ""},
-      {"[[point]]\nname = \"p\"\nframe = \"f\"\nat = [\"l\", \"0\"]\n", ""},
-      {"[[body]]\nname = \"b\"\nframe = \"f\"\nmass = \"m\"\ncom = [\"s\", \"0\", \"0\"]\n", ""},
-      {"[[body]]\nname = \"b\"\nframe = \"f\"\nmass = \"m\"\n", ""},
+      {"[[point]]\nname = \"p\"\nframe = \"ff\"\nat = [\"l\", \"0\", \"0\"]\n",
+       "E201 27:10 unknown frame `ff` | did you mean `f`? (frame, line 17)\n"},
+      {"[[point]]\nname = \"p\"\nframe = \"f\"\nat = [\"l\", \"0\"]\n",
+       "E516 28:6 2 components in a model whose first vector has 3\n"},
+      {"[[body]]\nname = \"b\"\nframe = \"f\"\nmass = \"m\"\ncom = [\"s\", \"0\", \"0\"]\n",
+       "E506 29:9 `s` is a coordinate, and a centre of mass takes none\n"},
       {"[[body]]\nname = \"b\"\nframe = \"f\"\nspin = [\"0\", \"0\", \"dot(q)\"]\ninertia = "
        "[\"J\", \"J\", \"J\"]\n",
-       ""},
-      {"[[body]]\nname = \"b\"\nframe = \"f\"\ninertia = \"J\"\n", ""},
-      {"[[force]]\nframe = \"f\"\nvalue = \"J\"\n", ""},
-      {"[[force]]\nframe = \"h\"\nvalue = [\"0\", \"0\", \"0\"]\n", ""},
-      {"[[force]]\nframe = \"f\"\nfrom = \"q\"\nvalue = [\"0\", \"0\", \"0\"]\n", ""},
-      {"[[force]]\nframe = \"f\"\non = \"q\"\nvalue = [\"0\", \"0\", \"0\"]\n", ""},
-      {"[[force]]\nvalue = [\"0\", \"0\", \"0\"]\n", ""},
-      {"[[force]]\nframe = \"f\"\nvalue = [\"m\", \"0\", \"0\"]\n", ""},
-      {"[[output]]\nname = \"o\"\n", ""},
-      {"[[output]]\nname = \"o\"\nvalue = \"q\"\nframe = \"f\"\n", ""},
-      {"[[output]]\nname = \"o\"\nframe = \"f\"\naxes = \"g\"\n", ""},
-      {"[[output]]\nname = \"o\"\nframe = \"h\"\n", ""},
+       "E112 28:1 a body has `frame` or `spin`, not both\n"},
+      {"[[body]]\nname = \"b\"\nframe = \"f\"\ninertia = \"J\"\n",
+       "E516 28:12 1 moments of inertia for a spin of 3 | planar bodies have 1, spatial ones 3 "
+       "or 6: xx yy zz xy xz yz\n"},
+      {"[[force]]\nframe = \"f\"\nvalue = \"0\"\n", "E516 27:10 1 component, but a torque has 3\n"},
+      {"[[force]]\nframe = \"h\"\nvalue = [\"0\", \"0\", \"0\"]\n",
+       "E201 26:10 unknown frame `h`\n"},
+      {"[[force]]\nframe = \"f\"\nfrom = \"q\"\nvalue = [\"0\", \"0\", \"0\"]\n",
+       "E201 27:9 unknown frame `q`\n"},
+      {"[[force]]\nframe = \"f\"\non = \"q\"\nvalue = [\"0\", \"0\", \"0\"]\n",
+       "E112 27:1 a force has one of `on`, `at` and `frame`\n"},
+      {"[[force]]\nvalue = [\"0\", \"0\", \"0\"]\n",
+       "E112 25:1 none of `on`, `at` and `frame` says where the force acts\n"},
+      {"[[force]]\nframe = \"f\"\nvalue = [\"m\", \"0\", \"0\"]\n",
+       "E403 27:11 `m` is in kg, but a torque is in J\n"},
+      {"[[output]]\nname = \"o\"\n", "E112 25:1 an output has one of `value` and `frame`\n"},
+      {"[[output]]\nname = \"o\"\nvalue = \"q\"\nframe = \"f\"\n",
+       "E112 25:1 an output has one of `value` and `frame`\n"},
+      {"[[output]]\nname = \"o\"\nframe = \"f\"\naxes = \"g\"\n",
+       "E112 28:9 axes are `world` or those of the frame itself\n"},
+      {"[[output]]\nname = \"o\"\nframe = \"h\"\n", "E201 27:10 unknown frame `h`\n"},
   };
   for (const auto& [entries, expected] : rows) {
     INFO(entries);

@@ -32,17 +32,17 @@ TEST_CASE("turns about z and shifts in the plane stay there", "[frames]") {
 TEST_CASE("what leaves the plane is refused where it does", "[frames]") {
   const std::vector<std::pair<std::string, std::string>> rows{
       {"rotate = [[\"z\", \"q\"], [\"x\", \"2*q\"]]\n",
-       "E516 22:31 `2*q` turns out of the plane of a model whose vectors have 2 components\n"},
+       "E516 22:30 `2*q` turns out of the plane of a model whose vectors have 2 components\n"},
       {"rotate = [[[\"0\", \"1\", \"1\"], \"q\"]]\n",
-       "E516 22:31 `q` turns out of the plane of a model whose vectors have 2 components\n"},
+       "E516 22:30 `q` turns out of the plane of a model whose vectors have 2 components\n"},
       {"rpy = [\"0\", \"pi\", \"q\"]\n",
        "E516 22:14 `pi` turns out of the plane of a model whose vectors have 2 components\n"},
       {"quaternion = [\"1\", \"0\", \"q\", \"0\"]\n",
        "E516 22:26 `q` turns out of the plane of a model whose vectors have 2 components\n"},
       {"dh = { convention = \"modified\", theta = \"q\", d = \"l\" }\n",
-       "E516 22:50 `l` shifts out of the plane of a model whose vectors have 2 components\n"},
+       "E516 22:51 `l` shifts out of the plane of a model whose vectors have 2 components\n"},
       {"translate = [\"l\", \"0\", \"0\"]\n",
-       "E516 17:8 2 components in a model whose first vector has 3\n"},
+       "E516 18:6 2 components in a model whose first vector has 3\n"},
   };
   for (const auto& [keys, expected] : rows) {
     INFO(keys);

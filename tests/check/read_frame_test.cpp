@@ -95,7 +95,7 @@ TEST_CASE("quaternions have any length but 0, the scalar first", "[frames]") {
 }
 
 TEST_CASE("frames may be declared before their parents, and carry names of bodies", "[frames]") {
-  const Model model = checked(with_frames(R"([[frame]]
+  const Model model = checked(with_frames(R"toml([[frame]]
 name = "f"
 parent = "g"
 translate = ["l", "0", "0"]
@@ -111,7 +111,7 @@ name = "f"
 frame = "g"
 mass = "m"
 com = ["0", "0", "0"]
-)"))
+)toml"))
                           .model;
   CHECK(model.frames[0].parent == 1U);
   CHECK(model.frames[1].doc == "the first");
@@ -122,25 +122,40 @@ com = ["0", "0", "0"]
 
 TEST_CASE("what frames may not be", "[frames]") {
   const std::vector<std::pair<std::string, std::string>> rows{
-      {"name = \"f\"\nparent = \"worl\"\n", ""},
-      {"name = \"world\"\nparent = \"world\"\n", ""},
-      {"name = \"f\"\nparent = \"f\"\n", ""},
-      {"name = \"f\"\nparent = \"g\"\n[[frame]]\nname = \"g\"\nparent = \"f\"\n", ""},
-      {"name = \"f\"\nparent = \"world\"\n[[frame]]\nname = \"f\"\nparent = \"world\"\n", ""},
-      {"name = \"first\"\nparent = \"world\"\n[[frame]]\nname = \"g\"\nparent = \"fisrt\"\n", ""},
+      {"name = \"f\"\nparent = \"worl\"\n", "E201 18:11 unknown frame `worl`\n"},
+      {"name = \"world\"\nparent = \"world\"\n",
+       "E204 17:9 `world` is reserved: it is what does not move\n"},
+      {"name = \"f\"\nparent = \"f\"\n", "E206 17:9 `f` is defined by itself: f -> f\n"},
+      {"name = \"f\"\nparent = \"g\"\n[[frame]]\nname = \"g\"\nparent = \"f\"\n",
+       "E206 17:9 `f` is defined by itself: f -> g -> f\n"},
+      {"name = \"f\"\nparent = \"world\"\n[[frame]]\nname = \"f\"\nparent = \"world\"\n",
+       "E203 20:9 `f` is already a frame | first at line 17\n"},
+      {"name = \"first\"\nparent = \"world\"\n[[frame]]\nname = \"g\"\nparent = \"fisrt\"\n",
+       "E201 21:11 unknown frame `fisrt` | did you mean `first`? (frame, line 17)\n"},
       {"name = \"f\"\nparent = \"world\"\nrpy = [\"q\", \"0\", \"0\"]\nrotate = [[\"x\", \"q\"]]\n",
-       ""},
-      {"name = \"f\"\nparent = \"world\"\nrotate = [[\"w\", \"q\"]]\n", ""},
-      {"name = \"f\"\nparent = \"world\"\nrotate = [[[\"0\", \"0\", \"0\"], \"q\"]]\n", ""},
-      {"name = \"f\"\nparent = \"world\"\nrotate = [[[\"q\", \"0\", \"0\"], \"q\"]]\n", ""},
-      {"name = \"f\"\nparent = \"world\"\nrotate = [[\"x\", \"l\"]]\n", ""},
-      {"name = \"f\"\nparent = \"world\"\nrotate = [[\"x\", \"dot(q)\"]]\n", ""},
-      {"name = \"f\"\nparent = \"world\"\ntranslate = [\"q\", \"0\", \"0\"]\n", ""},
-      {"name = \"f\"\nparent = \"world\"\ntranslate = [\"l\"]\n", ""},
-      {"name = \"f\"\nparent = \"world\"\nrpy = [\"q\", \"0\"]\n", ""},
-      {"name = \"f\"\nparent = \"world\"\nquaternion = [\"1\", \"0\", \"0\"]\n", ""},
-      {"name = \"f\"\nparent = \"world\"\nquaternion = [\"0\", \"0\", \"0\", \"0\"]\n", ""},
-      {"name = \"f\"\nparent = \"world\"\nrotation = \"attitude\"\n", ""},
+       "E112 20:1 a frame is turned by one of `rotate`, `rpy`, `dh`, `quaternion`, `rotation`\n"},
+      {"name = \"f\"\nparent = \"world\"\nrotate = [[\"w\", \"q\"]]\n",
+       "E112 19:13 `w` is no axis: `x`, `y`, `z` or three constants\n"},
+      {"name = \"f\"\nparent = \"world\"\nrotate = [[[\"0\", \"0\", \"0\"], \"q\"]]\n",
+       "E112 19:12 an axis of length 0 has no direction\n"},
+      {"name = \"f\"\nparent = \"world\"\nrotate = [[[\"q\", \"0\", \"0\"], \"q\"]]\n",
+       "E319 19:14 `q` is not a constant number\n"},
+      {"name = \"f\"\nparent = \"world\"\nrotate = [[\"x\", \"l\"]]\n",
+       "E403 19:18 `l` is in m, but an angle is in 1\n"},
+      {"name = \"f\"\nparent = \"world\"\nrotate = [[\"x\", \"dot(q)\"]]\n",
+       "E319 19:18 `dot(q)` is a rate, and an angle takes none\n"},
+      {"name = \"f\"\nparent = \"world\"\ntranslate = [\"q\", \"0\", \"0\"]\n",
+       "E403 19:15 `q` is in 1, but a position is in m\n"},
+      {"name = \"f\"\nparent = \"world\"\ntranslate = [\"l\"]\n",
+       "E104 19:13 1 component, but a vector has 2 or 3\n"},
+      {"name = \"f\"\nparent = \"world\"\nrpy = [\"q\", \"0\"]\n",
+       "E104 19:7 2 components, but `rpy` has 3\n"},
+      {"name = \"f\"\nparent = \"world\"\nquaternion = [\"1\", \"0\", \"0\"]\n",
+       "E104 19:14 3 components, but a quaternion has 4\n"},
+      {"name = \"f\"\nparent = \"world\"\nquaternion = [\"0\", \"0\", \"0\", \"0\"]\n",
+       "E112 19:14 a quaternion of length 0 is no orientation\n"},
+      {"name = \"f\"\nparent = \"world\"\nrotation = \"attitude\"\n",
+       "E201 19:13 unknown rotation `attitude`\n"},
   };
   for (const auto& [keys, expected] : rows) {
     INFO(keys);

@@ -55,7 +55,7 @@ mass = "m"
 [[frame]]
 name = "lower"
 parent = "upper"
-rotate = [["x", "angle"]]
+rotate = [["z", "angle"]]
 [[frame]]
 name = "upper"
 parent = "world"

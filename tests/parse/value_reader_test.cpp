@@ -107,3 +107,41 @@ TEST_CASE("integers are bare and whole", "[parse]") {
   CHECK(size("5.5") == "E104 6:5");
   CHECK(size("\"5\"") == "E104 6:5");
 }
+
+namespace {
+
+/// The dump of `rotate` in a frame, where it stands in line 8, or the first error.
+std::string turns_answer(const std::string& turns) {
+  const std::string text =
+      "format = 1\nmodel.name = \"m\"\n[[coordinate]]\nname = \"q\"\n[[frame]]\nname = \"f\"\n"
+      "parent = \"world\"\nrotate = " +
+      turns + "\n";
+  const std::string all = model_answer(text);
+  const std::size_t begin = all.find("rotate = ");
+  if (begin != std::string::npos) return all.substr(begin + 9, all.size() - begin - 10);
+  return all + " " + testing::first_error(text).message;
+}
+
+}  // namespace
+
+TEST_CASE("turns are pairs of an axis and an angle", "[parse]") {
+  CHECK(turns_answer("[[\"x\", \"q\"], [[\"1\",\"2\",0], \"a\"]]") ==
+        "[[\"x\", q], [[1, 2, 0], a]]");
+  CHECK(turns_answer("[[\"z\", 0.5]]") == "[[\"z\", 0.5]]");
+  CHECK(turns_answer("[]") == "[]");
+}
+
+TEST_CASE("turns of another shape say what is expected", "[parse]") {
+  CHECK(turns_answer("\"x\"") == "E104 8:10 string `x` where a list of [axis, angle] is expected");
+  CHECK(turns_answer("[\"x\"]") == "E104 8:11 string `x` where [axis, angle] is expected");
+  CHECK(turns_answer("[[\"x\"]]") == "E104 8:11 list where [axis, angle] is expected");
+  CHECK(turns_answer("[[\"x\", \"q\", \"z\"]]") ==
+        "E104 8:11 list where [axis, angle] is expected");
+  CHECK(turns_answer("[[1, \"q\"]]") == "E104 8:12 number `1` where a string is expected");
+  CHECK(turns_answer("[[[\"1\", \"2\"], \"q\"]]") ==
+        "E104 8:12 list where a list of 3 expressions is expected");
+  CHECK(turns_answer("[[\"x\", [\"q\"]]]") ==
+        "E104 8:17 list where an expression (a number or a string) is expected");
+  CHECK(turns_answer("[[\"x\", \"q+\"]]") ==
+        "E302 8:20 expression ends where an operand is expected");
+}
