@@ -11,6 +11,7 @@
 #include "options.hpp"
 #include "output_files.hpp"
 #include "progress.hpp"
+#include "resources.hpp"
 
 namespace elgen::cli {
 
@@ -45,6 +46,7 @@ ExitCode run(const GlobalOptions& global, const GenerateOptions& options, std::v
       worst = std::max(worst, report(global, inputs.diagnostics));
       continue;
     }
+    renew_time_limit(global.limits);
     const Progress progress(path);
     PipelineOptions pipeline = pipeline_options(global, options);
     pipeline.on_stage = [&](const std::string& stage) { progress.stage(stage); };

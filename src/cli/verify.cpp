@@ -7,6 +7,7 @@
 #include "inputs.hpp"
 #include "options.hpp"
 #include "progress.hpp"
+#include "resources.hpp"
 
 namespace elgen::cli {
 
@@ -14,6 +15,7 @@ namespace {
 
 ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& options,
                     const std::string& path, std::string& certificates) {
+  renew_time_limit(global.limits);
   Result<Inputs> inputs = read_inputs(path, global.limits);
   if (!inputs) return report(global, inputs.diagnostics);
   const Progress progress(path);

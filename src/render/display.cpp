@@ -14,7 +14,7 @@ namespace {
 
 constexpr double between_columns = 2.5;
 constexpr double indent = 4;
-constexpr std::size_t largest_matrix = 10;  ///< columns of a pmatrix
+constexpr std::size_t largest_matrix = 7;  ///< columns of a pmatrix
 
 double measured(const std::string& latex) { return width(read_latex(latex)); }
 

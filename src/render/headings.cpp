@@ -76,10 +76,18 @@ Heading heading(const Model& model, const Function& function) {
   return {bias, fmt::format("{} = {} \\ddot{{q}} + {}", second, jacobian, bias)};
 }
 
-std::string field_symbol(const Field& field) {
+std::string field_symbol(OutputKind kind, const Field& field) {
   if (field.name == "acceleration") return "\\ddot{q}";
-  return field.name == "relative_pivots" ? "\\frac{D_{i}}{M_{ii}}"
-                                         : latex_symbol(field.name).text();
+  if (field.name == "relative_pivots") return "\\frac{D_{i}}{M_{ii}}";
+  const bool is_inverse = kind == OutputKind::inverse_dynamics_derivatives;
+  const char* above = is_inverse ? "\\tau" : "\\ddot{q}";
+  if (field.name == "by_position")
+    return fmt::format("\\frac{{\\partial {}}}{{\\partial q}}", above);
+  if (field.name == "by_velocity") {
+    return fmt::format("\\frac{{\\partial {}}}{{\\partial \\dot{{q}}}}", above);
+  }
+  if (field.name == "by_input") return fmt::format("\\frac{{\\partial {}}}{{\\partial u}}", above);
+  return latex_symbol(field.name).text();
 }
 
 std::string output_doc(const Model& model, const Function& function) {

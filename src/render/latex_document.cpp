@@ -39,6 +39,16 @@ std::string plain(const std::string& text) {
 
 std::string block(const std::string& latex) { return fmt::format("\\[\n{}\n\\]\n", latex); }
 
+/// Lines that may break across pages; `aligned` may not.
+constexpr std::size_t longest_block = 10;
+
+std::string block(const rendering::Display& display) {
+  const std::string latex = rendering::latex_block(display);
+  if (display.columns > 0 || display.texts.size() <= longest_block) return block(latex);
+  const std::string body = latex.substr(latex.find('\n'), latex.rfind('\n') - latex.find('\n'));
+  return fmt::format("\\begin{{align*}}{}\n\\end{{align*}}\n", body);
+}
+
 std::string table(const std::string& title, const std::vector<SheetVariable>& variables,
                   bool have_values) {
   if (variables.empty()) return {};
@@ -59,7 +69,7 @@ std::string section(const SheetOutput& output) {
   if (!output.definition.empty()) text += block(output.definition);
   for (const SheetEquation& equation : output.equations) {
     for (const rendering::Display& display : rendering::displays(equation)) {
-      text += block(rendering::latex_block(display));
+      text += block(display);
     }
   }
   return text;

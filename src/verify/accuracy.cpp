@@ -151,6 +151,11 @@ bool is_beyond_oracle(const std::vector<cl_R>& solution) {
                      [](const cl_R& pivot) { return cln::abs(pivot) < least; });
 }
 
+bool is_solved(OutputKind kind) {
+  return kind == OutputKind::forward_dynamics || kind == OutputKind::linearization ||
+         kind == OutputKind::forward_dynamics_derivatives;
+}
+
 template <class Scalar>
 void record_state(FieldRecord& record, const Run<Scalar>& run, OracleCache& oracle,
                   const Subject& subject) {
@@ -160,9 +165,12 @@ void record_state(FieldRecord& record, const Run<Scalar>& run, OracleCache& orac
     ++record.undefined;
     return;
   }
-  if (record.request.kind == OutputKind::forward_dynamics && is_beyond_oracle(*truth)) {
-    ++record.ill_conditioned;
-    return;
+  if (is_solved(record.request.kind)) {
+    const OracleValues& solution = oracle.values(standard_request(OutputKind::forward_dynamics));
+    if (!solution || is_beyond_oracle(*solution)) {
+      ++record.ill_conditioned;
+      return;
+    }
   }
   const bool was_right = record.mistake.empty();
   for (std::size_t i = 0; i < record.field->entries.size(); ++i) {
@@ -210,14 +218,24 @@ CertificateRow row_of(const Subject& subject, const FieldRecord& record, const c
   return row;
 }
 
+/// A derivative of the dynamics costs the oracle as much as all other outputs together, n times: of
+/// more than three velocities every sixteenth state has to do.
+bool is_due(OutputKind kind, std::size_t velocities, std::size_t sample) {
+  const bool is_derivative = kind == OutputKind::linearization ||
+                             kind == OutputKind::inverse_dynamics_derivatives ||
+                             kind == OutputKind::forward_dynamics_derivatives;
+  return !is_derivative || velocities <= 3 || sample % 16 == 0;
+}
+
 template <class Scalar>
 void record_sample(std::vector<FieldRecord>& records, const Subject& subject,
-                   const SampledState<Scalar>& sample) {
+                   const SampledState<Scalar>& sample, std::size_t number) {
   OracleCache oracle(subject, exact_state(subject, sample.values));
   const Function* evaluated = nullptr;
   const Function* judge = nullptr;
   Run<Scalar> run;
   for (FieldRecord& record : records) {
+    if (!is_due(record.request.kind, oracle.state().v.size(), number)) continue;
     if (record.function != evaluated) {
       evaluated = record.function;
       run = {bounded_run<Scalar>(subject.program, *evaluated, oracle.state()),
@@ -240,7 +258,7 @@ template <class Scalar>
 std::vector<CertificateRow> check_accuracy(const Subject& subject,
                                            const std::vector<SampledState<Scalar>>& states) {
   std::vector<FieldRecord> records = records_of(subject);
-  for (const SampledState<Scalar>& sample : states) record_sample(records, subject, sample);
+  for (std::size_t i = 0; i < states.size(); ++i) record_sample(records, subject, states[i], i);
   std::vector<CertificateRow> rows;
   for (const FieldRecord& record : records) {
     rows.push_back(row_of(subject, record, std::is_same_v<Scalar, float> ? "float" : "double"));

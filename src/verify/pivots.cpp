@@ -1,6 +1,8 @@
 // L D L^T by columns: D_k = M_kk - sum_j L_kj^2 D_j, L_ik = (M_ik - sum_j L_ij L_kj D_j) / D_k.
 #include "pivots.hpp"
 
+#include <algorithm>
+
 namespace elgen {
 namespace {
 
@@ -13,8 +15,10 @@ Real reduced(const std::vector<Real>& m, std::size_t n, std::size_t i, std::size
 
 }  // namespace
 
-std::optional<std::vector<Real>> relative_pivots(std::vector<Real> m, std::size_t n) {
+std::optional<std::vector<Real>> relative_pivots(std::vector<Real> m, std::size_t n,
+                                                 bool last_first) {
   if (m.size() != n * n) return std::nullopt;
+  if (last_first) std::reverse(m.begin(), m.end());
   std::vector<Real> pivots;
   for (std::size_t k = 0; k < n; ++k) {
     const Real diagonal = m[k * n + k];
@@ -25,6 +29,7 @@ std::optional<std::vector<Real>> relative_pivots(std::vector<Real> m, std::size_
     m[k * n + k] = pivot;
     for (std::size_t i = k + 1; i < n; ++i) m[i * n + k] = reduced(m, n, i, k) / pivot;
   }
+  if (last_first) std::reverse(pivots.begin(), pivots.end());
   return pivots;
 }
 

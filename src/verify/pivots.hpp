@@ -1,4 +1,4 @@
-// Pivots of M = L D L^T in natural order, without exchanges.
+// Pivots of M = L D L^T without exchanges.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,9 @@
 
 namespace elgen {
 
-/// D_i / M_ii for the n x n row-major matrix m, of which the lower triangle is read; none where an
-/// entry is undefined or a pivot is exactly 0.
-[[nodiscard]] std::optional<std::vector<Real>> relative_pivots(std::vector<Real> m, std::size_t n);
+/// D_i / M_ii for the symmetric n x n matrix m, eliminated from the first row to the last or back;
+/// none where an entry is undefined or a pivot is exactly 0.
+[[nodiscard]] std::optional<std::vector<Real>> relative_pivots(std::vector<Real> m, std::size_t n,
+                                                               bool last_first = false);
 
 }  // namespace elgen

@@ -115,7 +115,8 @@ std::vector<Real> mass_matrix(const Subject& subject, OracleCache& oracle) {
 
 std::string compare_pivots(const Subject& subject, const FunctionRun& run, OracleCache& oracle) {
   const std::size_t n = oracle.state().v.size();
-  const auto pivots = relative_pivots(mass_matrix(subject, oracle), n);
+  const auto pivots =
+      relative_pivots(mass_matrix(subject, oracle), n, eliminates_last_first(subject.model));
   if (!pivots) return {};
   for (std::size_t i = 0; i < n; ++i) {
     const Bound& entry = run.exact.entries[n + i];

@@ -70,8 +70,8 @@ TEST_CASE("the cost of both forms, and which is emitted") {
   const Outcome outcome = show(model("two_link_arm") + " --what cost");
   CHECK(outcome.status == 0);
   CHECK(mentions(outcome.output, "emitted\n"));
-  CHECK(mentions(outcome.output, "inverse_dynamics  closed "));
-  CHECK(mentions(outcome.output, "inverse_dynamics  recursive "));
+  CHECK(mentions(outcome.output, "inverse_dynamics              closed "));
+  CHECK(mentions(outcome.output, "inverse_dynamics              recursive "));
 }
 
 TEST_CASE("pages in every notation") {

@@ -55,6 +55,8 @@ TEST_CASE("contractions are the sums over all entries, for every output of the t
           return 1;
         case Extent::user:
           return 3;
+        case Extent::states:
+          return 4;
         default:
           return 2;
       }
@@ -62,7 +64,8 @@ TEST_CASE("contractions are the sums over all entries, for every output of the t
     Contraction by;
     for (int i = 0; i < count(row.fields[0].rows); ++i) by.w.push_back(2 * i - 1);
     const bool is_matrix = row.fields[0].columns != Extent::one;
-    for (int j = 0; is_matrix && j < 2; ++j) by.y.push_back(3 - 5 * j);
+    const int columns = is_matrix ? count(row.fields[0].columns) : 0;
+    for (int j = 0; j < columns; ++j) by.y.push_back(3 - 5 * j);
     check(row.kind, by);
   }
 }

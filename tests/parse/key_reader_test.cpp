@@ -152,13 +152,6 @@ TEST_CASE("a missing key is reported at the header", "[parse]") {
 }
 
 TEST_CASE("keys that come later say so, and nothing they would replace is missed", "[parse]") {
-  CHECK(model_answer(model("[[output]]\nname = \"tip\"\nframe = \"F\"\n")) == "E108 7:1");
-  CHECK(model_answer(model("[[body]]\nname = \"b\"\nframe = \"F\"\n")) == "E108 7:1");
-  CHECK(model_answer(model("[[force]]\nvalue = 1\nin = \"F\"\nframe = \"F\"\n")) ==
-        "E108 7:1\nE108 8:1");
-  CHECK(model_answer(model("kind = \"rotation\"")) == "E108 5:9");
-  CHECK(testing::first_error(model("kind = \"rotation\"")).message ==
-        "`rotation` is not yet supported");
   CHECK(scene_answer(scene("[numeric]\nform = \"closed\"\nbatch = 4\n")) == "E108 6:1");
   CHECK(scene_answer(scene("[emit]\nlanguage = \"c99\"\neigen = true\n")) == "E108 5:13\nE108 6:1");
   CHECK(scene_answer(scene("[outputs]\nbias = {form = \"shut\"}\n")) == "E104 5:17");
