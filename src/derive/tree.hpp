@@ -56,10 +56,10 @@ class Tree {
 
   /// Angular velocity of a step relative to its parent, in the axes after it, along a direction of
   /// motion: axis dangle/ds, or 2 (w de - dw e - e x de)/|q|^2.
-  [[nodiscard]] ExVector3 relative_spin(std::size_t step, Tangent& along);
+  [[nodiscard]] ExVector3 relative_spin(std::size_t index, Tangent& along);
 
   /// Moves a force before a step: to the axes and the origin of its parent.
-  [[nodiscard]] SpatialForce before(std::size_t step, const SpatialForce& force);
+  [[nodiscard]] SpatialForce before(std::size_t index, const SpatialForce& force);
 
   /// What acts on everything a step carries, from what acts on each step.
   [[nodiscard]] std::vector<SpatialForce> carried(std::vector<SpatialForce> on_step);
@@ -71,7 +71,7 @@ class Tree {
   [[nodiscard]] TreeForces wrench_forces(const std::vector<Wrench>& wrenches);
 
   /// The part of pull_back at one step.
-  void weigh(std::size_t step, const SpatialForce& on_step, TreeForces& forces);
+  void weigh(std::size_t index, const SpatialForce& on_step, TreeForces& forces);
 
   VectorAlgebra algebra;
 

@@ -9,7 +9,8 @@ namespace elgen::oracle {
 /// M, row-major.
 [[nodiscard]] std::vector<cln::cl_R> mass_matrix_values(Mechanics& at);
 
-/// M x = r with M at hand, and the relative pivots by velocity, in the model's order of elimination.
+/// M x = r with M at hand, and the relative pivots by velocity, in the model's order of
+/// elimination.
 [[nodiscard]] Solution solve_mass(const Model& model, std::vector<cln::cl_R> mass,
                                   const std::vector<cln::cl_R>& right_side);
 

@@ -58,7 +58,8 @@ std::size_t budget_of(const Function& function, const PresentBudget& budget) {
   constexpr double short_program = 500;
   const double length = std::max(static_cast<double>(function.instructions.size()), short_program);
   const double share = short_program / length;
-  return static_cast<std::size_t>(static_cast<double>(budget.products_per_function) * share * share);
+  return static_cast<std::size_t>(static_cast<double>(budget.products_per_function) * share *
+                                  share);
 }
 
 }  // namespace

@@ -36,7 +36,8 @@ TEST_CASE("outputs are one value or several, with Jacobians where asked") {
 
 TEST_CASE("what forces and outputs may not be") {
   const std::vector<std::pair<std::string, std::string>> rows{
-      {"[[force]]\nvalue = \"u\"\n", "E112 24:1 none of `on`, `at` and `frame` says where the force acts\n"},
+      {"[[force]]\nvalue = \"u\"\n",
+       "E112 24:1 none of `on`, `at` and `frame` says where the force acts\n"},
       {"[[force]]\nat = \"p\"\non = \"x\"\nvalue = \"u\"\n",
        "E112 26:1 a force has one of `on`, `at` and `frame`\n"},
       {"[[force]]\non = \"p\"\nvalue = \"u\"\n", "E201 25:7 unknown coordinate `p`\n"},

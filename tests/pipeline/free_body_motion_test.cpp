@@ -59,7 +59,7 @@ constexpr const char* program = R"cpp(
 
   int main() {
     body::Parameters<double> p{};
-  p.g = 0;  // falling 50 km would drown what is conserved
+    p.g = 0;  // falling 50 km would drown what is conserved
     State x{{0, 0, 0, 1, 0, 0, 0}, {1, 2, 3, 0.1, 5, 0.1}};
     const double energy = body::energy_function(p, x.q, x.v);
     const double momentum = spin(p, x);
