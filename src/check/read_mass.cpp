@@ -83,7 +83,12 @@ class BodyReader {
       report_.add(Code::E112, spin->key_span, "a body has `frame` or `spin`, not both");
     }
     frame_ = values_.frame_or_world(frame);
-    const bool is_planar = values_.context().dimension == 2;
+    // Where no vector has told yet, one moment of inertia does.
+    const KeySyntax* inertia = entry_.find("inertia");
+    const std::uint32_t known = values_.context().dimension;
+    const bool has_one_moment = inertia != nullptr && (inertia->value.kind != ValueKind::list ||
+                                                       inertia->value.items.size() == 1);
+    const bool is_planar = known == 2 || (known == 0 && has_one_moment);
     body_.dimension = is_planar ? 2 : 3;
     body_.spin.assign(is_planar ? 1 : 3, no_expression);
   }
@@ -133,8 +138,8 @@ class BodyReader {
     const bool fits = body_.spin.size() == 1 ? count == 1 : count == 3 || count == 6;
     if (!body_.spin.empty() && !fits) {
       report_.add(Code::E516, inertia->value.span,
-                  std::to_string(count) + " moments of inertia for a spin of " +
-                      std::to_string(body_.spin.size()),
+                  counted(count, "moment") + " of inertia for a " +
+                      (body_.spin.size() == 1 ? "planar" : "spatial") + " body",
                   "planar bodies have 1, spatial ones 3 or 6: xx yy zz xy xz yz");
     }
     if (count == 3) {

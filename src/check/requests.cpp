@@ -1,6 +1,7 @@
 // Requests: which outputs a model has, and their shapes.
 #include "requests.hpp"
 
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -52,6 +53,19 @@ OutputRequest make_user_request(const Model& model, OutputKind kind, std::uint32
   return request;
 }
 
+/// Only forces may have kinks, so one anywhere is one in a force.
+bool has_kinks(const Model& model) {
+  return std::any_of(model.expressions.begin(), model.expressions.end(), [](const Expression& e) {
+    return e.kind == ExpressionKind::function &&
+           function_row(e.function).use == FunctionUse::forces;
+  });
+}
+
+bool differentiates_forces(OutputKind kind) {
+  return kind == OutputKind::linearization || kind == OutputKind::inverse_dynamics_derivatives ||
+         kind == OutputKind::forward_dynamics_derivatives;
+}
+
 /// Why the model lacks what the output needs.
 struct Lack {
   Code code;
@@ -73,6 +87,11 @@ std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
   }
   if (requirement == Requirement::rotations && model.rotations.empty()) {
     return Lack{Code::E603, "needs a rotation; without one dq/dt is v"};
+  }
+  if (differentiates_forces(request.kind) && has_kinks(model)) {
+    return Lack{Code::E603,
+                "needs forces with derivatives; `abs`, `sign`, `min` and `max` have none, a smooth "
+                "stand-in is tanh(x/width)"};
   }
   const bool is_derivative =
       request.kind == OutputKind::user_jacobian || request.kind == OutputKind::user_bias;

@@ -84,7 +84,8 @@ std::optional<std::uint32_t> ValueReader::reference(const ValueSyntax& value, Sy
     return std::nullopt;
   }
   if (symbol == nullptr || symbol->kind != kind) {
-    const std::vector<std::string> names = symbols.names(kind);
+    std::vector<std::string> names = symbols.names(kind);
+    if (kind == SymbolKind::frame) names.emplace_back(world);
     context_.report.add(Code::E201, value.span,
                         "unknown " + std::string(noun(kind)) + " " + quoted(name.text),
                         symbols.suggest(name.text, names));

@@ -147,6 +147,25 @@ TEST_CASE("the output of a frame is its pose, and its twist in the axes asked fo
   CHECK(close(numbers(own).values(own.outputs[0].twist), twist));
 }
 
+TEST_CASE("one moment of inertia tells a planar body where no vector has yet", "[frames]") {
+  CHECK(messages(R"toml(format = 1
+[model]
+name = "m"
+[[coordinate]]
+name = "q"
+[parameters]
+J = 1
+[[frame]]
+name = "f"
+parent = "world"
+rotate = [["z", "q"]]
+[[body]]
+name = "b"
+frame = "f"
+inertia = "J"
+)toml") == "E520 5:9 `q`, `J`: no unit, so what touches it is not checked\n");
+}
+
 TEST_CASE("planar models: two components, one inertia, one torque", "[frames]") {
   const Model model = checked(with_frames(R"toml([[frame]]
 name = "f"
@@ -189,7 +208,7 @@ TEST_CASE("what may not be in a frame", "[frames]") {
        "[\"J\", \"J\", \"J\"]\n",
        "E112 28:1 a body has `frame` or `spin`, not both\n"},
       {"[[body]]\nname = \"b\"\nframe = \"f\"\ninertia = \"J\"\n",
-       "E516 28:12 1 moments of inertia for a spin of 3 | planar bodies have 1, spatial ones 3 "
+       "E516 28:12 1 moment of inertia for a spatial body | planar bodies have 1, spatial ones 3 "
        "or 6: xx yy zz xy xz yz\n"},
       {"[[force]]\nframe = \"f\"\nvalue = \"0\"\n", "E516 27:10 1 component, but a torque has 3\n"},
       {"[[force]]\nframe = \"h\"\nvalue = [\"0\", \"0\", \"0\"]\n",

@@ -122,7 +122,8 @@ com = ["0", "0", "0"]
 
 TEST_CASE("what frames may not be", "[frames]") {
   const std::vector<std::pair<std::string, std::string>> rows{
-      {"name = \"f\"\nparent = \"worl\"\n", "E201 18:11 unknown frame `worl`\n"},
+      {"name = \"f\"\nparent = \"worl\"\n",
+       "E201 18:11 unknown frame `worl` | did you mean `world`?\n"},
       {"name = \"world\"\nparent = \"world\"\n",
        "E204 17:9 `world` is reserved: it is what does not move\n"},
       {"name = \"f\"\nparent = \"f\"\n", "E206 17:9 `f` is defined by itself: f -> f\n"},

@@ -57,7 +57,8 @@ TEST_CASE("what masses may not be") {
       {"[[body]]\nname = \"b\"\nspin = \"dot(q)\"\n",
        "E105 19:1 `b` has `spin` but no `inertia`\n"},
       {"[[body]]\nname = \"b\"\nspin = \"dot(q)\"\ninertia = [\"J\", \"J\", \"J\"]\n",
-       "E516 22:11 3 moments of inertia for a spin of 1 | planar bodies have 1, spatial ones 3 or "
+       "E516 22:11 3 moments of inertia for a planar body | planar bodies have 1, spatial ones 3 "
+       "or "
        "6: "
        "xx yy zz xy xz yz\n"},
       {"[[body]]\nname = \"b\"\nspin = [\"dot(q)\", \"0\"]\ninertia = [\"J\", \"J\", \"J\"]\n",

@@ -107,6 +107,19 @@ TEST_CASE("names that cannot be had") {
         "E603 1:1 `input_matrix` needs inputs, and the model has none\n");
 }
 
+TEST_CASE("forces with kinks have no derivatives, and full does without them") {
+  const std::string model = block() + "[[force]]\non = \"x\"\nvalue = \"-k*abs(x)\"\n";
+  CHECK(has(names_in_full(block()), "linearization"));
+  CHECK_FALSE(has(names_in_full(model), "linearization"));
+  CHECK(has(names_in_full(model), "forward_dynamics"));
+  Wanted wanted;
+  wanted.outputs = {"forward_dynamics_derivatives"};
+  CHECK(
+      messages(model, wanted) ==
+      "E603 1:1 `forward_dynamics_derivatives` needs forces with derivatives; `abs`, `sign`, `min` "
+      "and `max` have none, a smooth stand-in is tanh(x/width)\n");
+}
+
 TEST_CASE("big outputs are left out of full, but can be had by name") {
   const std::string model =
       "format = 1\n[model]\nname = \"a\"\n[sizes]\nn = 64\n[[coordinate]]\n"
