@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,8 +38,9 @@ struct Certificate {
 };
 
 struct VerifyOptions {
-  std::size_t samples = 256;  ///< states per output
-  bool quick = false;         ///< 16 states, no compiler
+  /// Random states per output; 256 where none is said, fewer for long programs.
+  std::optional<std::size_t> samples = {};
+  bool quick = false;  ///< 16 states, no compiler
   std::uint64_t seed = 1;
   /// Prove [[expect]]; parallel to the program's functions. Without them, and where they do not
   /// decide, it is sampled.

@@ -100,8 +100,9 @@ CLI::App* add_verify(CLI::App& app, CommandLine& line) {
   CLI::App* command = app.add_subcommand("verify", "check models against 60-digit arithmetic");
   VerifyCommandOptions& options = line.verify;
   command->add_option("inputs", options.inputs, "NAME.toml or NAME.scene.toml")->required();
-  command->add_option("--samples", options.verify.samples, "states per output")
-      ->capture_default_str()
+  command
+      ->add_option("--samples", options.verify.samples,
+                   "states per output (256, fewer for long programs)")
       ->check(CLI::PositiveNumber);
   command->add_flag("--quick", options.verify.quick, "few states, no compiler");
   command->add_option("-o,--output", options.certificate_file, "write the certificate here too")

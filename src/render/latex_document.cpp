@@ -1,4 +1,4 @@
-// latex_document: a Sheet as a complete document; amsmath is all it needs.
+// latex_document: a Sheet as a complete document; amsmath and longtable are all it needs.
 #include <fmt/format.h>
 
 #include "display.hpp"
@@ -52,15 +52,15 @@ std::string block(const rendering::Display& display) {
 std::string table(const std::string& title, const std::vector<SheetVariable>& variables,
                   bool have_values) {
   if (variables.empty()) return {};
-  std::string text = fmt::format(
-      "\\paragraph{{{}}}\\mbox{{}}\\\\\n\\begin{{tabular}}{{@{{}}lll{}p{{7cm}}@{{}}}}\n", title,
-      have_values ? "l" : "");
+  std::string text =
+      fmt::format("\\paragraph{{{}}}\n\\begin{{longtable}}[l]{{@{{}}lll{}p{{7cm}}@{{}}}}\n", title,
+                  have_values ? "l" : "");
   for (const SheetVariable& v : variables) {
     const std::string value = have_values ? plain(v.value) + " & " : "";
     text += fmt::format("${}$ & \\texttt{{{}}} & {}{} & {} \\\\\n", v.symbol, plain(v.name), value,
                         plain(v.unit), plain(v.doc));
   }
-  return text + "\\end{tabular}\n\n";
+  return text + "\\end{longtable}\n\n";
 }
 
 std::string section(const SheetOutput& output) {
@@ -83,6 +83,7 @@ std::string latex_document(const Sheet& sheet) {
       "\\usepackage[T1]{fontenc}\n"
       "\\usepackage[margin=2cm]{geometry}\n"
       "\\usepackage{amsmath}\n"
+      "\\usepackage{longtable}\n"
       "\\allowdisplaybreaks\n"
       "\\setlength{\\parindent}{0pt}\n"
       "\\begin{document}\n";

@@ -22,7 +22,8 @@ using cln::cl_R;
 constexpr const char* own_reason =
     "8 u B + N eta (own bound): B run along the program; n u B for n > 16 roundings in an entry";
 constexpr const char* closed_reason =
-    "8 u B + N eta: B of the closed form; n u B for n > 16 roundings in an entry";
+    "8 u B + N eta: B of the closed form, own bound where the code underflows; n u B for n > 16 "
+    "roundings in an entry";
 
 /// One field of a function, and what was found of it so far.
 struct FieldRecord {
@@ -115,11 +116,11 @@ Regime regime_of(const Run<Scalar>& run) {
 template <class Scalar>
 void record_entry(FieldRecord& record, const Run<Scalar>& run, std::size_t i, OracleCache& oracle) {
   const Bound& exact = run.exact.entries[record.first + i];
-  const Bound& entry =
+  const Bound& judged =
       record.judge.is_closed_form ? run.judged.entries[record.judge.first + i] : exact;
   const cl_R& truth = (*oracle.values(record.request))[record.first_oracle + i];
   const Scalar x = run.values[record.first + i];
-  for (const Bound* value : {&exact, &entry}) {
+  for (const Bound* value : {&exact, &judged}) {
     const Real scale = run.exact.largest + Real(oracle.energy());
     if (!record.mistake.empty() || is_right(*value, truth, scale) ||
         is_right(*value, truth, scale + Real(oracle.force()))) {
@@ -129,6 +130,7 @@ void record_entry(FieldRecord& record, const Run<Scalar>& run, std::size_t i, Or
                                  short_text(value->value.value()), short_text(truth));
   }
   if (regime_of(run) == Regime::ill_conditioned) return;
+  const Bound& entry = judging_bound(exact, judged);
   record.errors.add(error_in_bounds(x, entry, record.function->instructions.size()),
                     oracle.state());
   record.cancellation.add(cancellation(entry), oracle.state());

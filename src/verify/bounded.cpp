@@ -29,11 +29,13 @@ Bound computed(const Real& value, const Real& bound, const Rounding& rounding) {
   // spare.
   if (!bound.is_defined()) return {value, abs(value) * Real(power_of_ten(30)), false, true};
   const bool tiny = is_less(abs(value), rounding.smallest);
-  return {value, tiny ? bound + rounding.underflow : bound, false, false};
+  const bool underflows = tiny && !cln::zerop(value.value());
+  return {value, tiny ? bound + rounding.underflow : bound, false, false, 0, underflows};
 }
 
 Bound inherit(Bound result, const Bound& x, const Bound& y) {
   result.lost = result.lost || x.lost || y.lost;
+  result.underflows = result.underflows || x.underflows || y.underflows;
   result.roundings = std::max(x.roundings, y.roundings);
   return result;
 }
@@ -110,9 +112,13 @@ const Rounding& rounding() {
 template const Rounding& rounding<float>();
 template const Rounding& rounding<double>();
 
-Bound leaf_bound(const Real& value, bool exact) { return {value, abs(value), exact, false}; }
+Bound leaf_bound(const Real& value, bool exact) {
+  return {value, abs(value), exact, false, exact ? 0U : 1U};
+}
 
-Bound negated(const Bound& x) { return {-x.value, x.bound, x.exact, x.lost, x.roundings}; }
+Bound negated(const Bound& x) {
+  return {-x.value, x.bound, x.exact, x.lost, x.roundings, x.underflows};
+}
 
 Bound sum(const Bound& x, const Bound& y, const Rounding& rounding) {
   Bound result = inherit(computed(x.value + y.value, x.bound + y.bound, rounding), x, y);

@@ -28,13 +28,14 @@ struct Bound {
   bool exact = true;            ///< representable and without error
   bool lost = false;            ///< divided by, or rooted, what is uncertain by more than a tenth
   std::uint32_t roundings = 0;  ///< relative errors of u, in first order, that may meet in it
+  bool underflows = false;      ///< something it is made of is below the normal numbers
 };
 
 /// Bound whose rounding is Scalar's.
 template <class Scalar>
 struct Bounded : Bound {};
 
-/// A leaf: B = |x|.
+/// A leaf: B = |x|, and a rounding where it is not exact.
 [[nodiscard]] Bound leaf_bound(const Real& value, bool exact);
 [[nodiscard]] Bound negated(const Bound& x);
 [[nodiscard]] Bound sum(const Bound& x, const Bound& y, const Rounding& rounding);

@@ -69,6 +69,10 @@ Judge judge_of(const Program& program, std::size_t index, const Field& field, st
   return own;
 }
 
+const Bound& judging_bound(const Bound& own, const Bound& closed) {
+  return own.underflows ? own : closed;
+}
+
 template <class Scalar>
 double error_in_bounds(Scalar x, const Bound& entry, std::size_t operations) {
   if (!std::isfinite(x)) return std::numeric_limits<double>::infinity();

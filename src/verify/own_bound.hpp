@@ -43,6 +43,10 @@ struct Judge {
 [[nodiscard]] Judge judge_of(const Program& program, std::size_t index, const Field& field,
                              std::size_t first);
 
+/// The closed form's bound, but the code's own where the code underflows on the way: what is lost
+/// there grows by what multiplies it afterwards, which the closed form does not know.
+[[nodiscard]] const Bound& judging_bound(const Bound& own, const Bound& closed);
+
 /// |x - exact| / (u B), B grown to n B/8 where n > 16 roundings meet in the entry, less
 /// `operations` times the smallest denormal, which underflow may cost; 0 where both are equal,
 /// infinite where x is not a number or B is 0. Scalar: double or float.

@@ -59,7 +59,7 @@ class Visit {
         other = bounded_run<double>(subject_.program, *judge.function, oracle_.state());
       const std::vector<Bound>& bounds = judge.is_closed_form ? other.entries : own.entries;
       for (std::size_t i = 0; other.regime == Regime::regular && i < field.entries.size(); ++i) {
-        const Bound& bound = bounds[judge.first + i];
+        const Bound& bound = judging_bound(own.entries[first + i], bounds[judge.first + i]);
         const double x = rounded[first + i];
         const double error = error_in_bounds(x, bound, function.instructions.size());
         worst_ = std::max(worst_, error);

@@ -27,23 +27,22 @@ Range range_or(const std::optional<Interval>& interval, double otherwise) {
           ScalarTraits<double>::from_real(interval->high)};
 }
 
-/// Quaternions to length 1, as far as binary numbers go; (1, 0, 0, 0) where there is no direction.
+/// Quaternions to length 1, each component rounded once; (1, 0, 0, 0) where there is no direction.
 void scale_quaternions(const Model& model, Arguments<double>& values) {
   for (const Rotation& rotation : model.rotations) {
     double* e = &values.q[rotation.first_coordinate];
-    const double largest =
-        std::max({std::abs(e[0]), std::abs(e[1]), std::abs(e[2]), std::abs(e[3])});
-    if (largest < std::numeric_limits<double>::min()) {
-      std::fill_n(e, quaternion_size, 0.0);
+    Real square;
+    for (std::size_t i = 0; i < quaternion_size; ++i) {
+      square = square + Real(exact_value(e[i])) * Real(exact_value(e[i]));
+    }
+    if (cln::zerop(square.value())) {
       e[0] = 1;
       continue;
     }
-    double square = 0;
+    const Real length = sqrt(square);
     for (std::size_t i = 0; i < quaternion_size; ++i) {
-      e[i] /= largest;
-      square += e[i] * e[i];
+      e[i] = ScalarTraits<double>::from_real((Real(exact_value(e[i])) / length).value());
     }
-    for (std::size_t i = 0; i < quaternion_size; ++i) e[i] /= std::sqrt(square);
   }
 }
 

@@ -1,5 +1,6 @@
 // verify: oracle, program and compiled code of one scene, compared row by row. Each kind of check
 // lives in a file of its own; here is only the order of the certificate.
+#include <algorithm>
 #include <utility>
 
 #include "accuracy.hpp"
@@ -13,6 +14,10 @@ namespace elgen {
 namespace {
 
 constexpr std::size_t quick_samples = 16;
+constexpr std::size_t default_samples = 256;
+/// Instructions times random states, about half a minute in 64 digits; never fewer states than
+/// a quick run has.
+constexpr std::size_t most_work = 1 << 20;
 /// Identities hold at all states or at none, so that few states tell.
 constexpr std::size_t structure_samples = 32;
 
@@ -30,12 +35,20 @@ std::vector<State> nominal_states(const Subject& subject,
   return states;
 }
 
+std::size_t samples_of(const Program& program, const VerifyOptions& options) {
+  if (options.quick) return quick_samples;
+  if (options.samples) return *options.samples;
+  std::size_t length = 1;
+  for (const Function& function : program.functions) length += function.instructions.size();
+  return std::clamp(most_work / length, quick_samples, default_samples);
+}
+
 }  // namespace
 
 Verification verify(const Model& model, const Scene& scene, const Program& program,
                     const CompiledModel* compiled, const VerifyOptions& options) {
   const Subject subject{model, scene, program};
-  const Sampling sampling{options.quick ? quick_samples : options.samples, options.seed, true};
+  const Sampling sampling{samples_of(program, options), options.seed, true};
   const auto doubles = sample_states<double>(subject, sampling);
   const auto floats = sample_states<float>(subject, sampling);
 

@@ -63,6 +63,18 @@ TEST_CASE("errors are measured in u B, less what underflow may cost") {
   CHECK(error_in_bounds(5e-324, leaf_bound(Real(), true), 1) == 0);
 }
 
+TEST_CASE("what underflows on the way is judged by the own bound") {
+  // x^2/(x - y) of 1e-200: x^2 is lost whole, and the division makes it 1e-200 again.
+  const Bound lost = run_at<double>(1e-200, 0).entries.at(0);
+  CHECK(lost.underflows);
+  CHECK(error_in_bounds(0.0, lost, 5) <= 8);
+  CHECK(&judging_bound(lost, unit()) == &lost);
+  const Bound& kept = run_at<double>(1e-100, 0).entries.at(0);
+  const Bound closed = unit();
+  CHECK_FALSE(kept.underflows);
+  CHECK(&judging_bound(kept, closed) == &closed);
+}
+
 TEST_CASE("no number, and a difference where the bound is 0, are infinitely wrong") {
   CHECK(std::isinf(error_in_bounds(std::nan(""), unit(), 1)));
   CHECK(std::isinf(error_in_bounds(HUGE_VAL, unit(), 1)));
