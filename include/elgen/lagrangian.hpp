@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -186,6 +187,24 @@ struct NamedOutput {
   std::optional<TwistOutput> twist = {};
 };
 
+/// A coordinate, or a rotation, that stands at functions of time.
+struct LockedVariable {
+  std::uint32_t coordinate = 0;  ///< the first one, if of a rotation
+  std::uint32_t velocity = 0;    ///< likewise
+  std::vector<GiNaC::ex> values = {};
+  bool reaction = false;
+};
+
+struct Lagrangian;
+
+/// What the forces that hold locked coordinates are derived from: the Lagrangian in which they
+/// still move (its definitions are those of the one that has this), and where they stand.
+struct Holding {
+  std::shared_ptr<const Lagrangian> whole = {};
+  ExpressionMap<GiNaC::ex> values = {};        ///< q, v, a -> functions of time
+  std::vector<std::uint32_t> velocities = {};  ///< of `whole`, held by a force that is wanted
+};
+
 struct Lagrangian {
   Symbols symbols = {};
   LeafNames leaves = {};
@@ -201,6 +220,8 @@ struct Lagrangian {
   std::vector<PointForce> point_forces = {};
   FrameTree tree = {};
   std::vector<NamedOutput> outputs = {};
+  std::vector<LockedVariable> locked = {};  ///< until specialise takes them out
+  std::optional<Holding> holding = {};      ///< where a reaction is wanted
   bool quadratic = true;
   bool eliminates_last_first = false;  ///< order of elimination of M; see Model
 };
@@ -208,7 +229,8 @@ struct Lagrangian {
 /// Gives a definition a name, where it has none yet.
 void name(Definitions& definitions, const GiNaC::ex& symbol, const std::string& text);
 
-/// Builds the Lagrangian of a checked model. E502: dot() of something that contains rates.
+/// Builds the Lagrangian of a checked model, in which what a scene locks still moves. E502: dot()
+/// of something that contains rates.
 [[nodiscard]] Result<Lagrangian> formulate(const Model& model);
 
 /// GiNaC's names for the kinked functions of forces; opaque, never differentiated.

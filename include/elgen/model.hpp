@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -273,6 +274,15 @@ struct Expectation {
   Span span = {};
 };
 
+/// A coordinate, or a rotation, that a scene holds at a function of time.
+struct Lock {
+  std::uint32_t coordinate = 0;           ///< the first one, if of a rotation
+  std::uint32_t velocity = 0;             ///< likewise
+  std::vector<ExpressionId> values = {};  ///< s(t); of a rotation the four of a unit quaternion
+  bool reaction = false;                  ///< the force that holds it is wanted
+  Span span = {};
+};
+
 /// The energies as given beside those of points and bodies.
 struct Energies {
   std::optional<ExpressionId> T = {};
@@ -308,6 +318,11 @@ struct Model {
   std::vector<UserOutput> outputs = {};
   std::vector<Expectation> expectations = {};
 
+  /// What the scene locks. The Model that every stage works on is without what is locked, whose
+  /// place functions of time have taken; the one it came from has the locks and is kept.
+  std::vector<Lock> locks = {};
+  std::shared_ptr<const Model> unlocked = {};
+
   bool quadratic = true;  ///< T - V (or L) is at most quadratic in the rates
   bool uses_time =
       false;  ///< t occurs in an energy, a point, a force or an output: every function takes t
@@ -332,6 +347,10 @@ struct Dimensions {
 };
 
 [[nodiscard]] Dimensions dimensions(const Model& model);
+
+/// What of the model before locking must be supplied to hold the locks that ask for it: the
+/// velocities, in the order of v, that the output `reaction` has a row for.
+[[nodiscard]] std::vector<std::uint32_t> held_velocities(const Model& model);
 
 /// The order in which M is eliminated: where a frame carries two or more others, the last velocity
 /// first, so that limbs do not fill each other in; otherwise the first one first. It decides the

@@ -28,6 +28,7 @@ enum class OutputKind : std::uint8_t {
   energy_function,
   input_matrix,
   inverse_dynamics,
+  reaction,
   forward_dynamics,
   linearization,
   inverse_dynamics_derivatives,
@@ -48,10 +49,10 @@ enum class Form : std::uint8_t {
 
 [[nodiscard]] std::string_view name_of(Form form);
 
-enum class Extent : std::uint8_t { one, coordinates, velocities, states, inputs, user };
+enum class Extent : std::uint8_t { one, coordinates, velocities, states, inputs, held, user };
 
 /// What a model must have for an output to exist.
-enum class Requirement : std::uint8_t { nothing, quadratic, energies, inputs, rotations };
+enum class Requirement : std::uint8_t { nothing, quadratic, energies, inputs, rotations, held };
 
 /// One field of an output; plain outputs have one field without a name.
 struct FieldRow {
@@ -79,8 +80,5 @@ struct OutputRow {
 
 /// Null where the name is no built-in output.
 [[nodiscard]] const OutputRow* find_output(std::string_view name);
-
-/// Output names that exist in the plan but not in this version; empty explanation otherwise.
-[[nodiscard]] bool is_later_output(std::string_view name);
 
 }  // namespace elgen

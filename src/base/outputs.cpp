@@ -27,6 +27,7 @@ constexpr Takes takes_q{false, false, false};
 constexpr Takes takes_qv{true, false, false};
 constexpr Takes takes_qva{true, true, false};
 constexpr Takes takes_qvu{true, false, true};
+constexpr Takes takes_qvau{true, true, true};
 
 /// What the documentation says of an output.
 struct Text {
@@ -116,6 +117,11 @@ std::vector<OutputRow> dynamics() {
               {"B", "B = dQ/du", "Generalized force per unit of each input.", "input"})),
       row(K::inverse_dynamics, "inverse_dynamics", takes_qva, vector(),
           {"tau", "tau = M a + bias", "Generalized force that gives the acceleration a.", "force"}),
+      requiring(Requirement::held,
+                row(K::reaction, "reaction", takes_qvau, {{"", Extent::held, Extent::one}},
+                    {"r", "r = (d/dt dL/dv - dL/dq + dD/dv - Q - B u) of what is locked",
+                     "Generalized force, beside the inputs, that holds the locked coordinates.",
+                     "held force"})),
       row(K::forward_dynamics, "forward_dynamics", takes_qvu,
           {{"acceleration", Extent::velocities, Extent::one},
            {"relative_pivots", Extent::velocities, Extent::one}},
@@ -192,11 +198,6 @@ const OutputRow* find_output(std::string_view name) {
     }
   }
   return nullptr;
-}
-
-bool is_later_output(std::string_view name) {
-  static constexpr std::array<std::string_view, 1> later{"reaction"};
-  return std::find(later.begin(), later.end(), name) != later.end();
 }
 
 }  // namespace elgen

@@ -10,11 +10,13 @@
 #include "entries.hpp"
 #include "expand.hpp"
 #include "expectations.hpp"
+#include "lock.hpp"
 #include "mechanics.hpp"
 #include "options.hpp"
 #include "parameters.hpp"
 #include "places.hpp"
 #include "plane.hpp"
+#include "read_locks.hpp"
 #include "requests.hpp"
 #include "rotations.hpp"
 #include "scene_reader.hpp"
@@ -74,6 +76,14 @@ void judge(Context& context, const ModelSyntax& syntax, const SceneOptions& opti
   }
 }
 
+/// What the scene wants is asked of the model that is left.
+void lock_model(Context& context) {
+  context.model = locked(std::move(context.model));
+  while (context.constants.size() < context.model.expressions.size()) {
+    (void)context.constants.append(context.model.expressions);
+  }
+}
+
 }  // namespace
 
 Result<CheckedModel> check(const ModelSyntax& model, const SceneSyntax* scene,
@@ -86,7 +96,11 @@ Result<CheckedModel> check(const ModelSyntax& model, const SceneSyntax* scene,
   if (context.beyond_limits) {
     return context.report.sorted();
   }
+  read_locks(context, scene);
   judge(context, model, options);
+  if (context.report.errors() == 0) {
+    lock_model(context);
+  }
   Scene checked_scene = read_scene(context, {scene, options, sizes});
   if (context.report.errors() > 0) {
     return context.report.sorted();

@@ -43,6 +43,7 @@ class Constants {
   /// To be called once for every expression, in order. Values only; `failure` where there is none.
   std::optional<ConstantFailure> append(const std::vector<Expression>& arena);
   void truncate(std::size_t size) { values_.resize(size); }
+  [[nodiscard]] std::size_t size() const { return values_.size(); }
 
   /// Nothing where the expression is no constant.
   [[nodiscard]] const std::optional<cln::cl_R>& operator[](ExpressionId id) const {

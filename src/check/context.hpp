@@ -45,8 +45,9 @@ struct Root {
   std::optional<Unit> unit = {};  ///< that the place asks for; none: any
   OwnerKind owner = OwnerKind::none;
   std::uint32_t owner_index = 0;
-  bool misplaced = false;  ///< made of what its place does not take; its unit is not judged too
-  bool generated = false;  ///< by check itself: neither its place nor its units are judged
+  bool misplaced = false;      ///< made of what its place does not take; its unit is not judged too
+  bool plain_numbers = false;  ///< of a scene: its units are those of the place
+  bool generated = false;      ///< by check itself: neither its place nor its units are judged
 };
 
 /// The first node of every arena: the number 0, for what is absent (the z of a planar point) or

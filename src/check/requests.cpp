@@ -21,6 +21,8 @@ std::uint32_t extent(const Model& model, Extent kind, std::uint32_t user) {
       return static_cast<std::uint32_t>(2 * model.velocities.size());
     case Extent::inputs:
       return static_cast<std::uint32_t>(model.inputs.size());
+    case Extent::held:
+      return static_cast<std::uint32_t>(held_velocities(model).size());
     case Extent::user:
       return static_cast<std::uint32_t>(model.outputs[user].values.size());
     case Extent::one:
@@ -88,6 +90,9 @@ std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
   if (requirement == Requirement::rotations && model.rotations.empty()) {
     return Lack{Code::E603, "needs a rotation; without one dq/dt is v"};
   }
+  if (requirement == Requirement::held && held_velocities(model).empty()) {
+    return Lack{Code::E603, "needs `reaction = true` in an entry of `[lock]`"};
+  }
   if (differentiates_forces(request.kind) && has_kinks(model)) {
     return Lack{Code::E603,
                 "needs forces with derivatives; `abs`, `sign`, `min` and `max` have none, a smooth "
@@ -143,10 +148,6 @@ std::optional<OutputRequest> find_request(const Model& model, std::string_view n
 
 std::optional<OutputRequest> require_request(const Model& model, std::string_view name,
                                              const Span& span, Report& report) {
-  if (is_later_output(name)) {
-    report.add(Code::E108, span, "the output " + quoted(name) + " is not yet supported");
-    return std::nullopt;
-  }
   std::optional<OutputRequest> request = find_request(model, name);
   if (!request) {
     report.add(Code::E601, span, "unknown output " + quoted(name),
@@ -179,8 +180,7 @@ void check_output_names(const Model& model, Report& report) {
     for (const OutputKind kind : user_kinds) {
       const OutputRequest request = make_user_request(model, kind, user);
       const bool exists = kind == OutputKind::user_value || model.outputs[user].jacobian;
-      const bool is_built_in =
-          find_output(request.name) != nullptr || is_later_output(request.name);
+      const bool is_built_in = find_output(request.name) != nullptr;
       if (exists && (is_built_in || !taken.emplace(request.name, span).second)) {
         report.add(Code::E609, span, "another output is already called " + quoted(request.name));
       }

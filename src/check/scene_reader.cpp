@@ -101,9 +101,18 @@ class SceneReader {
       return;
     }
     lists_outputs_ = true;
+    request_reaction();
     std::stable_sort(scene_.outputs.begin(), scene_.outputs.end(), precedes);
     check_function_names();
     check_dynamics();
+  }
+
+  /// A lock asks for it.
+  void request_reaction() {
+    if (!held_velocities(model_).empty()) {
+      request(std::string(output_row(OutputKind::reaction).name),
+              model_.unlocked->locks.front().span);
+    }
   }
 
   /// `dynamics` has no equations of its own.
@@ -273,6 +282,7 @@ class SceneReader {
     for (const auto& [target, value] : scene_.specialisation.fixed) {
       text += "fixed " + model_.parameters[target].name + " = " + number_text(value) + "\n";
     }
+    text += locks_text();
     std::map<std::string, std::int64_t> sizes;
     for (const SizeOverride& size : input_.sizes) {
       sizes[size.name] = size.value;
@@ -287,6 +297,21 @@ class SceneReader {
     }
     if (scene_.emission.cpp_namespace != scene_.base_name) {
       text += "namespace " + scene_.emission.cpp_namespace + "\n";
+    }
+    return text;
+  }
+
+  [[nodiscard]] std::string locks_text() const {
+    std::string text;
+    if (!model_.unlocked) {
+      return text;
+    }
+    for (const Lock& lock : model_.unlocked->locks) {
+      for (std::uint32_t i = 0; i < lock.values.size(); ++i) {
+        text += "lock " + model_.unlocked->coordinates[lock.coordinate + i].name + " = " +
+                to_string(*model_.unlocked, lock.values[i]) + "\n";
+      }
+      text += lock.reaction ? "with reaction\n" : "";
     }
     return text;
   }

@@ -40,7 +40,7 @@ class UnitInference {
       : context_(context), model_(context.model), units_(context.model.expressions.size()) {}
 
   void visit(const Root& root) {
-    if (root.generated) return;
+    if (root.generated || root.plain_numbers) return;
     for (ExpressionId id = root.first; id <= root.value; ++id) {
       units_[id] = of(model_.expressions[id]);
     }

@@ -50,4 +50,17 @@ std::uint32_t append_rotation(Model& model, Rotation rotation) {
   return index;
 }
 
+std::vector<std::uint32_t> held_velocities(const Model& model) {
+  std::vector<std::uint32_t> result;
+  if (!model.unlocked) return result;
+  for (const Lock& lock : model.unlocked->locks) {
+    if (!lock.reaction) continue;
+    const bool is_rotation = lock.values.size() > 1;
+    for (std::uint32_t i = 0; i < (is_rotation ? axis_count : 1U); ++i) {
+      result.push_back(lock.velocity + i);
+    }
+  }
+  return result;
+}
+
 }  // namespace elgen

@@ -8,6 +8,7 @@
 #include "derive/forces.hpp"
 #include "derive/forward_dynamics.hpp"
 #include "derive/matrices.hpp"
+#include "derive/reaction.hpp"
 #include "derive/turning.hpp"
 #include "elgen/equations_of_motion.hpp"
 #include "formulate/print.hpp"
@@ -98,6 +99,8 @@ std::vector<FieldEquations> fields(Derivation& d, const OutputRequest& request) 
       return plain(request, input_matrix(d));
     case OutputKind::inverse_dynamics:
       return plain(request, inverse_dynamics(d));
+    case OutputKind::reaction:
+      return plain(request, reaction(d));
     case OutputKind::forward_dynamics:
       return accelerations(d);
     case OutputKind::linearization:

@@ -97,6 +97,7 @@ std::string field_type(OutputKind kind, const Field& field) {
       }
       [[fallthrough]];
     case OutputKind::user_bias:
+    case OutputKind::reaction:
       return field.rows == 1 ? "Scalar" : fmt::format("std::array<Scalar, {}>", field.rows);
     case OutputKind::user_jacobian:
       return fmt::format("std::array<Scalar, {} * velocity_count>", field.rows);

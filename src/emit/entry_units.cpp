@@ -20,6 +20,10 @@ std::optional<Unit> unit_of_entry(const Model& model, const EntryPlace& place) {
   const std::optional<Unit> second = find_unit("s");
   const auto velocity = [&model](std::size_t i) { return model.velocities[i].unit; };
   const std::string_view rule = output_row(place.kind).unit;
+  if (rule == "held force") {
+    const std::uint32_t held = held_velocities(model)[place.row];
+    return over(over(joule, model.unlocked->velocities[held].unit), second);
+  }
   if (rule == "energy") return joule;
   if (rule == "user" || rule.empty()) return std::nullopt;
   if (place.field == "relative_pivots") return Unit{};

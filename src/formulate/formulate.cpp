@@ -67,6 +67,7 @@ class Formulation {
     if (errors_.empty()) add_energies();
     if (errors_.empty()) add_forces();
     if (errors_.empty()) add_outputs();
+    if (errors_.empty()) add_locks();
     if (errors_.empty()) errors_ = add_frame_tree(model_, translation_, lagrangian_);
     if (!errors_.empty()) return errors_;
     return std::move(lagrangian_);
@@ -205,6 +206,18 @@ class Formulation {
     }
   }
 
+  void add_locks() {
+    for (const Lock& lock : model_.locks) {
+      LockedVariable locked{lock.coordinate, lock.velocity, {}, lock.reaction};
+      for (std::uint32_t i = 0; i < lock.values.size(); ++i) {
+        const Coordinate& coordinate = model_.coordinates[lock.coordinate + i];
+        const Entity origin{EntityKind::coordinate, lock.coordinate + i};
+        locked.values.push_back(named(lock.values[i], coordinate.identifier, origin));
+      }
+      lagrangian_.locked.push_back(std::move(locked));
+    }
+  }
+
   const Model& model_;
   Lagrangian lagrangian_;
   Translation translation_;
@@ -213,6 +226,8 @@ class Formulation {
 
 }  // namespace
 
-Result<Lagrangian> formulate(const Model& model) { return Formulation(model).build(); }
+Result<Lagrangian> formulate(const Model& model) {
+  return Formulation(model.unlocked ? *model.unlocked : model).build();
+}
 
 }  // namespace elgen

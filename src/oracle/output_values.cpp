@@ -3,6 +3,7 @@
 
 #include "contraction.hpp"
 #include "derivatives.hpp"
+#include "reaction.hpp"
 #include "rotations.hpp"
 #include "solved_dynamics.hpp"
 
@@ -187,6 +188,8 @@ Values output_values(const Model& model, const OutputRequest& output, const Stat
       return rates_of_coordinates(model, state);
     case OutputKind::normalized:
       return normalized(model, state.q);
+    case OutputKind::reaction:
+      return reaction(model, state);
     case OutputKind::user_value:
       return user_value(model, model.outputs[output.user], state);
     case OutputKind::user_jacobian:

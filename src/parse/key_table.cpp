@@ -164,6 +164,12 @@ const std::vector<KeyRow>& scene_rows() {
 
       {"scene.sizes", "*", integer, optional, true, "instead of the model's"},
 
+      {"scene.lock", "*", table, optional, true, "a coordinate held at a function of time"},
+      {"scene.lock.*", "value", expression_or_list, required, true,
+       "of constants, parameters and t; [w, x, y, z] of a rotation"},
+      {"scene.lock.*", "reaction", boolean, optional, true,
+       "adds the force that holds it to the output reaction"},
+
       {"scene.numeric", "scalar", choice_list, optional, true, "scalar types the code is for"},
       {"scene.numeric", "form", choice, optional, true, "of every output: closed or recursive"},
       {"scene.numeric", "check", table, optional, later, "ranges and tolerance of the checks"},
@@ -231,7 +237,7 @@ const std::vector<EntryRow>& entry_table() {
       {"scene.outputs", single, optional, true, "what is derived and emitted"},
       {"scene.parameters", single, optional, true, "parameters that become numbers"},
       {"scene.sizes", single, optional, true, "sizes other than the model's"},
-      {"scene.lock", single, optional, later, "coordinates held still"},
+      {"scene.lock", single, optional, true, "coordinates that are known functions of time"},
       {"scene.approximate", single, optional, later, "expansion about a state"},
       {"scene.numeric", single, optional, true, "arithmetic"},
       {"scene.emit", single, optional, true, "the emitted code"},

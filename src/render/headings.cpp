@@ -41,6 +41,10 @@ const HeadingRow heading_table[] = {
      "E = \\dot{q}^{\\top} \\frac{\\partial L}{\\partial \\dot{q}} - L"},
     {OutputKind::input_matrix, "B", "B = \\frac{\\partial Q}{\\partial u}"},
     {OutputKind::inverse_dynamics, "\\tau", "\\tau = M \\ddot{q} + \\mathrm{bias}"},
+    {OutputKind::reaction, "r",
+     "r = \\left[ \\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot{q}} - "
+     "\\frac{\\partial L}{\\partial q} + \\frac{\\partial D}{\\partial \\dot{q}} - Q - B u "
+     "\\right]_{\\mathrm{locked}}"},
     {OutputKind::forward_dynamics, "\\ddot{q}", "M \\ddot{q} = B u - \\mathrm{bias}"},
     {OutputKind::linearization, "\\delta\\dot{x}",
      "\\delta\\dot{x} = A \\, \\delta x + B \\, \\delta u"},

@@ -1,4 +1,5 @@
-// specialise: fixed parameters become numbers throughout a Lagrangian.
+// specialise: fixed parameters become numbers throughout a Lagrangian, then what is locked leaves
+// it.
 //
 //     before    p = l*sin(q), T = 1/2*m*p_dot^2      l = 1/2 fixed
 //     after     p = 1/2*sin(q), T = 1/2*m*p_dot^2
@@ -7,74 +8,26 @@
 // it.
 #include "elgen/specialise.hpp"
 
-#include "formulate/chain_rule.hpp"
+#include "lock.hpp"
+#include "replace.hpp"
 
 namespace elgen {
 
 namespace {
 
-using GiNaC::ex;
-
-class Specialiser {
- public:
-  Specialiser(Lagrangian& lagrangian, const Specialisation& specialisation)
-      : substitution_(lagrangian.definitions, values(lagrangian, specialisation)) {}
-
-  void operator()(ex& value) { value = substitution_(value); }
-  void operator()(std::vector<ex>& list) {
-    for (ex& value : list) (*this)(value);
+void fix(Lagrangian& lagrangian, const Specialisation& specialisation) {
+  Seeds values;
+  for (const auto& [parameter, number] : specialisation.fixed) {
+    values.emplace(lagrangian.symbols.parameters[parameter], GiNaC::numeric(number));
   }
-  void operator()(std::array<ex, 3>& vector) {
-    for (ex& value : vector) (*this)(value);
-  }
-
- private:
-  static Seeds values(const Lagrangian& lagrangian, const Specialisation& specialisation) {
-    Seeds seeds;
-    for (const auto& [parameter, number] : specialisation.fixed) {
-      seeds.emplace(lagrangian.symbols.parameters[parameter], GiNaC::numeric(number));
-    }
-    return seeds;
-  }
-
-  Substitution substitution_;
-};
+  replace(lagrangian, values);
+}
 
 }  // namespace
 
 Lagrangian specialise(Lagrangian lagrangian, const Specialisation& specialisation) {
-  if (specialisation.fixed.empty()) return lagrangian;
-  Specialiser specialised(lagrangian, specialisation);
-  for (PointMass& mass : lagrangian.masses) {
-    specialised(mass.mass);
-    specialised(mass.position);
-  }
-  if (lagrangian.gravity) specialised(*lagrangian.gravity);
-  specialised(lagrangian.kinetic);
-  specialised(lagrangian.potential);
-  specialised(lagrangian.dissipation);
-  specialised(lagrangian.lagrangian);
-  specialised(lagrangian.forces);
-  for (PointForce& force : lagrangian.point_forces) {
-    specialised(force.position);
-    specialised(force.force);
-  }
-  for (TreeStep& step : lagrangian.tree.steps) {
-    specialised(step.vector);
-    specialised(step.angle);
-    for (ex& component : step.quaternion) specialised(component);
-  }
-  for (RigidBody& body : lagrangian.tree.bodies) {
-    specialised(body.mass);
-    specialised(body.com);
-    specialised(body.inertia);
-  }
-  for (Wrench& wrench : lagrangian.tree.wrenches) {
-    specialised(wrench.at);
-    specialised(wrench.force);
-    specialised(wrench.moment);
-  }
-  for (NamedOutput& output : lagrangian.outputs) specialised(output.values);
+  if (!specialisation.fixed.empty()) fix(lagrangian, specialisation);
+  if (!lagrangian.locked.empty()) lock(lagrangian);
   return lagrangian;
 }
 

@@ -52,11 +52,5 @@ TEST_CASE("what needs a quadratic Lagrangian says so") {
   }
 }
 
-TEST_CASE("later outputs are known by name only") {
-  CHECK(is_later_output("reaction"));
-  CHECK(find_output("reaction") == nullptr);
-  CHECK_FALSE(is_later_output("bias"));
-}
-
 }  // namespace
 }  // namespace elgen

@@ -8,15 +8,29 @@
 
 namespace elgen::test {
 
-/// parse and check; throws the formatted errors.
-inline CheckedModel checked_model(const std::string& text, const SceneOptions& options = {}) {
+/// parse and check; throws the formatted errors. `scene` may be null.
+inline CheckedModel checked_model(const std::string& text, const SceneSyntax* scene,
+                                  const SceneOptions& options) {
   const Limits limits;
   const SourcePointer source = make_source("test.toml", text);
   Result<ModelSyntax> syntax = parse_model(source, limits);
   if (!syntax) throw std::runtime_error(format(syntax.diagnostics));
-  Result<CheckedModel> checked = check(*syntax, nullptr, options, limits);
+  Result<CheckedModel> checked = check(*syntax, scene, options, limits);
   if (!checked) throw std::runtime_error(format(checked.diagnostics));
   return *checked;
+}
+
+inline CheckedModel checked_model(const std::string& text, const SceneOptions& options = {}) {
+  return checked_model(text, nullptr, options);
+}
+
+/// The model in a scene of which `rest` is what follows the name.
+inline CheckedModel checked_scene(const std::string& text, const std::string& rest) {
+  const SourcePointer source = make_source(
+      "test.scene.toml", "format = 1\nmodel = \"test.toml\"\nname = \"scene\"\n" + rest);
+  Result<SceneSyntax> scene = parse_scene(source, Limits{});
+  if (!scene) throw std::runtime_error(format(scene.diagnostics));
+  return checked_model(text, &*scene, SceneOptions{});
 }
 
 /// A model of the given coordinates (unit 1 apart, nothing checked) and the rest of the file as

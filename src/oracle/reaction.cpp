@@ -1,0 +1,78 @@
+// Reaction: nothing of the locked model is used but which of its entries stand where.
+#include "reaction.hpp"
+
+#include "mechanics.hpp"
+
+namespace elgen::oracle {
+namespace {
+
+using cln::cl_R;
+
+/// s, ds/dt and d2s/dt2 at a time.
+struct Standing {
+  cl_R value;
+  cl_R rate;
+  cl_R acceleration;
+};
+
+Standing standing(const Model& unlocked, ExpressionId s, const State& state) {
+  const Schedule schedule = make_schedule(unlocked, {{s, 2}});
+  const Motion motion = motion_of(state);
+  JetFunctions functions;
+  const Evaluation at(unlocked, schedule, motion, functions);
+  return {at.value(s).real(), at.rate(s).real(), at.second_rate(s).real()};
+}
+
+/// Puts the entries of `from`, in order, where `to` is not taken.
+void fill_free(std::vector<cl_R>& to, const std::vector<bool>& taken,
+               const std::vector<cl_R>& from) {
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    if (!taken[i]) to[i] = from[next++];
+  }
+}
+
+}  // namespace
+
+State unlocked_state(const Model& model, const State& state) {
+  const Model& unlocked = *model.unlocked;
+  State whole = state;
+  whole.q.assign(unlocked.coordinates.size(), cl_R(0));
+  whole.v.assign(unlocked.velocities.size(), cl_R(0));
+  whole.a = whole.v;
+  std::vector<bool> locked_coordinates(whole.q.size());
+  std::vector<bool> locked_velocities(whole.v.size());
+  for (const Lock& lock : unlocked.locks) {
+    for (std::uint32_t i = 0; i < lock.values.size(); ++i) {
+      locked_coordinates[lock.coordinate + i] = true;
+      const Standing s = standing(unlocked, lock.values[i], whole);
+      whole.q[lock.coordinate + i] = s.value;
+      if (lock.values.size() > 1) continue;
+      whole.v[lock.velocity] = s.rate;
+      whole.a[lock.velocity] = s.acceleration;
+    }
+    for (std::uint32_t i = 0; i < (lock.values.size() > 1 ? axis_count : 1U); ++i) {
+      locked_velocities[lock.velocity + i] = true;
+    }
+  }
+  fill_free(whole.q, locked_coordinates, state.q);
+  fill_free(whole.v, locked_velocities, state.v);
+  fill_free(whole.a, locked_velocities, state.a);
+  return whole;
+}
+
+std::vector<cl_R> reaction(const Model& model, const State& state) {
+  const std::vector<std::uint32_t> held = held_velocities(model);
+  if (held.empty()) return {};
+  const State whole = unlocked_state(model, state);
+  Mechanics at(*model.unlocked, whole);
+  std::vector<cl_R> values;
+  for (const std::uint32_t velocity : held) {
+    const Direction w = at.unit(velocity);
+    values.push_back(at.inverse_dynamics(w, whole.a) -
+                     (whole.u.empty() ? cl_R(0) : at.input_force(w, whole.u)));
+  }
+  return values;
+}
+
+}  // namespace elgen::oracle

@@ -1,0 +1,128 @@
+// An arm with all joints but one locked: the numbers of the whole arm at that pose, for a fraction
+// of its operations.
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "elgen/evaluate.hpp"
+#include "elgen/oracle.hpp"
+#include "elgen/pipeline.hpp"
+#include "support/shell.hpp"
+
+namespace elgen::test {
+namespace {
+
+using cln::cl_R;
+
+constexpr std::size_t joints = 7;
+constexpr std::size_t free_joint = 3;  ///< q4
+const std::string root = ELGEN_SOURCE_DIR;
+
+Products products_of(const std::string& scene) {
+  PipelineOptions options;
+  options.stop_after = "choose";
+  Inputs inputs;
+  inputs.model = make_source("panda7.toml", read_text(root + "/models/panda7.toml"));
+  inputs.scene = make_source("test.scene.toml", scene);
+  Products products = run_pipeline(inputs, options);
+  INFO(format(products.diagnostics));
+  REQUIRE(products.program);
+  return products;
+}
+
+std::string scene_text(const std::string& locks) {
+  return "format = 1\nmodel = \"panda7.toml\"\nname = \"one\"\n[outputs]\nmass_matrix = true\n"
+         "bias = true\ninverse_dynamics = true\n" +
+         locks;
+}
+
+std::string locks_text() {
+  std::string text = "[lock]\n";
+  for (std::size_t i = 0; i < joints; ++i) {
+    if (i == free_joint) continue;
+    text += "q" + std::to_string(i + 1) + " = { value = \"" + std::to_string(2 * i + 1) +
+            "/10\", reaction = true }\n";
+  }
+  return text;
+}
+
+const Function& function_of(const Products& products, OutputKind kind) {
+  for (const Function& function : products.program->functions) {
+    if (function.kind == kind) return function;
+  }
+  throw std::logic_error("no such function");
+}
+
+std::size_t operations(const Products& products, OutputKind kind) {
+  return cost(count_operations(function_of(products, kind)));
+}
+
+/// The whole arm at the pose of the locks, everything else the same.
+Arguments<Real> whole(Arguments<Real> state) {
+  const auto among_zeros = [](const std::vector<Real>& free) {
+    std::vector<Real> all(joints);
+    all[free_joint] = free.front();
+    return all;
+  };
+  state.q = among_zeros(state.q);
+  for (std::size_t i = 0; i < joints; ++i) {
+    if (i != free_joint) state.q[i] = Real(cln::cl_RA(2 * static_cast<long>(i) + 1) / 10);
+  }
+  state.v = among_zeros(state.v);
+  state.a = among_zeros(state.a);
+  return state;
+}
+
+bool agree(const Real& x, const Real& y) {
+  static const Real allowed(cln::expt(cln::cl_R(10), cln::cl_I(-50)));
+  return abs(x - y).value() <= (allowed * (Real(1) + abs(y))).value();
+}
+
+}  // namespace
+
+TEST_CASE("six joints of seven locked", "[lock]") {
+  const Products arm = products_of(scene_text(""));
+  const Products one = products_of(scene_text(locks_text()));
+  const auto value = [](const Products& of, OutputKind kind, const Arguments<Real>& state) {
+    return evaluate(*of.program, function_of(of, kind), state);
+  };
+  std::mt19937 generator(7);
+  const auto number = [&generator] {
+    return Real(cln::cl_RA(static_cast<long>(generator() % 6001) - 3000) / 1000);
+  };
+  for (int sample = 0; sample < 8; ++sample) {
+    Arguments<Real> state;
+    for (const Parameter& p : one.checked->model.parameters) state.parameters.emplace_back(p.value);
+    state.q = {number()};
+    state.v = {number()};
+    state.a = {number()};
+    for (std::size_t i = 0; i < joints; ++i) state.u.push_back(number());
+    const Arguments<Real> all = whole(state);
+    const auto tau = value(arm, OutputKind::inverse_dynamics, all);
+    CHECK(agree(value(one, OutputKind::inverse_dynamics, state)[0], tau[free_joint]));
+    CHECK(agree(value(one, OutputKind::bias, state)[0],
+                value(arm, OutputKind::bias, all)[free_joint]));
+    CHECK(agree(value(one, OutputKind::mass_matrix, state)[0],
+                value(arm, OutputKind::mass_matrix, all)[free_joint * joints + free_joint]));
+    const auto held = value(one, OutputKind::reaction, state);
+    REQUIRE(held.size() == joints - 1);
+    for (std::size_t row = 0; row < held.size(); ++row) {
+      const std::size_t joint = row < free_joint ? row : row + 1;
+      CHECK(agree(held[row], tau[joint] - all.u[joint]));
+    }
+  }
+}
+
+TEST_CASE("what is locked costs nothing", "[lock]") {
+  const Products arm = products_of(scene_text(""));
+  const Products one = products_of(scene_text(locks_text()));
+  const auto share = [&](OutputKind kind) {
+    return static_cast<double>(operations(one, kind)) / static_cast<double>(operations(arm, kind));
+  };
+  INFO("of the whole arm: M " << share(OutputKind::mass_matrix) << ", tau "
+                              << share(OutputKind::inverse_dynamics));
+  // One entry of 49, and one row of 7 in which one joint moves.
+  CHECK(share(OutputKind::mass_matrix) < 0.35);
+  CHECK(share(OutputKind::inverse_dynamics) < 0.5);
+}
+
+}  // namespace elgen::test

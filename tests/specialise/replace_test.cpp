@@ -1,0 +1,20 @@
+// Values for leaves in every part of a Lagrangian: specialise_test.cpp has the parts one by one.
+#include "specialise/replace.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "support/systems.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+TEST_CASE("a leaf is replaced through definitions, and equal values share one") {
+  Lagrangian lagrangian = *formulate(checked_model(cart_pole_text()).model);
+  const std::size_t before = lagrangian.definitions.list.size();
+  replace(lagrangian, {{lagrangian.symbols.q[1], 0}});
+  // The bob stands above the cart: its x is the cart's.
+  CHECK(lagrangian.masses[1].position[0].is_equal(lagrangian.masses[0].position[0]));
+  CHECK(lagrangian.definitions.list.size() >= before);
+  CHECK((dependence(lagrangian.definitions, lagrangian.masses[1].position[1]) & on_coordinates) ==
+        0);
+}
