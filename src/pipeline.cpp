@@ -135,6 +135,10 @@ Products run_pipeline(const Inputs& inputs, const PipelineOptions& options) {
   out.checked = stages.run("check", [&] {
     return check(syntax->model, syntax->scene ? &*syntax->scene : nullptr, options.scene, limits);
   });
+  if (out.checked && options.only_output) {
+    std::vector<OutputRequest>& outputs = out.checked->scene.outputs;
+    outputs = {outputs[*options.only_output]};
+  }
   stages.run("inspect", [&] {
     Diagnostics found = inspect(out.checked->model, out.checked->scene);
     return Result<Inspection>({found}, found);

@@ -30,6 +30,8 @@ struct PipelineOptions {
   Limits limits = {};
   std::string dump_stage = {};  ///< its product as text, into Products::dump
   std::string stop_after = {};  ///< the last stage to run
+  /// The one output of the scene to derive, by its place in Scene::outputs; none: all of them.
+  std::optional<std::size_t> only_output = {};
   bool steps = false;           ///< make Products::steps instead of the scene's outputs
   bool check_itself = true;     ///< compare with the oracle at the end
   std::function<void(const std::string&)> on_stage = {};  ///< told each name as it starts

@@ -78,6 +78,7 @@ struct Sheet {
   std::string title = {};
   std::string description = {};
   std::string reference = {};
+  std::vector<std::string> notes = {};  ///< see scene_notes()
   std::string equation_of_motion = {};  ///< LaTeX
   std::vector<SheetVariable> coordinates = {};
   std::vector<SheetVariable> inputs = {};
@@ -90,6 +91,10 @@ struct PageOptions {
   bool zeros = false;                   ///< functions whose entries are all 0
   std::size_t most_entries = SIZE_MAX;  ///< longer outputs are named, without their equations
 };
+
+/// What a scene says beyond a choice of outputs, in sentences: its purpose, what it fixes and what
+/// it locks.
+[[nodiscard]] std::vector<std::string> scene_notes(const Model& model, const Scene& scene);
 
 [[nodiscard]] Sheet sheet(const Model& model, const Scene& scene, const Program& program,
                           const PageOptions& options = {});
@@ -115,8 +120,8 @@ inline constexpr std::string_view energies_title = "Energies";
 [[nodiscard]] bool is_zero(const Program& program, const Function& function);
 
 /// The equation of motion, the variables, and every entry of every output in the model language.
-[[nodiscard]] std::string text_page(const Model& model, const Program& program,
-                                    const PageOptions& options = {});
+[[nodiscard]] std::string text_page(const Model& model, const Scene& scene,
+                                    const Program& program, const PageOptions& options = {});
 
 /// What one call of every function costs in either form, and which is emitted.
 [[nodiscard]] std::string cost_page(const std::vector<FormCosts>& costs);
@@ -124,7 +129,7 @@ inline constexpr std::string_view energies_title = "Energies";
 /// GitHub Markdown with blocks of $$.
 [[nodiscard]] std::string markdown_page(const Sheet& sheet);
 
-/// A complete document for pdflatex; needs nothing but amsmath.
+/// A complete document for pdflatex; needs amsmath and longtable.
 [[nodiscard]] std::string latex_document(const Sheet& sheet);
 
 /// A complete page of HTML with MathML Core.

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "costs.hpp"
 #include "elgen/render.hpp"
 #include "inputs.hpp"
 #include "options.hpp"
@@ -58,10 +59,10 @@ Sheet sheet_of(const Products& products, Subject subject, const PageOptions& opt
 }
 
 std::string text_of(const Products& products, Subject subject, const PageOptions& options) {
-  const Model& model = products.checked->model;
+  const auto& [model, scene] = *products.checked;
   switch (subject) {
     case Subject::outputs:
-      return text_page(model, *products.program, options);
+      return text_page(model, scene, *products.program, options);
     case Subject::lagrangian:
       return steps_text(model, *products.steps, energies_title);
     case Subject::steps:
@@ -111,6 +112,7 @@ ExitCode show(const GlobalOptions& global, const ShowOptions& options) {
   tell_times(global, products);
   if (derived != ExitCode::success || !global.stop_after.empty()) return derived;
   fmt::print("{}", page(products, *subject, options));
+  if (*subject == Subject::cost) fmt::print("\n{}", generation_costs(*inputs, pipeline, products));
   return ExitCode::success;
 }
 

@@ -9,7 +9,6 @@
 #include "cpp_spelling.hpp"
 #include "elgen/render.hpp"
 #include "entry_units.hpp"
-#include "evaluate/decimal.hpp"
 #include "layout.hpp"
 
 namespace elgen {
@@ -56,14 +55,6 @@ Lines variables(const Model& model) {
   return lines;
 }
 
-std::string fixed_parameters(const Model& model, const Scene& scene) {
-  Lines values;
-  for (const auto& [index, value] : scene.specialisation.fixed) {
-    values.push_back(fmt::format("{} = {}", model.parameters[index].name, exact_text(value)));
-  }
-  return values.empty() ? "" : fmt::format("Fixed: {}.", fmt::join(values, ", "));
-}
-
 void add_prose(Lines& lines, const std::string& text) {
   if (text.empty()) return;
   for (const std::string& line : wrap_words(text, {line_width - 3, ""}))
@@ -82,9 +73,9 @@ std::vector<std::string> introduction(const Model& model, const Scene& scene,
   lines.push_back("   " + equation_of_motion(model, program).text);
   lines.emplace_back();
   for (const std::string& line : variables(model)) lines.push_back("   " + line);
-  const std::string fixed = fixed_parameters(model, scene);
-  if (!fixed.empty()) lines.emplace_back();
-  add_prose(lines, fixed);
+  const Lines notes = scene_notes(model, scene);
+  if (!notes.empty()) lines.emplace_back();
+  for (const std::string& note : notes) add_prose(lines, comment_text(note));
   return lines;
 }
 

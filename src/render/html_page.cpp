@@ -104,6 +104,7 @@ std::string html_page(const Sheet& sheet) {
   for (const std::string& paragraph : {sheet.description, sheet.reference}) {
     if (!paragraph.empty()) text += fmt::format("<p>{}</p>\n", plain(paragraph));
   }
+  for (const std::string& note : sheet.notes) text += fmt::format("<p>{}</p>\n", plain(note));
   text += block(formula(sheet.equation_of_motion));
   text += table("Coordinates", sheet.coordinates);
   text += table("Inputs", sheet.inputs);

@@ -90,6 +90,7 @@ std::string latex_document(const Sheet& sheet) {
   text += fmt::format("{{\\Large\\bfseries {}}}\n\n", plain(sheet.title));
   if (!sheet.description.empty()) text += plain(sheet.description) + "\n\n";
   if (!sheet.reference.empty()) text += plain(sheet.reference) + "\n\n";
+  for (const std::string& note : sheet.notes) text += plain(note) + "\n\n";
   text += block(sheet.equation_of_motion);
   text += table("Coordinates", sheet.coordinates, false);
   text += table("Inputs", sheet.inputs, false);

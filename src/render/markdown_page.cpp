@@ -51,6 +51,7 @@ std::string markdown_page(const Sheet& sheet) {
   std::string text = fmt::format("# {}\n\n", plain(sheet.title));
   if (!sheet.description.empty()) text += plain(sheet.description) + "\n\n";
   if (!sheet.reference.empty()) text += fmt::format("Reference: {}\n\n", plain(sheet.reference));
+  for (const std::string& note : sheet.notes) text += plain(note) + "\n\n";
   text += block(sheet.equation_of_motion);
   text += table("coordinate", sheet.coordinates, false);
   text += table("input", sheet.inputs, false);

@@ -47,9 +47,12 @@ std::string function_text(const Program& program, std::size_t index) {
 
 }  // namespace
 
-std::string text_page(const Model& model, const Program& program, const PageOptions& options) {
+std::string text_page(const Model& model, const Scene& scene, const Program& program,
+                      const PageOptions& options) {
   std::string text = model.title.empty() ? model.name : model.title;
-  text += fmt::format("\n\n  {}\n\n", equation_of_motion(model, program).text);
+  text += "\n";
+  for (const std::string& note : scene_notes(model, scene)) text += note + "\n";
+  text += fmt::format("\n  {}\n\n", equation_of_motion(model, program).text);
   const bool rotates = !model.rotations.empty();
   text += fmt::format("  q = {}, {}, a = dv/dt\n", tuple(model.coordinates),
                       rotates ? "dq/dt = N(q) v" : "v = dq/dt");

@@ -1,0 +1,89 @@
+// Costs of generation: run again, one output at a time.
+#include "costs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace elgen::cli {
+namespace {
+
+double seconds(const Products& products, std::string_view first, std::string_view last) {
+  double sum = 0;
+  bool counts = false;
+  for (const StageTime& time : products.times) {
+    counts = counts || time.stage == first;
+    if (counts) sum += time.seconds;
+    if (time.stage == last) break;
+  }
+  return sum;
+}
+
+double generation(const Products& products) { return seconds(products, "parse", "emit"); }
+
+/// The built-in scene: every output, nothing fixed, nothing locked.
+Products full_model(const Inputs& inputs, const PipelineOptions& options) {
+  PipelineOptions full = options;
+  full.scene = {};
+  return run_pipeline({inputs.model, nullptr}, full);
+}
+
+double seconds_alone(const Inputs& inputs, PipelineOptions options, std::size_t output) {
+  options.only_output = output;
+  options.stop_after = "choose";
+  return seconds(run_pipeline(inputs, options), "formulate", "choose");
+}
+
+const Function* same_output(const Program& program, const OutputRequest& request) {
+  const auto found = std::find_if(
+      program.functions.begin(), program.functions.end(), [&](const Function& function) {
+        return function.kind == request.kind && function.user == request.user;
+      });
+  return found == program.functions.end() ? nullptr : &*found;
+}
+
+std::string percentage(double part, double whole) {
+  return whole > 0 ? fmt::format("{:.0f} %", 100 * part / whole) : "";
+}
+
+/// The columns of the cost in the scene and in the full model.
+std::string compared(const OutputRequest& request, const Program& program, const Products* full) {
+  const std::size_t own = cost(count_operations(*same_output(program, request)));
+  if (full == nullptr) return fmt::format("{:>8}", own);
+  const Function* same = full->program ? same_output(*full->program, request) : nullptr;
+  if (same == nullptr) return fmt::format("{:>8}  {:>10}  {:>6}", own, "-", "");
+  const std::size_t whole = cost(count_operations(*same));
+  return fmt::format("{:>8}  {:>10}  {:>6}", own, whole,
+                     percentage(static_cast<double>(own), static_cast<double>(whole)));
+}
+
+}  // namespace
+
+std::string generation_costs(const Inputs& inputs, const PipelineOptions& options,
+                             const Products& products) {
+  PipelineOptions silent = options;
+  silent.dump_stage.clear();
+  const bool has_scene = inputs.scene != nullptr || products.checked->scene.has_options;
+  const Products whole = has_scene ? full_model(inputs, silent) : Products{};
+  const Products* full = has_scene ? &whole : nullptr;
+  std::size_t width = std::string_view("output").size();
+  const std::vector<OutputRequest>& requests = products.checked->scene.outputs;
+  for (const OutputRequest& request : requests) width = std::max(width, request.name.size());
+  std::string text =
+      fmt::format("{:<{}}  {:>8}{}  {:>12}\n", "output", width, "cost",
+                  full == nullptr ? "" : fmt::format("  {:>10}  {:>6}", "full model", "share"), "alone");
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    if (requests[i].kind == OutputKind::dynamics) continue;  // made of the others
+    text += fmt::format("{:<{}}  {}  {:>9.1f} ms\n", requests[i].name, width,
+                        compared(requests[i], *products.program, full),
+                        1e3 * seconds_alone(inputs, silent, i));
+  }
+  text += fmt::format("\ngenerated in {:.1f} ms", 1e3 * generation(products));
+  if (full != nullptr) {
+    text += fmt::format(", the full model in {:.1f} ms: {}", 1e3 * generation(whole),
+                        percentage(generation(products), generation(whole)));
+  }
+  return text + "\n";
+}
+
+}  // namespace elgen::cli

@@ -1,0 +1,46 @@
+// scene_notes: what a reader must know of a scene to read its equations.
+#include <fmt/format.h>
+
+#include "elgen/render.hpp"
+#include "evaluate/decimal.hpp"
+
+namespace elgen {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+Lines fixed_parameters(const Model& model, const Scene& scene) {
+  Lines values;
+  for (const auto& [index, value] : scene.specialisation.fixed) {
+    values.push_back(fmt::format("{} = {}", model.parameters[index].name, exact_text(value)));
+  }
+  return values;
+}
+
+/// "q1 = 1/6*pi"; of a rotation its components.
+Lines locked_coordinates(const Model& model) {
+  Lines values;
+  if (!model.unlocked) return values;
+  for (const Lock& lock : model.unlocked->locks) {
+    for (std::uint32_t i = 0; i < lock.values.size(); ++i) {
+      values.push_back(fmt::format("{} = {}", model.unlocked->coordinates[lock.coordinate + i].name,
+                                   to_string(*model.unlocked, lock.values[i])));
+    }
+  }
+  return values;
+}
+
+}  // namespace
+
+std::vector<std::string> scene_notes(const Model& model, const Scene& scene) {
+  Lines notes;
+  if (!scene.doc.empty()) notes.push_back(scene.doc);
+  const auto add = [&notes](const char* what, const Lines& values) {
+    if (!values.empty()) notes.push_back(fmt::format("{}: {}.", what, fmt::join(values, ", ")));
+  };
+  add("Fixed", fixed_parameters(model, scene));
+  add("Locked", locked_coordinates(model));
+  return notes;
+}
+
+}  // namespace elgen

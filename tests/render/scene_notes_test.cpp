@@ -1,0 +1,24 @@
+// What a scene says, in sentences.
+#include <catch2/catch.hpp>
+
+#include "elgen/render.hpp"
+#include "support/systems.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+std::vector<std::string> notes(const std::string& scene) {
+  const CheckedModel checked = checked_scene(cart_pole_text(), scene);
+  return scene_notes(checked.model, checked.scene);
+}
+
+}  // namespace
+
+TEST_CASE("what a scene fixes and locks") {
+  CHECK(notes("") == std::vector<std::string>{});
+  CHECK(notes("doc = \"Upright.\"\n[parameters]\nfixed = { l = \"1/2\", g = 9.81 }\n"
+              "[lock]\nx = { value = \"sin(2*t)\" }\n") ==
+        std::vector<std::string>{"Upright.", "Fixed: l = 0.5, g = 9.81.", "Locked: x = sin(2*t)."});
+}
