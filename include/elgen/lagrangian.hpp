@@ -148,13 +148,16 @@ struct TreeStep {
 };
 
 /// mass, com c and inertia (xx yy zz xy xz yz, empty for a point) in the axes after a step; the
-/// inertia is about the origin there, or about the com. T = 1/2 m v_c^2 + 1/2 w.I_c w.
+/// inertia is about the origin there, or about the com. T = 1/2 m v_c^2 + 1/2 w.I_c w; about the
+/// origin T = 1/2 m v^2 + v.(w x h) + 1/2 w.I w with h = m c.
 struct RigidBody {
   std::optional<std::uint32_t> step = {};  ///< none: fixed to the world
   GiNaC::ex mass = 0;
   ExVector3 com;
   std::vector<GiNaC::ex> inertia = {};
   bool about_origin = false;
+  /// h of an inertia about the origin, where derivation gave the body one that is no m c.
+  std::optional<ExVector3> moment = {};
   Entity origin = {};
 };
 

@@ -74,6 +74,8 @@ CompositeInertia shifted(VectorAlgebra& algebra, const CompositeInertia& c, cons
   return result;
 }
 
+}  // namespace
+
 void accumulate(VectorAlgebra& algebra, const CompositeInertia& from, CompositeInertia& to) {
   to.mass = algebra.define(to.mass + from.mass);
   to.moment = algebra.add(to.moment, from.moment);
@@ -82,11 +84,10 @@ void accumulate(VectorAlgebra& algebra, const CompositeInertia& from, CompositeI
   }
 }
 
-/// About the origin: I_c + c.h 1 - c h^T.
 CompositeInertia about_origin(VectorAlgebra& algebra, const RigidBody& body) {
   CompositeInertia result;
   result.mass = body.mass;
-  result.moment = algebra.scaled(body.mass, body.com);
+  result.moment = first_moment(algebra, body);
   for (std::size_t i = 0; i < body.inertia.size(); ++i) result.inertia[i] = body.inertia[i];
   if (body.about_origin) return result;
   ExVector3 squares;
@@ -100,8 +101,6 @@ CompositeInertia about_origin(VectorAlgebra& algebra, const RigidBody& body) {
   }
   return result;
 }
-
-}  // namespace
 
 std::size_t symmetric_index(std::size_t i, std::size_t j) { return i == j ? i : 2 + i + j; }
 
@@ -136,7 +135,7 @@ CompositeInertia to_parent(Tree& tree, std::size_t step, const CompositeInertia&
 
 std::vector<CompositeInertia> composite_inertias(Tree& tree) {
   std::vector<CompositeInertia> result(tree.size());
-  for (const RigidBody& body : tree.frames().bodies) {
+  for (const RigidBody& body : tree.bodies()) {
     if (!body.step) continue;
     const CompositeInertia own = about_origin(tree.algebra, body);
     accumulate(tree.algebra, own, result[*body.step]);

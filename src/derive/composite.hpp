@@ -23,6 +23,12 @@ struct CompositeInertia {
   Symmetric3 inertia{0, 0, 0, 0, 0, 0};
 };
 
+/// to += from, both in the same axes.
+void accumulate(VectorAlgebra& algebra, const CompositeInertia& from, CompositeInertia& to);
+
+/// A body alone, about the origin of its step: I_c + c.h 1 - c h^T.
+[[nodiscard]] CompositeInertia about_origin(VectorAlgebra& algebra, const RigidBody& body);
+
 /// S x of a symmetric matrix.
 [[nodiscard]] ExVector3 product(VectorAlgebra& algebra, const Symmetric3& s, const ExVector3& x);
 

@@ -110,13 +110,10 @@ void accumulate(VectorAlgebra& algebra, const CompositeRate& from, CompositeRate
 CompositeRate own_rate(VectorAlgebra& algebra, const RigidBody& body, const Twist& twist) {
   CompositeRate rate;
   if (!body.inertia.empty()) rate.a = spin_part(algebra, body.inertia, twist.spin);
-  if (body.mass.is_zero()) return rate;
-  const ExVector3 carried = algebra.cross(twist.spin, body.com);
-  const ExVector3 velocity = algebra.add(twist.velocity, carried);
-  rate.momentum = algebra.scaled(body.mass, velocity);
+  if (!has_mass(body)) return rate;
+  rate.momentum = momentum_of(algebra, body, twist);
   if (body.about_origin) {
-    const ExVector3 moment = algebra.scaled(body.mass, body.com);
-    rate.a = less_outer(algebra, rate.a, twist.velocity, moment);
+    rate.a = less_outer(algebra, rate.a, twist.velocity, first_moment(algebra, body));
   } else {
     rate.a = less_outer(algebra, rate.a, rate.momentum, body.com);
   }
@@ -138,7 +135,7 @@ CompositeRate to_parent(Tree& tree, std::size_t step, const CompositeRate& rate)
 
 std::vector<CompositeRate> composite_rates(Tree& tree, const std::vector<Twist>& twists) {
   std::vector<CompositeRate> result(tree.size());
-  for (const RigidBody& body : tree.frames().bodies) {
+  for (const RigidBody& body : tree.bodies()) {
     if (!body.step) continue;
     const CompositeRate own = own_rate(tree.algebra, body, twists[*body.step]);
     accumulate(tree.algebra, own, result[*body.step]);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "derive/regroup.hpp"
+
 namespace elgen {
 
 using GiNaC::ex;
@@ -87,6 +89,11 @@ Tree::Tree(Derivation& derivation) : algebra(derivation.definitions), derivation
   for (const TreeStep& step : frames().steps) {
     rotations_.push_back(rotation_of(derivation.definitions, step));
   }
+  bodies_ = regrouped(*this);
+}
+
+ExVector3 first_moment(VectorAlgebra& algebra, const RigidBody& body) {
+  return body.moment ? *body.moment : algebra.scaled(body.mass, body.com);
 }
 
 ExVector3 Tree::to_parent(std::size_t step, const ExVector3& x) {

@@ -46,6 +46,9 @@ class Tree {
   [[nodiscard]] const TreeStep& step(std::size_t index) const { return frames().steps[index]; }
   [[nodiscard]] const StepRotation& rotation(std::size_t index) const { return rotations_[index]; }
 
+  /// Those of the Lagrangian, with numbers regrouped (regroup.hpp).
+  [[nodiscard]] const std::vector<RigidBody>& bodies() const { return bodies_; }
+
   /// R x and R^T x of a step.
   [[nodiscard]] ExVector3 to_parent(std::size_t step, const ExVector3& x);
   [[nodiscard]] ExVector3 to_child(std::size_t step, const ExVector3& x);
@@ -78,6 +81,10 @@ class Tree {
  private:
   Derivation& derivation_;
   std::vector<StepRotation> rotations_;
+  std::vector<RigidBody> bodies_;
 };
+
+/// h = m c, or what the body was given.
+[[nodiscard]] ExVector3 first_moment(VectorAlgebra& algebra, const RigidBody& body);
 
 }  // namespace elgen

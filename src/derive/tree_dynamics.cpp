@@ -138,12 +138,12 @@ SpatialForce inertial_force(VectorAlgebra& algebra, const RigidBody& body,
                             const StepMotion& motion) {
   SpatialForce result;
   if (!body.inertia.empty()) result.moment = inertial_moment(algebra, body.inertia, motion);
-  if (body.mass.is_zero()) return result;
+  if (!has_mass(body)) return result;
   if (body.about_origin) {
-    const ExVector3 first_moment = algebra.scaled(body.mass, body.com);
+    const ExVector3 h = first_moment(algebra, body);
     const ExVector3 own = algebra.scaled(body.mass, motion.acceleration);
-    result.force = algebra.add(own, product(algebra, motion.gradient, first_moment));
-    result.moment = algebra.add(result.moment, algebra.cross(first_moment, motion.acceleration));
+    result.force = algebra.add(own, product(algebra, motion.gradient, h));
+    result.moment = algebra.add(result.moment, algebra.cross(h, motion.acceleration));
     return result;
   }
   const ExVector3 carried = product(algebra, motion.gradient, body.com);
@@ -166,13 +166,21 @@ ExVector3 spin_momentum(VectorAlgebra& algebra, const RigidBody& body, const ExV
                                   i[4] * w[0] + i[5] * w[1] + i[2] * w[2]});
 }
 
-/// m v_c.
+}  // namespace
+
+bool has_mass(const RigidBody& body) {
+  return !body.mass.is_zero() || (body.moment && !is_zero(*body.moment));
+}
+
 ExVector3 momentum_of(VectorAlgebra& algebra, const RigidBody& body, const Twist& twist) {
+  if (body.about_origin) {
+    const ExVector3 linear = algebra.scaled(body.mass, twist.velocity);
+    const ExVector3 turning = algebra.cross(twist.spin, first_moment(algebra, body));
+    return algebra.add(linear, turning);
+  }
   const ExVector3 carried = algebra.cross(twist.spin, body.com);
   return algebra.scaled(body.mass, algebra.add(twist.velocity, carried));
 }
-
-}  // namespace
 
 StepMotion base_motion(Tree& tree, bool with_gravity) {
   StepMotion motion;
@@ -188,7 +196,7 @@ std::vector<StepMotion> tree_motions(Tree& tree, const Acceleration& acceleratio
 std::vector<SpatialForce> inertial_forces_on_steps(Tree& tree,
                                                    const std::vector<StepMotion>& motions) {
   std::vector<SpatialForce> on_step(tree.size());
-  for (const RigidBody& body : tree.frames().bodies) {
+  for (const RigidBody& body : tree.bodies()) {
     if (!body.step) continue;
     const SpatialForce force = inertial_force(tree.algebra, body, motions[*body.step]);
     accumulate(tree.algebra, force, on_step[*body.step]);
@@ -227,15 +235,15 @@ TreeForces tree_momentum(Tree& tree) {
   VectorAlgebra& algebra = tree.algebra;
   const std::vector<Twist> twists = tree_twists(tree, tree.derivation().coasting);
   std::vector<SpatialForce> on_step(tree.size());
-  for (const RigidBody& body : tree.frames().bodies) {
+  for (const RigidBody& body : tree.bodies()) {
     if (!body.step) continue;
     // Momentum about the com, so the inertia has to be about it too.
     SpatialForce momentum;
     momentum.moment = spin_momentum(algebra, body, twists[*body.step].spin);
     momentum.force = momentum_of(algebra, body, twists[*body.step]);
-    const ExVector3 lever = body.about_origin ? algebra.cross(algebra.scaled(body.mass, body.com),
-                                                              twists[*body.step].velocity)
-                                              : algebra.cross(body.com, momentum.force);
+    const ExVector3 lever =
+        body.about_origin ? algebra.cross(first_moment(algebra, body), twists[*body.step].velocity)
+                          : algebra.cross(body.com, momentum.force);
     momentum.moment = algebra.add(momentum.moment, lever);
     accumulate(algebra, momentum, on_step[*body.step]);
   }
@@ -246,18 +254,19 @@ Terms tree_kinetic_energy(Tree& tree, Tangent& along) {
   VectorAlgebra& algebra = tree.algebra;
   const std::vector<Twist> twists = tree_twists(tree, along);
   Terms terms;
-  for (const RigidBody& body : tree.frames().bodies) {
+  for (const RigidBody& body : tree.bodies()) {
     if (!body.step) continue;
     const Twist& twist = twists[*body.step];
     const ExVector3 spin = spin_momentum(algebra, body, twist.spin);
     terms.push_back(half * algebra.dot(spin, twist.spin));
-    if (body.mass.is_zero()) continue;
-    const ExVector3 carried = algebra.cross(twist.spin, body.com);
+    if (!has_mass(body)) continue;
     if (body.about_origin) {
-      // 1/2 m v_O^2 + m v_O.(w x c), the rest is in the inertia.
-      const ExVector3 mean = algebra.add(algebra.scaled(half, twist.velocity), carried);
-      terms.push_back(body.mass * algebra.dot(twist.velocity, mean));
+      // 1/2 m v_O^2 + v_O.(w x h), the rest is in the inertia.
+      const ExVector3 turning = algebra.cross(twist.spin, first_moment(algebra, body));
+      const ExVector3 linear = algebra.scaled(half * body.mass, twist.velocity);
+      terms.push_back(algebra.dot(twist.velocity, algebra.add(linear, turning)));
     } else {
+      const ExVector3 carried = algebra.cross(twist.spin, body.com);
       const ExVector3 velocity = algebra.add(twist.velocity, carried);
       terms.push_back(half * body.mass * algebra.dot(velocity, velocity));
     }
@@ -287,12 +296,11 @@ struct MassMoment {
 std::vector<MassMoment> mass_moments(Tree& tree) {
   VectorAlgebra& algebra = tree.algebra;
   std::vector<MassMoment> result(tree.size());
-  for (const RigidBody& body : tree.frames().bodies) {
+  for (const RigidBody& body : tree.bodies()) {
     if (!body.step) continue;
     MassMoment& total = result[*body.step];
     total.mass = algebra.define(total.mass + body.mass);
-    const ExVector3 moment = algebra.scaled(body.mass, body.com);
-    total.moment = algebra.add(total.moment, moment);
+    total.moment = algebra.add(total.moment, first_moment(algebra, body));
   }
   for (std::size_t k = tree.size(); k-- > 0;) {
     const TreeStep& step = tree.step(k);
@@ -329,12 +337,12 @@ TreeForces tree_gravity(Tree& tree) {
 
 Terms tree_potential_energy(Tree& tree) {
   Terms terms;
-  if (!tree.derivation().lagrangian.gravity || tree.frames().bodies.empty()) return terms;
+  if (!tree.derivation().lagrangian.gravity || tree.bodies().empty()) return terms;
   VectorAlgebra& algebra = tree.algebra;
   const ExVector3 g = *tree.derivation().lagrangian.gravity;
   const std::vector<MassMoment> carried = mass_moments(tree);
-  for (const RigidBody& body : tree.frames().bodies) {
-    if (!body.step) terms.push_back(-body.mass * algebra.dot(g, body.com));
+  for (const RigidBody& body : tree.bodies()) {
+    if (!body.step) terms.push_back(-algebra.dot(g, first_moment(algebra, body)));
   }
   for (std::size_t k = 0; k < tree.size(); ++k) {
     if (tree.step(k).parent) continue;

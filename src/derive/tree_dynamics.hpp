@@ -62,4 +62,11 @@ struct Twist {
 };
 [[nodiscard]] std::vector<Twist> tree_twists(Tree& tree, Tangent& along);
 
+/// Whether there is a mass, or a first moment.
+[[nodiscard]] bool has_mass(const RigidBody& body);
+
+/// m v_c, or m v + w x h.
+[[nodiscard]] ExVector3 momentum_of(VectorAlgebra& algebra, const RigidBody& body,
+                                    const Twist& twist);
+
 }  // namespace elgen

@@ -7,6 +7,7 @@
 #include "derive/derivation.hpp"
 #include "elgen/equations_of_motion.hpp"
 #include "elgen/oracle.hpp"
+#include "elgen/specialise.hpp"
 #include "support/frame_systems.hpp"
 
 namespace elgen::test {
@@ -78,8 +79,9 @@ class NumbersAt {
 
 class Framed {
  public:
-  explicit Framed(const std::string& text)
-      : checked(checked_model(text)), lagrangian(*formulate(checked.model)) {}
+  explicit Framed(const std::string& text, const SceneOptions& options = {})
+      : checked(checked_model(text, options)),
+        lagrangian(specialise(*formulate(checked.model), checked.scene.specialisation)) {}
 
   [[nodiscard]] const OutputRequest& request(const std::string& name) const {
     for (const OutputRequest& output : checked.scene.outputs) {
