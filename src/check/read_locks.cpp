@@ -44,7 +44,7 @@ class LockReader {
                coordinate != model.coordinates.end() && !coordinate->rotation) {
       lock.coordinate = static_cast<std::uint32_t>(coordinate - model.coordinates.begin());
       lock.velocity = coordinate->velocity;
-      lock.values = {function_of_time(value->value, coordinate->unit)};
+      lock.values = {function_of_time(value->value, *coordinate)};
     } else {
       report_unknown(key);
       return;
@@ -53,12 +53,16 @@ class LockReader {
   }
 
  private:
-  ExpressionId function_of_time(const ValueSyntax& value, const std::optional<Unit>& unit) {
+  ExpressionId function_of_time(const ValueSyntax& value, const Coordinate& coordinate) {
     if (value.kind == ValueKind::list) {
-      refuse(value.span, "a list, but the coordinate is one number");
+      Diagnostic diagnostic{Code::E615, value.span, "a list, but the coordinate is one number"};
+      diagnostic.related = coordinate.span;
+      diagnostic.related_message = quoted(coordinate.name) + " is declared here";
+      context_.report.add(std::move(diagnostic));
       return no_expression;
     }
-    const ExpressionId id = values_.root(value, {{"the value of a lock", place::of_time}, unit});
+    const Place place{"the value of a lock", place::of_time};
+    const ExpressionId id = values_.root(value, {place, coordinate.unit});
     if (id != no_expression) context_.roots.back().plain_numbers = is_plain(context_.roots.back());
     return id;
   }

@@ -55,12 +55,14 @@ OutputRequest make_user_request(const Model& model, OutputKind kind, std::uint32
   return request;
 }
 
-/// Only forces may have kinks, so one anywhere is one in a force.
-bool has_kinks(const Model& model) {
-  return std::any_of(model.expressions.begin(), model.expressions.end(), [](const Expression& e) {
+/// Only forces may have kinks, so one anywhere is one in a force. Null: none.
+const Expression* find_kink(const Model& model) {
+  const auto& nodes = model.expressions;
+  const auto found = std::find_if(nodes.begin(), nodes.end(), [](const Expression& e) {
     return e.kind == ExpressionKind::function &&
            function_row(e.function).use == FunctionUse::forces;
   });
+  return found == nodes.end() ? nullptr : &*found;
 }
 
 bool differentiates_forces(OutputKind kind) {
@@ -72,36 +74,45 @@ bool differentiates_forces(OutputKind kind) {
 struct Lack {
   Code code;
   std::string reason;
+  std::optional<Span> related = {};  ///< what of the model stands in the way
+  std::string related_message = {};
 };
+
+Lack lacking(std::string reason) { return {Code::E603, std::move(reason)}; }
 
 std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
   const Requirement requirement = output_row(request.kind).requirement;
   const bool needs_quadratic =
       requirement == Requirement::quadratic || requirement == Requirement::energies;
   if (needs_quadratic && !model.quadratic) {
-    return Lack{Code::E505, "needs a Lagrangian at most quadratic in the rates"};
+    return Lack{Code::E505, "needs a Lagrangian at most quadratic in the rates",
+                model.expressions[*model.energies.L].span, "L is given here"};
   }
   if (requirement == Requirement::energies && model.energies.L) {
-    return Lack{Code::E603, "needs T and V apart, but the model gives L"};
+    return Lack{Code::E603, "needs T and V apart, but the model gives L",
+                model.expressions[*model.energies.L].span, "L is given here"};
   }
   if (requirement == Requirement::inputs && model.inputs.empty()) {
-    return Lack{Code::E603, "needs inputs, and the model has none"};
+    return lacking("needs inputs, and the model has none");
   }
   if (requirement == Requirement::rotations && model.rotations.empty()) {
-    return Lack{Code::E603, "needs a rotation; without one dq/dt is v"};
+    return lacking("needs a rotation; without one dq/dt is v");
   }
   if (requirement == Requirement::held && held_velocities(model).empty()) {
-    return Lack{Code::E603, "needs `reaction = true` in an entry of `[lock]`"};
+    return lacking("needs `reaction = true` in an entry of `[lock]`");
   }
-  if (differentiates_forces(request.kind) && has_kinks(model)) {
+  const Expression* kink = differentiates_forces(request.kind) ? find_kink(model) : nullptr;
+  if (kink != nullptr) {
     return Lack{Code::E603,
                 "needs forces with derivatives; `abs`, `sign`, `min` and `max` have none, a smooth "
-                "stand-in is tanh(x/width)"};
+                "stand-in is tanh(x/width)",
+                kink->span, "one is here"};
   }
   const bool is_derivative =
       request.kind == OutputKind::user_jacobian || request.kind == OutputKind::user_bias;
   if (is_derivative && !model.outputs[request.user].jacobian) {
-    return Lack{Code::E603, "needs `jacobian = true` in the output's entry"};
+    return Lack{Code::E603, "needs `jacobian = true` in the output's entry",
+                model.outputs[request.user].span, "declared here"};
   }
   return std::nullopt;
 }
@@ -155,7 +166,10 @@ std::optional<OutputRequest> require_request(const Model& model, std::string_vie
     return std::nullopt;
   }
   if (const std::optional<Lack> lack = lack_of(model, *request)) {
-    report.add(lack->code, span, quoted(name) + " " + lack->reason);
+    Diagnostic diagnostic{lack->code, span, quoted(name) + " " + lack->reason};
+    diagnostic.related = lack->related;
+    diagnostic.related_message = lack->related_message;
+    report.add(std::move(diagnostic));
     return std::nullopt;
   }
   request->span = span;

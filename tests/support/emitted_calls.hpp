@@ -58,6 +58,10 @@ auto call(const Function& f, const All& x) {
     return f(p, q, v, t);
   } else if constexpr (std::is_invocable_v<Function, P, Q, V, V, T>) {
     return f(p, q, v, a, t);
+  } else if constexpr (std::is_invocable_v<Function, P, Q, V, V, U>) {
+    return f(p, q, v, a, u);
+  } else if constexpr (std::is_invocable_v<Function, P, Q, V, V, U, T>) {
+    return f(p, q, v, a, u, t);
   } else {
     return f(p, q, v, u, t);
   }
