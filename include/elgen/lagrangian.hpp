@@ -186,6 +186,18 @@ struct NamedOutput {
   std::optional<TwistOutput> twist = {};
 };
 
+/// A leaf whose deviation from a value is small.
+struct SmallLeaf {
+  GiNaC::ex leaf;
+  GiNaC::ex value;
+};
+
+/// What specialise expands: energies to order + 1 jointly in all deviations, forces to order.
+struct Expansion {
+  std::uint32_t order = 1;
+  std::vector<SmallLeaf> small = {};
+};
+
 struct Lagrangian {
   Symbols symbols = {};
   LeafNames leaves = {};
@@ -201,6 +213,7 @@ struct Lagrangian {
   std::vector<PointForce> point_forces = {};
   FrameTree tree = {};
   std::vector<NamedOutput> outputs = {};
+  std::optional<Expansion> expansion = {};  ///< then the tree carries nothing but outputs
   bool quadratic = true;
   bool eliminates_last_first = false;  ///< order of elimination of M; see Model
 };

@@ -79,6 +79,7 @@ struct Sheet {
   std::string description = {};
   std::string reference = {};
   std::string equation_of_motion = {};  ///< LaTeX
+  std::string expansion = {};           ///< a sentence; empty where the equations are exact
   std::vector<SheetVariable> coordinates = {};
   std::vector<SheetVariable> inputs = {};
   std::vector<SheetVariable> parameters = {};
@@ -110,6 +111,9 @@ inline constexpr std::string_view energies_title = "Energies";
 /// The same in the model language; of one section where its title is given.
 [[nodiscard]] std::string steps_text(const Model& model, const ReadableSteps& steps,
                                      std::string_view title = {});
+
+/// What a scene's expansion makes of the equations, a sentence; empty where they are exact.
+[[nodiscard]] std::string expansion_text(const Model& model);
 
 /// True where every entry of the function is 0.
 [[nodiscard]] bool is_zero(const Program& program, const Function& function);

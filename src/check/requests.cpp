@@ -53,14 +53,6 @@ OutputRequest make_user_request(const Model& model, OutputKind kind, std::uint32
   return request;
 }
 
-/// Only forces may have kinks, so one anywhere is one in a force.
-bool has_kinks(const Model& model) {
-  return std::any_of(model.expressions.begin(), model.expressions.end(), [](const Expression& e) {
-    return e.kind == ExpressionKind::function &&
-           function_row(e.function).use == FunctionUse::forces;
-  });
-}
-
 bool differentiates_forces(OutputKind kind) {
   return kind == OutputKind::linearization || kind == OutputKind::inverse_dynamics_derivatives ||
          kind == OutputKind::forward_dynamics_derivatives;
@@ -125,6 +117,14 @@ std::vector<OutputRequest> all_requests(const Model& model) {
 }
 
 }  // namespace
+
+/// Only forces may have kinks, so one anywhere is one in a force.
+bool has_kinks(const Model& model) {
+  return std::any_of(model.expressions.begin(), model.expressions.end(), [](const Expression& e) {
+    return e.kind == ExpressionKind::function &&
+           function_row(e.function).use == FunctionUse::forces;
+  });
+}
 
 std::optional<OutputRequest> find_request(const Model& model, std::string_view name) {
   if (const OutputRow* row = find_output(name)) {

@@ -83,8 +83,10 @@ std::vector<std::string> introduction(const Model& model, const Scene& scene,
   lines.emplace_back();
   for (const std::string& line : variables(model)) lines.push_back("   " + line);
   const std::string fixed = fixed_parameters(model, scene);
-  if (!fixed.empty()) lines.emplace_back();
-  add_prose(lines, fixed);
+  for (const std::string& prose : {fixed, expansion_text(model)}) {
+    if (!prose.empty()) lines.emplace_back();
+    add_prose(lines, prose);
+  }
   return lines;
 }
 

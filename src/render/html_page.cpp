@@ -105,6 +105,7 @@ std::string html_page(const Sheet& sheet) {
     if (!paragraph.empty()) text += fmt::format("<p>{}</p>\n", plain(paragraph));
   }
   text += block(formula(sheet.equation_of_motion));
+  if (!sheet.expansion.empty()) text += fmt::format("<p>{}</p>\n", plain(sheet.expansion));
   text += table("Coordinates", sheet.coordinates);
   text += table("Inputs", sheet.inputs);
   text += table("Parameters", sheet.parameters);

@@ -91,6 +91,7 @@ std::string latex_document(const Sheet& sheet) {
   if (!sheet.description.empty()) text += plain(sheet.description) + "\n\n";
   if (!sheet.reference.empty()) text += plain(sheet.reference) + "\n\n";
   text += block(sheet.equation_of_motion);
+  if (!sheet.expansion.empty()) text += plain(sheet.expansion) + "\n\n";
   text += table("Coordinates", sheet.coordinates, false);
   text += table("Inputs", sheet.inputs, false);
   text += table("Parameters", sheet.parameters, true);

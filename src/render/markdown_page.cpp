@@ -52,6 +52,7 @@ std::string markdown_page(const Sheet& sheet) {
   if (!sheet.description.empty()) text += plain(sheet.description) + "\n\n";
   if (!sheet.reference.empty()) text += fmt::format("Reference: {}\n\n", plain(sheet.reference));
   text += block(sheet.equation_of_motion);
+  if (!sheet.expansion.empty()) text += plain(sheet.expansion) + "\n\n";
   text += table("coordinate", sheet.coordinates, false);
   text += table("input", sheet.inputs, false);
   text += table("parameter", sheet.parameters, true);

@@ -89,6 +89,7 @@ SheetOutput output(const Model& model, const Program& program, std::size_t index
 Sheet sheet(const Model& model, const Scene& scene, const Program& program,
             const PageOptions& options) {
   Sheet result{model.title.empty() ? model.name : model.title, model.description, model.reference};
+  result.expansion = expansion_text(model);
   result.equation_of_motion = equation_of_motion(model, program).latex;
   result.coordinates = coordinates(model);
   result.inputs = inputs(model);

@@ -50,6 +50,9 @@ std::string function_text(const Program& program, std::size_t index) {
 std::string text_page(const Model& model, const Program& program, const PageOptions& options) {
   std::string text = model.title.empty() ? model.name : model.title;
   text += fmt::format("\n\n  {}\n\n", equation_of_motion(model, program).text);
+  if (const std::string expansion = expansion_text(model); !expansion.empty()) {
+    text += expansion + "\n\n";
+  }
   const bool rotates = !model.rotations.empty();
   text += fmt::format("  q = {}, {}, a = dv/dt\n", tuple(model.coordinates),
                       rotates ? "dq/dt = N(q) v" : "v = dq/dt");

@@ -4,10 +4,13 @@
 //     after     p = 1/2*sin(q), T = 1/2*m*p_dot^2
 //
 // What vanishes is no longer reached from any energy, force or output, so later stages never see
-// it.
+// it. Then what a scene expands is expanded (expand.hpp).
 #include "elgen/specialise.hpp"
 
+#include <utility>
+
 #include "formulate/chain_rule.hpp"
+#include "specialise/expand.hpp"
 
 namespace elgen {
 
@@ -40,10 +43,7 @@ class Specialiser {
   Substitution substitution_;
 };
 
-}  // namespace
-
-Lagrangian specialise(Lagrangian lagrangian, const Specialisation& specialisation) {
-  if (specialisation.fixed.empty()) return lagrangian;
+Lagrangian with_fixed(Lagrangian lagrangian, const Specialisation& specialisation) {
   Specialiser specialised(lagrangian, specialisation);
   for (PointMass& mass : lagrangian.masses) {
     specialised(mass.mass);
@@ -75,7 +75,19 @@ Lagrangian specialise(Lagrangian lagrangian, const Specialisation& specialisatio
     specialised(wrench.moment);
   }
   for (NamedOutput& output : lagrangian.outputs) specialised(output.values);
+  if (lagrangian.expansion) {
+    for (SmallLeaf& leaf : lagrangian.expansion->small) specialised(leaf.value);
+  }
   return lagrangian;
+}
+
+}  // namespace
+
+Lagrangian specialise(Lagrangian lagrangian, const Specialisation& specialisation) {
+  if (!specialisation.fixed.empty()) {
+    lagrangian = with_fixed(std::move(lagrangian), specialisation);
+  }
+  return lagrangian.expansion ? expanded(std::move(lagrangian)) : lagrangian;
 }
 
 }  // namespace elgen
