@@ -208,6 +208,18 @@ struct Holding {
   std::vector<std::uint32_t> velocities = {};  ///< of `whole`, held by a force that is wanted
 };
 
+/// A leaf whose deviation from a value is small.
+struct SmallLeaf {
+  GiNaC::ex leaf;
+  GiNaC::ex value;
+};
+
+/// What specialise expands: energies to order + 1 jointly in all deviations, forces to order.
+struct Expansion {
+  std::uint32_t order = 1;
+  std::vector<SmallLeaf> small = {};
+};
+
 struct Lagrangian {
   Symbols symbols = {};
   LeafNames leaves = {};
@@ -225,6 +237,7 @@ struct Lagrangian {
   std::vector<NamedOutput> outputs = {};
   std::vector<LockedVariable> locked = {};  ///< until specialise takes them out
   std::optional<Holding> holding = {};      ///< where a reaction is wanted
+  std::optional<Expansion> expansion = {};  ///< then the tree carries nothing but outputs
   bool quadratic = true;
   bool eliminates_last_first = false;  ///< order of elimination of M; see Model
 };

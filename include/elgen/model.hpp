@@ -291,6 +291,20 @@ struct Energies {
   std::optional<ExpressionId> L = {};
 };
 
+/// The point a scene expands about, and what is small there. Deviations of small coordinates,
+/// their rates and accelerations (and of the inputs, where all coordinates are small) count
+/// jointly: energies become polynomials of degree order + 1 in them, forces of degree order.
+struct Approximation {
+  std::uint32_t order = 1;
+  std::vector<std::optional<ExpressionId>> coordinates = {};  ///< values there, where given
+  std::vector<std::optional<ExpressionId>> inputs = {};       ///< the same; otherwise 0
+  std::vector<bool> small = {};                               ///< which coordinates
+  bool small_inputs = false;  ///< where every coordinate is that is not locked
+  Span span = {};             ///< of `about`
+};
+
+inline constexpr std::uint32_t highest_order = 5;
+
 struct Model {
   SourcePointer source = {};
   SourcePointer scene_source = {};  ///< keeps spans of sizes and options alive
@@ -317,6 +331,7 @@ struct Model {
   std::vector<Force> forces = {};
   std::vector<UserOutput> outputs = {};
   std::vector<Expectation> expectations = {};
+  std::optional<Approximation> approximation = {};  ///< of the scene; outputs stay exact
 
   /// What the scene locks. The Model that every stage works on is without what is locked, whose
   /// place functions of time have taken; the one it came from has the locks and is kept.

@@ -92,8 +92,8 @@ struct PageOptions {
   std::size_t most_entries = SIZE_MAX;  ///< longer outputs are named, without their equations
 };
 
-/// What a scene says beyond a choice of outputs, in sentences: its purpose, what it fixes and what
-/// it locks.
+/// What a scene says beyond a choice of outputs, in sentences: its purpose, what it fixes, what
+/// it locks, and what it expands.
 [[nodiscard]] std::vector<std::string> scene_notes(const Model& model, const Scene& scene);
 
 [[nodiscard]] Sheet sheet(const Model& model, const Scene& scene, const Program& program,
@@ -116,12 +116,15 @@ inline constexpr std::string_view energies_title = "Energies";
 [[nodiscard]] std::string steps_text(const Model& model, const ReadableSteps& steps,
                                      std::string_view title = {});
 
+/// What a scene's expansion makes of the equations, a sentence; empty where they are exact.
+[[nodiscard]] std::string expansion_text(const Model& model);
+
 /// True where every entry of the function is 0.
 [[nodiscard]] bool is_zero(const Program& program, const Function& function);
 
 /// The equation of motion, the variables, and every entry of every output in the model language.
-[[nodiscard]] std::string text_page(const Model& model, const Scene& scene,
-                                    const Program& program, const PageOptions& options = {});
+[[nodiscard]] std::string text_page(const Model& model, const Scene& scene, const Program& program,
+                                    const PageOptions& options = {});
 
 /// What one call of every function costs in either form, and which is emitted.
 [[nodiscard]] std::string cost_page(const std::vector<FormCosts>& costs);

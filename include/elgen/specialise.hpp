@@ -1,5 +1,6 @@
 // specialise: Lagrangian -> smaller Lagrangian. Fixed parameters become exact numbers; what they
-// make zero disappears from every definition.
+// make zero disappears from every definition; energies and forces that a scene expands become
+// polynomials.
 #pragma once
 
 #include "elgen/lagrangian.hpp"

@@ -16,6 +16,7 @@
 #include "parameters.hpp"
 #include "places.hpp"
 #include "plane.hpp"
+#include "read_approximate.hpp"
 #include "read_locks.hpp"
 #include "requests.hpp"
 #include "rotations.hpp"
@@ -64,12 +65,15 @@ void resolve_entries(Context& context, const ModelSyntax& syntax) {
   check_output_names(context.model, context.report);
 }
 
-/// Closed forms are read once it is known which outputs the model has, then judged with the rest.
-void judge(Context& context, const ModelSyntax& syntax, const SceneOptions& options) {
+/// Closed forms are read once it is known which outputs the model has, then judged with the rest,
+/// as is the point a scene expands about.
+void judge(Context& context, const ModelSyntax& syntax, const SceneSyntax* scene,
+           const SceneOptions& options) {
   if (const auto order = dependency_order(context)) {
     check_mechanics(context, find_traits(context, *order));
   }
   read_expectations(context, syntax, options.large_expectations);
+  read_approximation(context, scene);
   if (const auto order = dependency_order(context)) {
     check_places(context, find_traits(context, *order));
     check_units(context, *order);
@@ -97,7 +101,7 @@ Result<CheckedModel> check(const ModelSyntax& model, const SceneSyntax* scene,
     return context.report.sorted();
   }
   read_locks(context, scene);
-  judge(context, model, options);
+  judge(context, model, scene, options);
   if (context.report.errors() == 0) {
     lock_model(context);
   }

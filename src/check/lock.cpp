@@ -69,6 +69,7 @@ class Locking {
     }
     renumber_variables();
     renumber_users();
+    renumber_approximation();
     model_.locks.clear();
     model_.expectations.clear();
     return std::move(model_);
@@ -213,6 +214,19 @@ class Locking {
       if (!is_direct || force.on) acting.push_back(std::move(force));
     }
     model_.forces = std::move(acting);
+  }
+
+  void renumber_approximation() {
+    if (!model_.approximation) return;
+    const Approximation& old = *unlocked_.approximation;
+    Approximation& left = *model_.approximation;
+    left.coordinates.clear();
+    left.small.clear();
+    for (std::size_t i = 0; i < indices_.coordinates.size(); ++i) {
+      if (!indices_.coordinates[i]) continue;
+      left.coordinates.push_back(old.coordinates[i]);
+      left.small.push_back(old.small[i]);
+    }
   }
 
   const Model& unlocked_;

@@ -62,19 +62,7 @@ class LockReader {
       return no_expression;
     }
     const Place place{"the value of a lock", place::of_time};
-    const ExpressionId id = values_.root(value, {place, coordinate.unit});
-    if (id != no_expression) context_.roots.back().plain_numbers = is_plain(context_.roots.back());
-    return id;
-  }
-
-  /// Numbers, pi and t: `0.1*sin(2*t)` is in the unit of the coordinate, t in s.
-  [[nodiscard]] bool is_plain(const Root& root) const {
-    const auto& nodes = context_.model.expressions;
-    return std::none_of(
-        nodes.begin() + root.first, nodes.begin() + root.value + 1, [](const Expression& node) {
-          return node.kind == ExpressionKind::parameter ||
-                 node.kind == ExpressionKind::prescribed || node.kind == ExpressionKind::definition;
-        });
+    return values_.scene_value(value, {place, coordinate.unit});
   }
 
   /// Scaled to length 1: every stage may rely on it.

@@ -55,16 +55,6 @@ OutputRequest make_user_request(const Model& model, OutputKind kind, std::uint32
   return request;
 }
 
-/// Only forces may have kinks, so one anywhere is one in a force. Null: none.
-const Expression* find_kink(const Model& model) {
-  const auto& nodes = model.expressions;
-  const auto found = std::find_if(nodes.begin(), nodes.end(), [](const Expression& e) {
-    return e.kind == ExpressionKind::function &&
-           function_row(e.function).use == FunctionUse::forces;
-  });
-  return found == nodes.end() ? nullptr : &*found;
-}
-
 bool differentiates_forces(OutputKind kind) {
   return kind == OutputKind::linearization || kind == OutputKind::inverse_dynamics_derivatives ||
          kind == OutputKind::forward_dynamics_derivatives;
@@ -141,6 +131,15 @@ std::vector<OutputRequest> all_requests(const Model& model) {
 }
 
 }  // namespace
+
+const Expression* find_kink(const Model& model) {
+  const auto& nodes = model.expressions;
+  const auto found = std::find_if(nodes.begin(), nodes.end(), [](const Expression& e) {
+    return e.kind == ExpressionKind::function &&
+           function_row(e.function).use == FunctionUse::forces;
+  });
+  return found == nodes.end() ? nullptr : &*found;
+}
 
 std::optional<OutputRequest> find_request(const Model& model, std::string_view name) {
   if (const OutputRow* row = find_output(name)) {

@@ -16,7 +16,7 @@ inline constexpr std::uint64_t entries_in_full = 4096;
 /// The request for a name: built-in outputs, and NAME, NAME_jacobian, NAME_bias of declared ones.
 [[nodiscard]] std::optional<OutputRequest> find_request(const Model& model, std::string_view name);
 
-/// As find_request, with E601, E108, E603 or E505 where the name is not (yet) an output of the
+/// As find_request, with E601, E603 or E505 where the name is no output of the
 /// model.
 [[nodiscard]] std::optional<OutputRequest> require_request(const Model& model,
                                                            std::string_view name, const Span& span,
@@ -24,6 +24,9 @@ inline constexpr std::uint64_t entries_in_full = 4096;
 
 /// Every output the model has, in the order of the output table, big ones left out.
 [[nodiscard]] std::vector<OutputRequest> full_requests(const Model& model);
+
+/// An `abs`, `sign`, `min` or `max`: only forces may have kinks. Null: none.
+[[nodiscard]] const Expression* find_kink(const Model& model);
 
 /// E609 where declared outputs would share a function name with each other or with the built-in
 /// ones.

@@ -9,6 +9,7 @@
 
 #include "number_text.hpp"
 #include "options.hpp"
+#include "read_approximate.hpp"
 #include "requests.hpp"
 #include "reserved_names.hpp"
 #include "syntax_part.hpp"
@@ -283,6 +284,9 @@ class SceneReader {
       text += "fixed " + model_.parameters[target].name + " = " + number_text(value) + "\n";
     }
     text += locks_text();
+    if (model_.approximation) {
+      text += "approximate " + checking::canonical_text(model_, *model_.approximation) + "\n";
+    }
     std::map<std::string, std::int64_t> sizes;
     for (const SizeOverride& size : input_.sizes) {
       sizes[size.name] = size.value;

@@ -4,6 +4,8 @@
 #include <cln/float.h>
 #include <cln/rational_ring.h>
 
+#include <algorithm>
+
 #include "resolver.hpp"
 
 namespace elgen::checking {
@@ -31,6 +33,19 @@ ExpressionId ValueReader::root(const ExpressionSyntax& expression, const RootReq
 
 ExpressionId ValueReader::root(const ValueSyntax& value, const RootRequest& request) {
   return root(value.expression, request);
+}
+
+ExpressionId ValueReader::scene_value(const ValueSyntax& value, const RootRequest& request) {
+  const ExpressionId id = root(value, request);
+  if (id == no_expression) return id;
+  Root& read = context_.roots.back();
+  const auto& nodes = context_.model.expressions;
+  read.plain_numbers = std::none_of(
+      nodes.begin() + read.first, nodes.begin() + read.value + 1, [](const Expression& node) {
+        return node.kind == ExpressionKind::parameter || node.kind == ExpressionKind::prescribed ||
+               node.kind == ExpressionKind::definition;
+      });
+  return id;
 }
 
 std::vector<ExpressionId> ValueReader::roots(const ValueSyntax& value, const RootRequest& request) {

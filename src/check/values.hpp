@@ -33,6 +33,10 @@ class ValueReader {
   ExpressionId root(const ExpressionSyntax& expression, const RootRequest& request);
   ExpressionId root(const ValueSyntax& value, const RootRequest& request);
 
+  /// A value of a scene: where it names nothing but t and pi, numbers are in the unit of the place,
+  /// t in s.
+  ExpressionId scene_value(const ValueSyntax& value, const RootRequest& request);
+
   /// Every item of a list (or the one value) as a root.
   std::vector<ExpressionId> roots(const ValueSyntax& value, const RootRequest& request);
 

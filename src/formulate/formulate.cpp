@@ -3,6 +3,9 @@
 //
 //     T = [energy] T + sum 1/2 m |dp/dt|^2 + sum 1/2 w.I w + sum 1/2 J v^2
 //     V = [energy] V - sum m gravity.p
+//
+// What moves with frames goes into their tree, except where a scene expands the energies: an
+// expansion needs them as sums, so everything is then written in the world.
 #include <utility>
 
 #include "elgen/lagrangian.hpp"
@@ -68,6 +71,7 @@ class Formulation {
     if (errors_.empty()) add_forces();
     if (errors_.empty()) add_outputs();
     if (errors_.empty()) add_locks();
+    if (errors_.empty()) add_expansion();
     if (errors_.empty()) errors_ = add_frame_tree(model_, translation_, lagrangian_);
     if (!errors_.empty()) return errors_;
     return std::move(lagrangian_);
@@ -98,10 +102,16 @@ class Formulation {
     lagrangian_.gravity = {translated(gravity[0]), translated(gravity[1]), translated(gravity[2])};
   }
 
+  /// Whether the tree of frames takes it.
+  template <class Placed>
+  [[nodiscard]] bool is_in_tree(const Placed& placed) const {
+    return placed.local && !model_.approximation;
+  }
+
   void add_points() {
     for (std::uint32_t i = 0; i < model_.points.size(); ++i) {
       const Point& point = model_.points[i];
-      if (!point.mass || point.local) continue;
+      if (!point.mass || is_in_tree(point)) continue;
       const Entity origin{EntityKind::point, i};
       const ex mass = named(*point.mass, point.identifier + "_mass", origin);
       lagrangian_.masses.push_back(
@@ -112,7 +122,7 @@ class Formulation {
   void add_bodies() {
     for (std::uint32_t i = 0; i < model_.bodies.size(); ++i) {
       const Body& body = model_.bodies[i];
-      if (body.local) continue;
+      if (is_in_tree(body)) continue;
       const Entity origin{EntityKind::body, i};
       if (body.mass) {
         const ex mass = named(*body.mass, body.identifier + "_mass", origin);
@@ -178,6 +188,8 @@ class Formulation {
         on[*force.on].push_back(translated(force.value.front()));
       } else if (force.at) {
         add_point_force(force);
+      } else if (model_.approximation) {
+        add_torque(force, on);
       }
     }
     for (const GiNaC::exvector& terms : on) lagrangian_.forces.emplace_back(GiNaC::add(terms));
@@ -188,14 +200,46 @@ class Formulation {
       return position(model_.points[point].at, model_.points[point].identifier,
                       {EntityKind::point, point});
     };
-    const bool acts_in_world = !model_.points[*force.at].local;
-    const bool reacts_in_world = force.from && !model_.points[*force.from].local;
+    const bool acts_in_world = !is_in_tree(model_.points[*force.at]);
+    const bool reacts_in_world = force.from && !is_in_tree(model_.points[*force.from]);
     if (!acts_in_world && !reacts_in_world) return;
     const std::array<ex, 3> value{translated(force.value[0]), translated(force.value[1]),
                                   translated(force.value[2])};
     if (acts_in_world) lagrangian_.point_forces.push_back({at(*force.at), value});
     if (!reacts_in_world) return;
     lagrangian_.point_forces.push_back({at(*force.from), {-value[0], -value[1], -value[2]}});
+  }
+
+  /// Spins are linear in the rates, so the work of a torque per unit of v_i is torque.dw/dv_i.
+  void add_torque(const Force& force, std::vector<GiNaC::exvector>& on) {
+    std::vector<Weighted> work;
+    const auto add = [&](std::uint32_t frame, const std::vector<ExpressionId>& torque, int sign) {
+      for (std::size_t i = 0; i < torque.size(); ++i) {
+        const ex spin = translated(model_.frames[frame].spin[i]);
+        work.push_back({spin, sign * translated(torque[i])});
+      }
+    };
+    add(*force.frame, force.value, 1);
+    if (force.from_frame) add(*force.from_frame, force.reaction, -1);
+    const std::vector<ex> forces = gradient(lagrangian_.definitions, work, lagrangian_.symbols.v);
+    for (std::size_t i = 0; i < forces.size(); ++i) on[i].push_back(forces[i]);
+  }
+
+  void add_expansion() {
+    if (!model_.approximation) return;
+    const Approximation& approximation = *model_.approximation;
+    const Symbols& symbols = lagrangian_.symbols;
+    Expansion expansion{approximation.order, {}};
+    for (std::size_t i = 0; i < symbols.q.size(); ++i) {
+      if (!approximation.small[i]) continue;
+      expansion.small.push_back({symbols.q[i], translated(*approximation.coordinates[i])});
+      expansion.small.push_back({symbols.v[model_.coordinates[i].velocity], 0});
+    }
+    for (std::size_t i = 0; approximation.small_inputs && i < symbols.u.size(); ++i) {
+      const std::optional<ExpressionId>& value = approximation.inputs[i];
+      expansion.small.push_back({symbols.u[i], value ? translated(*value) : ex(0)});
+    }
+    lagrangian_.expansion = std::move(expansion);
   }
 
   void add_outputs() {

@@ -14,7 +14,8 @@ bool is_zero(const ExVector3& vector) {
   return std::all_of(vector.begin(), vector.end(), [](const ex& x) { return x.is_zero(); });
 }
 
-/// The frames that carry something, with all they hang on.
+/// The frames that carry something, with all they hang on. Where the energies are expanded they
+/// carry nothing but outputs.
 std::vector<bool> carrying(const Model& model) {
   std::vector<bool> needed(model.frames.size(), false);
   const auto mark = [&](std::optional<std::uint32_t> frame) {
@@ -23,6 +24,8 @@ std::vector<bool> carrying(const Model& model) {
   const auto mark_point = [&](std::optional<std::uint32_t> point) {
     if (point && model.points[*point].local) mark(model.points[*point].local->frame);
   };
+  for (const UserOutput& output : model.outputs) mark(output.frame);
+  if (model.approximation) return needed;
   for (const Body& body : model.bodies) {
     if (body.local) mark(body.local->com.frame);
   }
@@ -38,7 +41,6 @@ std::vector<bool> carrying(const Model& model) {
                            (force.from && model.points[*force.from].local);
     if (uses_axes) mark(force.axes);
   }
-  for (const UserOutput& output : model.outputs) mark(output.frame);
   return needed;
 }
 
@@ -136,15 +138,19 @@ class TreeFormulation {
 
   Diagnostics build() && {
     for (const std::uint32_t frame : parents_first(model_, carrying(model_))) add_frame(frame);
-    for (std::uint32_t i = 0; i < model_.bodies.size(); ++i) add_body(i);
-    for (std::uint32_t i = 0; i < model_.points.size(); ++i) add_mass(i);
-    for (const Force& force : model_.forces) add_wrenches(force);
+    if (!model_.approximation) add_what_is_carried();
     add_twists();
     return std::move(errors_);
   }
 
  private:
   using Step = std::optional<std::uint32_t>;
+
+  void add_what_is_carried() {
+    for (std::uint32_t i = 0; i < model_.bodies.size(); ++i) add_body(i);
+    for (std::uint32_t i = 0; i < model_.points.size(); ++i) add_mass(i);
+    for (const Force& force : model_.forces) add_wrenches(force);
+  }
 
   ex translated(ExpressionId id) {
     Result<ex> value = translation_(id);

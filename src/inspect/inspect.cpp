@@ -6,7 +6,9 @@
 namespace elgen {
 
 Diagnostics inspect(const Model& model, const Scene& scene) {
-  const inspection::Subject subject{model, scene};
+  Model exact = model;
+  exact.approximation.reset();
+  const inspection::Subject subject{exact, scene};
   Diagnostics all;
   const auto add = [&](Diagnostics found) { all.insert(all.end(), found.begin(), found.end()); };
   add(inspection::inspect_inertias(subject));
@@ -15,6 +17,7 @@ Diagnostics inspect(const Model& model, const Scene& scene) {
   // A matrix that is singular everywhere would be reported again at every special configuration.
   if (!has_errors(all)) add(inspection::inspect_charts(subject));
   add(inspection::inspect_potential(subject));
+  if (!has_errors(all)) add(inspection::inspect_equilibrium({model, scene}));
   sort_by_position(all);
   return all;
 }

@@ -14,10 +14,18 @@ using cln::cl_R;
 
 bool is_exact_zero(const cl_R& x) { return is_rational(x) && cln::zerop(x); }
 
+/// Newton's r <- r (2 - y r) doubles the number of powers of s that are right.
+Jet graded_reciprocal(const Jet& y) {
+  Jet r = quotient(1, y.real());
+  if (y.lowest_grade() == 0) return r;
+  for (unsigned right = 1; right < 256; right *= 2) r = r * (Jet(2) - y * r);
+  return r;
+}
+
 /// 1 / (y0 + y1 e) = r - r^2 y1 e with r = 1 / y0.
 Jet reciprocal(const Jet& y) {
   const Generators support = y.support();
-  if (support == 0) return quotient(1, y.real());
+  if (support == 0) return graded_reciprocal(y);
   const Generators top = std::bit_floor(support);
   const Jet r = reciprocal(y.without(top));
   return r - r * r * y.tangent(top) * Jet(top, 1);
@@ -51,8 +59,32 @@ cl_R Jet::coefficient(Generators generators) const {
 
 Generators Jet::support() const {
   Generators all = 0;
-  for (const auto& [present, value] : terms_) all |= present;
+  for (const auto& [present, value] : terms_) all |= present & all_generators;
   return all;
+}
+
+Generators Jet::lowest_grade() const {
+  Generators lowest = 0;
+  for (const auto& [present, value] : terms_) {
+    const Generators grade = present & ~all_generators;
+    if (grade != 0 && (lowest == 0 || grade < lowest)) lowest = grade;
+  }
+  return lowest;
+}
+
+Jet Jet::part(Generators exactly) const {
+  Jet result;
+  for (const auto& [present, value] : terms_) {
+    if ((present & all_generators) == exactly)
+      result.terms_.emplace_back(present & ~exactly, value);
+  }
+  return result;
+}
+
+Jet Jet::ungraded() const {
+  Jet result;
+  for (const auto& [present, value] : terms_) result.add(present & all_generators, value);
+  return result;
 }
 
 Jet Jet::tangent(Generators one) const {
@@ -91,7 +123,10 @@ Jet operator*(const Jet& x, const Jet& y) {
   Jet result;
   for (const auto& [in_x, x_value] : x.terms_) {
     for (const auto& [in_y, y_value] : y.terms_) {
-      if ((in_x & in_y) == 0) result.add(in_x | in_y, x_value * y_value);
+      // Of disjoint sets the sum is the union, and grades carry over where they vanish.
+      const std::uint64_t product = std::uint64_t{in_x} + in_y;
+      const bool vanishes = (in_x & in_y & all_generators) != 0 || product >> 32 != 0;
+      if (!vanishes) result.add(static_cast<Generators>(product), x_value * y_value);
     }
   }
   return result;
@@ -100,7 +135,7 @@ Jet operator*(const Jet& x, const Jet& y) {
 Jet operator-(const Jet& x, const Jet& y) { return x + (-y); }
 
 Jet operator/(const Jet& x, const Jet& y) {
-  if (y.support() != 0) return x * reciprocal(y);
+  if (y.support() != 0 || y.lowest_grade() != 0) return x * reciprocal(y);
   Jet result;
   for (const auto& [present, value] : x.terms()) {
     result = result + Jet(present, quotient(value, y.real()));

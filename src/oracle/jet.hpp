@@ -5,6 +5,10 @@
 // Dual numbers are jets in one generator, duals of duals jets in two. The coefficient of e_0 e_1 of
 // f(x + w e_0 + y e_1) is the second derivative of f in the directions w and y, exactly. Absent
 // terms are exact zeros and take no part in any operation.
+//
+// One more symbol s is kept to any order: its powers have grades that add up in products, and what
+// reaches 256 vanishes. With grade 64 for s, s^3 is the last power, and the coefficients of 1, s,
+// s^2, s^3 in f(x + y s) are those of Taylor's formula.
 #pragma once
 
 #include <cln/real.h>
@@ -15,10 +19,18 @@
 
 namespace elgen::oracle {
 
-/// A set of generators, one bit each.
+/// A set of generators, one bit each, and a grade in the eight highest bits.
 using Generators = std::uint32_t;
 
 [[nodiscard]] constexpr Generators generator(unsigned index) { return Generators{1} << index; }
+
+inline constexpr unsigned first_grade_bit = 24;
+inline constexpr Generators all_generators = generator(first_grade_bit) - 1;
+
+/// s, of which powers up to `order` are kept.
+[[nodiscard]] constexpr Generators graded_symbol(unsigned order) {
+  return ((256 + order) / (order + 1)) << first_grade_bit;
+}
 
 class Jet {
  public:
@@ -43,6 +55,15 @@ class Jet {
 
   /// Without every term in which one of the generators occurs.
   [[nodiscard]] Jet without(Generators any) const;
+
+  /// The lowest power of s that occurs, by its grade; 0 where none does.
+  [[nodiscard]] Generators lowest_grade() const;
+
+  /// What is multiplied by exactly these generators.
+  [[nodiscard]] Jet part(Generators exactly) const;
+
+  /// The value at s = 1: terms of all grades summed.
+  [[nodiscard]] Jet ungraded() const;
 
   /// Too long rationals become floats.
   void shorten();

@@ -24,10 +24,42 @@ Jet power_of_zero(const cl_RA& exponent) {
   return {};
 }
 
+/// Generators from here on stand for powers of s while a function is evaluated.
+constexpr unsigned first_power_generator = 16;
+
+/// f(x, y) for jets in s alone.
+template <class Function>
+Jet composed(const Jet& x, const Jet& y, const Function& f) {
+  Generators lowest = x.lowest_grade();
+  const Generators of_y = y.lowest_grade();
+  if (lowest == 0 || (of_y != 0 && of_y < lowest)) lowest = of_y;
+  const unsigned degree = 255 / (lowest >> first_grade_bit);
+  Jet e;
+  for (unsigned j = 0; j < degree; ++j) e = e + Jet(generator(first_power_generator + j), 1);
+  const Jet x0 = x.real();
+  const Jet y0 = y.real();
+  const Jet value = f(x0 + (x - x0) * e, y0 + (y - y0) * e);
+  Jet sum = value.real();
+  Generators all = 0;
+  cl_I factorial = 1;
+  for (unsigned j = 0; j < degree; ++j) {
+    all |= generator(first_power_generator + j);
+    factorial = factorial * (j + 1);
+    sum = sum + value.part(all) * Jet(cl_RA(1) / factorial);
+  }
+  return sum;
+}
+
+bool is_graded(const Jet& x) { return x.lowest_grade() != 0; }
+
 }  // namespace
 
 Jet JetFunctions::value(FunctionId function, const Jet& x, const Jet& y) {
   const Generators support = x.support() | y.support();
+  if (support == 0 && (is_graded(x) || is_graded(y))) {
+    return composed(x, y,
+                    [&](const Jet& at_x, const Jet& at_y) { return value(function, at_x, at_y); });
+  }
   if (support == 0) return real_.value(function, x.real(), y.real());
   const Generators top = std::bit_floor(support);
   const Jet x0 = x.without(top);
@@ -62,6 +94,9 @@ Jet JetFunctions::power(const Jet& x, const cl_RA& exponent) {
     if (n > 0) return whole_power(x, n);
     if (cln::zerop(x.real())) throw OutsideDomain("zero to a power of zero or less");
     return n == 0 ? Jet(1) : Jet(1) / whole_power(x, -n);
+  }
+  if (support == 0 && is_graded(x)) {
+    return composed(x, Jet(), [&](const Jet& at, const Jet&) { return power(at, exponent); });
   }
   if (support == 0) {
     return cln::zerop(x.real()) ? power_of_zero(exponent) : Jet(real_power(x.real(), exponent));

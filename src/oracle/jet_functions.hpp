@@ -2,7 +2,9 @@
 //
 //     f(x0 + x1 e, y0 + y1 e) = f(x0, y0) + (f_x x1 + f_y y1) e
 //
-// applied to one generator after another, so that only real functions are left.
+// applied to one generator after another, so that only real functions are left. Powers of s turn
+// into generators first: with e = e_1 + ... + e_n, f(x0 + x1(s) e) has at e_1 ... e_j j! times the
+// part of f(x0 + x1(s)) of degree j in x1.
 #pragma once
 
 #include <cln/rational.h>

@@ -72,6 +72,7 @@ void displace_position(const Model& model, Motion& motion, const Direction& dire
 Mechanics::Mechanics(const Model& model, const State& state)
     : model_(model),
       state_(state),
+      point_(expansion_point(model, state)),
       base_(motion_of(state)),
       lagrangian_(make_schedule(model, lagrangian_roots(model))),
       potential_(make_schedule(model, potential_roots(model))),
@@ -88,13 +89,35 @@ Motion Mechanics::at_rest() const {
   return motion;
 }
 
+template <class Quantity>
+Jet Mechanics::expanded(unsigned order, const Motion& motion, const Quantity& quantity) const {
+  if (!point_) return quantity(motion);
+  return quantity(towards(*point_, motion, order)).ungraded();
+}
+
 Jet Mechanics::lagrangian_at(const Motion& motion) {
-  return lagrangian(model_, Evaluation(model_, lagrangian_, motion, functions_), motion);
+  return expanded(energy_order(), motion, [this](const Motion& at) {
+    return lagrangian(model_, Evaluation(model_, lagrangian_, at, functions_), at);
+  });
+}
+
+Jet Mechanics::kinetic_energy_at(const Motion& motion) {
+  return expanded(energy_order(), motion, [this](const Motion& at) {
+    return oracle::kinetic_energy(model_, Evaluation(model_, lagrangian_, at, functions_), at);
+  });
 }
 
 Jet Mechanics::potential_at(const Motion& motion) {
   if (model_.energies.L) return -lagrangian_at(motion);
-  return oracle::potential_energy(model_, Evaluation(model_, potential_, motion, functions_));
+  return expanded(energy_order(), motion, [this](const Motion& at) {
+    return oracle::potential_energy(model_, Evaluation(model_, potential_, at, functions_));
+  });
+}
+
+Jet Mechanics::dissipation_at(const Motion& motion) {
+  return expanded(energy_order(), motion, [this](const Motion& at) {
+    return dissipation(model_, Evaluation(model_, dissipation_, at, functions_));
+  });
 }
 
 /// Coefficient of e0 e1 in L(q, v + w e0 + y e1). Where L is quadratic M has no v in it, and rest
@@ -139,10 +162,9 @@ Jet Mechanics::residual(const Motion& at, const Direction& w, const Direction& a
   displace_position(model_, displaced, w, first);
   Motion resisted = at;
   displace(resisted.v, w, first);
-  const Evaluation dissipated(model_, dissipation_, resisted, functions_);
   Jet sum = lagrangian_at(moving).tangent(first).tangent(second) -
-            lagrangian_at(displaced).tangent(first) +
-            dissipation(model_, dissipated).tangent(first) - force_along(at, w);
+            lagrangian_at(displaced).tangent(first) + dissipation_at(resisted).tangent(first) -
+            force_along(at, w);
   if (model_.rotations.empty()) return sum;
   Motion turning = at;
   const std::vector<Jet> across = turned(model_, jets(w), at.v);
@@ -178,12 +200,16 @@ cl_R Mechanics::gravity(const Direction& w) {
 cl_R Mechanics::dissipation_force(const Direction& w) {
   Motion motion = base_;
   displace(motion.v, w, first);
-  const Evaluation at(model_, dissipation_, motion, functions_);
-  return dissipation(model_, at).coefficient(first);
+  return dissipation_at(motion).coefficient(first);
+}
+
+Jet Mechanics::force_along(const Motion& motion, const Direction& w) {
+  return expanded(force_order(), motion,
+                  [&](const Motion& at) { return exact_force_along(at, w); });
 }
 
 /// sum Q_i w_i + sum F.(dp/dq w), where e0 displaces along w.
-Jet Mechanics::force_along(const Motion& motion, const Direction& w) {
+Jet Mechanics::exact_force_along(const Motion& motion, const Direction& w) {
   Motion displaced = motion;
   displace_position(model_, displaced, w, first);
   const Evaluation at(model_, forces_, displaced, functions_);
@@ -234,8 +260,7 @@ cl_R Mechanics::input_force(const Direction& w, const Direction& y) {
 
 cl_R Mechanics::kinetic_energy() {
   if (model_.energies.L) return mass(state_.v, state_.v) / 2;
-  const Evaluation at(model_, lagrangian_, base_, functions_);
-  return oracle::kinetic_energy(model_, at, base_).real();
+  return kinetic_energy_at(base_).real();
 }
 
 cl_R Mechanics::potential_energy() {

@@ -10,6 +10,7 @@
 #include "elgen/model.hpp"
 #include "elgen/oracle.hpp"
 #include "energies.hpp"
+#include "expansion.hpp"
 
 namespace elgen::oracle {
 
@@ -92,14 +93,23 @@ class Mechanics {
   [[nodiscard]] cln::cl_R energy_function();
 
  private:
+  /// What `quantity` is at a motion, or where the scene expands it, its expansion to `order`.
+  template <class Quantity>
+  Jet expanded(unsigned order, const Motion& motion, const Quantity& quantity) const;
+  [[nodiscard]] unsigned energy_order() const { return point_ ? point_->order + 1 : 0; }
+  [[nodiscard]] unsigned force_order() const { return point_ ? point_->order : 0; }
   Jet lagrangian_at(const Motion& motion);
+  Jet kinetic_energy_at(const Motion& motion);
   Jet potential_at(const Motion& motion);
+  Jet dissipation_at(const Motion& motion);
+  Jet exact_force_along(const Motion& motion, const Direction& w);
   Jet force_along(const Motion& motion, const Direction& w);
   Jet residual(const Motion& at, const Direction& w, const Direction& a);
   Motion at_rest() const;
 
   const Model& model_;
   const State& state_;
+  std::optional<ExpansionPoint> point_;
   Motion base_;  ///< of the state, with a = 0 and u = 0
   JetFunctions functions_ = {};
   Schedule lagrangian_;

@@ -169,6 +169,11 @@ const std::vector<KeyRow>& scene_rows() {
        "of constants, parameters and t; [w, x, y, z] of a rotation"},
       {"scene.lock.*", "reaction", boolean, optional, true,
        "adds the force that holds it to the output reaction"},
+      {"scene.approximate", "order", integer, optional, true, "of the equations, 1 to 5"},
+      {"scene.approximate", "about", table, optional, true, "the equilibrium"},
+      {"scene.approximate", "small", expression_list, optional, true, "coordinates that are small"},
+      {"scene.approximate", "drop_below", expression, optional, later, "relative size of a term"},
+      {"scene.approximate.about", "*", expression, optional, true, "a coordinate or input there"},
 
       {"scene.numeric", "scalar", choice_list, optional, true, "scalar types the code is for"},
       {"scene.numeric", "form", choice, optional, true, "of every output: closed or recursive"},
@@ -238,7 +243,7 @@ const std::vector<EntryRow>& entry_table() {
       {"scene.parameters", single, optional, true, "parameters that become numbers"},
       {"scene.sizes", single, optional, true, "sizes other than the model's"},
       {"scene.lock", single, optional, true, "coordinates that are known functions of time"},
-      {"scene.approximate", single, optional, later, "expansion about a state"},
+      {"scene.approximate", single, optional, true, "expansion about an equilibrium"},
       {"scene.numeric", single, optional, true, "arithmetic"},
       {"scene.emit", single, optional, true, "the emitted code"},
   };

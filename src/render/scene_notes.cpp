@@ -40,6 +40,7 @@ std::vector<std::string> scene_notes(const Model& model, const Scene& scene) {
   };
   add("Fixed", fixed_parameters(model, scene));
   add("Locked", locked_coordinates(model));
+  if (model.approximation) notes.push_back(expansion_text(model));
   return notes;
 }
 

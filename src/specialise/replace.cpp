@@ -41,6 +41,7 @@ class Replacing {
   }
   void operator()(NamedOutput& output) { (*this)(output.values); }
   void operator()(LockedVariable& locked) { (*this)(locked.values); }
+  void operator()(SmallLeaf& small) { (*this)(small.value); }
 
  private:
   Substitution substitution_;
@@ -63,6 +64,7 @@ void replace(Lagrangian& lagrangian, const Seeds& values) {
   replacing(lagrangian.tree.wrenches);
   replacing(lagrangian.outputs);
   replacing(lagrangian.locked);
+  if (lagrangian.expansion) replacing(lagrangian.expansion->small);
 }
 
 }  // namespace elgen

@@ -5,11 +5,14 @@
 //     after     p = 1/2*sin(q), T = 1/2*m*p_dot^2
 //
 // What vanishes is no longer reached from any energy, force or output, so later stages never see
-// it.
+// it. Then what a scene expands is expanded (expand.hpp).
 #include "elgen/specialise.hpp"
 
-#include "lock.hpp"
-#include "replace.hpp"
+#include <utility>
+
+#include "specialise/expand.hpp"
+#include "specialise/lock.hpp"
+#include "specialise/replace.hpp"
 
 namespace elgen {
 
@@ -28,7 +31,7 @@ void fix(Lagrangian& lagrangian, const Specialisation& specialisation) {
 Lagrangian specialise(Lagrangian lagrangian, const Specialisation& specialisation) {
   if (!specialisation.fixed.empty()) fix(lagrangian, specialisation);
   if (!lagrangian.locked.empty()) lock(lagrangian);
-  return lagrangian;
+  return lagrangian.expansion ? expanded(std::move(lagrangian)) : lagrangian;
 }
 
 }  // namespace elgen

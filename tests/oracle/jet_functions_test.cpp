@@ -75,3 +75,16 @@ TEST_CASE("the square root has a value at zero, and a derivative above it") {
   CHECK(functions.power(Jet(e0, 1), exact("3/2")).terms().empty());
   CHECK(functions.power(Jet(4) + Jet(e0, 1), exact("1/2")).coefficient(e0) == exact("1/4"));
 }
+
+TEST_CASE("functions of s are their Taylor polynomials") {
+  JetFunctions functions;
+  const Jet s(graded_symbol(4), 1);
+  // At s = 1: 1 - 1/2 + 1/24 and 1 + 1/2 - 1/8 + 1/16 - 5/128.
+  const Jet cosine = functions.value(FunctionId::cos, s);
+  CHECK(cln::abs(cosine.ungraded().real() - cln::cl_RA(13) / 24) < cln::expt(cl_R(10), -50));
+  const Jet root = functions.power(Jet(1) + s, cln::cl_RA(1) / 2);
+  CHECK(cln::abs(root.ungraded().real() - cln::cl_RA(179) / 128) < cln::expt(cl_R(10), -50));
+  // x^2 s^2 only: cos(s^2) = 1 - s^4/2
+  const Jet even = functions.value(FunctionId::cos, s * s);
+  CHECK(cln::abs(even.ungraded().real() - cln::cl_RA(1) / 2) < cln::expt(cl_R(10), -50));
+}

@@ -69,3 +69,21 @@ TEST_CASE("jets are a commutative ring, and quotients undo products") {
     if (y.real() != 0) RC_ASSERT(equal(x * y / y, x));
   }));
 }
+
+TEST_CASE("powers of s beyond the order vanish") {
+  for (unsigned order = 1; order <= 6; ++order) {
+    const Jet s(graded_symbol(order), 1);
+    Jet power = 1;
+    for (unsigned j = 0; j < order; ++j) power = power * s;
+    CHECK(power.ungraded().real() == 1);
+    CHECK((power * s).terms().empty());
+  }
+}
+
+TEST_CASE("the reciprocal of 1 - s is the geometric series") {
+  const Jet s(graded_symbol(5), 1);
+  const Jet sum = Jet(1) / (Jet(1) - s);
+  CHECK(sum.ungraded().real() == 6);
+  const Jet with_generator = Jet(1) / (Jet(1) - s - Jet(e0, 1));
+  CHECK(with_generator.part(e0).ungraded().real() == 1 + 2 + 3 + 4 + 5 + 6);
+}

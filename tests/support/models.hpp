@@ -33,6 +33,11 @@ inline CheckedModel checked_scene(const std::string& text, const std::string& re
   return checked_model(text, &*scene, SceneOptions{});
 }
 
+/// A scene that expands, by the lines of its `[approximate]`.
+inline CheckedModel approximated(const std::string& model, const std::string& lines) {
+  return checked_scene(model, "[approximate]\n" + lines + "\n");
+}
+
 /// A model of the given coordinates (unit 1 apart, nothing checked) and the rest of the file as
 /// written.
 inline std::string model_text(const std::string& name, const std::string& rest) {

@@ -1,0 +1,148 @@
+// E613: the point a scene expands about is no equilibrium. E614: something has no expansion there.
+//
+// Oracle at rest at the point, at several times and parameter values: the rows of small coordinates
+// of bias - B u must vanish. Coordinates that `about` leaves open are anywhere.
+#include <fmt/format.h>
+
+#include "checks.hpp"
+#include "readable.hpp"
+#include "samples.hpp"
+
+namespace elgen::inspection {
+namespace {
+
+using cln::cl_R;
+
+constexpr unsigned samples = 4;
+
+/// What is left of bias - B u, row by row, and how large the terms are.
+struct Balance {
+  std::vector<cl_R> rest;
+  std::vector<cl_R> scale;
+  std::vector<cl_R> input_matrix;  ///< row-major
+};
+
+OracleValues values_of(const Model& model, OutputKind kind, const State& state) {
+  OutputRequest request;
+  request.kind = kind;
+  return oracle_values(model, request, state);
+}
+
+/// The first at the parameters' own values, the others elsewhere.
+State varied_state(const Subject& subject, unsigned seed) {
+  State state = sampled_state(subject, seed);
+  for (std::uint32_t i = 0; i < state.parameters.size(); ++i) {
+    const bool is_fixed = subject.scene.specialisation.fixed.count(i) > 0;
+    const auto share = static_cast<int>(seed * (37 * i + 13) % 101);
+    if (!is_fixed) state.parameters[i] = state.parameters[i] * (cln::cl_RA(137 + share) / 137);
+  }
+  return state;
+}
+
+/// The state at rest at the point; nothing where a value of `about` does not exist.
+std::optional<State> at_point(const Model& model, State state) {
+  const Approximation& approximation = *model.approximation;
+  const State given = state;
+  const auto place = [&](const std::vector<std::optional<ExpressionId>>& values,
+                         std::vector<cl_R>& entries) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!values[i]) continue;
+      const std::optional<cl_R> value = oracle_expression(model, *values[i], given);
+      if (!value) return false;
+      entries[i] = *value;
+    }
+    return true;
+  };
+  state.v.assign(state.v.size(), cl_R(0));
+  state.a = state.v;
+  state.u.assign(state.u.size(), cl_R(0));
+  const bool exists =
+      place(approximation.coordinates, state.q) && place(approximation.inputs, state.u);
+  return exists ? std::optional(std::move(state)) : std::nullopt;
+}
+
+std::optional<Balance> balance_at(const Model& exact, const State& point, const State& elsewhere) {
+  const OracleValues bias = values_of(exact, OutputKind::bias, point);
+  const OracleValues typical = values_of(exact, OutputKind::bias, elsewhere);
+  const OracleValues inputs = values_of(exact, OutputKind::input_matrix, point);
+  if (!bias || !typical || !inputs) return std::nullopt;
+  Balance balance{*bias, {}, *inputs};
+  const std::size_t columns = point.u.size();
+  for (std::size_t i = 0; i < bias->size(); ++i) {
+    cl_R scale = cln::abs((*typical)[i]);
+    for (std::size_t k = 0; k < columns; ++k) {
+      const cl_R force = (*inputs)[i * columns + k] * point.u[k];
+      balance.rest[i] = balance.rest[i] - force;
+      scale = scale + cln::abs(force);
+    }
+    balance.scale.push_back(scale);
+  }
+  return balance;
+}
+
+/// "`u = 4.905` balances it" where one input acts on this row, and on no other.
+std::string suggestion(const Model& model, const Balance& balance, std::size_t row,
+                       const State& point) {
+  const std::size_t columns = point.u.size();
+  std::optional<std::size_t> acting;
+  for (std::size_t k = 0; k < columns; ++k) {
+    if (cln::zerop(balance.input_matrix[row * columns + k])) continue;
+    if (acting) return {};
+    acting = k;
+  }
+  if (!acting) return {};
+  for (std::size_t i = 0; i < balance.rest.size(); ++i) {
+    if (i != row && !cln::zerop(balance.input_matrix[i * columns + *acting])) return {};
+  }
+  const cl_R value =
+      point.u[*acting] + balance.rest[row] / balance.input_matrix[row * columns + *acting];
+  return fmt::format("`{} = {}` balances it at the parameters' values", model.inputs[*acting].name,
+                     readable(value));
+}
+
+Diagnostics unbalanced(const Model& model, const Balance& balance, const State& point) {
+  static const cl_R tolerance = cln::expt(cl_R(10), -40);
+  Diagnostics found;
+  for (std::size_t q = 0; q < model.coordinates.size(); ++q) {
+    if (!model.approximation->small[q]) continue;
+    const std::size_t row = model.coordinates[q].velocity;
+    if (cln::abs(balance.rest[row]) <= balance.scale[row] * tolerance) continue;
+    found.push_back({Code::E613, model.approximation->span,
+                     fmt::format("`{}` does not stay at rest there: bias - B u is {}",
+                                 model.coordinates[q].name, readable(balance.rest[row])),
+                     suggestion(model, balance, row, point)});
+  }
+  return found;
+}
+
+bool has_expansion(const Model& model, const State& state) {
+  return values_of(model, OutputKind::inverse_dynamics, state).has_value();
+}
+
+Diagnostic no_expansion(const Model& model) {
+  return {Code::E614, model.approximation->span,
+          fmt::format("energies and forces have no derivatives of order {} there",
+                      model.approximation->order + 1)};
+}
+
+}  // namespace
+
+Diagnostics inspect_equilibrium(const Subject& subject) {
+  const Model& model = subject.model;
+  if (!model.approximation) return {};
+  Model exact = model;
+  exact.approximation.reset();
+  bool was_seen = false;
+  for (unsigned seed = 0; seed < samples; ++seed) {
+    const State elsewhere = varied_state(subject, seed);
+    const std::optional<State> point = at_point(model, elsewhere);
+    const auto balance = point ? balance_at(exact, *point, elsewhere) : std::nullopt;
+    if (!balance) continue;
+    if (Diagnostics found = unbalanced(model, *balance, *point); !found.empty()) return found;
+    if (!has_expansion(model, elsewhere)) return {no_expansion(model)};
+    was_seen = true;
+  }
+  return was_seen ? Diagnostics() : Diagnostics{no_expansion(model)};
+}
+
+}  // namespace elgen::inspection

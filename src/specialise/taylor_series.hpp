@@ -1,0 +1,39 @@
+// Taylor coefficients of expressions over definitions, one small value at a time.
+//
+// With f(x0 + s (x - x0)) = f0 + s f1 + s^2 f2 + … every definition becomes the definitions of its
+// coefficients; no expression is ever written out. What vanishes at the point is gone at once.
+//
+//     before    h = l*cos(q), V = m*g*h               q near 0, order 2
+//     after     h0 = l, h2 = -1/2*l*q^2               (h1 = 0)
+//               V0 = m*g*h0, V2 = m*g*h2
+#pragma once
+
+#include <vector>
+
+#include "elgen/lagrangian.hpp"
+
+namespace elgen {
+
+class TaylorSeries {
+ public:
+  TaylorSeries(Definitions& definitions, const std::vector<SmallLeaf>& small, unsigned order);
+
+  /// f0 + f1 + … + f_order. Throws GiNaC's pole_error where f has no derivatives at the point.
+  [[nodiscard]] GiNaC::ex operator()(const GiNaC::ex& value);
+
+ private:
+  using Coefficients = std::vector<GiNaC::ex>;
+
+  [[nodiscard]] Coefficients from_known(const GiNaC::ex& value) const;
+  [[nodiscard]] Coefficients coefficients_of(const GiNaC::ex& term) const;
+  void expand(std::uint32_t definition);
+
+  Definitions& definitions_;
+  unsigned order_;
+  unsigned mask_ = 0;
+  GiNaC::symbol s_;
+  ExpressionMap<Coefficients> coefficients_;  // of what depends on small leaves
+  std::vector<bool> known_;
+};
+
+}  // namespace elgen

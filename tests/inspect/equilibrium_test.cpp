@@ -1,0 +1,76 @@
+// E613 and E614: whether a point is an equilibrium, and whether there is an expansion about it.
+#include <catch2/catch.hpp>
+
+#include "inspect/checks.hpp"
+#include "inspect/found.hpp"
+#include "support/systems.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+Diagnostics diagnostics(const std::string& model, const std::string& lines) {
+  const CheckedModel checked = approximated(model, lines);
+  return inspection::inspect_equilibrium({checked.model, checked.scene});
+}
+
+std::string found(const std::string& model, const std::string& lines) {
+  return text_of(diagnostics(model, lines));
+}
+
+const std::string driven = model_text("driven", R"toml(
+[[coordinate]]
+name = "q"
+[[coordinate]]
+name = "p"
+[parameters]
+m = 2
+k = 3
+[energy]
+T = "1/2*m*(dot(q)^2 + dot(p)^2)"
+V = "k*p*sin(q) - m*q + sqrt(1 + q)"
+[[input]]
+name = "u"
+on = "q"
+)toml");
+
+}  // namespace
+
+TEST_CASE("exact models and equilibria pass") {
+  const CheckedModel exact = checked_model(cart_pole_text());
+  CHECK(inspection::inspect_equilibrium({exact.model, exact.scene}).empty());
+  CHECK(found(cart_pole_text(), "order = 1\nabout = { x = 3, theta = 0 }").empty());
+  CHECK(found(cart_pole_text(), "order = 1\nabout = { x = 0, theta = \"pi\" }").empty());
+  CHECK(found(cart_pole_text(), "order = 2\nabout = { theta = 0 }").empty());
+}
+
+TEST_CASE("a pole that leans does not stay at rest") {
+  CHECK(found(cart_pole_text(), "order = 1\nabout = { x = 0, theta = \"pi/2\" }") ==
+        "E613: `theta` does not stay at rest there: bias - B u is -1.4715");
+}
+
+TEST_CASE("an input that balances the point is suggested, and taken") {
+  const Diagnostics found_without = diagnostics(driven, "order = 1\nabout = { q = 0, p = 0 }");
+  REQUIRE(found_without.size() == 1);
+  CHECK(found_without[0].hint == "`u = -3/2` balances it at the parameters' values");
+  CHECK(found(driven, "order = 1\nabout = { q = 0, p = 0, u = \"1/2 - m\" }").empty());
+}
+
+TEST_CASE("coordinates left open are anywhere, given ones where they are given") {
+  CHECK_FALSE(found(driven, "order = 1\nabout = { p = 0 }").empty());
+  CHECK(found(driven, "order = 1\nabout = { q = 0, p = 0 }\nsmall = [\"p\"]").empty());
+}
+
+TEST_CASE("a root has no expansion about zero") {
+  const std::string root = model_text("root", R"toml(
+[[coordinate]]
+name = "q"
+[energy]
+T = "1/2*dot(q)^2"
+V = "(q^2)^(5/2)"
+)toml");
+  CHECK(found(root, "order = 3\nabout = { q = 0 }").empty());
+  CHECK(found(root, "order = 5\nabout = { q = 0 }") ==
+        "E614: energies and forces have no derivatives of order 6 there");
+}

@@ -1,0 +1,82 @@
+// The oracle's expansions: Taylor polynomials of every output, by powers of s.
+#include "oracle/expansion.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "elgen/oracle.hpp"
+#include "oracle/mechanics.hpp"
+#include "support/models.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+using cln::cl_R;
+using cln::cl_RA;
+
+namespace {
+
+const std::string pendulum = model_text("pendulum", R"toml(
+[[coordinate]]
+name = "q"
+[parameters]
+m = 2
+k = 3
+[energy]
+T = "1/2*m*(1 + q^2)*dot(q)^2"
+V = "k*(1 - cos(q))"
+[[input]]
+name = "u"
+[[force]]
+on = "q"
+value = "u*exp(q)"
+)toml");
+
+/// q = 1/5, v = 1/7, a = 1/3, u = 1/2
+State some_state(const CheckedModel& checked) {
+  State state = nominal_state(checked.model, checked.scene);
+  state.q[0] = cl_RA(1) / 5;
+  state.v[0] = cl_RA(1) / 7;
+  state.a[0] = cl_RA(1) / 3;
+  state.u[0] = cl_RA(1) / 2;
+  return state;
+}
+
+cl_R value(const CheckedModel& checked, OutputKind kind) {
+  OutputRequest request;
+  request.kind = kind;
+  return oracle_values(checked.model, request, some_state(checked))->front();
+}
+
+bool near(const cl_R& x, const cl_R& y) { return cln::abs(x - y) < cln::expt(cl_R(10), -50); }
+
+}  // namespace
+
+TEST_CASE("an exact model has no point") {
+  const CheckedModel checked = checked_model(pendulum);
+  CHECK_FALSE(oracle::expansion_point(checked.model, some_state(checked)).has_value());
+}
+
+TEST_CASE("outputs are those of the Taylor polynomials of the energies") {
+  const CheckedModel linear = approximated(pendulum, "order = 1\nabout = { q = 0 }");
+  CHECK(near(value(linear, OutputKind::mass_matrix), 2));
+  CHECK(near(value(linear, OutputKind::potential_energy), cl_RA(3) / 2 / 25));
+  CHECK(near(value(linear, OutputKind::inverse_dynamics), cl_RA(2) / 3 + cl_RA(3) / 5));
+  CHECK(near(value(linear, OutputKind::input_matrix), 1));
+  const CheckedModel third = approximated(pendulum, "order = 3\nabout = { q = 0 }");
+  const cl_R q = cl_RA(1) / 5;
+  CHECK(near(value(third, OutputKind::mass_matrix), 2 * (1 + q * q)));
+  CHECK(near(value(third, OutputKind::potential_energy), 3 * (q * q / 2 - q * q * q * q / 24)));
+  CHECK(near(value(third, OutputKind::input_matrix), 1 + q + q * q / 2));
+}
+
+TEST_CASE("what is small goes to the point with s, the rest stays") {
+  const CheckedModel checked = approximated(pendulum, "order = 2\nabout = { q = 1, u = 3 }");
+  const State state = some_state(checked);
+  const auto point = oracle::expansion_point(checked.model, state);
+  REQUIRE(point.has_value());
+  const oracle::Motion motion = oracle::towards(*point, oracle::motion_of(state), 2);
+  CHECK(motion.q[0].real() == 1);
+  CHECK(motion.v[0].real() == 0);
+  CHECK(motion.u[0].real() == 3);
+  CHECK(motion.q[0].ungraded().real() == state.q[0]);
+  CHECK(motion.parameters[0].real() == state.parameters[0]);
+}

@@ -1,0 +1,166 @@
+// Scenes that expand about an equilibrium: the equations are the truncated exact ones, order by
+// order.
+#include <catch2/catch.hpp>
+
+#include "elgen/equations_of_motion.hpp"
+#include "elgen/evaluate.hpp"
+#include "elgen/pipeline.hpp"
+#include "elgen/specialise.hpp"
+#include "formulate/written_out.hpp"
+#include "support/models.hpp"
+#include "support/shell.hpp"
+
+namespace elgen::test {
+namespace {
+
+using cln::cl_R;
+using cln::cl_RA;
+
+std::string model_file(const std::string& name) {
+  return read_text(std::string(ELGEN_SOURCE_DIR) + "/models/" + name + ".toml");
+}
+
+std::string scene_text(const std::string& lines) {
+  return "format = 1\nmodel = \"model.toml\"\nname = \"near\"\n" + lines;
+}
+
+/// A model of the project, with a scene if `lines` has any.
+Products products_of(const std::string& model, const std::string& output,
+                     const std::string& lines) {
+  PipelineOptions options;
+  options.scene.outputs = {make_source("--outputs", output)};
+  Inputs inputs;
+  inputs.model = make_source("model.toml", model_file(model));
+  if (!lines.empty()) inputs.scene = make_source("near.scene.toml", scene_text(lines));
+  Products products = run_pipeline(inputs, options);
+  INFO(format(products.diagnostics));
+  REQUIRE(products.program);
+  return products;
+}
+
+Arguments<Real> arguments(const Products& products, const std::vector<cl_R>& q,
+                          const std::vector<cl_R>& v, const std::vector<cl_R>& a) {
+  Arguments<Real> state;
+  for (const Parameter& parameter : products.checked->model.parameters) {
+    state.parameters.emplace_back(parameter.value);
+  }
+  state.q.assign(q.begin(), q.end());
+  state.v.assign(v.begin(), v.end());
+  state.a.assign(a.begin(), a.end());
+  state.u.assign(products.checked->model.inputs.size(), Real(0));
+  return state;
+}
+
+std::vector<Real> values(const Products& products, const Arguments<Real>& at) {
+  return evaluate(*products.program, products.program->functions.front(), at);
+}
+
+/// M a + bias written out, by the whole derivation.
+struct WrittenOut {
+  explicit WrittenOut(const CheckedModel& checked)
+      : lagrangian(specialise(*formulate(checked.model), checked.scene.specialisation)) {
+    OutputRequest request;
+    request.kind = OutputKind::inverse_dynamics;
+    request.name = "inverse_dynamics";
+    request.rows = static_cast<std::uint32_t>(checked.model.velocities.size());
+    const auto equations = derive(lagrangian, {request}, {});
+    for (const GiNaC::ex& entry : equations->outputs.front().fields.front().entries) {
+      rows.push_back(written_out(equations->definitions, entry));
+    }
+  }
+  Lagrangian lagrangian;
+  std::vector<GiNaC::ex> rows;
+};
+
+/// Joint Taylor polynomial in q, v and a about zero.
+GiNaC::ex truncated(const GiNaC::ex& row, const Symbols& symbols, int order) {
+  const GiNaC::symbol s("s");
+  GiNaC::exmap scaled;
+  for (const auto* list : {&symbols.q, &symbols.v, &symbols.a}) {
+    for (const GiNaC::ex& leaf : *list) scaled[leaf] = s * leaf;
+  }
+  const GiNaC::ex along = row.subs(scaled, GiNaC::subs_options::no_pattern);
+  return GiNaC::series_to_poly(along.series(s == 0, order + 1)).subs(s == 1);
+}
+
+/// One leaf of either side is another symbol on the other.
+GiNaC::exmap renaming(const Symbols& from, const Symbols& to) {
+  GiNaC::exmap map{{from.t, to.t}};
+  const auto add = [&](const std::vector<GiNaC::ex>& x, const std::vector<GiNaC::ex>& y) {
+    for (std::size_t i = 0; i < x.size(); ++i) map[x[i]] = y[i];
+  };
+  add(from.parameters, to.parameters);
+  add(from.q, to.q);
+  add(from.v, to.v);
+  add(from.a, to.a);
+  return map;
+}
+
+void check_truncation(const std::string& model, const std::string& about, int order) {
+  const std::string text = model_file(model);
+  const WrittenOut exact(checked_model(text));
+  const WrittenOut expanded(
+      approximated(text, "order = " + std::to_string(order) + "\nabout = { " + about + " = 0 }"));
+  const GiNaC::exmap names = renaming(expanded.lagrangian.symbols, exact.lagrangian.symbols);
+  for (std::size_t i = 0; i < exact.rows.size(); ++i) {
+    const GiNaC::ex expected = truncated(exact.rows[i], exact.lagrangian.symbols, order);
+    const GiNaC::ex derived = expanded.rows[i].subs(names, GiNaC::subs_options::no_pattern);
+    GiNaC::ex difference = (derived - expected).expand();
+    // Squares of sines and cosines of the time are left.
+    const GiNaC::ex wildcard = GiNaC::wild();
+    difference = difference.subs(pow(sin(wildcard), 2) == 1 - pow(cos(wildcard), 2)).expand();
+    INFO(model << " row " << i << ": " << difference);
+    CHECK(difference.is_zero());
+  }
+}
+
+cl_R size(const Real& x) { return cln::abs(x.value()); }
+
+}  // namespace
+
+TEST_CASE("third order near the bottom is the truncated equation, term by term") {
+  check_truncation("simple_pendulum", "theta", 3);
+  check_truncation("rotating_hoop", "theta", 3);
+  check_truncation("rotating_hoop", "theta", 5);
+  check_truncation("cart_pole", "x = 0, theta", 2);
+}
+
+TEST_CASE("first order about the upright is the linearization there") {
+  const std::string lines = "[approximate]\norder = 1\nabout = { x = 0, theta = 0 }\n";
+  const Products exact = products_of("cart_pole", "linearization", "");
+  const Products linear = products_of("cart_pole", "linearization", lines);
+  const cl_R third = cl_RA(1) / 3;
+  const auto there = values(exact, arguments(exact, {0, 0}, {0, 0}, {0, 0}));
+  const auto anywhere =
+      values(linear, arguments(linear, {third, 2 * third}, {third, -third}, {0, 0}));
+  REQUIRE(there.size() == anywhere.size());
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    CHECK(cln::abs(there[i].value() - anywhere[i].value()) < cln::expt(cl_R(10), -50));
+  }
+  // M = 1, m = 1/10, l = 1/2, g = 9.81: dx'' = -m g/M theta, dtheta'' = (M + m) g/(M l) theta.
+  const cl_R g = cl_RA(981) / 100;
+  CHECK(cln::abs(anywhere[2 * 4 + 1].value() + g / 10) < cln::expt(cl_R(10), -50));
+  CHECK(cln::abs(anywhere[3 * 4 + 1].value() - g * 11 / 5) < cln::expt(cl_R(10), -50));
+}
+
+TEST_CASE("with one small coordinate the error falls by the power promised") {
+  const std::string lines =
+      "[parameters]\nfixed = { g = 0 }\n"
+      "[approximate]\norder = 2\nabout = { q2 = 0 }\nsmall = [\"q2\"]\n";
+  const Products exact =
+      products_of("two_link_arm", "inverse_dynamics", "[parameters]\nfixed = { g = 0 }\n");
+  const Products expanded = products_of("two_link_arm", "inverse_dynamics", lines);
+  const auto errors = [&](const cl_R& s) {
+    const auto at = arguments(exact, {cl_RA(7) / 10, s / 2}, {cl_RA(3) / 2, s}, {2, -s * 3});
+    const auto left = values(exact, at);
+    const auto right = values(expanded, at);
+    return std::vector<cl_R>{size(left[0] - right[0]), size(left[1] - right[1])};
+  };
+  const auto coarse = errors(cl_RA(1) / 100'000);
+  const auto fine = errors(cl_RA(1) / 1'000'000);
+  CHECK(coarse[1] / fine[1] > 999);
+  CHECK(coarse[1] / fine[1] < 1001);
+  CHECK(coarse[0] / fine[0] > 9990);
+}
+
+}  // namespace elgen::test

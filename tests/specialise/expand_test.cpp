@@ -1,0 +1,101 @@
+// Expanded and forces of an expanded Lagrangian, as polynomials.
+#include "specialise/expand.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "elgen/specialise.hpp"
+#include "formulate/written_out.hpp"
+#include "support/systems.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+using GiNaC::ex;
+
+namespace {
+
+struct Expanded {
+  Lagrangian lagrangian;
+  ex kinetic;
+  ex potential;
+  ex dissipation;
+};
+
+Expanded energies(const std::string& model, const std::string& lines) {
+  const CheckedModel checked = approximated(model, lines);
+  Expanded result{specialise(*formulate(checked.model), checked.scene.specialisation), 0, 0, 0};
+  const auto sum = [&](const std::vector<ex>& terms) {
+    return written_out(result.lagrangian.definitions, GiNaC::add(terms)).expand();
+  };
+  result.kinetic = sum(result.lagrangian.kinetic);
+  result.potential = sum(result.lagrangian.potential);
+  result.dissipation = sum(result.lagrangian.dissipation);
+  return result;
+}
+
+ex force(const Expanded& e, std::size_t index) {
+  return written_out(e.lagrangian.definitions, e.lagrangian.forces[index]).expand();
+}
+
+const std::string spring = model_text("spring", R"toml(
+[[coordinate]]
+name = "x"
+[parameters]
+m = 2
+k = 3
+b = 1
+[energy]
+T = "1/2*m*dot(x)^2"
+V = "k*(1 - cos(x))"
+D = "b*(cosh(dot(x)) - 1)"
+[[input]]
+name = "u"
+[[force]]
+on = "x"
+value = "u*cos(x)"
+)toml");
+
+}  // namespace
+
+TEST_CASE("energies are kept to one order more than the equations") {
+  const Expanded e = energies(spring, "order = 1\nabout = { x = 0 }");
+  const Symbols& s = e.lagrangian.symbols;
+  const ex& x = s.q[0];
+  const ex& v = s.v[0];
+  const ex& m = s.parameters[0];
+  const ex& k = s.parameters[1];
+  CHECK(e.kinetic.is_equal(m * v * v / 2));
+  CHECK(e.potential.is_equal(k * x * x / 2));
+  CHECK(e.dissipation.is_equal(s.parameters[2] * v * v / 2));
+  CHECK(force(e, 0).is_equal(s.u[0]));
+  const Expanded third = energies(spring, "order = 3\nabout = { x = 0 }");
+  const Symbols& t = third.lagrangian.symbols;
+  const ex& y = t.q[0];
+  CHECK(third.potential.is_equal((t.parameters[1] * (y * y / 2 - pow(y, 4) / 24)).expand()));
+  CHECK(force(third, 0).is_equal((t.u[0] * (1 - y * y / 2)).expand()));
+}
+
+TEST_CASE("inputs near a value count with the coordinates") {
+  const Expanded e = energies(spring, "order = 1\nabout = { x = \"pi/3\", u = 2 }");
+  const Symbols& s = e.lagrangian.symbols;
+  // u cos(x) near x = pi/3, u = 2: 1 + (u - 2)/2 - sqrt(3) (x - pi/3)
+  const ex deviation = s.q[0] - GiNaC::Pi / 3;
+  const ex expected = 1 + (s.u[0] - 2) / 2 - sqrt(ex(3)) * deviation;
+  CHECK((force(e, 0) - expected).expand().is_zero());
+}
+
+TEST_CASE("point masses, weights and forces at points become terms") {
+  const Expanded e = energies(cart_pole_text(), "order = 1\nabout = { x = 0, theta = 0 }");
+  CHECK(e.lagrangian.masses.empty());
+  CHECK(e.lagrangian.point_forces.empty());
+  CHECK_FALSE(e.lagrangian.gravity);
+  const Symbols& s = e.lagrangian.symbols;
+  const ex& big = s.parameters[0];
+  const ex& m = s.parameters[1];
+  const ex& l = s.parameters[2];
+  const ex& g = s.parameters[3];
+  const ex& xd = s.v[0];
+  const ex& td = s.v[1];
+  const ex kinetic = (big + m) * xd * xd / 2 + m * l * xd * td + m * l * l * td * td / 2;
+  CHECK((e.kinetic - kinetic).expand().is_zero());
+  CHECK((e.potential - m * g * l * (1 - s.q[1] * s.q[1] / 2)).expand().is_zero());
+}
