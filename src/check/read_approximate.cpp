@@ -35,7 +35,7 @@ std::vector<std::uint32_t> named(const Entries& entries, std::string_view name) 
 class ApproximationReader {
  public:
   ApproximationReader(Context& context, const EntrySyntax& entry)
-      : context_(context), model_(context.model), entry_(entry) {
+      : context_(context), model_(context.model), entry_(entry), errors_(context.report.errors()) {
     result_.coordinates.resize(model_.coordinates.size());
     result_.inputs.resize(model_.inputs.size());
     result_.small.resize(model_.coordinates.size(), false);
@@ -48,7 +48,9 @@ class ApproximationReader {
     result_.span = about->key_span;
     read_order(order->value);
     for (const KeySyntax& key : about->value.entries) read_value(key);
-    read_small(entry_.find("small"));
+    const KeySyntax* small = entry_.find("small");
+    read_small(small);
+    if (context_.report.errors() == errors_) check_small(small);
     check_forces();
     check_reactions();
     result_.small_inputs = all_free_are_small();
@@ -122,11 +124,13 @@ class ApproximationReader {
     } else {
       for (const ValueSyntax& item : small->value.items) read_small_coordinate(item);
     }
-    if (std::find(result_.small.begin(), result_.small.end(), true) == result_.small.end()) {
-      const Span& span = small == nullptr ? result_.span : small->key_span;
-      context_.report.add(Code::E614, span, "no coordinate is small",
-                          "`about` gives the coordinates that are");
-    }
+  }
+
+  void check_small(const KeySyntax* small) {
+    const auto& flags = result_.small;
+    if (std::find(flags.begin(), flags.end(), true) != flags.end()) return;
+    context_.report.add(Code::E614, small == nullptr ? result_.span : small->key_span,
+                        "no coordinate is small", "`about` gives the coordinates that are");
   }
 
   void read_small_coordinate(const ValueSyntax& item) {
@@ -178,6 +182,7 @@ class ApproximationReader {
   Context& context_;
   Model& model_;
   const EntrySyntax& entry_;
+  std::size_t errors_;  ///< before this table was read
   Approximation result_ = {};
 };
 

@@ -97,12 +97,13 @@ std::vector<std::size_t> needed_by_energies(const Model& model, const Numbering&
 }
 
 /// Every definition, prescribed motion and point of the world, and of frames and their points those
-/// that something mentions: masses move by the twists of their frames.
+/// that something mentions: masses move by the twists of their frames, except in an expansion.
 std::vector<std::size_t> wanted(const Model& model, const Numbering& numbering) {
   std::vector<std::size_t> result;
-  for (std::size_t node = 0; node < numbering.frames; ++node) {
-    const bool is_point = node >= numbering.points;
-    if (is_point && model.points[node - numbering.points].local) continue;
+  const bool in_world = model.approximation.has_value();
+  for (std::size_t node = 0; node < (in_world ? numbering.count : numbering.frames); ++node) {
+    const bool is_point = node >= numbering.points && node < numbering.frames;
+    if (!in_world && is_point && model.points[node - numbering.points].local) continue;
     result.push_back(node);
   }
   const std::vector<std::size_t> others = needed_by_energies(model, numbering);

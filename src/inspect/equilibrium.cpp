@@ -4,6 +4,8 @@
 // of bias - B u must vanish. Coordinates that `about` leaves open are anywhere.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "checks.hpp"
 #include "readable.hpp"
 #include "samples.hpp"
@@ -80,9 +82,16 @@ std::optional<Balance> balance_at(const Model& exact, const State& point, const 
   return balance;
 }
 
+/// Whether `about` gives every coordinate, so that there is one point.
+bool is_complete(const Approximation& approximation) {
+  const auto& values = approximation.coordinates;
+  return std::find(values.begin(), values.end(), std::nullopt) == values.end();
+}
+
 /// "`u = 4.905` balances it" where one input acts on this row, and on no other.
 std::string suggestion(const Model& model, const Balance& balance, std::size_t row,
                        const State& point) {
+  if (!is_complete(*model.approximation)) return {};
   const std::size_t columns = point.u.size();
   std::optional<std::size_t> acting;
   for (std::size_t k = 0; k < columns; ++k) {

@@ -12,7 +12,7 @@ constexpr unsigned first_time_generator = 8;
 Generators time_generator(unsigned k) { return generator(first_time_generator + k); }
 
 /// The time generators beyond the first `order`.
-Generators beyond(unsigned order) { return ~(time_generator(order) - 1); }
+Generators beyond(unsigned order) { return all_generators & ~(time_generator(order) - 1); }
 
 /// s = e_1 + ... + e_order
 Jet elapsed_time(unsigned order) {

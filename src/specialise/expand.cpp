@@ -17,15 +17,6 @@ using GiNaC::ex;
 
 namespace {
 
-/// q -> dq/dt, t -> 1
-Seeds velocity_seeds(const Symbols& symbols) {
-  Seeds seeds{{symbols.t, 1}};
-  for (std::size_t i = 0; i < symbols.q.size(); ++i) {
-    seeds.emplace(symbols.q[i], symbols.q_rates[i]);
-  }
-  return seeds;
-}
-
 /// 1/2 m |dp/dt|^2 and -m gravity.p
 void add_masses(Lagrangian& lagrangian, Tangent& velocity) {
   for (const PointMass& mass : lagrangian.masses) {
@@ -61,7 +52,8 @@ void add_point_forces(Lagrangian& lagrangian, Tangent& velocity) {
 
 Lagrangian expanded(Lagrangian lagrangian) {
   const Expansion expansion = *lagrangian.expansion;
-  Tangent velocity(lagrangian.definitions, velocity_seeds(lagrangian.symbols), "_dot");
+  // Positions hold no rates, so of the motion only dq/dt and t take part.
+  Tangent velocity(lagrangian.definitions, motion_seeds(lagrangian.symbols), "_dot");
   add_masses(lagrangian, velocity);
   add_point_forces(lagrangian, velocity);
   TaylorSeries of_energies(lagrangian.definitions, expansion.small, expansion.order + 1);

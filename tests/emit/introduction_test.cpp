@@ -62,6 +62,20 @@ TEST_CASE("title, variables and fixed parameters") {
   CHECK(lines.back() == " Fixed: g = 9.81.");
 }
 
+TEST_CASE("an expansion is said") {
+  Subject subject = cart_pole();
+  Approximation approximation;
+  approximation.coordinates = {{}, 0};
+  approximation.inputs = {{}};
+  approximation.small = {false, true};
+  subject.model.approximation = approximation;
+  const Lines lines = introduction(subject.model, subject.scene, subject.program);
+  const auto said = std::find_if(lines.begin(), lines.end(), [](const std::string& line) {
+    return line.find(" Expanded about theta = 0: ") == 0;
+  });
+  CHECK(said != lines.end());
+}
+
 TEST_CASE("many variables are shown by the first two and the last") {
   Subject subject = cart_pole();
   for (int i = 0; i < 10; ++i) append_coordinate(subject.model, subject.model.coordinates[0]);

@@ -44,9 +44,9 @@ Arguments<Real> arguments(const Products& products, const std::vector<cl_R>& q,
   for (const Parameter& parameter : products.checked->model.parameters) {
     state.parameters.emplace_back(parameter.value);
   }
-  state.q.assign(q.begin(), q.end());
-  state.v.assign(v.begin(), v.end());
-  state.a.assign(a.begin(), a.end());
+  state.q = {q.begin(), q.end()};
+  state.v = {v.begin(), v.end()};
+  state.a = {a.begin(), a.end()};
   state.u.assign(products.checked->model.inputs.size(), Real(0));
   return state;
 }

@@ -99,3 +99,54 @@ TEST_CASE("point masses, weights and forces at points become terms") {
   CHECK((e.kinetic - kinetic).expand().is_zero());
   CHECK((e.potential - m * g * l * (1 - s.q[1] * s.q[1] / 2)).expand().is_zero());
 }
+
+TEST_CASE("what frames carry is expanded in the world") {
+  const std::string arm = model_text("arm", R"toml(
+[[coordinate]]
+name = "q"
+[parameters]
+m = 2
+l = 3
+J = 5
+g = 9.81
+[[frame]]
+name = "arm"
+parent = "world"
+rotate = [["y", "q"]]
+[[body]]
+name = "arm"
+frame = "arm"
+mass = "m"
+com = ["0", "0", "-l"]
+inertia = ["J", "J", "J"]
+[[point]]
+name = "tip"
+frame = "arm"
+at = ["0", "0", "-2*l"]
+mass = "m"
+[gravity]
+vector = ["0", "0", "-g"]
+[[input]]
+name = "u"
+[[input]]
+name = "F"
+[[force]]
+frame = "arm"
+value = ["0", "u", "0"]
+[[force]]
+at = "tip"
+value = ["F", "0", "0"]
+)toml");
+  const Expanded e = energies(arm, "order = 2\nabout = { q = 0 }");
+  CHECK(e.lagrangian.tree.bodies.empty());
+  CHECK(e.lagrangian.tree.wrenches.empty());
+  const Symbols& s = e.lagrangian.symbols;
+  const ex& m = s.parameters[0];
+  const ex& l = s.parameters[1];
+  const ex& q = s.q[0];
+  const ex kinetic = (5 * m * l * l + s.parameters[2]) * s.v[0] * s.v[0] / 2;
+  CHECK((e.kinetic - kinetic).expand().is_zero());
+  CHECK((e.potential + 3 * m * s.parameters[3] * l * (1 - q * q / 2)).expand().is_zero());
+  // u - 2 l F cos(q), where F counts as well
+  CHECK((force(e, 0) - s.u[0] + 2 * l * s.u[1]).expand().is_zero());
+}
