@@ -64,6 +64,7 @@ TEST_CASE("title, variables and fixed parameters") {
 
 TEST_CASE("an expansion is said") {
   Subject subject = cart_pole();
+  subject.model.expressions = {Expression{}};  // the number 0
   Approximation approximation;
   approximation.coordinates = {{}, 0};
   approximation.inputs = {{}};
