@@ -172,7 +172,8 @@ const std::vector<KeyRow>& scene_rows() {
       {"scene.approximate", "order", integer, optional, true, "of the equations, 1 to 5"},
       {"scene.approximate", "about", table, optional, true, "the equilibrium"},
       {"scene.approximate", "small", expression_list, optional, true, "coordinates that are small"},
-      {"scene.approximate", "drop_below", expression, optional, later, "relative size of a term"},
+      {"scene.approximate", "drop_below", expression, optional, true,
+       "terms below this share of their entry's largest are left out"},
       {"scene.approximate.about", "*", expression, optional, true, "a coordinate or input there"},
 
       {"scene.numeric", "scalar", choice_list, optional, true, "scalar types the code is for"},
@@ -243,7 +244,8 @@ const std::vector<EntryRow>& entry_table() {
       {"scene.parameters", single, optional, true, "parameters that become numbers"},
       {"scene.sizes", single, optional, true, "sizes other than the model's"},
       {"scene.lock", single, optional, true, "coordinates that are known functions of time"},
-      {"scene.approximate", single, optional, true, "expansion about an equilibrium"},
+      {"scene.approximate", single, optional, true,
+       "expansion about an equilibrium, small terms left out"},
       {"scene.numeric", single, optional, true, "arithmetic"},
       {"scene.emit", single, optional, true, "the emitted code"},
   };
