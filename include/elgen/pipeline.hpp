@@ -32,8 +32,8 @@ struct PipelineOptions {
   std::string stop_after = {};  ///< the last stage to run
   /// The one output of the scene to derive, by its place in Scene::outputs; none: all of them.
   std::optional<std::size_t> only_output = {};
-  bool steps = false;           ///< make Products::steps instead of the scene's outputs
-  bool check_itself = true;     ///< compare with the oracle at the end
+  bool steps = false;        ///< make Products::steps instead of the scene's outputs
+  bool check_itself = true;  ///< compare with the oracle at the end
   std::function<void(const std::string&)> on_stage = {};  ///< told each name as it starts
 };
 

@@ -69,9 +69,9 @@ std::string generation_costs(const Inputs& inputs, const PipelineOptions& option
   std::size_t width = std::string_view("output").size();
   const std::vector<OutputRequest>& requests = products.checked->scene.outputs;
   for (const OutputRequest& request : requests) width = std::max(width, request.name.size());
-  std::string text =
-      fmt::format("{:<{}}  {:>8}{}  {:>12}\n", "output", width, "cost",
-                  full == nullptr ? "" : fmt::format("  {:>10}  {:>6}", "full model", "share"), "alone");
+  std::string text = fmt::format(
+      "{:<{}}  {:>8}{}  {:>12}\n", "output", width, "cost",
+      full == nullptr ? "" : fmt::format("  {:>10}  {:>6}", "full model", "share"), "alone");
   for (std::size_t i = 0; i < requests.size(); ++i) {
     if (requests[i].kind == OutputKind::dynamics) continue;  // made of the others
     text += fmt::format("{:<{}}  {}  {:>9.1f} ms\n", requests[i].name, width,

@@ -159,7 +159,8 @@ ExitCode write(const GlobalOptions& global, const GenerateOptions& options,
       tell(global, "wrote " + (fs::path(options.output_directory) / name).generic_string());
     }
     if (global.verbose) {
-      tell(global, "\n" + text_page(job.products.checked->model, job.products.checked->scene, *job.products.program));
+      tell(global, "\n" + text_page(job.products.checked->model, job.products.checked->scene,
+                                    *job.products.program));
     }
     tell(global, job.scene().base_name + ": " + receipt(*job.products.self_check));
   }

@@ -61,9 +61,9 @@ TEST_CASE("a whole array, an element, a coordinate and an input may be given") {
 }
 
 TEST_CASE("inputs are small where every coordinate is") {
-  CHECK(checked(two, near("order = 1\nabout = { q = 0, x = 0 }")).model.approximation->small_inputs);
-  CHECK_FALSE(
-      checked(two, near("order = 1\nabout = { q = 0 }")).model.approximation->small_inputs);
+  CHECK(
+      checked(two, near("order = 1\nabout = { q = 0, x = 0 }")).model.approximation->small_inputs);
+  CHECK_FALSE(checked(two, near("order = 1\nabout = { q = 0 }")).model.approximation->small_inputs);
 }
 
 TEST_CASE("an order and a point are both needed") {
