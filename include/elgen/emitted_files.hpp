@@ -29,6 +29,9 @@ struct EmittedFiles {
 /// Paths that emit() would give, without deriving anything.
 [[nodiscard]] std::vector<std::string> emitted_paths(const Scene& scene);
 
+/// Every term that `drop_below` left out with its bound, and what every entry is off by at most.
+[[nodiscard]] std::string dropped_page(const Model& model, const Program& program);
+
 /// The body hash a generated text states, and the one its content has: they differ after a hand
 /// edit.
 struct BodyHash {

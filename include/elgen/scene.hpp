@@ -44,6 +44,13 @@ struct Emission {
   std::string cpp_namespace = {};  ///< default: base_name
 };
 
+/// present: terms of closed forms that are left out (`drop_below`).
+struct Dropping {
+  cln::cl_RA below = 0;  ///< of the largest term of their entry
+  Span span = {};
+  std::vector<OutputRequest> parts = {};  ///< what the reduced outputs are made of, all of it
+};
+
 struct Scene {
   SourcePointer source = {};
   std::string name = {};       ///< "" for the built-in scene `full`
@@ -51,6 +58,7 @@ struct Scene {
   std::string doc = {};
   Specialisation specialisation = {};
   std::vector<OutputRequest> outputs = {};
+  std::optional<Dropping> dropping = {};
   Numerics numerics = {};
   Emission emission = {};
   bool has_options = false;  ///< --outputs, --fix or --size changed it

@@ -141,6 +141,10 @@ std::optional<OutputRequest> find_request(const Model& model, std::string_view n
   return std::nullopt;
 }
 
+bool is_available(const Model& model, const OutputRequest& request) {
+  return !lack_of(model, request);
+}
+
 std::optional<OutputRequest> require_request(const Model& model, std::string_view name,
                                              const Span& span, Report& report) {
   if (is_later_output(name)) {
@@ -165,7 +169,7 @@ std::vector<OutputRequest> full_requests(const Model& model) {
   std::vector<OutputRequest> result;
   for (OutputRequest& request : all_requests(model)) {
     const bool fits = std::uint64_t{request.rows} * request.columns <= entries_in_full;
-    if (fits && !lack_of(model, request)) {
+    if (fits && is_available(model, request)) {
       result.push_back(std::move(request));
     }
   }

@@ -25,6 +25,9 @@ inline constexpr std::uint64_t entries_in_full = 4096;
 /// Every output the model has, in the order of the output table, big ones left out.
 [[nodiscard]] std::vector<OutputRequest> full_requests(const Model& model);
 
+/// Whether the model has what the output needs.
+[[nodiscard]] bool is_available(const Model& model, const OutputRequest& request);
+
 /// E609 where declared outputs would share a function name with each other or with the built-in
 /// ones.
 void check_output_names(const Model& model, Report& report);

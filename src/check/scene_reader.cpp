@@ -9,6 +9,7 @@
 
 #include "number_text.hpp"
 #include "options.hpp"
+#include "read_dropping.hpp"
 #include "requests.hpp"
 #include "reserved_names.hpp"
 #include "syntax_part.hpp"
@@ -41,6 +42,9 @@ class SceneReader {
     read_outputs();
     read_fixed();
     read_numerics();
+    if (const EntrySyntax* approximate = find_entry("approximate")) {
+      read_dropping(context_, *approximate, scene_);
+    }
     scene_.has_options = !input_.options.outputs.empty() || !input_.options.fixed.empty() ||
                          !input_.options.sizes.empty();
     scene_.canonical = canonical_text();
@@ -279,6 +283,9 @@ class SceneReader {
     }
     for (const auto& [name, value] : sizes) {
       text += "size " + name + " = " + std::to_string(value) + "\n";
+    }
+    if (scene_.dropping) {
+      text += "drop_below " + number_text(scene_.dropping->below) + "\n";
     }
     if (scene_.numerics.scalars != Numerics{}.scalars) {
       for (const ScalarKind kind : scene_.numerics.scalars) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "cpp_spelling.hpp"
+#include "dropped_terms.hpp"
 #include "elgen/render.hpp"
 #include "entry_units.hpp"
 #include "evaluate/decimal.hpp"
@@ -85,6 +86,9 @@ std::vector<std::string> introduction(const Model& model, const Scene& scene,
   const std::string fixed = fixed_parameters(model, scene);
   if (!fixed.empty()) lines.emplace_back();
   add_prose(lines, fixed);
+  const std::string dropped = dropped_summary(program);
+  if (!dropped.empty()) lines.emplace_back();
+  add_prose(lines, dropped);
   return lines;
 }
 

@@ -164,6 +164,12 @@ const std::vector<KeyRow>& scene_rows() {
 
       {"scene.sizes", "*", integer, optional, true, "instead of the model's"},
 
+      {"scene.approximate", "order", integer, optional, later, "of the expansion"},
+      {"scene.approximate", "about", table, optional, later, "the state it is about"},
+      {"scene.approximate", "small", text, optional, later, "coordinates that count"},
+      {"scene.approximate", "drop_below", expression, optional, true,
+       "terms below this share of their entry's largest are left out"},
+
       {"scene.numeric", "scalar", choice_list, optional, true, "scalar types the code is for"},
       {"scene.numeric", "form", choice, optional, true, "of every output: closed or recursive"},
       {"scene.numeric", "check", table, optional, later, "ranges and tolerance of the checks"},
@@ -232,7 +238,7 @@ const std::vector<EntryRow>& entry_table() {
       {"scene.parameters", single, optional, true, "parameters that become numbers"},
       {"scene.sizes", single, optional, true, "sizes other than the model's"},
       {"scene.lock", single, optional, later, "coordinates held still"},
-      {"scene.approximate", single, optional, later, "expansion about a state"},
+      {"scene.approximate", single, optional, true, "small terms left out"},
       {"scene.numeric", single, optional, true, "arithmetic"},
       {"scene.emit", single, optional, true, "the emitted code"},
   };
