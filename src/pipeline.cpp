@@ -218,9 +218,8 @@ Products run_pipeline(const Inputs& inputs, const PipelineOptions& options) {
       "derive", [&] { return derive(*specialised, out.checked->scene.outputs, limits); });
   const auto recursive =
       stages.run("lower", [&] { return lower(*equations, out.checked->scene.outputs, limits); });
-  auto forms = stages.run("present", [&] {
-    return presented(*specialised, *out.checked, *recursive, limits);
-  });
+  auto forms = stages.run(
+      "present", [&] { return presented(*specialised, *out.checked, *recursive, limits); });
   auto choice = stages.run("choose", [&] {
     return choose(*recursive, forms->reduced ? forms->reduced->forms : forms->exact,
                   out.checked->scene);

@@ -40,7 +40,6 @@ struct Reduction {
 };
 
 /// Null where the output is exact.
-[[nodiscard]] const ReducedOutput* find_reduced(const std::optional<Reduction>& reduction,
-                                                OutputKind kind);
+[[nodiscard]] const ReducedOutput* find_reduced(const Reduction& reduction, OutputKind kind);
 
 }  // namespace elgen

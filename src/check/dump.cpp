@@ -136,6 +136,7 @@ std::string dump(const Scene& scene) {
     text += "output " + output.name + " " + std::to_string(output.rows) + " " +
             std::to_string(output.columns) + "\n";
   }
+  if (scene.dropping) text += "drop below " + number_text(scene.dropping->below) + "\n";
   return text;
 }
 

@@ -62,7 +62,7 @@ class DroppingReader {
     dropping.span = key.value.span;
     const auto share = ValueReader(context_, Scope(context_.sizes)).constant(key.value);
     if (!share) return;
-    if (!cln::plusp(*share) || *share >= 1 || !cln::instanceof(*share, cln::cl_RA_ring)) {
+    if (!cln::plusp(*share) || *share >= 1 || !cln:: instanceof (*share, cln::cl_RA_ring)) {
       refuse(dropping.span, "a share of the largest term is a rational number between 0 and 1");
       return;
     }
@@ -84,11 +84,14 @@ class DroppingReader {
   void check_output(const OutputRequest& output, const Span& otherwise) {
     // Outputs that no list names have no place of their own.
     const Span& place = output.span.source == nullptr ? otherwise : output.span;
-    const bool is_reduced =
-        find_row(output.kind) != nullptr || output.kind == K::input_matrix || output.kind == K::dynamics;
+    const bool is_reduced = find_row(output.kind) != nullptr || output.kind == K::input_matrix ||
+                            output.kind == K::dynamics;
     if (has_no_terms(output.kind)) {
-      refuse(place, quoted(output.name) + " solves or differentiates the equations of motion, "
-             "and is not reduced", "emit `mass_matrix` and `bias`, and solve M a = B u - bias with them");
+      refuse(place,
+             quoted(output.name) +
+                 " solves or differentiates the equations of motion, "
+                 "and is not reduced",
+             "emit `mass_matrix` and `bias`, and solve M a = B u - bias with them");
     } else if (is_reduced && output.form == Form::recursive) {
       refuse(place, quoted(output.name) + " has no terms to drop in its recursive form");
     }

@@ -198,7 +198,8 @@ class Choosing {
   Diagnostics choose_form(std::size_t index) {
     const Function& function = recursive_.functions[index];
     const ReadableEntries& entries = entries_of(index);
-    const std::optional<Form> wish = is_reduced(function) ? Form::closed : wish_for(scene_, function);
+    const std::optional<Form> wish =
+        is_reduced(function) ? Form::closed : wish_for(scene_, function);
     const bool wants_closed = wish == Form::closed;
     FormCosts costs{function.name, count_operations(function)};
     costs.is_asked_for = wish.has_value();
@@ -242,7 +243,7 @@ class Choosing {
   const Scene& scene_;
   std::map<std::string, ReadableEntries> entries_;
   std::set<std::string> reduced_;  ///< names of functions
-  Function closed_;  ///< of the function being compared
+  Function closed_;                ///< of the function being compared
   Choice result_;
 };
 

@@ -23,10 +23,9 @@ struct SubjectRow {
   Subject subject;
 };
 
-constexpr std::array subjects{SubjectRow{"lagrangian", Subject::lagrangian},
-                              SubjectRow{"steps", Subject::steps},
-                              SubjectRow{"cost", Subject::cost},
-                              SubjectRow{"dropped", Subject::dropped}};
+constexpr std::array subjects{
+    SubjectRow{"lagrangian", Subject::lagrangian}, SubjectRow{"steps", Subject::steps},
+    SubjectRow{"cost", Subject::cost}, SubjectRow{"dropped", Subject::dropped}};
 
 bool has_formulas(Subject subject) {
   return subject != Subject::cost && subject != Subject::dropped;

@@ -66,9 +66,9 @@ std::string table(const std::vector<TableRow>& rows) {
   }
   std::string text;
   for (const TableRow& row : rows) {
-    text += row.bound.empty()
-                ? fmt::format("{:<{}}  {}\n", row.name, names, row.value)
-                : fmt::format("{:<{}}  {:<{}}  {}\n", row.name, names, row.value, values, row.bound);
+    text += row.bound.empty() ? fmt::format("{:<{}}  {}\n", row.name, names, row.value)
+                              : fmt::format("{:<{}}  {:<{}}  {}\n", row.name, names, row.value,
+                                            values, row.bound);
   }
   return text;
 }
@@ -127,7 +127,9 @@ std::string dropped_summary(const Program& program) {
   }
   const std::size_t count = reduction.terms.size();
   const std::string counted = fmt::format("{} {}", count, count == 1 ? "term" : "terms");
-  if (count == 0) return fmt::format("No term is below {} of its entry.", exact_text(reduction.below));
+  if (count == 0) {
+    return fmt::format("No term is below {} of its entry.", exact_text(reduction.below));
+  }
   return fmt::format(
       "Approximate: {} below {} of the largest of their entry left out; within the declared ranges "
       "entries are off by at most {} of their largest term.",

@@ -32,12 +32,10 @@ std::size_t operand_count(const Instruction& instruction) {
   return 0;
 }
 
-const ReducedOutput* find_reduced(const std::optional<Reduction>& reduction, OutputKind kind) {
-  if (!reduction) return nullptr;
-  const auto found =
-      std::find_if(reduction->outputs.begin(), reduction->outputs.end(),
-                   [&](const ReducedOutput& output) { return output.kind == kind; });
-  return found == reduction->outputs.end() ? nullptr : &*found;
+const ReducedOutput* find_reduced(const Reduction& reduction, OutputKind kind) {
+  const auto found = std::find_if(reduction.outputs.begin(), reduction.outputs.end(),
+                                  [&](const ReducedOutput& output) { return output.kind == kind; });
+  return found == reduction.outputs.end() ? nullptr : &*found;
 }
 
 std::size_t entry_count(const Function& function) {

@@ -190,8 +190,8 @@ std::optional<Enclosure> Bounds::of_call(const Atom& atom) {
     case FunctionId::max:
       break;
     default:
-      return miss({}, fmt::format("`drop_below` has no bound of `{}`",
-                                  function_row(atom.function).name));
+      return miss(
+          {}, fmt::format("`drop_below` has no bound of `{}`", function_row(atom.function).name));
   }
   // |x|, min and max are at most the largest of their arguments.
   cl_RA largest = 0;

@@ -106,8 +106,8 @@ Values Consequences::gravity() {
 Values Consequences::drift() {
   Values explicit_rate;
   for (const Value& entry : of(OutputKind::mass_matrix)) {
-    explicit_rate.push_back(
-        entry ? rate(arithmetic_, algebra_, *entry, along_time(size_)) : std::nullopt);
+    explicit_rate.push_back(entry ? rate(arithmetic_, algebra_, *entry, along_time(size_))
+                                  : std::nullopt);
   }
   return times(explicit_rate, Opcode::velocity);
 }
@@ -115,8 +115,7 @@ Values Consequences::drift() {
 /// C v + drift + g + dD/dv - Q
 Values Consequences::bias() {
   Values result = of(OutputKind::velocity_force);
-  for (const OutputKind part :
-       {OutputKind::drift, OutputKind::gravity, OutputKind::dissipation}) {
+  for (const OutputKind part : {OutputKind::drift, OutputKind::gravity, OutputKind::dissipation}) {
     result = sum(std::move(result), of(part));
   }
   return sum(std::move(result), of(OutputKind::applied_force), -1);

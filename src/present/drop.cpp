@@ -133,8 +133,8 @@ class Drop {
     Values dropped(entries.size());
     for (std::size_t index = 0; index < entries.size(); ++index) {
       const std::size_t mirror = index % n * n + index / n;
-      dropped[index] = mirror < index ? dropped[mirror]
-                                      : small_terms(*entries[index], K::mass_matrix, index, n);
+      dropped[index] =
+          mirror < index ? dropped[mirror] : small_terms(*entries[index], K::mass_matrix, index, n);
     }
     return dropped;
   }
@@ -144,8 +144,8 @@ class Drop {
     bool acts = false;
     const std::size_t n = largest.size();
     for (std::size_t i = 0; i < n; ++i) {
-      const Value force = presenting::rate(arithmetic_, forms_.algebra, term,
-                                           presenting::along_coordinate(i, n));
+      const Value force =
+          presenting::rate(arithmetic_, forms_.algebra, term, presenting::along_coordinate(i, n));
       if (!force) fail_given_up("gravity");
       if (!force || force->numerator.empty()) continue;
       acts = true;

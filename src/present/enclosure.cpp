@@ -37,8 +37,9 @@ Enclosure enclosure_of(const cln::cl_R& value) { return enclosure_of(value, valu
 
 Enclosure enclosure_of(const cln::cl_R& low, const cln::cl_R& high) {
   Enclosure result{cln::rational(low), cln::rational(high)};
-  if (!cln::instanceof(low, cln::cl_RA_ring)) result.low = result.low - uncertainty(result.low);
-  if (!cln::instanceof(high, cln::cl_RA_ring)) result.high = result.high + uncertainty(result.high);
+  if (!cln:: instanceof (low, cln::cl_RA_ring)) result.low = result.low - uncertainty(result.low);
+  if (!cln:: instanceof (high, cln::cl_RA_ring))
+    result.high = result.high + uncertainty(result.high);
   return result;
 }
 

@@ -1,4 +1,5 @@
-// Terms as text. Factors stand as the model declares them: parameters, coordinates, rates, the rest.
+// Terms as text. Factors stand as the model declares them: parameters, coordinates, rates, the
+// rest.
 #include "term_text.hpp"
 
 #include <fmt/format.h>
@@ -55,8 +56,8 @@ class TermText {
     for (const AtomPower& power : ordered(monomial)) {
       if (algebra_.atoms[power.atom].kind == AtomKind::circular) continue;
       const std::int32_t exponent = std::abs(power.exponent);
-      const std::string own = atom(algebra_.atoms[power.atom]) +
-                              (exponent == 1 ? "" : fmt::format("^{}", exponent));
+      const std::string own =
+          atom(algebra_.atoms[power.atom]) + (exponent == 1 ? "" : fmt::format("^{}", exponent));
       if (power.exponent < 0) {
         divided += "/" + own;
       } else {

@@ -52,9 +52,9 @@ double largest_change(const ReducedOutput& dropped, const std::vector<MassSample
     double sum = 0;
     for (std::size_t j = 0; j < n; ++j) {
       const double error = ScalarTraits<double>::from_real(dropped.errors[i * n + j].constant);
-      if (error > 0) sum += least[i] > 0 && least[j] > 0
-                                ? error / std::sqrt(least[i] * least[j])
-                                : std::numeric_limits<double>::infinity();
+      if (error > 0)
+        sum += least[i] > 0 && least[j] > 0 ? error / std::sqrt(least[i] * least[j])
+                                            : std::numeric_limits<double>::infinity();
     }
     largest = std::max(largest, sum);
   }
@@ -68,15 +68,13 @@ bool stays_definite(std::vector<Real> m, std::size_t n, double change) {
   for (std::size_t i = 0; i < n; ++i) m[i * n + i] = m[i * n + i] * factor;
   if (!(change < 0.5)) return false;
   const auto pivots = relative_pivots(m, n);
-  return pivots && std::all_of(pivots->begin(), pivots->end(), [](const Real& pivot) {
-           return cln::plusp(pivot.value());
-         });
+  return pivots && std::all_of(pivots->begin(), pivots->end(),
+                               [](const Real& pivot) { return cln::plusp(pivot.value()); });
 }
 
 }  // namespace
 
-Diagnostics check_definiteness(const Model& model, const Scene& scene,
-                               const Reduction& reduction) {
+Diagnostics check_definiteness(const Model& model, const Scene& scene, const Reduction& reduction) {
   const ReducedOutput* dropped = find_reduced(reduction, OutputKind::mass_matrix);
   if (dropped == nullptr) return {};
   const Program none;

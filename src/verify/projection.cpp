@@ -58,8 +58,7 @@ Sum contracted(const Subject& subject, const FunctionRun& run, const State& stat
     const Bound& entry = run.exact.entries[i];
     const Real size(cln::abs(factor));
     sum.add(entry.value * Real(factor), entry.bound * size);
-    sum.stated =
-        sum.stated + stated_error(subject.program, run.function.kind, i, state) * size;
+    sum.stated = sum.stated + stated_error(subject.program, run.function.kind, i, state) * size;
   }
   return sum;
 }

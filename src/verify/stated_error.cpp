@@ -6,7 +6,8 @@ namespace elgen {
 Real stated_error(const Program& program, OutputKind output, std::size_t entry,
                   const State& state) {
   static const cln::cl_RA slack = 1 + cln::expt(cln::cl_RA(2), -20);
-  const ReducedOutput* reduced = find_reduced(program.reduction, output);
+  const ReducedOutput* reduced =
+      program.reduction ? find_reduced(*program.reduction, output) : nullptr;
   if (reduced == nullptr) return {};
   const EntryError& error = reduced->errors[entry];
   cln::cl_R total = error.constant;

@@ -4,7 +4,6 @@
 #include "elgen/evaluate.hpp"
 #include "elgen/oracle.hpp"
 #include "elgen/program.hpp"
-#include "evaluate/real.hpp"
 
 namespace elgen {
 

@@ -218,7 +218,8 @@ std::vector<SampledState<Scalar>> sample_states(const Subject& subject, const Sa
   std::vector<SampledState<double>> states;
   for (std::size_t i = 0; i < sampling.count; ++i) {
     // 2^-40 = 1e-12, 2^-10 = 1e-3, 2^27 = 1e8
-    if (i % 4 < 2 || inside) states.push_back({Region::nominal, {}, nominal(subject, ranges, random)});
+    if (i % 4 < 2 || inside)
+      states.push_back({Region::nominal, {}, nominal(subject, ranges, random)});
     if (inside) continue;
     if (i % 4 == 2) states.push_back({Region::small, {}, scaled(subject, random, -40, -11)});
     if (i % 4 == 3) states.push_back({Region::large, {}, scaled(subject, random, -27, 26)});

@@ -48,7 +48,7 @@ TEST_CASE("entries that come later say so", "[parse]") {
   CHECK(model_answer(base + "[[constraint]]\n[[function]]\n") == "E108 6:1\nE108 7:1");
   const std::string scene = "format = 1\nmodel = \"m\"\nname = \"s\"\n";
   CHECK(scene_answer(scene + "[lock]\nx = {value = 1}\n[approximate]\norder = 1\n") ==
-        "E108 4:1\nE108 6:1");
+        "E108 4:1\nE108 7:1");
 }
 
 TEST_CASE("a model without a name or coordinates is told so", "[parse]") {
