@@ -66,8 +66,9 @@ class DroppingReader {
       refuse(dropping.span, "a share of the largest term is a rational number between 0 and 1");
       return;
     }
-    if (!context_.model.rotations.empty()) {
-      refuse(dropping.span, "models with rotations are not reduced");
+    if (!context_.model.rotations.empty() || !context_.model.quadratic) {
+      refuse(dropping.span,
+             "models with rotations, or not quadratic in the rates, are not reduced");
       return;
     }
     dropping.below = cln::rational(*share);

@@ -22,7 +22,9 @@ class TermText {
 
   [[nodiscard]] std::string fraction(const Fraction& x) const {
     std::string text;
-    for (const Fraction& term : terms_of(algebra_, x)) {
+    std::vector<Fraction> terms = terms_of(algebra_, x);
+    std::reverse(terms.begin(), terms.end());  // what leads stands first
+    for (const Fraction& term : terms) {
       const auto& [monomial, coefficient] = *term.numerator.rbegin();
       const std::string angle = angle_of(monomial);
       if (angle.empty()) {
