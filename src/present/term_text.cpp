@@ -22,9 +22,7 @@ class TermText {
 
   [[nodiscard]] std::string fraction(const Fraction& x) const {
     std::string text;
-    std::vector<Fraction> terms = terms_of(algebra_, x);
-    std::reverse(terms.begin(), terms.end());  // what leads stands first
-    for (const Fraction& term : terms) {
+    for (const Fraction& term : in_order(terms_of(algebra_, x))) {
       const auto& [monomial, coefficient] = *term.numerator.rbegin();
       const std::string angle = angle_of(monomial);
       if (angle.empty()) {
@@ -79,15 +77,32 @@ class TermText {
     }
   }
 
+  using Key = std::tuple<bool, Opcode, std::uint32_t, AtomId>;
+
+  /// Leaves as they are declared, then the rest as it was met.
+  [[nodiscard]] Key key_of(const AtomPower& power) const {
+    const Atom& known = algebra_.atoms[power.atom];
+    if (known.kind != AtomKind::leaf) return {true, Opcode::constant, 0, power.atom};
+    return {false, known.leaf, known.index, power.atom};
+  }
+
   [[nodiscard]] Monomial ordered(Monomial monomial) const {
-    const auto key = [&](const AtomPower& power) {
-      const Atom& known = algebra_.atoms[power.atom];
-      const bool is_leaf = known.kind == AtomKind::leaf;
-      return std::tuple(!is_leaf, is_leaf ? known.leaf : Opcode::constant, known.index, power.atom);
-    };
     std::sort(monomial.begin(), monomial.end(),
-              [&](const AtomPower& a, const AtomPower& b) { return key(a) < key(b); });
+              [&](const AtomPower& a, const AtomPower& b) { return key_of(a) < key_of(b); });
     return monomial;
+  }
+
+  [[nodiscard]] std::vector<Fraction> in_order(std::vector<Fraction> terms) const {
+    const auto keys = [&](const Fraction& term) {
+      std::vector<Key> result;
+      for (const AtomPower& power : ordered(term.numerator.rbegin()->first)) {
+        result.push_back(key_of(power));
+      }
+      return result;
+    };
+    std::stable_sort(terms.begin(), terms.end(),
+                     [&](const Fraction& a, const Fraction& b) { return keys(a) < keys(b); });
+    return terms;
   }
 
   /// The sum of exponent/divisor * argument over the exponentials; empty without any.

@@ -19,7 +19,8 @@ Wanted scene_of(const std::string& outputs, const std::string& share = "1e-3") {
 
 std::string parts_of(const std::string& outputs, const std::string& more = {}) {
   std::string names;
-  for (const OutputRequest& part : checked(block(more), scene_of(outputs)).scene.dropping->parts) {
+  const Scene scene = checked(block(more), scene_of(outputs)).scene;
+  for (const OutputRequest& part : scene.dropping.value().parts) {
     names += (names.empty() ? "" : " ") + part.name;
   }
   return names;

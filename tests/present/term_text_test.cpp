@@ -35,7 +35,7 @@ TEST_CASE("products of leaves, sines and cosines") {
   CHECK(text_of("3") == "3");
   CHECK(text_of("-x*m") == "-m*x");
   CHECK(text_of("k*m^2*dot(x)*cos(x - 2*y)/4") == "0.25*m^2*k*dot(x)*cos(x - 2*y)");
-  CHECK(text_of("m*sin(x)^2") == "m - 0.5*m*cos(2*x)");
+  CHECK(text_of("m*sin(x)^2") == "0.5*m - 0.5*m*cos(2*x)");
   CHECK(text_of("2*m/(k*x^2)") == "2*m/k/x^2");
 }
 
