@@ -51,7 +51,7 @@ TEST_CASE("the mass matrix takes v where L is not quadratic") {
 
 TEST_CASE("a chosen namespace is used, the file keeps its name") {
   elgen::Scene scene = sample::scene();
-  scene.emission.cpp_namespace = "plant";
+  scene.emission.name_space = "plant";
   const std::string text = driver(sample::model(), scene);
   CHECK_THAT(text, Contains("#include \"sample/sample.hpp\""));
   CHECK_THAT(text, Contains("namespace emitted = ::plant;"));

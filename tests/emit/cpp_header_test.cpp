@@ -1,8 +1,7 @@
-// header: which parts a header has; the golden header shows them whole.
-#include "emit/header.hpp"
-
+// cpp_header: which parts a header has; the golden header shows them whole.
 #include <algorithm>
 
+#include "emit/languages.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;

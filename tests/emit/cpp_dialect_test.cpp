@@ -1,9 +1,10 @@
-// cpp_body: small functions, line for line.
-#include "emit/cpp_body.hpp"
+// cpp_dialect: leaves, constants and calls, then small functions, line for line.
+#include "emit/cpp_dialect.hpp"
 
 #include <fmt/format.h>
 
-#include "emit/cpp_spelling.hpp"
+#include "emit/definition.hpp"
+#include "emit/fields.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;
@@ -13,15 +14,16 @@ using elgen::testing::Subject;
 namespace {
 
 std::string body_of(const Subject& subject, const Function& function) {
-  const CppSpelling spelling(subject.model, subject.program);
-  const FunctionBody body = statements(subject.program, function, spelling);
-  return cpp_body(cpp_text(subject.program, function, body));
+  const CppDialect dialect(subject.model, subject.program);
+  return definition(dialect, subject.program, function, Storage::row_major).whole.body;
 }
 
 std::string body_of(std::size_t function) {
   const Subject subject = cart_pole();
   return body_of(subject, subject.program.functions[function]);
 }
+
+Instruction leaf(Opcode opcode, std::uint32_t index) { return {opcode, FunctionId::sin, index, 0}; }
 
 }  // namespace
 
@@ -78,24 +80,38 @@ TEST_CASE("big results are written entry by entry") {
   CHECK(body.find("return") == std::string::npos);
 }
 
-TEST_CASE("a part writes its own values, the shared ones and the entries") {
+TEST_CASE("leaves") {
   Subject subject = cart_pole();
-  subject.program = elgen::testing::read_program(
-      "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  1 = sin 0\n"
-      "  2 = add 1 0  ; sum\n  3 = multiply 2 2  ; square\n  4 = multiply 3 1\n"
-      "  result 2 1 = 3 4\n");
-  const Function& function = subject.program.functions[0];
-  const CppSpelling spelling(subject.model, subject.program);
-  const Sections cut = sections(statements(subject.program, function, spelling), 3);
-  REQUIRE(cut.parts.size() == 2);
-  const FunctionBody body = statements(subject.program, function, spelling, cut.crosses);
-  const CppText text = cpp_text(subject.program, function, body);
-  CHECK(cpp_part(text, cut, 0) ==
-        "  using std::sin;\n"
-        "  w.sin_x = sin(q[0]);\n"
-        "  const Scalar sum = w.sin_x + q[0];\n"
-        "  w.square = sum * sum;\n");
-  CHECK(cpp_part(text, cut, 1) ==
-        "  result[0] = w.square;\n"
-        "  result[1] = w.square * w.sin_x;\n");
+  elgen::testing::add_parameter_array(subject.model, "k", {1, 2});
+  subject.program.leaves.parameters = {"g", "k[2]"};
+  const CppDialect spelling(subject.model, subject.program);
+  CHECK(spelling.leaf(leaf(Opcode::parameter, 0)) == "p.g");
+  CHECK(spelling.leaf(leaf(Opcode::parameter, 1)) == "p.k[1]");
+  CHECK(spelling.leaf(leaf(Opcode::coordinate, 1)) == "q[1]");
+  CHECK(spelling.leaf(leaf(Opcode::velocity, 0)) == "v[0]");
+  CHECK(spelling.leaf(leaf(Opcode::acceleration, 0)) == "a[0]");
+  CHECK(spelling.leaf(leaf(Opcode::input, 0)) == "u[0]");
+  CHECK(spelling.leaf(leaf(Opcode::time, 0)) == "t");
+}
+
+TEST_CASE("constants stand where they are used when they are short") {
+  const Subject subject = cart_pole();
+  const CppDialect spelling(subject.model, subject.program);
+  CHECK(spelling.constant({2, "2"}).text == "constant<Scalar>(2.0)");
+  CHECK(spelling.constant({cln::cl_RA(1) / 3, "1/3"}).text == "number_1_3<Scalar>()");
+  const Term negative = spelling.constant({-1, "-1"});
+  CHECK(negative.text == "-constant<Scalar>(1.0)");
+  CHECK(negative.precedence == Precedence::negation);
+}
+
+TEST_CASE("calls") {
+  const Subject subject = cart_pole();
+  const CppDialect spelling(subject.model, subject.program);
+  CHECK(spelling.call(FunctionId::atan2, "y, x") == "atan2(y, x)");
+  CHECK(spelling.call(FunctionId::sign, "x") == "detail::sign_of<Scalar>(x)");
+  CHECK(spelling.call(FunctionId::min, "x, y") == "detail::smaller<Scalar>(x, y)");
+  CHECK(spelling.call(FunctionId::max, "x, y") == "detail::larger<Scalar>(x, y)");
+  CHECK(spelling.square_root("x") == "sqrt(x)");
+  CHECK(spelling.temporary("sin") == "sin_");
+  CHECK(spelling.shared("sin_theta") == "w.sin_theta");
 }
