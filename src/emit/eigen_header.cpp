@@ -1,6 +1,6 @@
 // eigen_header: every function copies its arguments into std::array (a reinterpreted Map would be
-// undefined), calls the one of the other header, and gives Maps of the result their types. Inlined,
-// the copies are gone: tests/bench/eigen_overhead.cpp.
+// undefined), calls the one of the other header, and gives the result its type by a Map. What the
+// copies cost: nothing to a tenth of panda7 with clang++, a quarter with g++ -O2, a tenth with -O3.
 #include "eigen_header.hpp"
 
 #include <fmt/format.h>
@@ -63,10 +63,9 @@ std::string body(const EmissionInput& input, const Function& function, const Tex
   for (std::size_t i = 0; i < function.fields.size(); ++i) {
     values.push_back(mapped(function.fields[i], scalars[i]));
   }
-  const std::string call = fmt::format("const auto result = ::{}::{}({});", name_space(input.scene),
-                                       function.name, fmt::join(given, ", "));
-  const Texts lines = wrap_expression(call, {line_width - 2, "      "});
-  const std::string start = fmt::format("  {}\n", fmt::join(lines, "\n"));
+  const std::string callee =
+      fmt::format("  const auto result = ::{}::{}", name_space(input.scene), function.name);
+  const std::string start = signature(callee, given, ";\n");
   if (!gives_struct(function)) return start + fmt::format("  return {};\n", values.front());
   return start + fmt::format("  return {{\n      {},\n  }};\n", fmt::join(values, ",\n      "));
 }

@@ -14,8 +14,8 @@ std::string signature(const std::string& start, const std::vector<std::string>& 
   const auto fits = [&](const std::string& argument) {
     return start.size() + argument.size() + end.size() + 4 <= line_width;
   };
-  const bool is_aligned = start.size() < widest_alignment &&
-                          std::all_of(arguments.begin(), arguments.end(), fits);
+  const bool is_aligned =
+      start.size() < widest_alignment && std::all_of(arguments.begin(), arguments.end(), fits);
   const std::string indent(is_aligned ? start.size() + 1 : 4, ' ');
   std::string text = start + "(" + (is_aligned ? "" : "\n" + indent);
   std::size_t column = indent.size();
