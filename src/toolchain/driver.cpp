@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "emit/arguments.hpp"
 #include "emit/emission_input.hpp"
 #include "emit/fields.hpp"
@@ -89,11 +91,21 @@ extern "C" void {symbol}(const {scalar}* parameters, const {scalar}* q, const {s
 }}
 )";
 
+/// Whether the scene makes a parameter a number, so that it is no member.
+bool is_fixed(const Subject& subject, const std::string& name) {
+  const auto& fixed = subject.scene.specialisation.fixed;
+  return std::any_of(fixed.begin(), fixed.end(), [&](const auto& entry) {
+    return subject.model.parameters[entry.first].name == name;
+  });
+}
+
 /// "  result.l[1] = values[3];" for every run-time parameter, in the order of the program's leaves.
 std::string parameter_assignments(const Subject& subject) {
-  const std::vector<std::string> members = parameter_members(subject.model, subject.program.leaves);
+  const LeafNames& leaves = subject.program.leaves;
+  const std::vector<std::string> members = parameter_members(subject.model, leaves);
   std::string text;
   for (std::size_t i = 0; i < members.size(); ++i) {
+    if (is_fixed(subject, leaves.parameters[i])) continue;
     text += fmt::format("  result.{} = values[{}];\n", members[i], i);
   }
   return text;
