@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include "cpp_spelling.hpp"
 #include "dropped_terms.hpp"
 #include "elgen/render.hpp"
 #include "entry_units.hpp"

@@ -183,9 +183,10 @@ const std::vector<KeyRow>& scene_rows() {
       {"scene.numeric", "batch", integer, optional, later, "states evaluated at once"},
 
       {"scene.emit", "language", choice, optional, true, "language of the emitted code"},
-      {"scene.emit", "namespace", text, optional, true, "C++ namespace, instead of the base name"},
-      {"scene.emit", "eigen", boolean, optional, later, "overloads for Eigen"},
-      {"scene.emit", "storage", text, optional, later, "order of matrix entries"},
+      {"scene.emit", "namespace", text, optional, true,
+       "C++ namespace or prefix in C, instead of the base name"},
+      {"scene.emit", "eigen", boolean, optional, true, "the same functions on Eigen types"},
+      {"scene.emit", "storage", choice, optional, true, "order of matrix entries"},
   };
   return rows;
 }
@@ -211,10 +212,13 @@ const std::vector<ChoiceRow>& choice_table() {
       {"parameters.*", "assume", "positive"},     {"parameters.*", "assume", "nonnegative"},
       {"body", "inertia_about", "com"},           {"body", "inertia_about", "origin"},
       {"scene.numeric", "scalar", "float"},       {"scene.numeric", "scalar", "double"},
-      {"scene.numeric", "scalar", "long double"}, {"scene.emit", "language", "c++17"},
-      {"scene.emit", "language", "c99", later},   {"scene.numeric", "form", "closed"},
+      {"scene.numeric", "scalar", "long double"}, {"scene.numeric", "form", "closed"},
       {"scene.numeric", "form", "recursive"},     {"scene.outputs.*", "form", "closed"},
-      {"scene.outputs.*", "form", "recursive"},
+      {"scene.outputs.*", "form", "recursive"},   {"scene.emit", "storage", "row-major"},
+      {"scene.emit", "storage", "column-major"},
+#define ELGEN_LANGUAGE(id, name, ending, scalars) {"scene.emit", "language", name},
+#include "elgen/languages.def"
+#undef ELGEN_LANGUAGE
   };
   return rows;
 }
