@@ -89,17 +89,6 @@ std::string part_name(const Function& function, std::size_t part) {
   return fmt::format("{}_part_{}", function.name, part + 1);
 }
 
-/// Arguments that the body does not mention have no name.
-Texts declared_arguments(const std::vector<Argument>& arguments, const std::string& body) {
-  Texts texts;
-  for (const Argument argument : arguments) {
-    const std::string_view name = argument_name(argument);
-    texts.push_back(argument_type(argument) +
-                    (mentions(body, name) ? fmt::format(" {}", name) : ""));
-  }
-  return texts;
-}
-
 }  // namespace
 
 CppDialect::CppDialect(const Model& model, const Program& program)
@@ -149,7 +138,7 @@ std::string CppDialect::target(const Function& function, const SectionItem& entr
   const Field& field = function.fields[entry.field];
   const std::string member = field.name.empty() ? "" : "." + field.name;
   const bool is_number = is_scalar(kind_of_field(program_, function, field), field);
-  return "result" + member + (is_number ? "" : fmt::format("[{}]", entry.index));
+  return "result" + member + (is_number ? "" : element(entry.index));
 }
 
 std::string CppDialect::returned(const Function& function, const FunctionBody& body) const {
@@ -170,8 +159,34 @@ std::string CppDialect::opening(const Function& /*function*/, const std::string&
   return using_declarations(statements);
 }
 
+std::string CppDialect::element(std::uint32_t index) const { return fmt::format("[{}]", index); }
+
+std::string CppDialect::type_of_field(OutputKind kind, const Field& field) const {
+  return field_type(kind, field);
+}
+
+std::string CppDialect::type_of_argument(Argument argument) const {
+  return argument_type(argument);
+}
+
+std::string CppDialect::result_type(const Function& function) const {
+  if (gives_struct(function)) return cpp_struct_name(function) + "<Scalar>";
+  return type_of_field(function.kind, function.fields.front());
+}
+
+/// Arguments that the body does not mention have no name.
+Texts CppDialect::declared_arguments(const Function& function, const std::string& body) const {
+  Texts texts;
+  for (const Argument argument : arguments_of(model_, function)) {
+    const std::string_view name = argument_name(argument);
+    texts.push_back(type_of_argument(argument) +
+                    (mentions(body, name) ? fmt::format(" {}", name) : ""));
+  }
+  return texts;
+}
+
 std::string CppDialect::signature(const Function& function, const std::string& body) const {
-  Texts arguments = declared_arguments(arguments_of(model_, function), body);
+  Texts arguments = declared_arguments(function, body);
   const std::string type = result_type(function);
   if (is_returned(function)) {
     const std::string start = fmt::format("[[nodiscard]] {} {}", type, function.name);
@@ -186,7 +201,7 @@ std::string CppDialect::part_signature(const Function& function, std::size_t par
   Texts arguments = {result_type(function) + "&", workspace_name(function) + "<Scalar>&"};
   if (mentions(body, "result")) arguments[0] += " result";
   if (mentions(body, "w")) arguments[1] += " w";
-  const Texts own = declared_arguments(arguments_of(model_, function), body);
+  const Texts own = declared_arguments(function, body);
   arguments.insert(arguments.end(), own.begin(), own.end());
   return elgen::signature("void " + part_name(function, part), arguments, " noexcept");
 }
@@ -206,7 +221,7 @@ std::string CppDialect::calling_body(const Function& function, std::size_t parts
 }
 
 std::string CppDialect::member(const Function& function, const Field& field) const {
-  return fmt::format("{} {};", field_type(kind_of_field(program_, function, field), field),
+  return fmt::format("{} {};", type_of_field(kind_of_field(program_, function, field), field),
                      field.name);
 }
 

@@ -13,7 +13,7 @@
 
 namespace elgen {
 
-class CppDialect final : public Dialect {
+class CppDialect : public Dialect {
  public:
   CppDialect(const Model& model, const Program& program);
 
@@ -40,7 +40,21 @@ class CppDialect final : public Dialect {
   [[nodiscard]] std::string struct_name(const Function& function) const override;
   [[nodiscard]] std::string workspace_name(const Function& function) const override;
 
+ protected:
+  [[nodiscard]] const Model& model() const { return model_; }
+  /// "Forces<Scalar>", "ForwardDynamics<Scalar>": what the function returns.
+  [[nodiscard]] std::string result_type(const Function& function) const;
+
+  /// "[2]": after the name of an array.
+  [[nodiscard]] virtual std::string element(std::uint32_t index) const;
+  /// "SquareMatrix<Scalar>", "const Coordinates<Scalar>&"
+  [[nodiscard]] virtual std::string type_of_field(OutputKind kind, const Field& field) const;
+  [[nodiscard]] virtual std::string type_of_argument(Argument argument) const;
+
  private:
+  [[nodiscard]] std::vector<std::string> declared_arguments(const Function& function,
+                                                            const std::string& body) const;
+
   const Model& model_;
   const Program& program_;
   std::vector<std::string> parameters_;  ///< of each leaf number

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "cpp_names.hpp"
 #include "fields.hpp"
 
 namespace elgen {
@@ -37,11 +36,6 @@ std::string field_type(OutputKind kind, const Field& field) {
     default:
       return "Forces<Scalar>";
   }
-}
-
-std::string result_type(const Function& function) {
-  if (gives_struct(function)) return cpp_struct_name(function) + "<Scalar>";
-  return field_type(function.kind, function.fields.front());
 }
 
 std::string argument_type(Argument argument) {

@@ -1,4 +1,4 @@
-// cpp_types: fields, functions and arguments -> the C++ types that hold them.
+// cpp_types: fields and arguments -> the C++ types that hold them.
 #pragma once
 
 #include <string>
@@ -10,9 +10,6 @@ namespace elgen {
 
 /// "Forces<Scalar>", "Scalar", "std::array<Scalar, 3>": what holds a field of a function.
 [[nodiscard]] std::string field_type(OutputKind kind, const Field& field);
-
-/// "SquareMatrix<Scalar>", "ForwardDynamics<Scalar>"
-[[nodiscard]] std::string result_type(const Function& function);
 
 /// "const Coordinates<Scalar>&"
 [[nodiscard]] std::string argument_type(Argument argument);

@@ -24,24 +24,10 @@ std::string declarations(const Dialect& dialect, const FunctionBody& body) {
   return lines;
 }
 
-/// Entry by entry, in the order of storage.
-std::string result_assignments(const Dialect& dialect, const Function& function,
-                               const FunctionBody& body) {
-  std::string lines;
-  for (std::uint32_t field = 0; field < body.entries.size(); ++field) {
-    for (std::uint32_t index = 0; index < body.entries[field].size(); ++index) {
-      const SectionItem entry{true, field, index};
-      lines += assignment(dialect.target(function, entry, false), value_of(body, entry));
-    }
-  }
-  return lines;
-}
-
 std::string short_body(const Dialect& dialect, const Function& function, const FunctionBody& body) {
   const std::string returned = dialect.returned(function, body);
-  const std::string lines =
-      declarations(dialect, body) +
-      (returned.empty() ? result_assignments(dialect, function, body) : returned);
+  const std::string lines = declarations(dialect, body) +
+                            (returned.empty() ? assignments(dialect, function, body) : returned);
   return dialect.opening(function, lines, false) + lines;
 }
 
@@ -73,6 +59,18 @@ std::string assignment(const std::string& target, const Term& value) {
   const std::string start = fmt::format("  {} = ", target);
   const Wrapping wrapping{line_width - start.size() - 1, "      "};
   return start + fmt::format("{}", fmt::join(wrap_expression(value.text, wrapping), "\n")) + ";\n";
+}
+
+std::string assignments(const Dialect& dialect, const Function& function,
+                        const FunctionBody& body) {
+  std::string lines;
+  for (std::uint32_t field = 0; field < body.entries.size(); ++field) {
+    for (std::uint32_t index = 0; index < body.entries[field].size(); ++index) {
+      const SectionItem entry{true, field, index};
+      lines += assignment(dialect.target(function, entry, false), value_of(body, entry));
+    }
+  }
+  return lines;
 }
 
 Definition definition(const Dialect& dialect, const Program& program, const Function& function,

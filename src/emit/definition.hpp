@@ -31,4 +31,8 @@ struct Definition {
 /// "  target = …;\n", broken before operators.
 [[nodiscard]] std::string assignment(const std::string& target, const Term& value);
 
+/// Every entry to its target, in the order of storage.
+[[nodiscard]] std::string assignments(const Dialect& dialect, const Function& function,
+                                      const FunctionBody& body);
+
 }  // namespace elgen

@@ -8,7 +8,7 @@
 
 namespace elgen {
 
-/// The text with its body hash. Functions whose result is too large to be returned are left out.
+/// The text with its body hash.
 [[nodiscard]] std::string eigen_header(const EmissionInput& input);
 
 /// E701 for functions that would take a name of this header.

@@ -75,6 +75,7 @@ TemplateData function_data(const EmissionInput& input, const Dialect& dialect, s
   const bool has_struct = gives_struct(function);
   data.set("struct",
            section_if(has_struct, has_struct ? struct_data(text, dialect) : TemplateData()));
+  data.set("summary", function_heading(text));
   data.set("documentation", lines_data(function_docs(text)));
   const Definition written =
       definition(dialect, input.program, function, input.scene.emission.storage);

@@ -71,13 +71,18 @@ TEST_CASE("big results are written entry by entry") {
   Subject subject = cart_pole();
   Function function;
   function.kind = OutputKind::bias;
+  function.name = "bias";
   function.instructions = {{Opcode::velocity, FunctionId::sin, 1, 0}};
   function.names = {""};
   const auto count = static_cast<std::uint32_t>(largest_returned + 1);
   function.fields = {{"", count, 1, std::vector<std::uint32_t>(count, 0)}};
-  const std::string body = body_of(subject, function);
-  CHECK(body.rfind("  result[0] = v[1];\n  result[1] = v[1];\n", 0) == 0);
-  CHECK(body.find("return") == std::string::npos);
+  const CppDialect dialect(subject.model, subject.program);
+  const Definition written = definition(dialect, subject.program, function, Storage::row_major);
+  REQUIRE(written.parts.size() > 1);
+  const std::string& first = written.parts.front().body;
+  CHECK(first.rfind("  result[0] = v[1];\n  result[1] = v[1];\n", 0) == 0);
+  CHECK(written.whole.signature.rfind("void bias(Forces<Scalar>& result,", 0) == 0);
+  CHECK(written.whole.body.find("return") == std::string::npos);
 }
 
 TEST_CASE("leaves") {

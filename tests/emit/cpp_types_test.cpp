@@ -1,10 +1,9 @@
-// cpp_types: the types of fields and results.
+// cpp_types: the types of fields.
 #include "emit/cpp_types.hpp"
 
 #include "fixture.hpp"
 
 using namespace elgen;
-using elgen::testing::cart_pole;
 
 TEST_CASE("types of fields") {
   const Field vector{"", 2, 1, {0, 0}};
@@ -17,10 +16,4 @@ TEST_CASE("types of fields") {
   CHECK(field_type(OutputKind::user_value, one) == "Scalar");
   CHECK(field_type(OutputKind::user_jacobian, {"", 3, 2, {}}) ==
         "std::array<Scalar, 3 * velocity_count>");
-}
-
-TEST_CASE("types of results") {
-  const Program program = cart_pole().program;
-  CHECK(result_type(program.functions[0]) == "SquareMatrix<Scalar>");
-  CHECK(result_type(program.functions[4]) == "ForwardDynamics<Scalar>");
 }
