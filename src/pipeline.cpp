@@ -4,10 +4,12 @@
 //     -> emit -> self-check
 #include "elgen/pipeline.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
 #include "elgen/choose.hpp"
+#include "elgen/drop.hpp"
 #include "elgen/equations_of_motion.hpp"
 #include "elgen/inspect.hpp"
 #include "elgen/lagrangian.hpp"
@@ -95,6 +97,71 @@ Result<SelfCheck> checked(const CheckedModel& checked, const Program& program, d
   return Diagnostic{Code::E911, {}, "self-check failed: " + check.failure};
 }
 
+/// The outputs, and the parts of those that are reduced, each once.
+std::vector<OutputRequest> with_parts(const Scene& scene) {
+  std::vector<OutputRequest> all;
+  for (const OutputRequest& output : scene.outputs) {
+    if (output.kind != OutputKind::dynamics) all.push_back(output);
+  }
+  for (const OutputRequest& part : scene.dropping->parts) {
+    const bool is_known = std::any_of(all.begin(), all.end(), [&](const OutputRequest& output) {
+      return output.kind == part.kind;
+    });
+    if (!is_known) all.push_back(part);
+  }
+  return all;
+}
+
+/// The forms of `program`'s functions out of those of a program that has more.
+std::vector<ClosedFunction> selected(const Program& program, const Program& whole,
+                                     const ClosedForms& forms) {
+  std::vector<ClosedFunction> result;
+  for (const Function& function : program.functions) {
+    ClosedFunction& closed = result.emplace_back();
+    for (std::size_t i = 0; i < whole.functions.size(); ++i) {
+      const Function& known = whole.functions[i];
+      if (known.kind == function.kind && known.user == function.user) closed = forms.functions[i];
+    }
+  }
+  return result;
+}
+
+/// The closed forms of `recursive` without their small terms. The parts are derived with them, so
+/// that all are sums over one algebra.
+Result<ReducedForms> reduced(const Lagrangian& lagrangian, const CheckedModel& checked,
+                             const Program& recursive, const Limits& limits) {
+  const auto& [model, scene] = checked;
+  const std::vector<OutputRequest> wanted = with_parts(scene);
+  const Result<EquationsOfMotion> equations = derive(lagrangian, wanted, limits);
+  if (!equations) return equations.diagnostics;
+  const Result<Program> program = lower(*equations, wanted, limits);
+  if (!program) return program.diagnostics;
+  Result<ReducedForms> reduced = drop_terms(*program, present(*program), model, *scene.dropping);
+  if (!reduced) return reduced.diagnostics;
+  Diagnostics refused = check_definiteness(model, scene, reduced->reduction);
+  if (!refused.empty()) return refused;
+  reduced->forms.functions = selected(recursive, *program, reduced->forms);
+  return reduced;
+}
+
+/// The closed forms as they are, and without small terms where the scene wants that.
+struct Presented {
+  ClosedForms exact;
+  std::optional<ReducedForms> reduced;
+};
+std::string dump(const Presented& p) { return dump(p.reduced ? p.reduced->forms : p.exact); }
+
+Result<Presented> presented(const Lagrangian& lagrangian, const CheckedModel& checked,
+                            const Program& recursive, const Limits& limits) {
+  Presented result{present(recursive), {}};
+  if (checked.scene.dropping) {
+    Result<ReducedForms> without = reduced(lagrangian, checked, recursive, limits);
+    if (!without) return without.diagnostics;
+    result.reduced = std::move(*without);
+  }
+  return result;
+}
+
 std::string name_of(const Model& model, const Entity& origin) {
   if (origin.kind == EntityKind::point) return model.points[origin.index].name;
   if (origin.kind == EntityKind::body) return model.bodies[origin.index].name;
@@ -155,12 +222,16 @@ Products run_pipeline(const Inputs& inputs, const PipelineOptions& options) {
       "derive", [&] { return derive(*specialised, out.checked->scene.outputs, limits); });
   const auto recursive =
       stages.run("lower", [&] { return lower(*equations, out.checked->scene.outputs, limits); });
-  out.closed_forms =
-      stages.run("present", [&] { return Result<ClosedForms>(present(*recursive)); });
-  auto choice = stages.run(
-      "choose", [&] { return choose(*recursive, *out.closed_forms, out.checked->scene); });
+  auto forms = stages.run(
+      "present", [&] { return presented(*specialised, *out.checked, *recursive, limits); });
+  auto choice = stages.run("choose", [&] {
+    return choose(*recursive, forms->reduced ? forms->reduced->forms : forms->exact,
+                  out.checked->scene);
+  });
+  if (forms) out.closed_forms = std::move(forms->exact);
   if (choice) {
     out.program = std::move(choice->program);
+    if (forms->reduced) out.program->reduction = std::move(forms->reduced->reduction);
     out.costs = std::move(choice->costs);
   }
   out.files = stages.run(

@@ -57,6 +57,11 @@ struct Verification {
 [[nodiscard]] Verification verify(const Model& model, const Scene& scene, const Program& program,
                                   const CompiledModel* compiled, const VerifyOptions& options);
 
+/// E618 where what was dropped from M may be more than half its smallest eigenvalue, M scaled to a
+/// diagonal of 1, at a state sampled over the ranges: the reduced M could then be indefinite.
+[[nodiscard]] Diagnostics check_definiteness(const Model& model, const Scene& scene,
+                                             const Reduction& reduction);
+
 [[nodiscard]] bool holds(const Certificate& certificate);
 [[nodiscard]] std::string to_text(const Certificate& certificate);
 

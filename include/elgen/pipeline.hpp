@@ -45,7 +45,7 @@ struct StageTime {
 /// What came out; a stage that did not run leaves its product empty.
 struct Products {
   std::optional<CheckedModel> checked = {};
-  std::optional<ClosedForms> closed_forms = {};
+  std::optional<ClosedForms> closed_forms = {};  ///< with all their terms
   std::optional<Program> program = {};  ///< each function in its chosen form
   std::vector<FormCosts> costs = {};
   std::optional<ReadableSteps> steps = {};

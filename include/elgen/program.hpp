@@ -16,6 +16,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,7 @@
 #include "elgen/functions.hpp"
 #include "elgen/leaf_names.hpp"
 #include "elgen/outputs.hpp"
+#include "elgen/reduction.hpp"
 
 namespace elgen {
 
@@ -90,6 +92,7 @@ struct Program {
   /// Parallel to functions, where filled: the closed form of every entry as it is written for a
   /// reader, nothing shared between entries. Without fields where there is none.
   std::vector<Function> readable = {};
+  std::optional<Reduction> reduction = {};  ///< where it is not the exact model's
 };
 
 /// What one call executes: subtractions count as add; distinct sine/cosine angles as sincos;

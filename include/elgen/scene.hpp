@@ -7,9 +7,11 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "elgen/diagnostic.hpp"
+#include "elgen/languages.hpp"
 #include "elgen/model.hpp"
 #include "elgen/outputs.hpp"
 #include "elgen/syntax.hpp"
@@ -39,9 +41,24 @@ struct Numerics {
   std::vector<ScalarKind> scalars = {ScalarKind::double_precision};
 };
 
+/// Order in which the entries of a matrix lie in an array.
+enum class Storage : std::uint8_t { row_major, column_major };
+
+[[nodiscard]] std::string_view name_of(Storage storage);
+
 /// emit: target.
 struct Emission {
-  std::string cpp_namespace = {};  ///< default: base_name
+  LanguageId language = LanguageId::cpp;
+  std::string name_space = {};  ///< of C++, prefix of every name in C; default: base_name
+  Storage storage = Storage::row_major;
+  bool eigen = false;  ///< C++: a second header, of the same functions on Eigen types
+};
+
+/// present: terms of closed forms that are left out (`drop_below`).
+struct Dropping {
+  cln::cl_RA below = 0;  ///< of the largest term of their entry
+  Span span = {};
+  std::vector<OutputRequest> parts = {};  ///< what the reduced outputs are made of, all of it
 };
 
 struct Scene {
@@ -51,6 +68,7 @@ struct Scene {
   std::string doc = {};
   Specialisation specialisation = {};
   std::vector<OutputRequest> outputs = {};
+  std::optional<Dropping> dropping = {};
   Numerics numerics = {};
   Emission emission = {};
   bool has_options = false;  ///< --outputs, --fix or --size changed it

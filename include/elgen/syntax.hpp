@@ -123,7 +123,6 @@ struct ChoiceRow {
   std::string_view entry;
   std::string_view key;
   std::string_view word;
-  bool supported = true;
 };
 
 /// One row per entry: whether it is an array of tables, and whether it is supported yet.

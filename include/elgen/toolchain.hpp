@@ -20,6 +20,8 @@ class CompiledModel {
                                                  const Arguments<double>& arguments) const = 0;
   [[nodiscard]] virtual std::vector<float> call(std::string_view function,
                                                 const Arguments<float>& arguments) const = 0;
+  /// Whether the code is there for double, for float.
+  [[nodiscard]] virtual bool has(ScalarKind scalar) const = 0;
 };
 
 /// $CXX, else c++, g++, clang++, whichever is there. Strict flags (-ffp-contract=off). E7xx without

@@ -128,7 +128,10 @@ std::string dump(const Model& model) { return ModelDump(model).text(); }
 std::string dump(const Scene& scene) {
   std::string text = "scene " + (scene.name.empty() ? "full" : scene.name) + "\n";
   text += "base name " + scene.base_name + "\n";
-  text += "namespace " + scene.emission.cpp_namespace + "\n";
+  text += "namespace " + scene.emission.name_space + "\n";
+  text += "language " + std::string(language_row(scene.emission.language).name) + ", " +
+          std::string(name_of(scene.emission.storage)) + (scene.emission.eigen ? ", eigen" : "") +
+          "\n";
   for (const auto& [parameter, value] : scene.specialisation.fixed) {
     text += "fixed parameter " + std::to_string(parameter) + " = " + number_text(value) + "\n";
   }
@@ -136,6 +139,7 @@ std::string dump(const Scene& scene) {
     text += "output " + output.name + " " + std::to_string(output.rows) + " " +
             std::to_string(output.columns) + "\n";
   }
+  if (scene.dropping) text += "drop below " + number_text(scene.dropping->below) + "\n";
   return text;
 }
 

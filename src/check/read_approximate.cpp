@@ -194,9 +194,11 @@ void read_approximation(Context& context, const SceneSyntax* scene) {
   const auto found = std::find_if(entries.begin(), entries.end(), [](const EntrySyntax& entry) {
     return entry.name == "approximate";
   });
-  if (found != entries.end() && !found->keys.empty()) {
-    ApproximationReader(context, *found).read();
-  }
+  if (found == entries.end()) return;
+  // `drop_below` alone expands nothing.
+  const bool expands = std::any_of(found->keys.begin(), found->keys.end(),
+                                   [](const KeySyntax& key) { return key.key != "drop_below"; });
+  if (expands) ApproximationReader(context, *found).read();
 }
 
 std::string canonical_text(const Model& model, const Approximation& approximation) {

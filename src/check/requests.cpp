@@ -156,6 +156,10 @@ std::optional<OutputRequest> find_request(const Model& model, std::string_view n
   return std::nullopt;
 }
 
+bool is_available(const Model& model, const OutputRequest& request) {
+  return !lack_of(model, request);
+}
+
 std::optional<OutputRequest> require_request(const Model& model, std::string_view name,
                                              const Span& span, Report& report) {
   std::optional<OutputRequest> request = find_request(model, name);
@@ -179,7 +183,7 @@ std::vector<OutputRequest> full_requests(const Model& model) {
   std::vector<OutputRequest> result;
   for (OutputRequest& request : all_requests(model)) {
     const bool fits = std::uint64_t{request.rows} * request.columns <= entries_in_full;
-    if (fits && !lack_of(model, request)) {
+    if (fits && is_available(model, request)) {
       result.push_back(std::move(request));
     }
   }

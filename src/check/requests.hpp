@@ -28,6 +28,9 @@ inline constexpr std::uint64_t entries_in_full = 4096;
 /// An `abs`, `sign`, `min` or `max`: only forces may have kinks. Null: none.
 [[nodiscard]] const Expression* find_kink(const Model& model);
 
+/// Whether the model has what the output needs.
+[[nodiscard]] bool is_available(const Model& model, const OutputRequest& request);
+
 /// E609 where declared outputs would share a function name with each other or with the built-in
 /// ones.
 void check_output_names(const Model& model, Report& report);

@@ -1,4 +1,4 @@
-// Scene: outputs in the order of the table, fixed parameters, scalars, namespace, and the canonical
+// Scene: outputs in the order of the table, fixed parameters, scalars, emission, and the canonical
 // text that is hashed into stamps.
 #include "scene_reader.hpp"
 
@@ -7,11 +7,12 @@
 #include <map>
 #include <set>
 
+#include "emission.hpp"
 #include "number_text.hpp"
 #include "options.hpp"
 #include "read_approximate.hpp"
+#include "read_dropping.hpp"
 #include "requests.hpp"
-#include "reserved_names.hpp"
 #include "syntax_part.hpp"
 #include "values.hpp"
 
@@ -42,6 +43,10 @@ class SceneReader {
     read_outputs();
     read_fixed();
     read_numerics();
+    if (const EntrySyntax* approximate = find_entry("approximate")) {
+      read_dropping(context_, *approximate, scene_);
+    }
+    scene_.emission = read_emission(context_, {find_entry("emit"), find_entry("numeric")}, scene_);
     scene_.has_options = !input_.options.outputs.empty() || !input_.options.fixed.empty() ||
                          !input_.options.sizes.empty();
     scene_.canonical = canonical_text();
@@ -68,22 +73,6 @@ class SceneReader {
       scene_.name = text_of(*top, "name");
       scene_.doc = text_of(*top, "doc");
       scene_.base_name += "_" + scene_.name;
-    }
-    scene_.emission.cpp_namespace = scene_.base_name;
-    const EntrySyntax* emit = find_entry("emit");
-    const KeySyntax* key = emit == nullptr ? nullptr : emit->find("namespace");
-    if (key != nullptr) {
-      scene_.emission.cpp_namespace = key->value.text;
-      check_name(key->value.text, key->value.span);
-    }
-  }
-
-  void check_name(const std::string& name, const Span& span) {
-    if (!is_well_formed_name(name)) {
-      context_.report.add(Code::E205, span,
-                          quoted(name) + " is not letters, digits and underscores after a letter");
-    } else if (const auto reason = reserved_reason(name); !reason.empty()) {
-      context_.report.add(Code::E204, span, quoted(name) + " is reserved: " + std::string(reason));
     }
   }
 
@@ -168,7 +157,7 @@ class SceneReader {
     if (output != nullptr && rename != nullptr) {
       output->name = rename->value.text;
       output->span = rename->value.span;
-      check_name(output->name, output->span);
+      check_emitted_name(output->name, output->span, context_.report);
     }
   }
 
@@ -294,15 +283,15 @@ class SceneReader {
     for (const auto& [name, value] : sizes) {
       text += "size " + name + " = " + std::to_string(value) + "\n";
     }
+    if (scene_.dropping) {
+      text += "drop_below " + number_text(scene_.dropping->below) + "\n";
+    }
     if (scene_.numerics.scalars != Numerics{}.scalars) {
       for (const ScalarKind kind : scene_.numerics.scalars) {
         text += "scalar " + std::string(scalar_table[static_cast<std::size_t>(kind)].name) + "\n";
       }
     }
-    if (scene_.emission.cpp_namespace != scene_.base_name) {
-      text += "namespace " + scene_.emission.cpp_namespace + "\n";
-    }
-    return text;
+    return text + checking::canonical_text(scene_.emission, scene_.base_name);
   }
 
   [[nodiscard]] std::string locks_text() const {

@@ -14,7 +14,7 @@ struct SceneInput {
   const std::vector<SizeOverride>& sizes;
 };
 
-/// E601–E609, E505, E108. An option given replaces what the scene says of the same.
+/// E601–E611, E617, E505, E108. An option given replaces what the scene says of the same.
 [[nodiscard]] Scene read_scene(Context& context, const SceneInput& input);
 
 }  // namespace elgen::checking

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "lower/cheapest.hpp"
 #include "lower/linearise.hpp"
@@ -41,7 +42,9 @@ ReadableEntries read_entries(const Program& program, const Function& function,
       const std::optional<Fraction>& form = closed.fields[f].entries[e];
       auto& entry = entries.emplace_back();
       if (!form) continue;
-      const auto derived = as_derived(program, function, function.fields[f].entries[e]);
+      const auto derived = closed.is_reduced
+                               ? std::nullopt
+                               : as_derived(program, function, function.fields[f].entries[e]);
       entry = shortest(forms.algebra, *form, derived ? &*derived : nullptr);
     }
   }
@@ -131,12 +134,24 @@ Function lowered_one_by_one(const ReadableEntries& entries, const Function& shap
   return readable;
 }
 
-/// The request that asks for one form of the function; null where the cost decides.
-const OutputRequest* wish_for(const Scene& scene, const Function& function) {
+const OutputRequest* request_of(const Scene& scene, const Function& function) {
   for (const OutputRequest& request : scene.outputs) {
-    if (request.name == function.name && request.form.has_value()) return &request;
+    if (request.name == function.name) return &request;
   }
   return nullptr;
+}
+
+/// The form the scene asks for; none where the cost decides.
+std::optional<Form> wish_for(const Scene& scene, const Function& function) {
+  const OutputRequest* request = request_of(scene, function);
+  return request == nullptr ? std::nullopt : request->form;
+}
+
+/// Where the function was asked for.
+Span place_of(const Scene& scene, const Function& function) {
+  const OutputRequest* request = request_of(scene, function);
+  if (request != nullptr && request->span.source != nullptr) return request->span;
+  return scene.dropping ? scene.dropping->span : Span{};
 }
 
 class Choosing {
@@ -162,6 +177,7 @@ class Choosing {
     ReadableEntries& entries = entries_[function.name];
     if (function.kind != OutputKind::dynamics) {
       entries = read_entries(recursive_, function, forms_, forms_.functions[index]);
+      if (forms_.functions[index].is_reduced) reduced_.insert(function.name);
       return entries;
     }
     for (const Field& field : function.fields) {
@@ -172,21 +188,29 @@ class Choosing {
     return entries;
   }
 
+  /// Whether terms were dropped from it: the recursive form has them all.
+  [[nodiscard]] bool is_reduced(const Function& function) const {
+    if (function.kind != OutputKind::dynamics) return reduced_.count(function.name) > 0;
+    return std::any_of(function.fields.begin(), function.fields.end(),
+                       [&](const Field& field) { return reduced_.count(field.name) > 0; });
+  }
+
   Diagnostics choose_form(std::size_t index) {
     const Function& function = recursive_.functions[index];
-    const OutputRequest* wish = wish_for(scene_, function);
-    const bool wants_closed = wish != nullptr && wish->form == Form::closed;
     const ReadableEntries& entries = entries_of(index);
+    const std::optional<Form> wish =
+        is_reduced(function) ? Form::closed : wish_for(scene_, function);
+    const bool wants_closed = wish == Form::closed;
     FormCosts costs{function.name, count_operations(function)};
-    costs.is_asked_for = wish != nullptr;
+    costs.is_asked_for = wish.has_value();
     if (is_complete(entries)) {
       fill_readable(index, entries);
       if (wants_closed || is_worth_lowering(entries, cost(costs.recursive))) {
         compare(index, entries, costs);
-        if (wish != nullptr) costs.chosen = wants_closed ? Form::closed : Form::recursive;
+        if (wish) costs.chosen = *wish;
       }
     } else if (wants_closed) {
-      return {{Code::E608, wish->span,
+      return {{Code::E608, place_of(scene_, function),
                fmt::format("the closed form of `{}` was given up", function.name)}};
     }
     if (costs.chosen == Form::closed) {
@@ -218,7 +242,8 @@ class Choosing {
   const ClosedForms& forms_;
   const Scene& scene_;
   std::map<std::string, ReadableEntries> entries_;
-  Function closed_;  ///< of the function being compared
+  std::set<std::string> reduced_;  ///< names of functions
+  Function closed_;                ///< of the function being compared
   Choice result_;
 };
 

@@ -87,7 +87,7 @@ CLI::App* add_show(CLI::App& app, CommandLine& line, RawOptions& raw) {
   command->add_option("input", options.input, "NAME.toml or NAME.scene.toml")->required();
   command
       ->add_option("--what", options.what,
-                   "outputs: mass_matrix,gravity,…; or lagrangian, steps or cost")
+                   "outputs: mass_matrix,gravity,…; or lagrangian, steps, cost or dropped")
       ->type_name("LIST");
   command->add_option("--as", options.as, "text, latex, mathml, markdown or json")
       ->check(CLI::IsMember({"text", "latex", "mathml", "markdown", "json"}))

@@ -178,9 +178,7 @@ ExitCode list(const GenerateOptions& options, const std::vector<Job>& jobs) {
 
 ExitCode print_headers(const std::vector<Job>& jobs) {
   for (const Job& job : jobs) {
-    for (const auto& [name, text] : job.products.files->files) {
-      if (fs::path(name).extension() == ".hpp") fmt::print("{}", text);
-    }
+    fmt::print("{}", job.products.files->files.at(header_path(job.scene())));
   }
   return ExitCode::success;
 }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "costs.hpp"
+#include "elgen/emitted_files.hpp"
 #include "elgen/render.hpp"
 #include "inputs.hpp"
 #include "options.hpp"
@@ -16,22 +17,26 @@ namespace elgen::cli {
 namespace {
 
 /// What --what may ask for beside outputs; each stands alone.
-enum class Subject : unsigned char { outputs, lagrangian, steps, cost };
+enum class Subject : unsigned char { outputs, lagrangian, steps, cost, dropped };
 
 struct SubjectRow {
   std::string_view word;
   Subject subject;
 };
 
-constexpr std::array subjects{SubjectRow{"lagrangian", Subject::lagrangian},
-                              SubjectRow{"steps", Subject::steps},
-                              SubjectRow{"cost", Subject::cost}};
+constexpr std::array subjects{
+    SubjectRow{"lagrangian", Subject::lagrangian}, SubjectRow{"steps", Subject::steps},
+    SubjectRow{"cost", Subject::cost}, SubjectRow{"dropped", Subject::dropped}};
+
+bool has_formulas(Subject subject) {
+  return subject != Subject::cost && subject != Subject::dropped;
+}
 
 Result<Subject> subject_of(const ShowOptions& options) {
   for (const SubjectRow& row : subjects) {
     if (options.what == row.word) {
       const bool is_printed =
-          options.as != "json" && (row.subject != Subject::cost || options.as == "text");
+          options.as != "json" && (has_formulas(row.subject) || options.as == "text");
       if (is_printed) return row.subject;
       return Diagnostic{
           Code::E913, {}, fmt::format("`{}` is not printed as {}", row.word, options.as)};
@@ -69,6 +74,8 @@ std::string text_of(const Products& products, Subject subject, const PageOptions
       return steps_text(model, *products.steps);
     case Subject::cost:
       return cost_page(products.costs);
+    case Subject::dropped:
+      return dropped_page(model, *products.program);
   }
   return {};
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "evaluate/decimal.hpp"
+#include "literal.hpp"
 #include "stamp.hpp"
 
 namespace elgen {
@@ -28,8 +29,6 @@ struct Fraction {
 constexpr int irrational_digits = 66;
 /// Decimal powers up to this one are written into numerator or denominator.
 constexpr long small_exponent = 6;
-/// A decimal of so many digits is its own literal in every type.
-constexpr std::size_t readable_digits = 17;
 
 Fraction fraction_of(const Decimal& decimal) {
   const cln::cl_I scale = power_of_ten(std::abs(decimal.exponent));
@@ -60,11 +59,7 @@ std::string chunks(const cln::cl_I& integer) {
 
 std::string literal(const cln::cl_R& value, ScalarKind scalar, std::string_view suffix) {
   if (fit(value, scalar) != Fit::fits) return "detail::OutOfRange{}";
-  const std::optional<Decimal> decimal = exact_decimal(value);
-  const bool is_readable =
-      decimal && integer_text(cln::abs(decimal->significand)).size() <= readable_digits;
-  const std::string text = is_readable ? literal_text(*decimal) : shortest_literal(value, scalar);
-  return text + std::string(suffix);
+  return scalar_literal(value, scalar) + std::string(suffix);
 }
 
 }  // namespace

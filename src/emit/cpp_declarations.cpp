@@ -7,9 +7,9 @@
 #include <functional>
 
 #include "cpp_constant.hpp"
-#include "cpp_names.hpp"
 #include "entry_units.hpp"
 #include "evaluate/decimal.hpp"
+#include "parameters.hpp"
 
 namespace elgen {
 namespace {
@@ -79,17 +79,6 @@ std::string member_declaration(const Model& model, const ParameterArray& array) 
   return fmt::format("{}{{{{\n      {},\n  }}}};", start, fmt::join(values, ",\n      "));
 }
 
-std::string member_doc(const ParameterArray& array) {
-  Texts parts;
-  if (!array.doc.empty()) parts.push_back(comment_text(array.doc));
-  if (!array.unit_text.empty()) parts.push_back("[" + comment_text(array.unit_text) + "]");
-  if (array.range) {
-    parts.push_back(
-        fmt::format("in [{}, {}]", exact_text(array.range->low), exact_text(array.range->high)));
-  }
-  return parts.empty() ? array.name : fmt::format("{}", fmt::join(parts, " "));
-}
-
 }  // namespace
 
 TemplateData declared_arrays(const Model& model) {
@@ -134,7 +123,7 @@ std::vector<Member> parameter_members(const Model& model, const Scene& scene) {
   std::vector<Member> members;
   for (const ParameterArray& array : model.parameter_arrays) {
     if (!is_emitted(array, scene)) continue;
-    members.push_back({member_declaration(model, array), member_doc(array)});
+    members.push_back({member_declaration(model, array), parameter_doc(array)});
   }
   return members;
 }
@@ -144,14 +133,6 @@ bool has_filled_array(const Model& model, const Scene& scene) {
   return std::any_of(arrays.begin(), arrays.end(), [&](const ParameterArray& array) {
     return is_emitted(array, scene) && is_filled(model, array);
   });
-}
-
-std::size_t emitted_parameter_count(const Model& model, const Scene& scene) {
-  std::size_t count = 0;
-  for (const ParameterArray& array : model.parameter_arrays) {
-    if (is_emitted(array, scene)) count += array.count;
-  }
-  return count;
 }
 
 }  // namespace elgen

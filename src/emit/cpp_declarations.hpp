@@ -2,8 +2,6 @@
 // holes.
 #pragma once
 
-#include <cstddef>
-
 #include "elgen/model.hpp"
 #include "elgen/scene.hpp"
 #include "layout.hpp"
@@ -19,8 +17,5 @@ namespace elgen {
 
 /// Whether a member is made by detail::filled: an array parameter with one value for all elements.
 [[nodiscard]] bool has_filled_array(const Model& model, const Scene& scene);
-
-/// The scalars in Parameters.
-[[nodiscard]] std::size_t emitted_parameter_count(const Model& model, const Scene& scene);
 
 }  // namespace elgen

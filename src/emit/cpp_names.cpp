@@ -1,4 +1,6 @@
-// cpp_names: the one list of names of templates/cpp/ that a user's name could collide with.
+// cpp_names: the one list of names of templates/cpp/ that a user's name could collide with, and
+// E701 where a model wants one of them. Keywords and macros are no names of a Model or Scene in the
+// first place (E204).
 #include "cpp_names.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +10,11 @@
 #include <map>
 
 #include "elgen/functions.hpp"
+#include "emission_input.hpp"
+#include "fields.hpp"
+#include "languages.hpp"
 #include "layout.hpp"
+#include "parameters.hpp"
 
 namespace elgen {
 namespace {
@@ -38,37 +44,25 @@ bool is_emitted_name(std::string_view name) {
          name.substr(0, constant_prefix.size()) == constant_prefix;
 }
 
-Diagnostic taken(const std::string& name, const char* what, const Span& span) {
-  return {Code::E701, span,
-          fmt::format("`{}` cannot name a {}: the emitted code has that name", name, what)};
-}
-
-Span span_of(const Scene& scene, const Function& function) {
-  for (const OutputRequest& request : scene.outputs) {
-    if (request.name == function.name) return request.span;
-  }
-  return {};
-}
-
 }  // namespace
 
-Diagnostics check_names(const Model& model, const Scene& scene, const Program& program) {
+Diagnostics cpp_check_names(const Model& model, const Scene& scene, const Program& program) {
   Diagnostics diagnostics;
   for (const ParameterArray& array : model.parameter_arrays) {
     if (is_emitted(array, scene) && contains(hidden_by_members, array.name)) {
-      diagnostics.push_back(taken(array.name, "parameter", array.span));
+      diagnostics.push_back(taken_name(array.name, "parameter", array.span));
     }
   }
   std::map<std::string, std::string> structs;
   for (const Function& function : program.functions) {
-    const std::string type = struct_name(function);
-    const bool collides = returns_struct(function) &&
+    const std::string type = cpp_struct_name(function);
+    const bool collides = gives_struct(function) &&
                           (is_emitted_name(type) || !structs.emplace(type, function.name).second);
     if (collides || is_emitted_name(function.name)) {
-      diagnostics.push_back(taken(function.name, "function", span_of(scene, function)));
+      diagnostics.push_back(taken_name(function.name, "function", span_of(scene, function)));
     }
   }
-  if (cpp_namespace(scene) == "std") {
+  if (name_space(scene) == "std") {
     diagnostics.push_back({Code::E701, {}, "`std` cannot name a namespace: it is the library's"});
   }
   return diagnostics;
@@ -82,22 +76,6 @@ std::string cpp_temporary(const std::string& name) {
   return hides ? name + "_" : name;
 }
 
-std::string struct_name(const Function& function) { return camel_case(function.name); }
-
-bool returns_struct(const Function& function) {
-  return function.fields.size() != 1 || !function.fields.front().name.empty();
-}
-
-const std::string& cpp_namespace(const Scene& scene) {
-  const std::string& name = scene.emission.cpp_namespace;
-  return name.empty() ? scene.base_name : name;
-}
-
-bool is_emitted(const ParameterArray& array, const Scene& scene) {
-  for (std::uint32_t i = 0; i < array.count; ++i) {
-    if (scene.specialisation.fixed.count(array.first + i) == 0) return true;
-  }
-  return false;
-}
+std::string cpp_struct_name(const Function& function) { return camel_case(function.name); }
 
 }  // namespace elgen

@@ -37,7 +37,15 @@ EmissionInput emission_input(const Model& model, const Scene& scene, const Progr
           scene.canonical.empty() ? "full" : content_hash(scene.canonical)};
 }
 
-std::string header_path(const Scene& scene) { return path_with(scene, ".hpp"); }
+const std::string& name_space(const Scene& scene) {
+  const std::string& name = scene.emission.name_space;
+  return name.empty() ? scene.base_name : name;
+}
+
+std::string header_path(const Scene& scene) {
+  return path_with(scene, language_row(scene.emission.language).ending);
+}
+std::string eigen_path(const Scene& scene) { return path_with(scene, "_eigen.hpp"); }
 std::string sidecar_path(const Scene& scene) { return path_with(scene, ".equations.json"); }
 std::string markdown_path(const Scene& scene) { return path_with(scene, ".md"); }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "elgen/emitted_files.hpp"
 #include "elgen/model.hpp"
 #include "elgen/program.hpp"
 #include "elgen/render.hpp"
@@ -25,8 +26,12 @@ struct EmissionInput {
 [[nodiscard]] EmissionInput emission_input(const Model& model, const Scene& scene,
                                            const Program& program);
 
-/// "cart_pole/cart_pole.hpp", ".equations.json", ".md": relative to the output folder.
-[[nodiscard]] std::string header_path(const Scene& scene);
+/// The namespace of the emitted code, or the prefix of its names: what the scene asks for, or its
+/// base name.
+[[nodiscard]] const std::string& name_space(const Scene& scene);
+
+/// "cart_pole/cart_pole.equations.json", ".md", "_eigen.hpp": relative to the output folder.
+[[nodiscard]] std::string eigen_path(const Scene& scene);
 [[nodiscard]] std::string sidecar_path(const Scene& scene);
 [[nodiscard]] std::string markdown_path(const Scene& scene);
 

@@ -5,11 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
-#include "cpp_names.hpp"
-#include "cpp_spelling.hpp"
 #include "entry_units.hpp"
+#include "fields.hpp"
 #include "layout.hpp"
+#include "statements.hpp"
 
 namespace elgen {
 namespace {
@@ -19,8 +20,10 @@ using Lines = std::vector<std::string>;
 constexpr std::size_t longest_listing = 60;
 constexpr std::size_t listing_width = 88;  // what `///` and the indentation leave of a line
 
-std::string shape_text(const Field& field) {
-  if (field.columns > 1) return fmt::format("{} x {}, row-major", field.rows, field.columns);
+std::string shape_text(const Field& field, Storage storage) {
+  if (field.columns > 1) {
+    return fmt::format("{} x {}, {}", field.rows, field.columns, name_of(storage));
+  }
   return field.rows > 1 ? fmt::format("{} entries", field.rows) : "Scalar";
 }
 
@@ -122,18 +125,14 @@ Lines shown_equations(const FunctionText& text) {
   return lines;
 }
 
-std::string ordering_note(const Function& function) {
-  const std::set<FunctionId> calls = called_functions(function);
+/// Where any type may be the scalar, those with kinks need one that is ordered.
+std::string ordering_note(const FunctionText& text) {
+  if (language_row(text.emission.language).scalars == LanguageScalars::one) return "";
+  const std::set<FunctionId> calls = called_functions(text.function);
   const bool has_kinks = std::any_of(calls.begin(), calls.end(), [](FunctionId id) {
     return function_row(id).use == FunctionUse::forces;
   });
   return has_kinks ? " Needs an ordered Scalar." : "";
-}
-
-std::string heading(const FunctionText& text) {
-  const std::string doc = output_doc(text) + ordering_note(text.function);
-  if (returns_struct(text.function)) return doc;
-  return doc + " " + field_summary(text, text.function.fields.front()) + ".";
 }
 
 }  // namespace
@@ -141,12 +140,18 @@ std::string heading(const FunctionText& text) {
 std::string field_summary(const FunctionText& text, const Field& field) {
   const OutputKind kind = kind_of_field(text.program, text.function, field);
   const std::string units = units_text(text.model, kind, field);
-  return shape_text(field) + (units.empty() ? "" : " [" + units + "]");
+  return shape_text(field, text.emission.storage) + (units.empty() ? "" : " [" + units + "]");
+}
+
+std::string function_heading(const FunctionText& text) {
+  const std::string doc = output_doc(text) + ordering_note(text);
+  if (gives_struct(text.function)) return doc;
+  return doc + " " + field_summary(text, text.function.fields.front()) + ".";
 }
 
 std::vector<std::string> function_docs(const FunctionText& text) {
   Lines lines;
-  for (const std::string& line : wrap_words(heading(text), {line_width - 4, ""})) {
+  for (const std::string& line : wrap_words(function_heading(text), {line_width - 4, ""})) {
     lines.push_back(" " + line);
   }
   const Lines equations = shown_equations(text);

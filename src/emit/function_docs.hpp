@@ -14,6 +14,7 @@
 #include "elgen/model.hpp"
 #include "elgen/program.hpp"
 #include "elgen/render.hpp"
+#include "elgen/scene.hpp"
 
 namespace elgen {
 
@@ -24,10 +25,14 @@ struct FunctionText {
   const Function& function;
   const FunctionEquations& equations;
   std::string sidecar = {};  ///< where the reader finds what is too long to show
+  Emission emission = {};
 };
 
 /// Lines as they follow `///`: empty, or beginning with a space.
 [[nodiscard]] std::vector<std::string> function_docs(const FunctionText& text);
+
+/// "Mass matrix, symmetric. 2 x 2, row-major [kg].": the first sentences.
+[[nodiscard]] std::string function_heading(const FunctionText& text);
 
 /// "2 x 2, row-major [kg]": shape and units of one field.
 [[nodiscard]] std::string field_summary(const FunctionText& text, const Field& field);

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "cpp_spelling.hpp"
+#include "dropped_terms.hpp"
 #include "elgen/render.hpp"
 #include "entry_units.hpp"
 #include "layout.hpp"
@@ -76,6 +76,9 @@ std::vector<std::string> introduction(const Model& model, const Scene& scene,
   const Lines notes = scene_notes(model, scene);
   if (!notes.empty()) lines.emplace_back();
   for (const std::string& note : notes) add_prose(lines, comment_text(note));
+  const std::string dropped = dropped_summary(program);
+  if (!dropped.empty()) lines.emplace_back();
+  add_prose(lines, dropped);
   return lines;
 }
 

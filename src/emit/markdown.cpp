@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "elgen/emitted_files.hpp"
 #include "elgen/render.hpp"
 #include "introduction.hpp"
 #include "stamp.hpp"
@@ -18,6 +19,11 @@ std::string operations(const Program& program) {
   return text + "```\n";
 }
 
+std::string dropped(const EmissionInput& input) {
+  if (!input.program.reduction) return {};
+  return "## Dropped terms\n\n```text\n" + dropped_page(input.model, input.program) + "```\n\n";
+}
+
 }  // namespace
 
 std::string markdown(const EmissionInput& input) {
@@ -25,7 +31,7 @@ std::string markdown(const EmissionInput& input) {
       fmt::format("<!-- {}\nmodel {} scene {} body {} -->\n\n", input.generated, input.model_hash,
                   input.scene_hash, blank_hash());
   const Sheet page = sheet(input.model, input.scene, input.program, {false, most_entries});
-  return stamped(stamp + markdown_page(page) + "\n" + operations(input.program));
+  return stamped(stamp + markdown_page(page) + "\n" + dropped(input) + operations(input.program));
 }
 
 }  // namespace elgen

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "cpp_names.hpp"
 #include "evaluate/decimal.hpp"
+#include "parameters.hpp"
 
 namespace elgen {
 namespace {

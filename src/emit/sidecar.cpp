@@ -6,10 +6,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cpp_names.hpp"
 #include "entry_units.hpp"
 #include "evaluate/decimal.hpp"
+#include "fields.hpp"
 #include "layout.hpp"
+#include "parameters.hpp"
 #include "stamp.hpp"
 
 namespace elgen {
@@ -112,7 +113,7 @@ Json output(const Function& function, const FunctionEquations& equations) {
   Json json = Json::object();
   if (function.kind != OutputKind::dynamics) {
     if (!equations.definitions.empty()) json["definitions"] = definitions(equations);
-    if (returns_struct(function)) {
+    if (gives_struct(function)) {
       for (std::size_t i = 0; i < function.fields.size(); ++i) {
         json["fields"][function.fields[i].name] = field(function.fields[i], equations.entries[i]);
       }
@@ -136,10 +137,14 @@ Json outputs(const EmissionInput& input) {
 }  // namespace
 
 std::string sidecar(const EmissionInput& input) {
-  Json json = {{"generated", input.generated},
-               {"format", 1},
-               {"name", input.scene.base_name},
-               {"coordinates", coordinates(input.model)}};
+  Json json = {{"generated", input.generated}, {"format", 1}, {"name", input.scene.base_name}};
+  // Entries are listed row by row; the code is C++17 and stores them likewise unless said here.
+  const Emission& emission = input.scene.emission;
+  if (emission.language != LanguageId::cpp) {
+    json["language"] = language_row(emission.language).name;
+  }
+  if (emission.storage != Storage::row_major) json["storage"] = name_of(emission.storage);
+  json["coordinates"] = coordinates(input.model);
   // Where nothing rotates, velocities are called as their coordinates.
   if (!input.model.rotations.empty()) json["velocities"] = velocities(input.model);
   json["inputs"] = inputs(input.model);

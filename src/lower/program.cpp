@@ -3,6 +3,7 @@
 // The table of costs is one function; which opcode counts as what is one switch.
 #include "elgen/program.hpp"
 
+#include <algorithm>
 #include <set>
 
 namespace elgen {
@@ -29,6 +30,12 @@ std::size_t operand_count(const Instruction& instruction) {
       return function_row(instruction.function).arity;
   }
   return 0;
+}
+
+const ReducedOutput* find_reduced(const Reduction& reduction, OutputKind kind) {
+  const auto found = std::find_if(reduction.outputs.begin(), reduction.outputs.end(),
+                                  [&](const ReducedOutput& output) { return output.kind == kind; });
+  return found == reduction.outputs.end() ? nullptr : &*found;
 }
 
 std::size_t entry_count(const Function& function) {

@@ -48,18 +48,15 @@ void report_missing(const std::vector<TomlEntry>& entries, const TableContext& t
   }
 }
 
-/// One of the words of the choice table: E104, E108.
+/// One of the words of the choice table: E104.
 ValueSyntax read_choice(const TomlValue& value, const KeyRow& row, Reading& reading) {
   ValueSyntax result = read_text(value, reading);
   if (value.kind != TomlKind::string) return result;
   std::vector<std::string> words;
   for (const ChoiceRow& choice : choice_table()) {
     if (choice.entry != row.entry || choice.key != row.key) continue;
-    if (choice.word == result.text && !choice.supported) {
-      reading.report(Code::E108, result.span, in_ticks(result.text) + " is not yet supported");
-    }
     if (choice.word == result.text) return result;
-    if (choice.supported) words.push_back(fmt::format("`{}`", choice.word));
+    words.push_back(fmt::format("`{}`", choice.word));
   }
   reading.report(
       Code::E104, result.span,

@@ -172,7 +172,8 @@ const std::vector<KeyRow>& scene_rows() {
       {"scene.approximate", "order", integer, optional, true, "of the equations, 1 to 5"},
       {"scene.approximate", "about", table, optional, true, "the equilibrium"},
       {"scene.approximate", "small", expression_list, optional, true, "coordinates that are small"},
-      {"scene.approximate", "drop_below", expression, optional, later, "relative size of a term"},
+      {"scene.approximate", "drop_below", expression, optional, true,
+       "terms below this share of their entry's largest are left out"},
       {"scene.approximate.about", "*", expression, optional, true, "a coordinate or input there"},
 
       {"scene.numeric", "scalar", choice_list, optional, true, "scalar types the code is for"},
@@ -182,9 +183,10 @@ const std::vector<KeyRow>& scene_rows() {
       {"scene.numeric", "batch", integer, optional, later, "states evaluated at once"},
 
       {"scene.emit", "language", choice, optional, true, "language of the emitted code"},
-      {"scene.emit", "namespace", text, optional, true, "C++ namespace, instead of the base name"},
-      {"scene.emit", "eigen", boolean, optional, later, "overloads for Eigen"},
-      {"scene.emit", "storage", text, optional, later, "order of matrix entries"},
+      {"scene.emit", "namespace", text, optional, true,
+       "C++ namespace or prefix in C, instead of the base name"},
+      {"scene.emit", "eigen", boolean, optional, true, "the same functions on Eigen types"},
+      {"scene.emit", "storage", choice, optional, true, "order of matrix entries"},
   };
   return rows;
 }
@@ -210,10 +212,13 @@ const std::vector<ChoiceRow>& choice_table() {
       {"parameters.*", "assume", "positive"},     {"parameters.*", "assume", "nonnegative"},
       {"body", "inertia_about", "com"},           {"body", "inertia_about", "origin"},
       {"scene.numeric", "scalar", "float"},       {"scene.numeric", "scalar", "double"},
-      {"scene.numeric", "scalar", "long double"}, {"scene.emit", "language", "c++17"},
-      {"scene.emit", "language", "c99", later},   {"scene.numeric", "form", "closed"},
+      {"scene.numeric", "scalar", "long double"}, {"scene.numeric", "form", "closed"},
       {"scene.numeric", "form", "recursive"},     {"scene.outputs.*", "form", "closed"},
-      {"scene.outputs.*", "form", "recursive"},
+      {"scene.outputs.*", "form", "recursive"},   {"scene.emit", "storage", "row-major"},
+      {"scene.emit", "storage", "column-major"},
+#define ELGEN_LANGUAGE(id, name, ending, scalars) {"scene.emit", "language", name},
+#include "elgen/languages.def"
+#undef ELGEN_LANGUAGE
   };
   return rows;
 }
@@ -243,7 +248,8 @@ const std::vector<EntryRow>& entry_table() {
       {"scene.parameters", single, optional, true, "parameters that become numbers"},
       {"scene.sizes", single, optional, true, "sizes other than the model's"},
       {"scene.lock", single, optional, true, "coordinates that are known functions of time"},
-      {"scene.approximate", single, optional, true, "expansion about an equilibrium"},
+      {"scene.approximate", single, optional, true,
+       "expansion about an equilibrium, small terms left out"},
       {"scene.numeric", single, optional, true, "arithmetic"},
       {"scene.emit", single, optional, true, "the emitted code"},
   };

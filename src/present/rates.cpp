@@ -1,8 +1,9 @@
 // Rates along the motion: de/dt = de/dq v + de/dv a + de/dt, by the chain rule on canonical sums.
+#include "rates.hpp"
+
 #include <algorithm>
 #include <array>
 
-#include "arithmetic.hpp"
 #include "elgen/model.hpp"
 #include "polynomial.hpp"
 
@@ -11,6 +12,7 @@ namespace elgen {
 using cln::cl_RA;
 using presenting::Arithmetic;
 using presenting::fraction_of;
+using presenting::Motion;
 using presenting::Value;
 
 namespace {
@@ -21,13 +23,8 @@ bool is_input(const Atom& atom) {
 
 class Rates {
  public:
-  /// `accelerations` at u = 0; `coordinate_rates` where they are not the velocities.
-  Rates(Arithmetic& arithmetic, const Algebra& algebra, std::vector<Fraction> accelerations,
-        std::vector<Fraction> coordinate_rates)
-      : arithmetic_(arithmetic),
-        algebra_(algebra),
-        accelerations_(std::move(accelerations)),
-        coordinate_rates_(std::move(coordinate_rates)) {}
+  Rates(Arithmetic& arithmetic, const Algebra& algebra, const Motion& motion)
+      : arithmetic_(arithmetic), algebra_(algebra), motion_(motion) {}
 
   Value of(const Fraction& x) {
     Value result = arithmetic_.multiply(of(x.numerator), over(x));
@@ -102,13 +99,13 @@ class Rates {
   Value of_leaf(const Atom& atom) {
     switch (atom.leaf) {
       case Opcode::coordinate:
-        if (atom.index < coordinate_rates_.size()) return coordinate_rates_[atom.index];
+        if (atom.index < motion_.coordinates.size()) return motion_.coordinates[atom.index];
         return arithmetic_.leaf(Opcode::velocity, atom.index);
       case Opcode::velocity:
-        if (atom.index >= accelerations_.size()) return std::nullopt;
-        return accelerations_[atom.index];
+        if (atom.index >= motion_.velocities.size()) return std::nullopt;
+        return motion_.velocities[atom.index];
       case Opcode::time:
-        return fraction_of(cl_RA(1));
+        return motion_.time;
       case Opcode::parameter:
         return Fraction{};
       default:
@@ -118,8 +115,7 @@ class Rates {
 
   Arithmetic& arithmetic_;
   const Algebra& algebra_;
-  std::vector<Fraction> accelerations_;
-  std::vector<Fraction> coordinate_rates_;
+  const Motion& motion_;
   std::map<AtomId, Value> known_;
 };
 
@@ -164,6 +160,25 @@ Value without_inputs(const Algebra& algebra, const Fraction& x) {
 
 }  // namespace
 
+namespace presenting {
+
+Motion along_coordinate(std::size_t coordinate, std::size_t count) {
+  Motion motion{std::vector<Fraction>(count), std::vector<Fraction>(count), {}};
+  motion.coordinates[coordinate] = fraction_of(cl_RA(1));
+  return motion;
+}
+
+Motion along_time(std::size_t count) {
+  return {std::vector<Fraction>(count), std::vector<Fraction>(count), fraction_of(cl_RA(1))};
+}
+
+Value rate(Arithmetic& arithmetic, const Algebra& algebra, const Fraction& x,
+           const Motion& motion) {
+  return Rates(arithmetic, algebra, motion).of(x);
+}
+
+}  // namespace presenting
+
 std::vector<Fraction> coordinate_rates(ClosedForms& forms, const Model& model) {
   std::vector<Fraction> rates;
   if (model.rotations.empty()) return rates;
@@ -186,14 +201,13 @@ bool proved_conserved(ClosedForms& forms, const Fraction& x,
   const PresentBudget budget;
   std::size_t work = budget.products;
   Arithmetic arithmetic(forms.algebra, work, budget.terms);
-  std::vector<Fraction> free_motion;
+  Motion free_motion{coordinate_rates, {}, fraction_of(cl_RA(1))};
   for (const Fraction& acceleration : accelerations) {
     Value free = without_inputs(forms.algebra, acceleration);
     if (!free) return false;
-    free_motion.push_back(std::move(*free));
+    free_motion.velocities.push_back(std::move(*free));
   }
-  const Value rate =
-      Rates(arithmetic, forms.algebra, std::move(free_motion), coordinate_rates).of(x);
+  const Value rate = presenting::rate(arithmetic, forms.algebra, x, free_motion);
   return rate && rate->numerator.empty();
 }
 

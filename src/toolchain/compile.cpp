@@ -61,6 +61,11 @@ class LoadedModel final : public CompiledModel {
                                         const Arguments<float>& arguments) const override {
     return invoke(function, arguments, &LoadedFunction::in_float);
   }
+  [[nodiscard]] bool has(ScalarKind scalar) const override {
+    return !functions_.empty() &&
+           (scalar == ScalarKind::double_precision ? functions_.front().in_double != nullptr
+                                                   : functions_.front().in_float != nullptr);
+  }
 
  private:
   template <class Scalar>
@@ -68,7 +73,7 @@ class LoadedModel final : public CompiledModel {
                              DriverFunction<Scalar> LoadedFunction::*member) const {
     const auto found = std::find_if(functions_.begin(), functions_.end(),
                                     [name](const auto& f) { return f.name == name; });
-    if (found == functions_.end()) return {};
+    if (found == functions_.end() || (*found).*member == nullptr) return {};
     std::vector<Scalar> result(found->entries);
     ((*found).*member)(arguments.parameters.data(), arguments.q.data(), arguments.v.data(),
                        arguments.a.data(), arguments.u.data(), arguments.t, result.data());
@@ -96,15 +101,20 @@ bool write_all(const std::filesystem::path& directory, const EmittedFiles& files
   return headers && write(directory / "driver.cpp", driver);
 }
 
-/// Empty where a symbol is missing.
-std::vector<LoadedFunction> load(const Library& library, const Program& program) {
+/// Empty where a symbol is missing; functions the driver has for one scalar alone lack the other.
+std::vector<LoadedFunction> load(const Library& library, const Scene& scene,
+                                 const Program& program) {
+  const std::size_t scalars = driver_scalars(scene).size();
   std::vector<LoadedFunction> functions;
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     const Function& function = program.functions[i];
-    functions.push_back({function.name, entry_count(function),
-                         library.find<double>(driver_symbol("double", i)),
-                         library.find<float>(driver_symbol("float", i))});
-    if (functions.back().in_double == nullptr || functions.back().in_float == nullptr) return {};
+    const LoadedFunction loaded{function.name, entry_count(function),
+                                library.find<double>(driver_symbol("double", i)),
+                                library.find<float>(driver_symbol("float", i))};
+    const std::size_t found =
+        (loaded.in_double != nullptr ? 1U : 0U) + (loaded.in_float != nullptr ? 1U : 0U);
+    if (found != scalars) return {};
+    functions.push_back(loaded);
   }
   return functions;
 }
@@ -139,7 +149,7 @@ Result<std::unique_ptr<CompiledModel>> compile(const EmittedFiles& files, const 
   }
   Library library(object);
   if (!library.loaded()) return nowhere(Code::E705, fmt::format("not loadable: {}", dlerror()));
-  std::vector<LoadedFunction> functions = load(library, program);
+  std::vector<LoadedFunction> functions = load(library, scene, program);
   if (functions.size() != program.functions.size()) {
     return nowhere(Code::E705, "a compiled function is missing from the loaded object");
   }

@@ -10,23 +10,45 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstddef>
 
-#include "elgen/outputs.hpp"
+#include "emit/arguments.hpp"
+#include "emit/emission_input.hpp"
+#include "emit/fields.hpp"
+#include "evaluate/decimal.hpp"
 
 namespace elgen {
 namespace {
 
-/// Results beyond this many entries are written by reference instead of being returned.
-constexpr std::size_t largest_returned = 4096;
+/// What a driver is made from.
+struct Subject {
+  const Model& model;
+  const Scene& scene;
+  const Program& program;
+};
 
-constexpr std::string_view prologue = R"(#include <array>
+/// Results come out row by row, however the header stores them.
+constexpr std::string_view append_row_major = R"(
+template <class Scalar>
+void append(Scalar*& to, const Scalar* stored, std::size_t rows, std::size_t columns) {
+  for (std::size_t i = 0; i < rows * columns; ++i) *to++ = stored[i];
+}
+)";
+constexpr std::string_view append_column_major = R"(
+template <class Scalar>
+void append(Scalar*& to, const Scalar* stored, std::size_t rows, std::size_t columns) {
+  for (std::size_t i = 0; i < rows; ++i) {
+    for (std::size_t j = 0; j < columns; ++j) *to++ = stored[j * rows + i];
+  }
+}
+)";
+
+constexpr std::string_view cpp_prologue = R"(#include <array>
 #include <cstddef>
 
 namespace {{
 
 namespace emitted = ::{0};
-
+{2}
 template <class Scalar, std::size_t N>
 std::array<Scalar, N> from_flat(const Scalar* values) {{
   std::array<Scalar, N> result{{}};
@@ -35,17 +57,19 @@ std::array<Scalar, N> from_flat(const Scalar* values) {{
 }}
 
 template <class Scalar>
-void append(Scalar*& to, const Scalar& value) {{
-  *to++ = value;
-}}
-template <class Scalar, std::size_t N>
-void append(Scalar*& to, const std::array<Scalar, N>& values) {{
-  for (const Scalar& value : values) *to++ = value;
-}}
-
-template <class Scalar>
 emitted::Parameters<Scalar> parameters_from([[maybe_unused]] const Scalar* values) {{
   emitted::Parameters<Scalar> result{{}};
+{1}  return result;
+}}
+)";
+
+constexpr std::string_view c99_prologue = R"(#include <cstddef>
+
+namespace {{
+{2}
+template <class Scalar>
+{0}_parameters parameters_from([[maybe_unused]] const Scalar* values) {{
+  {0}_parameters result{{}};
 {1}  return result;
 }}
 )";
@@ -67,75 +91,117 @@ extern "C" void {symbol}(const {scalar}* parameters, const {scalar}* q, const {s
 }}
 )";
 
+/// Whether the scene makes a parameter a number, so that it is no member.
+bool is_fixed(const Subject& subject, const std::string& name) {
+  const auto& fixed = subject.scene.specialisation.fixed;
+  return std::any_of(fixed.begin(), fixed.end(), [&](const auto& entry) {
+    return subject.model.parameters[entry.first].name == name;
+  });
+}
+
 /// "  result.l[1] = values[3];" for every run-time parameter, in the order of the program's leaves.
-std::string parameter_assignments(const Model& model, const Scene& scene, const Program& program) {
+std::string parameter_assignments(const Subject& subject) {
+  const LeafNames& leaves = subject.program.leaves;
+  const std::vector<std::string> members = parameter_members(subject.model, leaves);
   std::string text;
-  for (std::size_t i = 0; i < model.parameters.size(); ++i) {
-    const Parameter& parameter = model.parameters[i];
-    if (scene.specialisation.fixed.count(static_cast<std::uint32_t>(i)) != 0) continue;
-    const std::vector<std::string>& leaves = program.leaves.parameters;
-    const auto leaf = std::find(leaves.begin(), leaves.end(), parameter.name);
-    if (leaf == leaves.end()) continue;
-    const ParameterArray& array = model.parameter_arrays[parameter.array];
-    const std::string member =
-        array.is_array ? fmt::format("{}[{}]", array.name, parameter.element) : array.name;
-    text += fmt::format("  result.{} = values[{}];\n", member, leaf - leaves.begin());
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (is_fixed(subject, leaves.parameters[i])) continue;
+    text += fmt::format("  result.{} = values[{}];\n", members[i], i);
+  }
+  return text;
+}
+
+/// "  append(to, result.gravity.data(), 2, 1);" for each field; `data` gives the address of one.
+std::string appended(const Subject& subject, const Function& function, std::string_view data) {
+  const std::vector<bool> scalars = scalar_fields(subject.program, function);
+  std::string text;
+  for (std::size_t i = 0; i < function.fields.size(); ++i) {
+    const Field& field = function.fields[i];
+    if (field.entries.empty()) continue;
+    const std::string value = field.name.empty() ? "result" : "result." + field.name;
+    const std::string address = scalars[i] ? "&" + value : value + std::string(data);
+    text += fmt::format("  append(to, {}, {}, {});\n", address, field.rows, field.columns);
   }
   return text;
 }
 
 /// "parameters_from<Scalar>(parameters), from_flat<Scalar, emitted::coordinate_count>(q)"
-std::string arguments(const Model& model, const Function& function) {
-  const OutputRow& row = output_row(function.kind);
-  const bool mass_takes_velocity = function.kind == OutputKind::mass_matrix && !model.quadratic;
+std::string cpp_arguments(const Model& model, const Function& function) {
   std::string text = "parameters_from<Scalar>(parameters)";
-  const auto add = [&text](std::string_view count, std::string_view name) {
-    text += fmt::format(",\n      from_flat<Scalar, emitted::{}>({})", count, name);
-  };
-  add("coordinate_count", "q");
-  if (row.takes_velocity || mass_takes_velocity) add("velocity_count", "v");
-  if (row.takes_acceleration) add("velocity_count", "a");
-  if (row.takes_input) add("input_count", "u");
-  if (model.uses_time) text += ", t";
+  for (const Argument argument : arguments_of(model, function)) {
+    const std::string_view name = argument_name(argument);
+    if (argument == Argument::time) text += ", t";
+    if (argument == Argument::parameters || argument == Argument::time) continue;
+    text += fmt::format(",\n      from_flat<Scalar, {}>({})", argument_size(model, argument), name);
+  }
   return text;
 }
 
-std::string call_body(const Model& model, const Function& function) {
-  const std::string call_arguments = arguments(model, function);
-  const std::size_t entries = entry_count(function);
-  if (entries > largest_returned) {
-    return fmt::format(
-        "  std::array<Scalar, {0}> result{{}};\n  emitted::{1}(result, {2});\n"
-        "  append(to, result);\n",
-        entries, function.name, call_arguments);
+std::string cpp_call(const Subject& subject, const Function& function) {
+  const std::string arguments = cpp_arguments(subject.model, function);
+  const std::string results = appended(subject, function, ".data()");
+  if (is_returned(function)) {
+    return fmt::format("  const auto result = emitted::{}({});\n{}", function.name, arguments,
+                       results);
   }
-  std::string text =
-      fmt::format("  const auto result = emitted::{}({});\n", function.name, call_arguments);
-  for (const Field& field : function.fields) {
-    text += field.name.empty() ? "  append(to, result);\n"
-                               : fmt::format("  append(to, result.{});\n", field.name);
+  return fmt::format("  std::array<Scalar, {}> result{{}};\n  emitted::{}(result, {});\n{}",
+                     entry_count(function), function.name, arguments, results);
+}
+
+std::string c99_call(const Subject& subject, const Function& function) {
+  const std::string name = fmt::format("{}_{}", name_space(subject.scene), function.name);
+  std::string arguments;
+  for (const Argument argument : arguments_of(subject.model, function)) {
+    const bool is_struct = argument == Argument::parameters;
+    arguments += arguments.empty() ? "" : ", ";
+    arguments += is_struct ? "&p" : argument_name(argument);
   }
-  return text;
+  const std::string results = appended(subject, function, "");
+  const std::string start = "  const auto p = parameters_from<Scalar>(parameters);\n";
+  if (gives_struct(function)) {
+    return fmt::format("{0}  {1}_result result{{}};\n  {1}({2}, &result);\n{3}", start, name,
+                       arguments, results);
+  }
+  if (scalar_fields(subject.program, function).front()) {
+    return fmt::format("{}  const Scalar result = {}({});\n{}", start, name, arguments, results);
+  }
+  return fmt::format("{}  Scalar result[{}] = {{}};\n  {}({}, result);\n{}", start,
+                     entry_count(function), name, arguments, results);
+}
+
+bool is_generic(const Scene& scene) {
+  return language_row(scene.emission.language).scalars == LanguageScalars::any;
 }
 
 }  // namespace
+
+std::vector<ScalarKind> driver_scalars(const Scene& scene) {
+  if (is_generic(scene)) return {ScalarKind::double_precision, ScalarKind::single_precision};
+  return scene.numerics.scalars;
+}
 
 std::string driver_symbol(std::string_view scalar, std::size_t function) {
   return fmt::format("elgen_driver_{}_{}", scalar, function);
 }
 
 std::string driver_source(const Model& model, const Scene& scene, const Program& program) {
-  const std::string& name =
-      scene.emission.cpp_namespace.empty() ? scene.base_name : scene.emission.cpp_namespace;
-  std::string text = fmt::format("#include \"{0}/{0}.hpp\"\n", scene.base_name);
-  text += fmt::format(prologue, name, parameter_assignments(model, scene, program));
+  const Subject subject{model, scene, program};
+  const bool is_c = scene.emission.language == LanguageId::c99;
+  const bool is_row_major = scene.emission.storage == Storage::row_major;
+  std::string text = fmt::format("#include \"{}\"\n", header_path(scene));
+  text += fmt::format(fmt::runtime(is_c ? c99_prologue : cpp_prologue), name_space(scene),
+                      parameter_assignments(subject),
+                      is_row_major ? append_row_major : append_column_major);
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
-    text += fmt::format(call_template, fmt::arg("index", i),
-                        fmt::arg("body", call_body(model, program.functions[i])));
+    const Function& function = program.functions[i];
+    text += fmt::format(
+        call_template, fmt::arg("index", i),
+        fmt::arg("body", is_c ? c99_call(subject, function) : cpp_call(subject, function)));
   }
   text += "\n}  // namespace\n";
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
-    for (const char* scalar : {"double", "float"}) {
+    for (const ScalarKind kind : driver_scalars(scene)) {
+      const std::string scalar = scalar_name(kind);
       text += fmt::format(wrapper_template, fmt::arg("symbol", driver_symbol(scalar, i)),
                           fmt::arg("scalar", scalar), fmt::arg("index", i));
     }

@@ -18,12 +18,16 @@ template <class Scalar>
 using DriverFunction = void (*)(const Scalar* parameters, const Scalar* q, const Scalar* v,
                                 const Scalar* a, const Scalar* u, Scalar t, Scalar* result);
 
+/// The scalars a driver wraps functions for: double and float of generic code, else the scene's
+/// own.
+[[nodiscard]] std::vector<ScalarKind> driver_scalars(const Scene& scene);
+
 /// The driver's name for Program::functions[function]: "elgen_driver_double_3".
 [[nodiscard]] std::string driver_symbol(std::string_view scalar, std::size_t function);
 
-/// The source of a translation unit that includes "<base>/<base>.hpp" and wraps each function for
-/// double and float. `parameters` are those of Program::leaves; results follow each other in the
-/// order of Function::fields.
+/// The source of a C++ translation unit that includes the header (C headers are C++ too) and wraps
+/// each function for each scalar. `parameters` are those of Program::leaves; results follow each
+/// other in the order of Function::fields, matrices row by row.
 [[nodiscard]] std::string driver_source(const Model& model, const Scene& scene,
                                         const Program& program);
 

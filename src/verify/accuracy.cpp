@@ -12,6 +12,7 @@
 #include "elgen/outputs.hpp"
 #include "oracle_cache.hpp"
 #include "own_bound.hpp"
+#include "stated_error.hpp"
 #include "tally.hpp"
 
 namespace elgen {
@@ -27,6 +28,7 @@ constexpr const char* closed_reason =
 
 /// One field of a function, and what was found of it so far.
 struct FieldRecord {
+  const Program* program = nullptr;
   const Function* function = nullptr;
   const Field* field = nullptr;
   Judge judge = {};
@@ -46,6 +48,7 @@ struct FieldRecord {
 /// `dynamics` holds other outputs under their names; every other function is one output.
 FieldRecord record_of(const Subject& subject, const Function& function, const Field& field) {
   FieldRecord record;
+  record.program = &subject.program;
   record.function = &function;
   record.field = &field;
   record.request = standard_request(function.kind);
@@ -75,11 +78,12 @@ std::vector<FieldRecord> records_of(const Subject& subject) {
   return records;
 }
 
-/// To 50 digits of the bound; entries that are zero on paper are rounding of `scale` in 60.
-bool is_right(const Bound& entry, const cl_R& truth, const Real& scale) {
+/// To 50 digits of the bound, beside what dropped terms may be; entries that are zero on paper are
+/// rounding of `scale` in 60.
+bool is_right(const Bound& entry, const cl_R& truth, const Real& stated, const Real& scale) {
   static const Real of_bound(power_of_ten(-50));
   static const Real of_scale(power_of_ten(-54));
-  const Real allowed = entry.bound * of_bound + scale * of_scale;
+  const Real allowed = entry.bound * of_bound + scale * of_scale + stated;
   const Real difference = abs(entry.value - Real(truth));
   return difference.is_defined() && difference.value() <= allowed.value();
 }
@@ -119,11 +123,12 @@ void record_entry(FieldRecord& record, const Run<Scalar>& run, std::size_t i, Or
   const Bound& judged =
       record.judge.is_closed_form ? run.judged.entries[record.judge.first + i] : exact;
   const cl_R& truth = (*oracle.values(record.request))[record.first_oracle + i];
+  const Real stated = stated_error(*record.program, record.request.kind, i, oracle.state());
   const Scalar x = run.values[record.first + i];
   for (const Bound* value : {&exact, &judged}) {
     const Real scale = run.exact.largest + Real(oracle.energy());
-    if (!record.mistake.empty() || is_right(*value, truth, scale) ||
-        is_right(*value, truth, scale + Real(oracle.force()))) {
+    if (!record.mistake.empty() || is_right(*value, truth, stated, scale) ||
+        is_right(*value, truth, stated, scale + Real(oracle.force()))) {
       continue;
     }
     record.mistake = fmt::format("entry {} is {}, the oracle says {}", i + 1,

@@ -7,6 +7,7 @@
 
 #include "elgen/outputs.hpp"
 #include "pivots.hpp"
+#include "stated_error.hpp"
 
 namespace elgen {
 namespace {
@@ -27,6 +28,7 @@ Values random_direction(std::size_t size, Random& random) {
 struct Sum {
   Real value = {};
   Real bound = {};
+  Real stated = {};  ///< beside rounding: of dropped terms
   void add(const Real& term, const Real& term_bound) {
     value = value + term;
     bound = bound + term_bound;
@@ -36,7 +38,7 @@ struct Sum {
 bool agrees(const Sum& sum, const cl_R& truth, const Real& scale) {
   static const Real of_bound(power_of_ten(-50));
   static const Real of_scale(power_of_ten(-52));
-  const Real allowed = sum.bound * of_bound + scale * of_scale;
+  const Real allowed = sum.bound * of_bound + scale * of_scale + sum.stated;
   const Real difference = abs(sum.value - Real(truth));
   return difference.is_defined() && difference.value() <= allowed.value();
 }
@@ -47,12 +49,16 @@ std::string mismatch(const char* what, const Sum& sum, const cl_R& truth) {
 }
 
 /// Of the first field, as many entries as w and y have.
-Sum contracted(const BoundedRun& run, const Contraction& by) {
+Sum contracted(const Subject& subject, const FunctionRun& run, const State& state,
+               const Contraction& by) {
   Sum sum;
   const std::size_t columns = by.y.empty() ? 1 : by.y.size();
   for (std::size_t i = 0; i < by.w.size() * columns; ++i) {
     const cl_R factor = by.y.empty() ? by.w[i] : by.w[i / columns] * by.y[i % columns];
-    sum.add(run.entries[i].value * Real(factor), run.entries[i].bound * Real(cln::abs(factor)));
+    const Bound& entry = run.exact.entries[i];
+    const Real size(cln::abs(factor));
+    sum.add(entry.value * Real(factor), entry.bound * size);
+    sum.stated = sum.stated + stated_error(subject.program, run.function.kind, i, state) * size;
   }
   return sum;
 }
@@ -74,7 +80,7 @@ std::string compare_field(const Subject& subject, const FunctionRun& run, Oracle
   request.user = run.function.user;
   const auto truth = oracle_contraction(subject.model, request, oracle.state(), by);
   if (!truth) return {};
-  const Sum sum = contracted(run.exact, by);
+  const Sum sum = contracted(subject, run, oracle.state(), by);
   const Real scale = rounding_scale(run, oracle);
   if (agrees(sum, *truth, scale) || agrees(sum, *truth, scale + Real(oracle.force()))) return {};
   return mismatch(by.y.empty() ? "w.x" : "w.X y", sum, *truth);

@@ -68,11 +68,23 @@ Ranges ranges_of(const Model& model) {
   return ranges;
 }
 
+/// [min, max], or the value.
+std::vector<Range> parameter_ranges(const Model& model, const Arguments<double>& values) {
+  std::vector<Range> ranges;
+  for (std::size_t i = 0; i < model.parameters.size(); ++i) {
+    const double value = values.parameters[i];
+    const auto& range = model.parameter_arrays[model.parameters[i].array].range;
+    ranges.push_back(range ? range_or(range, value) : Range{value, value});
+  }
+  return ranges;
+}
+
 Arguments<double> nominal(const Subject& subject, const Ranges& ranges, Random& random) {
   Arguments<double> values = arguments_at<double>(nominal_state(subject.model, subject.scene));
   const auto fill = [&random](std::vector<double>& to, const std::vector<Range>& from) {
     for (std::size_t i = 0; i < to.size(); ++i) to[i] = random.uniform(from[i].low, from[i].high);
   };
+  if (subject.scene.dropping) fill(values.parameters, parameter_ranges(subject.model, values));
   fill(values.q, ranges.q);
   fill(values.v, ranges.v);
   for (double& a : values.a) a = random.uniform(-default_rate, default_rate);
@@ -202,14 +214,17 @@ template <class Scalar>
 std::vector<SampledState<Scalar>> sample_states(const Subject& subject, const Sampling& sampling) {
   Random random(sampling.seed);
   const Ranges ranges = ranges_of(subject.model);
+  const bool inside = subject.scene.dropping.has_value();
   std::vector<SampledState<double>> states;
   for (std::size_t i = 0; i < sampling.count; ++i) {
     // 2^-40 = 1e-12, 2^-10 = 1e-3, 2^27 = 1e8
-    if (i % 4 < 2) states.push_back({Region::nominal, {}, nominal(subject, ranges, random)});
+    if (i % 4 < 2 || inside)
+      states.push_back({Region::nominal, {}, nominal(subject, ranges, random)});
+    if (inside) continue;
     if (i % 4 == 2) states.push_back({Region::small, {}, scaled(subject, random, -40, -11)});
     if (i % 4 == 3) states.push_back({Region::large, {}, scaled(subject, random, -27, 26)});
   }
-  if (sampling.extremes) {
+  if (sampling.extremes && !inside) {
     for (SampledState<double>& state : Extremes(subject, random).make(reach<Scalar>())) {
       states.push_back(std::move(state));
     }

@@ -29,9 +29,10 @@ struct Sampling {
   bool extremes = true;
 };
 
-/// A missing range is [-pi, pi] for coordinates in rad, [-1, 1] for others, [-10, 10] for rates,
-/// accelerations, inputs and time. Scalar: double or float; the list of extremes is the scalar's
-/// own.
+/// A scene that drops terms is sampled inside the ranges only, parameters too: elsewhere it
+/// promises nothing. A missing range is [-pi, pi] for coordinates in rad, [-1, 1] for others, [-10,
+/// 10] for rates, accelerations, inputs and time. Scalar: double or float; the list of extremes is
+/// the scalar's own.
 template <class Scalar>
 [[nodiscard]] std::vector<SampledState<Scalar>> sample_states(const Subject& subject,
                                                               const Sampling& sampling);

@@ -60,8 +60,10 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
   append(rows, check_accuracy(subject, doubles));
   append(rows, check_accuracy(subject, floats));
   if (compiled != nullptr && !options.quick) {
-    append(rows, check_compiled(subject, *compiled, doubles));
-    append(rows, check_compiled(subject, *compiled, floats));
+    const bool has_doubles = compiled->has(ScalarKind::double_precision);
+    const bool has_floats = compiled->has(ScalarKind::single_precision);
+    if (has_doubles) append(rows, check_compiled(subject, *compiled, doubles));
+    if (has_floats) append(rows, check_compiled(subject, *compiled, floats));
   }
   append(rows, check_structure(subject, nominal_states(subject, doubles)));
   result.diagnostics = std::move(expected.diagnostics);

@@ -54,7 +54,8 @@ TEST_CASE("a scene is dumped with what it wants") {
   wanted.outputs = {"bias"};
   wanted.fixed = {"k"};
   CHECK(dump(checked(block(), wanted).scene) ==
-        "scene full\nbase name block\nnamespace block\nfixed parameter 1 = 2\noutput bias 1 1\n");
+        "scene full\nbase name block\nnamespace block\nlanguage c++17, row-major\nfixed parameter "
+        "1 = 2\noutput bias 1 1\n");
 }
 
 }  // namespace

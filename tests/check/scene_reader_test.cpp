@@ -44,7 +44,7 @@ TEST_CASE("a model alone is the scene full") {
   const Scene full = checked(arrays).scene;
   CHECK(full.name.empty());
   CHECK(full.base_name == "block");
-  CHECK(full.emission.cpp_namespace == "block");
+  CHECK(full.emission.name_space == "block");
   CHECK(full.canonical.empty());
   CHECK_FALSE(full.has_options);
 }
@@ -52,7 +52,7 @@ TEST_CASE("a model alone is the scene full") {
 TEST_CASE("a scene is named after model and scene") {
   const Scene scene = scene_of("doc = \"quick\"\n[emit]\nnamespace = \"quick\"\n");
   CHECK(scene.base_name == "block_fast");
-  CHECK(scene.emission.cpp_namespace == "quick");
+  CHECK(scene.emission.name_space == "quick");
   CHECK(scene.doc == "quick");
   CHECK(scene.canonical == "namespace quick\n");
 }

@@ -153,7 +153,7 @@ std::string driver(const std::vector<Header>& headers) {
 
 fs::path write_driver(const fs::path& folder, bool is_exhaustive) {
   testing::Subject subject = testing::cart_pole();
-  subject.scene.emission.cpp_namespace = "own_cart_pole";  // generated/ has a cart_pole too
+  subject.scene.emission.name_space = "own_cart_pole";  // generated/ has a cart_pole too
   const Result<EmittedFiles> files = emit(subject.model, subject.scene, subject.program);
   REQUIRE(files);
   for (const auto& [path, text] : files->files) {

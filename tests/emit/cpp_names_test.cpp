@@ -1,6 +1,7 @@
 // cpp_names: every name the emitted code keeps is refused where it would collide, and nowhere else.
 #include "emit/cpp_names.hpp"
 
+#include "emit/languages.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;
@@ -10,7 +11,7 @@ using elgen::testing::Subject;
 namespace {
 
 Diagnostics diagnostics_of(const Subject& subject) {
-  return check_names(subject.model, subject.scene, subject.program);
+  return cpp_check_names(subject.model, subject.scene, subject.program);
 }
 
 }  // namespace
@@ -50,7 +51,7 @@ TEST_CASE("structs may not collide either") {
 
 TEST_CASE("the namespace of the library is not the model's") {
   Subject subject = cart_pole();
-  subject.scene.emission.cpp_namespace = "std";
+  subject.scene.emission.name_space = "std";
   CHECK(diagnostics_of(subject).size() == 1);
 }
 
@@ -61,21 +62,4 @@ TEST_CASE("temporaries give way") {
   CHECK(cpp_temporary("sin") == "sin_");
   CHECK(cpp_temporary("constant") == "constant_");
   CHECK(cpp_temporary("velocity_count") == "velocity_count_");
-}
-
-TEST_CASE("one unnamed field is returned as it is") {
-  const Program program = cart_pole().program;
-  CHECK_FALSE(returns_struct(program.functions[0]));
-  CHECK(returns_struct(program.functions[4]));
-  CHECK(struct_name(program.functions[4]) == "ForwardDynamics");
-}
-
-TEST_CASE("an array stays a parameter until every element is fixed") {
-  Subject subject = cart_pole();
-  elgen::testing::add_parameter_array(subject.model, "k", {1, 2});
-  const ParameterArray& array = subject.model.parameter_arrays.back();
-  subject.scene.specialisation.fixed[4] = 1;
-  CHECK(is_emitted(array, subject.scene));
-  subject.scene.specialisation.fixed[5] = 1;
-  CHECK_FALSE(is_emitted(array, subject.scene));
 }

@@ -72,7 +72,7 @@ TEST_CASE("the folder of the model changes no byte") {
 TEST_CASE("what a scene says changes the stamp and the namespace") {
   Subject subject = cart_pole();
   subject.scene.canonical = "fixed g = 9.81";
-  subject.scene.emission.cpp_namespace = "plant";
+  subject.scene.emission.name_space = "plant";
   const std::string header = emitted(subject).files.at("cart_pole/cart_pole.hpp");
   CHECK(header.find("scene full") == std::string::npos);
   CHECK(header.find("namespace plant {") != std::string::npos);

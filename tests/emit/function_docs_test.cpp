@@ -14,7 +14,7 @@ namespace {
 Lines docs(const Subject& subject, std::size_t index) {
   const Function& function = subject.program.functions[index];
   const FunctionEquations printed = equations(subject.program, function);
-  return function_docs({subject.model, subject.program, function, printed, "a.equations.json"});
+  return function_docs({subject.model, subject.program, function, printed, "a.equations.json", {}});
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ TEST_CASE("long rows become indexed lines, long listings a pointer to the sideca
   printed.entries = {{wide, wide, wide, wide}};
   const Function& mass_matrix = subject.program.functions[0];
   const auto lines = [&] {
-    return function_docs({subject.model, subject.program, mass_matrix, printed, "a.json"});
+    return function_docs({subject.model, subject.program, mass_matrix, printed, "a.json", {}});
   };
   CHECK(lines().back() == "     [1, 1] = " + wide);
   for (int i = 0; i < 100; ++i) printed.definitions.push_back({"x" + std::to_string(i), "1"});
@@ -79,6 +79,6 @@ TEST_CASE("summary of a field") {
   const Subject subject = cart_pole();
   const Function& function = subject.program.functions[4];
   const FunctionEquations printed;
-  CHECK(field_summary({subject.model, subject.program, function, printed, ""},
+  CHECK(field_summary({subject.model, subject.program, function, printed, "", {}},
                       function.fields[0]) == "2 entries [m/s^2, 1/s^2]");
 }

@@ -35,8 +35,8 @@ TEST_CASE("each function gets the arguments of its row, and t last where t occur
   CHECK_THAT(driver(model, sample::scene()), !Contains(", t)"));
   model.uses_time = true;
   const std::string text = driver(model, sample::scene());
-  CHECK_THAT(text, Contains("velocity_count>(a), t)"));
-  CHECK_THAT(text, Contains("input_count>(u), t)"));
+  CHECK_THAT(text, Contains("1>(a), t)"));
+  CHECK_THAT(text, Contains("0>(u), t)"));
 }
 
 TEST_CASE("the mass matrix takes v where L is not quadratic") {
@@ -51,7 +51,7 @@ TEST_CASE("the mass matrix takes v where L is not quadratic") {
 
 TEST_CASE("a chosen namespace is used, the file keeps its name") {
   elgen::Scene scene = sample::scene();
-  scene.emission.cpp_namespace = "plant";
+  scene.emission.name_space = "plant";
   const std::string text = driver(sample::model(), scene);
   CHECK_THAT(text, Contains("#include \"sample/sample.hpp\""));
   CHECK_THAT(text, Contains("namespace emitted = ::plant;"));
@@ -65,4 +65,22 @@ TEST_CASE("results beyond 4096 entries are taken by reference") {
   program.functions[0].fields[0].entries.push_back(0);
   CHECK_THAT(driver_source(sample::model(), sample::scene(), program),
              Contains("inverse_dynamics(result,"));
+}
+
+TEST_CASE("a driver of C calls prefixed functions, for the scene's scalar alone") {
+  elgen::Scene scene = sample::scene();
+  scene.emission.language = elgen::LanguageId::c99;
+  scene.numerics.scalars = {elgen::ScalarKind::single_precision};
+  const std::string text = driver(sample::model(), scene);
+  CHECK_THAT(text, Contains("#include \"sample/sample.h\""));
+  CHECK_THAT(text, Contains("sample_inverse_dynamics(&p, q, v, a, result);"));
+  CHECK_THAT(text, Contains("sample_forward_dynamics(&p, q, v, u, &result);"));
+  CHECK_THAT(text, Contains("elgen_driver_float_0"));
+  CHECK_THAT(text, !Contains("elgen_driver_double_0"));
+}
+
+TEST_CASE("column-major results come out row by row") {
+  elgen::Scene scene = sample::scene();
+  scene.emission.storage = elgen::Storage::column_major;
+  CHECK_THAT(driver(sample::model(), scene), Contains("stored[j * rows + i]"));
 }

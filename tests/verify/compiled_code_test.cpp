@@ -26,6 +26,7 @@ class Changed final : public CompiledModel {
                                         const Arguments<float>& arguments) const override {
     return changed(function, arguments);
   }
+  [[nodiscard]] bool has(ScalarKind /*scalar*/) const override { return true; }
 
  private:
   template <class Scalar>

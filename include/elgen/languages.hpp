@@ -1,0 +1,38 @@
+// The table of target languages (languages.def), as an enumeration with its properties.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace elgen {
+
+enum class LanguageId : std::uint8_t {
+#define ELGEN_LANGUAGE(id, name, ending, scalars) id,
+#include "elgen/languages.def"
+#undef ELGEN_LANGUAGE
+};
+
+/// Whether emitted functions are generic in their scalar, or written for one.
+enum class LanguageScalars : std::uint8_t { any, one };
+
+struct LanguageRow {
+  LanguageId id;
+  std::string_view name;
+  std::string_view ending;
+  LanguageScalars scalars;
+};
+
+inline constexpr std::array language_table{
+#define ELGEN_LANGUAGE(id, name, ending, scalars) \
+  LanguageRow{LanguageId::id, name, ending, LanguageScalars::scalars},
+#include "elgen/languages.def"
+#undef ELGEN_LANGUAGE
+};
+
+[[nodiscard]] constexpr const LanguageRow& language_row(LanguageId id) {
+  return language_table[static_cast<std::size_t>(id)];
+}
+
+}  // namespace elgen

@@ -1,0 +1,210 @@
+// c99_dialect: the float functions of <math.h> end with f, those of double do not; sign, min and
+// max are helpers of the header that compute what the C++ code computes (fmin would drop a NaN).
+#include "c99_dialect.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "emission_input.hpp"
+#include "evaluate/decimal.hpp"
+#include "fields.hpp"
+#include "layout.hpp"
+#include "literal.hpp"
+#include "signature.hpp"
+
+namespace elgen {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+constexpr std::array<std::string_view, 8> own_names{"p", "q", "v", "a", "u", "t", "w", "result"};
+
+/// Whether a local of this name would hide an argument or a function it might call.
+bool is_hiding(const std::string& name, const std::string& prefix) {
+  const auto is_called = [&name](const FunctionRow& row) {
+    return name == row.name || name == std::string(row.name) + "f";
+  };
+  return name == "sqrtf" || name == "fabs" || name == "fabsf" || name.starts_with(prefix) ||
+         std::any_of(function_table.begin(), function_table.end(), is_called) ||
+         std::find(own_names.begin(), own_names.end(), name) != own_names.end();
+}
+
+/// "[7]"; C has no arrays of zero elements.
+std::string extent(std::size_t size) { return size == 0 ? "[]" : fmt::format("[{}]", size); }
+
+/// "  (void)q;" for each name the statements do not mention.
+std::string unused(const Texts& names, const std::string& statements) {
+  std::string lines;
+  for (const std::string& name : names) {
+    if (!mentions(statements, name)) lines += fmt::format("  (void){};\n", name);
+  }
+  return lines;
+}
+
+}  // namespace
+
+ScalarKind c99_scalar(const Scene& scene) { return scene.numerics.scalars.front(); }
+
+std::string c99_literal(const cln::cl_R& value, ScalarKind scalar) {
+  const std::string magnitude = scalar_literal(cln::abs(value), scalar);
+  const bool is_float = scalar == ScalarKind::single_precision;
+  return (cln::minusp(value) ? "-" : "") + magnitude + (is_float ? "f" : "");
+}
+
+C99Dialect::C99Dialect(const Model& model, const Scene& scene, const Program& program)
+    : model_(model),
+      program_(program),
+      scalar_kind_(c99_scalar(scene)),
+      scalar_(scalar_name(scalar_kind_)),
+      prefix_(name_space(scene) + "_"),
+      parameters_(parameter_members(model, program.leaves)) {}
+
+std::string C99Dialect::leaf(const Instruction& instruction) const {
+  const bool is_parameter = instruction.opcode == Opcode::parameter;
+  return is_parameter ? "p->" + parameters_[instruction.a] : variable_text(instruction);
+}
+
+Term C99Dialect::constant(const Constant& constant) const {
+  const bool is_negative = cln::minusp(constant.value);
+  return {c99_literal(constant.value, scalar_kind_),
+          is_negative ? Precedence::negation : Precedence::primary};
+}
+
+std::string C99Dialect::function_of_library(const std::string& name) const {
+  return name + (scalar_kind_ == ScalarKind::single_precision ? "f" : "");
+}
+
+std::string C99Dialect::call(FunctionId function, const std::string& arguments) const {
+  switch (function) {
+    case FunctionId::sign:
+      return fmt::format("{}sign_of({})", prefix_, arguments);
+    case FunctionId::min:
+      return fmt::format("{}smaller({})", prefix_, arguments);
+    case FunctionId::max:
+      return fmt::format("{}larger({})", prefix_, arguments);
+    case FunctionId::abs:
+      return fmt::format("{}({})", function_of_library("fabs"), arguments);
+    default:
+      return fmt::format("{}({})", function_of_library(std::string(function_row(function).name)),
+                         arguments);
+  }
+}
+
+std::string C99Dialect::square_root(const std::string& argument) const {
+  return fmt::format("{}({})", function_of_library("sqrt"), argument);
+}
+
+std::string C99Dialect::temporary(const std::string& name) const {
+  return is_hiding(name, prefix_) ? name + "_" : name;
+}
+
+std::string C99Dialect::shared(const std::string& name) const { return "w->" + name; }
+
+std::string C99Dialect::declaration(const std::string& name) const {
+  return fmt::format("const {} {}", scalar_, name);
+}
+
+bool C99Dialect::gives_number(const Function& function) const {
+  return !gives_struct(function) && is_scalar(function.kind, function.fields.front());
+}
+
+std::string C99Dialect::target(const Function& function, const SectionItem& entry,
+                               bool /*is_part*/) const {
+  const Field& field = function.fields[entry.field];
+  if (field.name.empty()) return fmt::format("result[{}]", entry.index);
+  const bool is_number = is_scalar(kind_of_field(program_, function, field), field);
+  return "result->" + field.name + (is_number ? "" : fmt::format("[{}]", entry.index));
+}
+
+std::string C99Dialect::returned(const Function& function, const FunctionBody& body) const {
+  if (!gives_number(function)) return "";
+  const Wrapping wrapping{line_width - 10, "      "};
+  const Texts lines = wrap_expression(body.entries.front().front().text, wrapping);
+  return fmt::format("  return {};\n", fmt::join(lines, "\n"));
+}
+
+std::string C99Dialect::opening(const Function& function, const std::string& statements,
+                                bool is_part) const {
+  Texts names;
+  for (const Argument argument : arguments_of(model_, function)) {
+    names.emplace_back(argument_name(argument));
+  }
+  if (is_part) names.emplace_back("w");
+  if (is_part || !gives_number(function)) names.emplace_back("result");
+  return unused(names, statements);
+}
+
+Texts C99Dialect::declared_arguments(const Function& function) const {
+  Texts arguments;
+  for (const Argument argument : arguments_of(model_, function)) {
+    const std::string_view name = argument_name(argument);
+    if (argument == Argument::parameters) {
+      arguments.push_back(fmt::format("const {}parameters *{}", prefix_, name));
+    } else if (argument == Argument::time) {
+      arguments.push_back(fmt::format("{} {}", scalar_, name));
+    } else {
+      arguments.push_back(
+          fmt::format("const {} {}{}", scalar_, name, extent(argument_size(model_, argument))));
+    }
+  }
+  return arguments;
+}
+
+std::string C99Dialect::result_argument(const Function& function) const {
+  if (gives_struct(function)) return struct_name(function) + " *result";
+  return fmt::format("{} result{}", scalar_, extent(entry_count(function)));
+}
+
+std::string C99Dialect::signature(const Function& function, const std::string& /*body*/) const {
+  Texts arguments = declared_arguments(function);
+  const bool is_number = gives_number(function);
+  if (!is_number) arguments.push_back(result_argument(function));
+  return elgen::signature(
+      fmt::format("static inline {} {}{}", is_number ? scalar_ : "void", prefix_, function.name),
+      arguments, "");
+}
+
+std::string C99Dialect::part_name(const Function& function, std::size_t part) const {
+  return fmt::format("{}{}_part_{}", prefix_, function.name, part + 1);
+}
+
+std::string C99Dialect::part_signature(const Function& function, std::size_t part,
+                                       const std::string& /*body*/) const {
+  Texts arguments = declared_arguments(function);
+  arguments.push_back(workspace_name(function) + " *w");
+  arguments.push_back(result_argument(function));
+  return elgen::signature("static inline void " + part_name(function, part), arguments, "");
+}
+
+std::string C99Dialect::calling_body(const Function& function, std::size_t parts) const {
+  const bool is_number = gives_number(function);
+  std::string body = is_number ? fmt::format("  {} result[1];\n", scalar_) : "";
+  body += fmt::format("  {} w;\n", workspace_name(function));
+  std::string arguments;
+  for (const Argument argument : arguments_of(model_, function)) {
+    arguments += fmt::format("{}, ", argument_name(argument));
+  }
+  for (std::size_t part = 0; part < parts; ++part) {
+    body += fmt::format("  {}({}&w, result);\n", part_name(function, part), arguments);
+  }
+  return is_number ? body + "  return result[0];\n" : body;
+}
+
+std::string C99Dialect::member(const Function& function, const Field& field) const {
+  if (field.entries.empty()) return "";
+  const bool is_number = is_scalar(kind_of_field(program_, function, field), field);
+  return fmt::format("{} {}{};", scalar_, field.name,
+                     is_number ? "" : extent(field.entries.size()));
+}
+
+std::string C99Dialect::struct_name(const Function& function) const {
+  return prefix_ + function.name + "_result";
+}
+
+std::string C99Dialect::workspace_name(const Function& function) const {
+  return prefix_ + function.name + "_workspace";
+}
+
+}  // namespace elgen

@@ -1,0 +1,55 @@
+// cpp_header: the C++17 header, as templates/cpp/header.hpp.mustache pictures it.
+#include <fmt/format.h>
+
+#include <set>
+
+#include "cpp_constant.hpp"
+#include "cpp_declarations.hpp"
+#include "cpp_dialect.hpp"
+#include "evaluate/decimal.hpp"
+#include "header_data.hpp"
+#include "languages.hpp"
+#include "layout.hpp"
+#include "stamp.hpp"
+
+namespace elgen {
+namespace {
+
+using List = TemplateData::type;
+
+/// The functions that hold constants too long to stand in an equation, in order of the program.
+TemplateData numbers(const Program& program) {
+  TemplateData list(List::list);
+  std::set<std::string> written;
+  for (const Constant& constant : program.constants) {
+    const std::string name = constant_name(constant);
+    if (is_short_constant(constant.value) || !written.insert(name).second) continue;
+    TemplateData item;
+    const cln::cl_R magnitude = cln::abs(constant.value);
+    item.set("text", is_rational(magnitude) ? exact_text(magnitude) : constant.text);
+    item.set("name", name);
+    const Wrapping wrapping{line_width - 10, std::string(6, ' ')};
+    item.set("value",
+             fmt::format(
+                 "{}", fmt::join(wrap_expression(cpp_magnitude(constant.value), wrapping), "\n")));
+    list.push_back(item);
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string cpp_header(const EmissionInput& input) {
+  TemplateData data = header_data(input, CppDialect(input.model, input.program));
+  data.set("declared", declared_arrays(input.model));
+  data.set("constant", partial("cpp/constant.hpp.mustache"));
+  data.set("filled", section_if(has_filled_array(input.model, input.scene)));
+  data.set("numbers", numbers(input.program));
+  data.set("kinked", partial("cpp/kinked.hpp.mustache"));
+  data.set("parameters",
+           lines_data(documented_members(parameter_members(input.model, input.scene))));
+  data.set("parts_of_function", partial("cpp/parts.hpp.mustache"));
+  return stamped(render("cpp/header.hpp.mustache", data));
+}
+
+}  // namespace elgen

@@ -1,0 +1,23 @@
+// header_data: EmissionInput -> the values of the holes that the headers of every language have:
+// stamp, counts, introduction, table of operations, and the functions with their documentation.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "dialect.hpp"
+#include "emission_input.hpp"
+#include "render.hpp"
+
+namespace elgen {
+
+/// Sections `kinks` and `regular` are there where sign, min or max, and pivots are.
+[[nodiscard]] TemplateData header_data(const EmissionInput& input, const Dialect& dialect);
+
+/// Stamp and namespace alone, as every file has them.
+[[nodiscard]] TemplateData stamp_data(const EmissionInput& input);
+
+/// A template that stands on a line of its own in another one, which ends the line.
+[[nodiscard]] std::string partial(std::string_view path);
+
+}  // namespace elgen

@@ -1,0 +1,206 @@
+// Bounds: see bounds.hpp. Every leaf of a term lies in its range by itself, so that bounds hold but
+// need not be reached.
+#include "bounds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "polynomial.hpp"
+
+namespace elgen::presenting {
+
+using cln::cl_RA;
+
+namespace {
+
+/// The first exponential of a monomial; null where it has none.
+const AtomPower* exponential(const Algebra& algebra, const Monomial& monomial) {
+  const auto found = std::find_if(monomial.begin(), monomial.end(), [&](const AtomPower& power) {
+    return algebra.atoms[power.atom].kind == AtomKind::circular;
+  });
+  return found == monomial.end() ? nullptr : &*found;
+}
+
+Monomial conjugate(const Algebra& algebra, Monomial monomial) {
+  for (AtomPower& power : monomial) {
+    if (algebra.atoms[power.atom].kind == AtomKind::circular) power.exponent = -power.exponent;
+  }
+  return monomial;
+}
+
+Enclosure about_zero(const cl_RA& radius) { return {-radius, radius}; }
+
+}  // namespace
+
+std::vector<Fraction> terms_of(const Algebra& algebra, const Fraction& x) {
+  std::vector<Fraction> terms;
+  for (const auto& [monomial, coefficient] : x.numerator) {
+    const AtomPower* angle = exponential(algebra, monomial);
+    if (angle != nullptr && angle->exponent < 0) continue;  // stands with its conjugate
+    Fraction term{{{monomial, coefficient}}, x.denominator};
+    if (angle != nullptr) {
+      add_term(term.numerator, conjugate(algebra, monomial),
+               {coefficient.real, -coefficient.imaginary});
+    }
+    terms.push_back(std::move(term));
+  }
+  return terms;
+}
+
+std::nullopt_t Bounds::miss(const Span& span, std::string message, std::string hint) {
+  missing_ = {Code::E616, span, std::move(message), std::move(hint)};
+  return std::nullopt;
+}
+
+std::optional<Enclosure> Bounds::of(const Fraction& x) {
+  std::optional<Enclosure> result = of(x.numerator);
+  for (const auto& [factor, exponent] : x.denominator) {
+    const std::optional<Enclosure> divisor = of(algebra_.factors[factor].shown);
+    if (!result || !divisor) return std::nullopt;
+    const std::optional<Enclosure> inverse = power(*divisor, -exponent);
+    if (!inverse) return miss({}, "a denominator may be 0 within the declared ranges");
+    result = product(*result, *inverse);
+  }
+  return result;
+}
+
+std::optional<cl_RA> Bounds::largest_term(const Fraction& x) {
+  cl_RA largest = 0;
+  for (const Fraction& term : terms_of(algebra_, x)) {
+    const std::optional<Enclosure> bound = of(term);
+    if (!bound) return std::nullopt;
+    largest = cln::max(largest, magnitude(*bound));
+  }
+  return largest;
+}
+
+std::optional<cl_RA> Bounds::all_terms(const Fraction& x) {
+  cl_RA total = 0;
+  for (const Fraction& term : terms_of(algebra_, x)) {
+    const std::optional<Enclosure> bound = of(term);
+    if (!bound) return std::nullopt;
+    total = total + magnitude(*bound);
+  }
+  return total;
+}
+
+/// A pair c z + conj(c z), |z| = r, is at most 2 |c| r.
+std::optional<Enclosure> Bounds::of(const Polynomial& sum) {
+  Enclosure total;
+  for (const auto& [monomial, coefficient] : sum) {
+    const AtomPower* angle = exponential(algebra_, monomial);
+    if (angle != nullptr && angle->exponent < 0) continue;
+    const std::optional<Enclosure> powers = of(monomial);
+    if (!powers) return std::nullopt;
+    if (angle == nullptr) {
+      total = presenting::sum(total, product(*powers, {coefficient.real, coefficient.real}));
+      continue;
+    }
+    const cl_RA square =
+        coefficient.real * coefficient.real + coefficient.imaginary * coefficient.imaginary;
+    const cl_RA amplitude = square_root(Enclosure{square, square}).high * 2;
+    total = presenting::sum(total, about_zero(amplitude * magnitude(*powers)));
+  }
+  return total;
+}
+
+std::optional<Enclosure> Bounds::of(const Monomial& monomial) {
+  Enclosure result{1, 1};
+  for (const AtomPower& factor : monomial) {
+    if (algebra_.atoms[factor.atom].kind == AtomKind::circular) continue;  // of length 1
+    const std::optional<Enclosure> base = of_atom(factor.atom);
+    if (!base) return std::nullopt;
+    const std::optional<Enclosure> raised = power(*base, factor.exponent);
+    if (!raised) return miss({}, "a denominator may be 0 within the declared ranges");
+    result = product(result, *raised);
+  }
+  return result;
+}
+
+std::optional<Enclosure> Bounds::of_atom(AtomId id) {
+  if (const auto known = known_.find(id); known != known_.end()) return known->second;
+  const Atom& atom = algebra_.atoms[id];
+  std::optional<Enclosure> result;
+  switch (atom.kind) {
+    case AtomKind::leaf:
+      result = of_leaf(atom);
+      break;
+    case AtomKind::constant:
+      result = enclosure_of(atom.constant.value);
+      break;
+    case AtomKind::circular:
+      result = about_zero(1);
+      break;
+    case AtomKind::root:
+      result = of(atom.arguments[0]);
+      if (result) result = square_root(*result);
+      break;
+    case AtomKind::call:
+      result = of_call(atom);
+      break;
+  }
+  if (result) known_[id] = *result;
+  return result;
+}
+
+std::optional<Enclosure> Bounds::of_leaf(const Atom& atom) {
+  switch (atom.leaf) {
+    case Opcode::parameter: {
+      const Parameter& parameter = model_.parameters[atom.index];
+      const auto& range = model_.parameter_arrays[parameter.array].range;
+      return range ? enclosure_of(range->low, range->high) : enclosure_of(parameter.value);
+    }
+    case Opcode::coordinate: {
+      const Coordinate& coordinate = model_.coordinates[atom.index];
+      const auto& range = coordinate.range;
+      if (range) return enclosure_of(range->low, range->high);
+      return miss(coordinate.span,
+                  fmt::format("`drop_below` needs the `range` of `{}`", coordinate.name),
+                  "it stands outside sines and cosines: declare `range = [low, high]`");
+    }
+    case Opcode::velocity: {
+      const Velocity& velocity = model_.velocities[atom.index];
+      const auto& range = velocity.rate_range;
+      if (range) return enclosure_of(range->low, range->high);
+      return miss(velocity.span,
+                  fmt::format("`drop_below` needs the `rate_range` of `{}`", velocity.name),
+                  "declare `rate_range = [low, high]`");
+    }
+    default:
+      return miss({}, "`drop_below` has no bound of `t` outside sines and cosines");
+  }
+}
+
+std::optional<Enclosure> Bounds::of_call(const Atom& atom) {
+  const cl_RA pi_above = cl_RA(22) / 7;
+  std::vector<Enclosure> arguments;
+  switch (atom.function) {
+    case FunctionId::tanh:
+    case FunctionId::sign:
+      return about_zero(1);
+    case FunctionId::asin:
+    case FunctionId::atan:
+      return about_zero(pi_above / 2);
+    case FunctionId::acos:
+    case FunctionId::atan2:
+      return about_zero(pi_above);
+    case FunctionId::abs:
+    case FunctionId::min:
+    case FunctionId::max:
+      break;
+    default:
+      return miss(
+          {}, fmt::format("`drop_below` has no bound of `{}`", function_row(atom.function).name));
+  }
+  // |x|, min and max are at most the largest of their arguments.
+  cl_RA largest = 0;
+  for (const Fraction& argument : atom.arguments) {
+    const std::optional<Enclosure> own = of(argument);
+    if (!own) return std::nullopt;
+    largest = cln::max(largest, magnitude(*own));
+  }
+  return about_zero(largest);
+}
+
+}  // namespace elgen::presenting

@@ -1,0 +1,49 @@
+// Bounds: what closed forms are at most over the ranges a model declares.
+//
+//     1/4 m x e^(i theta) + its conjugate,  m = 2, x in [-3, 1]     ->     [-3, 3]
+//
+// Parameters lie in [min, max], or are at their value; coordinates lie in `range`, rates in
+// `rate_range`.
+#pragma once
+
+#include <map>
+
+#include "elgen/closed_forms.hpp"
+#include "elgen/model.hpp"
+#include "enclosure.hpp"
+
+namespace elgen::presenting {
+
+/// Each pair of conjugate exponentials, and each other monomial, as a fraction of its own.
+[[nodiscard]] std::vector<Fraction> terms_of(const Algebra& algebra, const Fraction& x);
+
+class Bounds {
+ public:
+  /// `algebra` may grow while this lives.
+  Bounds(const Algebra& algebra, const Model& model) : algebra_(algebra), model_(model) {}
+
+  /// None where there is no bound; missing() then says why.
+  [[nodiscard]] std::optional<Enclosure> of(const Fraction& x);
+
+  /// Of the largest term, and of all terms together.
+  [[nodiscard]] std::optional<cln::cl_RA> largest_term(const Fraction& x);
+  [[nodiscard]] std::optional<cln::cl_RA> all_terms(const Fraction& x);
+
+  /// E616 of the last bound that there was not.
+  [[nodiscard]] const Diagnostic& missing() const { return missing_; }
+
+ private:
+  std::optional<Enclosure> of(const Polynomial& sum);
+  std::optional<Enclosure> of(const Monomial& monomial);
+  std::optional<Enclosure> of_atom(AtomId id);
+  std::optional<Enclosure> of_leaf(const Atom& atom);
+  std::optional<Enclosure> of_call(const Atom& atom);
+  std::nullopt_t miss(const Span& span, std::string message, std::string hint = {});
+
+  const Algebra& algebra_;
+  const Model& model_;
+  std::map<AtomId, Enclosure> known_ = {};
+  Diagnostic missing_{Code::E616, {}, {}};
+};
+
+}  // namespace elgen::presenting

@@ -1,0 +1,60 @@
+// emission: [emit] as enumerators, what of it is hashed, and what does not go together.
+#include "check/emission.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "check_testing.hpp"
+
+namespace elgen::test {
+namespace {
+
+const std::string head = "format = 1\nmodel = \"block.toml\"\nname = \"fast\"\n";
+
+Scene scene_of(const std::string& more) {
+  Wanted wanted;
+  wanted.scene = head + more;
+  return checked(block(""), wanted).scene;
+}
+
+std::string scene_messages(const std::string& more) {
+  Wanted wanted;
+  wanted.scene = head + more;
+  return messages(block(""), wanted);
+}
+
+TEST_CASE("without [emit] the code is C++, row-major, without Eigen") {
+  const Scene scene = scene_of("");
+  CHECK(scene.emission.language == LanguageId::cpp);
+  CHECK(scene.emission.storage == Storage::row_major);
+  CHECK_FALSE(scene.emission.eigen);
+  CHECK(scene.canonical.empty());
+  CHECK(scene_of("[emit]\nlanguage = \"c++17\"\nstorage = \"row-major\"\neigen = false\n")
+            .canonical.empty());
+}
+
+TEST_CASE("what differs from that is hashed, in one order") {
+  const Scene c = scene_of("[emit]\nstorage = \"column-major\"\nlanguage = \"c99\"\n");
+  CHECK(c.emission.language == LanguageId::c99);
+  CHECK(c.emission.storage == Storage::column_major);
+  CHECK(c.canonical == "language c99\nstorage column-major\n");
+  CHECK(scene_of("[emit]\neigen = true\nnamespace = \"arm\"\n").canonical ==
+        "namespace arm\neigen\n");
+}
+
+TEST_CASE("code in C is for one scalar, float or double") {
+  const std::string language = "[emit]\nlanguage = \"c99\"\n";
+  CHECK(scene_of("[numeric]\nscalar = [\"float\"]\n" + language).numerics.scalars.size() == 1);
+  for (const char* list : {"[]", "[\"long double\"]", "[\"float\", \"double\"]"}) {
+    INFO(list);
+    CHECK(scene_messages(std::string("[numeric]\nscalar = ") + list + "\n" + language)
+              .find("code in `c99` is written for one scalar") != std::string::npos);
+  }
+}
+
+TEST_CASE("Eigen is C++") {
+  CHECK(scene_messages("[emit]\nlanguage = \"c99\"\neigen = true\n")
+            .find("`eigen` needs C++, and `language` is `c99`") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace elgen::test

@@ -1,0 +1,77 @@
+// c99_dialect: leaves, constants and calls, then small functions, line for line.
+#include "emit/c99_dialect.hpp"
+
+#include "emit/definition.hpp"
+#include "fixture.hpp"
+
+using namespace elgen;
+using elgen::testing::cart_pole;
+using elgen::testing::Subject;
+
+namespace {
+
+Subject in_c(ScalarKind scalar = ScalarKind::double_precision) {
+  Subject subject = cart_pole();
+  subject.scene.emission.language = LanguageId::c99;
+  subject.scene.numerics.scalars = {scalar};
+  return subject;
+}
+
+DefinitionText text_of(const Subject& subject, std::size_t function) {
+  const C99Dialect dialect(subject.model, subject.scene, subject.program);
+  return definition(dialect, subject.program, subject.program.functions[function],
+                    Storage::row_major)
+      .whole;
+}
+
+}  // namespace
+
+TEST_CASE("an array goes to result, unused arguments are named") {
+  const DefinitionText gravity = text_of(in_c(), 1);
+  CHECK(gravity.signature ==
+        "static inline void cart_pole_gravity(const cart_pole_parameters *p, const double q[2],\n"
+        "                                     double result[2])");
+  CHECK(gravity.body ==
+        "  const double sin_theta = sin(q[1]);\n"
+        "  result[0] = 0.0;\n"
+        "  result[1] = -p->g * p->l * p->m * sin_theta;\n");
+  CHECK(text_of(in_c(), 3).body ==
+        "  (void)p;\n  (void)q;\n  result[0] = 1.0;\n  result[1] = 0.0;\n");
+}
+
+TEST_CASE("a number is returned, a struct filled") {
+  CHECK(text_of(in_c(), 2).body == "  (void)q;\n  return 0.5 * p->M * (v[0] * v[0]);\n");
+  const DefinitionText forward = text_of(in_c(), 4);
+  CHECK(forward.signature.find("cart_pole_forward_dynamics_result *result)") != std::string::npos);
+  CHECK(forward.body.find("  result->acceleration[0] = u[0] / p->M;\n") != std::string::npos);
+}
+
+TEST_CASE("float has its own functions and literals") {
+  const Subject subject = in_c(ScalarKind::single_precision);
+  CHECK(text_of(subject, 1).body.find("const float sin_theta = sinf(q[1]);") != std::string::npos);
+  const C99Dialect dialect(subject.model, subject.scene, subject.program);
+  CHECK(dialect.constant({cln::cl_RA(-1) / 3, "-1/3"}).text == "-0.33333334f");
+  CHECK(dialect.square_root("x") == "sqrtf(x)");
+  CHECK(dialect.call(FunctionId::abs, "x") == "fabsf(x)");
+  CHECK(dialect.call(FunctionId::min, "x, y") == "cart_pole_smaller(x, y)");
+}
+
+TEST_CASE("temporaries hide nothing") {
+  const Subject subject = in_c();
+  const C99Dialect dialect(subject.model, subject.scene, subject.program);
+  CHECK(dialect.temporary("sin_theta") == "sin_theta");
+  for (const char* name : {"p", "result", "sinf", "cart_pole_bias"}) {
+    CHECK(dialect.temporary(name) == std::string(name) + "_");
+  }
+}
+
+TEST_CASE("a number in parts comes back through an array") {
+  const Subject subject = in_c();
+  const C99Dialect dialect(subject.model, subject.scene, subject.program);
+  CHECK(dialect.calling_body(subject.program.functions[2], 2) ==
+        "  double result[1];\n"
+        "  cart_pole_kinetic_energy_workspace w;\n"
+        "  cart_pole_kinetic_energy_part_1(p, q, v, &w, result);\n"
+        "  cart_pole_kinetic_energy_part_2(p, q, v, &w, result);\n"
+        "  return result[0];\n");
+}

@@ -1,0 +1,41 @@
+// c99_header: golden header of a small model; ELGEN_UPDATE=1 rewrites it.
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "emit/languages.hpp"
+#include "fixture.hpp"
+
+using namespace elgen;
+using elgen::testing::cart_pole;
+using elgen::testing::Subject;
+
+namespace {
+
+Subject in_c() {
+  Subject subject = cart_pole();
+  subject.scene.emission.language = LanguageId::c99;
+  return subject;
+}
+
+std::string header_of(const Subject& subject) {
+  return c99_header(emission_input(subject.model, subject.scene, subject.program));
+}
+
+}  // namespace
+
+TEST_CASE("the header in C is the golden one, byte for byte") {
+  const std::string golden = std::string(ELGEN_SOURCE_DIR) + "/tests/emit/golden/cart_pole.h";
+  const std::string text = header_of(in_c());
+  if (std::getenv("ELGEN_UPDATE") != nullptr) std::ofstream(golden, std::ios::binary) << text;
+  std::ifstream stream(golden, std::ios::binary);
+  std::ostringstream expected;
+  expected << stream.rdbuf();
+  CHECK(text == expected.str());
+}
+
+TEST_CASE("without parameters there is still a struct, because C has no empty one") {
+  Subject subject = in_c();
+  for (std::uint32_t i = 0; i < 4; ++i) subject.scene.specialisation.fixed[i] = 1;
+  CHECK(header_of(subject).find("  char none;") != std::string::npos);
+}

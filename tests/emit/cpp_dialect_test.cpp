@@ -1,0 +1,122 @@
+// cpp_dialect: leaves, constants and calls, then small functions, line for line.
+#include "emit/cpp_dialect.hpp"
+
+#include <fmt/format.h>
+
+#include "emit/definition.hpp"
+#include "emit/fields.hpp"
+#include "fixture.hpp"
+
+using namespace elgen;
+using elgen::testing::cart_pole;
+using elgen::testing::Subject;
+
+namespace {
+
+std::string body_of(const Subject& subject, const Function& function) {
+  const CppDialect dialect(subject.model, subject.program);
+  return definition(dialect, subject.program, function, Storage::row_major).whole.body;
+}
+
+std::string body_of(std::size_t function) {
+  const Subject subject = cart_pole();
+  return body_of(subject, subject.program.functions[function]);
+}
+
+Instruction leaf(Opcode opcode, std::uint32_t index) { return {opcode, FunctionId::sin, index, 0}; }
+
+}  // namespace
+
+TEST_CASE("functions called, named values, result") {
+  CHECK(body_of(1) ==
+        "  using std::sin;\n"
+        "  const Scalar sin_theta = sin(q[1]);\n"
+        "  return {{constant<Scalar>(0.0), -p.g * p.l * p.m * sin_theta}};\n");
+}
+
+TEST_CASE("a scalar is returned without braces, a struct field by field") {
+  CHECK(body_of(2) == "  return constant<Scalar>(0.5) * p.M * (v[0] * v[0]);\n");
+  CHECK(body_of(4) ==
+        "  using std::sqrt;\n"
+        "  return {\n"
+        "      {{u[0] / p.M, number_1_3<Scalar>() * sqrt(p.l)}},\n"
+        "      {{constant<Scalar>(1.0), constant<Scalar>(1.0)}},\n"
+        "  };\n");
+}
+
+TEST_CASE("kinked functions are the header's own") {
+  Subject subject = cart_pole();
+  subject.program = elgen::testing::read_program(
+      "coordinates x theta\nfunction applied_force\n  0 = velocity x\n  1 = sign 0\n"
+      "  2 = abs 0\n  result 2 1 = 1 2\n");
+  const std::string body = body_of(subject, subject.program.functions[0]);
+  CHECK(body.find("using std::abs;") != std::string::npos);
+  CHECK(body.find("using std::sign;") == std::string::npos);
+}
+
+TEST_CASE("a matrix too long for a line is one row a line, or one entry a line") {
+  Subject subject = cart_pole();
+  Function function;
+  function.instructions = {{Opcode::velocity, FunctionId::sin, 0, 0}};
+  function.names = {""};
+  function.fields = {{"", 12, 12, std::vector<std::uint32_t>(144, 0)}};
+  const std::string row =
+      "      v[0], v[0], v[0], v[0], v[0], v[0], v[0], v[0], v[0], v[0], v[0], v[0],\n";
+  CHECK(body_of(subject, function).find(row + row) != std::string::npos);
+  function.fields = {{"", 2, 40, std::vector<std::uint32_t>(80, 0)}};
+  CHECK(body_of(subject, function).find("      v[0],\n      v[0],\n") != std::string::npos);
+}
+
+TEST_CASE("big results are written entry by entry") {
+  Subject subject = cart_pole();
+  Function function;
+  function.kind = OutputKind::bias;
+  function.name = "bias";
+  function.instructions = {{Opcode::velocity, FunctionId::sin, 1, 0}};
+  function.names = {""};
+  const auto count = static_cast<std::uint32_t>(largest_returned + 1);
+  function.fields = {{"", count, 1, std::vector<std::uint32_t>(count, 0)}};
+  const CppDialect dialect(subject.model, subject.program);
+  const Definition written = definition(dialect, subject.program, function, Storage::row_major);
+  REQUIRE(written.parts.size() > 1);
+  const std::string& first = written.parts.front().body;
+  CHECK(first.rfind("  result[0] = v[1];\n  result[1] = v[1];\n", 0) == 0);
+  CHECK(written.whole.signature.rfind("void bias(Forces<Scalar>& result,", 0) == 0);
+  CHECK(written.whole.body.find("return") == std::string::npos);
+}
+
+TEST_CASE("leaves") {
+  Subject subject = cart_pole();
+  elgen::testing::add_parameter_array(subject.model, "k", {1, 2});
+  subject.program.leaves.parameters = {"g", "k[2]"};
+  const CppDialect spelling(subject.model, subject.program);
+  CHECK(spelling.leaf(leaf(Opcode::parameter, 0)) == "p.g");
+  CHECK(spelling.leaf(leaf(Opcode::parameter, 1)) == "p.k[1]");
+  CHECK(spelling.leaf(leaf(Opcode::coordinate, 1)) == "q[1]");
+  CHECK(spelling.leaf(leaf(Opcode::velocity, 0)) == "v[0]");
+  CHECK(spelling.leaf(leaf(Opcode::acceleration, 0)) == "a[0]");
+  CHECK(spelling.leaf(leaf(Opcode::input, 0)) == "u[0]");
+  CHECK(spelling.leaf(leaf(Opcode::time, 0)) == "t");
+}
+
+TEST_CASE("constants stand where they are used when they are short") {
+  const Subject subject = cart_pole();
+  const CppDialect spelling(subject.model, subject.program);
+  CHECK(spelling.constant({2, "2"}).text == "constant<Scalar>(2.0)");
+  CHECK(spelling.constant({cln::cl_RA(1) / 3, "1/3"}).text == "number_1_3<Scalar>()");
+  const Term negative = spelling.constant({-1, "-1"});
+  CHECK(negative.text == "-constant<Scalar>(1.0)");
+  CHECK(negative.precedence == Precedence::negation);
+}
+
+TEST_CASE("calls") {
+  const Subject subject = cart_pole();
+  const CppDialect spelling(subject.model, subject.program);
+  CHECK(spelling.call(FunctionId::atan2, "y, x") == "atan2(y, x)");
+  CHECK(spelling.call(FunctionId::sign, "x") == "detail::sign_of<Scalar>(x)");
+  CHECK(spelling.call(FunctionId::min, "x, y") == "detail::smaller<Scalar>(x, y)");
+  CHECK(spelling.call(FunctionId::max, "x, y") == "detail::larger<Scalar>(x, y)");
+  CHECK(spelling.square_root("x") == "sqrt(x)");
+  CHECK(spelling.temporary("sin") == "sin_");
+  CHECK(spelling.shared("sin_theta") == "w.sin_theta");
+}

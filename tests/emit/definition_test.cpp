@@ -1,0 +1,86 @@
+// definition: short functions whole, long ones in parts, matrices in the order of storage.
+#include "emit/definition.hpp"
+
+#include <fmt/format.h>
+
+#include "emit/cpp_dialect.hpp"
+#include "fixture.hpp"
+
+using namespace elgen;
+using elgen::testing::cart_pole;
+using elgen::testing::Subject;
+
+namespace {
+
+/// A chain of statements: each named value is used by the next two.
+Subject long_function(std::size_t statements) {
+  Subject subject = cart_pole();
+  std::string text = "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  1 = sin 0\n";
+  for (std::size_t i = 2; i < statements + 2; ++i) {
+    text += fmt::format("  {} = add {} {}  ; s{}\n", i, i - 1, i - 2, i);
+  }
+  text += fmt::format("  result 2 1 = {} 1\n", statements + 1);
+  subject.program = elgen::testing::read_program(text);
+  return subject;
+}
+
+Definition function_of(const Subject& subject, Storage storage = Storage::row_major) {
+  const CppDialect dialect(subject.model, subject.program);
+  return definition(dialect, subject.program, subject.program.functions.front(), storage);
+}
+
+}  // namespace
+
+TEST_CASE("a short function is one body") {
+  const Definition function = function_of(long_function(20));
+  CHECK(function.parts.empty());
+  CHECK(function.workspace.empty());
+  CHECK(function.whole.body.find("return {{") != std::string::npos);
+}
+
+TEST_CASE("a long function calls its parts in order") {
+  const Definition function = function_of(long_function(longest_body));
+  REQUIRE(function.parts.size() == 3);
+  CHECK(function.whole.body ==
+        "  Forces<Scalar> result;\n"
+        "  detail::GravityWorkspace<Scalar> w;\n"
+        "  detail::gravity_part_1(result, w, p, q);\n"
+        "  detail::gravity_part_2(result, w, p, q);\n"
+        "  detail::gravity_part_3(result, w, p, q);\n"
+        "  return result;\n");
+  CHECK(function.whole.signature.find("Parameters<Scalar>& p") != std::string::npos);
+  CHECK(function.workspace.size() == 4);  // two at each cut
+}
+
+TEST_CASE("parts name the arguments they mention") {
+  const Definition function = function_of(long_function(longest_body));
+  const std::string& last = function.parts.back().signature;
+  CHECK(last.find("GravityWorkspace<Scalar>& w") != std::string::npos);
+  CHECK(last.find("const Coordinates<Scalar>&)") != std::string::npos);
+  CHECK(function.parts.front().signature.find("const Coordinates<Scalar>& q)") !=
+        std::string::npos);
+}
+
+TEST_CASE("more entries than a stack should hold are written by reference") {
+  Subject subject = cart_pole();
+  Function bias;
+  bias.kind = OutputKind::bias;
+  bias.name = "bias";
+  bias.instructions = {{Opcode::velocity, FunctionId::sin, 1, 0}};
+  bias.names = {""};
+  bias.fields = {{"", 4097, 1, std::vector<std::uint32_t>(4097, 0)}};
+  subject.program.functions = {bias};
+  const Definition function = function_of(subject);
+  CHECK(function.whole.signature.rfind("void bias(Forces<Scalar>& result,", 0) == 0);
+  CHECK(function.whole.body.find("return") == std::string::npos);
+}
+
+TEST_CASE("column-major storage goes down the columns") {
+  Subject subject = cart_pole();
+  subject.program = elgen::testing::read_program(
+      "coordinates x theta\nfunction mass_matrix\n  0 = coordinate x\n  1 = coordinate theta\n"
+      "  2 = add 0 1\n  3 = multiply 0 1\n  result 2 2 = 0 1 2 3\n");
+  CHECK(function_of(subject).whole.body == "  return {{q[0], q[1], q[0] + q[1], q[0] * q[1]}};\n");
+  CHECK(function_of(subject, Storage::column_major).whole.body ==
+        "  return {{q[0], q[0] + q[1], q[1], q[0] * q[1]}};\n");
+}

@@ -1,0 +1,211 @@
+// The same scenes in C++, in C99 and on types of Eigen, compiled by both compilers without a
+// warning: all give the same bits, row-major and column-major, and Eigen allocates nothing.
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+
+#include "support/shell.hpp"
+
+namespace elgen::test {
+namespace {
+
+constexpr std::string_view scene_template = R"toml(format = 1
+model  = "{0}"
+name   = "{1}"
+[outputs]
+coriolis_matrix  = true
+bias             = true
+inverse_dynamics = true
+kinetic_energy   = true
+forward_dynamics = true
+[numeric]
+scalar = ["{2}"]
+[emit]
+{3}
+{4}
+)toml";
+
+/// NAME, CAPITALS and SCALAR are replaced; the arrays are large enough for every model here.
+constexpr std::string_view c_side = R"source(#include "NAME_c/NAME_c.h"
+void c_side(const SCALAR *q, const SCALAR *v, const SCALAR *a, const SCALAR *u, SCALAR *to);
+void c_side(const SCALAR *q, const SCALAR *v, const SCALAR *a, const SCALAR *u, SCALAR *to) {
+  static const NAME_c_parameters p = CAPITALS_C_DEFAULT_PARAMETERS;
+  const int n = CAPITALS_C_VELOCITY_COUNT;
+  NAME_c_forward_dynamics_result result;
+  NAME_c_coriolis_matrix(&p, q, v, to);
+  NAME_c_bias(&p, q, v, to += n * n);
+  NAME_c_inverse_dynamics(&p, q, v, a, to += n);
+  *(to += n) = NAME_c_kinetic_energy(&p, q, v);
+  NAME_c_forward_dynamics(&p, q, v, u, &result);
+  for (int i = 0; i < n; ++i) {
+    to[1 + i] = result.acceleration[i];
+    to[1 + n + i] = result.relative_pivots[i];
+  }
+}
+)source";
+
+constexpr std::string_view cpp_side = R"source(#define EIGEN_RUNTIME_NO_MALLOC
+#include "NAME_rows/NAME_rows_eigen.hpp"
+#include "NAME_columns/NAME_columns_eigen.hpp"
+#include <cstdio>
+#include <cstring>
+#include <vector>
+extern "C" void c_side(const SCALAR*, const SCALAR*, const SCALAR*, const SCALAR*,
+                       SCALAR*);
+namespace {
+constexpr int m = NAME_rows::coordinate_count, n = NAME_rows::velocity_count;
+constexpr int k = NAME_rows::input_count;
+using V = Eigen::Matrix<SCALAR, n, 1>;
+struct State {
+  Eigen::Matrix<SCALAR, m, 1> q;
+  V v, a;
+  Eigen::Matrix<SCALAR, k, 1> u;
+};
+template <class Values>
+void add(std::vector<SCALAR>& to, const Values& values) {
+  for (const SCALAR& x : values) to.push_back(x);
+}
+template <class Q, class Vector>
+std::array<SCALAR, std::tuple_size<Q>::value> flat(const Vector& x) {
+  Q r{};
+  for (std::size_t i = 0; i < r.size(); ++i) r[i] = x[static_cast<Eigen::Index>(i)];
+  return r;
+}
+std::vector<SCALAR> plain(const State& s) {
+  namespace h = NAME_rows;
+  const h::Parameters<SCALAR> p{};
+  const auto q = flat<h::Coordinates<SCALAR>>(s.q);
+  const auto v = flat<h::Velocities<SCALAR>>(s.v), a = flat<h::Velocities<SCALAR>>(s.a);
+  const auto u = flat<h::Inputs<SCALAR>>(s.u);
+  std::vector<SCALAR> to;
+  add(to, h::coriolis_matrix(p, q, v));
+  add(to, h::bias(p, q, v));
+  add(to, h::inverse_dynamics(p, q, v, a));
+  to.push_back(h::kinetic_energy(p, q, v));
+  const auto result = h::forward_dynamics(p, q, v, u);
+  add(to, result.acceleration);
+  add(to, result.relative_pivots);
+  return to;
+}
+#define ON_EIGEN(h)                                                     \
+  Eigen::internal::set_is_malloc_allowed(false);                        \
+  const h::Parameters<SCALAR> p{};                                      \
+  const auto C = h::eigen::coriolis_matrix(p, s.q, s.v);                \
+  const V bias = h::eigen::bias(p, s.q, s.v);                           \
+  const V tau = h::eigen::inverse_dynamics(p, s.q, s.v, s.a + 0 * s.v); \
+  const SCALAR energy = h::eigen::kinetic_energy(p, s.q, s.v);          \
+  const auto result = h::eigen::forward_dynamics(p, s.q, s.v, s.u);     \
+  Eigen::internal::set_is_malloc_allowed(true);                         \
+  std::vector<SCALAR> to;                                               \
+  for (int i = 0; i < n; ++i)                                           \
+    for (int j = 0; j < n; ++j) to.push_back(C(i, j));                  \
+  add(to, bias);                                                        \
+  add(to, tau);                                                         \
+  to.push_back(energy);                                                 \
+  add(to, result.acceleration);                                         \
+  add(to, result.relative_pivots);                                      \
+  return to;
+std::vector<SCALAR> by_rows(const State& s) {
+  ON_EIGEN(NAME_rows)
+}
+std::vector<SCALAR> by_columns(const State& s) {
+  ON_EIGEN(NAME_columns)
+}
+bool same(const std::vector<SCALAR>& x, const std::vector<SCALAR>& y) {
+  return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof(SCALAR)) == 0;
+}
+}  // namespace
+int main() {
+  for (int sample = 0; sample < 50; ++sample) {
+    const State s{decltype(State::q)::Random(), V::Random(), V::Random(),
+                  decltype(State::u)::Random()};
+    const std::vector<SCALAR> expected = plain(s);
+    std::vector<SCALAR> in_c(expected.size());
+    c_side(s.q.data(), s.v.data(), s.a.data(), s.u.data(), in_c.data());
+    if (!same(expected, in_c)) return std::puts("C differs"), 1;
+    if (!same(expected, by_rows(s))) return std::puts("Eigen differs"), 1;
+    if (!same(expected, by_columns(s))) return std::puts("column-major differs"), 1;
+  }
+  return 0;
+}
+)source";
+
+std::string replaced(std::string text, const std::string& word, const std::string& by) {
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at)) {
+    text.replace(at, word.size(), by);
+  }
+  return text;
+}
+
+std::string side(std::string_view text, const std::string& model, const std::string& scalar) {
+  std::string capitals = model;
+  for (char& c : capitals) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  const std::string named = replaced(std::string(text), "NAME", model);
+  return replaced(replaced(named, "CAPITALS", capitals), "SCALAR", scalar);
+}
+
+void write_scenes(const Workspace& workspace, const std::string& model, const std::string& scalar,
+                  const std::string& more) {
+  const std::string path = std::string(ELGEN_SOURCE_DIR) + "/models/" + model + ".toml";
+  const auto write = [&](const std::string& name, const std::string& emit) {
+    write_text(workspace.path() / (name + ".scene.toml"),
+               fmt::format(scene_template, path, name, scalar, emit, more));
+  };
+  write("c", "language = \"c99\"");
+  write("rows", "eigen = true");
+  write("columns", "eigen = true\nstorage = \"column-major\"");
+  write_text(workspace.path() / "side.c", side(c_side, model, scalar));
+  write_text(workspace.path() / "side.cpp", side(cpp_side, model, scalar));
+}
+
+const std::string warnings =
+    " -O1 -ffp-contract=off -pedantic -Wall -Wextra -Wdouble-promotion -Wconversion -Wshadow "
+    "-Wfloat-equal -Werror -I. ";
+
+void compare(const std::string& model, const std::string& scalar, const std::string& more = "") {
+  INFO(model << " in " << scalar);
+  const Workspace workspace;
+  write_scenes(workspace, model, scalar, more);
+  const auto succeeds = [&](const std::string& command) {
+    const Outcome outcome = shell(command, workspace.path());
+    INFO(command << "\n" << outcome.output << outcome.errors);
+    CHECK(outcome.status == 0);
+  };
+  succeeds("elgen generate -q -o . c.scene.toml rows.scene.toml columns.scene.toml");
+  for (const auto& [c, cpp] : {std::pair("gcc", "g++"), std::pair("clang", "clang++")}) {
+    succeeds(std::string(c) + " -std=c99" + warnings + "-c side.c -o c.o");
+    succeeds(std::string(cpp) + " -std=c++17" + warnings +
+             "-isystem /usr/include/eigen3 side.cpp c.o -o sides && ./sides");
+    succeeds(std::string(cpp) + " -std=c++17" + warnings + "-fsyntax-only -include " + model +
+             "_c/" + model + "_c.h -x c++ /dev/null");
+  }
+}
+
+}  // namespace
+
+TEST_CASE("C++, C99 and Eigen give the same bits") {
+  for (const char* model : {"cart_pole", "two_link_arm", "quadrotor"}) {
+    for (const char* scalar : {"double", "float"}) compare(model, scalar);
+  }
+  compare("chain", "double", "[sizes]\nn = 20\n");  // long enough to be cut into parts
+}
+
+TEST_CASE("the README's examples in C and with Eigen compile") {
+  const std::string readme = read_text(std::string(ELGEN_SOURCE_DIR) + "/README.md");
+  const auto block = [&](const std::string& fence) {
+    const std::size_t start = readme.find("\n" + fence) + 1 + fence.size();
+    return readme.substr(start, readme.find("```", start) - start);
+  };
+  const Workspace workspace;
+  write_text(workspace.path() / "example.c",
+             "void hold_still(const float angles[7], float torques[7]);\n" + block("```c\n"));
+  write_text(workspace.path() / "example.cpp", block("```c++\n"));
+  const std::string generated = "-I" + std::string(ELGEN_SOURCE_DIR) + "/generated -c ";
+  CHECK(shell("gcc -std=c99" + warnings + generated + "example.c", workspace.path()).status == 0);
+  CHECK(shell("g++ -std=c++17" + warnings + "-isystem /usr/include/eigen3 " + generated +
+                  "example.cpp",
+              workspace.path())
+            .status == 0);
+}
+
+}  // namespace elgen::test
