@@ -46,7 +46,7 @@ struct StageTime {
 struct Products {
   std::optional<CheckedModel> checked = {};
   std::optional<ClosedForms> closed_forms = {};  ///< with all their terms
-  std::optional<Program> program = {};  ///< each function in its chosen form
+  std::optional<Program> program = {};           ///< each function in its chosen form
   std::vector<FormCosts> costs = {};
   std::optional<ReadableSteps> steps = {};
   std::optional<EmittedFiles> files = {};
