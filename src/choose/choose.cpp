@@ -202,7 +202,7 @@ class Choosing {
         is_reduced(function) ? Form::closed : wish_for(scene_, function);
     const bool wants_closed = wish == Form::closed;
     FormCosts costs{function.name, count_operations(function)};
-    costs.is_asked_for = wish.has_value();
+    costs.is_asked_for = wish_for(scene_, function).has_value();
     if (is_complete(entries)) {
       fill_readable(index, entries);
       if (wants_closed || is_worth_lowering(entries, cost(costs.recursive))) {
