@@ -339,8 +339,10 @@ struct Model {
   std::shared_ptr<const Model> unlocked = {};
 
   bool quadratic = true;  ///< T - V (or L) is at most quadratic in the rates
-  bool uses_time =
-      false;  ///< t occurs in an energy, a point, a force or an output: every function takes t
+  /// t occurs in an energy, a point, a force or an output: every function takes t
+  bool uses_time = false;
+  /// T may have terms of degree 1 or 0 in the rates, or V of degree 1; otherwise drift is 0
+  bool may_drift = false;
 };
 
 /// Adds a coordinate with its rate; its index.

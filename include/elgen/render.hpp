@@ -42,12 +42,16 @@ struct FunctionEquations {
                                                 std::size_t index);
 
 /// "M(q) a + C(q,v) v + g(q) = B(q) u" and the same in LaTeX: a term is left out where the model
-/// cannot have it, or where the function that would hold it is there and is zero.
+/// cannot have it, or where the function that would hold it is there and is zero. Where no function
+/// knows of motion, the equation is that at rest: "g(q) = B(q) u".
 struct EquationOfMotion {
   std::string text = {};
   std::string latex = {};
 };
 [[nodiscard]] EquationOfMotion equation_of_motion(const Model& model, const Program& program);
+
+/// Whether some function is about more than positions and forces at rest.
+[[nodiscard]] bool knows_motion(const Model& model, const Program& program);
 
 /// A coordinate, an input or a parameter.
 struct SheetVariable {

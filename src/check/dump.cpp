@@ -29,6 +29,7 @@ class ModelDump {
     }
     line(std::string("quadratic ") + (model_.quadratic ? "yes" : "no"));
     line(std::string("time ") + (model_.uses_time ? "yes" : "no"));
+    line(std::string("drift ") + (model_.may_drift ? "yes" : "no"));
     return std::move(text_);
   }
 

@@ -95,6 +95,7 @@ class Locking {
                                        lock.span})};
     if (coordinate.armature) add_armature(coordinate, replacements_[index].rate);
     model_.uses_time = model_.uses_time || depends_on_time(value);
+    model_.may_drift = model_.may_drift || model_.uses_time;
   }
 
   /// A moving lock carries energy: 1/2 J (ds/dt)^2.

@@ -36,6 +36,7 @@ class MechanicsCheck {
     }
     check_lagrangian();
     model_.uses_time = finds_time();
+    model_.may_drift = model_.uses_time || finds_drift();
   }
 
  private:
@@ -123,6 +124,18 @@ class MechanicsCheck {
            std::any_of(model_.bodies.begin(), model_.bodies.end(), body) ||
            std::any_of(model_.forces.begin(), model_.forces.end(), force) ||
            std::any_of(model_.outputs.begin(), model_.outputs.end(), output);
+  }
+
+  /// Whether some kinetic energy is not of second degree in the rates, or V not of degree 0.
+  [[nodiscard]] bool finds_drift() const {
+    const Energies& e = model_.energies;
+    const auto lowest = [&](ExpressionId id) { return traits_[id].lowest_rate_degree; };
+    const auto turns_at_rest = [&](const Body& body) {
+      return std::any_of(body.spin.begin(), body.spin.end(),
+                         [&](ExpressionId id) { return lowest(id) < 1; });
+    };
+    return e.L || (e.T && lowest(*e.T) < 2) || (e.V && traits_[*e.V].rate_degree > 0) ||
+           std::any_of(model_.bodies.begin(), model_.bodies.end(), turns_at_rest);
   }
 
   Context& context_;

@@ -132,6 +132,12 @@ std::vector<OutputRequest> all_requests(const Model& model) {
 
 }  // namespace
 
+OutputRequest request_of(const Model& model, OutputKind kind, std::uint32_t user) {
+  const bool is_users = std::find(user_kinds.begin(), user_kinds.end(), kind) != user_kinds.end();
+  return is_users ? make_user_request(model, kind, user)
+                  : make_request(model, output_row(kind), user);
+}
+
 const Expression* find_kink(const Model& model) {
   const auto& nodes = model.expressions;
   const auto found = std::find_if(nodes.begin(), nodes.end(), [](const Expression& e) {

@@ -28,6 +28,9 @@ inline constexpr std::uint64_t entries_in_full = 4096;
 /// An `abs`, `sign`, `min` or `max`: only forces may have kinks. Null: none.
 [[nodiscard]] const Expression* find_kink(const Model& model);
 
+/// The request for a kind with the shape of its first field; `user` numbers declared outputs.
+[[nodiscard]] OutputRequest request_of(const Model& model, OutputKind kind, std::uint32_t user);
+
 /// Whether the model has what the output needs.
 [[nodiscard]] bool is_available(const Model& model, const OutputRequest& request);
 

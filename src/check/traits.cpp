@@ -1,6 +1,6 @@
-// Traits: one pass over the arena; the degree of a sum is the largest of its terms, of a product
-// the sum of its factors; in a denominator, a function or a broken power only degree 0 is a
-// polynomial.
+// Traits: one pass over the arena; the degree of a sum is the largest of its terms (the lowest one
+// the least), of a product the sum of its factors; in a denominator, a function or a broken power
+// only degree 0 is a polynomial.
 #include "traits.hpp"
 
 #include <cln/integer.h>
@@ -10,7 +10,14 @@
 namespace elgen::checking {
 namespace {
 
-Traits leaf(Ingredients ingredients) { return {ingredients, 0, 0, false}; }
+Traits leaf(Ingredients ingredients) { return {ingredients, 0, 0, 0, false}; }
+
+/// 0 has no terms, so they are of any degree.
+Traits nothing() {
+  Traits traits;
+  traits.lowest_rate_degree = not_polynomial;
+  return traits;
+}
 
 std::uint8_t saturated(unsigned degree) {
   return static_cast<std::uint8_t>(std::min<unsigned>(degree, not_polynomial));
@@ -18,8 +25,9 @@ std::uint8_t saturated(unsigned degree) {
 
 Traits sum(const Traits& a, const Traits& b) {
   return {static_cast<Ingredients>(a.ingredients | b.ingredients),
-          std::max(a.rate_degree, b.rate_degree), std::max(a.input_degree, b.input_degree),
-          a.input_times_rate || b.input_times_rate};
+          std::max(a.rate_degree, b.rate_degree),
+          std::min(a.lowest_rate_degree, b.lowest_rate_degree),
+          std::max(a.input_degree, b.input_degree), a.input_times_rate || b.input_times_rate};
 }
 
 bool meets(const Traits& inputs, const Traits& rates) {
@@ -29,6 +37,7 @@ bool meets(const Traits& inputs, const Traits& rates) {
 Traits product(const Traits& a, const Traits& b) {
   Traits result = sum(a, b);
   result.rate_degree = saturated(unsigned{a.rate_degree} + b.rate_degree);
+  result.lowest_rate_degree = saturated(unsigned{a.lowest_rate_degree} + b.lowest_rate_degree);
   result.input_degree = saturated(unsigned{a.input_degree} + b.input_degree);
   result.input_times_rate = result.input_times_rate || meets(a, b) || meets(b, a);
   return result;
@@ -37,6 +46,7 @@ Traits product(const Traits& a, const Traits& b) {
 /// What a function makes of its argument: no polynomial in anything the argument contains.
 Traits opaque(Traits argument) {
   argument.rate_degree = argument.rate_degree > 0 ? not_polynomial : 0;
+  argument.lowest_rate_degree = 0;
   argument.input_degree = argument.input_degree > 0 ? not_polynomial : 0;
   return argument;
 }
@@ -56,10 +66,13 @@ Traits power(const Traits& base, const cln::cl_RA& exponent) {
 
 /// d/dt e = de/dq v + de/dv a + de/dt
 Traits time_derivative(const Traits& argument) {
+  if ((argument.ingredients & (uses_coordinate | uses_rate | uses_time)) == 0) return nothing();
   Traits result = argument;
   if ((argument.ingredients & uses_coordinate) != 0) {
     result.ingredients |= uses_rate;
     result.rate_degree = saturated(argument.rate_degree + 1U);
+    const bool moves_by_itself = (argument.ingredients & uses_time) != 0;
+    result.lowest_rate_degree = moves_by_itself ? 0 : saturated(argument.lowest_rate_degree + 1U);
   }
   if ((argument.ingredients & uses_rate) != 0) {
     result.ingredients |= uses_acceleration;
@@ -70,7 +83,9 @@ Traits time_derivative(const Traits& argument) {
 class TraitFinder {
  public:
   explicit TraitFinder(const Context& context)
-      : context_(context), traits_(context.model.expressions.size()) {}
+      : context_(context), traits_(context.model.expressions.size()) {
+    if (!traits_.empty()) traits_[no_expression] = nothing();
+  }
 
   void visit(const Root& root) {
     for (ExpressionId id = root.first; id <= root.value; ++id) {
@@ -85,6 +100,7 @@ class TraitFinder {
     const Model& model = context_.model;
     switch (node.kind) {
       case ExpressionKind::number:
+        return cln::zerop(node.number) ? nothing() : Traits{};
       case ExpressionKind::pi:
         return {};
       case ExpressionKind::time:
@@ -92,11 +108,11 @@ class TraitFinder {
       case ExpressionKind::coordinate:
         return leaf(uses_coordinate);
       case ExpressionKind::rate:
-        return {uses_rate, 1, 0, false};
+        return {uses_rate, 1, 1, 0, false};
       case ExpressionKind::acceleration:
         return leaf(uses_acceleration);
       case ExpressionKind::input:
-        return {uses_input, 0, 1, false};
+        return {uses_input, 0, 0, 1, false};
       case ExpressionKind::parameter:
         return leaf(uses_parameter);
       case ExpressionKind::prescribed:

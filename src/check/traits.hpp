@@ -15,6 +15,7 @@ inline constexpr std::uint8_t not_polynomial = 3;
 struct Traits {
   Ingredients ingredients = 0;
   std::uint8_t rate_degree = 0;
+  std::uint8_t lowest_rate_degree = 0;  ///< every term has at least this one
   std::uint8_t input_degree = 0;
   bool input_times_rate = false;  ///< an input has a coefficient that depends on rates
 };

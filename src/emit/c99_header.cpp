@@ -27,8 +27,7 @@ std::string upper_case(std::string text) {
 std::vector<Member> parameter_members(const EmissionInput& input) {
   const std::string scalar = scalar_name(c99_scalar(input.scene));
   std::vector<Member> members;
-  for (const ParameterArray& array : input.model.parameter_arrays) {
-    if (!is_emitted(array, input.scene)) continue;
+  for (const ParameterArray& array : emitted_parameters(input.model, input.program)) {
     const std::string extent = array.is_array ? fmt::format("[{}]", array.count) : "";
     members.push_back({fmt::format("{} {}{};", scalar, array.name, extent), parameter_doc(array)});
   }
@@ -62,8 +61,7 @@ Texts continued(Texts lines) {
 Texts default_parameters(const EmissionInput& input) {
   Texts lines = {fmt::format("#define {}_DEFAULT_PARAMETERS", upper_case(name_space(input.scene))),
                  "  {"};
-  for (const ParameterArray& array : input.model.parameter_arrays) {
-    if (!is_emitted(array, input.scene)) continue;
+  for (const ParameterArray& array : emitted_parameters(input.model, input.program)) {
     const Wrapping wrapping{line_width - 6, "        "};
     const Texts wrapped = wrap_expression("    " + initialiser(input, array), wrapping);
     lines.insert(lines.end(), wrapped.begin(), wrapped.end());

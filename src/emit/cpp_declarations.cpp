@@ -119,20 +119,18 @@ TemplateData declared_arrays(const Model& model) {
   return list;
 }
 
-std::vector<Member> parameter_members(const Model& model, const Scene& scene) {
+std::vector<Member> declared_parameters(const Model& model,
+                                        const std::vector<ParameterArray>& arrays) {
   std::vector<Member> members;
-  for (const ParameterArray& array : model.parameter_arrays) {
-    if (!is_emitted(array, scene)) continue;
+  for (const ParameterArray& array : arrays) {
     members.push_back({member_declaration(model, array), parameter_doc(array)});
   }
   return members;
 }
 
-bool has_filled_array(const Model& model, const Scene& scene) {
-  const auto& arrays = model.parameter_arrays;
-  return std::any_of(arrays.begin(), arrays.end(), [&](const ParameterArray& array) {
-    return is_emitted(array, scene) && is_filled(model, array);
-  });
+bool has_filled_array(const Model& model, const std::vector<ParameterArray>& arrays) {
+  return std::any_of(arrays.begin(), arrays.end(),
+                     [&](const ParameterArray& array) { return is_filled(model, array); });
 }
 
 }  // namespace elgen

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "elgen/model.hpp"
-#include "elgen/scene.hpp"
 #include "layout.hpp"
 #include "render.hpp"
 
@@ -12,10 +11,11 @@ namespace elgen {
 /// Names, units, ranges and limits of coordinates and inputs: type, count, name, value.
 [[nodiscard]] TemplateData declared_arrays(const Model& model);
 
-/// Members of Parameters, with their defaults. Parameters fixed by the scene are none.
-[[nodiscard]] std::vector<Member> parameter_members(const Model& model, const Scene& scene);
+/// Members of Parameters, with their defaults.
+[[nodiscard]] std::vector<Member> declared_parameters(const Model& model,
+                                                      const std::vector<ParameterArray>& arrays);
 
 /// Whether a member is made by detail::filled: an array parameter with one value for all elements.
-[[nodiscard]] bool has_filled_array(const Model& model, const Scene& scene);
+[[nodiscard]] bool has_filled_array(const Model& model, const std::vector<ParameterArray>& arrays);
 
 }  // namespace elgen

@@ -10,6 +10,7 @@
 #include "header_data.hpp"
 #include "languages.hpp"
 #include "layout.hpp"
+#include "parameters.hpp"
 #include "stamp.hpp"
 
 namespace elgen {
@@ -40,14 +41,15 @@ TemplateData numbers(const Program& program) {
 }  // namespace
 
 std::string cpp_header(const EmissionInput& input) {
+  const std::vector<ParameterArray> parameters = emitted_parameters(input.model, input.program);
   TemplateData data = header_data(input, CppDialect(input.model, input.program));
   data.set("declared", declared_arrays(input.model));
   data.set("constant", partial("cpp/constant.hpp.mustache"));
-  data.set("filled", section_if(has_filled_array(input.model, input.scene)));
+  data.set("filled", section_if(has_filled_array(input.model, parameters)));
   data.set("numbers", numbers(input.program));
   data.set("kinked", partial("cpp/kinked.hpp.mustache"));
   data.set("parameters",
-           lines_data(documented_members(parameter_members(input.model, input.scene))));
+           lines_data(documented_members(declared_parameters(input.model, parameters))));
   data.set("parts_of_function", partial("cpp/parts.hpp.mustache"));
   return stamped(render("cpp/header.hpp.mustache", data));
 }

@@ -48,8 +48,8 @@ bool is_emitted_name(std::string_view name) {
 
 Diagnostics cpp_check_names(const Model& model, const Scene& scene, const Program& program) {
   Diagnostics diagnostics;
-  for (const ParameterArray& array : model.parameter_arrays) {
-    if (is_emitted(array, scene) && contains(hidden_by_members, array.name)) {
+  for (const ParameterArray& array : emitted_parameters(model, program)) {
+    if (contains(hidden_by_members, array.name)) {
       diagnostics.push_back(taken_name(array.name, "parameter", array.span));
     }
   }

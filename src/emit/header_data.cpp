@@ -100,7 +100,7 @@ void set_counts(TemplateData& data, const EmissionInput& input) {
   data.set("coordinate_count", std::to_string(size.coordinates));
   data.set("velocity_count", std::to_string(size.velocities));
   data.set("input_count", std::to_string(size.inputs));
-  data.set("parameter_count", std::to_string(emitted_parameter_count(input.model, input.scene)));
+  data.set("parameter_count", std::to_string(emitted_parameter_count(input.model, input.program)));
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
-// introduction: the first screen of a header. The equation of motion is that of the whole model,
-// also where a scene asks for some of its terms only.
+// introduction: the first screen of a header. Rates are named where some function knows of them.
 #include "introduction.hpp"
 
 #include <fmt/format.h>
@@ -37,7 +36,7 @@ Lines rates(const Model& model) {
   return names;
 }
 
-Lines variables(const Model& model) {
+Lines variables(const Model& model, const Program& program) {
   Lines coordinates;
   Lines inputs;
   for (const Coordinate& c : model.coordinates) {
@@ -45,7 +44,9 @@ Lines variables(const Model& model) {
   }
   for (const Input& input : model.inputs) inputs.push_back(with_unit(input.name, input.unit_text));
   Lines lines = {"q = " + tuple(coordinates)};
-  if (model.rotations.empty()) {
+  if (!knows_motion(model, program)) {
+    lines.emplace_back("at rest");
+  } else if (model.rotations.empty()) {
     lines.push_back("v = dq/dt, a = dv/dt");
   } else {
     lines.push_back("v = " + tuple(rates(model)) + ", a = dv/dt");
@@ -72,7 +73,7 @@ std::vector<std::string> introduction(const Model& model, const Scene& scene,
   if (!lines.empty()) lines.emplace_back();
   lines.push_back("   " + equation_of_motion(model, program).text);
   lines.emplace_back();
-  for (const std::string& line : variables(model)) lines.push_back("   " + line);
+  for (const std::string& line : variables(model, program)) lines.push_back("   " + line);
   const Lines notes = scene_notes(model, scene);
   if (!notes.empty()) lines.emplace_back();
   for (const std::string& note : notes) add_prose(lines, comment_text(note));

@@ -1,27 +1,37 @@
-// parameters: a parameter is emitted until the scene has fixed all of its elements.
+// parameters: what a program reads, it reads by the names of its leaves.
 #include "parameters.hpp"
 
 #include <fmt/format.h>
 
-#include <vector>
+#include <set>
 
 #include "evaluate/decimal.hpp"
 #include "layout.hpp"
 
 namespace elgen {
 
-bool is_emitted(const ParameterArray& array, const Scene& scene) {
-  for (std::uint32_t i = 0; i < array.count; ++i) {
-    if (scene.specialisation.fixed.count(array.first + i) == 0) return true;
+std::vector<ParameterArray> emitted_parameters(const Model& model, const Program& program) {
+  std::set<std::string> names;
+  for (const Function& function : program.functions) {
+    for (const Instruction& instruction : function.instructions) {
+      const bool is_parameter = instruction.opcode == Opcode::parameter;
+      if (is_parameter) names.insert(program.leaves.parameters[instruction.a]);
+    }
   }
-  return false;
+  std::vector<bool> is_read(model.parameter_arrays.size(), false);
+  for (const Parameter& parameter : model.parameters) {
+    if (names.count(parameter.name) > 0) is_read[parameter.array] = true;
+  }
+  std::vector<ParameterArray> result;
+  for (std::size_t i = 0; i < is_read.size(); ++i) {
+    if (is_read[i]) result.push_back(model.parameter_arrays[i]);
+  }
+  return result;
 }
 
-std::size_t emitted_parameter_count(const Model& model, const Scene& scene) {
+std::size_t emitted_parameter_count(const Model& model, const Program& program) {
   std::size_t count = 0;
-  for (const ParameterArray& array : model.parameter_arrays) {
-    if (is_emitted(array, scene)) count += array.count;
-  }
+  for (const ParameterArray& array : emitted_parameters(model, program)) count += array.count;
   return count;
 }
 

@@ -3,17 +3,20 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "elgen/model.hpp"
-#include "elgen/scene.hpp"
+#include "elgen/program.hpp"
 
 namespace elgen {
 
-/// Parameters that stay run-time parameters: not all of their elements are fixed by the scene.
-[[nodiscard]] bool is_emitted(const ParameterArray& array, const Scene& scene);
+/// Those that a function of the program reads, whole arrays of them: a parameter that the scene has
+/// fixed, or whose terms are not asked for, is no argument.
+[[nodiscard]] std::vector<ParameterArray> emitted_parameters(const Model& model,
+                                                             const Program& program);
 
 /// The scalars in them.
-[[nodiscard]] std::size_t emitted_parameter_count(const Model& model, const Scene& scene);
+[[nodiscard]] std::size_t emitted_parameter_count(const Model& model, const Program& program);
 
 /// "cart mass [kg] in [0, 2]"; the name where nothing is known of it.
 [[nodiscard]] std::string parameter_doc(const ParameterArray& array);

@@ -32,8 +32,7 @@ void check(const Candidate& candidate, const Scene& scene, Diagnostics& diagnost
 
 Diagnostics check_scalar_range(const Model& model, const Scene& scene, const Program& program) {
   Diagnostics diagnostics;
-  for (const ParameterArray& array : model.parameter_arrays) {
-    if (!is_emitted(array, scene)) continue;
+  for (const ParameterArray& array : emitted_parameters(model, program)) {
     for (std::uint32_t i = 0; i < array.count; ++i) {
       const Parameter& parameter = model.parameters[array.first + i];
       check({parameter.value, fmt::format(", the value of `{}`,", parameter.name), array.span},

@@ -75,10 +75,9 @@ Json inputs(const Model& model) {
   return list;
 }
 
-Json parameters(const Model& model, const Scene& scene) {
+Json parameters(const Model& model, const Program& program) {
   Json list = Json::array();
-  for (const ParameterArray& array : model.parameter_arrays) {
-    if (!is_emitted(array, scene)) continue;
+  for (const ParameterArray& array : emitted_parameters(model, program)) {
     Json values = Json::array();
     for (std::uint32_t i = 0; i < array.count; ++i) {
       values.push_back(exact_text(model.parameters[array.first + i].value));
@@ -148,7 +147,7 @@ std::string sidecar(const EmissionInput& input) {
   // Where nothing rotates, velocities are called as their coordinates.
   if (!input.model.rotations.empty()) json["velocities"] = velocities(input.model);
   json["inputs"] = inputs(input.model);
-  json["parameters"] = parameters(input.model, input.scene);
+  json["parameters"] = parameters(input.model, input.program);
   json["outputs"] = outputs(input);
   json["hash"] = {{"model", input.model_hash},
                   {"scene", input.scene_hash},

@@ -1,5 +1,5 @@
 // equation_of_motion: the terms a model has. It is that of the whole model, also where a scene asks
-// for some of its terms only.
+// for some of its terms only; where none of them knows of motion it is the one at rest.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,6 +26,11 @@ constexpr Term input{"B(q{}) u", "B(q{}) u"};
 constexpr Term force{"Q(q,v{})", "Q(q, \\dot{{q}}{})"};
 constexpr Term nothing{"0", "0"};
 
+constexpr Term drift_at_rest{"drift(q,0{})", "\\mathrm{{drift}}(q, 0{})"};
+constexpr Term dissipation_at_rest{"dD/dv(q,0{})",
+                                   "\\frac{{\\partial D}}{{\\partial \\dot{{q}}}}(q, 0{})"};
+constexpr Term force_at_rest{"Q(q,0{})", "Q(q, 0{})"};
+
 bool is_constant_zero(const Program& program, const Function& function, std::uint32_t entry) {
   const Instruction& instruction = function.instructions[entry];
   return instruction.opcode == Opcode::constant &&
@@ -40,24 +45,28 @@ bool may_be_nonzero(const Program& program, OutputKind kind) {
   return true;
 }
 
-std::vector<Term> left_side(const Model& model, const Program& program) {
+std::vector<Term> left_side(const Model& model, const Program& program, bool is_at_rest) {
   if (!model.quadratic) return {mass_of_rates, rest};
-  std::vector<Term> terms = {mass};
+  std::vector<Term> terms;
   const auto add = [&](bool may_exist, OutputKind kind, const Term& term) {
     if (may_exist && may_be_nonzero(program, kind)) terms.push_back(term);
   };
-  add(true, OutputKind::velocity_force, coriolis);
-  add(true, OutputKind::drift, drift);
+  if (!is_at_rest) terms.push_back(mass);
+  add(!is_at_rest, OutputKind::velocity_force, coriolis);
+  add(model.may_drift, OutputKind::drift, is_at_rest ? drift_at_rest : drift);
   add(true, OutputKind::gravity, gravity);
-  add(model.energies.D.has_value(), OutputKind::dissipation, dissipation);
+  add(model.energies.D.has_value(), OutputKind::dissipation,
+      is_at_rest ? dissipation_at_rest : dissipation);
   return terms;
 }
 
-std::vector<Term> right_side(const Model& model, const Program& program) {
+std::vector<Term> right_side(const Model& model, const Program& program, bool is_at_rest) {
   std::vector<Term> terms;
   if (!model.inputs.empty()) terms.push_back(input);
   const bool has_force = !model.forces.empty() && model.quadratic;
-  if (has_force && may_be_nonzero(program, OutputKind::applied_force)) terms.push_back(force);
+  if (has_force && may_be_nonzero(program, OutputKind::applied_force)) {
+    terms.push_back(is_at_rest ? force_at_rest : force);
+  }
   if (terms.empty()) terms.push_back(nothing);
   return terms;
 }
@@ -81,9 +90,18 @@ bool is_zero(const Program& program, const Function& function) {
   });
 }
 
+bool knows_motion(const Model& model, const Program& program) {
+  const auto knows = [](const Function& function) {
+    const OutputRow& row = output_row(function.kind);
+    return row.takes_velocity || row.takes_acceleration || function.kind == OutputKind::mass_matrix;
+  };
+  return !model.quadratic || std::any_of(program.functions.begin(), program.functions.end(), knows);
+}
+
 EquationOfMotion equation_of_motion(const Model& model, const Program& program) {
-  const std::vector<Term> left = left_side(model, program);
-  const std::vector<Term> right = right_side(model, program);
+  const bool is_at_rest = !knows_motion(model, program);
+  const std::vector<Term> left = left_side(model, program, is_at_rest);
+  const std::vector<Term> right = right_side(model, program, is_at_rest);
   const auto equation = [&](std::string_view Term::*notation, std::string_view time) {
     return fmt::format("{} = {}", joined(left, notation, model.uses_time ? time : ""),
                        joined(right, notation, model.uses_time ? time : ""));

@@ -9,11 +9,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <set>
 
 #include "emit/arguments.hpp"
 #include "emit/emission_input.hpp"
 #include "emit/fields.hpp"
+#include "emit/parameters.hpp"
 #include "evaluate/decimal.hpp"
 
 namespace elgen {
@@ -91,21 +92,25 @@ extern "C" void {symbol}(const {scalar}* parameters, const {scalar}* q, const {s
 }}
 )";
 
-/// Whether the scene makes a parameter a number, so that it is no member.
-bool is_fixed(const Subject& subject, const std::string& name) {
-  const auto& fixed = subject.scene.specialisation.fixed;
-  return std::any_of(fixed.begin(), fixed.end(), [&](const auto& entry) {
-    return subject.model.parameters[entry.first].name == name;
-  });
+/// The names of all elements of the arrays that are members.
+std::set<std::string> emitted_names(const Subject& subject) {
+  std::set<std::string> names;
+  for (const ParameterArray& array : emitted_parameters(subject.model, subject.program)) {
+    for (std::uint32_t i = 0; i < array.count; ++i) {
+      names.insert(subject.model.parameters[array.first + i].name);
+    }
+  }
+  return names;
 }
 
 /// "  result.l[1] = values[3];" for every run-time parameter, in the order of the program's leaves.
 std::string parameter_assignments(const Subject& subject) {
   const LeafNames& leaves = subject.program.leaves;
   const std::vector<std::string> members = parameter_members(subject.model, leaves);
+  const std::set<std::string> emitted = emitted_names(subject);
   std::string text;
   for (std::size_t i = 0; i < members.size(); ++i) {
-    if (is_fixed(subject, leaves.parameters[i])) continue;
+    if (emitted.count(leaves.parameters[i]) == 0) continue;
     text += fmt::format("  result.{} = values[{}];\n", members[i], i);
   }
   return text;

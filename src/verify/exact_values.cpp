@@ -2,6 +2,7 @@
 #include "exact_values.hpp"
 
 #include "balance.hpp"
+#include "check/requests.hpp"
 #include "elgen/outputs.hpp"
 
 namespace elgen {
@@ -17,10 +18,10 @@ std::vector<Real> entries_of(const Function& function, const std::vector<Real>& 
 
 std::vector<Real> from_oracle(const Subject& subject, const State& state, OutputKind kind,
                               std::uint32_t user) {
-  OutputRequest request = standard_request(kind);
-  request.user = user;
+  const OutputRequest request = checking::request_of(subject.model, kind, user);
   const OracleValues exact = oracle_values(subject.model, request, state);
-  if (!exact) return std::vector<Real>(state.v.size() * state.v.size(), Real::undefined());
+  const std::size_t entries = std::size_t{request.rows} * request.columns;
+  if (!exact) return std::vector<Real>(entries, Real::undefined());
   std::vector<Real> values;
   for (const cln::cl_R& value : *exact) values.emplace_back(value);
   return values;

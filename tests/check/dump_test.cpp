@@ -22,7 +22,8 @@ TEST_CASE("a model is dumped entry by entry") {
       "energy V = 1/2*k*x^2\n"
       "energy D = 0\n"
       "quadratic yes\n"
-      "time no\n");
+      "time no\n"
+      "drift no\n");
 }
 
 TEST_CASE("bodies, armatures and singular charts are dumped") {

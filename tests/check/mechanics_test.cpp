@@ -65,6 +65,20 @@ TEST_CASE("every coordinate moves something") {
         "E513 8:9 the rate of `y` is in no energy, so nothing determines its motion\n");
 }
 
+TEST_CASE("drift is there where T or V are not of one degree in the rates") {
+  const std::string energy = "[energy]\nT = \"m*dot(x)^2 + m*dot(y)^2\"\n";
+  const std::string body = "J = { value = 1, unit = \"kg*m^2\" }\n" + energy +
+                           "[[body]]\nname = \"b\"\ninertia = \"J\"\nspin = ";
+  CHECK(dumped(bare(energy), "drift") == "drift no\n");
+  CHECK(dumped(bare(body + "\"dot(x)/x + 0*c/x\"\n"), "drift") == "drift no\n");
+  CHECK(dumped(bare(body + "\"dot(x)/x + c/x\"\n"), "drift") == "drift yes\n");
+  CHECK(dumped(bare(energy + "V = \"m*c^2*x/y\"\n"), "drift") == "drift no\n");
+  CHECK(dumped(bare(energy + "V = \"m*c*dot(x)\"\n"), "drift") == "drift yes\n");
+  CHECK(dumped(bare("[energy]\nT = \"m*dot(x)^2 + m*dot(y)^2 + m*c*dot(x)\"\n"), "drift") ==
+        "drift yes\n");
+  CHECK(dumped(bare("[energy]\nL = \"m*dot(x)^2 + m*dot(y)^2\"\n"), "drift") == "drift yes\n");
+}
+
 TEST_CASE("time matters where it reaches an equation") {
   const std::string energy = "[energy]\nT = \"m*dot(x)^2 + m*dot(y)^2\"\n";
   const std::string moving_point = "[[point]]\nname = \"p\"\nat = [\"x + c*t\", \"y\"]\n";

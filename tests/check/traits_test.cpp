@@ -58,6 +58,18 @@ TEST_CASE("degree in the rates") {
   }
 }
 
+TEST_CASE("lowest degree in the rates") {
+  const std::vector<std::pair<std::string, int>> rows{
+      {"m*x", 0},           {"m*dot(x)", 1},    {"dot(x) + x", 0},    {"dot(x)*dot(y) + dot(x)", 1},
+      {"m*dot(x)^2/2", 2},  {"sin(dot(x))", 0}, {"sin(x)*dot(x)", 1}, {"dot(x*y)", 1},
+      {"dot(x*t)", 0},      {"dot(x*y)^2", 2},  {"-dot(x)", 1},       {"(dot(x) + dot(y))^2", 2},
+      {"(dot(x) + m)^2", 0}};
+  for (const auto& [text, degree] : rows) {
+    INFO(text);
+    CHECK(traits_of(text).lowest_rate_degree == degree);
+  }
+}
+
 TEST_CASE("degree in the inputs, and inputs times rates") {
   struct Row {
     std::string text;

@@ -18,7 +18,7 @@ std::string value_of(const Model& model, const std::string& name) {
 }
 
 Member member(const Model& model, std::size_t index) {
-  return parameter_members(model, Scene()).at(index);
+  return declared_parameters(model, model.parameter_arrays).at(index);
 }
 
 }  // namespace
@@ -50,20 +50,12 @@ TEST_CASE("parameters and their documentation") {
 
 TEST_CASE("array parameters") {
   Model model = cart_pole_model();
-  CHECK_FALSE(has_filled_array(model, Scene()));
+  CHECK_FALSE(has_filled_array(model, model.parameter_arrays));
   elgen::testing::add_parameter_array(model, "k", {1, 2});
-  CHECK_FALSE(has_filled_array(model, Scene()));
+  CHECK_FALSE(has_filled_array(model, model.parameter_arrays));
   elgen::testing::add_parameter_array(model, "c", {3, 3, 3});
-  CHECK(has_filled_array(model, Scene()));
+  CHECK(has_filled_array(model, model.parameter_arrays));
   CHECK(member(model, 4).declaration.rfind("std::array<Scalar, 2> k = {{\n", 0) == 0);
   CHECK(member(model, 5).declaration.rfind(
             "std::array<Scalar, 3> c = detail::filled<3>(constant<Scalar>(3.0));", 0) == 0);
-  CHECK(emitted_parameter_count(model, Scene()) == 9);
-}
-
-TEST_CASE("fixed parameters are no members") {
-  Scene scene;
-  scene.specialisation.fixed[3] = 9;
-  CHECK(emitted_parameter_count(cart_pole_model(), scene) == 3);
-  CHECK(parameter_members(cart_pole_model(), scene).size() == 3);
 }

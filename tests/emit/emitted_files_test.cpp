@@ -90,6 +90,7 @@ TEST_CASE("names and numbers that do not fit are errors, and nothing is emitted"
   Subject subject = cart_pole();
   subject.program.functions[1].name = "constant";
   elgen::testing::add_parameter(subject.model, "tiny", cln::expt(cln::cl_RA(10), -400), "m");
+  elgen::testing::read_parameter(subject, "tiny");
   const Result<EmittedFiles> files = emit(subject.model, subject.scene, subject.program);
   REQUIRE_FALSE(files);
   REQUIRE(files.diagnostics.size() == 2);

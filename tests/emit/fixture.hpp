@@ -50,6 +50,15 @@ inline void add_parameter_array(Model& model, const std::string& name,
   model.parameter_arrays.push_back(declared);
 }
 
+/// Lets the first function read a parameter, so that it is emitted.
+inline void read_parameter(Subject& subject, const std::string& leaf) {
+  std::vector<std::string>& leaves = subject.program.leaves.parameters;
+  const auto index = static_cast<std::uint32_t>(leaves.size());
+  leaves.push_back(leaf);
+  subject.program.functions.front().instructions.push_back(
+      {Opcode::parameter, FunctionId::sin, index, 0});
+}
+
 inline void add_coordinate(Model& model, const std::string& name, const std::string& unit) {
   Coordinate coordinate;
   coordinate.name = name;

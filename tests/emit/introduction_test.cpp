@@ -24,7 +24,20 @@ bool contains(const Lines& lines, const std::string& line) {
 }  // namespace
 
 TEST_CASE("a term nothing is known of stays") {
-  CHECK(equation(cart_pole()) == "M(q) a + C(q,v) v + drift(q,v) + g(q) = B(q) u");
+  Subject subject = cart_pole();
+  CHECK(equation(subject) == "M(q) a + C(q,v) v + g(q) = B(q) u");
+  subject.model.may_drift = true;
+  CHECK(equation(subject) == "M(q) a + C(q,v) v + drift(q,v) + g(q) = B(q) u");
+}
+
+TEST_CASE("rates are not named where no function knows of them") {
+  Subject subject = cart_pole();
+  subject.program = elgen::testing::read_program(
+      "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  result 2 1 = 0 0\n");
+  const Lines lines = introduction(subject.model, subject.scene, subject.program);
+  CHECK(contains(lines, "   g(q) = B(q) u"));
+  CHECK(contains(lines, "   at rest"));
+  CHECK_FALSE(contains(lines, "   v = dq/dt, a = dv/dt"));
 }
 
 TEST_CASE("a term that is zero, or that the model cannot have, is left out") {
@@ -33,6 +46,7 @@ TEST_CASE("a term that is zero, or that the model cannot have, is left out") {
       "coordinates x theta\nfunction gravity\n  0 = constant 0\n  result 2 1 = 0 0\n"
       "function drift\n  0 = constant 0\n  result 2 1 = 0 0\n");
   subject.model.inputs.clear();
+  subject.model.may_drift = true;
   CHECK(equation(subject) == "M(q) a + C(q,v) v = 0");
 }
 
@@ -40,7 +54,7 @@ TEST_CASE("dissipation, other forces and time") {
   Subject subject = cart_pole();
   subject.model.energies.D = 0;
   subject.model.forces.emplace_back();
-  subject.model.uses_time = true;
+  subject.model.uses_time = subject.model.may_drift = true;
   CHECK(equation(subject) ==
         "M(q,t) a + C(q,v,t) v + drift(q,v,t) + g(q,t) + dD/dv = B(q,t) u + Q(q,v,t)");
 }

@@ -50,14 +50,15 @@ TEST_CASE("definitions are listed in order, before the entries that use them") {
   CHECK(keys == std::vector<std::string>{"definitions", "shape", "entries", "operations"});
 }
 
-TEST_CASE("parameters: exact texts, arrays as one entry, fixed ones left out") {
+TEST_CASE("parameters: exact texts, arrays as one entry, unread ones left out") {
   Subject subject = cart_pole();
   elgen::testing::add_parameter_array(subject.model, "k", {cln::cl_RA(1) / 3, 2});
-  subject.scene.specialisation.fixed[0] = 1;
+  elgen::testing::read_parameter(subject, "k[1]");
+  elgen::testing::add_parameter(subject.model, "unread", 1, "kg");
   const Json parameters = Json::parse(text_of(subject))["parameters"];
-  REQUIRE(parameters.size() == 4);
-  CHECK(parameters[0] == Json{{"name", "m"}, {"unit", "kg"}, {"value", "0.1"}});
-  CHECK(parameters[3] == Json{{"name", "k"}, {"size", 2}, {"value", {"1/3", "2"}}});
+  REQUIRE(parameters.size() == 5);
+  CHECK(parameters[1] == Json{{"name", "m"}, {"unit", "kg"}, {"value", "0.1"}});
+  CHECK(parameters[4] == Json{{"name", "k"}, {"size", 2}, {"value", {"1/3", "2"}}});
 }
 
 TEST_CASE("short lists stand on one line, lines end with LF") {

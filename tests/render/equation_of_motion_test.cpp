@@ -15,6 +15,16 @@ TEST_CASE("terms that are zero, or that a model cannot have, are left out") {
   CHECK(equation.latex == "M(q) \\ddot{q} + C(q, \\dot{q}) \\dot{q} + g(q) = B(q) u");
 }
 
+TEST_CASE("where nothing moves, the equation is that at rest") {
+  Chosen c = chosen(cart_pole_text());
+  auto& functions = c.choice.program.functions;
+  const auto moves = [](const Function& f) { return f.kind != OutputKind::gravity; };
+  functions.erase(std::remove_if(functions.begin(), functions.end(), moves), functions.end());
+  CHECK(equation_of_motion(c.checked.model, c.choice.program).text == "g(q) = B(q) u");
+  c.checked.model.may_drift = true;
+  CHECK(equation_of_motion(c.checked.model, c.choice.program).text == "drift(q,0) + g(q) = B(q) u");
+}
+
 TEST_CASE("explicit time is an argument") {
   const Chosen c = chosen(everything_text());
   CHECK(has(equation_of_motion(c.checked.model, c.choice.program).text, "M(q,t) a"));

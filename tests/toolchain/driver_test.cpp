@@ -22,10 +22,10 @@ TEST_CASE("parameters go to the members of the emitted struct") {
   CHECK_THAT(text, Contains("result.l[1] = values[2];"));
 }
 
-TEST_CASE("fixed parameters are no members") {
-  elgen::Scene scene = sample::scene();
-  scene.specialisation.fixed[0] = 2;
-  const std::string text = driver(sample::model(), scene);
+TEST_CASE("parameters that no function reads are no members") {
+  elgen::Program program = sample::program();
+  program.functions.front().instructions.erase(program.functions.front().instructions.begin());
+  const std::string text = elgen::driver_source(sample::model(), sample::scene(), program);
   CHECK_THAT(text, !Contains("result.m"));
   CHECK_THAT(text, Contains("result.l[0] = values[1];"));
 }

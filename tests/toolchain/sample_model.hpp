@@ -32,9 +32,12 @@ inline elgen::Program program() {
   elgen::Program program;
   program.leaves.parameters = {"m", "l[1]", "l[2]"};
   program.leaves.coordinates = program.leaves.velocities = {"x"};
-  program.functions.push_back({.kind = OutputKind::inverse_dynamics,
-                               .name = "inverse_dynamics",
-                               .fields = {{.entries = {0}}}});
+  // An element that is read brings its array.
+  program.functions.push_back(
+      {.kind = OutputKind::inverse_dynamics,
+       .name = "inverse_dynamics",
+       .instructions = {{elgen::Opcode::parameter, {}, 0, 0}, {elgen::Opcode::parameter, {}, 2, 0}},
+       .fields = {{.entries = {0}}}});
   program.functions.push_back({.kind = OutputKind::forward_dynamics,
                                .name = "forward_dynamics",
                                .fields = {{.name = "acceleration", .entries = {0}},

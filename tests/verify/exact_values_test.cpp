@@ -39,6 +39,16 @@ TEST_CASE("what the program lacks is the oracle's, undefined where it has none")
   CHECK_FALSE(none.value(OutputKind::kinetic_energy)[0].is_defined());
 }
 
+TEST_CASE("what is undefined has the shape of its output") {
+  ModelBuilder builder = cart_pole();
+  builder.parameter("z", "0").T("1/z").force_on(0, "1/z");
+  const System system = system_of(builder.model, "");
+  ExactValues none(system.subject(), nominal_state(system.model, system.scene));
+  CHECK(none.value(OutputKind::applied_force).size() == 2);
+  CHECK(none.value(OutputKind::kinetic_energy).size() == 1);
+  CHECK(none.value(OutputKind::mass_matrix).size() == 4);
+}
+
 TEST_CASE("slopes and curvatures are along the direction") {
   const System system = cart_pole_system();
   const ExactValues values = at(system);
