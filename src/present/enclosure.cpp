@@ -22,7 +22,7 @@ cl_RA uncertainty(const cl_RA& value) {
 
 /// floor(sqrt(x) 2^64) / 2^64 and the next one above.
 Enclosure root_of(const cl_RA& x) {
-  constexpr unsigned bits = 64;
+  constexpr long bits = 64;
   const cl_I denominator = cln::denominator(x);
   cl_I root;
   const cl_I scaled = cln::ash(cln::numerator(x) * denominator, 2 * bits);
