@@ -33,7 +33,7 @@ name = "boom"
 frame = "arm"
 mass = "m2"
 com = ["l/2", "l/8", "l/5"]
-inertia = ["A", "2*B", "C", "E", "D", "F"]
+inertia = ["A", "B", "C", "E", "D", "F"]
 [[point]]
 name = "bead"
 frame = "arm"
