@@ -211,9 +211,8 @@ Products run_pipeline(const Inputs& inputs, const PipelineOptions& options) {
     return Result<Inspection>({found}, found);
   });
   const auto lagrangian = stages.run("formulate", [&] { return formulate(out.checked->model); });
-  const auto specialised = stages.run("specialise", [&] {
-    return Result<Lagrangian>(specialise(*lagrangian, out.checked->scene.specialisation));
-  });
+  const auto specialised =
+      stages.run("specialise", [&] { return specialise(*lagrangian, *out.checked); });
   if (options.steps) {
     out.steps = stages.run("derive", [&] { return steps(*specialised, *out.checked, limits); });
     return out;

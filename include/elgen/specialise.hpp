@@ -8,6 +8,8 @@
 
 namespace elgen {
 
-[[nodiscard]] Lagrangian specialise(Lagrangian lagrangian, const Specialisation& specialisation);
+/// `lagrangian` is that of `checked`. E312, E313, E314: a fixed parameter or a lock makes something
+/// divide by zero, undefined or complex whatever the state is; with the span of its declaration.
+[[nodiscard]] Result<Lagrangian> specialise(Lagrangian lagrangian, const CheckedModel& checked);
 
 }  // namespace elgen

@@ -21,6 +21,8 @@ constexpr std::array<IngredientRow, 7> ingredient_table{{
     {uses_parameter, "a parameter"},
 }};
 
+constexpr const char* smooth_stand_in = "a smooth stand-in is tanh(x/width)";
+
 Code code_of(Ingredient ingredient, const Place& place) {
   if (place.otherwise == Code::E319 && ingredient == uses_acceleration) {
     return Code::E502;
@@ -50,7 +52,7 @@ void report(Context& context, const Root& root, const Expression& node, const In
       node.kind == ExpressionKind::definition || node.kind == ExpressionKind::point_component;
   std::string message = quoted(node.span) + (is_name ? " contains " : " is ");
   message += std::string(row.noun) + ", and " + std::string(root.place.noun) + " takes none";
-  const std::string hint = row.ingredient == uses_kink ? "a smooth stand-in is tanh(x/width)" : "";
+  const std::string hint = row.ingredient == uses_kink ? smooth_stand_in : "";
   context.report.add(code_of(row.ingredient, root.place), node.span, std::move(message), hint);
 }
 
@@ -72,11 +74,28 @@ void check_root(Context& context, const std::vector<Traits>& traits, Root& root)
   }
 }
 
+/// A function with a kink may have a place, its rate has none.
+void check_rates_of_kinks(Context& context, const std::vector<Traits>& traits, Root& root) {
+  const unsigned kinks = traits[root.value].ingredients & uses_kink;
+  if (kinks == 0 || (root.place.allowed & uses_kink) == 0) return;
+  for (ExpressionId id = root.first; id <= root.value; ++id) {
+    const Expression& node = context.model.expressions[id];
+    const bool is_rate = node.kind == ExpressionKind::time_derivative;
+    if (!is_rate || (traits[id].ingredients & uses_kink) == 0) continue;
+    root.misplaced = true;
+    context.report.add(Code::E315, node.span,
+                       quoted(node.span) + " is the rate of a function with a kink",
+                       smooth_stand_in);
+  }
+}
+
 }  // namespace
 
 void check_places(Context& context, const std::vector<Traits>& traits) {
   for (Root& root : context.roots) {
-    if (!root.generated) check_root(context, traits, root);
+    if (root.generated) continue;
+    check_root(context, traits, root);
+    check_rates_of_kinks(context, traits, root);
   }
 }
 

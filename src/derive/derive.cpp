@@ -8,6 +8,7 @@
 #include "derive/forces.hpp"
 #include "derive/forward_dynamics.hpp"
 #include "derive/matrices.hpp"
+#include "derive/node_limit.hpp"
 #include "derive/reaction.hpp"
 #include "derive/turning.hpp"
 #include "elgen/equations_of_motion.hpp"
@@ -145,14 +146,12 @@ Result<EquationsOfMotion> derive(const Lagrangian& lagrangian,
     } catch (const GiNaC::pole_error&) {
       return Diagnostic{
           Code::E313, request.span,
-          fmt::format("`{}` has no value: an energy divides by zero at zero rates", request.name)};
+          fmt::format("`{}` has no value: an energy divides by zero at zero rates, or the mass "
+                      "matrix is singular, whatever the state is",
+                      request.name)};
     }
-    const std::size_t count = derivation.definitions.list.size();
-    if (count > limits.derived_nodes) {
-      return Diagnostic{Code::E908, request.span,
-                        fmt::format("{} derived definitions after `{}`: the limit is {}", count,
-                                    request.name, limits.derived_nodes),
-                        "raised by --limit derived_nodes=N"};
+    if (derivation.definitions.list.size() > limits.derived_nodes) {
+      return too_many_nodes(request, limits.derived_nodes);
     }
   }
   equations.symbols = derivation.symbols;

@@ -109,6 +109,9 @@ Vector input_matrix(Derivation& derivation) {
   return entries;
 }
 
+namespace {
+
+/// Six entries; zeros for the world.
 Vector twist_of(Derivation& derivation, const TwistOutput& output) {
   if (!output.step) return Vector(6, 0);
   Tree& tree = derivation.tree();
@@ -120,6 +123,8 @@ Vector twist_of(Derivation& derivation, const TwistOutput& output) {
   result.insert(result.end(), velocity.begin(), velocity.end());
   return result;
 }
+
+}  // namespace
 
 Vector twist_jacobian(Derivation& derivation, const TwistOutput& output) {
   Vector entries;

@@ -3,6 +3,7 @@
 #include "formulate/entities.hpp"
 
 #include <optional>
+#include <unordered_set>
 #include <utility>
 
 namespace elgen {
@@ -49,12 +50,16 @@ std::optional<std::size_t> referred(const Numbering& numbering, const Expression
 }
 
 /// The nodes that expressions mention, in the order of mention; `stack` holds them, first on top.
+/// Each expression is read once: as a tree, shared parts can have exponentially many nodes.
 std::vector<std::size_t> mentioned(const Model& model, const Numbering& numbering,
                                    std::vector<ExpressionId> stack) {
   std::vector<std::size_t> result;
+  std::unordered_set<ExpressionId> seen;
   while (!stack.empty()) {
-    const Expression& expression = model.expressions[stack.back()];
+    const ExpressionId id = stack.back();
     stack.pop_back();
+    if (!seen.insert(id).second) continue;
+    const Expression& expression = model.expressions[id];
     if (const auto other = referred(numbering, expression)) result.push_back(*other);
     stack.insert(stack.end(), expression.operands.rbegin(), expression.operands.rend());
   }
@@ -80,20 +85,57 @@ std::vector<std::size_t> needs(const Model& model, const Numbering& numbering, s
   return mentioned(model, numbering, std::move(stack));
 }
 
-/// What energies, forces and outputs mention.
+/// A list of expressions to look into.
+class Roots {
+ public:
+  template <class List>
+  void add(const List& list) {
+    ids_.insert(ids_.end(), list.begin(), list.end());
+  }
+  void add(const std::optional<ExpressionId>& id) {
+    if (id) ids_.push_back(*id);
+  }
+  /// The first one on top.
+  [[nodiscard]] std::vector<ExpressionId> as_stack() const { return {ids_.rbegin(), ids_.rend()}; }
+
+ private:
+  std::vector<ExpressionId> ids_;
+};
+
+/// The steps of frames, and what is given in their axes.
+void add_frames(const Model& model, Roots& roots) {
+  for (const Frame& frame : model.frames) {
+    for (const FrameStep& step : frame.steps) {
+      roots.add(step.vector);
+      if (step.kind == FrameStepKind::turn) roots.add(std::optional(step.angle));
+      if (step.kind == FrameStepKind::quaternion) roots.add(step.quaternion);
+    }
+  }
+  for (const Point& point : model.points) {
+    if (point.local) roots.add(point.local->at);
+  }
+}
+
+/// A body in a frame by what is given there: its com and spin in the world are not asked for.
+void add_bodies(const Model& model, Roots& roots) {
+  for (const Body& body : model.bodies) {
+    roots.add(body.mass);
+    roots.add(body.local ? body.local->com.at : body.com);
+    roots.add(body.local ? body.local->inertia : body.inertia);
+    if (!body.local) roots.add(body.spin);
+  }
+}
+
+/// What energies, forces, outputs, bodies and the steps of frames mention.
 std::vector<std::size_t> needed_by_energies(const Model& model, const Numbering& numbering) {
-  std::vector<ExpressionId> roots;
+  Roots roots;
   const Energies& e = model.energies;
-  for (const auto& energy : {e.T, e.V, e.D, e.L}) {
-    if (energy) roots.push_back(*energy);
-  }
-  for (const Force& force : model.forces) {
-    roots.insert(roots.end(), force.value.begin(), force.value.end());
-  }
-  for (const UserOutput& output : model.outputs) {
-    roots.insert(roots.end(), output.values.begin(), output.values.end());
-  }
-  return mentioned(model, numbering, {roots.rbegin(), roots.rend()});
+  for (const auto& energy : {e.T, e.V, e.D, e.L}) roots.add(energy);
+  for (const Force& force : model.forces) roots.add(force.value);
+  for (const UserOutput& output : model.outputs) roots.add(output.values);
+  add_bodies(model, roots);
+  add_frames(model, roots);
+  return mentioned(model, numbering, roots.as_stack());
 }
 
 /// Every definition, prescribed motion and point of the world, and of frames and their points those

@@ -3,6 +3,8 @@
 #include "formulate/expressions.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+#include <unordered_set>
 
 #include "formulate/entities.hpp"
 
@@ -57,6 +59,12 @@ ex call(FunctionId function, const ex& x, const ex& y) {
   return 0;
 }
 
+/// entities_in_order() knows everything that is translated.
+const ex& defined(const std::optional<ex>& value) {
+  if (!value) throw std::logic_error("a named thing of the model is used before it is defined");
+  return *value;
+}
+
 }  // namespace
 
 Translation::Translation(const Model& model, Lagrangian& lagrangian)
@@ -70,11 +78,12 @@ Translation::Translation(const Model& model, Lagrangian& lagrangian)
 
 Result<ex> Translation::operator()(ExpressionId value) {
   std::vector<ExpressionId> needed;
+  std::unordered_set<ExpressionId> seen;
   std::vector<ExpressionId> stack{value};
   while (!stack.empty()) {
     const ExpressionId id = stack.back();
     stack.pop_back();
-    if (translated_[id].size != 0) continue;
+    if (translated_[id].size != 0 || !seen.insert(id).second) continue;
     needed.push_back(id);
     const auto& operands = model_.expressions[id].operands;
     stack.insert(stack.end(), operands.begin(), operands.end());
@@ -86,7 +95,7 @@ Result<ex> Translation::operator()(ExpressionId value) {
     } catch (const GiNaC::pole_error&) {
       return Diagnostic{Code::E312, model_.expressions[id].span,
                         "`" + to_string(model_, id) + "` divides by zero, whatever the state is"};
-    } catch (const std::exception&) {
+    } catch (const std::domain_error&) {
       return Diagnostic{Code::E313, model_.expressions[id].span,
                         "`" + to_string(model_, id) + "` has no value, whatever the state is"};
     }
@@ -124,15 +133,15 @@ Translation::Sized Translation::leaf(const Expression& expression) const {
     case ExpressionKind::parameter:
       return {symbols.parameters[expression.index], 1};
     case ExpressionKind::prescribed:
-      return {prescribed_[expression.index], 1};
+      return {defined(prescribed_[expression.index]), 1};
     case ExpressionKind::definition:
-      return {definitions_[expression.index], 1};
+      return {defined(definitions_[expression.index]), 1};
     case ExpressionKind::frame_component:
-      return {
-          frames_[expression.index / components_per_frame][expression.index % components_per_frame],
-          1};
+      return {defined(frames_[expression.index / components_per_frame]
+                             [expression.index % components_per_frame]),
+              1};
     default:
-      return {points_[expression.index / 3][expression.index % 3], 1};
+      return {defined(points_[expression.index / 3][expression.index % 3]), 1};
   }
 }
 

@@ -45,10 +45,11 @@ class Translation {
   Lagrangian& lagrangian_;
   std::optional<Tangent> along_motion_;  // d/dt of dot(…)
   std::vector<Sized> translated_;
-  std::vector<GiNaC::ex> definitions_;
-  std::vector<GiNaC::ex> prescribed_;
-  std::vector<std::array<GiNaC::ex, 3>> points_;
-  std::vector<std::array<GiNaC::ex, components_per_frame>> frames_;
+  using Defined = std::optional<GiNaC::ex>;  // none until define_named() reaches it
+  std::vector<Defined> definitions_;
+  std::vector<Defined> prescribed_;
+  std::vector<std::array<Defined, 3>> points_;
+  std::vector<std::array<Defined, components_per_frame>> frames_;
 };
 
 }  // namespace elgen

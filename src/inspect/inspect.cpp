@@ -1,4 +1,5 @@
-// Inspection: one check after another; each sees the model only through the oracle.
+// Inspection: one check after another. Most ask the oracle for values at sampled states; inertias
+// and points in an energy are read off the model.
 #include "elgen/inspect.hpp"
 
 #include "checks.hpp"

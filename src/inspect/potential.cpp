@@ -121,11 +121,18 @@ bool falls_steadily(const Subject& subject, std::uint32_t point, const Direction
   return true;
 }
 
-/// "y" or "z": the last axis of the points, which most models draw upwards.
+/// 2 or 3; 0 where nothing has a place.
+std::uint32_t dimension_of(const Model& model) {
+  if (!model.points.empty()) return model.points.front().dimension;
+  return model.bodies.empty() ? 0 : model.bodies.front().dimension;
+}
+
+/// "y" or "z": the last axis of points and bodies, which most models draw upwards.
 Diagnostics gravity_along_last_axis(const Subject& subject) {
   const Model& model = subject.model;
-  if (!model.gravity || model.points.empty()) return {};
-  const std::uint32_t last = model.points.front().dimension - 1;
+  const std::uint32_t dimension = dimension_of(model);
+  if (!model.gravity || dimension == 0) return {};
+  const std::uint32_t last = dimension - 1;
   const State state = nominal_state(model, subject.scene);
   const auto component = oracle_expression(model, (*model.gravity)[last], state);
   if (!component || *component <= 0) return {};

@@ -33,6 +33,7 @@ std::string text(const cl_RA& fraction) {
 }  // namespace
 
 std::string readable(const cl_R& x) {
+  // What is left of 64 digits when terms of size 1 cancel.
   if (cln::abs(x) < cln::expt(cl_R(10), -40)) return "0";
   // Convergents h/k of the continued fraction of x, until one is near enough or too long.
   cl_I h = 1, h_before = 0, k = 0, k_before = 1;
@@ -46,6 +47,8 @@ std::string readable(const cl_R& x) {
     k = next_k;
     if (k > largest_denominator) break;
     const cl_RA convergent = cl_RA(h) / k;
+    // Four digits more than are printed, and far nearer than the 1e-6 at which fractions of such
+    // denominators meet any number.
     if (cln::abs(x - convergent) < cln::abs(x) * cln::expt(cl_R(10), -9)) return text(convergent);
     rest = 1 / (rest - whole);
   }

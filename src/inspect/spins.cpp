@@ -27,6 +27,7 @@ Model with_lagrangian(const Model& model, ExpressionId lagrangian) {
   bare.velocities = model.velocities;
   bare.rotations = model.rotations;
   for (Coordinate& coordinate : bare.coordinates) coordinate.armature.reset();
+  bare.frames = model.frames;
   bare.points = model.points;
   for (Point& point : bare.points) point.mass.reset();
   bare.energies.L = lagrangian;

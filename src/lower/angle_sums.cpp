@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <optional>
+#include <utility>
 
 namespace elgen {
 namespace {
@@ -118,11 +118,13 @@ std::map<NodeId, Split> splits_of(const Expressions& expressions) {
   return splits;
 }
 
+/// The rule of one rebuild: what it has built of the new graph is built once, as a chain of splits
+/// refers to each of its angles again and again.
 class AngleSums {
  public:
-  explicit AngleSums(const Expressions& expressions) : splits_(splits_of(expressions)) {}
+  explicit AngleSums(std::map<NodeId, Split> splits) : splits_(std::move(splits)) {}
 
-  Ref operator()(Graph& graph, const RebuildStep& step) const {
+  Ref operator()(Graph& graph, const RebuildStep& step) {
     const Node& node = step.old_graph.node(step.old_node);
     if (!is_circular(node) || splits_.count(node.operands[0].node) == 0) return copy(graph, step);
     const Ref value = circular(graph, step, node.function, node.operands[0].node);
@@ -132,16 +134,18 @@ class AngleSums {
 
  private:
   /// An argument in the new graph, built anew: it may come later in the old one.
-  static Ref argument(Graph& graph, const RebuildStep& step, NodeId id) {
+  Ref argument(Graph& graph, const RebuildStep& step, NodeId id) {
+    const auto known = arguments_.find(id);
+    if (known != arguments_.end()) return known->second;
+    return arguments_[id] = new_argument(graph, step, id);
+  }
+
+  Ref new_argument(Graph& graph, const RebuildStep& step, NodeId id) {
     const Node& node = step.old_graph.node(id);
-    std::vector<Ref> terms;
     std::vector<Power> factors;
     switch (node.kind) {
       case NodeKind::sum:
-        for (const Operand& term : node.operands) {
-          terms.push_back(with_sign(argument(graph, step, term.node), term.weight < 0));
-        }
-        return graph.sum(terms);
+        return graph.sum(terms(graph, step, node));
       case NodeKind::product:
         for (const Operand& factor : node.operands) {
           factors.push_back({argument(graph, step, factor.node), factor.weight});
@@ -156,13 +160,24 @@ class AngleSums {
       case NodeKind::call:
         break;
     }
-    for (const Operand& operand : node.operands) {
-      terms.push_back(with_sign(argument(graph, step, operand.node), operand.weight < 0));
-    }
-    return graph.call(node.function, terms);
+    return graph.call(node.function, terms(graph, step, node));
   }
 
-  Ref circular(Graph& graph, const RebuildStep& step, FunctionId function, NodeId id) const {
+  std::vector<Ref> terms(Graph& graph, const RebuildStep& step, const Node& node) {
+    std::vector<Ref> result;
+    for (const Operand& operand : node.operands) {
+      result.push_back(with_sign(argument(graph, step, operand.node), operand.weight < 0));
+    }
+    return result;
+  }
+
+  Ref circular(Graph& graph, const RebuildStep& step, FunctionId function, NodeId id) {
+    const auto known = circular_.find({function, id});
+    if (known != circular_.end()) return known->second;
+    return circular_[{function, id}] = new_circular(graph, step, function, id);
+  }
+
+  Ref new_circular(Graph& graph, const RebuildStep& step, FunctionId function, NodeId id) {
     const auto split = splits_.find(id);
     if (split == splits_.end()) return graph.call(function, {argument(graph, step, id)});
     const auto& [first, second, sign] = split->second;
@@ -179,14 +194,16 @@ class AngleSums {
   }
 
   std::map<NodeId, Split> splits_;
+  std::map<NodeId, Ref> arguments_;                        ///< in the new graph
+  std::map<std::pair<FunctionId, NodeId>, Ref> circular_;  ///< likewise
 };
 
 }  // namespace
 
-bool has_angle_sums(const Expressions& expressions) { return !splits_of(expressions).empty(); }
-
-Expressions expand_angle_sums(const Expressions& expressions) {
-  return rebuild(expressions, AngleSums(expressions));
+std::optional<Expressions> expand_angle_sums(const Expressions& expressions) {
+  std::map<NodeId, Split> splits = splits_of(expressions);
+  if (splits.empty()) return std::nullopt;
+  return rebuild(expressions, AngleSums(std::move(splits)));
 }
 
 }  // namespace elgen

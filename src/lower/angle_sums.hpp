@@ -7,11 +7,13 @@
 // decides whether that pays. An angle is only ever taken apart into simpler ones.
 #pragma once
 
+#include <optional>
+
 #include "rebuild.hpp"
 
 namespace elgen {
 
-[[nodiscard]] bool has_angle_sums(const Expressions& expressions);
-[[nodiscard]] Expressions expand_angle_sums(const Expressions& expressions);
+/// Nothing where no angle is such a sum.
+[[nodiscard]] std::optional<Expressions> expand_angle_sums(const Expressions& expressions);
 
 }  // namespace elgen

@@ -61,7 +61,7 @@ Expressions factored(const Expressions& flat) { return factor(flatten(factor(fla
 Network cheapest_network(const Expressions& expressions, const Function& unfilled) {
   Cheapest cheapest(unfilled);
   cheapest.consider_forms(expressions);
-  if (has_angle_sums(expressions)) cheapest.consider_forms(expand_angle_sums(expressions));
+  if (const auto expanded = expand_angle_sums(expressions)) cheapest.consider_forms(*expanded);
   return cheapest.take();
 }
 

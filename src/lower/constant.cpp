@@ -97,13 +97,10 @@ cln::cl_R call_value(FunctionId function, const cln::cl_R& x, const cln::cl_R& y
     case FunctionId::log:
       return cln::ln(x);
     case FunctionId::abs:
-      return cln::abs(x);
     case FunctionId::sign:
-      return cln::signum(x);
     case FunctionId::min:
-      return cln::min(x, y);
     case FunctionId::max:
-      return cln::max(x, y);
+      break;  // exact_call
   }
   return x;
 }
@@ -111,6 +108,17 @@ cln::cl_R call_value(FunctionId function, const cln::cl_R& x, const cln::cl_R& y
 bool is_exact(FunctionId function) {
   return function == FunctionId::abs || function == FunctionId::sign ||
          function == FunctionId::min || function == FunctionId::max;
+}
+
+/// One of the arguments as it stands, with its text, or a small integer.
+SignedConstant exact_call(FunctionId function, const SignedConstant& x, const SignedConstant& y) {
+  if (function == FunctionId::abs) return {x.constant, false};
+  if (function == FunctionId::sign) {
+    if (cln::zerop(x.constant.value)) return make_constant(0);
+    return make_constant(x.negative ? -1 : 1);
+  }
+  const bool x_is_less = value_of(x) < value_of(y);
+  return x_is_less == (function == FunctionId::min) ? x : y;
 }
 
 bool in_domain(FunctionId function, const cln::cl_R& x) {
@@ -187,10 +195,7 @@ SignedConstant square_root_of(const Constant& radicand) {
 SignedConstant call_of(FunctionId function, const std::vector<SignedConstant>& arguments) {
   const SignedConstant& last = arguments.back();
   if (!in_domain(function, value_of(arguments[0]))) return {};
-  if (is_exact(function)) {
-    return make_constant(call_value(function, value_of(arguments[0]), value_of(last)),
-                         arguments[0].constant.text);
-  }
+  if (is_exact(function)) return exact_call(function, arguments[0], last);
   std::string text(function_row(function).name);
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     text += fmt::format("{}{}{}", i == 0 ? "(" : ", ", arguments[i].negative ? "-" : "",

@@ -11,7 +11,7 @@ namespace {
 /// Sums longer than this stay as they are; the greedy search takes quadratic time.
 constexpr std::size_t maximal_terms = 400;
 
-/// A term as its factors; `value` stands for terms that are not to be taken apart.
+/// A term as its factors; one that is not divisible is not to be taken apart.
 struct FactoredTerm {
   bool negative = false;
   std::vector<Power> factors = {};

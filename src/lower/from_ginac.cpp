@@ -7,6 +7,7 @@
 #include <cln/real.h>
 #include <fmt/core.h>
 
+#include "derive/node_limit.hpp"
 #include "elgen/equations_of_motion.hpp"
 
 namespace elgen {
@@ -14,7 +15,8 @@ namespace {
 
 class Importer {
  public:
-  explicit Importer(const EquationsOfMotion& equations) : equations_(equations) {
+  Importer(const EquationsOfMotion& equations, const OutputRequest& request)
+      : equations_(equations), request_(request) {
     add_leaves(Opcode::parameter, equations.symbols.parameters);
     add_leaves(Opcode::coordinate, equations.symbols.q);
     add_leaves(Opcode::velocity, equations.symbols.v);
@@ -51,7 +53,7 @@ class Importer {
   }
 
   Ref fail(Code code, std::string message) {
-    if (!problem) problem = Diagnostic{code, {}, std::move(message)};
+    if (!problem) problem = Diagnostic{code, request_.span, std::move(message)};
     return graph.rational(0);
   }
 
@@ -99,7 +101,8 @@ class Importer {
     }
     const int halves = GiNaC::ex_to<GiNaC::numeric>(exponent * 2).to_int();
     if (halves < 0 && graph.is_zero(base.node)) {
-      fail(Code::E312, "a denominator is 0 whatever the state is");
+      fail(Code::E312,
+           fmt::format("a denominator of `{}` is 0, whatever the state is", request_.name));
       return {};
     }
     std::vector<Power> result;
@@ -121,6 +124,7 @@ class Importer {
   }
 
   const EquationsOfMotion& equations_;
+  const OutputRequest& request_;
   ExpressionMap<Ref> known_;
 };
 
@@ -209,14 +213,12 @@ Result<ImportedOutput> from_ginac(const EquationsOfMotion& equations, const Outp
   if (outputs.empty()) {
     return Diagnostic{Code::E912, request.span, fmt::format("`{}` was not derived", request.name)};
   }
-  Importer importer(equations);
+  Importer importer(equations, request);
   const std::vector<bool> needed = needed_definitions(equations.definitions, outputs);
   for (std::uint32_t i = 0; i < needed.size(); ++i) {
     if (needed[i]) importer.add_definition(i);
     if (importer.problem) return *importer.problem;
-    if (importer.graph.size() > maximum_nodes) {
-      return Diagnostic{Code::E908, {}, fmt::format("more than {} nodes", maximum_nodes)};
-    }
+    if (importer.graph.size() > maximum_nodes) return too_many_nodes(request, maximum_nodes);
   }
   importer.graph.set_birth(static_cast<std::uint32_t>(needed.size()));
   ImportedOutput imported;

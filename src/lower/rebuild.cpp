@@ -3,6 +3,9 @@
 
 namespace elgen {
 
+namespace {
+
+/// The old node's operands in the new graph: terms of a sum or arguments, with their signs.
 std::vector<Ref> renewed_terms(const RebuildStep& step) {
   std::vector<Ref> terms;
   for (const Operand& operand : step.old_graph.node(step.old_node).operands) {
@@ -11,6 +14,7 @@ std::vector<Ref> renewed_terms(const RebuildStep& step) {
   return terms;
 }
 
+/// The factors of a product in the new graph.
 std::vector<Power> renewed_factors(const RebuildStep& step) {
   std::vector<Power> factors;
   for (const Operand& operand : step.old_graph.node(step.old_node).operands) {
@@ -18,6 +22,8 @@ std::vector<Power> renewed_factors(const RebuildStep& step) {
   }
   return factors;
 }
+
+}  // namespace
 
 Ref copy(Graph& graph, const RebuildStep& step) {
   const Node& node = step.old_graph.node(step.old_node);

@@ -21,12 +21,6 @@ struct RebuildStep {
   const std::vector<Ref>& renewed;  ///< by old NodeId
 };
 
-/// The old node's operands in the new graph: terms of a sum or arguments, with their signs.
-[[nodiscard]] std::vector<Ref> renewed_terms(const RebuildStep& step);
-
-/// The factors of a product in the new graph.
-[[nodiscard]] std::vector<Power> renewed_factors(const RebuildStep& step);
-
 /// The old node in the new graph, unchanged.
 [[nodiscard]] Ref copy(Graph& graph, const RebuildStep& step);
 

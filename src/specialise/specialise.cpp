@@ -8,6 +8,9 @@
 // it. Then what a scene expands is expanded (expand.hpp).
 #include "elgen/specialise.hpp"
 
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
 #include <utility>
 
 #include "specialise/expand.hpp"
@@ -18,20 +21,125 @@ namespace elgen {
 
 namespace {
 
-void fix(Lagrangian& lagrangian, const Specialisation& specialisation) {
+using GiNaC::ex;
+
+void fix(Lagrangian& lagrangian, const std::map<std::uint32_t, cln::cl_R>& fixed) {
   Seeds values;
-  for (const auto& [parameter, number] : specialisation.fixed) {
+  for (const auto& [parameter, number] : fixed) {
     values.emplace(lagrangian.symbols.parameters[parameter], GiNaC::numeric(number));
   }
   replace(lagrangian, values);
 }
 
+bool is_complex(const ex& value) {
+  if (GiNaC::is_a<GiNaC::numeric>(value)) return !GiNaC::ex_to<GiNaC::numeric>(value).is_real();
+  for (std::size_t i = 0; i < value.nops(); ++i) {
+    if (is_complex(value.op(i))) return true;
+  }
+  return false;
+}
+
+struct Problem {
+  Code code;
+  const char* text;
+};
+
+constexpr Problem division{Code::E312, "a denominator 0"};
+constexpr Problem undefined{Code::E313, "a value undefined"};
+constexpr Problem complex{Code::E314, "a value complex"};
+
+using Step = std::function<void(Lagrangian&)>;
+
+/// Does a step; what is wrong with the values it leads to.
+std::optional<Problem> problem_of(const Step& step, Lagrangian& lagrangian) {
+  const std::size_t known = lagrangian.definitions.list.size();
+  try {
+    step(lagrangian);
+  } catch (const GiNaC::pole_error& pole) {
+    return pole.degree() == 0 ? undefined : division;  // 0: of a logarithm
+  } catch (const std::domain_error&) {
+    return undefined;
+  }
+  const auto& list = lagrangian.definitions.list;
+  for (std::size_t i = known; i < list.size(); ++i) {
+    if (is_complex(list[i].value)) return complex;
+  }
+  // Small terms are no definitions.
+  for (const auto* terms : {&lagrangian.kinetic, &lagrangian.potential, &lagrangian.dissipation,
+                            &lagrangian.lagrangian, &lagrangian.forces}) {
+    if (std::any_of(terms->begin(), terms->end(), is_complex)) return complex;
+  }
+  return std::nullopt;
+}
+
+/// Part of a step that is taken apart to find what is wrong with it.
+struct Part {
+  std::string name;
+  Span span;
+  Step step;
+};
+
+struct Circumstance {
+  std::string one;
+  std::string many;
+};
+
+/// The first part that fails by itself is to blame; where none does, all are.
+Diagnostic blamed(const Problem& problem, const std::vector<Part>& parts, const Lagrangian& before,
+                  const Circumstance& at) {
+  std::string names;
+  for (const Part& part : parts) {
+    Lagrangian trial = before;
+    const auto found = problem_of(part.step, trial);
+    if (found) {
+      return {
+          found->code, part.span,
+          "`" + part.name + "` " + at.one + " makes " + found->text + ", whatever the state is"};
+    }
+    names += (names.empty() ? "`" : ", `") + part.name + "`";
+  }
+  return {problem.code, parts.front().span,
+          names + " " + at.many + " make " + problem.text + ", whatever the state is"};
+}
+
+Diagnostics fix_parameters(Lagrangian& lagrangian, const CheckedModel& checked) {
+  const auto& fixed = checked.scene.specialisation.fixed;
+  const Lagrangian before = lagrangian;
+  const auto problem = problem_of([&](Lagrangian& whole) { fix(whole, fixed); }, lagrangian);
+  if (!problem) return {};
+  std::vector<Part> parts;
+  for (const auto& entry : fixed) {
+    const Parameter& parameter = checked.model.parameters[entry.first];
+    parts.push_back({parameter.name, checked.model.parameter_arrays[parameter.array].span,
+                     [&entry](Lagrangian& part) { fix(part, {entry}); }});
+  }
+  return {blamed(*problem, parts, before, {"at its fixed value", "at their fixed values"})};
+}
+
+Diagnostics lock_coordinates(Lagrangian& lagrangian, const CheckedModel& checked) {
+  const Lagrangian before = lagrangian;
+  const auto problem = problem_of(lock, lagrangian);
+  if (!problem) return {};
+  std::vector<Part> parts;
+  const Model& unlocked = checked.model.unlocked ? *checked.model.unlocked : checked.model;
+  for (std::size_t i = 0; i < before.locked.size(); ++i) {
+    parts.push_back({before.leaves.coordinates[before.locked[i].coordinate], unlocked.locks[i].span,
+                     [i](Lagrangian& part) {
+                       part.locked = {part.locked[i]};
+                       lock(part);
+                     }});
+  }
+  return {blamed(*problem, parts, before, {"where it is locked", "where they are locked"})};
+}
+
 }  // namespace
 
-Lagrangian specialise(Lagrangian lagrangian, const Specialisation& specialisation) {
-  if (!specialisation.fixed.empty()) fix(lagrangian, specialisation);
-  if (!lagrangian.locked.empty()) lock(lagrangian);
-  return lagrangian.expansion ? expanded(std::move(lagrangian)) : lagrangian;
+Result<Lagrangian> specialise(Lagrangian lagrangian, const CheckedModel& checked) {
+  Diagnostics errors;
+  if (!checked.scene.specialisation.fixed.empty()) errors = fix_parameters(lagrangian, checked);
+  if (errors.empty() && !lagrangian.locked.empty()) errors = lock_coordinates(lagrangian, checked);
+  if (!errors.empty()) return errors;
+  return lagrangian.expansion ? expanded(std::move(lagrangian)) : std::move(lagrangian);
 }
 
 }  // namespace elgen

@@ -45,6 +45,22 @@ TEST_CASE("definitions take no accelerations, closed forms take everything") {
         "E502 13:8 `dot(dot(x))` is a second derivative, and a definition takes none\n");
 }
 
+TEST_CASE("the rate of a function with a kink is refused where the function is not") {
+  const std::string force = "[[force]]\non = \"x\"\nvalue = \"";
+  const std::string refused = " is the rate of a function with a kink | " +
+                              std::string("a smooth stand-in is tanh(x/width)\n");
+  CHECK(messages(block(force + "k*abs(x)\"\n")).empty());
+  CHECK(messages(block(force + "c*dot(abs(x))\"\n[parameters.c]\nvalue = 1\nunit = \"kg/s\"\n")) ==
+        "E315 14:12 `dot(abs(x))`" + refused);
+  CHECK(messages(block(force + "c*dot(spread)\"\n[parameters.c]\nvalue = 1\nunit = \"kg/s\"\n"
+                               "[define]\nspread = \"2*abs(x)\"\n")) ==
+        "E315 14:12 `dot(spread)`" + refused);
+  // What does not move has the rate 0.
+  CHECK(
+      messages(block(force + "k*x + c*dot(abs(k))\"\n[parameters.c]\nvalue = 1\nunit = \"m*s\"\n"))
+          .empty());
+}
+
 TEST_CASE("a rate may stand in an energy, a spin and a force, in nothing else") {
   CHECK(messages(block("D = \"0.5*T0*speed^2/x^2*dot(x)*0\"\n" + entries)).empty());
   CHECK(messages(block(entries + "[[point]]\nname = \"p\"\nat = [\"speed*0\", \"0\"]\n")) ==

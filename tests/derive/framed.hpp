@@ -81,7 +81,7 @@ class Framed {
  public:
   explicit Framed(const std::string& text, const SceneOptions& options = {})
       : checked(checked_model(text, options)),
-        lagrangian(specialise(*formulate(checked.model), checked.scene.specialisation)) {}
+        lagrangian(*specialise(*formulate(checked.model), checked)) {}
 
   [[nodiscard]] const OutputRequest& request(const std::string& name) const {
     for (const OutputRequest& output : checked.scene.outputs) {

@@ -26,7 +26,7 @@ GiNaC::ex whole(const Definitions& definitions, GiNaC::ex value) {
 TEST_CASE("the force that holds a cart is that of the swinging bob") {
   const CheckedModel checked =
       checked_scene(cart_pole_text(), "[lock]\nx = { value = 0, reaction = true }\n");
-  Derivation d(specialise(*formulate(checked.model), checked.scene.specialisation));
+  Derivation d(*specialise(*formulate(checked.model), checked));
   const Vector before = gravity(d);
   const Vector force = reaction(d);
   const Vector after = gravity(d);

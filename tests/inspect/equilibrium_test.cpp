@@ -57,6 +57,34 @@ TEST_CASE("an input that balances the point is suggested, and taken") {
   CHECK(found(driven, "order = 1\nabout = { q = 0, p = 0, u = \"1/2 - m\" }").empty());
 }
 
+TEST_CASE("figures are those of the parameters' own values, 0 among them") {
+  const auto offset = [](const std::string& force) {
+    return model_text("offset", R"toml(
+[[coordinate]]
+name = "q"
+[parameters]
+m = 2
+k = 3
+c = 0
+[energy]
+T = "1/2*m*dot(q)^2"
+V = ")toml" + force + R"toml("
+[[input]]
+name = "u"
+on = "q"
+)toml");
+  };
+  const std::string about = "order = 1\nabout = { q = 0 }";
+  const Diagnostics own = diagnostics(offset("(c - k)*q"), about);
+  CHECK(text_of(own) == "E613: `q` does not stay at rest there: bias - B u is -3");
+  CHECK(own.at(0).hint == "`u = -3` balances it at the parameters' values");
+  const Diagnostics other = diagnostics(offset("c*q"), about);
+  CHECK(text_of(other) ==
+        "E613: `q` does not stay at rest there: bias - B u is not 0 at other values of the "
+        "parameters");
+  CHECK(other.at(0).hint.empty());
+}
+
 TEST_CASE("coordinates left open are anywhere, given ones where they are given") {
   CHECK_FALSE(found(driven, "order = 1\nabout = { p = 0 }").empty());
   CHECK(found(driven, "order = 1\nabout = { q = 0, p = 0 }\nsmall = [\"p\"]").empty());

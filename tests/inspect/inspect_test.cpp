@@ -7,6 +7,7 @@
 
 #include "inspect/found.hpp"
 #include "oracle/samples.hpp"
+#include "support/frame_systems.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
@@ -24,6 +25,13 @@ TEST_CASE("sound models have nothing to report") {
   CHECK(found(charged_particle().model).empty());
   CHECK(found(rotating_hoop("W*t").model).empty());
   CHECK(found(relativistic_particle().model).empty());
+}
+
+TEST_CASE("sound models of frames have nothing to report", "[frames]") {
+  for (const auto& [name, text] : frame_systems()) {
+    const CheckedModel checked = checked_model(text);
+    CHECK(name + ": " + text_of(inspect(checked.model, checked.scene)) == name + ": ");
+  }
 }
 
 TEST_CASE("everything found in one model is reported at once") {

@@ -55,6 +55,21 @@ TEST_CASE("gravity along the last axis is noted") {
   CHECK(found(space.gravity({"0", "0", "g"})) == "E512: gravity pulls along +z");
 }
 
+TEST_CASE("gravity on a model of bodies is noted too") {
+  const auto of_body = [](std::uint32_t dimension, const std::vector<std::string>& gravity) {
+    ModelBuilder b;
+    b.coordinate("z").parameter("g", "9.81");
+    Body body;
+    body.name = "ship";
+    body.dimension = dimension;
+    b.model.bodies.push_back(body);
+    return found(b.gravity(gravity));
+  };
+  CHECK(of_body(3, {"0", "0", "g"}) == "E512: gravity pulls along +z");
+  CHECK(of_body(3, {"0", "0", "-g"}).empty());
+  CHECK(of_body(2, {"0", "g"}) == "E512: gravity pulls along +y");
+}
+
 TEST_CASE("a point without a mass has no weight") {
   CHECK(found(falling_bob("-k*y(bob)", "")).empty());
   ModelBuilder b = falling_bob("-m*g*y(bob)", "");

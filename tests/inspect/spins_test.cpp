@@ -4,6 +4,7 @@
 #include "inspect/checks.hpp"
 #include "inspect/found.hpp"
 #include "oracle/samples.hpp"
+#include "support/arms.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
@@ -41,3 +42,8 @@ TEST_CASE("a curl in space or in time is found") {
 }
 
 TEST_CASE("in space a spin need not be a rate") { CHECK(found("x*th_d", 3).empty()); }
+
+TEST_CASE("spins of bodies in nested frames follow from the frames", "[frames]") {
+  const CheckedModel planar = checked_model(planar_text());
+  CHECK(text_of(inspection::inspect_spins({planar.model, planar.scene})).empty());
+}

@@ -79,6 +79,26 @@ TEST_CASE("exact calls stay exact") {
   CHECK(text(call_of(FunctionId::log, {number("1")})) == "0");
 }
 
+TEST_CASE("exact calls of what is not rational are one of their arguments") {
+  const SignedConstant pi = pi_constant();
+  const SignedConstant minus_pi{pi.constant, true};
+  const auto row = [](FunctionId function, const std::vector<SignedConstant>& arguments) {
+    const SignedConstant result = call_of(function, arguments);
+    return std::pair(text(result), value(result));
+  };
+  const double pi_value = value(pi);
+  CHECK(row(FunctionId::max, {number("3"), pi}) == std::pair<std::string, double>("pi", pi_value));
+  CHECK(row(FunctionId::max, {pi, number("3")}) == std::pair<std::string, double>("pi", pi_value));
+  CHECK(row(FunctionId::min, {number("3"), pi}) == std::pair<std::string, double>("3", 3));
+  CHECK(row(FunctionId::min, {number("3"), minus_pi}) ==
+        std::pair<std::string, double>("-pi", -pi_value));
+  CHECK(row(FunctionId::max, {minus_pi, number("-4")}) ==
+        std::pair<std::string, double>("-pi", -pi_value));
+  CHECK(row(FunctionId::abs, {minus_pi}) == std::pair<std::string, double>("pi", pi_value));
+  CHECK(row(FunctionId::sign, {minus_pi}) == std::pair<std::string, double>("-1", -1));
+  CHECK(row(FunctionId::sign, {number("0")}) == std::pair<std::string, double>("0", 0));
+}
+
 TEST_CASE("calls without a real value fold to nothing") {
   CHECK(call_of(FunctionId::log, {number("0")}).constant.text.empty());
   CHECK(call_of(FunctionId::asin, {number("2")}).constant.text.empty());

@@ -58,7 +58,7 @@ std::vector<Real> values(const Products& products, const Arguments<Real>& at) {
 /// M a + bias written out, by the whole derivation.
 struct WrittenOut {
   explicit WrittenOut(const CheckedModel& checked)
-      : lagrangian(specialise(*formulate(checked.model), checked.scene.specialisation)) {
+      : lagrangian(*specialise(*formulate(checked.model), checked)) {
     OutputRequest request;
     request.kind = OutputKind::inverse_dynamics;
     request.name = "inverse_dynamics";

@@ -22,7 +22,7 @@ struct Expanded {
 
 Expanded energies(const std::string& model, const std::string& lines) {
   const CheckedModel checked = approximated(model, lines);
-  Expanded result{specialise(*formulate(checked.model), checked.scene.specialisation), 0, 0, 0};
+  Expanded result{*specialise(*formulate(checked.model), checked), 0, 0, 0};
   const auto sum = [&](const std::vector<ex>& terms) {
     return written_out(result.lagrangian.definitions, GiNaC::add(terms)).expand();
   };

@@ -13,7 +13,7 @@ namespace {
 
 Lagrangian locked(const std::string& text, const std::string& scene) {
   const CheckedModel checked = checked_scene(text, scene);
-  return specialise(*formulate(checked.model), checked.scene.specialisation);
+  return *specialise(*formulate(checked.model), checked);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ SceneOptions fixing(const std::vector<std::string>& settings) {
 
 Lagrangian specialised(const std::string& text, const std::vector<std::string>& settings) {
   const CheckedModel checked = checked_model(text, fixing(settings));
-  return specialise(*formulate(checked.model), checked.scene.specialisation);
+  return *specialise(*formulate(checked.model), checked);
 }
 
 bool mentions(const Lagrangian& lagrangian, const std::string& text) {
@@ -69,4 +69,36 @@ TEST_CASE("every part of a Lagrangian is specialised") {
 
 TEST_CASE("a dump after specialising shows the numbers") {
   CHECK(mentions(specialised(cart_pole_text(), {"M=4"}), "mass 4 at"));
+}
+
+namespace {
+
+std::string refused(const std::string& parameters, const std::string& potential,
+                    const std::vector<std::string>& settings) {
+  const CheckedModel checked = checked_model(model_text("one", R"toml(
+[[coordinate]]
+name = "x"
+[parameters]
+)toml" + parameters + R"toml([energy]
+T = "dot(x)^2/2"
+V = ")toml" + potential + "\"\n"),
+                                             fixing(settings));
+  const Result<Lagrangian> result = specialise(*formulate(checked.model), checked);
+  REQUIRE_FALSE(result);
+  const Diagnostic& error = result.diagnostics.at(0);
+  return std::string(code_row(error.code).name) + " " + std::string(covered_text(error.span)) +
+         ": " + error.message;
+}
+
+}  // namespace
+
+TEST_CASE("values that leave nothing to compute are refused, naming the parameter") {
+  CHECK(refused("j = 1\nk = 1\n", "x^2/k", {"j", "k=0"}) ==
+        "E312 k: `k` at its fixed value makes a denominator 0, whatever the state is");
+  CHECK(refused("j = 1\nk = 1\n", "x^2*log(k)", {"j", "k=0"}) ==
+        "E313 k: `k` at its fixed value makes a value undefined, whatever the state is");
+  CHECK(refused("j = 1\nk = 1\n", "x^2*sqrt(k)", {"j", "k=-1"}) ==
+        "E314 k: `k` at its fixed value makes a value complex, whatever the state is");
+  CHECK(refused("j = 2\nk = 1\n", "x^2/(j - k)", {"j=1", "k=1"}) ==
+        "E312 j: `j`, `k` at their fixed values make a denominator 0, whatever the state is");
 }

@@ -33,7 +33,7 @@ name = "boom"
 frame = "arm"
 mass = "m2"
 com = ["l/2", "l/8", "l/5"]
-inertia = ["A", "2*B", "C", "E", "D", "F"]
+inertia = ["A", "B", "C", "E", "D", "F"]
 [[point]]
 name = "bead"
 frame = "arm"
@@ -160,12 +160,52 @@ jacobian = true
   return text;
 }
 
+/// A frame and a body that hang where a point of another frame is, which nothing else mentions.
+inline const std::string& hung_text() {
+  static const std::string text = frame_model("hung", "q r", R"toml(
+[[frame]]
+name = "arm"
+parent = "world"
+rotate = [["z", "q"]]
+[[point]]
+name = "tip"
+frame = "arm"
+at = ["l", "l/3", "0"]
+[[point]]
+name = "elbow"
+frame = "arm"
+at = ["l/2", "0", "l/5"]
+[[frame]]
+name = "rope"
+parent = "world"
+translate = ["x(tip)", "y(tip)", "l"]
+rotate = [["x", "r"]]
+[[body]]
+name = "bucket"
+frame = "rope"
+mass = "m1"
+com = ["l/9", "0", "-l"]
+inertia = ["A", "B", "C"]
+[[body]]
+name = "lamp"
+mass = "m2"
+com = ["x(elbow)", "y(elbow) + r", "z(elbow)"]
+inertia = ["A", "B", "C"]
+spin = ["dot(q)*x(elbow)", "dot(r)", "dot(q)"]
+[[output]]
+name = "bottom"
+frame = "rope"
+jacobian = true
+)toml");
+  return text;
+}
+
 inline const std::vector<NamedText>& frame_systems() {
   static const std::vector<NamedText> all{
       {"two_turns", two_turns_text()},   {"three_turns", three_turns_text()},
       {"sliders", sliders_text()},       {"turntable", turntable_text()},
       {"quaternion", quaternion_text()}, {"two_arms", two_arms_text()},
-      {"planar", planar_text()}};
+      {"planar", planar_text()},         {"hung", hung_text()}};
   return all;
 }
 
