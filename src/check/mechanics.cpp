@@ -108,16 +108,25 @@ class MechanicsCheck {
     return id && has_time(*id);
   }
 
+  /// A force does work on the motion of where it acts, a torque on the turning of its frames.
+  [[nodiscard]] bool reaches_time(const Force& force) const {
+    const auto moves = [&](const std::optional<std::uint32_t>& point) {
+      return point && any_time(model_.points[*point].at);
+    };
+    const auto turns = [&](const std::optional<std::uint32_t>& frame) {
+      return frame && any_time(model_.frames[*frame].spin);
+    };
+    return any_time(force.value) || any_time(force.reaction) || moves(force.at) ||
+           moves(force.from) || turns(force.frame) || turns(force.from_frame);
+  }
+
   /// t matters where it reaches an equation: a point without mass that nothing uses does not count.
   [[nodiscard]] bool finds_time() const {
     const Energies& e = model_.energies;
     const bool in_energy = any_time(e.T) || any_time(e.V) || any_time(e.D) || any_time(e.L);
     const auto point = [&](const Point& p) { return has_energy(p) && any_time(p.at); };
     const auto body = [&](const Body& b) { return any_time(b.com) || any_time(b.spin); };
-    const auto force = [&](const Force& f) {
-      return any_time(f.value) || (f.at && any_time(model_.points[*f.at].at)) ||
-             (f.from && any_time(model_.points[*f.from].at));
-    };
+    const auto force = [&](const Force& f) { return reaches_time(f); };
     const auto output = [&](const UserOutput& o) { return any_time(o.values); };
     return in_energy || (model_.gravity && any_time(*model_.gravity)) ||
            std::any_of(model_.points.begin(), model_.points.end(), point) ||

@@ -93,5 +93,21 @@ TEST_CASE("time matters where it reaches an equation") {
   CHECK(dumped(bare(energy + "[gravity]\nvector = [\"0\", \"c/t\"]\n"), "time") == "time yes\n");
 }
 
+TEST_CASE("time matters where it turns what a torque acts on") {
+  const std::string energy = "[energy]\nT = \"m*dot(x)^2 + m*dot(y)^2\"\n";
+  const auto frame = [](const std::string& name, const std::string& turn) {
+    return "[[frame]]\nname = \"" + name + "\"\nparent = \"world\"\nrotate = [[\"x\", \"x/y\"]" +
+           turn + "]\n";
+  };
+  const std::string frames = energy + frame("A", "") + frame("B", ", [\"z\", \"c*t/x\"]");
+  const auto torque = [](const std::string& keys) {
+    return "[[force]]\nvalue = [\"m*c^2\", \"0\", \"0\"]\n" + keys;
+  };
+  CHECK(dumped(bare(frames), "time") == "time no\n");
+  CHECK(dumped(bare(frames + torque("frame = \"A\"\n")), "time") == "time no\n");
+  CHECK(dumped(bare(frames + torque("frame = \"B\"\n")), "time") == "time yes\n");
+  CHECK(dumped(bare(frames + torque("frame = \"A\"\nfrom = \"B\"\n")), "time") == "time yes\n");
+}
+
 }  // namespace
 }  // namespace elgen::test
