@@ -26,6 +26,11 @@ class MechanicsCheck {
   void run() {
     check_degree(model_.energies.V, 1, Code::E503, "at most linear");
     check_degree(model_.energies.T, 2, Code::E504, "at most quadratic");
+    for (const Body& body : model_.bodies) {
+      for (const ExpressionId component : body.spin) {
+        check_degree(component, 1, Code::E504, "at most linear");
+      }
+    }
     if (model_.energies.L) {
       model_.quadratic = traits_[*model_.energies.L].rate_degree <= 2;
     }
@@ -42,6 +47,7 @@ class MechanicsCheck {
  private:
   [[nodiscard]] const Span& span(ExpressionId id) const { return model_.expressions[id].span; }
 
+  /// Of an energy, or of a component of a spin: T is quadratic in that.
   void check_degree(const std::optional<ExpressionId>& energy, std::uint8_t most, Code code,
                     const std::string& rule) {
     // What has no place in an energy is reported as such.
@@ -52,9 +58,11 @@ class MechanicsCheck {
     }
     const std::uint8_t degree = traits_[*energy].rate_degree;
     const std::string observed =
-        degree < not_polynomial ? "of degree " + std::to_string(degree) : "not quadratic";
+        degree < not_polynomial
+            ? "is of degree " + std::to_string(degree) + " in the rates"
+            : std::string("is of degree 3 or more in the rates, or no polynomial in them");
     context_.report.add(code, span(*energy),
-                        quoted(span(*energy)) + " is " + observed + " in the rates, not " + rule);
+                        quoted(span(*energy)) + " " + observed + ", not " + rule);
   }
 
   void check_affine(ExpressionId value) {
