@@ -47,6 +47,9 @@ TEST_CASE("definitions take no accelerations, closed forms take everything") {
 
 TEST_CASE("a rate may stand in an energy, a spin and a force, in nothing else") {
   CHECK(messages(block("D = \"0.5*T0*speed^2/x^2*dot(x)*0\"\n" + entries)).empty());
+  CHECK(messages(block("[[prescribed]]\nname = \"w\"\nvalue = \"sin(t)\"\n[[point]]\nname = \"p\"\n"
+                       "at = [\"x\", \"0\"]\nmass = \"m*w\"\n"))
+            .find("`w` contains time, and a mass takes none") != std::string::npos);
   CHECK(messages(block(entries + "[[point]]\nname = \"p\"\nat = [\"speed*0\", \"0\"]\n")) ==
         "E319 23:8 `speed` contains a rate, and a position takes none\n");
 }
