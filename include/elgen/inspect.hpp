@@ -11,7 +11,7 @@
 
 namespace elgen {
 
-/// Errors E5xx, warnings and notes W/N rows of the code table; never changes the model.
+/// Errors, warnings and notes of E501 to E520, E613 and E614; never changes the model.
 [[nodiscard]] Diagnostics inspect(const Model& model, const Scene& scene);
 
 }  // namespace elgen

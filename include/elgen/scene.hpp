@@ -1,4 +1,4 @@
-// Scene: what is wanted from a model. Four parts; each stage receives only its own.
+// Scene: what is wanted from a model, in parts named after the stages that read them.
 #pragma once
 
 #include <cln/real.h>
@@ -36,7 +36,7 @@ struct OutputRequest {
 
 enum class ScalarKind : std::uint8_t { single_precision, double_precision, long_double };
 
-/// lower, evaluate, verify: arithmetic.
+/// emit, toolchain: the scalars that code is written and compiled for.
 struct Numerics {
   std::vector<ScalarKind> scalars = {ScalarKind::double_precision};
 };

@@ -54,6 +54,12 @@ struct Root {
 /// could not be resolved. It has no root, so nothing is ever said about it.
 inline constexpr ExpressionId no_expression = 0;
 
+/// `min` and `max` of a parameter; either may be given alone.
+struct Bounds {
+  std::optional<cln::cl_R> minimum = {};
+  std::optional<cln::cl_R> maximum = {};
+};
+
 struct Context {
   explicit Context(const Limits& the_limits) : limits(the_limits) {
     model.expressions.emplace_back();
@@ -77,6 +83,7 @@ struct Context {
   Span model_span = {};       ///< the header `[model]`
   Span lagrangian_span = {};  ///< the key `L`
   std::vector<Root> roots = {};
+  std::vector<Bounds> bounds = {};                         ///< by parameter array
   std::vector<std::optional<Unit>> prescribed_units = {};  ///< as declared, by prescribed function
 };
 

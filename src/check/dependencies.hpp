@@ -1,4 +1,4 @@
-// Dependencies among definitions, prescribed functions and points.
+// Dependencies among definitions, prescribed functions, points and frames.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,11 @@
-// Text of a Model and a Scene, one entry a line, for `--dump check` and for tests.
+// Text of a Model and a Scene, one entry a line, for `--dump check`, for tests, and (of the Model)
+// for the hash in stamps: models that give different code have different texts.
 #include <algorithm>
 
 #include "elgen/scene.hpp"
 #include "number_text.hpp"
+#include "read_approximate.hpp"
+#include "scene_reader.hpp"
 
 namespace elgen {
 namespace {
@@ -16,17 +19,20 @@ class ModelDump {
   std::string text() {
     line("model " + model_.name);
     dump_variables();
+    dump_frames();
     dump_masses();
     dump_energies();
     dump_forces();
     for (const UserOutput& output : model_.outputs) {
-      line("output " + output.name + " = " + list(output.values) +
-           (output.jacobian ? ", jacobian" : ""));
+      line("output " + output.name + (output.frame ? " of " + frame_name(output.frame) : "") +
+           " = " + list(output.values) + (output.jacobian ? ", jacobian" : "") +
+           (output.in_world ? "" : ", in its axes"));
     }
     for (const Expectation& expectation : model_.expectations) {
       line("expect " + expectation.output + " " + std::to_string(expectation.rows) + " " +
            std::to_string(expectation.columns) + " = " + list(expectation.entries));
     }
+    dump_scene();
     line(std::string("quadratic ") + (model_.quadratic ? "yes" : "no"));
     line(std::string("time ") + (model_.uses_time ? "yes" : "no"));
     line(std::string("drift ") + (model_.may_drift ? "yes" : "no"));
@@ -57,6 +63,18 @@ class ModelDump {
                  : "";
   }
 
+  static std::string assumption_text(Assumption assumption) {
+    switch (assumption) {
+      case Assumption::positive:
+        return ", positive";
+      case Assumption::nonnegative:
+        return ", nonnegative";
+      case Assumption::none:
+        break;
+    }
+    return "";
+  }
+
   void dump_variables() {
     for (const Coordinate& q : model_.coordinates) {
       const Velocity& v = model_.velocities[q.velocity];
@@ -65,8 +83,13 @@ class ModelDump {
            (q.armature ? ", armature " + expression(*q.armature) : "") +
            (q.singular ? ", singular " + expression(*q.singular) : ""));
     }
+    for (const Rotation& rotation : model_.rotations) {
+      line("rotation " + rotation.name);
+    }
     for (const Parameter& p : model_.parameters) {
-      line("parameter " + p.name + " = " + number_text(p.value) + unit_text(p.unit));
+      line("parameter " + p.name + " = " + number_text(p.value) + unit_text(p.unit) +
+           interval_text("range", model_.parameter_arrays[p.array].range) +
+           assumption_text(p.assumption));
     }
     for (const NamedExpression& prescribed : model_.prescribed) {
       line("prescribed " + prescribed.name + " = " + expression(prescribed.value));
@@ -77,6 +100,31 @@ class ModelDump {
     for (const Input& input : model_.inputs) {
       line("input " + input.name + unit_text(input.unit) + interval_text("limits", input.limits) +
            (input.on ? ", on " + model_.velocities[*input.on].name : ""));
+    }
+  }
+
+  [[nodiscard]] std::string frame_name(const std::optional<std::uint32_t>& frame) const {
+    return frame ? model_.frames[*frame].name : "world";
+  }
+
+  [[nodiscard]] std::string step_text(const FrameStep& step) const {
+    switch (step.kind) {
+      case FrameStepKind::translation:
+        return ", moved by " + list(step.vector);
+      case FrameStepKind::turn:
+        return ", turned by " + expression(step.angle) + " about " + list(step.vector);
+      case FrameStepKind::quaternion:
+        break;
+    }
+    return step.rotation ? ", turned by " + model_.rotations[*step.rotation].name
+                         : ", turned by " + list(step.quaternion);
+  }
+
+  void dump_frames() {
+    for (const Frame& frame : model_.frames) {
+      std::string text = "frame " + frame.name + " on " + frame_name(frame.parent);
+      for (const FrameStep& step : frame.steps) text += step_text(step);
+      line(text);
     }
   }
 
@@ -109,13 +157,39 @@ class ModelDump {
 
   void dump_forces() {
     for (const Force& force : model_.forces) {
-      const std::string place = force.on   ? " on " + model_.velocities[*force.on].name
-                                : force.at ? " at " + model_.points[*force.at].name
-                                           : "";
-      line("force " + force.name + place +
-           (force.from ? " from " + model_.points[*force.from].name : "") + " = " +
-           list(force.value));
+      line("force " + force.name + place_text(force) + " = " + list(force.value));
     }
+  }
+
+  [[nodiscard]] std::string place_text(const Force& force) const {
+    if (force.on) return " on " + model_.velocities[*force.on].name;
+    if (force.at) {
+      return " at " + model_.points[*force.at].name +
+             (force.from ? " from " + model_.points[*force.from].name : "");
+    }
+    return " on " + frame_name(force.frame) +
+           (force.from_frame ? " from " + frame_name(force.from_frame) : "");
+  }
+
+  /// What a scene does to the model, before the outputs are chosen.
+  void dump_scene() {
+    if (model_.unlocked) {
+      for (const Lock& lock : model_.unlocked->locks) {
+        line("lock " + lock_text(*model_.unlocked, lock) + (lock.reaction ? ", reaction" : ""));
+      }
+    }
+    if (model_.approximation) {
+      line("approximate " + checking::canonical_text(model_, *model_.approximation));
+    }
+  }
+
+  static std::string lock_text(const Model& unlocked, const Lock& lock) {
+    std::string text;
+    for (std::uint32_t i = 0; i < lock.values.size(); ++i) {
+      text += (text.empty() ? "" : ", ") + unlocked.coordinates[lock.coordinate + i].name + " = " +
+              to_string(unlocked, lock.values[i]);
+    }
+    return text;
   }
 
   const Model& model_;
@@ -138,7 +212,11 @@ std::string dump(const Scene& scene) {
   }
   for (const OutputRequest& output : scene.outputs) {
     text += "output " + output.name + " " + std::to_string(output.rows) + " " +
-            std::to_string(output.columns) + "\n";
+            std::to_string(output.columns) +
+            (output.form ? ", " + std::string(name_of(*output.form)) : "") + "\n";
+  }
+  for (const ScalarKind kind : scene.numerics.scalars) {
+    text += "scalar " + std::string(checking::name_of(kind)) + "\n";
   }
   if (scene.dropping) text += "drop below " + number_text(scene.dropping->below) + "\n";
   return text;

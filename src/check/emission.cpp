@@ -48,21 +48,12 @@ void check_together(const EmissionEntries& entries, const Emission& emission, co
 
 }  // namespace
 
-void check_emitted_name(const std::string& name, const Span& span, Report& report) {
-  if (!is_well_formed_name(name)) {
-    report.add(Code::E205, span,
-               quoted(name) + " is not letters, digits and underscores after a letter");
-  } else if (const auto reason = reserved_reason(name); !reason.empty()) {
-    report.add(Code::E204, span, quoted(name) + " is reserved: " + std::string(reason));
-  }
-}
-
 Emission read_emission(Context& context, const EmissionEntries& entries, const Scene& scene) {
   Emission emission;
   emission.name_space = scene.base_name;
   if (const KeySyntax* key = find(entries.emit, "namespace")) {
     emission.name_space = key->value.text;
-    check_emitted_name(key->value.text, key->value.span, context.report);
+    (void)check_name(key->value.text, key->value.span, context.report);
   }
   if (const KeySyntax* key = find(entries.emit, "language")) {
     emission.language = language_named(key->value.text);

@@ -18,9 +18,6 @@ struct EmissionEntries {
 [[nodiscard]] Emission read_emission(Context& context, const EmissionEntries& entries,
                                      const Scene& scene);
 
-/// E205, E204: a name the emitted code gets must be one.
-void check_emitted_name(const std::string& name, const Span& span, Report& report);
-
 /// One line per thing said beyond the defaults, in a fixed order.
 [[nodiscard]] std::string canonical_text(const Emission& emission, const std::string& base_name);
 

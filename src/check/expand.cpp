@@ -118,9 +118,8 @@ class Expander {
       return;
     }
     const std::vector<RangeSyntax> ranges = read_repetition(repetition->value);
-    const bool complete = check_indices(ranges) && repeat(ranges, scope, context_.report, [&] {
-                            return add_instance(entry, *kind, scope);
-                          });
+    const bool complete =
+        repeat(ranges, scope, context_.report, [&] { return add_instance(entry, *kind, scope); });
     const KeySyntax* name = entry.find("name");
     if (!complete && name != nullptr) {
       context_.symbols.mark_failed(name->value.expression.text);
@@ -172,25 +171,27 @@ class Expander {
     return name.index.has_value();
   }
 
-  /// A running index that is also a name of the model would hide it.
-  bool check_indices(const std::vector<RangeSyntax>& ranges) {
-    for (const RangeSyntax& range : ranges) {
-      if (const Symbol* symbol = context_.symbols.find(range.index)) {
-        Diagnostic diagnostic{Code::E203, range.index_span,
-                              "the running index " + quoted(range.index) + " is also a " +
-                                  std::string(noun(symbol->kind))};
-        diagnostic.related = symbol->span;
-        diagnostic.related_message = "declared here";
-        context_.report.add(std::move(diagnostic));
-        return false;
-      }
-    }
-    return true;
-  }
-
   Context& context_;
   std::vector<Instance> instances_;
 };
+
+/// A running index that is also a name of the model would hide it.
+void check_indices(Context& context, const EntrySyntax& entry) {
+  const KeySyntax* repetition = entry.find("for");
+  if (repetition == nullptr) {
+    return;
+  }
+  for (const RangeSyntax& range : read_repetition(repetition->value)) {
+    if (const Symbol* symbol = context.symbols.find(range.index)) {
+      Diagnostic diagnostic{Code::E203, range.index_span,
+                            "the running index " + quoted(range.index) + " is also " +
+                                with_article(noun(symbol->kind))};
+      diagnostic.related = symbol->span;
+      diagnostic.related_message = "declared here";
+      context.report.add(std::move(diagnostic));
+    }
+  }
+}
 
 }  // namespace
 
@@ -205,6 +206,10 @@ std::vector<Instance> expand_entries(Context& context, const ModelSyntax& syntax
       }
     }
     expander.expand(entry);
+  }
+  // All names are known only now.
+  for (const EntrySyntax& entry : syntax.entries) {
+    check_indices(context, entry);
   }
   return expander.take();
 }

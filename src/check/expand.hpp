@@ -18,13 +18,15 @@ struct Instance {
   std::uint32_t target = 0;
 };
 
-/// Reads `[sizes]`, applies overrides (the scene's, then the options'), and declares the names.
-/// E605.
+/// A size that a scene or an option sets.
 struct SizeOverride {
   std::string name;
   std::int64_t value = 0;
   Span span = {};
 };
+
+/// Reads `[sizes]`, applies overrides (the scene's, then the options'), and declares the names.
+/// E605.
 void apply_sizes(Context& context, const ModelSyntax& syntax,
                  const std::vector<SizeOverride>& overrides);
 

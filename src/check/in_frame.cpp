@@ -1,6 +1,8 @@
 // From the axes of a frame to the world.
 #include "in_frame.hpp"
 
+#include <algorithm>
+
 namespace elgen::checking {
 namespace {
 
@@ -98,6 +100,12 @@ void write_frame_output(Context& context, UserOutput& output) {
   output.twist.assign(angular.begin(), angular.end());
   output.twist.insert(output.twist.end(), linear.begin(), linear.end());
   nodes.finish();
+}
+
+Vector3 padded(const std::vector<ExpressionId>& components) {
+  Vector3 result{no_expression, no_expression, no_expression};
+  std::copy_n(components.begin(), std::min(components.size(), result.size()), result.begin());
+  return result;
 }
 
 Vector3 turned(NodeBuilder& nodes, const Vector3& x, std::optional<std::uint32_t> from,

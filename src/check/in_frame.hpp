@@ -21,6 +21,9 @@ struct Ownership {
 /// Keeps com and inertia as `local`, and fills com, spin and inertia about the com from the frame.
 void put_in_frame(Context& context, std::uint32_t frame, Body& body);
 
+/// One to three components, and the 0 for those that are not there.
+[[nodiscard]] Vector3 padded(const std::vector<ExpressionId>& components);
+
 /// Components in the axes of `from` (none: the world) as components in those of `to`: R_to^T R_from
 /// x.
 [[nodiscard]] Vector3 turned(NodeBuilder& nodes, const Vector3& x,

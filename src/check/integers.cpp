@@ -11,8 +11,6 @@
 namespace elgen::checking {
 namespace {
 
-constexpr std::int64_t largest_integer = 1'000'000'000;
-
 std::optional<std::int64_t> not_an_integer(const ExpressionSyntax& expression, Report& report) {
   report.add(Code::E318, expression.span,
              quoted(expression.span) + " is not integer arithmetic over sizes and indices");

@@ -14,6 +14,9 @@
 
 namespace elgen::checking {
 
+/// Largest magnitude of an index or a size: sums and products of two of them fit 64 bits.
+inline constexpr std::int64_t largest_integer = 1'000'000'000;
+
 using Sizes = std::map<std::string, std::int64_t, std::less<>>;
 
 /// What an index expression may name: sizes, and the running indices of the repetitions around it.

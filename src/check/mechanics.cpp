@@ -26,6 +26,11 @@ class MechanicsCheck {
   void run() {
     check_degree(model_.energies.V, 1, Code::E503, "at most linear");
     check_degree(model_.energies.T, 2, Code::E504, "at most quadratic");
+    for (const Body& body : model_.bodies) {
+      for (const ExpressionId component : body.spin) {
+        check_degree(component, 1, Code::E504, "at most linear");
+      }
+    }
     if (model_.energies.L) {
       model_.quadratic = traits_[*model_.energies.L].rate_degree <= 2;
     }
@@ -42,6 +47,7 @@ class MechanicsCheck {
  private:
   [[nodiscard]] const Span& span(ExpressionId id) const { return model_.expressions[id].span; }
 
+  /// Of an energy, or of a component of a spin: T is quadratic in that.
   void check_degree(const std::optional<ExpressionId>& energy, std::uint8_t most, Code code,
                     const std::string& rule) {
     // What has no place in an energy is reported as such.
@@ -52,9 +58,11 @@ class MechanicsCheck {
     }
     const std::uint8_t degree = traits_[*energy].rate_degree;
     const std::string observed =
-        degree < not_polynomial ? "of degree " + std::to_string(degree) : "not quadratic";
+        degree < not_polynomial
+            ? "is of degree " + std::to_string(degree) + " in the rates"
+            : std::string("is of degree 3 or more in the rates, or no polynomial in them");
     context_.report.add(code, span(*energy),
-                        quoted(span(*energy)) + " is " + observed + " in the rates, not " + rule);
+                        quoted(span(*energy)) + " " + observed + ", not " + rule);
   }
 
   void check_affine(ExpressionId value) {
@@ -108,16 +116,25 @@ class MechanicsCheck {
     return id && has_time(*id);
   }
 
+  /// A force does work on the motion of where it acts, a torque on the turning of its frames.
+  [[nodiscard]] bool reaches_time(const Force& force) const {
+    const auto moves = [&](const std::optional<std::uint32_t>& point) {
+      return point && any_time(model_.points[*point].at);
+    };
+    const auto turns = [&](const std::optional<std::uint32_t>& frame) {
+      return frame && any_time(model_.frames[*frame].spin);
+    };
+    return any_time(force.value) || any_time(force.reaction) || moves(force.at) ||
+           moves(force.from) || turns(force.frame) || turns(force.from_frame);
+  }
+
   /// t matters where it reaches an equation: a point without mass that nothing uses does not count.
   [[nodiscard]] bool finds_time() const {
     const Energies& e = model_.energies;
     const bool in_energy = any_time(e.T) || any_time(e.V) || any_time(e.D) || any_time(e.L);
     const auto point = [&](const Point& p) { return has_energy(p) && any_time(p.at); };
     const auto body = [&](const Body& b) { return any_time(b.com) || any_time(b.spin); };
-    const auto force = [&](const Force& f) {
-      return any_time(f.value) || (f.at && any_time(model_.points[*f.at].at)) ||
-             (f.from && any_time(model_.points[*f.from].at));
-    };
+    const auto force = [&](const Force& f) { return reaches_time(f); };
     const auto output = [&](const UserOutput& o) { return any_time(o.values); };
     return in_energy || (model_.gravity && any_time(*model_.gravity)) ||
            std::any_of(model_.points.begin(), model_.points.end(), point) ||

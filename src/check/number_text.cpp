@@ -36,9 +36,14 @@ long decimal_exponent(const cln::cl_R& value) {
 
 std::string float_text(const cln::cl_R& value) {
   const cln::cl_R magnitude = cln::abs(value);
-  const long exponent = decimal_exponent(magnitude);
-  const cln::cl_RA scale = power_of_ten(printed_digits - 1 - exponent);
-  const std::string digits = integer_text(cln::round1(magnitude * scale));
+  long exponent = decimal_exponent(magnitude);
+  cln::cl_I rounded = cln::round1(magnitude * power_of_ten(printed_digits - 1 - exponent));
+  // 9.99…9 may round to one digit more.
+  if (rounded == power_of_ten(printed_digits)) {
+    rounded = cln::numerator(power_of_ten(printed_digits - 1));
+    ++exponent;
+  }
+  const std::string digits = integer_text(rounded);
   return (cln::minusp(value) ? "-" : "") + digits.substr(0, 1) + "." + digits.substr(1) + "e" +
          std::to_string(exponent);
 }

@@ -5,6 +5,8 @@
 
 #include <charconv>
 
+#include "values.hpp"
+
 namespace elgen::checking {
 namespace {
 
@@ -32,13 +34,17 @@ void split_at_commas(const SourceText& source, std::vector<OptionWord>& words) {
 }
 
 void read_size(const OptionWord& word, std::vector<SizeOverride>& sizes, Report& report) {
-  constexpr std::int64_t largest = 1'000'000'000;
   const Assignment assignment = split_assignment(word);
   const std::string text(covered_text(assignment.value));
   std::int64_t value = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || stop != text.data() + text.size() || value > largest) {
+  if (error == std::errc::invalid_argument || stop != text.data() + text.size()) {
     report.add(Code::E606, word.span, quoted(word.text) + " is not of the form `n=20`");
+    return;
+  }
+  if (error != std::errc{} || value < -largest_integer || value > largest_integer) {
+    report.add(Code::E606, assignment.value,
+               quoted(text) + " is beyond " + std::to_string(largest_integer));
     return;
   }
   sizes.push_back({assignment.name.text, value, assignment.name.span});
@@ -67,12 +73,8 @@ Assignment split_assignment(const OptionWord& word) {
 std::vector<SizeOverride> size_overrides(const SceneSyntax* scene, const SceneOptions& options,
                                          Report& report) {
   std::vector<SizeOverride> sizes;
-  const std::vector<EntrySyntax> no_entries;
-  for (const EntrySyntax& entry : scene != nullptr ? scene->entries : no_entries) {
-    if (entry.name != "sizes") {
-      continue;
-    }
-    for (const KeySyntax& key : entry.keys) {
+  if (const EntrySyntax* entry = find_entry(scene, "sizes")) {
+    for (const KeySyntax& key : entry->keys) {
       const Sizes nothing;
       const auto value = integer_value(key.value.expression, Scope(nothing), report);
       if (value) {

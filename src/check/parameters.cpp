@@ -83,18 +83,20 @@ class ParameterReader {
   void read_range(const ValueSyntax& table) {
     const KeySyntax* low = find_key(table, "min");
     const KeySyntax* high = find_key(table, "max");
-    if (low == nullptr || high == nullptr) {
-      minimum_ = low != nullptr ? values_.constant(low->value) : std::nullopt;
-      maximum_ = high != nullptr ? values_.constant(high->value) : std::nullopt;
+    const auto end = [&](const KeySyntax* key) {
+      return key == nullptr ? std::nullopt : values_.constant(key->value);
+    };
+    const auto minimum = end(low);
+    const auto maximum = end(high);
+    context_.bounds[element(0).array] = {minimum, maximum};
+    if (!minimum || !maximum) {
       return;
     }
-    minimum_ = values_.constant(low->value);
-    maximum_ = values_.constant(high->value);
-    if (minimum_ && maximum_ && *minimum_ > *maximum_) {
+    if (*minimum > *maximum) {
       context_.report.add(Code::E112, high->value.span,
                           quoted(high->value.span) + " is below `min`");
-    } else if (minimum_ && maximum_) {
-      array_.range = Interval{*minimum_, *maximum_};
+    } else {
+      array_.range = Interval{*minimum, *maximum};
     }
   }
 
@@ -123,26 +125,34 @@ class ParameterReader {
   }
 
   void set(std::uint32_t i, const cln::cl_R& number, const Span& span) {
-    Parameter& parameter = element(i);
-    parameter.value = number;
-    const bool contradicts = (parameter.assumption == Assumption::positive && number <= 0) ||
-                             (parameter.assumption == Assumption::nonnegative && number < 0) ||
-                             (minimum_ && number < *minimum_) || (maximum_ && number > *maximum_);
-    if (contradicts) {
-      context_.report.add(Code::E518, span,
-                          quoted(span) + " is not what `assume`, `min` or `max` of " +
-                              quoted(array_.name) + " say");
-    }
+    element(i).value = number;
+    check_value(context_, array_.first + i, number, span);
   }
 
   Context& context_;
   ParameterArray& array_;
   ValueReader values_;
-  std::optional<cln::cl_R> minimum_ = {};
-  std::optional<cln::cl_R> maximum_ = {};
 };
 
 }  // namespace
+
+void check_value(Context& context, std::uint32_t parameter, const cln::cl_R& value,
+                 const Span& span) {
+  const Parameter& row = context.model.parameters[parameter];
+  const std::string name = quoted(context.model.parameter_arrays[row.array].name);
+  const bool needs_positive = row.assumption == Assumption::positive;
+  const bool needs_nonnegative = row.assumption == Assumption::nonnegative;
+  if ((needs_positive && value <= 0) || (needs_nonnegative && value < 0)) {
+    context.report.add(Code::E112, span,
+                       quoted(span) + (needs_positive ? " is not positive" : " is negative") +
+                           ", which `assume` of " + name + " rules out");
+  }
+  const Bounds& bounds = context.bounds[row.array];
+  if ((bounds.minimum && value < *bounds.minimum) || (bounds.maximum && value > *bounds.maximum)) {
+    context.report.add(Code::E518, span,
+                       quoted(span) + " is not what `min` or `max` of " + name + " say");
+  }
+}
 
 void declare_parameter(Context& context, const KeySyntax& key) {
   const KeySyntax* size =
@@ -175,6 +185,7 @@ void declare_parameter(Context& context, const KeySyntax& key) {
 void read_parameters(Context& context, const ModelSyntax& syntax) {
   std::size_t next = 0;
   std::vector<ParameterArray>& arrays = context.model.parameter_arrays;
+  context.bounds.resize(arrays.size());
   for (const EntrySyntax& entry : syntax.entries) {
     if (entry.name != "parameters") {
       continue;

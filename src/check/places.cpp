@@ -48,8 +48,9 @@ bool brings_in(const Expression& node, const std::vector<Traits>& traits, Expres
 }
 
 void report(Context& context, const Root& root, const Expression& node, const IngredientRow& row) {
-  const bool is_name =
-      node.kind == ExpressionKind::definition || node.kind == ExpressionKind::point_component;
+  const bool is_name = node.kind == ExpressionKind::definition ||
+                       node.kind == ExpressionKind::point_component ||
+                       node.kind == ExpressionKind::prescribed;
   std::string message = quoted(node.span) + (is_name ? " contains " : " is ");
   message += std::string(row.noun) + ", and " + std::string(root.place.noun) + " takes none";
   const std::string hint = row.ingredient == uses_kink ? smooth_stand_in : "";

@@ -189,12 +189,8 @@ class ApproximationReader {
 }  // namespace
 
 void read_approximation(Context& context, const SceneSyntax* scene) {
-  if (scene == nullptr) return;
-  const auto& entries = scene->entries;
-  const auto found = std::find_if(entries.begin(), entries.end(), [](const EntrySyntax& entry) {
-    return entry.name == "approximate";
-  });
-  if (found == entries.end()) return;
+  const EntrySyntax* found = find_entry(scene, "approximate");
+  if (found == nullptr) return;
   // `drop_below` alone expands nothing.
   const bool expands = std::any_of(found->keys.begin(), found->keys.end(),
                                    [](const KeySyntax& key) { return key.key != "drop_below"; });

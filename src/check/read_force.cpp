@@ -34,12 +34,6 @@ std::optional<std::uint32_t> axes_of(ValueReader& values, const EntrySyntax& ent
   return in == nullptr ? usual : values.frame_or_world(in->value);
 }
 
-Vector3 padded(const std::vector<ExpressionId>& components) {
-  Vector3 result{no_expression, no_expression, no_expression};
-  for (std::size_t i = 0; i < 3 && i < components.size(); ++i) result[i] = components[i];
-  return result;
-}
-
 /// Keeps the components as written, and turns them into the axes the model keeps them in.
 void turn_components(Context& context, std::optional<std::uint32_t> to, Force& force) {
   force.written = force.value;

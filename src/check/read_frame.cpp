@@ -69,13 +69,9 @@ class FrameReader {
   }
 
   void read_translation(const ValueSyntax& value) {
-    const std::size_t count = value.items.size();
-    if (count != 2 && count != 3) {
-      report_.add(Code::E104, value.span,
-                  counted(count, "component") + ", but a vector has 2 or 3");
+    if (!values_.is_vector(value)) {
       return;
     }
-    values_.check_dimension(count, value.span);
     std::vector<ExpressionId> offset = values_.roots(value, length_request());
     offset.resize(3, no_expression);
     frame_.steps.push_back({FrameStepKind::translation, {offset[0], offset[1], offset[2]}});

@@ -10,13 +10,6 @@
 namespace elgen::checking {
 namespace {
 
-const EntrySyntax* find_entry(const SceneSyntax* scene, std::string_view name) {
-  if (scene == nullptr) return nullptr;
-  const auto found = std::find_if(scene->entries.begin(), scene->entries.end(),
-                                  [&](const EntrySyntax& entry) { return entry.name == name; });
-  return found == scene->entries.end() ? nullptr : &*found;
-}
-
 template <class List>
 auto find_named(const List& list, std::string_view name) {
   return std::find_if(list.begin(), list.end(), [&](const auto& row) { return row.name == name; });
@@ -96,6 +89,12 @@ class LockReader {
 
   void report_unknown(const KeySyntax& key) {
     const Symbols& symbols = context_.symbols;
+    const Symbol* symbol = symbols.find(key.key);
+    if (symbol != nullptr && symbol->kind == SymbolKind::coordinate && symbol->is_array) {
+      context_.report.add(Code::E208, key.key_span,
+                          quoted(key.key) + " needs an index: " + elements_of(key.key, *symbol));
+      return;
+    }
     std::vector<std::string> names = symbols.names(SymbolKind::coordinate);
     const std::vector<std::string> rotations = symbols.names(SymbolKind::rotation);
     names.insert(names.end(), rotations.begin(), rotations.end());

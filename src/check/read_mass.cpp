@@ -9,25 +9,6 @@
 namespace elgen::checking {
 namespace {
 
-using Components = std::vector<ExpressionId>;
-
-std::array<ExpressionId, 3> padded(const Components& components) {
-  std::array<ExpressionId, 3> result{no_expression, no_expression, no_expression};
-  for (std::size_t i = 0; i < std::min<std::size_t>(components.size(), 3); ++i) {
-    result[i] = components[i];
-  }
-  return result;
-}
-
-bool is_vector(const ValueSyntax& value, Report& report) {
-  const std::size_t count = value.items.size();
-  if (value.kind == ValueKind::list && (count == 2 || count == 3)) {
-    return true;
-  }
-  report.add(Code::E104, value.span, counted(count, "component") + ", but a vector has 2 or 3");
-  return false;
-}
-
 RootRequest mass_request() {
   return {{"a mass", place::parameters_only, Code::E506}, find_unit("kg")};
 }
@@ -37,8 +18,7 @@ void read_point(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
   Point point = context.model.points[target];
   point.doc = text_of(entry, "doc");
   const KeySyntax* at = entry.find("at");
-  if (at != nullptr && is_vector(at->value, context.report)) {
-    values.check_dimension(at->value.items.size(), at->value.span);
+  if (at != nullptr && values.is_vector(at->value)) {
     const Place place{"a position", place::of_configuration};
     point.at = padded(values.roots(at->value, {place, find_unit("m"), OwnerKind::point, target}));
     if (const KeySyntax* frame = entry.find("frame")) {
@@ -95,10 +75,9 @@ class BodyReader {
 
   void read_com() {
     const KeySyntax* com = entry_.find("com");
-    if (com == nullptr || !is_vector(com->value, report_)) {
+    if (com == nullptr || !values_.is_vector(com->value)) {
       return;
     }
-    values_.check_dimension(com->value.items.size(), com->value.span);
     const bool in_frame = entry_.find("frame") != nullptr;
     const Place place = in_frame ? Place{"a centre of mass", place::parameters_only, Code::E506}
                                  : Place{"a position", place::of_configuration};

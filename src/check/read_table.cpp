@@ -29,9 +29,8 @@ void read_header(Context& context, const EntrySyntax& entry) {
   if (!is_model_name(model.name)) {
     context.report.add(Code::E205, name->value.span,
                        quoted(model.name) + " is not lower-case letters, digits and underscores");
-  } else if (const auto reason = reserved_reason(model.name); !reason.empty()) {
-    context.report.add(Code::E204, name->value.span,
-                       quoted(model.name) + " is reserved: " + std::string(reason));
+  } else {
+    (void)check_name(model.name, name->value.span, context.report);
   }
 }
 
@@ -58,14 +57,7 @@ void read_gravity(ValueReader& values, const EntrySyntax& entry) {
   const Unit acceleration = *find_unit("m") / power(*find_unit("s"), {2, 1});
   const Place place{"gravity", place::of_time};
   std::vector<ExpressionId> components = values.roots(vector->value, {place, acceleration});
-  if (components.size() != 2 && components.size() != 3) {
-    values.context().report.add(
-        Code::E104, vector->value.span,
-        counted(components.size(), "component") + ", but a vector has 2 or 3");
-  }
-  if (components.size() == 2 || components.size() == 3) {
-    values.check_dimension(components.size(), vector->value.span);
-  }
+  (void)values.is_vector(vector->value);
   components.resize(3, no_expression);
   values.context().model.gravity = {components[0], components[1], components[2]};
 }

@@ -1,18 +1,10 @@
-// Report: collects the diagnostics of one run, each once, and quotes user text in messages.
+// Report: collects the diagnostics of one run, each once.
 #include "report.hpp"
 
 #include <algorithm>
 
 namespace elgen::checking {
 namespace {
-
-/// As many bytes of `text` as fit, without cutting a UTF-8 sequence.
-std::string_view shortened(std::string_view text, std::size_t length) {
-  while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) {
-    --length;
-  }
-  return text.substr(0, length);
-}
 
 std::string without_digits(std::string text) {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
@@ -44,25 +36,6 @@ Diagnostics Report::sorted() const {
   Diagnostics result = diagnostics_;
   sort_by_position(result);
   return result;
-}
-
-std::string quoted(std::string_view text) {
-  constexpr std::size_t longest = 60;
-  if (text.size() <= longest) {
-    return "`" + std::string(text) + "`";
-  }
-  return "`" + std::string(shortened(text, longest)) + "…`";
-}
-
-std::string counted(std::size_t count, std::string_view noun) {
-  return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
-}
-
-std::string quoted(const Span& span) { return quoted(covered_text(span)); }
-
-std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) {
-  const std::string near = nearest(word, candidates);
-  return near.empty() ? "" : "did you mean `" + near + "`?";
 }
 
 }  // namespace elgen::checking

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "elgen/diagnostic.hpp"
+#include "elgen/wording.hpp"
 
 namespace elgen::checking {
 
@@ -29,18 +30,5 @@ class Report {
   std::set<Key> seen_;
   std::size_t errors_ = 0;
 };
-
-/// User text in back-ticks, cut where it is long.
-[[nodiscard]] std::string quoted(std::string_view text);
-
-/// "1 component", "3 components"
-[[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
-
-/// The source text of a span in back-ticks.
-[[nodiscard]] std::string quoted(const Span& span);
-
-/// "did you mean `m`?", or nothing.
-[[nodiscard]] std::string suggestion(std::string_view word,
-                                     const std::vector<std::string>& candidates);
 
 }  // namespace elgen::checking

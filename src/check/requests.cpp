@@ -130,6 +130,19 @@ std::vector<OutputRequest> all_requests(const Model& model) {
   return result;
 }
 
+/// Whether it acts on what a lock holds: such a force is in no equation of motion.
+bool is_held(const Model& model, const Force& force) {
+  return std::any_of(model.locks.begin(), model.locks.end(), [&](const Lock& lock) {
+    const std::uint32_t count = lock.values.size() > 1 ? axis_count : 1;
+    return force.on && lock.velocity <= *force.on && *force.on < lock.velocity + count;
+  });
+}
+
+bool is_kink(const Expression& node) {
+  return node.kind == ExpressionKind::function &&
+         function_row(node.function).use == FunctionUse::forces;
+}
+
 }  // namespace
 
 OutputRequest request_of(const Model& model, OutputKind kind, std::uint32_t user) {
@@ -139,12 +152,25 @@ OutputRequest request_of(const Model& model, OutputKind kind, std::uint32_t user
 }
 
 const Expression* find_kink(const Model& model) {
-  const auto& nodes = model.expressions;
-  const auto found = std::find_if(nodes.begin(), nodes.end(), [](const Expression& e) {
-    return e.kind == ExpressionKind::function &&
-           function_row(e.function).use == FunctionUse::forces;
-  });
-  return found == nodes.end() ? nullptr : &*found;
+  std::vector<bool> seen(model.expressions.size());
+  std::vector<ExpressionId> waiting;
+  for (const Force& force : model.forces) {
+    if (is_held(model, force)) continue;
+    waiting.insert(waiting.end(), force.value.begin(), force.value.end());
+  }
+  while (!waiting.empty()) {
+    const ExpressionId id = waiting.back();
+    waiting.pop_back();
+    if (seen[id]) continue;
+    seen[id] = true;
+    const Expression& node = model.expressions[id];
+    if (is_kink(node)) return &node;
+    if (node.kind == ExpressionKind::definition) {
+      waiting.push_back(model.definitions[node.index].value);
+    }
+    waiting.insert(waiting.end(), node.operands.begin(), node.operands.end());
+  }
+  return nullptr;
 }
 
 std::optional<OutputRequest> find_request(const Model& model, std::string_view name) {

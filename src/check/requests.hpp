@@ -25,7 +25,8 @@ inline constexpr std::uint64_t entries_in_full = 4096;
 /// Every output the model has, in the order of the output table, big ones left out.
 [[nodiscard]] std::vector<OutputRequest> full_requests(const Model& model);
 
-/// An `abs`, `sign`, `min` or `max`: only forces may have kinks. Null: none.
+/// An `abs`, `sign`, `min` or `max` in a force on what moves: only forces may have kinks. Null:
+/// none.
 [[nodiscard]] const Expression* find_kink(const Model& model);
 
 /// The request for a kind with the shape of its first field; `user` numbers declared outputs.

@@ -1,7 +1,10 @@
 // Which names a model may not give to its entries.
 #pragma once
 
+#include <string>
 #include <string_view>
+
+#include "report.hpp"
 
 namespace elgen::checking {
 
@@ -10,5 +13,8 @@ namespace elgen::checking {
 
 /// A letter, then letters, digits and underscores.
 [[nodiscard]] bool is_well_formed_name(std::string_view name);
+
+/// False after E205 or E204: a name of the model or of the emitted code must be one, and free.
+bool check_name(const std::string& name, const Span& span, Report& report);
 
 }  // namespace elgen::checking

@@ -40,13 +40,6 @@ std::string numbers_of(const std::string& name, SymbolKind kind) {
   return "";
 }
 
-std::string elements_of(const std::string& name, const Symbol& symbol) {
-  const std::int64_t first = symbol.elements.begin()->first;
-  const std::int64_t last = symbol.elements.rbegin()->first;
-  return quoted(name) + " has the elements " + std::to_string(first) + " to " +
-         std::to_string(last);
-}
-
 }  // namespace
 
 std::optional<ExpressionId> Resolver::resolve_name(const ExpressionSyntax& name) {

@@ -10,9 +10,11 @@
 #include "emission.hpp"
 #include "number_text.hpp"
 #include "options.hpp"
+#include "parameters.hpp"
 #include "read_approximate.hpp"
 #include "read_dropping.hpp"
 #include "requests.hpp"
+#include "reserved_names.hpp"
 #include "syntax_part.hpp"
 #include "values.hpp"
 
@@ -43,10 +45,10 @@ class SceneReader {
     read_outputs();
     read_fixed();
     read_numerics();
-    if (const EntrySyntax* approximate = find_entry("approximate")) {
+    if (const EntrySyntax* approximate = entry("approximate")) {
       read_dropping(context_, *approximate, scene_);
     }
-    scene_.emission = read_emission(context_, {find_entry("emit"), find_entry("numeric")}, scene_);
+    scene_.emission = read_emission(context_, {entry("emit"), entry("numeric")}, scene_);
     scene_.has_options = !input_.options.outputs.empty() || !input_.options.fixed.empty() ||
                          !input_.options.sizes.empty();
     scene_.canonical = canonical_text();
@@ -54,21 +56,13 @@ class SceneReader {
   }
 
  private:
-  [[nodiscard]] const EntrySyntax* find_entry(std::string_view name) const {
-    if (input_.scene == nullptr) {
-      return nullptr;
-    }
-    for (const EntrySyntax& entry : input_.scene->entries) {
-      if (entry.name == name) {
-        return &entry;
-      }
-    }
-    return nullptr;
+  [[nodiscard]] const EntrySyntax* entry(std::string_view name) const {
+    return find_entry(input_.scene, name);
   }
 
   void read_header() {
     scene_.base_name = model_.name;
-    if (const EntrySyntax* top = find_entry("")) {
+    if (const EntrySyntax* top = entry("")) {
       scene_.source = input_.scene->source;
       scene_.name = text_of(*top, "name");
       scene_.doc = text_of(*top, "doc");
@@ -77,7 +71,7 @@ class SceneReader {
   }
 
   void read_outputs() {
-    const EntrySyntax* outputs = find_entry("outputs");
+    const EntrySyntax* outputs = entry("outputs");
     if (!input_.options.outputs.empty()) {
       for (const OptionWord& word : words_of(input_.options.outputs)) {
         request(word.text, word.span);
@@ -157,7 +151,7 @@ class SceneReader {
     if (output != nullptr && rename != nullptr) {
       output->name = rename->value.text;
       output->span = rename->value.span;
-      check_emitted_name(output->name, output->span, context_.report);
+      (void)check_name(output->name, output->span, context_.report);
     }
   }
 
@@ -176,7 +170,7 @@ class SceneReader {
   }
 
   void read_fixed() {
-    const EntrySyntax* parameters = find_entry("parameters");
+    const EntrySyntax* parameters = entry("parameters");
     const KeySyntax* fixed = parameters == nullptr ? nullptr : parameters->find("fixed");
     if (fixed != nullptr && fixed->value.kind == ValueKind::text) {
       fix_named(fixed->value.text, fixed->value.span, nullptr);
@@ -217,10 +211,12 @@ class SceneReader {
         targets.push_back(i);
       }
     }
-    if (targets.empty() && name != "all") {
+    const bool fixes_all = name == "all" && value == nullptr;
+    if (targets.empty() && !fixes_all) {
       const std::vector<std::string> names = context_.symbols.names(SymbolKind::parameter);
       context_.report.add(Code::E602, span, "unknown parameter " + quoted(name),
-                          context_.symbols.suggest(name, names));
+                          name == "all" ? "`all` fixes every parameter at its own value"
+                                        : context_.symbols.suggest(name, names));
       return;
     }
     std::optional<cln::cl_R> number;
@@ -230,12 +226,13 @@ class SceneReader {
       number = ValueReader(context_, Scope(context_.sizes)).constant(syntax);
     }
     for (const std::uint32_t target : targets) {
+      if (number) check_value(context_, target, *number, value->span);
       scene_.specialisation.fixed[target] = number.value_or(model_.parameters[target].value);
     }
   }
 
   void read_numerics() {
-    const EntrySyntax* numeric = find_entry("numeric");
+    const EntrySyntax* numeric = entry("numeric");
     if (const auto form = form_in(numeric == nullptr ? nullptr : numeric->find("form"))) {
       for (OutputRequest& output : scene_.outputs) {
         output.form = output.form.value_or(*form);
@@ -288,7 +285,7 @@ class SceneReader {
     }
     if (scene_.numerics.scalars != Numerics{}.scalars) {
       for (const ScalarKind kind : scene_.numerics.scalars) {
-        text += "scalar " + std::string(scalar_table[static_cast<std::size_t>(kind)].name) + "\n";
+        text += "scalar " + std::string(checking::name_of(kind)) + "\n";
       }
     }
     return text + checking::canonical_text(scene_.emission, scene_.base_name);
@@ -323,6 +320,10 @@ class SceneReader {
 };
 
 }  // namespace
+
+std::string_view name_of(ScalarKind kind) {
+  return scalar_table[static_cast<std::size_t>(kind)].name;
+}
 
 Scene read_scene(Context& context, const SceneInput& input) {
   return SceneReader(context, input).read();

@@ -14,7 +14,11 @@ struct SceneInput {
   const std::vector<SizeOverride>& sizes;
 };
 
-/// E601–E611, E617, E505, E108. An option given replaces what the scene says of the same.
+/// "double"
+[[nodiscard]] std::string_view name_of(ScalarKind kind);
+
+/// E112, E518, E601–E611, E617, E505, E108. An option given replaces what the scene says of the
+/// same.
 [[nodiscard]] Scene read_scene(Context& context, const SceneInput& input);
 
 }  // namespace elgen::checking

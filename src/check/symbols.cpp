@@ -14,19 +14,12 @@ std::string at_line(const Span& span) {
   return "line " + std::to_string(line_column(*span.source, span.begin).line);
 }
 
-std::string with_article(std::string_view word) {
-  const bool vowel = std::string_view("aeiou").find(word.front()) != std::string_view::npos;
-  return (vowel ? "an " : "a ") + std::string(word);
-}
-
 bool check_spelling(const NewName& name, Report& report) {
-  if (!is_well_formed_name(name.base) || name.index.value_or(0) < 0) {
-    report.add(Code::E205, name.span,
-               quoted(name.text()) + " is not letters, digits and underscores after a letter");
+  if (!check_name(name.base, name.span, report)) {
     return false;
   }
-  if (const std::string_view reason = reserved_reason(name.base); !reason.empty()) {
-    report.add(Code::E204, name.span, quoted(name.base) + " is reserved: " + std::string(reason));
+  if (name.index.value_or(0) < 0) {
+    report.add(Code::E205, name.span, quoted(name.text()) + " has a negative index");
     return false;
   }
   return true;
@@ -66,12 +59,24 @@ std::string_view noun(SymbolKind kind) {
   return "name";
 }
 
+std::string with_article(std::string_view word) {
+  const bool vowel = std::string_view("aeiou").find(word.front()) != std::string_view::npos;
+  return (vowel ? "an " : "a ") + std::string(word);
+}
+
 std::string NewName::text() const {
   return index ? base + "[" + std::to_string(*index) + "]" : base;
 }
 
 std::string NewName::identifier() const {
   return index ? base + "_" + std::to_string(*index) : base;
+}
+
+std::string elements_of(const std::string& name, const Symbol& symbol) {
+  const std::int64_t first = symbol.elements.begin()->first;
+  const std::int64_t last = symbol.elements.rbegin()->first;
+  return quoted(name) + " has the elements " + std::to_string(first) + " to " +
+         std::to_string(last);
 }
 
 bool Symbols::declare(const NewName& name, SymbolKind kind, std::uint32_t target, Report& report) {
@@ -152,7 +157,7 @@ std::string Symbols::suggest(std::string_view word, const std::vector<std::strin
   const std::string near = nearest(word, among);
   const Symbol* symbol = near.empty() ? nullptr : find(near);
   if (symbol == nullptr) {
-    return near.empty() ? "" : "did you mean `" + near + "`?";
+    return suggestion(word, among);
   }
   std::string where(noun(symbol->kind));
   if (symbol->span.source != nullptr) {

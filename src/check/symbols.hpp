@@ -30,6 +30,9 @@ enum class SymbolKind : std::uint8_t {
 
 [[nodiscard]] std::string_view noun(SymbolKind kind);
 
+/// "an input"
+[[nodiscard]] std::string with_article(std::string_view word);
+
 /// A name with one meaning, or (`is_array`) with one per index.
 struct Symbol {
   SymbolKind kind = SymbolKind::parameter;
@@ -47,6 +50,9 @@ struct NewName {
   [[nodiscard]] std::string text() const;        ///< "q[3]"
   [[nodiscard]] std::string identifier() const;  ///< "q_3"
 };
+
+/// "`q` has the elements 1 to 3"
+[[nodiscard]] std::string elements_of(const std::string& name, const Symbol& symbol);
 
 class Symbols {
  public:

@@ -134,14 +134,21 @@ std::optional<std::uint32_t> ValueReader::velocity(const ValueSyntax& value) {
                     : std::nullopt;
 }
 
-void ValueReader::check_dimension(std::size_t count, const Span& span) {
+bool ValueReader::is_vector(const ValueSyntax& value) {
+  const std::size_t count = value.items.size();
+  if (count != 2 && count != 3) {
+    context_.report.add(Code::E104, value.span,
+                        counted(count, "component") + ", but a vector has 2 or 3");
+    return false;
+  }
   if (context_.dimension == 0) {
     context_.dimension = static_cast<std::uint32_t>(count);
   } else if (count != context_.dimension) {
-    context_.report.add(Code::E516, span,
+    context_.report.add(Code::E516, value.span,
                         counted(count, "component") + " in a model whose first vector has " +
                             std::to_string(context_.dimension));
   }
+  return true;
 }
 
 std::optional<std::uint32_t> ValueReader::frame_or_world(const ValueSyntax& value) {
@@ -157,6 +164,13 @@ const KeySyntax* find_key(const ValueSyntax& table, std::string_view key) {
     }
   }
   return nullptr;
+}
+
+const EntrySyntax* find_entry(const SceneSyntax* scene, std::string_view name) {
+  if (scene == nullptr) return nullptr;
+  const auto found = std::find_if(scene->entries.begin(), scene->entries.end(),
+                                  [&](const EntrySyntax& entry) { return entry.name == name; });
+  return found == scene->entries.end() ? nullptr : &*found;
 }
 
 std::string text_of(const EntrySyntax& entry, std::string_view key) {

@@ -61,8 +61,9 @@ class ValueReader {
   /// The same for a frame; nothing for `world` (and after an error).
   std::optional<std::uint32_t> frame_or_world(const ValueSyntax& value);
 
-  /// E516 unless all vectors of the model have as many components as the first.
-  void check_dimension(std::size_t count, const Span& span);
+  /// False after E104: a vector has 2 or 3 components. E516 unless all vectors of the model have as
+  /// many as the first.
+  bool is_vector(const ValueSyntax& value);
 
   Context& context() { return context_; }
 
@@ -77,5 +78,8 @@ class ValueReader {
 
 /// The entry of a table value, or null.
 [[nodiscard]] const KeySyntax* find_key(const ValueSyntax& table, std::string_view key);
+
+/// The entry of a scene, or null; `scene` may be null.
+[[nodiscard]] const EntrySyntax* find_entry(const SceneSyntax* scene, std::string_view name);
 
 }  // namespace elgen::checking

@@ -26,6 +26,8 @@ std::size_t leaf_count(const Program& program, Opcode opcode) {
       return program.leaves.velocities.size();
     case Opcode::input:
       return program.leaves.inputs.size();
+    case Opcode::time:
+      return program.leaves.uses_time ? 1 : 0;
     default:
       return 1;
   }

@@ -7,7 +7,7 @@
 #include <charconv>
 #include <utility>
 
-#include "utf8.hpp"
+#include "base/utf8.hpp"
 
 namespace elgen::parsing {
 

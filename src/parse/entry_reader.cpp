@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "utf8.hpp"
+#include "elgen/wording.hpp"
 
 namespace elgen::parsing {
 
@@ -135,7 +135,7 @@ void EntryReader::report_unknown(const TomlEntry& entry) {
   const std::string near = nearest(entry.key, candidates);
   const NamedRow* row = find(near);
   reading_.report(
-      Code::E106, header_of(entry.value), "unknown entry " + in_ticks(entry.key),
+      Code::E106, header_of(entry.value), "unknown entry " + quoted(entry.key),
       row == nullptr ? "" : fmt::format("did you mean {}?", header_text(near, row->row->repeated)));
 }
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "elgen/wording.hpp"
 #include "entry_reader.hpp"
 #include "repetition.hpp"
-#include "utf8.hpp"
 
 namespace elgen::parsing {
 
@@ -22,19 +22,14 @@ const KeyRow* find_row(std::string_view entry, std::string_view key) {
   return any;
 }
 
-std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
-  const std::string near = nearest(word, candidates);
-  return near.empty() ? "" : fmt::format("did you mean `{}`?", near);
-}
-
 void report_unknown(const TomlEntry& key, const TableContext& table, Reading& reading) {
   std::vector<std::string> candidates;
   for (const KeyRow& row : key_table()) {
     if (row.entry == table.entry && row.supported) candidates.emplace_back(row.key);
   }
   reading.report(Code::E103, key.key_span,
-                 fmt::format("unknown key {} in {}", in_ticks(key.key), table.label),
-                 did_you_mean(key.key, candidates));
+                 fmt::format("unknown key {} in {}", quoted(key.key), table.label),
+                 suggestion(key.key, candidates));
 }
 
 void report_missing(const std::vector<TomlEntry>& entries, const TableContext& table,
@@ -48,25 +43,39 @@ void report_missing(const std::vector<TomlEntry>& entries, const TableContext& t
   }
 }
 
+std::vector<std::string_view> words_of(const KeyRow& row) {
+  std::vector<std::string_view> words;
+  for (const ChoiceRow& choice : choice_table()) {
+    if (choice.entry == row.entry && choice.key == row.key) words.push_back(choice.word);
+  }
+  return words;
+}
+
+void report_choice(const ValueSyntax& value, const std::string& observed, const KeyRow& row,
+                   Reading& reading) {
+  reading.report(
+      Code::E104, value.span,
+      fmt::format("{} where `{}` is expected", observed, fmt::join(words_of(row), "` or `")));
+}
+
 /// One of the words of the choice table: E104.
 ValueSyntax read_choice(const TomlValue& value, const KeyRow& row, Reading& reading) {
   ValueSyntax result = read_text(value, reading);
   if (value.kind != TomlKind::string) return result;
-  std::vector<std::string> words;
-  for (const ChoiceRow& choice : choice_table()) {
-    if (choice.entry != row.entry || choice.key != row.key) continue;
-    if (choice.word == result.text) return result;
-    words.push_back(fmt::format("`{}`", choice.word));
+  const std::vector<std::string_view> words = words_of(row);
+  if (std::find(words.begin(), words.end(), result.text) == words.end()) {
+    report_choice(result, quoted(result.text), row, reading);
   }
-  reading.report(
-      Code::E104, result.span,
-      fmt::format("{} where {} is expected", in_ticks(result.text), fmt::join(words, " or ")));
   return result;
 }
 
 ValueSyntax read_choices(const TomlValue& value, const KeyRow& row, Reading& reading) {
   ValueSyntax result = empty_value(value, ValueKind::list);
-  if (value.kind != TomlKind::array) report_wrong_type(value, "a list of strings", reading);
+  if (value.kind != TomlKind::array) {
+    report_wrong_type(value, "a list of strings", reading);
+  } else if (value.items.empty()) {
+    report_choice(result, "an empty list", row, reading);
+  }
   for (const TomlValue& item : value.items) result.items.push_back(read_choice(item, row, reading));
   return result;
 }
@@ -77,8 +86,7 @@ ValueSyntax read_table(const TomlEntry& key, const KeyRow& row, Reading& reading
     report_wrong_type(key.value, "a table", reading);
     return result;
   }
-  const TableContext table{fmt::format("{}.{}", row.entry, row.key), in_ticks(key.key),
-                           key.key_span};
+  const TableContext table{fmt::format("{}.{}", row.entry, row.key), quoted(key.key), key.key_span};
   result.entries = read_keys(key.value.entries, table, reading);
   return result;
 }
@@ -140,7 +148,7 @@ std::vector<KeySyntax> read_keys(const std::vector<TomlEntry>& entries, const Ta
       report_unknown(entry, table, reading);
     } else if (!row->supported) {
       all_supported = false;
-      reading.report(Code::E108, entry.key_span, in_ticks(entry.key) + " is not yet supported");
+      reading.report(Code::E108, entry.key_span, quoted(entry.key) + " is not yet supported");
     } else {
       result.push_back({entry.key, entry.key_span, read_by_type(entry, *row, reading)});
     }

@@ -4,9 +4,10 @@
 
 #include <utility>
 
+#include "base/utf8.hpp"
 #include "characters.hpp"
 #include "decimal.hpp"
-#include "utf8.hpp"
+#include "elgen/wording.hpp"
 
 namespace elgen::parsing {
 
@@ -106,7 +107,7 @@ Token Lexer::number() {
   const NumberExtent extent = number_extent(bytes_, position_);
   const std::size_t bytes = extent.end - position_;
   if (extent.well_formed) return take(TokenKind::number, bytes);
-  return invalid(Code::E308, bytes, in_ticks(bytes_.substr(position_, bytes)) + " is not a number",
+  return invalid(Code::E308, bytes, quoted(bytes_.substr(position_, bytes)) + " is not a number",
                  "numbers are written `12`, `0.5` or `1e-3`");
 }
 
@@ -118,7 +119,7 @@ Token Lexer::name() {
 
 Token Lexer::comparison() {
   const std::size_t bytes = peek(1) == '=' ? 2 : 1;
-  return invalid(Code::E317, bytes, in_ticks(bytes_.substr(position_, bytes)) + " in an expression",
+  return invalid(Code::E317, bytes, quoted(bytes_.substr(position_, bytes)) + " in an expression",
                  "an expression is a value, without `=` or comparisons");
 }
 
@@ -126,11 +127,11 @@ Token Lexer::unknown_character() {
   const CodePoint point = code_point_at(bytes_, position_);
   if (point.value < 0x80) {
     return invalid(Code::E301, 1,
-                   in_ticks(bytes_.substr(position_, 1)) + " has no meaning in an expression",
+                   quoted(bytes_.substr(position_, 1)) + " has no meaning in an expression",
                    ascii_hint(point.value));
   }
   return invalid(Code::E307, point.bytes,
-                 in_ticks(bytes_.substr(position_, point.bytes)) + " (" +
+                 quoted(bytes_.substr(position_, point.bytes)) + " (" +
                      code_point_name(point.value) + ") is not ASCII",
                  replacement_hint(point.value));
 }

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <utility>
 
+#include "elgen/wording.hpp"
 #include "expression_parser.hpp"
 #include "lexer.hpp"
-#include "utf8.hpp"
 
 namespace elgen::parsing {
 
@@ -60,7 +60,7 @@ ValueSyntax read_one(const TomlValue& value, Reading& reading) {
   }
   const std::optional<Parts> parts = split(value.text);
   if (!parts) {
-    reading.report(Code::E210, value.text.whole, in_ticks(value.text.text) + " is no repetition",
+    reading.report(Code::E210, value.text.whole, quoted(value.text.text) + " is no repetition",
                    std::string(grammar));
     return result;
   }

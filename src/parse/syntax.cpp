@@ -7,10 +7,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/utf8.hpp"
+#include "elgen/wording.hpp"
 #include "entry_reader.hpp"
 #include "expression_parser.hpp"
 #include "toml_document.hpp"
-#include "utf8.hpp"
 
 namespace elgen {
 
@@ -25,7 +26,7 @@ Span all_of(const SourceText& source) {
 }
 
 std::optional<Diagnostic> encoding_error(const SourceText& source) {
-  const auto invalid = parsing::find_invalid_utf8(source.text);
+  const auto invalid = find_invalid_utf8(source.text);
   if (!invalid) return std::nullopt;
   const auto begin = static_cast<std::uint32_t>(*invalid);
   const auto byte = static_cast<unsigned char>(source.text[begin]);
@@ -54,7 +55,7 @@ std::optional<Diagnostic> format_error(const TomlValue& root) {
   }
   const std::string& text = entry->value.text.text;
   if (text == "1") return std::nullopt;
-  return Diagnostic{Code::E102, entry->value.span, "format " + parsing::in_ticks(text),
+  return Diagnostic{Code::E102, entry->value.span, "format " + quoted(text),
                     "this version reads `format = 1`"};
 }
 

@@ -1,7 +1,7 @@
 // TokenStream: a window of two tokens over the lexer.
 #include "token_stream.hpp"
 
-#include "utf8.hpp"
+#include "elgen/wording.hpp"
 
 namespace elgen::parsing {
 
@@ -16,6 +16,6 @@ Token TokenStream::advance() {
 
 Span TokenStream::span(const Token& token) const { return text_->span(token.begin, token.end); }
 
-std::string TokenStream::shown(const Token& token) const { return in_ticks(text(token)); }
+std::string TokenStream::shown(const Token& token) const { return quoted(text(token)); }
 
 }  // namespace elgen::parsing

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "decimal.hpp"
+#include "elgen/wording.hpp"
 #include "expression_parser.hpp"
-#include "utf8.hpp"
 
 namespace elgen::parsing {
 
@@ -18,9 +18,9 @@ namespace {
 std::string described(const TomlValue& value) {
   switch (value.kind) {
     case TomlKind::string:
-      return "string " + in_ticks(value.text.text);
+      return "string " + quoted(value.text.text);
     case TomlKind::number:
-      return "number " + in_ticks(value.text.text);
+      return "number " + quoted(value.text.text);
     case TomlKind::boolean:
       return value.boolean ? "`true`" : "`false`";
     case TomlKind::array:
@@ -30,7 +30,7 @@ std::string described(const TomlValue& value) {
     case TomlKind::other:
       break;
   }
-  return in_ticks(value.text.text);
+  return quoted(value.text.text);
 }
 
 /// A bare number, signed.
@@ -113,7 +113,7 @@ ValueSyntax read_name(const TomlValue& value, Reading& reading) {
   if (good || speaks_for_itself(read, value.text)) {
     keep(std::move(read), result.expression, reading);
   } else {
-    reading.report(Code::E205, value.text.whole, in_ticks(value.text.text) + " is not a name",
+    reading.report(Code::E205, value.text.whole, quoted(value.text.text) + " is not a name",
                    "names are letters, digits and underscores, starting with a letter");
   }
   return result;

@@ -157,16 +157,15 @@ class JointDrafter {
       result[*axis.along] = axis.is_reversed ? negated(way) : way;
       return result;
     }
-    const std::string over = way == "0" ? "" : over_length();
-    for (std::size_t i = 0; i < 3; ++i) result[i] = product(joint_.axis[i].text, way);
-    for (std::string& component : result) {
-      if (component != "0") component += over;
+    const std::string length = axis_length();
+    for (std::size_t i = 0; i < 3; ++i) {
+      result[i] = quotient(product(joint_.axis[i].text, way), length);
     }
     return result;
   }
 
-  /// "/sqrt(0.7^2 + 0.7^2)", where an oblique axis has not exactly the length 1.
-  [[nodiscard]] std::string over_length() const {
+  /// "sqrt(0.7^2 + 0.7^2)", or "1" where an oblique axis has exactly that length.
+  [[nodiscard]] std::string axis_length() const {
     cln::cl_RA square = 0;
     std::string terms;
     for (const Decimal& component : joint_.axis) {
@@ -176,7 +175,7 @@ class JointDrafter {
       terms += (terms.empty() ? "" : " + ") + (is_negative ? negative(component) : component).text +
                "^2";
     }
-    return square == 1 ? "" : "/sqrt(" + terms + ")";
+    return square == 1 ? "1" : "sqrt(" + terms + ")";
   }
 
   /// A coordinate called NAME_end.

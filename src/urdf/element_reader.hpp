@@ -15,8 +15,9 @@ class ElementReader {
  public:
   ElementReader(const Element& element, Reading& reading) : element_(element), reading_(reading) {}
 
-  /// The attribute's text; E803 where `required` and absent.
+  /// The attribute's text, empty where it is absent.
   Text text(std::string_view name);
+  /// The same; E803 where it is absent.
   Text required_text(std::string_view name);
 
   /// E804 where it is no number.
@@ -26,8 +27,9 @@ class ElementReader {
   /// Three numbers: E805 where there are not three. False, and unchanged, where they are not there.
   bool vector(std::string_view name, Vector& vector);
 
-  /// The first child of this name, or null; E803 where `required` and absent.
+  /// The first child of this name, or null.
   const Element* child(std::string_view name);
+  /// The same; E803 where there is none.
   const Element* required_child(std::string_view name);
   std::vector<const Element*> children(std::string_view name);
 

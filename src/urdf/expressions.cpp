@@ -1,4 +1,4 @@
-// Sums and products of short expressions.
+// Sums, products and quotients of short expressions.
 #include "expressions.hpp"
 
 #include <fmt/format.h>
@@ -7,10 +7,20 @@ namespace elgen::urdf {
 
 namespace {
 
-/// A sum where it is a factor stands in brackets.
+std::string in_brackets(const std::string& expression) { return "(" + expression + ")"; }
+
+/// Blanks stand around the signs of a sum only; those within brackets are of another one.
+bool is_sum(const std::string& expression) {
+  int depth = 0;
+  for (const char c : expression) {
+    depth += (c == '(' ? 1 : 0) - (c == ')' ? 1 : 0);
+    if (c == ' ' && depth == 0) return true;
+  }
+  return false;
+}
+
 std::string as_factor(const std::string& expression) {
-  const bool is_sum = expression.find(' ') != std::string::npos || expression.front() == '-';
-  return is_sum ? "(" + expression + ")" : expression;
+  return is_sum(expression) || expression.front() == '-' ? in_brackets(expression) : expression;
 }
 
 }  // namespace
@@ -24,9 +34,8 @@ std::string sum(const std::string& left, const std::string& right) {
 
 std::string negated(const std::string& expression) {
   if (expression == "0") return expression;
-  const bool is_sum = expression.find(' ') != std::string::npos;
-  if (!is_sum && expression.front() == '-') return expression.substr(1);
-  return "-" + (is_sum ? as_factor(expression) : expression);
+  if (is_sum(expression)) return "-" + in_brackets(expression);
+  return expression.front() == '-' ? expression.substr(1) : "-" + expression;
 }
 
 std::string product(const std::string& factor, const std::string& expression) {
@@ -34,6 +43,11 @@ std::string product(const std::string& factor, const std::string& expression) {
   if (factor == "1") return expression;
   if (factor == "-1") return negated(expression);
   return factor + "*" + as_factor(expression);
+}
+
+std::string quotient(const std::string& expression, const std::string& divisor) {
+  if (expression == "0" || divisor == "1") return expression;
+  return (is_sum(expression) ? in_brackets(expression) : expression) + "/" + divisor;
 }
 
 std::string Coupling::position() const { return sum(product(factor, coordinate), offset); }

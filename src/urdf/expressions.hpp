@@ -18,5 +18,6 @@ struct Coupling {
 [[nodiscard]] std::string sum(const std::string& left, const std::string& right);
 [[nodiscard]] std::string negated(const std::string& expression);
 [[nodiscard]] std::string product(const std::string& factor, const std::string& expression);
+[[nodiscard]] std::string quotient(const std::string& expression, const std::string& divisor);
 
 }  // namespace elgen::urdf

@@ -2,14 +2,12 @@
 #include <fmt/format.h>
 
 #include "elgen/inertia.hpp"
-#include "parse/utf8.hpp"
+#include "elgen/wording.hpp"
 #include "tree.hpp"
 
 namespace elgen::urdf {
 
 namespace {
-
-using parsing::in_ticks;
 
 /// Whether a link, or one behind it, has mass; by link.
 std::vector<bool> massive_subtrees(const Robot& robot, const Tree& tree) {
@@ -43,7 +41,7 @@ void check_inertia(const Link& link, Diagnostics& found) {
   if (is_of_a_body(tensor)) return;
   found.push_back(
       {Code::E508, link.inertial->span,
-       fmt::format("inertia {} of {} belongs to no body", listed, in_ticks(link.name.text)),
+       fmt::format("inertia {} of {} belongs to no body", listed, quoted(link.name.text)),
        "a principal inertia exceeds the sum of the other two"});
 }
 
@@ -52,13 +50,12 @@ void check_joint(const Robot& robot, const Branch& branch, bool moves_mass, Diag
   const Link& child = robot.links[branch.child];
   if (joint.type == JointType::fixed || branch.mimics) return;
   if (!moves_mass) {
-    found.push_back({Code::E810, joint.name.span,
-                     fmt::format("{} moves no mass", in_ticks(joint.name.text)),
-                     fmt::format("{} has no `<inertial>`, nor has a link behind it",
-                                 in_ticks(child.name.text))});
+    found.push_back(
+        {Code::E810, joint.name.span, fmt::format("{} moves no mass", quoted(joint.name.text)),
+         fmt::format("{} has no `<inertial>`, nor has a link behind it", quoted(child.name.text))});
   } else if (!child.has_mass()) {
     found.push_back({Code::E816, child.name.span,
-                     fmt::format("{} moves without a mass", in_ticks(child.name.text))});
+                     fmt::format("{} moves without a mass", quoted(child.name.text))});
   }
 }
 
@@ -70,7 +67,7 @@ Diagnostics check_masses(const Robot& robot, const Tree& tree) {
   if (root.has_mass()) {
     found.push_back(
         {Code::E817, root.name.span,
-         fmt::format("{} is the world: its mass plays no part", in_ticks(root.name.text))});
+         fmt::format("{} is the world: its mass plays no part", quoted(root.name.text))});
   }
   for (const Link& link : robot.links) {
     if (link.inertial) check_inertia(link, found);

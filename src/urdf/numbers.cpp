@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "elgen/wording.hpp"
 #include "parse/decimal.hpp"
-#include "parse/utf8.hpp"
 
 namespace elgen::urdf {
 
@@ -67,7 +67,7 @@ bool is_not_finite(std::string word) {
 }
 
 Diagnostic refused(const Span& span, std::string_view unsigned_text) {
-  const std::string shown = parsing::in_ticks(covered_text(span));
+  const std::string shown = quoted(covered_text(span));
   if (is_not_finite(std::string(unsigned_text))) {
     return {Code::E804, span, shown + " is not finite"};
   }

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "element_reader.hpp"
-#include "parse/utf8.hpp"
+#include "elgen/wording.hpp"
 #include "rotations.hpp"
 
 namespace elgen::urdf {
@@ -30,10 +30,9 @@ JointType read_type(ElementReader& joint, Reading& reading) {
   if (text.text.empty()) return JointType::fixed;  // E803 was said
   std::vector<std::string> words;
   for (const TypeRow& type : types) words.emplace_back(type.word);
-  const std::string near = nearest(text.text, words);
   reading.found.push_back({Code::E806, text.span,
-                           fmt::format("{} is no type of joint", parsing::in_ticks(text.text)),
-                           near.empty() ? "" : fmt::format("did you mean `{}`?", near)});
+                           fmt::format("{} is no type of joint", quoted(text.text)),
+                           suggestion(text.text, words)});
   return JointType::fixed;
 }
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "element_reader.hpp"
-#include "parse/utf8.hpp"
+#include "elgen/wording.hpp"
 
 namespace elgen::urdf {
 
@@ -16,7 +16,7 @@ void refuse_macros(ElementReader& reader, const Element& root, Diagnostics& foun
     if (!child.name.starts_with("xacro:")) continue;
     if (is_first) {
       found.push_back({Code::E802, child.span,
-                       fmt::format("{} is a macro", parsing::in_ticks("<" + child.name + ">")),
+                       fmt::format("{} is a macro", quoted("<" + child.name + ">")),
                        "expand the file with xacro first"});
     }
     is_first = false;
@@ -38,8 +38,7 @@ Robot read_robot(const Element& root, Reading& reading) {
   robot.span = root.span;
   if (root.name != "robot") {
     reading.found.push_back(
-        {Code::E802, root.span,
-         fmt::format("{} is no `<robot>`", parsing::in_ticks("<" + root.name + ">"))});
+        {Code::E802, root.span, fmt::format("{} is no `<robot>`", quoted("<" + root.name + ">"))});
     return robot;
   }
   ElementReader reader(root, reading);

@@ -7,24 +7,18 @@
 #include <map>
 #include <set>
 
-#include "parse/utf8.hpp"
+#include "elgen/wording.hpp"
 
 namespace elgen::urdf {
 
 namespace {
 
-using parsing::in_ticks;
 using Indices = std::map<std::string, std::size_t>;
 
 std::vector<std::string> names_of(const Indices& indices) {
   std::vector<std::string> names;
   for (const auto& [name, index] : indices) names.push_back(name);
   return names;
-}
-
-std::string did_you_mean(const std::string& word, const Indices& among) {
-  const std::string near = nearest(word, names_of(among));
-  return near.empty() ? "" : fmt::format("did you mean {}?", in_ticks(near));
 }
 
 /// Every element by its name; E807 for the second of one name. Nameless ones were reported.
@@ -36,7 +30,7 @@ Indices indices_of(const std::vector<Named>& elements, std::string_view noun, Di
     const auto [first, is_new] = indices.emplace(name.text, i);
     if (is_new || name.text.empty()) continue;
     Diagnostic twice{Code::E807, name.span,
-                     fmt::format("{} names two {}s", in_ticks(name.text), noun)};
+                     fmt::format("{} names two {}s", quoted(name.text), noun)};
     twice.related = elements[first->second].name.span;
     twice.related_message = "the first is here";
     found.push_back(std::move(twice));
@@ -71,7 +65,7 @@ class TreeMaker {
     if (!parent || !child) return;
     if (const auto& first = joint_above_[*child]) {
       Diagnostic second{Code::E809, joint.child.span,
-                        fmt::format("{} is the child of two joints", in_ticks(joint.child.text))};
+                        fmt::format("{} is the child of two joints", quoted(joint.child.text))};
       second.related = robot_.joints[*first].child.span;
       second.related_message = "the first is here";
       found_.push_back(std::move(second));
@@ -87,8 +81,8 @@ class TreeMaker {
     const auto link = links_.find(name.text);
     if (link != links_.end()) return link->second;
     found_.push_back({Code::E808, name.span,
-                      fmt::format("the robot has no link {}", in_ticks(name.text)),
-                      did_you_mean(name.text, links_)});
+                      fmt::format("the robot has no link {}", quoted(name.text)),
+                      suggestion(name.text, names_of(links_))});
     return std::nullopt;
   }
 
@@ -102,7 +96,7 @@ class TreeMaker {
       }
       Diagnostic second{Code::E809, robot_.links[i].name.span,
                         fmt::format("{} is a second root link: no joint leads to it",
-                                    in_ticks(robot_.links[i].name.text))};
+                                    quoted(robot_.links[i].name.text))};
       second.related = robot_.links[*root].name.span;
       second.related_message = "the first is here";
       found_.push_back(std::move(second));
@@ -166,17 +160,17 @@ class TreeMaker {
     };
     const auto other = joints_.find(name.text);
     if (other == joints_.end()) {
-      return refuse(fmt::format("the robot has no joint {}", in_ticks(name.text)),
-                    did_you_mean(name.text, joints_));
+      return refuse(fmt::format("the robot has no joint {}", quoted(name.text)),
+                    suggestion(name.text, names_of(joints_)));
     }
     const Joint& mimicked = robot_.joints[other->second];
     if (mimicked.mimic) {
-      return refuse(fmt::format("{} itself mimics {}", in_ticks(name.text),
-                                in_ticks(mimicked.mimic->joint.text)));
+      return refuse(fmt::format("{} itself mimics {}", quoted(name.text),
+                                quoted(mimicked.mimic->joint.text)));
     }
     for (const Joint* one : {&joint, &mimicked}) {
       if (has_one_coordinate(one->type)) continue;
-      return refuse(fmt::format("{} is {}: it has no coordinate to share", in_ticks(one->name.text),
+      return refuse(fmt::format("{} is {}: it has no coordinate to share", quoted(one->name.text),
                                 word(one->type)));
     }
     branch.mimics = other->second;

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 
-#include "parse/utf8.hpp"
+#include "base/utf8.hpp"
 
 namespace elgen::urdf {
 
@@ -109,7 +109,7 @@ class Copier {
 }  // namespace
 
 Result<Element> read_xml(const SourceText& source) {
-  if (const auto invalid = parsing::find_invalid_utf8(source.text)) {
+  if (const auto invalid = find_invalid_utf8(source.text)) {
     return Diagnostic{Code::E110, span_at(source, *invalid, 1), "the file is not UTF-8 text"};
   }
   if (const std::size_t zero = source.text.find('\0'); zero != std::string::npos) {

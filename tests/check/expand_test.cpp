@@ -41,9 +41,16 @@ TEST_CASE("names of repetitions that cannot be") {
        "E203 15:9 `p` is already a point | first at line 15\n"},
       {"[[point]]\nname = \"p[i]\"\nat = [\"x\", \"0\"]\n", "E201 14:11 unknown index `i`\n"},
       {"[[point]]\nfor = \"i in 1..n\"\nname = \"p[i-5]\"\nat = [\"x\", \"0\"]\n",
-       "E205 15:9 `p[-4]` is not letters, digits and underscores after a letter\n"},
+       "E205 15:9 `p[-4]` has a negative index\n"},
       {"[[point]]\nfor = \"m in 1..n\"\nname = \"p[m]\"\nat = [\"x\", \"0\"]\n",
        "E203 14:8 the running index `m` is also a parameter\n"},
+      // Whichever stands first.
+      {"[[point]]\nfor = \"u in 1..n\"\nname = \"p[u]\"\nat = [\"x\", \"0\"]\n"
+       "[[input]]\nname = \"u\"\n",
+       "E203 14:8 the running index `u` is also an input\n"},
+      {"[[input]]\nname = \"u\"\n"
+       "[[point]]\nfor = \"u in 1..n\"\nname = \"p[u]\"\nat = [\"x\", \"0\"]\n",
+       "E203 16:8 the running index `u` is also an input\n"},
       {"[[point]]\nfor = \"i in 1..m\"\nname = \"p[i]\"\nat = [\"x\", \"0\"]\n",
        "E201 14:16 unknown index `m`\n"},
       {"[define]\nm = \"2\"\n", "E203 14:1 `m` is already a parameter | first at line 7\n"},

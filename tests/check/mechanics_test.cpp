@@ -21,8 +21,8 @@ TEST_CASE("degrees of the energies in the rates") {
   const std::vector<std::pair<std::string, std::string>> rows{
       {"T = \"m*dot(x)^2 + m*dot(y)^2 + m*c*dot(x) + m*c^2\"\n", ""},
       {"T = \"m*dot(x)^2 + m*dot(y)^3/c\"\n",
-       "E504 14:6 `m*dot(x)^2 + m*dot(y)^3/c` is not quadratic in the rates, not at most "
-       "quadratic\n"},
+       "E504 14:6 `m*dot(x)^2 + m*dot(y)^3/c` is of degree 3 or more in the rates, or no "
+       "polynomial in them, not at most quadratic\n"},
       {"T = \"m*dot(x)^2 + m*c*dot(y)*dot(x)/c\"\nV = \"m*c*dot(x)\"\n", ""},
       {"T = \"m*dot(x)^2 + m*dot(y)^2\"\nV = \"m*dot(x)^2\"\n",
        "E503 15:6 `m*dot(x)^2` is of degree 2 in the rates, not at most linear\n"},
@@ -31,6 +31,23 @@ TEST_CASE("degrees of the energies in the rates") {
     INFO(energies);
     CHECK(messages(bare("[energy]\n" + energies)) == expected);
   }
+}
+
+TEST_CASE("a spin is linear in the rates") {
+  const auto turning = [](const std::string& spin) {
+    return messages(
+        bare("J = { value = 1, unit = \"kg*m^2\" }\n[energy]\n"
+             "T = \"m*dot(x)^2 + m*dot(y)^2\"\n[[body]]\nname = \"b\"\n"
+             "inertia = \"J\"\nspin = \"" +
+             spin + "\"\n"));
+  };
+  CHECK(turning("dot(x)/y + c/x").empty());
+  CHECK(turning("dot(x)^2/(c*y)") ==
+        "E504 19:9 `dot(x)^2/(c*y)` is of degree 2 in the rates, not at most linear\n");
+  CHECK(
+      turning("sqrt(dot(x)*dot(y))/x") ==
+      "E504 19:9 `sqrt(dot(x)*dot(y))/x` is of degree 3 or more in the rates, or no polynomial in "
+      "them, not at most linear\n");
 }
 
 TEST_CASE("a Lagrangian given whole may have any degree, and says which") {
@@ -91,6 +108,22 @@ TEST_CASE("time matters where it reaches an equation") {
                "time") == "time yes\n");
   CHECK(dumped(bare(energy + "V = \"m*c^2*cos(c*t/x)\"\n"), "time") == "time yes\n");
   CHECK(dumped(bare(energy + "[gravity]\nvector = [\"0\", \"c/t\"]\n"), "time") == "time yes\n");
+}
+
+TEST_CASE("time matters where it turns what a torque acts on") {
+  const std::string energy = "[energy]\nT = \"m*dot(x)^2 + m*dot(y)^2\"\n";
+  const auto frame = [](const std::string& name, const std::string& turn) {
+    return "[[frame]]\nname = \"" + name + "\"\nparent = \"world\"\nrotate = [[\"x\", \"x/y\"]" +
+           turn + "]\n";
+  };
+  const std::string frames = energy + frame("A", "") + frame("B", ", [\"z\", \"c*t/x\"]");
+  const auto torque = [](const std::string& keys) {
+    return "[[force]]\nvalue = [\"m*c^2\", \"0\", \"0\"]\n" + keys;
+  };
+  CHECK(dumped(bare(frames), "time") == "time no\n");
+  CHECK(dumped(bare(frames + torque("frame = \"A\"\n")), "time") == "time no\n");
+  CHECK(dumped(bare(frames + torque("frame = \"B\"\n")), "time") == "time yes\n");
+  CHECK(dumped(bare(frames + torque("frame = \"A\"\nfrom = \"B\"\n")), "time") == "time yes\n");
 }
 
 }  // namespace

@@ -42,5 +42,23 @@ TEST_CASE("sizes of the option follow those of the scene") {
   CHECK(report.errors() == 0);
 }
 
+TEST_CASE("sizes are integers that sums and products of two can hold") {
+  const auto answer = [](const std::string& option) {
+    SceneOptions options;
+    options.sizes = {make_source("command line", option)};
+    Report report;
+    const std::vector<SizeOverride> sizes = size_overrides(nullptr, options, report);
+    return report.errors() == 0 ? std::to_string(sizes.front().value)
+                                : report.sorted().front().message;
+  };
+  CHECK(answer("n=1000000000") == "1000000000");
+  CHECK(answer("n=-1000000000") == "-1000000000");
+  CHECK(answer("n=1000000001") == "`1000000001` is beyond 1000000000");
+  CHECK(answer("n=-9223372036854775807") == "`-9223372036854775807` is beyond 1000000000");
+  CHECK(answer("n=99999999999999999999") == "`99999999999999999999` is beyond 1000000000");
+  CHECK(answer("n=2.5") == "`n=2.5` is not of the form `n=20`");
+  CHECK(answer("n") == "`n` is not of the form `n=20`");
+}
+
 }  // namespace
 }  // namespace elgen::checking

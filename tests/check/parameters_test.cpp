@@ -58,7 +58,7 @@ TEST_CASE("values that do not fit") {
       {"a = { value = \"b\", unit = \"m\" }\n", "E201 13:16 unknown name `b`\n"},
       {"a = { value = \"2*x\", unit = \"m\" }\n", "E319 13:16 `2*x` is not a constant number\n"},
       {"a = { value = 1, unit = \"m\", min = 3, max = 2 }\n",
-       "E518 13:15 `1` is not what `assume`, `min` or `max` of `a` say\n"
+       "E518 13:15 `1` is not what `min` or `max` of `a` say\n"
        "E112 13:45 `2` is below `min`\n"},
       {"a = { value = 1, unit = \"lb\" }\n", "E402 13:26 unknown unit `lb`\n"},
   };
@@ -68,16 +68,43 @@ TEST_CASE("values that do not fit") {
   }
 }
 
-TEST_CASE("contradictions are warnings") {
+TEST_CASE("a value beyond its range is a warning") {
   for (const char* says :
-       {"value = 0, assume = \"positive\"", "value = -1, assume = \"nonnegative\"",
-        "value = 1, min = 2", "value = 3, max = 2"}) {
+       {"value = 1, min = 2", "value = 3, max = 2", "value = 3, min = 1, max = 2"}) {
     const std::string text = model_with("a = { unit = \"m\", " + std::string(says) + " }\n");
     CHECK(messages(text).substr(0, 4) == "E518");
     CHECK(run_check(text));
   }
-  CHECK(
-      messages(model_with("a = { unit = \"m\", value = 0, assume = \"nonnegative\" }\n")).empty());
+}
+
+TEST_CASE("a value that its assumption denies is an error") {
+  const auto assuming = [](const std::string& value, const std::string& assumption) {
+    return messages(model_with("a = { value = " + value +
+                               ", unit = \"m\", size = \"n\", assume = \"" + assumption +
+                               "\" }\n"));
+  };
+  CHECK(assuming("0", "positive") ==
+        "E112 13:15 `0` is not positive, which `assume` of `a` rules out\n");
+  CHECK(assuming("[1, -1, 2]", "nonnegative") ==
+        "E112 13:19 `-1` is negative, which `assume` of `a` rules out\n");
+  CHECK(assuming("0", "nonnegative").empty());
+  CHECK(assuming("1", "positive").empty());
+}
+
+TEST_CASE("a fixed value is held against what the model says, too") {
+  const std::string model = model_with(
+      "a = { value = 1, unit = \"m\", assume = \"positive\", min = 1 }\nb = { value = 2, unit = "
+      "\"m\", min = 1 }\n");
+  const auto fixing = [&](const std::string& option) {
+    Wanted wanted;
+    wanted.fixed = {option};
+    return messages(model, wanted);
+  };
+  CHECK(fixing("a=-1") ==
+        "E112 1:3 `-1` is not positive, which `assume` of `a` rules out\n"
+        "E518 1:3 `-1` is not what `min` or `max` of `a` say\n");
+  CHECK(fixing("b=1/2") == "E518 1:3 `1/2` is not what `min` or `max` of `b` say\n");
+  CHECK(fixing("a=2,b").empty());
 }
 
 TEST_CASE("more elements than entries may be are refused before they are made") {

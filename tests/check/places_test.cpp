@@ -63,6 +63,9 @@ TEST_CASE("the rate of a function with a kink is refused where the function is n
 
 TEST_CASE("a rate may stand in an energy, a spin and a force, in nothing else") {
   CHECK(messages(block("D = \"0.5*T0*speed^2/x^2*dot(x)*0\"\n" + entries)).empty());
+  CHECK(messages(block("[[prescribed]]\nname = \"w\"\nvalue = \"sin(t)\"\n[[point]]\nname = \"p\"\n"
+                       "at = [\"x\", \"0\"]\nmass = \"m*w\"\n"))
+            .find("`w` contains time, and a mass takes none") != std::string::npos);
   CHECK(messages(block(entries + "[[point]]\nname = \"p\"\nat = [\"speed*0\", \"0\"]\n")) ==
         "E319 23:8 `speed` contains a rate, and a position takes none\n");
 }

@@ -83,6 +83,8 @@ TEST_CASE("what cannot be locked is told", "[lock]") {
         "E612 5:1 unknown coordinate `attitud` | did you mean `attitude`? (rotation, line 12)\n");
   CHECK(lock_messages("attitude_w = { value = 0 }\n")
             .rfind("E612 5:1 unknown coordinate `attitude_w`", 0) == 0);
+  CHECK(lock_messages("q = { value = 0 }\n") ==
+        "E208 5:1 `q` needs an index: `q` has the elements 1 to 2\n");
   CHECK(lock_messages("x = { value = \"q[1]\" }\n") ==
         "E319 5:16 `q[1]` is a coordinate, and the value of a lock takes none\n");
   CHECK(lock_messages("x = { value = [1, 2] }\n") ==

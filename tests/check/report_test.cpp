@@ -1,4 +1,4 @@
-// Report: repeats kept once, quotes that stay short.
+// Report: repeats kept once.
 #include "check/report.hpp"
 
 #include <catch2/catch.hpp>
@@ -34,19 +34,6 @@ TEST_CASE("suggestions end after a hundred errors") {
     report.add(Code::E201, {source.get(), i, i + 1}, "a");
   }
   CHECK_FALSE(report.wants_suggestion());
-}
-
-TEST_CASE("quotes are cut between characters") {
-  CHECK(quoted("a") == "`a`");
-  CHECK(quoted(std::string(60, 'a')) == "`" + std::string(60, 'a') + "`");
-  CHECK(quoted(std::string(61, 'a')) == "`" + std::string(60, 'a') + "…`");
-  // The 60th byte falls into a two-byte letter, which is dropped whole.
-  CHECK(quoted(std::string(59, 'a') + "ééé") == "`" + std::string(59, 'a') + "…`");
-}
-
-TEST_CASE("suggestions are questions or nothing") {
-  CHECK(suggestion("mas", {"mass", "force"}) == "did you mean `mass`?");
-  CHECK(suggestion("zzz", {"mass"}).empty());
 }
 
 }  // namespace

@@ -120,6 +120,23 @@ TEST_CASE("forces with kinks have no derivatives, and full does without them") {
       "and `max` have none, a smooth stand-in is tanh(x/width)\n");
 }
 
+TEST_CASE("only kinks in forces on what moves stand in the way of derivatives") {
+  const std::string unused = block("[define]\nkinked = \"abs(x)\"\n");
+  CHECK(has(names_in_full(unused), "linearization"));
+  const std::string force = "[[force]]\non = \"x\"\nvalue = \"-k*kinked\"\n";
+  CHECK_FALSE(has(names_in_full(unused + force), "linearization"));
+  const std::string two =
+      unused + "[[coordinate]]\nname = \"y\"\nunit = \"m\"\narmature = \"m\"\n" + force;
+  CHECK_FALSE(has(names_in_full(two), "linearization"));
+  Wanted wanted;
+  wanted.scene =
+      "format = 1\nmodel = \"block.toml\"\nname = \"held\"\n"
+      "[lock]\nx = { value = 0 }\n[outputs]\nlinearization = true\n";
+  CHECK(messages(two, wanted).empty());
+  wanted.scene += "[approximate]\norder = 1\nabout = { y = 0 }\n";
+  CHECK(messages(two, wanted).empty());
+}
+
 TEST_CASE("big outputs are left out of full, but can be had by name") {
   const std::string model =
       "format = 1\n[model]\nname = \"a\"\n[sizes]\nn = 64\n[[coordinate]]\n"

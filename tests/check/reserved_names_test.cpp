@@ -34,5 +34,16 @@ TEST_CASE("names are letters, digits and underscores after a letter") {
   }
 }
 
+TEST_CASE("a name is held against both rules") {
+  const auto answer = [](const std::string& name) {
+    Report report;
+    const bool good = check_name(name, {}, report);
+    return good ? std::string() : report.sorted().front().message;
+  };
+  CHECK(answer("q1").empty());
+  CHECK(answer("1q") == "`1q` is not letters, digits and underscores after a letter");
+  CHECK(answer("double") == "`double` is reserved: it is a keyword of C++");
+}
+
 }  // namespace
 }  // namespace elgen::checking

@@ -99,7 +99,11 @@ TEST_CASE("parameters are fixed by name, by element, or all") {
 TEST_CASE("what cannot be fixed") {
   CHECK(scene_messages("[parameters]\nfixed = { kk = 1 }\n") ==
         "E602 5:11 unknown parameter `kk` | did you mean `k`? (parameter, line 9)\n");
+  CHECK(scene_messages("[parameters]\nfixed = { all = 3 }\n") ==
+        "E602 5:11 unknown parameter `all` | `all` fixes every parameter at its own value\n");
   const std::vector<std::pair<std::string, std::string>> rows{
+      {"all=3",
+       "E602 1:1 unknown parameter `all` | `all` fixes every parameter at its own value\n"},
       {"m, h=2", "E602 1:4 unknown parameter `h`\n"},
       {"m=", "E606 1:1 `m=` has no value\n"},
       {"m=1/0", "E312 1:5 `0` is zero\n"},

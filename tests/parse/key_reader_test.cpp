@@ -162,6 +162,7 @@ TEST_CASE("choices take the words of the table", "[parse]") {
         "`positiv` where `positive` or `nonnegative` is expected");
   CHECK(scene_answer(scene("[numeric]\nscalar = [\"float\", \"half\"]\n")) == "E104 5:21");
   CHECK(scene_answer(scene("[numeric]\nscalar = \"float\"\n")) == "E104 5:10");
+  CHECK(scene_answer(scene("[numeric]\nscalar = []\n")) == "E104 5:10");
 }
 
 TEST_CASE("closed forms are expressions, lists, matrices or entries", "[parse]") {

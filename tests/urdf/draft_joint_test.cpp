@@ -69,6 +69,13 @@ TEST_CASE("an oblique axis is three numbers, and of length 1 where something sli
         urdf::Components{"0.7*j/sqrt(0.7^2 + 0.7^2)", "-0.7*j/sqrt(0.7^2 + 0.7^2)", "0"});
 }
 
+TEST_CASE("all of what slides along an oblique axis is divided by its length") {
+  const urdf::Draft draft =
+      draft_of(mimicking("prismatic", "<axis xyz=\"1 -1 0\"/><mimic joint=\"a\" offset=\"0.5\"/>"));
+  CHECK(last_frame(draft).translate ==
+        urdf::Components{"(a + offset_k)/sqrt(1^2 + 1^2)", "-(a + offset_k)/sqrt(1^2 + 1^2)", "0"});
+}
+
 TEST_CASE("a floating joint has three lengths and an attitude, and nothing drives it") {
   const urdf::Draft draft = draft_of(arm_on("floating", ""));
   REQUIRE(draft.coordinates.size() == 4);

@@ -22,6 +22,15 @@ TEST_CASE("a product leaves out 1, and brackets sums") {
   CHECK(urdf::product("-0.6", "-q") == "-0.6*(-q)");
 }
 
+TEST_CASE("a quotient leaves out 1, and brackets sums") {
+  CHECK(urdf::quotient("0", "l") == "0");
+  CHECK(urdf::quotient("q + b", "1") == "q + b");
+  CHECK(urdf::quotient("-0.7*q", "l") == "-0.7*q/l");
+  CHECK(urdf::quotient("q + b", "l") == "(q + b)/l");
+  CHECK(urdf::quotient("-q + b", "l") == "(-q + b)/l");
+  CHECK(urdf::quotient("0.7*(q + b)", "l") == "0.7*(q + b)/l");
+}
+
 TEST_CASE("a sign turns what it stands before") {
   CHECK(urdf::negated("q") == "-q");
   CHECK(urdf::negated("-q") == "q");

@@ -1,4 +1,4 @@
-// UTF-8: code points of a text, where it stops being UTF-8, and user text made fit for a message.
+// UTF-8: code points of a text, and where it stops being UTF-8.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace elgen::parsing {
+namespace elgen {
 
 struct CodePoint {
   char32_t value = 0;
@@ -24,7 +24,4 @@ struct CodePoint {
 
 void append_utf8(std::string& text, char32_t value);
 
-/// User text in back-ticks: cut after 40 characters, control characters by name.
-[[nodiscard]] std::string in_ticks(std::string_view text);
-
-}  // namespace elgen::parsing
+}  // namespace elgen

@@ -1,11 +1,11 @@
-// Code points, malformed bytes, and user text in messages.
-#include "parse/utf8.hpp"
+// Code points and malformed bytes.
+#include "base/utf8.hpp"
 
 #include <catch2/catch.hpp>
 
-using namespace elgen::parsing;
+using namespace elgen;
 
-TEST_CASE("code points have the length UTF-8 gives them", "[parse]") {
+TEST_CASE("code points have the length UTF-8 gives them") {
   CHECK(code_point_at("a", 0).value == U'a');
   CHECK(code_point_at("\u03C0", 0).value == 0x3C0);
   CHECK(code_point_at("\u03C0", 0).bytes == 2);
@@ -13,7 +13,7 @@ TEST_CASE("code points have the length UTF-8 gives them", "[parse]") {
   CHECK(code_point_at("\U0001F600", 0).value == 0x1F600);
 }
 
-TEST_CASE("what is not UTF-8 is found where it starts", "[parse]") {
+TEST_CASE("what is not UTF-8 is found where it starts") {
   CHECK_FALSE(find_invalid_utf8("x + \u03C0"));
   CHECK(find_invalid_utf8("ab\xFF") == 2U);
   CHECK(find_invalid_utf8("\x80") == 0U);              // continuation without a start
@@ -23,7 +23,7 @@ TEST_CASE("what is not UTF-8 is found where it starts", "[parse]") {
   CHECK(find_invalid_utf8("\xF4\x90\x80\x80") == 0U);  // beyond U+10FFFF
 }
 
-TEST_CASE("code points are written as they are read", "[parse]") {
+TEST_CASE("code points are written as they are read") {
   for (const char32_t value : {0x41U, 0x7FU, 0x80U, 0x7FFU, 0x800U, 0xFFFFU, 0x10000U, 0x10FFFFU}) {
     std::string text;
     append_utf8(text, value);
@@ -32,15 +32,7 @@ TEST_CASE("code points are written as they are read", "[parse]") {
   }
 }
 
-TEST_CASE("code points have names", "[parse]") {
+TEST_CASE("code points have names") {
   CHECK(code_point_name(0x3C0) == "U+03C0");
   CHECK(code_point_name(0x1F600) == "U+1F600");
-}
-
-TEST_CASE("user text is made fit for a message", "[parse]") {
-  CHECK(in_ticks("m") == "`m`");
-  CHECK(in_ticks(std::string_view("\0", 1)) == "`U+0000`");
-  CHECK(in_ticks("a\nb") == "`aU+000Ab`");
-  CHECK(in_ticks(std::string(40, 'x')) == "`" + std::string(40, 'x') + "`");
-  CHECK(in_ticks(std::string(41, 'x')) == "`" + std::string(40, 'x') + "…`");
 }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace elgen::parsing {
+namespace elgen {
 
 namespace {
 
@@ -66,19 +66,4 @@ void append_utf8(std::string& text, char32_t value) {
   }
 }
 
-std::string in_ticks(std::string_view text) {
-  constexpr std::size_t longest = 40;
-  std::string shown = "`";
-  std::size_t position = 0;
-  for (std::size_t count = 0; position < text.size(); ++count) {
-    if (count == longest) return shown + "…`";
-    const CodePoint point = code_point_at(text, position);
-    if (point.bytes == 0) return shown + "…`";
-    const bool control = point.value < 0x20 || (point.value >= 0x7F && point.value < 0xA0);
-    shown += control ? code_point_name(point.value) : text.substr(position, point.bytes);
-    position += point.bytes;
-  }
-  return shown + "`";
-}
-
-}  // namespace elgen::parsing
+}  // namespace elgen

@@ -1,0 +1,27 @@
+// Wording: how messages show text of the user, count things and suggest names.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "elgen/source_text.hpp"
+
+namespace elgen {
+
+/// User text in back-ticks, on one line: blanks and line ends become one space, control characters
+/// their names, and what is longer than 60 characters is cut.
+[[nodiscard]] std::string quoted(std::string_view text);
+
+/// The source text of a span in back-ticks.
+[[nodiscard]] std::string quoted(const Span& span);
+
+/// "1 component", "3 components"
+[[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
+
+/// "did you mean `m`?", or nothing where no candidate is near.
+[[nodiscard]] std::string suggestion(std::string_view word,
+                                     const std::vector<std::string>& candidates);
+
+}  // namespace elgen
