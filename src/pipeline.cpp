@@ -94,6 +94,9 @@ Result<SelfCheck> checked(const CheckedModel& checked, const Program& program, d
   SelfCheck check =
       self_check(checked.model, checked.scene, program, std::max(0.02, generation / 4));
   if (check.failure.empty()) return check;
+  if (check.states == 0) {
+    return Diagnostic{Code::E521, {}, check.failure, "declare a `range` inside the domain"};
+  }
   return Diagnostic{Code::E911, {}, "self-check failed: " + check.failure};
 }
 
@@ -215,6 +218,7 @@ Products run_pipeline(const Inputs& inputs, const PipelineOptions& options) {
       stages.run("specialise", [&] { return specialise(*lagrangian, *out.checked); });
   if (options.steps) {
     out.steps = stages.run("derive", [&] { return steps(*specialised, *out.checked, limits); });
+    sort_by_position(out.diagnostics);
     return out;
   }
   const auto equations = stages.run(

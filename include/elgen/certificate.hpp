@@ -68,7 +68,7 @@ struct Verification {
 /// The check that precedes every write: every output projected on random rational vectors, as many
 /// states (2 … 32) as fit into `seconds`.
 struct SelfCheck {
-  std::size_t states = 0;
+  std::size_t states = 0;  ///< 0 where no output has a value at any, which is a failure
   double worst = 0.0;  ///< largest error in u B: of the closed form, or of the recursive program
   std::string failure =
       {};  ///< empty when it holds; otherwise the output, the state and both values

@@ -53,21 +53,17 @@ using OracleValues = std::optional<std::vector<cln::cl_R>>;
 [[nodiscard]] std::optional<cln::cl_R> oracle_projected_inverse_dynamics(
     const Model& model, const State& state, const std::vector<cln::cl_R>& w);
 
-/// w . M y
-[[nodiscard]] std::optional<cln::cl_R> oracle_projected_mass(const Model& model, const State& state,
-                                                             const std::vector<cln::cl_R>& w,
-                                                             const std::vector<cln::cl_R>& y);
-
-/// Directions an output is contracted with: w . x for columns, w . X y for matrices; y is empty for
-/// columns.
+/// Directions a field of an output is contracted with: w . x for columns, w . X y for matrices; y
+/// is empty for columns.
 struct Contraction {
   std::vector<cln::cl_R> w = {};
   std::vector<cln::cl_R> y = {};
+  std::size_t field = 0;  ///< of the output's, in the order of the output table
 };
 
-/// The contraction of any output of one field, at the cost of a few directional derivatives instead
-/// of all entries (energies, forward_dynamics and user outputs: of all entries). For self-checks of
-/// large models.
+/// The contraction of any field of any output, at the cost of a few directional derivatives instead
+/// of all entries (energies, forward_dynamics and user outputs: of all entries; only the first
+/// field of forward_dynamics). For self-checks of large models.
 [[nodiscard]] std::optional<cln::cl_R> oracle_contraction(const Model& model,
                                                           const OutputRequest& output,
                                                           const State& state,

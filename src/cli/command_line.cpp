@@ -70,14 +70,20 @@ CLI::App* add_generate(CLI::App& app, CommandLine& line, RawOptions& raw) {
       ->type_name("LIST")
       ->allow_extra_args(false);
   add_scene_options(*command, raw);
-  command->add_flag("--check", options.check, "write nothing; exit 1 if the files differ");
+  CLI::Option* check =
+      command->add_flag("--check", options.check, "write nothing; exit 1 if the files differ");
   command->add_flag("--force", options.force, "overwrite files that elgen did not generate");
-  command->add_flag("--list-outputs", options.list_outputs, "print the paths it would write");
-  command
-      ->add_option("--depfile", options.depfile,
-                   "write the inputs of each file, for make and ninja")
-      ->type_name("FILE");
-  command->add_flag("--stdout", options.to_stdout, "print the header instead of writing files");
+  CLI::Option* list =
+      command->add_flag("--list-outputs", options.list_outputs, "print the paths it would write");
+  CLI::Option* depfile = command
+                             ->add_option("--depfile", options.depfile,
+                                          "write the inputs of each file, for make and ninja")
+                             ->type_name("FILE");
+  CLI::Option* to_stdout =
+      command->add_flag("--stdout", options.to_stdout, "print the header instead of writing files");
+  check->excludes(list)->excludes(to_stdout)->excludes(depfile);
+  list->excludes(to_stdout)->excludes(depfile);
+  to_stdout->excludes(depfile);
   return command;
 }
 
@@ -105,8 +111,9 @@ CLI::App* add_verify(CLI::App& app, CommandLine& line) {
                    "states per output (256, fewer for long programs)")
       ->check(CLI::PositiveNumber);
   command->add_flag("--quick", options.verify.quick, "few states, no compiler");
-  command->add_option("-o,--output", options.certificate_file, "write the certificate here too")
+  command->add_option("-o,--output", options.certificate_file, "write the certificates here too")
       ->type_name("FILE");
+  command->add_flag("--force", options.force, "overwrite FILE");
   return command;
 }
 
@@ -199,10 +206,13 @@ Result<Limits> read_limits(const std::vector<std::string>& settings) {
   return limits;
 }
 
-void print_limits() {
+std::string limits_text() {
+  std::string text;
   for (const LimitRow& row : limit_table()) {
-    fmt::print("{:<18} {:>10} {:<8} {}\n", row.name, Limits().*row.member, row.unit, row.doc);
+    text +=
+        fmt::format("{:<18} {:>10} {:<8} {}\n", row.name, Limits().*row.member, row.unit, row.doc);
   }
+  return text;
 }
 
 std::vector<SourcePointer> sources(const std::vector<std::string>& values) {
@@ -216,10 +226,49 @@ bool wants_color(const std::string& choice) {
   return std::getenv("NO_COLOR") == nullptr && ::isatty(STDERR_FILENO) != 0;
 }
 
+DiagnosticStyle style_of(const std::string& color, const std::string& format) {
+  DiagnosticStyle style;
+  style.color = wants_color(color);
+  style.format = format == "json" ? DiagnosticFormat::json : DiagnosticFormat::text;
+  return style;
+}
+
+/// The value of an option that stands before or after a mistake.
+std::string value_of(const std::vector<std::string>& words, const std::string& option) {
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    if (words[i] == option && i + 1 < words.size()) return words[i + 1];
+    if (words[i].rfind(option + "=", 0) == 0) return words[i].substr(option.size() + 1);
+  }
+  return {};
+}
+
+/// In quotes where a shell would not take it as one word.
+std::string quoted(const std::string& word) {
+  constexpr const char* harmless =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,/:@%";
+  if (!word.empty() && word.find_first_not_of(harmless) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+  return text + "'";
+}
+
+/// The words without --check; what options would change has to be written somewhere they name.
+std::string repair_command(const std::vector<std::string>& words, const GenerateOptions& options) {
+  std::string command = "elgen";
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    if (words[i] != "--check") command += " " + quoted(words[i]);
+  }
+  const SceneOptions& scene = options.scene;
+  const bool changes = !scene.outputs.empty() || !scene.fixed.empty() || !scene.sizes.empty();
+  if (changes && !options.output_directory_given) {
+    command += " -o " + quoted(options.output_directory);
+  }
+  return command;
+}
+
 /// What CLI11 could not convert by itself.
 Diagnostics finish(const RawOptions& raw, CommandLine& line) {
-  line.global.style.color = wants_color(raw.color);
-  line.global.style.format = raw.format == "json" ? DiagnosticFormat::json : DiagnosticFormat::text;
+  line.global.style = style_of(raw.color, raw.format);
   line.generate.scene = {sources(raw.outputs), sources(raw.fixed), sources(raw.sizes)};
   line.show.scene = {{}, sources(raw.fixed), sources(raw.sizes)};
   const bool names_outputs = !line.show.what.empty() && !is_subject_of_its_own(line.show.what);
@@ -231,6 +280,11 @@ Diagnostics finish(const RawOptions& raw, CommandLine& line) {
 }
 
 }  // namespace
+
+DiagnosticStyle style_of_mistakes(const std::vector<std::string>& words) {
+  const std::string color = value_of(words, "--color");
+  return style_of(color.empty() ? "auto" : color, value_of(words, "--format"));
+}
 
 Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
   CommandLine line;
@@ -249,16 +303,16 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
     std::vector<std::string> reversed(words.rbegin(), words.rend() - 1);
     app.parse(reversed);
   } catch (const CLI::CallForHelp&) {
-    fmt::print("{}", app.help("", CLI::AppFormatMode::Normal));
+    line.answer = app.help("", CLI::AppFormatMode::Normal);
     return line;
   } catch (const CLI::CallForVersion& version) {
-    fmt::print("{}\n", version.what());
+    line.answer = std::string(version.what()) + "\n";
     return line;
   } catch (const CLI::ParseError& error) {
     return rejected(app, words, error);
   }
   if (raw.list_limits) {
-    print_limits();
+    line.answer = limits_text();
     return line;
   }
   if (app.get_subcommands().empty()) {
@@ -272,6 +326,7 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
   line.generate.output_directory_given = generate->count("-o") > 0;
   const Diagnostics errors = finish(raw, line);
   if (!errors.empty()) return errors;
+  line.generate.repair_command = repair_command(words, line.generate);
   return line;
 }
 

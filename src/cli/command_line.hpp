@@ -11,7 +11,8 @@ namespace elgen::cli {
 enum class Command : unsigned char { none, generate, show, verify, import, explain };
 
 struct CommandLine {
-  Command command = Command::none;  ///< none: --help, --version, --limits; already answered
+  Command command = Command::none;  ///< none: --help, --version, --limits
+  std::string answer = {};          ///< to these
   GlobalOptions global = {};
   GenerateOptions generate = {};
   ShowOptions show = {};
@@ -20,8 +21,10 @@ struct CommandLine {
   std::string code = {};
 };
 
-/// E913: words that are not understood, with what was probably meant. Answers --help, --version and
-/// --limits.
+/// E913: words that are not understood, with what was probably meant.
 [[nodiscard]] Result<CommandLine> read_command_line(const std::vector<std::string>& words);
+
+/// How the diagnostics of read_command_line are wanted, as far as its words can be understood.
+[[nodiscard]] DiagnosticStyle style_of_mistakes(const std::vector<std::string>& words);
 
 }  // namespace elgen::cli

@@ -58,7 +58,7 @@ std::string compare(const fs::path& path, const std::string& wanted) {
 }
 
 /// Files of ours, in the folders of `files`, that nothing generates any more.
-std::string orphans(const fs::path& directory, const EmittedFiles& files) {
+std::set<std::string> orphans(const fs::path& directory, const EmittedFiles& files) {
   std::set<fs::path> folders;
   for (const auto& [name, text] : files.files) folders.insert((directory / name).parent_path());
   std::set<std::string> found;
@@ -67,23 +67,25 @@ std::string orphans(const fs::path& directory, const EmittedFiles& files) {
     for (const auto& entry : fs::directory_iterator(folder, error)) {
       const std::string name = fs::relative(entry.path(), directory, error).generic_string();
       if (!entry.is_regular_file() || files.files.count(name) != 0) continue;
-      const bool ours =
-          read(entry.path()).substr(0, 200).find(generated_marker) != std::string::npos;
-      if (ours) found.insert(entry.path().string());
+      if (bears_marker(entry.path().string())) found.insert(entry.path().string());
     }
   }
-  std::string text;
-  for (const std::string& path : found) text += path + ": orphan, nothing generates it\n";
-  return text;
+  return found;
 }
 
 }  // namespace
 
-std::string compare_files(const std::string& directory, const EmittedFiles& files) {
-  std::string text;
-  for (const auto& [name, wanted] : files.files)
-    text += compare(fs::path(directory) / name, wanted);
-  return text + orphans(directory, files);
+Differences compare_files(const std::string& directory, const EmittedFiles& files) {
+  Differences differences;
+  for (const auto& [name, wanted] : files.files) {
+    differences.text += compare(fs::path(directory) / name, wanted);
+  }
+  differences.is_stale = !differences.text.empty();
+  for (const std::string& path : orphans(directory, files)) {
+    differences.text += path + ": orphan, nothing generates it\n";
+    differences.orphans.push_back(path);
+  }
+  return differences;
 }
 
 }  // namespace elgen::cli

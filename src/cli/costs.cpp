@@ -21,10 +21,27 @@ double seconds(const Products& products, std::string_view first, std::string_vie
 
 double generation(const Products& products) { return seconds(products, "parse", "emit"); }
 
-/// The built-in scene: every output, nothing fixed, nothing locked.
+/// The sizes that the scene chose, in the words of --size.
+std::vector<SourcePointer> sizes_of(const Inputs& inputs, const PipelineOptions& options) {
+  std::vector<SourcePointer> sizes;
+  if (inputs.scene != nullptr) {
+    const Result<SceneSyntax> scene = parse_scene(inputs.scene, options.limits);
+    for (const EntrySyntax& entry : scene->entries) {
+      if (entry.name != "sizes") continue;
+      for (const KeySyntax& key : entry.keys) {
+        sizes.push_back(make_source("[sizes]", fmt::format("{}={}", key.key, key.value.text)));
+      }
+    }
+  }
+  sizes.insert(sizes.end(), options.scene.sizes.begin(), options.scene.sizes.end());
+  return sizes;
+}
+
+/// The built-in scene at the same sizes: every output, nothing fixed, nothing locked.
 Products full_model(const Inputs& inputs, const PipelineOptions& options) {
   PipelineOptions full = options;
   full.scene = {};
+  full.scene.sizes = sizes_of(inputs, options);
   return run_pipeline({inputs.model, nullptr}, full);
 }
 
@@ -48,9 +65,11 @@ std::string percentage(double part, double whole) {
 
 /// The columns of the cost in the scene and in the full model.
 std::string compared(const OutputRequest& request, const Program& program, const Products* full) {
-  const std::size_t own = cost(count_operations(*same_output(program, request)));
+  const std::size_t own =
+      cost(count_operations(*same_output(program, request)));
   if (full == nullptr) return fmt::format("{:>8}", own);
-  const Function* same = full->program ? same_output(*full->program, request) : nullptr;
+  const Function* same =
+      full->program ? same_output(*full->program, request) : nullptr;
   if (same == nullptr) return fmt::format("{:>8}  {:>10}  {:>6}", own, "-", "");
   const std::size_t whole = cost(count_operations(*same));
   return fmt::format("{:>8}  {:>10}  {:>6}", own, whole,

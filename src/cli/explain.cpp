@@ -8,8 +8,7 @@ namespace elgen::cli {
 ExitCode explain(const GlobalOptions& global, const std::string& code) {
   const CodeRow* row = find_code(code);
   if (row != nullptr) {
-    fmt::print("{}: {}\n\n{}\n", row->name, row->title, row->explanation);
-    return ExitCode::success;
+    return print(global, fmt::format("{}: {}\n\n{}\n", row->name, row->title, row->explanation));
   }
   std::vector<std::string> names;
   for (const CodeRow& candidate : code_table()) names.emplace_back(candidate.name);

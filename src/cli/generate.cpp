@@ -1,7 +1,7 @@
 // elgen generate: inputs -> files, or what --check, --list-outputs and --stdout make of them.
 #include <fmt/format.h>
 
-#include <cstdio>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -47,11 +47,8 @@ ExitCode run(const GlobalOptions& global, const GenerateOptions& options, std::v
       continue;
     }
     renew_time_limit(global.limits);
-    const Progress progress(path);
-    PipelineOptions pipeline = pipeline_options(global, options);
-    pipeline.on_stage = [&](const std::string& stage) { progress.stage(stage); };
-    Job job{path, *inputs, run_pipeline(*inputs, pipeline)};
-    fmt::print("{}", job.products.dump);
+    Job job{path, *inputs, run_shown(path, *inputs, pipeline_options(global, options))};
+    worst = std::max(worst, print(global, job.products.dump));
     worst = std::max(worst, report(global, job.products.diagnostics));
     tell_times(global, job.products);
     jobs.push_back(std::move(job));
@@ -104,13 +101,15 @@ Diagnostics changed_by_options(const GenerateOptions& options, const std::vector
   return errors;
 }
 
-Diagnostics write_depfile(const GenerateOptions& options, const std::vector<Job>& jobs) {
+std::string escaped(const std::string& path) {
+  std::string text;
+  for (const char c : path) text += c == ' ' ? "\\ " : c == '$' ? "$$" : std::string(1, c);
+  return text;
+}
+
+/// The file --depfile asks for, if it does.
+std::vector<PlainFile> depfile(const GenerateOptions& options, const std::vector<Job>& jobs) {
   if (options.depfile.empty()) return {};
-  const auto escaped = [](const std::string& path) {
-    std::string text;
-    for (const char c : path) text += c == ' ' ? "\\ " : c == '$' ? "$$" : std::string(1, c);
-    return text;
-  };
   std::string text;
   for (const Job& job : jobs) {
     for (const auto& [name, content] : job.products.files->files) {
@@ -120,39 +119,29 @@ Diagnostics write_depfile(const GenerateOptions& options, const std::vector<Job>
       text += '\n';
     }
   }
-  std::ofstream file(options.depfile, std::ios::binary);
-  file << text;
-  file.close();
-  if (file) return {};
-  return {{Code::E706, {}, fmt::format("`{}` could not be written", options.depfile)}};
-}
-
-std::string repair_command(const GenerateOptions& options) {
-  std::string command = "elgen generate";
-  for (const std::string& input : options.inputs) command += " " + input;
-  if (options.output_directory_given) command += " -o " + options.output_directory;
-  return command;
+  return {{options.depfile, text}};
 }
 
 ExitCode check(const GlobalOptions& global, const GenerateOptions& options,
                const std::vector<Job>& jobs) {
-  const std::string differences = compare_files(options.output_directory, all_files(jobs));
-  if (differences.empty()) {
+  const Differences differences = compare_files(options.output_directory, all_files(jobs));
+  if (differences.text.empty()) {
     tell(global, "up to date");
     return ExitCode::success;
   }
-  fmt::print("{}", differences);
-  tell(global, "to repair: " + repair_command(options));
-  return ExitCode::differs;
+  const ExitCode printed = print(global, differences.text);
+  if (differences.is_stale) tell(global, "to repair: " + options.repair_command);
+  for (const std::string& path : differences.orphans) tell(global, "to repair: delete " + path);
+  return std::max(printed, ExitCode::differs);
 }
 
 ExitCode write(const GlobalOptions& global, const GenerateOptions& options,
                const std::vector<Job>& jobs) {
   Diagnostics errors = changed_by_options(options, jobs);
   if (errors.empty()) {
-    errors = write_files(options.output_directory, all_files(jobs), options.force);
+    errors = write_files(options.output_directory, all_files(jobs), options.force,
+                         depfile(options, jobs));
   }
-  if (errors.empty()) errors = write_depfile(options, jobs);
   if (has_errors(errors)) return report(global, errors);
   for (const Job& job : jobs) {
     for (const auto& [name, text] : job.products.files->files) {
@@ -167,20 +156,20 @@ ExitCode write(const GlobalOptions& global, const GenerateOptions& options,
   return ExitCode::success;
 }
 
-ExitCode list(const GenerateOptions& options, const std::vector<Job>& jobs) {
+std::string listed(const GenerateOptions& options, const std::vector<Job>& jobs) {
+  std::string text;
   for (const Job& job : jobs) {
     for (const std::string& name : emitted_paths(job.scene())) {
-      fmt::print("{}\n", (fs::path(options.output_directory) / name).generic_string());
+      text += (fs::path(options.output_directory) / name).generic_string() + "\n";
     }
   }
-  return ExitCode::success;
+  return text;
 }
 
-ExitCode print_headers(const std::vector<Job>& jobs) {
-  for (const Job& job : jobs) {
-    fmt::print("{}", job.products.files->files.at(header_path(job.scene())));
-  }
-  return ExitCode::success;
+std::string headers(const std::vector<Job>& jobs) {
+  std::string text;
+  for (const Job& job : jobs) text += job.products.files->files.at(header_path(job.scene()));
+  return text;
 }
 
 }  // namespace
@@ -192,8 +181,8 @@ ExitCode generate(const GlobalOptions& global, const GenerateOptions& options) {
   if (!global.stop_after.empty() && !options.list_outputs) return worst;
   const Diagnostics duplicates = duplicate_names(jobs);
   if (!duplicates.empty()) return report(global, duplicates);
-  if (options.list_outputs) return list(options, jobs);
-  if (options.to_stdout) return print_headers(jobs);
+  if (options.list_outputs) return print(global, listed(options, jobs));
+  if (options.to_stdout) return print(global, headers(jobs));
   return options.check ? check(global, options, jobs) : write(global, options, jobs);
 }
 

@@ -12,7 +12,7 @@ namespace elgen::cli {
 namespace {
 
 ExitCode run_command(const CommandLine& line) {
-  set_resource_limits(line.global.limits);
+  set_resource_limits(line.global.limits, line.global.style);
   try {
     switch (line.command) {
       case Command::generate:
@@ -26,7 +26,7 @@ ExitCode run_command(const CommandLine& line) {
       case Command::explain:
         return explain(line.global, line.code);
       case Command::none:
-        return ExitCode::success;
+        return print(line.global, line.answer);
     }
     return ExitCode::internal;
   } catch (const std::bad_alloc&) {
@@ -43,7 +43,12 @@ ExitCode run_command(const CommandLine& line) {
 
 int main(int argc, char** argv) {
   using namespace elgen::cli;
-  const auto line = read_command_line({argv, argv + argc});
-  if (!line.value) return static_cast<int>(report({}, line.diagnostics));
+  const std::vector<std::string> words{argv, argv + argc};
+  const auto line = read_command_line(words);
+  if (!line.value) {
+    GlobalOptions global;
+    global.style = style_of_mistakes(words);
+    return static_cast<int>(report(global, line.diagnostics));
+  }
   return static_cast<int>(run_command(*line.value));
 }

@@ -26,6 +26,7 @@ struct GenerateOptions {
   bool output_directory_given = false;
   SceneOptions scene = {};
   bool check = false;
+  std::string repair_command = {};  ///< this command line without --check, for a shell
   bool force = false;
   bool list_outputs = false;
   bool to_stdout = false;
@@ -35,7 +36,8 @@ struct GenerateOptions {
 struct VerifyCommandOptions {
   std::vector<std::string> inputs = {};
   VerifyOptions verify = {};
-  std::string certificate_file = {};
+  std::string certificate_file = {};  ///< empty: none
+  bool force = false;
 };
 
 struct ShowOptions {
@@ -54,13 +56,16 @@ struct ImportOptions {
 [[nodiscard]] ExitCode generate(const GlobalOptions& global, const GenerateOptions& options);
 [[nodiscard]] ExitCode verify_inputs(const GlobalOptions& global,
                                      const VerifyCommandOptions& options);
-/// Whether a word of --what is no output: lagrangian, steps, cost.
+/// Whether a word of --what is no output: lagrangian, steps, cost, dropped.
 [[nodiscard]] bool is_subject_of_its_own(const std::string& what);
 [[nodiscard]] ExitCode show(const GlobalOptions& global, const ShowOptions& options);
 [[nodiscard]] ExitCode import_file(const GlobalOptions& global, const ImportOptions& options);
 [[nodiscard]] ExitCode explain(const GlobalOptions& global, const std::string& code);
 
-/// Prints diagnostics on stderr, and returns their exit code.
+/// Prints what was asked for on stdout, at once. E706 where that fails.
+ExitCode print(const GlobalOptions& global, const std::string& text);
+
+/// Prints diagnostics on stderr (--quiet: without notes), and returns their exit code.
 ExitCode report(const GlobalOptions& global, const Diagnostics& diagnostics);
 
 /// A line for people on stderr, unless --quiet.

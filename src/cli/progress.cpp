@@ -47,4 +47,10 @@ void Progress::watch() {
   std::fflush(stderr);
 }
 
+Products run_shown(const std::string& subject, const Inputs& inputs, PipelineOptions options) {
+  const Progress progress(subject);
+  options.on_stage = [&](const std::string& stage) { progress.stage(stage); };
+  return run_pipeline(inputs, options);
+}
+
 }  // namespace elgen::cli

@@ -6,6 +6,8 @@
 #include <string>
 #include <thread>
 
+#include "elgen/pipeline.hpp"
+
 namespace elgen::cli {
 
 class Progress {
@@ -27,5 +29,10 @@ class Progress {
   bool done_ = false;
   std::thread watcher_;
 };
+
+/// run_pipeline with its stages shown. The line is gone when this returns, before anything of the
+/// products is printed.
+[[nodiscard]] Products run_shown(const std::string& subject, const Inputs& inputs,
+                                 PipelineOptions options);
 
 }  // namespace elgen::cli

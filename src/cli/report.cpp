@@ -1,29 +1,56 @@
-// Everything for people goes to stderr, through here.
+// Everything that is printed: what was asked for on stdout, everything for people on stderr.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "options.hpp"
 
 namespace elgen::cli {
 
+namespace {
+
+/// Where stderr cannot be written, nobody can be told.
+void print_for_people(const std::string& text) { std::fputs(text.c_str(), stderr); }
+
+Diagnostics without_notes(Diagnostics diagnostics) {
+  diagnostics.erase(std::remove_if(diagnostics.begin(), diagnostics.end(),
+                                   [](const Diagnostic& diagnostic) {
+                                     return code_row(diagnostic.code).severity == Severity::note;
+                                   }),
+                    diagnostics.end());
+  return diagnostics;
+}
+
+}  // namespace
+
+ExitCode print(const GlobalOptions& global, const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  std::fflush(stdout);
+  if (std::ferror(stdout) == 0) return ExitCode::success;
+  return report(global, {{Code::E706, {}, "standard output could not be written"}});
+}
+
 ExitCode report(const GlobalOptions& global, const Diagnostics& diagnostics) {
-  fmt::print(stderr, "{}", format(diagnostics, global.style));
+  print_for_people(format(global.quiet ? without_notes(diagnostics) : diagnostics, global.style));
   return exit_code(diagnostics);
 }
 
 void tell(const GlobalOptions& global, const std::string& line) {
-  if (!global.quiet) fmt::print(stderr, "{}\n", line);
+  if (!global.quiet) print_for_people(line + "\n");
 }
 
 void tell_times(const GlobalOptions& global, const Products& products) {
   if (!global.timings) return;
+  const auto line = [](const std::string& name, double seconds) {
+    print_for_people(fmt::format("{:>12} {:9.2f} ms\n", name, seconds * 1e3));
+  };
   double sum = 0.0;
   for (const StageTime& time : products.times) {
-    fmt::print(stderr, "{:>12} {:9.2f} ms\n", time.stage, time.seconds * 1e3);
+    line(time.stage, time.seconds);
     sum += time.seconds;
   }
-  fmt::print(stderr, "{:>12} {:9.2f} ms\n", "sum", sum * 1e3);
+  line("sum", sum);
 }
 
 }  // namespace elgen::cli

@@ -34,11 +34,12 @@ void limit(int resource, std::uint64_t value) {
 
 }  // namespace
 
-void set_resource_limits(const Limits& limits) {
+void set_resource_limits(const Limits& limits, const DiagnosticStyle& style) {
   time_message() = format({{Code::E909,
                             {},
                             fmt::format("{} s of processor time are over", limits.seconds),
-                            "raised by --limit seconds=N"}});
+                            "raised by --limit seconds=N"}},
+                          style);
   std::signal(SIGXCPU, end_on_time);
   std::signal(SIGINT, end_on_interrupt);
   renew_time_limit(limits);

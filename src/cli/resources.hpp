@@ -7,9 +7,8 @@
 namespace elgen::cli {
 
 /// Processor time ends the process with E909 and exit code 3, memory throws std::bad_alloc, an
-/// interrupt ends it with 130. Files are renamed into place at the very end, so none of them leaves
-/// one half-written.
-void set_resource_limits(const Limits& limits);
+/// interrupt ends it with 130; while files are written, both wait.
+void set_resource_limits(const Limits& limits, const DiagnosticStyle& style);
 
 /// Gives the next input as much processor time as the first one had.
 void renew_time_limit(const Limits& limits);

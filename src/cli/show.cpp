@@ -104,7 +104,6 @@ ExitCode show(const GlobalOptions& global, const ShowOptions& options) {
   if (!subject) return report(global, subject.diagnostics);
   const Result<Inputs> inputs = read_inputs(options.input, global.limits);
   if (!inputs) return report(global, inputs.diagnostics);
-  const Progress progress(options.input);
   PipelineOptions pipeline;
   pipeline.scene = options.scene;
   pipeline.limits = global.limits;
@@ -112,15 +111,14 @@ ExitCode show(const GlobalOptions& global, const ShowOptions& options) {
   pipeline.stop_after = global.stop_after;
   pipeline.steps = *subject == Subject::steps || *subject == Subject::lagrangian;
   pipeline.check_itself = false;
-  pipeline.on_stage = [&](const std::string& stage) { progress.stage(stage); };
-  const Products products = run_pipeline(*inputs, pipeline);
-  fmt::print("{}", products.dump);
-  const ExitCode derived = report(global, products.diagnostics);
+  const Products products = run_shown(options.input, *inputs, pipeline);
+  const ExitCode dumped = print(global, products.dump);
+  const ExitCode derived = std::max(dumped, report(global, products.diagnostics));
   tell_times(global, products);
   if (derived != ExitCode::success || !global.stop_after.empty()) return derived;
-  fmt::print("{}", page(products, *subject, options));
-  if (*subject == Subject::cost) fmt::print("\n{}", generation_costs(*inputs, pipeline, products));
-  return ExitCode::success;
+  std::string text = page(products, *subject, options);
+  if (*subject == Subject::cost) text += "\n" + generation_costs(*inputs, pipeline, products);
+  return print(global, text);
 }
 
 }  // namespace elgen::cli

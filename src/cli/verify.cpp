@@ -1,11 +1,10 @@
 // elgen verify: a certificate per input, on stdout and where -o says.
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <fstream>
 
+#include "elgen/render.hpp"
 #include "inputs.hpp"
 #include "options.hpp"
+#include "output_files.hpp"
 #include "progress.hpp"
 #include "resources.hpp"
 
@@ -13,64 +12,74 @@ namespace elgen::cli {
 
 namespace {
 
-ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& options,
-                    const std::string& path, std::string& certificates) {
-  renew_time_limit(global.limits);
-  Result<Inputs> inputs = read_inputs(path, global.limits);
-  if (!inputs) return report(global, inputs.diagnostics);
-  const Progress progress(path);
+PipelineOptions pipeline_options(const GlobalOptions& global) {
   PipelineOptions pipeline;
   pipeline.limits = global.limits;
   pipeline.dump_stage = global.dump_stage;
   pipeline.stop_after = global.stop_after;
   pipeline.check_itself = false;
   pipeline.scene.large_expectations = true;
-  pipeline.on_stage = [&](const std::string& stage) { progress.stage(stage); };
-  Products products = run_pipeline(*inputs, pipeline);
-  fmt::print("{}", products.dump);
-  const ExitCode generated = report(global, products.diagnostics);
-  tell_times(global, products);
-  if (generated != ExitCode::success || !global.stop_after.empty()) return generated;
+  return pipeline;
+}
 
+/// Compiles, unless it is to be quick, and compares.
+Result<Verification> compared(const std::string& path, const Products& products,
+                              const VerifyOptions& options) {
   const auto& [model, scene] = *products.checked;
+  const Progress progress(path);
   std::unique_ptr<CompiledModel> compiled;
-  if (!options.verify.quick) {
+  if (!options.quick) {
     progress.stage("compile");
     auto result = compile(*products.files, model, scene, *products.program);
-    if (!result) return report(global, result.diagnostics);
+    if (!result) return result.diagnostics;
     compiled = std::move(*result);
   }
   progress.stage("verify");
+  return verify(model, scene, *products.program, compiled.get(), options);
+}
+
+/// Appends the input's certificate; none where it could not be generated.
+ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& options,
+                    const std::string& path, std::vector<std::string>& certificates) {
+  renew_time_limit(global.limits);
+  const Result<Inputs> inputs = read_inputs(path, global.limits);
+  if (!inputs) return report(global, inputs.diagnostics);
+  Products products = run_shown(path, *inputs, pipeline_options(global));
+  const ExitCode dumped = print(global, products.dump);
+  const ExitCode generated = std::max(dumped, report(global, products.diagnostics));
+  tell_times(global, products);
+  if (generated != ExitCode::success || !global.stop_after.empty()) return generated;
+  if (global.verbose) {
+    const auto& [model, scene] = *products.checked;
+    tell(global, text_page(model, scene, *products.program));
+  }
   VerifyOptions with_proofs = options.verify;
   with_proofs.forms = &*products.closed_forms;
-  const Verification verification =
-      verify(model, scene, *products.program, compiled.get(), with_proofs);
-  certificates += to_text(verification.certificate);
-  const ExitCode found = report(global, verification.diagnostics);
-  return holds(verification.certificate) ? found : std::max(found, ExitCode::differs);
+  const Result<Verification> verification = compared(path, products, with_proofs);
+  if (!verification) return report(global, verification.diagnostics);
+  certificates.push_back(to_text(verification->certificate));
+  const ExitCode printed = print(global, certificates.back());
+  const ExitCode found = std::max(printed, report(global, verification->diagnostics));
+  return holds(verification->certificate) ? found : std::max(found, ExitCode::differs);
 }
 
 }  // namespace
 
 ExitCode verify_inputs(const GlobalOptions& global, const VerifyCommandOptions& options) {
+  const std::string& file = options.certificate_file;
+  Diagnostics refused;
+  if (!file.empty()) refused = refuse_existing(file, options.force);
+  if (!refused.empty()) return report(global, refused);
   ExitCode worst = ExitCode::success;
-  std::string all;
+  std::vector<std::string> certificates;
   for (const std::string& path : options.inputs) {
-    std::string certificates;
     worst = std::max(worst, verify_one(global, options, path, certificates));
-    fmt::print("{}", certificates);
-    all += certificates;
   }
-  if (options.certificate_file.empty()) return worst;
-  std::ofstream file(options.certificate_file, std::ios::binary);
-  file << all;
-  file.close();
-  if (file) return worst;
-  return std::max(
-      worst,
-      report(
-          global,
-          {{Code::E706, {}, fmt::format("`{}` could not be written", options.certificate_file)}}));
+  // A file with some certificates missing would look like all of them.
+  if (file.empty() || certificates.size() != options.inputs.size()) return worst;
+  std::string all;
+  for (const std::string& certificate : certificates) all += certificate;
+  return std::max(worst, report(global, write_files({}, {}, true, {{file, all}})));
 }
 
 }  // namespace elgen::cli

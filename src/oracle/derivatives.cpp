@@ -124,18 +124,25 @@ cl_R along_acceleration(Mechanics& at, const Direction& w, const Displacement& a
   return -at.residual_slope(z, along, solved_dynamics(at, mass).x, at.state().u);
 }
 
+/// w.(da/du) y: z.B y with M z = w.
+cl_R along_inputs(Mechanics& at, const Direction& w, const Direction& y) {
+  return at.input_force(solve_mass(at.model(), mass_matrix_values(at), w).x, y);
+}
+
 cl_R dot(const Direction& a, const Direction& b) {
   cl_R sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum = sum + a[i] * b[i];
   return sum;
 }
 
-/// w and y have positions first, then velocities.
-cl_R contracted_state_matrix(Mechanics& at, const Direction& w, const Direction& y) {
+/// w has positions first, then velocities; so has y, unless it is one of inputs.
+cl_R contracted_linearization(Mechanics& at, const Contraction& by) {
   const auto middle = static_cast<std::ptrdiff_t>(at.size());
-  const Direction w_position(w.begin(), w.begin() + middle);
-  const Direction w_velocity(w.begin() + middle, w.end());
-  const Displacement along{{y.begin(), y.begin() + middle}, {y.begin() + middle, y.end()}};
+  const Direction w_position(by.w.begin(), by.w.begin() + middle);
+  const Direction w_velocity(by.w.begin() + middle, by.w.end());
+  if (by.field == 1) return along_inputs(at, w_velocity, by.y);
+  const Displacement along{{by.y.begin(), by.y.begin() + middle},
+                           {by.y.begin() + middle, by.y.end()}};
   return dot(w_position, along.y) - dot(w_position, at.across_velocity(along.x)) +
          along_acceleration(at, w_velocity, along);
 }
@@ -153,11 +160,14 @@ Values derivative_values(OutputKind kind, Mechanics& at) {
   return is_inverse ? inverse_derivatives(at) : forward_derivatives(at);
 }
 
-cl_R contracted_derivative(OutputKind kind, Mechanics& at, const Direction& w, const Direction& y) {
-  if (kind == OutputKind::linearization) return contracted_state_matrix(at, w, y);
-  const Displacement along{y, rest(at)};
-  if (kind == OutputKind::forward_dynamics_derivatives) return along_acceleration(at, w, along);
-  return at.residual_slope(w, along, at.state().a, Direction(at.state().u.size(), cl_R(0)));
+cl_R contracted_derivative(OutputKind kind, Mechanics& at, const Contraction& by) {
+  if (kind == OutputKind::linearization) return contracted_linearization(at, by);
+  const Displacement along =
+      by.field == 0 ? Displacement{by.y, rest(at)} : Displacement{rest(at), by.y};
+  if (kind == OutputKind::forward_dynamics_derivatives) {
+    return by.field == 2 ? along_inputs(at, by.w, by.y) : along_acceleration(at, by.w, along);
+  }
+  return at.residual_slope(by.w, along, at.state().a, Direction(at.state().u.size(), cl_R(0)));
 }
 
 }  // namespace elgen::oracle

@@ -13,8 +13,8 @@ namespace elgen::oracle {
 /// All entries, one field after another.
 [[nodiscard]] std::vector<cln::cl_R> derivative_values(OutputKind kind, Mechanics& at);
 
-/// w.X y of the first field.
-[[nodiscard]] cln::cl_R contracted_derivative(OutputKind kind, Mechanics& at, const Direction& w,
-                                              const Direction& y);
+/// w.X y of one field.
+[[nodiscard]] cln::cl_R contracted_derivative(OutputKind kind, Mechanics& at,
+                                              const Contraction& by);
 
 }  // namespace elgen::oracle

@@ -49,11 +49,6 @@ std::optional<cl_R> oracle_projected_inverse_dynamics(const Model& model, const 
   return guarded([&] { return oracle::Mechanics(model, state).inverse_dynamics(w, state.a); });
 }
 
-std::optional<cl_R> oracle_projected_mass(const Model& model, const State& state,
-                                          const std::vector<cl_R>& w, const std::vector<cl_R>& y) {
-  return guarded([&] { return oracle::Mechanics(model, state).mass(w, y); });
-}
-
 std::optional<cl_R> oracle_contraction(const Model& model, const OutputRequest& output,
                                        const State& state, const Contraction& by) {
   return guarded([&] { return oracle::contracted_values(model, output, state, by); });

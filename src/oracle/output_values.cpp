@@ -213,7 +213,7 @@ cl_R contracted_values(const Model& model, const OutputRequest& output, const St
   }
   if (is_derivative(output.kind)) {
     Mechanics at(model, state);
-    return contracted_derivative(output.kind, at, by.w, by.y);
+    return contracted_derivative(output.kind, at, by);
   }
   const Values values = output_values(model, output, state);
   const std::size_t columns = by.y.empty() ? 1 : by.y.size();

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "agreement.hpp"
 #include "elgen/outputs.hpp"
-#include "oracle_cache.hpp"
 #include "own_bound.hpp"
 #include "stated_error.hpp"
 #include "tally.hpp"
@@ -78,16 +78,6 @@ std::vector<FieldRecord> records_of(const Subject& subject) {
   return records;
 }
 
-/// To 50 digits of the bound, beside what dropped terms may be; entries that are zero on paper are
-/// rounding of `scale` in 60.
-bool is_right(const Bound& entry, const cl_R& truth, const Real& stated, const Real& scale) {
-  static const Real of_bound(power_of_ten(-50));
-  static const Real of_scale(power_of_ten(-54));
-  const Real allowed = entry.bound * of_bound + scale * of_scale + stated;
-  const Real difference = abs(entry.value - Real(truth));
-  return difference.is_defined() && difference.value() <= allowed.value();
-}
-
 template <class Scalar>
 double ulps_apart(Scalar x, const cl_R& truth) {
   const Scalar magnitude = std::abs(ScalarTraits<Scalar>::from_real(truth));
@@ -117,6 +107,11 @@ Regime regime_of(const Run<Scalar>& run) {
   return worse(run.exact.regime, run.judged.regime);
 }
 
+std::string mismatch(std::size_t entry, const Real& value, const cl_R& truth) {
+  return fmt::format("entry {} is {}, the oracle says {}", entry + 1, short_text(value),
+                     short_text(truth));
+}
+
 template <class Scalar>
 void record_entry(FieldRecord& record, const Run<Scalar>& run, std::size_t i, OracleCache& oracle) {
   const Bound& exact = run.exact.entries[record.first + i];
@@ -126,13 +121,10 @@ void record_entry(FieldRecord& record, const Run<Scalar>& run, std::size_t i, Or
   const Real stated = stated_error(*record.program, record.request.kind, i, oracle.state());
   const Scalar x = run.values[record.first + i];
   for (const Bound* value : {&exact, &judged}) {
-    const Real scale = run.exact.largest + Real(oracle.energy());
-    if (!record.mistake.empty() || is_right(*value, truth, stated, scale) ||
-        is_right(*value, truth, stated, scale + Real(oracle.force()))) {
-      continue;
-    }
-    record.mistake = fmt::format("entry {} is {}, the oracle says {}", i + 1,
-                                 short_text(value->value.value()), short_text(truth));
+    if (!record.mistake.empty()) break;
+    const Measured number{value->value, value->bound, stated};
+    if (agrees_with_oracle(number, truth, run.exact.largest, oracle)) continue;
+    record.mistake = mismatch(i, value->value, truth);
   }
   if (regime_of(run) == Regime::ill_conditioned) return;
   const Bound& entry = judging_bound(exact, judged);
@@ -163,26 +155,55 @@ bool is_solved(OutputKind kind) {
          kind == OutputKind::forward_dynamics_derivatives;
 }
 
-template <class Scalar>
-void record_state(FieldRecord& record, const Run<Scalar>& run, OracleCache& oracle,
-                  const Subject& subject) {
-  if (!is_comparable(record, regime_of(run))) return;
+/// The oracle's values where it can be trusted; none outside the domain, and counted there.
+const OracleValues* trusted_values(FieldRecord& record, OracleCache& oracle) {
   const OracleValues& truth = oracle.values(record.request);
   if (!truth) {
     ++record.undefined;
+    return nullptr;
+  }
+  if (!is_solved(record.request.kind)) return &truth;
+  const OracleValues& solution = oracle.values(standard_request(OutputKind::forward_dynamics));
+  if (solution && !is_beyond_oracle(*solution)) return &truth;
+  ++record.ill_conditioned;
+  return nullptr;
+}
+
+/// At an ordinary state the program has no value: nor must the oracle have one.
+template <class Scalar>
+void record_undefined(FieldRecord& record, const Run<Scalar>& run, OracleCache& oracle) {
+  for (std::size_t i = 0; i < record.field->entries.size(); ++i) {
+    const Real& own = run.exact.entries[record.first + i].value;
+    const Real& judged =
+        record.judge.is_closed_form ? run.judged.entries[record.judge.first + i].value : own;
+    if (own.is_defined() && judged.is_defined()) continue;
+    const OracleValues* truth = trusted_values(record, oracle);
+    if (truth == nullptr) return;
+    record.mistake = mismatch(i, Real::undefined(), (**truth)[record.first_oracle + i]);
     return;
   }
-  if (is_solved(record.request.kind)) {
-    const OracleValues& solution = oracle.values(standard_request(OutputKind::forward_dynamics));
-    if (!solution || is_beyond_oracle(*solution)) {
-      ++record.ill_conditioned;
-      return;
-    }
+  ++record.undefined;
+}
+
+template <class Scalar>
+void record_entries(FieldRecord& record, const Run<Scalar>& run, OracleCache& oracle) {
+  const Regime regime = regime_of(run);
+  if (regime == Regime::undefined && run.nominal && record.mistake.empty()) {
+    record_undefined(record, run, oracle);
+    return;
   }
-  const bool was_right = record.mistake.empty();
+  if (!is_comparable(record, regime)) return;
+  if (trusted_values(record, oracle) == nullptr) return;
   for (std::size_t i = 0; i < record.field->entries.size(); ++i) {
     record_entry(record, run, i, oracle);
   }
+}
+
+template <class Scalar>
+void record_state(FieldRecord& record, const Run<Scalar>& run, OracleCache& oracle,
+                  const Subject& subject) {
+  const bool was_right = record.mistake.empty();
+  record_entries(record, run, oracle);
   if (was_right && !record.mistake.empty()) record.mistake_at = describe(subject, oracle.state());
 }
 

@@ -1,5 +1,5 @@
-// Accuracy: a program's values in double and float against the 60-digit oracle, in units of the
-// program's own error bound.
+// Accuracy: a program's values in double and float against the 60-digit oracle, in units of an
+// error bound: that of the closed form a function is emitted in, else the program's own.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,8 @@ namespace elgen {
 inline constexpr double promised_bounds = 8;
 
 /// One row per output and field. A state fails where the exact value of the program is not the
-/// oracle's (to 50 digits of its bound), and where the rounded value is further off than promised.
+/// oracle's (to 50 digits of its bound) or, at a nominal state, is undefined where the oracle has
+/// one, and where the rounded value is further off than promised.
 template <class Scalar>
 [[nodiscard]] std::vector<CertificateRow> check_accuracy(
     const Subject& subject, const std::vector<SampledState<Scalar>>& states);

@@ -1,5 +1,5 @@
 // ExactValues: every function of a program at one state in 64 digits, and derivatives along
-// directions. derivatives.
+// directions.
 #pragma once
 
 #include <map>

@@ -2,6 +2,8 @@
 // ones.
 #include "oracle_cache.hpp"
 
+#include "check/requests.hpp"
+
 namespace elgen {
 
 const OracleValues& OracleCache::values(const OutputRequest& request) {
@@ -23,8 +25,10 @@ cln::cl_R OracleCache::force() {
   cln::cl_R largest = 0;
   for (const OutputKind kind :
        {OutputKind::velocity_force, OutputKind::gravity, OutputKind::bias}) {
-    if (find_request(subject_.scene, output_row(kind).name) == nullptr) continue;
-    const OracleValues& entries = values(standard_request(kind));
+    // Whatever the scene asks for and calls it: the model decides what there is.
+    const OutputRequest request = checking::request_of(subject_.model, kind, 0);
+    if (!checking::is_available(subject_.model, request)) continue;
+    const OracleValues& entries = values(request);
     if (!entries) continue;
     for (const cln::cl_R& entry : *entries) largest = cln::max(largest, cln::abs(entry));
   }

@@ -17,9 +17,9 @@ struct FunctionRun {
 };
 
 /// Empty where the contraction of the exact entries is the oracle's, to 50 digits of sum |w_i y_j|
-/// B_ij, or where the oracle has none; otherwise both numbers.
+/// B_ij, or where the oracle has none; otherwise both numbers. The program may be undefined.
 ///
-///     one field:         w.x, w.X y
+///     every field:       w.x, w.X y
 ///     forward_dynamics:  w.(M a + bias) = w.B u; and each relative pivot
 [[nodiscard]] std::string compare_projection(const Subject& subject, const FunctionRun& run,
                                              OracleCache& oracle, Random& random);

@@ -1,5 +1,6 @@
 // The command line: help, version, limits, stages, and words that are not understood.
 #include <catch2/catch.hpp>
+#include <sstream>
 
 #include "elgen/limits.hpp"
 #include "support/shell.hpp"
@@ -13,6 +14,16 @@ const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
 Outcome run(const std::string& command) {
   const Workspace workspace;
   return shell(command, workspace.path());
+}
+
+/// What --dump takes: "--dump TEXT:{parse,check,…}".
+std::vector<std::string> stages_of_help() {
+  const std::string help = run("elgen --help").output;
+  const std::size_t start = help.find('{', help.find("--dump")) + 1;
+  std::istringstream names(help.substr(start, help.find('}', start) - start));
+  std::vector<std::string> stages;
+  for (std::string name; std::getline(names, name, ',');) stages.push_back(name);
+  return stages;
 }
 
 }  // namespace
@@ -55,16 +66,31 @@ TEST_CASE("a command line that is not understood exits with 2") {
   CHECK(mentions(run("elgen generte x.toml").errors, "did you mean `generate`"));
 }
 
+TEST_CASE("what would ask for two results at once is not understood") {
+  const std::vector<std::string> options{"--check", "--list-outputs", "--stdout", "--depfile d"};
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      INFO(options[i] << " " << options[j]);
+      const Outcome outcome = run("elgen generate " + options[i] + " " + options[j] + " " + models +
+                                  "/simple_pendulum.toml");
+      CHECK(outcome.status == 2);
+      CHECK(outcome.output.empty());
+      CHECK(mentions(outcome.errors, "[E913]"));
+    }
+  }
+}
+
 TEST_CASE("every stage can be dumped, and stopping there writes nothing") {
-  for (const char* stage :
-       {"parse", "check", "formulate", "specialise", "derive", "lower", "emit"}) {
+  const std::vector<std::string> stages = stages_of_help();
+  REQUIRE(stages.size() == 10);
+  for (const std::string& stage : stages) {
     INFO(stage);
     const Workspace workspace;
-    const Outcome outcome = shell("elgen generate --dump " + std::string(stage) + " --stop-after " +
-                                      stage + " " + models + "/simple_pendulum.toml",
+    const Outcome outcome = shell("elgen generate --dump " + stage + " --stop-after " + stage +
+                                      " " + models + "/simple_pendulum.toml",
                                   workspace.path());
     CHECK(outcome.status == 0);
-    CHECK(mentions(outcome.output, "theta"));
+    CHECK((stage == "inspect" || mentions(outcome.output, "theta")));  // inspect found nothing
     CHECK(shell("ls", workspace.path()).output.empty());
   }
   CHECK(run("elgen generate --dump nowhere " + models + "/simple_pendulum.toml").status == 2);

@@ -82,4 +82,29 @@ TEST_CASE("generating again repairs what --check complains about") {
   CHECK(project.check().status == 0);
 }
 
+TEST_CASE("the command that --check prints repairs, whatever the options") {
+  for (const std::string options :
+       {"", " --outputs mass_matrix,bias", " --fix g -o 'my out'", " --fix m=1/2 --fix g"}) {
+    INFO(options);
+    const Workspace workspace;
+    prepare("mkdir 'a b' && cp " + source + "/models/cart_pole.toml 'a b'", workspace.path());
+    const std::string check = "elgen generate --check 'a b/cart_pole.toml'" + options;
+    const std::string errors = shell(check, workspace.path()).errors;
+    const std::string lead = "to repair: ";
+    REQUIRE(mentions(errors, lead));
+    const std::size_t start = errors.find(lead) + lead.size();
+    const std::string repair = errors.substr(start, errors.find('\n', start) - start);
+    INFO(repair);
+    CHECK(shell(repair, workspace.path()).status == 0);
+    CHECK(shell(check, workspace.path()).status == 0);
+  }
+}
+
+TEST_CASE("a left-over file is to be deleted, not generated again") {
+  const Project project;
+  project.change("cp generated/cart_pole/cart_pole.hpp generated/cart_pole/cart_pole_old.hpp");
+  const Outcome outcome = project.check();
+  CHECK(outcome.errors == "to repair: delete generated/cart_pole/cart_pole_old.hpp\n");
+}
+
 }  // namespace elgen::test

@@ -51,4 +51,30 @@ TEST_CASE("timings name every stage") {
   }
 }
 
+TEST_CASE("-q leaves out notes") {
+  const std::string robot = std::string(ELGEN_SOURCE_DIR) + "/tests/urdf/robots/gripper.urdf";
+  CHECK(mentions(run("elgen import " + robot).errors, "note[E815]"));
+  CHECK(run("elgen import -q " + robot).errors.empty());
+}
+
+TEST_CASE("what cannot be printed is said, and ends with 4") {
+  const std::string model = models + "/simple_pendulum.toml";
+  const std::string robot = std::string(ELGEN_SOURCE_DIR) + "/tests/urdf/robots/gripper.urdf";
+  for (const std::string& command :
+       {"show " + model, "generate --stdout " + model, "generate --list-outputs " + model,
+        "verify --quick " + model, "import " + robot, std::string("explain E201"),
+        std::string("--help"), std::string("--version"), std::string("--limits")}) {
+    INFO(command);
+    const Outcome outcome = run("elgen " + command + " > /dev/full");
+    CHECK(outcome.status == 4);
+    CHECK(mentions(outcome.errors, "error[E706]: standard output could not be written\n"));
+  }
+}
+
+TEST_CASE("a command line that is not understood is reported in the format asked for") {
+  const nlohmann::json parsed = nlohmann::json::parse(run("elgen generte --format json").errors);
+  CHECK(parsed["code"] == "E913");
+  CHECK(mentions(run("elgen --color=always generte").errors, "\x1b["));
+}
+
 }  // namespace elgen::test

@@ -24,4 +24,42 @@ TEST_CASE("verify: all closed forms of the models hold, a wrong one exits with 1
   CHECK(mentions(wrong.errors, "[E510]"));
 }
 
+TEST_CASE("-o writes the certificates, and over a file with --force only") {
+  const Workspace workspace;
+  prepare("cp " + models + "/simple_pendulum.toml a.toml", workspace.path());
+  const std::string model = read_text(workspace.path() / "a.toml");
+  const Outcome refused = shell("elgen verify --quick a.toml -o a.toml", workspace.path());
+  CHECK(refused.status == 4);
+  CHECK(mentions(refused.errors, "error[E703]: `a.toml` exists\n      --force overwrites it"));
+  CHECK(read_text(workspace.path() / "a.toml") == model);
+
+  const std::string command = "elgen verify --quick a.toml -o new/c.txt";
+  const Outcome first = shell(command, workspace.path());
+  CHECK(first.status == 0);
+  CHECK(read_text(workspace.path() / "new/c.txt") == first.output);
+  CHECK(shell(command, workspace.path()).status == 4);
+  write_text(workspace.path() / "new/c.txt", "old\n");
+  CHECK(shell(command + " --force", workspace.path()).status == 0);
+  CHECK(read_text(workspace.path() / "new/c.txt") == first.output);
+}
+
+TEST_CASE("where a certificate is missing no file is written") {
+  const Workspace workspace;
+  prepare("cp " + models + "/simple_pendulum.toml a.toml && echo old > c.txt", workspace.path());
+  const std::string command = "elgen verify --quick --force -o c.txt a.toml ";
+  CHECK(shell(command + "missing.toml", workspace.path()).status == 2);
+  CHECK(shell(command + "--stop-after check", workspace.path()).status == 0);
+  CHECK(read_text(workspace.path() / "c.txt") == "old\n");
+}
+
+TEST_CASE("--samples is a positive number of states, -v prints the equations") {
+  const Workspace workspace;
+  const std::string model = models + "/simple_pendulum.toml";
+  CHECK(shell("elgen verify --samples 0 " + model, workspace.path()).status == 2);
+  const Outcome few = shell("elgen verify --samples 4 -v " + model, workspace.path());
+  CHECK(few.status == 0);
+  CHECK(few.output != shell("elgen verify --samples 8 " + model, workspace.path()).output);
+  CHECK(mentions(few.errors, shell("elgen show " + model, workspace.path()).output));
+}
+
 }  // namespace elgen::test

@@ -59,4 +59,14 @@ TEST_CASE("a file without our marker is overwritten with --force only") {
   CHECK(starts_with(read_text(header), marker));
 }
 
+TEST_CASE("a dependency file that cannot be written leaves everything as it was") {
+  const Workspace workspace;
+  write_text(workspace.path() / "file", "mine\n");
+  const Outcome outcome =
+      shell("elgen generate -q --depfile file/d " + models + "/cart_pole.toml", workspace.path());
+  CHECK(outcome.status == 4);
+  CHECK(mentions(outcome.errors, "error[E706]: `file/d` could not be written"));
+  CHECK(files_below(workspace.path()) == "./file\n");
+}
+
 }  // namespace elgen::test

@@ -288,7 +288,9 @@ TEST_CASE("law: projections agree with full outputs, and tau = M a + bias") {
     }
     CHECK(agree(*oracle_projected_inverse_dynamics(b.model, state, w), dot(w, tau),
                 almost_all_digits, 1));
-    CHECK(agree(*oracle_projected_mass(b.model, state, w, state.a), dot(w, inertial),
+    OutputRequest mass;
+    mass.kind = OutputKind::mass_matrix;
+    CHECK(agree(*oracle_contraction(b.model, mass, state, {w, state.a}), dot(w, inertial),
                 almost_all_digits, 1));
   }
 }
@@ -314,7 +316,9 @@ TEST_CASE("a chain of 1000 points is evaluated without recursion") {
   Values y(1000, cl_R(0));
   y[999] = 1;
   // At rest, straight down: M_ij = (number of masses beyond both) m l^2.
-  CHECK(*oracle_projected_mass(b.model, state, w, w) == exact("0.2") * 1000 * exact("0.09"));
-  CHECK(*oracle_projected_mass(b.model, state, w, y) == exact("0.2") * exact("0.09"));
+  OutputRequest mass;
+  mass.kind = OutputKind::mass_matrix;
+  CHECK(*oracle_contraction(b.model, mass, state, {w, w}) == exact("0.2") * 1000 * exact("0.09"));
+  CHECK(*oracle_contraction(b.model, mass, state, {w, y}) == exact("0.2") * exact("0.09"));
   CHECK(*oracle_projected_inverse_dynamics(b.model, state, w) == 0);
 }

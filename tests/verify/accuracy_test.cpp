@@ -68,6 +68,21 @@ TEST_CASE("a wrong program fails with both values and the state") {
   }
 }
 
+TEST_CASE("a program that is undefined where the oracle has a value fails") {
+  for (const auto& [function, from, to, field] :
+       {std::tuple{"gravity", "15 = negate 14\n  16 = constant 0\n",
+                   "15 = constant 0\n  16 = divide 14 15\n", "gravity"},
+        std::tuple{"forward_dynamics", "31 = divide 30 28", "31 = divide 30 17",
+                   "forward_dynamics.acceleration"},
+        std::tuple{"dynamics", "21 = multiply 15 3", "21 = divide 15 17", "dynamics.bias"}}) {
+    const auto rows = rows_of<double>(mutated(function, from, to), 4, false);
+    const auto& row = row_of(rows, std::string(field) + " (double)");
+    CHECK(row.verdict == Verdict::fails);
+    CHECK(row.worst.find(" is undefined, the oracle says ") != std::string::npos);
+    CHECK(row.where.find("q = (") == 0);
+  }
+}
+
 TEST_CASE("dynamics is judged by itself") {
   const auto rows = rows_of<double>(mutated("dynamics", "= 23 22", "= 23 21"), 2, false);
   CHECK(row_of(rows, "dynamics.bias (double)").verdict == Verdict::fails);

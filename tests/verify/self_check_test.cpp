@@ -1,4 +1,6 @@
 // The check before every write: right programs pass, every kind of mistake is named.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 
 #include "elgen/certificate.hpp"
@@ -53,14 +55,48 @@ TEST_CASE("a mistake in any function is found and the function named") {
     const SelfCheck result = check(mutated(function, from, to));
     CHECK(result.failure.find("`" + std::string(function) + "`: ") == 0);
     CHECK(result.failure.find("q = (") != std::string::npos);
+    CHECK(result.states == 1);
+  }
+}
+
+TEST_CASE("every field of an output is compared") {
+  CHECK(check(system_of(oscillator_model(), oscillator_program())).failure.empty());
+  for (const auto& [field, from, to] : {std::tuple{"A", "A 2 2 = 3 4 7 9", "A 2 2 = 3 4 7 8"},
+                                        std::tuple{"B", "B 2 1 = 3 5", "B 2 1 = 3 3"},
+                                        std::tuple{"by_position", "1 1 = 2", "1 1 = 3"},
+                                        std::tuple{"by_velocity", "1 1 = 1", "1 1 = 2"},
+                                        std::tuple{"by_position", "1 1 = 7", "1 1 = 6"},
+                                        std::tuple{"by_velocity", "1 1 = 9", "1 1 = 8"},
+                                        std::tuple{"by_input", "1 1 = 5", "1 1 = 4"}}) {
+    INFO(field << " " << to);
+    const System wrong = system_of(oscillator_model(), with(oscillator_program(), from, to));
+    CHECK(check(wrong).failure.find(fmt::format("w.X y of {} is ", field)) != std::string::npos);
+  }
+}
+
+TEST_CASE("an entry that is undefined where the oracle has a value is a mistake") {
+  for (const auto& [function, from, to, what] :
+       {std::tuple{"mass_matrix", "result 2 2 = 10 11 11 12",
+                   "13 = constant 0\n  14 = divide 12 13\n  result 2 2 = 10 11 11 14",
+                   "w.X y is undefined"},
+        std::tuple{"gravity", "15 = negate 14\n  16 = constant 0\n",
+                   "15 = constant 0\n  16 = divide 14 15\n", "w.x is undefined"},
+        std::tuple{"forward_dynamics", "31 = divide 30 28", "31 = divide 30 17",
+                   "an acceleration is undefined"},
+        std::tuple{"dynamics", "21 = multiply 15 3", "21 = divide 15 17",
+                   "field bias differs from the function of that name"}}) {
+    INFO(function);
+    const SelfCheck result = check(mutated(function, from, to));
+    CHECK(result.failure.find(what) != std::string::npos);
   }
 }
 
 TEST_CASE("a model without a value anywhere is no success") {
-  const System system = system_of(pendulum().model,
+  const System system = system_of(pendulum().V("sqrt(-1 - th^2)").model,
                                   "parameters m l g\ncoordinates th\nfunction bias\n"
                                   "  0 = constant -1\n  1 = square_root 0\n  result 1 1 = 1\n");
-  CHECK(check(system).failure.find("no output has a value") == 0);
+  CHECK(check(system).failure == "no output has a value at any of 32 states");
+  CHECK(check(system).states == 0);
 }
 
 TEST_CASE("nothing to check is nothing wrong") {

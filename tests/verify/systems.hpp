@@ -171,4 +171,27 @@ inline System mutated(const std::string& function, const std::string& from, cons
   return system_of(cart_pole_model(), text.substr(0, start) + with(text.substr(start), from, to));
 }
 
+/// A driven, damped oscillator, and the derivatives of its dynamics m a + c v + k x = u.
+inline std::string oscillator_program() {
+  // 0 m  1 c  2 k  3 0  4 1  5 1/m  6 -k/m  7 -c/m
+  const std::string body =
+      "  0 = parameter m\n  1 = parameter c\n  2 = parameter k\n  3 = constant 0\n"
+      "  4 = constant 1\n  5 = divide 4 0\n  6 = multiply 2 5\n  7 = negate 6\n"
+      "  8 = multiply 1 5\n  9 = negate 8\n";
+  return "parameters m c k\ncoordinates x\ninputs u\n" +
+         function_text("linearization", body, "  result A 2 2 = 3 4 7 9\n  result B 2 1 = 3 5\n") +
+         function_text("inverse_dynamics_derivatives", body,
+                       "  result by_position 1 1 = 2\n  result by_velocity 1 1 = 1\n") +
+         function_text("forward_dynamics_derivatives", body,
+                       "  result by_position 1 1 = 7\n  result by_velocity 1 1 = 9\n"
+                       "  result by_input 1 1 = 5\n");
+}
+
+inline Model oscillator_model() {
+  ModelBuilder b;
+  b.coordinate("x", "m").input("u", 0).parameter("m", "2").parameter("c", "0.3");
+  b.parameter("k", "5").T("m*x_d^2/2").V("k*x^2/2").D("c*x_d^2/2");
+  return b.model;
+}
+
 }  // namespace elgen::test
