@@ -144,7 +144,10 @@ std::string field_summary(const FunctionText& text, const Field& field) {
 }
 
 std::string function_heading(const FunctionText& text) {
-  const std::string doc = output_doc(text) + ordering_note(text);
+  const auto& reduction = text.program.reduction;
+  const bool is_reduced = reduction && find_reduced(*reduction, text.function.kind) != nullptr;
+  const std::string doc =
+      output_doc(text) + ordering_note(text) + (is_reduced ? " Terms are left out (above)." : "");
   if (gives_struct(text.function)) return doc;
   return doc + " " + field_summary(text, text.function.fields.front()) + ".";
 }
