@@ -63,7 +63,7 @@ class ClosedGraph {
 
   std::optional<Ref> part_of_fraction(Fraction form) {
     std::vector<Power> factors;
-    take_root(form, factors);
+    if (!take_root(form, factors)) return std::nullopt;
     if (!take_divisors(form, factors)) return std::nullopt;
     const std::optional<Ref> numerator = sum(form.numerator);
     if (!numerator) return std::nullopt;
@@ -108,18 +108,20 @@ class ClosedGraph {
   }
 
   /// n sqrt(r) / r^k -> n sqrt(r)^-1 / r^(k-1)
-  void take_root(Fraction& form, std::vector<Power>& factors) {
+  [[nodiscard]] bool take_root(Fraction& form, std::vector<Power>& factors) {
     for (auto& [factor, exponent] : form.denominator) {
       const std::optional<AtomId> root = root_of(algebra_.factors[factor].shown);
       if (!root || exponent == 0 || !divides(*root, form.numerator)) continue;
       form.numerator = presenting::scaled(form.numerator, {1, 0}, Monomial{{*root, -1}});
       --exponent;
       const std::optional<Ref> radicand = fraction(algebra_.atoms[*root].arguments[0]);
-      if (radicand) factors.push_back({graph_.square_root(*radicand), -1});
+      if (!radicand) return false;
+      factors.push_back({graph_.square_root(*radicand), -1});
     }
     for (auto at = form.denominator.begin(); at != form.denominator.end();) {
       at = at->second == 0 ? form.denominator.erase(at) : std::next(at);
     }
+    return true;
   }
 
   [[nodiscard]] std::optional<AtomId> root_of(const Polynomial& radicand) const {

@@ -108,6 +108,9 @@ Monomial divided(Monomial angle, std::int32_t divisor) {
   return angle;
 }
 
+/// cos(24 x) is a sum of 13 powers: longer by far than the call, and the work grows with the cube.
+constexpr std::int32_t most_powers = 24;
+
 class RealTerms {
  public:
   RealTerms(const Algebra& algebra, const Polynomial& sum, Trigonometry trigonometry)
@@ -115,6 +118,18 @@ class RealTerms {
     by_sines_ = trigonometry == Trigonometry::directions_by_sines ||
                 trigonometry == Trigonometry::units_by_sines;
     for (const auto& [monomial, coefficient] : sum) note_angle(split(algebra, monomial).angle);
+  }
+
+  /// The highest power that the angle's sines and cosines would be expanded to.
+  [[nodiscard]] std::int32_t highest_power(const Monomial& monomial) const {
+    const Monomial angle = split(algebra_, monomial).angle;
+    if (angle.empty() || trigonometry_ == Trigonometry::multiple_angles) return 0;
+    if (!by_units()) return common_divisor(angle) / base_of_direction_.at(direction(angle));
+    std::int32_t highest = 0;
+    for (const AtomPower& part : angle) {
+      highest = std::max(highest, std::abs(part.exponent) / base_of_unit_.at(part.atom));
+    }
+    return highest;
   }
 
   void add(const Monomial& monomial, const Gaussian& coefficient) {
@@ -223,6 +238,7 @@ std::optional<std::vector<RealTerm>> real_terms(const Algebra& algebra, const Po
                                                 Trigonometry trigonometry, std::size_t most) {
   RealTerms terms(algebra, sum, trigonometry);
   for (const auto& [monomial, coefficient] : sum) {
+    if (terms.highest_power(monomial) > most_powers) return std::nullopt;
     terms.add(monomial, coefficient);
     // Terms may still cancel, but not from far beyond the limit.
     if (terms.size() > 4 * most) return std::nullopt;

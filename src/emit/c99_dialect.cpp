@@ -110,8 +110,7 @@ bool C99Dialect::gives_number(const Function& function) const {
   return !gives_struct(function) && is_scalar(function.kind, function.fields.front());
 }
 
-std::string C99Dialect::target(const Function& function, const SectionItem& entry,
-                               bool /*is_part*/) const {
+std::string C99Dialect::target(const Function& function, const SectionItem& entry) const {
   const Field& field = function.fields[entry.field];
   if (field.name.empty()) return fmt::format("result[{}]", entry.index);
   const bool is_number = is_scalar(kind_of_field(program_, function, field), field);

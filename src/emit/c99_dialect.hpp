@@ -32,8 +32,8 @@ class C99Dialect final : public Dialect {
   [[nodiscard]] std::string temporary(const std::string& name) const override;
   [[nodiscard]] std::string shared(const std::string& name) const override;
   [[nodiscard]] std::string declaration(const std::string& name) const override;
-  [[nodiscard]] std::string target(const Function& function, const SectionItem& entry,
-                                   bool is_part) const override;
+  [[nodiscard]] std::string target(const Function& function,
+                                   const SectionItem& entry) const override;
   [[nodiscard]] std::string returned(const Function& function,
                                      const FunctionBody& body) const override;
   [[nodiscard]] std::string opening(const Function& function, const std::string& statements,

@@ -82,7 +82,7 @@ std::string c99_header(const EmissionInput& input) {
   data.set("parameters", lines_data(documented_members(parameter_members(input))));
   data.set("default_parameters", lines_data(default_parameters(input)));
   data.set("parts_of_function", partial("c99/parts.h.mustache"));
-  return stamped(render("c99/header.h.mustache", data));
+  return stamped(fill_template("c99/header.h.mustache", data));
 }
 
 }  // namespace elgen

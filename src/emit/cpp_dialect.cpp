@@ -133,8 +133,7 @@ std::string CppDialect::declaration(const std::string& name) const {
   return "const Scalar " + name;
 }
 
-std::string CppDialect::target(const Function& function, const SectionItem& entry,
-                               bool /*is_part*/) const {
+std::string CppDialect::target(const Function& function, const SectionItem& entry) const {
   const Field& field = function.fields[entry.field];
   const std::string member = field.name.empty() ? "" : "." + field.name;
   const bool is_number = is_scalar(kind_of_field(program_, function, field), field);

@@ -51,7 +51,7 @@ std::string cpp_header(const EmissionInput& input) {
   data.set("parameters",
            lines_data(documented_members(declared_parameters(input.model, parameters))));
   data.set("parts_of_function", partial("cpp/parts.hpp.mustache"));
-  return stamped(render("cpp/header.hpp.mustache", data));
+  return stamped(fill_template("cpp/header.hpp.mustache", data));
 }
 
 }  // namespace elgen

@@ -14,6 +14,7 @@
 #include "fields.hpp"
 #include "languages.hpp"
 #include "layout.hpp"
+#include "library_names.hpp"
 #include "parameters.hpp"
 
 namespace elgen {
@@ -62,8 +63,13 @@ Diagnostics cpp_check_names(const Model& model, const Scene& scene, const Progra
       diagnostics.push_back(taken_name(function.name, "function", span_of(scene, function)));
     }
   }
-  if (name_space(scene) == "std") {
-    diagnostics.push_back({Code::E701, {}, "`std` cannot name a namespace: it is the library's"});
+  const std::string& outermost = name_space(scene);
+  if (outermost == "std" || is_library_name(outermost)) {
+    diagnostics.push_back(
+        {Code::E701,
+         {},
+         fmt::format("`{}` cannot name a namespace: the standard library declares it", outermost),
+         "`[emit] namespace` of a scene gives it another one"});
   }
   return diagnostics;
 }

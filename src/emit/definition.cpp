@@ -37,7 +37,7 @@ std::string part_body(const Dialect& dialect, const Function& function, const Fu
   std::string lines;
   for (const SectionItem& item : cut.parts[part]) {
     const std::string& name = item.is_entry ? std::string() : body.statements[item.index].name;
-    const std::string target = item.is_entry             ? dialect.target(function, item, true)
+    const std::string target = item.is_entry             ? dialect.target(function, item)
                                : cut.crosses[item.index] ? name
                                                          : dialect.declaration(name);
     lines += assignment(target, value_of(body, item));
@@ -67,7 +67,7 @@ std::string assignments(const Dialect& dialect, const Function& function,
   for (std::uint32_t field = 0; field < body.entries.size(); ++field) {
     for (std::uint32_t index = 0; index < body.entries[field].size(); ++index) {
       const SectionItem entry{true, field, index};
-      lines += assignment(dialect.target(function, entry, false), value_of(body, entry));
+      lines += assignment(dialect.target(function, entry), value_of(body, entry));
     }
   }
   return lines;

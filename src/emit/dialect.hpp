@@ -15,8 +15,8 @@ class Dialect : public Spelling {
   [[nodiscard]] virtual std::string declaration(const std::string& name) const = 0;
 
   /// "result.gravity[1]": where an entry is written, when it is not returned at once.
-  [[nodiscard]] virtual std::string target(const Function& function, const SectionItem& entry,
-                                           bool is_part) const = 0;
+  [[nodiscard]] virtual std::string target(const Function& function,
+                                           const SectionItem& entry) const = 0;
 
   /// The statements that end a function in one piece: a return, or empty where every entry is to
   /// be assigned to its target.

@@ -83,7 +83,8 @@ std::string dropped_table(const Model& model, const Reduction& reduction) {
   return table(rows);
 }
 
-/// "1.2e-7 N*m + 3.1e-8 kg*m^2 |a[1]|, 0.0001 of its largest term"; empty where it is 0.
+/// "1.2e-7 N*m, 0.0001 of its largest term's bound", "1.2e-7 N*m + 3.1e-8 kg*m^2 |a[1]|"; empty
+/// where it is 0.
 std::string error_text(const Model& model, const EntryPlace& place, const EntryError& error) {
   std::string text;
   if (cln::plusp(error.constant)) text = with_unit(rounded_up(error.constant), model, place);
@@ -95,7 +96,8 @@ std::string error_text(const Model& model, const EntryPlace& place, const EntryE
             fmt::format(" |a[{}]|", j + 1);
   }
   if (error.largest && cln::plusp(*error.largest) && !text.empty()) {
-    text += fmt::format(", {} of its largest term", rounded_up(error.constant / *error.largest));
+    text += fmt::format(", {} of its largest term's bound",
+                        rounded_up(error.constant / *error.largest));
   }
   return text;
 }
@@ -113,11 +115,8 @@ std::string error_table(const Model& model, const Reduction& reduction) {
   return table(rows);
 }
 
-}  // namespace
-
-std::string dropped_summary(const Program& program) {
-  if (!program.reduction) return {};
-  const Reduction& reduction = *program.reduction;
+/// The bound of an error over the bound of the largest term of its entry; both are of the ranges.
+cl_RA largest_relative(const Reduction& reduction) {
   cl_RA relative = 0;
   for (const ReducedOutput& output : reduction.outputs) {
     for (const EntryError& error : output.errors) {
@@ -125,15 +124,31 @@ std::string dropped_summary(const Program& program) {
       relative = cln::max(relative, error.constant / *error.largest);
     }
   }
+  return relative;
+}
+
+bool grows_with_acceleration(const Reduction& reduction) {
+  return find_reduced(reduction, OutputKind::inverse_dynamics) != nullptr;
+}
+
+}  // namespace
+
+std::string dropped_summary(const Program& program) {
+  if (!program.reduction) return {};
+  const Reduction& reduction = *program.reduction;
   const std::size_t count = reduction.terms.size();
   const std::string counted = fmt::format("{} {}", count, count == 1 ? "term" : "terms");
   if (count == 0) {
     return fmt::format("No term is below {} of its entry.", exact_text(reduction.below));
   }
   return fmt::format(
-      "Approximate: {} below {} of the largest of their entry left out; within the declared ranges "
-      "entries are off by at most {} of their largest term.",
-      counted, exact_text(reduction.below), rounded_up(relative));
+      "Approximate: {} below {} of the largest of their entry left out. Within the declared ranges "
+      "an "
+      "entry is off by at most {} of what its largest term can be{}.",
+      counted, exact_text(reduction.below), rounded_up(largest_relative(reduction)),
+      grows_with_acceleration(reduction)
+          ? ", and inverse_dynamics by shares of the accelerations as well"
+          : "");
 }
 
 std::string dropped_page(const Model& model, const Program& program) {

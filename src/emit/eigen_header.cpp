@@ -18,7 +18,7 @@ std::string eigen_header(const EmissionInput& input) {
   data.set("header", input.scene.base_name + ".hpp");
   data.set("order", is_row_major ? "RowMajor" : "ColMajor");
   data.set("parts_of_function", partial("cpp/parts.hpp.mustache"));
-  return stamped(render("cpp/eigen.hpp.mustache", data));
+  return stamped(fill_template("cpp/eigen.hpp.mustache", data));
 }
 
 Diagnostics eigen_check_names(const Scene& scene, const Program& program) {

@@ -10,6 +10,7 @@
 #include "entry_units.hpp"
 #include "fields.hpp"
 #include "layout.hpp"
+#include "render/headings.hpp"
 #include "statements.hpp"
 
 namespace elgen {
@@ -25,26 +26,6 @@ std::string shape_text(const Field& field, Storage storage) {
     return fmt::format("{} x {}, {}", field.rows, field.columns, name_of(storage));
   }
   return field.rows > 1 ? fmt::format("{} entries", field.rows) : "Scalar";
-}
-
-/// A user's text ends like a sentence, because another one follows.
-std::string sentence(std::string text) {
-  const bool has_end = !text.empty() && (text.back() == '.' || text.back() == '!');
-  return has_end ? text : text + ".";
-}
-
-/// What the model says of its own output, or what the table says of a standard one.
-std::string output_doc(const FunctionText& text) {
-  const OutputKind kind = text.function.kind;
-  const bool is_users = output_row(kind).unit == "user";
-  if (!is_users) return std::string(output_row(kind).doc);
-  const UserOutput& output = text.model.outputs[text.function.user];
-  const std::string what = kind == OutputKind::user_value ? "Output"
-                           : kind == OutputKind::user_jacobian
-                               ? "Jacobian of output"
-                               : "Bias of the second rate of output";
-  const std::string doc = comment_text(output.doc);
-  return sentence(fmt::format("{} `{}`{}{}", what, output.name, doc.empty() ? "" : ": ", doc));
 }
 
 std::string equation_text(const OutputRow& row) {
@@ -144,7 +125,10 @@ std::string field_summary(const FunctionText& text, const Field& field) {
 }
 
 std::string function_heading(const FunctionText& text) {
-  const std::string doc = output_doc(text) + ordering_note(text);
+  const auto& reduction = text.program.reduction;
+  const bool is_reduced = reduction && find_reduced(*reduction, text.function.kind) != nullptr;
+  const std::string doc = comment_text(rendering::output_doc(text.model, text.function)) +
+                          ordering_note(text) + (is_reduced ? " Terms are left out (above)." : "");
   if (gives_struct(text.function)) return doc;
   return doc + " " + field_summary(text, text.function.fields.front()) + ".";
 }

@@ -95,16 +95,6 @@ TemplateData functions(const EmissionInput& input, const Dialect& dialect) {
   return list;
 }
 
-void set_counts(TemplateData& data, const EmissionInput& input) {
-  const Dimensions size = dimensions(input.model);
-  data.set("coordinate_count", std::to_string(size.coordinates));
-  data.set("velocity_count", std::to_string(size.velocities));
-  data.set("input_count", std::to_string(size.inputs));
-  data.set("parameter_count", std::to_string(emitted_parameter_count(input.model, input.program)));
-}
-
-}  // namespace
-
 TemplateData stamp_data(const EmissionInput& input) {
   TemplateData data;
   data.set("generated", input.generated);
@@ -115,6 +105,16 @@ TemplateData stamp_data(const EmissionInput& input) {
   data.set("storage", std::string(name_of(input.scene.emission.storage)));
   return data;
 }
+
+void set_counts(TemplateData& data, const EmissionInput& input) {
+  const Dimensions size = dimensions(input.model);
+  data.set("coordinate_count", std::to_string(size.coordinates));
+  data.set("velocity_count", std::to_string(size.velocities));
+  data.set("input_count", std::to_string(size.inputs));
+  data.set("parameter_count", std::to_string(emitted_parameter_count(input.model, input.program)));
+}
+
+}  // namespace
 
 TemplateData header_data(const EmissionInput& input, const Dialect& dialect) {
   TemplateData data = stamp_data(input);

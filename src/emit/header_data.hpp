@@ -7,15 +7,12 @@
 
 #include "dialect.hpp"
 #include "emission_input.hpp"
-#include "render.hpp"
+#include "fill_template.hpp"
 
 namespace elgen {
 
 /// Sections `kinks` and `regular` are there where sign, min or max, and pivots are.
 [[nodiscard]] TemplateData header_data(const EmissionInput& input, const Dialect& dialect);
-
-/// Stamp and namespace alone, as every file has them.
-[[nodiscard]] TemplateData stamp_data(const EmissionInput& input);
 
 /// A template that stands on a line of its own in another one, which ends the line.
 [[nodiscard]] std::string partial(std::string_view path);

@@ -15,27 +15,22 @@ Fraction fraction_of(const cl_RA& value) { return {presenting::constant(value), 
 
 namespace {
 
-bool same_atom(const Atom& x, const Atom& y) {
-  const auto same_fraction = [](const Fraction& a, const Fraction& b) {
-    const auto same_term = [](const auto& s, const auto& t) {
-      return s.first == t.first && s.second.real == t.second.real &&
-             s.second.imaginary == t.second.imaginary;
-    };
-    return a.denominator == b.denominator && a.numerator.size() == b.numerator.size() &&
-           std::equal(a.numerator.begin(), a.numerator.end(), b.numerator.begin(), same_term);
-  };
-  return x.kind == y.kind && x.leaf == y.leaf && x.index == y.index && x.function == y.function &&
-         x.divisor == y.divisor && x.constant.text == y.constant.text &&
-         std::equal(x.arguments.begin(), x.arguments.end(), y.arguments.begin(), y.arguments.end(),
-                    same_fraction);
-}
-
 bool same_polynomial(const Polynomial& x, const Polynomial& y) {
   return x.size() == y.size() &&
          std::equal(x.begin(), x.end(), y.begin(), [](const auto& s, const auto& t) {
            return s.first == t.first && s.second.real == t.second.real &&
                   s.second.imaginary == t.second.imaginary;
          });
+}
+
+bool same_atom(const Atom& x, const Atom& y) {
+  const auto same_fraction = [](const Fraction& a, const Fraction& b) {
+    return a.denominator == b.denominator && same_polynomial(a.numerator, b.numerator);
+  };
+  return x.kind == y.kind && x.leaf == y.leaf && x.index == y.index && x.function == y.function &&
+         x.divisor == y.divisor && x.constant.text == y.constant.text &&
+         std::equal(x.arguments.begin(), x.arguments.end(), y.arguments.begin(), y.arguments.end(),
+                    same_fraction);
 }
 
 /// The common monomial (least exponents) of a sum, also those below 0.

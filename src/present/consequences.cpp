@@ -7,7 +7,12 @@ namespace elgen::presenting {
 
 using cln::cl_RA;
 
-Values Consequences::of(OutputKind output) {
+const Values& Consequences::of(OutputKind output) & {
+  const auto known = known_.find(output);
+  return known != known_.end() ? known->second : known_[output] = found(output);
+}
+
+Values Consequences::found(OutputKind output) {
   using K = OutputKind;
   switch (output) {
     case K::mass_matrix:
@@ -15,7 +20,7 @@ Values Consequences::of(OutputKind output) {
     case K::coriolis_matrix:
       return coriolis();
     case K::velocity_force:
-      return times(coriolis(), Opcode::velocity);
+      return times(of(K::coriolis_matrix), Opcode::velocity);
     case K::gravity:
       return gravity();
     case K::potential_energy:
@@ -34,11 +39,11 @@ Values Consequences::of(OutputKind output) {
       return kinetic_energy();
     case K::total_energy:
     case K::energy_function:
-      return sum(kinetic_energy(), of(K::potential_energy));
+      return sum(of(K::kinetic_energy), of(K::potential_energy));
     case K::input_matrix:
       return dropped_.input_matrix;
     case K::inverse_dynamics:
-      return sum(times(of(K::mass_matrix), Opcode::acceleration), bias());
+      return sum(times(of(K::mass_matrix), Opcode::acceleration), of(K::bias));
     default:
       return {};
   }

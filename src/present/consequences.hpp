@@ -6,6 +6,8 @@
 // All of it is linear in what was dropped, so that what remains is the system without it.
 #pragma once
 
+#include <map>
+
 #include "arithmetic.hpp"
 
 namespace elgen::presenting {
@@ -29,10 +31,11 @@ class Consequences {
       : arithmetic_(arithmetic), algebra_(algebra), size_(size), dropped_(dropped) {}
 
   /// One value per entry of the output, 0 where it loses nothing; empty for outputs that are never
-  /// reduced.
-  [[nodiscard]] Values of(OutputKind output);
+  /// reduced. Each is computed once.
+  [[nodiscard]] const Values& of(OutputKind output) &;
 
  private:
+  Values found(OutputKind output);
   [[nodiscard]] Value mass(std::size_t i, std::size_t j) const;
   Value slope(const Value& x, std::size_t coordinate);
   Values times(const Values& matrix, Opcode vector);
@@ -50,6 +53,7 @@ class Consequences {
   const Algebra& algebra_;
   std::size_t size_;
   const DroppedParts& dropped_;
+  std::map<OutputKind, Values> known_ = {};
 };
 
 }  // namespace elgen::presenting

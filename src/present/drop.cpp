@@ -175,7 +175,7 @@ class Drop {
     Consequences consequences(arithmetic_, forms_.algebra, model_.velocities.size(), dropped_);
     for (std::size_t i = 0; i < program_.functions.size(); ++i) {
       const Function& function = program_.functions[i];
-      const Values lost = consequences.of(function.kind);
+      const Values& lost = consequences.of(function.kind);
       if (!std::all_of(lost.begin(), lost.end(), [](const Value& x) { return x.has_value(); })) {
         fail_given_up(function.name);
       }
@@ -183,7 +183,8 @@ class Drop {
         return x.has_value() && !x->numerator.empty();
       });
       if (error_ || !loses) continue;
-      reduction_.outputs.push_back(errors_of(function, forms_.functions[i].fields[0], lost));
+      reduction_.outputs.push_back(
+          errors_of(function, forms_.functions[i].fields[0], consequences));
       subtract(function, forms_.functions[i], lost);
     }
   }
@@ -203,15 +204,13 @@ class Drop {
     return bound.value_or(0);
   }
 
-  ReducedOutput errors_of(const Function& function, const ClosedField& field, const Values& lost) {
+  ReducedOutput errors_of(const Function& function, const ClosedField& field,
+                          Consequences& consequences) {
     ReducedOutput output{function.kind, function.fields[0].columns, {}};
     const bool takes_acceleration = output_row(function.kind).takes_acceleration;
-    const Values without_acceleration =
-        takes_acceleration
-            ? Consequences(arithmetic_, forms_.algebra, model_.velocities.size(), dropped_)
-                  .of(K::bias)
-            : lost;
-    for (std::size_t i = 0; i < lost.size(); ++i) {
+    const Values& without_acceleration =
+        consequences.of(takes_acceleration ? K::bias : function.kind);
+    for (std::size_t i = 0; i < without_acceleration.size(); ++i) {
       EntryError error;
       error.constant = error_bound(without_acceleration[i]);
       const std::size_t n = takes_acceleration ? model_.velocities.size() : 0;

@@ -7,6 +7,8 @@
 #include <array>
 
 #include "arithmetic.hpp"
+#include "lower/constant.hpp"
+#include "parse/expression_parser.hpp"
 #include "polynomial.hpp"
 
 namespace elgen::presenting {
@@ -22,10 +24,9 @@ constexpr int parts = 12;
 /// Larger primes stay together under one root.
 constexpr int largest_prime = 10'000;
 
-bool is_rational_multiple_of_pi(const Algebra& algebra, const Monomial& monomial) {
-  if (monomial.size() != 1 || monomial[0].exponent != 1) return false;
-  const Atom& atom = algebra.atoms[monomial[0].atom];
-  return atom.kind == AtomKind::constant && atom.constant.text == "pi";
+bool is_pi(const Algebra& algebra, const Monomial& monomial) {
+  return monomial.size() == 1 && monomial[0].exponent == 1 &&
+         algebra.atoms[monomial[0].atom].kind == AtomKind::constant;
 }
 
 bool has_exponential(const Algebra& algebra, const Monomial& monomial) {
@@ -126,7 +127,7 @@ Value Arithmetic::exponential_of_term(const Monomial& monomial, const cl_RA& coe
   const cl_I exponent = cln::numerator(twelfths);
   if (cln::abs(exponent) > 1'000'000) return std::nullopt;
   const long power = cln::cl_I_to_long(exponent);
-  if (is_rational_multiple_of_pi(algebra_, monomial) && divisor == 1) {
+  if (is_pi(algebra_, monomial) && divisor == 1) {
     return circle_twelfths(power);
   }
   const Fraction unit = atom({.kind = AtomKind::circular,
@@ -196,16 +197,16 @@ Value Arithmetic::call(FunctionId function, const std::vector<Value>& arguments)
 namespace {
 
 /// A constant's text as a tree; a name it holds can only be pi.
-Value form_of(Arithmetic& arithmetic, const ExpressionSyntax& syntax, const Constant& whole) {
+Value form_of(Arithmetic& arithmetic, const ExpressionSyntax& syntax) {
   std::vector<Value> operands;
   for (const ExpressionSyntax& operand : syntax.operands) {
-    operands.push_back(form_of(arithmetic, operand, whole));
+    operands.push_back(form_of(arithmetic, operand));
   }
   switch (syntax.kind) {
     case SyntaxKind::number:
       return fraction_of(syntax.value);
     case SyntaxKind::name:
-      return arithmetic.constant({whole.value, syntax.text});
+      return arithmetic.constant(pi_constant().constant);
     case SyntaxKind::negate:
       return arithmetic.negate(operands[0]);
     case SyntaxKind::add: {
@@ -243,10 +244,12 @@ Value Arithmetic::constant(const Constant& value) {
     return fraction_of(cln::rational(value.value));
   }
   if (value.text == "pi") return atom({.kind = AtomKind::constant, .constant = value});
-  const SourcePointer source = make_source("constant", value.text);
-  const Result<ExpressionSyntax> syntax = parse_expression(source, {});
-  if (!syntax) return atom({.kind = AtomKind::constant, .constant = value});
-  return form_of(*this, *syntax, value);
+  Limits limits;  // the text is elgen's own
+  limits.expression_depth = parsing::deepest_expression;
+  limits.literal_digits = value.text.size();
+  const Result<ExpressionSyntax> syntax =
+      parse_expression(make_source("constant", value.text), limits);
+  return syntax ? form_of(*this, *syntax) : std::nullopt;
 }
 
 }  // namespace elgen::presenting

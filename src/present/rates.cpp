@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "call_slopes.hpp"
 #include "elgen/model.hpp"
 #include "polynomial.hpp"
 
@@ -82,18 +83,22 @@ class Rates {
         return arithmetic_.divide(of(atom.arguments[0]), twice);
       }
       case AtomKind::call:
-        return of_call(atom);
+        return of_call(atom, itself);
     }
     return std::nullopt;
   }
 
-  /// Of opaque calls only what stands still has a known rate.
-  Value of_call(const Atom& atom) {
-    for (const Fraction& argument : atom.arguments) {
-      const Value rate = of(argument);
-      if (!rate || !rate->numerator.empty()) return std::nullopt;
+  /// df(x, y)/dt = df/dx x' + df/dy y'; a kink that stands still has a rate too, 0.
+  Value of_call(const Atom& atom, const Fraction& itself) {
+    std::vector<Value> slopes;
+    Value result = Fraction{};
+    for (std::size_t i = 0; i < atom.arguments.size(); ++i) {
+      const Value own = of(atom.arguments[i]);
+      if (own && own->numerator.empty()) continue;
+      if (slopes.empty()) slopes = call_slopes(arithmetic_, atom, itself);
+      result = arithmetic_.add(result, arithmetic_.multiply(slopes[i], own));
     }
-    return Fraction{};
+    return result;
   }
 
   Value of_leaf(const Atom& atom) {

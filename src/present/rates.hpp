@@ -17,7 +17,7 @@ struct Motion {
 /// Time alone passes.
 [[nodiscard]] Motion along_time(std::size_t count);
 
-/// None beyond the budget, and of opaque calls that change.
+/// None beyond the budget, and of functions with kinks where they change.
 [[nodiscard]] Value rate(Arithmetic& arithmetic, const Algebra& algebra, const Fraction& x,
                          const Motion& motion);
 

@@ -9,20 +9,7 @@ namespace elgen {
 namespace {
 
 using rendering::Display;
-
-std::string plain(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
+using rendering::xml_text;
 
 std::string formula(const std::string& latex) {
   return fmt::format("<mrow>{}</mrow>", rendering::mathml(rendering::read_latex(latex)));
@@ -67,14 +54,14 @@ std::string table(const std::string& title, const std::vector<SheetVariable>& va
     text += fmt::format(
         "<tr><td><math>{}</math></td><td><code>{}</code></td><td>{}</td><td>{}</td>"
         "<td>{}</td></tr>\n",
-        formula(v.symbol), plain(v.name), plain(v.value), plain(v.unit), plain(v.doc));
+        formula(v.symbol), xml_text(v.name), xml_text(v.value), xml_text(v.unit), xml_text(v.doc));
   }
   return text + "</table>\n";
 }
 
 std::string section(const SheetOutput& output) {
-  std::string text = fmt::format("<h2>{}</h2>\n", plain(output.name));
-  if (!output.doc.empty()) text += fmt::format("<p>{}</p>\n", plain(output.doc));
+  std::string text = fmt::format("<h2>{}</h2>\n", xml_text(output.name));
+  if (!output.doc.empty()) text += fmt::format("<p>{}</p>\n", xml_text(output.doc));
   if (!output.definition.empty()) text += block(formula(output.definition));
   for (const SheetEquation& equation : output.equations) {
     for (const Display& display : rendering::displays(equation)) {
@@ -96,15 +83,15 @@ constexpr const char* style =
 }  // namespace
 
 std::string html_page(const Sheet& sheet) {
-  const std::string title = plain(sheet.title);
+  const std::string title = xml_text(sheet.title);
   std::string text = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>{}</title>\n"
       "<style>\n{}</style>\n</head>\n<body>\n<h1>{}</h1>\n",
       title, style, title);
   for (const std::string& paragraph : {sheet.description, sheet.reference}) {
-    if (!paragraph.empty()) text += fmt::format("<p>{}</p>\n", plain(paragraph));
+    if (!paragraph.empty()) text += fmt::format("<p>{}</p>\n", xml_text(paragraph));
   }
-  for (const std::string& note : sheet.notes) text += fmt::format("<p>{}</p>\n", plain(note));
+  for (const std::string& note : sheet.notes) text += fmt::format("<p>{}</p>\n", xml_text(note));
   text += block(formula(sheet.equation_of_motion));
   text += table("Coordinates", sheet.coordinates);
   text += table("Inputs", sheet.inputs);

@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "elgen/functions.hpp"
+#include "parse/utf8.hpp"
 #include "symbols.hpp"
 
 namespace elgen::rendering {
@@ -86,11 +87,18 @@ class Reader {
     }
     if (c == '\\') return command();
     if (is_digit(c)) return number();
+    if (static_cast<unsigned char>(c) >= 0x80) return letter_of_another_script();
     ++at_;
     const LatexKind kind = is_letter(c)                            ? LatexKind::letter
                            : std::string_view("()[]|").find(c) < 5 ? LatexKind::bracket
                                                                    : LatexKind::sign;
     return {kind, std::string(1, c)};
+  }
+
+  LatexTree letter_of_another_script() {
+    const std::size_t begin = at_;
+    at_ += std::max<std::size_t>(1, parsing::code_point_at(text_, begin).bytes);
+    return {LatexKind::letter, std::string(text_.substr(begin, at_ - begin))};
   }
 
   LatexTree number() {

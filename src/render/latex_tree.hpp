@@ -42,6 +42,9 @@ struct LatexTree {
 /// MathML Core: the elements of a row, without a <math> around them.
 [[nodiscard]] std::string mathml(const LatexTree& tree);
 
+/// Text between the tags of XML and HTML.
+[[nodiscard]] std::string xml_text(const std::string& text);
+
 /// Breaks a long formula before + and -, at the outermost bracket that fits; `\left` and `\right`
 /// are completed on both sides. Every line is at most about `widest` letters wide, if it can be.
 [[nodiscard]] std::vector<std::string> latex_lines(const std::string& latex, double widest);

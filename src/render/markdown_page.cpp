@@ -7,12 +7,12 @@
 namespace elgen {
 namespace {
 
-/// What Markdown would read as markup.
+/// One line, without what Markdown would read as markup.
 std::string plain(const std::string& text) {
   std::string result;
   for (const char c : text) {
-    if (c == '|' || c == '<' || c == '*' || c == '_' || c == '\\') result += '\\';
-    result += c;
+    if (std::string_view("|<*_\\$`").find(c) != std::string_view::npos) result += '\\';
+    result += c == '\n' || c == '\r' || c == '\t' ? ' ' : c;
   }
   return result;
 }

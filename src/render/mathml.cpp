@@ -6,22 +6,6 @@
 namespace elgen::rendering {
 namespace {
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '<') {
-      result += "&lt;";
-    } else if (c == '>') {
-      result += "&gt;";
-    } else if (c == '&') {
-      result += "&amp;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
 /// One element, whatever the row holds.
 std::string element(const LatexTree& tree) {
   const bool is_single = tree.kind != LatexKind::row || tree.parts.size() == 1;
@@ -71,10 +55,26 @@ std::string row(const LatexTree& tree) {
 }
 
 std::string sign(const std::string& text) {
-  return fmt::format("<mo>{}</mo>", text == "-" ? "−" : escaped(text));
+  return fmt::format("<mo>{}</mo>", text == "-" ? "−" : xml_text(text));
 }
 
 }  // namespace
+
+std::string xml_text(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '<') {
+      result += "&lt;";
+    } else if (c == '>') {
+      result += "&gt;";
+    } else if (c == '&') {
+      result += "&amp;";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
 
 std::string mathml(const LatexTree& tree) {
   switch (tree.kind) {
@@ -85,7 +85,7 @@ std::string mathml(const LatexTree& tree) {
     case LatexKind::word:
     case LatexKind::function: {
       const char* upright = tree.text.size() == 1 ? R"( mathvariant="normal")" : "";
-      return fmt::format("<mi{}>{}</mi>", upright, escaped(tree.text));
+      return fmt::format("<mi{}>{}</mi>", upright, xml_text(tree.text));
     }
     case LatexKind::number:
       return fmt::format("<mn>{}</mn>", tree.text);

@@ -12,6 +12,7 @@
 #include <set>
 
 #include "emit/arguments.hpp"
+#include "emit/cpp_names.hpp"
 #include "emit/emission_input.hpp"
 #include "emit/fields.hpp"
 #include "emit/parameters.hpp"
@@ -149,8 +150,11 @@ std::string cpp_call(const Subject& subject, const Function& function) {
     return fmt::format("  const auto result = emitted::{}({});\n{}", function.name, arguments,
                        results);
   }
-  return fmt::format("  std::array<Scalar, {}> result{{}};\n  emitted::{}(result, {});\n{}",
-                     entry_count(function), function.name, arguments, results);
+  const std::string type = gives_struct(function)
+                               ? fmt::format("emitted::{}<Scalar>", cpp_struct_name(function))
+                               : fmt::format("std::array<Scalar, {}>", entry_count(function));
+  return fmt::format("  {} result{{}};\n  emitted::{}(result, {});\n{}", type, function.name,
+                     arguments, results);
 }
 
 std::string c99_call(const Subject& subject, const Function& function) {

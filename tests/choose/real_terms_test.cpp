@@ -36,6 +36,18 @@ TEST_CASE("one function in multiple angles, by sines and by cosines") {
   CHECK(by_cosines[0].coefficient + by_cosines[1].coefficient == 0);
 }
 
+TEST_CASE("a high multiple of an angle is not expanded") {
+  const ClosedForms forms = present(testing::read_program(
+      "parameters m\ncoordinates x y\nfunction bias\n  0 = coordinate x\n  1 = constant 2000\n"
+      "  2 = multiply 1 0\n  3 = cos 2\n  4 = cos 0\n  5 = add 3 4\n  result 1 1 = 5\n"));
+  const Polynomial& sum = forms.functions[0].fields[0].entries[0]->numerator;
+  CHECK_FALSE(real_terms(forms.algebra, sum, Trigonometry::units_by_cosines, 10'000));
+  CHECK_FALSE(real_terms(forms.algebra, sum, Trigonometry::directions_by_sines, 10'000));
+  const auto shortest = shortest_terms(forms.algebra, sum, 100);
+  REQUIRE(shortest);
+  CHECK(shortest->size() == 2);
+}
+
 TEST_CASE("the shortest way is taken") {
   const ClosedForms forms = squared_sine();
   const Fraction& form = *forms.functions[0].fields[0].entries[0];

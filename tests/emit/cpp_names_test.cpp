@@ -51,8 +51,10 @@ TEST_CASE("structs may not collide either") {
 
 TEST_CASE("the namespace of the library is not the model's") {
   Subject subject = cart_pole();
-  subject.scene.emission.name_space = "std";
-  CHECK(diagnostics_of(subject).size() == 1);
+  for (const char* name : {"std", "system", "random"}) {
+    subject.scene.emission.name_space = name;
+    CHECK(diagnostics_of(subject).size() == 1);
+  }
 }
 
 TEST_CASE("temporaries give way") {

@@ -39,14 +39,15 @@ Program reduced() {
 
 TEST_CASE("every term, and what entries are off by, rounded up") {
   CHECK(dropped_page(slider(), reduced()) ==
-        "Approximate: 1 term below 0.01 of the largest of their entry left out; within the "
-        "declared ranges entries are off by at most 0.000167 of their largest term.\n"
+        "Approximate: 1 term below 0.01 of the largest of their entry left out. Within the "
+        "declared ranges an entry is off by at most 0.000167 of what its largest term can be, and "
+        "inverse_dynamics by shares of the accelerations as well.\n"
         "\n"
         "entry             dropped term  at most\n"
         "mass_matrix[1,1]  m*cos(x)      0.000334 kg\n"
         "\n"
         "entry                off by at most\n"
-        "mass_matrix[1,1]     0.000334 kg, 0.000167 of its largest term\n"
+        "mass_matrix[1,1]     0.000334 kg, 0.000167 of its largest term's bound\n"
         "inverse_dynamics[1]  2 N + 0.000334 kg |a[1]|\n");
 }
 

@@ -27,7 +27,8 @@ class Loss {
 
   std::vector<std::string> of(OutputKind output) {
     std::vector<std::string> texts;
-    for (const Value& entry : Consequences(arithmetic_, algebra_, 2, parts).of(output)) {
+    Consequences consequences(arithmetic_, algebra_, 2, parts);
+    for (const Value& entry : consequences.of(output)) {
       texts.push_back(term_text(algebra_, names, entry.value()));
     }
     return texts;

@@ -47,10 +47,15 @@ TEST_CASE("constants are taken apart by their text") {
   const Value half_pi = s.arithmetic.constant({any, "1/2*pi"});
   REQUIRE(half_pi);
   CHECK(half_pi->numerator.begin()->second.real == cln::cl_RA(1) / 2);
+  const Atom& atom = s.algebra.atoms[half_pi->numerator.begin()->first.at(0).atom];
+  CHECK(atom.constant.text == "pi");
+  CHECK(atom.constant.value > 3);  // not that of the whole
   const Value sine = s.arithmetic.call(FunctionId::sin, {half_pi});
   REQUIRE(sine);
   CHECK(rational_value(sine->numerator) == cln::cl_RA(1));
   CHECK(s.arithmetic.constant({any, "1 + 2*sqrt(3)"})->numerator.size() == 2);
+  const std::string digits(500, '7');  // more than models may write
+  CHECK(s.arithmetic.constant({any, digits + "*pi"})->numerator.size() == 1);
 }
 
 TEST_CASE("odd and even functions have one atom for both signs") {

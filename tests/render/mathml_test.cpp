@@ -11,6 +11,7 @@ TEST_CASE("LaTeX becomes MathML") {
       {"\\sqrt{x}", "<msqrt><mi>x</mi></msqrt>"},
       {"a - b", "<mi>a</mi><mo>−</mo><mi>b</mi>"},
       {"\\theta", "<mi>θ</mi>"},
+      {"\u03b8_{1}", "<msub><mi>\u03b8</mi><mn>1</mn></msub>"},
       {"q_{1}", "<msub><mi>q</mi><mn>1</mn></msub>"},
   };
   for (const auto& [latex, expected] : rows) {

@@ -65,6 +65,9 @@ TEST_CASE("results beyond 4096 entries are taken by reference") {
   program.functions[0].fields[0].entries.push_back(0);
   CHECK_THAT(driver_source(sample::model(), sample::scene(), program),
              Contains("inverse_dynamics(result,"));
+  program.functions[1].fields[1].entries.assign(4097, 0);
+  CHECK_THAT(driver_source(sample::model(), sample::scene(), program),
+             Contains("emitted::ForwardDynamics<Scalar> result{};"));
 }
 
 TEST_CASE("a driver of C calls prefixed functions, for the scene's scalar alone") {

@@ -1,4 +1,4 @@
-// render: a template and the values of its holes -> text.
+// fill_template: a template and the values of its holes -> text.
 //
 // Templates are pictures of the output (Mustache): holes `{{{name}}}`, sections for what repeats or
 // may be absent, no logic. A hole without a value is a mistake in elgen and throws
@@ -21,6 +21,6 @@ using TemplateData = kainjow::mustache::data;
 
 /// Fills the embedded template at `path` ("cpp/header.hpp.mustache"). Text is put in unescaped;
 /// blank lines are never doubled.
-[[nodiscard]] std::string render(std::string_view path, const TemplateData& data);
+[[nodiscard]] std::string fill_template(std::string_view path, const TemplateData& data);
 
 }  // namespace elgen

@@ -1,6 +1,6 @@
-// render: strict Mustache. kainjow's own context answers an unknown name with nothing; this one
-// throws, so that a misspelt hole fails the first test that renders it.
-#include "render.hpp"
+// fill_template: strict Mustache. kainjow's own context answers an unknown name with nothing; this
+// one throws, so that a misspelt hole fails the first test that renders it.
+#include "fill_template.hpp"
 
 #include <fmt/format.h>
 
@@ -55,7 +55,7 @@ TemplateData lines_data(const std::vector<std::string>& lines) {
   return list;
 }
 
-std::string render(std::string_view path, const TemplateData& data) {
+std::string fill_template(std::string_view path, const TemplateData& data) {
   const std::string_view text = embedded_template(path);
   if (text.empty()) throw std::logic_error(fmt::format("no template {}", path));
   kainjow::mustache::mustache picture{std::string(text)};

@@ -1,6 +1,6 @@
-// render: strict holes, no escaping, no doubled blank lines; and every template is known by its
-// path.
-#include "emit/render.hpp"
+// fill_template: strict holes, no escaping, no doubled blank lines; and every template is known by
+// its path.
+#include "emit/fill_template.hpp"
 
 #include <catch2/catch.hpp>
 #include <stdexcept>
@@ -10,27 +10,27 @@
 using namespace elgen;
 
 TEST_CASE("a template without holes is its own text") {
-  CHECK(render("cpp/kinked.hpp.mustache", TemplateData()) ==
+  CHECK(fill_template("cpp/kinked.hpp.mustache", TemplateData()) ==
         embedded_template("cpp/kinked.hpp.mustache"));
 }
 
 TEST_CASE("a section that is absent leaves no second blank line") {
   TemplateData data;
   data.set("filled", section_if(false));
-  const std::string text = render("cpp/constant.hpp.mustache", data);
+  const std::string text = fill_template("cpp/constant.hpp.mustache", data);
   CHECK(text.find("\n\n\n") == std::string::npos);
   CHECK(text.find("filled") == std::string::npos);
   data.set("filled", section_if(true));
-  CHECK(render("cpp/constant.hpp.mustache", data).find("filled") != std::string::npos);
+  CHECK(fill_template("cpp/constant.hpp.mustache", data).find("filled") != std::string::npos);
 }
 
 TEST_CASE("text is not escaped") {
-  CHECK(render("cpp/kinked.hpp.mustache", TemplateData()).find("&lt;") == std::string::npos);
+  CHECK(fill_template("cpp/kinked.hpp.mustache", TemplateData()).find("&lt;") == std::string::npos);
 }
 
 TEST_CASE("a hole without a value and a template that is not there are mistakes of elgen") {
-  CHECK_THROWS_AS(render("cpp/constant.hpp.mustache", TemplateData()), std::logic_error);
-  CHECK_THROWS_AS(render("cpp/none.mustache", TemplateData()), std::logic_error);
+  CHECK_THROWS_AS(fill_template("cpp/constant.hpp.mustache", TemplateData()), std::logic_error);
+  CHECK_THROWS_AS(fill_template("cpp/none.mustache", TemplateData()), std::logic_error);
 }
 
 TEST_CASE("lines and optional sections") {
