@@ -6,7 +6,7 @@
 #include <cctype>
 
 #include "elgen/functions.hpp"
-#include "parse/utf8.hpp"
+#include "base/utf8.hpp"
 #include "symbols.hpp"
 
 namespace elgen::rendering {
@@ -97,7 +97,7 @@ class Reader {
 
   LatexTree letter_of_another_script() {
     const std::size_t begin = at_;
-    at_ += std::max<std::size_t>(1, parsing::code_point_at(text_, begin).bytes);
+    at_ += std::max<std::size_t>(1, code_point_at(text_, begin).bytes);
     return {LatexKind::letter, std::string(text_.substr(begin, at_ - begin))};
   }
 

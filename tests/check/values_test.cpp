@@ -53,15 +53,24 @@ TEST_CASE("references find the element of the right kind") {
   CHECK(context.report.errors() == 2);
 }
 
+ValueSyntax vector_of(std::size_t count) {
+  ValueSyntax vector;
+  vector.kind = ValueKind::list;
+  vector.items.assign(count, value_of("x"));
+  return vector;
+}
+
 TEST_CASE("all vectors of a model have as many components as the first") {
   const Limits limits;
   Context context(limits);
   ValueReader values(context, Scope(context.sizes));
-  values.check_dimension(3, {});
-  values.check_dimension(3, {});
-  CHECK(context.report.errors() == 0);
-  values.check_dimension(2, {});
+  CHECK_FALSE(values.is_vector(vector_of(4)));
   CHECK(context.report.errors() == 1);
+  CHECK(values.is_vector(vector_of(3)));
+  CHECK(values.is_vector(vector_of(3)));
+  CHECK(context.report.errors() == 1);
+  CHECK(values.is_vector(vector_of(2)));
+  CHECK(context.report.errors() == 2);
 }
 
 TEST_CASE("keys of tables are found by name") {
