@@ -142,19 +142,6 @@ bool is_comparable(FieldRecord& record, Regime regime) {
   return regime == Regime::regular || regime == Regime::ill_conditioned;
 }
 
-/// The oracle solves M a = b in 95 digits: near a singular chart fewer than 50 are left.
-bool is_beyond_oracle(const std::vector<cl_R>& solution) {
-  static const cl_R least = power_of_ten(-40);
-  const std::size_t n = solution.size() / 2;
-  return std::any_of(solution.begin() + static_cast<std::ptrdiff_t>(n), solution.end(),
-                     [](const cl_R& pivot) { return cln::abs(pivot) < least; });
-}
-
-bool is_solved(OutputKind kind) {
-  return kind == OutputKind::forward_dynamics || kind == OutputKind::linearization ||
-         kind == OutputKind::forward_dynamics_derivatives;
-}
-
 /// The oracle's values where it can be trusted; none outside the domain, and counted there.
 const OracleValues* trusted_values(FieldRecord& record, OracleCache& oracle) {
   const OracleValues& truth = oracle.values(record.request);
@@ -162,9 +149,7 @@ const OracleValues* trusted_values(FieldRecord& record, OracleCache& oracle) {
     ++record.undefined;
     return nullptr;
   }
-  if (!is_solved(record.request.kind)) return &truth;
-  const OracleValues& solution = oracle.values(standard_request(OutputKind::forward_dynamics));
-  if (solution && !is_beyond_oracle(*solution)) return &truth;
+  if (!output_row(record.request.kind).solves || oracle.solves()) return &truth;
   ++record.ill_conditioned;
   return nullptr;
 }
@@ -249,10 +234,7 @@ CertificateRow row_of(const Subject& subject, const FieldRecord& record, const c
 /// A derivative of the dynamics costs the oracle as much as all other outputs together, n times: of
 /// more than three velocities every sixteenth state has to do.
 bool is_due(OutputKind kind, std::size_t velocities, std::size_t sample) {
-  const bool is_derivative = kind == OutputKind::linearization ||
-                             kind == OutputKind::inverse_dynamics_derivatives ||
-                             kind == OutputKind::forward_dynamics_derivatives;
-  return !is_derivative || velocities <= 3 || sample % 16 == 0;
+  return !output_row(kind).differentiates || velocities <= 3 || sample % 16 == 0;
 }
 
 template <class Scalar>
