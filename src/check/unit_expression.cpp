@@ -105,13 +105,25 @@ class UnitReader {
   }
 
   std::optional<Unit> unknown(std::string_view name, std::size_t begin) {
-    std::vector<std::string> names;
-    for (const UnitRow& row : unit_table()) {
-      names.emplace_back(row.name);
+    std::vector<std::string> candidates;
+    const std::string product = as_product(name);
+    if (!product.empty()) {
+      candidates.push_back(product);
+    } else {
+      for (const UnitRow& row : unit_table()) candidates.emplace_back(row.name);
     }
     report_.add(Code::E402, part(begin, begin + name.size()), "unknown unit " + quoted(name),
-                suggestion(name, names));
+                suggestion(name, candidates));
     return std::nullopt;
+  }
+
+  /// "kg*m" of "kgm": two units without the sign between them; else nothing.
+  static std::string as_product(std::string_view name) {
+    for (std::size_t i = 1; i < name.size(); ++i) {
+      if (!find_unit(name.substr(0, i)) || !find_unit(name.substr(i))) continue;
+      return std::string(name.substr(0, i)) + "*" + std::string(name.substr(i));
+    }
+    return {};
   }
 
   std::optional<Unit> fail(std::size_t begin, std::size_t end, const std::string& message) {

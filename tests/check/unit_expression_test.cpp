@@ -48,6 +48,8 @@ TEST_CASE("errors point at the character") {
   const std::vector<std::pair<std::string, std::string>> rows{
       {"kg*ft", "4 unknown unit `ft`"},
       {"Kg", "1 unknown unit `Kg` | did you mean `kg`?"},
+      {"kgm", "1 unknown unit `kgm` | did you mean `kg*m`?"},
+      {"Nms", "1 unknown unit `Nms`"},
       {"", "1 a unit is missing in the unit ``"},
       {"m*", "3 a unit is missing in the unit `m*`"},
       {"m^x", "3 an exponent is an integer, or `(p/q)` in the unit `m^x`"},
