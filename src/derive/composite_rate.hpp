@@ -8,7 +8,7 @@
 #pragma once
 
 #include "derive/composite.hpp"
-#include "derive/tree_dynamics.hpp"
+#include "derive/tree_twists.hpp"
 
 namespace elgen {
 

@@ -1,7 +1,8 @@
 // Energies, term by term over the definitions.
 #include "derive/energies.hpp"
 
-#include "derive/tree_dynamics.hpp"
+#include "derive/tree_gravity.hpp"
+#include "derive/tree_twists.hpp"
 
 namespace elgen {
 

@@ -2,6 +2,8 @@
 #include "derive/forces.hpp"
 
 #include "derive/tree_dynamics.hpp"
+#include "derive/tree_gravity.hpp"
+#include "derive/tree_twists.hpp"
 #include "derive/turning.hpp"
 
 namespace elgen {

@@ -3,6 +3,7 @@
 
 #include "derive/forces.hpp"
 #include "derive/tree_matrices.hpp"
+#include "derive/tree_twists.hpp"
 #include "derive/tree_variables.hpp"
 #include "derive/turning.hpp"
 

@@ -7,6 +7,7 @@
 
 #include "derive/composite_rate.hpp"
 #include "derive/tree_dynamics.hpp"
+#include "derive/tree_twists.hpp"
 #include "derive/tree_variables.hpp"
 
 namespace elgen {

@@ -1,26 +1,13 @@
-// Forward over the tree for twists and accelerations, backward for forces.
+// Forward over the tree for angular velocities and accelerations, backward for forces.
 #include "derive/tree_dynamics.hpp"
+
+#include "derive/tree_twists.hpp"
 
 namespace elgen {
 
 using GiNaC::ex;
 
 namespace {
-
-const ex half = GiNaC::numeric(1, 2);
-
-ExVector3 gravity_vector(Tree& tree) {
-  return tree.derivation().lagrangian.gravity.value_or(ExVector3{0, 0, 0});
-}
-
-/// Spin of the step itself: the velocities of a rotation where it moves, else the rate of the turn.
-ExVector3 own_spin(Tree& tree, std::size_t k, Tangent& along) {
-  const auto& rotation = tree.step(k).rotation;
-  if (!rotation) return tree.relative_spin(k, along);
-  if (along(tree.step(k).quaternion[0]).is_zero()) return {0, 0, 0};
-  const auto& v = tree.derivation().symbols.v;
-  return {v[*rotation], v[*rotation + 1], v[*rotation + 2]};
-}
 
 /// U = [w']x + w w^T - w.w 1, row-major: acceleration of what is fixed to the step, per unit place.
 std::array<ex, 9> acceleration_gradient(VectorAlgebra& algebra, const ExVector3& w,
@@ -152,40 +139,12 @@ SpatialForce inertial_force(VectorAlgebra& algebra, const RigidBody& body,
   return result;
 }
 
-void accumulate(VectorAlgebra& algebra, const SpatialForce& from, SpatialForce& to) {
-  to.force = algebra.add(to.force, from.force);
-  to.moment = algebra.add(to.moment, from.moment);
-}
-
-/// I w about the point the inertia is about.
-ExVector3 spin_momentum(VectorAlgebra& algebra, const RigidBody& body, const ExVector3& w) {
-  if (body.inertia.empty()) return {0, 0, 0};
-  const auto& i = body.inertia;
-  return algebra.define(ExVector3{i[0] * w[0] + i[3] * w[1] + i[4] * w[2],
-                                  i[3] * w[0] + i[1] * w[1] + i[5] * w[2],
-                                  i[4] * w[0] + i[5] * w[1] + i[2] * w[2]});
-}
-
 }  // namespace
-
-bool has_mass(const RigidBody& body) {
-  return !body.mass.is_zero() || (body.moment && !is_zero(*body.moment));
-}
-
-ExVector3 momentum_of(VectorAlgebra& algebra, const RigidBody& body, const Twist& twist) {
-  if (body.about_origin) {
-    const ExVector3 linear = algebra.scaled(body.mass, twist.velocity);
-    const ExVector3 turning = algebra.cross(twist.spin, first_moment(algebra, body));
-    return algebra.add(linear, turning);
-  }
-  const ExVector3 carried = algebra.cross(twist.spin, body.com);
-  return algebra.scaled(body.mass, algebra.add(twist.velocity, carried));
-}
 
 StepMotion base_motion(Tree& tree, bool with_gravity) {
   StepMotion motion;
-  const ExVector3 g = gravity_vector(tree);
-  if (with_gravity) motion.acceleration = {-g[0], -g[1], -g[2]};
+  const auto& g = tree.derivation().lagrangian.gravity;
+  if (with_gravity && g) motion.acceleration = {-(*g)[0], -(*g)[1], -(*g)[2]};
   return motion;
 }
 
@@ -207,153 +166,6 @@ std::vector<SpatialForce> inertial_forces_on_steps(Tree& tree,
 TreeForces inertial_forces(Tree& tree, const Acceleration& acceleration) {
   const std::vector<StepMotion> motions = tree_motions(tree, acceleration);
   return tree.pull_back(inertial_forces_on_steps(tree, motions));
-}
-
-std::vector<Twist> tree_twists(Tree& tree, Tangent& along) {
-  VectorAlgebra& algebra = tree.algebra;
-  std::vector<Twist> twists;
-  for (std::size_t k = 0; k < tree.size(); ++k) {
-    const TreeStep& step = tree.step(k);
-    const Twist from = step.parent ? twists[*step.parent] : Twist{};
-    Twist twist = from;
-    if (step.kind == FrameStepKind::translation) {
-      ExVector3 rate;
-      for (std::size_t i = 0; i < 3; ++i) rate[i] = algebra.define(along(step.vector[i]));
-      const ExVector3 carried = algebra.cross(from.spin, step.vector);
-      twist.velocity = algebra.add(from.velocity, algebra.add(carried, rate));
-    } else {
-      const ExVector3 own = own_spin(tree, k, along);
-      twist.spin = algebra.add(tree.to_child(k, from.spin), own);
-      twist.velocity = tree.to_child(k, from.velocity);
-    }
-    twists.push_back(twist);
-  }
-  return twists;
-}
-
-TreeForces tree_momentum(Tree& tree) {
-  VectorAlgebra& algebra = tree.algebra;
-  const std::vector<Twist> twists = tree_twists(tree, tree.derivation().coasting);
-  std::vector<SpatialForce> on_step(tree.size());
-  for (const RigidBody& body : tree.bodies()) {
-    if (!body.step) continue;
-    // Momentum about the com, so the inertia has to be about it too.
-    SpatialForce momentum;
-    momentum.moment = spin_momentum(algebra, body, twists[*body.step].spin);
-    momentum.force = momentum_of(algebra, body, twists[*body.step]);
-    const ExVector3 lever =
-        body.about_origin ? algebra.cross(first_moment(algebra, body), twists[*body.step].velocity)
-                          : algebra.cross(body.com, momentum.force);
-    momentum.moment = algebra.add(momentum.moment, lever);
-    accumulate(algebra, momentum, on_step[*body.step]);
-  }
-  return tree.pull_back(std::move(on_step));
-}
-
-Terms tree_kinetic_energy(Tree& tree, Tangent& along) {
-  VectorAlgebra& algebra = tree.algebra;
-  const std::vector<Twist> twists = tree_twists(tree, along);
-  Terms terms;
-  for (const RigidBody& body : tree.bodies()) {
-    if (!body.step) continue;
-    const Twist& twist = twists[*body.step];
-    const ExVector3 spin = spin_momentum(algebra, body, twist.spin);
-    terms.push_back(half * algebra.dot(spin, twist.spin));
-    if (!has_mass(body)) continue;
-    if (body.about_origin) {
-      // 1/2 m v_O^2 + v_O.(w x h), the rest is in the inertia.
-      const ExVector3 turning = algebra.cross(twist.spin, first_moment(algebra, body));
-      const ExVector3 linear = algebra.scaled(half * body.mass, twist.velocity);
-      terms.push_back(algebra.dot(twist.velocity, algebra.add(linear, turning)));
-    } else {
-      const ExVector3 carried = algebra.cross(twist.spin, body.com);
-      const ExVector3 velocity = algebra.add(twist.velocity, carried);
-      terms.push_back(half * body.mass * algebra.dot(velocity, velocity));
-    }
-  }
-  return terms;
-}
-
-namespace {
-
-/// Gravity in the axes after every step.
-std::vector<ExVector3> gravity_by_step(Tree& tree) {
-  const ExVector3 g = gravity_vector(tree);
-  std::vector<ExVector3> result;
-  for (std::size_t k = 0; k < tree.size(); ++k) {
-    const auto& parent = tree.step(k).parent;
-    result.push_back(tree.to_child(k, parent ? result[*parent] : g));
-  }
-  return result;
-}
-
-/// Mass and first moment of what a step carries, in the axes after it.
-struct MassMoment {
-  ex mass = 0;
-  ExVector3 moment{0, 0, 0};
-};
-
-std::vector<MassMoment> mass_moments(Tree& tree) {
-  VectorAlgebra& algebra = tree.algebra;
-  std::vector<MassMoment> result(tree.size());
-  for (const RigidBody& body : tree.bodies()) {
-    if (!body.step) continue;
-    MassMoment& total = result[*body.step];
-    total.mass = algebra.define(total.mass + body.mass);
-    total.moment = algebra.add(total.moment, first_moment(algebra, body));
-  }
-  for (std::size_t k = tree.size(); k-- > 0;) {
-    const TreeStep& step = tree.step(k);
-    if (!step.parent) continue;
-    MassMoment& parent = result[*step.parent];
-    ExVector3 moment = tree.to_parent(k, result[k].moment);
-    if (step.kind == FrameStepKind::translation) {
-      const ExVector3 shift = algebra.scaled(result[k].mass, step.vector);
-      moment = algebra.add(moment, shift);
-    }
-    parent.mass = algebra.define(parent.mass + result[k].mass);
-    parent.moment = algebra.add(parent.moment, moment);
-  }
-  return result;
-}
-
-}  // namespace
-
-TreeForces tree_gravity(Tree& tree) {
-  TreeForces forces;
-  if (!tree.derivation().lagrangian.gravity) return forces;
-  const std::vector<ExVector3> g = gravity_by_step(tree);
-  const std::vector<MassMoment> carried = mass_moments(tree);
-  VectorAlgebra& algebra = tree.algebra;
-  for (std::size_t k = 0; k < tree.size(); ++k) {
-    // -(weight) and its moment about the origin of the step.
-    SpatialForce lift;
-    lift.force = algebra.scaled(-carried[k].mass, g[k]);
-    lift.moment = algebra.cross(g[k], carried[k].moment);
-    tree.weigh(k, lift, forces);
-  }
-  return forces;
-}
-
-Terms tree_potential_energy(Tree& tree) {
-  Terms terms;
-  if (!tree.derivation().lagrangian.gravity || tree.bodies().empty()) return terms;
-  VectorAlgebra& algebra = tree.algebra;
-  const ExVector3 g = *tree.derivation().lagrangian.gravity;
-  const std::vector<MassMoment> carried = mass_moments(tree);
-  for (const RigidBody& body : tree.bodies()) {
-    if (!body.step) terms.push_back(-algebra.dot(g, first_moment(algebra, body)));
-  }
-  for (std::size_t k = 0; k < tree.size(); ++k) {
-    if (tree.step(k).parent) continue;
-    ExVector3 moment = tree.to_parent(k, carried[k].moment);
-    if (tree.step(k).kind == FrameStepKind::translation) {
-      const ExVector3 shift = algebra.scaled(carried[k].mass, tree.step(k).vector);
-      moment = algebra.add(moment, shift);
-    }
-    terms.push_back(-algebra.dot(g, moment));
-  }
-  return terms;
 }
 
 }  // namespace elgen

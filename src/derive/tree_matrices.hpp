@@ -20,7 +20,7 @@
 #include <map>
 
 #include "derive/composite.hpp"
-#include "derive/tree_dynamics.hpp"
+#include "derive/tree.hpp"
 
 namespace elgen {
 
