@@ -297,8 +297,9 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
   const CLI::App* show = add_show(app, line, raw);
   const CLI::App* verify = add_verify(app, line);
   const CLI::App* import_command = add_import(app, line);
-  CLI::App* explain = app.add_subcommand("explain", "what an error code means");
-  explain->add_option("code", line.code, "E201")->required();
+  CLI::App* explain =
+      app.add_subcommand("explain", "what an error code or an entry of a model means");
+  explain->add_option("name", line.name, "E201, coordinate, scene.outputs")->required();
   try {
     std::vector<std::string> reversed(words.rbegin(), words.rend() - 1);
     app.parse(reversed);

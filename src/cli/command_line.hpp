@@ -18,7 +18,7 @@ struct CommandLine {
   ShowOptions show = {};
   VerifyCommandOptions verify = {};
   ImportOptions import_options = {};
-  std::string code = {};
+  std::string name = {};
 };
 
 /// E913: words that are not understood, with what was probably meant.

@@ -1,22 +1,119 @@
-// elgen explain CODE: what an error code means and how to mend it.
+// elgen explain NAME: what an error code means and how to mend it, or the keys of an entry of model
+// and scene files (`coordinate`, `scene.outputs`).
 #include <fmt/format.h>
 
+#include "elgen/syntax.hpp"
+#include "elgen/wording.hpp"
 #include "options.hpp"
 
 namespace elgen::cli {
+namespace {
 
-ExitCode explain(const GlobalOptions& global, const std::string& code) {
-  const CodeRow* row = find_code(code);
-  if (row != nullptr) {
+std::string_view kind_text(KeyType type) {
+  switch (type) {
+    case KeyType::expression:
+      return "expression";
+    case KeyType::expression_list:
+      return "[expressions]";
+    case KeyType::expression_or_list:
+      return "expression or list";
+    case KeyType::expression_or_table:
+      return "expression or table";
+    case KeyType::closed_form:
+      return "expression, list, matrix";
+    case KeyType::name:
+      return "name";
+    case KeyType::text:
+      return "text";
+    case KeyType::choice:
+      return "one of";
+    case KeyType::choice_list:
+      return "list of";
+    case KeyType::unit:
+      return "unit";
+    case KeyType::repetition:
+      return "\"i in 1..n\"";
+    case KeyType::integer:
+      return "integer";
+    case KeyType::boolean:
+      return "true or false";
+    case KeyType::range:
+      return "[low, high]";
+    case KeyType::turns:
+      return "[[axis, angle], ...]";
+    case KeyType::table:
+      return "table";
+    case KeyType::boolean_or_table:
+      return "true or table";
+    case KeyType::text_or_table:
+      return "text or table";
+  }
+  return {};
+}
+
+std::string choices_text(const KeyRow& key) {
+  std::string text;
+  for (const ChoiceRow& choice : choice_table()) {
+    if (choice.entry != key.entry || choice.key != key.key) continue;
+    text += fmt::format("{}\"{}\"", text.empty() ? "" : ", ", choice.word);
+  }
+  return text.empty() ? text : fmt::format(" ({})", text);
+}
+
+std::string key_line(const KeyRow& key) {
+  const std::string_view name = key.key == "*" ? "NAME" : key.key;
+  return fmt::format("  {:<14} {:<24} {}{}{}{}\n", name, kind_text(key.type), key.doc,
+                     choices_text(key), key.required ? "; required" : "",
+                     key.supported ? "" : "; not yet supported");
+}
+
+/// `[[frame]]`, and `frame.dh` for a table inside it.
+std::string header(const std::string& name) {
+  for (const EntryRow& entry : entry_table()) {
+    if (entry.entry != name) continue;
+    const bool is_of_scene = name.rfind("scene.", 0) == 0;
+    const std::string inner = is_of_scene ? name.substr(6) : name;
+    return fmt::format("{}{}{}: {}\n", entry.repeated ? "[[" : "[", inner,
+                       entry.repeated ? "]]" : "]", entry.doc);
+  }
+  return name + "\n";
+}
+
+/// The keys of an entry and of the tables inside it; nothing where no row is of this entry.
+std::string entry_text(const std::string& name) {
+  std::string text;
+  std::string_view last;
+  for (const KeyRow& key : key_table()) {
+    const bool is_inside = key.entry.substr(0, name.size() + 1) == name + ".";
+    if (name.empty() || (key.entry != name && (!is_inside || name == "scene"))) continue;
+    if (key.entry != last)
+      text += (text.empty() ? "" : "\n") + header(std::string(key.entry)) + "\n";
+    last = key.entry;
+    text += key_line(key);
+  }
+  return text;
+}
+
+/// Every code, and every entry that stands in a file under a header of its own.
+std::vector<std::string> known_names() {
+  std::vector<std::string> names;
+  for (const EntryRow& entry : entry_table()) names.emplace_back(entry.entry);
+  for (const CodeRow& code : code_table()) names.emplace_back(code.name);
+  return names;
+}
+
+}  // namespace
+
+ExitCode explain(const GlobalOptions& global, const std::string& name) {
+  if (const CodeRow* row = find_code(name)) {
     return print(global, fmt::format("{}: {}\n\n{}\n", row->name, row->title, row->explanation));
   }
-  std::vector<std::string> names;
-  for (const CodeRow& candidate : code_table()) names.emplace_back(candidate.name);
-  const std::string near = nearest(code, names);
+  const std::string keys = entry_text(name);
+  if (!keys.empty()) return print(global, keys);
   return report(global, {{Code::E913,
                           {},
-                          fmt::format("`{}` is no error code", code),
-                          near.empty() ? "" : fmt::format("did you mean `{}`?", near)}});
+                          fmt::format("`{}` is neither an error code nor an entry", name),
+                          suggestion(name, known_names())}});
 }
 
 }  // namespace elgen::cli

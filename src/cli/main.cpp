@@ -24,7 +24,7 @@ ExitCode run_command(const CommandLine& line) {
       case Command::import:
         return import_file(line.global, line.import_options);
       case Command::explain:
-        return explain(line.global, line.code);
+        return explain(line.global, line.name);
       case Command::none:
         return print(line.global, line.answer);
     }

@@ -60,7 +60,7 @@ struct ImportOptions {
 [[nodiscard]] bool is_subject_of_its_own(const std::string& what);
 [[nodiscard]] ExitCode show(const GlobalOptions& global, const ShowOptions& options);
 [[nodiscard]] ExitCode import_file(const GlobalOptions& global, const ImportOptions& options);
-[[nodiscard]] ExitCode explain(const GlobalOptions& global, const std::string& code);
+[[nodiscard]] ExitCode explain(const GlobalOptions& global, const std::string& name);
 
 /// Prints what was asked for on stdout, at once. E706 where that fails.
 ExitCode print(const GlobalOptions& global, const std::string& text);

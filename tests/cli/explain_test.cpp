@@ -1,7 +1,8 @@
-// elgen explain: every code of the table has its words.
+// elgen explain: every code has its words, every entry its keys.
 #include <catch2/catch.hpp>
 
 #include "elgen/diagnostic.hpp"
+#include "elgen/syntax.hpp"
 #include "support/shell.hpp"
 
 namespace elgen::test {
@@ -25,6 +26,28 @@ TEST_CASE("explain knows every code") {
   const Outcome unknown = run("elgen explain E999");
   CHECK(unknown.status == 2);
   CHECK(unknown.output.empty());
+}
+
+TEST_CASE("explain knows every entry and its keys") {
+  for (const EntryRow& row : entry_table()) {
+    if (!row.supported) continue;
+    const Outcome outcome = run("elgen explain " + std::string(row.entry));
+    INFO(row.entry);
+    CHECK(outcome.status == 0);
+    CHECK(mentions(outcome.output, std::string(row.doc)));
+  }
+  const std::string frame = run("elgen explain frame").output;
+  for (const KeyRow& row : key_table()) {
+    if (row.entry != "frame" && row.entry != "frame.dh") continue;
+    CHECK(mentions(frame, "\n  " + std::string(row.key) + " "));
+  }
+}
+
+TEST_CASE("an entry is shown with its tables, kinds of values and choices") {
+  CHECK(run("elgen explain scene.emit").output == "");
+  const Outcome unknown = run("elgen explain coordinat");
+  CHECK(unknown.status == 2);
+  CHECK(mentions(unknown.errors, "did you mean `coordinate`?"));
 }
 
 }  // namespace elgen::test
