@@ -82,38 +82,15 @@ template <class Scalar>
   using std::abs, std::sin, std::cos, std::tan, std::asin, std::acos, std::atan, std::atan2;
   using std::sinh, std::cosh, std::tanh, std::exp, std::log;
   switch (function) {
-    case FunctionId::sin:
-      return sin(x);
-    case FunctionId::cos:
-      return cos(x);
-    case FunctionId::tan:
-      return tan(x);
-    case FunctionId::asin:
-      return asin(x);
-    case FunctionId::acos:
-      return acos(x);
-    case FunctionId::atan:
-      return atan(x);
-    case FunctionId::atan2:
-      return atan2(x, y);
-    case FunctionId::sinh:
-      return sinh(x);
-    case FunctionId::cosh:
-      return cosh(x);
-    case FunctionId::tanh:
-      return tanh(x);
-    case FunctionId::exp:
-      return exp(x);
-    case FunctionId::log:
-      return log(x);
-    case FunctionId::abs:
-      return abs(x);
-    case FunctionId::sign:
-      return sign(x);
-    case FunctionId::min:
-      return min(x, y);
-    case FunctionId::max:
-      return max(x, y);
+#define ELGEN_CALL_1(name) name(x)
+#define ELGEN_CALL_2(name) name(x, y)
+#define ELGEN_FUNCTION(name, arity, use, parity, first, second) \
+  case FunctionId::name:                                        \
+    return ELGEN_CALL_##arity(name);
+#include "elgen/functions.def"
+#undef ELGEN_FUNCTION
+#undef ELGEN_CALL_1
+#undef ELGEN_CALL_2
   }
   return x;
 }

@@ -9,23 +9,26 @@
 namespace elgen {
 
 enum class FunctionId : std::uint8_t {
-#define ELGEN_FUNCTION(name, arity, use, first, second) name,
+#define ELGEN_FUNCTION(name, arity, use, parity, first, second) name,
 #include "elgen/functions.def"
 #undef ELGEN_FUNCTION
 };
 
 enum class FunctionUse : std::uint8_t { anywhere, forces };
 
+enum class Parity : std::uint8_t { none, even, odd };
+
 struct FunctionRow {
   FunctionId id;
   std::string_view name;
   std::size_t arity;
   FunctionUse use;
+  Parity parity;
 };
 
 inline constexpr std::array function_table{
-#define ELGEN_FUNCTION(name, arity, use, first, second) \
-  FunctionRow{FunctionId::name, #name, arity, FunctionUse::use},
+#define ELGEN_FUNCTION(name, arity, use, parity, first, second) \
+  FunctionRow{FunctionId::name, #name, arity, FunctionUse::use, Parity::parity},
 #include "elgen/functions.def"
 #undef ELGEN_FUNCTION
 };

@@ -55,27 +55,6 @@ int three_way(const T& x, const T& y) {
   return x < y ? -1 : (y < x ? 1 : 0);
 }
 
-enum class Symmetry : std::uint8_t { none, even, odd };
-
-Symmetry symmetry(FunctionId function) {
-  switch (function) {
-    case FunctionId::cos:
-    case FunctionId::cosh:
-    case FunctionId::abs:
-      return Symmetry::even;
-    case FunctionId::sin:
-    case FunctionId::tan:
-    case FunctionId::asin:
-    case FunctionId::atan:
-    case FunctionId::sinh:
-    case FunctionId::tanh:
-    case FunctionId::sign:
-      return Symmetry::odd;
-    default:
-      return Symmetry::none;
-  }
-}
-
 bool commutes(FunctionId function) {
   return function == FunctionId::min || function == FunctionId::max;
 }
@@ -116,8 +95,8 @@ Ref Graph::square_root(Ref radicand) {
 
 Ref Graph::call(FunctionId function, std::vector<Ref> arguments) {
   bool negative = false;
-  if (const Symmetry law = symmetry(function); law != Symmetry::none) {
-    negative = law == Symmetry::odd && arguments[0].negative;
+  if (const Parity parity = function_row(function).parity; parity != Parity::none) {
+    negative = parity == Parity::odd && arguments[0].negative;
     arguments[0].negative = false;
   }
   if (commutes(function) && less(arguments[1].node, arguments[0].node)) {

@@ -44,8 +44,8 @@ std::vector<Operand> slopes(FunctionId function, const Operand& x, const Operand
                             const Operand& f) {
   const Operand one{f.arithmetic, fraction_of(cl_RA(1))};
   switch (function) {
-#define ELGEN_FUNCTION(name, arity, use, first, second) \
-  case FunctionId::name:                                \
+#define ELGEN_FUNCTION(name, arity, use, parity, first, second) \
+  case FunctionId::name:                                        \
     return {first, second};
 #include "elgen/functions.def"
 #undef ELGEN_FUNCTION

@@ -35,16 +35,6 @@ bool has_exponential(const Algebra& algebra, const Monomial& monomial) {
   });
 }
 
-bool is_odd(FunctionId function) {
-  return function == FunctionId::asin || function == FunctionId::atan ||
-         function == FunctionId::sinh || function == FunctionId::tanh ||
-         function == FunctionId::sign;
-}
-
-bool is_even(FunctionId function) {
-  return function == FunctionId::cosh || function == FunctionId::abs;
-}
-
 /// The sign that makes the leading coefficient positive.
 bool has_negative_lead(const Fraction& x) {
   if (x.numerator.empty()) return false;
@@ -185,9 +175,10 @@ Value Arithmetic::call(FunctionId function, const std::vector<Value>& arguments)
     return divide(sine, sine_or_cosine(FunctionId::cos, values[0]));
   }
   bool turned = false;
-  if ((is_odd(function) || is_even(function)) && has_negative_lead(values[0])) {
+  const Parity parity = function_row(function).parity;
+  if (parity != Parity::none && has_negative_lead(values[0])) {
     values[0] = *negate(values[0]);
-    turned = is_odd(function);
+    turned = parity == Parity::odd;
   }
   const Value value =
       opaque({.kind = AtomKind::call, .function = function, .arguments = std::move(values)});

@@ -81,7 +81,7 @@ template <class Scalar>
   [[nodiscard]] Bounded<Scalar> name(const Bounded<Scalar>& x, const Bounded<Scalar>& y) { \
     return {function_bound(FunctionId::name, x, y, rounding<Scalar>())};                   \
   }
-#define ELGEN_FUNCTION(name, arity, use, first, second) ELGEN_BOUNDED_##arity(name)
+#define ELGEN_FUNCTION(name, arity, use, parity, first, second) ELGEN_BOUNDED_##arity(name)
 #include "elgen/functions.def"
 #undef ELGEN_FUNCTION
 #undef ELGEN_BOUNDED_2

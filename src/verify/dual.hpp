@@ -72,7 +72,8 @@ template <class Base>
     [[maybe_unused]] const Base one = ScalarTraits<Base>::from_real(1);            \
     return {f, (first)*left.slope + (second)*right.slope};                         \
   }
-#define ELGEN_FUNCTION(name, arity, use, first, second) ELGEN_DUAL_##arity(name, first, second)
+#define ELGEN_FUNCTION(name, arity, use, parity, first, second) \
+  ELGEN_DUAL_##arity(name, first, second)
 #include "elgen/functions.def"
 #undef ELGEN_FUNCTION
 #undef ELGEN_DUAL_2
