@@ -1,0 +1,58 @@
+// What the fuzz targets share: an input as a source, and what holds of every answer to one.
+//
+// A target is a function of bytes that must return: whatever a file holds, reading it ends in a
+// value or in errors that can be printed, never in a crash, undefined behaviour or a hang.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "elgen/diagnostic.hpp"
+#include "elgen/limits.hpp"
+#include "elgen/source_text.hpp"
+
+namespace elgen::fuzzing {
+
+/// Stops the run: libFuzzer keeps the input.
+inline void require(bool holds, const std::string& what) {
+  if (holds) return;
+  fmt::print(stderr, "does not hold: {}\n", what);
+  std::abort();
+}
+
+inline SourcePointer source_of(const std::uint8_t* data, std::size_t size, std::string path) {
+  std::string text(size, '\0');
+  for (std::size_t i = 0; i < size; ++i) text[i] = static_cast<char>(data[i]);
+  return make_source(std::move(path), std::move(text));
+}
+
+/// So small that an input of a few kilobytes cannot keep a run busy for long.
+inline Limits small_limits() {
+  Limits limits;
+  limits.file_bytes = 1U << 14U;
+  limits.coordinates = 64;
+  limits.definitions = 500;
+  return limits;
+}
+
+/// A value or at least one error; every diagnostic lies inside its source and can be printed.
+template <class T>
+void require_answer(const Result<T>& result) {
+  require(result || has_errors(result.diagnostics), "no value without an error");
+  for (const Diagnostic& diagnostic : result.diagnostics) {
+    const Span& span = diagnostic.span;
+    require(
+        span.source == nullptr || (span.begin <= span.end && span.end <= span.source->text.size()),
+        "a diagnostic lies inside its source: " + diagnostic.message);
+    require(!diagnostic.message.empty(), "a diagnostic has a message");
+  }
+  DiagnosticStyle style;
+  static_cast<void>(format(result.diagnostics, style));
+  style.format = DiagnosticFormat::json;
+  static_cast<void>(format(result.diagnostics, style));
+}
+
+}  // namespace elgen::fuzzing
