@@ -51,6 +51,22 @@ enum class Form : std::uint8_t {
 
 enum class Extent : std::uint8_t { one, coordinates, velocities, states, inputs, held, user };
 
+/// What the units of an output's entries follow from; see unit_of_entry().
+enum class UnitRule : std::uint8_t {
+  none,
+  user,
+  mass,
+  coriolis,
+  momentum,
+  force,
+  held_force,
+  input,
+  energy,
+  acceleration,
+  coordinate,
+  coordinate_rate,
+};
+
 /// What a model must have for an output to exist.
 enum class Requirement : std::uint8_t { nothing, quadratic, energies, inputs, rotations, held };
 
@@ -61,19 +77,33 @@ struct FieldRow {
   Extent columns;
 };
 
+/// A symbol or an equation as text and in LaTeX, where `<v>` and `<a>` stand for the velocities and
+/// accelerations (dq/dt and d^2q/dt^2 except where rotations turn) and `<N>` for the factor N of
+/// dq/dt = N v, if it is not 1.
+struct Notation {
+  std::string_view text = {};   ///< "M"; "g = dV0/dq"
+  std::string_view latex = {};  ///< may be empty
+};
+
 struct OutputRow {
   OutputKind kind;
-  std::string_view name;    ///< as in scenes, options and emitted code
-  std::string_view symbol;  ///< "M"
-  bool takes_velocity;      ///< arguments beside parameters and q (and t where t occurs)
+  std::string_view name;  ///< as in scenes, options and emitted code
+  Notation symbol;
+  bool takes_velocity;  ///< arguments beside parameters and q (and t where t occurs)
   bool takes_acceleration;
   bool takes_input;
-  Requirement requirement;
   std::vector<FieldRow> fields;
-  std::string_view equation;  ///< "d/dt dL/dv - dL/dq = M a + bias"
-  std::string_view doc;       ///< one sentence
-  std::string_view unit;      ///< "mass", "force", "energy", … rule; see unit_of_entry()
+  Notation equation;
+  std::string_view doc;  ///< one sentence
+  UnitRule unit;
+  Notation turning_equation = {};  ///< with rotations, where it is another
+  Requirement requirement = Requirement::nothing;
+  bool solves = false;          ///< M x = b
+  bool differentiates = false;  ///< the equations of motion
 };
+
+/// The equation that holds in a model with or without rotations.
+[[nodiscard]] const Notation& equation_of(const OutputRow& output, bool has_rotations);
 
 [[nodiscard]] const std::vector<OutputRow>& output_table();
 [[nodiscard]] const OutputRow& output_row(OutputKind kind);

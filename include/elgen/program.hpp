@@ -4,12 +4,12 @@
 // computed twice, nothing dead (check_invariants). Text form, one instruction a line, parses back:
 //
 //     function mass_matrix(q)
-//       0 = parameter m                  ; leaves are named as in the model
+//       0 = parameter m             ; leaves are named as in the model
 //       1 = parameter l
 //       2 = multiply 1 1
 //       3 = multiply 0 2            ; inertia
-//       result 1 1 = 3              ; rows columns = entries, row-major; "result acceleration 2 1 =
-//       …" in structs
+//       result 1 1 = 3              ; rows columns = entries, row-major;
+//                                   ; of a struct: "result acceleration 2 1 = …"
 #pragma once
 
 #include <cln/real.h>

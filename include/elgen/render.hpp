@@ -50,6 +50,9 @@ struct EquationOfMotion {
 };
 [[nodiscard]] EquationOfMotion equation_of_motion(const Model& model, const Program& program);
 
+/// "q = (x [m], theta [rad])", "v = dq/dt, a = dv/dt" or "at rest", "u = (F [N])": a line each.
+[[nodiscard]] std::vector<std::string> variable_lines(const Model& model, const Program& program);
+
 /// Whether some function is about more than positions and forces at rest.
 [[nodiscard]] bool knows_motion(const Model& model, const Program& program);
 

@@ -88,7 +88,8 @@ class ExpectationReader {
     for (std::uint32_t i = 0; fits && i < rows.size(); ++i) {
       fits = rows[i].size() == request.columns;
       for (std::uint32_t j = 0; fits && j < rows[i].size(); ++j) {
-        add_entry(expectation, *rows[i][j], unit_of_entry(context_.model, request, i, j));
+        add_entry(expectation, *rows[i][j],
+                  unit_of_entry(context_.model, {request.kind, "", i, j}));
       }
     }
     if (!fits) {
@@ -150,7 +151,7 @@ class ExpectationReader {
       if (!at) {
         return false;
       }
-      const auto unit = unit_of_entry(context_.model, request, at->row, at->column);
+      const auto unit = unit_of_entry(context_.model, {request.kind, "", at->row, at->column});
       const ExpressionId entry =
           ValueReader(context_, scope).root(value.value, {closed_form, unit});
       const std::size_t index = at->row * std::size_t{request.columns} + at->column;

@@ -1,74 +1,64 @@
-// Units of the entries of outputs, from the units of velocities and inputs.
+// Units of the entries of outputs: one switch over the rules of the output table.
 #include "output_units.hpp"
-
-#include <array>
 
 namespace elgen::checking {
 namespace {
 
-/// What a rule of the output table divides J s^seconds by. (A generalized force is a power per
-/// velocity, W = J s^-1.)
-struct UnitRule {
-  std::string_view name;
-  int seconds;
-  bool by_row_velocity;
-  bool by_column_velocity;
-  bool by_column_input;
-};
+using MaybeUnit = std::optional<Unit>;
 
-constexpr std::array<UnitRule, 6> rules{{
-    {"mass", 0, true, true, false},
-    {"coriolis", -1, true, true, false},
-    {"momentum", 0, true, false, false},
-    {"force", -1, true, false, false},
-    {"input", -1, true, false, true},
-    {"energy", 0, false, false, false},
-}};
-
-/// Divides by a unit that may be missing.
-void divide(std::optional<Unit>& unit, const std::optional<Unit>& divisor) {
-  unit = unit && divisor ? std::optional(*unit / *divisor) : std::nullopt;
+MaybeUnit over(const MaybeUnit& a, const MaybeUnit& b) {
+  return a && b ? MaybeUnit(*a / *b) : std::nullopt;
 }
 
-std::optional<Unit> apply(const UnitRule& rule, const Model& model, std::uint32_t row,
-                          std::uint32_t column) {
-  std::optional<Unit> unit = *find_unit("J") * power(*find_unit("s"), {rule.seconds, 1});
-  if (rule.by_row_velocity) {
-    divide(unit, model.velocities[row].unit);
-  }
-  if (rule.by_column_velocity) {
-    divide(unit, model.velocities[column].unit);
-  }
-  if (rule.by_column_input) {
-    divide(unit, model.inputs[column].unit);
-  }
-  return unit;
+/// p_i v_i is an energy.
+MaybeUnit momentum_unit(const MaybeUnit& velocity) { return over(find_unit("J"), velocity); }
+
+MaybeUnit force_unit(const MaybeUnit& velocity) {
+  return over(momentum_unit(velocity), find_unit("s"));
 }
 
 }  // namespace
 
-std::optional<Unit> unit_of_entry(const Model& model, const OutputRequest& output,
-                                  std::uint32_t row, std::uint32_t column) {
-  const std::string_view name = output_row(output.kind).unit;
-  if (name == "acceleration") {
-    std::optional<Unit> unit = model.velocities[row].unit;
-    divide(unit, find_unit("s"));
-    return unit;
-  }
-  if (name == "coordinate") {
-    return model.coordinates[row].unit;
-  }
-  if (name == "coordinate rate") {
-    std::optional<Unit> unit = model.coordinates[row].unit;
-    divide(unit, find_unit("s"));
-    return unit;
-  }
-  for (const UnitRule& rule : rules) {
-    if (rule.name == name) {
-      return apply(rule, model, row, column);
-    }
+MaybeUnit unit_of_entry(const Model& model, const EntryPlace& place) {
+  if (place.field == "relative_pivots") return Unit{};
+  const MaybeUnit second = find_unit("s");
+  const auto velocity = [&model](std::size_t i) { return model.velocities[i].unit; };
+  const auto mass = [&] {
+    return over(momentum_unit(velocity(place.row)), velocity(place.column));
+  };
+  switch (output_row(place.kind).unit) {
+    case UnitRule::none:
+    case UnitRule::user:
+      return std::nullopt;
+    case UnitRule::energy:
+      return find_unit("J");
+    case UnitRule::coordinate:
+      return model.coordinates[place.row].unit;
+    case UnitRule::coordinate_rate:
+      return over(model.coordinates[place.row].unit, second);
+    case UnitRule::acceleration:
+      return over(velocity(place.row), second);
+    case UnitRule::momentum:
+      return momentum_unit(velocity(place.row));
+    case UnitRule::force:
+      return force_unit(velocity(place.row));
+    case UnitRule::held_force:
+      return force_unit(model.unlocked->velocities[held_velocities(model)[place.row]].unit);
+    case UnitRule::input:
+      return over(force_unit(velocity(place.row)), model.inputs[place.column].unit);
+    case UnitRule::mass:
+      return mass();
+    case UnitRule::coriolis:
+      return over(mass(), second);
   }
   return std::nullopt;
+}
+
+std::string velocity_unit(const Model& model, const Velocity& velocity) {
+  if (!velocity.unit) return "";
+  const bool is_angle =
+      velocity.rotation || model.coordinates[velocity.coordinate].unit_text == "rad";
+  return is_angle ? "rad/s" : to_string(*velocity.unit);
 }
 
 }  // namespace elgen::checking

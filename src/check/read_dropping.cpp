@@ -49,8 +49,7 @@ const ReducedRow* find_row(OutputKind kind) {
 }
 
 bool has_no_terms(OutputKind kind) {
-  return kind == K::forward_dynamics || kind == K::linearization ||
-         kind == K::inverse_dynamics_derivatives || kind == K::forward_dynamics_derivatives;
+  return output_row(kind).solves || output_row(kind).differentiates;
 }
 
 class DroppingReader {

@@ -55,11 +55,6 @@ OutputRequest make_user_request(const Model& model, OutputKind kind, std::uint32
   return request;
 }
 
-bool differentiates_forces(OutputKind kind) {
-  return kind == OutputKind::linearization || kind == OutputKind::inverse_dynamics_derivatives ||
-         kind == OutputKind::forward_dynamics_derivatives;
-}
-
 /// Why the model lacks what the output needs.
 struct Lack {
   Code code;
@@ -91,7 +86,7 @@ std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
   if (requirement == Requirement::held && held_velocities(model).empty()) {
     return lacking("needs `reaction = true` in an entry of `[lock]`");
   }
-  const Expression* kink = differentiates_forces(request.kind) ? find_kink(model) : nullptr;
+  const Expression* kink = output_row(request.kind).differentiates ? find_kink(model) : nullptr;
   if (kink != nullptr) {
     return Lack{Code::E603,
                 "needs forces with derivatives; `abs`, `sign`, `min` and `max` have none, a smooth "

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "elgen/functions.hpp"
+#include "resolver.hpp"
 
 namespace elgen::checking {
 namespace {
@@ -117,7 +117,8 @@ constexpr std::array macros{
 
 constexpr std::array macro_prefixes{"M_", "FP_", "MATH_", "DBL_", "FLT_", "LDBL_", "INT_"};
 
-constexpr std::array own_functions{"sqrt", "dot", "sum", "delta", "v2", "dist2"};
+/// Functions too, but told apart from variables by what they are called with.
+constexpr std::array component_names{"x", "y", "z"};
 
 template <class List>
 bool contains(const List& list, std::string_view name) {
@@ -125,9 +126,7 @@ bool contains(const List& list, std::string_view name) {
 }
 
 bool is_function(std::string_view name) {
-  const auto named = [&](const FunctionRow& row) { return row.name == name; };
-  return contains(own_functions, name) ||
-         std::any_of(function_table.begin(), function_table.end(), named);
+  return contains(function_names(), name) && !contains(component_names, name);
 }
 
 bool has_macro_prefix(std::string_view name) {

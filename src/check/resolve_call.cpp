@@ -15,9 +15,6 @@ namespace elgen::checking {
 namespace {
 
 constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
-constexpr std::array<std::string_view, 9> own_functions{"sqrt", "dot", "sum", "delta", "x",
-                                                        "y",    "z",   "v2",  "dist2"};
-
 std::optional<FunctionId> find_function(std::string_view name) {
   for (const FunctionRow& row : function_table) {
     if (row.name == name) {
@@ -29,20 +26,8 @@ std::optional<FunctionId> find_function(std::string_view name) {
 
 }  // namespace
 
-const std::vector<std::string>& function_names() {
-  static const std::vector<std::string> all = [] {
-    std::vector<std::string> names(own_functions.begin(), own_functions.end());
-    for (const FunctionRow& row : function_table) {
-      names.emplace_back(row.name);
-    }
-    return names;
-  }();
-  return all;
-}
-
-std::optional<ExpressionId> Resolver::resolve_call(const ExpressionSyntax& call) {
-  using Rule = std::optional<ExpressionId> (Resolver::*)(const ExpressionSyntax&);
-  static constexpr std::array<std::pair<std::string_view, Rule>, own_functions.size()> rules{{
+const std::vector<Resolver::Expansion>& Resolver::expansions() {
+  static const std::vector<Expansion> all{
       {"sqrt", &Resolver::resolve_sqrt},
       {"dot", &Resolver::resolve_dot},
       {"sum", &Resolver::resolve_sum},
@@ -52,11 +37,25 @@ std::optional<ExpressionId> Resolver::resolve_call(const ExpressionSyntax& call)
       {"z", &Resolver::resolve_component},
       {"v2", &Resolver::resolve_squared_speed},
       {"dist2", &Resolver::resolve_squared_distance},
-  }};
+  };
+  return all;
+}
+
+const std::vector<std::string>& function_names() {
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> names;
+    for (const auto& expansion : Resolver::expansions()) names.emplace_back(expansion.name);
+    for (const FunctionRow& row : function_table) names.emplace_back(row.name);
+    return names;
+  }();
+  return all;
+}
+
+std::optional<ExpressionId> Resolver::resolve_call(const ExpressionSyntax& call) {
   if (const auto function = find_function(call.text)) {
     return resolve_function(call, *function);
   }
-  for (const auto& [name, rule] : rules) {
+  for (const auto& [name, rule] : expansions()) {
     if (name == call.text) {
       return (this->*rule)(call);
     }

@@ -28,6 +28,13 @@ class Resolver {
   /// The index in the Model of `name` or `name[i]`. E207, E208.
   std::optional<std::uint32_t> element(const ExpressionSyntax& name, const Symbol& symbol);
 
+  /// A function that is expanded where it is called.
+  struct Expansion {
+    std::string_view name;
+    std::optional<ExpressionId> (Resolver::*rule)(const ExpressionSyntax&);
+  };
+  static const std::vector<Expansion>& expansions();
+
  private:
   using Operands = std::vector<ExpressionId>;
 

@@ -1,8 +1,8 @@
 // cpp_constant: an exact number -> the C++ expression that makes it in any scalar type.
 //
-//     1/2    constant<Scalar>(0.5)                                      exact in every type
-//     9.81   constant<Scalar>(9.81F, 9.81, 9.81L, {981}, {100})         nearest values, numerator,
-//     denominator 1e-300 constant<Scalar>(detail::OutOfRange{}, 1e-300, 1e-300L, {1}, {1}, -300)
+//     1/2     constant<Scalar>(0.5)                                exact in every type
+//     9.81    constant<Scalar>(9.81F, 9.81, 9.81L, {981}, {100})   nearest, numerator, denominator
+//     1e-300  constant<Scalar>(detail::OutOfRange{}, 1e-300, 1e-300L, {1}, {1}, -300)
 #pragma once
 
 #include <cln/real.h>

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "check/output_units.hpp"
 #include "cpp_constant.hpp"
-#include "entry_units.hpp"
 #include "evaluate/decimal.hpp"
 #include "parameters.hpp"
 
@@ -105,7 +105,7 @@ TemplateData declared_arrays(const Model& model) {
     list << declared(text, "velocity_names",
                      velocities([](const Velocity& v) { return string_literal(v.name); }));
     list << declared(text, "velocity_units", velocities([&](const Velocity& v) {
-                       return string_literal(velocity_unit(model, v));
+                       return string_literal(checking::velocity_unit(model, v));
                      }));
   }
   list << declared("Interval", "rate_ranges",

@@ -28,10 +28,11 @@ std::string shape_text(const Field& field, Storage storage) {
   return field.rows > 1 ? fmt::format("{} entries", field.rows) : "Scalar";
 }
 
-std::string equation_text(const OutputRow& row) {
-  const bool is_whole = row.equation.find(" = ") != std::string_view::npos;
-  if (is_whole || row.equation == row.symbol) return std::string(row.equation);
-  return fmt::format("{} = {}", row.symbol, row.equation);
+std::string equation_text(const OutputRow& row, const Model& model) {
+  const std::string_view equation = equation_of(row, !model.rotations.empty()).text;
+  const bool is_whole = equation.find(" = ") != std::string_view::npos;
+  if (is_whole || equation == row.symbol.text) return std::string(equation);
+  return fmt::format("{} = {}", row.symbol.text, equation);
 }
 
 /// The entries as rows of equal column widths; empty where a row would be too long.
@@ -101,7 +102,7 @@ Lines shown_equations(const FunctionText& text) {
   const bool is_dynamics = text.function.kind == OutputKind::dynamics;
   if (is_dynamics) return {};
   const Lines all = listing(text);
-  Lines lines = {equation_text(output_row(text.function.kind)), ""};
+  Lines lines = {equation_text(output_row(text.function.kind), text.model), ""};
   append(lines, all.size() > longest_listing ? Lines{too_long_note(text)} : all);
   return lines;
 }

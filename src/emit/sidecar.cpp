@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "entry_units.hpp"
+#include "check/output_units.hpp"
 #include "evaluate/decimal.hpp"
 #include "fields.hpp"
 #include "layout.hpp"
@@ -65,7 +65,8 @@ Json coordinates(const Model& model) {
 
 Json velocities(const Model& model) {
   Json list = Json::array();
-  for (const Velocity& v : model.velocities) list.push_back(named(v.name, velocity_unit(model, v)));
+  for (const Velocity& v : model.velocities)
+    list.push_back(named(v.name, checking::velocity_unit(model, v)));
   return list;
 }
 

@@ -149,11 +149,6 @@ cl_R contracted_linearization(Mechanics& at, const Contraction& by) {
 
 }  // namespace
 
-bool is_derivative(OutputKind kind) {
-  return kind == OutputKind::linearization || kind == OutputKind::inverse_dynamics_derivatives ||
-         kind == OutputKind::forward_dynamics_derivatives;
-}
-
 Values derivative_values(OutputKind kind, Mechanics& at) {
   if (kind == OutputKind::linearization) return state_matrices(at);
   const bool is_inverse = kind == OutputKind::inverse_dynamics_derivatives;

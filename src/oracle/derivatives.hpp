@@ -7,10 +7,7 @@
 
 namespace elgen::oracle {
 
-/// linearization and the derivatives of inverse and forward dynamics.
-[[nodiscard]] bool is_derivative(OutputKind kind);
-
-/// All entries, one field after another.
+/// Of what differentiates the equations of motion: all entries, one field after another.
 [[nodiscard]] std::vector<cln::cl_R> derivative_values(OutputKind kind, Mechanics& at);
 
 /// w.X y of one field.

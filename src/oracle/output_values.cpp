@@ -156,7 +156,7 @@ Values rates_of_coordinates(const Model& model, const State& state) {
 }
 
 Values mechanical_values(OutputKind kind, Mechanics at) {
-  if (is_derivative(kind)) return derivative_values(kind, at);
+  if (output_row(kind).differentiates) return derivative_values(kind, at);
   if (is_contractible_column(kind)) return column(kind, at);
   switch (kind) {
     case OutputKind::mass_matrix:
@@ -211,7 +211,7 @@ cl_R contracted_values(const Model& model, const OutputRequest& output, const St
     Mechanics at(model, state);
     return contracted_matrix(output.kind, at, by.w, by.y);
   }
-  if (is_derivative(output.kind)) {
+  if (output_row(output.kind).differentiates) {
     Mechanics at(model, state);
     return contracted_derivative(output.kind, at, by);
   }

@@ -16,7 +16,7 @@ struct Heading {
 [[nodiscard]] Heading heading(const Model& model, const Function& function);
 
 /// What one field of a struct is called.
-[[nodiscard]] std::string field_symbol(OutputKind kind, const Field& field);
+[[nodiscard]] std::string field_symbol(const Model& model, OutputKind kind, const Field& field);
 
 /// One sentence: the table's, or the model's own about its outputs.
 [[nodiscard]] std::string output_doc(const Model& model, const Function& function);

@@ -5,8 +5,8 @@
 #include <array>
 #include <cctype>
 
-#include "elgen/functions.hpp"
 #include "base/utf8.hpp"
+#include "elgen/functions.hpp"
 #include "symbols.hpp"
 
 namespace elgen::rendering {

@@ -78,7 +78,7 @@ SheetOutput output(const Model& model, const Program& program, std::size_t index
   for (std::size_t f = 0; f < function.fields.size(); ++f) {
     const Field& field = function.fields[f];
     const std::string symbol =
-        field.name.empty() ? heading.symbol : rendering::field_symbol(function.kind, field);
+        field.name.empty() ? heading.symbol : rendering::field_symbol(model, function.kind, field);
     result.equations.push_back({symbol, field.rows, field.columns, equations.entries[f]});
   }
   return result;

@@ -9,19 +9,6 @@
 namespace elgen {
 namespace {
 
-std::string with_unit(const std::string& name, const std::string& unit) {
-  return unit.empty() ? name : fmt::format("{} [{}]", name, unit);
-}
-
-template <class Variables>
-std::string tuple(const Variables& variables) {
-  std::string text;
-  for (const auto& variable : variables) {
-    text += (text.empty() ? "" : ", ") + with_unit(variable.name, variable.unit_text);
-  }
-  return "(" + text + ")";
-}
-
 std::string index_of(const Field& field, std::size_t entry) {
   if (field.rows * field.columns == 1) return {};
   if (field.columns == 1) return fmt::format("[{}]", entry + 1);
@@ -53,10 +40,7 @@ std::string text_page(const Model& model, const Scene& scene, const Program& pro
   text += "\n";
   for (const std::string& note : scene_notes(model, scene)) text += note + "\n";
   text += fmt::format("\n  {}\n\n", equation_of_motion(model, program).text);
-  const bool rotates = !model.rotations.empty();
-  text += fmt::format("  q = {}, {}, a = dv/dt\n", tuple(model.coordinates),
-                      rotates ? "dq/dt = N(q) v" : "v = dq/dt");
-  if (!model.inputs.empty()) text += fmt::format("  u = {}\n", tuple(model.inputs));
+  for (const std::string& line : variable_lines(model, program)) text += "  " + line + "\n";
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     const Function& function = program.functions[i];
     if (function.kind == OutputKind::dynamics) continue;

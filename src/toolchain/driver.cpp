@@ -1,8 +1,8 @@
 // The driver of an emitted header. For a function inverse_dynamics(q, v, a) of two coordinates:
 //
 //     extern "C" void elgen_driver_double_0(const double* p, const double* q, const double* v,
-//     const double* a,
-//                                           const double* u, double t, double* result) {
+//                                           const double* a, const double* u, double t,
+//                                           double* result) {
 //       call_0(p, q, v, a, u, t, result);
 //     }
 #include "driver.hpp"

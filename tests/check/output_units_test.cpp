@@ -41,7 +41,7 @@ value = "u*c"
 std::string unit(const Model& model, const char* output, std::uint32_t row, std::uint32_t column) {
   const auto request = checking::find_request(model, output);
   REQUIRE(request);
-  const auto found = checking::unit_of_entry(model, *request, row, column);
+  const auto found = checking::unit_of_entry(model, {request->kind, "", row, column});
   return found ? to_string(*found) : "not known";
 }
 
@@ -57,6 +57,17 @@ TEST_CASE("units follow from those of coordinates and inputs") {
   CHECK(unit(model, "kinetic_energy", 0, 0) == "J");
   CHECK(unit(model, "forward_dynamics", 0, 0) == "m/s^2");
   CHECK(unit(model, "input_matrix", 0, 0) == to_string(*find_unit("N") / *find_unit("V")));
+}
+
+TEST_CASE("pivots are shares, rates of angles stay rad/s") {
+  const Model model = sliding_pendulum();
+  const auto pivot =
+      checking::unit_of_entry(model, {OutputKind::forward_dynamics, "relative_pivots", 0, 0});
+  REQUIRE(pivot);
+  CHECK(to_string(*pivot) == "1");
+  CHECK(checking::velocity_unit(model, model.velocities[0]) == "m/s");
+  CHECK(checking::velocity_unit(model, model.velocities[1]) == "rad/s");
+  CHECK(checking::velocity_unit(model, model.velocities[2]).empty());
 }
 
 TEST_CASE("a missing unit leaves the entry unknown") {
