@@ -23,7 +23,6 @@
 #include "scene_reader.hpp"
 #include "traits.hpp"
 #include "unit_inference.hpp"
-#include "unused.hpp"
 
 namespace elgen {
 namespace {
@@ -104,7 +103,6 @@ Result<CheckedModel> check(const ModelSyntax& model, const SceneSyntax* scene,
   read_locks(context, scene);
   judge(context, model, scene, options);
   if (context.report.errors() == 0) {
-    report_unused(context);
     lock_model(context);
   }
   Scene checked_scene = read_scene(context, {scene, options, sizes});

@@ -117,8 +117,10 @@ class UnitReader {
     return std::nullopt;
   }
 
-  /// "kg*m" of "kgm": two units without the sign between them; else nothing.
+  /// "kg*m" of "kgm": two units without the sign between them; else nothing. What starts with m is
+  /// meant as milli.
   static std::string as_product(std::string_view name) {
+    if (name.starts_with('m')) return {};
     for (std::size_t i = 1; i < name.size(); ++i) {
       if (!find_unit(name.substr(0, i)) || !find_unit(name.substr(i))) continue;
       return std::string(name.substr(0, i)) + "*" + std::string(name.substr(i));

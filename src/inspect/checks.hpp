@@ -35,6 +35,9 @@ inline constexpr std::size_t most_coordinates_searched = 3;
 /// E512: the written potential falls as a point with a mass rises.
 [[nodiscard]] Diagnostics inspect_potential(const Subject& subject);
 
+/// E522: parameters in no expression, inputs that act on nothing.
+[[nodiscard]] Diagnostics inspect_unused(const Subject& subject);
+
 /// E613, E614: a scene that expands about a point where the system does not stay at rest, or where
 /// energies and forces have no derivatives. The other checks see the exact model.
 [[nodiscard]] Diagnostics inspect_equilibrium(const Subject& subject);

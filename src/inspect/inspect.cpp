@@ -1,5 +1,5 @@
-// Inspection: one check after another. Most ask the oracle for values at sampled states; inertias
-// and points in an energy are read off the model.
+// Inspection: one check after another. Most ask the oracle for values at sampled states; names that
+// are never used, inertias and points in an energy are read off the model.
 #include "elgen/inspect.hpp"
 
 #include "checks.hpp"
@@ -12,6 +12,7 @@ Diagnostics inspect(const Model& model, const Scene& scene) {
   const inspection::Subject subject{exact, scene};
   Diagnostics all;
   const auto add = [&](Diagnostics found) { all.insert(all.end(), found.begin(), found.end()); };
+  add(inspection::inspect_unused(subject));
   add(inspection::inspect_inertias(subject));
   add(inspection::inspect_spins(subject));
   add(inspection::inspect_mass_matrix(subject));

@@ -27,7 +27,7 @@ TEST_CASE("cycles are printed from the entry that stands first") {
 }
 
 TEST_CASE("a chain of definitions may be as long as the limit allows") {
-  std::string text = block("[define]\nd0 = \"m*0.5\"\n");
+  std::string text = block("[define]\nd0 = \"k*0.5\"\n");
   for (int i = 1; i < 19'000; ++i) {
     text += "d" + std::to_string(i) + " = \"d" + std::to_string(i - 1) + "\"\n";
   }

@@ -44,7 +44,7 @@ TEST_CASE("what differs from that is hashed, in one order") {
 TEST_CASE("code in C is for one scalar, float or double") {
   const std::string language = "[emit]\nlanguage = \"c99\"\n";
   CHECK(scene_of("[numeric]\nscalar = [\"float\"]\n" + language).numerics.scalars.size() == 1);
-  for (const char* list : {"[]", "[\"long double\"]", "[\"float\", \"double\"]"}) {
+  for (const char* list : {"[\"long double\"]", "[\"float\", \"double\"]"}) {
     INFO(list);
     CHECK(scene_messages(std::string("[numeric]\nscalar = ") + list + "\n" + language)
               .find("code in `c99` is written for one scalar") != std::string::npos);

@@ -33,7 +33,7 @@ TEST_CASE("where rotations turn the rates are v, and the equations those of v") 
   CHECK(definition_of(plain, OutputKind::gravity) == "g = \\frac{\\partial V_{0}}{\\partial q}");
   CHECK(definition_of(plain, OutputKind::inverse_dynamics) ==
         "\\tau = M \\ddot{q} + \\mathrm{bias}");
-  const std::string body = quaternion_text();
+  const std::string body = tumbler_text();
   CHECK(definition_of(body, OutputKind::gravity) ==
         "g = N^{\\top} \\frac{\\partial V_{0}}{\\partial q}");
   CHECK(definition_of(body, OutputKind::inverse_dynamics) == "\\tau = M a + \\mathrm{bias}");

@@ -11,7 +11,7 @@ using elgen::testing::has;
 TEST_CASE("the page in the model language") {
   const Chosen c = chosen(cart_pole_text());
   const std::string page = text_page(c.checked.model, c.checked.scene, c.choice.program);
-  CHECK(has(page, "  q = (x, theta), v = dq/dt, a = dv/dt\n"));
+  CHECK(has(page, "  q = (x, theta)\n  v = dq/dt, a = dv/dt\n"));
   CHECK(has(page, "\nmass_matrix\n  mass_matrix[1,1] = M + m\n"));
   CHECK(has(page, "  potential_energy = m*l*g*cos(theta)\n"));
   CHECK_FALSE(has(page, "drift"));

@@ -31,7 +31,7 @@ TEST_CASE("where no function knows of motion all is at rest") {
 }
 
 TEST_CASE("velocities that are no rates have names") {
-  const Lines lines = lines_of(quaternion_text());
+  const Lines lines = lines_of(tumbler_text());
   REQUIRE(lines.size() >= 3);
   CHECK(lines[1].rfind("v = (", 0) == 0);
   CHECK(lines[2] == "dq/dt = N(q) v: coordinate_rates");

@@ -160,6 +160,36 @@ jacobian = true
   return text;
 }
 
+/// A rigid body whose attitude is a unit quaternion, pushed along x.
+inline const std::string& tumbler_text() {
+  static const std::string text = model_text("tumbler", R"toml(
+[[coordinate]]
+name = "x"
+[[coordinate]]
+name = "attitude"
+kind = "rotation"
+[parameters]
+m = 2
+A = 3
+B = 4
+C = 5
+[[frame]]
+name = "body"
+parent = "world"
+translate = ["x", "0", "0"]
+rotation = "attitude"
+[[body]]
+name = "stone"
+frame = "body"
+mass = "m"
+inertia = ["A", "B", "C"]
+[[input]]
+name = "u"
+on = "x"
+)toml");
+  return text;
+}
+
 /// A frame and a body that hang where a point of another frame is, which nothing else mentions.
 inline const std::string& hung_text() {
   static const std::string text = frame_model("hung", "q r", R"toml(
