@@ -1,11 +1,13 @@
-// Resolver, calls: the functions of functions.def, and those that are expanded here:
+// Resolver, calls: the functions of functions.def, those of composite_functions.def, and those that
+// are expanded here:
 //
-//     dot(q) -> rate    sqrt(e) -> e^(1/2)    delta(i, j) -> 0 or 1
+//     dot(q) -> rate    delta(i, j) -> 0 or 1
 //     sum(i, a, b, e) -> e[a] + … + e[b]
 //     x(P) y(P) z(P) -> components    v2(P) -> sum of dot(component)^2
 //     dist2(P, Q) -> sum of (component difference)^2
 #include <algorithm>
 #include <array>
+#include <map>
 #include <utility>
 
 #include "elgen/functions.hpp"
@@ -15,6 +17,7 @@ namespace elgen::checking {
 namespace {
 
 constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
+
 std::optional<FunctionId> find_function(std::string_view name) {
   for (const FunctionRow& row : function_table) {
     if (row.name == name) {
@@ -24,19 +27,48 @@ std::optional<FunctionId> find_function(std::string_view name) {
   return std::nullopt;
 }
 
+constexpr std::array composites{
+#define ELGEN_COMPOSITE(name, arity, definition) Resolver::Composite{#name, arity, definition},
+#include "composite_functions.def"
+#undef ELGEN_COMPOSITE
+};
+
+const Resolver::Composite* find_composite(std::string_view name) {
+  const auto found = std::find_if(composites.begin(), composites.end(),
+                                  [&](const auto& row) { return row.name == name; });
+  return found == composites.end() ? nullptr : &*found;
+}
+
+/// Read once; the table's own text is right.
+const ExpressionSyntax& definition_of(const Resolver::Composite& composite) {
+  static std::map<std::string_view, ExpressionSyntax> read;
+  const auto known = read.find(composite.name);
+  if (known != read.end()) return known->second;
+  const SourcePointer source =
+      make_source(std::string(composite.name), std::string(composite.definition));
+  return read.emplace(composite.name, *parse_expression(source, Limits{})).first->second;
+}
+
+/// The definition with the call's arguments in place of x and y, all of it at the call.
+ExpressionSyntax written_out(ExpressionSyntax definition, const ExpressionSyntax& call) {
+  if (definition.kind == SyntaxKind::name) {
+    if (definition.text == "x") return call.operands[0];
+    if (definition.text == "y") return call.operands[1];
+  }
+  for (ExpressionSyntax& operand : definition.operands) operand = written_out(operand, call);
+  definition.span = call.span;
+  definition.token = call.token;
+  return definition;
+}
+
 }  // namespace
 
 const std::vector<Resolver::Expansion>& Resolver::expansions() {
   static const std::vector<Expansion> all{
-      {"sqrt", &Resolver::resolve_sqrt},
-      {"dot", &Resolver::resolve_dot},
-      {"sum", &Resolver::resolve_sum},
-      {"delta", &Resolver::resolve_delta},
-      {"x", &Resolver::resolve_component},
-      {"y", &Resolver::resolve_component},
-      {"z", &Resolver::resolve_component},
-      {"v2", &Resolver::resolve_squared_speed},
-      {"dist2", &Resolver::resolve_squared_distance},
+      {"dot", &Resolver::resolve_dot},          {"sum", &Resolver::resolve_sum},
+      {"delta", &Resolver::resolve_delta},      {"x", &Resolver::resolve_component},
+      {"y", &Resolver::resolve_component},      {"z", &Resolver::resolve_component},
+      {"v2", &Resolver::resolve_squared_speed}, {"dist2", &Resolver::resolve_squared_distance},
   };
   return all;
 }
@@ -45,6 +77,7 @@ const std::vector<std::string>& function_names() {
   static const std::vector<std::string> all = [] {
     std::vector<std::string> names;
     for (const auto& expansion : Resolver::expansions()) names.emplace_back(expansion.name);
+    for (const Resolver::Composite& row : composites) names.emplace_back(row.name);
     for (const FunctionRow& row : function_table) names.emplace_back(row.name);
     return names;
   }();
@@ -54,6 +87,9 @@ const std::vector<std::string>& function_names() {
 std::optional<ExpressionId> Resolver::resolve_call(const ExpressionSyntax& call) {
   if (const auto function = find_function(call.text)) {
     return resolve_function(call, *function);
+  }
+  if (const Composite* composite = find_composite(call.text)) {
+    return resolve_composite(call, *composite);
   }
   for (const auto& [name, rule] : expansions()) {
     if (name == call.text) {
@@ -93,20 +129,10 @@ std::optional<ExpressionId> Resolver::resolve_function(const ExpressionSyntax& c
   return push(std::move(node));
 }
 
-std::optional<ExpressionId> Resolver::resolve_sqrt(const ExpressionSyntax& call) {
-  if (!has_arity(call, 1)) {
-    return std::nullopt;
-  }
-  const std::optional<ExpressionId> radicand = resolve(call.operands[0]);
-  if (!radicand) {
-    return std::nullopt;
-  }
-  Expression node;
-  node.kind = ExpressionKind::power;
-  node.operands = {*radicand};
-  node.number = cln::cl_RA(1) / 2;
-  node.span = call.span;
-  return push(std::move(node));
+std::optional<ExpressionId> Resolver::resolve_composite(const ExpressionSyntax& call,
+                                                        const Composite& composite) {
+  if (!has_arity(call, composite.arity)) return std::nullopt;
+  return resolve(written_out(definition_of(composite), call));
 }
 
 std::optional<ExpressionId> Resolver::resolve_dot(const ExpressionSyntax& call) {

@@ -35,6 +35,13 @@ class Resolver {
   };
   static const std::vector<Expansion>& expansions();
 
+  /// One that is its definition, in the model language.
+  struct Composite {
+    std::string_view name;
+    std::size_t arity;
+    std::string_view definition;
+  };
+
  private:
   using Operands = std::vector<ExpressionId>;
 
@@ -56,7 +63,8 @@ class Resolver {
 
   std::optional<ExpressionId> resolve_call(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_function(const ExpressionSyntax& call, FunctionId function);
-  std::optional<ExpressionId> resolve_sqrt(const ExpressionSyntax& call);
+  std::optional<ExpressionId> resolve_composite(const ExpressionSyntax& call,
+                                                const Composite& composite);
   std::optional<ExpressionId> resolve_dot(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_sum(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_delta(const ExpressionSyntax& call);

@@ -57,6 +57,12 @@ TEST_CASE("dot of a coordinate is its rate, of anything else a total derivative"
   CHECK(potential("c*x^2*(1 + dot(3))") == "energy V = c*x^2*1\n");
 }
 
+TEST_CASE("what others make up is its definition, at the place of the call") {
+  CHECK(potential("c*sqrt(4)*x^2") == potential("c*2*x^2"));
+  CHECK(error_of("c*sqrt(-4)*x^2").find("`sqrt(-4)`") != std::string::npos);
+  CHECK(error_of("c*sqrt(x, y)").find("`sqrt` takes 1") != std::string::npos);
+}
+
 TEST_CASE("sqrt is the power 1/2, delta a number, sum a sum") {
   const Model model = checked(two_points + "V = \"c*x^2*sqrt(x/y)\"\n").model;
   const Expression& product = model.expressions[*model.energies.V];

@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!expression) return 0;
   const std::string printed = dump(*expression);
   Limits printed_limits = limits;
-  printed_limits.expression_depth *= 2;  // brackets count
+  printed_limits.expression_depth *= 3;  // every sign is in brackets
   const SourcePointer printed_source = make_source("printed", printed);
   const auto again = parse_expression(printed_source, printed_limits);
   fuzzing::require(again && dump(*again) == printed, "printed and read again: " + printed);
