@@ -260,7 +260,7 @@ std::vector<OutputRow> derivatives() {
                           {{"d tau", R"(\delta\tau)"},
                            {"d tau = (dtau/dq) dq + (dtau/dv) dv + M da",
                             R"(\delta\tau = \frac{\partial \tau}{\partial q} \delta q + )"
-                            R"(\frac{\partial \tau}{\partial <v>} \delta<v> + M \delta<a>)"},
+                            R"(\frac{\partial \tau}{\partial <v>} \delta <v> + M \delta <a>)"},
                            "Derivatives of the inverse dynamics.",
                            UnitRule::none})),
       solving(differentiating(row(K::forward_dynamics_derivatives, "forward_dynamics_derivatives",
@@ -268,10 +268,10 @@ std::vector<OutputRow> derivatives() {
                                   {{"by_position", Extent::velocities, Extent::velocities},
                                    {"by_velocity", Extent::velocities, Extent::velocities},
                                    {"by_input", Extent::velocities, Extent::inputs}},
-                                  {{"da", R"(\delta<a>)"},
+                                  {{"da", R"(\delta <a>)"},
                                    {"da = (da/dq) dq + (da/dv) dv + (da/du) du",
-                                    R"(\delta<a> = \frac{\partial <a>}{\partial q} \delta q + )"
-                                    R"(\frac{\partial <a>}{\partial <v>} \delta<v> + )"
+                                    R"(\delta <a> = \frac{\partial <a>}{\partial q} \delta q + )"
+                                    R"(\frac{\partial <a>}{\partial <v>} \delta <v> + )"
                                     R"(\frac{\partial <a>}{\partial u} \delta u)"},
                                    "Derivatives of the forward dynamics.",
                                    UnitRule::none}))),

@@ -44,7 +44,13 @@ TEST_CASE("explain knows every entry and its keys") {
 }
 
 TEST_CASE("an entry is shown with its tables, kinds of values and choices") {
-  CHECK(run("elgen explain scene.emit").output == "");
+  CHECK(run("elgen explain scene.emit").output == R"text([emit]: the emitted code
+
+  language       one of                   language of the emitted code ("c++17", "c99")
+  namespace      text                     C++ namespace or prefix in C, instead of the base name
+  eigen          true or false            the same functions on Eigen types
+  storage        one of                   order of matrix entries ("row-major", "column-major")
+)text");
   const Outcome unknown = run("elgen explain coordinat");
   CHECK(unknown.status == 2);
   CHECK(mentions(unknown.errors, "did you mean `coordinate`?"));
