@@ -14,7 +14,7 @@
 namespace elgen::checking {
 namespace {
 
-constexpr int printed_digits = 30;
+constexpr int printed_digits = 30;  // of 100: told apart by everything a file can say
 
 std::string integer_text(const cln::cl_I& value) {
   std::ostringstream out;

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t diff_lines = 20;
+constexpr std::size_t diff_lines = 20;  // of each file; the rest is counted
 
 std::string read(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);

@@ -9,7 +9,7 @@
 namespace elgen {
 
 std::string scalar_literal(const cln::cl_R& value, ScalarKind scalar) {
-  constexpr std::size_t readable_digits = 17;
+  constexpr std::size_t readable_digits = 17;  // as many as a double has
   const std::optional<Decimal> decimal = exact_decimal(value);
   const bool is_readable =
       decimal && integer_text(cln::abs(decimal->significand)).size() <= readable_digits;

@@ -47,7 +47,7 @@ bool is_angle(const Real& x) {
 
 /// Beyond, CLN's exponents overflow without a word.
 bool is_exponent(const Real& x) {
-  constexpr std::int64_t maximal_exponent = 30;
+  constexpr std::int64_t maximal_exponent = 30;  // |x| < 2^30
   return x.is_defined() && cln::float_exponent(number(x)) < maximal_exponent;
 }
 

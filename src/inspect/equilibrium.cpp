@@ -15,7 +15,7 @@ namespace {
 
 using cln::cl_R;
 
-constexpr unsigned samples = 4;
+constexpr unsigned samples = 4;  // exact and random; the first has the model's own values
 
 /// What is left of bias - B u, row by row, and how large the terms are.
 struct Balance {

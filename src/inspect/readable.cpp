@@ -16,7 +16,7 @@ using cln::cl_I;
 using cln::cl_R;
 using cln::cl_RA;
 
-constexpr int largest_denominator = 999;
+constexpr int largest_denominator = 999;  // what a reader still sees as a number
 
 std::string text(const cl_I& integer) {
   std::ostringstream stream;

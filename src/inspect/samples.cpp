@@ -8,7 +8,7 @@ namespace {
 
 using cln::cl_R;
 
-constexpr unsigned attempts = 8;
+constexpr unsigned attempts = 8;  // a model undefined at all of them has no domain worth the name
 
 /// low + (high - low) k/1009, k = 1 to 1008: never an end of the range, where charts like to break.
 cl_R fraction_between(std::mt19937& random, const cl_R& low, const cl_R& high) {

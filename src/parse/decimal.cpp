@@ -155,7 +155,7 @@ std::string decimal_text(const cln::cl_RA& value) {
   if (exponent == 0) return integer_text(numerator);
   std::string digits = integer_text(cln::abs(numerator));
   const std::string sign = cln::minusp(numerator) ? "-" : "";
-  constexpr long most_places = 30;
+  constexpr long most_places = 30;  // longer ones are read more easily with an exponent
   if (-exponent > most_places) return fmt::format("{}{}e{}", sign, digits, exponent);
   const auto places = static_cast<std::size_t>(-exponent);
   if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');

@@ -128,7 +128,7 @@ Bound sum(const Bound& x, const Bound& y, const Rounding& rounding) {
 
 Bound product(const Bound& x, const Bound& y, const Rounding& rounding) {
   Bound result = inherit(computed(x.value * y.value, x.bound * y.bound, rounding), x, y);
-  constexpr std::uint32_t most = 1'000'000;
+  constexpr std::uint32_t most = 1'000'000;  // counts saturate: bounds are useless before
   result.roundings = std::min(x.roundings + y.roundings + 1, most);
   const bool scaled = (is_power_of_two(x) && y.exact) || (is_power_of_two(y) && x.exact);
   result.exact = scaled && !is_less(abs(result.value), rounding.smallest);

@@ -27,7 +27,7 @@ double Random::log_uniform(int low_exponent, int high_exponent) {
 }
 
 cln::cl_RA Random::rational() {
-  constexpr long denominator = 997;
+  constexpr long denominator = 997;  // prime: no sample is a special angle or value
   const long numerator = 1 + static_cast<long>(next() % denominator);
   return cln::cl_RA((next() & 1U) != 0 ? numerator : -numerator) / denominator;
 }
