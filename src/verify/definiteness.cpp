@@ -16,7 +16,7 @@
 namespace elgen {
 namespace {
 
-constexpr std::size_t sampled_states = 200;  // a tenth of a second for seven joints
+constexpr std::size_t sampled_states = 200;  // with 99 % one in any 2.3 % of the ranges
 
 struct MassSample {
   State state;
