@@ -5,30 +5,28 @@
 #include <algorithm>
 
 #include "elgen/render.hpp"
+#include "headings.hpp"
 
 namespace elgen {
 namespace {
 
 /// A term in both notations; `{}` is where `,t` stands in models with explicit time.
-struct Term {
-  std::string_view text;
-  std::string_view latex;
-};
+using Term = Notation;
 
-constexpr Term mass{"M(q{}) a", "M(q{}) \\ddot{{q}}"};
-constexpr Term mass_of_rates{"M(q,v{}) a", "M(q, \\dot{{q}}{}) \\ddot{{q}}"};
-constexpr Term rest{"bias(q,v{})", "\\mathrm{{bias}}(q, \\dot{{q}}{})"};
-constexpr Term coriolis{"C(q,v{}) v", "C(q, \\dot{{q}}{}) \\dot{{q}}"};
-constexpr Term drift{"drift(q,v{})", "\\mathrm{{drift}}(q, \\dot{{q}}{})"};
+constexpr Term mass{"M(q{}) a", "M(q{}) <a>"};
+constexpr Term mass_of_rates{"M(q,v{}) a", "M(q, <v>{}) <a>"};
+constexpr Term rest{"bias(q,v{})", "\\mathrm{{bias}}(q, <v>{})"};
+constexpr Term coriolis{"C(q,v{}) v", "C(q, <v>{}) <v>"};
+constexpr Term drift{"drift(q,v{})", "\\mathrm{{drift}}(q, <v>{})"};
 constexpr Term gravity{"g(q{})", "g(q{})"};
-constexpr Term dissipation{"dD/dv", "\\frac{{\\partial D}}{{\\partial \\dot{{q}}}}"};
+constexpr Term dissipation{"dD/dv", "\\frac{{\\partial D}}{{\\partial <v>}}"};
 constexpr Term input{"B(q{}) u", "B(q{}) u"};
-constexpr Term force{"Q(q,v{})", "Q(q, \\dot{{q}}{})"};
+constexpr Term force{"Q(q,v{})", "Q(q, <v>{})"};
 constexpr Term nothing{"0", "0"};
 
 constexpr Term drift_at_rest{"drift(q,0{})", "\\mathrm{{drift}}(q, 0{})"};
 constexpr Term dissipation_at_rest{"dD/dv(q,0{})",
-                                   "\\frac{{\\partial D}}{{\\partial \\dot{{q}}}}(q, 0{})"};
+                                   "\\frac{{\\partial D}}{{\\partial <v>}}(q, 0{})"};
 constexpr Term force_at_rest{"Q(q,0{})", "Q(q, 0{})"};
 
 bool is_constant_zero(const Program& program, const Function& function, std::uint32_t entry) {
@@ -106,7 +104,7 @@ EquationOfMotion equation_of_motion(const Model& model, const Program& program) 
     return fmt::format("{} = {}", joined(left, notation, model.uses_time ? time : ""),
                        joined(right, notation, model.uses_time ? time : ""));
   };
-  return {equation(&Term::text, ",t"), equation(&Term::latex, ", t")};
+  return {equation(&Term::text, ",t"), rendering::latex_of(model, equation(&Term::latex, ", t"))};
 }
 
 }  // namespace elgen

@@ -16,20 +16,19 @@ std::string replaced(std::string text, std::string_view from, const std::string&
   return text;
 }
 
-/// The rates are velocities of their own where rotations turn.
-std::string latex_of(const Model& model, std::string_view latex) {
-  const bool turns = !model.rotations.empty();
-  std::string text = replaced(std::string(latex), "<v>", turns ? "v" : "\\dot{q}");
-  text = replaced(text, "<a>", turns ? "a" : "\\ddot{q}");
-  return replaced(text, "<N>", turns ? " N" : "");
-}
-
 std::string sentence(const std::string& text) {
   const bool has_end = !text.empty() && (text.back() == '.' || text.back() == '!');
   return has_end ? text : text + ".";
 }
 
 }  // namespace
+
+std::string latex_of(const Model& model, std::string_view latex) {
+  const bool turns = !model.rotations.empty();
+  std::string text = replaced(std::string(latex), "<v>", turns ? "v" : "\\dot{q}");
+  text = replaced(text, "<a>", turns ? "a" : "\\ddot{q}");
+  return replaced(text, "<N>", turns ? " N" : "");
+}
 
 Heading heading(const Model& model, const Function& function) {
   const OutputRow& row = output_row(function.kind);

@@ -13,6 +13,10 @@ struct Heading {
   std::string definition = {};  ///< "M = \frac{\partial^2 L}{\partial \dot{q}^2}"; may be empty
 };
 
+/// LaTeX of the output table in the model's symbols: where rotations turn the rates are velocities
+/// of their own.
+[[nodiscard]] std::string latex_of(const Model& model, std::string_view latex);
+
 [[nodiscard]] Heading heading(const Model& model, const Function& function);
 
 /// What one field of a struct is called.

@@ -13,10 +13,11 @@ std::string with_unit(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : fmt::format("{} [{}]", name, unit);
 }
 
-/// "(x [m], theta [rad])"; of many names the first two and the last.
+/// "(x [m], theta [rad])"; where that is more than a line the first two and the last.
 std::string tuple(const Lines& names) {
-  constexpr std::size_t most = 8;
-  if (names.size() <= most) return fmt::format("({})", fmt::join(names, ", "));
+  constexpr std::size_t longest = 80;  // with "v = ", ", a = dv/dt" and indentation a line of 100
+  const std::string all = fmt::format("({})", fmt::join(names, ", "));
+  if (names.size() <= 3 || all.size() <= longest) return all;
   return fmt::format("({}, {}, ..., {})", names[0], names[1], names.back());
 }
 

@@ -2,6 +2,7 @@
 
 #include "choose/chosen.hpp"
 #include "render/small_sheet.hpp"
+#include "support/frame_systems.hpp"
 #include "support/systems.hpp"
 
 using namespace elgen;
@@ -23,6 +24,12 @@ TEST_CASE("where nothing moves, the equation is that at rest") {
   CHECK(equation_of_motion(c.checked.model, c.choice.program).text == "g(q) = B(q) u");
   c.checked.model.may_drift = true;
   CHECK(equation_of_motion(c.checked.model, c.choice.program).text == "drift(q,0) + g(q) = B(q) u");
+}
+
+TEST_CASE("where rotations turn the rates are v") {
+  const Chosen c = chosen(tumbler_text());
+  CHECK(equation_of_motion(c.checked.model, c.choice.program).latex ==
+        "M(q) a + C(q, v) v = B(q) u");
 }
 
 TEST_CASE("explicit time is an argument") {

@@ -24,6 +24,13 @@ TEST_CASE("coordinates, velocities as their rates, inputs") {
   CHECK(lines_of(cart_pole_text()) == Lines{"q = (x, theta)", "v = dq/dt, a = dv/dt", "u = (u)"});
 }
 
+TEST_CASE("many names are the first two and the last") {
+  const Chosen c = chosen(cart_pole_text());
+  Model model = c.checked.model;
+  for (int i = 0; i < 20; ++i) model.coordinates.push_back(model.coordinates[1]);
+  CHECK(variable_lines(model, c.choice.program).front() == "q = (x, theta, ..., theta)");
+}
+
 TEST_CASE("where no function knows of motion all is at rest") {
   SceneOptions options;
   options.outputs = {make_source("command line", "gravity")};
