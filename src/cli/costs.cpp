@@ -65,11 +65,9 @@ std::string percentage(double part, double whole) {
 
 /// The columns of the cost in the scene and in the full model.
 std::string compared(const OutputRequest& request, const Program& program, const Products* full) {
-  const std::size_t own =
-      cost(count_operations(*same_output(program, request)));
+  const std::size_t own = cost(count_operations(*same_output(program, request)));
   if (full == nullptr) return fmt::format("{:>8}", own);
-  const Function* same =
-      full->program ? same_output(*full->program, request) : nullptr;
+  const Function* same = full->program ? same_output(*full->program, request) : nullptr;
   if (same == nullptr) return fmt::format("{:>8}  {:>10}  {:>6}", own, "-", "");
   const std::size_t whole = cost(count_operations(*same));
   return fmt::format("{:>8}  {:>10}  {:>6}", own, whole,
