@@ -23,7 +23,7 @@ ExVector3 spin_momentum(VectorAlgebra& algebra, const RigidBody& body, const ExV
 
 }  // namespace
 
-/// Spin of the step itself: the velocities of a rotation where it moves, else the rate of the turn.
+/// Spin of step k itself: the velocities of a rotation where it moves, else the rate of the turn.
 ExVector3 own_spin(Tree& tree, std::size_t k, Tangent& along) {
   const auto& rotation = tree.step(k).rotation;
   if (!rotation) return tree.relative_spin(k, along);

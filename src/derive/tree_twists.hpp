@@ -20,8 +20,8 @@ struct Twist {
 };
 [[nodiscard]] std::vector<Twist> tree_twists(Tree& tree, Tangent& along);
 
-/// Spin of the step itself: the velocities of a rotation where it moves, else the rate of the turn.
-[[nodiscard]] ExVector3 own_spin(Tree& tree, std::size_t step, Tangent& along);
+/// Spin of step k itself: the velocities of a rotation where it moves, else the rate of the turn.
+[[nodiscard]] ExVector3 own_spin(Tree& tree, std::size_t k, Tangent& along);
 
 /// dT/dv of the bodies, as forces.
 [[nodiscard]] TreeForces tree_momentum(Tree& tree);
