@@ -77,10 +77,10 @@ class JointDrafter {
     const Joint& other = robot_.joints[*branch_.mimics];
     Coupling coupling{glossary_.joint(*branch_.mimics)};
     const Decimal& factor = joint_.mimic->multiplier;
-    const bool is_sign = cln::abs(factor.value) == 1;
+    const std::string unit = ratio_unit(joint_.type, other.type);
+    const bool is_sign = unit == "1" && cln::abs(factor.value) == 1;  // 1 rad/m is no 1
     coupling.factor = is_sign ? (cln::minusp(factor.value) ? "-1" : "1")
-                              : glossary_.parameter("ratio_" + name_, factor,
-                                                    ratio_unit(joint_.type, other.type));
+                              : glossary_.parameter("ratio_" + name_, factor, unit);
     coupling.offset = glossary_.parameter("offset_" + name_, joint_.mimic->offset,
                                           std::string(units_of(joint_.type).position));
     return coupling;

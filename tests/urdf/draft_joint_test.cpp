@@ -124,6 +124,14 @@ TEST_CASE("a joint that mimics by 1, -1 or 0 needs no ratio") {
   CHECK(way("0") == "offset_k");
 }
 
+TEST_CASE("between an angle and a length 1 has a unit, and is a ratio") {
+  const urdf::Draft draft = draft_of(mimicking("revolute", "<mimic joint=\"a\"/>"));
+  CHECK(last_frame(draft).rotate.back().angle == "ratio_k*a");
+  const auto& parameters = draft.parameters.back().parameters;
+  REQUIRE(parameters.size() == 1);
+  CHECK(parameters[0].unit == "rad/m");
+}
+
 TEST_CASE("damping is a term of D, friction a force") {
   const std::string dynamics = "<dynamics damping=\"2\" friction=\"3\"/>";
   const urdf::Draft draft = draft_of(arm_on("prismatic", dynamics));
