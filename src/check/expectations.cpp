@@ -21,9 +21,11 @@ std::string shape(std::size_t rows, std::size_t columns) {
   return std::to_string(rows) + " x " + std::to_string(columns);
 }
 
+using Rows = std::vector<std::vector<const ValueSyntax*>>;
+
 /// The rows of a value: a list of lists, a list (a column), or one expression.
-std::vector<std::vector<const ValueSyntax*>> rows_of(const ValueSyntax& value) {
-  std::vector<std::vector<const ValueSyntax*>> rows;
+Rows rows_of(const ValueSyntax& value) {
+  Rows rows;
   if (value.kind != ValueKind::list) {
     return {{&value}};
   }
@@ -46,6 +48,14 @@ bool is_matrix(const OutputRequest& request) {
 
 bool is_nested(const ValueSyntax& value) {
   return !value.items.empty() && value.items.front().kind == ValueKind::list;
+}
+
+/// What stands there instead of what should: "2 x 1 entries".
+std::string found_shape(const Rows& rows) {
+  const std::size_t columns = rows.empty() ? 0 : rows.front().size();
+  const bool is_ragged =
+      std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.size() != columns; });
+  return is_ragged ? "rows of different lengths" : shape(rows.size(), columns) + " entries";
 }
 
 class ExpectationReader {
@@ -84,7 +94,8 @@ class ExpectationReader {
     Expectation expectation = blank(key.key, key.key_span);
     expectation.rows = request.rows;
     expectation.columns = request.columns;
-    bool fits = rows.size() == request.rows && (!is_matrix(request) || is_nested(key.value));
+    const bool lacks_rows = is_matrix(request) && !is_nested(key.value);
+    bool fits = rows.size() == request.rows && !lacks_rows;
     for (std::uint32_t i = 0; fits && i < rows.size(); ++i) {
       fits = rows[i].size() == request.columns;
       for (std::uint32_t j = 0; fits && j < rows[i].size(); ++j) {
@@ -93,11 +104,11 @@ class ExpectationReader {
       }
     }
     if (!fits) {
-      const std::size_t columns = rows.empty() ? 0 : rows.front().size();
-      context_.report.add(Code::E517, key.value.span,
-                          shape(rows.size(), columns) + " entries, but " + quoted(key.key) +
-                              " is " + shape(request.rows, request.columns),
-                          is_matrix(request) ? "a matrix is a list of rows: [[…], […]]" : "");
+      const std::string found = lacks_rows ? "no list of rows" : found_shape(rows);
+      context_.report.add(
+          Code::E517, key.value.span,
+          found + ", but " + quoted(key.key) + " is " + shape(request.rows, request.columns),
+          is_matrix(request) ? "a matrix is a list of rows: [[…], […]]" : "");
       return;
     }
     keep(std::move(expectation));

@@ -45,15 +45,17 @@ TEST_CASE("closed forms that do not fit") {
   const std::vector<std::pair<std::string, std::string>> rows{
       {"gravity = [\"k*x[1]\"]\n", "E517 17:11 1 x 1 entries, but `gravity` is 2 x 1\n"},
       {"mass_matrix = [\"m[1]\", \"m[2]\"]\n",
-       "E517 17:15 2 x 1 entries, but `mass_matrix` is 2 x 2 | a matrix is a list of rows: [[…], "
+       "E517 17:15 no list of rows, but `mass_matrix` is 2 x 2 | a matrix is a list of rows: [[…], "
        "[…]]\n"},
       {"mass_matrix = [[\"m[1]\", 0], [0]]\n",
-       "E517 17:15 2 x 2 entries, but `mass_matrix` is 2 x 2 | a matrix is a list of rows: [[…], "
+       "E517 17:15 rows of different lengths, but `mass_matrix` is 2 x 2 | a matrix is a list of "
+       "rows: [[…], "
        "[…]]\n"},
       {"gravty = [\"0\", \"0\"]\n",
        "E601 17:1 unknown output `gravty` | did you mean `gravity`?\n"},
       {"linearization = [\"0\"]\n",
-       "E517 17:17 1 x 1 entries, but `linearization` is 4 x 4 | a matrix is a list of rows: [[…], "
+       "E517 17:17 no list of rows, but `linearization` is 4 x 4 | a matrix is a list of rows: "
+       "[[…], "
        "[…]]\n"},
       {"gravity = { for = \"i in 1..n\", value = \"0\" }\n",
        "E601 17:1 `gravity` is given by entry, but is not called so | did you mean "
