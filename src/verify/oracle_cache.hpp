@@ -17,7 +17,8 @@ class OracleCache {
 
   [[nodiscard]] const OracleValues& values(const OutputRequest& request);
 
-  /// |E|, in whose rounding entries that are zero on paper drown; 0 where E is undefined.
+  /// |E| and the magnitudes of V's terms, in whose rounding entries that are zero on paper drown; 0
+  /// where E is undefined.
   [[nodiscard]] const cln::cl_R& energy();
 
   /// The largest generalized force of the motion, in whose rounding the oracle's differences of

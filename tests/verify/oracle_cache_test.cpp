@@ -30,6 +30,19 @@ TEST_CASE("the energy is a magnitude, 0 where there is none") {
   CHECK(OracleCache(other, nominal_state(undefined.model, {})).energy() == 0);
 }
 
+TEST_CASE("the energy is that of weights that balance") {
+  ModelBuilder seesaw;
+  seesaw.coordinate("th").parameter("m", "30").parameter("l", "2").parameter("g", "10");
+  seesaw.point("right", {"l*cos(th)", "l*sin(th)"}, "m");
+  seesaw.point("left", {"-l*cos(th)", "-l*sin(th)"}, "m").gravity({"0", "-g"});
+  const System system = system_of(seesaw.model, "parameters m l g\ncoordinates th\n");
+  const Subject subject = system.subject();
+  State state = nominal_state(subject.model, subject.scene);
+  state.q = {cln::cl_R(1)};
+  state.v = {cln::cl_R(0)};
+  CHECK(OracleCache(subject, state).energy() > 1000);  // 2 m g l sin(1)
+}
+
 TEST_CASE("a solution is known where large forces do not cancel to almost nothing") {
   // A load on a rope of length l under a trolley: at l = -1e-150 the force on th is 1e-147, what is
   // left of forces of 1e3.
