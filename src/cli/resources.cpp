@@ -12,6 +12,15 @@ namespace elgen::cli {
 
 namespace {
 
+/// The address sanitizer's shadow counts as memory: terabytes of it.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool has_shadow_memory = true;
+#elif defined(__has_feature)
+constexpr bool has_shadow_memory = __has_feature(address_sanitizer);
+#else
+constexpr bool has_shadow_memory = false;
+#endif
+
 std::string& time_message() {
   static std::string message;
   return message;
@@ -43,9 +52,7 @@ void set_resource_limits(const Limits& limits, const DiagnosticStyle& style) {
   std::signal(SIGXCPU, end_on_time);
   std::signal(SIGINT, end_on_interrupt);
   renew_time_limit(limits);
-#if !defined(__SANITIZE_ADDRESS__)  // its shadow memory counts
-  limit(RLIMIT_AS, limits.memory_mib << 20U);
-#endif
+  if (!has_shadow_memory) limit(RLIMIT_AS, limits.memory_mib << 20U);
 }
 
 void renew_time_limit(const Limits& limits) {
