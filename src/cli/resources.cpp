@@ -15,8 +15,10 @@ namespace {
 /// The address sanitizer's shadow counts as memory: terabytes of it.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool has_shadow_memory = true;
-#elif defined(__has_feature)
-constexpr bool has_shadow_memory = __has_feature(address_sanitizer);
+#elif !defined(__has_feature)
+constexpr bool has_shadow_memory = false;
+#elif __has_feature(address_sanitizer)
+constexpr bool has_shadow_memory = true;
 #else
 constexpr bool has_shadow_memory = false;
 #endif
