@@ -29,7 +29,7 @@ Vector columns(Derivation& derivation, const Vector& values, const Direction& di
 }
 
 /// d(M a + bias - B u)/dq and /dv; B u only where the inputs act.
-InverseDerivatives residual_derivatives(Derivation& derivation, Inputs inputs) {
+InverseDerivatives residual_derivatives(Derivation& derivation, InputForces inputs) {
   const bool by_columns = has_linear_variables(derivation.tree());
   Vector rest = residual(derivation, inputs, by_columns ? Bodies::without_frames : Bodies::all);
   for (ex& entry : rest) entry = define(derivation.definitions, entry);
@@ -73,13 +73,13 @@ void add_turning_of_displacement(const Symbols& symbols, const RotationPlace& ro
 }  // namespace
 
 InverseDerivatives inverse_dynamics_derivatives(Derivation& derivation) {
-  return residual_derivatives(derivation, Inputs::absent);
+  return residual_derivatives(derivation, InputForces::absent);
 }
 
 ForwardDerivatives forward_dynamics_derivatives(Derivation& derivation) {
   SymmetricSolve mass(derivation, mass_matrix(derivation));
   const Vector solved = acceleration(derivation, mass);
-  InverseDerivatives of_residual = residual_derivatives(derivation, Inputs::acting);
+  InverseDerivatives of_residual = residual_derivatives(derivation, InputForces::acting);
   Seeds accelerations;
   for (std::size_t i = 0; i < solved.size(); ++i) {
     accelerations.emplace(derivation.symbols.a[i], solved[i]);

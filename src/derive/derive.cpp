@@ -85,9 +85,9 @@ std::vector<FieldEquations> fields(Derivation& d, const OutputRequest& request) 
     case OutputKind::dissipation:
       return plain(request, dissipation(d));
     case OutputKind::applied_force:
-      return plain(request, applied_force(d, Inputs::absent));
+      return plain(request, applied_force(d, InputForces::absent));
     case OutputKind::bias:
-      return plain(request, bias(d, Inputs::absent));
+      return plain(request, bias(d, InputForces::absent));
     case OutputKind::momentum:
       return plain(request, momentum(d));
     case OutputKind::kinetic_energy:

@@ -64,7 +64,7 @@ std::vector<Weighted> inertial_forces_of_masses(Derivation& derivation, Tangent&
 }
 
 /// -F on each point force, so that it joins the forces of the left side.
-std::vector<Weighted> negative_point_forces(Derivation& derivation, Inputs inputs) {
+std::vector<Weighted> negative_point_forces(Derivation& derivation, InputForces inputs) {
   std::vector<Weighted> result;
   Seeds none;
   for (const ex& input : derivation.symbols.u) none.emplace(input, 0);
@@ -72,15 +72,15 @@ std::vector<Weighted> negative_point_forces(Derivation& derivation, Inputs input
   for (const PointForce& applied : derivation.lagrangian.point_forces) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const ex& force = applied.force[axis];
-      const ex acting = inputs == Inputs::acting ? force : without_inputs(force);
+      const ex acting = inputs == InputForces::acting ? force : without_inputs(force);
       result.push_back({applied.position[axis], -acting});
     }
   }
   return result;
 }
 
-Vector direct_forces(Derivation& derivation, Inputs inputs) {
-  if (inputs == Inputs::acting) return derivation.lagrangian.forces;
+Vector direct_forces(Derivation& derivation, InputForces inputs) {
+  if (inputs == InputForces::acting) return derivation.lagrangian.forces;
   Seeds none;
   for (const ex& input : derivation.symbols.u) none.emplace(input, 0);
   Substitution without_inputs(derivation.definitions, none);
@@ -90,9 +90,9 @@ Vector direct_forces(Derivation& derivation, Inputs inputs) {
 }
 
 /// The wrenches' components with u = 0, or as they are.
-std::vector<Wrench> acting_wrenches(Derivation& derivation, Inputs inputs) {
+std::vector<Wrench> acting_wrenches(Derivation& derivation, InputForces inputs) {
   std::vector<Wrench> result = derivation.lagrangian.tree.wrenches;
-  if (inputs == Inputs::acting) return result;
+  if (inputs == InputForces::acting) return result;
   Seeds none;
   for (const ex& input : derivation.symbols.u) none.emplace(input, 0);
   Substitution without_inputs(derivation.definitions, none);
@@ -109,7 +109,7 @@ TreeForces negative(TreeForces forces) {
   return forces;
 }
 
-TreeForces negative_wrenches(Derivation& derivation, Inputs inputs) {
+TreeForces negative_wrenches(Derivation& derivation, InputForces inputs) {
   const std::vector<Wrench> wrenches = acting_wrenches(derivation, inputs);
   return negative(derivation.tree().wrench_forces(wrenches));
 }
@@ -120,7 +120,7 @@ TreeForces tree_forces(Derivation& derivation, Tangent& second) {
 }
 
 /// Everything of tau that `second` gives: inertia, gravity, dissipation, forces.
-Vector left_side(Derivation& derivation, Tangent& second, Inputs inputs, Bodies bodies) {
+Vector left_side(Derivation& derivation, Tangent& second, InputForces inputs, Bodies bodies) {
   std::vector<Weighted> pulled_back = inertial_forces_of_masses(derivation, second);
   append(pulled_back, negative_point_forces(derivation, inputs));
   TreeForces inertial;
@@ -145,14 +145,14 @@ Vector left_side(Derivation& derivation, Tangent& second, Inputs inputs, Bodies 
 }  // namespace
 
 Vector inverse_dynamics(Derivation& derivation) {
-  return left_side(derivation, derivation.motion, Inputs::absent, Bodies::all);
+  return left_side(derivation, derivation.motion, InputForces::absent, Bodies::all);
 }
 
-Vector residual(Derivation& derivation, Inputs inputs, Bodies bodies) {
+Vector residual(Derivation& derivation, InputForces inputs, Bodies bodies) {
   return left_side(derivation, derivation.motion, inputs, bodies);
 }
 
-Vector bias(Derivation& derivation, Inputs inputs) {
+Vector bias(Derivation& derivation, InputForces inputs) {
   return left_side(derivation, derivation.coasting, inputs, Bodies::all);
 }
 
@@ -230,7 +230,7 @@ Vector dissipation(Derivation& derivation) {
                   derivation.symbols.v);
 }
 
-Vector applied_force(Derivation& derivation, Inputs inputs) {
+Vector applied_force(Derivation& derivation, InputForces inputs) {
   std::vector<Weighted> pulled_back = negative_point_forces(derivation, inputs);
   const TreeForces wrenches = negative_wrenches(derivation, inputs);
   append(pulled_back, wrenches.pulled_back);

@@ -6,17 +6,17 @@
 
 namespace elgen {
 
-enum class Inputs : unsigned char { absent, acting };
+enum class InputForces : unsigned char { absent, acting };
 enum class Bodies : unsigned char { all, without_frames };
 
 /// tau = M a + bias.
 [[nodiscard]] Vector inverse_dynamics(Derivation& derivation);
 
 /// The same less B u where the inputs act; without what the bodies in frames add, where asked so.
-[[nodiscard]] Vector residual(Derivation& derivation, Inputs inputs, Bodies bodies);
+[[nodiscard]] Vector residual(Derivation& derivation, InputForces inputs, Bodies bodies);
 
 /// C v + drift + g + dD/dv - Q; with the inputs acting, - Q - B u.
-[[nodiscard]] Vector bias(Derivation& derivation, Inputs inputs);
+[[nodiscard]] Vector bias(Derivation& derivation, InputForces inputs);
 
 /// C v: the part quadratic in v. L quadratic in v.
 [[nodiscard]] Vector velocity_force(Derivation& derivation, Bodies bodies = Bodies::all);
@@ -34,7 +34,7 @@ enum class Bodies : unsigned char { all, without_frames };
 [[nodiscard]] Vector dissipation(Derivation& derivation);
 
 /// Q: the declared forces with u = 0; with the inputs acting, Q + B u.
-[[nodiscard]] Vector applied_force(Derivation& derivation, Inputs inputs);
+[[nodiscard]] Vector applied_force(Derivation& derivation, InputForces inputs);
 
 /// dL/dv = M v + b.
 [[nodiscard]] Vector momentum(Derivation& derivation);

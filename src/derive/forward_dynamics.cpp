@@ -18,7 +18,7 @@ std::string name_of_acceleration(const Derivation& derivation, std::size_t i) {
 }  // namespace
 
 Vector acceleration(Derivation& derivation, SymmetricSolve& mass) {
-  Vector right_side = bias(derivation, Inputs::acting);
+  Vector right_side = bias(derivation, InputForces::acting);
   for (ex& entry : right_side) entry = -entry;
   Vector result = mass.solve(right_side);
   for (std::size_t i = 0; i < result.size(); ++i) {

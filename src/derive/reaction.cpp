@@ -13,7 +13,7 @@ Vector reaction(Derivation& derivation) {
   Lagrangian whole = *holding.whole;
   whole.definitions = derivation.definitions;
   Derivation moving(whole);
-  const Vector rows = residual(moving, Inputs::acting, Bodies::all);
+  const Vector rows = residual(moving, InputForces::acting, Bodies::all);
   Substitution standing(moving.definitions, holding.values);
   Vector result;
   for (const std::uint32_t velocity : holding.velocities) {

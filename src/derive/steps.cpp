@@ -87,7 +87,7 @@ class StepByStep {
     const Vector partial = derivation_.by_position({{lagrangian_, 1}});
     const Vector turning = turning_force(derivation_, momentum_);
     const Vector dissipation = elgen::dissipation(derivation_);
-    const Vector force = applied_force(derivation_, Inputs::acting);
+    const Vector force = applied_force(derivation_, InputForces::acting);
     for (std::size_t i = 0; i < derivation_.size(); ++i) {
       const ex rate = derivation_.motion(momentum_[i]) + turning[i];
       add(derivation_.lagrangian.leaves.velocities[i],

@@ -73,8 +73,8 @@ std::string assignments(const Dialect& dialect, const Function& function,
   return lines;
 }
 
-Definition definition(const Dialect& dialect, const Program& program, const Function& function,
-                      Storage storage) {
+FunctionDefinition definition(const Dialect& dialect, const Program& program,
+                              const Function& function, Storage storage) {
   const Function ordered = stored(function, storage);
   const FunctionBody body = statements(program, ordered, dialect);
   if (length(body) <= longest_body) {
@@ -84,7 +84,7 @@ Definition definition(const Dialect& dialect, const Program& program, const Func
   const Sections cut = sections(body, section_length);
   const FunctionBody shared = statements(program, ordered, dialect, cut.crosses);
   const std::string calls = dialect.calling_body(function, cut.parts.size());
-  Definition result{{dialect.signature(function, calls), calls}};
+  FunctionDefinition result{{dialect.signature(function, calls), calls}};
   for (std::size_t part = 0; part < cut.parts.size(); ++part) {
     const std::string text = part_body(dialect, ordered, shared, cut, part);
     result.parts.push_back({dialect.part_signature(function, part, text), text});

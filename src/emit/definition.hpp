@@ -19,14 +19,14 @@ struct DefinitionText {
   std::string body = {};
 };
 
-struct Definition {
+struct FunctionDefinition {
   DefinitionText whole = {};
   std::vector<DefinitionText> parts = {};   ///< called by the whole; none where it is short
   std::vector<std::string> workspace = {};  ///< names of the values that several parts use
 };
 
-[[nodiscard]] Definition definition(const Dialect& dialect, const Program& program,
-                                    const Function& function, Storage storage);
+[[nodiscard]] FunctionDefinition definition(const Dialect& dialect, const Program& program,
+                                            const Function& function, Storage storage);
 
 /// "  target = …;\n", broken before operators.
 [[nodiscard]] std::string assignment(const std::string& target, const Term& value);

@@ -47,7 +47,7 @@ TemplateData struct_data(const FunctionText& text, const Dialect& dialect) {
 }
 
 TemplateData parts_data(const Function& function, const Dialect& dialect,
-                        const Definition& definition) {
+                        const FunctionDefinition& definition) {
   TemplateData list(List::list);
   for (const auto& [signature, body] : definition.parts) {
     TemplateData part;
@@ -77,7 +77,7 @@ TemplateData function_data(const EmissionInput& input, const Dialect& dialect, s
            section_if(has_struct, has_struct ? struct_data(text, dialect) : TemplateData()));
   data.set("summary", function_heading(text));
   data.set("documentation", lines_data(function_docs(text)));
-  const Definition written =
+  const FunctionDefinition written =
       definition(dialect, input.program, function, input.scene.emission.storage);
   const bool has_parts = !written.parts.empty();
   data.set("parts", section_if(has_parts, has_parts ? parts_data(function, dialect, written)

@@ -27,7 +27,7 @@ TEST_CASE("inverse dynamics, bias and momentum of every system") {
     Derived s(text);
     check_entries(s, inverse_dynamics(s.derivation),
                   [&](std::size_t i) { return s.textbook.inverse_dynamics(i); });
-    check_entries(s, bias(s.derivation, Inputs::absent),
+    check_entries(s, bias(s.derivation, InputForces::absent),
                   [&](std::size_t i) { return s.textbook.bias(i); });
     check_entries(s, momentum(s.derivation), [&](std::size_t i) { return s.textbook.momentum(i); });
   }
@@ -47,9 +47,9 @@ TEST_CASE("velocity force, drift and gravity of every quadratic system") {
 
 TEST_CASE("forces with and without inputs") {
   Derived s(everything_text());
-  check_entries(s, applied_force(s.derivation, Inputs::absent),
+  check_entries(s, applied_force(s.derivation, InputForces::absent),
                 [&](std::size_t i) { return s.textbook.without_inputs(s.textbook.force(i)); });
-  check_entries(s, bias(s.derivation, Inputs::acting), [&](std::size_t i) {
+  check_entries(s, bias(s.derivation, InputForces::acting), [&](std::size_t i) {
     const GiNaC::ex force = s.textbook.force(i);
     return s.textbook.bias(i) + s.textbook.without_inputs(force) - force;
   });
@@ -70,6 +70,6 @@ TEST_CASE("where time does not occur nothing drifts") {
 
 TEST_CASE("applied forces with the inputs acting are all of the right side") {
   Derived s(everything_text());
-  check_entries(s, applied_force(s.derivation, Inputs::acting),
+  check_entries(s, applied_force(s.derivation, InputForces::acting),
                 [&](std::size_t i) { return s.textbook.force(i); });
 }

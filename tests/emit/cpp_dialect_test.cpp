@@ -77,7 +77,8 @@ TEST_CASE("big results are written entry by entry") {
   const auto count = static_cast<std::uint32_t>(largest_returned + 1);
   function.fields = {{"", count, 1, std::vector<std::uint32_t>(count, 0)}};
   const CppDialect dialect(subject.model, subject.program);
-  const Definition written = definition(dialect, subject.program, function, Storage::row_major);
+  const FunctionDefinition written =
+      definition(dialect, subject.program, function, Storage::row_major);
   REQUIRE(written.parts.size() > 1);
   const std::string& first = written.parts.front().body;
   CHECK(first.rfind("  result[0] = v[1];\n  result[1] = v[1];\n", 0) == 0);

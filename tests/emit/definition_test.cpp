@@ -24,7 +24,7 @@ Subject long_function(std::size_t statements) {
   return subject;
 }
 
-Definition function_of(const Subject& subject, Storage storage = Storage::row_major) {
+FunctionDefinition function_of(const Subject& subject, Storage storage = Storage::row_major) {
   const CppDialect dialect(subject.model, subject.program);
   return definition(dialect, subject.program, subject.program.functions.front(), storage);
 }
@@ -32,14 +32,14 @@ Definition function_of(const Subject& subject, Storage storage = Storage::row_ma
 }  // namespace
 
 TEST_CASE("a short function is one body") {
-  const Definition function = function_of(long_function(20));
+  const FunctionDefinition function = function_of(long_function(20));
   CHECK(function.parts.empty());
   CHECK(function.workspace.empty());
   CHECK(function.whole.body.find("return {{") != std::string::npos);
 }
 
 TEST_CASE("a long function calls its parts in order") {
-  const Definition function = function_of(long_function(longest_body));
+  const FunctionDefinition function = function_of(long_function(longest_body));
   REQUIRE(function.parts.size() == 3);
   CHECK(function.whole.body ==
         "  Forces<Scalar> result;\n"
@@ -53,7 +53,7 @@ TEST_CASE("a long function calls its parts in order") {
 }
 
 TEST_CASE("parts name the arguments they mention") {
-  const Definition function = function_of(long_function(longest_body));
+  const FunctionDefinition function = function_of(long_function(longest_body));
   const std::string& last = function.parts.back().signature;
   CHECK(last.find("GravityWorkspace<Scalar>& w") != std::string::npos);
   CHECK(last.find("const Coordinates<Scalar>&)") != std::string::npos);
@@ -70,7 +70,7 @@ TEST_CASE("more entries than a stack should hold are written by reference") {
   bias.names = {""};
   bias.fields = {{"", 4097, 1, std::vector<std::uint32_t>(4097, 0)}};
   subject.program.functions = {bias};
-  const Definition function = function_of(subject);
+  const FunctionDefinition function = function_of(subject);
   CHECK(function.whole.signature.rfind("void bias(Forces<Scalar>& result,", 0) == 0);
   CHECK(function.whole.body.find("return") == std::string::npos);
 }

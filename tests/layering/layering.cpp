@@ -205,6 +205,31 @@ std::vector<std::string> sources_without_test(const SourceTree& tree) {
   return found;
 }
 
+std::vector<std::string> types_declared_twice(const SourceTree& tree) {
+  static const std::regex opening(R"(^namespace ?([\w:]*) ?\{)");
+  static const std::regex type(R"(^(struct|class|enum class) (\w+)( final)?( : [^{;]*)? ?\{)");
+  std::map<std::string, std::string> known;
+  std::vector<std::string> sentences;
+  for (const auto& [path, text] : tree) {
+    if (starts_with(path, "tests/")) continue;
+    std::vector<std::string> names;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      std::smatch match;
+      if (std::regex_search(line, match, opening)) names.push_back(match[1]);
+      if (starts_with(line, "}  // namespace") && !names.empty()) names.pop_back();
+      const bool is_local = std::find(names.begin(), names.end(), "") != names.end();
+      if (is_local || !std::regex_search(line, match, type)) continue;
+      std::string name;
+      for (const std::string& part : names) name += part + "::";
+      name += match[2];
+      const auto [first, is_new] = known.emplace(name, path);
+      if (!is_new) sentences.push_back(path + ": " + name + " is also in " + first->second);
+    }
+  }
+  return sentences;
+}
+
 std::vector<std::string> long_files(const SourceTree& tree, std::size_t most_lines) {
   std::vector<std::string> found;
   for (const auto& [path, text] : tree) {

@@ -32,6 +32,9 @@ struct Layer {
 [[nodiscard]] std::vector<std::string> include_cycles(const SourceTree& tree);
 [[nodiscard]] std::vector<std::string> misplaced_ginac(const SourceTree& tree);
 [[nodiscard]] std::vector<std::string> sources_without_test(const SourceTree& tree);
+/// A type of one name and namespace in two files is two types to the compiler and one to the
+/// linker.
+[[nodiscard]] std::vector<std::string> types_declared_twice(const SourceTree& tree);
 [[nodiscard]] std::vector<std::string> long_files(const SourceTree& tree, std::size_t most_lines);
 
 }  // namespace elgen::test

@@ -105,6 +105,16 @@ TEST_CASE("a source without its test is found") {
                   "src/second.cpp: has no tests/second/second_test.cpp"});
 }
 
+TEST_CASE("a type of the same name in the same namespace is found, a local one is not") {
+  SourceTree tree = small_tree();
+  tree["src/first/a.hpp"] = "namespace elgen {\nstruct Pip {\n};\n}  // namespace elgen\n";
+  tree["src/second/b.cpp"] =
+      "namespace elgen {\nnamespace {\nstruct Pip {\n};\n}  // namespace\nenum class Pip : char "
+      "{ one };\n}  // namespace elgen\n";
+  CHECK(types_declared_twice(tree) ==
+        Sentences{"src/second/b.cpp: elgen::Pip is also in src/first/a.hpp"});
+}
+
 TEST_CASE("a long file is found, one of the greatest length is not") {
   SourceTree tree = small_tree();
   tree["tests/first/apple_test.cpp"] = "\n\n\n\n";
@@ -124,6 +134,10 @@ TEST_CASE("this project keeps GiNaC where it may be") {
 
 TEST_CASE("this project has a test named like every source") {
   CHECK(sources_without_test(project()) == Sentences{});
+}
+
+TEST_CASE("this project declares every type once") {
+  CHECK(types_declared_twice(project()) == Sentences{});
 }
 
 TEST_CASE("this project has no file over 400 lines") {
