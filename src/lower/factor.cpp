@@ -18,6 +18,17 @@ struct FactoredTerm {
   bool is_divisible = false;
 };
 
+/// Each base stands once: a term is divided by a factor in one place.
+void multiply(FactoredTerm& term, NodeId factor, std::int32_t exponent) {
+  const auto known = std::find_if(term.factors.begin(), term.factors.end(),
+                                  [&](const Power& power) { return power.base.node == factor; });
+  if (known == term.factors.end()) {
+    term.factors.push_back({{factor, false}, exponent});
+  } else {
+    known->exponent += exponent;
+  }
+}
+
 bool has_factor(const FactoredTerm& term, NodeId factor) {
   return term.is_divisible &&
          std::any_of(term.factors.begin(), term.factors.end(), [&](const Power& power) {
@@ -74,11 +85,11 @@ class Factoring {
       const bool is_rest =
           is_scaled && factor.weight == 1 && graph.node(factor.node).kind == NodeKind::product;
       if (!is_rest) {
-        term.factors.push_back({{factor.node, false}, factor.weight});
+        multiply(term, factor.node, factor.weight);
         continue;
       }
       for (const Operand& inner : graph.node(factor.node).operands) {
-        term.factors.push_back({{inner.node, false}, inner.weight});
+        multiply(term, inner.node, inner.weight);
       }
     }
   }
@@ -125,14 +136,7 @@ class Factoring {
     const bool is_product = node.kind == NodeKind::product;
     const std::vector<Operand> factors =
         is_product ? node.operands : std::vector<Operand>{{inner.node, 1}};
-    for (const Operand& factor : factors) {
-      // Each base once: a term is divided by a factor in one place.
-      if (factor.node == common) {
-        result.factors.front().exponent += factor.weight;
-      } else {
-        result.factors.push_back({{factor.node, false}, factor.weight});
-      }
-    }
+    for (const Operand& factor : factors) multiply(result, factor.node, factor.weight);
     return result;
   }
 

@@ -60,6 +60,14 @@ TEST_CASE("a coefficient does not hide common factors") {
   CHECK(texts_of(factor(l.expressions)) == std::vector<std::string>{"a*b*(d + 2*c)"});
 }
 
+TEST_CASE("a coefficient that the scaled product has too is one base with its power") {
+  testing::ExpressionLeaves l;
+  const Ref root = l.graph.square_root(l.graph.rational(2));
+  const Ref inner = l.product({root, l.a, l.b});
+  l.expressions.values = {l.graph.sum({l.product({root, inner}), l.product({root, l.c})})};
+  CHECK(texts_of(factor(l.expressions)) == std::vector<std::string>{"sqrt(2)*(c + sqrt(2)*a*b)"});
+}
+
 TEST_CASE("a common factor keeps its power") {
   testing::ExpressionLeaves l;
   const Ref first = l.graph.product({{l.a}, {l.b, 2}, {l.c, 2}});
