@@ -117,6 +117,7 @@ struct Parameter {
   cln::cl_R value = 0;  ///< exact rational where it is one, else a float of 100 decimal digits
   Assumption assumption = Assumption::none;
   std::optional<Unit> unit = {};
+  std::optional<ExpressionId> form = {};  ///< the value as written, where it is not rational
 };
 
 /// A parameter as declared: one number, or `size` of them.

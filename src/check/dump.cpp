@@ -208,7 +208,8 @@ std::string dump(const Scene& scene) {
           std::string(name_of(scene.emission.storage)) + (scene.emission.eigen ? ", eigen" : "") +
           "\n";
   for (const auto& [parameter, value] : scene.specialisation.fixed) {
-    text += "fixed parameter " + std::to_string(parameter) + " = " + number_text(value) + "\n";
+    text +=
+        "fixed parameter " + std::to_string(parameter) + " = " + number_text(value.number) + "\n";
   }
   for (const OutputRequest& output : scene.outputs) {
     text += "output " + output.name + " " + std::to_string(output.rows) + " " +

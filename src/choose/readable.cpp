@@ -23,13 +23,20 @@ class Lengths {
   [[nodiscard]] std::size_t of(NodeId id) const { return lengths_[id]; }
 
  private:
+  /// Constants that stand together are one number.
   [[nodiscard]] std::size_t length(NodeId id) const {
+    if (graph_.is_constant(id)) return 0;
     const Node& node = graph_.node(id);
-    std::size_t total = node.operands.empty() ? 0 : node.operands.size() - 1;
+    std::size_t total = 0;
+    bool has_constant = false;
     for (const Operand& operand : node.operands) {
-      total += lengths_[operand.node];
+      const bool is_together = graph_.is_constant(operand.node) && has_constant;
+      has_constant = has_constant || graph_.is_constant(operand.node);
+      if (is_together) continue;
+      total += lengths_[operand.node] + 1;
       if (node.kind == NodeKind::product && operand.weight != 1) ++total;
     }
+    if (total > 0) --total;
     if (node.kind == NodeKind::call) total += call_length + multiples(node.operands[0].node);
     if (node.kind == NodeKind::square_root) total += call_length;
     return total;
@@ -37,6 +44,7 @@ class Lengths {
 
   /// Terms of an angle that are multiples of something.
   [[nodiscard]] std::size_t multiples(NodeId argument) const {
+    if (graph_.is_constant(argument)) return 0;
     const Node& node = graph_.node(argument);
     if (node.kind == NodeKind::product) {
       return graph_.is_constant(node.operands[0].node) ? multiple_length : 0;
@@ -182,10 +190,8 @@ namespace {
 Ref graph_of(Graph& graph, const Program& program, const Instruction& i,
              const std::vector<Ref>& refs) {
   switch (i.opcode) {
-    case Opcode::constant: {
-      const Constant& constant = program.constants[i.a];
-      return graph.constant(make_constant(constant.value, constant.text));
-    }
+    case Opcode::constant:
+      return graph.constant(program.constants[i.a].form);
     case Opcode::negate:
       return -refs[i.a];
     case Opcode::add:

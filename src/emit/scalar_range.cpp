@@ -39,7 +39,7 @@ Diagnostics check_scalar_range(const Model& model, const Scene& scene, const Pro
             scene, diagnostics);
     }
   }
-  for (const Constant& constant : program.constants) {
+  for (const Constant& constant : executed_constants(program)) {
     check({constant.value, ", a constant of the equations,", {}}, scene, diagnostics);
   }
   sort_by_position(diagnostics);

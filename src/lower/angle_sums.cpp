@@ -31,10 +31,9 @@ void add_terms(const Graph& graph, NodeId id, const cl_RA& coefficient, Combinat
   }
   const bool is_multiple = node.kind == NodeKind::product && node.operands.size() == 2 &&
                            node.operands[0].weight == 1 && node.operands[1].weight == 1 &&
-                           graph.is_constant(node.operands[0].node) &&
-                           is_rational(graph.constant_of(node.operands[0].node));
+                           graph.is_rational(node.operands[0].node);
   if (is_multiple) {
-    const cl_RA factor = rational_value(graph.constant_of(node.operands[0].node));
+    const cl_RA factor = graph.rational_of(node.operands[0].node);
     add_terms(graph, node.operands[1].node, coefficient * factor, to);
     return;
   }
@@ -151,8 +150,10 @@ class AngleSums {
           factors.push_back({argument(graph, step, factor.node), factor.weight});
         }
         return graph.product(factors);
-      case NodeKind::constant:
-        return graph.constant({step.old_graph.constant_of(id), false});
+      case NodeKind::rational:
+        return graph.rational(step.old_graph.rational_of(id));
+      case NodeKind::pi:
+        return graph.pi();
       case NodeKind::leaf:
         return graph.leaf(node.leaf, node.index);
       case NodeKind::square_root:

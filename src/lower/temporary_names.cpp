@@ -145,7 +145,7 @@ class Naming {
     std::string content =
         fmt::format("{} {} ", static_cast<int>(i.opcode),
                     i.opcode == Opcode::call ? function_row(i.function).name : "");
-    if (i.opcode == Opcode::constant) content += program_.constants[i.a].text;
+    if (i.opcode == Opcode::constant) content += text_of(program_.constants[i.a].form);
     if (const auto* spellings = leaf_spellings(program_.leaves, i.opcode)) {
       content += (*spellings)[i.a];
     }

@@ -30,7 +30,7 @@ State nominal_state(const Model& model, const Scene& scene) {
   for (std::uint32_t i = 0; i < model.parameters.size(); ++i) {
     const auto fixed = scene.specialisation.fixed.find(i);
     const bool is_fixed = fixed != scene.specialisation.fixed.end();
-    state.parameters.push_back(is_fixed ? fixed->second : model.parameters[i].value);
+    state.parameters.push_back(is_fixed ? fixed->second.number : model.parameters[i].value);
   }
   state.q.assign(model.coordinates.size(), cl_R(0));
   for (const Rotation& rotation : model.rotations) state.q[rotation.first_coordinate] = 1;

@@ -28,7 +28,7 @@ bool same_atom(const Atom& x, const Atom& y) {
     return a.denominator == b.denominator && same_polynomial(a.numerator, b.numerator);
   };
   return x.kind == y.kind && x.leaf == y.leaf && x.index == y.index && x.function == y.function &&
-         x.divisor == y.divisor && x.constant.text == y.constant.text &&
+         x.divisor == y.divisor &&
          std::equal(x.arguments.begin(), x.arguments.end(), y.arguments.begin(), y.arguments.end(),
                     same_fraction);
 }

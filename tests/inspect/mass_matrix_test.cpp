@@ -64,6 +64,6 @@ TEST_CASE("a mass that is 0 by default is no mistake, one fixed at 0 is") {
   b.coordinate("x").parameter("m", "0").T("m*x_d^2/2");
   CHECK(found(b).empty());
   Scene scene;
-  scene.specialisation.fixed[0] = 0;
+  scene.specialisation.fixed[0] = {0};
   CHECK(found(b, scene) == "E501: the rate of `x` has no kinetic energy");
 }
