@@ -1,4 +1,5 @@
-// Closed forms that are true of a model by its own energies, and false ones that differ in a constant.
+// Closed forms that are true of a model by its own energies, and false ones that differ in a
+// constant.
 #pragma once
 
 #include <optional>
@@ -9,7 +10,8 @@
 
 namespace elgen::random {
 
-/// dE/dx of an expression, by the rules of calculus alone; x is a coordinate, or its rate as dot(x).
+/// dE/dx of an expression, by the rules of calculus alone; x is a coordinate, or its rate as
+/// dot(x).
 [[nodiscard]] Expression derivative(const Expression& expression, const Expression& by);
 
 /// Mass matrix, gravity and kinetic energy of a model that is all in [energy] T and V; else none.

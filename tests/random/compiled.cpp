@@ -1,5 +1,5 @@
-// Compiles what elgen emitted and compares the numbers that it returns. All trials of a language are one
-// program, which is halved where it does not compile.
+// Compiles what elgen emitted and compares the numbers that it returns. All trials of a language
+// are one program, which is halved where it does not compile.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Every one of some thousand operations at most rounds to half an epsilon of the entry's absolute terms.
+/// Every one of some thousand operations at most rounds to half an epsilon of the entry's absolute
+/// terms.
 constexpr double roundings = 4096;
 
 /// Numbers by "base/output".
@@ -45,7 +46,8 @@ std::string source(const Program& program, const std::vector<std::size_t>& membe
     const std::string base = base_name(program.trials[i].system);
     const std::string file = "out/" + base + "/" + base;
     const Language declaring = program.language == Language::c ? Language::c : Language::cpp;
-    const std::string declared = test::read_text(program.folder / (file + header_suffix(declaring)));
+    const std::string declared =
+        test::read_text(program.folder / (file + header_suffix(declaring)));
     includes += "#include \"" + file + header_suffix(program.language) + "\"\n";
     functions += driver_function(program.trials[i], program.language, declared);
     calls += "  run_" + base + "();\n";
@@ -60,7 +62,8 @@ std::string compared(const Trial& trial, const std::string& output, bool by_colu
   const ShownOutput& shown = trial.shown.at(output);
   if (printed.size() != truth.size()) return "another number of entries\n";
   const Number epsilon = trial.system.scene.is_float ? 0x1p-23 : 0x1p-52;
-  // What cancels wholly in what is shown may round in what is computed: 1 is of the size of the states.
+  // What cancels wholly in what is shown may round in what is computed: 1 is of the size of the
+  // states.
   Number scale = 1;
   for (const Sized& entry : shown.entries) scale = std::max(scale, entry.size);
   const std::size_t rows = truth.size() / std::max<std::size_t>(shown.columns, 1);
@@ -76,8 +79,7 @@ std::string compared(const Trial& trial, const std::string& output, bool by_colu
 
 void compare(const Program& program, std::size_t member, const Printed& numbers) {
   const Trial& trial = program.trials[member];
-  const bool by_columns =
-      trial.system.scene.is_column_major && program.language != Language::eigen;
+  const bool by_columns = trial.system.scene.is_column_major && program.language != Language::eigen;
   for (const auto& [output, truth] : trial.given) {
     const auto printed = numbers.find(base_name(trial.system) + "/" + output);
     if (printed == numbers.end() || !trial.shown.contains(output)) continue;
@@ -91,9 +93,11 @@ void run(const Program& program, const std::vector<std::size_t>& members) {
   const bool is_c = program.language == Language::c;
   const std::string file = is_c ? "driver.c" : "driver.cpp";
   test::write_text(program.folder / file, source(program, members));
-  const std::string compiler = is_c ? "gcc -std=c99" : "g++ -std=c++17 -isystem /usr/include/eigen3";
-  const test::Outcome outcome = test::shell(
-      compiler + " -O0 -ffp-contract=off -I. -o driver " + file + " -lm && ./driver", program.folder);
+  const std::string compiler =
+      is_c ? "gcc -std=c99" : "g++ -std=c++17 -isystem /usr/include/eigen3";
+  const test::Outcome outcome =
+      test::shell(compiler + " -O0 -ffp-contract=off -I. -o driver " + file + " -lm && ./driver",
+                  program.folder);
   if (outcome.status == 0) {
     const Printed numbers = parsed(outcome.output);
     for (const std::size_t i : members) compare(program, i, numbers);

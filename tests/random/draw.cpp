@@ -11,7 +11,8 @@ class NoNames : public Scope {
   Jet value_of(const std::string& name, const std::string& /*element*/) override {
     throw std::logic_error(name + " in a constant");
   }
-  Jet component_of(const std::string& point, const std::string& /*element*/, int /*axis*/) override {
+  Jet component_of(const std::string& point, const std::string& /*element*/,
+                   int /*axis*/) override {
     throw std::logic_error(point + " in a constant");
   }
   int dimension_of(const std::string& /*point*/) override { return 0; }

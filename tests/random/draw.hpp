@@ -1,5 +1,6 @@
-// Random numbers, and constants and functions of the model language made from them. A seed gives the
-// same draws in every run of one build; compilers may order the draws of one expression differently.
+// Random numbers, and constants and functions of the model language made from them. A seed gives
+// the same draws in every run of one build; compilers may order the draws of one expression
+// differently.
 #pragma once
 
 #include <cstdint>

@@ -128,8 +128,9 @@ std::string cpp_function(const Trial& trial, const std::string& declared, bool i
   const std::string base = base_name(trial.system);
   std::string text = fmt::format("  const {}::Parameters<SCALAR> p{{}};\n", base);
   for (const auto& [name, numbers] : arguments_of(trial)) {
-    const std::string type = fmt::format("{}<SCALAR, {}{}>", is_eigen ? "Eigen::Matrix" : "std::array",
-                                         numbers.size(), is_eigen ? ", 1" : "");
+    const std::string type =
+        fmt::format("{}<SCALAR, {}{}>", is_eigen ? "Eigen::Matrix" : "std::array", numbers.size(),
+                    is_eigen ? ", 1" : "");
     text += fmt::format("  [[maybe_unused]] const {} {}{{{}}};\n", type, name,
                         numbers.empty() ? "" : fmt::format("{{{}}}", fmt::join(numbers, ", ")));
   }
@@ -148,9 +149,11 @@ std::string c_call(const Declaration& function, const Trial& trial) {
   const std::string output = function.name.substr(base.size() + 1);
   std::string arguments = "&p";
   for (const char* name : {"q", "v", "a", "u"}) {
-    if (mentions(function.parameters, fmt::format(" {}[", name))) arguments += fmt::format(", {}", name);
+    if (mentions(function.parameters, fmt::format(" {}[", name)))
+      arguments += fmt::format(", {}", name);
   }
-  const bool takes_time = mentions(function.parameters, " t,") || function.parameters.ends_with(" t");
+  const bool takes_time =
+      mentions(function.parameters, " t,") || function.parameters.ends_with(" t");
   if (takes_time) arguments += ", t";
   if (function.result != "void") {
     return fmt::format("  {{ const SCALAR result = {}({}); SHOW(\"{}/{}\", result); }}\n",
@@ -161,13 +164,15 @@ std::string c_call(const Declaration& function, const Trial& trial) {
     const std::size_t open = function.parameters.find("result[");
     const std::size_t close = function.parameters.find(']', open);
     return fmt::format("  {{ SCALAR {}]; {}({}, result); SHOW(\"{}/{}\", result); }}\n",
-                       function.parameters.substr(open, close - open), function.name, arguments, base,
-                       output);
+                       function.parameters.substr(open, close - open), function.name, arguments,
+                       base, output);
   }
-  std::string text = fmt::format("  {{ {0}_result result; {0}({1}, &result);\n", function.name, arguments);
+  std::string text =
+      fmt::format("  {{ {0}_result result; {0}({1}, &result);\n", function.name, arguments);
   for (const std::string& field : fields) {
     const std::string name = output + "." + field;
-    if (trial.given.contains(name)) text += fmt::format("    SHOW(\"{}/{}\", result.{});\n", base, name, field);
+    if (trial.given.contains(name))
+      text += fmt::format("    SHOW(\"{}/{}\", result.{});\n", base, name, field);
   }
   return text + "  }\n";
 }
@@ -176,8 +181,7 @@ std::string c_function(const Trial& trial, const std::string& declared) {
   const std::string base = base_name(trial.system);
   std::string upper = base;
   for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  std::string text =
-      fmt::format("  const {}_parameters p = {}_DEFAULT_PARAMETERS;\n", base, upper);
+  std::string text = fmt::format("  const {}_parameters p = {}_DEFAULT_PARAMETERS;\n", base, upper);
   for (const auto& [name, numbers] : arguments_of(trial)) {
     text += fmt::format("  const SCALAR {}[] = {{{}}};\n", name,
                         numbers.empty() ? "0" : fmt::format("{}", fmt::join(numbers, ", ")));

@@ -15,23 +15,23 @@ struct Node;
 using Expression = std::shared_ptr<const Node>;  ///< null where a model leaves it out
 
 enum class NodeKind {
-  number,      ///< text: the literal
+  number,  ///< text: the literal
   pi,
   time,
-  index,       ///< text: a variable of `for` or `sum`
-  name,        ///< text: coordinate, parameter, input, definition, prescribed function
-  component,   ///< text: a point; first: the axis
-  speed,       ///< v2(text)
-  distance,    ///< dist2(text, other)
-  rate,        ///< dot(operand)
-  sum,         ///< sum(text, first, second, operand)
+  index,      ///< text: a variable of `for` or `sum`
+  name,       ///< text: coordinate, parameter, input, definition, prescribed function
+  component,  ///< text: a point; first: the axis
+  speed,      ///< v2(text)
+  distance,   ///< dist2(text, other)
+  rate,       ///< dot(operand)
+  sum,        ///< sum(text, first, second, operand)
   negation,
   addition,
   subtraction,
   multiplication,
   division,
-  power,       ///< operand ^ (first/second)
-  call,        ///< text: the function
+  power,  ///< operand ^ (first/second)
+  call,   ///< text: the function
 };
 
 struct Node {

@@ -48,7 +48,8 @@ void Generator::make_planar() {
   for (int i = 0; i < links; ++i) {
     const Expression length = any_constant();
     const Expression turned = draw_.chance(50) ? positions_[static_cast<std::size_t>(i)] : angle();
-    std::vector<Expression> at{length * call_of("sin", {turned}), length * call_of("cos", {turned})};
+    std::vector<Expression> at{length * call_of("sin", {turned}),
+                               length * call_of("cos", {turned})};
     if (draw_.chance(30)) at[1] = draw_.function_of({positions_[static_cast<std::size_t>(i)]});
     for (int axis = 0; axis < 2 && i > 0; ++axis) {
       auto& entry = at[static_cast<std::size_t>(axis)];
@@ -106,9 +107,10 @@ void Generator::make_array() {
                             .repeat = n});
   }
   if (draw_.chance(30)) {
-    model.outputs.push_back({.name = "place",
-                             .value = {component("P", 0, "1"), component("P", 1, std::to_string(n))},
-                             .has_jacobian = true});
+    model.outputs.push_back(
+        {.name = "place",
+         .value = {component("P", 0, "1"), component("P", 1, std::to_string(n))},
+         .has_jacobian = true});
   }
 }
 
@@ -185,12 +187,14 @@ void Generator::add_body(const std::string& called, const std::string& frame) {
   if (draw_.chance(85)) body.mass = positive_constant();
   if (draw_.chance(70)) body.com = offset(3, false);
   if (draw_.chance(80) || !body.mass) {
-    // About another point the mass (at most 10) adds up to 30 where its distance is at most 1 per axis.
+    // About another point the mass (at most 10) adds up to 30 where its distance is at most 1 per
+    // axis.
     body.is_about_origin = body.mass && draw_.chance(25);
     for (Expression& entry : body.com) {
       if (body.is_about_origin) entry = draw_.positive() / number(10);
     }
-    // 4 … 14 more on the diagonal, products of at most 1 beside it: an inertia that is positive definite.
+    // 4 … 14 more on the diagonal, products of at most 1 beside it: an inertia that is positive
+    // definite.
     const Expression least = number(body.is_about_origin ? 40 : 4);
     for (int i = 0; i < 3; ++i) body.inertia.push_back(least + draw_.positive());
     for (int i = 0; i < 3 && draw_.chance(95); ++i) {
@@ -212,7 +216,9 @@ void Generator::make_spatial(bool turns) {
   const int floating = turns ? draw_.below(2) : -1;
   for (int i = 0; i < frames; ++i) {
     const std::string parent =
-        i == 0 ? "world" : model.frames[static_cast<std::size_t>(draw_.chance(75) ? i - 1 : draw_.below(i))].name;
+        i == 0 ? "world"
+               : model.frames[static_cast<std::size_t>(draw_.chance(75) ? i - 1 : draw_.below(i))]
+                     .name;
     const std::string called = "F" + std::to_string(i + 1);
     if (i == floating) {
       model.coordinates.push_back({.name = "att", .is_rotation = true});
@@ -223,9 +229,10 @@ void Generator::make_spatial(bool turns) {
                               .rotation = "att"});
       add_body("B" + std::to_string(i + 1), called);
       // The rotation needs an inertia of its own, whatever hangs on it.
-      model.bodies.push_back({.name = "rotor",
-                              .inertia = {positive_constant(), positive_constant(), draw_.positive()},
-                              .frame = called});
+      model.bodies.push_back(
+          {.name = "rotor",
+           .inertia = {positive_constant(), positive_constant(), draw_.positive()},
+           .frame = called});
       continue;
     }
     add_frame(called, parent);

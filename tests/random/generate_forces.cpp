@@ -6,20 +6,21 @@ namespace elgen::random {
 void Generator::add_prescribed() {
   if (!draw_.chance(25)) return;
   const Expression t = clock();
-  const Expression functions[] = {draw_.constant() * t,
-                                  draw_.constant() * call_of("sin", {draw_.constant() * t}),
-                                  draw_.constant() + raised(t, 2) / number(4),
-                                  call_of("exp", {-t}) * draw_.constant()};
+  const Expression functions[] = {
+      draw_.constant() * t, draw_.constant() * call_of("sin", {draw_.constant() * t}),
+      draw_.constant() + raised(t, 2) / number(4), call_of("exp", {-t}) * draw_.constant()};
   made_.model.prescribed.push_back({"drive", functions[draw_.below(4)]});
   const Expression drive = name("drive");
   Model& model = made_.model;
   if (!model.frames.empty()) {
-    Frame& frame = model.frames[static_cast<std::size_t>(
-        draw_.below(static_cast<int>(model.frames.size())))];
+    Frame& frame =
+        model.frames[static_cast<std::size_t>(draw_.below(static_cast<int>(model.frames.size())))];
     if (frame.turn == Turn::rotate && draw_.chance(60)) {
       frame.turns[0].angle = frame.turns[0].angle + drive;
     } else {
-      if (frame.translate.empty() && frame.turn != Turn::dh_standard && frame.turn != Turn::dh_modified) frame.translate = {number(0), drive, number(0)};
+      if (frame.translate.empty() && frame.turn != Turn::dh_standard &&
+          frame.turn != Turn::dh_modified)
+        frame.translate = {number(0), drive, number(0)};
     }
   } else if (!model.points.empty() && model.points[0].repeat == 0) {
     model.points[0].at[0] = model.points[0].at[0] + drive;
@@ -27,14 +28,17 @@ void Generator::add_prescribed() {
     model.T = model.T + any_constant() / number(2) * raised(draw_.one_of(rates_) + drive, 2);
   }
   const Expression term = draw_.function_of(positions_) * drive;
-  if (model.L) model.L = model.L + term;
-  else model.V = model.V ? model.V + term : term;
+  if (model.L)
+    model.L = model.L + term;
+  else
+    model.V = model.V ? model.V + term : term;
 }
 
 void Generator::add_dissipation() {
   if (!draw_.chance(40)) return;
   Expression D = positive_constant() / number(2) * raised(draw_.one_of(rates_), 2);
-  if (draw_.chance(40)) D = D + positive_constant() * raised(draw_.one_of(rates_) - draw_.one_of(rates_), 2);
+  if (draw_.chance(40))
+    D = D + positive_constant() * raised(draw_.one_of(rates_) - draw_.one_of(rates_), 2);
   made_.model.D = D;
 }
 
@@ -47,10 +51,9 @@ void Generator::add_inputs() {
     made_.model.inputs.push_back({called, acts ? printed(on) : ""});
     // Without `on` an input acts where a force names it.
     if (!acts) {
-      made_.model.forces.push_back(
-          {.name = "drive_" + called,
-           .value = {draw_.function_of(positions_) * name(called)},
-           .on = printed(draw_.one_of(positions_))});
+      made_.model.forces.push_back({.name = "drive_" + called,
+                                    .value = {draw_.function_of(positions_) * name(called)},
+                                    .on = printed(draw_.one_of(positions_))});
     }
   }
 }

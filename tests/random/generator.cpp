@@ -3,8 +3,7 @@
 
 namespace elgen::random {
 
-Generator::Generator(std::uint64_t seed)
-    : draw_(seed * 0x9E3779B97F4A7C15U + 1, seed % 2 == 1) {
+Generator::Generator(std::uint64_t seed) : draw_(seed * 0x9E3779B97F4A7C15U + 1, seed % 2 == 1) {
   made_.model.name = "random_" + std::to_string(seed);
 }
 
@@ -29,9 +28,7 @@ Expression Generator::parameter() {
   return known.is_array ? name(known.name, "1") : name(known.name);
 }
 
-Expression Generator::any_constant() {
-  return draw_.chance(40) ? parameter() : draw_.constant();
-}
+Expression Generator::any_constant() { return draw_.chance(40) ? parameter() : draw_.constant(); }
 
 Expression Generator::positive_constant() {
   return draw_.chance(50) ? parameter() : draw_.positive();
@@ -57,7 +54,8 @@ void Generator::make_energies() {
                                 : positive_constant();
     T = T + mass / number(2) * raised(v, 2);
   }
-  if (draw_.chance(30)) T = T + any_constant() * draw_.function_of(positions_) * draw_.one_of(rates_);
+  if (draw_.chance(30))
+    T = T + any_constant() * draw_.function_of(positions_) * draw_.one_of(rates_);
   model.T = T;
   add_terms();
 }
@@ -106,7 +104,9 @@ void Generator::make_quiet() {
   model.T = T;
   for (const Expression& q : positions_) {
     const Expression other = draw_.one_of(positions_);
-    const Expression wells[] = {call_of("cos", {any_constant() * q}), raised(q, 2), raised(q, 3),
+    const Expression wells[] = {call_of("cos", {any_constant() * q}),
+                                raised(q, 2),
+                                raised(q, 3),
                                 call_of("exp", {-raised(q - other, 2)}),
                                 call_of("sqrt", {number(1) + raised(q, 2)}),
                                 call_of("sin", {q}) * call_of("tanh", {other})};
@@ -157,13 +157,20 @@ void Generator::leave_units_out() {
 
 System Generator::system() {
   const int kind = draw_.below(20);
-  if (kind < 4) make_energies();
-  else if (kind < 6) make_lagrangian();
-  else if (kind < 9) make_planar();
-  else if (kind < 11) make_array();
-  else if (kind < 16) make_spatial(false);
-  else if (kind < 18) make_spatial(true);
-  else make_quiet();
+  if (kind < 4)
+    make_energies();
+  else if (kind < 6)
+    make_lagrangian();
+  else if (kind < 9)
+    make_planar();
+  else if (kind < 11)
+    make_array();
+  else if (kind < 16)
+    make_spatial(false);
+  else if (kind < 18)
+    make_spatial(true);
+  else
+    make_quiet();
   if (made_.scene.order == 0) add_prescribed();
   add_dissipation();
   add_inputs();

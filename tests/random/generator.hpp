@@ -1,5 +1,5 @@
-// Draws models and scenes: every entry of the language that moves, pulls or is wanted, in combinations
-// that nobody would write. Half of the seeds have irrational constants.
+// Draws models and scenes: every entry of the language that moves, pulls or is wanted, in
+// combinations that nobody would write. Half of the seeds have irrational constants.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,8 @@ class Generator {
   System made_;
   std::vector<Expression> positions_;  ///< what coordinates are called, rotations aside
   std::vector<Expression> rates_;
-  bool has_units_ = false;  ///< with a rotation, whose components have one, numbers alone are checked
+  bool has_units_ =
+      false;  ///< with a rotation, whose components have one, numbers alone are checked
 
   // generator.cpp
   void add_coordinates(int count);

@@ -1,5 +1,5 @@
-// Jets: arithmetic term by term; functions by their Taylor series about the constant part, which the rest,
-// being nilpotent, cuts off.
+// Jets: arithmetic term by term; functions by their Taylor series about the constant part, which
+// the rest, being nilpotent, cuts off.
 #include "random/jet.hpp"
 
 #include <boost/math/constants/constants.hpp>
@@ -59,8 +59,7 @@ Jet real_power(const Jet& base, const Number& exponent, const Number& start) {
 
 Jet logarithm(const Jet& x) {
   if (x.value() <= 0) throw std::domain_error("log");
-  const auto slope =
-      quadratic_power({x.value(), 1, 0}, -1, 1 / x.value(), terms_needed(x));
+  const auto slope = quadratic_power({x.value(), 1, 0}, -1, 1 / x.value(), terms_needed(x));
   return composed(x, integrated(slope, log(x.value())));
 }
 
@@ -73,8 +72,8 @@ Jet arc_tangent(const Jet& x) {
 Jet arc_sine(const Jet& x) {
   const Number start = 1 - x.value() * x.value();
   if (start <= 0) throw std::domain_error("asin");
-  const auto slope = quadratic_power({start, -2 * x.value(), -1}, Number(-1) / 2,
-                                     1 / sqrt(start), terms_needed(x));
+  const auto slope = quadratic_power({start, -2 * x.value(), -1}, Number(-1) / 2, 1 / sqrt(start),
+                                     terms_needed(x));
   return composed(x, integrated(slope, asin(x.value())));
 }
 
@@ -91,8 +90,8 @@ int sign_of(const Jet& x) { return x.value() > 0 ? 1 : x.value() < 0 ? -1 : 0; }
 Jet sine(const Jet& x, bool of_complement) {
   const Number s = sin(x.value());
   const Number c = cos(x.value());
-  return composed(x, of_complement ? circular(c, -s, terms_needed(x))
-                                   : circular(s, c, terms_needed(x)));
+  return composed(
+      x, of_complement ? circular(c, -s, terms_needed(x)) : circular(s, c, terms_needed(x)));
 }
 
 Jet exponential(const Jet& x) { return composed(x, exponential(x.value(), terms_needed(x))); }
@@ -196,9 +195,9 @@ Jet operator*(const Jet& a, const Jet& b) {
   Jet result;
   for (const auto& [left, x] : a.terms_) {
     for (const auto& [right, y] : b.terms_) {
-      const bool vanishes = (left & right & (infinitesimals - 1)) != 0 ||
-                            static_cast<int>(left / infinitesimals + right / infinitesimals) >
-                                Jet::order;
+      const bool vanishes =
+          (left & right & (infinitesimals - 1)) != 0 ||
+          static_cast<int>(left / infinitesimals + right / infinitesimals) > Jet::order;
       if (!vanishes) result.terms_[left + right] += x * y;
     }
   }
@@ -248,7 +247,8 @@ Jet call(std::string_view function, const std::vector<Jet>& arguments) {
   if (function == "abs") return x * sign_of(x);
   if (function == "sign") return sign_of(x);
   if (function == "min" || function == "max") return extremum(function, x, arguments.at(1));
-  if (function == "sinh" || function == "cosh" || function == "tanh") return hyperbolic(function, x);
+  if (function == "sinh" || function == "cosh" || function == "tanh")
+    return hyperbolic(function, x);
   throw std::logic_error("no function " + std::string(function));
 }
 

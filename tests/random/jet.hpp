@@ -1,7 +1,8 @@
-// Numbers that know how they change: polynomials in a scale s, cut at an order, and in infinitesimals
-// whose squares are 0. The coefficient of e1 e2 … is the mixed derivative along the directions that e1,
-// e2, … multiply; two infinitesimals on one direction give its second derivative. s carries Taylor
-// series (approximations); a model without one has order 0. Arithmetic in Number, no code of src/.
+// Numbers that know how they change: polynomials in a scale s, cut at an order, and in
+// infinitesimals whose squares are 0. The coefficient of e1 e2 … is the mixed derivative along the
+// directions that e1, e2, … multiply; two infinitesimals on one direction give its second
+// derivative. s carries Taylor series (approximations); a model without one has order 0. Arithmetic
+// in Number, no code of src/.
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -12,9 +13,8 @@
 namespace elgen::random {
 
 /// 80 decimal digits.
-using Number =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<80>,
-                                  boost::multiprecision::et_off>;
+using Number = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<80>,
+                                             boost::multiprecision::et_off>;
 
 [[nodiscard]] const Number& pi();
 

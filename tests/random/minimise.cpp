@@ -1,4 +1,5 @@
-// Greedy reduction: every candidate is a system with one thing less; the first that still fails is taken.
+// Greedy reduction: every candidate is a system with one thing less; the first that still fails is
+// taken.
 #include "random/minimise.hpp"
 
 #include <algorithm>
@@ -89,7 +90,8 @@ bool drop_expression(System& system, std::size_t k) {
   return true;
 }
 
-/// The expression with one node less: itself 0 or 1, an operand in its place, or this of a part of it.
+/// The expression with one node less: itself 0 or 1, an operand in its place, or this of a part of
+/// it.
 std::vector<Expression> simpler(const Expression& expression) {
   if (!expression || expression->kind == NodeKind::sum) return {};
   const Node& node = *expression;
@@ -161,7 +163,8 @@ std::vector<Change> scene_changes() {
 }
 
 std::string whole_text(const System& system) {
-  return text_of(system.model) + (system.scene.is_present ? text_of(system.scene, system.model) : "");
+  return text_of(system.model) +
+         (system.scene.is_present ? text_of(system.scene, system.model) : "");
 }
 
 /// Applies each change of the kind for as long as it makes the text shorter and still fails.

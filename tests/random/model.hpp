@@ -1,4 +1,5 @@
-// What a random model and its scene consist of, entry by entry as in their files, and the files' text.
+// What a random model and its scene consist of, entry by entry as in their files, and the files'
+// text.
 #pragma once
 
 #include <string>
@@ -31,7 +32,7 @@ enum class Turn { none, rotate, rpy, dh_standard, dh_modified, quaternion, rotat
 
 /// One turn of `rotate`: about a constant axis (three components; one: "x", "y", "z" by number).
 struct AxisTurn {
-  int letter = 0;                ///< where there are no components
+  int letter = 0;                     ///< where there are no components
   std::vector<Expression> axis = {};  ///< empty, or three
   Expression angle = {};
 };
@@ -105,8 +106,8 @@ struct Model {
 };
 
 struct Lock {
-  std::string coordinate;          ///< "q1", "r[2]"
-  std::vector<Expression> value;   ///< one, or four of a rotation
+  std::string coordinate;         ///< "q1", "r[2]"
+  std::vector<Expression> value;  ///< one, or four of a rotation
   bool has_reaction = false;
 };
 
@@ -115,13 +116,13 @@ struct Scene {
   std::vector<Named> fixed = {};
   bool fixes_all = false;
   std::vector<Lock> locks = {};
-  int order = 0;                   ///< of [approximate]; 0: exact
-  std::vector<Named> about = {};   ///< coordinates; small ones are all of them
+  int order = 0;                  ///< of [approximate]; 0: exact
+  std::vector<Named> about = {};  ///< coordinates; small ones are all of them
   bool is_c99 = false;
   bool has_eigen = false;
   bool is_float = false;
   bool is_column_major = false;
-  std::string form = {};           ///< closed, recursive, or empty
+  std::string form = {};  ///< closed, recursive, or empty
 };
 
 /// A closed form that the model claims: an output's name and its entries.

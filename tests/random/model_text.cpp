@@ -56,8 +56,8 @@ std::string text_of(const Parameter& parameter) {
 }
 
 std::string text_of(const AxisTurn& turn) {
-  const std::string axis = turn.axis.empty() ? quoted(std::string(1, "xyz"[turn.letter]))
-                                             : list_of(turn.axis);
+  const std::string axis =
+      turn.axis.empty() ? quoted(std::string(1, "xyz"[turn.letter])) : list_of(turn.axis);
   return "[" + axis + ", " + quoted(turn.angle) + "]";
 }
 

@@ -107,8 +107,13 @@ Vector quaternion_rate(const Vector& q, const Vector& spin) {
 
 Motion::Motion(const System& system, const Layout& layout, const ParameterValues& parameters,
                const State& state)
-    : system_(system), layout_(layout), parameters_(parameters), q_(state.q), v_(state.v),
-      u_(state.u), now_(state.t + Jet::infinitesimal(time_infinitesimal)) {
+    : system_(system),
+      layout_(layout),
+      parameters_(parameters),
+      q_(state.q),
+      v_(state.v),
+      u_(state.u),
+      now_(state.t + Jet::infinitesimal(time_infinitesimal)) {
   const Jet moment = Jet::infinitesimal(time_infinitesimal);
   move_held();
   for (const Layout::Place& place : layout_.places) {
@@ -117,8 +122,10 @@ Motion::Motion(const System& system, const Layout& layout, const ParameterValues
       q_[place.q] += moment * v_[place.v];
       continue;
     }
-    const Vector q(q_.begin() + static_cast<long>(place.q), q_.begin() + static_cast<long>(place.q) + 4);
-    const Vector spin(v_.begin() + static_cast<long>(place.v), v_.begin() + static_cast<long>(place.v) + 3);
+    const Vector q(q_.begin() + static_cast<long>(place.q),
+                   q_.begin() + static_cast<long>(place.q) + 4);
+    const Vector spin(v_.begin() + static_cast<long>(place.v),
+                      v_.begin() + static_cast<long>(place.v) + 3);
     const Vector rate = quaternion_rate(q, spin);
     for (std::size_t i = 0; i < 4; ++i) q_[place.q + i] += moment * rate[i];
   }
@@ -261,8 +268,7 @@ Jet Motion::kinetic_energy_of(const Body& body) {
   Jet T;
   if (!body.inertia.empty()) {
     const Vector I = evaluated(body.inertia, *this);
-    T += I.size() == 1 ? I[0] * spin[0] * spin[0] / 2
-                       : dot(spin, product(symmetric(I), spin)) / 2;
+    T += I.size() == 1 ? I[0] * spin[0] * spin[0] / 2 : dot(spin, product(symmetric(I), spin)) / 2;
   }
   if (!body.mass) return T;
   Vector com = body.com.empty() ? Vector{0, 0, 0} : evaluated(body.com, *this);

@@ -12,11 +12,11 @@ namespace elgen::random {
 /// One entry of q, and of v: a scalar, or a component of a rotation (four of q, three of v).
 struct Layout {
   struct Place {
-    std::string name;     ///< with its index: "q1", "r[2]"
-    std::size_t q = 0;    ///< of its first entry
+    std::string name;   ///< with its index: "q1", "r[2]"
+    std::size_t q = 0;  ///< of its first entry
     std::size_t v = 0;
     bool is_rotation = false;
-    int lock = -1;        ///< of the scene, where it is held
+    int lock = -1;  ///< of the scene, where it is held
   };
   std::vector<Place> places;
   std::size_t q_count = 0;
@@ -61,8 +61,8 @@ class Motion : public Scope {
   /// Angular velocity in world axes, velocity of the origin.
   Vector spin_of(const std::string& frame);
   Energies energies();
-  /// Generalized force of every force and input on the velocity `v`, which infinitesimal `direction`
-  /// has moved.
+  /// Generalized force of every force and input on the velocity `v`, which infinitesimal
+  /// `direction` has moved.
   Jet force_along(unsigned direction);
   /// The rates of locked coordinates, by v's index; others are as given.
   const Vector& rates() const { return v_; }

@@ -1,4 +1,5 @@
-// The generalized forces of a random model's forces and inputs: the power that each has along a velocity.
+// The generalized forces of a random model's forces and inputs: the power that each has along a
+// velocity.
 #include <algorithm>
 #include <stdexcept>
 
@@ -27,11 +28,14 @@ Jet Motion::power_of(const Force& force, unsigned direction) {
   for (Jet& entry : value) entry = entry.without(time_infinitesimal).without(direction);
   if (!force.on.empty()) {
     std::string on = force.on;
-    if (force.repeat > 0) on.replace(on.find("[i]"), 3, "[" + std::to_string(indices.at("i")) + "]");
+    if (force.repeat > 0)
+      on.replace(on.find("[i]"), 3, "[" + std::to_string(indices.at("i")) + "]");
     const auto [name, component] = rate_named(layout_, on);
     return value[0] * v_[layout_.place(name).v + component].along(direction);
   }
-  const std::string axes = !force.in.empty() ? force.in : !force.frame.empty() ? force.frame : "world";
+  const std::string axes = !force.in.empty()      ? force.in
+                           : !force.frame.empty() ? force.frame
+                                                  : "world";
   if (axes != "world") value = product(pose_of(axes).R, value);
   const auto power = [&](const std::string& name) {
     Vector rate;

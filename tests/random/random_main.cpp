@@ -1,7 +1,8 @@
-// Looks for seeds on which elgen is wrong: elgen_random [SEEDS [FIRST_SEED [PROCESSES]]], by default 1000 from
-// 1000 in as many processes as there are cores; also by $ELGEN_SEEDS, $ELGEN_FIRST_SEED, $ELGEN_PROCESSES.
-// Every failure is printed with its seed and the smallest model found that fails alike, which is also
-// written to random_findings/SEED/. Exit status 1 where there was one.
+// Looks for seeds on which elgen is wrong: elgen_random [SEEDS [FIRST_SEED [PROCESSES]]], by
+// default 1000 from 1000 in as many processes as there are cores; also by $ELGEN_SEEDS,
+// $ELGEN_FIRST_SEED, $ELGEN_PROCESSES. Every failure is printed with its seed and the smallest
+// model found that fails alike, which is also written to random_findings/SEED/ ($ELGEN_MINIMISE:
+// runs of elgen spent on that, 0 for none). Exit status 1 where there was one.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -21,7 +22,8 @@ namespace {
 
 using namespace elgen::random;
 
-/// Tries to make a failing system smaller; each takes a run of elgen, so that an end must be in sight.
+/// Tries to make a failing system smaller; each takes a run of elgen, so that an end must be in
+/// sight.
 constexpr int most_tries = 300;
 
 struct Task {
@@ -50,8 +52,10 @@ bool shows(const System& system, std::uint64_t seed, const std::string& kind) {
 void report(std::uint64_t seed, const System& system, const std::vector<Finding>& findings) {
   const std::string kind = findings[0].kind;
   int tries = 0;
+  const char* const wanted = std::getenv("ELGEN_MINIMISE");
+  const int most = wanted == nullptr ? most_tries : std::atoi(wanted);
   const System small = minimised(system, [&](const System& candidate) {
-    return ++tries <= most_tries && shows(candidate, seed, kind);
+    return ++tries <= most && shows(candidate, seed, kind);
   });
   std::string text = "seed " + std::to_string(seed) + ": " + kind + "\n" + findings[0].text;
   text += "smallest that fails alike:\n" + written(small);
@@ -81,11 +85,12 @@ int work_on(const Task& task, std::uint64_t remainder) {
   for (std::uint64_t i = remainder; i < task.count; i += task.processes) {
     if (!holds(task.first + i)) ++failures;
     if (i / task.processes % 20 == 19) {
-      std::printf("process %llu: %llu of %llu seeds, %d failures\n",
-                  static_cast<unsigned long long>(remainder),
-                  static_cast<unsigned long long>(i / task.processes + 1),
-                  static_cast<unsigned long long>((task.count + task.processes - 1) / task.processes),
-                  failures);
+      std::printf(
+          "process %llu: %llu of %llu seeds, %d failures\n",
+          static_cast<unsigned long long>(remainder),
+          static_cast<unsigned long long>(i / task.processes + 1),
+          static_cast<unsigned long long>((task.count + task.processes - 1) / task.processes),
+          failures);
       std::fflush(stdout);
     }
   }

@@ -1,5 +1,5 @@
-// Random models and scenes through elgen, against the definition of their equations; and that a wrong number
-// would be seen.
+// Random models and scenes through elgen, against the definition of their equations; and that a
+// wrong number would be seen.
 #include <catch2/catch.hpp>
 
 #include "random/generator.hpp"

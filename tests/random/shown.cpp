@@ -131,8 +131,8 @@ class Reader {
   Sized literal() {
     const std::size_t start = at_;
     const auto digits = [&] {
-      while (at_ < text_.size() && (std::isdigit(static_cast<unsigned char>(text_[at_])) != 0 ||
-                                    text_[at_] == '.')) {
+      while (at_ < text_.size() &&
+             (std::isdigit(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '.')) {
         ++at_;
       }
     };

@@ -31,8 +31,8 @@ struct ShownOutput {
 };
 using Shown = std::map<std::string, ShownOutput>;
 
-/// Entries of every output of a NAME.equations.json, by "output" or "output.field". An entry that has no
-/// value at this state (a root of what is negative) ends the output with std::domain_error.
+/// Entries of every output of a NAME.equations.json, by "output" or "output.field". An entry that
+/// has no value at this state (a root of what is negative) ends the output with std::domain_error.
 [[nodiscard]] Shown read_equations(const std::string& json, const Names& names);
 
 }  // namespace elgen::random

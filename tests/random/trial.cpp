@@ -37,7 +37,8 @@ State drawn_state(const System& system, const Layout& layout, Draw& draw) {
   return state;
 }
 
-/// Values between 3/10 and 2 for what stays a parameter; all that models ask for is that they are positive.
+/// Values between 3/10 and 2 for what stays a parameter; all that models ask for is that they are
+/// positive.
 ParameterValues drawn_parameters(const System& system, Draw& draw) {
   ParameterValues values = given_parameters(system);
   if (system.scene.fixes_all) return values;
@@ -77,8 +78,9 @@ std::string disagreement(const std::string& output, std::size_t entry, const Num
 void compare_output(const std::string& output, const std::vector<Sized>& shown,
                     const std::vector<Number>& truth, std::vector<Finding>& findings) {
   if (shown.size() != truth.size()) {
-    findings.push_back({"shown " + output, "has " + std::to_string(shown.size()) + " entries, not " +
-                                               std::to_string(truth.size()) + "\n"});
+    findings.push_back({"shown " + output, "has " + std::to_string(shown.size()) +
+                                               " entries, not " + std::to_string(truth.size()) +
+                                               "\n"});
     return;
   }
   std::string text;
@@ -106,7 +108,13 @@ void write_files(const System& system, const std::filesystem::path& folder,
 }
 
 Trial prepared(const System& system, std::uint64_t seed) {
-  Trial trial{.system = system, .seed = seed, .layout = {}, .state = {}, .given = {}, .drawn = {}, .names = {}};
+  Trial trial{.system = system,
+              .seed = seed,
+              .layout = {},
+              .state = {},
+              .given = {},
+              .drawn = {},
+              .names = {}};
   Draw draw(seed + 1000003, false);
   const Layout layout = layout_of(system.model, system.scene.locks);
   trial.layout = layout;
@@ -120,7 +128,8 @@ Trial prepared(const System& system, std::uint64_t seed) {
 
 std::vector<Finding> compare_shown(Trial& trial, const std::filesystem::path& folder) {
   write_files(trial.system, folder);
-  const std::string command = "timeout 120 elgen generate -q --force -o out " + input_file(trial.system);
+  const std::string command =
+      "timeout 120 elgen generate -q --force -o out " + input_file(trial.system);
   const test::Outcome outcome = test::shell(command, folder);
   if (outcome.status != 0) {
     return {{"generate " + codes_of(outcome), first_lines(outcome.errors, 25)}};
@@ -135,8 +144,8 @@ std::vector<Finding> compare_shown(Trial& trial, const std::filesystem::path& fo
       if (truth == trial.drawn.end()) continue;
       compare_output(output, of_output.entries, truth->second, findings);
     }
-    const Names given = names_of(trial.system, trial.layout, trial.state,
-                                 given_parameters(trial.system));
+    const Names given =
+        names_of(trial.system, trial.layout, trial.state, given_parameters(trial.system));
     trial.shown = read_equations(json, given);
   } catch (const std::exception& error) {
     findings.push_back({"shown cannot be read", std::string(error.what()) + "\n"});

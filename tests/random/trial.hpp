@@ -1,4 +1,5 @@
-// One random system put through elgen: generated, shown, compiled, verified, each against the truth.
+// One random system put through elgen: generated, shown, compiled, verified, each against the
+// truth.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,8 @@ namespace elgen::random {
 
 /// What did not agree.
 struct Finding {
-  std::string kind;  ///< what a smaller system must show to fail in the same way: "shown mass_matrix"
+  std::string
+      kind;  ///< what a smaller system must show to fail in the same way: "shown mass_matrix"
   std::string text;  ///< numbers, or what elgen printed
 };
 
@@ -22,9 +24,9 @@ struct Trial {
   std::uint64_t seed = 0;
   Layout layout;
   State state;
-  Values given;    ///< truth where the parameters have the values of the files
-  Values drawn;    ///< truth where they have drawn ones
-  Names names;     ///< of the drawn numbers, for what is shown
+  Values given;      ///< truth where the parameters have the values of the files
+  Values drawn;      ///< truth where they have drawn ones
+  Names names;       ///< of the drawn numbers, for what is shown
   Shown shown = {};  ///< at the given parameters; empty where it cannot be read
 };
 
@@ -34,8 +36,8 @@ struct Trial {
 /// Generates into `folder` and compares what is shown.
 [[nodiscard]] std::vector<Finding> compare_shown(Trial& trial, const std::filesystem::path& folder);
 
-/// Generates once more, which must give the same bytes; verifies the model as it is, with true claims, and
-/// with a false one.
+/// Generates once more, which must give the same bytes; verifies the model as it is, with true
+/// claims, and with a false one.
 [[nodiscard]] std::vector<Finding> compare_verdicts(const Trial& trial,
                                                     const std::filesystem::path& folder);
 

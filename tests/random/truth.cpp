@@ -10,9 +10,9 @@ namespace elgen::random {
 namespace {
 
 // Infinitesimals: 0 belongs to Motion.
-constexpr unsigned moment = 1;      ///< time runs
-constexpr unsigned direction = 2;   ///< of dL/dv, dL/dq
-constexpr unsigned second = 3;      ///< of second derivatives
+constexpr unsigned moment = 1;     ///< time runs
+constexpr unsigned direction = 2;  ///< of dL/dv, dL/dq
+constexpr unsigned second = 3;     ///< of second derivatives
 constexpr unsigned third = 4;
 
 Vector spin_at(const Vector& v, const Layout::Place& place) {
@@ -173,9 +173,8 @@ Vector Truth::dissipation(const Layout& layout, const State& state) const {
   for (std::size_t j = 0; j < layout.v_count; ++j) {
     State moved = state;
     moved.v[j] += Jet::infinitesimal(direction);
-    result.push_back(read(layout, moved, [](Motion& motion) {
-                       return motion.energies().D;
-                     }).along(direction));
+    result.push_back(
+        read(layout, moved, [](Motion& motion) { return motion.energies().D; }).along(direction));
   }
   return result;
 }
@@ -242,8 +241,25 @@ Vector Truth::of_free(const Vector& all) const {
   return result;
 }
 
-/// C v, C by Christoffel's symbols (and 1/2 M [w]x on the columns of a rotation), drift.
-void Truth::add_velocity_terms(const Matrix& M) {
+/// [x]x on the rotations, x a vector of all free velocities.
+Matrix Truth::turning(const Vector& x) const {
+  const std::size_t n = free_.size();
+  Matrix result(n, Vector(n));
+  for (const Layout::Place& place : layout_.places) {
+    const auto at = std::find(free_.begin(), free_.end(), place.v);
+    if (!place.is_rotation || at == free_.end()) continue;
+    const auto i = static_cast<std::size_t>(at - free_.begin());
+    for (std::size_t k = 0; k < 3; ++k) {
+      result[i + (k + 1) % 3][i + (k + 2) % 3] = -x[i + k];
+      result[i + (k + 2) % 3][i + (k + 1) % 3] = x[i + k];
+    }
+  }
+  return result;
+}
+
+/// Of h = C v = (dM/dq v) v + [w]x M v - 1/2 d(v M v)/dq: C = 1/2 dh/dv + 1/2 M [w]x, by
+/// Christoffel's symbols of M; d([w]x y)/dw at y = M v held is -[y]x.
+Matrix Truth::coriolis_matrix(const Matrix& M) const {
   const std::size_t n = free_.size();
   std::vector<Matrix> slopes;  // of M, along every velocity
   for (const std::size_t k : free_) {
@@ -253,55 +269,37 @@ void Truth::add_velocity_terms(const Matrix& M) {
     }
   }
   const Vector v = of_free(state_.v);
-  const Matrix turning = [&] {  // [w]x on the rotations
-    Matrix result(n, Vector(n));
-    for (const Layout::Place& place : layout_.places) {
-      const auto at = std::find(free_.begin(), free_.end(), place.v);
-      if (!place.is_rotation || at == free_.end()) continue;
-      const auto i = static_cast<std::size_t>(at - free_.begin());
-      for (std::size_t k = 0; k < 3; ++k) {
-        result[i + (k + 1) % 3][i + (k + 2) % 3] = -v[i + k];
-        result[i + (k + 2) % 3][i + (k + 1) % 3] = v[i + k];
-      }
-    }
-    return result;
-  }();
-  // h = (dM/dq v) v + [w]x M v - 1/2 d(v M v)/dq;  C = 1/2 dh/dv + 1/2 M [w]x
-  const Matrix turned = product(turning, M);
-  const Vector momentum = product(M, v);
-  const Matrix by_spin = product(M, turning);
+  const Matrix turned = product(turning(v), M);
+  const Matrix by_spin = product(M, turning(v));
+  const Matrix by_momentum = turning(product(M, v));
   Matrix C(n, Vector(n));
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) {
+      C[i][j] = (turned[i][j] + by_spin[i][j] - by_momentum[i][j]) / 2;
       for (std::size_t k = 0; k < n; ++k) {
         C[i][j] += (slopes[k][i][j] + slopes[j][i][k] - slopes[i][j][k]) * v[k] / 2;
       }
-      C[i][j] += (turned[i][j] + by_spin[i][j]) / 2;
     }
   }
-  for (const Layout::Place& place : layout_.places) {  // d([w]x M v)/dw at M v held
-    const auto at = std::find(free_.begin(), free_.end(), place.v);
-    if (!place.is_rotation || at == free_.end()) continue;
-    const auto i = static_cast<std::size_t>(at - free_.begin());
-    for (std::size_t k = 0; k < 3; ++k) {
-      C[i + (k + 1) % 3][i + (k + 2) % 3] += momentum[i + k] / 2;
-      C[i + (k + 2) % 3][i + (k + 1) % 3] -= momentum[i + k] / 2;
-    }
-  }
-  const Vector h = product(C, v);
-  keep("coriolis_matrix", C);
-  keep("velocity_force", h);
+  return C;
+}
+
+/// C, C v, g; drift is what is left of the inertial forces.
+void Truth::add_velocity_terms(const Matrix& M) {
+  const Matrix C = coriolis_matrix(M);
+  const Vector h = product(C, of_free(state_.v));
   State coasting = state_;
   for (Jet& a : coasting.a) a = 0;
   Vector drift = of_free(inertial(layout_, coasting));
   Vector g;
   for (const std::size_t j : free_) {
     const State moved = displaced(layout_, resting(state_), j, direction);
-    g.push_back(read(layout_, moved, [](Motion& motion) {
-                  return motion.energies().V;
-                }).along(direction));
+    g.push_back(
+        read(layout_, moved, [](Motion& motion) { return motion.energies().V; }).along(direction));
   }
-  for (std::size_t i = 0; i < n; ++i) drift[i] -= h[i] + g[i];
+  for (std::size_t i = 0; i < h.size(); ++i) drift[i] -= h[i] + g[i];
+  keep("coriolis_matrix", C);
+  keep("velocity_force", h);
   keep("gravity", g);
   keep("drift", drift);
 }

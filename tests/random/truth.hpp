@@ -1,9 +1,10 @@
 // The values of every output of a random model and scene, straight from the definition:
 //
-//     d/dt dL/dv - dL/dq = B u + Q - dD/dv      (with [w]x dL/dw where rotations turn, dL/dq along N)
+//     d/dt dL/dv - dL/dq = B u + Q - dD/dv      (with [w]x dL/dw where rotations turn, dL/dq along
+//     N)
 //
-// L is evaluated on jets along the motion; M, C, g, … are derivatives and parts of it as README.md defines
-// them. Approximations evaluate L cut at order + 1 in the scale of all that is small.
+// L is evaluated on jets along the motion; M, C, g, … are derivatives and parts of it as README.md
+// defines them. Approximations evaluate L cut at order + 1 in the scale of all that is small.
 #pragma once
 
 #include <functional>
@@ -48,6 +49,9 @@ class Truth {
   [[nodiscard]] Vector forces(const Layout& layout, const State& state) const;
   [[nodiscard]] Vector torque(const Layout& layout, const State& state) const;
   [[nodiscard]] Matrix mass_matrix(const State& state) const;
+  [[nodiscard]] Matrix turning(const Vector& x) const;
+  [[nodiscard]] Matrix coriolis_matrix(const Matrix& M) const;
+  [[nodiscard]] Matrix torque_slopes(const State& at, bool has_inputs, bool by_velocity) const;
   [[nodiscard]] State resting(State state) const;
 
   void keep(const std::string& name, const Vector& entries);

@@ -20,11 +20,17 @@ Vector difference(Vector a, const Vector& b) {
   return a;
 }
 
+Matrix negative(Matrix rows) {
+  for (Vector& row : rows) row = difference(Vector(row.size()), row);
+  return rows;
+}
+
 Matrix column(const Vector& x) { return transposed({x}); }
 
 }  // namespace
 
-/// B, M^-1 (B u - bias), and the pivots' product, which does not depend on the order of elimination.
+/// B, M^-1 (B u - bias), and the pivots' product, which does not depend on the order of
+/// elimination.
 void Truth::add_solutions(const Matrix& M) {
   Matrix columns;
   for (std::size_t k = 0; k < state_.u.size(); ++k) {
@@ -43,55 +49,48 @@ void Truth::add_solutions(const Matrix& M) {
   keep("forward_dynamics.acceleration", transposed(solved(M, column(right)))[0]);
 }
 
+/// Columns d(M a + bias - B u)/dx, x every q or every v; without B u where there are no inputs.
+Matrix Truth::torque_slopes(const State& at, bool has_inputs, bool by_velocity) const {
+  Matrix columns;
+  for (const std::size_t k : free_) {
+    State moved = by_velocity ? at : displaced(layout_, at, k, second);
+    if (by_velocity) moved.v[k] += Jet::infinitesimal(second);
+    Vector slope = along(of_free(torque(layout_, moved)), second);
+    if (has_inputs) {
+      State without = moved;
+      for (Jet& u : without.u) u = 0;
+      const Vector inputs =
+          difference(of_free(forces(layout_, moved)), of_free(forces(layout_, without)));
+      slope = difference(slope, along(inputs, second));
+    }
+    columns.push_back(slope);
+  }
+  return transposed(columns);
+}
+
+/// da/dx = -M^-1 d(M a + bias - B u)/dx at the acceleration that forces and inputs make.
 void Truth::add_derivatives(const Matrix& M) {
   const std::size_t n = free_.size();
-  State driven = state_;  // at the acceleration that forces and inputs make
+  State driven = state_;
   for (std::size_t i = 0; i < n; ++i) {
     driven.a[free_[i]] = values_["forward_dynamics.acceleration"][i];
   }
-  const auto slopes = [&](const State& at, bool has_inputs, bool by_velocity) {
-    Matrix columns;
-    for (const std::size_t k : free_) {
-      State moved = by_velocity ? at : displaced(layout_, at, k, second);
-      if (by_velocity) moved.v[k] += Jet::infinitesimal(second);
-      Vector slope = along(of_free(torque(layout_, moved)), second);
-      if (has_inputs) {
-        State without = moved;
-        for (Jet& u : without.u) u = 0;
-        const Vector inputs = difference(of_free(forces(layout_, moved)),
-                                         of_free(forces(layout_, without)));
-        slope = difference(slope, along(inputs, second));
-      }
-      columns.push_back(slope);
-    }
-    return transposed(columns);
-  };
-  keep("inverse_dynamics_derivatives.by_position", slopes(state_, false, false));
-  keep("inverse_dynamics_derivatives.by_velocity", slopes(state_, false, true));
-  const auto negative = [&](Matrix rows) {
-    for (Vector& row : rows) row = difference(Vector(row.size()), row);
-    return rows;
-  };
-  const Matrix by_position = solved(M, negative(slopes(driven, true, false)));
-  const Matrix by_velocity = solved(M, negative(slopes(driven, true, true)));
+  keep("inverse_dynamics_derivatives.by_position", torque_slopes(state_, false, false));
+  keep("inverse_dynamics_derivatives.by_velocity", torque_slopes(state_, false, true));
+  const Matrix by_position = negative(solved(M, torque_slopes(driven, true, false)));
+  const Matrix by_velocity = negative(solved(M, torque_slopes(driven, true, true)));
   keep("forward_dynamics_derivatives.by_position", by_position);
   keep("forward_dynamics_derivatives.by_velocity", by_velocity);
+  // x = (q, v): the deviation of a rotation changes by its own rate less [w]x of it.
+  const Matrix spinning = negative(turning(of_free(state_.v)));
   Matrix A(2 * n, Vector(2 * n));
   for (std::size_t i = 0; i < n; ++i) {
     A[i][n + i] = 1;
     for (std::size_t j = 0; j < n; ++j) {
+      A[i][j] = spinning[i][j];
       A[n + i][j] = by_position[i][j];
       A[n + i][n + j] = by_velocity[i][j];
     }
-  }
-  std::size_t row = 0;
-  for (const Layout::Place& place : layout_.places) {
-    if (place.lock >= 0) continue;
-    for (std::size_t k = 0; place.is_rotation && k < 3; ++k) {  // -[w]x of the deviation
-      A[row + (k + 1) % 3][row + (k + 2) % 3] = state_.v[place.v + k];
-      A[row + (k + 2) % 3][row + (k + 1) % 3] = -state_.v[place.v + k];
-    }
-    row += place.is_rotation ? 3 : 1;
   }
   keep("linearization.A", A);
   if (state_.u.empty()) return;

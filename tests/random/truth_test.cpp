@@ -51,8 +51,8 @@ TEST_CASE("double pendulum in absolute angles") {
   check_near(values["coriolis_matrix"][1], 3 * s * w);
   check_near(values["gravity"][0], 50 * sin(a));
   check_near(values["inverse_dynamics"][1], 3 * c + 15 - 3 * s * v * v + 30 * sin(b));
-  const Number expected_a = (-3 * s * w * w - 50 * sin(a) - c * (3 * s * v * v - 30 * sin(b))) /
-                            (5 - 3 * c * c);
+  const Number expected_a =
+      (-3 * s * w * w - 50 * sin(a) - c * (3 * s * v * v - 30 * sin(b))) / (5 - 3 * c * c);
   check_near(values["forward_dynamics.acceleration"][0], expected_a);
 }
 

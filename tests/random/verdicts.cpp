@@ -1,4 +1,5 @@
-// What `elgen verify` says of a model: that it holds, that true closed forms do, that false ones do not.
+// What `elgen verify` says of a model: that it holds, that true closed forms do, that false ones do
+// not.
 #include "random/claims.hpp"
 #include "random/trial.hpp"
 #include "support/shell.hpp"
@@ -27,8 +28,8 @@ Finding judged(const std::string& kind, const Outcome& outcome) {
 
 std::vector<Finding> compare_verdicts(const Trial& trial, const std::filesystem::path& folder) {
   std::vector<Finding> findings;
-  const Outcome again = test::shell("timeout 120 elgen generate -q --check -o out " +
-                                        input_file(trial.system), folder);
+  const Outcome again = test::shell(
+      "timeout 120 elgen generate -q --check -o out " + input_file(trial.system), folder);
   if (again.status != 0) findings.push_back(judged("another run differs,", again));
   const std::string model_file = trial.system.model.name + ".toml";
   const std::vector<Claim> claims = true_claims(trial.system.model);
