@@ -10,9 +10,17 @@ namespace {
 
 using test::Outcome;
 
-std::string last_lines(const std::string& text) {
+/// What does not hold, of a certificate; without one the end of the text.
+std::string failed_rows(const std::string& certificate) {
+  constexpr std::size_t row = 600;
   constexpr std::size_t kept = 1500;
-  return text.size() > kept ? text.substr(text.size() - kept) : text;
+  std::string rows;
+  for (std::size_t at = certificate.find("  FAILS"); at != std::string::npos && rows.size() < kept;
+       at = certificate.find("  FAILS", at + 1)) {
+    rows += certificate.substr(at, row) + "\n";
+  }
+  if (!rows.empty() || certificate.size() <= kept) return rows.empty() ? certificate : rows;
+  return certificate.substr(certificate.size() - kept);
 }
 
 Outcome verify(const std::string& file, const std::filesystem::path& folder) {
@@ -21,7 +29,7 @@ Outcome verify(const std::string& file, const std::filesystem::path& folder) {
 
 Finding judged(const std::string& kind, const Outcome& outcome) {
   return {kind + " exit " + std::to_string(outcome.status),
-          last_lines(outcome.output) + last_lines(outcome.errors)};
+          failed_rows(outcome.output) + failed_rows(outcome.errors)};
 }
 
 }  // namespace
