@@ -124,7 +124,6 @@ struct PointMass {
   GiNaC::ex mass;
   std::array<GiNaC::ex, 3> position;
   Entity origin;
-  bool kinetic = true;  ///< false: weight only (its kinetic energy is written elsewhere)
 };
 
 /// A force F in world axes at p: generalized force (dp/dq)^T F.

@@ -28,7 +28,7 @@ void add_masses(Lagrangian& lagrangian, Tangent& velocity) {
       squares.push_back(rate * rate);
       if (lagrangian.gravity) heights.push_back((*lagrangian.gravity)[axis] * at);
     }
-    if (mass.kinetic) lagrangian.kinetic.push_back(mass.mass * GiNaC::add(squares) / 2);
+    lagrangian.kinetic.push_back(mass.mass * GiNaC::add(squares) / 2);
     if (lagrangian.gravity) lagrangian.potential.push_back(-mass.mass * GiNaC::add(heights));
   }
   lagrangian.masses.clear();
