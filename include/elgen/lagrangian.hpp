@@ -213,7 +213,8 @@ struct SmallLeaf {
   GiNaC::ex value;
 };
 
-/// What specialise expands: energies to order + 1 jointly in all deviations, forces to order.
+/// What specialise expands: energies to order + 1 jointly in all deviations, forces to order; those
+/// on coordinates that are not small to order + 1.
 struct Expansion {
   std::uint32_t order = 1;
   std::vector<SmallLeaf> small = {};
