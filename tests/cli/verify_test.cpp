@@ -64,6 +64,28 @@ jacobian = true
   CHECK(mentions(judged.output, "J = d(omega; dp/dt)/dv, [omega]x = dR/dt R^T"));
 }
 
+TEST_CASE("every file that is emitted is compiled and run, in every storage") {
+  const Workspace workspace;
+  const auto judged = [&](const std::string& emission) {
+    write_text(workspace.path() / "one.scene.toml",
+               "format = 1\nmodel = \"" + models + "/cart_pole.toml\"\nname = \"one\"\n" +
+                   "[outputs]\ninput_matrix = true\nmass_matrix = true\nlinearization = true\n" +
+                   "[numeric]\nscalar = [\"double\"]\n[emit]\n" + emission);
+    const Outcome outcome = shell("elgen verify --samples 16 one.scene.toml", workspace.path());
+    INFO(emission << outcome.output << outcome.errors);
+    CHECK(outcome.status == 0);
+    return outcome.output;
+  };
+  for (const std::string storage : {"row-major", "column-major"}) {
+    const std::string line = "storage = \"" + storage + "\"\n";
+    const std::string on_eigen = judged(line + "eigen = true\n");
+    CHECK(mentions(on_eigen, "input_matrix (double) "));
+    CHECK(mentions(on_eigen, "input_matrix (double, Eigen) "));
+    CHECK(mentions(on_eigen, "linearization (float, Eigen) "));
+    CHECK(mentions(judged(line + "language = \"c99\"\n"), "input_matrix (double) "));
+  }
+}
+
 TEST_CASE("-o writes the certificates, and over a file with --force only") {
   const Workspace workspace;
   prepare("cp " + models + "/simple_pendulum.toml a.toml", workspace.path());
