@@ -48,14 +48,14 @@ struct VerifyOptions {
 };
 
 /// Compares oracle, program, and compiled code, and checks the structure of M, C and energies.
-/// `compiled` may be null (quick): its rows are then absent.
+/// Without `compiled` headers (quick) their rows are absent.
 /// Diagnostics: wrong [[expect]] with witness point.
 struct Verification {
   Certificate certificate;
   Diagnostics diagnostics;
 };
 [[nodiscard]] Verification verify(const Model& model, const Scene& scene, const Program& program,
-                                  const CompiledModel* compiled, const VerifyOptions& options);
+                                  const CompiledHeaders& compiled, const VerifyOptions& options);
 
 /// E618 where what was dropped from M may be more than half its smallest eigenvalue, M scaled to a
 /// diagonal of 1, at a state sampled over the ranges: the reduced M could then be indefinite.

@@ -318,7 +318,7 @@ ConstantOutcome evaluate_constant(const Expression& node, const OperandValue& op
 }
 
 std::optional<ConstantFailure> Constants::append(const std::vector<Expression>& arena) {
-  const Expression& node = arena.back();
+  const Expression& node = arena[values_.size()];
   values_.emplace_back();
   const auto constant = [&](ExpressionId id) { return values_[id].has_value(); };
   const bool all = std::all_of(node.operands.begin(), node.operands.end(), constant);

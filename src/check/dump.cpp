@@ -137,8 +137,7 @@ class ModelDump {
     for (const Body& body : model_.bodies) {
       const std::vector<ExpressionId> com(body.com.begin(), body.com.begin() + body.dimension);
       line("body " + body.name + (body.mass ? ", mass " + expression(*body.mass) : "") + ", com " +
-           list(com) + ", inertia " + list(body.inertia) + ", spin " + list(body.spin) +
-           (body.inertia_about_origin ? ", about origin" : ""));
+           list(com) + ", inertia " + list(body.inertia) + ", spin " + list(body.spin));
     }
     if (model_.gravity) {
       line("gravity " + list(*model_.gravity));

@@ -84,7 +84,7 @@ class RateSearch {
 };
 
 void visit_body(RateSearch& search, const Body& body) {
-  if (body.mass && !body.inertia_about_origin) {
+  if (body.mass) {
     for (const ExpressionId component : body.com) {
       search.visit(component, true);
     }

@@ -41,8 +41,6 @@ Jet along_gravity(const Model& model, const Evaluation& at, const Components& po
   return sum;
 }
 
-bool moves_its_centre(const Body& body) { return body.mass && !body.inertia_about_origin; }
-
 /// w.I w; I is {Izz} or {xx yy zz xy xz yz}.
 Jet spin_energy_twice(const Body& body, const Evaluation& at) {
   if (body.inertia.empty() || body.spin.empty()) return {};
@@ -85,7 +83,7 @@ std::vector<Root> kinetic_roots(const Model& model) {
   for (const Body& body : model.bodies) {
     append(roots, body.inertia);
     append(roots, body.spin);
-    if (!moves_its_centre(body)) continue;
+    if (!body.mass) continue;
     append(roots, body.mass);
     append(roots, body.com, body.dimension, 1);
   }
@@ -133,7 +131,7 @@ Jet kinetic_energy(const Model& model, const Evaluation& at, const Motion& motio
   }
   for (const Body& body : model.bodies) {
     sum = sum + half() * spin_energy_twice(body, at);
-    if (!moves_its_centre(body)) continue;
+    if (!body.mass) continue;
     sum = sum + half() * at.value(*body.mass) * squared_speed(at, body.com, body.dimension);
   }
   return sum;

@@ -203,9 +203,16 @@ cl_R Mechanics::dissipation_force(const Direction& w) {
   return dissipation_at(motion).coefficient(first);
 }
 
+/// Of what is small to the order of the equations, of all else to one more.
 Jet Mechanics::force_along(const Motion& motion, const Direction& w) {
-  return expanded(force_order(), motion,
-                  [&](const Motion& at) { return exact_force_along(at, w); });
+  if (!point_) return exact_force_along(motion, w);
+  Direction small = w;
+  Direction others = w;
+  for (std::size_t i = 0; i < w.size(); ++i) (point_->v[i] ? others : small)[i] = 0;
+  const auto along = [&](unsigned order, const Direction& part) {
+    return expanded(order, motion, [&](const Motion& at) { return exact_force_along(at, part); });
+  };
+  return along(point_->order, small) + along(point_->order + 1, others);
 }
 
 /// sum Q_i w_i + sum F.(dp/dq w), where e0 displaces along w.

@@ -97,7 +97,6 @@ class Mechanics {
   template <class Quantity>
   Jet expanded(unsigned order, const Motion& motion, const Quantity& quantity) const;
   [[nodiscard]] unsigned energy_order() const { return point_ ? point_->order + 1 : 0; }
-  [[nodiscard]] unsigned force_order() const { return point_ ? point_->order : 0; }
   Jet lagrangian_at(const Motion& motion);
   Jet kinetic_energy_at(const Motion& motion);
   Jet potential_at(const Motion& motion);

@@ -46,7 +46,7 @@ std::size_t samples_of(const Program& program, const VerifyOptions& options) {
 }  // namespace
 
 Verification verify(const Model& model, const Scene& scene, const Program& program,
-                    const CompiledModel* compiled, const VerifyOptions& options) {
+                    const CompiledHeaders& compiled, const VerifyOptions& options) {
   const Subject subject{model, scene, program};
   const Sampling sampling{samples_of(program, options), options.seed, true};
   const auto doubles = sample_states<double>(subject, sampling);
@@ -59,11 +59,11 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
   append(rows, expected.rows);
   append(rows, check_accuracy(subject, doubles));
   append(rows, check_accuracy(subject, floats));
-  if (compiled != nullptr && !options.quick) {
-    const bool has_doubles = compiled->has(ScalarKind::double_precision);
-    const bool has_floats = compiled->has(ScalarKind::single_precision);
-    if (has_doubles) append(rows, check_compiled(subject, *compiled, doubles));
-    if (has_floats) append(rows, check_compiled(subject, *compiled, floats));
+  for (const CompiledHeader& header : compiled) {
+    const bool has_doubles = header.functions->has(ScalarKind::double_precision);
+    const bool has_floats = header.functions->has(ScalarKind::single_precision);
+    if (has_doubles) append(rows, check_compiled(subject, header, doubles));
+    if (has_floats) append(rows, check_compiled(subject, header, floats));
   }
   append(rows, check_structure(subject, nominal_states(subject, doubles)));
   result.diagnostics = std::move(expected.diagnostics);

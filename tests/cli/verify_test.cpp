@@ -24,6 +24,68 @@ TEST_CASE("verify: all closed forms of the models hold, a wrong one exits with 1
   CHECK(mentions(wrong.errors, "[E510]"));
 }
 
+TEST_CASE("the Jacobian of a frame is judged as that of its twist") {
+  const Workspace workspace;
+  write_text(workspace.path() / "arm.toml", R"toml(format = 1
+[model]
+name = "arm"
+[[coordinate]]
+name = "q"
+unit = "rad"
+[[coordinate]]
+name = "r"
+kind = "rotation"
+[parameters]
+l = { value = 0.4, unit = "m" }
+m = { value = 2, unit = "kg" }
+i = { value = 0.1, unit = "kg*m^2" }
+[[frame]]
+name = "arm"
+parent = "world"
+rotate = [[["1", "1", "0"], "q"]]
+[[frame]]
+name = "ball"
+parent = "arm"
+translate = ["l", "0", "0"]
+rotation = "r"
+[[body]]
+name = "load"
+frame = "ball"
+mass = "m"
+inertia = ["i", "i", "i"]
+[[output]]
+name = "pose"
+frame = "ball"
+jacobian = true
+)toml");
+  const Outcome judged = shell("elgen verify --samples 16 arm.toml", workspace.path());
+  INFO(judged.output + judged.errors);
+  CHECK(judged.status == 0);
+  CHECK(mentions(judged.output, "J = d(omega; dp/dt)/dv, [omega]x = dR/dt R^T"));
+}
+
+TEST_CASE("every file that is emitted is compiled and run, in every storage") {
+  const Workspace workspace;
+  const auto judged = [&](const std::string& emission) {
+    write_text(workspace.path() / "one.scene.toml",
+               "format = 1\nmodel = \"" + models + "/cart_pole.toml\"\nname = \"one\"\n" +
+                   "[outputs]\ninput_matrix = true\nmass_matrix = true\nlinearization = true\n" +
+                   "[numeric]\nscalar = [\"double\"]\n[emit]\n" + emission);
+    const Outcome outcome = shell("elgen verify --samples 16 one.scene.toml", workspace.path());
+    INFO(emission << outcome.output << outcome.errors);
+    CHECK(outcome.status == 0);
+    return outcome.output;
+  };
+  for (const std::string storage : {"row-major", "column-major"}) {
+    const std::string line = "storage = \"" + storage + "\"\n";
+    const std::string on_eigen = judged(line + "eigen = true\n");
+    CHECK(mentions(on_eigen, "input_matrix (double) "));
+    CHECK(mentions(on_eigen, "input_matrix (double, Eigen) "));
+    CHECK(mentions(on_eigen, "linearization (float, Eigen) "));
+    CHECK(mentions(judged(line + "language = \"c99\"\n"), "input_matrix (double) "));
+  }
+}
+
 TEST_CASE("-o writes the certificates, and over a file with --force only") {
   const Workspace workspace;
   prepare("cp " + models + "/simple_pendulum.toml a.toml", workspace.path());

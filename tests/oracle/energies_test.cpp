@@ -64,19 +64,6 @@ TEST_CASE("a body: 1/2 m v^2 + 1/2 w.I w with all products of inertia") {
   CHECK(energies_of(b).T == 25 + 49 + (25 + 98 + 3 + 2 * (140 + 25 + 42)) / 2);
 }
 
-TEST_CASE("a body about its fixed origin has its weight but no 1/2 m v^2") {
-  ModelBuilder b = plane();
-  b.gravity({"0", "-10"});
-  Body body = body_at(b, {"x", "y"}, "2");
-  body.dimension = 2;
-  body.inertia = {b.expression("4")};
-  body.spin = {b.expression("x_d")};
-  body.inertia_about_origin = true;
-  b.model.bodies = {body};
-  CHECK(energies_of(b).T == 50);
-  CHECK(energies_of(b).V == 60);
-}
-
 TEST_CASE("an armature adds 1/2 J v^2") {
   ModelBuilder b = plane();
   b.model.coordinates[1].armature = b.expression("4");

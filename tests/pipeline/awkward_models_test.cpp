@@ -47,7 +47,7 @@ TEST_CASE("awkward energies hold in every check") {
     options.quick = true;
     options.forms = &*products.closed_forms;
     const Certificate certificate =
-        verify(model, scene, *products.program, nullptr, options).certificate;
+        verify(model, scene, *products.program, {}, options).certificate;
     INFO(to_text(certificate));
     CHECK(holds(certificate));
   }
