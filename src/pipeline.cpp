@@ -48,9 +48,11 @@ class Stages {
   template <class Stage>
   auto run(const std::string& name, const Stage& stage) -> decltype(stage().value) {
     if (done_) return {};
-    if (options_.on_stage) options_.on_stage(name);
     const auto start = std::chrono::steady_clock::now();
-    auto result = stage();
+    auto result = guarded(name, [&] {
+      if (options_.on_stage) options_.on_stage(name);
+      return stage();
+    });
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     products_.times.push_back({name, elapsed.count()});
     auto& all = products_.diagnostics;
@@ -70,6 +72,18 @@ class Stages {
   }
 
  private:
+  /// A mistake of ours must not swallow what earlier stages found.
+  template <class Stage>
+  static auto guarded(const std::string& name, const Stage& stage) -> decltype(stage()) {
+    try {
+      return stage();
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const std::exception& mistake) {
+      return Diagnostic{Code::E912, {}, "internal error in `" + name + "`: " + mistake.what()};
+    }
+  }
+
   const PipelineOptions& options_;
   Products& products_;
   bool done_ = false;

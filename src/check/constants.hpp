@@ -58,6 +58,9 @@ class Constants {
   std::vector<std::optional<cln::cl_R>> values_;
 };
 
+/// log10 |x| to within one, of numbers of any size; 0 of 0.
+[[nodiscard]] double decimal_exponent(const cln::cl_R& x);
+
 /// Decimal digits of numerator and denominator, whichever has more.
 [[nodiscard]] std::size_t digit_count(const cln::cl_RA& number);
 

@@ -51,6 +51,7 @@ class RateSearch {
     const Expression& node = model_.expressions[visit.id];
     switch (node.kind) {
       case ExpressionKind::rate:
+      case ExpressionKind::acceleration:  // E502 says what is wrong with that
         moving_[node.index] = true;
         return;
       case ExpressionKind::coordinate:

@@ -5,6 +5,7 @@
 
 #include "mechanics.hpp"
 #include "output_values.hpp"
+#include "real_functions.hpp"
 
 namespace elgen {
 namespace {
@@ -13,7 +14,7 @@ using cln::cl_R;
 
 /// CLN and the oracle throw where a value does not exist; callers get an empty optional.
 template <class Computation>
-auto guarded(const Computation& computation) -> std::optional<decltype(computation())> {
+auto attempt(const Computation& computation) -> std::optional<decltype(computation())> {
   try {
     return computation();
   } catch (const cln::runtime_exception&) {
@@ -21,6 +22,15 @@ auto guarded(const Computation& computation) -> std::optional<decltype(computati
   } catch (const oracle::OutsideDomain&) {
     return std::nullopt;
   }
+}
+
+/// To as many digits as its angles ask for: without them a value may seem not to exist.
+template <class Computation>
+auto guarded(const Computation& computation) -> std::optional<decltype(computation())> {
+  oracle::Precision precision;
+  auto value = attempt(computation);
+  while (precision.grows()) value = attempt(computation);
+  return value;
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ TEST_CASE("what cannot be imported is said") {
   CHECK(failure(equations, lgamma(x)) == "cannot import the GiNaC function `lgamma`");
   CHECK(failure(equations, GiNaC::lst{x}) == "cannot import the GiNaC class `lst`");
   const ex zero = testing::define_as(equations, "zero", x - x);
-  CHECK(failure(equations, 1 / zero) == "a denominator of `bias` is 0, whatever the state is");
+  CHECK(failure(equations, 1 / zero) == "a denominator is 0");
 }
 
 TEST_CASE("a program has the value GiNaC gives") {
