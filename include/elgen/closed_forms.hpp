@@ -16,6 +16,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "elgen/program.hpp"
@@ -74,6 +75,7 @@ struct Atom {
 /// The atoms and denominator factors that fractions refer to.
 struct Algebra {
   std::vector<Atom> atoms = {};
+  std::unordered_multimap<std::size_t, AtomId> known = {};  ///< of each atom, by its hash
   /// As first met, and normalised: without common monomial, leading coefficient 1.
   struct Factor {
     Polynomial shown = {};

@@ -283,4 +283,11 @@ cl_R Mechanics::energy_function() {
   return value.coefficient(first) - value.real();
 }
 
+cl_R Mechanics::energy_magnitude() {
+  const Jet terms = expanded(energy_order(), base_, [this](const Motion& at) {
+    return potential_magnitude(model_, Evaluation(model_, potential_, at, functions_));
+  });
+  return cln::abs(energy_function()) + terms.real();
+}
+
 }  // namespace elgen::oracle

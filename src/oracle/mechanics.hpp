@@ -92,6 +92,9 @@ class Mechanics {
   /// v.dL/dv - L
   [[nodiscard]] cln::cl_R energy_function();
 
+  /// |E| and the magnitudes of the terms that V sums (of an L given whole none are known).
+  [[nodiscard]] cln::cl_R energy_magnitude();
+
  private:
   /// What `quantity` is at a motion, or where the scene expands it, its expansion to `order`.
   template <class Quantity>

@@ -64,6 +64,10 @@ std::optional<cl_R> oracle_contraction(const Model& model, const OutputRequest& 
   return guarded([&] { return oracle::contracted_values(model, output, state, by); });
 }
 
+std::optional<cl_R> oracle_energy_magnitude(const Model& model, const State& state) {
+  return guarded([&] { return oracle::Mechanics(model, state).energy_magnitude(); });
+}
+
 std::optional<cl_R> oracle_expression(const Model& model, ExpressionId expression,
                                       const State& state) {
   return guarded([&] {

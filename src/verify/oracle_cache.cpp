@@ -6,43 +6,6 @@
 #include "elgen/oracle.hpp"
 
 namespace elgen {
-namespace {
-
-/// 0 where it has no value.
-cln::cl_R magnitude(const Model& model, ExpressionId id, const State& state) {
-  const std::optional<cln::cl_R> value = oracle_expression(model, id, state);
-  return value ? cln::abs(*value) : cln::cl_R(0);
-}
-
-/// |m| (|g_x x| + |g_y y| + |g_z z|) of one mass.
-cln::cl_R weight(const Model& model, ExpressionId mass, const Vector3& at, const State& state) {
-  cln::cl_R sum = 0;
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    sum = sum + magnitude(model, (*model.gravity)[i], state) * magnitude(model, at[i], state);
-  }
-  return magnitude(model, mass, state) * sum;
-}
-
-/// The sum of the magnitudes of V's terms, which may cancel to 0 whatever the state is.
-cln::cl_R potential_terms(const Model& model, const State& state) {
-  cln::cl_R sum = 0;
-  if (model.energies.V) {
-    const Expression& V = model.expressions[*model.energies.V];
-    if (V.kind == ExpressionKind::add) {
-      for (const ExpressionId term : V.operands) sum = sum + magnitude(model, term, state);
-    }
-  }
-  if (!model.gravity) return sum;
-  for (const Point& point : model.points) {
-    if (point.mass) sum = sum + weight(model, *point.mass, point.at, state);
-  }
-  for (const Body& body : model.bodies) {
-    if (body.mass) sum = sum + weight(model, *body.mass, body.com, state);
-  }
-  return sum;
-}
-
-}  // namespace
 
 const OracleValues& OracleCache::values(const OutputRequest& request) {
   const auto key = std::make_pair(request.kind, request.user);
@@ -52,10 +15,7 @@ const OracleValues& OracleCache::values(const OutputRequest& request) {
 }
 
 const cln::cl_R& OracleCache::energy() {
-  if (!energy_) {
-    const OracleValues& e = values(standard_request(OutputKind::energy_function));
-    energy_ = e ? cln::abs(e->front()) + potential_terms(subject_.model, state_) : cln::cl_R(0);
-  }
+  if (!energy_) energy_ = oracle_energy_magnitude(subject_.model, state_).value_or(0);
   return *energy_;
 }
 

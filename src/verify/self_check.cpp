@@ -1,21 +1,22 @@
 // self_check: what precedes every write. At each state every function is run in double, in 64
 // digits with its error bound, and projected on random directions against the oracle. The clock
-// decides only how many states are visited.
+// decides only how many states are visited: a state is always finished.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 #include "accuracy.hpp"
 #include "agreement.hpp"
 #include "elgen/certificate.hpp"
 #include "projection.hpp"
 #include "states.hpp"
+#include "time_share.hpp"
 
 namespace elgen {
 namespace {
 
-constexpr std::size_t least_states = 2;
 constexpr std::size_t most_states = 32;
 
 /// One state on its way through all functions.
@@ -47,7 +48,7 @@ class Visit {
   }
 
   [[nodiscard]] std::size_t compared() const { return compared_; }
-  [[nodiscard]] double worst() const { return worst_; }
+  [[nodiscard]] std::optional<double> worst() const { return worst_; }
   [[nodiscard]] std::string where() const { return describe(subject_, oracle_.state()); }
 
  private:
@@ -66,7 +67,7 @@ class Visit {
         const Bound& bound = judging_bound(own.entries[first + i], bounds[judge.first + i]);
         const double x = rounded[first + i];
         const double error = error_in_bounds(x, bound, function.instructions.size());
-        worst_ = std::max(worst_, error);
+        worst_ = std::max(worst_.value_or(0), error);
         if (!(error <= promised_bounds)) return imprecise(x, bound, error);
       }
       first += field.entries.size();
@@ -112,7 +113,7 @@ class Visit {
   OracleCache oracle_;
   std::vector<std::pair<const Function*, BoundedRun>> exact_ = {};
   std::size_t compared_ = 0;
-  double worst_ = 0;
+  std::optional<double> worst_ = {};
 };
 
 /// Visits all functions at one state; adds to `result`.
@@ -128,7 +129,7 @@ void check_state(SelfCheck& result, const Subject& subject, const SampledState<d
     return;
   }
   result.states += visit.compared() > 0 ? 1 : 0;
-  result.worst = std::max(result.worst, visit.worst());
+  if (visit.worst()) result.worst = std::max(result.worst.value_or(0), *visit.worst());
 }
 
 }  // namespace
@@ -140,11 +141,12 @@ SelfCheck self_check(const Model& model, const Scene& scene, const Program& prog
   const Subject subject{model, scene, program};
   Random random(1);
   SelfCheck result;
+  TimeShare share(seconds);
   for (const auto& sample : sample_states<double>(subject, {most_states, 1, false})) {
-    const std::chrono::duration<double> elapsed = Clock::now() - start;
-    if (result.states >= least_states && elapsed.count() > seconds) break;
+    if (!share.fits_another(result.states)) break;
     check_state(result, subject, sample, random);
     if (!result.failure.empty()) break;
+    share.add_state(std::chrono::duration<double>(Clock::now() - start).count());
   }
   if (result.states == 0 && result.failure.empty() && !program.functions.empty()) {
     result.failure = fmt::format("no output has a value at any of {} states", most_states);
@@ -153,7 +155,10 @@ SelfCheck self_check(const Model& model, const Scene& scene, const Program& prog
 }
 
 std::string receipt(const SelfCheck& result) {
-  return fmt::format("checked {} states against 60 digits: {:.1f} uB", result.states, result.worst);
+  const std::string worst =
+      result.worst ? fmt::format("{:.2g} uB", *result.worst) : "without a bound of rounding";
+  return fmt::format("checked {} state{} against 60 digits: {}", result.states,
+                     result.states == 1 ? "" : "s", worst);
 }
 
 }  // namespace elgen

@@ -16,6 +16,7 @@ struct Found {
   cl_R T;
   cl_R V;
   cl_R L;
+  cl_R terms_of_V;
 };
 
 /// At x = 2, y = 3, dx/dt = 5, dy/dt = 7.
@@ -25,7 +26,7 @@ Found energies_of(const ModelBuilder& b) {
   const Schedule schedule = make_schedule(b.model, lagrangian_roots(b.model));
   const Evaluation at(b.model, schedule, motion, functions);
   return {kinetic_energy(b.model, at, motion).real(), potential_energy(b.model, at).real(),
-          lagrangian(b.model, at, motion).real()};
+          lagrangian(b.model, at, motion).real(), potential_magnitude(b.model, at).real()};
 }
 
 ModelBuilder plane() {
@@ -50,6 +51,17 @@ TEST_CASE("written energies and point masses add up; a point without a mass adds
   CHECK(e.T == 5 + (15 + 14) * (15 + 14) + 49);
   CHECK(e.V == 3 + 2 * 10 * 3);
   CHECK(e.L == e.T - e.V);
+}
+
+TEST_CASE("terms of V have magnitudes where they cancel: sums as written, and each weight") {
+  ModelBuilder b = plane();
+  b.V("6*x - 4*y").point("P", {"x", "y"}, "2").point("Q", {"x", "-y"}, "2");
+  b.gravity({"0", "-10"});
+  const Found e = energies_of(b);
+  CHECK(e.V == 0);
+  CHECK(e.terms_of_V == 12 + 12 + 60 + 60);
+  CHECK(energies_of(plane().V("-x*y")).terms_of_V == 6);
+  CHECK(energies_of(plane()).terms_of_V == 0);
 }
 
 TEST_CASE("a body: 1/2 m v^2 + 1/2 w.I w with all products of inertia") {
