@@ -65,6 +65,7 @@ std::size_t length(const ReadableEntries& entries) {
 /// The same function without instructions, its entries numbered as values.
 Function unfilled(const Function& function) {
   Function result{function.kind, function.user, function.name};
+  result.sampled_zeros = function.sampled_zeros;
   std::uint32_t next = 0;
   for (const Field& field : function.fields) {
     Field& copy = result.fields.emplace_back(Field{field.name, field.rows, field.columns, {}});

@@ -44,6 +44,14 @@ std::size_t entry_count(const Function& function) {
   return count;
 }
 
+std::vector<std::uint32_t> entries_of(const Function& function) {
+  std::vector<std::uint32_t> entries;
+  for (const Field& field : function.fields) {
+    entries.insert(entries.end(), field.entries.begin(), field.entries.end());
+  }
+  return entries;
+}
+
 OperationCounts count_operations(const Function& function) {
   OperationCounts counts;
   std::set<std::uint32_t> angles;

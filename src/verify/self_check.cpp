@@ -10,6 +10,7 @@
 #include "agreement.hpp"
 #include "elgen/certificate.hpp"
 #include "projection.hpp"
+#include "sampled_zeros.hpp"
 #include "states.hpp"
 
 namespace elgen {
@@ -140,6 +141,7 @@ SelfCheck self_check(const Model& model, const Scene& scene, const Program& prog
   const Subject subject{model, scene, program};
   Random random(1);
   SelfCheck result;
+  result.sampled_zeros = count_sampled_zeros(program);
   for (const auto& sample : sample_states<double>(subject, {most_states, 1, false})) {
     const std::chrono::duration<double> elapsed = Clock::now() - start;
     if (result.states >= least_states && elapsed.count() > seconds) break;
@@ -153,7 +155,12 @@ SelfCheck self_check(const Model& model, const Scene& scene, const Program& prog
 }
 
 std::string receipt(const SelfCheck& result) {
-  return fmt::format("checked {} states against 60 digits: {:.1f} uB", result.states, result.worst);
+  std::string text =
+      fmt::format("checked {} states against 60 digits: {:.1f} uB", result.states, result.worst);
+  if (result.sampled_zeros == 0) return text;
+  const bool is_one = result.sampled_zeros == 1;
+  return text + fmt::format("; {} entr{} on zeros found at {} points, not proved",
+                            result.sampled_zeros, is_one ? "y rests" : "ies rest", zero_points);
 }
 
 }  // namespace elgen

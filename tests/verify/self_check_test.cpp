@@ -104,5 +104,5 @@ TEST_CASE("nothing to check is nothing wrong") {
 }
 
 TEST_CASE("the receipt says what was done, and by which measure") {
-  CHECK(receipt({32, 2.13, ""}) == "checked 32 states against 60 digits: 2.1 uB");
+  CHECK(receipt({32, 2.13, "", 0}) == "checked 32 states against 60 digits: 2.1 uB");
 }
