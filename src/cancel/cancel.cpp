@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "elgen/closed_forms.hpp"
 #include "lower/cheapest.hpp"
 #include "lower/from_program.hpp"
 #include "lower/linearise.hpp"
+#include "lower/prune.hpp"
 #include "lower/turn_signs.hpp"
 #include "vanishing.hpp"
 
@@ -38,24 +40,10 @@ Places outermost(const Function& function, const Places& zeros) {
   return result;
 }
 
-/// The instructions that `wanted` need, `wanted` as the entries of one field.
-Function extract(const Function& function, const Places& wanted) {
-  const std::vector<bool> needed = needed_for(function, wanted);
-  Function result{function.kind, function.user, function.name};
-  Places renumbered(needed.size());
-  for (std::size_t at = 0; at < needed.size(); ++at) {
-    if (!needed[at]) continue;
-    Instruction i = function.instructions[at];
-    if (operand_count(i) > 0) i.a = renumbered[i.a];
-    if (operand_count(i) > 1) i.b = renumbered[i.b];
-    renumbered[at] = static_cast<std::uint32_t>(result.instructions.size());
-    result.instructions.push_back(i);
-  }
-  result.names.resize(result.instructions.size());
-  Field& field = result.fields.emplace_back();
-  field.rows = static_cast<std::uint32_t>(wanted.size());
-  for (const std::uint32_t at : wanted) field.entries.push_back(renumbered[at]);
-  return result;
+/// What `wanted` needs, `wanted` as the entries of one field.
+Function extract(Function function, const Places& wanted) {
+  function.fields = {{"", static_cast<std::uint32_t>(wanted.size()), 1, wanted}};
+  return pruned(std::move(function));
 }
 
 /// Zeros of a function that nothing but zeros are made of, by what is known of them.

@@ -8,7 +8,7 @@
 #include "base/random.hpp"
 #include "evaluate/bounded.hpp"
 #include "evaluate/decimal.hpp"
-#include "lower/from_program.hpp"
+#include "lower/prune.hpp"
 
 namespace elgen {
 namespace {

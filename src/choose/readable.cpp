@@ -7,6 +7,7 @@
 #include "lower/cheapest.hpp"
 #include "lower/flatten.hpp"
 #include "lower/from_program.hpp"
+#include "lower/prune.hpp"
 
 namespace elgen {
 namespace {

@@ -1,6 +1,8 @@
 // from_program: one instruction after another.
 #include "from_program.hpp"
 
+#include "prune.hpp"
+
 namespace elgen {
 namespace {
 
@@ -32,18 +34,6 @@ Ref graph_of(Graph& graph, const Program& program, const Instruction& i,
 }
 
 }  // namespace
-
-std::vector<bool> needed_for(const Function& function, const std::vector<std::uint32_t>& wanted) {
-  std::vector<bool> needed(function.instructions.size(), false);
-  for (const std::uint32_t at : wanted) needed[at] = true;
-  for (std::size_t at = needed.size(); at-- > 0;) {
-    const Instruction& i = function.instructions[at];
-    if (!needed[at]) continue;
-    if (operand_count(i) > 0) needed[i.a] = true;
-    if (operand_count(i) > 1) needed[i.b] = true;
-  }
-  return needed;
-}
 
 Expressions from_program(const Program& program, const Function& function,
                          const std::vector<std::uint32_t>& wanted,

@@ -7,10 +7,6 @@
 
 namespace elgen {
 
-/// Whether each instruction is one of `wanted` or goes into one.
-[[nodiscard]] std::vector<bool> needed_for(const Function& function,
-                                           const std::vector<std::uint32_t>& wanted);
-
 /// The values of the instructions `wanted`; those that `is_zero` says (none where it is empty) are
 /// 0 wherever they are used, so none of them may divide.
 [[nodiscard]] Expressions from_program(const Program& program, const Function& function,

@@ -33,13 +33,6 @@ std::string again(const std::vector<std::uint32_t>& wanted, const std::vector<bo
 
 }  // namespace
 
-TEST_CASE("what an entry needs") {
-  CHECK(needed_for(program().functions[0], {6}) ==
-        std::vector<bool>{true, true, true, true, true, true, true, false});
-  CHECK(needed_for(program().functions[0], {3, 0}) ==
-        std::vector<bool>{true, false, true, true, false, false, false, false});
-}
-
 TEST_CASE("wanted values come back as they were computed") {
   CHECK(again({3}).find("  0 = coordinate x\n  1 = sin 0\n") != std::string::npos);
   const std::string whole = again({7, 3});
