@@ -1,13 +1,14 @@
 // The order of the stages, and the only place that knows it:
 //
-//     parse -> check -> inspect -> formulate -> specialise -> derive -> lower -> present -> choose
-//     -> emit -> self-check
+//     parse -> check -> inspect -> formulate -> specialise -> derive -> lower -> cancel -> present
+//     -> choose -> emit -> self-check
 #include "elgen/pipeline.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <utility>
 
+#include "elgen/cancel.hpp"
 #include "elgen/choose.hpp"
 #include "elgen/drop.hpp"
 #include "elgen/equations_of_motion.hpp"
@@ -151,13 +152,14 @@ Result<ReducedForms> reduced(const Lagrangian& lagrangian, const CheckedModel& c
   const std::vector<OutputRequest> wanted = with_parts(scene);
   const Result<EquationsOfMotion> equations = derive(lagrangian, wanted, limits);
   if (!equations) return equations.diagnostics;
-  const Result<Program> program = lower(*equations, wanted, limits);
-  if (!program) return program.diagnostics;
-  Result<ReducedForms> reduced = drop_terms(*program, present(*program), model, *scene.dropping);
+  Result<Program> lowered = lower(*equations, wanted, limits);
+  if (!lowered) return lowered.diagnostics;
+  const Program program = cancel(std::move(*lowered));
+  Result<ReducedForms> reduced = drop_terms(program, present(program), model, *scene.dropping);
   if (!reduced) return reduced.diagnostics;
   Diagnostics refused = check_definiteness(model, scene, reduced->reduction);
   if (!refused.empty()) return refused;
-  reduced->forms.functions = selected(recursive, *program, reduced->forms);
+  reduced->forms.functions = selected(recursive, program, reduced->forms);
   return reduced;
 }
 
@@ -190,9 +192,10 @@ Result<ReadableSteps> steps(const Lagrangian& lagrangian, const CheckedModel& ch
                             const Limits& limits) {
   const Result<Steps> derived = derive_steps(lagrangian);
   if (!derived) return derived.diagnostics;
-  const Result<Program> recursive = lower(derived->equations, derived->requests, limits);
-  if (!recursive) return recursive.diagnostics;
-  Result<Choice> choice = choose(*recursive, present(*recursive), {});
+  Result<Program> lowered = lower(derived->equations, derived->requests, limits);
+  if (!lowered) return lowered.diagnostics;
+  const Program recursive = cancel(std::move(*lowered));
+  Result<Choice> choice = choose(recursive, present(recursive), {});
   if (!choice) return choice.diagnostics;
   ReadableSteps result{std::move(choice->program), {}};
   for (const Entity& mass : derived->masses) {
@@ -205,8 +208,8 @@ Result<ReadableSteps> steps(const Lagrangian& lagrangian, const CheckedModel& ch
 
 const std::vector<std::string>& stage_names() {
   static const std::vector<std::string> names{"parse",      "check",  "inspect", "formulate",
-                                              "specialise", "derive", "lower",   "present",
-                                              "choose",     "emit"};
+                                              "specialise", "derive", "lower",   "cancel",
+                                              "present",    "choose", "emit"};
   return names;
 }
 
@@ -237,8 +240,10 @@ Products run_pipeline(const Inputs& inputs, const PipelineOptions& options) {
   }
   const auto equations = stages.run(
       "derive", [&] { return derive(*specialised, out.checked->scene.outputs, limits); });
-  const auto recursive =
+  auto lowered =
       stages.run("lower", [&] { return lower(*equations, out.checked->scene.outputs, limits); });
+  const auto recursive =
+      stages.run("cancel", [&] { return Result<Program>(cancel(std::move(*lowered))); });
   auto forms = stages.run(
       "present", [&] { return presented(*specialised, *out.checked, *recursive, limits); });
   auto choice = stages.run("choose", [&] {

@@ -72,10 +72,18 @@ struct Function {
   std::vector<std::string> names =
       {};  ///< same length; what an instruction is ("sin_theta"), or ""
   std::vector<Field> fields = {};
+  /// Entries, numbered over all fields, that rest on a zero which was not proved but found at
+  /// `zero_points` random points.
+  std::vector<std::uint32_t> sampled_zeros = {};
 };
+
+/// Where a value is asked for before it is taken for zero.
+inline constexpr std::size_t zero_points = 64;
 
 /// Entries of all fields.
 [[nodiscard]] std::size_t entry_count(const Function& function);
+/// Their instructions, field by field.
+[[nodiscard]] std::vector<std::uint32_t> entries_of(const Function& function);
 
 struct Program {
   LeafNames leaves = {};

@@ -10,6 +10,7 @@
 #include "lower/linearise.hpp"
 #include "lower/turn_signs.hpp"
 #include "readable.hpp"
+#include "scaled_length.hpp"
 
 namespace elgen {
 namespace {
@@ -65,6 +66,7 @@ std::size_t length(const ReadableEntries& entries) {
 /// The same function without instructions, its entries numbered as values.
 Function unfilled(const Function& function) {
   Function result{function.kind, function.user, function.name};
+  result.sampled_zeros = function.sampled_zeros;
   std::uint32_t next = 0;
   for (const Field& field : function.fields) {
     Field& copy = result.fields.emplace_back(Field{field.name, field.rows, field.columns, {}});
@@ -166,6 +168,7 @@ class Choosing {
     for (std::size_t i = 0; i < recursive_.functions.size(); ++i) {
       Diagnostics errors = choose_form(i);
       if (!errors.empty()) return errors;
+      scale_lengths(i);
     }
     return std::move(result_);
   }
@@ -222,6 +225,16 @@ class Choosing {
     return {};
   }
 
+  /// Where quaternions are normalized, which is then neither of the two forms.
+  void scale_lengths(std::size_t index) {
+    Function& function = result_.program.functions[index];
+    if (function.kind == OutputKind::normalized) normalized_ = function.name;
+    if (normalized_.empty()) return;
+    const bool repeats = function.kind == OutputKind::dynamics;
+    if (!repeats && function.kind != OutputKind::normalized) return;
+    function = with_scaled_lengths(std::move(function), normalized_);
+  }
+
   static bool is_worth_lowering(const ReadableEntries& entries, std::size_t recursive) {
     const std::size_t total = length(entries);
     return total <= always_tried || total <= hopeless_ratio * recursive;
@@ -245,6 +258,7 @@ class Choosing {
   const Scene& scene_;
   std::map<std::string, ReadableEntries> entries_;
   std::set<std::string> reduced_;  ///< names of functions
+  std::string normalized_;         ///< name of the function of that kind
   Function closed_;                ///< of the function being compared
   Choice result_;
 };

@@ -6,6 +6,8 @@
 #include "closed_graph.hpp"
 #include "lower/cheapest.hpp"
 #include "lower/flatten.hpp"
+#include "lower/from_program.hpp"
+#include "lower/prune.hpp"
 
 namespace elgen {
 namespace {
@@ -185,60 +187,13 @@ std::optional<ReadableForm> shortest(const Algebra& algebra, const Fraction& for
   return result.take();
 }
 
-namespace {
-
-Ref graph_of(Graph& graph, const Program& program, const Instruction& i,
-             const std::vector<Ref>& refs) {
-  switch (i.opcode) {
-    case Opcode::constant:
-      return graph.constant(program.constants[i.a].form);
-    case Opcode::negate:
-      return -refs[i.a];
-    case Opcode::add:
-      return graph.sum({refs[i.a], refs[i.b]});
-    case Opcode::subtract:
-      return graph.sum({refs[i.a], -refs[i.b]});
-    case Opcode::multiply:
-      return graph.product({{refs[i.a], 1}, {refs[i.b], 1}});
-    case Opcode::divide:
-      return graph.product({{refs[i.a], 1}, {refs[i.b], -1}});
-    case Opcode::square_root:
-      return graph.square_root(refs[i.a]);
-    case Opcode::call:
-      if (function_row(i.function).arity == 1) return graph.call(i.function, {refs[i.a]});
-      return graph.call(i.function, {refs[i.a], refs[i.b]});
-    default:
-      return graph.leaf(i.opcode, i.opcode == Opcode::time ? 0 : i.a);
-  }
-}
-
-std::vector<bool> needed_for(const Function& function, std::uint32_t entry) {
-  std::vector<bool> needed(function.instructions.size(), false);
-  needed[entry] = true;
-  for (std::size_t at = entry + 1; at-- > 0;) {
-    const Instruction& i = function.instructions[at];
-    if (!needed[at]) continue;
-    if (operand_count(i) > 0) needed[i.a] = true;
-    if (operand_count(i) > 1) needed[i.b] = true;
-  }
-  return needed;
-}
-
-}  // namespace
-
 std::optional<Expressions> as_derived(const Program& program, const Function& function,
                                       std::uint32_t entry) {
-  const std::vector<bool> needed = needed_for(function, entry);
+  const std::vector<bool> needed = needed_for(function, {entry});
   if (static_cast<std::size_t>(std::count(needed.begin(), needed.end(), true)) > longest_derived) {
     return std::nullopt;
   }
-  Expressions expressions;
-  std::vector<Ref> refs(entry + 1);
-  for (std::uint32_t at = 0; at <= entry; ++at) {
-    if (!needed[at]) continue;
-    refs[at] = graph_of(expressions.graph, program, function.instructions[at], refs);
-  }
-  expressions.values.push_back(refs[entry]);
+  const Expressions expressions = from_program(program, function, {entry});
   Expressions written_out = flatten(expressions, Flattened::all_products);
   const Lengths lengths(written_out);
   if (lengths.of(written_out.values[0].node) > longest_derived) return std::nullopt;

@@ -115,7 +115,7 @@ class Names {
     if (node.kind == ExpressionKind::parameter) {
       const auto& fixed = subject_.scene.specialisation.fixed;
       const auto value = fixed.find(node.index);
-      if (value != fixed.end()) known_[id] = Known{value->second, parameter_digits};
+      if (value != fixed.end()) known_[id] = Known{value->second.number, parameter_digits};
       return true;
     }
     if (node.kind == ExpressionKind::divide && is_zero(node.operands[1])) {

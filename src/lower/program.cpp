@@ -58,6 +58,14 @@ std::vector<Constant> executed_constants(const Program& program) {
   return executed;
 }
 
+std::vector<std::uint32_t> entries_of(const Function& function) {
+  std::vector<std::uint32_t> entries;
+  for (const Field& field : function.fields) {
+    entries.insert(entries.end(), field.entries.begin(), field.entries.end());
+  }
+  return entries;
+}
+
 OperationCounts count_operations(const Function& function) {
   OperationCounts counts;
   std::set<std::uint32_t> angles;

@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "dual.hpp"
+#include "evaluate/dual.hpp"
 #include "subject.hpp"
 
 namespace elgen {

@@ -7,9 +7,9 @@
 
 #include <algorithm>
 
+#include "base/random.hpp"
 #include "elgen/outputs.hpp"
 #include "proofs.hpp"
-#include "random.hpp"
 #include "tally.hpp"
 
 namespace elgen {

@@ -4,7 +4,8 @@
 
 #include <vector>
 
-#include "bounded.hpp"
+#include "evaluate/bounded.hpp"
+#include "subject.hpp"
 
 namespace elgen {
 

@@ -4,9 +4,9 @@
 
 #include <string>
 
+#include "base/random.hpp"
 #include "oracle_cache.hpp"
 #include "own_bound.hpp"
-#include "random.hpp"
 
 namespace elgen {
 

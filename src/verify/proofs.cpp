@@ -2,10 +2,20 @@
 // program, so that they share nothing but the ring they are compared in.
 #include "proofs.hpp"
 
+#include <algorithm>
+
 #include "expectations.hpp"
 
 namespace elgen {
 namespace {
+
+bool rests_on_samples(const Program& program, OutputKind kind, std::uint32_t user,
+                      std::size_t entry) {
+  const Function* function = find_function(program, kind, user);
+  if (function == nullptr) return false;
+  const auto& sampled = function->sampled_zeros;
+  return std::find(sampled.begin(), sampled.end(), entry) != sampled.end();
+}
 
 /// Entries of all fields in order, as expectations count them.
 const std::optional<Fraction>* entry_of(const ClosedFunction& function, std::size_t entry) {
@@ -36,6 +46,7 @@ bool Proofs::equal(const Expectation& expectation, std::size_t entry) {
   const ClosedFunction* function = request ? derived(request->kind, request->user) : nullptr;
   const std::optional<Fraction>* form = function == nullptr ? nullptr : entry_of(*function, entry);
   if (form == nullptr || !form->has_value()) return false;
+  if (rests_on_samples(subject_.program, request->kind, request->user, entry)) return false;
   const auto own = written(expectation, entry);
   return own && proved_equal(*forms_, *own, **form);
 }
@@ -45,7 +56,9 @@ bool Proofs::conserved(const Expectation& expectation, std::size_t entry) {
   if (function == nullptr || function->fields.empty()) return false;
   std::vector<Fraction> accelerations;
   for (const std::optional<Fraction>& acceleration : function->fields[0].entries) {
-    if (!acceleration) return false;
+    const bool is_sampled =
+        rests_on_samples(subject_.program, OutputKind::forward_dynamics, 0, accelerations.size());
+    if (!acceleration || is_sampled) return false;
     accelerations.push_back(*acceleration);
   }
   const auto own = written(expectation, entry);

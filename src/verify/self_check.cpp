@@ -11,6 +11,7 @@
 #include "agreement.hpp"
 #include "elgen/certificate.hpp"
 #include "projection.hpp"
+#include "sampled_zeros.hpp"
 #include "states.hpp"
 #include "time_share.hpp"
 
@@ -142,6 +143,7 @@ SelfCheck self_check(const Model& model, const Scene& scene, const Program& prog
   Random random(1);
   SelfCheck result;
   TimeShare share(seconds);
+  result.sampled_zeros = count_sampled_zeros(program);
   for (const auto& sample : sample_states<double>(subject, {most_states, 1, false})) {
     if (!share.fits_another(result.states)) break;
     check_state(result, subject, sample, random);
@@ -157,8 +159,12 @@ SelfCheck self_check(const Model& model, const Scene& scene, const Program& prog
 std::string receipt(const SelfCheck& result) {
   const std::string worst =
       result.worst ? fmt::format("{:.2g} uB", *result.worst) : "without a bound of rounding";
-  return fmt::format("checked {} state{} against 60 digits: {}", result.states,
-                     result.states == 1 ? "" : "s", worst);
+  std::string text = fmt::format("checked {} state{} against 60 digits: {}", result.states,
+                                 result.states == 1 ? "" : "s", worst);
+  if (result.sampled_zeros == 0) return text;
+  const bool is_one = result.sampled_zeros == 1;
+  return text + fmt::format("; {} entr{} on zeros found at {} points, not proved",
+                            result.sampled_zeros, is_one ? "y rests" : "ies rest", zero_points);
 }
 
 }  // namespace elgen

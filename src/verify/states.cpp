@@ -9,7 +9,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "random.hpp"
+#include "base/random.hpp"
 
 namespace elgen {
 namespace {

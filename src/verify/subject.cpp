@@ -62,15 +62,6 @@ void scale_to_length_one(const Model& model, State& state) {
 
 }  // namespace
 
-cl_R exact_value(double value) {
-  if (!std::isfinite(value)) return 0;
-  // CLN has no denormals, so the exponent is applied to an integer significand.
-  int exponent = 0;
-  const double fraction = std::frexp(value, &exponent);
-  const auto significand = static_cast<long>(std::ldexp(fraction, 53));
-  return cln::cl_RA(significand) * cln::expt(cln::cl_RA(2), exponent - 53);
-}
-
 cl_R power_of_ten(int exponent) { return cln::expt(cln::cl_RA(10), exponent); }
 
 template <class Scalar>

@@ -9,6 +9,7 @@
 #include "elgen/oracle.hpp"
 #include "elgen/program.hpp"
 #include "elgen/scene.hpp"
+#include "evaluate/exact_value.hpp"
 
 namespace elgen {
 
@@ -17,9 +18,6 @@ struct Subject {
   const Scene& scene;
   const Program& program;
 };
-
-/// The rational a binary number is; 0 where it is none.
-[[nodiscard]] cln::cl_R exact_value(double value);
 
 /// 10^exponent. (CLN reads decimals as short floats, which underflow.)
 [[nodiscard]] cln::cl_R power_of_ten(int exponent);

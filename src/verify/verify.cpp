@@ -7,6 +7,7 @@
 #include "compiled_code.hpp"
 #include "elgen/certificate.hpp"
 #include "expectations.hpp"
+#include "sampled_zeros.hpp"
 #include "states.hpp"
 #include "structure.hpp"
 
@@ -65,6 +66,7 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
     if (has_doubles) append(rows, check_compiled(subject, header, doubles));
     if (has_floats) append(rows, check_compiled(subject, header, floats));
   }
+  append(rows, sampled_zeros(program));
   append(rows, check_structure(subject, nominal_states(subject, doubles)));
   result.diagnostics = std::move(expected.diagnostics);
   return result;

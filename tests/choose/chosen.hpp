@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "elgen/cancel.hpp"
 #include "elgen/choose.hpp"
 #include "elgen/equations_of_motion.hpp"
 #include "elgen/lower.hpp"
@@ -21,9 +22,9 @@ inline Chosen chosen(const std::string& text, const SceneOptions& options = {}) 
   Chosen result{checked_model(text, options), {}, {}};
   const Result<Lagrangian> lagrangian = formulate(result.checked.model);
   const auto equations = derive(*lagrangian, result.checked.scene.outputs, {});
-  const Result<Program> recursive = lower(*equations, result.checked.scene.outputs, {});
-  result.forms = present(*recursive);
-  result.choice = *choose(*recursive, result.forms, result.checked.scene);
+  const Program recursive = cancel(*lower(*equations, result.checked.scene.outputs, {}));
+  result.forms = present(recursive);
+  result.choice = *choose(recursive, result.forms, result.checked.scene);
   return result;
 }
 

@@ -62,3 +62,15 @@ TEST_CASE("without closed forms nothing is proved") {
   const Subject subject = p.subject();
   CHECK_FALSE(Proofs(subject, nullptr).equal(p.checked.model.expectations[0], 0));
 }
+
+TEST_CASE("an entry that rests on a sampled zero is not proved") {
+  Proved p("forward_dynamics = [\"-g/l*sin(theta)\"]\n");
+  CHECK(p.equal());
+  for (Function& function : p.program.functions) {
+    if (function.kind == OutputKind::forward_dynamics) function.sampled_zeros = {0};
+  }
+  CHECK_FALSE(p.equal());
+  Proved q("conserved = [\"1/2*m*l^2*dot(theta)^2 - m*g*l*cos(theta)\"]\n");
+  for (Function& function : q.program.functions) function.sampled_zeros = {0};
+  CHECK_FALSE(q.conserved());
+}

@@ -105,7 +105,7 @@ TEST_CASE("nothing to check is nothing wrong") {
 }
 
 TEST_CASE("the receipt says what was done, and by which measure") {
-  CHECK(receipt({32, 2.13, ""}) == "checked 32 states against 60 digits: 2.1 uB");
-  CHECK(receipt({1, 0.00314, ""}) == "checked 1 state against 60 digits: 0.0031 uB");
-  CHECK(receipt({2, {}, ""}) == "checked 2 states against 60 digits: without a bound of rounding");
+  CHECK(receipt({32, 2.13, "", 0}) == "checked 32 states against 60 digits: 2.1 uB");
+  CHECK(receipt({1, 0.00314, "", 0}) == "checked 1 state against 60 digits: 0.0031 uB");
+  CHECK(receipt({2, {}, "", 0}) == "checked 2 states against 60 digits: without a bound of rounding");
 }

@@ -2,20 +2,11 @@
 #include "verify/subject.hpp"
 
 #include <catch2/catch.hpp>
-#include <limits>
 
 #include "verify/systems.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
-
-TEST_CASE("binary numbers become the rationals they are, denormals too") {
-  CHECK(exact_value(0.1) == cln::cl_R("3602879701896397/36028797018963968"));
-  CHECK(exact_value(-6.5) == cln::cl_R("-13/2"));
-  CHECK(exact_value(0) == 0);
-  const cln::cl_RA smallest = 1 / cln::expt(cln::cl_RA(2), 1074);
-  CHECK(exact_value(std::numeric_limits<double>::denorm_min()) == smallest);
-}
 
 TEST_CASE("arguments survive the way to an exact state and back") {
   const System system = cart_pole_system();

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "dual.hpp"
-#include "subject.hpp"
+#include "exact_value.hpp"
 
 namespace elgen {
 

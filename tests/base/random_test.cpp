@@ -1,5 +1,5 @@
 // The generator: known values, ranges kept, nothing dependent on the platform.
-#include "verify/random.hpp"
+#include "base/random.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

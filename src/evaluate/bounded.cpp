@@ -5,6 +5,8 @@
 #include <limits>
 #include <optional>
 
+#include "decimal.hpp"
+
 namespace elgen {
 namespace {
 

@@ -1,5 +1,5 @@
 // The rules of error bounds, one by one, and that they bound what rounding does.
-#include "verify/bounded.hpp"
+#include "evaluate/bounded.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

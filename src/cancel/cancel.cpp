@@ -1,0 +1,142 @@
+// cancel: see cancel.hpp. Function by function; where nothing vanishes nothing changes.
+#include "elgen/cancel.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "elgen/closed_forms.hpp"
+#include "lower/cheapest.hpp"
+#include "lower/from_program.hpp"
+#include "lower/linearise.hpp"
+#include "lower/prune.hpp"
+#include "lower/turn_signs.hpp"
+#include "vanishing.hpp"
+
+namespace elgen {
+namespace {
+
+using Places = std::vector<std::uint32_t>;  ///< of instructions
+
+std::vector<bool> marked(const Function& function, const Places& places) {
+  std::vector<bool> result(function.instructions.size(), false);
+  for (const std::uint32_t at : places) result[at] = true;
+  return result;
+}
+
+/// Those of `zeros` that an entry is, or that go into something else.
+Places outermost(const Function& function, const Places& zeros) {
+  const std::vector<bool> is_zero = marked(function, zeros);
+  std::vector<bool> used = marked(function, entries_of(function));
+  for (std::size_t at = 0; at < used.size(); ++at) {
+    const Instruction& i = function.instructions[at];
+    if (is_zero[at]) continue;
+    if (operand_count(i) > 0) used[i.a] = true;
+    if (operand_count(i) > 1) used[i.b] = true;
+  }
+  Places result;
+  std::copy_if(zeros.begin(), zeros.end(), std::back_inserter(result),
+               [&used](std::uint32_t at) { return used[at]; });
+  return result;
+}
+
+/// What `wanted` needs, `wanted` as the entries of one field.
+Function extract(Function function, const Places& wanted) {
+  function.fields = {{"", static_cast<std::uint32_t>(wanted.size()), 1, wanted}};
+  return pruned(std::move(function));
+}
+
+/// Zeros of a function that nothing but zeros are made of, by what is known of them.
+struct Zeros {
+  Places proved = {};   ///< the closed form is the empty sum
+  Places sampled = {};  ///< at `zero_points` points
+};
+
+/// By position in `zeros`: whether the closed form is known and the empty sum.
+std::vector<bool> proofs(const Program& program, const Function& function, const Places& zeros) {
+  Function question = extract(function, zeros);
+  question.kind = OutputKind::momentum;  // any but `dynamics`, which has no closed form of its own
+  const ClosedForms forms = present({program.leaves, program.constants, {std::move(question)}});
+  std::vector<bool> result;
+  for (const std::optional<Fraction>& form : forms.functions[0].fields[0].entries) {
+    result.push_back(form && form->numerator.empty());
+  }
+  return result;
+}
+
+Places selected(const Places& places, const std::vector<bool>& wanted, bool value) {
+  Places result;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (wanted[i] == value) result.push_back(places[i]);
+  }
+  return result;
+}
+
+Zeros told_apart(const Program& program, const Function& function, const Places& zeros) {
+  const std::vector<bool> is_proved = proofs(program, function, zeros);
+  const Places open = selected(zeros, is_proved, false);
+  const std::vector<bool> vanish = vanishing_elsewhere(program, extract(function, open));
+  return {selected(zeros, is_proved, true), selected(open, vanish, true)};
+}
+
+/// The entries, numbered over all fields, that one of `places` goes into.
+Places resting_on(const Function& function, const Places& places) {
+  std::vector<bool> rests = marked(function, places);
+  for (std::size_t at = 0; at < rests.size(); ++at) {
+    const Instruction& i = function.instructions[at];
+    if (operand_count(i) > 0 && rests[i.a]) rests[at] = true;
+    if (operand_count(i) > 1 && rests[i.b]) rests[at] = true;
+  }
+  Places result;
+  const Places entries = entries_of(function);
+  for (std::uint32_t i = 0; i < entries.size(); ++i) {
+    if (rests[entries[i]]) result.push_back(i);
+  }
+  return result;
+}
+
+/// Longer functions keep the sums and products they have: a few zeros fewer make no others worth
+/// looking for, which would take as long as lowering did.
+constexpr std::size_t most_lowered_again = 2'000;
+
+Network network_of(const Expressions& expressions, const Function& function) {
+  if (expressions.graph.size() <= most_lowered_again) {
+    return cheapest_network(expressions, function);
+  }
+  Network network = make_network(expressions);
+  turn_signs(network);
+  return network;
+}
+
+/// The function with 0 at those places, lowered again.
+Function without(const Zeros& zeros, const Function& function, Program& program) {
+  Places all = zeros.proved;
+  all.insert(all.end(), zeros.sampled.begin(), zeros.sampled.end());
+  const Expressions expressions =
+      from_program(program, function, entries_of(function), marked(function, all));
+  Function result{function.kind, function.user, function.name};
+  std::uint32_t next = 0;
+  for (const Field& field : function.fields) {
+    Field& copy = result.fields.emplace_back(field);
+    for (std::uint32_t& entry : copy.entries) entry = next++;
+  }
+  linearise(network_of(expressions, result), program, result);
+  result.sampled_zeros = resting_on(function, zeros.sampled);
+  return result;
+}
+
+}  // namespace
+
+Program cancel(Program program) {
+  for (Function& function : program.functions) {
+    const Places places = outermost(function, vanishing(program, function));
+    if (places.empty()) continue;
+    const Zeros zeros = told_apart(program, function, places);
+    if (zeros.proved.empty() && zeros.sampled.empty()) continue;
+    function = without(zeros, function, program);
+  }
+  assert(check_invariants(program).empty());
+  return program;
+}
+
+}  // namespace elgen

@@ -1,0 +1,145 @@
+// An analytic function that is zero at a random point is zero. Two things are guarded against:
+// functions with kinks, which may be zero in a whole region, are unknowns of their own; and where
+// 64 digits hide a difference (1 - tanh(500), 1 + 1e-70 - 1), nothing is concluded.
+#include "vanishing.hpp"
+
+#include <algorithm>
+
+#include "base/random.hpp"
+#include "evaluate/bounded.hpp"
+#include "evaluate/decimal.hpp"
+#include "lower/prune.hpp"
+
+namespace elgen {
+namespace {
+
+using Value = Bounded<double>;
+using Values = std::vector<Value>;
+
+constexpr std::uint64_t first_seed = 1;
+constexpr std::uint64_t other_seed = 2;
+
+/// 1/10^digits.
+Real share(long digits) { return Real(cln::cl_R(1) / power_of_ten(digits)); }
+
+/// x below a share of y.
+bool is_below(const Real& x, const Real& y, const Real& share) {
+  return abs(x).value() <= (abs(y) * share).value();
+}
+
+bool is_zero(const Value& x) { return x.value.is_defined() && cln::zerop(x.value.value()); }
+
+/// Parameters are positive, as most masses and lengths have to be.
+Arguments<Value> random_point(const LeafNames& leaves, Random& random) {
+  const auto draw = [&random](std::size_t count) {
+    Values values;
+    for (std::size_t i = 0; i < count; ++i) {
+      values.push_back(ScalarTraits<Value>::from_real(random.rational()));
+    }
+    return values;
+  };
+  Arguments<Value> point;
+  point.parameters = draw(leaves.parameters.size());
+  for (Value& value : point.parameters) {
+    if (cln::minusp(value.value.value())) value = -value;
+  }
+  point.q = draw(leaves.coordinates.size());
+  point.v = draw(leaves.velocities.size());
+  point.a = draw(leaves.velocities.size());
+  point.u = draw(leaves.inputs.size());
+  point.t = ScalarTraits<Value>::from_real(random.rational());
+  return point;
+}
+
+bool is_kinked(const Instruction& i) {
+  return i.opcode == Opcode::call && function_row(i.function).use == FunctionUse::forces;
+}
+
+/// A sum of which one term is so small beside the other that twenty digits of it are gone, or a
+/// function that its argument hardly moves.
+bool hides_something(const Instruction& i, const Values& values, const Value& x) {
+  static const Real hidden = share(20);
+  if (i.opcode == Opcode::add || i.opcode == Opcode::subtract) {
+    const Value& a = values[i.a];
+    const Value& b = values[i.b];
+    if (is_zero(a) || is_zero(b)) return false;
+    return is_below(a.value, b.value, hidden) || is_below(b.value, a.value, hidden);
+  }
+  const bool has_argument = i.opcode == Opcode::call && !values[i.a].exact;
+  return has_argument && is_below(x.bound - abs(x.value), x.value, hidden);
+}
+
+/// The value at the point: exactly 0 where it vanishes, lost where its digits do not tell.
+Value settled(const Instruction& i, const Values& values, Value x) {
+  static const Real vanished = share(40);
+  if (!x.value.is_defined() || operand_count(i) == 0) return x;
+  x.lost = x.lost || hides_something(i, values, x);
+  if (!x.lost && is_below(x.value, x.bound, vanished)) return {leaf_bound(Real(), true)};
+  return x;
+}
+
+/// The instructions that are `needed`, at the next random point.
+Values run(const Program& program, const Function& function, const std::vector<bool>& needed,
+           Random& random) {
+  const Arguments<Value> point = random_point(program.leaves, random);
+  Values values(function.instructions.size());
+  for (std::size_t at = 0; at < values.size(); ++at) {
+    if (!needed[at]) continue;
+    const Instruction& i = function.instructions[at];
+    values[at] = is_kinked(i) ? ScalarTraits<Value>::from_real(cln::abs(random.rational()))
+                              : settled(i, values, interpreter::step(program, i, point, values));
+  }
+  return values;
+}
+
+/// What goes into something undefined.
+std::vector<bool> needed_for_undefined(const Function& function, const Values& values,
+                                       const std::vector<bool>& needed) {
+  std::vector<std::uint32_t> undefined;
+  for (std::uint32_t at = 0; at < values.size(); ++at) {
+    if (needed[at] && !values[at].value.is_defined()) undefined.push_back(at);
+  }
+  return needed_for(function, undefined);
+}
+
+/// Of `candidates` those that vanish at one more point, too.
+std::vector<std::uint32_t> still_vanishing(const Program& program, const Function& function,
+                                           const std::vector<std::uint32_t>& candidates,
+                                           Random& random) {
+  const std::vector<bool> needed = needed_for(function, candidates);
+  const Values values = run(program, function, needed, random);
+  const std::vector<bool> excluded = needed_for_undefined(function, values, needed);
+  std::vector<std::uint32_t> result;
+  for (const std::uint32_t at : candidates) {
+    const bool vanishes = is_zero(values[at]) && !values[at].lost;
+    if (vanishes && !excluded[at]) result.push_back(at);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> vanishing(const Program& program, const Function& function) {
+  std::vector<std::uint32_t> operations;
+  for (std::uint32_t at = 0; at < function.instructions.size(); ++at) {
+    if (operand_count(function.instructions[at]) > 0) operations.push_back(at);
+  }
+  Random random(first_seed);
+  return still_vanishing(program, function, operations, random);
+}
+
+std::vector<bool> vanishing_elsewhere(const Program& program, const Function& function) {
+  const std::vector<std::uint32_t> entries = entries_of(function);
+  std::vector<std::uint32_t> left = entries;
+  Random random(other_seed);
+  for (std::size_t i = 1; i < zero_points && !left.empty(); ++i) {
+    left = still_vanishing(program, function, left, random);
+  }
+  std::vector<bool> result;
+  for (const std::uint32_t at : entries) {
+    result.push_back(std::find(left.begin(), left.end(), at) != left.end());
+  }
+  return result;
+}
+
+}  // namespace elgen

@@ -1,0 +1,86 @@
+// scaled_length: written out instruction by instruction, with those of the function that are the
+// same.
+#include "scaled_length.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "lower/prune.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr std::size_t components = 4;
+
+class Scaling {
+ public:
+  explicit Scaling(Function& function) : function_(function) {}
+
+  void scale(Field& field) {
+    for (std::size_t i = 0; i < field.entries.size();) {
+      const Opcode opcode = function_.instructions[field.entries[i]].opcode;
+      if (opcode == Opcode::coordinate) {
+        ++i;
+        continue;
+      }
+      const std::vector<std::uint32_t> unit = unit_quaternion(static_cast<std::uint32_t>(i));
+      std::copy(unit.begin(), unit.end(), field.entries.begin() + static_cast<std::ptrdiff_t>(i));
+      i += components;
+    }
+  }
+
+ private:
+  std::uint32_t emit(const Instruction& instruction) {
+    std::vector<Instruction>& all = function_.instructions;
+    const auto known = std::find(all.begin(), all.end(), instruction);
+    const auto at = static_cast<std::uint32_t>(known - all.begin());
+    if (known == all.end()) {
+      all.push_back(instruction);
+      function_.names.emplace_back();
+    }
+    return at;
+  }
+  std::uint32_t emit(Opcode opcode, std::uint32_t a, std::uint32_t b = 0) {
+    return emit({.opcode = opcode, .a = a, .b = b});
+  }
+
+  std::uint32_t sum(const std::vector<std::uint32_t>& terms) {
+    std::uint32_t result = terms[0];
+    for (std::size_t i = 1; i < terms.size(); ++i) result = emit(Opcode::add, result, terms[i]);
+    return result;
+  }
+
+  /// Its scalar part is coordinate `first`.
+  std::vector<std::uint32_t> unit_quaternion(std::uint32_t first) {
+    std::vector<std::uint32_t> values;
+    std::vector<std::uint32_t> magnitudes;
+    for (std::uint32_t i = 0; i < components; ++i) {
+      values.push_back(emit(Opcode::coordinate, first + i));
+      magnitudes.push_back(
+          emit({.opcode = Opcode::call, .function = FunctionId::abs, .a = values.back()}));
+    }
+    const std::uint32_t size = sum(magnitudes);
+    std::vector<std::uint32_t> squares;
+    for (std::uint32_t& value : values) {
+      value = emit(Opcode::divide, value, size);
+      squares.push_back(emit(Opcode::multiply, value, value));
+    }
+    const std::uint32_t length = emit(Opcode::square_root, sum(squares));
+    for (std::uint32_t& value : values) value = emit(Opcode::divide, value, length);
+    return values;
+  }
+
+  Function& function_;
+};
+
+}  // namespace
+
+Function with_scaled_lengths(Function function, const std::string& name) {
+  for (Field& field : function.fields) {
+    const bool is_normalized = function.kind == OutputKind::normalized || field.name == name;
+    if (is_normalized) Scaling(function).scale(field);
+  }
+  return pruned(std::move(function));
+}
+
+}  // namespace elgen

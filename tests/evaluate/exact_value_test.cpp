@@ -1,0 +1,18 @@
+// Binary numbers as rationals.
+#include "evaluate/exact_value.hpp"
+
+#include <cln/rational.h>
+#include <cln/rational_io.h>
+
+#include <catch2/catch.hpp>
+#include <limits>
+
+using namespace elgen;
+
+TEST_CASE("binary numbers become the rationals they are, denormals too") {
+  CHECK(exact_value(0.1) == cln::cl_R("3602879701896397/36028797018963968"));
+  CHECK(exact_value(-6.5) == cln::cl_R("-13/2"));
+  CHECK(exact_value(0) == 0);
+  const cln::cl_RA smallest = 1 / cln::expt(cln::cl_RA(2), 1074);
+  CHECK(exact_value(std::numeric_limits<double>::denorm_min()) == smallest);
+}

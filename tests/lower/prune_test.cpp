@@ -1,0 +1,34 @@
+// What no entry needs goes.
+#include "lower/prune.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace elgen;
+
+namespace {
+
+Program program_of(const std::string& function) {
+  return *parse_program(
+      make_source("test.program", "parameters m l\nfunction gravity\n" + function));
+}
+
+}  // namespace
+
+TEST_CASE("what an entry needs") {
+  const Program program = program_of(
+      "  0 = parameter m\n  1 = parameter l\n  2 = multiply 0 0\n  3 = add 2 1\n"
+      "  result 1 1 = 3\n");
+  CHECK(needed_for(program.functions[0], {2}) == std::vector<bool>{true, false, true, false});
+  CHECK(needed_for(program.functions[0], {3}) == std::vector<bool>{true, true, true, true});
+}
+
+TEST_CASE("instructions that nothing needs are gone, the others renumbered") {
+  Program program = program_of(
+      "  0 = parameter m\n  1 = parameter l\n  2 = multiply 0 0  ; square\n  3 = add 2 1\n"
+      "  result 1 1 = 3\n");
+  program.functions[0].fields[0].entries = {2};
+  program.functions[0] = pruned(program.functions[0]);
+  CHECK(check_invariants(program).empty());
+  CHECK(dump(program) ==
+        dump(program_of("  0 = parameter m\n  1 = multiply 0 0  ; square\n  result 1 1 = 1\n")));
+}

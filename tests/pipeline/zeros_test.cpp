@@ -1,0 +1,83 @@
+// What is identically zero is emitted as 0, and what of that is not proved is said.
+#include <catch2/catch.hpp>
+
+#include "support/shell.hpp"
+
+namespace elgen::test {
+namespace {
+
+/// Prints the largest |x| of what is zero on paper.
+constexpr const char* furuta = R"cpp(
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "furuta_pendulum/furuta_pendulum.hpp"
+
+  int main() {
+    const furuta_pendulum::Parameters<double> p;
+    double largest = 0;
+    for (int i = 0; i < 100; ++i) {
+      const double x = 0.1 * i;
+      // Nothing depends on the angle of the arm: columns 1 of A, and of da/dq.
+      const auto f = furuta_pendulum::linearization(p, {x, 3 - x}, {2 * x, 5 - x}, {x});
+      const auto d =
+          furuta_pendulum::forward_dynamics_derivatives(p, {x, 3 - x}, {2 * x, 5 - x}, {x});
+      largest = std::max({largest, std::abs(f.A[8]), std::abs(f.A[12]), std::abs(d.by_position[0]),
+                          std::abs(d.by_position[2])});
+    }
+    std::printf("%g", largest);
+  }
+)cpp";
+
+/// Prints the largest of the diagonal entries of C that vanish.
+constexpr const char* chain = R"cpp(
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "chain/chain.hpp"
+
+  int main() {
+    double largest = 0;
+    const auto c = chain::coriolis_matrix(chain::Parameters<double>{}, {0.1, 0.7, -2, 1.5, 3},
+                                          {1, -2, 3, 5, 7});
+    for (int i = 0; i < 5; ++i) largest = std::max(largest, std::abs(c[6 * i]));
+    std::printf("%g %g", largest, c[1]);
+  }
+)cpp";
+
+std::string printed(const Workspace& folder, const char* program) {
+  write_text(folder.path() / "main.cpp", program);
+  const std::string include = std::string(ELGEN_SOURCE_DIR) + "/generated";
+  prepare("c++ -std=c++17 -O1 -I'" + include + "' main.cpp -o main", folder.path());
+  return shell("./main", folder.path()).output;
+}
+
+}  // namespace
+
+TEST_CASE("derivatives by a cyclic coordinate are 0 in emitted code") {
+  const Workspace folder;
+  CHECK(printed(folder, furuta) == "0");
+}
+
+TEST_CASE("entries of C that vanish are 0 in emitted code") {
+  const Workspace folder;
+  const std::string output = printed(folder, chain);
+  CAPTURE(output);
+  CHECK(starts_with(output, "0 "));
+  CHECK(output != "0 0");
+}
+
+TEST_CASE("what was sampled and not proved is said by generate and verify") {
+  const Workspace folder;
+  const std::string model = std::string(ELGEN_SOURCE_DIR) + "/models/furuta_pendulum.toml";
+  const Outcome generated = shell("elgen generate -o out '" + model + "'", folder.path());
+  CHECK(generated.status == 0);
+  CHECK(mentions(generated.errors, " rest on zeros found at 64 points, not proved"));
+  const Outcome verified = shell("elgen verify --quick '" + model + "'", folder.path());
+  CHECK(verified.status == 0);
+  CHECK(mentions(verified.output, "zeros that are not proved\n  holds    linearization"));
+}
+
+}  // namespace elgen::test
