@@ -20,6 +20,7 @@
 #include "checks.hpp"
 #include "elgen/wording.hpp"
 #include "readable.hpp"
+#include "roots.hpp"
 
 namespace elgen::inspection {
 namespace {
@@ -61,55 +62,23 @@ class Names {
       : subject_(subject),
         model_(subject.model),
         known_(model_.expressions.size()),
-        growth_(model_.expressions.size()),
-        visited_(model_.expressions.size()) {}
+        growth_(model_.expressions.size()) {}
 
-  /// What the expression needs comes first, without recursion: a chain of points is long.
-  void visit(ExpressionId root) {
-    std::vector<ExpressionId> stack{root};
-    while (!stack.empty()) {
-      const ExpressionId id = stack.back();
-      const std::size_t before = stack.size();
-      for (const ExpressionId needed : needs(id)) {
-        if (!visited_[needed]) stack.push_back(needed);
-      }
-      if (stack.size() > before) continue;
-      stack.pop_back();
-      if (!visited_[id]) finish(id);
+  /// After all that it refers to.
+  void visit(ExpressionId id) {
+    const Expression& node = model_.expressions[id];
+    const auto referred = referred_to(model_, id);
+    if (node.operands.empty() && !referred.empty()) {
+      known_[id] = known_[referred.front()];
+      growth_[id] = growth_[referred.front()];
+    } else if (evaluate(id, node)) {
+      grow(id, node);
     }
   }
 
   Diagnostics take() { return std::move(found_); }
 
  private:
-  [[nodiscard]] std::vector<ExpressionId> needs(ExpressionId id) const {
-    const Expression& node = model_.expressions[id];
-    switch (node.kind) {
-      case ExpressionKind::definition:
-        return {model_.definitions[node.index].value};
-      case ExpressionKind::prescribed:
-        return {model_.prescribed[node.index].value};
-      case ExpressionKind::point_component:
-        return {model_.points[node.index / 3].at[node.index % 3]};
-      case ExpressionKind::frame_component:
-        return {component_of_frame(model_, node.index)};
-      default:
-        return node.operands;
-    }
-  }
-
-  void finish(ExpressionId id) {
-    visited_[id] = true;
-    const Expression& node = model_.expressions[id];
-    const bool is_name = node.operands.empty() && !needs(id).empty();
-    if (is_name) {
-      known_[id] = known_[needs(id).front()];
-      growth_[id] = growth_[needs(id).front()];
-      return;
-    }
-    if (evaluate(id, node)) grow(id, node);
-  }
-
   /// False where it has no value, which is then reported.
   bool evaluate(ExpressionId id, const Expression& node) {
     if (node.kind == ExpressionKind::parameter) {
@@ -250,47 +219,17 @@ class Names {
   const Model& model_;
   std::vector<std::optional<Known>> known_;
   std::vector<Growth> growth_;
-  std::vector<bool> visited_;
   Diagnostics found_ = {};
 };
 
-/// Every expression that equations are made of; closed forms are judged where they are compared.
+/// Closed forms are not among them: they are judged where they are compared.
 std::vector<ExpressionId> roots_of(const Model& model) {
-  std::vector<ExpressionId> roots;
-  const auto add = [&roots](const auto& ids) { roots.insert(roots.end(), ids.begin(), ids.end()); };
-  const auto add_one = [&roots](const std::optional<ExpressionId>& id) {
-    if (id) roots.push_back(*id);
-  };
+  std::vector<ExpressionId> roots = equation_roots(model);
   for (const NamedExpression& definition : model.definitions) roots.push_back(definition.value);
   for (const NamedExpression& function : model.prescribed) roots.push_back(function.value);
-  for (const Coordinate& coordinate : model.coordinates) add_one(coordinate.armature);
-  for (const Frame& frame : model.frames) {
-    add(frame.rotation);
-    add(frame.origin);
-    add(frame.spin);
-  }
-  for (const Point& point : model.points) {
-    add(point.at);
-    add_one(point.mass);
-  }
-  for (const Body& body : model.bodies) {
-    add(body.com);
-    add(body.inertia);
-    add(body.spin);
-    add_one(body.mass);
-  }
-  if (model.gravity) add(*model.gravity);
-  for (const auto& energy :
-       {model.energies.T, model.energies.V, model.energies.D, model.energies.L}) {
-    add_one(energy);
-  }
-  for (const Force& force : model.forces) {
-    add(force.value);
-    add(force.reaction);
-  }
   for (const UserOutput& output : model.outputs) {
-    add(output.values);
-    add(output.twist);
+    const auto own = output_roots(output);
+    roots.insert(roots.end(), own.begin(), own.end());
   }
   return roots;
 }
@@ -299,7 +238,7 @@ std::vector<ExpressionId> roots_of(const Model& model) {
 
 Diagnostics inspect_constants(const Subject& subject) {
   Names names(subject);
-  for (const ExpressionId root : roots_of(subject.model)) names.visit(root);
+  for (const ExpressionId id : below(subject.model, roots_of(subject.model))) names.visit(id);
   return names.take();
 }
 
