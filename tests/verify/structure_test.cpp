@@ -162,9 +162,9 @@ System alone(const System& whole, const Function& function) {
 
 /// value + 1/1000 for the value at `entry`.
 void shift(Program& program, Function& function, std::uint32_t& entry) {
-  program.constants.push_back({cln::cl_RA(1) / 1000, "1/1000"});
   const auto shift = static_cast<std::uint32_t>(function.instructions.size());
-  const auto constant = static_cast<std::uint32_t>(program.constants.size() - 1);
+  const std::uint32_t constant =
+      position_of(rational_constant(cln::cl_RA(1) / 1000), program.constants);
   function.instructions.push_back({.opcode = Opcode::constant, .a = constant});
   function.instructions.push_back({.opcode = Opcode::add, .a = entry, .b = shift});
   function.names.resize(function.instructions.size());
