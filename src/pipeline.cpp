@@ -109,8 +109,9 @@ Result<SelfCheck> checked(const CheckedModel& checked, const Program& program, d
   SelfCheck check =
       self_check(checked.model, checked.scene, program, std::max(0.02, generation / 4));
   if (check.failure.empty()) return check;
-  if (check.states == 0) {
-    return Diagnostic{Code::E521, {}, check.failure, "declare a `range` inside the domain"};
+  if (check.lacks_value) {
+    return Diagnostic{Code::E521, check.place.value_or(Span{}), check.failure,
+                      "declare a `range` inside the domain"};
   }
   return Diagnostic{Code::E911, {}, "self-check failed: " + check.failure};
 }
