@@ -1,6 +1,9 @@
 // angle_sums: see angle_sums.hpp. Angles are compared as rational combinations of nodes.
 #include "angle_sums.hpp"
 
+#include <cln/integer.h>
+#include <cln/rational.h>
+
 #include <algorithm>
 #include <iterator>
 #include <map>
@@ -104,11 +107,23 @@ std::optional<Split> split_of(const Angle& angle, const std::vector<Angle>& simp
   return std::nullopt;
 }
 
+/// 2^k x of a leaf x: its sine and cosine are known to all digits, which a difference of squares
+/// loses where it is small.
+bool is_exact(const Graph& graph, const Angle& angle) {
+  if (angle.terms.size() != 1) return false;
+  const auto& [node, coefficient] = *angle.terms.begin();
+  const auto is_power_of_two = [](const cln::cl_I& n) { return cln::power2p(n) > 0; };
+  const cl_RA magnitude = cln::abs(coefficient);
+  return graph.node(node).kind == NodeKind::leaf && is_power_of_two(cln::numerator(magnitude)) &&
+         is_power_of_two(cln::denominator(magnitude));
+}
+
 std::map<NodeId, Split> splits_of(const Expressions& expressions) {
   std::map<NodeId, Split> splits;
   const std::vector<Angle> angles = angles_of(expressions);
   if (angles.size() > most_angles) return splits;
   for (const Angle& angle : angles) {
+    if (is_exact(expressions.graph, angle)) continue;
     std::vector<Angle> simpler;
     std::copy_if(angles.begin(), angles.end(), std::back_inserter(simpler),
                  [&](const Angle& other) { return other.size < angle.size; });

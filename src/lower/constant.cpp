@@ -46,8 +46,8 @@ Text written_sum(const std::vector<ConstantPart>& terms) {
     } else if (!is_first) {
       text += " + ";
     }
-    text +=
-        operand(written(term.form), is_first && term.weight > 0 ? Binding::sum : Binding::product);
+    const bool stands_alone = is_first && term.form.kind == ConstantKind::rational;
+    text += operand(written(term.form), stands_alone ? Binding::sum : Binding::product);
   }
   return {text, Binding::sum};
 }

@@ -79,7 +79,7 @@ class Graph {
   Ref square_root(Ref radicand);
   Ref call(FunctionId function, std::vector<Ref> arguments);
 
-  /// A constant, node by node.
+  /// A constant, node by node; sums in sums and products in products are spliced.
   Ref constant(const ConstantForm& form);
 
   /// The first name stays; leaves and constants have their own.

@@ -8,9 +8,9 @@
 #include <cassert>
 
 #include "cheapest.hpp"
-#include "inspect/singular_mass.hpp"
 #include "elgen/outputs.hpp"
 #include "from_ginac.hpp"
+#include "inspect/singular_mass.hpp"
 #include "linearise.hpp"
 
 namespace elgen {

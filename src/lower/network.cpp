@@ -64,8 +64,12 @@ class Conversion {
   }
 
   /// The number that a form stands for, its sign apart; none where it has no value.
-  std::optional<Ref> folded(ConstantForm form) {
-    std::optional<Constant> constant = constant_of(std::move(form));
+  std::optional<Ref> folded(const ConstantForm& form) {
+    Graph scratch;
+    const Ref written_out = scratch.constant(form);
+    ConstantForm magnitude = scratch.form_of(written_out.node);
+    std::optional<Constant> constant =
+        constant_of(written_out.negative ? negated(std::move(magnitude)) : std::move(magnitude));
     if (!constant) return std::nullopt;
     const bool negative = cln::minusp(constant->value);
     if (negative) *constant = {-constant->value, negated(std::move(constant->form))};
@@ -87,7 +91,7 @@ class Conversion {
         result.rest.push_back(operand);
       }
     }
-    const auto number = form.parts.empty() ? std::nullopt : folded(simplest(std::move(form)));
+    const auto number = form.parts.empty() ? std::nullopt : folded(form);
     if (number) {
       result.constant = number->node;
       result.is_negative = number->negative;
@@ -95,12 +99,6 @@ class Conversion {
       result.rest = node.operands;
     }
     return at->second = std::move(result);
-  }
-
-  /// A single term or factor is itself.
-  static ConstantForm simplest(ConstantForm form) {
-    const bool is_single = form.parts.size() == 1 && form.parts.front().weight == 1;
-    return is_single ? ConstantForm(form.parts.front().form) : form;
   }
 
   /// What has to be converted before the node.

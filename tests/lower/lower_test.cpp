@@ -185,7 +185,7 @@ TEST_CASE("a denominator that is 0 in any way of writing it is a pivot where M i
     return std::vector<ex>{pow(cos(s.x), 2) + pow(sin(s.x), 2) - 1};
   };
   const Make by_angles = [](const Leaves& s) {
-    return std::vector<ex>{sin(2 * s.x) - 2 * sin(s.x) * cos(s.x)};
+    return std::vector<ex>{sin(3 * s.x) - sin(s.x) * cos(2 * s.x) - cos(s.x) * sin(2 * s.x)};
   };
   for (const Make& zero : {by_import, by_angles}) {
     CHECK(message(zero, {OutputKind::mass_matrix}).empty());

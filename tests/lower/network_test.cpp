@@ -30,6 +30,17 @@ TEST_CASE("the constants of a sum or product are folded into one number") {
         std::vector<std::string>{"2*pi*cos(1)*a", "a - (-2 + pi)", "-1 + exp(2)"});
 }
 
+TEST_CASE("a constant has one form, whatever its parts were shared with") {
+  testing::ExpressionLeaves l;
+  const Ref four = l.graph.sum({l.graph.rational(4), l.graph.pi()});
+  const Ref forty = l.graph.sum({l.graph.rational(40), -l.graph.call(FunctionId::cos, {four})});
+  l.expressions.values = {l.graph.sum({four, forty, l.a}), l.product({four, l.b}),
+                          l.product({forty, l.c}), l.graph.sum({l.graph.pi(), forty, four, l.d})};
+  const std::vector<std::string> texts = texts_of(make_network(l.expressions));
+  CHECK(texts[0] == "44 + pi - cos(4 + pi) + a");
+  CHECK(texts[3] == "44 + 2*pi - cos(4 + pi) + d");
+}
+
 TEST_CASE("a constant without a value stays an operation") {
   testing::ExpressionLeaves l;
   const Ref log = l.graph.call(FunctionId::log, {l.graph.rational(-1)});
