@@ -46,4 +46,10 @@ Diagnostics check_scalar_range(const Model& model, const Scene& scene, const Pro
   return diagnostics;
 }
 
+bool fits(const Model& model, const Program& program, ScalarKind scalar) {
+  Scene scene;
+  scene.numerics.scalars = {scalar};
+  return check_scalar_range(model, scene, program).empty();
+}
+
 }  // namespace elgen

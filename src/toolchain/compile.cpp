@@ -104,12 +104,11 @@ bool write_all(const std::filesystem::path& directory, const EmittedFiles& files
 }
 
 /// Empty where a symbol is missing; functions the driver has for one scalar alone lack the other.
-std::vector<LoadedFunction> load(const Library& library, const Scene& scene,
-                                 const Program& program) {
-  const std::size_t scalars = driver_scalars(scene).size();
+std::vector<LoadedFunction> load(const Library& library, const DriverInput& input) {
+  const std::size_t scalars = driver_scalars(input).size();
   std::vector<LoadedFunction> functions;
-  for (std::size_t i = 0; i < program.functions.size(); ++i) {
-    const Function& function = program.functions[i];
+  for (std::size_t i = 0; i < input.program.functions.size(); ++i) {
+    const Function& function = input.program.functions[i];
     const LoadedFunction loaded{function.name, entry_count(function),
                                 library.find<double>(driver_symbol("double", i)),
                                 library.find<float>(driver_symbol("float", i))};
@@ -143,7 +142,7 @@ Result<CompiledHeader> compile_one(const Driver& driver, const CompilerCommand& 
   }
   Library library(object);
   if (!library.loaded()) return nowhere(Code::E705, fmt::format("not loadable: {}", dlerror()));
-  std::vector<LoadedFunction> functions = load(library, input.scene, input.program);
+  std::vector<LoadedFunction> functions = load(library, input);
   if (functions.size() != input.program.functions.size()) {
     return nowhere(Code::E705, "a compiled function is missing from the loaded object");
   }

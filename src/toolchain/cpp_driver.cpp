@@ -132,7 +132,7 @@ std::string driver_of(const DriverInput& input, const Types& types) {
   }
   text += "\n}  // namespace\n";
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
-    for (const ScalarKind kind : driver_scalars(scene)) {
+    for (const ScalarKind kind : driver_scalars(input)) {
       const std::string scalar = scalar_name(kind);
       text += fmt::format(wrapper_template, fmt::arg("symbol", driver_symbol(scalar, i)),
                           fmt::arg("scalar", scalar), fmt::arg("index", i));

@@ -13,6 +13,7 @@
 #include "emit/arguments.hpp"
 #include "emit/fields.hpp"
 #include "emit/parameters.hpp"
+#include "emit/scalar_range.hpp"
 
 namespace elgen {
 namespace {
@@ -71,9 +72,12 @@ std::vector<Driver> drivers(const DriverInput& input) {
   return result;
 }
 
-std::vector<ScalarKind> driver_scalars(const Scene& scene) {
-  if (is_generic(scene)) return {ScalarKind::double_precision, ScalarKind::single_precision};
-  return scene.numerics.scalars;
+std::vector<ScalarKind> driver_scalars(const DriverInput& input) {
+  if (!is_generic(input.scene)) return input.scene.numerics.scalars;
+  std::vector<ScalarKind> scalars{ScalarKind::double_precision};
+  constexpr ScalarKind other = ScalarKind::single_precision;
+  if (fits(input.model, input.program, other)) scalars.push_back(other);
+  return scalars;
 }
 
 std::string driver_symbol(std::string_view scalar, std::size_t function) {

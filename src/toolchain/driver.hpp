@@ -37,9 +37,9 @@ struct Driver {
 /// One for every header among the emitted files.
 [[nodiscard]] std::vector<Driver> drivers(const DriverInput& input);
 
-/// The scalars a driver wraps functions for: double and float of generic code, else the scene's
-/// own.
-[[nodiscard]] std::vector<ScalarKind> driver_scalars(const Scene& scene);
+/// The scalars a driver wraps functions for: of generic code double, and float where its numbers
+/// fit that, else the scene's own.
+[[nodiscard]] std::vector<ScalarKind> driver_scalars(const DriverInput& input);
 
 /// The driver's name for Program::functions[function]: "elgen_driver_double_3".
 [[nodiscard]] std::string driver_symbol(std::string_view scalar, std::size_t function);

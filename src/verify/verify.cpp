@@ -6,6 +6,7 @@
 #include "accuracy.hpp"
 #include "compiled_code.hpp"
 #include "elgen/certificate.hpp"
+#include "emit/scalar_range.hpp"
 #include "expectations.hpp"
 #include "sampled_zeros.hpp"
 #include "states.hpp"
@@ -59,7 +60,8 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
   ExpectationReport expected = check_expectations(subject, options.forms, options.seed);
   append(rows, expected.rows);
   append(rows, check_accuracy(subject, doubles));
-  append(rows, check_accuracy(subject, floats));
+  const bool fits_float = fits(model, program, ScalarKind::single_precision);
+  if (fits_float) append(rows, check_accuracy(subject, floats));
   for (const CompiledHeader& header : compiled) {
     const bool has_doubles = header.functions->has(ScalarKind::double_precision);
     const bool has_floats = header.functions->has(ScalarKind::single_precision);

@@ -86,6 +86,19 @@ TEST_CASE("every file that is emitted is compiled and run, in every storage") {
   }
 }
 
+TEST_CASE("a model whose numbers do not fit float is verified in double alone") {
+  const Workspace workspace;
+  write_text(workspace.path() / "star.toml",
+             "format = 1\n[model]\nname = \"star\"\n[[coordinate]]\nname = \"x\"\nunit = \"m\"\n"
+             "[parameters]\nm = { value = 1e39, unit = \"kg\" }\nk = { value = 1e39, unit = "
+             "\"N/m\" }\n[energy]\nT = \"1/2*m*dot(x)^2\"\nV = \"1/2*k*x^2\"\n");
+  const Outcome outcome = shell("elgen verify star.toml", workspace.path());
+  INFO(outcome.output + outcome.errors);
+  CHECK(outcome.status == 0);
+  CHECK(mentions(outcome.output, "mass_matrix (double)"));
+  CHECK_FALSE(mentions(outcome.output, "(float)"));
+}
+
 TEST_CASE("-o writes the certificates, and over a file with --force only") {
   const Workspace workspace;
   prepare("cp " + models + "/simple_pendulum.toml a.toml", workspace.path());

@@ -34,6 +34,8 @@ TEST_CASE("a value is judged in the scalars asked for") {
   REQUIRE(diagnostics.size() == 1);
   CHECK(diagnostics[0].code == Code::E702);
   CHECK(diagnostics[0].message == "`1e-50`, the value of `tiny`, vanishes in float");
+  CHECK(fits(subject.model, subject.program, ScalarKind::double_precision));
+  CHECK_FALSE(fits(subject.model, subject.program, ScalarKind::single_precision));
 }
 
 TEST_CASE("overflow, subnormals, constants") {
