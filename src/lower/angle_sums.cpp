@@ -87,8 +87,10 @@ std::vector<Angle> angles_of(const Expressions& expressions) {
 /// Larger sets take cubic time.
 constexpr std::size_t most_angles = 40;
 
-/// angle = first + second, or first - second.
+/// angle = first + second, or first - second, where nothing cancels: q1 + q3 as (q1 + q2) - (q2 -
+/// q3) would have the rounding of a q2 that it does not hold.
 std::optional<Split> split_into(const Angle& angle, const Angle& first, const Angle& second) {
+  if (first.size + second.size != angle.size) return std::nullopt;
   for (const int sign : {1, -1}) {
     if (plus(first.terms, second.terms, sign) == angle.terms) {
       return Split{first.argument, second.argument, sign};

@@ -26,7 +26,8 @@ bool agrees_with_oracle(const Measured& number, const cln::cl_R& truth, const Re
   if (agrees(number, Real(truth), scale)) return true;
   const Real own = scale + Real(oracle.energy());
   return agrees(number, Real(truth), own) ||
-         agrees(number, Real(truth), own + Real(oracle.force()));
+         agrees(number, Real(truth), own + Real(oracle.force())) ||
+         agrees(number, Real(truth), own + Real(oracle.inertia()));
 }
 
 std::string short_text(const Real& value) {

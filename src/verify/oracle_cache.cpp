@@ -6,6 +6,15 @@
 #include "elgen/oracle.hpp"
 
 namespace elgen {
+namespace {
+
+cln::cl_R largest_of(const std::vector<cln::cl_R>& values) {
+  cln::cl_R largest = 0;
+  for (const cln::cl_R& value : values) largest = cln::max(largest, cln::abs(value));
+  return largest;
+}
+
+}  // namespace
 
 const OracleValues& OracleCache::values(const OutputRequest& request) {
   const auto key = std::make_pair(request.kind, request.user);
@@ -27,10 +36,15 @@ cln::cl_R OracleCache::force() {
     const OutputRequest request = checking::request_of(subject_.model, kind, 0);
     if (!checking::is_available(subject_.model, request)) continue;
     const OracleValues& entries = values(request);
-    if (!entries) continue;
-    for (const cln::cl_R& entry : *entries) largest = cln::max(largest, cln::abs(entry));
+    if (entries) largest = cln::max(largest, largest_of(*entries));
   }
   return largest;
+}
+
+cln::cl_R OracleCache::inertia() {
+  const OracleValues& mass = values(standard_request(OutputKind::mass_matrix));
+  if (!mass) return 0;
+  return largest_of(*mass) * (largest_of(state_.v) + largest_of(state_.a));
 }
 
 bool OracleCache::solves() {

@@ -64,6 +64,31 @@ jacobian = true
   CHECK(mentions(judged.output, "J = d(omega; dp/dt)/dv, [omega]x = dR/dt R^T"));
 }
 
+TEST_CASE(
+    "the oracle's rounding of what does not depend on q is no failure, however slow the motion") {
+  const Workspace workspace;
+  write_text(workspace.path() / "turn.toml", R"toml(format = 1
+[model]
+name = "turn"
+[[coordinate]]
+name = "q1"
+[[frame]]
+name = "F1"
+parent = "world"
+rotate = [["z", "q1"]]
+[[body]]
+name = "B1"
+frame = "F1"
+mass = "1"
+com = ["0", "1", "0"]
+inertia = ["2", "1", "2"]
+inertia_about = "origin"
+)toml");
+  const Outcome outcome = shell("elgen verify -q --quick turn.toml", workspace.path());
+  INFO(outcome.output);
+  CHECK(outcome.status == 0);
+}
+
 TEST_CASE("every file that is emitted is compiled and run, in every storage") {
   const Workspace workspace;
   const auto judged = [&](const std::string& emission) {

@@ -39,6 +39,16 @@ TEST_CASE("differences and multiples are sums too, but for exact multiples of a 
                                                         "-(sin(a)*sin(2*a) - cos(a)*cos(2*a))"});
 }
 
+TEST_CASE("an angle is no sum of parts in which something cancels") {
+  testing::ExpressionLeaves l;
+  const Ref five = l.graph.product({{l.graph.rational(5)}, {l.c}});
+  const Ref first = l.graph.sum({l.a, -l.b});
+  const Ref second = l.graph.sum({l.b, five});
+  const Ref sum = l.graph.sum({l.a, five});
+  l.expressions.values = {cosine(l, sum), sine(l, first), cosine(l, second)};
+  CHECK_FALSE(expand_angle_sums(l.expressions));
+}
+
 TEST_CASE("an angle whose parts do not occur stays") {
   testing::ExpressionLeaves l;
   const Ref sum = l.graph.sum({l.a, l.b});
