@@ -4,7 +4,8 @@
 // The recursive form keeps the definitions of the derivation: linear cost along a chain. The closed
 // form is the cancelled, collected equation: for small models fewer operations, and more accurate,
 // since what cancels on paper is gone. Both are lowered, counted after sharing, and the cheaper is
-// kept, the closed one on a tie, unless the scene asks for one.
+// kept, the closed one on a tie, unless the scene asks for one. What is added to either so that
+// it holds at states that algebra passes over (scaled_length.hpp, guarded_pivots.hpp) comes last.
 #pragma once
 
 #include <optional>

@@ -233,13 +233,15 @@ std::vector<OutputRow> dynamics() {
            "Generalized force that gives the acceleration a.",
            UnitRule::force}),
       reaction(),
-      solving(row(K::forward_dynamics, "forward_dynamics", takes_qvu,
-                  {{"acceleration", Extent::velocities, Extent::one},
-                   {"relative_pivots", Extent::velocities, Extent::one}},
-                  {{"a", "<a>"},
-                   {"M a = B u - bias", R"(M <a> = B u - \mathrm{bias})"},
-                   "Acceleration, and the pivots D_i/M_ii of M = L D L^T: near 0 M is singular.",
-                   UnitRule::acceleration})),
+      solving(row(
+          K::forward_dynamics, "forward_dynamics", takes_qvu,
+          {{"acceleration", Extent::velocities, Extent::one},
+           {"relative_pivots", Extent::velocities, Extent::one}},
+          {{"a", "<a>"},
+           {"M a = B u - bias", R"(M <a> = B u - \mathrm{bias})"},
+           "Acceleration, and the pivots D_i/M_ii of M = L D L^T: near 0, or no number where M_ii "
+           "is 0, M is singular.",
+           UnitRule::acceleration})),
   };
 }
 

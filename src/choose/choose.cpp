@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "guarded_pivots.hpp"
 #include "lower/cheapest.hpp"
 #include "lower/linearise.hpp"
 #include "lower/turn_signs.hpp"
@@ -168,7 +169,6 @@ class Choosing {
     for (std::size_t i = 0; i < recursive_.functions.size(); ++i) {
       Diagnostics errors = choose_form(i);
       if (!errors.empty()) return errors;
-      scale_lengths(i);
     }
     return std::move(result_);
   }
@@ -206,7 +206,8 @@ class Choosing {
     const std::optional<Form> wish =
         is_reduced(function) ? Form::closed : wish_for(scene_, function);
     const bool wants_closed = wish == Form::closed;
-    FormCosts costs{function.name, count_operations(function)};
+    result_.program.functions[index] = finished(function);
+    FormCosts costs{function.name, count_operations(result_.program.functions[index])};
     costs.is_asked_for = wish_for(scene_, function).has_value();
     if (is_complete(entries)) {
       fill_readable(index, entries);
@@ -225,14 +226,15 @@ class Choosing {
     return {};
   }
 
-  /// Where quaternions are normalized, which is then neither of the two forms.
-  void scale_lengths(std::size_t index) {
-    Function& function = result_.program.functions[index];
+  /// The function as it is emitted in either form: with what algebra would take out again.
+  Function finished(Function function) {
     if (function.kind == OutputKind::normalized) normalized_ = function.name;
-    if (normalized_.empty()) return;
-    const bool repeats = function.kind == OutputKind::dynamics;
-    if (!repeats && function.kind != OutputKind::normalized) return;
-    function = with_scaled_lengths(std::move(function), normalized_);
+    const bool repeats = function.kind == OutputKind::dynamics && !normalized_.empty();
+    if (repeats || function.kind == OutputKind::normalized) {
+      return with_scaled_lengths(std::move(function), normalized_);
+    }
+    if (function.kind != OutputKind::forward_dynamics) return function;
+    return with_guarded_pivots(std::move(function), result_.program.constants);
   }
 
   static bool is_worth_lowering(const ReadableEntries& entries, std::size_t recursive) {
@@ -240,17 +242,26 @@ class Choosing {
     return total <= always_tried || total <= hopeless_ratio * recursive;
   }
 
+  /// What the guards of pivots cost is no reason to prefer one form.
+  static std::size_t cost_of(const Function& form) {
+    const bool has_pivots = form.kind == OutputKind::forward_dynamics;
+    return cost(count_operations(has_pivots ? without_diagonal(form) : form));
+  }
+
   void compare(std::size_t index, const ReadableEntries& entries, FormCosts& costs) {
-    closed_ = lowered_together(entries, recursive_.functions[index], result_.program);
+    Function closed = lowered_together(entries, recursive_.functions[index], result_.program);
+    const bool is_cheaper = cost_of(closed) <= cost_of(recursive_.functions[index]);
+    closed_ = finished(std::move(closed));
     costs.closed = count_operations(closed_);
-    const bool is_cheaper = cost(*costs.closed) <= cost(costs.recursive);
     costs.chosen = is_cheaper ? Form::closed : Form::recursive;
   }
 
   void fill_readable(std::size_t index, const ReadableEntries& entries) {
     const Function& function = recursive_.functions[index];
     if (function.kind == OutputKind::dynamics) return;
-    result_.program.readable[index] = lowered_one_by_one(entries, function, result_.program);
+    Function readable = lowered_one_by_one(entries, function, result_.program);
+    const bool has_pivots = function.kind == OutputKind::forward_dynamics;
+    result_.program.readable[index] = has_pivots ? without_diagonal(std::move(readable)) : readable;
   }
 
   const Program& recursive_;

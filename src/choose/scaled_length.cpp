@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "lower/instructions.hpp"
 #include "lower/prune.hpp"
 
 namespace elgen {
@@ -14,7 +15,7 @@ constexpr std::size_t components = 4;
 
 class Scaling {
  public:
-  explicit Scaling(Function& function) : function_(function) {}
+  explicit Scaling(Function& function) : function_(function), instructions_(function) {}
 
   void scale(Field& field) {
     for (std::size_t i = 0; i < field.entries.size();) {
@@ -30,23 +31,10 @@ class Scaling {
   }
 
  private:
-  std::uint32_t emit(const Instruction& instruction) {
-    std::vector<Instruction>& all = function_.instructions;
-    const auto known = std::find(all.begin(), all.end(), instruction);
-    const auto at = static_cast<std::uint32_t>(known - all.begin());
-    if (known == all.end()) {
-      all.push_back(instruction);
-      function_.names.emplace_back();
-    }
-    return at;
-  }
-  std::uint32_t emit(Opcode opcode, std::uint32_t a, std::uint32_t b = 0) {
-    return emit({.opcode = opcode, .a = a, .b = b});
-  }
-
   std::uint32_t sum(const std::vector<std::uint32_t>& terms) {
     std::uint32_t result = terms[0];
-    for (std::size_t i = 1; i < terms.size(); ++i) result = emit(Opcode::add, result, terms[i]);
+    for (std::size_t i = 1; i < terms.size(); ++i)
+      result = instructions_.add(Opcode::add, result, terms[i]);
     return result;
   }
 
@@ -55,22 +43,23 @@ class Scaling {
     std::vector<std::uint32_t> values;
     std::vector<std::uint32_t> magnitudes;
     for (std::uint32_t i = 0; i < components; ++i) {
-      values.push_back(emit(Opcode::coordinate, first + i));
-      magnitudes.push_back(
-          emit({.opcode = Opcode::call, .function = FunctionId::abs, .a = values.back()}));
+      values.push_back(instructions_.add(Opcode::coordinate, first + i));
+      magnitudes.push_back(instructions_.add(
+          {.opcode = Opcode::call, .function = FunctionId::abs, .a = values.back()}));
     }
     const std::uint32_t size = sum(magnitudes);
     std::vector<std::uint32_t> squares;
     for (std::uint32_t& value : values) {
-      value = emit(Opcode::divide, value, size);
-      squares.push_back(emit(Opcode::multiply, value, value));
+      value = instructions_.add(Opcode::divide, value, size);
+      squares.push_back(instructions_.add(Opcode::multiply, value, value));
     }
-    const std::uint32_t length = emit(Opcode::square_root, sum(squares));
-    for (std::uint32_t& value : values) value = emit(Opcode::divide, value, length);
+    const std::uint32_t length = instructions_.add(Opcode::square_root, sum(squares));
+    for (std::uint32_t& value : values) value = instructions_.add(Opcode::divide, value, length);
     return values;
   }
 
   Function& function_;
+  Instructions instructions_;
 };
 
 }  // namespace

@@ -29,7 +29,8 @@ std::vector<FieldEquations> accelerations(Derivation& derivation) {
   ForwardDynamics solved = forward_dynamics(derivation);
   const auto n = static_cast<std::uint32_t>(derivation.size());
   return {{"acceleration", n, 1, std::move(solved.acceleration)},
-          {"relative_pivots", n, 1, std::move(solved.relative_pivots)}};
+          {"relative_pivots", n, 1, std::move(solved.relative_pivots)},
+          {"diagonal", n, 1, std::move(solved.diagonal)}};
 }
 
 std::vector<FieldEquations> inverse_derivatives(Derivation& derivation) {

@@ -32,6 +32,7 @@ ForwardDynamics forward_dynamics(Derivation& derivation) {
   ForwardDynamics result;
   result.acceleration = acceleration(derivation, mass);
   result.relative_pivots = mass.relative_pivots();
+  result.diagonal = mass.diagonal();
   return result;
 }
 

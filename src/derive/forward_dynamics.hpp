@@ -8,6 +8,7 @@ namespace elgen {
 struct ForwardDynamics {
   Vector acceleration;
   Vector relative_pivots;
+  Vector diagonal;  ///< of M: pivots mean nothing where it is 0
 };
 
 [[nodiscard]] ForwardDynamics forward_dynamics(Derivation& derivation);

@@ -53,6 +53,12 @@ Vector SymmetricSolve::solve(const Vector& right_side) {
   return x;
 }
 
+Vector SymmetricSolve::diagonal() const {
+  Vector result(order_.size());
+  for (std::size_t i = 0; i < order_.size(); ++i) result[order_[i]] = matrix(i, i);
+  return result;
+}
+
 Vector SymmetricSolve::relative_pivots() const {
   Vector result(order_.size());
   for (std::size_t i = 0; i < order_.size(); ++i) result[order_[i]] = pivots_[i] / matrix(i, i);

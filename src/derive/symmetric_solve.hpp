@@ -33,6 +33,7 @@ class SymmetricSolve {
 
   /// D_i / M_ii by velocity: 1 where decoupled, <= 0 or about epsilon where M is singular.
   [[nodiscard]] Vector relative_pivots() const;
+  [[nodiscard]] Vector diagonal() const;
 
  private:
   [[nodiscard]] GiNaC::ex entry(std::size_t i, std::size_t j);

@@ -24,13 +24,14 @@ const OutputRequest& request(const CheckedModel& checked, OutputKind kind) {
   throw std::runtime_error("not an output of this model");
 }
 
-/// Fields by inputs are left out where there are none.
+/// Fields by inputs are left out where there are none; the diagonal of M comes with the pivots.
 std::size_t fields_of(OutputKind kind, const Model& model) {
   const std::vector<FieldRow>& fields = output_row(kind).fields;
   const auto is_there = [&](const FieldRow& field) {
     return field.columns != Extent::inputs || !model.inputs.empty();
   };
-  return static_cast<std::size_t>(std::count_if(fields.begin(), fields.end(), is_there));
+  const std::size_t more = kind == OutputKind::forward_dynamics ? 1 : 0;
+  return more + static_cast<std::size_t>(std::count_if(fields.begin(), fields.end(), is_there));
 }
 
 }  // namespace

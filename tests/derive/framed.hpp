@@ -111,7 +111,9 @@ class Framed {
     const bool is_value =
         wanted.kind != OutputKind::user_jacobian && wanted.kind != OutputKind::user_bias;
     if (is_value || !checked.model.outputs[wanted.user].frame) {
-      return *oracle_values(checked.model, wanted, state);
+      Reals values = *oracle_values(checked.model, wanted, state);
+      if (wanted.kind == OutputKind::forward_dynamics) append_diagonal(values, state);
+      return values;
     }
     const std::vector<ExpressionId>& twist = checked.model.outputs[wanted.user].twist;
     return wanted.kind == OutputKind::user_jacobian ? twist_slopes(twist, state)
@@ -137,6 +139,12 @@ class Framed {
   Lagrangian lagrangian;
 
  private:
+  /// Of M, which is derived with the pivots.
+  void append_diagonal(Reals& values, const State& state) const {
+    const Reals mass = *oracle_values(checked.model, request("mass_matrix"), state);
+    for (std::size_t i = 0; i < size(); ++i) values.push_back(mass[i * (size() + 1)]);
+  }
+
   /// The twist is linear in v, but for what time moves.
   [[nodiscard]] Reals twist_slopes(const std::vector<ExpressionId>& twist, State state) const {
     Reals result;

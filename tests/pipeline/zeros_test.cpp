@@ -47,6 +47,28 @@ constexpr const char* chain = R"cpp(
   }
 )cpp";
 
+/// Prints whether M is regular: at ordinary states, and where an entry of its diagonal vanishes.
+constexpr const char* regular = R"cpp(
+#include <cstdio>
+
+#include "cart_pole/cart_pole.hpp"
+#include "kepler_polar/kepler_polar.hpp"
+
+  bool cart(double l) {
+    cart_pole::Parameters<double> p;
+    p.l = l;
+    return cart_pole::is_regular(
+        cart_pole::forward_dynamics(p, {0, 0.3}, {0, 0}, {1}).relative_pivots);
+  }
+
+  bool orbit(float r) {
+    return kepler_polar::is_regular(
+        kepler_polar::forward_dynamics<float>({}, {r, 1}, {0, 1}, {}).relative_pivots);
+  }
+
+  int main() { std::printf("%d%d%d %d%d", cart(1), cart(1e-100), cart(0), orbit(2), orbit(0)); }
+)cpp";
+
 std::string printed(const Workspace& folder, const char* program) {
   write_text(folder.path() / "main.cpp", program);
   const std::string include = std::string(ELGEN_SOURCE_DIR) + "/generated";
@@ -67,6 +89,11 @@ TEST_CASE("entries of C that vanish are 0 in emitted code") {
   CAPTURE(output);
   CHECK(starts_with(output, "0 "));
   CHECK(output != "0 0");
+}
+
+TEST_CASE("a vanishing diagonal entry of M is singular") {
+  const Workspace folder;
+  CHECK(printed(folder, regular) == "110 10");
 }
 
 TEST_CASE("what was sampled and not proved is said by generate and verify") {

@@ -1,0 +1,58 @@
+// guarded_pivots: two instructions per pivot, but where M_ii is a number, or divides already.
+#include "guarded_pivots.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "lower/constant.hpp"
+#include "lower/instructions.hpp"
+#include "lower/prune.hpp"
+
+namespace elgen {
+namespace {
+
+std::uint32_t zero_of(std::vector<Constant>& constants) {
+  const auto known = std::find_if(constants.begin(), constants.end(), [](const Constant& constant) {
+    return cln::zerop(constant.value);
+  });
+  const auto at = static_cast<std::uint32_t>(known - constants.begin());
+  if (known == constants.end()) constants.push_back(make_constant(0).constant);
+  return at;
+}
+
+bool has_diagonal(const Function& function) {
+  return !function.fields.empty() && function.fields.back().name == diagonal_field;
+}
+
+}  // namespace
+
+Function without_diagonal(Function forward_dynamics) {
+  if (!has_diagonal(forward_dynamics)) return forward_dynamics;
+  forward_dynamics.fields.pop_back();
+  const auto count = static_cast<std::uint32_t>(entry_count(forward_dynamics));
+  std::vector<std::uint32_t>& sampled = forward_dynamics.sampled_zeros;
+  sampled.erase(std::remove_if(sampled.begin(), sampled.end(),
+                               [count](std::uint32_t entry) { return entry >= count; }),
+                sampled.end());
+  return pruned(std::move(forward_dynamics));
+}
+
+Function with_guarded_pivots(Function forward_dynamics, std::vector<Constant>& constants) {
+  if (!has_diagonal(forward_dynamics)) return forward_dynamics;
+  const std::vector<std::uint32_t> diagonal = forward_dynamics.fields.back().entries;
+  std::vector<std::uint32_t>& pivots = forward_dynamics.fields[1].entries;
+  Instructions instructions(forward_dynamics);
+  const Instruction zero{.opcode = Opcode::constant, .a = zero_of(constants)};
+  for (std::size_t i = 0; i < diagonal.size(); ++i) {
+    const Instruction pivot = forward_dynamics.instructions[pivots[i]];
+    const bool is_guarded = pivot.opcode == Opcode::divide && pivot.b == diagonal[i];
+    const bool is_number = forward_dynamics.instructions[diagonal[i]].opcode == Opcode::constant;
+    if (is_guarded || is_number) continue;
+    const std::uint32_t guard =
+        instructions.add(Opcode::divide, instructions.add(zero), diagonal[i]);
+    pivots[i] = instructions.add(Opcode::add, pivots[i], guard);
+  }
+  return without_diagonal(std::move(forward_dynamics));
+}
+
+}  // namespace elgen
