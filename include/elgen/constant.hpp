@@ -27,7 +27,7 @@ struct ConstantForm {
   ConstantKind kind = ConstantKind::rational;
   cln::cl_RA number = 0;                  ///< of a rational
   FunctionId function = FunctionId::sin;  ///< of a call
-  std::vector<ConstantPart> parts = {};
+  std::vector<ConstantPart> parts;        ///< no initializer: ConstantPart is incomplete here
 };
 
 /// weight: the exponent in a product (not 0), the sign (1 or -1) elsewhere.

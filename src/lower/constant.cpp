@@ -111,7 +111,7 @@ bool operator==(const ConstantPart& x, const ConstantPart& y) {
   return x.weight == y.weight && x.form == y.form;
 }
 
-ConstantForm rational_form(const cln::cl_RA& number) { return {.number = number}; }
+ConstantForm rational_form(const cln::cl_RA& number) { return {.number = number, .parts = {}}; }
 
 ConstantForm negated(ConstantForm x) {
   if (x.kind == ConstantKind::rational) return rational_form(-x.number);

@@ -229,7 +229,7 @@ Ref Graph::constant(const ConstantForm& form) {
 ConstantForm Graph::form_of(NodeId id) const {
   const Node& node = nodes_[id];
   if (node.kind == NodeKind::rational) return rational_form(rational_of(id));
-  ConstantForm form{.function = node.function};
+  ConstantForm form{.function = node.function, .parts = {}};
   form.kind = node.kind == NodeKind::pi            ? ConstantKind::pi
               : node.kind == NodeKind::sum         ? ConstantKind::sum
               : node.kind == NodeKind::product     ? ConstantKind::product

@@ -8,7 +8,7 @@ using namespace elgen;
 
 namespace {
 
-const ConstantForm pi{.kind = ConstantKind::pi};
+const ConstantForm pi{.kind = ConstantKind::pi, .parts = {}};
 
 ConstantForm sum(std::vector<ConstantPart> terms) {
   return {.kind = ConstantKind::sum, .parts = std::move(terms)};

@@ -43,9 +43,9 @@ TEST_CASE("roots of numbers are roots of primes") {
 
 TEST_CASE("constants are taken apart by their form") {
   Space s;
-  const ConstantForm pi{.kind = ConstantKind::pi};
-  const ConstantForm half{.number = cln::cl_RA(1) / 2};
-  const ConstantForm three{.number = 3};
+  const ConstantForm pi{.kind = ConstantKind::pi, .parts = {}};
+  const ConstantForm half = rational_form(cln::cl_RA(1) / 2);
+  const ConstantForm three = rational_form(3);
   const ConstantForm root{.kind = ConstantKind::square_root, .parts = {{three, 1}}};
   const Value half_pi =
       s.arithmetic.constant({.kind = ConstantKind::product, .parts = {{half, 1}, {pi, 1}}});
