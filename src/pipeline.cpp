@@ -49,9 +49,11 @@ class Stages {
   template <class Stage>
   auto run(const std::string& name, const Stage& stage) -> decltype(stage().value) {
     if (done_) return {};
-    if (options_.on_stage) options_.on_stage(name);
     const auto start = std::chrono::steady_clock::now();
-    auto result = stage();
+    auto result = guarded(name, [&] {
+      if (options_.on_stage) options_.on_stage(name);
+      return stage();
+    });
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     products_.times.push_back({name, elapsed.count()});
     auto& all = products_.diagnostics;
@@ -71,6 +73,18 @@ class Stages {
   }
 
  private:
+  /// A mistake of ours must not swallow what earlier stages found.
+  template <class Stage>
+  static auto guarded(const std::string& name, const Stage& stage) -> decltype(stage()) {
+    try {
+      return stage();
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const std::exception& mistake) {
+      return Diagnostic{Code::E912, {}, "internal error in `" + name + "`: " + mistake.what()};
+    }
+  }
+
   const PipelineOptions& options_;
   Products& products_;
   bool done_ = false;
@@ -95,8 +109,9 @@ Result<SelfCheck> checked(const CheckedModel& checked, const Program& program, d
   SelfCheck check =
       self_check(checked.model, checked.scene, program, std::max(0.02, generation / 4));
   if (check.failure.empty()) return check;
-  if (check.states == 0) {
-    return Diagnostic{Code::E521, {}, check.failure, "declare a `range` inside the domain"};
+  if (check.lacks_value) {
+    return Diagnostic{Code::E521, check.place.value_or(Span{}), check.failure,
+                      "declare a `range` inside the domain"};
   }
   return Diagnostic{Code::E911, {}, "self-check failed: " + check.failure};
 }

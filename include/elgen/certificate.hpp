@@ -48,14 +48,14 @@ struct VerifyOptions {
 };
 
 /// Compares oracle, program, and compiled code, and checks the structure of M, C and energies.
-/// `compiled` may be null (quick): its rows are then absent.
+/// Without `compiled` headers (quick) their rows are absent.
 /// Diagnostics: wrong [[expect]] with witness point.
 struct Verification {
   Certificate certificate;
   Diagnostics diagnostics;
 };
 [[nodiscard]] Verification verify(const Model& model, const Scene& scene, const Program& program,
-                                  const CompiledModel* compiled, const VerifyOptions& options);
+                                  const CompiledHeaders& compiled, const VerifyOptions& options);
 
 /// E618 where what was dropped from M may be more than half its smallest eigenvalue, M scaled to a
 /// diagonal of 1, at a state sampled over the ranges: the reduced M could then be indefinite.
@@ -66,19 +66,24 @@ struct Verification {
 [[nodiscard]] std::string to_text(const Certificate& certificate);
 
 /// The check that precedes every write: every output projected on random rational vectors, as many
-/// states (2 … 32) as fit into `seconds`.
+/// states (2 … 32) as fit into `seconds`; one where it takes longer by itself.
 struct SelfCheck {
-  std::size_t states = 0;  ///< 0 where no output has a value at any, which is a failure
-  double worst = 0.0;  ///< largest error in u B: of the closed form, or of the recursive program
+  std::size_t states = 0;  ///< at which an output was compared
+  /// Largest error in u B, of the closed form, or of the recursive program; none where rounding has
+  /// no bound at any state.
+  std::optional<double> worst = {};
   std::string failure =
       {};  ///< empty when it holds; otherwise the output, the state and both values
-  std::size_t sampled_zeros = 0;  ///< entries that rest on zeros which are not proved
+  std::size_t sampled_zeros = 0;   ///< entries that rest on zeros which are not proved
+  std::size_t outside = 0;         ///< states at which an output is undefined, and rightly so
+  bool lacks_value = false;        ///< the failure: an output is undefined at all states
+  std::optional<Span> place = {};  ///< then: the first expression of it that is
 };
 [[nodiscard]] SelfCheck self_check(const Model& model, const Scene& scene, const Program& program,
                                    double seconds);
 
-/// "checked 32 states against 60 digits: 2.1 uB", and "2 entries rest on zeros found at 64 points,
-/// not proved" where some do.
+/// "checked 32 states against 60 digits: 2.1 uB", or "without a bound of rounding"; "; 3 outside
+/// the domain" where some are; and "2 entries rest on zeros found at 64 points, not proved".
 [[nodiscard]] std::string receipt(const SelfCheck& result);
 
 }  // namespace elgen

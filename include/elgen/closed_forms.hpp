@@ -16,9 +16,11 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "elgen/program.hpp"
+#include "elgen/scene.hpp"
 
 namespace elgen {
 
@@ -58,7 +60,7 @@ enum class AtomKind : std::uint8_t {
   circular,  ///< e^(i angle), angle = argument / divisor
   root,      ///< sqrt(argument), argument positive
   call,      ///< function(arguments)
-  constant,  ///< neither rational nor a root of one
+  pi,
 };
 
 struct Atom {
@@ -68,12 +70,12 @@ struct Atom {
   FunctionId function = FunctionId::sin;
   cln::cl_RA divisor = 1;
   std::vector<Fraction> arguments = {};
-  Constant constant = {};
 };
 
 /// The atoms and denominator factors that fractions refer to.
 struct Algebra {
   std::vector<Atom> atoms = {};
+  std::unordered_multimap<std::size_t, AtomId> known = {};  ///< of each atom, by its hash
   /// As first met, and normalised: without common monomial, leading coefficient 1.
   struct Factor {
     Polynomial shown = {};
@@ -123,7 +125,7 @@ struct PresentBudget {
 /// One expression of the model over the same atoms; `fixed` parameters are numbers. None where it
 /// outgrows the budget.
 [[nodiscard]] std::optional<Fraction> closed_form(ClosedForms& forms, const Model& model,
-                                                  const std::map<std::uint32_t, cln::cl_R>& fixed,
+                                                  const FixedParameters& fixed,
                                                   ExpressionId expression);
 
 [[nodiscard]] std::string dump(const ClosedForms& forms);

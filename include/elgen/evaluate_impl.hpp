@@ -15,13 +15,14 @@
 
 namespace elgen {
 
-/// A float of 64 decimal digits that carries "undefined" (a division by zero, sqrt(-1)) like a NaN.
+/// A float of 64 decimal digits (or more: RealPrecision) that carries "undefined" (a division by
+/// zero, sqrt(-1)) like a NaN.
 class Real {
  public:
   Real() : Real(cln::cl_R(0)) {}
   explicit Real(const cln::cl_R& value) : value_(cln::cl_float(value, format())) {}
 
-  [[nodiscard]] static cln::float_format_t format() { return cln::float_format(64); }
+  [[nodiscard]] static cln::float_format_t format();
   [[nodiscard]] static Real undefined();
 
   [[nodiscard]] bool is_defined() const { return defined_; }
@@ -54,6 +55,25 @@ class Real {
 [[nodiscard]] Real sign(const Real& x);
 [[nodiscard]] Real min(const Real& x, const Real& y);
 [[nodiscard]] Real max(const Real& x, const Real& y);
+
+/// While it lives, Reals have as many digits more as its user lets them grow by: an angle of 1e100
+/// leaves none of 64 behind the point, for sines to be made of.
+///
+///     RealPrecision precision;
+///     do { computation } while (precision.grows());
+class RealPrecision {
+ public:
+  RealPrecision();
+  ~RealPrecision();
+  RealPrecision(const RealPrecision&) = delete;
+  RealPrecision& operator=(const RealPrecision&) = delete;
+
+  /// Whether angles met since then have taken digits that can be given back.
+  [[nodiscard]] bool grows();
+
+ private:
+  unsigned outer_;
+};
 
 template <>
 struct ScalarTraits<Real> {

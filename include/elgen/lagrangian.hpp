@@ -124,7 +124,6 @@ struct PointMass {
   GiNaC::ex mass;
   std::array<GiNaC::ex, 3> position;
   Entity origin;
-  bool kinetic = true;  ///< false: weight only (its kinetic energy is written elsewhere)
 };
 
 /// A force F in world axes at p: generalized force (dp/dq)^T F.
@@ -214,7 +213,8 @@ struct SmallLeaf {
   GiNaC::ex value;
 };
 
-/// What specialise expands: energies to order + 1 jointly in all deviations, forces to order.
+/// What specialise expands: energies to order + 1 jointly in all deviations, forces to order; those
+/// on coordinates that are not small to order + 1.
 struct Expansion {
   std::uint32_t order = 1;
   std::vector<SmallLeaf> small = {};

@@ -117,6 +117,7 @@ struct Parameter {
   cln::cl_R value = 0;  ///< exact rational where it is one, else a float of 100 decimal digits
   Assumption assumption = Assumption::none;
   std::optional<Unit> unit = {};
+  std::optional<ExpressionId> form = {};  ///< the value as written, where it is not rational
 };
 
 /// A parameter as declared: one number, or `size` of them.
@@ -201,9 +202,8 @@ struct BodyInFrame {
 };
 
 /// A body written in world coordinates: centre of mass, angular velocity in the axes of its
-/// inertia. T = 1/2 m v_com^2 + 1/2 w.I w (about the com), or 1/2 w.I w alone where the inertia is
-/// about the world origin, at which the body is then fixed. The com may be absent only without a
-/// mass. Of a body in a frame com and spin follow from the frame, and the inertia is about the com.
+/// inertia, which is about the com: T = 1/2 m v_com^2 + 1/2 w.I w. The com may be absent only
+/// without a mass. Of a body in a frame com, spin and inertia follow from the frame.
 struct Body {
   std::string name;
   std::string identifier;
@@ -212,8 +212,7 @@ struct Body {
   std::optional<ExpressionId> mass = {};
   std::vector<ExpressionId> inertia = {};  ///< {} | {Izz} planar | {xx yy zz xy xz yz}
   std::vector<ExpressionId> spin = {};     ///< {} | {wz} planar | {wx wy wz}
-  bool inertia_about_origin = false;
-  std::optional<BodyInFrame> local = {};  ///< a body in a frame; the above says the same of it
+  std::optional<BodyInFrame> local = {};   ///< a body in a frame; the above says the same of it
   std::string doc = {};
   Span span = {};
 };

@@ -69,6 +69,10 @@ struct Contraction {
                                                           const State& state,
                                                           const Contraction& by);
 
+/// |E| and the magnitudes of the terms that V sums, in whose rounding what cancels drowns.
+[[nodiscard]] std::optional<cln::cl_R> oracle_energy_magnitude(const Model& model,
+                                                               const State& state);
+
 /// The value of one expression of the model (for [[expect]]); t, q, v, a, u, parameters from the
 /// state.
 [[nodiscard]] std::optional<cln::cl_R> oracle_expression(const Model& model,

@@ -60,7 +60,7 @@ struct Products {
 [[nodiscard]] const std::vector<std::string>& stage_names();
 
 /// Runs the stages in order, until one reports an error or `stop_after` is done. E911: the
-/// self-check failed; E521: it had nothing to compare.
+/// self-check failed; E521: an output has no value at any state.
 [[nodiscard]] Products run_pipeline(const Inputs& inputs, const PipelineOptions& options);
 
 }  // namespace elgen

@@ -12,8 +12,6 @@
 //                                   ; of a struct: "result acceleration 2 1 = …"
 #pragma once
 
-#include <cln/real.h>
-
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -21,6 +19,7 @@
 #include <string_view>
 #include <vector>
 
+#include "elgen/constant.hpp"
 #include "elgen/diagnostic.hpp"
 #include "elgen/functions.hpp"
 #include "elgen/leaf_names.hpp"
@@ -56,13 +55,6 @@ struct Instruction {
 
 /// Number of operands that are instructions (0, 1 or 2).
 [[nodiscard]] std::size_t operand_count(const Instruction& instruction);
-
-/// An exact rational, or a function of rationals that is not one (pi, cos(3/10)) to 100 decimal
-/// digits.
-struct Constant {
-  cln::cl_R value = 0;
-  std::string text = {};  ///< canonical: "1/2", "pi", "cos(3/10)"
-};
 
 struct Field {
   std::string name = {};  ///< "" for plain outputs
@@ -102,6 +94,9 @@ struct Program {
   std::vector<Function> readable = {};
   std::optional<Reduction> reduction = {};  ///< where it is not the exact model's
 };
+
+/// The constants that functions load, in their order; those of `readable` alone are not among them.
+[[nodiscard]] std::vector<Constant> executed_constants(const Program& program);
 
 /// What one call executes: subtractions count as add; distinct sine/cosine angles as sincos;
 /// negations free.

@@ -18,9 +18,18 @@
 
 namespace elgen {
 
-/// specialise: parameters (by index) that become exact numbers.
+/// The exact number that a parameter is fixed at.
+struct FixedValue {
+  cln::cl_R number = 0;                   ///< rational, or a float of 100 digits
+  std::optional<ExpressionId> form = {};  ///< in Model::expressions, where it is not rational
+};
+
+/// By index of the parameter.
+using FixedParameters = std::map<std::uint32_t, FixedValue>;
+
+/// specialise: parameters that become exact numbers.
 struct Specialisation {
-  std::map<std::uint32_t, cln::cl_R> fixed = {};
+  FixedParameters fixed = {};
 };
 
 /// One wanted output, in the order of the output table.

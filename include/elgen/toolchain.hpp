@@ -1,4 +1,4 @@
-// Toolchain: compiles an emitted header with the user's compiler and loads its functions.
+// Toolchain: compiles every emitted header with the user's compiler and loads its functions.
 #pragma once
 
 #include <memory>
@@ -24,10 +24,16 @@ class CompiledModel {
   [[nodiscard]] virtual bool has(ScalarKind scalar) const = 0;
 };
 
+/// One emitted header; on vectors of Eigen there is a second one.
+struct CompiledHeader {
+  std::string types = {};  ///< "Eigen"; empty for those of the language itself
+  std::unique_ptr<CompiledModel> functions = {};
+};
+using CompiledHeaders = std::vector<CompiledHeader>;
+
 /// $CXX, else c++, g++, clang++, whichever is there. Strict flags (-ffp-contract=off). E7xx without
 /// a compiler (exit 4), with the compiler's words where it refuses.
-[[nodiscard]] Result<std::unique_ptr<CompiledModel>> compile(const EmittedFiles& files,
-                                                             const Model& model, const Scene& scene,
-                                                             const Program& program);
+[[nodiscard]] Result<CompiledHeaders> compile(const EmittedFiles& files, const Model& model,
+                                              const Scene& scene, const Program& program);
 
 }  // namespace elgen

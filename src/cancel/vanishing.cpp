@@ -56,7 +56,7 @@ bool is_kinked(const Instruction& i) {
 }
 
 /// A sum of which one term is so small beside the other that twenty digits of it are gone, or a
-/// function that its argument hardly moves.
+/// function that its argument hardly moves, or moves so much that its own digits are gone.
 bool hides_something(const Instruction& i, const Values& values, const Value& x) {
   static const Real hidden = share(20);
   if (i.opcode == Opcode::add || i.opcode == Opcode::subtract) {
@@ -66,7 +66,8 @@ bool hides_something(const Instruction& i, const Values& values, const Value& x)
     return is_below(a.value, b.value, hidden) || is_below(b.value, a.value, hidden);
   }
   const bool has_argument = i.opcode == Opcode::call && !values[i.a].exact;
-  return has_argument && is_below(x.bound - abs(x.value), x.value, hidden);
+  return has_argument && (is_below(x.bound - abs(x.value), x.value, hidden) ||
+                          is_below(x.value, x.bound, hidden));
 }
 
 /// The value at the point: exactly 0 where it vanishes, lost where its digits do not tell.

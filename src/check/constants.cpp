@@ -33,21 +33,6 @@ ConstantOutcome too_large() { return failure(Code::E914, "is beyond 10^±10000")
 
 bool is_rational(const cl_R& x) { return cln:: instanceof (x, cln::cl_RA_ring); }
 
-/// log10 |x| to within one, of numbers of any size.
-double magnitude(const cl_R& x) {
-  if (cln::zerop(x)) {
-    return 0;
-  }
-  if (is_rational(x)) {
-    const cl_RA r = cln::the<cl_RA>(x);
-    const auto bits = [](const cln::cl_I& n) {
-      return static_cast<double>(cln::integer_length(n));
-    };
-    return (bits(cln::numerator(r)) - bits(cln::denominator(r))) * log10_of_2;
-  }
-  return static_cast<double>(cln::float_exponent(cln::the<cl_F>(x))) * log10_of_2;
-}
-
 cln::float_format_t format_of(int digits) {
   return cln::float_format(static_cast<uintE>(digits) + guard_digits);
 }
@@ -88,7 +73,7 @@ ConstantOutcome product(const Operands& x) {
   cl_R total = 1;
   for (std::size_t i = 0; i < x.node.operands.size(); ++i) {
     total = total * x[i];
-    if (std::abs(magnitude(total)) > largest_decimal_exponent) {
+    if (std::abs(decimal_exponent(total)) > largest_decimal_exponent) {
       return too_large();
     }
   }
@@ -119,7 +104,7 @@ ConstantOutcome power(const Operands& x) {
     }
     return cln::minusp(exponent) ? failure(Code::E312, "is zero", 0) : value(0);
   }
-  if (std::abs(magnitude(base) * cln::double_approx(exponent)) > largest_decimal_exponent) {
+  if (std::abs(decimal_exponent(base) * cln::double_approx(exponent)) > largest_decimal_exponent) {
     return too_large();
   }
   if (cln::denominator(exponent) == 1) {
@@ -139,14 +124,14 @@ struct SineCosine {
 
 SineCosine sine_cosine(const Operands& x) {
   // The kept value tells the magnitude: asking for more digits twice would double with every level.
-  const int extra = std::max(0, static_cast<int>(magnitude(x.get(0, constant_digits))) + 1);
+  const int extra = std::max(0, static_cast<int>(decimal_exponent(x.get(0, constant_digits))) + 1);
   const cl_R angle = x.get(0, x.digits + extra);
   if (cln::zerop(angle)) {
     return {0, 1};
   }
   const cln::cos_sin_t both = cln::cos_sin(as_float(angle, x.digits + extra));
   // Near 0 a small sine is no rounding error, elsewhere it is: no rational is a multiple of pi.
-  const bool small = magnitude(angle) < 0;
+  const bool small = decimal_exponent(angle) < 0;
   return {small ? cl_R(both.sin) : without_rounding(both.sin, 1, x.digits),
           without_rounding(both.cos, 1, x.digits)};
 }
@@ -294,7 +279,7 @@ bool is_too_large(const cl_R& x) {
   if (is_rational(x)) {
     return digit_count(cln::the<cl_RA>(x)) > largest_exact_digits;
   }
-  return std::abs(magnitude(x)) > largest_decimal_exponent;
+  return std::abs(decimal_exponent(x)) > largest_decimal_exponent;
 }
 
 bool is_zero(const std::optional<cl_R>& x) { return x && cln::zerop(*x); }
@@ -318,7 +303,7 @@ ConstantOutcome evaluate_constant(const Expression& node, const OperandValue& op
 }
 
 std::optional<ConstantFailure> Constants::append(const std::vector<Expression>& arena) {
-  const Expression& node = arena.back();
+  const Expression& node = arena[values_.size()];
   values_.emplace_back();
   const auto constant = [&](ExpressionId id) { return values_[id].has_value(); };
   const bool all = std::all_of(node.operands.begin(), node.operands.end(), constant);
@@ -344,6 +329,20 @@ cl_R Constants::at(const std::vector<Expression>& arena, ExpressionId id, int di
   const auto operand = [&](std::size_t i, int more) { return at(arena, node.operands[i], more); };
   const ConstantOutcome outcome = evaluate_constant(node, operand, digits);
   return outcome.value ? *outcome.value : *values_[id];
+}
+
+double decimal_exponent(const cl_R& x) {
+  if (cln::zerop(x)) {
+    return 0;
+  }
+  if (is_rational(x)) {
+    const cl_RA r = cln::the<cl_RA>(x);
+    const auto bits = [](const cln::cl_I& n) {
+      return static_cast<double>(cln::integer_length(n));
+    };
+    return (bits(cln::numerator(r)) - bits(cln::denominator(r))) * log10_of_2;
+  }
+  return static_cast<double>(cln::float_exponent(cln::the<cl_F>(x))) * log10_of_2;
 }
 
 std::size_t digit_count(const cl_RA& number) {

@@ -40,7 +40,8 @@ using OperandValue = std::function<cln::cl_R(std::size_t operand, int digits)>;
 /// Values of the constant expressions of an arena, kept beside it.
 class Constants {
  public:
-  /// To be called once for every expression, in order. Values only; `failure` where there is none.
+  /// The value of the first expression of the arena that has not had its turn, which its operands
+  /// have had; `failure` where there is none.
   std::optional<ConstantFailure> append(const std::vector<Expression>& arena);
   void truncate(std::size_t size) { values_.resize(size); }
   [[nodiscard]] std::size_t size() const { return values_.size(); }
@@ -56,6 +57,9 @@ class Constants {
 
   std::vector<std::optional<cln::cl_R>> values_;
 };
+
+/// log10 |x| to within one, of numbers of any size; 0 of 0.
+[[nodiscard]] double decimal_exponent(const cln::cl_R& x);
 
 /// Decimal digits of numerator and denominator, whichever has more.
 [[nodiscard]] std::size_t digit_count(const cln::cl_RA& number);

@@ -137,8 +137,7 @@ class ModelDump {
     for (const Body& body : model_.bodies) {
       const std::vector<ExpressionId> com(body.com.begin(), body.com.begin() + body.dimension);
       line("body " + body.name + (body.mass ? ", mass " + expression(*body.mass) : "") + ", com " +
-           list(com) + ", inertia " + list(body.inertia) + ", spin " + list(body.spin) +
-           (body.inertia_about_origin ? ", about origin" : ""));
+           list(com) + ", inertia " + list(body.inertia) + ", spin " + list(body.spin));
     }
     if (model_.gravity) {
       line("gravity " + list(*model_.gravity));
@@ -208,7 +207,8 @@ std::string dump(const Scene& scene) {
           std::string(name_of(scene.emission.storage)) + (scene.emission.eigen ? ", eigen" : "") +
           "\n";
   for (const auto& [parameter, value] : scene.specialisation.fixed) {
-    text += "fixed parameter " + std::to_string(parameter) + " = " + number_text(value) + "\n";
+    text +=
+        "fixed parameter " + std::to_string(parameter) + " = " + number_text(value.number) + "\n";
   }
   for (const OutputRequest& output : scene.outputs) {
     text += "output " + output.name + " " + std::to_string(output.rows) + " " +

@@ -41,9 +41,10 @@ Rows rows_of(const ValueSyntax& value) {
   return rows;
 }
 
+/// By what it is, not by its size: the mass matrix of one coordinate is one. (So is a pose.)
 bool is_matrix(const OutputRequest& request) {
   const std::vector<FieldRow>& fields = output_row(request.kind).fields;
-  return !fields.empty() && fields.front().columns != Extent::one;
+  return request.columns > 1 || (!fields.empty() && fields.front().columns != Extent::one);
 }
 
 bool is_nested(const ValueSyntax& value) {
@@ -141,7 +142,7 @@ class ExpectationReader {
       return;
     }
     const std::vector<RangeSyntax> ranges = read_repetition(repetition->value);
-    const std::size_t indices = request->columns == 1 ? 1 : 2;
+    const std::size_t indices = is_matrix(*request) ? 2 : 1;
     if (ranges.size() != indices) {
       context_.report.add(Code::E517, repetition->value.span,
                           std::to_string(ranges.size()) + " indices, but an entry of " +

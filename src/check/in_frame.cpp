@@ -2,6 +2,7 @@
 #include "in_frame.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace elgen::checking {
 namespace {
@@ -63,18 +64,15 @@ Vector3 world_position(Context& context, const PlaceInFrame& place, const Owners
   return result;
 }
 
-void put_in_frame(Context& context, std::uint32_t frame, Body& body) {
-  body.local = BodyInFrame{{frame, body.com}, body.inertia, body.inertia_about_origin};
+void put_in_frame(Context& context, BodyInFrame local, Body& body) {
   NodeBuilder nodes(context, body.span);
-  body.com = position(nodes, body.local->com);
-  if (body.inertia_about_origin && body.mass) {
-    body.inertia = about_com(nodes, *body.local, *body.mass);
-  }
-  body.inertia_about_origin = false;
+  body.com = position(nodes, local.com);
+  if (local.about_origin && body.mass) body.inertia = about_com(nodes, local, *body.mass);
   const bool is_planar = body.dimension == 2;
-  const Vector3& spin = context.model.frames[frame].spin;
+  const Vector3& spin = context.model.frames[local.com.frame].spin;
   body.spin = is_planar ? std::vector{spin[2]} : std::vector(spin.begin(), spin.end());
   if (body.inertia.empty()) body.spin.clear();
+  body.local = std::move(local);
   nodes.finish();
 }
 

@@ -18,8 +18,9 @@ struct Ownership {
 [[nodiscard]] Vector3 world_position(Context& context, const PlaceInFrame& place,
                                      const Ownership& owner);
 
-/// Keeps com and inertia as `local`, and fills com, spin and inertia about the com from the frame.
-void put_in_frame(Context& context, std::uint32_t frame, Body& body);
+/// com and inertia of the body are in the axes of `local`'s frame, and stay so there; com, spin and
+/// inertia about the com follow from it.
+void put_in_frame(Context& context, BodyInFrame local, Body& body);
 
 /// One to three components, and the 0 for those that are not there.
 [[nodiscard]] Vector3 padded(const std::vector<ExpressionId>& components);

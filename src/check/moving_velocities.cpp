@@ -51,6 +51,7 @@ class RateSearch {
     const Expression& node = model_.expressions[visit.id];
     switch (node.kind) {
       case ExpressionKind::rate:
+      case ExpressionKind::acceleration:  // E502 says what is wrong with that
         moving_[node.index] = true;
         return;
       case ExpressionKind::coordinate:
@@ -84,7 +85,7 @@ class RateSearch {
 };
 
 void visit_body(RateSearch& search, const Body& body) {
-  if (body.mass && !body.inertia_about_origin) {
+  if (body.mass) {
     for (const ExpressionId component : body.com) {
       search.visit(component, true);
     }

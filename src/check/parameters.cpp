@@ -102,7 +102,7 @@ class ParameterReader {
 
   void read_values(const ValueSyntax& value) {
     if (value.kind != ValueKind::list) {
-      if (const auto number = values_.constant(value)) {
+      if (const auto number = values_.constant_with_form(value)) {
         for (std::uint32_t i = 0; i < array_.count; ++i) {
           set(i, *number, value.span);
         }
@@ -118,15 +118,16 @@ class ParameterReader {
       return;
     }
     for (std::uint32_t i = 0; i < array_.count; ++i) {
-      if (const auto number = values_.constant(value.items[i])) {
+      if (const auto number = values_.constant_with_form(value.items[i])) {
         set(i, *number, value.items[i].span);
       }
     }
   }
 
-  void set(std::uint32_t i, const cln::cl_R& number, const Span& span) {
-    element(i).value = number;
-    check_value(context_, array_.first + i, number, span);
+  void set(std::uint32_t i, const FixedValue& value, const Span& span) {
+    element(i).value = value.number;
+    element(i).form = value.form;
+    check_value(context_, array_.first + i, value.number, span);
   }
 
   Context& context_;

@@ -52,9 +52,12 @@ class BodyReader {
       read_frame(frame->value);
     }
     read_inertia();
-    body_.inertia_about_origin = text_of(entry_, "inertia_about") == "origin";
+    const bool about_origin = text_of(entry_, "inertia_about") == "origin";
+    if (about_origin && frame == nullptr) refuse_origin();
     check_completeness();
-    if (frame_) put_in_frame(values_.context(), *frame_, body_);
+    if (frame_) {
+      put_in_frame(values_.context(), {{*frame_, body_.com}, body_.inertia, about_origin}, body_);
+    }
   }
 
  private:
@@ -124,6 +127,14 @@ class BodyReader {
     if (count == 3) {
       body_.inertia.resize(6, no_expression);
     }
+  }
+
+  /// A spin says how a body turns, not about which point of it.
+  void refuse_origin() {
+    report_.add(Code::E112, entry_.find("inertia_about")->key_span,
+                "without a `frame` the body has no origin for its inertia to be about",
+                "give the inertia about the centre of mass, or the body a frame; of a body that "
+                "turns about a fixed point, give no mass here and its weight in `[energy] V`");
   }
 
   void check_completeness() {

@@ -2,7 +2,7 @@
 // are expanded here:
 //
 //     dot(q) -> rate    delta(i, j) -> 0 or 1
-//     sum(i, a, b, e) -> e[a] + … + e[b]
+//     sum(i, a, b, e) -> e[a] + … + e[b], 0 where b < a
 //     x(P) y(P) z(P) -> components    v2(P) -> sum of dot(component)^2
 //     dist2(P, Q) -> sum of (component difference)^2
 #include <algorithm>
@@ -179,14 +179,18 @@ std::optional<ExpressionId> Resolver::resolve_sum(const ExpressionSyntax& call) 
                         "write `sum(i, 1, n, …)`");
     return std::nullopt;
   }
-  const RangeSyntax range{index.text, call.operands[1], call.operands[2], index.span, call.span};
-  std::vector<std::optional<ExpressionId>> terms;
-  const auto add_term = [&] {
-    terms.push_back(resolve(call.operands[3]));
-    return terms.back().has_value();
-  };
-  if (!repeat({range}, scope_, context_.report, add_term)) {
+  const auto low = integer_value(call.operands[1], scope_, context_.report);
+  const auto high = integer_value(call.operands[2], scope_, context_.report);
+  if (!low || !high) {
     return std::nullopt;
+  }
+  std::vector<std::optional<ExpressionId>> terms;
+  bool going = true;
+  for (std::int64_t i = *low; going && i <= *high; ++i) {
+    scope_.push(index.text, i);
+    terms.push_back(resolve(call.operands[3]));
+    scope_.pop();
+    going = terms.back().has_value();
   }
   return push_sum(terms, call.span);
 }
@@ -307,6 +311,9 @@ std::optional<ExpressionId> Resolver::push_sum(
       return std::nullopt;
     }
     node.operands.push_back(*term);
+  }
+  if (node.operands.empty()) {
+    return push_number(0, span);
   }
   if (node.operands.size() == 1) {
     return node.operands.front();

@@ -219,15 +219,17 @@ class SceneReader {
                                         : context_.symbols.suggest(name, names));
       return;
     }
-    std::optional<cln::cl_R> number;
+    std::optional<FixedValue> own;
     if (value != nullptr) {
       ValueSyntax syntax;
       syntax.expression = *value;
-      number = ValueReader(context_, Scope(context_.sizes)).constant(syntax);
+      own = ValueReader(context_, Scope(context_.sizes)).constant_with_form(syntax);
     }
     for (const std::uint32_t target : targets) {
-      if (number) check_value(context_, target, *number, value->span);
-      scene_.specialisation.fixed[target] = number.value_or(model_.parameters[target].value);
+      if (own) check_value(context_, target, own->number, value->span);
+      const Parameter& parameter = model_.parameters[target];
+      scene_.specialisation.fixed[target] =
+          own.value_or(FixedValue{parameter.value, parameter.form});
     }
   }
 
@@ -267,7 +269,7 @@ class SceneReader {
       }
     }
     for (const auto& [target, value] : scene_.specialisation.fixed) {
-      text += "fixed " + model_.parameters[target].name + " = " + number_text(value) + "\n";
+      text += "fixed " + model_.parameters[target].name + " = " + number_text(value.number) + "\n";
     }
     text += locks_text();
     if (model_.approximation) {

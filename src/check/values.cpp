@@ -60,16 +60,29 @@ std::vector<ExpressionId> ValueReader::roots(const ValueSyntax& value, const Roo
 }
 
 std::optional<cln::cl_R> ValueReader::constant(const ValueSyntax& value) {
+  const std::size_t size = context_.model.expressions.size();
+  const std::optional<FixedValue> result = constant_with_form(value);
+  truncate(size);
+  return result ? std::optional(result->number) : std::nullopt;
+}
+
+std::optional<FixedValue> ValueReader::constant_with_form(const ValueSyntax& value) {
   const ExpressionSyntax& syntax = value.expression;
   const std::size_t size = context_.model.expressions.size();
   const std::optional<ExpressionId> id = Resolver(context_, scope_).resolve(syntax);
   const std::optional<cln::cl_R> result = id ? context_.constants[*id] : std::optional<cln::cl_R>{};
-  context_.model.expressions.resize(size);
-  context_.constants.truncate(size);
+  const bool needs_form = result && !cln:: instanceof (*result, cln::cl_RA_ring);
+  if (!needs_form) truncate(size);
   if (id && !result) {
     context_.report.add(Code::E319, syntax.span, quoted(syntax.span) + " is not a constant number");
   }
-  return result ? std::optional(rounded(*result)) : std::nullopt;
+  if (!result) return std::nullopt;
+  return FixedValue{rounded(*result), needs_form ? id : std::nullopt};
+}
+
+void ValueReader::truncate(std::size_t size) {
+  context_.model.expressions.resize(size);
+  context_.constants.truncate(size);
 }
 
 std::optional<Interval> ValueReader::interval(const ValueSyntax& value) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "context.hpp"
+#include "elgen/scene.hpp"
 #include "elgen/syntax.hpp"
 #include "expand.hpp"
 
@@ -42,6 +43,8 @@ class ValueReader {
 
   /// An exact rational where it is one, else a float of 100 digits. E319 where names occur.
   std::optional<cln::cl_R> constant(const ValueSyntax& value);
+  /// The same with its expression, which stays in the model, where it is not rational.
+  std::optional<FixedValue> constant_with_form(const ValueSyntax& value);
 
   /// [low, high]; E112 unless low < high.
   std::optional<Interval> interval(const ValueSyntax& value);
@@ -68,6 +71,9 @@ class ValueReader {
   Context& context() { return context_; }
 
  private:
+  /// Forgets the expressions from `size` on.
+  void truncate(std::size_t size);
+
   Context& context_;
   Scope scope_;
 };

@@ -174,7 +174,7 @@ class Choosing {
   }
 
  private:
-  /// `dynamics` is made of the entries of the others.
+  /// `dynamics` is made of the entries of the others; one that was given up leaves it none.
   const ReadableEntries& entries_of(std::size_t index) {
     const Function& function = recursive_.functions[index];
     ReadableEntries& entries = entries_[function.name];
@@ -185,7 +185,9 @@ class Choosing {
     }
     for (const Field& field : function.fields) {
       const auto member = entries_.find(field.name);
-      if (member == entries_.end()) return entries = {};
+      const bool is_there =
+          member != entries_.end() && member->second.size() == field.entries.size();
+      if (!is_there) return entries = {};
       entries.insert(entries.end(), member->second.begin(), member->second.end());
     }
     return entries;

@@ -258,7 +258,7 @@ class ClosedGraph {
 
   std::optional<Ref> atom(const Atom& atom) {
     if (atom.kind == AtomKind::leaf) return graph_.leaf(atom.leaf, atom.index);
-    if (atom.kind == AtomKind::constant) return graph_.constant(pi_constant());
+    if (atom.kind == AtomKind::pi) return graph_.pi();
     std::vector<Ref> arguments;
     for (const Fraction& argument : atom.arguments) {
       const std::optional<Ref> value = fraction(argument);
@@ -284,7 +284,7 @@ bool is_rate(const Atom& atom) {
 }
 
 bool is_parameter(const Atom& atom) {
-  return atom.kind == AtomKind::constant ||
+  return atom.kind == AtomKind::pi ||
          (atom.kind == AtomKind::leaf && atom.leaf == Opcode::parameter);
 }
 

@@ -4,21 +4,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "lower/constant.hpp"
 #include "lower/instructions.hpp"
 #include "lower/prune.hpp"
 
 namespace elgen {
 namespace {
-
-std::uint32_t zero_of(std::vector<Constant>& constants) {
-  const auto known = std::find_if(constants.begin(), constants.end(), [](const Constant& constant) {
-    return cln::zerop(constant.value);
-  });
-  const auto at = static_cast<std::uint32_t>(known - constants.begin());
-  if (known == constants.end()) constants.push_back(make_constant(0).constant);
-  return at;
-}
 
 bool has_diagonal(const Function& function) {
   return !function.fields.empty() && function.fields.back().name == diagonal_field;
@@ -42,7 +32,8 @@ Function with_guarded_pivots(Function forward_dynamics, std::vector<Constant>& c
   const std::vector<std::uint32_t> diagonal = forward_dynamics.fields.back().entries;
   std::vector<std::uint32_t>& pivots = forward_dynamics.fields[1].entries;
   Instructions instructions(forward_dynamics);
-  const Instruction zero{.opcode = Opcode::constant, .a = zero_of(constants)};
+  const Instruction zero{.opcode = Opcode::constant,
+                         .a = position_of(rational_constant(0), constants)};
   for (std::size_t i = 0; i < diagonal.size(); ++i) {
     const Instruction pivot = forward_dynamics.instructions[pivots[i]];
     const bool is_guarded = pivot.opcode == Opcode::divide && pivot.b == diagonal[i];

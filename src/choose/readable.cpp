@@ -25,13 +25,20 @@ class Lengths {
   [[nodiscard]] std::size_t of(NodeId id) const { return lengths_[id]; }
 
  private:
+  /// Constants that stand together are one number.
   [[nodiscard]] std::size_t length(NodeId id) const {
+    if (graph_.is_constant(id)) return 0;
     const Node& node = graph_.node(id);
-    std::size_t total = node.operands.empty() ? 0 : node.operands.size() - 1;
+    std::size_t total = 0;
+    bool has_constant = false;
     for (const Operand& operand : node.operands) {
-      total += lengths_[operand.node];
+      const bool is_together = graph_.is_constant(operand.node) && has_constant;
+      has_constant = has_constant || graph_.is_constant(operand.node);
+      if (is_together) continue;
+      total += lengths_[operand.node] + 1;
       if (node.kind == NodeKind::product && operand.weight != 1) ++total;
     }
+    if (total > 0) --total;
     if (node.kind == NodeKind::call) total += call_length + multiples(node.operands[0].node);
     if (node.kind == NodeKind::square_root) total += call_length;
     return total;
@@ -39,6 +46,7 @@ class Lengths {
 
   /// Terms of an angle that are multiples of something.
   [[nodiscard]] std::size_t multiples(NodeId argument) const {
+    if (graph_.is_constant(argument)) return 0;
     const Node& node = graph_.node(argument);
     if (node.kind == NodeKind::product) {
       return graph_.is_constant(node.operands[0].node) ? multiple_length : 0;

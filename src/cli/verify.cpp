@@ -27,7 +27,7 @@ Result<Verification> compared(const std::string& path, const Products& products,
                               const VerifyOptions& options) {
   const auto& [model, scene] = *products.checked;
   const Progress progress(path);
-  std::unique_ptr<CompiledModel> compiled;
+  CompiledHeaders compiled;
   if (!options.quick) {
     progress.stage("compile");
     auto result = compile(*products.files, model, scene, *products.program);
@@ -35,7 +35,7 @@ Result<Verification> compared(const std::string& path, const Products& products,
     compiled = std::move(*result);
   }
   progress.stage("verify");
-  return verify(model, scene, *products.program, compiled.get(), options);
+  return verify(model, scene, *products.program, compiled, options);
 }
 
 /// Appends the input's certificate; none where it could not be generated.

@@ -10,6 +10,7 @@
 #include "derive/matrices.hpp"
 #include "derive/node_limit.hpp"
 #include "derive/reaction.hpp"
+#include "inspect/singular_mass.hpp"
 #include "derive/turning.hpp"
 #include "elgen/equations_of_motion.hpp"
 #include "formulate/print.hpp"
@@ -132,6 +133,13 @@ void define_entries(Derivation& derivation, std::vector<FieldEquations>& fields)
   }
 }
 
+Diagnostic singular_mass(const OutputRequest& request, const ZeroPivot& pivot,
+                         const LeafNames& names) {
+  const std::string& velocity = names.velocities[pivot.velocity];
+  return pivot.is_diagonal ? no_kinetic_energy(request, velocity)
+                           : singular_mass_matrix(request, velocity);
+}
+
 }  // namespace
 
 Result<EquationsOfMotion> derive(const Lagrangian& lagrangian,
@@ -144,12 +152,12 @@ Result<EquationsOfMotion> derive(const Lagrangian& lagrangian,
       OutputEquations derived{request, fields(derivation, request)};
       define_entries(derivation, derived.fields);
       equations.outputs.push_back(std::move(derived));
+    } catch (const ZeroPivot& pivot) {
+      return singular_mass(request, pivot, lagrangian.leaves);
     } catch (const GiNaC::pole_error&) {
       return Diagnostic{
           Code::E313, request.span,
-          fmt::format("`{}` has no value: an energy divides by zero at zero rates, or the mass "
-                      "matrix is singular, whatever the state is",
-                      request.name)};
+          fmt::format("`{}` has no value: an energy divides by zero at zero rates", request.name)};
     }
     if (derivation.definitions.list.size() > limits.derived_nodes) {
       return too_many_nodes(request, limits.derived_nodes);

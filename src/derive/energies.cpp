@@ -17,7 +17,6 @@ void append(GiNaC::exvector& to, const Terms& from, int sign) {
 /// 1/2 m |dp/ds|^2 of each mass, and of the bodies in frames, along a direction.
 void append_squares(GiNaC::exvector& terms, Derivation& derivation, Tangent& along, int sign) {
   for (const PointMass& mass : derivation.lagrangian.masses) {
-    if (!mass.kinetic) continue;
     GiNaC::exvector squares;
     for (const ex& component : mass.position) {
       const ex velocity = define(derivation.definitions, along(component));

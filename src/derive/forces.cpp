@@ -54,10 +54,8 @@ void add(const TreeForces& forces, Vector& to) {
 std::vector<Weighted> inertial_forces_of_masses(Derivation& derivation, Tangent& second) {
   const std::array<ex, 3> g = gravity_vector(derivation);
   return derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
-    const ex acceleration =
-        mass.kinetic
-            ? second(define(derivation.definitions, derivation.coasting(mass.position[axis])))
-            : ex(0);
+    const ex velocity = define(derivation.definitions, derivation.coasting(mass.position[axis]));
+    const ex acceleration = second(velocity);
     const ex force = mass.mass * (acceleration - g[axis]);
     return define(derivation.definitions, force, {force_name(mass, derivation, axis), mass.origin});
   });
@@ -160,7 +158,6 @@ Vector velocity_force(Derivation& derivation, Bodies bodies) {
   Definitions& definitions = derivation.definitions;
   std::vector<Weighted> pulled_back =
       derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
-        if (!mass.kinetic) return ex(0);
         const ex velocity = define(definitions, derivation.frozen(mass.position[axis]));
         return define(definitions, mass.mass * derivation.frozen(velocity));
       });
@@ -182,7 +179,6 @@ Vector drift(Derivation& derivation) {
   // p'' less its part quadratic in v: 2 d/dt(dp/dq v) at fixed q + d2p/dt2 at fixed q.
   std::vector<Weighted> pulled_back =
       derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
-        if (!mass.kinetic) return ex(0);
         const ex passing = define(definitions, derivation.passing(mass.position[axis]));
         const ex at_rest = derivation.passing(passing);
         const ex acceleration = at_rest + 2 * derivation.frozen(passing);
@@ -251,7 +247,6 @@ Vector momentum_of_frames(Derivation& derivation) {
 Vector momentum(Derivation& derivation) {
   const std::vector<Weighted> of_masses =
       derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
-        if (!mass.kinetic) return ex(0);
         const ex velocity =
             define(derivation.definitions, derivation.coasting(mass.position[axis]));
         return define(derivation.definitions, mass.mass * velocity);

@@ -47,7 +47,6 @@ Vector mass_matrix_of(Derivation& derivation, Bodies bodies) {
     Tangent velocity = derivation.unit_velocity(j);
     const Vector column =
         derivation.by_position(derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
-          if (!mass.kinetic) return ex(0);
           const ex direction = define(derivation.definitions, position(mass.position[axis]));
           return define(derivation.definitions, mass.mass * direction);
         }));

@@ -17,7 +17,11 @@ SymmetricSolve::SymmetricSolve(Derivation& derivation, const Vector& matrix)
   lower_.assign(n * n, 0);
   unscaled_.assign(n * n, 0);
   for (std::size_t j = 0; j < n; ++j) {
+    if (matrix_[j * n + j].is_zero()) throw ZeroPivot(j, true);
+  }
+  for (std::size_t j = 0; j < n; ++j) {
     pivots_.push_back(entry(j, j));
+    if (pivots_[j].is_zero()) throw ZeroPivot(order_[j], false);
     reciprocals_.push_back(define(definitions_, 1 / pivots_[j]));
     for (std::size_t i = j + 1; i < n; ++i) {
       unscaled(i, j) = entry(i, j);

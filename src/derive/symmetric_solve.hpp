@@ -9,13 +9,23 @@
 // Featherstone, Rigid Body Dynamics Algorithms (2008), sec. 6.5.
 #pragma once
 
+#include <stdexcept>
+
 #include "derive/derivation.hpp"
 
 namespace elgen {
 
+/// Thrown where M cannot be factorised whatever the state is: by the elimination of this velocity.
+struct ZeroPivot : std::domain_error {
+  ZeroPivot(std::size_t the_velocity, bool diagonal)
+      : std::domain_error("zero pivot"), velocity(the_velocity), is_diagonal(diagonal) {}
+  std::size_t velocity;
+  bool is_diagonal;  ///< M_ii itself is 0, not only what the elimination leaves of it
+};
+
 class SymmetricSolve {
  public:
-  /// `matrix` is n x n, row-major. Without pivoting: M is positive definite.
+  /// `matrix` is n x n, row-major. Without pivoting: M is positive definite. Throws ZeroPivot.
   SymmetricSolve(Derivation& derivation, const Vector& matrix);
 
   /// x with M x = r; entries are definitions.

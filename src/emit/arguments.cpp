@@ -5,17 +5,15 @@
 
 #include <array>
 #include <cctype>
+#include <string_view>
+#include <unordered_map>
 
 namespace elgen {
 namespace {
 
-std::string member_text(const Model& model, const std::string& leaf) {
-  for (const Parameter& parameter : model.parameters) {
-    if (parameter.name != leaf) continue;
-    const ParameterArray& array = model.parameter_arrays[parameter.array];
-    return array.is_array ? fmt::format("{}[{}]", array.name, parameter.element) : array.name;
-  }
-  return leaf;
+std::string member_text(const Model& model, const Parameter& parameter) {
+  const ParameterArray& array = model.parameter_arrays[parameter.array];
+  return array.is_array ? fmt::format("{}[{}]", array.name, parameter.element) : array.name;
 }
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
@@ -59,8 +57,13 @@ std::size_t argument_size(const Model& model, Argument argument) {
 }
 
 std::vector<std::string> parameter_members(const Model& model, const LeafNames& leaves) {
+  std::unordered_map<std::string_view, const Parameter*> known;
+  for (const Parameter& parameter : model.parameters) known.emplace(parameter.name, &parameter);
   std::vector<std::string> members;
-  for (const std::string& leaf : leaves.parameters) members.push_back(member_text(model, leaf));
+  for (const std::string& leaf : leaves.parameters) {
+    const auto found = known.find(leaf);
+    members.push_back(found == known.end() ? leaf : member_text(model, *found->second));
+  }
   return members;
 }
 

@@ -117,7 +117,8 @@ std::string C99Dialect::target(const Function& function, const SectionItem& entr
   return "result->" + field.name + (is_number ? "" : fmt::format("[{}]", entry.index));
 }
 
-std::string C99Dialect::returned(const Function& function, const FunctionBody& body) const {
+std::string C99Dialect::returned(const Function& function, const Function& /*ordered*/,
+                                 const FunctionBody& body) const {
   if (!gives_number(function)) return "";
   const Wrapping wrapping{line_width - 10, "      "};
   const Texts lines = wrap_expression(body.entries.front().front().text, wrapping);

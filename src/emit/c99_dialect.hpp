@@ -34,7 +34,7 @@ class C99Dialect final : public Dialect {
   [[nodiscard]] std::string declaration(const std::string& name) const override;
   [[nodiscard]] std::string target(const Function& function,
                                    const SectionItem& entry) const override;
-  [[nodiscard]] std::string returned(const Function& function,
+  [[nodiscard]] std::string returned(const Function& function, const Function& ordered,
                                      const FunctionBody& body) const override;
   [[nodiscard]] std::string opening(const Function& function, const std::string& statements,
                                     bool is_part) const override;

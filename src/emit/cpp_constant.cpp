@@ -86,22 +86,41 @@ bool is_short_constant(const cln::cl_R& value) {
   return exact_in_float(cln::abs(value)).has_value();
 }
 
+namespace {
+
+/// Rational numbers, pi, roots of numbers, and products of these: what a name can spell out.
+bool is_spelled_out(const ConstantForm& form) {
+  const auto is_plain = [](const ConstantPart& part) {
+    const ConstantForm& inner = part.form;
+    const bool is_root = inner.kind == ConstantKind::square_root &&
+                         inner.parts.front().weight > 0 &&
+                         inner.parts.front().form.kind == ConstantKind::rational;
+    return is_root || inner.kind == ConstantKind::pi || inner.kind == ConstantKind::rational;
+  };
+  if (form.kind != ConstantKind::product) return is_plain({form, 1});
+  return std::all_of(form.parts.begin(), form.parts.end(),
+                     [&](const ConstantPart& part) { return part.weight == 1 && is_plain(part); });
+}
+
+}  // namespace
+
 std::string constant_name(const Constant& constant) {
   constexpr std::size_t longest = 40;
   const cln::cl_R magnitude = cln::abs(constant.value);
-  const bool is_fraction = is_rational(constant.value);
-  const std::string text = is_fraction ? exact_text(magnitude) : constant.text;
+  const bool is_fraction = is_rational(constant);
+  const std::string text = is_fraction ? exact_text(magnitude) : text_of(constant.form);
+  if (text.size() > longest || !is_spelled_out(constant.form)) return "number_" + short_hash(text);
   std::string name = "number_";
   for (const char c : text) {
     const bool is_word = std::isalnum(static_cast<unsigned char>(c)) != 0;
     if (c == '.') name += 'p';
     if (is_word) name += c;
-    // Signs of exponents and of irrational texts must stay apart from other separators.
+    // Signs of exponents must stay apart from other separators.
     if (c == '-') name += 'm';
     if (!is_word && c != '.' && c != '-' && name.back() != '_') name += '_';
   }
   if (name.back() == '_') name.pop_back();
-  return text.size() <= longest ? name : "number_" + short_hash(text);
+  return name;
 }
 
 }  // namespace elgen

@@ -140,14 +140,15 @@ std::string CppDialect::target(const Function& function, const SectionItem& entr
   return "result" + member + (is_number ? "" : element(entry.index));
 }
 
-std::string CppDialect::returned(const Function& function, const FunctionBody& body) const {
+std::string CppDialect::returned(const Function& function, const Function& ordered,
+                                 const FunctionBody& body) const {
   if (!is_returned(function)) return "";
   const std::vector<bool> scalars = scalar_fields(program_, function);
   const bool is_struct = gives_struct(function);
   Texts values;
   for (std::size_t i = 0; i < function.fields.size(); ++i) {
     const Texts entries = texts_of(body.entries[i]);
-    values.push_back(field_value({function.fields[i], entries, scalars[i]}, is_struct ? 6 : 2));
+    values.push_back(field_value({ordered.fields[i], entries, scalars[i]}, is_struct ? 6 : 2));
   }
   if (!is_struct) return fmt::format("  return {};\n", values.front());
   return fmt::format("  return {{\n      {},\n  }};\n", fmt::join(values, ",\n      "));

@@ -1,8 +1,6 @@
 // cpp_header: the C++17 header, as templates/cpp/header.hpp.mustache pictures it.
 #include <fmt/format.h>
 
-#include <set>
-
 #include "cpp_constant.hpp"
 #include "cpp_declarations.hpp"
 #include "cpp_dialect.hpp"
@@ -21,14 +19,12 @@ using List = TemplateData::type;
 /// The functions that hold constants too long to stand in an equation, in order of the program.
 TemplateData numbers(const Program& program) {
   TemplateData list(List::list);
-  std::set<std::string> written;
-  for (const Constant& constant : program.constants) {
-    const std::string name = constant_name(constant);
-    if (is_short_constant(constant.value) || !written.insert(name).second) continue;
+  for (const Constant& constant : executed_constants(program)) {
+    if (is_short_constant(constant.value)) continue;
     TemplateData item;
     const cln::cl_R magnitude = cln::abs(constant.value);
-    item.set("text", is_rational(magnitude) ? exact_text(magnitude) : constant.text);
-    item.set("name", name);
+    item.set("text", is_rational(constant) ? exact_text(magnitude) : text_of(constant.form));
+    item.set("name", constant_name(constant));
     const Wrapping wrapping{line_width - 10, std::string(6, ' ')};
     item.set("value",
              fmt::format(

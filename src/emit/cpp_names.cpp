@@ -9,6 +9,7 @@
 #include <array>
 #include <map>
 
+#include "cpp_constant.hpp"
 #include "elgen/functions.hpp"
 #include "emission_input.hpp"
 #include "fields.hpp"
@@ -45,10 +46,25 @@ bool is_emitted_name(std::string_view name) {
          name.substr(0, constant_prefix.size()) == constant_prefix;
 }
 
+/// One value per name of a constant.
+Diagnostics check_constant_names(const Program& program) {
+  std::map<std::string, ConstantForm> forms;
+  for (const Constant& constant : executed_constants(program)) {
+    if (is_short_constant(constant.value)) continue;
+    const auto [known, is_new] = forms.emplace(constant_name(constant), constant.form);
+    if (is_new) continue;
+    return {{Code::E912,
+             {},
+             fmt::format("`{}` and `{}` have one name in the emitted code", text_of(known->second),
+                         text_of(constant.form))}};
+  }
+  return {};
+}
+
 }  // namespace
 
 Diagnostics cpp_check_names(const Model& model, const Scene& scene, const Program& program) {
-  Diagnostics diagnostics;
+  Diagnostics diagnostics = check_constant_names(program);
   for (const ParameterArray& array : emitted_parameters(model, program)) {
     if (contains(hidden_by_members, array.name)) {
       diagnostics.push_back(taken_name(array.name, "parameter", array.span));

@@ -24,10 +24,11 @@ std::string declarations(const Dialect& dialect, const FunctionBody& body) {
   return lines;
 }
 
-std::string short_body(const Dialect& dialect, const Function& function, const FunctionBody& body) {
-  const std::string returned = dialect.returned(function, body);
+std::string short_body(const Dialect& dialect, const Function& function, const Function& ordered,
+                       const FunctionBody& body) {
+  const std::string returned = dialect.returned(function, ordered, body);
   const std::string lines = declarations(dialect, body) +
-                            (returned.empty() ? assignments(dialect, function, body) : returned);
+                            (returned.empty() ? assignments(dialect, ordered, body) : returned);
   return dialect.opening(function, lines, false) + lines;
 }
 
@@ -78,7 +79,7 @@ FunctionDefinition definition(const Dialect& dialect, const Program& program,
   const Function ordered = stored(function, storage);
   const FunctionBody body = statements(program, ordered, dialect);
   if (length(body) <= longest_body) {
-    const std::string text = short_body(dialect, ordered, body);
+    const std::string text = short_body(dialect, function, ordered, body);
     return {{dialect.signature(function, text), text}};
   }
   const Sections cut = sections(body, section_length);

@@ -19,8 +19,9 @@ class Dialect : public Spelling {
                                            const SectionItem& entry) const = 0;
 
   /// The statements that end a function in one piece: a return, or empty where every entry is to
-  /// be assigned to its target.
-  [[nodiscard]] virtual std::string returned(const Function& function,
+  /// be assigned to its target. The function says the type of what is returned, `ordered` and the
+  /// body say the order in which entries are stored.
+  [[nodiscard]] virtual std::string returned(const Function& function, const Function& ordered,
                                              const FunctionBody& body) const = 0;
 
   /// What has to stand before the statements of a body: using-declarations, unused arguments.

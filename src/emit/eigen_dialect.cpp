@@ -25,12 +25,15 @@ std::string EigenDialect::temporary(const std::string& name) const {
 }
 
 /// std::array's braces mean something else to Eigen: every entry is assigned.
-std::string EigenDialect::returned(const Function& function, const FunctionBody& body) const {
+std::string EigenDialect::returned(const Function& function, const Function& ordered,
+                                   const FunctionBody& body) const {
   const bool is_number =
       !gives_struct(function) && is_scalar(function.kind, function.fields.front());
-  if (is_number || !is_returned(function)) return CppDialect::returned(function, body);
+  if (is_number || !is_returned(function)) {
+    return CppDialect::returned(function, ordered, body);
+  }
   return fmt::format("  {} result;\n{}  return result;\n", result_type(function),
-                     assignments(*this, function, body));
+                     assignments(*this, ordered, body));
 }
 
 std::string EigenDialect::element(std::uint32_t index) const { return fmt::format("({})", index); }

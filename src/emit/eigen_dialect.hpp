@@ -17,7 +17,7 @@ class EigenDialect final : public CppDialect {
   using CppDialect::CppDialect;
 
   [[nodiscard]] std::string temporary(const std::string& name) const override;
-  [[nodiscard]] std::string returned(const Function& function,
+  [[nodiscard]] std::string returned(const Function& function, const Function& ordered,
                                      const FunctionBody& body) const override;
 
  private:

@@ -39,11 +39,17 @@ Diagnostics check_scalar_range(const Model& model, const Scene& scene, const Pro
             scene, diagnostics);
     }
   }
-  for (const Constant& constant : program.constants) {
+  for (const Constant& constant : executed_constants(program)) {
     check({constant.value, ", a constant of the equations,", {}}, scene, diagnostics);
   }
   sort_by_position(diagnostics);
   return diagnostics;
+}
+
+bool fits(const Model& model, const Program& program, ScalarKind scalar) {
+  Scene scene;
+  scene.numerics.scalars = {scalar};
+  return check_scalar_range(model, scene, program).empty();
 }
 
 }  // namespace elgen

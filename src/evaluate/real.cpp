@@ -1,14 +1,24 @@
-// Real: CLN floats of 64 digits with the domain of every function guarded.
+// Real: CLN floats of 64 digits or more with the domain of every function guarded.
 #include <cln/exception.h>
 #include <cln/real.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "elgen/evaluate.hpp"
 
 namespace elgen {
 namespace {
+
+constexpr unsigned basic_digits = 64;
+
+/// Agreement is asked for to 50 digits of a bound that knows the slope of a sine: these may go.
+constexpr unsigned spare_digits = 10;
+
+/// Of RealPrecision: digits beyond the basic ones, and those that angles met have before the point.
+thread_local unsigned more_digits = 0;
+thread_local unsigned lost_digits = 0;
 
 const cln::cl_F& number(const Real& x) { return x.value(); }
 
@@ -34,8 +44,9 @@ Real cofunction(const Real& x) {
 /// x with so many digits more that reduction by a multiple of pi leaves as many as Real has.
 cln::cl_F lengthened(const Real& x) {
   const auto exponent = std::max(std::int64_t{0}, std::int64_t{cln::float_exponent(number(x))});
-  const auto digits = static_cast<std::uintptr_t>(64 + exponent / 3);
-  return cln::cl_float(number(x), cln::float_format(digits));
+  const auto before_point = static_cast<unsigned>(exponent / 3);
+  lost_digits = std::max(lost_digits, before_point);
+  return cln::cl_float(number(x), cln::float_format(basic_digits + more_digits + before_point));
 }
 
 /// The largest exponent of an angle that is reduced: beyond the range of every built-in float.
@@ -52,6 +63,19 @@ bool is_exponent(const Real& x) {
 }
 
 }  // namespace
+
+cln::float_format_t Real::format() { return cln::float_format(basic_digits + more_digits); }
+
+RealPrecision::RealPrecision() : outer_(std::exchange(more_digits, 0)) { lost_digits = 0; }
+
+RealPrecision::~RealPrecision() { more_digits = outer_; }
+
+bool RealPrecision::grows() {
+  const unsigned lost = std::exchange(lost_digits, 0);
+  if (lost <= more_digits + spare_digits) return false;
+  more_digits = lost;
+  return true;
+}
 
 Real Real::undefined() {
   Real result;

@@ -25,8 +25,7 @@ std::string dump(const Lagrangian& lagrangian) {
   std::string text = dump(lagrangian.definitions);
   for (const PointMass& mass : lagrangian.masses) {
     text += "mass " + print(mass.mass) + " at (" + print(mass.position[0]) + ", " +
-            print(mass.position[1]) + ", " + print(mass.position[2]) +
-            (mass.kinetic ? ")\n" : "), weight only\n");
+            print(mass.position[1]) + ", " + print(mass.position[2]) + ")\n";
   }
   if (lagrangian.gravity) {
     const auto& g = *lagrangian.gravity;

@@ -253,4 +253,16 @@ Diagnostics Translation::define_entity(const Entity& entity) {
   return {};
 }
 
+ex constant_value(const Model& model, ExpressionId value) {
+  Lagrangian scratch;
+  const Result<ex> translated = Translation(model, scratch)(value);
+  if (!translated) throw std::domain_error("the constant has no value");
+  ex result = *translated;
+  const std::vector<Definition>& parts = scratch.definitions.list;
+  for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
+    result = result.subs(part->symbol == part->value);
+  }
+  return result;
+}
+
 }  // namespace elgen

@@ -52,4 +52,8 @@ class Translation {
   std::vector<std::array<Defined, components_per_frame>> frames_;
 };
 
+/// A constant expression of the model over no definitions. Exceptions of GiNaC where it has no
+/// value.
+[[nodiscard]] GiNaC::ex constant_value(const Model& model, ExpressionId value);
+
 }  // namespace elgen

@@ -114,8 +114,7 @@ class Formulation {
       if (!point.mass || is_in_tree(point)) continue;
       const Entity origin{EntityKind::point, i};
       const ex mass = named(*point.mass, point.identifier + "_mass", origin);
-      lagrangian_.masses.push_back(
-          {mass, position(point.at, point.identifier, origin), origin, true});
+      lagrangian_.masses.push_back({mass, position(point.at, point.identifier, origin), origin});
     }
   }
 
@@ -126,8 +125,7 @@ class Formulation {
       const Entity origin{EntityKind::body, i};
       if (body.mass) {
         const ex mass = named(*body.mass, body.identifier + "_mass", origin);
-        lagrangian_.masses.push_back({mass, position(body.com, body.identifier, origin), origin,
-                                      !body.inertia_about_origin});
+        lagrangian_.masses.push_back({mass, position(body.com, body.identifier, origin), origin});
       }
       add_rotation(body, origin);
     }

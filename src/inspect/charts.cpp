@@ -41,7 +41,7 @@ Diagnostic declared(const Model& model, const Coordinate& coordinate) {
 
 /// "0, pi": the special values of coordinate i at which M is singular.
 std::string breaking_values(const Subject& subject, const MassSample& regular, std::size_t i) {
-  const Vector scales = row_maxima(regular.matrix, regular.state.v.size());
+  const Vector scales = row_scales(regular.matrix, regular.state.v.size());
   std::string names;
   for (const SpecialValue& special : special_values(subject.model.coordinates[i])) {
     if (!contains(subject.model.coordinates[i].range, special.value)) continue;

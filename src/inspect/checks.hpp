@@ -20,7 +20,10 @@ inline constexpr std::size_t most_coordinates_sampled = 24;
 /// Charts are searched for singular configurations up to this many coordinates.
 inline constexpr std::size_t most_coordinates_searched = 3;
 
-/// E501: M x = 0 at every sampled state.
+/// E312, E313, E314, E910: constants without a value and powers beyond all sizes, through names.
+[[nodiscard]] Diagnostics inspect_constants(const Subject& subject);
+
+/// E501: M x = 0 at every sampled state; or M_ii = 0 where an output solves for accelerations.
 [[nodiscard]] Diagnostics inspect_mass_matrix(const Subject& subject);
 
 /// E507: a planar spin that is not the rate of an angle(q, t).

@@ -1,13 +1,18 @@
 // E501: a direction x with M x = 0 at every sampled state is a motion without kinetic energy.
 //
-// One non-singular sample acquits. Otherwise the null space is named: by its vectors where they are
+// One non-singular sample acquits, but for outputs that solve a diagonal entry that is zero at
+// every sample is an error, too. Otherwise the null space is named: by its vectors where they are
 // the same at every sample, by its dimension where they turn with the configuration.
 #include <fmt/format.h>
 
+#include <numeric>
+
 #include "checks.hpp"
+#include "elgen/outputs.hpp"
 #include "null_space.hpp"
 #include "readable.hpp"
 #include "samples.hpp"
+#include "singular_mass.hpp"
 
 namespace elgen::inspection {
 namespace {
@@ -74,30 +79,61 @@ Diagnostic rank_deficit(const Model& model, const std::vector<Vector>& basis, co
       "too many coordinates, or a mass is missing"};
 }
 
+/// Those of `candidates` whose diagonal entry is rounding beside its row: M is not positive
+/// definite, and its elimination fails.
+std::vector<std::size_t> without_energy(const MassSample& sample,
+                                        const std::vector<std::size_t>& candidates) {
+  const std::size_t n = sample.state.v.size();
+  const Vector scales = row_scales(sample.matrix, n);
+  std::vector<std::size_t> result;
+  for (const std::size_t i : candidates) {
+    if (cln::abs(sample.matrix[i * n + i]) <= rounding_share() * scales[i]) result.push_back(i);
+  }
+  return result;
+}
+
+/// Of a regular matrix only what is solved for needs that it is positive definite.
+Diagnostics not_definite(const Subject& subject, const std::vector<std::size_t>& rates) {
+  for (const OutputRequest& output : subject.scene.outputs) {
+    if (!output_row(output.kind).solves || rates.empty()) continue;
+    return {no_kinetic_energy(output, subject.model.velocities[rates.front()].name)};
+  }
+  return {};
+}
+
+using Basis = std::vector<Vector>;
+
+Diagnostics without_rank(const Model& model, const std::vector<Basis>& found, const State& last) {
+  for (const Basis& basis : found) {
+    if (basis.size() != found.front().size() || !agree(basis, found.front())) {
+      return {rank_deficit(model, found.back(), last)};
+    }
+  }
+  Diagnostics diagnostics;
+  for (const Vector& x : found.front()) diagnostics.push_back(motion_without_energy(model, x));
+  return diagnostics;
+}
+
 }  // namespace
 
 Diagnostics inspect_mass_matrix(const Subject& subject) {
   const std::size_t n = subject.model.velocities.size();
   if (n > most_coordinates_sampled) return {};
-  std::vector<std::vector<Vector>> found;
+  std::vector<Basis> found;
+  std::vector<std::size_t> rates(n);
+  std::iota(rates.begin(), rates.end(), std::size_t{0});
+  bool is_regular = false;
   State last;
   for (unsigned seed = 0; seed < samples; ++seed) {
     const auto sample = sampled_mass_matrix(subject, seed);
     if (!sample) return {};
-    found.push_back(null_space(sample->matrix, row_maxima(sample->matrix, n)));
-    if (found.back().empty()) return {};
+    found.push_back(null_space(sample->matrix, row_scales(sample->matrix, n)));
+    rates = without_energy(*sample, rates);
+    is_regular = is_regular || found.back().empty();
+    if (is_regular && rates.empty()) return {};
     last = sample->state;
   }
-  for (const std::vector<Vector>& basis : found) {
-    if (basis.size() != found.front().size() || !agree(basis, found.front())) {
-      return {rank_deficit(subject.model, found.back(), last)};
-    }
-  }
-  Diagnostics diagnostics;
-  for (const Vector& x : found.front()) {
-    diagnostics.push_back(motion_without_energy(subject.model, x));
-  }
-  return diagnostics;
+  return is_regular ? not_definite(subject, rates) : without_rank(subject.model, found, last);
 }
 
 }  // namespace elgen::inspection

@@ -59,12 +59,22 @@ void eliminate(Elimination& e, std::size_t column) {
 
 }  // namespace
 
-Vector row_maxima(const Vector& matrix, std::size_t n) {
-  Vector maxima(n, cl_R(0));
+const cl_R& rounding_share() {
+  static const cl_R share = cln::expt(cl_R(10), -80);
+  return share;
+}
+
+Vector row_scales(const Vector& matrix, std::size_t n) {
+  Vector scales(n, cl_R(0));
+  cl_R largest = 0;
   for (std::size_t k = 0; k < matrix.size(); ++k) {
-    maxima[k / n] = cln::max(maxima[k / n], cln::abs(matrix[k]));
+    scales[k / n] = cln::max(scales[k / n], cln::abs(matrix[k]));
+    largest = cln::max(largest, scales[k / n]);
   }
-  return maxima;
+  for (cl_R& scale : scales) {
+    if (scale < rounding_share() * largest) scale = 0;
+  }
+  return scales;
 }
 
 std::vector<Vector> null_space(const Vector& matrix, const Vector& row_scales) {

@@ -9,8 +9,13 @@ namespace elgen::inspection {
 
 using Vector = std::vector<cln::cl_R>;
 
-/// The largest magnitude in each row of an n x n matrix, row-major.
-[[nodiscard]] Vector row_maxima(const Vector& matrix, std::size_t n);
+/// 1e-80: what is smaller beside other entries is a zero that the oracle's 95 digits rounded; no
+/// two inertias of one model differ so much.
+[[nodiscard]] const cln::cl_R& rounding_share();
+
+/// The largest magnitude in each row of an n x n matrix, row-major; 0 where that is rounding beside
+/// the largest of all.
+[[nodiscard]] Vector row_scales(const Vector& matrix, std::size_t n);
 
 /// A basis of {x : A x = 0}. Entries below 1e-50 of their row's scale are what cancellation left of
 /// zero; a row whose scale is 0 is zero. Each basis vector has one entry 1 where all the others

@@ -1,6 +1,9 @@
 // angle_sums: see angle_sums.hpp. Angles are compared as rational combinations of nodes.
 #include "angle_sums.hpp"
 
+#include <cln/integer.h>
+#include <cln/rational.h>
+
 #include <algorithm>
 #include <iterator>
 #include <map>
@@ -31,10 +34,9 @@ void add_terms(const Graph& graph, NodeId id, const cl_RA& coefficient, Combinat
   }
   const bool is_multiple = node.kind == NodeKind::product && node.operands.size() == 2 &&
                            node.operands[0].weight == 1 && node.operands[1].weight == 1 &&
-                           graph.is_constant(node.operands[0].node) &&
-                           is_rational(graph.constant_of(node.operands[0].node));
+                           graph.is_rational(node.operands[0].node);
   if (is_multiple) {
-    const cl_RA factor = rational_value(graph.constant_of(node.operands[0].node));
+    const cl_RA factor = graph.rational_of(node.operands[0].node);
     add_terms(graph, node.operands[1].node, coefficient * factor, to);
     return;
   }
@@ -85,8 +87,10 @@ std::vector<Angle> angles_of(const Expressions& expressions) {
 /// Larger sets take cubic time.
 constexpr std::size_t most_angles = 40;
 
-/// angle = first + second, or first - second.
+/// angle = first + second, or first - second, where nothing cancels: q1 + q3 as (q1 + q2) - (q2 -
+/// q3) would have the rounding of a q2 that it does not hold.
 std::optional<Split> split_into(const Angle& angle, const Angle& first, const Angle& second) {
+  if (first.size + second.size != angle.size) return std::nullopt;
   for (const int sign : {1, -1}) {
     if (plus(first.terms, second.terms, sign) == angle.terms) {
       return Split{first.argument, second.argument, sign};
@@ -105,11 +109,23 @@ std::optional<Split> split_of(const Angle& angle, const std::vector<Angle>& simp
   return std::nullopt;
 }
 
+/// 2^k x of a leaf x: its sine and cosine are known to all digits, which a difference of squares
+/// loses where it is small.
+bool is_exact(const Graph& graph, const Angle& angle) {
+  if (angle.terms.size() != 1) return false;
+  const auto& [node, coefficient] = *angle.terms.begin();
+  const auto is_power_of_two = [](const cln::cl_I& n) { return cln::power2p(n) > 0; };
+  const cl_RA magnitude = cln::abs(coefficient);
+  return graph.node(node).kind == NodeKind::leaf && is_power_of_two(cln::numerator(magnitude)) &&
+         is_power_of_two(cln::denominator(magnitude));
+}
+
 std::map<NodeId, Split> splits_of(const Expressions& expressions) {
   std::map<NodeId, Split> splits;
   const std::vector<Angle> angles = angles_of(expressions);
   if (angles.size() > most_angles) return splits;
   for (const Angle& angle : angles) {
+    if (is_exact(expressions.graph, angle)) continue;
     std::vector<Angle> simpler;
     std::copy_if(angles.begin(), angles.end(), std::back_inserter(simpler),
                  [&](const Angle& other) { return other.size < angle.size; });
@@ -151,8 +167,10 @@ class AngleSums {
           factors.push_back({argument(graph, step, factor.node), factor.weight});
         }
         return graph.product(factors);
-      case NodeKind::constant:
-        return graph.constant({step.old_graph.constant_of(id), false});
+      case NodeKind::rational:
+        return graph.rational(step.old_graph.rational_of(id));
+      case NodeKind::pi:
+        return graph.pi();
       case NodeKind::leaf:
         return graph.leaf(node.leaf, node.index);
       case NodeKind::square_root:

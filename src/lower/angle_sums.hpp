@@ -4,7 +4,8 @@
 //     after:   cos(q1), sin(q2), cos(q1)*cos(q2) - sin(q1)*sin(q2)
 //
 // Three operations for a call, where the sines and cosines of the parts are there anyway; the cost
-// decides whether that pays. An angle is only ever taken apart into simpler ones.
+// decides whether that pays. An angle is only ever taken apart into simpler ones, and 2*q1 is not:
+// cos(q1)^2 - sin(q1)^2 loses digits that the call has.
 #pragma once
 
 #include <optional>

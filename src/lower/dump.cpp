@@ -2,18 +2,13 @@
 //
 //     parameters m l
 //     coordinates theta
-//     constant pi = 3.14159…
 //     function mass_matrix
 //       0 = parameter m
 //       1 = multiply 0 0  ; m_squared
 //       result 1 1 = 1
-#include <cln/float.h>
-#include <cln/rational_ring.h>
-#include <cln/real_io.h>
 #include <fmt/format.h>
 
-#include <locale>
-#include <sstream>
+#include <algorithm>
 
 #include "elgen/program.hpp"
 #include "program_text.hpp"
@@ -25,17 +20,11 @@ std::string list_line(std::string_view word, const std::vector<std::string>& nam
   return names.empty() ? "" : fmt::format("{} {}\n", word, fmt::join(names, " "));
 }
 
-std::string decimal_digits(const cln::cl_R& value) {
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  out << value;
-  return out.str();
-}
-
-/// Rational constants are written where they are used; others once, with their digits.
-std::string constant_line(const Constant& constant) {
-  if (cln:: instanceof (constant.value, cln::cl_RA_ring)) return "";
-  return fmt::format("constant {} = {}\n", constant.text, decimal_digits(constant.value));
+/// Without spaces, so that it is one word of a line.
+std::string constant_text(const Constant& constant) {
+  std::string text = text_of(constant.form);
+  text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+  return text;
 }
 
 std::string operation_text(const Program& program, const Instruction& instruction) {
@@ -51,7 +40,9 @@ std::string operation_text(const Program& program, const Instruction& instructio
   const std::size_t operands = operand_count(instruction);
   if (operands > 0) text += fmt::format(" {}", instruction.a);
   if (operands > 1) text += fmt::format(" {}", instruction.b);
-  if (instruction.opcode == Opcode::constant) text += " " + program.constants[instruction.a].text;
+  if (instruction.opcode == Opcode::constant) {
+    text += " " + constant_text(program.constants[instruction.a]);
+  }
   if (const auto* names = leaf_spellings(program.leaves, instruction.opcode)) {
     text += " " + (*names)[instruction.a];
   }
@@ -93,7 +84,6 @@ std::string dump(const Program& program) {
   }
   text += list_line("inputs", program.leaves.inputs);
   if (program.leaves.uses_time) text += "time\n";
-  for (const Constant& constant : program.constants) text += constant_line(constant);
   for (const Function& function : program.functions) text += function_text(program, function);
   return text;
 }

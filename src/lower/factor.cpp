@@ -70,7 +70,7 @@ class Factoring {
       return result;
     }
     result.factors = {{{value.node, false}, 1}};
-    result.is_divisible = node.kind != NodeKind::constant;
+    result.is_divisible = node.kind != NodeKind::rational;
     return result;
   }
 
@@ -79,7 +79,7 @@ class Factoring {
                       const Node& product, FactoredTerm& term) const {
     const std::vector<Operand>& old = old_graph.node(old_node).operands;
     const bool is_scaled = product.operands.size() == 2 &&
-                           graph.is_constant(product.operands[0].node) && old.size() == 2 &&
+                           graph.is_rational(product.operands[0].node) && old.size() == 2 &&
                            uses_[old[1].node] == 1;
     for (const Operand& factor : product.operands) {
       const bool is_rest =

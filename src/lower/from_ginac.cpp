@@ -40,7 +40,7 @@ class Importer {
     if (GiNaC::is_a<GiNaC::mul>(e)) return product(e);
     if (GiNaC::is_a<GiNaC::power>(e)) return graph.product(powers(e));
     if (GiNaC::is_a<GiNaC::function>(e)) return call(e);
-    if (e.is_equal(GiNaC::Pi)) return graph.constant(pi_constant());
+    if (e.is_equal(GiNaC::Pi)) return graph.pi();
     return fail(Code::E912, fmt::format("cannot import the GiNaC class `{}`", class_name(e)));
   }
 
@@ -70,7 +70,8 @@ class Importer {
 
   Ref numeric(const GiNaC::numeric& number) {
     if (!number.is_real()) return fail(Code::E912, "a complex number reached the equations");
-    return graph.constant(make_constant(cln::the<cln::cl_R>(number.to_cl_N())));
+    if (!number.is_rational()) return fail(Code::E912, "a rounded number reached the equations");
+    return graph.rational(cln::the<cln::cl_RA>(number.to_cl_N()));
   }
 
   Ref sum(const GiNaC::ex& e) {
@@ -101,8 +102,7 @@ class Importer {
     }
     const int halves = GiNaC::ex_to<GiNaC::numeric>(exponent * 2).to_int();
     if (halves < 0 && graph.is_zero(base.node)) {
-      fail(Code::E312,
-           fmt::format("a denominator of `{}` is 0, whatever the state is", request_.name));
+      fail(Code::E312, "a denominator is 0");
       return {};
     }
     std::vector<Power> result;

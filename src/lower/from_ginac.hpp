@@ -18,7 +18,7 @@ struct ImportedOutput {
 
 /// Imports the definitions that a requested output needs, once each, then its entries; for
 /// `dynamics` those of every output that depends on q, v and t alone, one field each. E312: a
-/// constant denominator is 0. E908: more than `maximum_nodes` nodes. E912: something GiNaC should
+/// denominator is 0. E908: more than `maximum_nodes` nodes. E912: something GiNaC should
 /// not hold, or an output that was not derived.
 [[nodiscard]] Result<ImportedOutput> from_ginac(const EquationsOfMotion& equations,
                                                 const OutputRequest& request,

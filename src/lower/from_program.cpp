@@ -9,10 +9,8 @@ namespace {
 Ref graph_of(Graph& graph, const Program& program, const Instruction& i,
              const std::vector<Ref>& refs) {
   switch (i.opcode) {
-    case Opcode::constant: {
-      const Constant& constant = program.constants[i.a];
-      return graph.constant(make_constant(constant.value, constant.text));
-    }
+    case Opcode::constant:
+      return graph.constant(program.constants[i.a].form);
     case Opcode::negate:
       return -refs[i.a];
     case Opcode::add:

@@ -2,6 +2,8 @@
 // normal_form.cpp.
 #include "graph.hpp"
 
+#include <cln/number.h>
+
 #include <algorithm>
 #include <array>
 #include <compare>
@@ -29,24 +31,25 @@ bool same(const Node& x, const Node& y) {
          x.operands == y.operands;
 }
 
-/// m * l * theta * cos(theta) * v: constants, parameters, coordinates, the rest, rates, inputs,
-/// time.
+/// 2 * pi * m * l * theta * cos(theta) * v: numbers, constants, parameters, coordinates, the rest,
+/// rates, inputs, time.
 int rank(const Node& node) {
-  if (node.kind == NodeKind::constant) return 0;
-  if (node.kind != NodeKind::leaf) return 3;
+  if (node.kind == NodeKind::rational) return 0;
+  if (node.constant_size > 0) return 1;
+  if (node.kind != NodeKind::leaf) return 4;
   switch (node.leaf) {
     case Opcode::parameter:
-      return 1;
-    case Opcode::coordinate:
       return 2;
+    case Opcode::coordinate:
+      return 3;
     case Opcode::velocity:
-      return 4;
-    case Opcode::acceleration:
       return 5;
-    case Opcode::input:
+    case Opcode::acceleration:
       return 6;
-    default:
+    case Opcode::input:
       return 7;
+    default:
+      return 8;
   }
 }
 
@@ -61,36 +64,113 @@ bool commutes(FunctionId function) {
 
 }  // namespace
 
+std::uint32_t Graph::constant_size(const Node& node) const {
+  if (node.kind == NodeKind::leaf) return 0;
+  std::uint32_t size = 1;
+  for (const Operand& operand : node.operands) {
+    if (!is_constant(operand.node)) return 0;
+    size = std::min(size + nodes_[operand.node].constant_size, unwritable_constant);
+  }
+  return size;
+}
+
 NodeId Graph::intern(Node node) {
   const std::size_t hash = hash_of(node);
   const auto [begin, end] = known_.equal_range(hash);
   for (auto it = begin; it != end; ++it) {
     if (same(nodes_[it->second], node)) return it->second;
   }
-  node.birth = birth_;
+  node.constant_size = constant_size(node);
+  // A constant is written alike wherever it appears.
+  node.birth = node.constant_size > 0 ? 0 : birth_;
   const auto id = static_cast<NodeId>(nodes_.size());
   nodes_.push_back(std::move(node));
   known_.emplace(hash, id);
   return id;
 }
 
-Ref Graph::constant(const SignedConstant& value) {
-  const auto next = static_cast<std::uint32_t>(constants_.size());
-  const auto [it, is_new] = constant_index_.emplace(value.constant.text, next);
-  if (is_new) constants_.push_back(value.constant);
-  return {intern({.kind = NodeKind::constant, .index = it->second}), value.negative};
+Ref Graph::rational(const cln::cl_RA& value) {
+  const cln::cl_RA magnitude = cln::abs(value);
+  const auto next = static_cast<std::uint32_t>(rationals_.size());
+  const auto [it, is_new] = rational_index_.emplace(magnitude, next);
+  if (is_new) rationals_.push_back(magnitude);
+  return {intern({.kind = NodeKind::rational, .index = it->second}), cln::minusp(value)};
 }
+
+Ref Graph::pi() { return {intern({.kind = NodeKind::pi}), false}; }
 
 Ref Graph::leaf(Opcode leaf, std::uint32_t index) {
   return {intern({.kind = NodeKind::leaf, .leaf = leaf, .index = index}), false};
 }
 
 Ref Graph::square_root(Ref radicand) {
-  if (is_constant(radicand.node) && !radicand.negative) {
-    return constant(square_root_of(constant_of(radicand.node)));
-  }
+  cln::cl_RA root;
+  const bool is_square = is_rational(radicand.node) && !radicand.negative &&
+                         cln::sqrtp(rational_of(radicand.node), &root);
+  if (is_square) return rational(root);
   const std::int32_t sign = radicand.negative ? -1 : 1;
   return {intern({.kind = NodeKind::square_root, .operands = {{radicand.node, sign}}}), false};
+}
+
+std::optional<cln::cl_RA> Graph::rational_value(Ref value) const {
+  if (!is_rational(value.node)) return std::nullopt;
+  return value.negative ? -rational_of(value.node) : rational_of(value.node);
+}
+
+namespace {
+
+/// f(x) where it is a number known without computing.
+std::optional<cln::cl_RA> known_value(FunctionId function, const cln::cl_RA& x) {
+  switch (function) {
+    case FunctionId::cos:
+    case FunctionId::cosh:
+    case FunctionId::exp:
+      return cln::zerop(x) ? std::optional(cln::cl_RA(1)) : std::nullopt;
+    case FunctionId::log:
+    case FunctionId::acos:
+      return x == 1 ? std::optional(cln::cl_RA(0)) : std::nullopt;
+    default:
+      return cln::zerop(x) ? std::optional(cln::cl_RA(0)) : std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::optional<int> Graph::constant_sign(Ref value) const {
+  if (!has_form(value.node)) return std::nullopt;
+  const auto enclosure = enclosure_of(form_of(value.node));
+  const auto sign = enclosure ? sign_of(*enclosure) : std::nullopt;
+  return sign && value.negative ? std::optional(-*sign) : sign;
+}
+
+/// abs, sign, min and max of constants: one of the arguments, or its sign.
+std::optional<Ref> Graph::kinked_call(FunctionId function, const std::vector<Ref>& arguments) {
+  const Ref x = arguments.front();
+  if (arguments.size() == 1) {
+    const auto sign = constant_sign(x);
+    if (!sign) return std::nullopt;
+    return function == FunctionId::sign ? rational(*sign) : with_sign(x, *sign < 0);
+  }
+  if (!is_constant(x.node) || !is_constant(arguments.back().node)) return std::nullopt;
+  const auto order = constant_sign(sum({x, -arguments.back()}));
+  if (!order) return std::nullopt;
+  return (*order < 0) == (function == FunctionId::min) ? x : arguments.back();
+}
+
+/// The call where it is a number known without computing, or one of its arguments.
+std::optional<Ref> Graph::exact_call(FunctionId function, const std::vector<Ref>& arguments) {
+  const bool is_kinked = function == FunctionId::abs || function == FunctionId::sign ||
+                         function == FunctionId::min || function == FunctionId::max;
+  if (is_kinked) return kinked_call(function, arguments);
+  const std::optional<cln::cl_RA> x = rational_value(arguments.front());
+  const std::optional<cln::cl_RA> y = rational_value(arguments.back());
+  if (!x || !y) return std::nullopt;
+  if (function == FunctionId::atan2) {
+    const bool is_forward = cln::zerop(*x) && cln::plusp(*y);
+    return is_forward ? std::optional(rational(0)) : std::nullopt;
+  }
+  const std::optional<cln::cl_RA> value = known_value(function, *x);
+  return value ? std::optional(rational(*value)) : std::nullopt;
 }
 
 Ref Graph::call(FunctionId function, std::vector<Ref> arguments) {
@@ -102,32 +182,72 @@ Ref Graph::call(FunctionId function, std::vector<Ref> arguments) {
   if (commutes(function) && less(arguments[1].node, arguments[0].node)) {
     std::swap(arguments[0], arguments[1]);
   }
-  const bool all_constant =
-      std::all_of(arguments.begin(), arguments.end(), [&](Ref x) { return is_constant(x.node); });
-  if (all_constant) {
-    std::vector<SignedConstant> values;
-    for (const Ref x : arguments) values.push_back(signed_constant(x));
-    const SignedConstant value = call_of(function, values);
-    if (!value.constant.text.empty()) return with_sign(constant(value), negative);
-  }
+  if (const auto exact = exact_call(function, arguments)) return with_sign(*exact, negative);
   Node node{.kind = NodeKind::call, .function = function};
   for (const Ref x : arguments) node.operands.push_back({x.node, x.negative ? -1 : 1});
   return {intern(std::move(node)), negative};
 }
 
+/// Sums in sums are spliced, as are products in products, so that one number has few forms.
+Ref Graph::constant(const ConstantForm& form) {
+  std::vector<Power> factors;
+  std::vector<Ref> parts;
+  for (const ConstantPart& part : form.parts) {
+    const Ref value = constant(part.form);
+    const Ref term = with_sign(value, part.weight < 0);
+    const Node& inner = node(value.node);
+    const bool is_spliced = (form.kind == ConstantKind::sum && inner.kind == NodeKind::sum) ||
+                            (form.kind == ConstantKind::product && inner.kind == NodeKind::product);
+    if (!is_spliced) {
+      factors.push_back({value, part.weight});
+      parts.push_back(term);
+      continue;
+    }
+    if (value.negative) factors.push_back({-rational(1), part.weight});
+    for (const Operand& operand : node(value.node).operands) {
+      factors.push_back({{operand.node, false}, operand.weight * part.weight});
+      parts.push_back(with_sign({operand.node, operand.weight < 0}, term.negative));
+    }
+  }
+  switch (form.kind) {
+    case ConstantKind::rational:
+      return rational(form.number);
+    case ConstantKind::pi:
+      return pi();
+    case ConstantKind::sum:
+      return sum(parts);
+    case ConstantKind::product:
+      return product(factors);
+    case ConstantKind::square_root:
+      return square_root(parts.front());
+    case ConstantKind::call:
+      return call(form.function, parts);
+  }
+  return {};
+}
+
+ConstantForm Graph::form_of(NodeId id) const {
+  const Node& node = nodes_[id];
+  if (node.kind == NodeKind::rational) return rational_form(rational_of(id));
+  ConstantForm form{.function = node.function};
+  form.kind = node.kind == NodeKind::pi            ? ConstantKind::pi
+              : node.kind == NodeKind::sum         ? ConstantKind::sum
+              : node.kind == NodeKind::product     ? ConstantKind::product
+              : node.kind == NodeKind::square_root ? ConstantKind::square_root
+                                                   : ConstantKind::call;
+  for (const Operand& operand : node.operands) {
+    form.parts.push_back({form_of(operand.node), operand.weight});
+  }
+  return form;
+}
+
 void Graph::name(Ref value, const std::string& name) {
   Node& node = nodes_[value.node];
-  const bool is_atom = node.kind == NodeKind::leaf || node.kind == NodeKind::constant;
+  const bool is_atom = node.kind == NodeKind::leaf || node.constant_size > 0;
   if (!is_atom && !value.negative && node.name.empty()) node.name = name;
 }
 
-bool Graph::is_zero(NodeId id) const {
-  return is_constant(id) && cln::zerop(constant_of(id).value);
-}
-
-SignedConstant Graph::signed_constant(Ref value) const {
-  return {constant_of(value.node), value.negative};
-}
+bool Graph::is_zero(NodeId id) const { return is_rational(id) && cln::zerop(rational_of(id)); }
 
 void Graph::sort(std::vector<Operand>& operands) const {
   std::sort(operands.begin(), operands.end(),
@@ -139,19 +259,12 @@ int Graph::compare(NodeId x, NodeId y) const {
   const Node& a = nodes_[x];
   const Node& b = nodes_[y];
   if (const int order = three_way(rank(a), rank(b))) return order;
-  if (a.kind == NodeKind::constant) return compare_constants(x, y);
+  if (a.kind == NodeKind::rational) return three_way(rational_of(x), rational_of(y));
   if (a.kind == NodeKind::leaf) return three_way(a.index, b.index);
   if (const int order = three_way(a.birth, b.birth)) return order;
   if (const int order = three_way(a.kind, b.kind)) return order;
   if (const int order = three_way(a.function, b.function)) return order;
   return compare_operands(a, b);
-}
-
-int Graph::compare_constants(NodeId x, NodeId y) const {
-  const Constant& a = constant_of(x);
-  const Constant& b = constant_of(y);
-  if (const int order = three_way(a.value, b.value)) return order;
-  return three_way(a.text, b.text);
 }
 
 int Graph::compare_operands(const Node& x, const Node& y) const {

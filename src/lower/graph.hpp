@@ -2,10 +2,13 @@
 //
 // A Ref is a node and a sign, so negation is free: products carry no sign, the leading term of a
 // sum is positive, sin(-x) = -sin(x), cos(-x) = cos(x). Equal terms and equal bases are merged with
-// exact coefficients. Operands are ordered by less(): leaves by kind and declaration, everything
-// else by birth (the definition during whose import it first appeared), then structure. Nothing
-// depends on the order in which operands were given.
+// exact coefficients. Operands are ordered by less(): rational numbers, constants, leaves by kind
+// and declaration, everything else by birth (the definition during whose import it first appeared),
+// then structure. Nothing depends on the order in which operands were given. pi, roots and
+// functions of numbers are nodes like all others: only rational numbers are computed with.
 #pragma once
+
+#include <cln/rational.h>
 
 #include <cstdint>
 #include <optional>
@@ -13,7 +16,6 @@
 #include <unordered_map>
 #include <vector>
 
-#include "constant.hpp"
 #include "elgen/program.hpp"
 
 namespace elgen {
@@ -33,7 +35,7 @@ struct Ref {
   return {x.node, x.negative != negative};
 }
 
-enum class NodeKind : std::uint8_t { constant, leaf, product, square_root, call, sum };
+enum class NodeKind : std::uint8_t { rational, pi, leaf, product, square_root, call, sum };
 
 /// weight: the exponent in a product (not 0), the sign (1 or -1) elsewhere.
 struct Operand {
@@ -43,14 +45,20 @@ struct Operand {
 };
 
 struct Node {
-  NodeKind kind = NodeKind::constant;
+  NodeKind kind = NodeKind::rational;
   Opcode leaf = Opcode::constant;         ///< which leaf
   FunctionId function = FunctionId::sin;  ///< which call
-  std::uint32_t index = 0;                ///< of the leaf or the constant
-  std::vector<Operand> operands = {};     ///< a constant factor or term comes first
+  std::uint32_t index = 0;                ///< of the leaf or the rational number
+  std::vector<Operand> operands = {};     ///< a rational factor or term comes first, then constants
   std::uint32_t birth = 0;
+  /// Nodes of a constant written as a tree, at most unwritable_constant; 0 where there are leaves.
+  std::uint32_t constant_size = 0;
   std::string name = {};  ///< what it is, for a reader
 };
+
+/// A constant of so many nodes is too large for a form: a tree of what is shared outgrows the
+/// graph.
+inline constexpr std::uint32_t unwritable_constant = 400;
 
 struct Power {
   Ref base;
@@ -62,23 +70,35 @@ class Graph {
   /// Nodes first built from now on are born here; later births come later in the order.
   void set_birth(std::uint32_t birth) { birth_ = birth; }
 
-  Ref constant(const SignedConstant& value);
-  Ref rational(const cln::cl_RA& value) { return constant(make_constant(value)); }
+  Ref rational(const cln::cl_RA& value);
+  Ref pi();
   Ref leaf(Opcode leaf, std::uint32_t index);
   Ref sum(const std::vector<Ref>& terms);
-  /// A constant base must not be 0 where its exponent is negative.
+  /// A base must not be the number 0 where its exponent is negative.
   Ref product(const std::vector<Power>& powers);
   Ref square_root(Ref radicand);
   Ref call(FunctionId function, std::vector<Ref> arguments);
+
+  /// A constant, node by node; sums in sums and products in products are spliced.
+  Ref constant(const ConstantForm& form);
 
   /// The first name stays; leaves and constants have their own.
   void name(Ref value, const std::string& name);
 
   [[nodiscard]] const Node& node(NodeId id) const { return nodes_[id]; }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
-  [[nodiscard]] bool is_constant(NodeId id) const { return node(id).kind == NodeKind::constant; }
-  [[nodiscard]] const Constant& constant_of(NodeId id) const { return constants_[node(id).index]; }
+  [[nodiscard]] bool is_constant(NodeId id) const { return node(id).constant_size > 0; }
+  [[nodiscard]] bool has_form(NodeId id) const {
+    return is_constant(id) && node(id).constant_size < unwritable_constant;
+  }
+  [[nodiscard]] bool is_rational(NodeId id) const { return node(id).kind == NodeKind::rational; }
+  /// Of a node that is rational; never negative.
+  [[nodiscard]] const cln::cl_RA& rational_of(NodeId id) const {
+    return rationals_[node(id).index];
+  }
   [[nodiscard]] bool is_zero(NodeId id) const;
+  /// Of a constant that is not too large for one.
+  [[nodiscard]] ConstantForm form_of(NodeId id) const;
 
   /// The total order; strict, the same in every process.
   [[nodiscard]] bool less(NodeId x, NodeId y) const { return compare(x, y) < 0; }
@@ -88,12 +108,16 @@ class Graph {
   struct Term;
 
   NodeId intern(Node node);
+  [[nodiscard]] std::uint32_t constant_size(const Node& node) const;
   [[nodiscard]] int compare(NodeId x, NodeId y) const;
-  [[nodiscard]] int compare_constants(NodeId x, NodeId y) const;
   [[nodiscard]] int compare_operands(const Node& x, const Node& y) const;
   void sort(std::vector<Operand>& operands) const;
 
-  [[nodiscard]] SignedConstant signed_constant(Ref value) const;
+  [[nodiscard]] std::optional<cln::cl_RA> rational_value(Ref value) const;
+  [[nodiscard]] std::optional<int> constant_sign(Ref value) const;
+  [[nodiscard]] std::optional<Ref> kinked_call(FunctionId function,
+                                               const std::vector<Ref>& arguments);
+  std::optional<Ref> exact_call(FunctionId function, const std::vector<Ref>& arguments);
   void collect(const Power& power, Factors& factors);
   void merge_factors(Factors& factors);
   Ref build_product(Factors factors);
@@ -102,11 +126,14 @@ class Graph {
   [[nodiscard]] std::size_t squared_sine(NodeId id) const;
   bool join_squares(std::vector<Term>& terms);
   static void merge_terms(std::vector<Term>& terms);
-  Ref build_sum(const std::vector<Term>& terms, const SignedConstant& constant);
+  Ref build_sum(const std::vector<Term>& terms, const cln::cl_RA& constant);
 
+  struct RationalHash {
+    std::size_t operator()(const cln::cl_RA& x) const { return cln::equal_hashcode(x); }
+  };
   std::vector<Node> nodes_;
-  std::vector<Constant> constants_;
-  std::unordered_map<std::string, std::uint32_t> constant_index_;
+  std::vector<cln::cl_RA> rationals_;
+  std::unordered_map<cln::cl_RA, std::uint32_t, RationalHash> rational_index_;
   std::unordered_multimap<std::size_t, NodeId> known_;
   std::uint32_t birth_ = 0;
 };

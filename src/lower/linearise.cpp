@@ -87,13 +87,7 @@ class Linearising {
   }
 
   std::uint32_t constant(std::uint32_t index) {
-    const Constant& wanted = network_.constants[index];
-    std::vector<Constant>& constants = program_.constants;
-    const auto it = std::find_if(constants.begin(), constants.end(),
-                                 [&](const Constant& known) { return known.text == wanted.text; });
-    const auto position = static_cast<std::uint32_t>(it - constants.begin());
-    if (it == constants.end()) constants.push_back(wanted);
-    return position;
+    return position_of(network_.constants[index], program_.constants);
   }
 
   std::uint32_t product(const Operation& operation) {

@@ -2,28 +2,62 @@
 // signs, linearise.
 #include "elgen/lower.hpp"
 
+#include <cln/exception.h>
 #include <fmt/core.h>
 
 #include <cassert>
 
 #include "cheapest.hpp"
+#include "elgen/outputs.hpp"
 #include "from_ginac.hpp"
+#include "inspect/singular_mass.hpp"
 #include "linearise.hpp"
 
 namespace elgen {
 namespace {
 
+bool is_zero(const Program& program, const Function& function, std::uint32_t entry) {
+  const Instruction& value = function.instructions[entry];
+  return value.opcode == Opcode::constant && cln::zerop(program.constants[value.a].value);
+}
+
+/// What divides by zero divides by a pivot where it solves; the rate whose M_ii is 0 is named.
+Diagnostic zero_denominator(const Program& program, const OutputRequest& request) {
+  if (!output_row(request.kind).solves) {
+    return {Code::E312, request.span,
+            fmt::format("a denominator of `{}` is 0, whatever the state is", request.name)};
+  }
+  for (const Function& known : program.functions) {
+    if (known.kind != OutputKind::mass_matrix) continue;
+    const std::size_t n = known.fields[0].rows;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (is_zero(program, known, known.fields[0].entries[i * n + i])) {
+        return no_kinetic_energy(request, program.leaves.velocities[i]);
+      }
+    }
+  }
+  return singular_mass_matrix(request);
+}
+
 Diagnostics lower_output(const EquationsOfMotion& equations, const OutputRequest& request,
                          const Limits& limits, Program& program) {
   Result<ImportedOutput> imported = from_ginac(equations, request, limits.derived_nodes);
-  if (!imported) return imported.diagnostics;
+  if (!imported) {
+    const bool divides = imported.diagnostics.front().code == Code::E312;
+    return divides ? Diagnostics{zero_denominator(program, request)} : imported.diagnostics;
+  }
   Function function;
   function.kind = request.kind;
   function.user = request.user;
   function.name = request.name;
   function.fields = std::move(imported->fields);
   const Expressions expressions{std::move(imported->graph), std::move(imported->values)};
-  linearise(cheapest_network(expressions, function), program, function);
+  try {
+    linearise(cheapest_network(expressions, function), program, function);
+  } catch (const cln::division_by_0_exception&) {
+    // Only the other ways to write it show that a denominator is 0: sin(2*x) - 2*sin(x)*cos(x).
+    return {zero_denominator(program, request)};
+  }
   program.functions.push_back(std::move(function));
   return {};
 }

@@ -5,8 +5,9 @@
 //     Network:  quotient(product(m, m, x), product(y, z))
 //
 // Powers are repeated factors. What divides two or more products becomes a reciprocal, computed
-// once. NodeIds are dense and follow the canonical order of the graph, so from here on they may
-// decide ties.
+// once. Constants of a sum or product are folded into one number each, which keeps its form.
+// NodeIds are dense and follow the canonical order of the graph, so from here on they may decide
+// ties.
 #pragma once
 
 #include "rebuild.hpp"

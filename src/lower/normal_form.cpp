@@ -4,7 +4,7 @@
 //               2*y - 2*x            -> -2*(x - y)   a coefficient all terms share pulled out
 //               m*sin(x)^2 + m*cos(x)^2 -> m
 //     product:  (y - x)*x*(x - y)    -> -x*(x - y)^2 signs pulled out, equal bases merged
-//               2*pi*x/4             -> (1/2*pi)*x   constants folded into one
+//               2*pi*x/4             -> 1/2*pi*x     rational numbers are one coefficient
 #include <algorithm>
 #include <optional>
 
@@ -12,10 +12,9 @@
 
 namespace elgen {
 
-/// A product taken apart: sign, constants, and powers of other nodes.
+/// A product taken apart: its rational coefficient, and powers of other nodes.
 struct Graph::Factors {
-  cln::cl_RA coefficient = 1;                   ///< signed
-  std::vector<SignedConstant> irrational = {};  ///< none negative
+  cln::cl_RA coefficient = 1;  ///< signed
   std::vector<Operand> powers = {};
 };
 
@@ -26,16 +25,11 @@ struct Graph::Term {
 };
 
 void Graph::collect(const Power& power, Factors& factors) {
-  const Node& base = node(power.base.node);
   const bool is_odd = power.exponent % 2 != 0;
   if (power.base.negative && is_odd) factors.coefficient = -factors.coefficient;
-  if (base.kind == NodeKind::constant) {
-    const SignedConstant value = power_of({constants_[base.index], false}, power.exponent);
-    if (is_rational(value.constant)) {
-      factors.coefficient = factors.coefficient * rational_value(value.constant);
-    } else {
-      factors.irrational.push_back(value);
-    }
+  if (is_rational(power.base.node)) {
+    const cln::cl_RA value = cln::expt(rational_of(power.base.node), power.exponent);
+    factors.coefficient = factors.coefficient * value;
     return;
   }
   // Coefficients meet outside; what they scale stays whole, because it may be shared.
@@ -83,21 +77,16 @@ void Graph::merge_factors(Factors& factors) {
 
 Ref Graph::build_product(Factors factors) {
   if (cln::zerop(factors.coefficient)) return rational(0);
-  SignedConstant constant = make_constant(factors.coefficient);
-  if (!factors.irrational.empty()) {
-    factors.irrational.push_back(constant);
-    constant = product_of(std::move(factors.irrational));
-  }
-  const Ref coefficient = this->constant(constant);
-  if (factors.powers.empty()) return coefficient;
-  const bool has_coefficient = constant.constant.text != "1";
+  const bool negative = cln::minusp(factors.coefficient);
+  const Ref coefficient = rational(cln::abs(factors.coefficient));
+  if (factors.powers.empty()) return with_sign(coefficient, negative);
+  const bool has_coefficient = cln::abs(factors.coefficient) != 1;
   if (!has_coefficient && factors.powers.size() == 1 && factors.powers[0].weight == 1) {
-    return {factors.powers[0].node, constant.negative};
+    return {factors.powers[0].node, negative};
   }
   if (has_coefficient) factors.powers.push_back({coefficient.node, 1});
   sort(factors.powers);
-  return {intern({.kind = NodeKind::product, .operands = std::move(factors.powers)}),
-          constant.negative};
+  return {intern({.kind = NodeKind::product, .operands = std::move(factors.powers)}), negative};
 }
 
 Ref Graph::product(const std::vector<Power>& powers) {
@@ -110,11 +99,9 @@ Ref Graph::product(const std::vector<Power>& powers) {
 /// c and the product without it, where a product has a rational coefficient c.
 std::optional<Graph::Term> Graph::scaled_product(NodeId id) {
   const Node& product = node(id);
-  const bool is_scaled = product.kind == NodeKind::product &&
-                         is_constant(product.operands[0].node) &&
-                         is_rational(constant_of(product.operands[0].node));
+  const bool is_scaled = product.kind == NodeKind::product && is_rational(product.operands[0].node);
   if (!is_scaled) return std::nullopt;
-  const cln::cl_RA coefficient = rational_value(constant_of(product.operands[0].node));
+  const cln::cl_RA coefficient = rational_of(product.operands[0].node);
   Factors rest;
   rest.powers.assign(product.operands.begin() + 1, product.operands.end());
   return Term{coefficient, build_product(std::move(rest)).node};
@@ -126,9 +113,9 @@ Graph::Term Graph::split_coefficient(Ref term) {
   return result;
 }
 
-Ref Graph::build_sum(const std::vector<Term>& terms, const SignedConstant& constant) {
-  const bool has_constant = !cln::zerop(constant.constant.value);
-  if (terms.empty()) return this->constant(constant);
+Ref Graph::build_sum(const std::vector<Term>& terms, const cln::cl_RA& constant) {
+  const bool has_constant = !cln::zerop(constant);
+  if (terms.empty()) return rational(constant);
   const cln::cl_RA first = cln::abs(terms[0].coefficient);
   const bool is_common =
       !has_constant && std::all_of(terms.begin(), terms.end(),
@@ -140,7 +127,7 @@ Ref Graph::build_sum(const std::vector<Term>& terms, const SignedConstant& const
     operands.push_back({scaled.node, cln::minusp(term.coefficient) ? -1 : 1});
   }
   if (has_constant) {
-    operands.push_back({this->constant(constant).node, constant.negative ? -1 : 1});
+    operands.push_back({rational(constant).node, cln::minusp(constant) ? -1 : 1});
   }
   sort(operands);
   const bool negative = operands[0].weight < 0;
@@ -214,22 +201,22 @@ void Graph::merge_terms(std::vector<Term>& terms) {
 }
 
 Ref Graph::sum(const std::vector<Ref>& terms) {
-  std::vector<SignedConstant> constants;
+  cln::cl_RA constant = 0;
   std::vector<Term> split;
   for (const Ref term : terms) {
-    if (is_constant(term.node)) {
-      constants.push_back(signed_constant(term));
+    if (const auto number = rational_value(term)) {
+      constant = constant + *number;
     } else {
       split.push_back(split_coefficient(term));
     }
   }
   merge_terms(split);
-  if (!join_squares(split)) return build_sum(split, sum_of(std::move(constants)));
+  if (!join_squares(split)) return build_sum(split, constant);
   std::vector<Ref> joined;
   for (const Term& term : split) {
     joined.push_back(product({{rational(term.coefficient)}, {{term.node, false}}}));
   }
-  for (const SignedConstant& value : constants) joined.push_back(constant(value));
+  joined.push_back(rational(constant));
   return sum(joined);
 }
 

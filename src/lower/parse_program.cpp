@@ -2,13 +2,11 @@
 //
 // One line at a time; a mistake is E912 with the span of its line, since only tests and elgen write
 // this form.
-#include <cln/float.h>
-#include <cln/rational.h>
 #include <fmt/core.h>
 
 #include <charconv>
-#include <exception>
 
+#include "constant_reader.hpp"
 #include "elgen/program.hpp"
 #include "program_text.hpp"
 
@@ -43,16 +41,6 @@ std::optional<std::uint32_t> position(const std::vector<std::string>& names,
   return std::nullopt;
 }
 
-/// CLN reads numbers of its own syntax and throws on others.
-template <class Number>
-std::optional<Number> read_number(std::string_view text) {
-  try {
-    return Number(std::string(text).c_str());
-  } catch (const std::exception&) {
-    return std::nullopt;
-  }
-}
-
 class Reader {
  public:
   explicit Reader(const SourceText& source) : source_(source) {}
@@ -81,7 +69,6 @@ class Reader {
     if (words[0] == "coordinates") return read_coordinates(words);
     if (words[0] == "velocities") return read_names(words, program_.leaves.velocities);
     if (words[0] == "inputs") return read_names(words, program_.leaves.inputs);
-    if (words[0] == "constant") return read_constant(words);
     if (words[0] == "function") return read_heading(words);
     if (words[0] == "time") {
       program_.leaves.uses_time = true;
@@ -102,14 +89,6 @@ class Reader {
   std::string read_coordinates(const Words& words) {
     read_names(words, program_.leaves.velocities);
     return read_names(words, program_.leaves.coordinates);
-  }
-
-  std::string read_constant(const Words& words) {
-    if (words.size() != 4 || words[2] != "=") return "expected `constant NAME = DIGITS`";
-    const auto value = read_number<cln::cl_F>(words[3]);
-    if (!value) return fmt::format("`{}` is not a number", words[3]);
-    program_.constants.push_back({*value, std::string(words[1])});
-    return "";
   }
 
   std::string read_heading(const Words& words) {
@@ -205,15 +184,10 @@ class Reader {
     return true;
   }
 
-  /// Rational constants need no declaration.
   std::optional<std::uint32_t> constant_index(std::string_view text) {
-    for (std::uint32_t i = 0; i < program_.constants.size(); ++i) {
-      if (program_.constants[i].text == text) return i;
-    }
-    const auto value = read_number<cln::cl_RA>(text);
-    if (!value) return std::nullopt;
-    program_.constants.push_back({*value, std::string(text)});
-    return static_cast<std::uint32_t>(program_.constants.size() - 1);
+    const std::optional<Constant> constant = read_constant(std::string(text));
+    if (!constant) return std::nullopt;
+    return position_of(*constant, program_.constants);
   }
 
   const SourceText& source_;

@@ -44,6 +44,20 @@ std::size_t entry_count(const Function& function) {
   return count;
 }
 
+std::vector<Constant> executed_constants(const Program& program) {
+  std::vector<bool> is_executed(program.constants.size(), false);
+  for (const Function& function : program.functions) {
+    for (const Instruction& i : function.instructions) {
+      if (i.opcode == Opcode::constant) is_executed[i.a] = true;
+    }
+  }
+  std::vector<Constant> executed;
+  for (std::size_t i = 0; i < is_executed.size(); ++i) {
+    if (is_executed[i]) executed.push_back(program.constants[i]);
+  }
+  return executed;
+}
+
 std::vector<std::uint32_t> entries_of(const Function& function) {
   std::vector<std::uint32_t> entries;
   for (const Field& field : function.fields) {

@@ -28,8 +28,10 @@ std::vector<Power> renewed_factors(const RebuildStep& step) {
 Ref copy(Graph& graph, const RebuildStep& step) {
   const Node& node = step.old_graph.node(step.old_node);
   switch (node.kind) {
-    case NodeKind::constant:
-      return graph.constant({step.old_graph.constant_of(step.old_node), false});
+    case NodeKind::rational:
+      return graph.rational(step.old_graph.rational_of(step.old_node));
+    case NodeKind::pi:
+      return graph.pi();
     case NodeKind::leaf:
       return graph.leaf(node.leaf, node.index);
     case NodeKind::product:

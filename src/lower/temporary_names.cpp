@@ -56,7 +56,10 @@ class Naming {
     for (const std::string& leaf : program.leaves.velocities) taken_.insert(identifier(leaf));
     for (const std::string& leaf : program.leaves.inputs) taken_.insert(identifier(leaf));
     count_uses();
-    for (std::size_t at = 0; at < function.instructions.size(); ++at) hash(at);
+    for (std::size_t at = 0; at < function.instructions.size(); ++at) {
+      hash(at);
+      sums_.push_back(leaf_sum(at));
+    }
   }
 
   std::vector<std::string> names() {
@@ -93,8 +96,7 @@ class Naming {
     if (const auto angle = angle_name(i)) return unique(*angle);
     if (!function_.names[at].empty()) return unique(function_.names[at]);
     if (uses_[at] <= 1 && size <= longest_expression) return "";
-    const std::optional<std::string> sum = leaf_sum(at);
-    return sum ? unique("sum_" + *sum) : hash_name(hashes_[at]);
+    return sums_[at] ? unique("sum_" + *sums_[at]) : hash_name(hashes_[at]);
   }
 
   /// "sin_theta", "cos_q1_minus_q2"; nothing where the argument is no short sum of
@@ -103,11 +105,12 @@ class Naming {
     const bool is_angle = i.opcode == Opcode::call &&
                           (i.function == FunctionId::sin || i.function == FunctionId::cos);
     if (!is_angle) return std::nullopt;
-    const std::optional<std::string> argument = leaf_sum(i.a);
+    const std::optional<std::string>& argument = sums_[i.a];
     if (!argument) return std::nullopt;
     return fmt::format("{}_{}", function_row(i.function).name, *argument);
   }
 
+  /// "q1_minus_q2", from those of its operands.
   std::optional<std::string> leaf_sum(std::size_t at) const {
     const Instruction& i = function_.instructions[at];
     if (i.opcode == Opcode::time) return "t";
@@ -115,8 +118,8 @@ class Naming {
       return identifier((*spellings)[i.a]);
     }
     if (i.opcode != Opcode::add && i.opcode != Opcode::subtract) return std::nullopt;
-    const std::optional<std::string> left = leaf_sum(i.a);
-    const std::optional<std::string> right = leaf_sum(i.b);
+    const std::optional<std::string>& left = sums_[i.a];
+    const std::optional<std::string>& right = sums_[i.b];
     if (!left || !right) return std::nullopt;
     const std::string name = *left + (i.opcode == Opcode::add ? "_" : "_minus_") + *right;
     return name.size() <= longest_name ? std::optional(name) : std::nullopt;
@@ -145,7 +148,7 @@ class Naming {
     std::string content =
         fmt::format("{} {} ", static_cast<int>(i.opcode),
                     i.opcode == Opcode::call ? function_row(i.function).name : "");
-    if (i.opcode == Opcode::constant) content += program_.constants[i.a].text;
+    if (i.opcode == Opcode::constant) content += text_of(program_.constants[i.a].form);
     if (const auto* spellings = leaf_spellings(program_.leaves, i.opcode)) {
       content += (*spellings)[i.a];
     }
@@ -163,6 +166,7 @@ class Naming {
   std::set<std::string, std::less<>> taken_;
   std::vector<std::size_t> uses_;
   std::vector<std::uint64_t> hashes_;
+  std::vector<std::optional<std::string>> sums_;  ///< names of short sums of leaves
 };
 
 }  // namespace

@@ -32,16 +32,20 @@ Jet squared_speed(const Evaluation& at, const Components& position, unsigned dim
   return sum;
 }
 
-/// gravity.p
-Jet along_gravity(const Model& model, const Evaluation& at, const Components& position) {
-  Jet sum;
-  for (unsigned c = 0; c < 3; ++c) {
-    sum = sum + at.value((*model.gravity)[c]) * at.value(position[c]);
-  }
-  return sum;
+/// What gravity does to every mass, axis by axis: the summands of m gravity.p.
+std::vector<Jet> weight_terms(const Model& model, const Evaluation& at) {
+  std::vector<Jet> terms;
+  const auto append_weight = [&](const std::optional<ExpressionId>& mass, const Components& place) {
+    if (!mass) return;
+    for (unsigned c = 0; c < 3; ++c) {
+      terms.push_back(at.value(*mass) * at.value((*model.gravity)[c]) * at.value(place[c]));
+    }
+  };
+  if (!model.gravity) return terms;
+  for (const Point& point : model.points) append_weight(point.mass, point.at);
+  for (const Body& body : model.bodies) append_weight(body.mass, body.com);
+  return terms;
 }
-
-bool moves_its_centre(const Body& body) { return body.mass && !body.inertia_about_origin; }
 
 /// w.I w; I is {Izz} or {xx yy zz xy xz yz}.
 Jet spin_energy_twice(const Body& body, const Evaluation& at) {
@@ -85,7 +89,7 @@ std::vector<Root> kinetic_roots(const Model& model) {
   for (const Body& body : model.bodies) {
     append(roots, body.inertia);
     append(roots, body.spin);
-    if (!moves_its_centre(body)) continue;
+    if (!body.mass) continue;
     append(roots, body.mass);
     append(roots, body.com, body.dimension, 1);
   }
@@ -133,7 +137,7 @@ Jet kinetic_energy(const Model& model, const Evaluation& at, const Motion& motio
   }
   for (const Body& body : model.bodies) {
     sum = sum + half() * spin_energy_twice(body, at);
-    if (!moves_its_centre(body)) continue;
+    if (!body.mass) continue;
     sum = sum + half() * at.value(*body.mass) * squared_speed(at, body.com, body.dimension);
   }
   return sum;
@@ -141,13 +145,17 @@ Jet kinetic_energy(const Model& model, const Evaluation& at, const Motion& motio
 
 Jet potential_energy(const Model& model, const Evaluation& at) {
   Jet sum = model.energies.V ? at.value(*model.energies.V) : Jet();
-  if (!model.gravity) return sum;
-  for (const Point& point : model.points) {
-    if (point.mass) sum = sum - at.value(*point.mass) * along_gravity(model, at, point.at);
-  }
-  for (const Body& body : model.bodies) {
-    if (body.mass) sum = sum - at.value(*body.mass) * along_gravity(model, at, body.com);
-  }
+  for (const Jet& term : weight_terms(model, at)) sum = sum - term;
+  return sum;
+}
+
+Jet potential_magnitude(const Model& model, const Evaluation& at) {
+  Jet sum;
+  for (const Jet& term : weight_terms(model, at)) sum = sum + term.magnitudes();
+  if (!model.energies.V) return sum;
+  const Expression& V = model.expressions[*model.energies.V];
+  if (V.kind != ExpressionKind::add) return sum + at.value(*model.energies.V).magnitudes();
+  for (const ExpressionId term : V.operands) sum = sum + at.value(term).magnitudes();
   return sum;
 }
 

@@ -22,6 +22,8 @@ namespace elgen::oracle {
 /// armatures.
 [[nodiscard]] Jet kinetic_energy(const Model& model, const Evaluation& at, const Motion& motion);
 [[nodiscard]] Jet potential_energy(const Model& model, const Evaluation& at);
+/// Its summands without their signs: what V gives as a sum, and m g_i p_i of every mass and axis.
+[[nodiscard]] Jet potential_magnitude(const Model& model, const Evaluation& at);
 [[nodiscard]] Jet lagrangian(const Model& model, const Evaluation& at, const Motion& motion);
 [[nodiscard]] Jet dissipation(const Model& model, const Evaluation& at);
 

@@ -87,6 +87,12 @@ Jet Jet::ungraded() const {
   return result;
 }
 
+Jet Jet::magnitudes() const {
+  Jet result = *this;
+  for (auto& [present, value] : result.terms_) value = cln::abs(value);
+  return result;
+}
+
 Jet Jet::tangent(Generators one) const {
   Jet result;
   for (const auto& [present, value] : terms_) {

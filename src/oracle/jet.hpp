@@ -65,6 +65,9 @@ class Jet {
   /// The value at s = 1: terms of all grades summed.
   [[nodiscard]] Jet ungraded() const;
 
+  /// Every coefficient without its sign.
+  [[nodiscard]] Jet magnitudes() const;
+
   /// Too long rationals become floats.
   void shorten();
 

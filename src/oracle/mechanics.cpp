@@ -203,9 +203,16 @@ cl_R Mechanics::dissipation_force(const Direction& w) {
   return dissipation_at(motion).coefficient(first);
 }
 
+/// Of what is small to the order of the equations, of all else to one more.
 Jet Mechanics::force_along(const Motion& motion, const Direction& w) {
-  return expanded(force_order(), motion,
-                  [&](const Motion& at) { return exact_force_along(at, w); });
+  if (!point_) return exact_force_along(motion, w);
+  Direction small = w;
+  Direction others = w;
+  for (std::size_t i = 0; i < w.size(); ++i) (point_->v[i] ? others : small)[i] = 0;
+  const auto along = [&](unsigned order, const Direction& part) {
+    return expanded(order, motion, [&](const Motion& at) { return exact_force_along(at, part); });
+  };
+  return along(point_->order, small) + along(point_->order + 1, others);
 }
 
 /// sum Q_i w_i + sum F.(dp/dq w), where e0 displaces along w.
@@ -274,6 +281,13 @@ cl_R Mechanics::energy_function() {
   displace(motion.v, state_.v, first);
   const Jet value = lagrangian_at(motion);
   return value.coefficient(first) - value.real();
+}
+
+cl_R Mechanics::energy_magnitude() {
+  const Jet terms = expanded(energy_order(), base_, [this](const Motion& at) {
+    return potential_magnitude(model_, Evaluation(model_, potential_, at, functions_));
+  });
+  return cln::abs(energy_function()) + terms.real();
 }
 
 }  // namespace elgen::oracle

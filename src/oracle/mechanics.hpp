@@ -92,12 +92,14 @@ class Mechanics {
   /// v.dL/dv - L
   [[nodiscard]] cln::cl_R energy_function();
 
+  /// |E| and the magnitudes of the terms that V sums (of an L given whole none are known).
+  [[nodiscard]] cln::cl_R energy_magnitude();
+
  private:
   /// What `quantity` is at a motion, or where the scene expands it, its expansion to `order`.
   template <class Quantity>
   Jet expanded(unsigned order, const Motion& motion, const Quantity& quantity) const;
   [[nodiscard]] unsigned energy_order() const { return point_ ? point_->order + 1 : 0; }
-  [[nodiscard]] unsigned force_order() const { return point_ ? point_->order : 0; }
   Jet lagrangian_at(const Motion& motion);
   Jet kinetic_energy_at(const Motion& motion);
   Jet potential_at(const Motion& motion);

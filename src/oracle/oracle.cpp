@@ -5,6 +5,7 @@
 
 #include "mechanics.hpp"
 #include "output_values.hpp"
+#include "real_functions.hpp"
 
 namespace elgen {
 namespace {
@@ -13,7 +14,7 @@ using cln::cl_R;
 
 /// CLN and the oracle throw where a value does not exist; callers get an empty optional.
 template <class Computation>
-auto guarded(const Computation& computation) -> std::optional<decltype(computation())> {
+auto attempt(const Computation& computation) -> std::optional<decltype(computation())> {
   try {
     return computation();
   } catch (const cln::runtime_exception&) {
@@ -23,6 +24,15 @@ auto guarded(const Computation& computation) -> std::optional<decltype(computati
   }
 }
 
+/// To as many digits as its angles ask for: without them a value may seem not to exist.
+template <class Computation>
+auto guarded(const Computation& computation) -> std::optional<decltype(computation())> {
+  oracle::Precision precision;
+  auto value = attempt(computation);
+  while (precision.grows()) value = attempt(computation);
+  return value;
+}
+
 }  // namespace
 
 State nominal_state(const Model& model, const Scene& scene) {
@@ -30,7 +40,7 @@ State nominal_state(const Model& model, const Scene& scene) {
   for (std::uint32_t i = 0; i < model.parameters.size(); ++i) {
     const auto fixed = scene.specialisation.fixed.find(i);
     const bool is_fixed = fixed != scene.specialisation.fixed.end();
-    state.parameters.push_back(is_fixed ? fixed->second : model.parameters[i].value);
+    state.parameters.push_back(is_fixed ? fixed->second.number : model.parameters[i].value);
   }
   state.q.assign(model.coordinates.size(), cl_R(0));
   for (const Rotation& rotation : model.rotations) state.q[rotation.first_coordinate] = 1;
@@ -52,6 +62,10 @@ std::optional<cl_R> oracle_projected_inverse_dynamics(const Model& model, const 
 std::optional<cl_R> oracle_contraction(const Model& model, const OutputRequest& output,
                                        const State& state, const Contraction& by) {
   return guarded([&] { return oracle::contracted_values(model, output, state, by); });
+}
+
+std::optional<cl_R> oracle_energy_magnitude(const Model& model, const State& state) {
+  return guarded([&] { return oracle::Mechanics(model, state).energy_magnitude(); });
 }
 
 std::optional<cl_R> oracle_expression(const Model& model, ExpressionId expression,

@@ -8,6 +8,9 @@
 #include <cln/rational.h>
 #include <cln/rational_ring.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace elgen::oracle {
 namespace {
 
@@ -25,24 +28,32 @@ const cl_R largest_exponent = 1'000'000;
 /// Beyond it tanh is +-1 to working precision: 1 - tanh(x) < 2 exp(-2 x).
 const cl_R tanh_saturation = 200;
 
-cln::float_format_t working_format() {
-  static const cln::float_format_t format = cln::float_format(working_digits);
-  return format;
-}
+/// An angle beyond 2^20000 has left every built-in scalar long before.
+constexpr long largest_angle_exponent = 20'000;
+
+/// Of Precision: digits beyond the working ones, and those that angles met have before the point.
+thread_local unsigned more_digits = 0;
+thread_local unsigned lost_digits = 0;
+
+/// So many the working precision has to spare: 60 digits are promised.
+constexpr unsigned spare_digits = 10;
+
+cln::float_format_t working_format() { return cln::float_format(working_digits + more_digits); }
 
 /// Working precision plus the digits in front of the decimal point of `x`.
 cl_F widened(const cl_R& x) {
   if (is_rational(x)) {
     const cl_I integer_part = cln::truncate1(x);
     const auto digits = static_cast<unsigned>(cln::integer_length(integer_part)) / 3 + 1;
-    return cln::cl_float(x, cln::float_format(working_digits + digits));
+    return cln::cl_float(x, cln::float_format(working_digits + more_digits + digits));
   }
   const cl_F f = cln::the<cl_F>(x);
   const auto bits = cln::float_exponent(f);
   if (bits <= 0) return f;
-  // Such a float is already wrong by more than a period: no digit of a sine would be right.
-  if (bits > 1'000'000) throw OutsideDomain("argument too large to reduce");
-  return cln::cl_float(f, cln::float_format(working_digits + static_cast<unsigned>(bits) / 3 + 1));
+  if (bits > largest_angle_exponent) throw OutsideDomain("argument too large to reduce");
+  const unsigned digits = static_cast<unsigned>(bits) / 3 + 1;
+  lost_digits = std::max(lost_digits, digits);
+  return cln::cl_float(f, cln::float_format(working_digits + more_digits + digits));
 }
 
 cl_R rounded(const cl_R& x) {
@@ -132,6 +143,17 @@ cl_R computed(FunctionId function, const cl_R& x, const cl_R& y) {
 
 }  // namespace
 
+Precision::Precision() : outer_(std::exchange(more_digits, 0)) { lost_digits = 0; }
+
+Precision::~Precision() { more_digits = outer_; }
+
+bool Precision::grows() {
+  const unsigned lost = std::exchange(lost_digits, 0);
+  if (lost <= more_digits + spare_digits) return false;
+  more_digits = lost;
+  return true;
+}
+
 bool is_rational(const cl_R& x) { return cln:: instanceof (x, cln::cl_RA_ring); }
 
 cl_R as_float(const cl_R& x) {
@@ -146,10 +168,7 @@ cl_R shortened(const cl_R& x) {
   return bits <= longest_rational ? x : as_float(x);
 }
 
-cl_R real_pi() {
-  static const cl_R pi = cln::pi(working_format());
-  return pi;
-}
+cl_R real_pi() { return cln::pi(working_format()); }
 
 cl_R quotient(const cl_R& x, const cl_R& y) {
   if (cln::zerop(y)) throw OutsideDomain("division by zero");

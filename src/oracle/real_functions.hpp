@@ -22,6 +22,25 @@ namespace elgen::oracle {
 /// the textbook expressions lose 16, and 1e-150 rad is a matter of exponents, not of digits.
 inline constexpr unsigned working_digits = 95;
 
+/// While it lives, everything is computed to as many digits more as its user lets it grow by: an
+/// angle that is no rational has lost those before its point, and its sine with them.
+///
+///     Precision precision;
+///     do { computation } while (precision.grows());
+class Precision {
+ public:
+  Precision();
+  ~Precision();
+  Precision(const Precision&) = delete;
+  Precision& operator=(const Precision&) = delete;
+
+  /// Whether angles met since then have lost digits that can be given back.
+  [[nodiscard]] bool grows();
+
+ private:
+  unsigned outer_;
+};
+
 /// The quantity is undefined at this state: division by zero, a root or logarithm of a negative
 /// number.
 struct OutsideDomain : std::runtime_error {

@@ -79,7 +79,7 @@ const std::vector<KeyRow>& mechanics_rows() {
       {"body", "frame", name, optional, true, "com and inertia in this frame"},
       {"body", "spin", expression_or_list, optional, true, "angular velocity, axes of inertia"},
       {"body", "inertia", expression_or_list, optional, true, "1, 3 or 6: xx yy zz xy xz yz"},
-      {"body", "inertia_about", choice, optional, true, "reference point of the inertia"},
+      {"body", "inertia_about", choice, optional, true, "com, or origin: that of its frame"},
       {"body", "for", repetition, optional, true, "repeats the entry"},
       {"body", "doc", text, optional, true, "one line"},
 

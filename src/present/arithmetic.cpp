@@ -28,9 +28,28 @@ bool same_atom(const Atom& x, const Atom& y) {
     return a.denominator == b.denominator && same_polynomial(a.numerator, b.numerator);
   };
   return x.kind == y.kind && x.leaf == y.leaf && x.index == y.index && x.function == y.function &&
-         x.divisor == y.divisor && x.constant.text == y.constant.text &&
+         x.divisor == y.divisor &&
          std::equal(x.arguments.begin(), x.arguments.end(), y.arguments.begin(), y.arguments.end(),
                     same_fraction);
+}
+
+/// The same for the same atoms: all of them but their numbers.
+std::size_t hash_of(const Atom& atom) {
+  std::size_t hash = 0;
+  const auto mix = [&hash](std::size_t part) { hash = hash * 1'000'003 + part; };
+  mix(static_cast<std::size_t>(atom.kind));
+  mix(static_cast<std::size_t>(atom.leaf));
+  mix(atom.index);
+  mix(static_cast<std::size_t>(atom.function));
+  for (const Fraction& argument : atom.arguments) {
+    for (const auto& [monomial, coefficient] : argument.numerator) {
+      for (const AtomPower& power : monomial) {
+        mix(power.atom);
+        mix(static_cast<std::size_t>(power.exponent));
+      }
+    }
+  }
+  return hash;
 }
 
 /// The common monomial (least exponents) of a sum, also those below 0.
@@ -82,10 +101,15 @@ std::vector<Monomial> angles_of(const Polynomial& x, const Algebra& algebra) {
 }  // namespace
 
 Fraction Arithmetic::atom(Atom wanted) {
-  const auto found = std::find_if(algebra_.atoms.begin(), algebra_.atoms.end(),
-                                  [&](const Atom& known) { return same_atom(known, wanted); });
-  const auto id = static_cast<AtomId>(found - algebra_.atoms.begin());
-  if (found == algebra_.atoms.end()) algebra_.atoms.push_back(std::move(wanted));
+  const auto [first, last] = algebra_.known.equal_range(hash_of(wanted));
+  const auto found = std::find_if(first, last, [&](const auto& known) {
+    return same_atom(algebra_.atoms[known.second], wanted);
+  });
+  const auto id = found == last ? static_cast<AtomId>(algebra_.atoms.size()) : found->second;
+  if (found == last) {
+    algebra_.known.emplace(hash_of(wanted), id);
+    algebra_.atoms.push_back(std::move(wanted));
+  }
   return fraction_of(Polynomial{{Monomial{{id, 1}}, Gaussian{1, 0}}});
 }
 

@@ -30,8 +30,9 @@ class Arithmetic {
   [[nodiscard]] Value call(FunctionId function, const std::vector<Value>& arguments);
 
   [[nodiscard]] Value leaf(Opcode leaf, std::uint32_t index);
-  /// Rational, or by its text: sums, products, roots and multiples of pi are taken apart.
-  [[nodiscard]] Value constant(const Constant& value);
+  [[nodiscard]] Value pi();
+  /// Sums, products, roots and multiples of pi are taken apart.
+  [[nodiscard]] Value constant(const ConstantForm& form);
 
  private:
   Fraction atom(Atom wanted);

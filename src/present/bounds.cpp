@@ -126,8 +126,8 @@ std::optional<Enclosure> Bounds::of_atom(AtomId id) {
     case AtomKind::leaf:
       result = of_leaf(atom);
       break;
-    case AtomKind::constant:
-      result = enclosure_of(atom.constant.value);
+    case AtomKind::pi:
+      result = enclosure_of(cln::pi(cln::float_format(100)));
       break;
     case AtomKind::circular:
       result = about_zero(1);

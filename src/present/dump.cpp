@@ -50,8 +50,8 @@ std::string atom_text(const Atom& atom) {
       return "sqrt" + arguments;
     case AtomKind::call:
       return fmt::format("{}{}", function_row(atom.function).name, arguments);
-    case AtomKind::constant:
-      return atom.constant.text;
+    case AtomKind::pi:
+      return "pi";
   }
   return {};
 }

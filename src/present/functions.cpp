@@ -1,14 +1,11 @@
 // Functions of closed forms. Sines and cosines become exponentials of their angle's terms; roots of
 // numbers are taken apart into primes; everything else is opaque, with a canonical argument.
 #include <cln/integer.h>
-#include <cln/rational_ring.h>
 
 #include <algorithm>
 #include <array>
 
 #include "arithmetic.hpp"
-#include "lower/constant.hpp"
-#include "parse/expression_parser.hpp"
 #include "polynomial.hpp"
 
 namespace elgen::presenting {
@@ -26,7 +23,7 @@ constexpr int largest_prime = 10'000;
 
 bool is_pi(const Algebra& algebra, const Monomial& monomial) {
   return monomial.size() == 1 && monomial[0].exponent == 1 &&
-         algebra.atoms[monomial[0].atom].kind == AtomKind::constant;
+         algebra.atoms[monomial[0].atom].kind == AtomKind::pi;
 }
 
 bool has_exponential(const Algebra& algebra, const Monomial& monomial) {
@@ -185,62 +182,38 @@ Value Arithmetic::call(FunctionId function, const std::vector<Value>& arguments)
   return turned ? negate(value) : value;
 }
 
-namespace {
+Value Arithmetic::pi() { return atom({.kind = AtomKind::pi}); }
 
-/// A constant's text as a tree; a name it holds can only be pi.
-Value form_of(Arithmetic& arithmetic, const ExpressionSyntax& syntax) {
-  std::vector<Value> operands;
-  for (const ExpressionSyntax& operand : syntax.operands) {
-    operands.push_back(form_of(arithmetic, operand));
+Value Arithmetic::constant(const ConstantForm& form) {
+  std::vector<Value> parts;
+  for (const ConstantPart& part : form.parts) {
+    const Value value = constant(part.form);
+    const bool is_factor = form.kind == ConstantKind::product;
+    parts.push_back(is_factor         ? power(value, part.weight)
+                    : part.weight < 0 ? negate(value)
+                                      : value);
   }
-  switch (syntax.kind) {
-    case SyntaxKind::number:
-      return fraction_of(syntax.value);
-    case SyntaxKind::name:
-      return arithmetic.constant(pi_constant().constant);
-    case SyntaxKind::negate:
-      return arithmetic.negate(operands[0]);
-    case SyntaxKind::add: {
+  switch (form.kind) {
+    case ConstantKind::rational:
+      return fraction_of(form.number);
+    case ConstantKind::pi:
+      return pi();
+    case ConstantKind::square_root:
+      return square_root(parts.front());
+    case ConstantKind::call:
+      return call(form.function, parts);
+    case ConstantKind::sum: {
       Value total = Fraction{};
-      for (const Value& term : operands) total = arithmetic.add(total, term);
+      for (const Value& term : parts) total = add(total, term);
       return total;
     }
-    case SyntaxKind::multiply: {
+    case ConstantKind::product: {
       Value total = fraction_of(cl_RA(1));
-      for (const Value& factor : operands) total = arithmetic.multiply(total, factor);
+      for (const Value& factor : parts) total = multiply(total, factor);
       return total;
     }
-    case SyntaxKind::divide:
-      return arithmetic.divide(operands[0], operands[1]);
-    case SyntaxKind::power: {
-      const auto exponent = operands[1] ? rational_value(operands[1]->numerator) : std::nullopt;
-      if (!exponent || cln::denominator(*exponent) != 1 || cln::abs(*exponent) > 64) return {};
-      return arithmetic.power(
-          operands[0], static_cast<std::int32_t>(cln::cl_I_to_long(cln::numerator(*exponent))));
-    }
-    case SyntaxKind::call:
-      break;
-  }
-  if (syntax.text == "sqrt") return arithmetic.square_root(operands[0]);
-  for (const FunctionRow& row : function_table) {
-    if (row.name == syntax.text) return arithmetic.call(row.id, operands);
   }
   return std::nullopt;
-}
-
-}  // namespace
-
-Value Arithmetic::constant(const Constant& value) {
-  if (cln:: instanceof (value.value, cln::cl_RA_ring)) {
-    return fraction_of(cln::rational(value.value));
-  }
-  if (value.text == "pi") return atom({.kind = AtomKind::constant, .constant = value});
-  Limits limits;  // the text is elgen's own
-  limits.expression_depth = parsing::deepest_expression;
-  limits.literal_digits = value.text.size();
-  const Result<ExpressionSyntax> syntax =
-      parse_expression(make_source("constant", value.text), limits);
-  return syntax ? form_of(*this, *syntax) : std::nullopt;
 }
 
 }  // namespace elgen::presenting

@@ -1,7 +1,6 @@
 // A model's own expression as a closed form, by a route that shares nothing with the derivation:
 // what [[expect]] says is read here and compared with what was derived.
 #include <cln/integer.h>
-#include <cln/rational_ring.h>
 
 #include "arithmetic.hpp"
 #include "elgen/closed_forms.hpp"
@@ -19,8 +18,7 @@ namespace {
 
 class ModelExpressions {
  public:
-  ModelExpressions(Arithmetic& arithmetic, const Model& model,
-                   const std::map<std::uint32_t, cln::cl_R>& fixed)
+  ModelExpressions(Arithmetic& arithmetic, const Model& model, const FixedParameters& fixed)
       : arithmetic_(arithmetic), model_(model), fixed_(fixed), known_(model.expressions.size()) {}
 
   /// Operands precede their users in the arena, so the depth is that of named things only.
@@ -57,6 +55,11 @@ class ModelExpressions {
         return {model_.points[e.index / 3].at[e.index % 3]};
       case ExpressionKind::frame_component:
         return {component_of_frame(model_, e.index)};
+      case ExpressionKind::parameter: {
+        const auto fixed = fixed_.find(e.index);
+        if (fixed == fixed_.end() || !fixed->second.form) return {};
+        return {*fixed->second.form};
+      }
       default:
         return e.operands;
     }
@@ -65,8 +68,9 @@ class ModelExpressions {
   Value parameter(std::uint32_t index) {
     const auto fixed = fixed_.find(index);
     if (fixed == fixed_.end()) return arithmetic_.leaf(Opcode::parameter, index);
-    if (!cln:: instanceof (fixed->second, cln::cl_RA_ring)) return std::nullopt;
-    return fraction_of(cln::rational(fixed->second));
+    const FixedValue& value = fixed->second;
+    if (value.form) return known_[*value.form].form;
+    return fraction_of(cln::rational(value.number));
   }
 
   Value named(const Expression& e) { return known_[needs(e).front()].form; }
@@ -77,7 +81,7 @@ class ModelExpressions {
       case ExpressionKind::number:
         return fraction_of(e.number);
       case ExpressionKind::pi:
-        return arithmetic_.constant({cln::pi(), "pi"});
+        return arithmetic_.pi();
       case ExpressionKind::time:
         return arithmetic_.leaf(Opcode::time, 0);
       case ExpressionKind::coordinate:
@@ -141,15 +145,14 @@ class ModelExpressions {
 
   Arithmetic& arithmetic_;
   const Model& model_;
-  const std::map<std::uint32_t, cln::cl_R>& fixed_;
+  const FixedParameters& fixed_;
   std::vector<Known> known_;
 };
 
 }  // namespace
 
 std::optional<Fraction> closed_form(ClosedForms& forms, const Model& model,
-                                    const std::map<std::uint32_t, cln::cl_R>& fixed,
-                                    ExpressionId expression) {
+                                    const FixedParameters& fixed, ExpressionId expression) {
   const PresentBudget budget;
   std::size_t work = budget.products_per_function;
   Arithmetic arithmetic(forms.algebra, work, budget.terms);

@@ -17,7 +17,7 @@ Value step(Arithmetic& arithmetic, const Program& program, const Instruction& i,
            const std::vector<Value>& values) {
   switch (i.opcode) {
     case Opcode::constant:
-      return arithmetic.constant(program.constants[i.a]);
+      return arithmetic.constant(program.constants[i.a].form);
     case Opcode::negate:
       return arithmetic.negate(values[i.a]);
     case Opcode::add:

@@ -71,7 +71,7 @@ class Rates {
     switch (atom.kind) {
       case AtomKind::leaf:
         return of_leaf(atom);
-      case AtomKind::constant:
+      case AtomKind::pi:
         return Fraction{};
       case AtomKind::circular: {
         const Gaussian i{0, 1 / atom.divisor};

@@ -137,7 +137,7 @@ class TermText {
       case AtomKind::call:
         return fmt::format("{}({})", function_row(known.function).name, arguments);
       default:
-        return known.constant.text;
+        return "pi";
     }
   }
 

@@ -1,120 +1,104 @@
-// constant_piece: "1/2*cos(3/10)" -> \frac{1}{2} \cos \left( \frac{3}{10} \right)
+// constant_piece: 1/2*cos(3/10) -> \frac{1}{2} \cos \left( \frac{3}{10} \right)
 //
-// The text is an expression of the model language, so its parser reads it.
+// In the model language a constant is its own text; elsewhere its form is walked.
 #include <cln/integer.h>
 #include <cln/rational.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 
 #include "equations.hpp"
 #include "evaluate/decimal.hpp"
-#include "parse/expression_parser.hpp"
+#include "symbols.hpp"
 
 namespace elgen::rendering {
 namespace {
 
 /// In the model language a constant stands as it is, a sum or product of its own.
-Precedence text_precedence(const std::string& text) {
-  int depth = 0;
-  Precedence lowest = Precedence::atom;
-  for (const char c : text) {
-    depth += (c == '(') - (c == ')');
-    if (depth > 0) continue;
-    if (c == ' ') lowest = std::min(lowest, Precedence::sum);
-    if (c == '/' || c == '*') lowest = std::min(lowest, Precedence::product);
-    if (c == '^') lowest = std::min(lowest, Precedence::power);
+Precedence text_precedence(const ConstantForm& form) {
+  const auto is_negative = [](const ConstantForm& x) {
+    return x.kind == ConstantKind::rational && cln::minusp(x.number);
+  };
+  switch (form.kind) {
+    case ConstantKind::rational:
+      if (is_negative(form)) return Precedence::sum;
+      return cln::denominator(form.number) == 1 ? Precedence::atom : Precedence::product;
+    case ConstantKind::sum:
+      return Precedence::sum;
+    case ConstantKind::product:
+      if (form.parts.size() == 1) return Precedence::power;
+      return is_negative(form.parts.front().form) ? Precedence::sum : Precedence::product;
+    default:
+      return Precedence::atom;
   }
-  return lowest;
 }
 
-Piece piece(const Notation& notation, const ExpressionSyntax& syntax);
-
-std::vector<Piece> pieces(const Notation& notation, const ExpressionSyntax& syntax) {
-  std::vector<Piece> all;
-  for (const ExpressionSyntax& operand : syntax.operands) all.push_back(piece(notation, operand));
-  return all;
+/// 3 and 9.81, but not 1/2: a denominator with a factor 5 is one of a decimal number.
+bool is_decimal(const cln::cl_RA& number) {
+  const cln::cl_I denominator = cln::denominator(number);
+  const bool has_five = denominator == 1 || cln::zerop(cln::mod(denominator, 5));
+  return has_five && exact_decimal(number) && exact_text(number).find('e') == std::string::npos;
 }
 
-Piece sum_piece(const Notation& notation, const ExpressionSyntax& syntax) {
-  Piece total = piece(notation, syntax.operands.front());
-  for (std::size_t i = 1; i < syntax.operands.size(); ++i) {
-    const ExpressionSyntax& term = syntax.operands[i];
-    const bool is_negative = term.kind == SyntaxKind::negate;
-    const Piece magnitude = piece(notation, is_negative ? term.operands.front() : term);
-    total = is_negative ? difference(notation, total, magnitude) : sum(notation, total, magnitude);
+Piece number_piece(const Notation& notation, const cln::cl_RA& number) {
+  if (cln::minusp(number)) return negated(notation, number_piece(notation, -number));
+  if (is_decimal(number)) return {exact_text(number)};
+  return quotient(notation, {integer_text(cln::numerator(number))},
+                  {integer_text(cln::denominator(number))});
+}
+
+Piece piece(const Notation& notation, const ConstantForm& form);
+
+Piece sum_piece(const Notation& notation, const std::vector<ConstantPart>& terms) {
+  const Piece first = piece(notation, terms.front().form);
+  Piece total = terms.front().weight < 0 ? negated(notation, first) : first;
+  for (std::size_t i = 1; i < terms.size(); ++i) {
+    const Piece term = piece(notation, terms[i].form);
+    total = terms[i].weight < 0 ? difference(notation, total, term) : sum(notation, total, term);
   }
   return total;
 }
 
-Piece call_piece(const Notation& notation, const ExpressionSyntax& syntax) {
-  const std::vector<Piece> arguments = pieces(notation, syntax);
-  for (const FunctionRow& row : function_table) {
-    if (row.name == syntax.text) return call(notation, row.id, arguments);
+Piece product_piece(const Notation& notation, const std::vector<ConstantPart>& parts) {
+  std::vector<Factor> above;
+  std::vector<Factor> below;
+  for (const ConstantPart& part : parts) {
+    (part.weight > 0 ? above : below)
+        .push_back({piece(notation, part.form), std::abs(part.weight)});
   }
-  return square_root(notation, arguments.front());
+  if (above.empty()) above.push_back({Piece{"1"}});
+  const Piece numerator = product(notation, above);
+  return below.empty() ? numerator : quotient(notation, numerator, product(notation, below));
 }
 
-Piece power_piece(const Notation& notation, const ExpressionSyntax& syntax) {
-  const Piece base = piece(notation, syntax.operands.front());
-  const bool is_safe = base.precedence == Precedence::atom;
-  const std::string exponent = piece(notation, syntax.operands.back()).text();
-  return {fmt::format(fmt::runtime(notation.power),
-                      is_safe ? base.text() : fmt::format("\\left( {} \\right)", base.text()),
-                      exponent),
-          Precedence::power};
-}
-
-Piece piece(const Notation& notation, const ExpressionSyntax& syntax) {
-  switch (syntax.kind) {
-    case SyntaxKind::number:
-      return {syntax.token.source->text.substr(syntax.token.begin,
-                                               syntax.token.end - syntax.token.begin)};
-    case SyntaxKind::name:
-      return {latex_symbol(syntax.text).text()};
-    case SyntaxKind::negate:
-      return negated(notation, piece(notation, syntax.operands.front()));
-    case SyntaxKind::add:
-      return sum_piece(notation, syntax);
-    case SyntaxKind::multiply: {
-      std::vector<Factor> factors;
-      for (const Piece& factor : pieces(notation, syntax)) factors.push_back({factor});
-      return product(notation, factors);
-    }
-    case SyntaxKind::divide: {
-      const std::vector<Piece> parts = pieces(notation, syntax);
-      return quotient(notation, parts.front(), parts.back());
-    }
-    case SyntaxKind::power:
-      return power_piece(notation, syntax);
-    case SyntaxKind::call:
-      return call_piece(notation, syntax);
+Piece call_piece(const Notation& notation, const ConstantForm& form) {
+  std::vector<Piece> arguments;
+  for (const ConstantPart& part : form.parts) {
+    arguments.push_back(piece(notation, part.weight < 0 ? elgen::negated(part.form) : part.form));
   }
-  return {};
+  if (form.kind == ConstantKind::square_root) return square_root(notation, arguments.front());
+  return call(notation, form.function, arguments);
 }
 
-/// 3 and 9.81, but not 1/2: a denominator with a factor 5 is one of a decimal number.
-bool is_decimal(const Constant& constant) {
-  if (!is_rational(constant.value)) return false;
-  const cln::cl_I denominator = cln::denominator(cln::rational(constant.value));
-  const bool has_five = denominator == 1 || cln::zerop(cln::mod(denominator, 5));
-  return has_five && exact_decimal(constant.value) &&
-         exact_text(constant.value).find('e') == std::string::npos;
+Piece piece(const Notation& notation, const ConstantForm& form) {
+  switch (form.kind) {
+    case ConstantKind::rational:
+      return number_piece(notation, form.number);
+    case ConstantKind::pi:
+      return {latex_symbol("pi").text()};
+    case ConstantKind::sum:
+      return sum_piece(notation, form.parts);
+    case ConstantKind::product:
+      return product_piece(notation, form.parts);
+    default:
+      return call_piece(notation, form);
+  }
 }
 
 }  // namespace
 
-Piece constant_piece(const Notation& notation, const Constant& constant) {
-  const std::string& text = constant.text;
-  if (!notation.is_two_dimensional) return {text, text_precedence(text)};
-  if (is_decimal(constant)) return {exact_text(constant.value)};
-  const SourcePointer source = make_source("constant", text);
-  const Span whole{source.get(), 0, static_cast<std::uint32_t>(text.size())};
-  Limits limits;
-  limits.expression_depth = parsing::deepest_expression;
-  limits.literal_digits = text.size();
-  const auto syntax = parsing::read_expression(parsing::copied_text(whole), limits);
-  return syntax ? piece(notation, *syntax) : Piece{fmt::format("\\mathrm{{{}}}", text)};
+Piece constant_piece(const Notation& notation, const ConstantForm& form) {
+  if (notation.is_two_dimensional) return piece(notation, form);
+  return {text_of(form), text_precedence(form)};
 }
 
 }  // namespace elgen::rendering

@@ -40,7 +40,7 @@ class Walk {
     const Instruction& i = function_.instructions[at];
     switch (i.opcode) {
       case Opcode::negate:
-        return negated(notation, print(i.a));
+        return negation(i.a);
       case Opcode::square_root:
         return square_root(notation, print(i.a));
       case Opcode::multiply:
@@ -54,6 +54,12 @@ class Walk {
       default:
         return leaf(i);
     }
+  }
+
+  Piece negation(std::uint32_t operand) const {
+    const Instruction& i = function_.instructions[operand];
+    if (i.opcode != Opcode::constant) return negated(language_.notation, print(operand));
+    return constant_piece(language_.notation, elgen::negated(program_.constants[i.a].form));
   }
 
   Piece binary(const Instruction& i) const {
@@ -77,7 +83,7 @@ class Walk {
     const Symbols& symbols = language_.symbols;
     switch (i.opcode) {
       case Opcode::constant:
-        return constant_piece(language_.notation, program_.constants[i.a]);
+        return constant_piece(language_.notation, program_.constants[i.a].form);
       case Opcode::parameter:
         return {symbols.parameters[i.a].text()};
       case Opcode::coordinate:

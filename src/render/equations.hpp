@@ -22,6 +22,6 @@ struct Language {
                                             const Language& language);
 
 /// "1/2*sqrt(2)", 9.81: an exact constant in a notation.
-[[nodiscard]] Piece constant_piece(const Notation& notation, const Constant& constant);
+[[nodiscard]] Piece constant_piece(const Notation& notation, const ConstantForm& form);
 
 }  // namespace elgen::rendering

@@ -12,7 +12,8 @@ using Lines = std::vector<std::string>;
 Lines fixed_parameters(const Model& model, const Scene& scene) {
   Lines values;
   for (const auto& [index, value] : scene.specialisation.fixed) {
-    values.push_back(fmt::format("{} = {}", model.parameters[index].name, exact_text(value)));
+    values.push_back(
+        fmt::format("{} = {}", model.parameters[index].name, exact_text(value.number)));
   }
   return values;
 }

@@ -45,7 +45,8 @@ std::string value_text(const Model& model, const Scene& scene, const ParameterAr
   for (std::uint32_t i = array.first; i < array.first + array.count; ++i) {
     const auto fixed = scene.specialisation.fixed.find(i);
     const bool has_value = fixed == scene.specialisation.fixed.end();
-    const std::string value = exact_text(has_value ? model.parameters[i].value : fixed->second);
+    const std::string value =
+        exact_text(has_value ? model.parameters[i].value : fixed->second.number);
     if (i == array.first) first = value;
     is_uniform = is_uniform && value == first;
     is_fixed = is_fixed && !has_value;

@@ -4,9 +4,12 @@
 //     after     T = 1/2*m*l^2*v^2,  V = -m*g*l + 1/2*m*g*l*q^2
 //
 // Equations of order k need T - V and D to order k + 1, counting deviations and rates jointly, and
-// forces to order k: one derivative is still to be taken of the energies. What passed for masses,
-// points and their forces is then in T, V and the generalized forces.
+// forces to order k: one derivative is still to be taken of the energies. Those of coordinates that
+// are not small lose no order by that derivative: right to order k + 1, with forces to that order.
+// What passed for masses, points and their forces is then in T, V and the generalized forces.
 #include "specialise/expand.hpp"
+
+#include <algorithm>
 
 #include "formulate/chain_rule.hpp"
 #include "specialise/taylor_series.hpp"
@@ -28,7 +31,7 @@ void add_masses(Lagrangian& lagrangian, Tangent& velocity) {
       squares.push_back(rate * rate);
       if (lagrangian.gravity) heights.push_back((*lagrangian.gravity)[axis] * at);
     }
-    if (mass.kinetic) lagrangian.kinetic.push_back(mass.mass * GiNaC::add(squares) / 2);
+    lagrangian.kinetic.push_back(mass.mass * GiNaC::add(squares) / 2);
     if (lagrangian.gravity) lagrangian.potential.push_back(-mass.mass * GiNaC::add(heights));
   }
   lagrangian.masses.clear();
@@ -48,6 +51,11 @@ void add_point_forces(Lagrangian& lagrangian, Tangent& velocity) {
   lagrangian.point_forces.clear();
 }
 
+bool is_small(const Expansion& expansion, const ex& leaf) {
+  return std::any_of(expansion.small.begin(), expansion.small.end(),
+                     [&](const SmallLeaf& small) { return small.leaf.is_equal(leaf); });
+}
+
 }  // namespace
 
 Lagrangian expanded(Lagrangian lagrangian) {
@@ -56,13 +64,16 @@ Lagrangian expanded(Lagrangian lagrangian) {
   Tangent velocity(lagrangian.definitions, motion_seeds(lagrangian.symbols), "_dot");
   add_masses(lagrangian, velocity);
   add_point_forces(lagrangian, velocity);
-  TaylorSeries of_energies(lagrangian.definitions, expansion.small, expansion.order + 1);
+  TaylorSeries one_more(lagrangian.definitions, expansion.small, expansion.order + 1);
   for (auto* terms : {&lagrangian.kinetic, &lagrangian.potential, &lagrangian.dissipation,
                       &lagrangian.lagrangian}) {
-    for (ex& term : *terms) term = of_energies(term);
+    for (ex& term : *terms) term = one_more(term);
   }
-  TaylorSeries of_forces(lagrangian.definitions, expansion.small, expansion.order);
-  for (ex& force : lagrangian.forces) force = of_forces(force);
+  TaylorSeries of_small(lagrangian.definitions, expansion.small, expansion.order);
+  for (std::size_t i = 0; i < lagrangian.forces.size(); ++i) {
+    ex& force = lagrangian.forces[i];
+    force = is_small(expansion, lagrangian.symbols.v[i]) ? of_small(force) : one_more(force);
+  }
   return lagrangian;
 }
 

@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "formulate/expressions.hpp"
 #include "specialise/expand.hpp"
 #include "specialise/lock.hpp"
 #include "specialise/replace.hpp"
@@ -23,10 +24,12 @@ namespace {
 
 using GiNaC::ex;
 
-void fix(Lagrangian& lagrangian, const std::map<std::uint32_t, cln::cl_R>& fixed) {
+void fix(Lagrangian& lagrangian, const Model& model, const FixedParameters& fixed) {
   Seeds values;
-  for (const auto& [parameter, number] : fixed) {
-    values.emplace(lagrangian.symbols.parameters[parameter], GiNaC::numeric(number));
+  for (const auto& [parameter, value] : fixed) {
+    const ex number =
+        value.form ? constant_value(model, *value.form) : ex(GiNaC::numeric(value.number));
+    values.emplace(lagrangian.symbols.parameters[parameter], number);
   }
   replace(lagrangian, values);
 }
@@ -104,14 +107,15 @@ Diagnostic blamed(const Problem& problem, const std::vector<Part>& parts, const 
 
 Diagnostics fix_parameters(Lagrangian& lagrangian, const CheckedModel& checked) {
   const auto& fixed = checked.scene.specialisation.fixed;
+  const Model& model = checked.model;
   const Lagrangian before = lagrangian;
-  const auto problem = problem_of([&](Lagrangian& whole) { fix(whole, fixed); }, lagrangian);
+  const auto problem = problem_of([&](Lagrangian& whole) { fix(whole, model, fixed); }, lagrangian);
   if (!problem) return {};
   std::vector<Part> parts;
   for (const auto& entry : fixed) {
-    const Parameter& parameter = checked.model.parameters[entry.first];
-    parts.push_back({parameter.name, checked.model.parameter_arrays[parameter.array].span,
-                     [&entry](Lagrangian& part) { fix(part, {entry}); }});
+    const Parameter& parameter = model.parameters[entry.first];
+    parts.push_back({parameter.name, model.parameter_arrays[parameter.array].span,
+                     [&](Lagrangian& part) { fix(part, model, {entry}); }});
   }
   return {blamed(*problem, parts, before, {"at its fixed value", "at their fixed values"})};
 }

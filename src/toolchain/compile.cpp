@@ -1,6 +1,6 @@
-// compile: writes an emitted header and its driver into a temporary directory, has the user's
-// compiler make a shared object of them, and loads it. The directory is gone when compile returns;
-// the loaded object stays.
+// compile: writes the emitted headers and a driver of each into a temporary directory, has the
+// user's compiler make shared objects of them, and loads those. The directory is gone when compile
+// returns; the loaded objects stay.
 #include <dlfcn.h>
 #include <fmt/format.h>
 
@@ -94,20 +94,21 @@ bool write(const std::filesystem::path& path, const std::string& text) {
 }
 
 bool write_all(const std::filesystem::path& directory, const EmittedFiles& files,
-               const std::string& driver) {
+               const std::vector<Driver>& drivers) {
   const bool headers = std::all_of(
       files.files.begin(), files.files.end(),
       [&directory](const auto& file) { return write(directory / file.first, file.second); });
-  return headers && write(directory / "driver.cpp", driver);
+  return headers && std::all_of(drivers.begin(), drivers.end(), [&directory](const Driver& driver) {
+           return write(directory / driver.file, driver.text);
+         });
 }
 
 /// Empty where a symbol is missing; functions the driver has for one scalar alone lack the other.
-std::vector<LoadedFunction> load(const Library& library, const Scene& scene,
-                                 const Program& program) {
-  const std::size_t scalars = driver_scalars(scene).size();
+std::vector<LoadedFunction> load(const Library& library, const DriverInput& input) {
+  const std::size_t scalars = driver_scalars(input).size();
   std::vector<LoadedFunction> functions;
-  for (std::size_t i = 0; i < program.functions.size(); ++i) {
-    const Function& function = program.functions[i];
+  for (std::size_t i = 0; i < input.program.functions.size(); ++i) {
+    const Function& function = input.program.functions[i];
     const LoadedFunction loaded{function.name, entry_count(function),
                                 library.find<double>(driver_symbol("double", i)),
                                 library.find<float>(driver_symbol("float", i))};
@@ -129,32 +130,45 @@ std::string tried() {
   return text;
 }
 
-}  // namespace
-
-Result<std::unique_ptr<CompiledModel>> compile(const EmittedFiles& files, const Model& model,
-                                               const Scene& scene, const Program& program) {
-  const std::optional<TemporaryDirectory> directory = TemporaryDirectory::create();
-  if (!directory || !write_all(directory->path(), files, driver_source(model, scene, program))) {
-    return nowhere(Code::E706, "no temporary directory could be written; $TMPDIR names another");
-  }
-  const std::optional<CompilerCommand> compiler = find_compiler(directory->path());
-  if (!compiler) return nowhere(Code::E704, fmt::format("tried {}", tried()));
-
-  const std::filesystem::path object = directory->path() / "driver.so";
-  const ProcessResult compiled =
-      compile_shared(*compiler, directory->path() / "driver.cpp", object);
+/// What becomes of one driver.
+Result<CompiledHeader> compile_one(const Driver& driver, const CompilerCommand& compiler,
+                                   const std::filesystem::path& directory,
+                                   const DriverInput& input) {
+  const std::filesystem::path object = directory / (driver.file + ".so");
+  const ProcessResult compiled = compile_shared(compiler, directory / driver.file, object);
   if (!compiled.started || compiled.status != 0) {
-    return nowhere(Code::E705, fmt::format("`{}` exits {}:\n{}", fmt::join(*compiler, " "),
+    return nowhere(Code::E705, fmt::format("`{}` exits {}:\n{}", fmt::join(compiler, " "),
                                            compiled.status, compiled.output));
   }
   Library library(object);
   if (!library.loaded()) return nowhere(Code::E705, fmt::format("not loadable: {}", dlerror()));
-  std::vector<LoadedFunction> functions = load(library, scene, program);
-  if (functions.size() != program.functions.size()) {
+  std::vector<LoadedFunction> functions = load(library, input);
+  if (functions.size() != input.program.functions.size()) {
     return nowhere(Code::E705, "a compiled function is missing from the loaded object");
   }
-  return Result<std::unique_ptr<CompiledModel>>(
-      std::make_unique<LoadedModel>(std::move(library), std::move(functions)));
+  return CompiledHeader{driver.types,
+                        std::make_unique<LoadedModel>(std::move(library), std::move(functions))};
+}
+
+}  // namespace
+
+Result<CompiledHeaders> compile(const EmittedFiles& files, const Model& model, const Scene& scene,
+                                const Program& program) {
+  const DriverInput input{model, scene, program};
+  const std::vector<Driver> sources = drivers(input);
+  const std::optional<TemporaryDirectory> directory = TemporaryDirectory::create();
+  if (!directory || !write_all(directory->path(), files, sources)) {
+    return nowhere(Code::E706, "no temporary directory could be written; $TMPDIR names another");
+  }
+  const std::optional<CompilerCommand> compiler = find_compiler(directory->path());
+  if (!compiler) return nowhere(Code::E704, fmt::format("tried {}", tried()));
+  CompiledHeaders headers;
+  for (const Driver& driver : sources) {
+    Result<CompiledHeader> header = compile_one(driver, *compiler, directory->path(), input);
+    if (!header) return header.diagnostics;
+    headers.push_back(std::move(*header));
+  }
+  return headers;
 }
 
 }  // namespace elgen

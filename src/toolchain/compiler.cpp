@@ -7,13 +7,18 @@
 namespace elgen {
 namespace {
 
-constexpr const char* flags[] = {"-std=c++17",        "-O2",
-                                 "-ffp-contract=off", "-fPIC",
-                                 "-shared",           "-Wall",
-                                 "-Wextra",           "-Wpedantic",
-                                 "-Wconversion",      "-Wsign-conversion",
-                                 "-Wshadow",          "-Wdouble-promotion",
-                                 "-Wfloat-equal",     "-Werror"};
+constexpr const char* flags[] = {
+    "-O2",           "-ffp-contract=off",  "-fPIC",        "-shared",  "-Wall",
+    "-Wextra",       "-Wpedantic",         "-Wconversion", "-Wshadow", "-Wsign-conversion",
+    "-Wfloat-equal", "-Wdouble-promotion", "-Werror"};
+
+/// Where Debian and others keep Eigen; elsewhere $CPATH says it.
+constexpr const char* eigen_folder = "/usr/include/eigen3";
+
+std::vector<std::string> language_flags(const std::filesystem::path& source) {
+  if (source.extension() == ".c") return {"-std=c99", "-x", "c"};
+  return {"-std=c++17", "-isystem", eigen_folder};
+}
 
 CompilerCommand split(const std::string& text) {
   std::istringstream stream(text);
@@ -49,6 +54,8 @@ ProcessResult compile_shared(const CompilerCommand& compiler, const std::filesys
                              const std::filesystem::path& object) {
   std::vector<std::string> command = compiler;
   command.insert(command.end(), std::begin(flags), std::end(flags));
+  const std::vector<std::string> of_language = language_flags(source);
+  command.insert(command.end(), of_language.begin(), of_language.end());
   command.insert(command.end(), {source.string(), "-o", object.string()});
   return run(command, object.parent_path() / "compiler.txt");
 }

@@ -1,5 +1,5 @@
-// The C interface to an emitted header: one extern "C" function per model function and scalar, with
-// flat arrays.
+// The C interface to an emitted header: one function per model function and scalar, with flat
+// arrays.
 #pragma once
 
 #include <cstddef>
@@ -18,17 +18,30 @@ template <class Scalar>
 using DriverFunction = void (*)(const Scalar* parameters, const Scalar* q, const Scalar* v,
                                 const Scalar* a, const Scalar* u, Scalar t, Scalar* result);
 
-/// The scalars a driver wraps functions for: double and float of generic code, else the scene's
-/// own.
-[[nodiscard]] std::vector<ScalarKind> driver_scalars(const Scene& scene);
+/// What drivers are made from.
+struct DriverInput {
+  const Model& model;
+  const Scene& scene;
+  const Program& program;
+};
+
+/// A translation unit that includes one emitted header, in the header's language, and wraps each
+/// function for each scalar. `parameters` are those of Program::leaves; results follow each other
+/// in the order of Function::fields, matrices row by row.
+struct Driver {
+  std::string types = {};  ///< "Eigen"; empty for those of the language itself
+  std::string file = {};
+  std::string text = {};
+};
+
+/// One for every header among the emitted files.
+[[nodiscard]] std::vector<Driver> drivers(const DriverInput& input);
+
+/// The scalars a driver wraps functions for: of generic code double, and float where its numbers
+/// fit that, else the scene's own.
+[[nodiscard]] std::vector<ScalarKind> driver_scalars(const DriverInput& input);
 
 /// The driver's name for Program::functions[function]: "elgen_driver_double_3".
 [[nodiscard]] std::string driver_symbol(std::string_view scalar, std::size_t function);
-
-/// The source of a C++ translation unit that includes the header (C headers are C++ too) and wraps
-/// each function for each scalar. `parameters` are those of Program::leaves; results follow each
-/// other in the order of Function::fields, matrices row by row.
-[[nodiscard]] std::string driver_source(const Model& model, const Scene& scene,
-                                        const Program& program);
 
 }  // namespace elgen

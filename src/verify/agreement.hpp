@@ -16,8 +16,8 @@ struct Measured {
 /// rounding of `scale`, the largest magnitude met on the way. An undefined number agrees with none.
 [[nodiscard]] bool agrees(const Measured& number, const Real& truth, const Real& scale);
 
-/// The scale grows by what the oracle's own rounding is of: the energy, and where that is not
-/// enough, the forces.
+/// The scale grows by what the oracle's own rounding is of: where the entry's does not do, by the
+/// energy, and where that is not enough, by the forces, or by the inertia.
 [[nodiscard]] bool agrees_with_oracle(const Measured& number, const cln::cl_R& truth,
                                       const Real& scale, OracleCache& oracle);
 

@@ -25,7 +25,7 @@ std::size_t differing(const std::vector<Scalar>& x, const std::vector<Scalar>& y
 }
 
 template <class Scalar>
-CertificateRow compiled_row(const Subject& subject, const CompiledModel& compiled,
+CertificateRow compiled_row(const Subject& subject, const CompiledHeader& compiled,
                             const Function& function,
                             const std::vector<SampledState<Scalar>>& states) {
   std::size_t wrong = 0;
@@ -33,7 +33,8 @@ CertificateRow compiled_row(const Subject& subject, const CompiledModel& compile
   std::string where;
   for (const SampledState<Scalar>& sample : states) {
     const auto expected = evaluate(subject.program, function, sample.values);
-    const std::size_t count = differing(compiled.call(function.name, sample.values), expected);
+    const std::size_t count =
+        differing(compiled.functions->call(function.name, sample.values), expected);
     if (wrong == 0 && count > 0) where = describe(subject, exact_state(subject, sample.values));
     wrong += count;
     entries += expected.size();
@@ -41,7 +42,8 @@ CertificateRow compiled_row(const Subject& subject, const CompiledModel& compile
   CertificateRow row;
   row.check = "compiled code vs program";
   row.subject =
-      fmt::format("{} ({})", function.name, std::is_same_v<Scalar, float> ? "float" : "double");
+      fmt::format("{} ({}{}{})", function.name, std::is_same_v<Scalar, float> ? "float" : "double",
+                  compiled.types.empty() ? "" : ", ", compiled.types);
   row.formula = "same bits";
   row.samples = states.size();
   row.worst = fmt::format("{} of {} entries differ", wrong, entries);
@@ -54,7 +56,7 @@ CertificateRow compiled_row(const Subject& subject, const CompiledModel& compile
 }  // namespace
 
 template <class Scalar>
-std::vector<CertificateRow> check_compiled(const Subject& subject, const CompiledModel& compiled,
+std::vector<CertificateRow> check_compiled(const Subject& subject, const CompiledHeader& compiled,
                                            const std::vector<SampledState<Scalar>>& states) {
   std::vector<CertificateRow> rows;
   for (const Function& function : subject.program.functions) {
@@ -63,9 +65,9 @@ std::vector<CertificateRow> check_compiled(const Subject& subject, const Compile
   return rows;
 }
 
-template std::vector<CertificateRow> check_compiled(const Subject&, const CompiledModel&,
+template std::vector<CertificateRow> check_compiled(const Subject&, const CompiledHeader&,
                                                     const std::vector<SampledState<double>>&);
-template std::vector<CertificateRow> check_compiled(const Subject&, const CompiledModel&,
+template std::vector<CertificateRow> check_compiled(const Subject&, const CompiledHeader&,
                                                     const std::vector<SampledState<float>>&);
 
 }  // namespace elgen

@@ -12,7 +12,7 @@ namespace elgen {
 /// One row per function, for one scalar: all entries at all states, NaN equal to NaN.
 template <class Scalar>
 [[nodiscard]] std::vector<CertificateRow> check_compiled(
-    const Subject& subject, const CompiledModel& compiled,
+    const Subject& subject, const CompiledHeader& compiled,
     const std::vector<SampledState<Scalar>>& states);
 
 }  // namespace elgen

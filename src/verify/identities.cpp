@@ -3,6 +3,7 @@
 #include "identities.hpp"
 
 #include "elgen/outputs.hpp"
+#include "twist.hpp"
 
 namespace elgen {
 namespace {
@@ -217,30 +218,53 @@ const std::vector<Identity>& identities() {
   return table;
 }
 
+namespace {
+
+/// d^2 y/dt^2 at a = 0 along a motion.
+Values second_rate(ExactValues& at, const Arguments<Real>& motion, std::uint32_t user) {
+  Values result = at.curvatures(K::user_value, motion, user);
+  if (at.subject().model.rotations.empty()) return result;
+  Arguments<Real> turning = at.at_rest();
+  turning.q = at.coasting_accelerations();
+  const Values of_turning = at.slopes(K::user_value, turning, user);
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = result[i] + of_turning[i];
+  return result;
+}
+
+}  // namespace
+
 Balance jacobian_balance(ExactValues& at, std::uint32_t user) {
+  const UserOutput& output = at.subject().model.outputs[user];
   const Values& jacobian = at.value(K::user_jacobian, user);
   const std::size_t n = at.size();
   Balance balance(jacobian.size());
   add_all(balance, jacobian, 1);
   for (std::size_t j = 0; j < n; ++j) {
     const Values column = at.slopes(K::user_value, unit_position(at, j), user);
+    if (output.frame) {
+      subtract_twist({balance, j, n, output.in_world}, {at.value(K::user_value, user), column});
+      continue;
+    }
     for (std::size_t i = 0; i < column.size(); ++i) balance.add(i * n + j, -column[i]);
   }
   return balance;
 }
 
 Balance output_bias_balance(ExactValues& at, std::uint32_t user) {
+  const UserOutput& output = at.subject().model.outputs[user];
   Arguments<Real> motion = at.at_rest();
   motion.q = at.coordinate_rates(at.arguments().v);
   motion.t = Real(1);
   const Values& bias = at.value(K::user_bias, user);
   Balance balance(bias.size());
   add_all(balance, bias, 1);
-  add_all(balance, at.curvatures(K::user_value, motion, user), -1);
-  if (at.subject().model.rotations.empty()) return balance;
-  Arguments<Real> turning = at.at_rest();
-  turning.q = at.coasting_accelerations();
-  add_all(balance, at.slopes(K::user_value, turning, user), -1);
+  if (output.frame) {
+    const PoseMotion pose{at.value(K::user_value, user), at.slopes(K::user_value, motion, user),
+                          second_rate(at, motion, user)};
+    subtract_twist_rate({balance, 0, 1, output.in_world}, pose);
+  } else {
+    add_all(balance, second_rate(at, motion, user), -1);
+  }
   return balance;
 }
 

@@ -19,7 +19,8 @@ struct Identity {
 
 [[nodiscard]] const std::vector<Identity>& identities();
 
-/// J - dy/dq and bias - d^2 y/dt^2 (at a = 0) of the user's output.
+/// J - dy/dq and bias - d^2 y/dt^2 (at a = 0) of the user's output. Of a frame y is a pose, and its
+/// twist stands for dy/dt: quaternions must be of norm 1 then.
 [[nodiscard]] Balance jacobian_balance(ExactValues& at, std::uint32_t user);
 [[nodiscard]] Balance output_bias_balance(ExactValues& at, std::uint32_t user);
 

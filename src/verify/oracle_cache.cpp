@@ -8,38 +8,10 @@
 namespace elgen {
 namespace {
 
-/// 0 where it has no value.
-cln::cl_R magnitude(const Model& model, ExpressionId id, const State& state) {
-  const std::optional<cln::cl_R> value = oracle_expression(model, id, state);
-  return value ? cln::abs(*value) : cln::cl_R(0);
-}
-
-/// |m| (|g_x x| + |g_y y| + |g_z z|) of one mass.
-cln::cl_R weight(const Model& model, ExpressionId mass, const Vector3& at, const State& state) {
-  cln::cl_R sum = 0;
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    sum = sum + magnitude(model, (*model.gravity)[i], state) * magnitude(model, at[i], state);
-  }
-  return magnitude(model, mass, state) * sum;
-}
-
-/// The sum of the magnitudes of V's terms, which may cancel to 0 whatever the state is.
-cln::cl_R potential_terms(const Model& model, const State& state) {
-  cln::cl_R sum = 0;
-  if (model.energies.V) {
-    const Expression& V = model.expressions[*model.energies.V];
-    if (V.kind == ExpressionKind::add) {
-      for (const ExpressionId term : V.operands) sum = sum + magnitude(model, term, state);
-    }
-  }
-  if (!model.gravity) return sum;
-  for (const Point& point : model.points) {
-    if (point.mass) sum = sum + weight(model, *point.mass, point.at, state);
-  }
-  for (const Body& body : model.bodies) {
-    if (body.mass) sum = sum + weight(model, *body.mass, body.com, state);
-  }
-  return sum;
+cln::cl_R largest_of(const std::vector<cln::cl_R>& values) {
+  cln::cl_R largest = 0;
+  for (const cln::cl_R& value : values) largest = cln::max(largest, cln::abs(value));
+  return largest;
 }
 
 }  // namespace
@@ -52,10 +24,7 @@ const OracleValues& OracleCache::values(const OutputRequest& request) {
 }
 
 const cln::cl_R& OracleCache::energy() {
-  if (!energy_) {
-    const OracleValues& e = values(standard_request(OutputKind::energy_function));
-    energy_ = e ? cln::abs(e->front()) + potential_terms(subject_.model, state_) : cln::cl_R(0);
-  }
+  if (!energy_) energy_ = oracle_energy_magnitude(subject_.model, state_).value_or(0);
   return *energy_;
 }
 
@@ -67,10 +36,15 @@ cln::cl_R OracleCache::force() {
     const OutputRequest request = checking::request_of(subject_.model, kind, 0);
     if (!checking::is_available(subject_.model, request)) continue;
     const OracleValues& entries = values(request);
-    if (!entries) continue;
-    for (const cln::cl_R& entry : *entries) largest = cln::max(largest, cln::abs(entry));
+    if (entries) largest = cln::max(largest, largest_of(*entries));
   }
   return largest;
+}
+
+cln::cl_R OracleCache::inertia() {
+  const OracleValues& mass = values(standard_request(OutputKind::mass_matrix));
+  if (!mass) return 0;
+  return largest_of(*mass) * (largest_of(state_.v) + largest_of(state_.a));
 }
 
 bool OracleCache::solves() {

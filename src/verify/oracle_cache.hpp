@@ -25,6 +25,10 @@ class OracleCache {
   /// forces (drift) drown where that is larger than |E|.
   [[nodiscard]] cln::cl_R force();
 
+  /// |M| (|v| + |a|) of the largest entries: what derivatives of inertial forces are rounding of
+  /// where M does not depend on q, however slow the motion is.
+  [[nodiscard]] cln::cl_R inertia();
+
   /// Whether the oracle's solution of M a = b is known to 50 digits. It is solved in 95, entry i of
   /// a with an error of 1e-95 F/(d_i M_ii), where F is the largest force and d_i the relative
   /// pivot: near a singular chart, and where large forces cancel to almost nothing, less is left.

@@ -37,8 +37,11 @@ Regime worse(Regime x, Regime y) {
 template <class Scalar>
 BoundedRun bounded_run(const Program& program, const Function& function, const State& state) {
   BoundedRun run;
-  const auto values =
-      evaluate_instructions(program, function, arguments_at<Bounded<Scalar>>(state));
+  RealPrecision precision;
+  std::vector<Bounded<Scalar>> values;
+  do {
+    values = evaluate_instructions(program, function, arguments_at<Bounded<Scalar>>(state));
+  } while (precision.grows());
   for (const Bound& value : values) {
     const Regime here = regime_of(value, rounding<Scalar>());
     run.regime = worse(run.regime, here);

@@ -1,22 +1,25 @@
 // self_check: what precedes every write. At each state every function is run in double, in 64
 // digits with its error bound, and projected on random directions against the oracle. The clock
-// decides only how many states are visited.
+// decides only how many states are visited: a state is always finished.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 #include "accuracy.hpp"
 #include "agreement.hpp"
 #include "elgen/certificate.hpp"
+#include "elgen/wording.hpp"
 #include "projection.hpp"
 #include "sampled_zeros.hpp"
 #include "states.hpp"
+#include "time_share.hpp"
+#include "undefined_expression.hpp"
 
 namespace elgen {
 namespace {
 
-constexpr std::size_t least_states = 2;
 constexpr std::size_t most_states = 32;
 
 /// One state on its way through all functions.
@@ -33,6 +36,7 @@ class Visit {
     const Function& function = subject_.program.functions[index];
     BoundedRun run = bounded_run<double>(subject_.program, function, oracle_.state());
     const bool has_values = run.regime != Regime::undefined && run.regime != Regime::overflow;
+    undefined_.push_back(run.regime == Regime::undefined);
     // At ordinary states the oracle is asked all the same: what has a value there must have one
     // here.
     if (!has_values && sample_.region != Region::nominal) return {};
@@ -48,7 +52,10 @@ class Visit {
   }
 
   [[nodiscard]] std::size_t compared() const { return compared_; }
-  [[nodiscard]] double worst() const { return worst_; }
+  /// By function, of those visited.
+  [[nodiscard]] const std::vector<bool>& undefined() const { return undefined_; }
+  [[nodiscard]] const State& state() const { return oracle_.state(); }
+  [[nodiscard]] std::optional<double> worst() const { return worst_; }
   [[nodiscard]] std::string where() const { return describe(subject_, oracle_.state()); }
 
  private:
@@ -67,7 +74,7 @@ class Visit {
         const Bound& bound = judging_bound(own.entries[first + i], bounds[judge.first + i]);
         const double x = rounded[first + i];
         const double error = error_in_bounds(x, bound, function.instructions.size());
-        worst_ = std::max(worst_, error);
+        worst_ = std::max(worst_.value_or(0), error);
         if (!(error <= promised_bounds)) return imprecise(x, bound, error);
       }
       first += field.entries.size();
@@ -112,25 +119,70 @@ class Visit {
   Random& random_;
   OracleCache oracle_;
   std::vector<std::pair<const Function*, BoundedRun>> exact_ = {};
+  std::vector<bool> undefined_ = {};
   std::size_t compared_ = 0;
-  double worst_ = 0;
+  std::optional<double> worst_ = {};
 };
 
-/// Visits all functions at one state; adds to `result`.
-void check_state(SelfCheck& result, const Subject& subject, const SampledState<double>& sample,
-                 Random& random) {
-  Visit visit(subject, sample, random);
-  for (std::size_t index = 0; index < subject.program.functions.size(); ++index) {
-    const std::string mistake = visit.mistake(index);
-    if (mistake.empty()) continue;
-    ++result.states;
-    result.failure = fmt::format("`{}`: {}, at {}", subject.program.functions[index].name, mistake,
-                                 visit.where());
-    return;
+/// What all states say together.
+class SelfChecking {
+ public:
+  explicit SelfChecking(const Subject& subject)
+      : subject_(subject), without_value_(subject.program.functions.size(), true) {
+    result_.sampled_zeros = count_sampled_zeros(subject.program);
   }
-  result.states += visit.compared() > 0 ? 1 : 0;
-  result.worst = std::max(result.worst, visit.worst());
-}
+
+  /// Visits all functions at one state.
+  void visit(const SampledState<double>& sample) {
+    Visit visit(subject_, sample, random_);
+    states_.push_back(visit.state());
+    for (std::size_t index = 0; index < subject_.program.functions.size(); ++index) {
+      const std::string mistake = visit.mistake(index);
+      without_value_[index] = without_value_[index] && visit.undefined()[index];
+      if (mistake.empty()) continue;
+      ++result_.states;
+      result_.failure = fmt::format("`{}`: {}, at {}", subject_.program.functions[index].name,
+                                    mistake, visit.where());
+      return;
+    }
+    const std::vector<bool>& undefined = visit.undefined();
+    result_.outside += std::count(undefined.begin(), undefined.end(), true) > 0 ? 1U : 0U;
+    result_.states += visit.compared() > 0 ? 1 : 0;
+    if (visit.worst()) result_.worst = std::max(result_.worst.value_or(0), *visit.worst());
+  }
+
+  /// An output that is undefined so far, which calls for more states.
+  [[nodiscard]] bool lacks_value() const {
+    return std::find(without_value_.begin(), without_value_.end(), true) != without_value_.end();
+  }
+
+  [[nodiscard]] const SelfCheck& result() const { return result_; }
+
+  SelfCheck finish() {
+    if (result_.failure.empty() && lacks_value()) refuse();
+    return std::move(result_);
+  }
+
+ private:
+  void refuse() {
+    const auto first = std::find(without_value_.begin(), without_value_.end(), true);
+    const Function& function =
+        subject_.program.functions[static_cast<std::size_t>(first - without_value_.begin())];
+    result_.lacks_value = true;
+    result_.failure =
+        fmt::format("`{}` has no value at any of {} states", function.name, states_.size());
+    const auto undefined = undefined_expression(subject_.model, function, states_);
+    if (!undefined) return;
+    result_.place = subject_.model.expressions[*undefined].span;
+    result_.failure += ", nor has " + quoted(*result_.place);
+  }
+
+  const Subject& subject_;
+  Random random_{1};
+  std::vector<bool> without_value_;  ///< by function
+  std::vector<State> states_ = {};
+  SelfCheck result_ = {};
+};
 
 }  // namespace
 
@@ -139,24 +191,24 @@ SelfCheck self_check(const Model& model, const Scene& scene, const Program& prog
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   const Subject subject{model, scene, program};
-  Random random(1);
-  SelfCheck result;
-  result.sampled_zeros = count_sampled_zeros(program);
+  SelfChecking checking(subject);
+  TimeShare share(seconds);
   for (const auto& sample : sample_states<double>(subject, {most_states, 1, false})) {
-    const std::chrono::duration<double> elapsed = Clock::now() - start;
-    if (result.states >= least_states && elapsed.count() > seconds) break;
-    check_state(result, subject, sample, random);
-    if (!result.failure.empty()) break;
+    const bool is_enough = !share.fits_another(checking.result().states);
+    if (is_enough && !checking.lacks_value()) break;
+    checking.visit(sample);
+    if (!checking.result().failure.empty()) break;
+    share.add_state(std::chrono::duration<double>(Clock::now() - start).count());
   }
-  if (result.states == 0 && result.failure.empty() && !program.functions.empty()) {
-    result.failure = fmt::format("no output has a value at any of {} states", most_states);
-  }
-  return result;
+  return checking.finish();
 }
 
 std::string receipt(const SelfCheck& result) {
-  std::string text =
-      fmt::format("checked {} states against 60 digits: {:.1f} uB", result.states, result.worst);
+  const std::string worst =
+      result.worst ? fmt::format("{:.2g} uB", *result.worst) : "without a bound of rounding";
+  std::string text = fmt::format("checked {} state{} against 60 digits: {}", result.states,
+                                 result.states == 1 ? "" : "s", worst);
+  if (result.outside > 0) text += fmt::format("; {} outside the domain", result.outside);
   if (result.sampled_zeros == 0) return text;
   const bool is_one = result.sampled_zeros == 1;
   return text + fmt::format("; {} entr{} on zeros found at {} points, not proved",

@@ -21,10 +21,16 @@ struct Range {
   double high;
 };
 
+/// Ranges may reach beyond every scalar. A quarter of the largest number leaves their widths
+/// finite.
+double within_scalar(const cln::cl_R& value) {
+  constexpr double largest = std::numeric_limits<double>::max() / 4;
+  return std::clamp(ScalarTraits<double>::from_real(value), -largest, largest);
+}
+
 Range range_or(const std::optional<Interval>& interval, double otherwise) {
   if (!interval) return {-otherwise, otherwise};
-  return {ScalarTraits<double>::from_real(interval->low),
-          ScalarTraits<double>::from_real(interval->high)};
+  return {within_scalar(interval->low), within_scalar(interval->high)};
 }
 
 /// Quaternions to length 1, each component rounded once; (1, 0, 0, 0) where there is no direction.
@@ -196,16 +202,23 @@ class Extremes {
   std::vector<SampledState<double>> states_;
 };
 
+/// The nearest finite number: what a range reaches in double may be too large for float.
+template <class Scalar>
+Scalar finite(double value) {
+  constexpr double largest = std::numeric_limits<Scalar>::max();
+  return static_cast<Scalar>(std::clamp(value, -largest, largest));
+}
+
 template <class Scalar>
 Arguments<Scalar> rounded(const Arguments<double>& values) {
   const auto convert = [](const std::vector<double>& from) {
     std::vector<Scalar> to;
     to.reserve(from.size());
-    for (const double value : from) to.push_back(static_cast<Scalar>(value));
+    for (const double value : from) to.push_back(finite<Scalar>(value));
     return to;
   };
   return {convert(values.parameters), convert(values.q), convert(values.v),
-          convert(values.a),          convert(values.u), static_cast<Scalar>(values.t)};
+          convert(values.a),          convert(values.u), finite<Scalar>(values.t)};
 }
 
 }  // namespace

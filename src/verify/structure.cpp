@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "check/requests.hpp"
 #include "elgen/outputs.hpp"
 #include "identities.hpp"
 #include "pivots.hpp"
@@ -67,27 +68,68 @@ void add_identities(std::vector<CertificateRow>& rows, std::vector<ExactValues>&
   }
 }
 
-void add_output_row(std::vector<CertificateRow>& rows, std::vector<ExactValues>& points,
-                    const Function& function) {
-  const bool is_jacobian = function.kind == OutputKind::user_jacobian;
-  const std::uint32_t user = function.user;
-  CertificateRow row;
-  row.check = is_jacobian ? "Jacobian by dual numbers" : "output bias by dual numbers";
-  row.subject = function.name;
-  row.formula = is_jacobian ? "J = dy/dq" : "bias = d^2 y/dt^2 at a = 0";
-  rows.push_back(identity_row(std::move(row), points, [=](ExactValues& at) {
-    return is_jacobian ? jacobian_balance(at, user) : output_bias_balance(at, user);
-  }));
+/// What is claimed of a derivative of the user's output.
+struct Claim {
+  std::string check;
+  std::string formula;
+};
+
+Claim claim_of(const UserOutput& output, bool is_jacobian) {
+  const bool is_pose = output.frame.has_value();
+  if (is_jacobian) {
+    return {"Jacobian by dual numbers",
+            is_pose ? "J = d(omega; dp/dt)/dv, [omega]x = dR/dt R^T" : "J = dy/dq"};
+  }
+  return {"output bias by dual numbers",
+          is_pose ? "bias = d(omega; dp/dt)/dt at a = 0" : "bias = d^2 y/dt^2 at a = 0"};
 }
 
-void add_outputs(std::vector<CertificateRow>& rows, std::vector<ExactValues>& points) {
-  const Program& program = points.front().subject().program;
-  for (const Function& function : program.functions) {
+CertificateRow output_row(std::vector<ExactValues>& points, const Function& function) {
+  const bool is_jacobian = function.kind == OutputKind::user_jacobian;
+  const std::uint32_t user = function.user;
+  const Claim claim = claim_of(points.front().subject().model.outputs[user], is_jacobian);
+  CertificateRow row;
+  row.check = claim.check;
+  row.subject = function.name;
+  row.formula = claim.formula;
+  return identity_row(std::move(row), points, [=](ExactValues& at) {
+    return is_jacobian ? jacobian_balance(at, user) : output_bias_balance(at, user);
+  });
+}
+
+std::vector<ExactValues> points_at(const Subject& subject, const std::vector<State>& states) {
+  std::vector<ExactValues> points;
+  points.reserve(states.size());
+  for (const State& state : states) points.emplace_back(subject, state);
+  return points;
+}
+
+/// The states with quaternions of norm 1, which those in double are to 16 digits: R turns there.
+std::vector<State> on_sphere(const Subject& subject, std::vector<State> states) {
+  const OutputRequest request = checking::request_of(subject.model, OutputKind::normalized, 0);
+  for (State& state : states) {
+    if (const OracleValues q = oracle_values(subject.model, request, state)) state.q = *q;
+  }
+  return states;
+}
+
+void add_outputs(std::vector<CertificateRow>& rows, std::vector<ExactValues>& points,
+                 const std::vector<State>& states) {
+  const Subject& subject = points.front().subject();
+  std::vector<ExactValues> points_on_sphere;
+  for (const Function& function : subject.program.functions) {
     const bool derived =
         function.kind == OutputKind::user_jacobian || function.kind == OutputKind::user_bias;
-    if (derived && find_function(program, OutputKind::user_value, function.user) != nullptr) {
-      add_output_row(rows, points, function);
+    if (!derived ||
+        find_function(subject.program, OutputKind::user_value, function.user) == nullptr) {
+      continue;
     }
+    const bool turns =
+        subject.model.outputs[function.user].frame && !subject.model.rotations.empty();
+    if (turns && points_on_sphere.empty()) {
+      points_on_sphere = points_at(subject, on_sphere(subject, states));
+    }
+    rows.push_back(output_row(turns ? points_on_sphere : points, function));
   }
 }
 
@@ -165,9 +207,7 @@ std::vector<CertificateRow> check_structure(const Subject& subject,
                                             const std::vector<State>& states) {
   std::vector<CertificateRow> rows;
   if (states.empty()) return rows;
-  std::vector<ExactValues> points;
-  points.reserve(states.size());
-  for (const State& state : states) points.emplace_back(subject, state);
+  std::vector<ExactValues> points = points_at(subject, states);
   const Function* mass = find_function(subject.program, OutputKind::mass_matrix);
   if (mass != nullptr) {
     rows.push_back(symmetry_row(subject, *mass, states));
@@ -175,7 +215,7 @@ std::vector<CertificateRow> check_structure(const Subject& subject,
     if (!subject.model.approximation) rows.push_back(definiteness_row(*mass, points));
   }
   add_identities(rows, points);
-  add_outputs(rows, points);
+  add_outputs(rows, points, states);
   return rows;
 }
 

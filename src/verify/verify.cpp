@@ -6,6 +6,7 @@
 #include "accuracy.hpp"
 #include "compiled_code.hpp"
 #include "elgen/certificate.hpp"
+#include "emit/scalar_range.hpp"
 #include "expectations.hpp"
 #include "sampled_zeros.hpp"
 #include "states.hpp"
@@ -47,7 +48,7 @@ std::size_t samples_of(const Program& program, const VerifyOptions& options) {
 }  // namespace
 
 Verification verify(const Model& model, const Scene& scene, const Program& program,
-                    const CompiledModel* compiled, const VerifyOptions& options) {
+                    const CompiledHeaders& compiled, const VerifyOptions& options) {
   const Subject subject{model, scene, program};
   const Sampling sampling{samples_of(program, options), options.seed, true};
   const auto doubles = sample_states<double>(subject, sampling);
@@ -59,12 +60,13 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
   ExpectationReport expected = check_expectations(subject, options.forms, options.seed);
   append(rows, expected.rows);
   append(rows, check_accuracy(subject, doubles));
-  append(rows, check_accuracy(subject, floats));
-  if (compiled != nullptr && !options.quick) {
-    const bool has_doubles = compiled->has(ScalarKind::double_precision);
-    const bool has_floats = compiled->has(ScalarKind::single_precision);
-    if (has_doubles) append(rows, check_compiled(subject, *compiled, doubles));
-    if (has_floats) append(rows, check_compiled(subject, *compiled, floats));
+  const bool fits_float = fits(model, program, ScalarKind::single_precision);
+  if (fits_float) append(rows, check_accuracy(subject, floats));
+  for (const CompiledHeader& header : compiled) {
+    const bool has_doubles = header.functions->has(ScalarKind::double_precision);
+    const bool has_floats = header.functions->has(ScalarKind::single_precision);
+    if (has_doubles) append(rows, check_compiled(subject, header, doubles));
+    if (has_floats) append(rows, check_compiled(subject, header, floats));
   }
   append(rows, sampled_zeros(program));
   append(rows, check_structure(subject, nominal_states(subject, doubles)));

@@ -62,6 +62,14 @@ TEST_CASE("a difference that 64 digits hide is not taken for zero") {
             .empty());
 }
 
+TEST_CASE("an angle that uses up the digits hides what its functions are") {
+  const std::string zeros(100, '0');
+  CHECK(places("  0 = coordinate x\n  1 = constant 1" + zeros +
+               "\n  2 = multiply 1 0\n  3 = tan 2\n  4 = sin 2\n  5 = add 3 4\n"
+               "  result 1 1 = 5\n")
+            .empty());
+}
+
 TEST_CASE("a function with a kink may be zero in a region and is not zero") {
   // max(x - 5, 0), and |x| - x
   CHECK(places("  0 = coordinate x\n  1 = constant 5\n  2 = subtract 0 1\n  3 = constant 0\n"

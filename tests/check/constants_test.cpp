@@ -106,6 +106,23 @@ TEST_CASE("values at the very end of a domain are in it") {
   CHECK(value_of("acos(1)") == "0");
 }
 
+TEST_CASE("expressions that were appended together have their turns one after the other") {
+  Expression sum;
+  sum.kind = ExpressionKind::add;
+  sum.operands = {0, 1};
+  std::vector<Expression> arena(2);
+  arena[0].number = cln::cl_RA(1) / 2;
+  arena[1].number = 3;
+  arena.push_back(sum);
+  Constants constants;
+  for (std::size_t i = 0; i < arena.size(); ++i) CHECK_FALSE(constants.append(arena));
+  REQUIRE(constants.size() == 3);
+  for (ExpressionId id = 0; id < 3; ++id) REQUIRE(constants[id].has_value());
+  CHECK(*constants[0] == arena[0].number);
+  CHECK(*constants[1] == arena[1].number);
+  CHECK(*constants[2] == cln::cl_RA(7) / 2);
+}
+
 TEST_CASE("nested angles cost no more than their depth") {
   std::string text = "1";
   for (int i = 0; i < 60; ++i) text = "sin(1e9*" + text + ")";

@@ -43,11 +43,10 @@ mass = "J"
 com = ["cos(q)", "sin(q)"]
 spin = "dot(q)"
 inertia = "J"
-inertia_about = "origin"
 )toml";
   CHECK(dumped(model, "coordinate") == "coordinate q, range 0 to 1, armature J, singular sin(q)\n");
   CHECK(dumped(model, "body") ==
-        "body b, mass J, com [cos(q), sin(q)], inertia [J], spin [dot(q)], about origin\n");
+        "body b, mass J, com [cos(q), sin(q)], inertia [J], spin [dot(q)]\n");
 }
 
 TEST_CASE("frames, rotations and torques are dumped: stamps tell models apart by this text") {

@@ -41,6 +41,14 @@ TEST_CASE("closed forms are columns, matrices, or entries by index") {
         "expect potential_energy 1 1 = [1/2*k*x[1]^2]\nexpect conserved 2 1 = [dot(x[2]), k]\n");
 }
 
+TEST_CASE("an entry of a matrix has two indices, whatever its size is") {
+  const std::string chain = file_text("models/chain.toml");
+  for (const std::string size : {"n=1", "n=2"}) {
+    INFO(size);
+    CHECK(messages(chain, {.sizes = {size}}) == "");
+  }
+}
+
 TEST_CASE("closed forms that do not fit") {
   const std::vector<std::pair<std::string, std::string>> rows{
       {"gravity = [\"k*x[1]\"]\n", "E517 17:11 1 x 1 entries, but `gravity` is 2 x 1\n"},

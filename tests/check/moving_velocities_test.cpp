@@ -44,10 +44,6 @@ TEST_CASE("rates are found through definitions, points and derivatives") {
       {"[[body]]\nname = \"b\"\nspin = \"z*dot(y)\"\ninertia = 1\n", "y"},
       {"[[body]]\nname = \"b\"\nmass = 1\ncom = [\"x\", \"0\"]\nspin = \"dot(y)\"\ninertia = 1\n",
        "xy"},
-      // About the origin the kinetic energy is all rotation; the com only has weight.
-      {"[[body]]\nname = \"b\"\nmass = 1\ncom = [\"x\", \"0\"]\nspin = \"dot(y)\"\ninertia = 1\n"
-       "inertia_about = \"origin\"\n",
-       "y"},
       {"[energy]\nL = \"sqrt(1 - dot(y)^2)\"\n", ""},
   };
   for (const auto& [entries, names] : rows) {

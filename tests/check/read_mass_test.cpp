@@ -30,12 +30,11 @@ TEST_CASE("bodies are planar with one number, spatial with three or six") {
   CHECK(planar.bodies[0].inertia.size() == 1);
   const Model spatial =
       checked(with_J("[[body]]\nname = \"b\"\nspin = [\"0\", \"dot(q)\", \"0\"]\n"
-                     "inertia = [\"J\", \"J\", \"J\"]\ninertia_about = \"origin\"\n"))
+                     "inertia = [\"J\", \"J\", \"J\"]\ninertia_about = \"com\"\n"))
           .model;
   CHECK(spatial.bodies[0].dimension == 3);
   REQUIRE(spatial.bodies[0].inertia.size() == 6);
   CHECK(to_string(spatial, spatial.bodies[0].inertia[5]) == "0");
-  CHECK(spatial.bodies[0].inertia_about_origin);
   CHECK_FALSE(spatial.bodies[0].mass);
 }
 
@@ -52,6 +51,10 @@ TEST_CASE("what masses may not be") {
       {"[[point]]\nname = \"p\"\nat = [\"x\", \"0\"]\n[[point]]\nname = \"r\"\nat = [\"x\", \"0\", "
        "\"0\"]\n",
        "E516 24:6 3 components in a model whose first vector has 2\n"},
+      {"[[body]]\nname = \"b\"\nspin = \"dot(q)\"\ninertia = \"J\"\ninertia_about = \"origin\"\n",
+       "E112 23:1 without a `frame` the body has no origin for its inertia to be about | give the "
+       "inertia about the centre of mass, or the body a frame; of a body that turns about a fixed "
+       "point, give no mass here and its weight in `[energy] V`\n"},
       {"[[body]]\nname = \"b\"\nmass = \"m\"\n", "E105 19:1 `b` has `mass` but no `com`\n"},
       {"[[body]]\nname = \"b\"\ninertia = \"J\"\n", "E105 19:1 `b` has `inertia` but no `spin`\n"},
       {"[[body]]\nname = \"b\"\nspin = \"dot(q)\"\n",

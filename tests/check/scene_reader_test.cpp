@@ -35,7 +35,7 @@ std::string output_names(const Scene& scene) {
 std::string fixed(const Scene& scene) {
   std::string text;
   for (const auto& [parameter, value] : scene.specialisation.fixed) {
-    text += std::to_string(parameter) + "=" + checking::number_text(value) + " ";
+    text += std::to_string(parameter) + "=" + checking::number_text(value.number) + " ";
   }
   return text;
 }

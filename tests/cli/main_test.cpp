@@ -21,4 +21,22 @@ TEST_CASE("each kind of end has its exit code") {
   CHECK(status(generate + "--check") == 0);
 }
 
+#ifdef ELGEN_HARDENED
+TEST_CASE("the program stops at memory errors") {
+  const Workspace workspace;
+  const auto printed = [&](const std::string& options) {
+    const Outcome outcome = shell("readelf -W " + options + " \"$ELGEN\"", workspace.path());
+    REQUIRE(outcome.status == 0);
+    return outcome.output;
+  };
+  // Full RELRO: what the loader writes is read-only afterwards, and nothing is bound later.
+  CHECK(mentions(printed("--program-headers"), "GNU_RELRO"));
+  CHECK(mentions(printed("--dynamic"), "BIND_NOW"));
+  const std::string symbols = printed("--dyn-syms");
+  CHECK(mentions(symbols, "__stack_chk_fail"));       // -fstack-protector-strong
+  CHECK(mentions(symbols, "_chk@GLIBC"));             // -D_FORTIFY_SOURCE=2
+  CHECK(mentions(symbols, "__glibcxx_assert_fail"));  // -D_GLIBCXX_ASSERTIONS
+}
+#endif
+
 }  // namespace elgen::test

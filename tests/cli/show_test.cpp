@@ -32,6 +32,33 @@ TEST_CASE("show prints what is not zero, in the model language") {
   CHECK_FALSE(mentions(outcome.output, "drift"));
 }
 
+TEST_CASE("a chain of one mass has no springs between masses") {
+  const Workspace workspace;
+  write_text(workspace.path() / "springs.toml", R"toml(format = 1
+[model]
+name = "springs"
+[sizes]
+n = 3
+[[coordinate]]
+for = "i in 1..n"
+name = "x[i]"
+unit = "m"
+[parameters]
+m = { value = 2, unit = "kg" }
+k = { value = 5, unit = "N/m" }
+[energy]
+T = "sum(i, 1, n, 1/2*m*dot(x[i])^2)"
+V = "1/2*k*x[1]^2 + sum(i, 1, n - 1, 1/2*k*(x[i + 1] - x[i])^2)"
+)toml");
+  const Outcome one = shell("elgen show --size n=1 springs.toml", workspace.path());
+  INFO(one.output + one.errors);
+  CHECK(one.status == 0);
+  CHECK(mentions(one.output, "potential_energy = 1/2*k*x[1]^2"));
+  CHECK(shell("elgen generate -q --size n=1 springs.toml", workspace.path()).status == 0);
+  prepare("sed 's/n = 3/n = 1/' springs.toml > one.toml", workspace.path());
+  CHECK(shell("elgen verify --samples 16 one.toml", workspace.path()).status == 0);
+}
+
 TEST_CASE("what is asked for by name is shown, zero or not") {
   const Outcome outcome = show(model("cart_pole") + " --what drift");
   CHECK(outcome.status == 0);

@@ -118,6 +118,27 @@ L = "1/2*m*dot(x)^2"
   CHECK(equations.diagnostics.front().code == Code::E313);
 }
 
+TEST_CASE("a rate whose elimination fails is named where M is solved for, and only there") {
+  const auto message = [](const std::string& energy, OutputKind kind) {
+    const CheckedModel checked =
+        checked_model(model_text("two",
+                                 "[[coordinate]]\nname = \"x\"\n[[coordinate]]\nname = \"y\"\n"
+                                 "[parameters]\nm = 2\n[energy]\nT = \"" +
+                                     energy + "\"\n"));
+    const auto equations = derived(checked, {request(checked, kind)});
+    return equations ? std::string() : equations.diagnostics.front().message;
+  };
+  const std::string exchange = "m*dot(x)^2 + m*dot(x)*dot(y)";
+  const std::string together = "1/2*(dot(x) + dot(y))^2";
+  CHECK(message(exchange, OutputKind::mass_matrix).empty());
+  CHECK(message(exchange, OutputKind::forward_dynamics) ==
+        "`forward_dynamics` has no value: the rate of `y` alone has no kinetic energy, whatever "
+        "the state is");
+  CHECK(message(together, OutputKind::forward_dynamics) ==
+        "`forward_dynamics` has no value: the mass matrix is singular (`y` has no pivot), whatever "
+        "the state is");
+}
+
 TEST_CASE("a dump lists definitions, then entries, the same in every run") {
   const CheckedModel checked = checked_model(cart_pole_text());
   const std::string text = dump(*derived(checked, {request(checked, OutputKind::mass_matrix)}));

@@ -119,7 +119,7 @@ class Textbook {
   void add_mass(const PointMass& mass) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const GiNaC::ex position = out(mass.position[axis]);
-      if (mass.kinetic) kinetic_ += out(mass.mass) * GiNaC::pow(rate(position), 2) / 2;
+      kinetic_ += out(mass.mass) * GiNaC::pow(rate(position), 2) / 2;
       if (source_.gravity) potential_ -= out(mass.mass) * out((*source_.gravity)[axis]) * position;
     }
   }

@@ -103,9 +103,9 @@ TEST_CASE("leaves") {
 TEST_CASE("constants stand where they are used when they are short") {
   const Subject subject = cart_pole();
   const CppDialect spelling(subject.model, subject.program);
-  CHECK(spelling.constant({2, "2"}).text == "constant<Scalar>(2.0)");
-  CHECK(spelling.constant({cln::cl_RA(1) / 3, "1/3"}).text == "number_1_3<Scalar>()");
-  const Term negative = spelling.constant({-1, "-1"});
+  CHECK(spelling.constant(rational_constant(2)).text == "constant<Scalar>(2.0)");
+  CHECK(spelling.constant(rational_constant(cln::cl_RA(1) / 3)).text == "number_1_3<Scalar>()");
+  const Term negative = spelling.constant(rational_constant(-1));
   CHECK(negative.text == "-constant<Scalar>(1.0)");
   CHECK(negative.precedence == Precedence::negation);
 }

@@ -38,7 +38,8 @@ TEST_CASE("helpers stand only where they are used") {
 
 TEST_CASE("a constant is one function however often it occurs") {
   Subject subject = cart_pole();
-  subject.program.constants.push_back({cln::cl_RA(-1) / 3, "-1/3"});
+  elgen::testing::load_constant(subject, rational_constant(cln::cl_RA(1) / 3));
+  elgen::testing::load_constant(subject, rational_constant(cln::cl_RA(1) / 3));
   const std::string text = header_of(subject);
   const std::string name = "number_1_3() noexcept";
   CHECK(text.find(name) == text.rfind(name));

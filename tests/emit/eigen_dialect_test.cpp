@@ -34,6 +34,17 @@ TEST_CASE("arguments are read in place, entries written into the result") {
         "  return result;\n");
 }
 
+TEST_CASE("a matrix stored by columns has the shape of the function's result") {
+  const Subject subject = cart_pole();
+  const EigenDialect dialect(subject.model, subject.program);
+  Function function = subject.program.functions[1];
+  function.fields = {{"", 2, 3, {0, 1, 0, 1, 0, 1}}};
+  const DefinitionText text =
+      definition(dialect, subject.program, function, Storage::column_major).whole;
+  CHECK(text.signature.find("Matrix<Scalar, 2, 3> gravity(") != std::string::npos);
+  CHECK(text.body.find("  Matrix<Scalar, 2, 3> result;\n") != std::string::npos);
+}
+
 TEST_CASE("numbers are returned, structs filled") {
   CHECK(written(2).body == "  return constant<Scalar>(0.5) * p.M * (v[0] * v[0]);\n");
   CHECK(written(4).body.find("  ForwardDynamics<Scalar> result;\n  result.acceleration(0) = ") !=

@@ -59,6 +59,13 @@ inline void read_parameter(Subject& subject, const std::string& leaf) {
       {Opcode::parameter, FunctionId::sin, index, 0});
 }
 
+/// Lets the first function load a constant, so that it is emitted.
+inline void load_constant(Subject& subject, const Constant& constant) {
+  const std::uint32_t index = position_of(constant, subject.program.constants);
+  subject.program.functions.front().instructions.push_back(
+      {Opcode::constant, FunctionId::sin, index, 0});
+}
+
 inline void add_coordinate(Model& model, const std::string& name, const std::string& unit) {
   Coordinate coordinate;
   coordinate.name = name;

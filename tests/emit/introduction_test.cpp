@@ -67,7 +67,7 @@ TEST_CASE("an L that is not quadratic has a bias only") {
 
 TEST_CASE("title, variables and fixed parameters") {
   Subject subject = cart_pole();
-  subject.scene.specialisation.fixed[3] = cln::cl_RA(981) / 100;
+  subject.scene.specialisation.fixed[3] = {cln::cl_RA(981) / 100};
   const Lines lines = introduction(subject.model, subject.scene, subject.program);
   CHECK(lines.front() == " Cart and pole with a force on the cart");
   CHECK(contains(lines, "   q = (x [m], theta [rad])"));

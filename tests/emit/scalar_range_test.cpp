@@ -34,6 +34,8 @@ TEST_CASE("a value is judged in the scalars asked for") {
   REQUIRE(diagnostics.size() == 1);
   CHECK(diagnostics[0].code == Code::E702);
   CHECK(diagnostics[0].message == "`1e-50`, the value of `tiny`, vanishes in float");
+  CHECK(fits(subject.model, subject.program, ScalarKind::double_precision));
+  CHECK_FALSE(fits(subject.model, subject.program, ScalarKind::single_precision));
 }
 
 TEST_CASE("overflow, subnormals, constants") {
@@ -42,7 +44,7 @@ TEST_CASE("overflow, subnormals, constants") {
   elgen::testing::add_parameter(subject.model, "subnormal", ten_to(-310), "m");
   elgen::testing::read_parameter(subject, "huge");
   elgen::testing::read_parameter(subject, "subnormal");
-  subject.program.constants.push_back({ten_to(400), "1e400"});
+  elgen::testing::load_constant(subject, rational_constant(ten_to(400)));
   const Diagnostics diagnostics = diagnostics_of(subject);
   REQUIRE(diagnostics.size() == 3);
   CHECK(diagnostics[0].message == "`-1e309`, the value of `huge`, overflows in double");

@@ -16,7 +16,7 @@ class Plain final : public Spelling {
   std::string leaf(const Instruction& i) const override {
     return i.opcode == Opcode::time ? "t" : fmt::format("x{}", i.a);
   }
-  Term constant(const Constant& constant) const override { return {constant.text}; }
+  Term constant(const Constant& constant) const override { return {text_of(constant.form)}; }
   std::string call(FunctionId function, const std::string& arguments) const override {
     return fmt::format("{}({})", function_row(function).name, arguments);
   }

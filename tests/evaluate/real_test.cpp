@@ -39,6 +39,23 @@ TEST_CASE("atan2 takes the ordinate first and knows the quadrant") {
   CHECK(near(acos(real("-1")), Real(cln::pi(Real::format()))));
 }
 
+TEST_CASE("angles that leave no digit behind the point ask for more digits") {
+  const auto sine = [] { return sin(Real(cln::expt(cln::cl_RA(10), 100)) * (Real(1) / Real(3))); };
+  // 10^100/3 = 1/3 + an integer: the same with the digits of an exact rational.
+  const Real truth = [] {
+    const cln::cl_RA angle = cln::expt(cln::cl_RA(10), 100) / 3;
+    return Real(cln::sin(cln::cl_float(angle, cln::float_format(180))));
+  }();
+  CHECK_FALSE(near(sine(), truth));
+  RealPrecision precision;
+  CHECK_FALSE(near(sine(), truth));
+  REQUIRE(precision.grows());
+  CHECK(near(sine(), truth));
+  CHECK_FALSE(precision.grows());
+  CHECK(near(sin(real("1000")), sin(Real(1000))));
+  CHECK_FALSE(precision.grows());
+}
+
 TEST_CASE("large angles keep all digits") {
   const cln::cl_RA two_pi = cln::rational(cln::pi(cln::float_format(140))) * 2;
   const cln::cl_R angle = two_pi * cln::expt(cln::cl_RA(10), 40) + cln::cl_RA("1/2");

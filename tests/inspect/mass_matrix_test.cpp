@@ -23,6 +23,30 @@ TEST_CASE("regular mass matrices pass, also those that are indefinite") {
   CHECK(found(exchange).empty());
 }
 
+TEST_CASE("what is solved for needs kinetic energy of every rate alone") {
+  Scene scene;
+  OutputRequest request;
+  request.kind = OutputKind::forward_dynamics;
+  request.name = "forward_dynamics";
+  scene.outputs = {request};
+  CHECK(found(double_pendulum(), scene).empty());
+  ModelBuilder b;
+  b.coordinate("x").coordinate("y");
+  CHECK(found(b.T("x_d*y_d + y_d^2"), scene) ==
+        "E501: `forward_dynamics` has no value: the rate of `x` alone has no kinetic energy, "
+        "whatever the state is");
+  CHECK(found(b.T("x_d*y_d + y_d^2*(sin(2*x) - 2*sin(x)*cos(x)) + x_d^2"), scene) ==
+        "E501: `forward_dynamics` has no value: the rate of `y` alone has no kinetic energy, "
+        "whatever the state is");
+  CHECK(found(b.T("x_d*y_d + y_d^2*(sin(2*x) - 2*sin(x)*cos(x))")).empty());
+}
+
+TEST_CASE("a mass that is zero in disguise is named as if it were not there") {
+  ModelBuilder b;
+  b.coordinate("x").coordinate("y").T("x_d^2/2 + (cosh(x)^2 - sinh(x)^2 - 1)*y_d^2");
+  CHECK(found(b) == "E501: the rate of `y` has no kinetic energy");
+}
+
 TEST_CASE("a coordinate without a mass is named, at its own place") {
   ModelBuilder b;
   b.coordinate("x").coordinate("y").T("x_d^2/2 + 0*y_d");
@@ -64,6 +88,6 @@ TEST_CASE("a mass that is 0 by default is no mistake, one fixed at 0 is") {
   b.coordinate("x").parameter("m", "0").T("m*x_d^2/2");
   CHECK(found(b).empty());
   Scene scene;
-  scene.specialisation.fixed[0] = 0;
+  scene.specialisation.fixed[0] = {0};
   CHECK(found(b, scene) == "E501: the rate of `x` has no kinetic energy");
 }

@@ -9,12 +9,12 @@ TEST_CASE("a regular matrix has no null space, whatever its scales") {
   CHECK(null_space({1, 2, 3, 4}, {2, 4}).empty());
   const cl_R tiny = cln::expt(cl_R(10), -60);
   const Vector diagonal{1, 0, 0, tiny};
-  CHECK(null_space(diagonal, row_maxima(diagonal, 2)).empty());
+  CHECK(null_space(diagonal, row_scales(diagonal, 2)).empty());
 }
 
 TEST_CASE("null vectors have one entry 1 where all the others have 0") {
   const Vector ones(9, cl_R(1));
-  const auto basis = null_space(ones, row_maxima(ones, 3));
+  const auto basis = null_space(ones, row_scales(ones, 3));
   REQUIRE(basis.size() == 2);
   CHECK(basis[0] == Vector{-1, 1, 0});
   CHECK(basis[1] == Vector{-1, 0, 1});
@@ -22,9 +22,16 @@ TEST_CASE("null vectors have one entry 1 where all the others have 0") {
 
 TEST_CASE("a zero row and its column are a free direction") {
   const Vector matrix{0, 0, 0, 5};
-  const auto basis = null_space(matrix, row_maxima(matrix, 2));
+  const auto basis = null_space(matrix, row_scales(matrix, 2));
   REQUIRE(basis.size() == 1);
   CHECK(basis[0] == Vector{1, 0});
+}
+
+TEST_CASE("a row of rounding is a zero row") {
+  const Vector matrix{3, 0, 0, cln::expt(cl_R(10), -94)};
+  const auto basis = null_space(matrix, row_scales(matrix, 2));
+  REQUIRE(basis.size() == 1);
+  CHECK(basis[0] == Vector{0, 1});
 }
 
 TEST_CASE("pivots are sought in all rows: a matrix without a diagonal is regular") {

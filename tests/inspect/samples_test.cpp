@@ -26,7 +26,7 @@ TEST_CASE("a run-time parameter of value 0 is sampled, a fixed one is not") {
   b.coordinate("x").parameter("m", "0").T("m*x_d^2/2");
   CHECK(sampled_state({b.model, {}}, 1).parameters[0] > 0);
   Scene scene;
-  scene.specialisation.fixed[0] = 0;
+  scene.specialisation.fixed[0] = {0};
   CHECK(sampled_state({b.model, scene}, 1).parameters[0] == 0);
 }
 

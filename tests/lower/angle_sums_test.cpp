@@ -25,16 +25,28 @@ TEST_CASE("a sum of angles that occur is taken apart") {
                                                         "sin(b)"});
 }
 
-TEST_CASE("differences and multiples are sums too") {
+TEST_CASE("differences and multiples are sums too, but for exact multiples of a leaf") {
   testing::ExpressionLeaves l;
   const Ref difference = l.graph.sum({l.a, -l.b});
   const Ref twice = l.graph.product({{l.graph.rational(2)}, {l.a}});
-  l.expressions.values = {sine(l, difference), cosine(l, twice), sine(l, l.a), sine(l, l.b)};
+  const Ref thrice = l.graph.product({{l.graph.rational(3)}, {l.a}});
+  l.expressions.values = {sine(l, difference), cosine(l, twice), sine(l, l.a), sine(l, l.b),
+                          cosine(l, thrice)};
   const auto expanded = expand_angle_sums(l.expressions);
   REQUIRE(expanded);
-  CHECK(texts_of(*expanded) == std::vector<std::string>{"sin(a)*cos(b) - sin(b)*cos(a)",
-                                                        "-(sin(a)^2 - cos(a)^2)", "sin(a)",
-                                                        "sin(b)"});
+  CHECK(texts_of(*expanded) == std::vector<std::string>{"sin(a)*cos(b) - sin(b)*cos(a)", "cos(2*a)",
+                                                        "sin(a)", "sin(b)",
+                                                        "-(sin(a)*sin(2*a) - cos(a)*cos(2*a))"});
+}
+
+TEST_CASE("an angle is no sum of parts in which something cancels") {
+  testing::ExpressionLeaves l;
+  const Ref five = l.graph.product({{l.graph.rational(5)}, {l.c}});
+  const Ref first = l.graph.sum({l.a, -l.b});
+  const Ref second = l.graph.sum({l.b, five});
+  const Ref sum = l.graph.sum({l.a, five});
+  l.expressions.values = {cosine(l, sum), sine(l, first), cosine(l, second)};
+  CHECK_FALSE(expand_angle_sums(l.expressions));
 }
 
 TEST_CASE("an angle whose parts do not occur stays") {

@@ -1,106 +1,79 @@
-#include "lower/constant.hpp"
-
-#include <cln/float.h>
+#include "elgen/constant.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "elgen/evaluate.hpp"
+#include "lower/constant_reader.hpp"
 
 using namespace elgen;
 
 namespace {
 
-SignedConstant number(const char* text) { return make_constant(cln::cl_RA(text)); }
+const ConstantForm pi{.kind = ConstantKind::pi};
 
-std::string text(const SignedConstant& x) { return (x.negative ? "-" : "") + x.constant.text; }
-
-double value(const SignedConstant& x) {
-  const double magnitude = ScalarTraits<double>::from_real(x.constant.value);
-  return x.negative ? -magnitude : magnitude;
+ConstantForm sum(std::vector<ConstantPart> terms) {
+  return {.kind = ConstantKind::sum, .parts = std::move(terms)};
 }
+
+ConstantForm product(std::vector<ConstantPart> factors) {
+  return {.kind = ConstantKind::product, .parts = std::move(factors)};
+}
+
+ConstantForm call(FunctionId function, ConstantForm argument, std::int32_t sign = 1) {
+  return {.kind = ConstantKind::call, .function = function, .parts = {{std::move(argument), sign}}};
+}
+
+ConstantForm number(const char* text) { return rational_form(cln::cl_RA(text)); }
 
 }  // namespace
 
-TEST_CASE("rationals stay rational") {
-  CHECK(text(sum_of({number("1/2"), number("-2/3")})) == "-1/6");
-  CHECK(text(product_of({number("-1/2"), number("2/3")})) == "-1/3");
-  CHECK(text(power_of(number("-2/3"), -3)) == "-27/8");
-  CHECK(text(square_root_of(number("9/4").constant)) == "3/2");
-  CHECK(is_rational(square_root_of(number("9/4").constant).constant));
-  CHECK_FALSE(is_rational(pi_constant().constant));
+TEST_CASE("forms are written with the brackets that they need") {
+  const ConstantForm cosine = call(FunctionId::cos, number("1"));
+  CHECK(text_of(sum({{number("1"), 1}, {cosine, -1}})) == "1 - cos(1)");
+  CHECK(text_of(sum({{number("1"), 1}, {sum({{number("2"), 1}, {pi, 1}}), -1}})) == "1 - (2 + pi)");
+  CHECK(text_of(sum({{cosine, -1}, {pi, 1}})) == "-cos(1) + pi");
+  CHECK(text_of(product({{number("1/2"), 1}, {pi, 1}})) == "1/2*pi");
+  CHECK(text_of(product({{number("-1/2"), 1}, {pi, 1}})) == "-1/2*pi");
+  CHECK(text_of(product({{sum({{number("1"), 1}, {pi, 1}}), 2}, {pi, -1}})) ==
+        "(1 + pi)^2*pi^(-1)");
+  CHECK(text_of(product({{sum({{number("1"), 1}, {pi, 1}}), 1}, {pi, 1}})) == "(1 + pi)*pi");
+  CHECK(text_of(call(FunctionId::exp, sum({{number("1"), 1}, {cosine, 1}}), -1)) ==
+        "exp(-1 - cos(1))");
+  CHECK(text_of(call(FunctionId::log, number("1/2"))) == "log(1/2)");
 }
 
-TEST_CASE("what is not rational keeps a text of its own, whatever the order of operands") {
-  const SignedConstant pi = pi_constant();
-  const SignedConstant root = square_root_of(number("2").constant);
-  CHECK(text(root) == "sqrt(2)");
-  CHECK(text(product_of({pi, number("-1/2"), root})) == "-1/2*pi*sqrt(2)");
-  CHECK(text(product_of({root, pi, number("-1/2")})) == "-1/2*pi*sqrt(2)");
-  CHECK(text(sum_of({pi, number("-1/2")})) == "-1/2 + pi");
-  CHECK(text(power_of(sum_of({pi, number("1")}), 2)) == "(1 + pi)^2");
-  CHECK(text(call_of(FunctionId::atan2, {number("-1"), pi})) == "-(-atan2(-1, pi))");
+TEST_CASE("a sign moves inside, and back again") {
+  const ConstantForm difference = sum({{number("1"), 1}, {pi, -1}});
+  CHECK(text_of(negated(difference)) == "-1 + pi");
+  CHECK(negated(negated(difference)) == difference);
+  CHECK(text_of(negated(product({{number("1/2"), 1}, {pi, 1}}))) == "-1/2*pi");
+  CHECK(text_of(negated(product({{pi, 1}, {difference, 1}}))) == "pi*(-1 + pi)");
+  CHECK(text_of(negated(product({{pi, 1}, {difference, 2}}))) == "-pi*(1 - pi)^2");
+  CHECK(text_of(negated(call(FunctionId::log, number("1/2")))) == "-log(1/2)");
+  CHECK(negated(negated(pi)) == pi);
 }
 
-TEST_CASE("a sum that is negative turns its text") {
-  const SignedConstant sum = sum_of({pi_constant(), number("-4")});
-  CHECK(sum.negative);
-  CHECK(sum.constant.text == "4 - pi");
-  CHECK(value(sum) == Approx(3.14159265358979 - 4).epsilon(1e-13));  // digits typed here
+TEST_CASE("what forms say is what they are worth") {
+  for (const char* text :
+       {"1-cos(1)", "2+pi", "2*pi", "exp(-1-cos(1))", "exp(-1+cos(1))", "(1+pi)^2*pi^(-1)",
+        "-log(1/2)", "sqrt(2+sqrt(3))", "atan2(-1,-pi)", "1/2*sqrt(3)"}) {
+    const auto constant = read_constant(text);
+    REQUIRE(constant);
+    const auto again = read_constant(text_of(constant->form));
+    REQUIRE(again);
+    CHECK(again->form == constant->form);
+    CHECK(again->value == constant->value);
+  }
 }
 
-TEST_CASE("calls have the values of the C library") {
-  const double x = 0.3;
-  const auto call = [](FunctionId f) { return value(call_of(f, {number("3/10")})); };
-  const double ulps = 4 * std::numeric_limits<double>::epsilon();  // libm is not correctly rounded
-  CHECK(call(FunctionId::sin) == Approx(std::sin(x)).epsilon(ulps));
-  CHECK(call(FunctionId::cos) == Approx(std::cos(x)).epsilon(ulps));
-  CHECK(call(FunctionId::tan) == Approx(std::tan(x)).epsilon(ulps));
-  CHECK(call(FunctionId::asin) == Approx(std::asin(x)).epsilon(ulps));
-  CHECK(call(FunctionId::acos) == Approx(std::acos(x)).epsilon(ulps));
-  CHECK(call(FunctionId::atan) == Approx(std::atan(x)).epsilon(ulps));
-  CHECK(call(FunctionId::sinh) == Approx(std::sinh(x)).epsilon(ulps));
-  CHECK(call(FunctionId::cosh) == Approx(std::cosh(x)).epsilon(ulps));
-  CHECK(call(FunctionId::tanh) == Approx(std::tanh(x)).epsilon(ulps));
-  CHECK(call(FunctionId::exp) == Approx(std::exp(x)).epsilon(ulps));
-  CHECK(call(FunctionId::log) == Approx(std::log(x)).epsilon(ulps));
-  const SignedConstant angle = call_of(FunctionId::atan2, {number("1"), number("-2")});
-  CHECK(value(angle) == Approx(std::atan2(1.0, -2.0)).epsilon(ulps));
-}
-
-TEST_CASE("exact calls stay exact") {
-  CHECK(text(call_of(FunctionId::abs, {number("-3/2")})) == "3/2");
-  CHECK(text(call_of(FunctionId::sign, {number("-3/2")})) == "-1");
-  CHECK(text(call_of(FunctionId::min, {number("1"), number("-2")})) == "-2");
-  CHECK(text(call_of(FunctionId::max, {number("1"), number("-2")})) == "1");
-  CHECK(text(call_of(FunctionId::sin, {number("0")})) == "0");
-  CHECK(text(call_of(FunctionId::cos, {number("0")})) == "1");
-  CHECK(text(call_of(FunctionId::acos, {number("0")})) == "acos(0)");
-  CHECK(text(call_of(FunctionId::atan2, {number("0"), number("1")})) == "0");
-  CHECK(text(call_of(FunctionId::log, {number("1")})) == "0");
-}
-
-TEST_CASE("exact calls of what is not rational are one of their arguments") {
-  const SignedConstant pi = pi_constant();
-  const SignedConstant minus_pi{pi.constant, true};
-  const auto row = [](FunctionId function, const std::vector<SignedConstant>& arguments) {
-    const SignedConstant result = call_of(function, arguments);
-    return std::pair(text(result), value(result));
-  };
-  const double pi_value = value(pi);
-  CHECK(row(FunctionId::max, {number("3"), pi}) == std::pair<std::string, double>("pi", pi_value));
-  CHECK(row(FunctionId::max, {pi, number("3")}) == std::pair<std::string, double>("pi", pi_value));
-  CHECK(row(FunctionId::min, {number("3"), pi}) == std::pair<std::string, double>("3", 3));
-  CHECK(row(FunctionId::min, {number("3"), minus_pi}) ==
-        std::pair<std::string, double>("-pi", -pi_value));
-  CHECK(row(FunctionId::max, {minus_pi, number("-4")}) ==
-        std::pair<std::string, double>("-pi", -pi_value));
-  CHECK(row(FunctionId::abs, {minus_pi}) == std::pair<std::string, double>("pi", pi_value));
-  CHECK(row(FunctionId::sign, {minus_pi}) == std::pair<std::string, double>("-1", -1));
-  CHECK(row(FunctionId::sign, {number("0")}) == std::pair<std::string, double>("0", 0));
-}
-
-TEST_CASE("calls without a real value fold to nothing") {
-  CHECK(call_of(FunctionId::log, {number("0")}).constant.text.empty());
-  CHECK(call_of(FunctionId::asin, {number("2")}).constant.text.empty());
-  CHECK(call_of(FunctionId::acos, {number("-2")}).constant.text.empty());
+TEST_CASE("constants are found by form, never by value") {
+  std::vector<Constant> constants;
+  CHECK(position_of(rational_constant(2), constants) == 0);
+  const auto root = read_constant("sqrt(2)");
+  const auto power = read_constant("sqrt(2)^(-1)*2");
+  REQUIRE(root);
+  REQUIRE(power);
+  CHECK(position_of(*root, constants) == 1);
+  CHECK(position_of(*power, constants) == 2);
+  CHECK(position_of(*root, constants) == 1);
+  CHECK(constants.size() == 3);
 }

@@ -1,9 +1,9 @@
-#include <cln/float.h>
 #include <cln/rational.h>
 
 #include <catch2/catch.hpp>
 
 #include "elgen/program.hpp"
+#include "lower/constant_reader.hpp"
 
 using namespace elgen;
 
@@ -34,17 +34,16 @@ Function every_opcode() {
 TEST_CASE("dump names leaves as the model does and writes constants exactly") {
   Program program;
   program.leaves = {{"m", "l[2]"}, {"theta"}, {"theta"}, {"u"}, true};
-  program.constants = {{cln::cl_RA("-1/3"), "-1/3"}, {cln::cl_F("0.25L0"), "quarter"}};
+  program.constants = {rational_constant(cln::cl_RA("-1/3")), *read_constant("2 - pi")};
   program.functions = {every_opcode()};
   CHECK(dump(program) ==
         "parameters m l[2]\n"
         "coordinates theta\n"
         "inputs u\n"
         "time\n"
-        "constant quarter = 0.25L0\n"
         "function force = bias\n"
         "  0 = constant -1/3\n"
-        "  1 = constant quarter\n"
+        "  1 = constant 2-pi\n"
         "  2 = parameter l[2]\n"
         "  3 = coordinate theta\n"
         "  4 = velocity theta\n"

@@ -51,7 +51,7 @@ TEST_CASE("the order: kinds of leaves, then birth, then structure") {
   const Ref early_sum = graph.sum({x, y});
   const Ref parameter = graph.leaf(Opcode::parameter, 0);
   const Ref half = graph.rational(cln::cl_RA("1/2"));
-  const Ref pi = graph.constant(pi_constant());
+  const Ref pi = graph.pi();
   const std::vector<Ref> ordered = {half,         pi,        parameter, x,        y,   early,
                                     early_cosine, early_sum, late,      velocity, time};
   for (std::size_t i = 0; i < ordered.size(); ++i) {
@@ -89,13 +89,53 @@ TEST_CASE("the first name of a node stays, and belongs to its positive value") {
   CHECK(graph.node(x.node).name.empty());
 }
 
-TEST_CASE("calls and roots of constants are constants") {
+TEST_CASE("calls and roots of constants are constants, and numbers only where they are exact") {
   Graph graph;
   CHECK(graph.call(FunctionId::cos, {graph.rational(0)}) == graph.rational(1));
+  CHECK(graph.call(FunctionId::log, {graph.rational(1)}) == graph.rational(0));
   CHECK(graph.square_root(graph.rational(4)) == graph.rational(2));
-  const Ref cosine = graph.call(FunctionId::cos, {graph.rational(3)});
+  const Ref cosine = graph.call(FunctionId::cos, {graph.rational(cln::cl_RA("1/1000000000000"))});
   CHECK(graph.is_constant(cosine.node));
-  CHECK(cosine.negative);  // cos(3) < 0
+  CHECK_FALSE(graph.is_rational(cosine.node));
   CHECK(graph.is_zero(graph.rational(0).node));
   CHECK_FALSE(graph.is_zero(cosine.node));
+  const Ref x = graph.leaf(Opcode::coordinate, 0);
+  CHECK_FALSE(graph.is_constant(graph.sum({x, cosine}).node));
+}
+
+TEST_CASE("abs, sign, min and max of constants are one of them, or a sign") {
+  Graph graph;
+  const Ref pi = graph.pi();
+  const Ref three = graph.rational(3);
+  CHECK(graph.call(FunctionId::max, {three, pi}) == pi);
+  CHECK(graph.call(FunctionId::min, {pi, three}) == three);
+  CHECK(graph.call(FunctionId::min, {three, -pi}) == -pi);
+  CHECK(graph.call(FunctionId::max, {-pi, graph.rational(-4)}) == -pi);
+  CHECK(graph.call(FunctionId::abs, {graph.sum({three, -pi})}) == graph.sum({pi, -three}));
+  CHECK(graph.call(FunctionId::sign, {-pi}) == graph.rational(-1));
+  CHECK(graph.call(FunctionId::sign, {graph.rational(0)}) == graph.rational(0));
+  const Ref x = graph.leaf(Opcode::coordinate, 0);
+  CHECK(graph.node(graph.call(FunctionId::max, {x, pi}).node).kind == NodeKind::call);
+}
+
+TEST_CASE("different constants are different nodes, however close their values are") {
+  Graph graph;
+  const Ref one = graph.rational(1);
+  const Ref cosine = graph.call(FunctionId::cos, {one});
+  const Ref less = graph.call(FunctionId::exp, {graph.sum({cosine, -one})});
+  const Ref more = graph.call(FunctionId::exp, {-graph.sum({one, cosine})});
+  CHECK(less != more);
+  CHECK(graph.sum({one, cosine}) != graph.sum({one, -cosine}));
+  const Ref root2 = graph.square_root(graph.rational(2));
+  CHECK(graph.product({{root2, 2}}) == graph.rational(2));
+}
+
+TEST_CASE("a constant of shared parts has no form before its tree is too large") {
+  Graph graph;
+  Ref x = graph.pi();
+  for (int i = 0; i < 60; ++i) {
+    x = graph.sum({graph.call(FunctionId::sin, {x}), graph.call(FunctionId::cos, {x})});
+  }
+  CHECK(graph.is_constant(x.node));
+  CHECK_FALSE(graph.has_form(x.node));
 }

@@ -164,6 +164,41 @@ TEST_CASE("limits and mistakes") {
   CHECK(underived.diagnostics.at(0).message == "`gravity` was not derived");
 }
 
+TEST_CASE("a denominator that is 0 in any way of writing it is a pivot where M is solved for") {
+  const auto message = [](const Make& denominator, const std::vector<OutputKind>& kinds) {
+    EquationsOfMotion equations = testing::leaves();
+    const Leaves s = named(equations.symbols);
+    const ex m_xx = denominator(s)[0];
+    std::vector<OutputRequest> requests;
+    for (const OutputKind kind : kinds) {
+      const bool is_mass = kind == OutputKind::mass_matrix;
+      requests.push_back(testing::add_output(
+          equations, kind, is_mass ? std::vector<ex>{m_xx, s.m, s.m, s.m} : std::vector{1 / m_xx}));
+      if (!is_mass) continue;
+      FieldEquations& field = equations.outputs.back().fields[0];
+      field.rows = field.columns = 2;
+    }
+    const Result<Program> program = lower(equations, requests, {});
+    return program ? std::string() : program.diagnostics.at(0).message;
+  };
+  const Make by_import = [](const Leaves& s) {
+    return std::vector<ex>{pow(cos(s.x), 2) + pow(sin(s.x), 2) - 1};
+  };
+  const Make by_angles = [](const Leaves& s) {
+    return std::vector<ex>{sin(3 * s.x) - sin(s.x) * cos(2 * s.x) - cos(s.x) * sin(2 * s.x)};
+  };
+  for (const Make& zero : {by_import, by_angles}) {
+    CHECK(message(zero, {OutputKind::mass_matrix}).empty());
+    CHECK(message(zero, {OutputKind::gravity}) ==
+          "a denominator of `gravity` is 0, whatever the state is");
+    CHECK(message(zero, {OutputKind::forward_dynamics}) ==
+          "`forward_dynamics` has no value: the mass matrix is singular, whatever the state is");
+    CHECK(message(zero, {OutputKind::mass_matrix, OutputKind::forward_dynamics}) ==
+          "`forward_dynamics` has no value: the rate of `x` alone has no kinetic energy, whatever "
+          "the state is");
+  }
+}
+
 TEST_CASE("a chain of 5000 definitions is lowered without recursion on it") {
   EquationsOfMotion equations = testing::leaves();
   const Leaves s = named(equations.symbols);

@@ -11,7 +11,7 @@ TEST_CASE("an unchanging rule copies values, names and births, and leaves out wh
   l.graph.set_birth(3);
   const Ref root = l.graph.square_root(l.graph.sum({l.a, -l.b}));
   l.graph.name(root, "distance");
-  const Ref pi = l.graph.constant(pi_constant());
+  const Ref pi = l.graph.pi();
   const Ref call = l.graph.call(FunctionId::atan2, {-l.c, root});
   l.expressions.values = {-l.graph.product({{call, 2}, {pi}, {l.d, -1}})};
   const Expressions copied = rebuild(l.expressions, copy);

@@ -68,6 +68,34 @@ TEST_CASE("outputs are those of the Taylor polynomials of the energies") {
   CHECK(near(value(third, OutputKind::input_matrix), 1 + q + q * q / 2));
 }
 
+TEST_CASE("forces on what is not small are kept to one order more") {
+  const CheckedModel second = approximated(model_text("cart", R"toml(
+[[coordinate]]
+name = "th"
+[[coordinate]]
+name = "x"
+[energy]
+T = "dot(x)^2 + dot(th)^2"
+V = "cosh(th)"
+[[input]]
+name = "u"
+[[force]]
+on = "x"
+value = "u*sin(th)"
+[[force]]
+on = "th"
+value = "u*(exp(th) - 1)"
+)toml"),
+                                           "order = 2\nabout = { th = 0 }");
+  OutputRequest request;
+  request.kind = OutputKind::input_matrix;
+  const OracleValues found = oracle_values(second.model, request, some_state(second));
+  REQUIRE(found);
+  const cl_R th = cl_RA(1) / 5;
+  CHECK(near(found->at(0), th + th * th / 2));
+  CHECK(near(found->at(1), th - th * th * th / 6));
+}
+
 TEST_CASE("what is small goes to the point with s, the rest stays") {
   const CheckedModel checked = approximated(pendulum, "order = 2\nabout = { q = 1, u = 3 }");
   const State state = some_state(checked);

@@ -34,6 +34,13 @@ TEST_CASE("generators square to zero") {
   CHECK(square.support() == e0);
 }
 
+TEST_CASE("magnitudes are those of every coefficient") {
+  const Jet x = (Jet(-3) + Jet(e0, 2) + Jet(e1, -5)).magnitudes();
+  CHECK(x.real() == 3);
+  CHECK(x.coefficient(e0) == 2);
+  CHECK(x.coefficient(e1) == 5);
+}
+
 TEST_CASE("exact zeros are no terms") {
   CHECK(Jet(0).terms().empty());
   CHECK(Jet(e0, 0).terms().empty());

@@ -89,6 +89,7 @@ TEST_CASE("energies and the gradient of a potential with a part linear in the ra
   CHECK(at.potential_energy_at_rest() == 12);
   CHECK(at.potential_energy() == 12 + 60);
   CHECK(at.energy_function() == kinetic + 12);
+  CHECK(at.energy_magnitude() == kinetic + 12 + 12 + 60);
   CHECK(at.gravity(along_x) == 12);
   CHECK(at.gravity(along_y) == 4);
 }

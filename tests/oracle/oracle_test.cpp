@@ -216,7 +216,7 @@ TEST_CASE("a singular mass matrix has no forward dynamics") {
 TEST_CASE("nominal_state takes parameters from the model and the scene") {
   const ModelBuilder b = cart_pole();
   Scene scene;
-  scene.specialisation.fixed[1] = 3;
+  scene.specialisation.fixed[1] = {3};
   const State state = nominal_state(b.model, scene);
   CHECK(state.parameters == Values{1, 3, exact("0.5"), exact("9.81")});
   CHECK(state.q == Values{0, 0});

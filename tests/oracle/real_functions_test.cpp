@@ -39,6 +39,23 @@ TEST_CASE("sines of huge exact angles are right: sin(1e22) is the classical chec
   CHECK(agree(value(FunctionId::sin, 2 * huge), 2 * sine * cosine, 90));
 }
 
+TEST_CASE("large angles that are no rationals ask for the digits they have lost") {
+  const auto sine_of_power = [] {
+    return value(FunctionId::sin, value(FunctionId::exp, 1000) * exact("1e-100"));
+  };
+  const cl_R truth = [] {
+    const auto format = cln::float_format(700);
+    const cl_R power = cln::exp(cln::cl_float(1000, format)) / cln::expt(cln::cl_RA(10), 100);
+    return cl_R(cln::sin(cln::the<cln::cl_F>(power)));
+  }();
+  Precision precision;
+  CHECK_FALSE(agree(sine_of_power(), truth, 60));
+  REQUIRE(precision.grows());
+  CHECK(agree(sine_of_power(), truth, 60));
+  CHECK_FALSE(precision.grows());
+  CHECK_THROWS_AS(value(FunctionId::sin, as_float(cln::expt(cl_R(10), 7000))), OutsideDomain);
+}
+
 TEST_CASE("inverse functions invert to almost all digits") {
   const cl_R x = exact("0.37");
   CHECK(agree(value(FunctionId::asin, value(FunctionId::sin, x)), x, 90));

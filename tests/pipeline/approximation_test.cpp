@@ -114,6 +114,24 @@ void check_truncation(const std::string& model, const std::string& about, int or
   }
 }
 
+/// A force by the angle of a pole on its cart, which may be anywhere.
+const std::string pushed_cart = R"toml(format = 1
+[model]
+name = "model"
+[[coordinate]]
+name = "x"
+[[coordinate]]
+name = "th"
+[energy]
+T = "dot(x)^2 + dot(x)*dot(th)*cos(th) + dot(th)^2"
+V = "cos(th)"
+[[input]]
+name = "u"
+[[force]]
+on = "x"
+value = "sin(th)*u"
+)toml";
+
 cl_R size(const Real& x) { return cln::abs(x.value()); }
 
 }  // namespace
@@ -161,6 +179,23 @@ TEST_CASE("with one small coordinate the error falls by the power promised") {
   CHECK(coarse[1] / fine[1] > 999);
   CHECK(coarse[1] / fine[1] < 1001);
   CHECK(coarse[0] / fine[0] > 9990);
+}
+
+TEST_CASE("a force on what is not small is right to one order more, everywhere it is told") {
+  const Workspace workspace;
+  write_text(workspace.path() / "model.toml", pushed_cart);
+  write_text(workspace.path() / "near.scene.toml",
+             scene_text("[outputs]\ninput_matrix = true\nbias = true\nforward_dynamics = true\n"
+                        "[approximate]\norder = 2\nabout = { th = 0 }\n"));
+  const Outcome shown = shell("elgen show near.scene.toml", workspace.path());
+  INFO(shown.output + shown.errors);
+  CHECK(mentions(shown.output, "input_matrix[1] = th*(1 - 1/6*th^2)"));
+  const Outcome generated = shell("elgen generate -q -o out near.scene.toml", workspace.path());
+  INFO(generated.errors);
+  CHECK(generated.status == 0);
+  const Outcome judged = shell("elgen verify --samples 16 near.scene.toml", workspace.path());
+  INFO(judged.output);
+  CHECK(judged.status == 0);
 }
 
 }  // namespace elgen::test

@@ -47,10 +47,28 @@ TEST_CASE("awkward energies hold in every check") {
     options.quick = true;
     options.forms = &*products.closed_forms;
     const Certificate certificate =
-        verify(model, scene, *products.program, nullptr, options).certificate;
+        verify(model, scene, *products.program, {}, options).certificate;
     INFO(to_text(certificate));
     CHECK(holds(certificate));
   }
+}
+
+TEST_CASE("angles, ranges and masses of any size raise no false alarm") {
+  const auto errors = [](const std::string& extra, const std::string& energy) {
+    const std::string text =
+        "format = 1\n[model]\nname = \"large\"\n[[coordinate]]\nname = \"x\"\n" + extra +
+        "[[coordinate]]\nname = \"y\"\n[parameters]\nm = 1e39\nw = " +
+        "1e308\n[energy]\nT = \"dot(x)^2 + dot(y)^2\"\nV = \"" + energy + "\"\n";
+    const Products products = run_pipeline({make_source("model.toml", text), nullptr}, {});
+    return has_errors(products.diagnostics) ? format(products.diagnostics) : std::string();
+  };
+  CHECK(errors("", "sin(w*x)") == "");
+  CHECK(errors("", "cos(1e100*x + y)") == "");
+  CHECK(errors("", "sin(exp(1000*x))") == "");
+  CHECK(errors("", "tan(1e100*x*y)") == "");
+  CHECK(errors("range = [0, \"1e400\"]\n", "x^2") == "");
+  CHECK(errors("range = [\"-1e400\", \"1e400\"]\n", "sin(x)") == "");
+  CHECK(errors("rate_range = [\"-1e400\", \"1e400\"]\n", "m*x^2*y") == "");
 }
 
 }  // namespace elgen

@@ -55,7 +55,7 @@ std::string disproved(const std::string& text) {
   VerifyOptions quick;
   quick.quick = true;
   quick.forms = &*products.closed_forms;
-  return format(verify(model, scene, *products.program, nullptr, quick).diagnostics);
+  return format(verify(model, scene, *products.program, {}, quick).diagnostics);
 }
 
 bool has(const std::string& text, const std::string& part) {

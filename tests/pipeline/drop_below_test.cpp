@@ -167,7 +167,7 @@ TEST_CASE("self-check and verification hold") {
   VerifyOptions options;
   options.quick = true;
   const auto& [model, scene] = *light().checked;
-  const Verification found = verify(model, scene, *light().program, nullptr, options);
+  const Verification found = verify(model, scene, *light().program, {}, options);
   INFO(to_text(found.certificate));
   CHECK(holds(found.certificate));
 }

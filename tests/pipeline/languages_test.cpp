@@ -17,6 +17,7 @@ coriolis_matrix  = true
 bias             = true
 inverse_dynamics = true
 kinetic_energy   = true
+input_matrix     = true
 forward_dynamics = true
 [numeric]
 scalar = ["{2}"]
@@ -36,10 +37,12 @@ void c_side(const SCALAR *q, const SCALAR *v, const SCALAR *a, const SCALAR *u, 
   NAME_c_bias(&p, q, v, to += n * n);
   NAME_c_inverse_dynamics(&p, q, v, a, to += n);
   *(to += n) = NAME_c_kinetic_energy(&p, q, v);
+  NAME_c_input_matrix(&p, q, ++to);
+  to += n * CAPITALS_C_INPUT_COUNT;
   NAME_c_forward_dynamics(&p, q, v, u, &result);
   for (int i = 0; i < n; ++i) {
-    to[1 + i] = result.acceleration[i];
-    to[1 + n + i] = result.relative_pivots[i];
+    to[i] = result.acceleration[i];
+    to[n + i] = result.relative_pivots[i];
   }
 }
 )source";
@@ -82,6 +85,7 @@ std::vector<SCALAR> plain(const State& s) {
   add(to, h::bias(p, q, v));
   add(to, h::inverse_dynamics(p, q, v, a));
   to.push_back(h::kinetic_energy(p, q, v));
+  add(to, h::input_matrix(p, q));
   const auto result = h::forward_dynamics(p, q, v, u);
   add(to, result.acceleration);
   add(to, result.relative_pivots);
@@ -94,6 +98,7 @@ std::vector<SCALAR> plain(const State& s) {
   const V bias = h::eigen::bias(p, s.q, s.v);                           \
   const V tau = h::eigen::inverse_dynamics(p, s.q, s.v, s.a + 0 * s.v); \
   const SCALAR energy = h::eigen::kinetic_energy(p, s.q, s.v);          \
+  const Eigen::Matrix<SCALAR, n, k> B = h::eigen::input_matrix(p, s.q); \
   const auto result = h::eigen::forward_dynamics(p, s.q, s.v, s.u);     \
   Eigen::internal::set_is_malloc_allowed(true);                         \
   std::vector<SCALAR> to;                                               \
@@ -102,6 +107,8 @@ std::vector<SCALAR> plain(const State& s) {
   add(to, bias);                                                        \
   add(to, tau);                                                         \
   to.push_back(energy);                                                 \
+  for (int i = 0; i < n; ++i)                                           \
+    for (int j = 0; j < k; ++j) to.push_back(B(i, j));                  \
   add(to, result.acceleration);                                         \
   add(to, result.relative_pivots);                                      \
   return to;

@@ -112,6 +112,53 @@ TEST_CASE("six joints of seven locked", "[lock]") {
   }
 }
 
+TEST_CASE("a motor's inertia moves with the joint that is locked", "[lock]") {
+  const Workspace workspace;
+  write_text(workspace.path() / "arm.toml", R"toml(format = 1
+[model]
+name = "arm"
+[[coordinate]]
+name = "q1"
+unit = "rad"
+armature = "J1"
+[[coordinate]]
+name = "q2"
+unit = "rad"
+armature = "J2"
+[[coordinate]]
+name = "x"
+unit = "m"
+[parameters]
+m = { value = 2, unit = "kg" }
+J1 = { value = 0.3, unit = "kg*m^2" }
+J2 = { value = 0.2, unit = "kg*m^2" }
+[[point]]
+name = "slider"
+at = ["x*cos(q1 + q2)", "x*sin(q1 + q2)"]
+mass = "m"
+)toml");
+  write_text(workspace.path() / "held.scene.toml", R"toml(format = 1
+model = "arm.toml"
+name = "held"
+[outputs]
+kinetic_energy = true
+inverse_dynamics = true
+[lock]
+q1 = { value = "sin(t)", reaction = true }
+q2 = { value = "t^2", reaction = true }
+)toml");
+  const Outcome shown = shell("elgen show held.scene.toml", workspace.path());
+  INFO(shown.output + shown.errors);
+  CHECK(shown.status == 0);
+  CHECK(mentions(shown.output, "1/2*J1*cos(t)^2"));
+  CHECK(mentions(shown.output, "2*J2*t^2"));
+  // Rows of the full Lagrangian: J1 times the acceleration of the first lock, J2 of the second.
+  CHECK(mentions(shown.output, "J1*sin(t)"));
+  CHECK(mentions(shown.output, "2*J2"));
+  CHECK(shell("elgen generate -q held.scene.toml -o out", workspace.path()).status == 0);
+  CHECK(shell("elgen verify --samples 16 held.scene.toml", workspace.path()).status == 0);
+}
+
 TEST_CASE("what is locked costs nothing", "[lock]") {
   const Products arm = products_of(scene_text(""));
   const Products one = products_of(scene_text(locks_text()));

@@ -99,7 +99,7 @@ TEST_CASE("what differs is never proved equal") {
 TEST_CASE("fixed parameters are numbers") {
   const Model model = model_of({"a*x", "5*x"}).model;
   ClosedForms forms;
-  const std::map<std::uint32_t, cln::cl_R> fixed{{0, cln::cl_R(5)}};
+  const FixedParameters fixed{{0, {5}}};
   const auto left = closed_form(forms, model, fixed, model.outputs[0].values[0]);
   const auto right = closed_form(forms, model, fixed, model.outputs[0].values[1]);
   REQUIRE(left);

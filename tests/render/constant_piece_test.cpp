@@ -1,16 +1,41 @@
 #include <catch2/catch.hpp>
 
+#include "lower/constant_reader.hpp"
 #include "render/equations.hpp"
 
 using namespace elgen;
 using namespace elgen::rendering;
 
+namespace {
+
+struct Row {
+  const char* text;
+  const char* latex;
+};
+
+}  // namespace
+
 TEST_CASE("exact constants in both notations") {
-  const Constant half{cln::cl_R(cln::cl_RA(1) / 2), "1/2"};
-  CHECK(constant_piece(text_notation(), half).text() == "1/2");
-  CHECK(constant_piece(latex_notation(), half).text() == "\\frac{1}{2}");
-  const Constant root{cln::sqrt(cln::cl_R(2)), "sqrt(2)"};
-  CHECK(constant_piece(latex_notation(), root).text() == "\\sqrt{2}");
-  const Constant pi{cln::pi(), "pi"};
-  CHECK(constant_piece(latex_notation(), pi).text() == "\\pi");
+  const Row row = GENERATE(values<Row>({{"1/2", "\\frac{1}{2}"},
+                                        {"981/100", "9.81"},
+                                        {"200000000000000000/3", "\\frac{200000000000000000}{3}"},
+                                        {"sqrt(2)", "\\sqrt{2}"},
+                                        {"pi", "\\pi"},
+                                        {"1/2*pi", "\\frac{1}{2} \\pi"},
+                                        {"1 - cos(1)", "1 - \\cos 1"},
+                                        {"2*(1 + pi)^2", "2 (1 + \\pi)^{2}"},
+                                        {"sqrt(3)^(-1)", "\\frac{1}{\\sqrt{3}}"},
+                                        {"exp(-1 - pi)", "\\exp(-1 - \\pi)"}}));
+  const auto constant = read_constant(row.text);
+  REQUIRE(constant);
+  CHECK(constant_piece(text_notation(), constant->form).text() == row.text);
+  CHECK(constant_piece(latex_notation(), constant->form).text() == row.latex);
+}
+
+TEST_CASE("a constant sum is bracketed as a factor") {
+  const auto sum = read_constant("1 + pi");
+  REQUIRE(sum);
+  const Piece written =
+      product(text_notation(), {{constant_piece(text_notation(), sum->form)}, {Piece{"x"}}});
+  CHECK(written.text() == "(1 + pi)*x");
 }

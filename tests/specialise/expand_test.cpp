@@ -56,6 +56,39 @@ value = "u*cos(x)"
 
 }  // namespace
 
+TEST_CASE("forces on coordinates that are not small are kept to one order more") {
+  const std::string cart = model_text("cart", R"toml(
+[[coordinate]]
+name = "x"
+[[coordinate]]
+name = "th"
+[energy]
+T = "dot(x)^2 + dot(th)^2"
+V = "cosh(th)"
+[[input]]
+name = "u"
+[[point]]
+name = "tip"
+at = ["x + sin(th)", "cos(th)"]
+[[force]]
+on = "x"
+value = "u*sin(th)"
+[[force]]
+on = "th"
+value = "u*sin(th)"
+[[force]]
+at = "tip"
+value = ["u*cos(th)", "0"]
+)toml");
+  const Expanded e = energies(cart, "order = 2\nabout = { th = 0 }");
+  const Symbols& s = e.lagrangian.symbols;
+  const ex& th = s.q[1];
+  const ex& u = s.u[0];
+  // u (sin + cos) to the third order, u (sin + cos^2) to the second.
+  CHECK((force(e, 0) - u * (1 + th - th * th / 2 - th * th * th / 6)).expand().is_zero());
+  CHECK((force(e, 1) - u * (1 + th - th * th)).expand().is_zero());
+}
+
 TEST_CASE("energies are kept to one order more than the equations") {
   const Expanded e = energies(spring, "order = 1\nabout = { x = 0 }");
   const Symbols& s = e.lagrangian.symbols;

@@ -162,15 +162,12 @@ m = 1
 g = 9.81
 [[body]]
 name = "top"
-mass = "m"
-com = ["h*sin(theta)*sin(phi)", "-h*sin(theta)*cos(phi)", "h*cos(theta)"]
 inertia = ["A", "A", "C", "P", "0", "P/2"]
 spin = ["dot(phi)*sin(theta)*sin(psi) + dot(theta)*cos(psi)",
         "dot(phi)*sin(theta)*cos(psi) - dot(theta)*sin(psi)",
         "dot(phi)*cos(theta) + dot(psi)"]
-inertia_about = "origin"
-[gravity]
-vector = ["0", "0", "-g"]
+[energy]
+V = "m*g*h*cos(theta)"
 )toml");
   return text;
 }

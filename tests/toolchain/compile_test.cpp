@@ -23,7 +23,8 @@ elgen::Arguments<Scalar> arguments() {
 TEST_CASE("compiled functions return the fields one after another, in double and float") {
   const auto compiled = compile_header(sample::header());
   REQUIRE(compiled);
-  const elgen::CompiledModel& model = **compiled;
+  REQUIRE(compiled->size() == 1);
+  const elgen::CompiledModel& model = *compiled->front().functions;
   CHECK(model.call("inverse_dynamics", arguments<double>()) == std::vector<double>{102});
   CHECK(model.call("inverse_dynamics", arguments<float>()) == std::vector<float>{102});
   CHECK(model.call("forward_dynamics", arguments<double>()) == std::vector<double>{32, 2});
@@ -39,7 +40,7 @@ TEST_CASE("the temporary directory is gone afterwards, and its name may have spa
   const auto compiled = compile_header(sample::header());
   REQUIRE(compiled);
   CHECK(std::filesystem::is_empty(spaced));
-  CHECK((*compiled)->call("inverse_dynamics", arguments<double>()).front() == 102);
+  CHECK(compiled->front().functions->call("inverse_dynamics", arguments<double>()).front() == 102);
 }
 
 TEST_CASE("code the compiler refuses comes back with the compiler's words") {
@@ -55,6 +56,71 @@ TEST_CASE("a warning in emitted code is refused too") {
   std::string text = sample::header();
   text.insert(text.find("return {p.m"), "int unused = 0;\n");
   CHECK_FALSE(compile_header(text));
+}
+
+TEST_CASE("a header on types of Eigen is compiled and run beside the other") {
+  elgen::EmittedFiles files = sample::files(sample::header());
+  files.files["sample/sample_eigen.hpp"] = R"(#pragma once
+#include <Eigen/Core>
+#include "sample.hpp"
+namespace sample::eigen {
+template <class Scalar> using Vector = Eigen::Matrix<Scalar, 1, 1>;
+template <class Scalar> struct Forward { Vector<Scalar> acceleration, relative_pivots; };
+template <class Scalar>
+Vector<Scalar> inverse_dynamics(const Parameters<Scalar>& p, const Vector<Scalar>& q,
+                                const Vector<Scalar>& v, const Vector<Scalar>& a) noexcept {
+  return Vector<Scalar>(p.m * a(0) + p.l[0] * q(0) - p.l[1] * v(0));
+}
+template <class Scalar>
+Forward<Scalar> forward_dynamics(const Parameters<Scalar>& p, const Vector<Scalar>& q,
+                                 const Vector<Scalar>& v,
+                                 const Eigen::Matrix<Scalar, 0, 1>&) noexcept {
+  return {Vector<Scalar>(p.l[0] * q(0) + v(0)), Vector<Scalar>(p.m)};
+}
+}  // namespace sample::eigen
+)";
+  elgen::Scene scene = sample::scene();
+  scene.emission.eigen = true;
+  const auto compiled = elgen::compile(files, sample::model(), scene, sample::program());
+  INFO(elgen::format(compiled.diagnostics));
+  REQUIRE(compiled);
+  REQUIRE(compiled->size() == 2);
+  const elgen::CompiledHeader& other = compiled->back();
+  CHECK(other.types == "Eigen");
+  // Its own sum: 5 * 11 is subtracted there.
+  CHECK(other.functions->call("inverse_dynamics", arguments<double>()) == std::vector<double>{-8});
+  CHECK(other.functions->call("forward_dynamics", arguments<float>()) == std::vector<float>{32, 2});
+}
+
+TEST_CASE("a C header is compiled as C99") {
+  elgen::EmittedFiles files;
+  files.files["sample/sample.h"] = R"(#pragma once
+typedef struct sample_parameters { double m; double l[2]; } sample_parameters;
+typedef struct sample_forward_dynamics_result {
+  double acceleration[1];
+  double relative_pivots[1];
+} sample_forward_dynamics_result;
+static inline void sample_inverse_dynamics(const sample_parameters *restrict p, const double *q,
+                                           const double *v, const double *a, double *result) {
+  result[0] = p->m * a[0] + p->l[0] * q[0] + p->l[1] * v[0];
+}
+static inline void sample_forward_dynamics(const sample_parameters *p, const double *q,
+                                           const double *v, const double *u,
+                                           sample_forward_dynamics_result *result) {
+  (void)u;
+  result->acceleration[0] = p->l[0] * q[0] + v[0];
+  result->relative_pivots[0] = p->m;
+}
+)";
+  elgen::Scene scene = sample::scene();
+  scene.emission.language = elgen::LanguageId::c99;
+  scene.numerics.scalars = {elgen::ScalarKind::double_precision};
+  const auto compiled = elgen::compile(files, sample::model(), scene, sample::program());
+  INFO(elgen::format(compiled.diagnostics));
+  REQUIRE(compiled);  // `restrict` is no word of C++
+  const elgen::CompiledModel& model = *compiled->front().functions;
+  CHECK(model.call("inverse_dynamics", arguments<double>()) == std::vector<double>{102});
+  CHECK(model.call("forward_dynamics", arguments<double>()) == std::vector<double>{32, 2});
 }
 
 TEST_CASE("without a compiler there is E704, with exit code 4") {

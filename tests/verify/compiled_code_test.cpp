@@ -46,8 +46,9 @@ class Changed final : public CompiledModel {
 };
 
 template <class Scalar>
-std::vector<CertificateRow> rows_of(const System& system, const CompiledModel& compiled) {
-  return check_compiled(system.subject(), compiled,
+std::vector<CertificateRow> rows_of(const System& system, const Changed& compiled,
+                                    const std::string& types = {}) {
+  return check_compiled(system.subject(), {types, std::make_unique<Changed>(compiled)},
                         sample_states<Scalar>(system.subject(), {4, 1, true}));
 }
 
@@ -65,6 +66,13 @@ TEST_CASE("equal code holds, function by function, in both scalars") {
   CHECK(rows_of<double>(system, same).size() == system.program.functions.size());
   CHECK(failing(rows_of<double>(system, same)) == 0);
   CHECK(failing(rows_of<float>(system, same)) == 0);
+}
+
+TEST_CASE("rows say which types the functions are on") {
+  const System system = cart_pole_system();
+  const Changed same(system.program, "", [](double x) { return x; });
+  CHECK(rows_of<double>(system, same).front().subject == "mass_matrix (double)");
+  CHECK(rows_of<float>(system, same, "Eigen").front().subject == "mass_matrix (float, Eigen)");
 }
 
 TEST_CASE("the last bit and the sign of zero count") {

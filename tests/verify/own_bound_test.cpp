@@ -69,7 +69,7 @@ TEST_CASE("what underflows on the way is judged by the own bound") {
   CHECK(lost.underflows);
   CHECK(error_in_bounds(0.0, lost, 5) <= 8);
   CHECK(&judging_bound(lost, unit()) == &lost);
-  const Bound& kept = run_at<double>(1e-100, 0).entries.at(0);
+  const Bound kept = run_at<double>(1e-100, 0).entries.at(0);
   const Bound closed = unit();
   CHECK_FALSE(kept.underflows);
   CHECK(&judging_bound(kept, closed) == &closed);

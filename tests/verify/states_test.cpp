@@ -49,6 +49,24 @@ TEST_CASE("a seed names the same states every time") {
   CHECK(first[0].values.q != other[0].values.q);
 }
 
+TEST_CASE("states are finite, however far a range reaches") {
+  System system = cart_pole_system();
+  const cln::cl_R far = cln::expt(cln::cl_RA(10), 400);
+  system.model.coordinates[0].range = Interval{-far, far};
+  system.model.velocities[0].rate_range = Interval{0, far};
+  system.model.inputs[0].limits = Interval{far / 10, far};
+  const auto all_finite = [](const auto& states) {
+    return std::all_of(states.begin(), states.end(), [](const auto& state) {
+      const auto& [parameters, q, v, a, u, t] = state.values;
+      const auto finite = [](auto x) { return std::isfinite(x); };
+      return std::all_of(q.begin(), q.end(), finite) && std::all_of(v.begin(), v.end(), finite) &&
+             std::all_of(u.begin(), u.end(), finite);
+    });
+  };
+  CHECK(all_finite(sample_states<double>(system.subject(), {32, 1, true})));
+  CHECK(all_finite(sample_states<float>(system.subject(), {32, 1, true})));
+}
+
 TEST_CASE("nominal states keep to the declared ranges, or to the usual ones") {
   System system = cart_pole_system();
   system.model.coordinates[0].range = Interval{cln::cl_R(2), cln::cl_R(3)};

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "elgen/equations_of_motion.hpp"
+#include "elgen/lower.hpp"
+#include "support/models.hpp"
 #include "verify/states.hpp"
 #include "verify/systems.hpp"
 
@@ -71,6 +74,122 @@ TEST_CASE("each structural row turns red under a mutation of the program") {
     INFO(mutation.check);
     const System system = mutated(mutation.function, mutation.from, mutation.to);
     CHECK(verdict_of(system, mutation.check) == Verdict::fails);
+  }
+}
+
+namespace {
+
+/// A frame on an arm with oblique axes, on a base that is moved, and on a free body.
+const std::string& framed_text() {
+  static const std::string text = model_text("framed", R"toml(
+[[coordinate]]
+name = "a"
+[[coordinate]]
+name = "b"
+[[coordinate]]
+name = "r"
+kind = "rotation"
+[[prescribed]]
+name = "s"
+value = "k*t^2"
+[parameters]
+k = 0.5
+l = 2
+m = 3
+i1 = 1
+i2 = 2
+i3 = 2.5
+[[frame]]
+name = "base"
+parent = "world"
+translate = ["0", "s", "0"]
+rotate = [[["1", "1", "0"], "s"]]
+[[frame]]
+name = "arm"
+parent = "base"
+rpy = ["0.3", "-0.2", "0.1"]
+[[frame]]
+name = "tip"
+parent = "arm"
+translate = ["l*cos(a)", "l*sin(a)", "b"]
+rotate = [["x", "a"], ["z", "b"]]
+[[frame]]
+name = "ball"
+parent = "tip"
+translate = ["l", "0", "0"]
+rotation = "r"
+[[body]]
+name = "load"
+frame = "ball"
+mass = "m"
+com = ["0", "l", "0"]
+inertia = ["i1", "i2", "i3"]
+[[output]]
+name = "tip_pose"
+frame = "tip"
+jacobian = true
+[[output]]
+name = "own"
+frame = "ball"
+axes = "ball"
+jacobian = true
+[[output]]
+name = "ball_pose"
+frame = "ball"
+jacobian = true
+)toml");
+  return text;
+}
+
+System framed_system() {
+  SceneOptions options;
+  options.outputs = {make_source("--outputs",
+                                 "tip_pose,tip_pose_jacobian,tip_pose_bias,own,own_jacobian,"
+                                 "own_bias,ball_pose,ball_pose_jacobian,ball_pose_bias")};
+  const CheckedModel checked = checked_model(framed_text(), options);
+  const Result<Lagrangian> lagrangian = formulate(checked.model);
+  const auto equations = derive(*lagrangian, checked.scene.outputs, {});
+  return {checked.model, checked.scene, *lower(*equations, checked.scene.outputs, {})};
+}
+
+/// Nothing but one function, and the pose that it is derived from.
+System alone(const System& whole, const Function& function) {
+  System system = whole;
+  system.program.functions = {*find_function(whole.program, OutputKind::user_value, function.user),
+                              function};
+  return system;
+}
+
+/// value + 1/1000 for the value at `entry`.
+void shift(Program& program, Function& function, std::uint32_t& entry) {
+  const auto shift = static_cast<std::uint32_t>(function.instructions.size());
+  const std::uint32_t constant =
+      position_of(rational_constant(cln::cl_RA(1) / 1000), program.constants);
+  function.instructions.push_back({.opcode = Opcode::constant, .a = constant});
+  function.instructions.push_back({.opcode = Opcode::add, .a = entry, .b = shift});
+  function.names.resize(function.instructions.size());
+  entry = shift + 1;
+}
+
+}  // namespace
+
+TEST_CASE("a frame's Jacobian and bias are those of its twist, entry by entry") {
+  const System framed = framed_system();
+  for (const Function& function : framed.program.functions) {
+    if (function.kind == OutputKind::user_value) continue;
+    INFO(function.name);
+    const System right = alone(framed, function);
+    const std::vector<CertificateRow> rows = rows_of(right);
+    REQUIRE(rows.size() == 1);
+    INFO(rows.front().worst);
+    CHECK(rows.front().verdict == Verdict::holds);
+    for (std::size_t i = 0; i < function.fields.front().entries.size(); ++i) {
+      INFO("entry " << i);
+      System wrong = right;
+      Function& changed = wrong.program.functions.back();
+      shift(wrong.program, changed, changed.fields.front().entries[i]);
+      CHECK(rows_of(wrong).front().verdict == Verdict::fails);
+    }
   }
 }
 

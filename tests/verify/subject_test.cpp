@@ -23,7 +23,7 @@ TEST_CASE("arguments survive the way to an exact state and back") {
 
 TEST_CASE("fixed parameters stay the exact decimals they are") {
   System system = cart_pole_system();
-  system.scene.specialisation.fixed[1] = cln::cl_R("1/10");
+  system.scene.specialisation.fixed[1] = {cln::cl_R("1/10")};
   const auto arguments = arguments_at<double>(nominal_state(system.model, system.scene));
   const State state = exact_state(system.subject(), arguments);
   CHECK(state.parameters[1] == cln::cl_R("1/10"));

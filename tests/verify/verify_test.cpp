@@ -11,7 +11,7 @@ using namespace elgen::test;
 namespace {
 
 Verification quick(const System& system, std::uint64_t seed = 1) {
-  return verify(system.model, system.scene, system.program, nullptr, {4, true, seed});
+  return verify(system.model, system.scene, system.program, {}, {4, true, seed});
 }
 
 bool has_check(const Certificate& certificate, const std::string& check) {

@@ -1,0 +1,245 @@
+// E312, E313, E314, E910: constants without a value, and powers beyond all sizes, that show only
+// through names: definitions, functions of no t, components of points, fixed parameters, locks.
+//
+//     c = 2      asin(c)*x        the value of asin(c) is sought where it is used
+//     x1 = x*x   x2 = x1*x1 ...   the degree is counted before anything is expanded
+//
+// check has evaluated what is written out. Here names are followed, operands before users, by the
+// same evaluate_constant(); every value is kept with the number of its digits that are right, and
+// what has too few of them proves nothing.
+#include "check/constants.hpp"
+
+#include <cln/rational_ring.h>
+#include <cln/real_ring.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "checks.hpp"
+#include "elgen/wording.hpp"
+#include "readable.hpp"
+#include "roots.hpp"
+
+namespace elgen::inspection {
+namespace {
+
+using checking::ConstantFailure;
+using cln::cl_R;
+
+/// Digits of pi and of roots: enough for a sine of what 300 decimal exponents reach.
+constexpr int most_digits = 400;
+/// With fewer a zero is not told from what cancelled.
+constexpr int least_digits = 60;
+/// Of a parameter that is fixed at an irrational value.
+constexpr int parameter_digits = checking::constant_digits;
+
+/// x^10000 leaves every scalar's range for all x that are not 1 to four digits.
+constexpr double largest_degree = 10'000;
+
+struct Known {
+  cl_R value = 0;
+  int digits = most_digits;
+};
+
+/// How far a product has grown: its degree in what varies, the digits of its numbers.
+struct Growth {
+  double degree = 0;
+  double digits = 0;
+};
+
+double digits_of(const cl_R& number) {
+  if (!cln:: instanceof (number, cln::cl_RA_ring)) return 0;
+  const auto rational = cln::the<cln::cl_RA>(number);
+  const bool is_unit = cln::abs(rational) == 1 || cln::zerop(rational);
+  return is_unit ? 0 : static_cast<double>(checking::digit_count(rational));
+}
+
+class Names {
+ public:
+  explicit Names(const Subject& subject)
+      : subject_(subject),
+        model_(subject.model),
+        known_(model_.expressions.size()),
+        growth_(model_.expressions.size()) {}
+
+  /// After all that it refers to.
+  void visit(ExpressionId id) {
+    const Expression& node = model_.expressions[id];
+    const auto referred = referred_to(model_, id);
+    if (node.operands.empty() && !referred.empty()) {
+      known_[id] = known_[referred.front()];
+      growth_[id] = growth_[referred.front()];
+    } else if (evaluate(id, node)) {
+      grow(id, node);
+    }
+  }
+
+  Diagnostics take() { return std::move(found_); }
+
+ private:
+  /// False where it has no value, which is then reported.
+  bool evaluate(ExpressionId id, const Expression& node) {
+    if (node.kind == ExpressionKind::parameter) {
+      const auto& fixed = subject_.scene.specialisation.fixed;
+      const auto value = fixed.find(node.index);
+      if (value != fixed.end()) known_[id] = Known{value->second.number, parameter_digits};
+      return true;
+    }
+    if (node.kind == ExpressionKind::divide && is_zero(node.operands[1])) {
+      return report(node, {Code::E312, "is zero", 1});
+    }
+    if (!is_constant(node)) return true;
+    if (node.kind == ExpressionKind::time_derivative) {
+      known_[id] = Known{};
+      return true;
+    }
+    const int digits = digits_left(node);
+    if (digits < least_digits) return true;
+    const auto operand = [&](std::size_t i, int /*digits*/) {
+      return known_[node.operands[i]]->value;
+    };
+    const checking::ConstantOutcome outcome = checking::evaluate_constant(node, operand, digits);
+    if (outcome.failure) return report(node, *outcome.failure);
+    if (outcome.value) known_[id] = Known{*outcome.value, digits};
+    return true;
+  }
+
+  [[nodiscard]] bool is_constant(const Expression& node) const {
+    if (node.operands.empty()) return is_number(node);
+    return std::all_of(node.operands.begin(), node.operands.end(),
+                       [this](ExpressionId operand) { return known_[operand].has_value(); });
+  }
+
+  static bool is_number(const Expression& node) {
+    return node.kind == ExpressionKind::number || node.kind == ExpressionKind::pi;
+  }
+
+  [[nodiscard]] bool is_zero(ExpressionId id) const {
+    return known_[id] && cln::zerop(known_[id]->value);
+  }
+
+  /// A large angle has lost the digits before its point, where it has any that are not exact.
+  [[nodiscard]] int digits_left(const Expression& node) const {
+    int digits = most_digits;
+    for (const ExpressionId id : node.operands) {
+      const cl_R& value = known_[id]->value;
+      if (cln:: instanceof (value, cln::cl_RA_ring)) continue;
+      int lost = 0;
+      if (node.kind == ExpressionKind::function) {
+        lost = std::max(0, static_cast<int>(checking::decimal_exponent(value)) + 1);
+      }
+      digits = std::min(digits, known_[id]->digits - lost);
+    }
+    return digits;
+  }
+
+  void grow(ExpressionId id, const Expression& node) {
+    Growth& growth = growth_[id];
+    if (known_[id]) {
+      growth.digits = digits_of(known_[id]->value);
+    } else if (node.operands.empty() || node.kind == ExpressionKind::function) {
+      growth.degree = 1;
+    } else {
+      growth = combined(node);
+    }
+    const bool is_known = growth.degree <= largest_degree;
+    if (is_known && growth.digits <= static_cast<double>(checking::largest_exact_digits)) return;
+    found_.push_back(
+        {Code::E910, node.span,
+         is_known ? fmt::format("{} has numbers of more than {} digits", quoted(node.span),
+                                checking::largest_exact_digits)
+                  : fmt::format("{} has powers beyond {}", quoted(node.span), largest_degree)});
+    growth = {};
+  }
+
+  /// Products add, powers multiply, of a sum the largest term counts.
+  [[nodiscard]] Growth combined(const Expression& node) const {
+    const bool adds = node.kind == ExpressionKind::multiply || node.kind == ExpressionKind::divide;
+    Growth growth;
+    for (const ExpressionId id : node.operands) {
+      const Growth& operand = growth_[id];
+      growth.degree =
+          adds ? growth.degree + operand.degree : std::max(growth.degree, operand.degree);
+      growth.digits =
+          adds ? growth.digits + operand.digits : std::max(growth.digits, operand.digits);
+    }
+    if (node.kind == ExpressionKind::power) {
+      const double exponent = std::abs(cln::double_approx(node.number));
+      growth.degree *= exponent;
+      growth.digits *= exponent;
+    }
+    return growth;
+  }
+
+  bool report(const Expression& node, const ConstantFailure& failure) {
+    const bool is_operand = failure.operand && *failure.operand < node.operands.size();
+    const Span span =
+        is_operand ? model_.expressions[node.operands[*failure.operand]].span : node.span;
+    // What is written out would not have passed check.
+    const Code code = failure.code == Code::E914 ? Code::E910 : failure.code;
+    found_.push_back({code, span, quoted(span) + " " + failure.message, values_in(node)});
+    return false;
+  }
+
+  /// "`c` is 2": the names in a node that has no value.
+  [[nodiscard]] std::string values_in(const Expression& node) const {
+    std::vector<std::string> values;
+    std::vector<ExpressionId> stack(node.operands.rbegin(), node.operands.rend());
+    while (!stack.empty()) {
+      const ExpressionId id = stack.back();
+      stack.pop_back();
+      const Expression& operand = model_.expressions[id];
+      const std::string value = value_of_name(id);
+      const bool is_new = std::find(values.begin(), values.end(), value) == values.end();
+      if (!value.empty() && is_new) values.push_back(value);
+      stack.insert(stack.end(), operand.operands.rbegin(), operand.operands.rend());
+    }
+    return fmt::format("{}", fmt::join(values, ", "));
+  }
+
+  [[nodiscard]] std::string value_of_name(ExpressionId id) const {
+    constexpr std::size_t longest = 20;
+    const Expression& node = model_.expressions[id];
+    if (!node.operands.empty() || is_number(node) || !known_[id]) return {};
+    const std::string value = readable(known_[id]->value);
+    if (value.size() > longest) return {};
+    return fmt::format("`{}` is {}{}", to_string(model_, id), cause_of(node), value);
+  }
+
+  [[nodiscard]] const char* cause_of(const Expression& node) const {
+    if (node.kind == ExpressionKind::parameter) return "fixed at ";
+    const bool is_locked = node.kind == ExpressionKind::prescribed && model_.unlocked &&
+                           node.index >= model_.unlocked->prescribed.size();
+    return is_locked ? "locked at " : "";
+  }
+
+  const Subject& subject_;
+  const Model& model_;
+  std::vector<std::optional<Known>> known_;
+  std::vector<Growth> growth_;
+  Diagnostics found_ = {};
+};
+
+/// Closed forms are not among them: they are judged where they are compared.
+std::vector<ExpressionId> roots_of(const Model& model) {
+  std::vector<ExpressionId> roots = equation_roots(model);
+  for (const NamedExpression& definition : model.definitions) roots.push_back(definition.value);
+  for (const NamedExpression& function : model.prescribed) roots.push_back(function.value);
+  for (const UserOutput& output : model.outputs) {
+    const auto own = output_roots(output);
+    roots.insert(roots.end(), own.begin(), own.end());
+  }
+  return roots;
+}
+
+}  // namespace
+
+Diagnostics inspect_constants(const Subject& subject) {
+  Names names(subject);
+  for (const ExpressionId id : below(subject.model, roots_of(subject.model))) names.visit(id);
+  return names.take();
+}
+
+}  // namespace elgen::inspection

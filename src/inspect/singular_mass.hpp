@@ -1,0 +1,33 @@
+// E501 of an output that solves for accelerations: one message for the samples of inspect, the
+// factorisation of derive and the nodes of lower.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "elgen/scene.hpp"
+
+namespace elgen {
+
+/// M_ii is 0, i the velocity of that name: M is singular, or at least not positive definite.
+[[nodiscard]] inline Diagnostic no_kinetic_energy(const OutputRequest& request,
+                                                  const std::string& velocity) {
+  return {Code::E501, request.span,
+          fmt::format("`{}` has no value: the rate of `{}` alone has no kinetic energy, whatever "
+                      "the state is",
+                      request.name, velocity),
+          "give it a mass, remove the coordinate, or do not ask for this output"};
+}
+
+/// A pivot of M is 0: that of this velocity, where it is known.
+[[nodiscard]] inline Diagnostic singular_mass_matrix(const OutputRequest& request,
+                                                     const std::string& velocity = {}) {
+  const std::string at = velocity.empty() ? "" : fmt::format(" (`{}` has no pivot)", velocity);
+  return {Code::E501, request.span,
+          fmt::format("`{}` has no value: the mass matrix is singular{}, whatever the state is",
+                      request.name, at),
+          "too many coordinates, or a mass is missing"};
+}
+
+}  // namespace elgen

@@ -1,0 +1,86 @@
+// The driver of a C header, for its one scalar.
+#include <fmt/format.h>
+
+#include "driver_parts.hpp"
+#include "emit/arguments.hpp"
+#include "emit/emission_input.hpp"
+#include "emit/fields.hpp"
+#include "evaluate/decimal.hpp"
+
+namespace elgen {
+namespace {
+
+/// `append` has a prototype, because a header of numbers alone leaves it unused.
+constexpr std::string_view prologue = R"(#include "{header}"
+
+#include <stddef.h>
+
+void append({scalar} **to, const {scalar} *stored, size_t rows, size_t columns);
+void append({scalar} **to, const {scalar} *stored, size_t rows, size_t columns) {{
+  for (size_t i = 0; i < rows; ++i) {{
+    for (size_t j = 0; j < columns; ++j) *(*to)++ = stored[{position}];
+  }}
+}}
+
+static {name_space}_parameters parameters_from(const {scalar} *values) {{
+  {name_space}_parameters result = {{0}};
+  (void)values;
+{parameters}  return result;
+}}
+)";
+
+constexpr std::string_view wrapper_template = R"(
+void {symbol}(const {scalar} *parameters, const {scalar} *q, const {scalar} *v,
+    const {scalar} *a, const {scalar} *u, {scalar} t, {scalar} *to);
+void {symbol}(const {scalar} *parameters, const {scalar} *q, const {scalar} *v,
+    const {scalar} *a, const {scalar} *u, {scalar} t, {scalar} *to) {{
+  const {name_space}_parameters p = parameters_from(parameters);
+  (void)q, (void)v, (void)a, (void)u, (void)t;
+{body}}}
+)";
+
+/// "&p, q, v"
+std::string arguments(const Model& model, const Function& function) {
+  std::string text;
+  for (const Argument argument : arguments_of(model, function)) {
+    const bool is_struct = argument == Argument::parameters;
+    text += text.empty() ? "" : ", ";
+    text += is_struct ? "&p" : argument_name(argument);
+  }
+  return text;
+}
+
+std::string call(const DriverInput& input, const Function& function, const std::string& scalar) {
+  const std::string name = fmt::format("{}_{}", name_space(input.scene), function.name);
+  const std::string given = arguments(input.model, function);
+  const std::string results = appended(input, function, "&to", "");
+  if (gives_struct(function)) {
+    return fmt::format("  {0}_result result;\n  {0}({1}, &result);\n{2}", name, given, results);
+  }
+  if (scalar_fields(input.program, function).front()) {
+    return fmt::format("  const {} result = {}({});\n{}", scalar, name, given, results);
+  }
+  return fmt::format("  {} result[{}];\n  {}({}, result);\n{}", scalar, entry_count(function), name,
+                     given, results);
+}
+
+}  // namespace
+
+std::string c99_driver(const DriverInput& input) {
+  const auto& [model, scene, program] = input;
+  const bool is_row_major = scene.emission.storage == Storage::row_major;
+  const std::string scalar = scalar_name(scene.numerics.scalars.front());
+  std::string text =
+      fmt::format(prologue, fmt::arg("header", header_path(scene)), fmt::arg("scalar", scalar),
+                  fmt::arg("position", is_row_major ? "i * columns + j" : "j * rows + i"),
+                  fmt::arg("name_space", name_space(scene)),
+                  fmt::arg("parameters", parameter_assignments(input)));
+  for (std::size_t i = 0; i < program.functions.size(); ++i) {
+    text += fmt::format(wrapper_template, fmt::arg("symbol", driver_symbol(scalar, i)),
+                        fmt::arg("scalar", scalar), fmt::arg("name_space", name_space(scene)),
+                        fmt::arg("body", call(input, program.functions[i], scalar)));
+  }
+  return text;
+}
+
+}  // namespace elgen

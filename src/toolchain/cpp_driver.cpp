@@ -1,0 +1,156 @@
+// The drivers of C++: of the header on arrays, and of the one on types of Eigen.
+#include <fmt/format.h>
+
+#include "driver_parts.hpp"
+#include "emit/arguments.hpp"
+#include "emit/cpp_names.hpp"
+#include "emit/emission_input.hpp"
+#include "emit/fields.hpp"
+#include "evaluate/decimal.hpp"
+
+namespace elgen {
+namespace {
+
+/// Results come out row by row, however the header stores them.
+constexpr std::string_view append_row_major = R"(
+template <class Scalar>
+void append(Scalar*& to, const Scalar* stored, std::size_t rows, std::size_t columns) {
+  for (std::size_t i = 0; i < rows * columns; ++i) *to++ = stored[i];
+}
+)";
+constexpr std::string_view append_column_major = R"(
+template <class Scalar>
+void append(Scalar*& to, const Scalar* stored, std::size_t rows, std::size_t columns) {
+  for (std::size_t i = 0; i < rows; ++i) {
+    for (std::size_t j = 0; j < columns; ++j) *to++ = stored[j * rows + i];
+  }
+}
+)";
+
+constexpr std::string_view array_vector = R"(
+template <class Scalar, std::size_t N>
+std::array<Scalar, N> from_flat(const Scalar* values) {
+  std::array<Scalar, N> result{};
+  for (std::size_t i = 0; i < N; ++i) result[i] = values[i];
+  return result;
+}
+)";
+constexpr std::string_view eigen_vector = R"(
+template <class Scalar, int N>
+Eigen::Matrix<Scalar, N, 1> from_flat([[maybe_unused]] const Scalar* values) {
+  Eigen::Matrix<Scalar, N, 1> result;
+  for (int i = 0; i < N; ++i) result(i) = values[i];
+  return result;
+}
+)";
+
+constexpr std::string_view prologue = R"(#include "{header}"
+#include <array>
+#include <cstddef>
+
+namespace {{
+
+namespace emitted = ::{functions};
+{append}{vector}
+template <class Scalar>
+::{name_space}::Parameters<Scalar> parameters_from([[maybe_unused]] const Scalar* values) {{
+  ::{name_space}::Parameters<Scalar> result{{}};
+{parameters}  return result;
+}}
+)";
+
+constexpr std::string_view call_template = R"(
+template <class Scalar>
+void call_{index}([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] const Scalar* q,
+    [[maybe_unused]] const Scalar* v, [[maybe_unused]] const Scalar* a,
+    [[maybe_unused]] const Scalar* u, [[maybe_unused]] Scalar t, [[maybe_unused]] Scalar* to) {{
+{body}}}
+)";
+
+constexpr std::string_view wrapper_template = R"(
+extern "C" void {symbol}(const {scalar}* parameters, const {scalar}* q, const {scalar}* v,
+    const {scalar}* a, const {scalar}* u, {scalar} t, {scalar}* result);
+extern "C" void {symbol}(const {scalar}* parameters, const {scalar}* q, const {scalar}* v,
+    const {scalar}* a, const {scalar}* u, {scalar} t, {scalar}* result) {{
+  call_{index}(parameters, q, v, a, u, t, result);
+}}
+)";
+
+/// What differs between the two headers.
+struct Types {
+  std::string header;
+  std::string functions;                           ///< their namespace
+  std::string_view vector;                         ///< an argument from flat numbers
+  std::string (*array)(const Function& function);  ///< a result too large to be returned
+};
+
+std::string array_type(const Function& function) {
+  return fmt::format("std::array<Scalar, {}>", entry_count(function));
+}
+
+std::string eigen_type(const Function& function) {
+  const Field& field = function.fields.front();
+  return fmt::format("emitted::Matrix<Scalar, {}, {}>", field.rows, field.columns);
+}
+
+/// "parameters_from<Scalar>(parameters), from_flat<Scalar, emitted::coordinate_count>(q)"
+std::string arguments(const Model& model, const Function& function) {
+  std::string text = "parameters_from<Scalar>(parameters)";
+  for (const Argument argument : arguments_of(model, function)) {
+    const std::string_view name = argument_name(argument);
+    if (argument == Argument::time) text += ", t";
+    if (argument == Argument::parameters || argument == Argument::time) continue;
+    text += fmt::format(",\n      from_flat<Scalar, {}>({})", argument_size(model, argument), name);
+  }
+  return text;
+}
+
+std::string call(const DriverInput& input, const Types& types, const Function& function) {
+  const std::string given = arguments(input.model, function);
+  const std::string results = appended(input, function, "to", ".data()");
+  if (is_returned(function)) {
+    return fmt::format("  const auto result = emitted::{}({});\n{}", function.name, given, results);
+  }
+  const std::string type = gives_struct(function)
+                               ? fmt::format("emitted::{}<Scalar>", cpp_struct_name(function))
+                               : types.array(function);
+  return fmt::format("  {} result{{}};\n  emitted::{}(result, {});\n{}", type, function.name, given,
+                     results);
+}
+
+std::string driver_of(const DriverInput& input, const Types& types) {
+  const auto& [model, scene, program] = input;
+  const bool is_row_major = scene.emission.storage == Storage::row_major;
+  std::string text = fmt::format(
+      prologue, fmt::arg("header", types.header), fmt::arg("functions", types.functions),
+      fmt::arg("append", is_row_major ? append_row_major : append_column_major),
+      fmt::arg("vector", types.vector), fmt::arg("name_space", name_space(scene)),
+      fmt::arg("parameters", parameter_assignments(input)));
+  for (std::size_t i = 0; i < program.functions.size(); ++i) {
+    text += fmt::format(call_template, fmt::arg("index", i),
+                        fmt::arg("body", call(input, types, program.functions[i])));
+  }
+  text += "\n}  // namespace\n";
+  for (std::size_t i = 0; i < program.functions.size(); ++i) {
+    for (const ScalarKind kind : driver_scalars(input)) {
+      const std::string scalar = scalar_name(kind);
+      text += fmt::format(wrapper_template, fmt::arg("symbol", driver_symbol(scalar, i)),
+                          fmt::arg("scalar", scalar), fmt::arg("index", i));
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string cpp_driver(const DriverInput& input) {
+  return driver_of(input,
+                   {header_path(input.scene), name_space(input.scene), array_vector, array_type});
+}
+
+std::string eigen_driver(const DriverInput& input) {
+  return driver_of(input, {eigen_path(input.scene), name_space(input.scene) + "::eigen",
+                           eigen_vector, eigen_type});
+}
+
+}  // namespace elgen

@@ -1,0 +1,20 @@
+// What the drivers of all languages are put together from.
+#pragma once
+
+#include "driver.hpp"
+
+namespace elgen {
+
+/// "  result.l[1] = values[3];" for every run-time parameter, in the order of the program's leaves.
+[[nodiscard]] std::string parameter_assignments(const DriverInput& input);
+
+/// "  append(to, result.gravity.data(), 2, 1);" for each field; `data` gives the address of one.
+[[nodiscard]] std::string appended(const DriverInput& input, const Function& function,
+                                   std::string_view to, std::string_view data);
+
+/// The drivers of C++17 and of C99.
+[[nodiscard]] std::string cpp_driver(const DriverInput& input);
+[[nodiscard]] std::string eigen_driver(const DriverInput& input);
+[[nodiscard]] std::string c99_driver(const DriverInput& input);
+
+}  // namespace elgen

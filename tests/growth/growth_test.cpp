@@ -1,0 +1,115 @@
+// No stage may do more than its share of a longer chain: operations of every stage, for n links.
+//
+// The program for the inverse dynamics of a chain is linear in n, and so are all tables on the way.
+// Of blocks, n^1.1 from each size to the next leaves room for the logarithm of what is searched and
+// sorted, and none for n^2 in a twentieth of a stage's work at n = 300; of bytes, n^1.2, since
+// tables that double round up. Outputs that are n x n (M, C) grow by themselves and are not asked
+// for.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+
+#include "elgen/oracle.hpp"
+#include "elgen/pipeline.hpp"
+#include "growth/operations.hpp"
+#include "support/shell.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+/// Up to 30 links closed forms are kept, which have n^2 terms; beyond, the budget of `present`
+/// ends.
+double excess_of(const std::string& stage, int links) {
+  const bool is_closed = stage == "present" || stage == "choose";
+  return is_closed && links <= 30 ? 1 : 0;
+}
+
+using Counts = std::map<std::string, Operations>;
+
+/// What every stage costs: the difference between two counts.
+class Count {
+ public:
+  void begin(const std::string& stage) {
+    end();
+    stage_ = stage;
+    start_ = operations();
+  }
+
+  Counts end() {
+    const Operations now = operations();
+    if (!stage_.empty()) {
+      counts_[stage_] = {now.bytes - start_.bytes, now.blocks - start_.blocks};
+    }
+    stage_.clear();
+    return counts_;
+  }
+
+ private:
+  std::string stage_ = {};
+  Operations start_ = {};
+  Counts counts_ = {};
+};
+
+SourcePointer option(const std::string& text) { return make_source("option", text); }
+
+Counts counts_of_chain(int links) {
+  const std::string path = std::string(ELGEN_SOURCE_DIR) + "/models/chain.toml";
+  const Inputs inputs{make_source("chain.toml", read_text(path)), nullptr};
+  PipelineOptions options;
+  options.scene.sizes = {option("n=" + std::to_string(links))};
+  options.scene.outputs = {option("inverse_dynamics")};
+  options.check_itself = false;  // as many states as there is time for
+  Count count;
+  options.on_stage = [&](const std::string& stage) { count.begin(stage); };
+  const Products products = run_pipeline(inputs, options);
+  REQUIRE(products.files);
+  const auto& [model, scene] = *products.checked;
+  count.begin("self-check");
+  const SelfCheck check = self_check(model, scene, *products.program, 0);
+  CHECK(check.failure.empty());
+  CHECK(check.states > 0);
+  count.begin("magnitude of the energy");
+  CHECK(oracle_energy_magnitude(model, nominal_state(model, scene)));
+  return count.end();
+}
+
+void check_growth(std::uint64_t few, std::uint64_t many, double factor) {
+  CHECK(static_cast<double>(many) <= static_cast<double>(few) * factor);
+}
+
+}  // namespace
+
+TEST_CASE("no stage grows faster than the chain") {
+  counts_of_chain(10);  // makes what is made once
+  std::map<int, Counts> counts;
+  for (const int links : {10, 30, 100, 300, 1000}) counts[links] = counts_of_chain(links);
+  for (auto many = std::next(counts.begin()); many != counts.end(); ++many) {
+    const auto few = std::prev(many);
+    const double growth = static_cast<double>(many->first) / few->first;
+    REQUIRE(many->second.size() == stage_names().size() + 2);
+    for (const auto& [stage, count] : many->second) {
+      const Operations& before = few->second.at(stage);
+      INFO(stage << ", " << few->first << " and " << many->first << " links: " << before.bytes
+                 << " and " << count.bytes << " bytes, " << before.blocks << " and " << count.blocks
+                 << " blocks");
+      const double excess = excess_of(stage, many->first);
+      check_growth(before.bytes, count.bytes, std::pow(growth, 1.2 + excess));
+      check_growth(before.blocks, count.blocks, std::pow(growth, 1.1 + excess));
+    }
+  }
+}
+
+TEST_CASE("what is made is counted, and what is looked at where blocks are") {
+  const Operations before = operations();
+  const std::vector<int> made(1000, 1);
+  const Operations between = operations();
+  int sum = 0;
+  for (const int element : made) sum += element;
+  const Operations after = operations();
+  CHECK(sum == 1000);
+  CHECK(between.bytes - before.bytes == made.size() * sizeof(int));
+  CHECK(after.bytes == between.bytes);
+  CHECK((after.blocks - between.blocks >= made.size()) == counts_blocks);
+}

@@ -1,0 +1,151 @@
+// Irrational constants the whole way: what is shown, emitted, compiled and proved says the same
+// number, and different numbers never become one.
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "support/shell.hpp"
+
+using namespace elgen::test;
+
+namespace {
+
+struct Row {
+  const char* potential;
+  const char* gravity;  ///< dV/dq1 by hand
+};
+
+std::string model_of(const Row& row) {
+  return std::string(
+             "format = 1\n[model]\nname = \"constants\"\n[[coordinate]]\nname = \"q1\"\n"
+             "[define]\na = \"1 - cos(1)\"\nb = \"-exp(1)\"\n"
+             "[energy]\nT = \"dot(q1)^2\"\nV = \"") +
+         row.potential + "\"\n[[expect]]\ngravity = [\"" + row.gravity + "\"]\n";
+}
+
+/// The verdict of `verify --quick` on the expectation, compiled code and all else.
+Outcome verdict(const Row& row) {
+  const Workspace folder;
+  write_text(folder.path() / "constants.toml", model_of(row));
+  return shell("elgen verify -q --quick constants.toml", folder.path());
+}
+
+}  // namespace
+
+TEST_CASE("irrational constants are proved equal to themselves") {
+  const Row row = GENERATE(values<Row>(
+      {{"(2 + pi)*q1^3 + 2*pi*q1^2", "3*(2 + pi)*q1^2 + 4*pi*q1"},
+       {"(1/2 + pi)*q1 + pi/2*q1^2", "1/2 + pi + pi*q1"},
+       {"(2 + sqrt(3))*q1 + 2*sqrt(3)*q1^2", "2 + sqrt(3) + 4*sqrt(3)*q1"},
+       {"sqrt(2)*sqrt(3)*q1 + (sqrt(2) + sqrt(3))*q1^2", "sqrt(6) + 2*(sqrt(2) + sqrt(3))*q1"},
+       {"(cos(1) + sin(1))*q1 + cos(1)*sin(1)*q1^2", "cos(1) + sin(1) + 2*cos(1)*sin(1)*q1"},
+       {"(a + b)*q1", "1 - cos(1) - exp(1)"},
+       {"(a - 2)*q1", "-1 - cos(1)"},
+       {"exp(-(1 + cos(1)))*q1 + exp(-1 + cos(1))*q1^2",
+        "exp(-1 - cos(1)) + 2*exp(-1 + cos(1))*q1"}}));
+  INFO(row.potential);
+  const Outcome outcome = verdict(row);
+  INFO(outcome.output);
+  CHECK(outcome.status == 0);
+  CHECK(mentions(outcome.output, "proved: both are one canonical sum"));
+}
+
+TEST_CASE("another number is refused, however alike it is written") {
+  const Row row = GENERATE(values<Row>({{"(a + b)*q1", "1 + cos(1) - exp(1)"},
+                                        {"(a - 2)*q1", "1 + cos(1)"},
+                                        {"(a - 2)*q1", "cos(1) - 1"},
+                                        {"(2 + pi)*q1", "2*pi"},
+                                        {"exp(-(1 + cos(1)))*q1", "exp(-1 + cos(1))"}}));
+  INFO(row.potential << ", " << row.gravity);
+  const Outcome outcome = verdict(row);
+  INFO(outcome.output);
+  CHECK(outcome.status == 1);
+  CHECK(mentions(outcome.output, "FAILS"));
+}
+
+TEST_CASE("what agrees to 45 digits is not proved equal") {
+  const Outcome outcome = verdict({"cos(1e-60)*q1", "1"});
+  CHECK(outcome.status == 0);
+  CHECK(mentions(outcome.output, "sampled at 64 points, no proof"));
+}
+
+TEST_CASE("what is shown has the sign and the brackets that it needs") {
+  const Workspace folder;
+  const auto shown = [&](const char* potential) {
+    write_text(folder.path() / "constants.toml", model_of({potential, "0"}));
+    return shell("elgen show -q --what gravity constants.toml", folder.path()).output;
+  };
+  CHECK(mentions(shown("(a - 2)*q1"), "gravity = -1 - cos(1)\n"));
+  CHECK(mentions(shown("exp(-(1 + cos(1)))*q1"), "gravity = exp(-1 - cos(1))\n"));
+  CHECK(mentions(shown("(a + b)*q1^2/2"), "gravity = -(-1 + cos(1) + exp(1))*q1\n"));
+}
+
+TEST_CASE("different constants have functions of their own in emitted code") {
+  const Workspace folder;
+  write_text(folder.path() / "constants.toml",
+             model_of({"(2 + pi)*q1^3/3 + pi*q1^2 + 2*cos(1)*q1 + (2 + cos(1))*q1^4", "0"}));
+  prepare("elgen generate -q -o out --outputs gravity constants.toml", folder.path());
+  const std::string header = read_text(folder.path() / "out/constants/constants.hpp");
+  for (const char* number : {"/// 2 + pi\n", "/// 2*pi\n", "/// 2*cos(1)\n"}) {
+    INFO(number);
+    CHECK(mentions(header, number));
+  }
+}
+
+TEST_CASE("a parameter that is fixed at an irrational value keeps its form") {
+  const Workspace folder;
+  write_text(folder.path() / "fixed.toml",
+             "format = 1\n[model]\nname = \"fixed\"\n[[coordinate]]\nname = \"q1\"\n"
+             "[parameters]\nk = \"sqrt(2)\"\nr = 3\n"
+             "[energy]\nT = \"k*dot(q1)^2\"\nV = \"r*q1\"\n"
+             "[[expect]]\nmass_matrix = [[\"2*k\"]]\n");
+  write_text(folder.path() / "one.scene.toml",
+             "format = 1\nmodel = \"fixed.toml\"\nname = \"one\"\n"
+             "[parameters]\nfixed = { k = \"sqrt(2)\", r = \"1 - cos(1)\" }\n");
+  const Outcome shown = shell("elgen show -q one.scene.toml", folder.path());
+  CHECK(mentions(shown.output, "mass_matrix = 2*sqrt(2)\n"));
+  CHECK(mentions(shown.output, "gravity = 1 - cos(1)\n"));
+  const Outcome all = shell("elgen show -q --fix all fixed.toml", folder.path());
+  CHECK(mentions(all.output, "mass_matrix = 2*sqrt(2)\n"));
+  const Outcome verified = shell("elgen verify -q --quick one.scene.toml", folder.path());
+  INFO(verified.output);
+  CHECK(verified.status == 0);
+  CHECK(mentions(verified.output, "proved: both are one canonical sum"));
+}
+
+TEST_CASE("a slide in an oblique frame has one Coriolis matrix") {
+  const Workspace folder;
+  write_text(folder.path() / "slide.toml", R"toml(format = 1
+[model]
+name = "slide"
+[[coordinate]]
+name = "a"
+[[coordinate]]
+name = "b"
+[parameters]
+m = 2
+[[frame]]
+name = "W"
+parent = "world"
+rotate = [["z", "a"]]
+[[frame]]
+name = "S"
+parent = "W"
+translate = [0, 1, 0]
+rotate = [["y", 0.5]]
+[[frame]]
+name = "L"
+parent = "S"
+translate = [0, "b", 0]
+[[body]]
+name = "B"
+frame = "L"
+mass = "m"
+[[expect]]
+coriolis_matrix = [["m*(1 + b)*dot(b)", "m*(1 + b)*dot(a)"], ["-m*(1 + b)*dot(a)", "0"]]
+)toml");
+  const Outcome shown = shell("elgen show -q --what coriolis_matrix slide.toml", folder.path());
+  CHECK(mentions(shown.output, "coriolis_matrix[1,2] = m*(1 + b)*dot(a)\n"));
+  const Outcome verified = shell("elgen verify -q --quick slide.toml", folder.path());
+  INFO(verified.output);
+  CHECK(verified.status == 0);
+}

@@ -1,0 +1,153 @@
+// Differentiates the expressions of energies, and spoils what comes out.
+#include "random/claims.hpp"
+
+#include <stdexcept>
+
+namespace elgen::random {
+
+namespace {
+
+bool is_number(const Expression& e, const char* text) {
+  return e->kind == NodeKind::number && e->text == text;
+}
+
+/// Sums and products without zeros and ones, so that claims stay readable.
+Expression sum(const Expression& a, const Expression& b) {
+  if (is_number(a, "0")) return b;
+  return is_number(b, "0") ? a : a + b;
+}
+
+Expression times(const Expression& a, const Expression& b) {
+  if (is_number(a, "0") || is_number(b, "1")) return a;
+  return is_number(b, "0") || is_number(a, "1") ? b : a * b;
+}
+
+/// f' at x, of the functions that energies are drawn from.
+Expression slope(const std::string& function, const Expression& x) {
+  const Expression one = number(1);
+  if (function == "sin") return call_of("cos", {x});
+  if (function == "cos") return -call_of("sin", {x});
+  if (function == "exp") return call_of("exp", {x});
+  if (function == "sqrt") return one / (number(2) * call_of("sqrt", {x}));
+  if (function == "tanh") return one - raised(call_of("tanh", {x}), 2);
+  if (function == "atan") return one / (one + raised(x, 2));
+  throw std::logic_error("no derivative of " + function);
+}
+
+/// The expression at zero rates.
+Expression at_rest(const Expression& expression) {
+  if (expression->kind == NodeKind::rate) return number(0);
+  Node node = *expression;
+  for (Expression& operand : node.operands) operand = at_rest(operand);
+  return made(std::move(node));
+}
+
+/// Definitions in place of their names.
+Expression resolved(const Expression& expression, const std::vector<Named>& definitions) {
+  if (expression->kind == NodeKind::name) {
+    for (const Named& definition : definitions) {
+      if (definition.name == expression->text) return resolved(definition.value, definitions);
+    }
+  }
+  Node node = *expression;
+  for (Expression& operand : node.operands) operand = resolved(operand, definitions);
+  return made(std::move(node));
+}
+
+Expression second_derivative(const Expression& T, const Expression& a, const Expression& b) {
+  return derivative(derivative(T, a), b);
+}
+
+/// Places where a sign between constants can be turned, found from left to right.
+Expression turned(const Expression& expression, int& countdown) {
+  const bool is_sum =
+      expression->kind == NodeKind::addition || expression->kind == NodeKind::subtraction;
+  const bool is_zero = is_sum && (is_number(expression->operands[0], "0") ||
+                                  is_number(expression->operands[1], "0"));
+  if (is_sum && !has_names(expression) && !is_zero && countdown-- == 0) {
+    return expression->kind == NodeKind::addition
+               ? expression->operands[0] - expression->operands[1]
+               : expression->operands[0] + expression->operands[1];
+  }
+  Node node = *expression;
+  for (Expression& operand : node.operands) operand = turned(operand, countdown);
+  return made(std::move(node));
+}
+
+int turnable(const Expression& expression) {
+  int many = 1000000;
+  const int start = many;
+  const Expression same = turned(expression, many);
+  return start - many;
+}
+
+}  // namespace
+
+Expression derivative(const Expression& expression, const Expression& by) {
+  const Node& node = *expression;
+  if (printed(expression) == printed(by)) return number(1);
+  if (node.operands.empty() || node.kind == NodeKind::rate) return number(0);
+  if (!has_names(expression)) return number(0);
+  const Expression& a = node.operands[0];
+  const Expression da = derivative(a, by);
+  if (node.kind == NodeKind::negation) return is_number(da, "0") ? da : -da;
+  if (node.kind == NodeKind::call) return times(slope(node.text, a), da);
+  if (node.kind == NodeKind::power) {
+    const Expression rest = node.first == 2 ? a : raised(a, node.first - 1);
+    return times(times(number(node.first), rest), da);
+  }
+  const Expression& b = node.operands[1];
+  const Expression db = derivative(b, by);
+  const Expression minus_db = is_number(db, "0") ? db : -db;
+  switch (node.kind) {
+    case NodeKind::addition:
+      return sum(da, db);
+    case NodeKind::subtraction:
+      return sum(da, minus_db);
+    case NodeKind::multiplication:
+      return sum(times(da, b), times(a, db));
+    case NodeKind::division: {
+      const Expression whole = is_number(da, "0") ? da : da / b;
+      return is_number(db, "0") ? whole : sum(whole, times(a, minus_db) / raised(b, 2));
+    }
+    default:
+      throw std::logic_error("no derivative");
+  }
+}
+
+std::vector<Claim> true_claims(const Model& model) {
+  const bool is_energies = model.T && model.points.empty() && model.bodies.empty() &&
+                           model.frames.empty() && model.prescribed.empty();
+  if (!is_energies || !model.V) return {};
+  const Expression T = resolved(model.T, model.definitions);
+  const Expression V = at_rest(resolved(model.V, model.definitions));
+  Claim mass{"mass_matrix", {}};
+  Claim gravity{"gravity", {}};
+  for (const Coordinate& row : model.coordinates) {
+    mass.rows.emplace_back();
+    const Expression row_rate = rate(name(row.name));
+    for (const Coordinate& column : model.coordinates) {
+      Expression entry = at_rest(second_derivative(T, row_rate, rate(name(column.name))));
+      if (row.armature && row.name == column.name) entry = sum(entry, row.armature);
+      mass.rows.back().push_back(entry);
+    }
+    gravity.rows.push_back({derivative(V, name(row.name))});
+  }
+  return {mass, gravity, {"potential_energy", {{V}}}};
+}
+
+std::vector<Claim> falsified(std::vector<Claim> claims, Draw& draw) {
+  Claim& claim = claims[static_cast<std::size_t>(draw.below(static_cast<int>(claims.size())))];
+  auto& row = claim.rows[static_cast<std::size_t>(draw.below(static_cast<int>(claim.rows.size())))];
+  Expression& entry = row[static_cast<std::size_t>(draw.below(static_cast<int>(row.size())))];
+  const int places = turnable(entry);
+  if (places > 0) {
+    int countdown = draw.below(places);
+    entry = turned(entry, countdown);
+  } else {
+    entry = entry + call_of("cos", {number(1)}) / number(1000);
+  }
+  return claims;
+}
+
+}  // namespace elgen::random

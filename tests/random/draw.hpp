@@ -1,0 +1,49 @@
+// Random numbers, and constants and functions of the model language made from them. A seed gives
+// the same draws in every run of one build; compilers may order the draws of one expression
+// differently.
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "random/expression.hpp"
+
+namespace elgen::random {
+
+class Draw {
+ public:
+  Draw(std::uint64_t seed, bool irrational) : engine_(seed), irrational_(irrational) {}
+
+  int below(int count) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(count)); }
+  bool chance(int percent) { return below(100) < percent; }
+  template <class Items>
+  const auto& one_of(const Items& items) {
+    return items[static_cast<std::size_t>(below(static_cast<int>(items.size())))];
+  }
+
+  /// A dyadic number in [-reach, reach], held exactly by every scalar type; never 0.
+  Number dyadic(int reach);
+
+  /// Any constant but 0: rational, or in half of the models irrational too.
+  Expression constant();
+  /// One between 1/10 and 10.
+  Expression positive();
+  Expression rational();
+
+  /// A bounded, smooth function of the arguments, finite wherever they are in [-1, 1].
+  Expression function_of(const std::vector<Expression>& arguments);
+
+ private:
+  std::mt19937_64 engine_;
+  bool irrational_;
+
+  Expression irrational();
+  Expression elementary();
+};
+
+/// The value of an expression without names.
+[[nodiscard]] Number value_of(const Expression& constant);
+
+}  // namespace elgen::random

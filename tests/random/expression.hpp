@@ -1,0 +1,90 @@
+// Expressions of random models: trees that the generator builds, printed into a model file and
+// evaluated here; what is printed is never parsed.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "random/jet.hpp"
+
+namespace elgen::random {
+
+struct Node;
+using Expression = std::shared_ptr<const Node>;  ///< null where a model leaves it out
+
+enum class NodeKind {
+  number,  ///< text: the literal
+  pi,
+  time,
+  index,      ///< text: a variable of `for` or `sum`
+  name,       ///< text: coordinate, parameter, input, definition, prescribed function
+  component,  ///< text: a point; first: the axis
+  speed,      ///< v2(text)
+  distance,   ///< dist2(text, other)
+  rate,       ///< dot(operand)
+  sum,        ///< sum(text, first, second, operand)
+  negation,
+  addition,
+  subtraction,
+  multiplication,
+  division,
+  power,  ///< operand ^ (first/second)
+  call,   ///< text: the function
+};
+
+struct Node {
+  NodeKind kind = NodeKind::number;
+  std::string text = {};
+  std::string element = {};  ///< of an array: a number, or a variable of `for` or `sum`
+  std::string other = {};
+  int first = 0;
+  int second = 1;
+  std::vector<Expression> operands = {};
+};
+
+[[nodiscard]] Expression number(const std::string& literal);
+[[nodiscard]] Expression number(int value);
+[[nodiscard]] Expression name(const std::string& text, const std::string& element = "");
+[[nodiscard]] Expression constant_pi();
+[[nodiscard]] Expression time();
+[[nodiscard]] Expression component(const std::string& point, int axis,
+                                   const std::string& element = "");
+[[nodiscard]] Expression rate(Expression operand);
+[[nodiscard]] Expression call_of(const std::string& function, std::vector<Expression> arguments);
+[[nodiscard]] Expression raised(Expression base, int numerator, int denominator = 1);
+[[nodiscard]] Expression sum_over(const std::string& variable, int from, int to, Expression body);
+[[nodiscard]] Expression made(Node node);
+
+[[nodiscard]] Expression operator+(Expression a, Expression b);
+[[nodiscard]] Expression operator-(Expression a, Expression b);
+[[nodiscard]] Expression operator*(Expression a, Expression b);
+[[nodiscard]] Expression operator/(Expression a, Expression b);
+[[nodiscard]] Expression operator-(Expression a);
+
+/// As the model language writes it.
+[[nodiscard]] std::string printed(const Expression& expression);
+
+/// Whether it depends on anything: a name, a point, time.
+[[nodiscard]] bool has_names(const Expression& expression);
+
+/// Where names get their values. Infinitesimal 0 is that of time: dot(e) is what it multiplies.
+class Scope {
+ public:
+  virtual ~Scope() = default;
+  /// The element is resolved: empty, or a number.
+  virtual Jet value_of(const std::string& name, const std::string& element) = 0;
+  virtual Jet component_of(const std::string& point, const std::string& element, int axis) = 0;
+  virtual int dimension_of(const std::string& point) = 0;
+  virtual Jet now() = 0;
+
+  std::map<std::string, int> indices;  ///< of `for` and `sum`, while they are walked through
+};
+
+inline constexpr unsigned time_infinitesimal = 0;
+
+[[nodiscard]] Jet evaluated(const Expression& expression, Scope& scope);
+[[nodiscard]] Vector evaluated(const std::vector<Expression>& expressions, Scope& scope);
+
+}  // namespace elgen::random

@@ -1,0 +1,145 @@
+// What a random model and its scene consist of, entry by entry as in their files, and the files'
+// text.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "random/expression.hpp"
+
+namespace elgen::random {
+
+struct Coordinate {
+  std::string name;
+  bool is_rotation = false;
+  int repeat = 0;  ///< > 0: NAME[1] … NAME[repeat]
+  Expression armature = {};
+};
+
+struct Parameter {
+  std::string name;
+  std::vector<Expression> values;  ///< one, or one per element
+  bool is_array = false;
+};
+
+struct Named {
+  std::string name;
+  Expression value;
+};
+
+enum class Turn { none, rotate, rpy, dh_standard, dh_modified, quaternion, rotation };
+
+/// One turn of `rotate`: about a constant axis (three components; one: "x", "y", "z" by number).
+struct AxisTurn {
+  int letter = 0;                     ///< where there are no components
+  std::vector<Expression> axis = {};  ///< empty, or three
+  Expression angle = {};
+};
+
+struct Frame {
+  std::string name;
+  std::string parent;
+  std::vector<Expression> translate = {};
+  Turn turn = Turn::none;
+  std::vector<AxisTurn> turns = {};
+  std::vector<Expression> numbers = {};  ///< rpy; a alpha d theta; quaternion
+  std::string rotation = {};             ///< the coordinate
+};
+
+struct Point {
+  std::string name;
+  std::vector<Expression> at;
+  Expression mass = {};
+  std::string frame = {};
+  int repeat = 0;
+};
+
+struct Body {
+  std::string name;
+  Expression mass = {};
+  std::vector<Expression> com = {};
+  std::vector<Expression> inertia = {};
+  std::string frame = {};
+  std::vector<Expression> spin = {};
+  bool is_about_origin = false;
+};
+
+struct Input {
+  std::string name;
+  std::string on = {};
+};
+
+struct Force {
+  std::string name;
+  std::vector<Expression> value;
+  std::string on = {};  ///< a coordinate, or NAME[k]; "NAME[i]" with repeat
+  std::string at = {};
+  std::string frame = {};
+  std::string from = {};
+  std::string in = {};
+  int repeat = 0;
+};
+
+struct Output {
+  std::string name;
+  std::vector<Expression> value = {};
+  std::string frame = {};
+  bool in_frame_axes = false;
+  bool has_jacobian = false;
+};
+
+struct Model {
+  std::string name;
+  std::vector<Coordinate> coordinates = {};
+  std::vector<Parameter> parameters = {};
+  std::vector<Named> definitions = {};
+  std::vector<Named> prescribed = {};
+  std::vector<Frame> frames = {};
+  std::vector<Point> points = {};
+  std::vector<Body> bodies = {};
+  std::vector<Expression> gravity = {};
+  Expression T = {}, V = {}, D = {}, L = {};
+  std::vector<Input> inputs = {};
+  std::vector<Force> forces = {};
+  std::vector<Output> outputs = {};
+};
+
+struct Lock {
+  std::string coordinate;         ///< "q1", "r[2]"
+  std::vector<Expression> value;  ///< one, or four of a rotation
+  bool has_reaction = false;
+};
+
+struct Scene {
+  bool is_present = false;
+  std::vector<Named> fixed = {};
+  bool fixes_all = false;
+  std::vector<Lock> locks = {};
+  int order = 0;                  ///< of [approximate]; 0: exact
+  std::vector<Named> about = {};  ///< coordinates; small ones are all of them
+  bool is_c99 = false;
+  bool has_eigen = false;
+  bool is_float = false;
+  bool is_column_major = false;
+  std::string form = {};  ///< closed, recursive, or empty
+};
+
+/// A closed form that the model claims: an output's name and its entries.
+struct Claim {
+  std::string output;
+  std::vector<std::vector<Expression>> rows;
+};
+
+struct System {
+  Model model;
+  Scene scene;
+};
+
+[[nodiscard]] std::string text_of(const Model& model, const std::vector<Claim>& claims = {});
+[[nodiscard]] std::string text_of(const Scene& scene, const Model& model);
+
+/// What the files below the output folder, the namespace and the C prefix are called.
+[[nodiscard]] std::string base_name(const System& system);
+
+}  // namespace elgen::random

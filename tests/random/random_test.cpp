@@ -1,0 +1,85 @@
+// Random models and scenes through elgen, against the definition of their equations; and that a
+// wrong number would be seen.
+#include <catch2/catch.hpp>
+
+#include "random/generator.hpp"
+#include "random/trial.hpp"
+#include "support/shell.hpp"
+
+using namespace elgen::random;
+
+namespace {
+
+constexpr std::uint64_t seeds = 40;
+/// `verify` takes seconds for each; the target `random` asks it for every seed.
+constexpr std::uint64_t verified_every = 8;
+
+std::string told(std::uint64_t seed, const std::vector<Finding>& findings) {
+  std::string text;
+  for (const Finding& finding : findings) {
+    text += "seed " + std::to_string(seed) + ": " + finding.kind + "\n" + finding.text;
+  }
+  return text;
+}
+
+System pendulum() {
+  System system;
+  Model& model = system.model;
+  model.name = "pendulum";
+  model.coordinates = {{.name = "q1"}};
+  model.parameters = {{.name = "l", .values = {number("0.5")}}};
+  const Expression q = name("q1");
+  const Expression l = name("l");
+  model.points = {{.name = "bob",
+                   .at = {l * call_of("sin", {q}), -l * call_of("cos", {q})},
+                   .mass = number(2)}};
+  model.gravity = {number(0), -call_of("sqrt", {number(3)})};
+  return system;
+}
+
+}  // namespace
+
+TEST_CASE("random models: what is generated, shown and compiled is true") {
+  const elgen::test::Workspace folder;
+  std::vector<Trial> trials;
+  std::string failures;
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+    trials.push_back(prepared(Generator(seed).system(), seed));
+    failures += told(seed, compare_shown(trials.back(), folder.path()));
+  }
+  const auto compiled = compare_compiled(trials, folder.path());
+  for (std::size_t i = 0; i < trials.size(); ++i) failures += told(trials[i].seed, compiled[i]);
+  INFO(failures);
+  CHECK(failures.empty());
+}
+
+TEST_CASE("random models: verdicts are right") {
+  std::string failures;
+  for (std::uint64_t seed = 0; seed < seeds; seed += verified_every) {
+    // An even seed has rational constants, an odd one irrational ones: both are wanted.
+    const std::uint64_t drawn = seed + seed / verified_every % 2;
+    const elgen::test::Workspace folder;
+    Trial trial = prepared(Generator(drawn).system(), drawn);
+    failures += told(drawn, compare_shown(trial, folder.path()));
+    failures += told(drawn, compare_verdicts(trial, folder.path()));
+  }
+  INFO(failures);
+  CHECK(failures.empty());
+}
+
+TEST_CASE("a wrong number is seen, in what is shown and in what is compiled") {
+  const elgen::test::Workspace folder;
+  Trial trial = prepared(pendulum(), 1);
+  REQUIRE(told(1, compare_shown(trial, folder.path())).empty());
+  REQUIRE(compare_compiled({trial}, folder.path())[0].empty());
+
+  trial.drawn["gravity"][0] += Number("1e-35");
+  const auto shown = compare_shown(trial, folder.path());
+  REQUIRE(shown.size() == 1);
+  CHECK(shown[0].kind == "shown gravity");
+
+  trial.given["gravity"][0] += Number("1e-10");
+  const auto compiled = compare_compiled({trial}, folder.path())[0];
+  REQUIRE(compiled.size() == 1);
+  CHECK(compiled[0].kind == "compiled gravity");
+}
