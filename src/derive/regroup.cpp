@@ -89,6 +89,49 @@ RigidBody body_of(const CompositeInertia& c, std::optional<std::uint32_t> step) 
   return body;
 }
 
+RigidBody point_mass(const ex& mass, std::optional<std::uint32_t> step) {
+  CompositeInertia point;
+  point.mass = mass;
+  RigidBody body = body_of(point, step);
+  body.inertia.clear();
+  return body;
+}
+
+/// The body of a rotation without its mass.
+RigidBody without_mass(Tree& tree, const RigidBody& body) {
+  CompositeInertia rest = about_origin(tree.algebra, body);
+  rest.mass = 0;
+  RigidBody result = body_of(rest, body.step);
+  result.origin = body.origin;
+  return result;
+}
+
+/// Whether what moves with `step` moves with `base` and by joints of its own.
+bool is_behind(const Tree& tree, std::optional<std::uint32_t> step, std::uint32_t base) {
+  if (step == base) return false;
+  while (step && *step != base) step = tree.step(*step).parent;
+  return step.has_value();
+}
+
+/// Masses taken to before the rotation they move with. R^T R = 1 is used here: 1/2 m v^2 of the
+/// motion of its origin holds no quaternion, so that T, momenta and forces agree with M off the
+/// unit sphere, too. Bodies behind further joints keep theirs, and the origin gets a negative one:
+/// m v^2 in two kinds of axes, one taken off for the other.
+void lift_masses(Tree& tree, std::uint32_t rotation, std::vector<RigidBody>& bodies) {
+  ex own = 0;
+  ex behind = 0;
+  for (RigidBody& body : bodies) {
+    if (body.mass.is_zero()) continue;
+    if (is_behind(tree, body.step, rotation)) behind += body.mass;
+    if (body.step != rotation) continue;
+    own += body.mass;
+    body = without_mass(tree, body);
+  }
+  const ex lifted = own + behind;
+  if (!behind.is_zero()) bodies.push_back(point_mass(-behind, rotation));
+  if (!lifted.is_zero()) bodies.push_back(point_mass(lifted, tree.step(rotation).parent));
+}
+
 }  // namespace
 
 std::vector<RigidBody> regrouped(Tree& tree) {
@@ -113,6 +156,9 @@ std::vector<RigidBody> regrouped(Tree& tree) {
   if (!is_nothing(of_world)) bodies.push_back(body_of(of_world, {}));
   for (std::uint32_t k = 0; k < tree.size(); ++k) {
     if (!is_nothing(own[k])) bodies.push_back(body_of(own[k], k));
+  }
+  for (auto k = static_cast<std::uint32_t>(tree.size()); k-- > 0;) {
+    if (tree.step(k).rotation) lift_masses(tree, k, bodies);
   }
   return bodies;
 }

@@ -1,4 +1,5 @@
-// Quaternions that are not of length 1: emitted code scales them back whatever their length.
+// Quaternions that are not of length 1: emitted code scales them back whatever their length, and
+// what it computes at them is still one mechanics.
 #include <catch2/catch.hpp>
 
 #include "support/shell.hpp"
@@ -43,7 +44,55 @@ constexpr const char* lengths = R"cpp(
   }
 )cpp";
 
+/// At |q| = 1.1, in 64 epsilons (some twenty roundings of numbers up to 40): p - M v, 2 T - v.p,
+/// tau(a) - tau(0) - M a, and m g at rest.
+constexpr const char* drifted = R"cpp(
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "NAME/NAME.hpp"
+
+  int main() {
+    namespace body = NAME;
+    const body::Parameters<double> p;
+    const body::Coordinates<double> q{0.3, -2, 0.5, 0.66, -0.22, 0.44, 0.7378346698};
+    const body::Velocities<double> v{0.1, 2, -1, 0.7, -0.4, 0.9}, a{1, -3, 0.2, 5, 2, -1};
+    const auto m = body::mass_matrix(p, q);
+    const auto momentum = body::momentum(p, q, v);
+    const auto bias = body::inverse_dynamics(p, q, v, {});
+    const auto tau = body::inverse_dynamics(p, q, v, a);
+    double worst = std::abs(body::inverse_dynamics(p, q, {}, {})[2] - p.m * p.g);
+    double twice = 0;
+    for (std::size_t i = 0; i < 6; ++i) {
+      double mv = 0, ma = 0;
+      for (std::size_t j = 0; j < 6; ++j) {
+        mv += m[6 * i + j] * v[j];
+        ma += m[6 * i + j] * a[j];
+      }
+      worst = std::max({worst, std::abs(momentum[i] - mv), std::abs(tau[i] - bias[i] - ma)});
+      twice += momentum[i] * v[i];
+    }
+    worst = std::max(worst, std::abs(2 * body::kinetic_energy(p, q, v) - twice));
+    std::printf("%g", std::floor(worst / (64 * std::numeric_limits<double>::epsilon())));
+  }
+)cpp";
+
+std::string with_name(std::string text, const std::string& name) {
+  for (std::size_t at = 0; (at = text.find("NAME", at)) != std::string::npos;) {
+    text.replace(at, 4, name);
+  }
+  return text;
+}
+
 }  // namespace
+
+TEST_CASE("a quaternion of length 1.1 leaves T, momentum and forces those of M") {
+  const Workspace folder;
+  CHECK(printed(folder, with_name(drifted, "free_body")) == "0");
+  CHECK(printed(folder, with_name(drifted, "quadrotor")) == "0");
+}
 
 TEST_CASE("quaternions of extreme length are scaled to length 1") {
   const Workspace folder;
