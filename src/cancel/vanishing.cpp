@@ -66,8 +66,8 @@ bool hides_something(const Instruction& i, const Values& values, const Value& x)
     return is_below(a.value, b.value, hidden) || is_below(b.value, a.value, hidden);
   }
   const bool has_argument = i.opcode == Opcode::call && !values[i.a].exact;
-  return has_argument && (is_below(x.bound - abs(x.value), x.value, hidden) ||
-                          is_below(x.value, x.bound, hidden));
+  return has_argument &&
+         (is_below(x.bound - abs(x.value), x.value, hidden) || is_below(x.value, x.bound, hidden));
 }
 
 /// The value at the point: exactly 0 where it vanishes, lost where its digits do not tell.

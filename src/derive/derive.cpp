@@ -10,10 +10,10 @@
 #include "derive/matrices.hpp"
 #include "derive/node_limit.hpp"
 #include "derive/reaction.hpp"
-#include "inspect/singular_mass.hpp"
 #include "derive/turning.hpp"
 #include "elgen/equations_of_motion.hpp"
 #include "formulate/print.hpp"
+#include "inspect/singular_mass.hpp"
 
 namespace elgen {
 
