@@ -36,7 +36,7 @@ void add_terms(const Graph& graph, NodeId id, const cl_RA& coefficient, Combinat
                            node.operands[0].weight == 1 && node.operands[1].weight == 1 &&
                            graph.is_rational(node.operands[0].node);
   if (is_multiple) {
-    const cl_RA factor = graph.rational_of(node.operands[0].node);
+    const cl_RA& factor = graph.rational_of(node.operands[0].node);
     add_terms(graph, node.operands[1].node, coefficient * factor, to);
     return;
   }

@@ -33,7 +33,7 @@ Read read_call(Graph& graph, const std::string& name, const std::vector<Ref>& ar
 
 Read read_power(Graph& graph, Ref base, Ref exponent) {
   if (!graph.is_rational(exponent.node)) return std::nullopt;
-  const cln::cl_RA value = graph.rational_of(exponent.node);
+  const cln::cl_RA& value = graph.rational_of(exponent.node);
   const bool is_small = cln::denominator(value) == 1 && value <= 1'000'000;
   if (!is_small || graph.is_zero(base.node)) return std::nullopt;
   const auto magnitude = static_cast<std::int32_t>(cln::cl_I_to_long(cln::numerator(value)));

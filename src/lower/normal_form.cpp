@@ -101,10 +101,11 @@ std::optional<Graph::Term> Graph::scaled_product(NodeId id) {
   const Node& product = node(id);
   const bool is_scaled = product.kind == NodeKind::product && is_rational(product.operands[0].node);
   if (!is_scaled) return std::nullopt;
-  const cln::cl_RA coefficient = rational_of(product.operands[0].node);
+  const NodeId coefficient = product.operands[0].node;
   Factors rest;
   rest.powers.assign(product.operands.begin() + 1, product.operands.end());
-  return Term{coefficient, build_product(std::move(rest)).node};
+  const NodeId scaled = build_product(std::move(rest)).node;
+  return Term{rational_of(coefficient), scaled};
 }
 
 Graph::Term Graph::split_coefficient(Ref term) {

@@ -185,13 +185,13 @@ Value Arithmetic::call(FunctionId function, const std::vector<Value>& arguments)
 Value Arithmetic::pi() { return atom({.kind = AtomKind::pi}); }
 
 Value Arithmetic::constant(const ConstantForm& form) {
-  std::vector<Value> parts;
+  std::vector<Value> operands;
   for (const ConstantPart& part : form.parts) {
     const Value value = constant(part.form);
     const bool is_factor = form.kind == ConstantKind::product;
-    parts.push_back(is_factor         ? power(value, part.weight)
-                    : part.weight < 0 ? negate(value)
-                                      : value);
+    operands.push_back(is_factor         ? power(value, part.weight)
+                       : part.weight < 0 ? negate(value)
+                                         : value);
   }
   switch (form.kind) {
     case ConstantKind::rational:
@@ -199,17 +199,17 @@ Value Arithmetic::constant(const ConstantForm& form) {
     case ConstantKind::pi:
       return pi();
     case ConstantKind::square_root:
-      return square_root(parts.front());
+      return square_root(operands.front());
     case ConstantKind::call:
-      return call(form.function, parts);
+      return call(form.function, operands);
     case ConstantKind::sum: {
       Value total = Fraction{};
-      for (const Value& term : parts) total = add(total, term);
+      for (const Value& term : operands) total = add(total, term);
       return total;
     }
     case ConstantKind::product: {
       Value total = fraction_of(cl_RA(1));
-      for (const Value& factor : parts) total = multiply(total, factor);
+      for (const Value& factor : operands) total = multiply(total, factor);
       return total;
     }
   }
