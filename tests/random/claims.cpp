@@ -1,7 +1,9 @@
 // Differentiates the expressions of energies, and spoils what comes out.
 #include "random/claims.hpp"
 
+#include <map>
 #include <stdexcept>
+#include <string>
 
 namespace elgen::random {
 
@@ -81,6 +83,42 @@ int turnable(const Expression& expression) {
   return start - many;
 }
 
+/// Every name has a random value between 1/4 and 1, and a random rate.
+class Anywhere : public Scope {
+ public:
+  explicit Anywhere(Draw& draw) : draw_(draw) {}
+
+  Jet value_of(const std::string& name, const std::string& element) override {
+    return drawn(name + "." + element);
+  }
+  Jet component_of(const std::string& point, const std::string& element, int axis) override {
+    return drawn(point + "." + element + "." + std::to_string(axis));
+  }
+  int dimension_of(const std::string&) override { return 3; }
+  Jet now() override { return drawn(""); }
+
+ private:
+  Draw& draw_;
+  std::map<std::string, Jet> values_;
+
+  Number between() { return Number(25 + draw_.below(75)) / 100; }
+  Jet drawn(const std::string& key) {
+    const auto found = values_.find(key);
+    if (found != values_.end()) return found->second;
+    const Jet value = between();
+    return values_[key] = value + Jet(between()) * Jet::infinitesimal(time_infinitesimal);
+  }
+};
+
+/// Whether the two differ at a random point, so that they are not one function.
+bool differ(const Expression& a, const Expression& b, Draw& draw) {
+  static const Number rounding("1e-60");  // of 80 digits
+  Anywhere point(draw);
+  const Number x = evaluated(a, point).value();
+  const Number y = evaluated(b, point).value();
+  return abs(x - y) > rounding * (abs(x) + abs(y));
+}
+
 }  // namespace
 
 Expression derivative(const Expression& expression, const Expression& by) {
@@ -141,12 +179,11 @@ std::vector<Claim> falsified(std::vector<Claim> claims, Draw& draw) {
   auto& row = claim.rows[static_cast<std::size_t>(draw.below(static_cast<int>(claim.rows.size())))];
   Expression& entry = row[static_cast<std::size_t>(draw.below(static_cast<int>(row.size())))];
   const int places = turnable(entry);
-  if (places > 0) {
-    int countdown = draw.below(places);
-    entry = turned(entry, countdown);
-  } else {
-    entry = entry + call_of("cos", {number(1)}) / number(1000);
-  }
+  int countdown = places > 0 ? draw.below(places) : 0;
+  const Expression other = turned(entry, countdown);
+  // A sign before a zero, or in what is multiplied by one, turns nothing.
+  const bool turns = places > 0 && differ(entry, other, draw);
+  entry = turns ? other : entry + call_of("cos", {number(1)}) / number(1000);
   return claims;
 }
 
