@@ -1,6 +1,7 @@
-// An analytic function that is zero at a random point is zero. Two things are guarded against:
-// functions with kinks, which may be zero in a whole region, are unknowns of their own; and where
-// 64 digits hide a difference (1 - tanh(500), 1 + 1e-70 - 1), nothing is concluded.
+// An analytic function that is zero at a random point is zero. Three things are guarded against:
+// functions with kinks, which may be zero in a whole region, are unknowns of their own; where 64
+// digits hide a difference (1 - tanh(500), 1 + 1e-70 - 1) nothing is concluded; nor is it from a
+// point at which what a value goes into is undefined.
 #include "vanishing.hpp"
 
 #include <algorithm>

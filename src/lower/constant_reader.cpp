@@ -82,8 +82,7 @@ std::optional<Constant> read_constant(const std::string& text) {
   Graph graph;
   const Read value = read(graph, *syntax);
   if (!value || !graph.has_form(value->node)) return std::nullopt;
-  ConstantForm form = graph.form_of(value->node);
-  return constant_of(value->negative ? negated(std::move(form)) : std::move(form));
+  return constant_of(graph.form_of(*value));
 }
 
 }  // namespace elgen

@@ -241,6 +241,11 @@ ConstantForm Graph::form_of(NodeId id) const {
   return form;
 }
 
+ConstantForm Graph::form_of(Ref value) const {
+  ConstantForm form = form_of(value.node);
+  return value.negative ? negated(std::move(form)) : form;
+}
+
 void Graph::name(Ref value, const std::string& name) {
   Node& node = nodes_[value.node];
   const bool is_atom = node.kind == NodeKind::leaf || node.constant_size > 0;

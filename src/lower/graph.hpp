@@ -99,6 +99,7 @@ class Graph {
   [[nodiscard]] bool is_zero(NodeId id) const;
   /// Of a constant that is not too large for one.
   [[nodiscard]] ConstantForm form_of(NodeId id) const;
+  [[nodiscard]] ConstantForm form_of(Ref value) const;
 
   /// The total order; strict, the same in every process.
   [[nodiscard]] bool less(NodeId x, NodeId y) const { return compare(x, y) < 0; }
@@ -125,6 +126,7 @@ class Graph {
   Term split_coefficient(Ref term);
   [[nodiscard]] std::size_t squared_sine(NodeId id) const;
   bool join_squares(std::vector<Term>& terms);
+  bool write_out_opposed(std::vector<Term>& terms);
   static void merge_terms(std::vector<Term>& terms);
   Ref build_sum(const std::vector<Term>& terms, const cln::cl_RA& constant);
 

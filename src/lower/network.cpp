@@ -66,10 +66,7 @@ class Conversion {
   /// The number that a form stands for, its sign apart; none where it has no value.
   std::optional<Ref> folded(const ConstantForm& form) {
     Graph scratch;
-    const Ref written_out = scratch.constant(form);
-    ConstantForm magnitude = scratch.form_of(written_out.node);
-    std::optional<Constant> constant =
-        constant_of(written_out.negative ? negated(std::move(magnitude)) : std::move(magnitude));
+    std::optional<Constant> constant = constant_of(scratch.form_of(scratch.constant(form)));
     if (!constant) return std::nullopt;
     const bool negative = cln::minusp(constant->value);
     if (negative) *constant = {-constant->value, negated(std::move(constant->form))};

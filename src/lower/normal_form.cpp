@@ -3,6 +3,7 @@
 //     sum:      y - x + 2*x          -> x + y        equal terms merged, leading term positive
 //               2*y - 2*x            -> -2*(x - y)   a coefficient all terms share pulled out
 //               m*sin(x)^2 + m*cos(x)^2 -> m
+//               x + (y - x)          -> y
 //     product:  (y - x)*x*(x - y)    -> -x*(x - y)^2 signs pulled out, equal bases merged
 //               2*pi*x/4             -> 1/2*pi*x     rational numbers are one coefficient
 #include <algorithm>
@@ -201,6 +202,36 @@ void Graph::merge_terms(std::vector<Term>& terms) {
   terms = std::move(merged);
 }
 
+/// Writes out the first sum among the terms that holds the opposite of another term: where the two
+/// do not meet, what is left is rounded as if it were as large as they are.
+bool Graph::write_out_opposed(std::vector<Term>& terms) {
+  const auto has_opposite = [&terms](const Term& part) {
+    return std::any_of(terms.begin(), terms.end(), [&part](const Term& term) {
+      return term.node == part.node && cln::zerop(term.coefficient + part.coefficient);
+    });
+  };
+  std::vector<Term*> sums;
+  for (Term& term : terms) {
+    if (node(term.node).kind == NodeKind::sum) sums.push_back(&term);
+  }
+  std::sort(sums.begin(), sums.end(),
+            [this](const Term* x, const Term* y) { return less(x->node, y->node); });
+  for (Term* sum : sums) {
+    const std::vector<Operand> operands = node(sum->node).operands;
+    std::vector<Term> parts;
+    for (const Operand& operand : operands) {
+      Term part = split_coefficient({operand.node, operand.weight < 0});
+      part.coefficient = part.coefficient * sum->coefficient;
+      parts.push_back(part);
+    }
+    if (std::none_of(parts.begin(), parts.end(), has_opposite)) continue;
+    terms.erase(terms.begin() + (sum - terms.data()));
+    terms.insert(terms.end(), parts.begin(), parts.end());
+    return true;
+  }
+  return false;
+}
+
 Ref Graph::sum(const std::vector<Ref>& terms) {
   cln::cl_RA constant = 0;
   std::vector<Term> split;
@@ -212,13 +243,13 @@ Ref Graph::sum(const std::vector<Ref>& terms) {
     }
   }
   merge_terms(split);
-  if (!join_squares(split)) return build_sum(split, constant);
-  std::vector<Ref> joined;
+  if (!join_squares(split) && !write_out_opposed(split)) return build_sum(split, constant);
+  std::vector<Ref> fewer;
   for (const Term& term : split) {
-    joined.push_back(product({{rational(term.coefficient)}, {{term.node, false}}}));
+    fewer.push_back(product({{rational(term.coefficient)}, {{term.node, false}}}));
   }
-  joined.push_back(rational(constant));
-  return sum(joined);
+  fewer.push_back(rational(constant));
+  return sum(fewer);
 }
 
 }  // namespace elgen

@@ -37,6 +37,23 @@ TEST_CASE("min and max commute, atan2 does not") {
   CHECK(graph.call(FunctionId::atan2, {x, y}).node != graph.call(FunctionId::atan2, {y, x}).node);
 }
 
+TEST_CASE("a term meets its opposite in a sum beside it") {
+  Graph graph;
+  const Ref x = graph.leaf(Opcode::coordinate, 0);
+  const Ref y = graph.leaf(Opcode::coordinate, 1);
+  const Ref z = graph.leaf(Opcode::coordinate, 2);
+  const Ref two = graph.rational(2);
+  CHECK(graph.sum({x, graph.sum({y, -x})}) == y);
+  CHECK(graph.sum({x, -graph.sum({x, -y})}) == y);
+  const Ref doubled = graph.product({{two}, {graph.sum({x, y, z})}});
+  CHECK(graph.sum({doubled, -graph.product({{two}, {x}})}) ==
+        graph.product({{two}, {graph.sum({y, z})}}));
+  CHECK(graph.sum({x, graph.sum({graph.rational(1), -x}), -graph.rational(1)}) ==
+        graph.rational(0));
+  const Ref unlike = graph.sum({x, graph.sum({x, y})});
+  CHECK(graph.node(unlike.node).operands.size() == 2);
+}
+
 TEST_CASE("the order: kinds of leaves, then birth, then structure") {
   Graph graph;
   const Ref time = graph.leaf(Opcode::time, 0);
