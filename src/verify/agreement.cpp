@@ -27,7 +27,8 @@ bool agrees_with_oracle(const Measured& number, const cln::cl_R& truth, const Re
   const Real own = scale + Real(oracle.energy());
   return agrees(number, Real(truth), own) ||
          agrees(number, Real(truth), own + Real(oracle.force())) ||
-         agrees(number, Real(truth), own + Real(oracle.inertia()));
+         agrees(number, Real(truth), own + Real(oracle.inertia())) ||
+         agrees(number, Real(truth), own + Real(oracle.motion()));
 }
 
 std::string short_text(const Real& value) {

@@ -17,7 +17,7 @@ struct Measured {
 [[nodiscard]] bool agrees(const Measured& number, const Real& truth, const Real& scale);
 
 /// The scale grows by what the oracle's own rounding is of: where the entry's does not do, by the
-/// energy, and where that is not enough, by the forces, or by the inertia.
+/// energy, and where that is not enough, by the forces, by the inertia, or by the motion.
 [[nodiscard]] bool agrees_with_oracle(const Measured& number, const cln::cl_R& truth,
                                       const Real& scale, OracleCache& oracle);
 

@@ -47,6 +47,10 @@ cln::cl_R OracleCache::inertia() {
   return largest_of(*mass) * (largest_of(state_.v) + largest_of(state_.a));
 }
 
+cln::cl_R OracleCache::motion() const {
+  return cln::square(largest_of(state_.v)) + largest_of(state_.a);
+}
+
 bool OracleCache::solves() {
   if (!solves_) solves_ = solution_is_known();
   return *solves_;

@@ -29,6 +29,10 @@ class OracleCache {
   /// where M does not depend on q, however slow the motion is.
   [[nodiscard]] cln::cl_R inertia();
 
+  /// |v|^2 + |a| of the largest entries: what accelerations of points and frames are rounding of,
+  /// also where energies and forces have no value.
+  [[nodiscard]] cln::cl_R motion() const;
+
   /// Whether the oracle's solution of M a = b is known to 50 digits. It is solved in 95, entry i of
   /// a with an error of 1e-95 F/(d_i M_ii), where F is the largest force and d_i the relative
   /// pivot: near a singular chart, and where large forces cancel to almost nothing, less is left.
