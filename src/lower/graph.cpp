@@ -188,24 +188,19 @@ Ref Graph::call(FunctionId function, std::vector<Ref> arguments) {
   return {intern(std::move(node)), negative};
 }
 
-/// Sums in sums are spliced, as are products in products, so that one number has few forms.
+/// Sums in sums are spliced, so that one number has few forms.
 Ref Graph::constant(const ConstantForm& form) {
   std::vector<Power> factors;
   std::vector<Ref> parts;
   for (const ConstantPart& part : form.parts) {
     const Ref value = constant(part.form);
     const Ref term = with_sign(value, part.weight < 0);
-    const Node& inner = node(value.node);
-    const bool is_spliced = (form.kind == ConstantKind::sum && inner.kind == NodeKind::sum) ||
-                            (form.kind == ConstantKind::product && inner.kind == NodeKind::product);
-    if (!is_spliced) {
-      factors.push_back({value, part.weight});
+    factors.push_back({value, part.weight});
+    if (form.kind != ConstantKind::sum || node(value.node).kind != NodeKind::sum) {
       parts.push_back(term);
       continue;
     }
-    if (value.negative) factors.push_back({-rational(1), part.weight});
     for (const Operand& operand : node(value.node).operands) {
-      factors.push_back({{operand.node, false}, operand.weight * part.weight});
       parts.push_back(with_sign({operand.node, operand.weight < 0}, term.negative));
     }
   }

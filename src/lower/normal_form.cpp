@@ -33,6 +33,15 @@ void Graph::collect(const Power& power, Factors& factors) {
     factors.coefficient = factors.coefficient * value;
     return;
   }
+  // A constant is one product, so that it has one form.
+  const Node& base = node(power.base.node);
+  if (base.kind == NodeKind::product && is_constant(power.base.node)) {
+    const std::vector<Operand> operands = base.operands;
+    for (const Operand& operand : operands) {
+      collect({{operand.node, false}, operand.weight * power.exponent}, factors);
+    }
+    return;
+  }
   // Coefficients meet outside; what they scale stays whole, because it may be shared.
   if (const std::optional<Term> scaled = scaled_product(power.base.node)) {
     factors.coefficient = factors.coefficient * cln::expt(scaled->coefficient, power.exponent);

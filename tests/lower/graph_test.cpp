@@ -147,6 +147,17 @@ TEST_CASE("different constants are different nodes, however close their values a
   CHECK(graph.product({{root2, 2}}) == graph.rational(2));
 }
 
+TEST_CASE("a constant product is one node, however it came about") {
+  Graph graph;
+  const auto number = [&graph](const char* text) { return graph.rational(cln::cl_RA(text)); };
+  const Ref logarithm = graph.call(FunctionId::log, {number("2")});
+  const Ref square = graph.product({{logarithm, 2}});
+  const Ref scaled = graph.product({{number("10/3")}, {logarithm, 2}});
+  CHECK(graph.product({{number("10/3")}, {square}}) == scaled);
+  CHECK(graph.sum({graph.product({{number("5/6")}, {square}}),
+                   graph.product({{number("5/2")}, {square}})}) == scaled);
+}
+
 TEST_CASE("a constant of shared parts has no form before its tree is too large") {
   Graph graph;
   Ref x = graph.pi();
