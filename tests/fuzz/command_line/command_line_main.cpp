@@ -1,0 +1,101 @@
+// Runs elgen on mutated models, scenes and robots: elgen_mutations [RUNS [FIRST [PROCESSES]]], by
+// default 1000 from 0 in as many processes as there are cores; also by $ELGEN_RUNS,
+// $ELGEN_FIRST_RUN, $ELGEN_PROCESSES. $ELGEN_ROBOTS names a folder with more robots. What goes
+// wrong is printed, and kept with its command in mutation_findings/RUN/. Exit status 1 where
+// something did.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <string>
+#include <thread>
+
+#include "fuzz/command_line/trial.hpp"
+
+namespace {
+
+using namespace elgen::fuzz;
+
+constexpr std::size_t random_models = 60;
+/// Compiling takes longer than everything else.
+constexpr std::uint64_t runs_per_compiled_header = 20;
+
+std::uint64_t number_from(int argc, char** argv, int index, const char* variable,
+                          std::uint64_t otherwise) {
+  const char* text = index < argc ? argv[index] : std::getenv(variable);
+  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
+}
+
+struct Task {
+  std::uint64_t first = 0;
+  std::uint64_t count = 1000;
+  std::uint64_t processes = 1;
+};
+
+struct Counts {
+  std::uint64_t runs = 0;
+  std::uint64_t worked = 0;
+  std::uint64_t findings = 0;
+};
+
+void work(const Corpus& corpus, std::uint64_t seed, Counts& counts) {
+  const Trial trial = drawn(corpus, seed);
+  Verdict verdict;
+  try {
+    verdict = tried(trial, seed % runs_per_compiled_header == 0);
+  } catch (const std::exception& error) {
+    verdict.fault = std::string("the fuzzer itself fails: ") + error.what();
+  }
+  ++counts.runs;
+  counts.worked += verdict.worked ? 1 : 0;
+  if (verdict.fault.empty()) return;
+  ++counts.findings;
+  save(trial, verdict.fault, "mutation_findings/" + std::to_string(seed));
+  std::printf("run %llu (%s): %s\n", static_cast<unsigned long long>(seed),
+              trial.input.name.c_str(), verdict.fault.c_str());
+  std::fflush(stdout);
+}
+
+void print(std::uint64_t process, const Counts& counts) {
+  std::printf("process %llu: %llu runs, %llu worked, %llu findings\n",
+              static_cast<unsigned long long>(process),
+              static_cast<unsigned long long>(counts.runs),
+              static_cast<unsigned long long>(counts.worked),
+              static_cast<unsigned long long>(counts.findings));
+  std::fflush(stdout);
+}
+
+/// Runs that leave this remainder; whether nothing was found.
+bool work_on(const Task& task, std::uint64_t remainder) {
+  Corpus corpus(random_models);
+  if (const char* const robots = std::getenv("ELGEN_ROBOTS")) corpus.add_robots(robots);
+  Counts counts;
+  for (std::uint64_t i = remainder; i < task.count; i += task.processes) {
+    work(corpus, task.first + i, counts);
+    if (counts.runs % 200 == 0) print(remainder, counts);
+  }
+  print(remainder, counts);
+  return counts.findings == 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Task task;
+  task.count = number_from(argc, argv, 1, "ELGEN_RUNS", task.count);
+  task.first = number_from(argc, argv, 2, "ELGEN_FIRST_RUN", task.first);
+  task.processes = number_from(argc, argv, 3, "ELGEN_PROCESSES",
+                               std::max(1U, std::thread::hardware_concurrency()));
+  for (std::uint64_t k = 0; k < task.processes; ++k) {
+    if (fork() == 0) _exit(work_on(task, k) ? 0 : 1);
+  }
+  int worst = 0;
+  int status = 0;
+  while (wait(&status) > 0) {
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) worst = 1;
+  }
+  return worst;
+}

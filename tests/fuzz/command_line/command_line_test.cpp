@@ -1,0 +1,61 @@
+// The fuzzer of the command line, for a few runs, and that it notices what it looks for.
+#include <sys/stat.h>
+
+#include <catch2/catch.hpp>
+
+#include "fuzz/command_line/mutation.hpp"
+#include "fuzz/command_line/trial.hpp"
+#include "support/shell.hpp"
+
+namespace elgen::fuzz {
+
+namespace {
+
+/// A trial whose command is a shell script in place of elgen.
+std::string fault_of_script(const std::string& script) {
+  const Trial trial{{"m.toml", {{"m.toml", "x"}}}, {"/bin/sh", "-c", script}};
+  return tried(trial, false).fault;
+}
+
+}  // namespace
+
+TEST_CASE("mutated inputs are refused in order, or work") {
+  const Corpus corpus(10);
+  std::size_t worked = 0;
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    const Trial trial = drawn(corpus, seed);
+    INFO("run " << seed << " of " << trial.input.name);
+    const Verdict verdict = tried(trial, seed % 50 == 0);
+    CHECK(verdict.fault == "");
+    worked += verdict.worked ? 1 : 0;
+  }
+  CHECK(worked > 15);  // mutations that are all refused by the reader try nothing else
+}
+
+TEST_CASE("a seed gives one mutation, and it changes the text") {
+  const std::string text = "[parameters]\na = 1.5\n[energy]\nV = \"a*x^2 + sin(x)\"\n";
+  std::size_t changed = 0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    Draw one(seed);
+    Draw same(seed);
+    const std::string result = mutated(text, one);
+    CHECK(result == mutated(text, same));
+    changed += result != text ? 1 : 0;
+  }
+  CHECK(changed > 80);
+}
+
+TEST_CASE("what ends badly is noticed") {
+  CHECK(fault_of_script("exit 0") == "");
+  CHECK(fault_of_script("echo no >&2; exit 2") == "");
+  CHECK(fault_of_script("exit 2") == "no word of why");
+  CHECK(fault_of_script("kill -SEGV $$") == "signal 11");
+  CHECK(fault_of_script("echo 'elgen: error[E912]: internal' >&2; exit 70") ==
+        "exit 70: elgen: error[E912]: internal");
+  CHECK(fault_of_script("echo 'error[E911]: off' >&2; exit 3") == "error[E911]: off");
+  CHECK(fault_of_script("touch out.part; echo no >&2; exit 4") == "left behind: out.part");
+  CHECK(fault_of_script("mkdir out; echo no >&2; exit 4") == "left behind: out");
+  CHECK(fault_of_script("mkdir out; touch out/m.hpp") == "");
+}
+
+}  // namespace elgen::fuzz

@@ -1,0 +1,204 @@
+#include "fuzz/command_line/trial.hpp"
+
+#include <algorithm>
+#include <array>
+#include <regex>
+
+#include "fuzz/command_line/mutation.hpp"
+#include "fuzz/command_line/process.hpp"
+#include "random/generator.hpp"
+#include "random/trial.hpp"
+#include "support/shell.hpp"
+
+namespace elgen::fuzz {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Well above what is asked of elgen itself, so that whoever stops it stops it late.
+constexpr ProcessLimits around{.seconds = 40, .memory_mib = 3000};
+constexpr const char* seconds_limit = "seconds=10";
+constexpr const char* memory_limit = "memory_mib=1000";
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+std::vector<fs::path> sorted_files(const fs::path& folder, const std::string& end) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.is_regular_file() && ends_with(entry.path().string(), end)) {
+      files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// A scene of the project says `model = "../NAME.toml"`; here both lie side by side.
+Input scene_input(const fs::path& scene, const fs::path& models) {
+  std::string text = test::read_text(scene);
+  static const std::regex reference("\"\\.\\./([a-z0-9_]+\\.toml)\"");
+  std::smatch found;
+  if (!std::regex_search(text, found, reference)) return {};
+  const std::string model = found[1];
+  text = std::regex_replace(text, reference, "\"$1\"");
+  const std::string name = scene.filename();
+  return {name, {{name, text}, {model, test::read_text(models / model)}}};
+}
+
+Input random_input(std::uint64_t seed) {
+  const random::System system = random::Generator(seed).system();
+  const std::string model = system.model.name + ".toml";
+  Input input{model, {{model, random::text_of(system.model)}}};
+  if (system.scene.is_present) {
+    input.name = system.model.name + ".scene.toml";
+    input.files[input.name] = random::text_of(system.scene, system.model);
+  }
+  return input;
+}
+
+bool is_robot(const Input& input) { return ends_with(input.name, ".urdf"); }
+
+std::vector<std::string> command_for(const Input& input, Draw& draw) {
+  static const std::array<std::string, 6> shown{"lagrangian", "steps", "mass_matrix",
+                                                "cost",       "bias",  "forward_dynamics"};
+  static const std::array<std::string, 5> formats{"text", "latex", "mathml", "markdown", "json"};
+  std::vector<std::string> words{ELGEN_BINARY, "--limit", seconds_limit, "--limit", memory_limit};
+  const auto add = [&words](const std::vector<std::string>& more) {
+    words.insert(words.end(), more.begin(), more.end());
+  };
+  const std::size_t choice = draw.below(8);
+  if (is_robot(input)) {
+    add({"import", input.name, "-o", "imported.toml"});
+  } else if (choice < 5) {
+    add({"generate", "-q", "-o", "out", input.name});
+  } else if (choice < 7) {
+    add({"show", input.name, "--what", draw.one_of(shown), "--as", draw.one_of(formats)});
+  } else {
+    add({"verify", "--quick", input.name});
+  }
+  return words;
+}
+
+void write(const Input& input, const fs::path& folder) {
+  for (const auto& [name, text] : input.files) test::write_text(folder / name, text);
+}
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+std::string line_with(const std::string& text, const std::string& part) {
+  const std::size_t at = text.find(part);
+  const std::size_t begin = text.rfind('\n', at) + 1;
+  return text.substr(begin, text.find('\n', at) - begin);
+}
+
+/// A check of ours, not a closed form of the file, does not hold.
+std::string false_alarm(const std::string& certificate) {
+  for (std::size_t at = 0; (at = certificate.find("  FAILS ", at)) != std::string::npos; ++at) {
+    const std::string row = certificate.substr(at, certificate.find('\n', at) - at);
+    const std::size_t title = certificate.rfind("\n\n", at);
+    const std::string section = certificate.substr(title + 2, at - title);
+    if (!test::mentions(section, "[[expect]]") && !test::mentions(row, "[[expect]]")) return row;
+  }
+  return {};
+}
+
+std::string fault_of_ending(const Ended& ended) {
+  static constexpr std::array documented{0, 1, 2, 3, 4};
+  if (ended.signal != 0) return "signal " + std::to_string(ended.signal);
+  const auto* const known = std::find(documented.begin(), documented.end(), ended.status);
+  if (known == documented.end()) {
+    return "exit " + std::to_string(ended.status) + ": " + first_line(ended.errors);
+  }
+  for (const char* const mistake : {"E911", "E912"}) {
+    if (test::mentions(ended.errors, mistake)) return line_with(ended.errors, mistake);
+  }
+  if (ended.status != 0 && ended.errors.empty() && ended.output.empty()) return "no word of why";
+  return false_alarm(ended.output);
+}
+
+/// A command that failed leaves its inputs alone; one that did not, writes where it was told to.
+std::string leftover(const Trial& trial, const fs::path& folder, bool succeeded) {
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string path = entry.path().lexically_relative(folder).string();
+    const bool is_output =
+        path == "imported.toml" || path == "out" || test::starts_with(path, "out/");
+    const bool is_expected = trial.input.files.count(path) > 0 || (succeeded && is_output);
+    if (!is_expected) return "left behind: " + path;
+  }
+  return {};
+}
+
+std::string fault_of_headers(const fs::path& folder) {
+  static const std::string strict =
+      " -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow "
+      "-Wdouble-promotion -Werror -isystem /usr/include/eigen3 ";
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string path = entry.path().string();
+    const bool is_c = ends_with(path, ".h");
+    if (!is_c && !ends_with(path, ".hpp")) continue;
+    const std::string compiler = is_c ? "gcc -std=c99 -x c" : "g++ -std=c++17 -x c++";
+    const test::Outcome compiled =
+        test::shell(compiler + " /dev/null -include '" + path + "'" + strict, folder);
+    if (compiled.status != 0) return "does not compile: " + first_line(compiled.errors);
+  }
+  return {};
+}
+
+}  // namespace
+
+Corpus::Corpus(std::size_t random_models) {
+  const fs::path root = ELGEN_SOURCE_DIR;
+  for (const fs::path& model : sorted_files(root / "models", ".toml")) {
+    const std::string name = model.filename();
+    inputs_.push_back({name, {{name, test::read_text(model)}}});
+  }
+  for (const fs::path& scene : sorted_files(root / "models/scenes", ".scene.toml")) {
+    const Input input = scene_input(scene, root / "models");
+    if (!input.files.empty()) inputs_.push_back(input);
+  }
+  for (std::uint64_t seed = 0; seed < random_models; ++seed) {
+    inputs_.push_back(random_input(seed));
+  }
+  add_robots(root / "tests/urdf/robots");
+}
+
+void Corpus::add_robots(const fs::path& folder) {
+  for (const fs::path& robot : sorted_files(folder, ".urdf")) {
+    const std::string name = robot.filename();
+    inputs_.push_back({name, {{name, test::read_text(robot)}}});
+  }
+}
+
+Trial drawn(const Corpus& corpus, std::uint64_t seed) {
+  Draw draw(seed);
+  Trial trial{draw.one_of(corpus.inputs()), {}};
+  auto file = trial.input.files.begin();
+  std::advance(file, draw.below(trial.input.files.size()));
+  file->second = mutated(file->second, draw);
+  trial.command = command_for(trial.input, draw);
+  return trial;
+}
+
+Verdict tried(const Trial& trial, bool compiles) {
+  const test::Workspace workspace;
+  write(trial.input, workspace.path());
+  const Ended ended = run(trial.command, workspace.path(), around);
+  Verdict verdict{ended.signal == 0 && ended.status == 0, fault_of_ending(ended)};
+  if (verdict.fault.empty()) verdict.fault = leftover(trial, workspace.path(), verdict.worked);
+  if (verdict.fault.empty() && verdict.worked && compiles) {
+    verdict.fault = fault_of_headers(workspace.path());
+  }
+  return verdict;
+}
+
+void save(const Trial& trial, const std::string& fault, const fs::path& folder) {
+  write(trial.input, folder);
+  std::string line;
+  for (const std::string& word : trial.command) line += (line.empty() ? "" : " ") + word;
+  test::write_text(folder / "finding.txt", fault + "\n" + line + "\n");
+}
+
+}  // namespace elgen::fuzz
