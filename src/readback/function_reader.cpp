@@ -51,7 +51,8 @@ bool FunctionReader::wants_parts() {
 }
 
 bool FunctionReader::wants_part() {
-  const bool is_next = tokens_.at(is_c() ? "static" : "template");
+  const std::string start = "static inline void " + name_of_part(parts_ + 1);
+  const bool is_next = is_c() ? tokens_.begins_code(start) : tokens_.at("template");
   if (is_next) ++parts_;
   return is_next;
 }

@@ -16,6 +16,12 @@ bool TokenReader::begins(const std::vector<CodeToken>& tokens) const {
   return true;
 }
 
+bool TokenReader::begins_code(std::string_view code) const {
+  std::vector<CodeToken> tokens = code_tokens(code).tokens;
+  tokens.pop_back();  // the end
+  return begins(tokens);
+}
+
 CodeToken TokenReader::advance() {
   const CodeToken token = current();
   if (token.kind != CodeTokenKind::end) ++at_;

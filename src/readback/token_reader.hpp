@@ -26,6 +26,7 @@ class TokenReader {
   [[nodiscard]] bool at(CodeTokenKind kind) const { return current().kind == kind; }
   /// Whether exactly these tokens come next.
   [[nodiscard]] bool begins(const std::vector<CodeToken>& tokens) const;
+  [[nodiscard]] bool begins_code(std::string_view code) const;
 
   CodeToken advance();
   /// Steps over the token where it is this one.
