@@ -31,6 +31,10 @@ struct Readback {
 [[nodiscard]] Result<Readback> read_back(const std::vector<SourcePointer>& files,
                                          const CheckedModel& checked, const Program& program);
 
+/// E915 where a page of text_page(), made of the same program, does not say what was derived.
+[[nodiscard]] Diagnostics read_back_page(const SourcePointer& page, const CheckedModel& checked,
+                                         const Program& program);
+
 /// "2 files read back"
 [[nodiscard]] std::string receipt(const Readback& readback);
 

@@ -13,7 +13,7 @@
 namespace elgen::reading {
 namespace {
 
-constexpr std::size_t state_count = 3;
+constexpr std::size_t state_count = 2;
 /// Of 64 digits, what sums of many terms may cancel is left out.
 constexpr long agreeing_digits = 40;
 constexpr long largest_power = 10'000;

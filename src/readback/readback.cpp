@@ -9,6 +9,7 @@
 #include "header_reader.hpp"
 #include "page_reader.hpp"
 #include "sidecar_reader.hpp"
+#include "text_reader.hpp"
 
 namespace elgen {
 namespace {
@@ -75,6 +76,18 @@ class Reading {
 Result<Readback> read_back(const std::vector<SourcePointer>& files, const CheckedModel& checked,
                            const Program& program) {
   return Reading(files, checked, program).read();
+}
+
+Diagnostics read_back_page(const SourcePointer& page, const CheckedModel& checked,
+                           const Program& program) {
+  const Origin origin{checked.model, checked.scene, program};
+  EquationReader equations(origin);
+  try {
+    read_text(*page, origin, equations);
+    return {};
+  } catch (const Mistake& mistake) {
+    return {mistake.diagnostic};
+  }
 }
 
 std::string receipt(const Readback& readback) {
