@@ -32,7 +32,7 @@ TEST_CASE("a page of equations is read") {
   CHECK(read_back_page(make_source("page", page()), wide().checked, wide().program).empty());
 }
 
-TEST_CASE("a page that says something else is refused") {
+TEST_CASE("a page of text that says something else is refused") {
   CHECK_THAT(said("\nmass_matrix\n", "M + m", "M - m"), Catch::Contains("`M - m`"));
   CHECK_THAT(said("\ngravity\n", "-m*l", "m*l"), Catch::Contains("`gravity`"));
   CHECK_THAT(said("\nmass_matrix\n", "[1,2]", "[2,1]"), Catch::Contains("no definition"));

@@ -2,9 +2,8 @@
 // to return, numbers alone, scalars that cannot hold a number.
 #include <catch2/catch.hpp>
 
+#include "changes.hpp"
 #include "support/frame_systems.hpp"
-#include "systems.hpp"
-#include "written.hpp"
 
 namespace elgen {
 namespace {
@@ -70,6 +69,17 @@ TEST_CASE("numbers beyond float are read back") {
       "format = 1\n[model]\nname = \"far\"\n[[coordinate]]\nname = \"x\"\n[parameters]\n"
       "m = 1e-60\nk = \"pi*1e60\"\n[energy]\nT = \"m*dot(x)^2*1e50\"\nV = \"k*x^2/7e45\"\n";
   CHECK_NOTHROW(test::written(model, "[emit]\neigen = true\n"));
+}
+
+TEST_CASE("a file that is not there is refused") {
+  for (const std::string ending : {"wide.hpp", ".md", ".equations.json"}) {
+    std::vector<SourcePointer> files = test::cpp().files;
+    files.erase(std::find(files.begin(), files.end(), test::file_of(test::cpp(), ending)));
+    const Diagnostics found =
+        read_back(files, test::cpp().checked, test::cpp().program).diagnostics;
+    REQUIRE(found.size() == 1);
+    CHECK_THAT(found.front().message, Catch::Contains(ending + "` is missing"));
+  }
 }
 
 }  // namespace elgen

@@ -1,64 +1,16 @@
-// A file that says something else than what was derived is refused, whatever it is that differs.
+// A header that says something else than what was derived is refused, whatever differs.
 #include <catch2/catch.hpp>
 
-#include "systems.hpp"
-#include "written.hpp"
+#include "changes.hpp"
 
 namespace elgen {
-namespace {
 
+using test::c99;
+using test::Change;
+using test::cpp;
+using test::eigen;
+using test::expect_refused;
 using test::Written;
-
-const Written& cpp() {
-  static const Written all = test::written(test::wide_text());
-  return all;
-}
-
-const Written& eigen() {
-  static const Written all =
-      test::written(test::wide_text(), "[emit]\nstorage = \"column-major\"\neigen = true\n");
-  return all;
-}
-
-const Written& c99() {
-  static const Written all = test::written(
-      test::wide_text(), "[emit]\nlanguage = \"c99\"\n[numeric]\nscalar = [\"float\"]\n");
-  return all;
-}
-
-/// One change: of `from` where it first stands behind `anchor`.
-struct Change {
-  const Written& all;
-  std::string ending;
-  std::string anchor;
-  std::string from;
-  std::string to;
-  std::string said;  ///< a part of the message
-};
-
-std::string changed(const Change& change) {
-  std::string text = test::file_of(change.all, change.ending)->text;
-  const std::size_t start = text.find(change.anchor);
-  REQUIRE(start != std::string::npos);
-  const std::size_t at = text.find(change.from, start);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, change.from.size(), change.to);
-}
-
-/// Refused with one error, at a line of the file that was changed.
-void expect_refused(const Change& change) {
-  INFO(change.ending << ": `" << change.from << "` -> `" << change.to << "`");
-  std::vector<SourcePointer> sources;
-  const Diagnostics found = test::read_changed(change.all, change.ending, changed(change), sources);
-  REQUIRE(found.size() == 1);
-  CHECK(found.front().code == Code::E915);
-  REQUIRE(found.front().span.source != nullptr);
-  CHECK(found.front().span.source->path.ends_with(change.ending));
-  INFO(format(found));
-  CHECK_THAT(found.front().message, Catch::Contains(change.said));
-}
-
-}  // namespace
 
 TEST_CASE("what is written is read back") {
   for (const Written* all : {&cpp(), &eigen(), &c99()}) {
@@ -218,43 +170,6 @@ TEST_CASE("a C header that says something else is refused") {
             "relative_pivots"},
            {c99(), h, "Mass matrix", "cos(theta)", "sin(theta)", "`mass_matrix`"}}) {
     expect_refused(change);
-  }
-}
-
-TEST_CASE("equations and tables beside a header that say something else are refused") {
-  const std::string json = ".equations.json";
-  const std::string page = ".md";
-  for (const Change& change : std::vector<Change>{
-           {cpp(), json, "\"mass_matrix\"", "\"m*l^2\"", "\"m*l\"", "`mass_matrix`: `m*l`"},
-           {cpp(), json, "\"mass_matrix\"", "\"M + m\"", "\"M - m\"", "`M - m`"},
-           {cpp(), json, "\"mass_matrix\"", "\"M + m\", ", "", "a list of 4"},
-           {cpp(), json, "\"mass_matrix\"", "\"M + m\"", "\"M + mm\"", "no name of the model"},
-           {cpp(), json, "\"mass_matrix\"", "\"M + m\"", "\"M + m)\"", "`mass_matrix`"},
-           {cpp(), json, "\"coriolis_matrix\"", "[2, 2]", "[2, 3]", "[2,3] instead of [2,2]"},
-           {cpp(), json, "\"gravity\"", "\"mul\": 3", "\"mul\": 4", "4 instead of 3"},
-           {cpp(), json, "\"name\": \"g\"", "9.81", "9.82", "`9.82` is not 9.81"},
-           {cpp(), json, "\"name\": \"g\"", "m/s^2", "m/s", "instead of"},
-           {cpp(), json, "\"name\": \"theta\"", "theta", "phi", "instead of"},
-           {cpp(), json, "\"gravity\"", "\"gravity\"", "\"weight\"", "`gravity` is missing"},
-           {cpp(), json, "\"format\"", ": 1", ": 2", "2 instead of 1"},
-           {cpp(), json, "\"format\"", ": 1,", ": 1", "no JSON"},
-           {cpp(), page, "| $M$", "1.1", "1.2", "`1.2` is not 1.1"},
-           {cpp(), page, "| $M$", "`M`", "`N`", "that of `M`"},
-           {cpp(), page, "| $k_", "0.7, 2", "2, 0.7", "is not 0.7"},
-           {cpp(), page, "| $b$", "0.3", "0.3 (fixed)", "fixed"},
-           {cpp(), page, "## Operations", "3", "4", "the row should be"},
-           {cpp(), page, "## Operations", "closed", "recursive", "the row should be"}}) {
-    expect_refused(change);
-  }
-}
-
-TEST_CASE("a file that is not there is refused") {
-  for (const std::string ending : {"wide.hpp", ".md", ".equations.json"}) {
-    std::vector<SourcePointer> files = cpp().files;
-    files.erase(std::find(files.begin(), files.end(), test::file_of(cpp(), ending)));
-    const Diagnostics found = read_back(files, cpp().checked, cpp().program).diagnostics;
-    REQUIRE(found.size() == 1);
-    CHECK_THAT(found.front().message, Catch::Contains(ending + "` is missing"));
   }
 }
 
