@@ -1,7 +1,7 @@
 // The order of the stages, and the only place that knows it:
 //
 //     parse -> check -> inspect -> formulate -> specialise -> derive -> lower -> cancel -> present
-//     -> choose -> emit -> self-check
+//     -> choose -> emit -> readback -> self-check
 #include "elgen/pipeline.hpp"
 
 #include <algorithm>
@@ -101,6 +101,12 @@ Result<Syntaxes> parse(const Inputs& inputs, const Limits& limits) {
   all.insert(all.end(), scene.diagnostics.begin(), scene.diagnostics.end());
   if (!model || !scene) return all;
   return {{std::move(*model), std::move(*scene)}, std::move(all)};
+}
+
+std::vector<SourcePointer> sources_of(const EmittedFiles& files) {
+  std::vector<SourcePointer> sources;
+  for (const auto& [path, text] : files.files) sources.push_back(make_source(path, text));
+  return sources;
 }
 
 /// A quarter of the generation time, and at least 20 ms: enough states to notice, too few to wait
@@ -210,7 +216,7 @@ Result<ReadableSteps> steps(const Lagrangian& lagrangian, const CheckedModel& ch
 const std::vector<std::string>& stage_names() {
   static const std::vector<std::string> names{"parse",      "check",  "inspect", "formulate",
                                               "specialise", "derive", "lower",   "cancel",
-                                              "present",    "choose", "emit"};
+                                              "present",    "choose", "emit",    "readback"};
   return names;
 }
 
@@ -259,6 +265,10 @@ Products run_pipeline(const Inputs& inputs, const PipelineOptions& options) {
   }
   out.files = stages.run(
       "emit", [&] { return emit(out.checked->model, out.checked->scene, *out.program); });
+  out.readback = stages.run("readback", [&] {
+    out.written = sources_of(*out.files);
+    return read_back(out.written, *out.checked, *out.program);
+  });
   if (options.check_itself) {
     const double generation = stages.seconds();
     out.self_check =

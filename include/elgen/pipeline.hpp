@@ -14,6 +14,7 @@
 #include "elgen/limits.hpp"
 #include "elgen/model.hpp"
 #include "elgen/program.hpp"
+#include "elgen/readback.hpp"
 #include "elgen/render.hpp"
 #include "elgen/scene.hpp"
 #include "elgen/syntax.hpp"
@@ -50,6 +51,8 @@ struct Products {
   std::vector<FormCosts> costs = {};
   std::optional<ReadableSteps> steps = {};
   std::optional<EmittedFiles> files = {};
+  std::vector<SourcePointer> written = {};  ///< their texts, into which diagnostics point
+  std::optional<Readback> readback = {};
   std::optional<SelfCheck> self_check = {};
   Diagnostics diagnostics = {};
   std::string dump = {};
@@ -59,8 +62,9 @@ struct Products {
 /// Stages that --dump and --stop-after know, in order.
 [[nodiscard]] const std::vector<std::string>& stage_names();
 
-/// Runs the stages in order, until one reports an error or `stop_after` is done. E911: the
-/// self-check failed; E521: an output has no value at any state.
+/// Runs the stages in order, until one reports an error or `stop_after` is done. E915: the
+/// files do not say what was derived; E911: the self-check failed; E521: an output has no value at
+/// any state.
 [[nodiscard]] Products run_pipeline(const Inputs& inputs, const PipelineOptions& options);
 
 }  // namespace elgen

@@ -151,7 +151,8 @@ ExitCode write(const GlobalOptions& global, const GenerateOptions& options,
       tell(global, "\n" + text_page(job.products.checked->model, job.products.checked->scene,
                                     *job.products.program));
     }
-    tell(global, job.scene().base_name + ": " + receipt(*job.products.self_check));
+    tell(global, fmt::format("{}: {}; {}", job.scene().base_name, receipt(*job.products.readback),
+                             receipt(*job.products.self_check)));
   }
   return ExitCode::success;
 }

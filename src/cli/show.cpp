@@ -117,6 +117,11 @@ ExitCode show(const GlobalOptions& global, const ShowOptions& options) {
   tell_times(global, products);
   if (derived != ExitCode::success || !global.stop_after.empty()) return derived;
   std::string text = page(products, *subject, options);
+  if (*subject == Subject::outputs && options.as == "text") {
+    const SourcePointer printed = make_source("printed equations", text);
+    const Diagnostics wrong = read_back_page(printed, *products.checked, *products.program);
+    if (!wrong.empty()) return report(global, wrong);
+  }
   if (*subject == Subject::cost) text += "\n" + generation_costs(*inputs, pipeline, products);
   return print(global, text);
 }

@@ -81,7 +81,7 @@ std::string c99_header(const EmissionInput& input) {
   data.set("kinked", partial("c99/kinked.h.mustache"));
   data.set("parameters", lines_data(documented_members(parameter_members(input))));
   data.set("default_parameters", lines_data(default_parameters(input)));
-  data.set("parts_of_function", partial("c99/parts.h.mustache"));
+  data.set("parts_of_function", partial("c99/parts_of_function.h.mustache"));
   return stamped(fill_template("c99/header.h.mustache", data));
 }
 

@@ -46,7 +46,7 @@ std::string cpp_header(const EmissionInput& input) {
   data.set("kinked", partial("cpp/kinked.hpp.mustache"));
   data.set("parameters",
            lines_data(documented_members(declared_parameters(input.model, parameters))));
-  data.set("parts_of_function", partial("cpp/parts.hpp.mustache"));
+  data.set("parts_of_function", partial("cpp/parts_of_function.hpp.mustache"));
   return stamped(fill_template("cpp/header.hpp.mustache", data));
 }
 

@@ -17,7 +17,7 @@ std::string eigen_header(const EmissionInput& input) {
   const bool is_row_major = input.scene.emission.storage == Storage::row_major;
   data.set("header", input.scene.base_name + ".hpp");
   data.set("order", is_row_major ? "RowMajor" : "ColMajor");
-  data.set("parts_of_function", partial("cpp/parts.hpp.mustache"));
+  data.set("parts_of_function", partial("cpp/parts_of_function.hpp.mustache"));
   return stamped(fill_template("cpp/eigen.hpp.mustache", data));
 }
 

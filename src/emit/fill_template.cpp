@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-#include "embedded_templates.hpp"
+#include "elgen/templates.hpp"
 
 namespace elgen {
 namespace {

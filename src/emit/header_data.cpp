@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "definition.hpp"
-#include "embedded_templates.hpp"
+#include "elgen/templates.hpp"
 #include "fields.hpp"
 #include "function_docs.hpp"
 #include "introduction.hpp"

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <stdexcept>
 
-#include "emit/embedded_templates.hpp"
+#include "elgen/templates.hpp"
 
 using namespace elgen;
 

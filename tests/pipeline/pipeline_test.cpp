@@ -60,7 +60,9 @@ TEST_CASE("stop_after ends after that stage, whichever it is") {
     const Products products = run_pipeline(model("simple_pendulum.toml"), options);
     INFO(options.stop_after);
     CHECK(stages(products).size() == count);
-    CHECK(products.files.has_value() == (options.stop_after == "emit"));
+    const bool is_read = options.stop_after == "readback";
+    CHECK(products.files.has_value() == (options.stop_after == "emit" || is_read));
+    CHECK(products.readback.has_value() == is_read);
     CHECK_FALSE(products.self_check.has_value());
   }
 }

@@ -1,0 +1,195 @@
+// declarations: every element of every list is compared with the model's.
+#include "declarations.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "check/output_units.hpp"
+#include "elgen/wording.hpp"
+#include "evaluate/decimal.hpp"
+#include "literal.hpp"
+#include "number_reader.hpp"
+
+namespace elgen::reading {
+namespace {
+
+/// User text as one line, with quotes and backslashes escaped.
+std::string string_literal(std::string_view text) {
+  std::string line;
+  for (const char c : text) {
+    const bool is_blank = static_cast<unsigned char>(c) <= ' ' || c == '\x7f';
+    if (!is_blank) line += c;
+    if (is_blank && !line.empty() && line.back() != ' ') line += ' ';
+  }
+  while (!line.empty() && line.back() == ' ') line.pop_back();
+  if (!line.empty() && line.back() == '\\') line += '.';
+  std::string literal = "\"";
+  for (const char c : line) literal += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+  return literal + '"';
+}
+
+template <class Element, class Text>
+DeclaredArray texts(const char* name, const std::vector<Element>& elements, const Text& text) {
+  DeclaredArray array{name};
+  for (const Element& element : elements) array.texts.push_back(text(element));
+  return array;
+}
+
+template <class Element, class Range>
+DeclaredArray intervals(const char* name, const std::vector<Element>& elements,
+                        const Range& range) {
+  DeclaredArray array{name};
+  array.has_texts = false;
+  for (const Element& element : elements) array.intervals.push_back(range(element));
+  return array;
+}
+
+/// An end of an interval; `unbounded` where there is none, or none that double holds.
+void read_bound(TokenReader& tokens, const std::optional<Interval>& interval, bool is_low) {
+  const cln::cl_R bound = !interval ? cln::cl_RA(0) : is_low ? interval->low : interval->high;
+  if (interval && fit(bound, ScalarKind::double_precision) != Fit::too_large) {
+    return read_c_number(tokens, bound, ScalarKind::double_precision);
+  }
+  tokens.expect_code(is_low ? "-unbounded" : "unbounded");
+}
+
+void read_element(TokenReader& tokens, const DeclaredArray& array, std::size_t index) {
+  if (array.has_texts) return tokens.expect_code(string_literal(array.texts[index]));
+  tokens.expect("{");
+  read_bound(tokens, array.intervals[index], true);
+  tokens.expect(",");
+  read_bound(tokens, array.intervals[index], false);
+  tokens.expect("}");
+}
+
+std::vector<cln::cl_R> values_of(const Model& model, const ParameterArray& array) {
+  std::vector<cln::cl_R> values;
+  for (std::uint32_t i = 0; i < array.count; ++i) {
+    values.push_back(model.parameters[array.first + i].value);
+  }
+  return values;
+}
+
+void read_cpp_values(TokenReader& tokens, const std::vector<cln::cl_R>& values) {
+  if (tokens.accept("detail")) {
+    tokens.expect_code(fmt::format("::filled<{}>(", values.size()));
+    const CodeToken first = tokens.current();
+    read_cpp_number(tokens, values.front());
+    const auto differs = [&](const cln::cl_R& value) { return value != values.front(); };
+    if (std::any_of(values.begin(), values.end(), differs)) {
+      tokens.fail(tokens.span_from(first), "the elements are not all the same");
+    }
+    return tokens.expect(")");
+  }
+  tokens.expect_code("{{");
+  for (const cln::cl_R& value : values) {
+    read_cpp_number(tokens, value);
+    if (!tokens.at("}")) tokens.expect(",");
+  }
+  tokens.expect_code("}}");
+}
+
+}  // namespace
+
+std::vector<DeclaredArray> declared_arrays(const Model& model) {
+  using C = Coordinate;
+  using V = Velocity;
+  std::vector<DeclaredArray> list{
+      texts("coordinate_names", model.coordinates, [](const C& c) { return c.name; }),
+      texts("coordinate_units", model.coordinates, [](const C& c) { return c.unit_text; }),
+      intervals("coordinate_ranges", model.coordinates, [](const C& c) { return c.range; })};
+  if (!model.rotations.empty()) {
+    list.push_back(texts("velocity_names", model.velocities, [](const V& v) { return v.name; }));
+    list.push_back(texts("velocity_units", model.velocities,
+                         [&](const V& v) { return checking::velocity_unit(model, v); }));
+  }
+  list.push_back(
+      intervals("rate_ranges", model.velocities, [](const V& v) { return v.rate_range; }));
+  list.push_back(texts("input_names", model.inputs, [](const Input& i) { return i.name; }));
+  list.push_back(texts("input_units", model.inputs, [](const Input& i) { return i.unit_text; }));
+  list.push_back(intervals("input_limits", model.inputs, [](const Input& i) { return i.limits; }));
+  return list;
+}
+
+void read_declared_values(TokenReader& tokens, const DeclaredArray& array) {
+  tokens.expect("{");
+  if (array.size() > 0) {
+    tokens.expect("{");
+    for (std::size_t i = 0; i < array.size(); ++i) {
+      if (i > 0) tokens.expect(",");
+      read_element(tokens, array, i);
+    }
+    tokens.accept(",");
+    tokens.expect("}");
+  }
+  tokens.expect("}");
+}
+
+std::map<std::string, ParameterMember, std::less<>> parameter_members(const Origin& origin) {
+  std::map<std::string, std::uint32_t> leaves;
+  const std::vector<std::string>& names = origin.program.leaves.parameters;
+  for (std::uint32_t i = 0; i < names.size(); ++i) leaves.emplace(names[i], i);
+  std::map<std::string, ParameterMember, std::less<>> members;
+  for (const ParameterArray& array : read_parameters(origin)) {
+    ParameterMember member{array.is_array};
+    for (std::uint32_t i = 0; i < array.count; ++i) {
+      const auto leaf = leaves.find(origin.model.parameters[array.first + i].name);
+      member.leaves.push_back(leaf == leaves.end() ? std::optional<std::uint32_t>()
+                                                   : std::optional(leaf->second));
+    }
+    members.emplace(array.name, std::move(member));
+  }
+  return members;
+}
+
+void read_cpp_parameters(TokenReader& tokens, const Origin& origin) {
+  for (const ParameterArray& array : read_parameters(origin)) {
+    const std::vector<cln::cl_R> values = values_of(origin.model, array);
+    if (array.is_array) {
+      tokens.expect_code(fmt::format("std::array<Scalar, {}> {} =", array.count, array.name));
+      read_cpp_values(tokens, values);
+    } else {
+      tokens.expect_code(fmt::format("Scalar {} =", array.name));
+      read_cpp_number(tokens, values.front());
+    }
+    tokens.expect(";");
+  }
+}
+
+void read_c_parameters(TokenReader& tokens, const Origin& origin, const Dialect& dialect) {
+  const std::vector<ParameterArray> arrays = read_parameters(origin);
+  for (const ParameterArray& array : arrays) {
+    tokens.expect_code(fmt::format("{} {}", dialect.scalar, array.name));
+    if (array.is_array) tokens.expect_code(fmt::format("[{}]", array.count));
+    tokens.expect(";");
+  }
+  if (arrays.empty()) tokens.expect_code("char none;");
+}
+
+void read_c_defaults(TokenReader& tokens, const Origin& origin, const Dialect& dialect) {
+  std::string capitals = name_space_of(origin.scene);
+  std::transform(capitals.begin(), capitals.end(), capitals.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  const std::vector<ParameterArray> arrays = read_parameters(origin);
+  tokens.expect("#");
+  tokens.expect_code(fmt::format("define {}_DEFAULT_PARAMETERS {{", capitals));
+  for (const ParameterArray& array : arrays) {
+    if (array.is_array) tokens.expect("{");
+    bool is_first = true;
+    for (const cln::cl_R& value : values_of(origin.model, array)) {
+      if (!is_first) tokens.expect(",");
+      read_c_number(tokens, value, dialect.kind);
+      is_first = false;
+    }
+    if (array.is_array) tokens.expect("}");
+    tokens.expect(",");
+  }
+  if (arrays.empty()) tokens.expect("0");
+  tokens.expect("}");
+  if (!tokens.at(CodeTokenKind::end_of_directive)) tokens.fail_expected("the end of the line");
+  tokens.advance();
+}
+
+}  // namespace elgen::reading

@@ -1,0 +1,40 @@
+// declarations: what a header declares beside functions: names, units and ranges, and the values of
+// parameters.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dialect.hpp"
+#include "expression_reader.hpp"
+#include "token_reader.hpp"
+
+namespace elgen::reading {
+
+/// One of the arrays at the head of a C++ header: texts, or intervals.
+struct DeclaredArray {
+  std::string name;
+  std::vector<std::string> texts = {};
+  std::vector<std::optional<Interval>> intervals = {};
+  bool has_texts = true;
+
+  [[nodiscard]] std::size_t size() const { return has_texts ? texts.size() : intervals.size(); }
+};
+
+[[nodiscard]] std::vector<DeclaredArray> declared_arrays(const Model& model);
+
+/// {{"x", "theta"}} or {{ {-2.0, 2.0}, {-unbounded, unbounded} }}, or {} of nothing
+void read_declared_values(TokenReader& tokens, const DeclaredArray& array);
+
+/// What expressions may name of the parameters.
+[[nodiscard]] std::map<std::string, ParameterMember, std::less<>> parameter_members(
+    const Origin& origin);
+
+/// The members of C++ with the values of the model.
+void read_cpp_parameters(TokenReader& tokens, const Origin& origin);
+
+/// The members of C, and the macro with their values.
+void read_c_parameters(TokenReader& tokens, const Origin& origin, const Dialect& dialect);
+void read_c_defaults(TokenReader& tokens, const Origin& origin, const Dialect& dialect);
+
+}  // namespace elgen::reading

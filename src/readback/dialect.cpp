@@ -1,0 +1,76 @@
+// dialect: the output table says what functions take, the program what they read.
+#include "dialect.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "evaluate/decimal.hpp"
+
+namespace elgen::reading {
+
+Dialect dialect_of(Shape shape, const Scene& scene) {
+  if (shape != Shape::c99) {
+    const bool is_eigen = shape == Shape::eigen;
+    return {shape, "Scalar", ".", is_eigen ? "(" : "[", is_eigen ? ")" : "]"};
+  }
+  const ScalarKind kind = scene.numerics.scalars.front();
+  return {shape, scalar_name(kind), "->", "[", "]", name_space_of(scene) + "_", kind};
+}
+
+const std::string& name_space_of(const Scene& scene) {
+  const std::string& name = scene.emission.name_space;
+  return name.empty() ? scene.base_name : name;
+}
+
+std::vector<Argument> arguments_of(const Origin& origin, const Function& function) {
+  const auto& [model, scene, program] = origin;
+  const OutputRow& row = output_row(function.kind);
+  const bool is_mass_of_rates = function.kind == OutputKind::mass_matrix && !model.quadratic;
+  const std::size_t velocities = model.velocities.size();
+  std::vector<Argument> list{
+      {Opcode::parameter, "p", "Parameters<Scalar>", program.leaves.parameters.size()},
+      {Opcode::coordinate, "q", "Coordinates<Scalar>", model.coordinates.size()}};
+  if (row.takes_velocity || is_mass_of_rates) {
+    list.push_back({Opcode::velocity, "v", "Velocities<Scalar>", velocities});
+  }
+  if (row.takes_acceleration) {
+    list.push_back({Opcode::acceleration, "a", "Accelerations<Scalar>", velocities});
+  }
+  if (row.takes_input) list.push_back({Opcode::input, "u", "Inputs<Scalar>", model.inputs.size()});
+  if (model.uses_time) list.push_back({Opcode::time, "t", "std::common_type_t<Scalar>", 1});
+  return list;
+}
+
+std::vector<ParameterArray> read_parameters(const Origin& origin) {
+  const auto& [model, scene, program] = origin;
+  std::set<std::string> names;
+  for (const Function& function : program.functions) {
+    for (const Instruction& i : function.instructions) {
+      if (i.opcode == Opcode::parameter) names.insert(program.leaves.parameters[i.a]);
+    }
+  }
+  std::set<std::uint32_t> read;
+  for (const Parameter& parameter : model.parameters) {
+    if (names.count(parameter.name) > 0) read.insert(parameter.array);
+  }
+  std::vector<ParameterArray> arrays;
+  for (const std::uint32_t array : read) arrays.push_back(model.parameter_arrays[array]);
+  return arrays;
+}
+
+bool is_struct(const Function& function) {
+  return function.fields.size() != 1 || !function.fields.front().name.empty();
+}
+
+std::vector<std::uint32_t> stored_entries(const Field& field, Storage storage) {
+  if (storage == Storage::row_major) return field.entries;
+  std::vector<std::uint32_t> entries;
+  for (std::size_t column = 0; column < field.columns; ++column) {
+    for (std::size_t row = 0; row < field.rows; ++row) {
+      entries.push_back(field.entries[row * field.columns + column]);
+    }
+  }
+  return entries;
+}
+
+}  // namespace elgen::reading

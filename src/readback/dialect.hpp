@@ -1,0 +1,60 @@
+// dialect: how the files of one language write what all of them say, and what they say it of.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "elgen/model.hpp"
+#include "elgen/program.hpp"
+#include "elgen/scene.hpp"
+
+namespace elgen::reading {
+
+/// The shapes of file that there are.
+enum class Shape : std::uint8_t { cpp, eigen, c99 };
+
+struct Dialect {
+  Shape shape = Shape::cpp;
+  std::string scalar = {};  ///< "Scalar", "double"
+  std::string member = {};  ///< "." or "->"
+  std::string open = {};    ///< of the index of a result: "[" or "("
+  std::string close = {};
+  std::string prefix = {};                         ///< of the names of C functions
+  ScalarKind kind = ScalarKind::double_precision;  ///< of C
+};
+
+[[nodiscard]] Dialect dialect_of(Shape shape, const Scene& scene);
+
+/// "cart_pole": the namespace of C++, the start of every name in C.
+[[nodiscard]] const std::string& name_space_of(const Scene& scene);
+
+/// What a file is about.
+struct Origin {
+  const Model& model;
+  const Scene& scene;
+  const Program& program;
+};
+
+/// An argument of a function.
+struct Argument {
+  Opcode opcode = Opcode::parameter;  ///< of the leaves it holds
+  std::string_view name = {};         ///< "p", "q", …
+  std::string_view type = {};         ///< in C++
+  std::size_t size = 0;               ///< numbers it holds
+};
+
+/// Parameters, q, then v, a, u and t as far as the output table says so.
+[[nodiscard]] std::vector<Argument> arguments_of(const Origin& origin, const Function& function);
+
+/// Those that a function of the program reads, in the order of the model.
+[[nodiscard]] std::vector<ParameterArray> read_parameters(const Origin& origin);
+
+/// Whether a function gives several named arrays.
+[[nodiscard]] bool is_struct(const Function& function);
+
+/// Entries of a field in the order of storage.
+[[nodiscard]] std::vector<std::uint32_t> stored_entries(const Field& field, Storage storage);
+
+}  // namespace elgen::reading

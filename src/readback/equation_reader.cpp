@@ -1,0 +1,232 @@
+// equation_reader: the parser of models reads the text; names are leaves, rates of leaves, and
+// definitions that stand above.
+#include "equation_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "elgen/wording.hpp"
+#include "evaluate/decimal.hpp"
+#include "states.hpp"
+
+namespace elgen::reading {
+namespace {
+
+constexpr std::size_t state_count = 2;
+/// Of 64 digits, what sums of many terms may cancel is left out.
+constexpr long agreeing_digits = 40;
+constexpr long largest_power = 10'000;
+
+std::string number_text(const ExpressionSyntax& e) {
+  return e.kind == SyntaxKind::number ? exact_text(e.value) : "";
+}
+
+/// "theta", "l[2]", "dot(dot(x))"; empty for what is no name of a leaf.
+std::string leaf_name(const ExpressionSyntax& e) {
+  if (e.kind == SyntaxKind::name) {
+    return e.operands.empty() ? e.text
+                              : fmt::format("{}[{}]", e.text, number_text(e.operands.front()));
+  }
+  const bool is_rate = e.kind == SyntaxKind::call && e.text == "dot" && e.operands.size() == 1;
+  return is_rate ? fmt::format("dot({})", leaf_name(e.operands.front())) : "";
+}
+
+void add_leaves(const std::vector<std::string>& names, const std::vector<Real>& values,
+                std::string_view pattern, std::unordered_map<std::string, Real>& leaves) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    leaves.emplace(fmt::format(fmt::runtime(pattern), names[i]), values[i]);
+  }
+}
+
+std::unordered_map<std::string, Real> leaves_at(const LeafNames& names,
+                                                const Arguments<Real>& state) {
+  std::unordered_map<std::string, Real> leaves;
+  add_leaves(names.parameters, state.parameters, "{}", leaves);
+  add_leaves(names.coordinates, state.q, "{}", leaves);
+  add_leaves(names.velocities, state.v, "dot({})", leaves);
+  add_leaves(names.velocities, state.a, "dot(dot({}))", leaves);
+  add_leaves(names.inputs, state.u, "{}", leaves);
+  leaves.emplace("t", state.t);
+  leaves.emplace("pi", Real(cln::pi(Real::format())));
+  return leaves;
+}
+
+/// For messages.
+std::string short_value(const Real& value) {
+  constexpr int digits = 12;
+  if (!value.is_defined()) return "undefined";
+  return literal_text(rounded_decimal(value.value(), digits));
+}
+
+Real largest_of(const std::vector<Real>& values) {
+  Real largest;
+  for (const Real& value : values) {
+    if (value.is_defined()) largest = max(largest, abs(value));
+  }
+  return largest;
+}
+
+}  // namespace
+
+EquationReader::EquationReader(const Origin& origin)
+    : origin_(origin),
+      states_(comparison_states(origin.model, origin.program.leaves, state_count)),
+      known_(origin.program.functions.size()) {
+  for (const Arguments<Real>& state : states_) {
+    leaves_.push_back(leaves_at(origin.program.leaves, state));
+  }
+}
+
+void EquationReader::start(std::size_t index) {
+  index_ = index;
+  defined_.clear();
+  Known& known = known_[index];
+  if (known.is_evaluated) return;
+  known.is_evaluated = true;
+  for (const Arguments<Real>& state : states_) {
+    known.instructions.push_back(evaluate_instructions(origin_.program, function(), state));
+    known.largest.push_back(largest_of(known.instructions.back()));
+  }
+  const std::vector<std::string> names = temporary_names(origin_.program, function());
+  for (std::uint32_t i = 0; i < names.size(); ++i) {
+    if (!names[i].empty()) known.named.emplace(names[i], i);
+  }
+}
+
+std::string EquationReader::definition(const std::string& name, const std::string& text) {
+  const auto known = known_[index_].named.find(name);
+  if (known == known_[index_].named.end()) return quoted(name) + " is no definition";
+  const std::string problem = compare(known->second, text);
+  if (!defined_.insert(name).second) return quoted(name) + " is defined twice";
+  return problem;
+}
+
+std::string EquationReader::entry(std::uint32_t instruction, const std::string& text) {
+  return compare(instruction, text);
+}
+
+std::string EquationReader::number(const cln::cl_R& value, const std::string& text) {
+  const Result<ExpressionSyntax> syntax = parse_expression(make_source("", text), Limits{});
+  if (!syntax) return syntax.diagnostics.front().message;
+  Evaluated result;
+  const Real written = this->value(*syntax, result);
+  const Real difference = abs(written - Real(value));
+  const Real tolerance = abs(Real(value)) * Real(cln::cl_RA(1) / power_of_ten(agreeing_digits));
+  const bool is_right = written.is_defined() && difference.value() <= tolerance.value();
+  return is_right ? "" : fmt::format("{} is not {}", quoted(text), exact_text(value));
+}
+
+std::string EquationReader::compare(std::uint32_t instruction, const std::string& text) {
+  ++compared_;
+  const Known& known = known_[index_];
+  const Evaluated& written = evaluated(text);
+  if (!written.problem.empty()) return written.problem;
+  for (const std::string& name : written.used) {
+    if (defined_.count(name) == 0) return quoted(name) + " is not defined here";
+  }
+  const Real relative(cln::cl_RA(1) / power_of_ten(agreeing_digits));
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const Real& derived = known.instructions[i][instruction];
+    if (!derived.is_defined()) continue;
+    const Real difference = abs(written.values[i] - derived);
+    const Real tolerance = known.largest[i] * relative;
+    if (difference.is_defined() && difference.value() <= tolerance.value()) continue;
+    return fmt::format("{} is {} where {} was derived", quoted(text),
+                       short_value(written.values[i]), short_value(derived));
+  }
+  return {};
+}
+
+const EquationReader::Evaluated& EquationReader::evaluated(const std::string& text) {
+  const auto [known, is_new] = known_[index_].texts.emplace(text, Evaluated{});
+  Evaluated& result = known->second;
+  if (!is_new) return result;
+  Limits limits;
+  limits.expression_depth = 1000;
+  limits.literal_digits = 5000;
+  const Result<ExpressionSyntax> syntax = parse_expression(make_source("", text), limits);
+  if (!syntax) {
+    result.problem = syntax.diagnostics.front().message;
+    return result;
+  }
+  for (state_ = 0; state_ < states_.size(); ++state_) {
+    result.values.push_back(value(*syntax, result));
+  }
+  state_ = 0;
+  return result;
+}
+
+Real EquationReader::value(const ExpressionSyntax& e, Evaluated& result) const {
+  const auto operand = [&](std::size_t i) { return value(e.operands[i], result); };
+  switch (e.kind) {
+    case SyntaxKind::number:
+      return Real(e.value);
+    case SyntaxKind::name:
+      return named(leaf_name(e), result);
+    case SyntaxKind::call:
+      return call(e, result);
+    case SyntaxKind::negate:
+      return -operand(0);
+    case SyntaxKind::divide:
+      return operand(0) / operand(1);
+    case SyntaxKind::power:
+      return power(e, result);
+    default:
+      break;
+  }
+  Real total = operand(0);
+  for (std::size_t i = 1; i < e.operands.size(); ++i) {
+    total = e.kind == SyntaxKind::add ? total + operand(i) : total * operand(i);
+  }
+  return total;
+}
+
+/// Integers alone: roots are written `sqrt`.
+Real EquationReader::power(const ExpressionSyntax& e, Evaluated& result) const {
+  const ExpressionSyntax& written = e.operands[1];
+  const bool is_negative = written.kind == SyntaxKind::negate;
+  const ExpressionSyntax& exponent = is_negative ? written.operands.front() : written;
+  const bool is_integer = exponent.kind == SyntaxKind::number &&
+                          cln::denominator(exponent.value) == 1 && exponent.value <= largest_power;
+  if (!is_integer) {
+    result.problem = "an exponent that is no integer";
+    return Real::undefined();
+  }
+  const Real base = value(e.operands[0], result);
+  Real product(cln::cl_R(1));
+  for (long i = cln::cl_I_to_long(cln::numerator(exponent.value)); i > 0; --i) {
+    product = product * base;
+  }
+  return is_negative ? Real(cln::cl_R(1)) / product : product;
+}
+
+Real EquationReader::call(const ExpressionSyntax& e, Evaluated& result) const {
+  if (e.text == "dot") return named(leaf_name(e), result);
+  const bool is_root = e.text == "sqrt";
+  const auto* const row = std::find_if(function_table.begin(), function_table.end(),
+                                       [&](const FunctionRow& r) { return r.name == e.text; });
+  const bool is_known = is_root || row != function_table.end();
+  if (!is_known || e.operands.size() != (is_root ? 1 : row->arity)) {
+    result.problem = quoted(e.text) + " is no function of so many arguments";
+    return Real::undefined();
+  }
+  const Real x = value(e.operands[0], result);
+  if (is_root) return sqrt(x);
+  return interpreter::call(row->id, x, row->arity > 1 ? value(e.operands[1], result) : x);
+}
+
+Real EquationReader::named(const std::string& name, Evaluated& result) const {
+  const auto leaf = leaves_[state_].find(name);
+  if (leaf != leaves_[state_].end()) return leaf->second;
+  const Known& known = known_[index_];
+  const auto definition = known.named.find(name);
+  if (definition == known.named.end()) {
+    result.problem = quoted(name) + " is no name of the model";
+    return Real::undefined();
+  }
+  result.used.insert(name);
+  return known.instructions[state_][definition->second];
+}
+
+}  // namespace elgen::reading

@@ -1,0 +1,12 @@
+// page_reader: the tables of a Markdown page: values of parameters, and operations. Its equations
+// are LaTeX, which is not read.
+#pragma once
+
+#include "dialect.hpp"
+#include "equation_reader.hpp"
+
+namespace elgen::reading {
+
+void read_page(const SourceText& source, const Origin& origin, EquationReader& equations);
+
+}  // namespace elgen::reading

@@ -1,0 +1,201 @@
+// sidecar_reader: each object has the keys it should have and no others.
+#include "sidecar_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "check/output_units.hpp"
+#include "elgen/wording.hpp"
+#include "evaluate/decimal.hpp"
+#include "token_reader.hpp"
+
+namespace elgen::reading {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+class SidecarReader {
+ public:
+  SidecarReader(const SourceText& source, const Origin& origin, EquationReader& equations)
+      : source_(source), origin_(origin), equations_(equations) {}
+
+  void read() {
+    Json json = Json::parse(source_.text, nullptr, false);
+    if (json.is_discarded()) fail("the text is no JSON");
+    const Model& model = origin_.model;
+    take(json, "generated");
+    expect(take(json, "format"), 1);
+    expect(take(json, "name"), origin_.scene.base_name);
+    emission(json);
+    const auto unit = [](const auto& declared) { return declared.unit_text; };
+    named(take(json, "coordinates"), model.coordinates, unit);
+    if (!model.rotations.empty()) {
+      named(take(json, "velocities"), model.velocities,
+            [&](const Velocity& v) { return checking::velocity_unit(model, v); });
+    }
+    named(take(json, "inputs"), model.inputs, unit);
+    parameters(take(json, "parameters"));
+    outputs(take(json, "outputs"));
+    take(json, "hash");
+    expect_empty(json);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& problem) const {
+    const auto begin = static_cast<std::uint32_t>(at_);
+    const std::string start = function_.empty() ? "" : elgen::quoted(function_) + ": ";
+    throw Mistake{{Code::E915, {&source_, begin, begin + length_}, start + problem}};
+  }
+
+  /// From now on messages point at the next text that is written so.
+  void seek(const std::string& text) {
+    const std::size_t found = source_.text.find(text, at_ + length_);
+    if (found == std::string::npos) return;
+    at_ = found;
+    length_ = static_cast<std::uint32_t>(text.size());
+  }
+
+  /// The value of a key, which is removed.
+  Json take(Json& object, const std::string& key) {
+    const bool is_there = object.is_object() && object.contains(key);
+    if (!is_there) fail(elgen::quoted(key) + " is missing");
+    seek(Json(key).dump() + ":");
+    Json value = std::move(object[key]);
+    object.erase(key);
+    return value;
+  }
+
+  void expect(const Json& found, const Json& expected) {
+    if (found.is_string()) seek(found.dump());
+    if (found != expected) fail(fmt::format("{} instead of {}", found.dump(), expected.dump()));
+  }
+
+  void expect_empty(const Json& rest) const {
+    if (!rest.empty()) fail(elgen::quoted(rest.begin().key()) + " should not be there");
+  }
+
+  std::string text_of(const Json& json) {
+    if (!json.is_string()) fail("an expression should stand here");
+    seek(json.dump());
+    return json.get<std::string>();
+  }
+
+  void emission(Json& json) {
+    const Emission& emission = origin_.scene.emission;
+    if (emission.language != LanguageId::cpp) {
+      expect(take(json, "language"), language_row(emission.language).name);
+    }
+    if (emission.storage != Storage::row_major) {
+      expect(take(json, "storage"), name_of(emission.storage));
+    }
+  }
+
+  void expect_size(const Json& list, std::size_t size) const {
+    const bool is_right = list.is_array() && list.size() == size;
+    if (!is_right) fail(fmt::format("a list of {} should stand here", size));
+  }
+
+  template <class Element, class Unit>
+  void named(Json list, const std::vector<Element>& elements, const Unit& unit) {
+    expect_size(list, elements.size());
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      expect(take(list[i], "name"), elements[i].name);
+      const std::string text = unit(elements[i]);
+      if (!text.empty()) expect(take(list[i], "unit"), text);
+      expect_empty(list[i]);
+    }
+  }
+
+  void parameters(Json list) {
+    const std::vector<ParameterArray> arrays = read_parameters(origin_);
+    expect_size(list, arrays.size());
+    for (std::size_t i = 0; i < arrays.size(); ++i) {
+      const ParameterArray& array = arrays[i];
+      expect(take(list[i], "name"), array.name);
+      if (!array.unit_text.empty()) expect(take(list[i], "unit"), array.unit_text);
+      if (array.is_array) expect(take(list[i], "size"), array.count);
+      Json values = take(list[i], "value");
+      if (!array.is_array) values = Json::array({values});
+      expect_size(values, array.count);
+      for (std::uint32_t k = 0; k < array.count; ++k) {
+        const cln::cl_R& value = origin_.model.parameters[array.first + k].value;
+        const std::string problem = equations_.number(value, text_of(values[k]));
+        if (!problem.empty()) fail(problem);
+      }
+      expect_empty(list[i]);
+    }
+  }
+
+  void outputs(Json all) {
+    const Program& program = origin_.program;
+    for (std::size_t i = 0; i < program.functions.size(); ++i) {
+      const Function& function = program.functions[i];
+      Json output = take(all, function.name);
+      function_ = function.name;
+      equations_.start(i);
+      if (function.kind != OutputKind::dynamics) equations(output, function);
+      operations(take(output, "operations"), function);
+      expect_empty(output);
+      function_.clear();
+    }
+    expect_empty(all);
+  }
+
+  void equations(Json& output, const Function& function) {
+    if (output.contains("definitions")) definitions(take(output, "definitions"));
+    if (!is_struct(function)) return field(output, function.fields.front());
+    Json fields = take(output, "fields");
+    for (const Field& each : function.fields) {
+      Json entries = take(fields, each.name);
+      field(entries, each);
+      expect_empty(entries);
+    }
+    expect_empty(fields);
+  }
+
+  void definitions(const Json& list) {
+    for (Json line : list) {
+      const std::string name = text_of(take(line, "name"));
+      const std::string problem = equations_.definition(name, text_of(take(line, "value")));
+      if (!problem.empty()) fail(problem);
+      expect_empty(line);
+    }
+  }
+
+  void field(Json& json, const Field& field) {
+    expect(take(json, "shape"), Json{field.rows, field.columns});
+    const Json entries = take(json, "entries");
+    expect_size(entries, field.entries.size());
+    for (std::size_t i = 0; i < field.entries.size(); ++i) {
+      const std::string problem = equations_.entry(field.entries[i], text_of(entries[i]));
+      if (!problem.empty()) fail(problem);
+    }
+  }
+
+  void operations(Json json, const Function& function) {
+    const OperationCounts n = count_operations(function);
+    expect(take(json, "add"), n.add);
+    expect(take(json, "mul"), n.mul);
+    expect(take(json, "div"), n.div);
+    expect(take(json, "sqrt"), n.sqrt);
+    expect(take(json, "sincos"), n.sincos);
+    expect(take(json, "other"), n.other);
+    expect_empty(json);
+  }
+
+  const SourceText& source_;
+  const Origin& origin_;
+  EquationReader& equations_;
+  std::string function_ = {};
+  std::size_t at_ = 0;
+  std::uint32_t length_ = 0;
+};
+
+}  // namespace
+
+void read_sidecar(const SourceText& source, const Origin& origin, EquationReader& equations) {
+  SidecarReader(source, origin, equations).read();
+}
+
+}  // namespace elgen::reading

@@ -1,0 +1,12 @@
+// sidecar_reader: the equations as JSON, compared with the Program: names, shapes, entries and
+// definitions by value, values of parameters, counts of operations.
+#pragma once
+
+#include "dialect.hpp"
+#include "equation_reader.hpp"
+
+namespace elgen::reading {
+
+void read_sidecar(const SourceText& source, const Origin& origin, EquationReader& equations);
+
+}  // namespace elgen::reading

@@ -1,0 +1,103 @@
+// text_reader: a section is the name of a function behind a blank line, and one equation a line.
+#include "text_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "elgen/wording.hpp"
+#include "token_reader.hpp"
+
+namespace elgen::reading {
+namespace {
+
+constexpr std::string_view margin = "  ";
+
+/// "[1,2]", "[2]", or nothing for one entry alone.
+std::string index_of(const Field& field, std::size_t entry) {
+  if (field.entries.size() == 1) return {};
+  if (field.columns == 1) return fmt::format("[{}]", entry + 1);
+  return fmt::format("[{},{}]", entry / field.columns + 1, entry % field.columns + 1);
+}
+
+class TextReader {
+ public:
+  TextReader(const SourceText& source, const Origin& origin, EquationReader& equations)
+      : source_(source), origin_(origin), equations_(equations) {}
+
+  void read() {
+    for (std::size_t i = 0; i < origin_.program.functions.size(); ++i) {
+      const Function& function = origin_.program.functions[i];
+      if (function.kind == OutputKind::dynamics) continue;
+      equations_.start(i);
+      const std::size_t behind = at_ == 0 ? 0 : at_ - 1;  // the end of the line before
+      const std::size_t heading = source_.text.find(fmt::format("\n\n{}\n", function.name), behind);
+      if (heading == std::string::npos) {
+        expect_zero(function);
+      } else {
+        at_ = heading + 2 + function.name.size() + 1;
+        section(function);
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] std::string_view line() const {
+    const std::string_view rest = std::string_view(source_.text).substr(at_);
+    return rest.substr(0, rest.find('\n'));
+  }
+
+  [[noreturn]] void fail(const Function& function, const std::string& problem) const {
+    const auto begin = static_cast<std::uint32_t>(at_);
+    const Span span{&source_, begin, begin + static_cast<std::uint32_t>(line().size())};
+    throw Mistake{{Code::E915, span, quoted(function.name) + ": " + problem}};
+  }
+
+  void expect_zero(const Function& function) {
+    for (const Field& field : function.fields) {
+      for (const std::uint32_t entry : field.entries) {
+        if (!equations_.entry(entry, "0").empty()) fail(function, "the function is missing");
+      }
+    }
+  }
+
+  void section(const Function& function) {
+    for (const Field& field : function.fields) {
+      const std::string& name = field.name.empty() ? function.name : field.name;
+      for (std::size_t i = 0; i < field.entries.size(); ++i) {
+        entry(function, name + index_of(field, i), field.entries[i]);
+      }
+    }
+    if (line().starts_with(margin)) fail(function, "one line too many");
+  }
+
+  /// The definitions before it, and the entry of this name.
+  void entry(const Function& function, const std::string& name, std::uint32_t instruction) {
+    for (bool is_entry = false; !is_entry;) {
+      const std::string_view text = line();
+      const std::size_t equal = text.find(" = ");
+      const bool is_equation = text.starts_with(margin) && equal != std::string_view::npos;
+      if (!is_equation) fail(function, quoted(name) + " is missing");
+      const std::string left(text.substr(margin.size(), equal - margin.size()));
+      const std::string right(text.substr(equal + 3));
+      is_entry = left == name;
+      const std::string problem =
+          is_entry ? equations_.entry(instruction, right) : equations_.definition(left, right);
+      if (!problem.empty()) fail(function, problem);
+      at_ += text.size() + 1;
+    }
+  }
+
+  const SourceText& source_;
+  const Origin& origin_;
+  EquationReader& equations_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+void read_text(const SourceText& source, const Origin& origin, EquationReader& equations) {
+  TextReader(source, origin, equations).read();
+}
+
+}  // namespace elgen::reading

@@ -1,0 +1,16 @@
+// text_reader: the page of equations that `show` prints as text, compared by value.
+//
+//     gravity
+//       gravity[1] = 0
+//       gravity[2] = -m*l*g*sin(theta)
+#pragma once
+
+#include "dialect.hpp"
+#include "equation_reader.hpp"
+
+namespace elgen::reading {
+
+/// A function without a section has no entry but 0.
+void read_text(const SourceText& source, const Origin& origin, EquationReader& equations);
+
+}  // namespace elgen::reading

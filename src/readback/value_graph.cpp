@@ -1,0 +1,184 @@
+// value_graph: nodes are instructions whose operands carry signs; each is kept once.
+#include "value_graph.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "evaluate/decimal.hpp"
+#include "lower/program_text.hpp"
+
+namespace elgen::reading {
+namespace {
+
+constexpr int deepest_text = 5;
+
+std::uint32_t packed(Value x) { return 2 * x.node + (x.is_negative ? 1 : 0); }
+Value unpacked(std::uint32_t operand) { return {operand / 2, operand % 2 == 1}; }
+
+char sign_of(Opcode opcode) {
+  switch (opcode) {
+    case Opcode::add:
+      return '+';
+    case Opcode::subtract:
+      return '-';
+    case Opcode::multiply:
+      return '*';
+    default:
+      return '/';
+  }
+}
+
+std::string bracketed(bool is_operand, const std::string& text) {
+  return is_operand ? "(" + text + ")" : text;
+}
+
+std::string variable(const Instruction& i) {
+  constexpr std::string_view letters = "qvau";
+  const auto first = static_cast<std::size_t>(Opcode::coordinate);
+  return fmt::format("{}[{}]", letters[static_cast<std::size_t>(i.opcode) - first], i.a);
+}
+
+}  // namespace
+
+Value negated(Value x) {
+  x.is_negative = !x.is_negative;
+  return x;
+}
+
+std::size_t ValueGraph::Hash::operator()(const Node& node) const {
+  const Instruction& i = node.instruction;
+  const auto kind =
+      static_cast<std::uint64_t>(i.opcode) * 64 + static_cast<std::uint64_t>(i.function);
+  const std::uint64_t operands = (std::uint64_t{i.a} << 32U) | i.b;
+  return std::hash<std::uint64_t>()((operands ^ (kind << 57U) ^ kind) * 0x9E3779B97F4A7C15U);
+}
+
+Value ValueGraph::node(const Instruction& instruction) {
+  const auto next = static_cast<std::uint32_t>(nodes_.size());
+  const auto [known, is_new] = known_.emplace(Node{instruction}, next);
+  if (is_new) nodes_.push_back({instruction});
+  return {known->second, false};
+}
+
+Value ValueGraph::constant(const cln::cl_R& value) {
+  const cln::cl_R magnitude = cln::abs(value);
+  const auto next = static_cast<std::uint32_t>(constants_.size());
+  const auto [known, is_new] = known_constants_.emplace(magnitude, next);
+  if (is_new) constants_.push_back(magnitude);
+  const Value result = node({Opcode::constant, FunctionId::sin, known->second, 0});
+  return cln::minusp(value) ? negated(result) : result;
+}
+
+Value ValueGraph::leaf(Opcode opcode, std::uint32_t index) {
+  return node({opcode, FunctionId::sin, index, 0});
+}
+
+Value ValueGraph::binary(Opcode opcode, Value x, Value y) {
+  const bool is_product = opcode == Opcode::multiply || opcode == Opcode::divide;
+  const bool is_negative = is_product && x.is_negative != y.is_negative;
+  if (is_product) x.is_negative = y.is_negative = false;
+  const Value result = node({opcode, FunctionId::sin, packed(x), packed(y)});
+  return is_negative ? negated(result) : result;
+}
+
+Value ValueGraph::square_root(Value x) {
+  return node({Opcode::square_root, FunctionId::sin, packed(x), 0});
+}
+
+Value ValueGraph::call(FunctionId function, Value x, Value y) {
+  const std::uint32_t second = function_row(function).arity > 1 ? packed(y) : 0;
+  return node({Opcode::call, function, packed(x), second});
+}
+
+std::vector<Value> ValueGraph::values_of(const Function& function,
+                                         const std::function<cln::cl_R(std::uint32_t)>& constant) {
+  std::vector<Value> values;
+  values.reserve(function.instructions.size());
+  for (const Instruction& i : function.instructions) {
+    switch (i.opcode) {
+      case Opcode::constant:
+        values.push_back(this->constant(constant(i.a)));
+        break;
+      case Opcode::negate:
+        values.push_back(negated(values[i.a]));
+        break;
+      case Opcode::add:
+      case Opcode::subtract:
+      case Opcode::multiply:
+      case Opcode::divide:
+        values.push_back(binary(i.opcode, values[i.a], values[i.b]));
+        break;
+      case Opcode::square_root:
+        values.push_back(square_root(values[i.a]));
+        break;
+      case Opcode::call:
+        values.push_back(call(i.function, values[i.a], values[i.b]));
+        break;
+      default:
+        values.push_back(leaf(i.opcode, i.opcode == Opcode::time ? 0 : i.a));
+    }
+  }
+  return values;
+}
+
+void ValueGraph::set_name(Value value, const std::string& name) {
+  names_.emplace(value.node, name);
+}
+
+std::pair<Value, Value> ValueGraph::difference(Value x, Value y) const {
+  for (;;) {
+    const Instruction& i = nodes_[x.node].instruction;
+    const Instruction& j = nodes_[y.node].instruction;
+    const bool is_alike = x.is_negative == y.is_negative && i.opcode == j.opcode &&
+                          i.function == j.function && operand_count(i) > 0;
+    const bool has_one = (i.a == j.a) != (i.b == j.b) || operand_count(i) == 1;
+    if (!is_alike || !has_one) return {x, y};
+    const bool is_first = i.a != j.a;
+    x = unpacked(is_first ? i.a : i.b);
+    y = unpacked(is_first ? j.a : j.b);
+  }
+}
+
+std::string ValueGraph::text(const LeafNames& leaves, Value value) const {
+  const int depth = value.is_negative ? 1 : 0;
+  const std::string whole = text(leaves, nodes_[value.node].instruction, depth);
+  return value.is_negative ? "-" + whole : whole;
+}
+
+std::string ValueGraph::text(const LeafNames& leaves, Value value, int depth) const {
+  const auto name = names_.find(value.node);
+  const std::string whole =
+      name != names_.end() ? name->second : text(leaves, nodes_[value.node].instruction, depth);
+  return value.is_negative ? "-" + whole : whole;
+}
+
+std::string ValueGraph::text(const LeafNames& leaves, const Instruction& i, int depth) const {
+  const bool is_deep = depth >= deepest_text;
+  const auto operand = [&](std::uint32_t of) { return text(leaves, unpacked(of), depth + 1); };
+  switch (i.opcode) {
+    case Opcode::constant:
+      return exact_text(constants_[i.a]);
+    case Opcode::parameter:
+      return leaves.parameters[i.a];
+    case Opcode::coordinate:
+    case Opcode::velocity:
+    case Opcode::acceleration:
+    case Opcode::input:
+      return variable(i);
+    case Opcode::time:
+      return "t";
+    case Opcode::square_root:
+      return is_deep ? "…" : fmt::format("sqrt({})", operand(i.a));
+    case Opcode::call:
+      if (is_deep) return "…";
+      return fmt::format("{}({}{})", function_row(i.function).name, operand(i.a),
+                         operand_count(i) > 1 ? ", " + operand(i.b) : "");
+    default:
+      if (is_deep) return "…";
+      return bracketed(depth > 0,
+                       fmt::format("{} {} {}", operand(i.a), sign_of(i.opcode), operand(i.b)));
+  }
+}
+
+}  // namespace elgen::reading

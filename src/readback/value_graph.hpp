@@ -1,0 +1,75 @@
+// ValueGraph: what expressions stand for. Two expressions are one node where they do the same
+// operations on the same operands in the same order, up to a minus moved through products:
+//
+//     -(a*b)   -a * b   a * -b     ->   one node with a sign
+//     a*b + c  c + a*b             ->   two nodes
+#pragma once
+
+#include <cln/real.h>
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "elgen/program.hpp"
+
+namespace elgen::reading {
+
+/// A node, or what it stands for with the other sign.
+struct Value {
+  std::uint32_t node = 0;
+  bool is_negative = false;
+  friend bool operator==(const Value&, const Value&) = default;
+};
+
+[[nodiscard]] Value negated(Value x);
+
+class ValueGraph {
+ public:
+  [[nodiscard]] Value constant(const cln::cl_R& value);
+  [[nodiscard]] Value leaf(Opcode opcode, std::uint32_t index);
+  /// add, subtract, multiply or divide
+  [[nodiscard]] Value binary(Opcode opcode, Value x, Value y);
+  [[nodiscard]] Value square_root(Value x);
+  /// y is ignored by functions of one argument.
+  [[nodiscard]] Value call(FunctionId function, Value x, Value y);
+
+  /// The value of every instruction; `constant` says what number each constant is in the code.
+  [[nodiscard]] std::vector<Value> values_of(
+      const Function& function, const std::function<cln::cl_R(std::uint32_t)>& constant);
+
+  /// From now on text() writes the name where the value is an operand.
+  void set_name(Value value, const std::string& name);
+  /// The innermost operands in which they differ, if that is one of each.
+  [[nodiscard]] std::pair<Value, Value> difference(Value x, Value y) const;
+  /// For messages: "t_1*cos(q[1])"; what is nested deeply is left out.
+  [[nodiscard]] std::string text(const LeafNames& leaves, Value value) const;
+
+ private:
+  struct Node {
+    Instruction instruction = {};  ///< operands: twice the node, plus 1 for a minus
+    friend bool operator==(const Node&, const Node&) = default;
+  };
+  struct Hash {
+    [[nodiscard]] std::size_t operator()(const Node& node) const;
+  };
+  struct Less {
+    [[nodiscard]] bool operator()(const cln::cl_R& x, const cln::cl_R& y) const { return x < y; }
+  };
+
+  [[nodiscard]] Value node(const Instruction& instruction);
+  [[nodiscard]] std::string text(const LeafNames& leaves, Value value, int depth) const;
+  [[nodiscard]] std::string text(const LeafNames& leaves, const Instruction& i, int depth) const;
+
+  std::vector<Node> nodes_;
+  std::unordered_map<Node, std::uint32_t, Hash> known_;
+  std::vector<cln::cl_R> constants_;
+  std::map<cln::cl_R, std::uint32_t, Less> known_constants_;
+  std::unordered_map<std::uint32_t, std::string> names_;
+};
+
+}  // namespace elgen::reading
