@@ -309,6 +309,7 @@ struct Model {
   SourcePointer scene_source = {};  ///< keeps spans of sizes and options alive
   std::vector<SourcePointer> option_sources = {};
   std::string name;
+  Span name_span = {};
   std::string title = {};
   std::string description = {};
   std::string reference = {};

@@ -59,6 +59,7 @@ enum class Storage : std::uint8_t { row_major, column_major };
 struct Emission {
   LanguageId language = LanguageId::cpp;
   std::string name_space = {};  ///< of C++, prefix of every name in C; default: base_name
+  Span name_space_span = {};    ///< of what gives it that name
   Storage storage = Storage::row_major;
   bool eigen = false;  ///< C++: a second header, of the same functions on Eigen types
 };

@@ -7,6 +7,7 @@
 
 #include "elgen/emitted_files.hpp"
 #include "elgen/evaluate.hpp"
+#include "elgen/limits.hpp"
 #include "elgen/scene.hpp"
 
 namespace elgen {
@@ -31,9 +32,12 @@ struct CompiledHeader {
 };
 using CompiledHeaders = std::vector<CompiledHeader>;
 
-/// $CXX, else c++, g++, clang++, whichever is there. Strict flags (-ffp-contract=off). E7xx without
-/// a compiler (exit 4), with the compiler's words where it refuses.
+/// $CXX where it is set, else c++, g++, clang++, whichever is there. Strict flags
+/// (-ffp-contract=off). E704 without a compiler, E706 without room for its files, E909 where it
+/// takes longer than `limits.seconds` by the clock; with the compiler's words, E705 where it
+/// refuses what was emitted, E709 where it cannot work.
 [[nodiscard]] Result<CompiledHeaders> compile(const EmittedFiles& files, const Model& model,
-                                              const Scene& scene, const Program& program);
+                                              const Scene& scene, const Program& program,
+                                              const Limits& limits);
 
 }  // namespace elgen

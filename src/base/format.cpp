@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "elgen/diagnostic.hpp"
+#include "utf8.hpp"
 
 namespace elgen {
 
@@ -32,22 +34,26 @@ std::string position(const Span& span) {
   return fmt::format("{}:{}:{}", span.source->path, at.line, at.column);
 }
 
+bool starts_code_point(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }
+
 std::size_t code_points(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
-    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
-  }));
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), starts_code_point));
 }
 
-/// The text a terminal can show: tabs become single spaces, other control characters `?`.
+/// The text a terminal can show: tabs become single spaces, other hidden characters `?`.
 std::string printable(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '\t') {
-      c = ' ';
-    } else if (byte < 0x20U || byte == 0x7FU) {
-      c = '?';
+  std::string result;
+  for (std::size_t i = 0; i < text.size();) {
+    const CodePoint point = code_point_at(text, i);
+    const std::size_t bytes = std::max<std::size_t>(1, point.bytes);
+    if (text[i] == '\t') {
+      result += ' ';
+    } else if (point.bytes != 0 && is_hidden(point.value)) {
+      result += '?';
+    } else {
+      result += text.substr(i, bytes);
     }
+    i += bytes;
   }
   return result;
 }
@@ -75,7 +81,7 @@ Excerpt excerpt(const Span& span) {
     from = begin > widest_line / 2 ? begin - widest_line / 2 : 0;
     to = std::min(line.size(), from + widest_line);
     const auto inside = [&](std::size_t i) {
-      return i > 0 && i < line.size() && (static_cast<unsigned char>(line[i]) & 0xC0U) == 0x80U;
+      return i > 0 && i < line.size() && !starts_code_point(line[i]);
     };
     while (inside(from)) --from;
     while (inside(to)) --to;
@@ -87,10 +93,26 @@ Excerpt excerpt(const Span& span) {
           std::max<std::size_t>(1, code_points(line.substr(begin, std::min(end, to) - begin)))};
 }
 
+/// A name may be as long as a file: of what stands in back-ticks the beginning is enough.
+std::string shortened(std::string_view message) {
+  constexpr std::size_t longest = 200;
+  std::string text;
+  for (bool is_quoted = false; !message.empty(); is_quoted = !is_quoted) {
+    const std::size_t size = std::min(message.find('`'), message.size());
+    std::size_t shown = is_quoted ? std::min(size, longest) : size;
+    while (shown < size && !starts_code_point(message[shown])) --shown;
+    text += message.substr(0, shown);
+    if (shown < size) text += "…";
+    if (size < message.size()) text += '`';
+    message.remove_prefix(std::min(size + 1, message.size()));
+  }
+  return text;
+}
+
 void append_excerpt(std::string& text, const Diagnostic& diagnostic, bool color) {
   const Span& span = diagnostic.span;
   if (span.source == nullptr || span.source->text.empty()) {
-    if (!diagnostic.hint.empty()) text += fmt::format("      {}\n", diagnostic.hint);
+    if (!diagnostic.hint.empty()) text += fmt::format("      {}\n", shortened(diagnostic.hint));
     return;
   }
   const Excerpt shown = excerpt(span);
@@ -100,7 +122,7 @@ void append_excerpt(std::string& text, const Diagnostic& diagnostic, bool color)
   text += fmt::format("{:>5} | {}\n", number, shown.text);
   text +=
       fmt::format("{} | {}{}", gutter, std::string(shown.column, ' '), paint(caret, "1;32", color));
-  if (!diagnostic.hint.empty()) text += " " + diagnostic.hint;
+  if (!diagnostic.hint.empty()) text += " " + shortened(diagnostic.hint);
   text += '\n';
 }
 
@@ -110,10 +132,11 @@ std::string text_of(const Diagnostic& diagnostic, bool color) {
   std::string text =
       fmt::format("{}: {}: {}\n", paint(position(diagnostic.span), "1", color),
                   paint(fmt::format("{}[{}]", severity_word(row.severity), row.name), sgr, color),
-                  diagnostic.message);
+                  shortened(diagnostic.message));
   append_excerpt(text, diagnostic, color);
   if (diagnostic.related) {
-    text += fmt::format("{}: {}\n", position(*diagnostic.related), diagnostic.related_message);
+    text += fmt::format("{}: {}\n", position(*diagnostic.related),
+                        shortened(diagnostic.related_message));
   }
   return text;
 }
@@ -136,12 +159,12 @@ std::string json_of(const Diagnostic& diagnostic) {
   nlohmann::ordered_json json;
   json["severity"] = severity_word(row.severity);
   json["code"] = row.name;
-  json["message"] = diagnostic.message;
-  if (!diagnostic.hint.empty()) json["hint"] = diagnostic.hint;
+  json["message"] = shortened(diagnostic.message);
+  if (!diagnostic.hint.empty()) json["hint"] = shortened(diagnostic.hint);
   json["position"] = json_position(diagnostic.span);
   if (diagnostic.related) {
     json["related"] = json_position(*diagnostic.related);
-    json["related"]["message"] = diagnostic.related_message;
+    json["related"]["message"] = shortened(diagnostic.related_message);
   }
   using nlohmann::detail::error_handler_t;
   return json.dump(-1, ' ', false, error_handler_t::replace) + "\n";
@@ -151,16 +174,18 @@ std::string json_of(const Diagnostic& diagnostic) {
 
 std::string format(const Diagnostics& diagnostics, const DiagnosticStyle& style) {
   std::string text;
-  std::size_t errors = 0;
+  std::array<std::size_t, 3> found{};  // by severity
   for (const Diagnostic& diagnostic : diagnostics) {
-    const bool is_error = code_row(diagnostic.code).severity == Severity::error;
-    errors += is_error ? 1 : 0;
-    if (is_error && errors > style.maximum) continue;
+    const Severity severity = code_row(diagnostic.code).severity;
+    if (++found.at(static_cast<std::size_t>(severity)) > style.maximum) continue;
     text += style.format == DiagnosticFormat::json ? json_of(diagnostic)
                                                    : text_of(diagnostic, style.color);
   }
-  if (errors > style.maximum && style.format == DiagnosticFormat::text) {
-    text += fmt::format("elgen: {} more errors not shown\n", errors - style.maximum);
+  for (const Severity severity : {Severity::error, Severity::warning, Severity::note}) {
+    const std::size_t count = found.at(static_cast<std::size_t>(severity));
+    if (count <= style.maximum || style.format == DiagnosticFormat::json) continue;
+    text += fmt::format("elgen: {} more {}s not shown\n", count - style.maximum,
+                        severity_word(severity));
   }
   return text;
 }

@@ -20,6 +20,23 @@ struct Form {
 constexpr std::array<Form, 4> forms{Form{0x80, 0x00, 1, 0x0}, Form{0xE0, 0xC0, 2, 0x80},
                                     Form{0xF0, 0xE0, 3, 0x800}, Form{0xF8, 0xF0, 4, 0x10000}};
 
+struct Range {
+  char32_t first;
+  char32_t last;
+};
+
+/// Categories Cc, Cf, Zl and Zp of Unicode 15, letters that are drawn as nothing, and tags.
+constexpr std::array hidden{
+    Range{0x0000, 0x001F},   Range{0x007F, 0x009F},   Range{0x00AD, 0x00AD},
+    Range{0x034F, 0x034F},   Range{0x0600, 0x0605},   Range{0x061C, 0x061C},
+    Range{0x06DD, 0x06DD},   Range{0x070F, 0x070F},   Range{0x0890, 0x0891},
+    Range{0x08E2, 0x08E2},   Range{0x115F, 0x1160},   Range{0x17B4, 0x17B5},
+    Range{0x180B, 0x180F},   Range{0x200B, 0x200F},   Range{0x2028, 0x202E},
+    Range{0x2060, 0x206F},   Range{0x3164, 0x3164},   Range{0xFEFF, 0xFEFF},
+    Range{0xFFA0, 0xFFA0},   Range{0xFFF9, 0xFFFB},   Range{0x110BD, 0x110BD},
+    Range{0x110CD, 0x110CD}, Range{0x13430, 0x1343F}, Range{0x1BCA0, 0x1BCA3},
+    Range{0x1D173, 0x1D17A}, Range{0xE0000, 0xE0FFF}};
+
 bool is_scalar_value(char32_t value) {
   const bool surrogate = value >= 0xD800 && value <= 0xDFFF;
   return !surrogate && value <= 0x10FFFF;
@@ -54,6 +71,29 @@ std::optional<std::size_t> find_invalid_utf8(std::string_view text) {
 
 std::string code_point_name(char32_t value) {
   return fmt::format("U+{:04X}", static_cast<std::uint32_t>(value));
+}
+
+bool is_hidden(char32_t value) {
+  return std::any_of(hidden.begin(), hidden.end(), [value](const Range& range) {
+    return value >= range.first && value <= range.last;
+  });
+}
+
+std::string visible_text(std::string_view text) {
+  std::string visible;
+  for (std::size_t i = 0; i < text.size();) {
+    const CodePoint point = code_point_at(text, i);
+    const bool is_blank = text[i] == '\t' || text[i] == '\n' || text[i] == '\r';
+    if (point.bytes == 0) {
+      visible += '?';
+    } else if (is_hidden(point.value) && !is_blank) {
+      visible += code_point_name(point.value);
+    } else {
+      visible += text.substr(i, point.bytes);
+    }
+    i += std::max<std::size_t>(1, point.bytes);
+  }
+  return visible;
 }
 
 void append_utf8(std::string& text, char32_t value) {

@@ -22,6 +22,14 @@ struct CodePoint {
 /// "U+03C0".
 [[nodiscard]] std::string code_point_name(char32_t value);
 
+/// Whether it is not seen but does something: control characters, line separators, and the format
+/// characters of Unicode, which reorder or join what is seen.
+[[nodiscard]] bool is_hidden(char32_t value);
+
+/// Hidden characters other than tabs and line ends become their names, and bytes that are not UTF-8
+/// question marks.
+[[nodiscard]] std::string visible_text(std::string_view text);
+
 void append_utf8(std::string& text, char32_t value);
 
 }  // namespace elgen

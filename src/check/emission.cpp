@@ -51,8 +51,10 @@ void check_together(const EmissionEntries& entries, const Emission& emission, co
 Emission read_emission(Context& context, const EmissionEntries& entries, const Scene& scene) {
   Emission emission;
   emission.name_space = scene.base_name;
+  emission.name_space_span = context.model.name_span;
   if (const KeySyntax* key = find(entries.emit, "namespace")) {
     emission.name_space = key->value.text;
+    emission.name_space_span = key->value.span;
     (void)check_name(key->value.text, key->value.span, context.report);
   }
   if (const KeySyntax* key = find(entries.emit, "language")) {

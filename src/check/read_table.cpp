@@ -26,6 +26,7 @@ void read_header(Context& context, const EntrySyntax& entry) {
   if (name == nullptr) {
     return;
   }
+  model.name_span = name->value.span;
   if (!is_model_name(model.name)) {
     context.report.add(Code::E205, name->value.span,
                        quoted(model.name) + " is not lower-case letters, digits and underscores");

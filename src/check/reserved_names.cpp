@@ -105,17 +105,17 @@ constexpr std::array keywords{"alignas",
                               "xor",
                               "xor_eq"};
 
-constexpr std::array macros{
-    "HUGE",       "HUGE_VAL",   "HUGE_VALF", "HUGE_VALL", "INFINITY",
-    "NAN",        "OVERFLOW",   "UNDERFLOW", "DOMAIN",    "SING",
-    "PLOSS",      "TLOSS",      "I",         "complex",   "imaginary",
-    "NULL",       "EOF",        "errno",     "assert",    "linux",
-    "unix",       "i386",       "MAXFLOAT",  "SNAN",      "math_errhandling",
-    "signgam",    "isfinite",   "isinf",     "isnan",     "isnormal",
-    "signbit",    "fpclassify", "isgreater", "isless",    "islessgreater",
-    "isunordered"};
+/// Of the headers that are installed where elgen is built; sorted.
+constexpr auto library_macros = std::to_array<std::string_view>({
+#include "library_macros.def"
+});
 
-constexpr std::array macro_prefixes{"M_", "FP_", "MATH_", "DBL_", "FLT_", "LDBL_", "INT_"};
+/// Of other platforms.
+constexpr std::array more_macros{"HUGE",  "OVERFLOW", "UNDERFLOW", "DOMAIN", "SING",
+                                 "PLOSS", "TLOSS",    "imaginary", "i386",   "signgam"};
+
+constexpr std::array macro_prefixes{"M_",   "FP_",   "MATH_", "DBL_",
+                                    "FLT_", "LDBL_", "INT_",  "EIGEN_"};
 
 /// Functions too, but told apart from variables by what they are called with.
 constexpr std::array component_names{"x", "y", "z"};
@@ -132,6 +132,11 @@ bool is_function(std::string_view name) {
 bool has_macro_prefix(std::string_view name) {
   const auto starts = [&](std::string_view prefix) { return name.starts_with(prefix); };
   return std::any_of(macro_prefixes.begin(), macro_prefixes.end(), starts);
+}
+
+bool is_macro(std::string_view name) {
+  return std::binary_search(library_macros.begin(), library_macros.end(), name) ||
+         contains(more_macros, name) || has_macro_prefix(name);
 }
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
@@ -153,7 +158,7 @@ std::string_view reserved_reason(std::string_view name) {
   if (contains(keywords, name)) {
     return "it is a keyword of C++";
   }
-  if (contains(macros, name) || has_macro_prefix(name)) {
+  if (is_macro(name)) {
     return "it is a macro of C or C++";
   }
   if (name.find("__") != std::string_view::npos) {

@@ -23,6 +23,16 @@ ExpressionKind kind_of(SyntaxKind kind) {
   }
 }
 
+/// 6 of (x^2)^3; 1 of what is no power.
+cln::cl_RA exponent_of(const Model& model, ExpressionId id) {
+  cln::cl_RA product = 1;
+  while (model.expressions[id].kind == ExpressionKind::power) {
+    product = product * model.expressions[id].number;
+    id = model.expressions[id].operands.front();
+  }
+  return product;
+}
+
 }  // namespace
 
 std::optional<ExpressionId> Resolver::resolve(const ExpressionSyntax& expression) {
@@ -129,6 +139,11 @@ std::optional<ExpressionId> Resolver::resolve_power(const ExpressionSyntax& powe
   const std::optional<ExpressionId> base = resolve(power.operands[0]);
   const std::optional<cln::cl_RA> exponent = resolve_exponent(power.operands[1]);
   if (!base || !exponent || !check_exponent(*exponent, power.operands[1].span)) {
+    return std::nullopt;
+  }
+  // A power of a power is one power, of the product of the exponents.
+  const cln::cl_RA product = *exponent * exponent_of(context_.model, *base);
+  if (product != *exponent && !check_exponent(product, power.span)) {
     return std::nullopt;
   }
   Expression node;

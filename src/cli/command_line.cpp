@@ -62,7 +62,8 @@ CLI::App* add_generate(CLI::App& app, CommandLine& line, RawOptions& raw) {
   CLI::App* command =
       app.add_subcommand("generate", "derive and write the code of models and scenes");
   GenerateOptions& options = line.generate;
-  command->add_option("inputs", options.inputs, "NAME.toml or NAME.scene.toml")->required();
+  command->add_option("inputs", options.inputs, "NAME.toml, NAME.scene.toml or - (stdin)")
+      ->required();
   command->add_option("-o,--output-directory", options.output_directory, "where to write")
       ->type_name("DIR")
       ->capture_default_str();
@@ -72,7 +73,8 @@ CLI::App* add_generate(CLI::App& app, CommandLine& line, RawOptions& raw) {
   add_scene_options(*command, raw);
   CLI::Option* check =
       command->add_flag("--check", options.check, "write nothing; exit 1 if the files differ");
-  command->add_flag("--force", options.force, "overwrite files that elgen did not generate");
+  command->add_flag("--force", options.force,
+                    "overwrite regular files that elgen did not generate");
   CLI::Option* list =
       command->add_flag("--list-outputs", options.list_outputs, "print the paths it would write");
   CLI::Option* depfile = command
@@ -90,7 +92,8 @@ CLI::App* add_generate(CLI::App& app, CommandLine& line, RawOptions& raw) {
 CLI::App* add_show(CLI::App& app, CommandLine& line, RawOptions& raw) {
   CLI::App* command = app.add_subcommand("show", "print the equations of a model or scene");
   ShowOptions& options = line.show;
-  command->add_option("input", options.input, "NAME.toml or NAME.scene.toml")->required();
+  command->add_option("input", options.input, "NAME.toml, NAME.scene.toml or - (stdin)")
+      ->required();
   command
       ->add_option("--what", options.what,
                    "outputs: mass_matrix,gravity,…; or lagrangian, steps, cost or dropped")
@@ -105,7 +108,8 @@ CLI::App* add_show(CLI::App& app, CommandLine& line, RawOptions& raw) {
 CLI::App* add_verify(CLI::App& app, CommandLine& line) {
   CLI::App* command = app.add_subcommand("verify", "check models against 60-digit arithmetic");
   VerifyCommandOptions& options = line.verify;
-  command->add_option("inputs", options.inputs, "NAME.toml or NAME.scene.toml")->required();
+  command->add_option("inputs", options.inputs, "NAME.toml, NAME.scene.toml or - (stdin)")
+      ->required();
   command
       ->add_option("--samples", options.verify.samples,
                    "states per output (256, fewer for long programs)")
@@ -120,7 +124,7 @@ CLI::App* add_verify(CLI::App& app, CommandLine& line) {
 CLI::App* add_import(CLI::App& app, CommandLine& line) {
   CLI::App* command = app.add_subcommand("import", "print a robot description as a model file");
   ImportOptions& options = line.import_options;
-  command->add_option("input", options.input, "NAME.urdf")->required();
+  command->add_option("input", options.input, "NAME.urdf or - (stdin)")->required();
   command->add_option("-o,--output", options.output, "write the model here instead")
       ->type_name("FILE");
   command->add_flag("--force", options.force, "overwrite FILE");

@@ -3,7 +3,6 @@
 
 #include <dtl/dtl.hpp>
 #include <filesystem>
-#include <fstream>
 #include <set>
 #include <sstream>
 
@@ -16,13 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t diff_lines = 20;  // of each file; the rest is counted
-
-std::string read(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 std::vector<std::string> lines(const std::string& text) {
   std::vector<std::string> result;
@@ -46,15 +38,14 @@ std::string unified_diff(const std::string& before, const std::string& after) {
   return shown;
 }
 
-std::string compare(const fs::path& path, const std::string& wanted) {
-  std::error_code error;
-  if (!fs::exists(path, error)) return fmt::format("{}: missing\n", path.string());
-  const std::string found = read(path);
-  if (found == wanted) return {};
-  const BodyHash hash = body_hash(found);
+std::string compare(const OutputFile& file) {
+  const std::optional<std::string> found = existing_text(file.path);
+  if (!found) return fmt::format("{}: missing\n", file.path);
+  if (*found == file.text) return {};
+  const BodyHash hash = body_hash(*found);
   const bool edited = !hash.stated.empty() && hash.stated != hash.actual;
-  return fmt::format("{}: {}\n{}", path.string(), edited ? "edited by hand" : "stale",
-                     unified_diff(found, wanted));
+  return fmt::format("{}: {}\n{}", file.path, edited ? "edited by hand" : "stale",
+                     unified_diff(*found, file.text));
 }
 
 /// Files of ours, in the folders of `files`, that nothing generates any more.
@@ -77,9 +68,7 @@ std::set<std::string> orphans(const fs::path& directory, const EmittedFiles& fil
 
 Differences compare_files(const std::string& directory, const EmittedFiles& files) {
   Differences differences;
-  for (const auto& [name, wanted] : files.files) {
-    differences.text += compare(fs::path(directory) / name, wanted);
-  }
+  for (const OutputFile& file : files_in(directory, files)) differences.text += compare(file);
   differences.is_stale = !differences.text.empty();
   for (const std::string& path : orphans(directory, files)) {
     differences.text += path + ": orphan, nothing generates it\n";

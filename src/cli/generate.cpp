@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 
 #include "elgen/render.hpp"
@@ -85,41 +84,41 @@ Diagnostics changed_by_options(const GenerateOptions& options, const std::vector
   Diagnostics errors;
   for (const Job& job : jobs) {
     if (!job.scene().has_options || options.output_directory_given) continue;
-    for (const auto& [name, text] : job.products.files->files) {
-      const fs::path path = fs::path(options.output_directory) / name;
-      std::error_code error;
-      if (!fs::exists(path, error)) continue;
-      std::ifstream file(path, std::ios::binary);
-      const std::string old{std::istreambuf_iterator<char>(file), {}};
-      if (old == text) continue;
+    for (const OutputFile& file : files_in(options.output_directory, *job.products.files)) {
+      if (existing_text(file.path).value_or(file.text) == file.text) continue;
       errors.push_back({Code::E607,
                         {},
-                        fmt::format("--outputs, --fix or --size would change `{}`", path.string()),
+                        fmt::format("--outputs, --fix or --size would change `{}`", file.path),
                         "give `-o DIR`, or write a scene"});
     }
   }
   return errors;
 }
 
-std::string escaped(const std::string& path) {
+/// What an input names, and nothing where it came from standard input.
+std::string prerequisite(const SourcePointer& source) {
+  const bool is_file = source != nullptr && source->path != stdin_name;
+  return is_file ? " " + escaped_for_make(source->path) : "";
+}
+
+/// What the file that --depfile asks for says.
+std::string dependencies(const GenerateOptions& options, const std::vector<Job>& jobs) {
   std::string text;
-  for (const char c : path) text += c == ' ' ? "\\ " : c == '$' ? "$$" : std::string(1, c);
+  for (const Job& job : jobs) {
+    const std::string sources = prerequisite(job.inputs.model) + prerequisite(job.inputs.scene);
+    for (const OutputFile& file : files_in(options.output_directory, *job.products.files)) {
+      text += escaped_for_make(file.path) + ":" + sources + "\n";
+    }
+  }
   return text;
 }
 
-/// The file --depfile asks for, if it does.
-std::vector<PlainFile> depfile(const GenerateOptions& options, const std::vector<Job>& jobs) {
-  if (options.depfile.empty()) return {};
-  std::string text;
-  for (const Job& job : jobs) {
-    for (const auto& [name, content] : job.products.files->files) {
-      text += escaped((fs::path(options.output_directory) / name).generic_string()) + ":";
-      text += " " + escaped(job.inputs.model->path);
-      if (job.inputs.scene != nullptr) text += " " + escaped(job.inputs.scene->path);
-      text += '\n';
-    }
+std::vector<OutputFile> output_files(const GenerateOptions& options, const std::vector<Job>& jobs) {
+  std::vector<OutputFile> files = files_in(options.output_directory, all_files(jobs));
+  if (!options.depfile.empty()) {
+    files.push_back({options.depfile, dependencies(options, jobs), Replaces::dependencies});
   }
-  return {{options.depfile, text}};
+  return files;
 }
 
 ExitCode check(const GlobalOptions& global, const GenerateOptions& options,
@@ -135,25 +134,28 @@ ExitCode check(const GlobalOptions& global, const GenerateOptions& options,
   return std::max(printed, ExitCode::differs);
 }
 
+void tell_what_became(const GlobalOptions& global, const GenerateOptions& options, const Job& job,
+                      const std::vector<std::string>& written) {
+  for (const OutputFile& file : files_in(options.output_directory, *job.products.files)) {
+    const bool is_new = std::find(written.begin(), written.end(), file.path) != written.end();
+    tell(global, (is_new ? "wrote " : "unchanged ") + file.path);
+  }
+  if (global.verbose) {
+    tell(global, "\n" + text_page(job.products.checked->model, job.products.checked->scene,
+                                  *job.products.program));
+  }
+  tell(global, fmt::format("{}: {}; {}", job.scene().base_name, receipt(*job.products.readback),
+                           receipt(*job.products.self_check)));
+}
+
 ExitCode write(const GlobalOptions& global, const GenerateOptions& options,
                const std::vector<Job>& jobs) {
-  Diagnostics errors = changed_by_options(options, jobs);
-  if (errors.empty()) {
-    errors = write_files(options.output_directory, all_files(jobs), options.force,
-                         depfile(options, jobs));
-  }
-  if (has_errors(errors)) return report(global, errors);
-  for (const Job& job : jobs) {
-    for (const auto& [name, text] : job.products.files->files) {
-      tell(global, "wrote " + (fs::path(options.output_directory) / name).generic_string());
-    }
-    if (global.verbose) {
-      tell(global, "\n" + text_page(job.products.checked->model, job.products.checked->scene,
-                                    *job.products.program));
-    }
-    tell(global, fmt::format("{}: {}; {}", job.scene().base_name, receipt(*job.products.readback),
-                             receipt(*job.products.self_check)));
-  }
+  const Diagnostics changed = changed_by_options(options, jobs);
+  if (!changed.empty()) return report(global, changed);
+  const auto written =
+      write_files(output_files(options, jobs), {options.force, global.limits.seconds});
+  if (!written) return report(global, written.diagnostics);
+  for (const Job& job : jobs) tell_what_became(global, options, job, *written);
   return ExitCode::success;
 }
 

@@ -16,9 +16,9 @@ ExitCode import_file(const GlobalOptions& global, const ImportOptions& options) 
   if (!model) return imported;
   if (options.output.empty()) return std::max(imported, print(global, model->text));
   // An imported model is edited by its owner, so no mark in it makes it ours again.
-  Diagnostics errors = refuse_existing(options.output, options.force);
-  if (errors.empty()) errors = write_files({}, {}, true, {{options.output, model->text}});
-  if (!errors.empty()) return report(global, errors);
+  const auto written = write_files({{options.output, model->text, Replaces::nothing}},
+                                   {options.force, global.limits.seconds});
+  if (!written) return report(global, written.diagnostics);
   tell(global, "wrote " + options.output);
   return imported;
 }

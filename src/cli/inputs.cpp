@@ -1,12 +1,20 @@
 // Reads the files a command names. A scene's model is found through the scene's own text.
 #include "inputs.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 
+#include <array>
+#include <cerrno>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
+#include <set>
+#include <system_error>
 #include <vector>
+
+#include "base/descriptor.hpp"
+#include "file_kind.hpp"
+#include "parse/names_model.hpp"
+#include "resources.hpp"
 
 namespace elgen::cli {
 
@@ -14,16 +22,89 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_scene(const std::string& path) {
-  static const std::string suffix = ".scene.toml";
-  return path.size() > suffix.size() &&
-         path.compare(path.size() - suffix.size(), suffix.size(), suffix) == 0;
+/// Files are told apart by their identity, however they are called.
+using Identity = std::pair<dev_t, ino_t>;
+
+Identity identity(const struct stat& file) { return {file.st_dev, file.st_ino}; }
+
+std::set<Identity>& files_read() {
+  static std::set<Identity> files;
+  return files;
 }
 
 /// Diagnostics point into sources without owning them, so sources live as long as the process.
 const SourcePointer& kept(SourcePointer source) {
   static std::vector<SourcePointer> sources;
   return sources.emplace_back(std::move(source));
+}
+
+Diagnostic unreadable(const std::string& path, std::string_view reason) {
+  return {Code::E707, {}, fmt::format("`{}` {}", path, reason)};
+}
+
+Diagnostic unreadable(const std::string& path, int error) {
+  return unreadable(path, "could not be read: " + std::generic_category().message(error));
+}
+
+/// Before it is opened: that alone may wait for ever, or do something to a device.
+std::optional<Diagnostic> no_file(const std::string& path) {
+  struct stat found {};
+  if (::stat(path.c_str(), &found) != 0) {
+    if (errno != ENOENT && errno != ENOTDIR) return unreadable(path, errno);
+    return Diagnostic{Code::E111, {}, fmt::format("`{}` does not exist", path)};
+  }
+  const std::string_view kind = special_kind(found.st_mode);
+  if (kind.empty() || S_ISFIFO(found.st_mode)) return std::nullopt;
+  return unreadable(path, fmt::format("is {}, not a file", kind));
+}
+
+/// Points to where the limit is passed.
+Diagnostic too_large(const SourcePointer& source, const Limits& limits) {
+  const auto at = static_cast<std::uint32_t>(limits.file_bytes);
+  return {Code::E901,
+          {source.get(), at, at},
+          fmt::format("`{}` has more than {} bytes", source->path, limits.file_bytes),
+          "raised by --limit file_bytes=N"};
+}
+
+/// All of an open file, but not much more than the limit.
+Result<SourcePointer> read_open(const std::string& name, const Descriptor& file,
+                                const Limits& limits) {
+  struct stat found {};
+  if (::fstat(file.number(), &found) != 0) return unreadable(name, errno);
+  files_read().insert(identity(found));
+  std::string text;
+  std::array<char, 1U << 16U> part{};
+  while (text.size() <= limits.file_bytes) {
+    const ssize_t count = ::read(file.number(), part.data(), part.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return unreadable(name, errno);
+    if (count == 0) return kept(make_source(name, std::move(text)));
+    text.append(part.data(), static_cast<std::size_t>(count));
+  }
+  return too_large(kept(make_source(name, std::move(text))), limits);
+}
+
+Result<SourcePointer> read_stdin(const Limits& limits) {
+  static bool is_read = false;
+  const std::string name(stdin_name);
+  if (std::exchange(is_read, true)) return unreadable(name, "can be read only once");
+  const WaitingLimit waiting(limits, name);
+  return read_open(name, Descriptor(::dup(STDIN_FILENO)), limits);
+}
+
+Result<SourcePointer> read_file(const std::string& path, const Limits& limits) {
+  if (auto error = no_file(path)) return *std::move(error);
+  const WaitingLimit waiting(limits, path);
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
+  if (!file.is_open()) return unreadable(path, errno);
+  return read_open(path, file, limits);
+}
+
+bool is_scene(const SourceText& source) {
+  if (source.path == stdin_name) return parsing::names_model(source);
+  return source.path.size() > std::string_view(".scene.toml").size() &&
+         source.path.ends_with(".scene.toml");
 }
 
 const ValueSyntax* model_path(const SceneSyntax& scene) {
@@ -37,41 +118,23 @@ const ValueSyntax* model_path(const SceneSyntax& scene) {
 
 }  // namespace
 
+bool is_input(const struct stat& file) { return files_read().count(identity(file)) > 0; }
+
 Result<SourcePointer> read_source(const std::string& path, const Limits& limits) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) {
-    return Diagnostic{Code::E111, {}, fmt::format("`{}` does not exist", path)};
-  }
-  if (fs::is_directory(status)) {
-    return Diagnostic{Code::E707, {}, fmt::format("`{}` is a folder, not a file", path)};
-  }
-  const std::uintmax_t size = fs::file_size(path, error);
-  if (!error && size > limits.file_bytes) {
-    return Diagnostic{
-        Code::E901,
-        {},
-        fmt::format("`{}` has {} bytes: the limit is {}", path, size, limits.file_bytes),
-        "raised by --limit file_bytes=N"};
-  }
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) return Diagnostic{Code::E707, {}, fmt::format("`{}` could not be read", path)};
-  return kept(make_source(path, text.str()));
+  return path == "-" ? read_stdin(limits) : read_file(path, limits);
 }
 
 Result<Inputs> read_inputs(const std::string& path, const Limits& limits) {
   Result<SourcePointer> source = read_source(path, limits);
   if (!source) return source.diagnostics;
-  if (!is_scene(path)) return Inputs{*source, nullptr};
+  if (!is_scene(**source)) return Inputs{*source, nullptr};
 
   const Result<SceneSyntax> scene = parse_scene(*source, limits);
   if (!scene) return scene.diagnostics;
   const ValueSyntax* named = model_path(*scene);
   if (named == nullptr) return scene.diagnostics;  // parse has reported the missing key
   const fs::path model = fs::path(path).parent_path() / named->text;
-  Result<SourcePointer> model_source = read_source(model.lexically_normal().string(), limits);
+  Result<SourcePointer> model_source = read_file(model.lexically_normal().string(), limits);
   if (!model_source) {
     // The mistake is in the scene: point there.
     Diagnostics errors = model_source.diagnostics;

@@ -1,17 +1,27 @@
 // Files of the command line -> sources.
 #pragma once
 
+#include <sys/stat.h>
+
 #include <string>
 
 #include "elgen/pipeline.hpp"
 
 namespace elgen::cli {
 
-/// Reads `path`: E111 where it does not exist, E707 where it cannot be read, E901 beyond
-/// `limits.file_bytes`.
+/// The path of a source that came from standard input.
+inline constexpr std::string_view stdin_name = "<stdin>";
+
+/// Reads the file, or standard input where `path` is `-`. E111 where it does not exist, E707 where
+/// it cannot be read, E901 beyond `limits.file_bytes`; ends the process with E909 where it does not
+/// arrive within `limits.seconds`.
 [[nodiscard]] Result<SourcePointer> read_source(const std::string& path, const Limits& limits);
 
-/// A model, or (NAME.scene.toml) a scene and the model it names relative to itself.
+/// A model, or (NAME.scene.toml, or what names a model on standard input) a scene and the model it
+/// names relative to itself.
 [[nodiscard]] Result<Inputs> read_inputs(const std::string& path, const Limits& limits);
+
+/// Whether this is a file that was read.
+[[nodiscard]] bool is_input(const struct stat& file);
 
 }  // namespace elgen::cli

@@ -12,28 +12,43 @@ namespace elgen::cli {
 namespace {
 
 ExitCode run_command(const CommandLine& line) {
-  set_resource_limits(line.global.limits, line.global.style);
+  switch (line.command) {
+    case Command::generate:
+      return generate(line.global, line.generate);
+    case Command::show:
+      return show(line.global, line.show);
+    case Command::verify:
+      return verify_inputs(line.global, line.verify);
+    case Command::import:
+      return import_file(line.global, line.import_options);
+    case Command::explain:
+      return explain(line.global, line.name);
+    case Command::none:
+      return print(line.global, line.answer);
+  }
+  return ExitCode::internal;
+}
+
+/// `global` is what is known of the command line when something is thrown.
+ExitCode run_words(const std::vector<std::string>& words, GlobalOptions& global) {
+  const auto line = read_command_line(words);
+  if (!line) {
+    global.style = style_of_mistakes(words);
+    return report(global, line.diagnostics);
+  }
+  global = line->global;
+  set_resource_limits(global.limits, global.style);
+  return run_command(*line);
+}
+
+ExitCode run(int count, char** words) {
+  GlobalOptions global;
   try {
-    switch (line.command) {
-      case Command::generate:
-        return generate(line.global, line.generate);
-      case Command::show:
-        return show(line.global, line.show);
-      case Command::verify:
-        return verify_inputs(line.global, line.verify);
-      case Command::import:
-        return import_file(line.global, line.import_options);
-      case Command::explain:
-        return explain(line.global, line.name);
-      case Command::none:
-        return print(line.global, line.answer);
-    }
-    return ExitCode::internal;
+    return run_words({words, words + count}, global);
   } catch (const std::bad_alloc&) {
-    return report(line.global, {out_of_memory(line.global.limits)});
+    return report(global, {out_of_memory(global.limits)});
   } catch (const std::exception& mistake) {
-    return report(line.global,
-                  {{Code::E912, {}, fmt::format("internal error: {}", mistake.what())}});
+    return report(global, {{Code::E912, {}, fmt::format("internal error: {}", mistake.what())}});
   }
 }
 
@@ -41,14 +56,4 @@ ExitCode run_command(const CommandLine& line) {
 
 }  // namespace elgen::cli
 
-int main(int argc, char** argv) {
-  using namespace elgen::cli;
-  const std::vector<std::string> words{argv, argv + argc};
-  const auto line = read_command_line(words);
-  if (!line.value) {
-    GlobalOptions global;
-    global.style = style_of_mistakes(words);
-    return static_cast<int>(report(global, line.diagnostics));
-  }
-  return static_cast<int>(run_command(*line.value));
-}
+int main(int argc, char** argv) { return static_cast<int>(elgen::cli::run(argc, argv)); }

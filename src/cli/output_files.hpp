@@ -1,6 +1,8 @@
-// EmittedFiles -> disk: all of them or none, never over a file that is not ours.
+// Output of every command -> disk: all files or none, and never over what is not ours.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,24 +10,45 @@
 
 namespace elgen::cli {
 
-/// A file that bears no marker, because other programs read it or people edit it.
-struct PlainFile {
-  std::string path;
-  std::string text;
+/// What an existing file has to be, so that another takes its place unasked.
+enum class Replaces : unsigned char {
+  generated,     ///< a file that says that elgen generated it
+  dependencies,  ///< a file for make whose first rule is about a file of ours
+  nothing,       ///< such a file is edited by its owner
 };
 
-/// Writes every file to a temporary name beside its place, and renames them when all are complete;
-/// interrupts wait for that. E703: one of `files` exists without our marker (unless `force`); E706:
-/// could not write. Then nothing is changed, but where a rename fails (which takes another process
-/// that changes the folders meanwhile) those before it are done.
-[[nodiscard]] Diagnostics write_files(const std::string& directory, const EmittedFiles& files,
-                                      bool force, const std::vector<PlainFile>& plain = {});
+struct OutputFile {
+  std::string path = {};
+  std::string text = {};
+  Replaces replaces = Replaces::generated;
+};
 
-/// E703 where a file exists that is written unasked only with `force`.
-[[nodiscard]] Diagnostics refuse_existing(const std::string& path, bool force);
+struct WriteOptions {
+  bool force = false;         ///< replaces any regular file that is no input
+  std::uint64_t seconds = 0;  ///< to wait for another process that writes there
+};
+
+/// Every file below `directory`.
+[[nodiscard]] std::vector<OutputFile> files_in(const std::string& directory,
+                                               const EmittedFiles& files);
+
+/// Puts every file in its place, and returns the paths of those that were not there already, byte
+/// for byte. E703, E708: what stands in a place may not be replaced. E706: could not write. Then
+/// nothing is changed.
+[[nodiscard]] Result<std::vector<std::string>> write_files(const std::vector<OutputFile>& files,
+                                                           const WriteOptions& options);
+
+/// The E703 and E708 of write_files alone, for a command that takes long.
+[[nodiscard]] Diagnostics refuse_places(const std::vector<OutputFile>& files, bool force);
 
 /// Whether the file says that elgen generated it.
 [[nodiscard]] bool bears_marker(const std::string& path);
+
+/// What a regular file holds; nothing where there is none.
+[[nodiscard]] std::optional<std::string> existing_text(const std::string& path);
+
+/// A path as make and ninja want it.
+[[nodiscard]] std::string escaped_for_make(const std::string& path);
 
 struct Differences {
   std::string text = {};                  ///< for people: short unified diffs, hand edits, orphans

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/no_interrupts.hpp"
+
 namespace elgen::cli {
 
 namespace {
@@ -18,7 +20,9 @@ constexpr std::chrono::milliseconds refresh{200};
 }  // namespace
 
 Progress::Progress(std::string subject) : subject_(std::move(subject)) {
-  if (::isatty(STDERR_FILENO) != 0) watcher_ = std::thread([this] { watch(); });
+  if (::isatty(STDERR_FILENO) == 0) return;
+  const NoInterrupts inherited;  // signals are the affair of the thread that works
+  watcher_ = std::thread([this] { watch(); });
 }
 
 Progress::~Progress() {

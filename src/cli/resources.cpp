@@ -5,7 +5,11 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <new>
 #include <string>
 
 namespace elgen::cli {
@@ -23,18 +27,51 @@ constexpr bool has_shadow_memory = true;
 constexpr bool has_shadow_memory = false;
 #endif
 
-std::string& time_message() {
-  static std::string message;
-  return message;
+/// What the process ends with, prepared while memory may be asked for.
+struct LastWords {
+  DiagnosticStyle style = {};
+  std::string processor_time = {};
+  std::string waiting = {};
+  std::string memory = {};
+};
+
+LastWords& last_words() {
+  static LastWords words;
+  return words;
 }
 
-void end_on_time(int /*signal*/) {
-  const std::string& text = time_message();
+[[noreturn]] void end_with(const std::string& text) {
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
   ::_exit(static_cast<int>(ExitCode::limit));
 }
 
+void end_on_time(int /*signal*/) { end_with(last_words().processor_time); }
+
+void end_waiting(int /*signal*/) { end_with(last_words().waiting); }
+
 void end_on_interrupt(int /*signal*/) { ::_exit(static_cast<int>(ExitCode::interrupted)); }
+
+Diagnostic out_of_time(std::string message) {
+  return {Code::E909, {}, std::move(message), "raised by --limit seconds=N"};
+}
+
+/// Seconds of the clock; 0 would be no limit at all.
+void set_alarm(std::uint64_t seconds) {
+  constexpr std::uint64_t longest = 1U << 30U;
+  ::alarm(static_cast<unsigned>(std::clamp<std::uint64_t>(seconds, 1, longest)));
+}
+
+/// Libraries have destructors that ask for memory and may not throw.
+[[noreturn]] void end_without_memory() {
+  try {
+    if (std::current_exception() != nullptr) throw;
+  } catch (const std::bad_alloc&) {
+    end_with(last_words().memory);
+  } catch (...) {
+    std::abort();
+  }
+  std::abort();
+}
 
 void limit(int resource, std::uint64_t value) {
   rlimit both{};
@@ -46,13 +83,16 @@ void limit(int resource, std::uint64_t value) {
 }  // namespace
 
 void set_resource_limits(const Limits& limits, const DiagnosticStyle& style) {
-  time_message() = format({{Code::E909,
-                            {},
-                            fmt::format("{} s of processor time are over", limits.seconds),
-                            "raised by --limit seconds=N"}},
-                          style);
+  last_words().style = style;
+  last_words().processor_time =
+      format({out_of_time(fmt::format("{} s of processor time are over", limits.seconds))}, style);
+  last_words().memory = format({out_of_memory(limits)}, style);
+  std::set_terminate(end_without_memory);
   std::signal(SIGXCPU, end_on_time);
-  std::signal(SIGINT, end_on_interrupt);
+  std::signal(SIGALRM, end_waiting);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    if (std::signal(signal, end_on_interrupt) == SIG_IGN) std::signal(signal, SIG_IGN);
+  }
   renew_time_limit(limits);
   if (!has_shadow_memory) limit(RLIMIT_AS, limits.memory_mib << 20U);
 }
@@ -63,6 +103,15 @@ void renew_time_limit(const Limits& limits) {
   const auto seconds = static_cast<std::uint64_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec);
   limit(RLIMIT_CPU, seconds + limits.seconds);
 }
+
+WaitingLimit::WaitingLimit(const Limits& limits, const std::string& path) {
+  const Diagnostic late =
+      out_of_time(fmt::format("`{}` could not be read within {} s", path, limits.seconds));
+  last_words().waiting = format({late}, last_words().style);
+  set_alarm(limits.seconds);
+}
+
+WaitingLimit::~WaitingLimit() { ::alarm(0); }
 
 Diagnostic out_of_memory(const Limits& limits) {
   return {Code::E910,

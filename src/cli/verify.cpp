@@ -24,13 +24,13 @@ PipelineOptions pipeline_options(const GlobalOptions& global) {
 
 /// Compiles, unless it is to be quick, and compares.
 Result<Verification> compared(const std::string& path, const Products& products,
-                              const VerifyOptions& options) {
+                              const VerifyOptions& options, const Limits& limits) {
   const auto& [model, scene] = *products.checked;
   const Progress progress(path);
   CompiledHeaders compiled;
   if (!options.quick) {
     progress.stage("compile");
-    auto result = compile(*products.files, model, scene, *products.program);
+    auto result = compile(*products.files, model, scene, *products.program, limits);
     if (!result) return result.diagnostics;
     compiled = std::move(*result);
   }
@@ -55,7 +55,7 @@ ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& opt
   }
   VerifyOptions with_proofs = options.verify;
   with_proofs.forms = &*products.closed_forms;
-  const Result<Verification> verification = compared(path, products, with_proofs);
+  const Result<Verification> verification = compared(path, products, with_proofs, global.limits);
   if (!verification) return report(global, verification.diagnostics);
   certificates.push_back(to_text(verification->certificate));
   const ExitCode printed = print(global, certificates.back());
@@ -68,7 +68,7 @@ ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& opt
 ExitCode verify_inputs(const GlobalOptions& global, const VerifyCommandOptions& options) {
   const std::string& file = options.certificate_file;
   Diagnostics refused;
-  if (!file.empty()) refused = refuse_existing(file, options.force);
+  if (!file.empty()) refused = refuse_places({{file, "", Replaces::nothing}}, options.force);
   if (!refused.empty()) return report(global, refused);
   ExitCode worst = ExitCode::success;
   std::vector<std::string> certificates;
@@ -79,7 +79,9 @@ ExitCode verify_inputs(const GlobalOptions& global, const VerifyCommandOptions& 
   if (file.empty() || certificates.size() != options.inputs.size()) return worst;
   std::string all;
   for (const std::string& certificate : certificates) all += certificate;
-  return std::max(worst, report(global, write_files({}, {}, true, {{file, all}})));
+  const auto written =
+      write_files({{file, all, Replaces::nothing}}, {options.force, global.limits.seconds});
+  return std::max(worst, report(global, written.diagnostics));
 }
 
 }  // namespace elgen::cli

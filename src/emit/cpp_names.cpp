@@ -82,8 +82,7 @@ Diagnostics cpp_check_names(const Model& model, const Scene& scene, const Progra
   const std::string& outermost = name_space(scene);
   if (outermost == "std" || is_library_name(outermost)) {
     diagnostics.push_back(
-        {Code::E701,
-         {},
+        {Code::E701, scene.emission.name_space_span,
          fmt::format("`{}` cannot name a namespace: the standard library declares it", outermost),
          "`[emit] namespace` of a scene gives it another one"});
   }

@@ -7,6 +7,8 @@
 #include <cctype>
 #include <optional>
 
+#include "base/utf8.hpp"
+
 namespace elgen {
 namespace {
 
@@ -49,6 +51,19 @@ std::optional<Break> best_break(std::string_view text, std::size_t width) {
   return best;
 }
 
+/// A line that ends in a backslash, which C99 also writes `??/`, would make the next one part of
+/// the comment; lines may end before every space.
+std::string without_continuations(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool ends_word = i + 1 == text.size() || text[i + 1] == ' ';
+    result += text[i];
+    if (text[i] == '\\' && ends_word) result += '.';
+    if (text.substr(i, 3) == "?\?/") result += ' ';
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<std::string> wrap_expression(std::string_view text, const Wrapping& wrapping) {
@@ -86,15 +101,13 @@ std::vector<std::string> wrap_words(std::string_view text, const Wrapping& wrapp
 
 std::string comment_text(std::string_view text) {
   std::string line;
-  for (const char c : text) {
-    const bool is_blank = static_cast<unsigned char>(c) <= ' ' || c == '\x7f';
+  for (const char c : visible_text(text)) {
+    const bool is_blank = static_cast<unsigned char>(c) <= ' ';
     if (!is_blank) line += c;
     if (is_blank && !line.empty() && line.back() != ' ') line += ' ';
   }
   while (!line.empty() && line.back() == ' ') line.pop_back();
-  // A backslash at the end of a line would make the next line part of the comment.
-  if (!line.empty() && line.back() == '\\') line += '.';
-  return line;
+  return without_continuations(line);
 }
 
 std::string string_literal(std::string_view text) {

@@ -28,7 +28,8 @@ struct Wrapping {
 /// Breaks prose at spaces.
 [[nodiscard]] std::vector<std::string> wrap_words(std::string_view text, const Wrapping& wrapping);
 
-/// User text as part of a `//` comment: one line, no control characters, no backslash at its end.
+/// User text as part of a `//` comment: one line of what is seen. Broken at any space, no piece of
+/// it continues on the next line of code.
 [[nodiscard]] std::string comment_text(std::string_view text);
 
 /// User text as a C++ string literal, quotes included.

@@ -28,6 +28,15 @@ void check(const Candidate& candidate, const Scene& scene, Diagnostics& diagnost
   }
 }
 
+/// Where the model has the number, with either sign; nowhere where elgen made it.
+Span place_of(const Model& model, const cln::cl_R& value) {
+  for (const Expression& expression : model.expressions) {
+    const bool is_written = expression.kind == ExpressionKind::number;
+    if (is_written && cln::abs(expression.number) == cln::abs(value)) return expression.span;
+  }
+  return {};
+}
+
 }  // namespace
 
 Diagnostics check_scalar_range(const Model& model, const Scene& scene, const Program& program) {
@@ -40,7 +49,8 @@ Diagnostics check_scalar_range(const Model& model, const Scene& scene, const Pro
     }
   }
   for (const Constant& constant : executed_constants(program)) {
-    check({constant.value, ", a constant of the equations,", {}}, scene, diagnostics);
+    check({constant.value, ", a constant of the equations,", place_of(model, constant.value)},
+          scene, diagnostics);
   }
   sort_by_position(diagnostics);
   return diagnostics;

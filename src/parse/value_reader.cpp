@@ -7,6 +7,7 @@
 
 #include <utility>
 
+#include "base/utf8.hpp"
 #include "decimal.hpp"
 #include "elgen/wording.hpp"
 #include "expression_parser.hpp"
@@ -31,6 +32,20 @@ std::string described(const TomlValue& value) {
       break;
   }
   return quoted(value.text.text);
+}
+
+/// The first character that is not seen. Blanks and line ends are seen by what they part.
+void report_hidden(const DecodedText& text, Reading& reading) {
+  for (std::size_t i = 0; i < text.text.size();) {
+    const CodePoint point = code_point_at(text.text, i);
+    const bool is_blank = std::string_view("\t\n\r").find(text.text[i]) != std::string_view::npos;
+    if (is_hidden(point.value) && !is_blank) {
+      reading.report(Code::E113, text.span(i, i + point.bytes),
+                     fmt::format("{} is not seen in a text", code_point_name(point.value)));
+      return;
+    }
+    i += point.bytes;
+  }
 }
 
 /// A bare number, signed.
@@ -172,6 +187,7 @@ ValueSyntax read_turns(const TomlValue& value, Reading& reading) {
 
 ValueSyntax read_text(const TomlValue& value, Reading& reading) {
   if (value.kind != TomlKind::string) report_wrong_type(value, "a string", reading);
+  report_hidden(value.text, reading);
   return empty_value(value, ValueKind::text);
 }
 

@@ -39,6 +39,17 @@ bool is_function_command(std::string_view name) {
                      [&](const FunctionRow& row) { return row.name == name; });
 }
 
+/// Parts are moved: copies on every level would cost the square of the depth.
+template <class... Parts>
+LatexTree with_parts(LatexKind kind, std::string_view text, Parts... parts) {
+  LatexTree tree{kind, std::string(text), {}};
+  (tree.parts.push_back(std::move(parts)), ...);
+  return tree;
+}
+
+/// Nobody reads deeper formulas; what is inside them is left out.
+constexpr int deepest = 200;
+
 class Reader {
  public:
   explicit Reader(std::string_view text) : text_(text) {}
@@ -54,7 +65,7 @@ class Reader {
         result.parts.push_back(piece());
       }
     }
-    ++at_;
+    at_ = std::min(at_ + 1, text_.size());
     return result;
   }
 
@@ -80,6 +91,17 @@ class Reader {
   }
 
   LatexTree piece() {
+    if (depth_ == deepest) {
+      at_ = text_.size();
+      return {};
+    }
+    ++depth_;
+    LatexTree read = piece_of_depth();
+    --depth_;
+    return read;
+  }
+
+  LatexTree piece_of_depth() {
     const char c = text_[at_];
     if (c == '{') {
       ++at_;
@@ -97,8 +119,13 @@ class Reader {
 
   LatexTree letter_of_another_script() {
     const std::size_t begin = at_;
-    at_ += std::max<std::size_t>(1, code_point_at(text_, begin).bytes);
+    at_ += bytes_here();
     return {LatexKind::letter, std::string(text_.substr(begin, at_ - begin))};
+  }
+
+  /// Of the character that stands next.
+  [[nodiscard]] std::size_t bytes_here() const {
+    return std::max<std::size_t>(1, code_point_at(text_, at_).bytes);
   }
 
   LatexTree number() {
@@ -110,7 +137,7 @@ class Reader {
   std::string_view command_name() {
     const std::size_t begin = ++at_;
     while (at_ < text_.size() && is_letter(text_[at_])) ++at_;
-    if (at_ == begin && at_ < text_.size()) ++at_;
+    if (at_ == begin && at_ < text_.size()) at_ += bytes_here();
     return text_.substr(begin, at_ - begin);
   }
 
@@ -122,12 +149,11 @@ class Reader {
     }
     if (name == "frac") {
       LatexTree above = argument();
-      LatexTree below = argument();
-      return {LatexKind::fraction, "", {std::move(above), std::move(below)}};
+      return with_parts(LatexKind::fraction, "", std::move(above), argument());
     }
-    if (name == "sqrt") return {LatexKind::root, "", {argument()}};
-    if (name == "dot") return {LatexKind::accent, "˙", {argument()}};
-    if (name == "ddot") return {LatexKind::accent, "¨", {argument()}};
+    if (name == "sqrt") return with_parts(LatexKind::root, "", argument());
+    if (name == "dot") return with_parts(LatexKind::accent, "˙", argument());
+    if (name == "ddot") return with_parts(LatexKind::accent, "¨", argument());
     if (name == "mathrm" || name == "operatorname" || name == "text") {
       return {name == "operatorname" ? LatexKind::function : LatexKind::word, raw_argument()};
     }
@@ -155,6 +181,7 @@ class Reader {
 
   std::string_view text_;
   std::size_t at_ = 0;
+  int depth_ = 0;
 };
 
 double width_of_parts(const LatexTree& tree) {

@@ -1,6 +1,6 @@
 // compile: writes the emitted headers and a driver of each into a temporary directory, has the
 // user's compiler make shared objects of them, and loads those. The directory is gone when compile
-// returns; the loaded objects stay.
+// returns; the loaded objects stay. Interrupts end the compiler, and then wait for that.
 #include <dlfcn.h>
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 #include <fstream>
 #include <utility>
 
+#include "base/no_interrupts.hpp"
 #include "compiler.hpp"
 #include "driver.hpp"
 #include "elgen/toolchain.hpp"
@@ -122,26 +123,18 @@ std::vector<LoadedFunction> load(const Library& library, const DriverInput& inpu
 
 Diagnostic nowhere(Code code, std::string message) { return {code, {}, std::move(message)}; }
 
-std::string tried() {
-  std::string text;
-  for (const CompilerCommand& candidate : compiler_candidates()) {
-    text += fmt::format("{}`{}`", text.empty() ? "" : ", ", fmt::join(candidate, " "));
-  }
-  return text;
-}
-
 /// What becomes of one driver.
-Result<CompiledHeader> compile_one(const Driver& driver, const CompilerCommand& compiler,
+Result<CompiledHeader> compile_one(const Driver& driver, const Compiler& compiler,
                                    const std::filesystem::path& directory,
                                    const DriverInput& input) {
   const std::filesystem::path object = directory / (driver.file + ".so");
   const ProcessResult compiled = compile_shared(compiler, directory / driver.file, object);
-  if (!compiled.started || compiled.status != 0) {
-    return nowhere(Code::E705, fmt::format("`{}` exits {}:\n{}", fmt::join(compiler, " "),
-                                           compiled.status, compiled.output));
-  }
+  if (!compiled.succeeded()) return why_refused(compiler, compiled, directory, driver);
   Library library(object);
-  if (!library.loaded()) return nowhere(Code::E705, fmt::format("not loadable: {}", dlerror()));
+  if (!library.loaded()) {
+    return nowhere(Code::E709, fmt::format("what `{}` made could not be loaded: {}",
+                                           fmt::join(compiler.command, " "), dlerror()));
+  }
   std::vector<LoadedFunction> functions = load(library, input);
   if (functions.size() != input.program.functions.size()) {
     return nowhere(Code::E705, "a compiled function is missing from the loaded object");
@@ -153,15 +146,16 @@ Result<CompiledHeader> compile_one(const Driver& driver, const CompilerCommand& 
 }  // namespace
 
 Result<CompiledHeaders> compile(const EmittedFiles& files, const Model& model, const Scene& scene,
-                                const Program& program) {
+                                const Program& program, const Limits& limits) {
   const DriverInput input{model, scene, program};
   const std::vector<Driver> sources = drivers(input);
+  const NoInterrupts until_removed;
   const std::optional<TemporaryDirectory> directory = TemporaryDirectory::create();
   if (!directory || !write_all(directory->path(), files, sources)) {
     return nowhere(Code::E706, "no temporary directory could be written; $TMPDIR names another");
   }
-  const std::optional<CompilerCommand> compiler = find_compiler(directory->path());
-  if (!compiler) return nowhere(Code::E704, fmt::format("tried {}", tried()));
+  const Result<Compiler> compiler = find_compiler(limits.seconds);
+  if (!compiler) return compiler.diagnostics;
   CompiledHeaders headers;
   for (const Driver& driver : sources) {
     Result<CompiledHeader> header = compile_one(driver, *compiler, directory->path(), input);

@@ -1,8 +1,15 @@
-// The user's compiler: $CXX, else c++, g++, clang++, whichever answers first.
+// The user's compiler: $CXX where it is set, else c++, g++, clang++, whichever answers first.
 #include "compiler.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <fstream>
 #include <sstream>
+
+#include "plain_text.hpp"
 
 namespace elgen {
 namespace {
@@ -27,37 +34,109 @@ CompilerCommand split(const std::string& text) {
   return words;
 }
 
+std::string chosen_compiler() {
+  const char* const chosen = std::getenv("CXX");
+  return chosen == nullptr ? "" : chosen;
+}
+
+std::string ending_text(const ProcessResult& result) {
+  if (result.ending == Ending::not_started) return "could not be run";
+  if (result.ending == Ending::signalled) {
+    return fmt::format("was ended by signal {}", result.status - 128);
+  }
+  return fmt::format("exits {}", result.status);
+}
+
+Diagnostic out_of_time(const CompilerCommand& command, std::uint64_t seconds) {
+  return {Code::E909,
+          {},
+          fmt::format("`{}` has not ended within {} s", fmt::join(command, " "), seconds),
+          "raised by --limit seconds=N"};
+}
+
+/// None of the candidates has answered; `last` is what became of the last one.
+Diagnostic no_compiler(const ProcessResult& last) {
+  const std::string chosen = chosen_compiler();
+  if (!chosen.empty()) {
+    return {Code::E704, {}, fmt::format("`{}`, which $CXX names, {}", chosen, ending_text(last))};
+  }
+  std::string tried;
+  for (const CompilerCommand& candidate : compiler_candidates()) {
+    tried += fmt::format("{}`{}`", tried.empty() ? "" : ", ", candidate.front());
+  }
+  return {Code::E704, {}, "tried " + tried};
+}
+
+/// What every driver needs: a language, its library, and room to compile, in one line.
+std::string probe_text(const Driver& driver) {
+  std::string headers = "#include <math.h>\n";
+  if (!driver.types.empty()) headers = fmt::format("#include <{}/Core>\n", driver.types);
+  return headers + "int elgen_probe(void);\nint elgen_probe(void) { return 0; }\n";
+}
+
+/// GCC and clang exit with 1 where they refuse a text. GCC does so too where it is not the text
+/// that is at fault, and says what is.
+bool is_refusal(const ProcessResult& compiled) {
+  constexpr std::array<std::string_view, 4> other_reasons{
+      "signal terminated program", "virtual memory exhausted", "out of memory",
+      "No space left on device"};
+  const auto is_said = [&compiled](std::string_view reason) {
+    return compiled.output.find(reason) != std::string::npos;
+  };
+  return compiled.ending == Ending::exited && compiled.status == 1 &&
+         std::none_of(other_reasons.begin(), other_reasons.end(), is_said);
+}
+
+bool takes_probe(const Compiler& compiler, const std::filesystem::path& directory,
+                 const Driver& driver) {
+  const std::filesystem::path probe = directory / ("probe_" + driver.file);
+  std::ofstream(probe, std::ios::binary) << probe_text(driver);
+  return compile_shared(compiler, probe, directory / "probe.so").succeeded();
+}
+
 }  // namespace
 
 std::vector<CompilerCommand> compiler_candidates() {
-  std::vector<CompilerCommand> candidates;
-  const char* chosen = std::getenv("CXX");
-  if (chosen != nullptr && *chosen != '\0') {
-    candidates.push_back({chosen});
-    if (CompilerCommand words = split(chosen); words.size() > 1) candidates.push_back(words);
-  }
-  for (const char* name : {"c++", "g++", "clang++"}) candidates.push_back({name});
+  const std::string chosen = chosen_compiler();
+  if (chosen.empty()) return {{"c++"}, {"g++"}, {"clang++"}};
+  std::vector<CompilerCommand> candidates{{chosen}};
+  if (CompilerCommand words = split(chosen); words.size() > 1) candidates.push_back(words);
   return candidates;
 }
 
-std::optional<CompilerCommand> find_compiler(const std::filesystem::path& scratch) {
-  for (CompilerCommand candidate : compiler_candidates()) {
+Result<Compiler> find_compiler(std::uint64_t seconds) {
+  ProcessResult answer;
+  for (const CompilerCommand& candidate : compiler_candidates()) {
     CompilerCommand question = candidate;
     question.emplace_back("--version");
-    const ProcessResult answer = run(question, scratch / "version.txt");
-    if (answer.started && answer.status == 0) return candidate;
+    answer = run(question, seconds);
+    if (answer.succeeded()) return Compiler{candidate, seconds};
+    if (answer.ending == Ending::out_of_time) return out_of_time(question, seconds);
+    if (answer.ending == Ending::interrupted) break;
   }
-  return std::nullopt;
+  return no_compiler(answer);
 }
 
-ProcessResult compile_shared(const CompilerCommand& compiler, const std::filesystem::path& source,
+ProcessResult compile_shared(const Compiler& compiler, const std::filesystem::path& source,
                              const std::filesystem::path& object) {
-  std::vector<std::string> command = compiler;
+  std::vector<std::string> command = compiler.command;
   command.insert(command.end(), std::begin(flags), std::end(flags));
   const std::vector<std::string> of_language = language_flags(source);
   command.insert(command.end(), of_language.begin(), of_language.end());
   command.insert(command.end(), {source.string(), "-o", object.string()});
-  return run(command, object.parent_path() / "compiler.txt");
+  return run(command, compiler.seconds, object.parent_path().string());
+}
+
+Diagnostic why_refused(const Compiler& compiler, const ProcessResult& compiled,
+                       const std::filesystem::path& directory, const Driver& driver) {
+  if (compiled.ending == Ending::out_of_time) {
+    return out_of_time(compiler.command, compiler.seconds);
+  }
+  const bool is_ours = is_refusal(compiled) && takes_probe(compiler, directory, driver);
+  return {is_ours ? Code::E705 : Code::E709,
+          {},
+          fmt::format("`{}` {}:\n{}", fmt::join(compiler.command, " "), ending_text(compiled),
+                      plain_text(compiled.output))};
 }
 
 }  // namespace elgen

@@ -2,11 +2,13 @@
 // shared object.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "driver.hpp"
+#include "elgen/diagnostic.hpp"
 #include "process.hpp"
 
 namespace elgen {
@@ -14,17 +16,28 @@ namespace elgen {
 /// The words that start the compiler ("g++", or "ccache", "g++").
 using CompilerCommand = std::vector<std::string>;
 
-/// The commands tried, in order: $CXX as one path, $CXX split at spaces, c++, g++, clang++.
+struct Compiler {
+  CompilerCommand command = {};
+  std::uint64_t seconds = 0;  ///< for one source
+};
+
+/// The commands tried, in order: $CXX as one path and split at spaces; where it is not set, c++,
+/// g++, clang++.
 [[nodiscard]] std::vector<CompilerCommand> compiler_candidates();
 
-/// The first candidate that answers `--version`; `scratch` is a directory to write into.
-[[nodiscard]] std::optional<CompilerCommand> find_compiler(const std::filesystem::path& scratch);
+/// The first candidate that answers `--version`. E704 where none does.
+[[nodiscard]] Result<Compiler> find_compiler(std::uint64_t seconds);
 
 /// Compiles `source` as C++17, a `.c` as C99, with the warnings users are promised to be spared,
 /// all of them errors. No contraction: error bounds and bit comparisons hold for the arithmetic
 /// that is written.
-[[nodiscard]] ProcessResult compile_shared(const CompilerCommand& compiler,
+[[nodiscard]] ProcessResult compile_shared(const Compiler& compiler,
                                            const std::filesystem::path& source,
                                            const std::filesystem::path& object);
+
+/// Why `compiled` failed for this driver: E909 out of time, E705 where the same compiler takes a
+/// function of one line, else E709, with the compiler's words.
+[[nodiscard]] Diagnostic why_refused(const Compiler& compiler, const ProcessResult& compiled,
+                                     const std::filesystem::path& directory, const Driver& driver);
 
 }  // namespace elgen

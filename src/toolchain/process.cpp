@@ -1,68 +1,215 @@
-// run: posix_spawnp with the output sent to a file. A file instead of a pipe, so that no output,
-// however long, can block the child.
+// run: posix_spawnp into a process group of its own, so that all of it can be ended. One poll waits
+// for the output, the end of the child and interrupts; output beyond what is kept is read and
+// dropped, so that the child never waits for us.
 #include "process.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
+#include <sys/signalfd.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
-#include <fstream>
-#include <iterator>
+#include <chrono>
+#include <optional>
+
+#include "base/descriptor.hpp"
+#include "base/no_interrupts.hpp"
 
 namespace elgen {
 namespace {
 
-/// stdin from nowhere, stdout and stderr into one file.
-class Redirection {
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t most_output = 1U << 14U;
+
+/// While this lives, the end of a child is a signal that can be waited for.
+class ChildSignal {
  public:
-  explicit Redirection(const std::filesystem::path& log) {
+  ChildSignal() {
+    struct sigaction standard {};
+    standard.sa_handler = SIG_DFL;
+    sigaction(SIGCHLD, &standard, &action_);
+    sigset_t set{};
+    sigemptyset(&set);
+    sigaddset(&set, SIGCHLD);
+    pthread_sigmask(SIG_BLOCK, &set, &mask_);
+  }
+  ChildSignal(const ChildSignal&) = delete;
+  ChildSignal& operator=(const ChildSignal&) = delete;
+  ~ChildSignal() {
+    pthread_sigmask(SIG_SETMASK, &mask_, nullptr);
+    sigaction(SIGCHLD, &action_, nullptr);
+  }
+
+ private:
+  struct sigaction action_ {};
+  sigset_t mask_{};
+};
+
+/// As the system wants them, with a null at the end.
+std::vector<char*> pointers(std::vector<std::string>& texts) {
+  std::vector<char*> result;
+  result.reserve(texts.size() + 1);
+  for (std::string& text : texts) result.push_back(text.data());
+  result.push_back(nullptr);
+  return result;
+}
+
+/// Ours, with another $TMPDIR.
+std::vector<std::string> variables_with(const std::string& temporary) {
+  constexpr std::string_view name = "TMPDIR=";
+  std::vector<std::string> variables;
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    const std::string_view text = *variable;
+    if (temporary.empty() || !text.starts_with(name)) variables.emplace_back(text);
+  }
+  if (!temporary.empty()) variables.push_back(std::string(name) + temporary);
+  return variables;
+}
+
+/// stdin from nowhere, stdout and stderr into one pipe; signals as in a fresh process.
+class Circumstances {
+ public:
+  explicit Circumstances(int output) {
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions_, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    posix_spawn_file_actions_adddup2(&actions_, 1, 2);
+    posix_spawn_file_actions_adddup2(&actions_, output, 1);
+    posix_spawn_file_actions_adddup2(&actions_, output, 2);
+    posix_spawnattr_init(&attributes_);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
+    posix_spawnattr_setpgroup(&attributes_, 0);
+    sigset_t none{};
+    sigemptyset(&none);
+    posix_spawnattr_setsigmask(&attributes_, &none);
   }
-  Redirection(const Redirection&) = delete;
-  Redirection& operator=(const Redirection&) = delete;
-  ~Redirection() { posix_spawn_file_actions_destroy(&actions_); }
+  Circumstances(const Circumstances&) = delete;
+  Circumstances& operator=(const Circumstances&) = delete;
+  ~Circumstances() {
+    posix_spawn_file_actions_destroy(&actions_);
+    posix_spawnattr_destroy(&attributes_);
+  }
 
-  [[nodiscard]] const posix_spawn_file_actions_t* actions() const { return &actions_; }
+  [[nodiscard]] std::optional<pid_t> start(std::vector<std::string> command,
+                                           std::vector<std::string> variables) const {
+    const std::vector<char*> words = pointers(command);
+    const std::vector<char*> environment = pointers(variables);
+    pid_t child = 0;
+    const int error = posix_spawnp(&child, words.front(), &actions_, &attributes_, words.data(),
+                                   environment.data());
+    if (error != 0) return std::nullopt;
+    return child;
+  }
 
  private:
   posix_spawn_file_actions_t actions_{};
+  posix_spawnattr_t attributes_{};
 };
 
-int wait_for(pid_t child) {
-  int state = 0;
-  while (waitpid(child, &state, 0) < 0) {
-    if (errno != EINTR) return -1;
+/// A running child, ended with its owner if it has not ended by itself.
+class Child {
+ public:
+  explicit Child(pid_t id) : id_(id) {}
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+  ~Child() {
+    if (has_ended_) return;
+    (void)::kill(-id_, SIGKILL);
+    while (::waitpid(id_, &state_, 0) < 0 && errno == EINTR) {
+    }
   }
-  return WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
+
+  [[nodiscard]] bool has_ended() {
+    has_ended_ = has_ended_ || ::waitpid(id_, &state_, WNOHANG) == id_;
+    return has_ended_;
+  }
+  [[nodiscard]] Ending ending() const {
+    return WIFEXITED(state_) ? Ending::exited : Ending::signalled;
+  }
+  [[nodiscard]] int status() const {
+    if (!has_ended_) return -1;
+    return WIFEXITED(state_) ? WEXITSTATUS(state_) : 128 + WTERMSIG(state_);
+  }
+
+ private:
+  pid_t id_;
+  int state_ = 0;
+  bool has_ended_ = false;
+};
+
+/// Reads what is there, and keeps the first part of it.
+void drain(const Descriptor& pipe, std::string& output) {
+  std::array<char, 4096> part{};
+  while (true) {
+    const ssize_t count = ::read(pipe.number(), part.data(), part.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return;
+    const std::size_t space = most_output - output.size();
+    output.append(part.data(), std::min(static_cast<std::size_t>(count), space));
+  }
 }
 
-std::string read_all(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+Descriptor signals_to_wait_for() {
+  sigset_t set = ending_signals();
+  sigaddset(&set, SIGCHLD);
+  return Descriptor(::signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK));
+}
+
+/// Takes one signal; an ending one is sent again, to be there when nothing is half done any more.
+bool take_interrupt(const Descriptor& signals) {
+  signalfd_siginfo taken{};
+  if (::read(signals.number(), &taken, sizeof taken) != sizeof taken) return false;
+  const auto signal = static_cast<int>(taken.ssi_signo);
+  return signal != SIGCHLD && ::raise(signal) == 0;
+}
+
+int milliseconds_until(Clock::time_point deadline) {
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
+  return static_cast<int>(std::clamp<std::int64_t>(left.count(), 0, 1'000'000));
+}
+
+/// Until the child ends, the time is over, or an interrupt comes.
+Ending wait_for(Child& child, const Descriptor& pipe, const Descriptor& signals,
+                Clock::time_point deadline, std::string& output) {
+  std::array<pollfd, 2> events{pollfd{pipe.number(), POLLIN, 0},
+                               pollfd{signals.number(), POLLIN, 0}};
+  while (!child.has_ended()) {
+    if (Clock::now() >= deadline) return Ending::out_of_time;
+    (void)::poll(events.data(), events.size(), milliseconds_until(deadline));
+    drain(pipe, output);
+    if ((events[0].revents & POLLHUP) != 0) events[0].fd = -1;
+    if (take_interrupt(signals)) return Ending::interrupted;
+  }
+  drain(pipe, output);
+  return child.ending();
 }
 
 }  // namespace
 
-ProcessResult run(const std::vector<std::string>& command, const std::filesystem::path& log) {
+ProcessResult run(const std::vector<std::string>& command, std::uint64_t seconds,
+                  const std::string& temporary) {
+  constexpr std::uint64_t longest = 1U << 30U;
   if (command.empty()) return {};
-  std::vector<std::string> words = command;
-  std::vector<char*> arguments;
-  arguments.reserve(words.size() + 1);
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-
-  const Redirection redirection(log);
-  pid_t child = 0;
-  const int error = posix_spawnp(&child, arguments.front(), redirection.actions(), nullptr,
-                                 arguments.data(), environ);
-  if (error != 0) return {};
-  const int status = wait_for(child);
-  return {true, status, read_all(log)};
+  const NoInterrupts taken_in_turn;
+  const ChildSignal end_of_child;
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return {};
+  const Descriptor pipe(ends[0]);
+  Descriptor child_output(ends[1]);
+  const Descriptor signals = signals_to_wait_for();
+  if (!signals.is_open() || ::fcntl(pipe.number(), F_SETFL, O_NONBLOCK) != 0) return {};
+  const std::optional<pid_t> id =
+      Circumstances(child_output.number()).start(command, variables_with(temporary));
+  (void)child_output.close();
+  if (!id) return {};
+  const auto deadline = Clock::now() + std::chrono::seconds(std::min(seconds, longest));
+  ProcessResult result;
+  Child child(*id);
+  result.ending = wait_for(child, pipe, signals, deadline, result.output);
+  result.status = child.status();
+  return result;
 }
 
 }  // namespace elgen

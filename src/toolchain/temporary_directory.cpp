@@ -1,8 +1,10 @@
 // TemporaryDirectory: mkdtemp under $TMPDIR or /tmp, removed recursively by the destructor. Failing
-// to remove is not reported: nothing depends on it.
+// to remove is not reported: nothing depends on it. Memory may be short once, where that is why the
+// owner goes.
 #include "temporary_directory.hpp"
 
 #include <cstdlib>
+#include <new>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -31,9 +33,14 @@ TemporaryDirectory& TemporaryDirectory::operator=(TemporaryDirectory&& other) no
 TemporaryDirectory::~TemporaryDirectory() { remove(); }
 
 void TemporaryDirectory::remove() noexcept {
-  if (path_.empty()) return;
   std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
+  for (int attempt = 0; attempt < 2 && !path_.empty(); ++attempt) {
+    try {
+      std::filesystem::remove_all(path_, ignored);
+      path_.clear();
+    } catch (const std::bad_alloc&) {
+    }
+  }
 }
 
 }  // namespace elgen

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "base/utf8.hpp"
+
 namespace elgen::urdf {
 
 namespace {
@@ -15,7 +17,7 @@ bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x
 
 std::string toml_string(std::string_view text) {
   std::string quoted = "\"";
-  for (const char c : text) {
+  for (const char c : visible_text(text)) {
     if (is_control(c)) {
       quoted += fmt::format("\\u{:04X}", static_cast<unsigned>(c));
     } else {
@@ -37,7 +39,7 @@ std::string toml_list(const std::vector<std::string>& values) {
 }
 
 std::string comment(std::string_view text) {
-  std::string line(text);
+  std::string line = visible_text(text);
   std::replace_if(line.begin(), line.end(), is_control, '?');
   return line.empty() ? "#\n" : "# " + line + "\n";
 }

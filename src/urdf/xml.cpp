@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "base/utf8.hpp"
 
@@ -58,6 +59,37 @@ Diagnostic malformed(const SourceText& source, int line, std::string_view words)
 
 std::size_t skip_blanks(std::string_view text, std::size_t position) {
   return std::min(text.find_first_not_of(" \t\r\n", position), text.size());
+}
+
+/// tinyxml2 compares every attribute with all before it.
+constexpr std::size_t most_attributes = 1000;
+
+/// Behind the piece of text that begins at `position` and ends with `closing`.
+std::size_t skip_piece(std::string_view text, std::size_t position, std::string_view closing) {
+  const std::size_t end = text.find(closing, position + 1);
+  return end == std::string_view::npos ? text.size() : end + closing.size();
+}
+
+/// Where an element has an attribute too many.
+std::optional<std::size_t> find_endless_element(std::string_view text) {
+  std::size_t attributes = 0;
+  bool is_inside = false;
+  for (std::size_t i = 0; i < text.size();) {
+    if (text.substr(i, 4) == "<!--") {
+      i = skip_piece(text, i, "-->");
+      continue;
+    }
+    if (is_inside && (text[i] == '"' || text[i] == '\'')) {
+      i = skip_piece(text, i, text.substr(i, 1));
+      continue;
+    }
+    if (text[i] == '<') attributes = 0;
+    if (text[i] == '<' || text[i] == '>') is_inside = text[i] == '<';
+    attributes += is_inside && text[i] == '=' ? 1 : 0;
+    if (attributes > most_attributes) return i;
+    ++i;
+  }
+  return std::nullopt;
 }
 
 /// Where tinyxml2's copy of the text starts: its first node's text stands behind the node's opening
@@ -114,6 +146,10 @@ Result<Element> read_xml(const SourceText& source) {
   }
   if (const std::size_t zero = source.text.find('\0'); zero != std::string::npos) {
     return Diagnostic{Code::E801, span_at(source, zero, 1), "not XML: a byte is zero"};
+  }
+  if (const auto endless = find_endless_element(source.text)) {
+    return Diagnostic{Code::E801, span_at(source, *endless, 1),
+                      fmt::format("an element has more than {} attributes", most_attributes)};
   }
   tinyxml2::XMLDocument document;
   document.Parse(source.text.data(), source.text.size());

@@ -172,9 +172,18 @@ class SelfChecking {
     result_.failure =
         fmt::format("`{}` has no value at any of {} states", function.name, states_.size());
     const auto undefined = undefined_expression(subject_.model, function, states_);
+    result_.place = place_of(function);
     if (!undefined) return;
     result_.place = subject_.model.expressions[*undefined].span;
     result_.failure += ", nor has " + quoted(*result_.place);
+  }
+
+  /// Where an output was asked for; the model's name where all of them were.
+  [[nodiscard]] Span place_of(const Function& function) const {
+    for (const OutputRequest& request : subject_.scene.outputs) {
+      if (request.name == function.name && request.span.source != nullptr) return request.span;
+    }
+    return subject_.model.name_span;
   }
 
   const Subject& subject_;

@@ -65,6 +65,26 @@ TEST_CASE("at most `maximum` errors are shown and the rest counted") {
   CHECK(text.find("elgen: 5 more errors not shown\n") != std::string::npos);
 }
 
+TEST_CASE("of notes and warnings too no more are shown than `maximum`") {
+  const SourcePointer source = make_source("m.toml", "x");
+  const Diagnostics list(60'000, {Code::E520, span_of(source, "x"), "`x`"});
+  const std::string text = format(list);
+  CHECK(text.find("elgen: 59980 more notes not shown\n") != std::string::npos);
+  CHECK(text.size() < 10'000);
+}
+
+TEST_CASE("of what stands in back-ticks the beginning is shown") {
+  const std::string name(100'000, 'x');
+  const std::string umlauts = "ä" + std::string(198, 'x') + "äöü";
+  const Diagnostics list{{Code::E201, {}, "unknown name `" + name + "` here", "not `" + name + "`"},
+                         {Code::E201, {}, "`" + umlauts + "` and `b`"}};
+  const std::string cut = "`" + std::string(200, 'x') + "…`";
+  const std::string text = format(list);
+  CHECK(text.find("unknown name " + cut + " here\n      not " + cut) != std::string::npos);
+  CHECK(text.find("`ä" + std::string(198, 'x') + "…` and `b`") != std::string::npos);
+  CHECK(format(list, {DiagnosticFormat::json}).size() < 2000);
+}
+
 TEST_CASE("JSON has one object a line, and colour only where asked") {
   const SourcePointer source = make_source("m.toml", "ab");
   const Diagnostics list{{Code::E511, span_of(source, "b"), "singular at \"x\""}};

@@ -36,3 +36,16 @@ TEST_CASE("code points have names") {
   CHECK(code_point_name(0x3C0) == "U+03C0");
   CHECK(code_point_name(0x1F600) == "U+1F600");
 }
+
+TEST_CASE("what is hidden is named, what is seen stays") {
+  for (const char32_t value : {0x00U, 0x1BU, 0x7FU, 0x85U, 0xADU, 0x200BU, 0x200FU, 0x2028U,
+                               0x202AU, 0x202EU, 0x2066U, 0x2069U, 0x3164U, 0xFEFFU, 0xE0041U}) {
+    INFO(code_point_name(value));
+    CHECK(is_hidden(value));
+  }
+  for (const char32_t value : {0x20U, 0x41U, 0xA0U, 0xE9U, 0x3C0U, 0x2212U, 0x1F600U}) {
+    INFO(code_point_name(value));
+    CHECK_FALSE(is_hidden(value));
+  }
+  CHECK(visible_text("a\tb\n\u202Eé\x01\xFF") == "a\tb\nU+202EéU+0001?");
+}

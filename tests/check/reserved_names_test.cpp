@@ -14,6 +14,11 @@ TEST_CASE("names with another meaning are reserved") {
     INFO(name);
     CHECK_FALSE(reserved_reason(name).empty());
   }
+  for (const char* name : {"SNANF64", "CHAR_BIT", "LONG_MAX", "ERANGE", "SIGINT", "EIGEN_PI",
+                           "stdin", "unix", "BUFSIZ", "PRIX64", "FE_ALL_EXCEPT", "HUGE"}) {
+    INFO(name);
+    CHECK(reserved_reason(name) == "it is a macro of C or C++");
+  }
   CHECK(reserved_reason("int") == "it is a keyword of C++");
   CHECK(reserved_reason("M_E") == "it is a macro of C or C++");
 }

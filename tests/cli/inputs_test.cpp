@@ -42,4 +42,61 @@ TEST_CASE("a path with spaces and quotes is a path") {
   CHECK(shell("ls 'out 1'", workspace.path()).output == "cart_pole\n");
 }
 
+TEST_CASE("`-` is standard input, for models, scenes and robots") {
+  const Workspace workspace;
+  prepare("cp " + models + "/cart_pole.toml . && cp " + models +
+              "/scenes/balance.scene.toml . && "
+              "sed -i 's:[.][.]/::' balance.scene.toml",
+          workspace.path());
+  CHECK(shell("elgen show - < cart_pole.toml", workspace.path()).output ==
+        shell("elgen show cart_pole.toml", workspace.path()).output);
+  CHECK(shell("cat balance.scene.toml | elgen show -", workspace.path()).output ==
+        shell("elgen show balance.scene.toml", workspace.path()).output);
+  CHECK(shell("elgen import - < " ELGEN_SOURCE_DIR "/tests/urdf/robots/gripper.urdf",
+              workspace.path())
+            .status == 0);
+  CHECK(shell("elgen generate -q --depfile d - < cart_pole.toml", workspace.path()).status == 0);
+  CHECK(starts_with(read_text(workspace.path() / "d"),
+                    "generated/cart_pole/cart_pole.equations.json:\n"));
+  const Outcome faulty = shell("echo 'format = 2' | elgen show -", workspace.path());
+  CHECK(starts_with(faulty.errors, "<stdin>:1:10: error[E102]"));
+  const Outcome twice = shell("elgen generate - - < cart_pole.toml", workspace.path());
+  CHECK(twice.status == 4);
+  CHECK(mentions(twice.errors, "error[E707]: `<stdin>` can be read only once"));
+}
+
+TEST_CASE("a FIFO is read as far as the limit, and waited for as long as the limit") {
+  const Workspace workspace;
+  prepare("mkfifo pipe.toml", workspace.path());
+  const Outcome read = shell("cat " + models + "/cart_pole.toml > pipe.toml & elgen show pipe.toml",
+                             workspace.path());
+  CHECK(read.status == 0);
+  CHECK(read.output == shell("elgen show " + models + "/cart_pole.toml", workspace.path()).output);
+  const Outcome endless = shell("yes > pipe.toml & elgen show pipe.toml", workspace.path());
+  CHECK(endless.status == 2);
+  CHECK(mentions(endless.errors, "error[E901]: `pipe.toml` has more than 1048576 bytes"));
+  for (const std::string command :
+       {"elgen show pipe.toml --limit seconds=1", "sleep 9 | elgen show - --limit seconds=1"}) {
+    const Outcome late = shell(command, workspace.path());
+    CHECK(late.status == 3);
+    CHECK(mentions(late.errors, "could not be read within 1 s\n"));
+  }
+}
+
+TEST_CASE("folders and devices are no inputs, not even of a scene") {
+  const Workspace workspace;
+  prepare("mkdir folder", workspace.path());
+  for (const std::string& path : {std::string("/dev/zero"), std::string("folder")}) {
+    INFO(path);
+    write_text(workspace.path() / "a.scene.toml",
+               "format = 1\nmodel = \"" + path + "\"\nname = \"a\"\n");
+    for (const std::string& input : {path, std::string("a.scene.toml")}) {
+      const Outcome outcome = shell("elgen show " + input, workspace.path());
+      CHECK(outcome.status == 4);
+      CHECK(mentions(outcome.errors, "error[E707]: `" + path + "` is a "));
+    }
+    CHECK(shell("elgen import " + path, workspace.path()).status == 4);
+  }
+}
+
 }  // namespace elgen::test

@@ -37,4 +37,40 @@ TEST_CASE("an interrupt ends with 130") {
   CHECK(shell("ls", workspace.path()).output.empty());
 }
 
+TEST_CASE("SIGTERM and SIGHUP end like an interrupt, unless they are ignored") {
+  const Workspace workspace;
+  const std::string end = "timeout --preserve-status -s ";
+  CHECK(shell(end + "TERM 0.5 " + long_job, workspace.path()).status == 130);
+  CHECK(shell(end + "HUP 0.5 " + long_job, workspace.path()).status == 130);
+  const std::string ignoring = "trap '' HUP; elgen show " ELGEN_SOURCE_DIR
+                               "/models/panda7.toml & sleep 0.1; kill -HUP $!; wait $!";
+  CHECK(shell(ignoring, workspace.path()).status == 0);
+}
+
+TEST_CASE(
+    "a compiler that sleeps is ended by the limit and by interrupts, and its folder removed") {
+  const Workspace workspace;
+  write_text(workspace.path() / "slow",
+             "#!/bin/sh\ntest \"$1\" = --version && exit 0\nsleep 7713\n");
+  prepare("chmod +x slow && mkdir tmp", workspace.path());
+  const std::string verify =
+      "TMPDIR=$PWD/tmp CXX=./slow elgen verify -q --samples 2 " ELGEN_SOURCE_DIR
+      "/models/simple_pendulum.toml";
+  const Outcome late = shell(verify + " --limit seconds=2", workspace.path());
+  CHECK(late.status == 3);
+  CHECK(mentions(late.errors, "error[E909]: `./slow` has not ended within 2 s\n"));
+  for (const std::string signal : {"INT", "TERM", "HUP"}) {
+    INFO(signal);
+    // A shell starts what runs beside it without SIGINT; timeout brings it back.
+    const Outcome outcome =
+        shell("export TMPDIR=$PWD/tmp CXX=./slow; timeout --preserve-status -s " + signal +
+                  " 3 elgen verify "
+                  "-q --samples 2 " ELGEN_SOURCE_DIR "/models/simple_pendulum.toml",
+              workspace.path());
+    CHECK(outcome.status == 130);
+  }
+  CHECK(shell("ls tmp", workspace.path()).output.empty());
+  CHECK(shell("pgrep -f 'sleep 7713'", workspace.path()).status == 1);
+}
+
 }  // namespace elgen::test

@@ -65,8 +65,57 @@ TEST_CASE("a dependency file that cannot be written leaves everything as it was"
   const Outcome outcome =
       shell("elgen generate -q --depfile file/d " + models + "/cart_pole.toml", workspace.path());
   CHECK(outcome.status == 4);
-  CHECK(mentions(outcome.errors, "error[E706]: `file/d` could not be written"));
+  CHECK(mentions(outcome.errors, "error[E706]: `file/d` could not be written: Not a directory"));
   CHECK(files_below(workspace.path()) == "./file\n");
+}
+
+TEST_CASE("--depfile replaces rules of files of ours, and nothing else unasked") {
+  const Workspace workspace;
+  prepare("cp " + models + "/cart_pole.toml .", workspace.path());
+  const auto depfile = workspace.path() / "cart_pole.d";
+  const std::string command = "elgen generate -q --depfile cart_pole.d cart_pole.toml";
+  REQUIRE(shell(command, workspace.path()).status == 0);
+  const std::string rules = read_text(depfile);
+  write_text(depfile, "generated/cart_pole/cart_pole.hpp: something.toml\n");
+  CHECK(shell(command + " -o elsewhere", workspace.path()).status == 0);
+  CHECK(shell(command, workspace.path()).status == 0);
+  CHECK(read_text(depfile) == rules);
+  write_text(depfile, "main.o: main.c\n");
+  const Outcome refused = shell(command, workspace.path());
+  CHECK(refused.status == 4);
+  CHECK(mentions(refused.errors, "error[E703]: `cart_pole.d` exists and has no rules of these"));
+  CHECK(read_text(depfile) == "main.o: main.c\n");
+  CHECK(shell(command + " --force", workspace.path()).status == 0);
+  CHECK(read_text(depfile) == rules);
+}
+
+TEST_CASE("an input is no place for output, whatever it is called and whatever is forced") {
+  const Workspace workspace;
+  prepare("cp " + models + "/cart_pole.toml . && ln cart_pole.toml other.toml", workspace.path());
+  const std::string before = read_text(workspace.path() / "cart_pole.toml");
+  for (const std::string place : {"cart_pole.toml", "./cart_pole.toml", "other.toml"}) {
+    INFO(place);
+    for (const std::string& command :
+         {"elgen generate -q --force cart_pole.toml --depfile " + place,
+          "elgen verify -q --quick --force cart_pole.toml -o " + place,
+          "elgen verify -q --quick --force -o " + place + " - < cart_pole.toml"}) {
+      const Outcome outcome = shell(command, workspace.path());
+      CHECK(outcome.status == 4);
+      CHECK(mentions(outcome.errors, "error[E708]: `" + place + "` is an input"));
+    }
+  }
+  CHECK(read_text(workspace.path() / "cart_pole.toml") == before);
+  CHECK(files_below(workspace.path()) == "./cart_pole.toml\n./other.toml\n");
+}
+
+TEST_CASE("two files in one place are refused") {
+  const Workspace workspace;
+  const Outcome outcome = shell("elgen generate -q --depfile ./generated/cart_pole/cart_pole.hpp " +
+                                    models + "/cart_pole.toml",
+                                workspace.path());
+  CHECK(outcome.status == 4);
+  CHECK(mentions(outcome.errors, "cart_pole.hpp` would be written twice"));
+  CHECK(files_below(workspace.path()).empty());
 }
 
 }  // namespace elgen::test

@@ -41,6 +41,9 @@ TEST_CASE("user text cannot leave its comment") {
   CHECK(comment_text("two\nlines\t here ") == "two lines here");
   CHECK(comment_text("continued \\") == "continued \\.");
   CHECK(comment_text("") == "");
+  CHECK(comment_text("a \\ b \\alpha") == "a \\. b \\alpha");
+  CHECK(comment_text("really?\?/ so") == "really? ?/ so");
+  CHECK(comment_text("a\u202eb\x01\xff") == "aU+202EbU+0001?");
 }
 
 TEST_CASE("user text cannot leave its literal") {

@@ -1,6 +1,7 @@
 #include "render/latex_tree.hpp"
 
 #include <catch2/catch.hpp>
+#include <string>
 
 using namespace elgen::rendering;
 
@@ -23,4 +24,25 @@ TEST_CASE("width is that of what is printed, not of its commands") {
 TEST_CASE("what is unknown is a word, brackets need not match") {
   CHECK(read_latex("\\unknown").parts.at(0).kind == LatexKind::word);
   CHECK(read_latex("(a").parts.size() == 2);
+}
+
+TEST_CASE("a backslash before a letter of another script keeps the letter whole") {
+  const LatexTree tree = read_latex("\\é + \\😀");
+  REQUIRE(tree.parts.size() == 3);
+  CHECK(tree.parts[0].text == "é");
+  CHECK(tree.parts[2].text == "😀");
+}
+
+TEST_CASE("a group without an end, and nothing behind it") {
+  CHECK(read_latex("\\frac{a").parts.at(0).parts.size() == 2);
+  CHECK(read_latex("\\mathrm").parts.at(0).text.empty());
+  CHECK(read_latex("a_{\\sqrt").parts.size() == 1);
+}
+
+TEST_CASE("depth costs no square of it, and no stack") {
+  for (const std::string piece : {"\\frac ", "{", "\\sqrt", "x^"}) {
+    std::string deep;
+    for (int i = 0; i < 100'000; ++i) deep += piece;
+    CHECK(width(read_latex(deep)) < 1000);
+  }
 }

@@ -1,6 +1,7 @@
 // Emitted text becomes callable functions; a missing compiler and refused code are told apart.
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <fstream>
 
 #include "elgen/toolchain.hpp"
 #include "toolchain/environment.hpp"
@@ -10,7 +11,8 @@
 namespace {
 
 auto compile_header(const std::string& text) {
-  return elgen::compile(sample::files(text), sample::model(), sample::scene(), sample::program());
+  return elgen::compile(sample::files(text), sample::model(), sample::scene(), sample::program(),
+                        {});
 }
 
 template <class Scalar>
@@ -81,7 +83,7 @@ Forward<Scalar> forward_dynamics(const Parameters<Scalar>& p, const Vector<Scala
 )";
   elgen::Scene scene = sample::scene();
   scene.emission.eigen = true;
-  const auto compiled = elgen::compile(files, sample::model(), scene, sample::program());
+  const auto compiled = elgen::compile(files, sample::model(), scene, sample::program(), {});
   INFO(elgen::format(compiled.diagnostics));
   REQUIRE(compiled);
   REQUIRE(compiled->size() == 2);
@@ -115,7 +117,7 @@ static inline void sample_forward_dynamics(const sample_parameters *p, const dou
   elgen::Scene scene = sample::scene();
   scene.emission.language = elgen::LanguageId::c99;
   scene.numerics.scalars = {elgen::ScalarKind::double_precision};
-  const auto compiled = elgen::compile(files, sample::model(), scene, sample::program());
+  const auto compiled = elgen::compile(files, sample::model(), scene, sample::program(), {});
   INFO(elgen::format(compiled.diagnostics));
   REQUIRE(compiled);  // `restrict` is no word of C++
   const elgen::CompiledModel& model = *compiled->front().functions;
@@ -132,6 +134,32 @@ TEST_CASE("without a compiler there is E704, with exit code 4") {
   REQUIRE_FALSE(compiled);
   CHECK(compiled.diagnostics.front().code == elgen::Code::E704);
   CHECK(elgen::exit_code(compiled.diagnostics) == elgen::ExitCode::inaccessible);
+}
+
+TEST_CASE(
+    "a compiler that fails on everything, or makes nothing, is not the emitted code's fault") {
+  const auto scratch = elgen::TemporaryDirectory::create();
+  REQUIRE(scratch);
+  const auto code_with = [&](const std::string& body) {
+    const auto script = scratch->path() / "compiler";
+    std::ofstream(script) << "#!/bin/sh\ntest \"$1\" = --version && exit 0\n" << body << "\n";
+    std::filesystem::permissions(script, std::filesystem::perms::owner_all);
+    const ScopedVariable compiler("CXX", script.string());
+    const auto compiled = compile_header(sample::header());
+    REQUIRE_FALSE(compiled);
+    CHECK(elgen::exit_code(compiled.diagnostics) == elgen::ExitCode::inaccessible);
+    return compiled.diagnostics.front();
+  };
+  CHECK(code_with("kill -SEGV $$").code == elgen::Code::E709);
+  CHECK(code_with("exit 4").code == elgen::Code::E709);
+  CHECK(code_with("exit 0").code == elgen::Code::E709);
+  CHECK(
+      code_with("echo 'g++: fatal error: Killed signal terminated program cc1plus'; exit 1").code ==
+      elgen::Code::E709);
+  const elgen::Diagnostic words = code_with("printf 'a\\033[31mb\\n'; yes | head -n 9999; exit 1");
+  CHECK(words.code == elgen::Code::E709);
+  CHECK(words.message.find("exits 1:\nab\ny\n") != std::string::npos);
+  CHECK(words.message.size() < 5000);
 }
 
 TEST_CASE("without a place to write there is E706") {

@@ -1,12 +1,30 @@
 // Programs are run without a shell: arguments arrive as they are, output and status come back.
 #include "toolchain/process.hpp"
 
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
+#include <chrono>
+#include <csignal>
 #include <fstream>
 
+#include "toolchain/environment.hpp"
 #include "toolchain/temporary_directory.hpp"
 
 namespace {
+
+using elgen::Ending;
+
+volatile std::sig_atomic_t interrupts = 0;
+
+void count_interrupt(int /*signal*/) { interrupts = interrupts + 1; }
+
+/// Dead, but not yet waited for.
+bool is_zombie(pid_t process) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  return text.find(") Z ") != std::string::npos;
+}
 
 class Fixture {
  public:
@@ -15,7 +33,7 @@ class Fixture {
  protected:
   [[nodiscard]] std::filesystem::path path() const { return directory_->path(); }
   [[nodiscard]] elgen::ProcessResult run(const std::vector<std::string>& command) const {
-    return elgen::run(command, path() / "log");
+    return elgen::run(command, 60);
   }
 
  private:
@@ -26,7 +44,8 @@ class Fixture {
 
 TEST_CASE_METHOD(Fixture, "output of both streams and the status are returned") {
   const auto result = run({"sh", "-c", "echo out; echo err >&2; exit 7"});
-  CHECK(result.started);
+  CHECK(result.ending == Ending::exited);
+  CHECK_FALSE(result.succeeded());
   CHECK(result.status == 7);
   CHECK(result.output == "out\nerr\n");
 }
@@ -45,13 +64,23 @@ TEST_CASE_METHOD(Fixture, "a program with spaces in its path runs") {
   CHECK(run({script.string()}).output == "here\n");
 }
 
+TEST_CASE_METHOD(Fixture, "a program may have temporary files of its own, and has our variables") {
+  const ScopedVariable ours("ELGEN_TEST", "here");
+  const ScopedVariable temporary("TMPDIR", "/elsewhere");
+  const std::vector<std::string> command{"sh", "-c", "echo $ELGEN_TEST $TMPDIR"};
+  CHECK(run(command).output == "here /elsewhere\n");
+  CHECK(elgen::run(command, 60, "/tmp/x y").output == "here /tmp/x y\n");
+}
+
 TEST_CASE_METHOD(Fixture, "a missing program does not start") {
-  CHECK_FALSE(run({"/nonexistent/program"}).started);
-  CHECK_FALSE(run({}).started);
+  CHECK(run({"/nonexistent/program"}).ending == Ending::not_started);
+  CHECK(run({}).ending == Ending::not_started);
 }
 
 TEST_CASE_METHOD(Fixture, "a signal is told as 128 + its number") {
-  CHECK(run({"sh", "-c", "kill -9 $$"}).status == 137);
+  const auto result = run({"sh", "-c", "kill -9 $$"});
+  CHECK(result.ending == Ending::signalled);
+  CHECK(result.status == 137);
 }
 
 TEST_CASE_METHOD(Fixture, "standard input is empty, not ours") {
@@ -60,7 +89,41 @@ TEST_CASE_METHOD(Fixture, "standard input is empty, not ours") {
   CHECK(result.output.empty());
 }
 
-TEST_CASE_METHOD(Fixture, "long output does not block") {
-  const auto result = run({"sh", "-c", "yes 0123456789 | head -n 20000"});
-  CHECK(result.output.size() == 20000 * 11);
+TEST_CASE_METHOD(Fixture, "long output does not block, and its beginning is kept") {
+  const auto result = run({"sh", "-c", "yes 0123456789 | head -n 200000"});
+  CHECK(result.succeeded());
+  CHECK(result.output.size() == 16384);
+  CHECK(result.output.substr(0, 11) == "0123456789\n");
+}
+
+TEST_CASE_METHOD(Fixture, "what takes too long is ended with everything it started") {
+  const auto started = path() / "started";
+  const std::string script =
+      "(sleep 100 & echo $! > '" + started.string() + "'; wait) & wait; sleep 100";
+  const auto begin = std::chrono::steady_clock::now();
+  const auto result = elgen::run({"sh", "-c", script}, 1);
+  CHECK(result.ending == Ending::out_of_time);
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
+  pid_t inner = 0;
+  std::ifstream(started) >> inner;
+  REQUIRE(inner > 0);
+  // Killed processes are gone once somebody has asked for their status.
+  for (int i = 0; i < 1000 && kill(inner, 0) == 0 && !is_zombie(inner); ++i) usleep(1000);
+  CHECK((kill(inner, 0) != 0 || is_zombie(inner)));
+}
+
+TEST_CASE_METHOD(Fixture, "an interrupt ends the program, and reaches us afterwards") {
+  interrupts = 0;
+  const auto before = std::signal(SIGTERM, count_interrupt);
+  const std::string parent = std::to_string(getpid());
+  const auto result = run({"sh", "-c", "kill -TERM " + parent + "; sleep 100"});
+  CHECK(result.ending == Ending::interrupted);
+  CHECK(interrupts == 1);
+  std::signal(SIGTERM, before);
+}
+
+TEST_CASE_METHOD(Fixture, "a parent that ignores its children still hears of their end") {
+  const auto before = std::signal(SIGCHLD, SIG_IGN);
+  CHECK(run({"sh", "-c", "exit 3"}).status == 3);
+  std::signal(SIGCHLD, before);
 }

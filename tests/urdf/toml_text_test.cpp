@@ -8,6 +8,7 @@ namespace elgen::test {
 TEST_CASE("a string is escaped") {
   CHECK(urdf::toml_string("a") == "\"a\"");
   CHECK(urdf::toml_string("a\"\\\n") == R"("a\"\\\u000A")");
+  CHECK(urdf::toml_string("a\u202eb\x01") == R"("aU+202EbU+0001")");
 }
 
 TEST_CASE("an integer wider than TOML's is a string") {

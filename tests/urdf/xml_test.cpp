@@ -63,6 +63,16 @@ TEST_CASE("bytes that are no text are answered at their place") {
   CHECK(xml_messages(std::string("<robot/>\n\0", 10)) == "E801 2:1 not XML: a byte is zero\n");
 }
 
+TEST_CASE("attributes of one element have an end, those of many have none") {
+  std::string attributes;
+  for (int i = 0; i < 1000; ++i) attributes += " a" + std::to_string(i) + "='='";
+  const std::string element = "<a" + attributes + "/>";
+  const std::string comment = "<!--" + std::string(2000, '=') + "-->";
+  CHECK(xml_messages("<r>" + comment + element + element + "</r>").empty());
+  CHECK(xml_messages("<r>" + comment + "\n<a" + attributes + " b='1'/></r>")
+            .find("an element has more than 1000 attributes") != std::string::npos);
+}
+
 TEST_CASE("nesting has an end") {
   std::string text;
   for (int i = 0; i < 200; ++i) text += "<a>\n";

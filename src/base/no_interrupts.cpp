@@ -1,0 +1,47 @@
+// no_interrupts: signals are blocked in this thread; others have to block theirs (Progress does).
+#include "no_interrupts.hpp"
+
+#include <array>
+
+namespace elgen {
+
+namespace {
+
+constexpr std::array signals{SIGINT, SIGTERM, SIGHUP, SIGXCPU};
+
+/// A blocked signal is kept even where it is ignored, so ignored ones are told apart here.
+bool is_ignored(int signal) {
+  struct sigaction action {};
+  sigaction(signal, nullptr, &action);
+  return action.sa_handler == SIG_IGN;
+}
+
+}  // namespace
+
+sigset_t ending_signals() {
+  sigset_t set{};
+  sigemptyset(&set);
+  for (const int signal : signals) {
+    if (!is_ignored(signal)) sigaddset(&set, signal);
+  }
+  return set;
+}
+
+NoInterrupts::NoInterrupts() {
+  const sigset_t ending = ending_signals();
+  pthread_sigmask(SIG_BLOCK, &ending, &before_);
+}
+
+NoInterrupts::~NoInterrupts() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+bool interrupt_waits() {
+  sigset_t waiting{};
+  sigpending(&waiting);
+  const sigset_t ending = ending_signals();
+  for (const int signal : signals) {
+    if (sigismember(&waiting, signal) == 1 && sigismember(&ending, signal) == 1) return true;
+  }
+  return false;
+}
+
+}  // namespace elgen

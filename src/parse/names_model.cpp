@@ -1,0 +1,18 @@
+// names_model: one look at the top-level keys.
+#include "names_model.hpp"
+
+#include <algorithm>
+
+#include "toml_document.hpp"
+
+namespace elgen::parsing {
+
+bool names_model(const SourceText& source) {
+  const Result<TomlValue> root = read_toml(source);
+  if (!root) return false;
+  return std::any_of(root->entries.begin(), root->entries.end(), [](const TomlEntry& entry) {
+    return entry.key == "model" && entry.value.kind == TomlKind::string;
+  });
+}
+
+}  // namespace elgen::parsing

@@ -1,0 +1,52 @@
+// Signals that end the process wait for what is half done, and arrive afterwards.
+#include "base/no_interrupts.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+volatile std::sig_atomic_t arrived = 0;
+
+void count(int /*signal*/) { arrived = arrived + 1; }
+
+/// A disposition for the time of one test.
+class Disposition {
+ public:
+  Disposition(int signal, void (*handler)(int))
+      : signal_(signal), before_(std::signal(signal, handler)) {}
+  Disposition(const Disposition&) = delete;
+  Disposition& operator=(const Disposition&) = delete;
+  ~Disposition() { std::signal(signal_, before_); }
+
+ private:
+  int signal_;
+  void (*before_)(int);
+};
+
+}  // namespace
+
+TEST_CASE("an interrupt waits until the end of the scope") {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU}) {
+    const Disposition counted(signal, count);
+    arrived = 0;
+    {
+      const elgen::NoInterrupts scope;
+      CHECK_FALSE(elgen::interrupt_waits());
+      std::raise(signal);
+      CHECK(elgen::interrupt_waits());
+      CHECK(arrived == 0);
+    }
+    CHECK(arrived == 1);
+    CHECK_FALSE(elgen::interrupt_waits());
+  }
+}
+
+TEST_CASE("a signal that the process ignores interrupts nothing") {
+  const Disposition ignored(SIGHUP, SIG_IGN);
+  const elgen::NoInterrupts scope;
+  std::raise(SIGHUP);
+  CHECK_FALSE(elgen::interrupt_waits());
+  const sigset_t ending = elgen::ending_signals();
+  CHECK(sigismember(&ending, SIGHUP) == 0);
+  CHECK(sigismember(&ending, SIGINT) == 1);
+}

@@ -1,0 +1,174 @@
+// What fails, or ends the program, at every call of the system: old files or new ones, nothing
+// between, nothing left over, a message and a documented exit code. ELGEN_FAULT_STRIDE=1 visits
+// every call; the tests of every day visit some.
+#include <catch2/catch.hpp>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+using Files = std::map<std::string, std::string>;
+
+constexpr const char* model = R"toml(format = 1
+[model]
+name = "rotor"
+[[coordinate]]
+name = "q"
+unit = "rad"
+[parameters]
+J = { value = 2, unit = "kg*m^2" }
+k = { value = 5, unit = "N*m" }
+[energy]
+T = "1/2*J*dot(q)^2"
+V = "-k*cos(q)"
+)toml";
+
+const std::set<int> documented{0, 1, 2, 3, 4, 70, 130};
+constexpr int killed = 128 + SIGKILL;
+
+/// Visits every n-th call.
+long stride(long usual) {
+  const char* const chosen = std::getenv("ELGEN_FAULT_STRIDE");
+  return chosen == nullptr ? usual : std::atol(chosen);
+}
+
+/// Files and folders below, those of the compiler's too.
+Files contents(const std::filesystem::path& folder) {
+  Files files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    const std::string name = entry.path().lexically_relative(folder).string();
+    files[name] = entry.is_regular_file() ? read_text(entry.path()) : "a folder";
+  }
+  return files;
+}
+
+struct Fault {
+  std::string kind;
+  long number = 0;
+  int action = 0;  ///< an errno, or minus a signal
+};
+
+/// A command before and after whose success the folder is known.
+class Scene {
+ public:
+  Scene(std::string preparation, std::string command)
+      : preparation_(std::move(preparation)), command_(std::move(command)) {
+    const Workspace workspace;
+    prepare_in(workspace);
+    before_ = contents(workspace.path());
+    const Workspace counted;
+    const std::string counts = (counted.path() / "counts").string();
+    prepare(preload("ELGEN_FAULT_COUNTS='" + counts + "' ") + command_, workspace.path());
+    after_ = contents(workspace.path());
+    std::istringstream lines(read_text(counts));
+    for (std::string kind; lines >> kind;) lines >> counts_[kind];
+  }
+
+  [[nodiscard]] long calls(const std::string& kind) const { return counts_.at(kind); }
+
+  /// Runs the command with the fault, and checks what there is afterwards.
+  void visit(const Fault& fault) const {
+    const Workspace workspace;
+    prepare_in(workspace);
+    const std::string text =
+        fault.kind + " " + std::to_string(fault.number) + " " + std::to_string(fault.action);
+    const Outcome outcome =
+        shell(preload("ELGEN_FAULT='" + text + "' ") + command_, workspace.path());
+    const Files found = contents(workspace.path());
+    INFO(command_ << ", " << text << ": " << outcome.status << "\n" << outcome.errors);
+    if (outcome.status == killed && fault.action == -SIGKILL) {
+      check_killed(workspace, found);
+      return;
+    }
+    CHECK(documented.count(outcome.status) == 1);
+    CHECK((found == before_ || found == after_));
+    if (outcome.status == 0) CHECK(found == after_);
+    if (outcome.status != 0 && outcome.status != 130) CHECK(mentions(outcome.errors, "error[E"));
+  }
+
+ private:
+  static std::string preload(const std::string& variables) {
+    return variables + "LD_PRELOAD='" ELGEN_PRELOAD "' ";
+  }
+
+  void prepare_in(const Workspace& workspace) const {
+    write_text(workspace.path() / "rotor.toml", model);
+    prepare("mkdir tmp && " + preparation_, workspace.path());
+  }
+
+  /// Nothing can be cleaned up then; what is there is whole, and the next run cleans up.
+  void check_killed(const Workspace& workspace, const Files& found) const {
+    for (const auto& [name, text] : before_) {
+      CHECK(found.count(name) == 1);
+      const auto fresh = after_.find(name);
+      CHECK((found.at(name) == text || (fresh != after_.end() && found.at(name) == fresh->second)));
+    }
+    prepare(command_, workspace.path());
+    CHECK(contents(workspace.path()) == after_);
+  }
+
+  std::string preparation_;
+  std::string command_;
+  Files before_;
+  Files after_;
+  std::map<std::string, long> counts_;
+};
+
+/// Files of an older model are replaced, and some appear for the first time.
+Scene generation() {
+  return Scene(
+      "sed 's/-k/-2*k/' rotor.toml > old.toml && elgen generate -q old.toml && rm old.toml"
+      " && rm generated/rotor/rotor.md",
+      "elgen generate -q --depfile made/rotor.d rotor.toml");
+}
+
+Scene import() {
+  return Scene("cp " ELGEN_SOURCE_DIR
+               "/tests/urdf/robots/gripper.urdf . && echo old > gripper.toml",
+               "elgen import -q --force gripper.urdf -o gripper.toml");
+}
+
+void visit_all(const Scene& scene, const std::string& kind, int action, long usual) {
+  for (long number = 1; number <= scene.calls(kind); number += stride(usual)) {
+    scene.visit({kind, number, action});
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a call of the system that fails leaves all files as they were, or all new") {
+  for (const Scene& scene : {generation(), import()}) {
+    visit_all(scene, "open", EMFILE, 3);
+    visit_all(scene, "write", ENOSPC, 1);
+    visit_all(scene, "rename", EIO, 1);
+    visit_all(scene, "mkdir", EDQUOT, 1);
+  }
+}
+
+TEST_CASE("memory that is refused once ends in order") {
+  visit_all(generation(), "memory", ENOMEM, 997);
+  visit_all(import(), "memory", ENOMEM, 997);
+}
+
+TEST_CASE("a signal at any call leaves all files as they were, or all new") {
+  const Scene scene = generation();
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGKILL}) visit_all(scene, "any", -signal, 4);
+}
+
+TEST_CASE("a compiler that cannot be started, or its folder made, leaves nothing behind") {
+  const Scene scene("true", "TMPDIR=$PWD/tmp elgen verify -q --samples 2 rotor.toml -o c.txt");
+  visit_all(scene, "mkdir", ENOSPC, 1);
+  visit_all(scene, "spawn", EAGAIN, 1);
+  visit_all(scene, "write", ENOSPC, 2);
+  visit_all(scene, "any", -SIGTERM, 5);
+}
+
+}  // namespace elgen::test
