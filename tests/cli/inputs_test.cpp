@@ -67,7 +67,7 @@ TEST_CASE("`-` is standard input, for models, scenes and robots") {
 
 TEST_CASE("a FIFO is read as far as the limit, and waited for as long as the limit") {
   const Workspace workspace;
-  prepare("mkfifo pipe.toml", workspace.path());
+  prepare("mkfifo pipe.toml silent.toml", workspace.path());
   const Outcome read = shell("cat " + models + "/cart_pole.toml > pipe.toml & elgen show pipe.toml",
                              workspace.path());
   CHECK(read.status == 0);
@@ -76,7 +76,7 @@ TEST_CASE("a FIFO is read as far as the limit, and waited for as long as the lim
   CHECK(endless.status == 2);
   CHECK(mentions(endless.errors, "error[E901]: `pipe.toml` has more than 1048576 bytes"));
   for (const std::string command :
-       {"elgen show pipe.toml --limit seconds=1", "sleep 9 | elgen show - --limit seconds=1"}) {
+       {"elgen show silent.toml --limit seconds=1", "sleep 9 | elgen show - --limit seconds=1"}) {
     const Outcome late = shell(command, workspace.path());
     CHECK(late.status == 3);
     CHECK(mentions(late.errors, "could not be read within 1 s\n"));
