@@ -271,6 +271,8 @@ Products run_pipeline(const Inputs& inputs, const PipelineOptions& options) {
     std::vector<OutputRequest>& outputs = out.checked->scene.outputs;
     outputs = {outputs[*options.only_output]};
   }
+  // A derivation step by step shows no output, so none is missing from it.
+  if (out.checked && options.steps) out.checked->scene.left_out.clear();
   stages.run("inspect", [&] {
     Diagnostics found = inspect(out.checked->model, out.checked->scene);
     return Result<Inspection>({found}, found);
