@@ -93,8 +93,7 @@ class Projection {
   /// Both sides of an equation between projected forces, each a number of the oracle's.
   std::string compare_forces(const std::string& what, const cl_R& left, const cl_R& right) {
     const Measured sum{Real(left), Real(cln::abs(left) + cln::abs(right)), {}};
-    const Real scale = run_.largest + Real(oracle_.energy());
-    if (agrees(sum, Real(right), scale)) return {};
+    if (agrees_with_oracle(sum, right, run_.largest, oracle_)) return {};
     return mismatch(what, sum.value, right);
   }
 
