@@ -2,7 +2,11 @@
 // they share, sines above all, is evaluated once.
 #include "rounding_errors.hpp"
 
+#include <cln/integer.h>
+
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/random.hpp"
 #include "evaluate/dual.hpp"
@@ -32,6 +36,53 @@ Arguments<double> point(const LeafNames& leaves, int lowest, int highest, Random
   result.u = drawn(leaves.inputs.size());
   result.t = drawn(1)[0];
   return result;
+}
+
+/// A multiple of a leaf by a power of two keeps its digits.
+bool is_exact(const Graph& graph, NodeId id) {
+  const Node& node = graph.node(id);
+  if (node.kind != NodeKind::product) return node.kind == NodeKind::leaf;
+  if (node.operands.size() != 2 || !graph.is_rational(node.operands[0].node)) return false;
+  const cln::cl_RA& factor = graph.rational_of(node.operands[0].node);
+  const cln::cl_I powers = cln::numerator(factor) * cln::denominator(factor);
+  return node.operands[1].weight == 1 && cln::power2p(powers) > 0 &&
+         is_exact(graph, node.operands[1].node);
+}
+
+using NodeSet = std::set<NodeId>;
+
+/// Of every angle that is rounded before its sine or cosine is taken, the leaves in it: x - y and
+/// 2 x - 2 y are rounded alike.
+std::set<NodeSet> rounded_angles(const Graph& graph, Ref value) {
+  std::set<NodeSet> angles;
+  for (const NodeId id : reachable(graph, {value})) {
+    const Node& node = graph.node(id);
+    const bool is_wave = node.kind == NodeKind::call &&
+                         (node.function == FunctionId::sin || node.function == FunctionId::cos);
+    if (!is_wave || is_exact(graph, node.operands[0].node)) continue;
+    NodeSet leaves;
+    for (const NodeId part : reachable(graph, {{node.operands[0].node, false}})) {
+      if (graph.node(part).kind == NodeKind::leaf) leaves.insert(part);
+    }
+    if (!leaves.empty()) angles.insert(std::move(leaves));
+  }
+  return angles;
+}
+
+/// Whether `way` takes sines of sums that the reference has taken apart: q1 - q2 is rounded, q1 and
+/// q2 are not. Few points show it, where all else is small and the angles are large.
+bool rounds_more_angles(const Expressions& way, const Expressions& reference) {
+  Graph both;
+  const Ref own = copied(both, way);
+  const Ref known = copied(both, reference);
+  const auto known_angles = rounded_angles(both, known);
+  const auto is_known = [&known_angles](const NodeSet& angle) {
+    return std::any_of(known_angles.begin(), known_angles.end(), [&angle](const NodeSet& other) {
+      return std::includes(other.begin(), other.end(), angle.begin(), angle.end());
+    });
+  };
+  const auto own_angles = rounded_angles(both, own);
+  return !std::all_of(own_angles.begin(), own_angles.end(), is_known);
 }
 
 struct Comparison {
@@ -154,6 +205,7 @@ MixedPoints mixed_points(const LeafNames& leaves) {
 
 bool is_as_precise(const Expressions& way, const Expressions& reference, const MixedPoints& points,
                    Leaves leaves) {
+  if (leaves == Leaves::exact && rounds_more_angles(way, reference)) return false;
   const Comparison compared = comparison(way, reference);
   const std::vector<std::uint32_t>& entries = compared.function.fields[0].entries;
   bool is_compared = false;
