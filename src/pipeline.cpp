@@ -1,7 +1,9 @@
 // The order of the stages, and the only place that knows it:
 //
 //     parse -> check -> inspect -> formulate -> specialise -> derive -> lower -> cancel -> present
-//     -> choose -> emit -> readback -> self-check
+//     -> choose -> emit -> readback -> parts -> self-check
+//
+// parts: what solutions are judged by, from the program before forms were chosen.
 #include "elgen/pipeline.hpp"
 
 #include <algorithm>
@@ -36,6 +38,12 @@ struct Inspection {
 };
 std::string dump(const Inspection& inspection) { return format(inspection.found); }
 std::string dump(const ReadableSteps& steps) { return dump(steps.program); }
+
+/// What solutions are judged by; none where nothing is solved, or where a limit was reached.
+struct Parts {
+  std::optional<Program> program;
+};
+std::string dump(const Parts& parts) { return parts.program ? dump(*parts.program) : ""; }
 std::string dump(const SelfCheck& check) { return receipt(check) + "\n"; }
 
 /// Times each stage, collects its diagnostics and its dump, and says whether the next one may run.
@@ -111,9 +119,10 @@ std::vector<SourcePointer> sources_of(const EmittedFiles& files) {
 
 /// A quarter of the generation time, and at least 20 ms: enough states to notice, too few to wait
 /// for.
-Result<SelfCheck> checked(const CheckedModel& checked, const Program& program, double generation) {
-  SelfCheck check =
-      self_check(checked.model, checked.scene, program, std::max(0.02, generation / 4));
+Result<SelfCheck> checked(const CheckedModel& checked, const Program& program,
+                          const std::optional<Program>& parts, double generation) {
+  SelfCheck check = self_check(checked.model, checked.scene, program,
+                               std::max(0.02, generation / 4), parts ? &*parts : nullptr);
   if (check.failure.empty()) return check;
   if (check.lacks_value) {
     return Diagnostic{Code::E521, check.place.value_or(Span{}), check.failure,
@@ -188,6 +197,35 @@ Result<Presented> presented(const Lagrangian& lagrangian, const CheckedModel& ch
   return result;
 }
 
+/// The functions of `program` that are needed; none where one is missing.
+std::optional<Program> selected(Program program, const std::vector<OutputRequest>& needed) {
+  std::vector<Function> functions;
+  for (const OutputRequest& request : needed) {
+    const auto known = std::find_if(
+        program.functions.begin(), program.functions.end(),
+        [&request](const Function& function) { return function.kind == request.kind; });
+    if (known == program.functions.end()) return std::nullopt;
+    functions.push_back(std::move(*known));
+  }
+  program.functions = std::move(functions);
+  return program;
+}
+
+/// Always in recursive form: what is closed has cancelled terms that solutions do not. `derives`
+/// those that the scene has not; else there are none then.
+Result<Parts> parts(const Lagrangian& lagrangian, const CheckedModel& checked,
+                    const Program& recursive, const Limits& limits, bool derives) {
+  const std::vector<OutputRequest> needed = needed_parts(checked.model, checked.scene);
+  if (needed.empty()) return Parts{};
+  std::optional<Program> known = selected(recursive, needed);
+  if (known || !derives) return Parts{std::move(known)};
+  // Where a limit is in the way, solutions are judged by the code's own bound.
+  const Result<EquationsOfMotion> equations = derive(lagrangian, needed, limits);
+  if (!equations) return Parts{};
+  Result<Program> lowered = lower(*equations, needed, limits);
+  return lowered ? Parts{cancel(std::move(*lowered))} : Parts{};
+}
+
 std::string name_of(const Model& model, const Entity& origin) {
   if (origin.kind == EntityKind::point) return model.points[origin.index].name;
   if (origin.kind == EntityKind::body) return model.bodies[origin.index].name;
@@ -214,9 +252,9 @@ Result<ReadableSteps> steps(const Lagrangian& lagrangian, const CheckedModel& ch
 }  // namespace
 
 const std::vector<std::string>& stage_names() {
-  static const std::vector<std::string> names{"parse",      "check",  "inspect", "formulate",
-                                              "specialise", "derive", "lower",   "cancel",
-                                              "present",    "choose", "emit",    "readback"};
+  static const std::vector<std::string> names{
+      "parse",  "check",   "inspect", "formulate", "specialise", "derive", "lower",
+      "cancel", "present", "choose",  "emit",      "readback",   "parts"};
   return names;
 }
 
@@ -233,6 +271,8 @@ Products run_pipeline(const Inputs& inputs, const PipelineOptions& options) {
     std::vector<OutputRequest>& outputs = out.checked->scene.outputs;
     outputs = {outputs[*options.only_output]};
   }
+  // A derivation step by step shows no output, so none is missing from it.
+  if (out.checked && options.steps) out.checked->scene.left_out.clear();
   stages.run("inspect", [&] {
     Diagnostics found = inspect(out.checked->model, out.checked->scene);
     return Result<Inspection>({found}, found);
@@ -269,10 +309,14 @@ Products run_pipeline(const Inputs& inputs, const PipelineOptions& options) {
     out.written = sources_of(*out.files);
     return read_back(out.written, *out.checked, *out.program);
   });
+  const auto judging = stages.run("parts", [&] {
+    return parts(*specialised, *out.checked, *recursive, limits, options.derives_parts);
+  });
+  if (judging) out.parts = std::move(judging->program);
   if (options.check_itself) {
     const double generation = stages.seconds();
-    out.self_check =
-        stages.run("self-check", [&] { return checked(*out.checked, *out.program, generation); });
+    out.self_check = stages.run(
+        "self-check", [&] { return checked(*out.checked, *out.program, out.parts, generation); });
   }
   sort_by_position(out.diagnostics);
   return out;

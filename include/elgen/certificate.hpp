@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,14 +20,39 @@ namespace elgen {
 
 enum class Verdict : std::uint8_t { holds, fails, skipped };
 
+/// Why nothing is said at a state.
+enum class Obstacle : std::uint8_t {
+  overflow,         ///< an exact intermediate is near the scalar's largest number
+  undefined,        ///< outside of the domain: 1/0, sqrt(-1)
+  ill_conditioned,  ///< rounding has no bound, or the solution is not known
+  singular,         ///< M is singular: a pole, a gimbal
+};
+
+/// What a row rests on.
+enum class Evidence : std::uint8_t {
+  states,  ///< a comparison at `samples` states
+  proof,   ///< canonical forms that are equal, whatever the state
+  zeros,   ///< what is taken for 0 was less than rounding at `samples` random points
+};
+
+struct SkippedStates {
+  Obstacle obstacle = Obstacle::overflow;
+  std::size_t states = 0;
+  friend bool operator==(const SkippedStates&, const SkippedStates&) = default;
+};
+
 struct CertificateRow {
-  std::string check;    ///< "program vs oracle", "mass matrix symmetric", "[[expect]] gravity"
-  std::string subject;  ///< output or entry
-  std::string formula;  ///< what was evaluated
-  std::size_t samples = 0;
-  std::string worst;      ///< the figure, with its unit: "2.1 u B"
-  std::string where;      ///< the state of the worst value, empty where nothing was sampled
-  std::string tolerance;  ///< the bound and its reason
+  std::string check = {};    ///< "program vs oracle", "mass matrix symmetric", "[[expect]]"
+  std::string output = {};   ///< the function; "[[expect]] gravity"
+  std::string subject = {};  ///< of it: "forward_dynamics.acceleration (float)", "gravity[2]"
+  std::string formula = {};  ///< what was evaluated
+  Evidence evidence = Evidence::states;
+  std::size_t samples = 0;                  ///< states at which it was compared
+  std::vector<SkippedStates> skipped = {};  ///< and at which it could not be
+  std::optional<double> error = {};         ///< largest, in u B
+  std::string worst = {};                   ///< the figure, with its unit: "2.1 u B"
+  std::string where = {};      ///< the state of the worst value, empty where nothing was sampled
+  std::string tolerance = {};  ///< the bound and its reason
   Verdict verdict = Verdict::holds;
 };
 
@@ -37,14 +63,25 @@ struct Certificate {
   std::vector<CertificateRow> rows = {};
 };
 
+/// What solutions M x = b of the scene's outputs are judged by: M, bias, the input matrix, and
+/// where derivatives of accelerations are asked for, forward dynamics and the derivatives of
+/// inverse dynamics. Empty where nothing is solved. An expansion is judged by itself.
+[[nodiscard]] std::vector<OutputRequest> needed_parts(const Model& model, const Scene& scene);
+
 struct VerifyOptions {
   /// Random states per output; 256 where none is said, fewer for long programs.
   std::optional<std::size_t> samples = {};
-  bool quick = false;  ///< 16 states, no compiler
+  /// Up to 16 states, fewer for long programs, one contraction of an output instead of all entries,
+  /// no compiler.
+  bool quick = false;
   std::uint64_t seed = 1;
   /// Prove [[expect]]; parallel to the program's functions. Without them, and where they do not
   /// decide, it is sampled.
   ClosedForms* forms = nullptr;
+  /// The needed parts in recursive form; without them solutions are judged by the code's own bound.
+  const Program* parts = nullptr;
+  /// Told of each step: "accuracy in double, state 3 of 36".
+  std::function<void(const std::string&)> on_step = {};
 };
 
 /// Compares oracle, program, and compiled code, and checks the structure of M, C and energies.
@@ -62,11 +99,20 @@ struct Verification {
 [[nodiscard]] Diagnostics check_definiteness(const Model& model, const Scene& scene,
                                              const Reduction& reduction);
 
+[[nodiscard]] std::size_t count(const Certificate& certificate, Verdict verdict);
 [[nodiscard]] bool holds(const Certificate& certificate);
+
+/// "cart_pole: 41 checks hold, 0 fail, 2 skipped"
+[[nodiscard]] std::string verdict_line(const Certificate& certificate);
+/// A line per output, what fails or is skipped in full, and the verdict.
 [[nodiscard]] std::string to_text(const Certificate& certificate);
+/// All rows in full.
+[[nodiscard]] std::string to_full_text(const Certificate& certificate);
+[[nodiscard]] std::string to_json(const Certificate& certificate);
 
 /// The check that precedes every write: every output projected on random rational vectors, as many
-/// states (2 … 32) as fit into `seconds`; one where it takes longer by itself.
+/// states (2 … 32) as fit into `seconds`; one where it takes longer by itself. `parts` as in
+/// VerifyOptions.
 struct SelfCheck {
   std::size_t states = 0;  ///< at which an output was compared
   /// Largest error in u B, of the closed form, or of the recursive program; none where rounding has
@@ -80,7 +126,7 @@ struct SelfCheck {
   std::optional<Span> place = {};  ///< then: the first expression of it that is
 };
 [[nodiscard]] SelfCheck self_check(const Model& model, const Scene& scene, const Program& program,
-                                   double seconds);
+                                   double seconds, const Program* parts = nullptr);
 
 /// "checked 32 states against 60 digits: 2.1 uB", or "without a bound of rounding"; "; 3 outside
 /// the domain" where some are; and "2 entries rest on zeros found at 64 points, not proved".

@@ -2,7 +2,8 @@
 //
 // Finds what no reading of the text shows: a mass matrix singular everywhere (names the coordinate
 // or null vector), a planar spin that is no angle's rate, charts that break where det M vanishes, a
-// potential that pushes a mass up, inertias that no body can have, names used nowhere.
+// potential that pushes a mass up, inertias that no body can have, names used nowhere. Also says
+// which outputs the built-in scene `full` does without.
 #pragma once
 
 #include "elgen/diagnostic.hpp"
@@ -11,7 +12,7 @@
 
 namespace elgen {
 
-/// Errors, warnings and notes of E501 to E522, E613 and E614; never changes the model.
+/// Errors, warnings and notes of E501 to E522, E613, E614 and E619; never changes the model.
 [[nodiscard]] Diagnostics inspect(const Model& model, const Scene& scene);
 
 }  // namespace elgen

@@ -53,6 +53,13 @@ using OracleValues = std::optional<std::vector<cln::cl_R>>;
 [[nodiscard]] std::optional<cln::cl_R> oracle_projected_inverse_dynamics(
     const Model& model, const State& state, const std::vector<cln::cl_R>& w);
 
+/// Slope of w . (M a + bias - B u) where q moves along x and v along y; a and u are the state's and
+/// stay. For a rotation x is its rotation vector in its own axes.
+[[nodiscard]] std::optional<cln::cl_R> oracle_residual_slope(const Model& model, const State& state,
+                                                             const std::vector<cln::cl_R>& w,
+                                                             const std::vector<cln::cl_R>& x,
+                                                             const std::vector<cln::cl_R>& y);
+
 /// Directions a field of an output is contracted with: w . x for columns, w . X y for matrices; y
 /// is empty for columns.
 struct Contraction {

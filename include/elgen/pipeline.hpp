@@ -35,6 +35,8 @@ struct PipelineOptions {
   std::optional<std::size_t> only_output = {};
   bool steps = false;        ///< make Products::steps instead of the scene's outputs
   bool check_itself = true;  ///< compare with the oracle at the end
+  /// Products::parts are derived where the scene has not all of them.
+  bool derives_parts = false;
   std::function<void(const std::string&)> on_stage = {};  ///< told each name as it starts
 };
 
@@ -48,6 +50,8 @@ struct Products {
   std::optional<CheckedModel> checked = {};
   std::optional<ClosedForms> closed_forms = {};  ///< with all their terms
   std::optional<Program> program = {};           ///< each function in its chosen form
+  /// What solutions are judged by (VerifyOptions::parts); none where nothing is solved.
+  std::optional<Program> parts = {};
   std::vector<FormCosts> costs = {};
   std::optional<ReadableSteps> steps = {};
   std::optional<EmittedFiles> files = {};

@@ -100,7 +100,7 @@ struct PageOptions {
 };
 
 /// What a scene says beyond a choice of outputs, in sentences: its purpose, what it fixes, what
-/// it locks, and what it expands.
+/// it locks, what it expands, and which outputs `full` leaves out.
 [[nodiscard]] std::vector<std::string> scene_notes(const Model& model, const Scene& scene);
 
 [[nodiscard]] Sheet sheet(const Model& model, const Scene& scene, const Program& program,

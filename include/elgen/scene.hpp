@@ -71,6 +71,24 @@ struct Dropping {
   std::vector<OutputRequest> parts = {};  ///< what the reduced outputs are made of, all of it
 };
 
+/// Outputs of more entries are chosen only where they are named.
+inline constexpr std::uint64_t entries_in_full = 4096;
+
+/// Why the built-in scene `full` does without an output of the model.
+enum class LeftOutReason : std::uint8_t {
+  too_many_entries,  ///< more than entries_in_full
+  kinked_force,      ///< its derivatives would jump, so no scene gets them either
+};
+
+[[nodiscard]] std::string_view name_of(LeftOutReason reason);
+
+/// What `full` leaves out for one reason.
+struct LeftOut {
+  LeftOutReason reason = LeftOutReason::too_many_entries;
+  std::vector<std::string> outputs = {};  ///< in the order of the output table
+  Span span = {};                         ///< the kink in the force, or the name of the model
+};
+
 struct Scene {
   SourcePointer source = {};
   std::string name = {};       ///< "" for the built-in scene `full`
@@ -78,6 +96,7 @@ struct Scene {
   std::string doc = {};
   Specialisation specialisation = {};
   std::vector<OutputRequest> outputs = {};
+  std::vector<LeftOut> left_out = {};  ///< empty where the scene names its outputs
   std::optional<Dropping> dropping = {};
   Numerics numerics = {};
   Emission emission = {};

@@ -215,6 +215,11 @@ std::string dump(const Scene& scene) {
             std::to_string(output.columns) +
             (output.form ? ", " + std::string(name_of(*output.form)) : "") + "\n";
   }
+  for (const LeftOut& left_out : scene.left_out) {
+    for (const std::string& output : left_out.outputs) {
+      text += "left out " + output + ", " + std::string(name_of(left_out.reason)) + "\n";
+    }
+  }
   for (const ScalarKind kind : scene.numerics.scalars) {
     text += "scalar " + std::string(checking::name_of(kind)) + "\n";
   }

@@ -5,6 +5,14 @@
 #include <array>
 #include <map>
 
+namespace elgen {
+
+std::string_view name_of(LeftOutReason reason) {
+  return reason == LeftOutReason::too_many_entries ? "too many entries" : "kinked force";
+}
+
+}  // namespace elgen
+
 namespace elgen::checking {
 namespace {
 
@@ -102,14 +110,6 @@ std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
   return std::nullopt;
 }
 
-std::vector<std::string> available_names(const Model& model) {
-  std::vector<std::string> names;
-  for (const OutputRequest& request : full_requests(model)) {
-    names.push_back(request.name);
-  }
-  return names;
-}
-
 /// Built-in rows, then each kind of declared output, as the table orders them.
 std::vector<OutputRequest> all_requests(const Model& model) {
   std::vector<OutputRequest> result;
@@ -125,12 +125,25 @@ std::vector<OutputRequest> all_requests(const Model& model) {
   return result;
 }
 
+/// Big ones too: a scene that misspells one is told its name.
+std::vector<std::string> available_names(const Model& model) {
+  std::vector<std::string> names;
+  for (const OutputRequest& request : all_requests(model)) {
+    if (is_available(model, request)) names.push_back(request.name);
+  }
+  return names;
+}
+
 /// Whether it acts on what a lock holds: such a force is in no equation of motion.
 bool is_held(const Model& model, const Force& force) {
   return std::any_of(model.locks.begin(), model.locks.end(), [&](const Lock& lock) {
     const std::uint32_t count = lock.values.size() > 1 ? axis_count : 1;
     return force.on && lock.velocity <= *force.on && *force.on < lock.velocity + count;
   });
+}
+
+bool fits_in_full(const OutputRequest& request) {
+  return std::uint64_t{request.rows} * request.columns <= entries_in_full;
 }
 
 bool is_kink(const Expression& node) {
@@ -209,12 +222,27 @@ std::optional<OutputRequest> require_request(const Model& model, std::string_vie
 std::vector<OutputRequest> full_requests(const Model& model) {
   std::vector<OutputRequest> result;
   for (OutputRequest& request : all_requests(model)) {
-    const bool fits = std::uint64_t{request.rows} * request.columns <= entries_in_full;
-    if (fits && is_available(model, request)) {
+    if (fits_in_full(request) && is_available(model, request)) {
       result.push_back(std::move(request));
     }
   }
   return result;
+}
+
+std::vector<LeftOut> left_out_of_full(const Model& model) {
+  const Expression* kink = find_kink(model);
+  LeftOut kinked{LeftOutReason::kinked_force, {}, kink == nullptr ? Span{} : kink->span};
+  LeftOut large{LeftOutReason::too_many_entries, {}, model.name_span};
+  for (const OutputRequest& request : all_requests(model)) {
+    if (kink != nullptr && output_row(request.kind).differentiates) {
+      kinked.outputs.push_back(request.name);
+    } else if (!fits_in_full(request) && is_available(model, request)) {
+      large.outputs.push_back(request.name);
+    }
+  }
+  std::vector<LeftOut> all{std::move(large), std::move(kinked)};
+  std::erase_if(all, [](const LeftOut& left_out) { return left_out.outputs.empty(); });
+  return all;
 }
 
 void check_output_names(const Model& model, Report& report) {

@@ -10,9 +10,6 @@
 
 namespace elgen::checking {
 
-/// Outputs of more entries are emitted only where they are named.
-inline constexpr std::uint64_t entries_in_full = 4096;
-
 /// The request for a name: built-in outputs, and NAME, NAME_jacobian, NAME_bias of declared ones.
 [[nodiscard]] std::optional<OutputRequest> find_request(const Model& model, std::string_view name);
 
@@ -24,6 +21,9 @@ inline constexpr std::uint64_t entries_in_full = 4096;
 
 /// Every output the model has, in the order of the output table, big ones left out.
 [[nodiscard]] std::vector<OutputRequest> full_requests(const Model& model);
+
+/// The outputs that full_requests leaves out though a reader may look for them, once per reason.
+[[nodiscard]] std::vector<LeftOut> left_out_of_full(const Model& model);
 
 /// An `abs`, `sign`, `min` or `max` in a force on what moves: only forces may have kinks. Null:
 /// none.

@@ -82,6 +82,7 @@ class SceneReader {
       }
     } else {
       scene_.outputs = full_requests(model_);
+      scene_.left_out = left_out_of_full(model_);
       return;
     }
     lists_outputs_ = true;

@@ -36,7 +36,8 @@ std::size_t term_count(const ClosedFunction& closed) {
 }
 
 ReadableEntries read_entries(const Program& program, const Function& function,
-                             const ClosedForms& forms, const ClosedFunction& closed) {
+                             const ClosedForms& forms, const ClosedFunction& closed,
+                             const MixedPoints& points) {
   ReadableEntries entries;
   if (term_count(closed) > most_terms_together) return entries;
   for (std::size_t f = 0; f < closed.fields.size(); ++f) {
@@ -47,7 +48,7 @@ ReadableEntries read_entries(const Program& program, const Function& function,
       const auto derived = closed.is_reduced
                                ? std::nullopt
                                : as_derived(program, function, function.fields[f].entries[e]);
-      entry = shortest(forms.algebra, *form, derived ? &*derived : nullptr);
+      entry = shortest(forms.algebra, *form, derived ? &*derived : nullptr, points);
     }
   }
   return entries;
@@ -74,16 +75,6 @@ Function unfilled(const Function& function) {
     for (std::size_t i = 0; i < field.entries.size(); ++i) copy.entries.push_back(next++);
   }
   return result;
-}
-
-/// Copies the nodes of one value into a common graph.
-Ref copied(Graph& graph, const Expressions& from) {
-  std::vector<Ref> renewed(from.graph.size());
-  for (const NodeId id : reachable(from.graph, from.values)) {
-    renewed[id] = copy(graph, {from.graph, id, renewed});
-  }
-  const Ref value = from.values[0];
-  return with_sign(renewed[value.node], value.negative);
 }
 
 Function lowered(const Expressions& together, const Function& shape, Program& program) {
@@ -160,7 +151,10 @@ Span place_of(const Scene& scene, const Function& function) {
 class Choosing {
  public:
   Choosing(const Program& recursive, const ClosedForms& forms, const Scene& scene)
-      : recursive_(recursive), forms_(forms), scene_(scene) {
+      : recursive_(recursive),
+        forms_(forms),
+        scene_(scene),
+        points_(mixed_points(recursive.leaves)) {
     result_.program = recursive;
     result_.program.readable.resize(recursive.functions.size());
   }
@@ -179,7 +173,7 @@ class Choosing {
     const Function& function = recursive_.functions[index];
     ReadableEntries& entries = entries_[function.name];
     if (function.kind != OutputKind::dynamics) {
-      entries = read_entries(recursive_, function, forms_, forms_.functions[index]);
+      entries = read_entries(recursive_, function, forms_, forms_.functions[index], points_);
       if (forms_.functions[index].is_reduced) reduced_.insert(function.name);
       return entries;
     }
@@ -267,6 +261,7 @@ class Choosing {
   const Program& recursive_;
   const ClosedForms& forms_;
   const Scene& scene_;
+  MixedPoints points_;
   std::map<std::string, ReadableEntries> entries_;
   std::set<std::string> reduced_;  ///< names of functions
   std::string normalized_;         ///< name of the function of that kind

@@ -2,6 +2,7 @@
 #include "readable.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "closed_graph.hpp"
 #include "lower/cheapest.hpp"
@@ -62,18 +63,6 @@ class Lengths {
   std::vector<std::size_t> lengths_;
 };
 
-/// One way to write the value, collected.
-struct Collected {
-  Expressions expressions = {};
-  std::size_t length = 0;
-};
-
-Collected collected(const Expressions& expressions) {
-  Collected result{factored(flatten(expressions))};
-  result.length = Lengths(result.expressions).of(result.expressions.values[0].node);
-  return result;
-}
-
 /// What a grouping may cost: lengths are compared in these percent.
 constexpr std::size_t weight_of(Grouping grouping) {
   switch (grouping) {
@@ -87,28 +76,20 @@ constexpr std::size_t weight_of(Grouping grouping) {
   return 100;
 }
 
-class Shortest {
- public:
-  void consider(const Expressions& expressions, Grouping grouping) {
-    const Collected candidate = collected(expressions);
-    if (!compact_ || candidate.length < compact_->length) compact_ = candidate;
-    const std::size_t weighted = candidate.length * weight_of(grouping);
-    if (readable_ && weighted >= weighted_length_) return;
-    readable_ = candidate;
-    weighted_length_ = weighted;
-  }
-
-  std::optional<ReadableForm> take() {
-    if (!readable_) return std::nullopt;
-    return ReadableForm{std::move(readable_->expressions), std::move(compact_->expressions),
-                        readable_->length};
-  }
-
- private:
-  std::optional<Collected> readable_ = {};
-  std::optional<Collected> compact_ = {};
-  std::size_t weighted_length_ = 0;
+/// One way to write the value, collected.
+struct Collected {
+  Expressions expressions = {};
+  std::size_t terms = 0;  ///< which: grouping the same terms in another way does not change errors
+  std::size_t length = 0;
+  std::size_t weighted_length = 0;
 };
+
+Collected collected(const Expressions& expressions, std::size_t terms, Grouping grouping) {
+  Collected result{factored(flatten(expressions)), terms};
+  result.length = Lengths(result.expressions).of(result.expressions.values[0].node);
+  result.weighted_length = result.length * weight_of(grouping);
+  return result;
+}
 
 /// Sums that are much longer than another way to write the same are not collected.
 constexpr std::size_t terms_over_least = 2;
@@ -172,19 +153,59 @@ std::vector<Written> candidates(const Algebra& algebra, const Fraction& form) {
   return {*std::min_element(all.begin(), all.end(), shorter)};
 }
 
+/// The closed form in all ways and groupings.
+std::vector<Collected> collected_ways(const Algebra& algebra, const Fraction& form) {
+  std::vector<Collected> ways;
+  std::size_t terms = 0;
+  for (const Written& way : candidates(algebra, form)) {
+    ++terms;
+    for (const Grouping grouping : groupings(algebra, form)) {
+      const auto grouped = written(algebra, form, {way.layout.trigonometry, grouping});
+      if (grouped) ways.push_back(collected(grouped->expressions, terms, grouping));
+    }
+  }
+  return ways;
+}
+
+std::size_t shortest_weighted(const std::vector<Collected>& ways) {
+  const auto shorter = [](const Collected& x, const Collected& y) {
+    return x.weighted_length < y.weighted_length;
+  };
+  return static_cast<std::size_t>(
+      std::distance(ways.begin(), std::min_element(ways.begin(), ways.end(), shorter)));
+}
+
+/// The shortest of those that are as precise as `judge`, by whose B the code is judged.
+std::size_t shortest_precise(const std::vector<Collected>& ways, std::size_t judge,
+                             const MixedPoints& points) {
+  std::vector<std::size_t> order(ways.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t x, std::size_t y) { return ways[x].length < ways[y].length; });
+  return *std::find_if(order.begin(), order.end(), [&](std::size_t way) {
+    return ways[way].terms == ways[judge].terms ||
+           is_as_precise(ways[way].expressions, ways[judge].expressions, points, Leaves::exact);
+  });
+}
+
 }  // namespace
 
 std::optional<ReadableForm> shortest(const Algebra& algebra, const Fraction& form,
-                                     const Expressions* derived) {
-  Shortest result;
-  for (const Written& way : candidates(algebra, form)) {
-    for (const Grouping grouping : groupings(algebra, form)) {
-      const auto grouped = written(algebra, form, {way.layout.trigonometry, grouping});
-      if (grouped) result.consider(grouped->expressions, grouping);
+                                     const Expressions* derived, const MixedPoints& points) {
+  std::vector<Collected> ways = collected_ways(algebra, form);
+  if (ways.empty() && derived == nullptr) return std::nullopt;
+  std::size_t readable = ways.empty() ? 0 : shortest_weighted(ways);
+  if (derived != nullptr) {
+    ways.push_back(collected(*derived, 0, Grouping::none));
+    const std::size_t last = ways.size() - 1;
+    const bool is_shorter = ways[last].weighted_length < ways[readable].weighted_length;
+    if (is_shorter && is_as_precise(ways[last].expressions, ways[readable].expressions, points,
+                                    Leaves::rounded)) {
+      readable = last;
     }
   }
-  if (derived != nullptr) result.consider(*derived, Grouping::none);
-  return result.take();
+  const std::size_t compact = shortest_precise(ways, readable, points);
+  return ReadableForm{ways[readable].expressions, ways[compact].expressions, ways[readable].length};
 }
 
 std::optional<Expressions> as_derived(const Program& program, const Function& function,

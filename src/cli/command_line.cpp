@@ -114,7 +114,9 @@ CLI::App* add_verify(CLI::App& app, CommandLine& line) {
       ->add_option("--samples", options.verify.samples,
                    "states per output (256, fewer for long programs)")
       ->check(CLI::PositiveNumber);
-  command->add_flag("--quick", options.verify.quick, "few states, no compiler");
+  command->add_flag("--quick", options.verify.quick,
+                    "few states, projections instead of all entries, no compiler");
+  command->add_flag("--strict", options.strict, "exit with 1 where a check is skipped");
   command->add_option("-o,--output", options.certificate_file, "write the certificates here too")
       ->type_name("FILE");
   command->add_flag("--force", options.force, "overwrite FILE");

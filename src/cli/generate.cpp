@@ -144,8 +144,10 @@ void tell_what_became(const GlobalOptions& global, const GenerateOptions& option
     tell(global, "\n" + text_page(job.products.checked->model, job.products.checked->scene,
                                   *job.products.program));
   }
-  tell(global, fmt::format("{}: {}; {}", job.scene().base_name, receipt(*job.products.readback),
-                           receipt(*job.products.self_check)));
+  const bool expects = !job.products.checked->model.expectations.empty();
+  tell(global, fmt::format("{}: {}; {}{}", job.scene().base_name, receipt(*job.products.readback),
+                           receipt(*job.products.self_check),
+                           expects ? "; [[expect]] is left to `elgen verify`" : ""));
 }
 
 ExitCode write(const GlobalOptions& global, const GenerateOptions& options,

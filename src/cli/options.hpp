@@ -36,6 +36,7 @@ struct GenerateOptions {
 struct VerifyCommandOptions {
   std::vector<std::string> inputs = {};
   VerifyOptions verify = {};
+  bool strict = false;                ///< what is skipped counts as failed
   std::string certificate_file = {};  ///< empty: none
   bool force = false;
 };

@@ -1,5 +1,6 @@
 // elgen verify: a certificate per input, on stdout and where -o says.
 #include <algorithm>
+#include <chrono>
 
 #include "elgen/render.hpp"
 #include "inputs.hpp"
@@ -12,33 +13,71 @@ namespace elgen::cli {
 
 namespace {
 
+/// Appends the time since the last call to the stages' times.
+class Stopwatch {
+ public:
+  explicit Stopwatch(Products& products) : products_(products) {}
+
+  void add(const std::string& stage) {
+    const auto now = std::chrono::steady_clock::now();
+    products_.times.push_back({stage, std::chrono::duration<double>(now - last_).count()});
+    last_ = now;
+  }
+
+ private:
+  Products& products_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
 PipelineOptions pipeline_options(const GlobalOptions& global) {
   PipelineOptions pipeline;
   pipeline.limits = global.limits;
   pipeline.dump_stage = global.dump_stage;
   pipeline.stop_after = global.stop_after;
   pipeline.check_itself = false;
+  pipeline.derives_parts = true;
   pipeline.scene.large_expectations = true;
   return pipeline;
 }
 
-/// Compiles, unless it is to be quick, and compares.
-Result<Verification> compared(const std::string& path, const Products& products,
+/// Compiles, unless it is to be quick, and compares. Both steps are timed with those of `products`.
+Result<Verification> compared(const std::string& path, Products& products,
                               const VerifyOptions& options, const Limits& limits) {
-  const auto& [model, scene] = *products.checked;
+  const Model& model = products.checked->model;
+  const Scene& scene = products.checked->scene;
   const Progress progress(path);
+  Stopwatch watch(products);
   CompiledHeaders compiled;
   if (!options.quick) {
     progress.stage("compile");
     auto result = compile(*products.files, model, scene, *products.program, limits);
     if (!result) return result.diagnostics;
     compiled = std::move(*result);
+    watch.add("compile");
   }
   progress.stage("verify");
-  return verify(model, scene, *products.program, compiled, options);
+  VerifyOptions with_products = options;
+  with_products.forms = &*products.closed_forms;
+  with_products.parts = products.parts ? &*products.parts : nullptr;
+  with_products.on_step = [&progress](const std::string& step) { progress.stage(step); };
+  Verification result = verify(model, scene, *products.program, compiled, with_products);
+  watch.add("verify");
+  return result;
 }
 
-/// Appends the input's certificate; none where it could not be generated.
+/// As -q, -v and --format want it.
+std::string text_of(const GlobalOptions& global, const Certificate& certificate) {
+  if (global.style.format == DiagnosticFormat::json) return to_json(certificate);
+  if (global.quiet) return verdict_line(certificate);
+  return global.verbose ? to_full_text(certificate) : to_text(certificate);
+}
+
+ExitCode exit_code(const Certificate& certificate, bool strict) {
+  const bool is_decided = !strict || count(certificate, Verdict::skipped) == 0;
+  return holds(certificate) && is_decided ? ExitCode::success : ExitCode::differs;
+}
+
+/// Appends the input's certificate in full; none where it could not be generated.
 ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& options,
                     const std::string& path, std::vector<std::string>& certificates) {
   renew_time_limit(global.limits);
@@ -47,20 +86,22 @@ ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& opt
   Products products = run_shown(path, *inputs, pipeline_options(global));
   const ExitCode dumped = print(global, products.dump);
   const ExitCode generated = std::max(dumped, report(global, products.diagnostics));
-  tell_times(global, products);
-  if (generated != ExitCode::success || !global.stop_after.empty()) return generated;
-  if (global.verbose) {
-    const auto& [model, scene] = *products.checked;
-    tell(global, text_page(model, scene, *products.program));
+  if (generated != ExitCode::success || !global.stop_after.empty()) {
+    tell_times(global, products);
+    return generated;
   }
-  VerifyOptions with_proofs = options.verify;
-  with_proofs.forms = &*products.closed_forms;
-  const Result<Verification> verification = compared(path, products, with_proofs, global.limits);
+  if (global.verbose) {
+    tell(global, text_page(products.checked->model, products.checked->scene, *products.program));
+  }
+  const auto verification = compared(path, products, options.verify, global.limits);
+  tell_times(global, products);
   if (!verification) return report(global, verification.diagnostics);
-  certificates.push_back(to_text(verification->certificate));
-  const ExitCode printed = print(global, certificates.back());
+  const Certificate& certificate = verification->certificate;
+  const bool is_json = global.style.format == DiagnosticFormat::json;
+  certificates.push_back(is_json ? to_json(certificate) : to_full_text(certificate));
+  const ExitCode printed = print(global, text_of(global, certificate));
   const ExitCode found = std::max(printed, report(global, verification->diagnostics));
-  return holds(verification->certificate) ? found : std::max(found, ExitCode::differs);
+  return std::max(found, exit_code(certificate, options.strict));
 }
 
 }  // namespace

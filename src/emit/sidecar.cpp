@@ -134,6 +134,15 @@ Json outputs(const EmissionInput& input) {
   return json;
 }
 
+/// {"linearization": "too many entries"}
+Json left_out(const Scene& scene) {
+  Json json = Json::object();
+  for (const LeftOut& each : scene.left_out) {
+    for (const std::string& output : each.outputs) json[output] = name_of(each.reason);
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string sidecar(const EmissionInput& input) {
@@ -150,6 +159,7 @@ std::string sidecar(const EmissionInput& input) {
   json["inputs"] = inputs(input.model);
   json["parameters"] = parameters(input.model, input.program);
   json["outputs"] = outputs(input);
+  if (!input.scene.left_out.empty()) json["left_out"] = left_out(input.scene);
   json["hash"] = {{"model", input.model_hash},
                   {"scene", input.scene_hash},
                   {"body", std::string(blank_hash())}};

@@ -13,6 +13,7 @@ Diagnostics inspect(const Model& model, const Scene& scene) {
   Diagnostics all;
   const auto add = [&](Diagnostics found) { all.insert(all.end(), found.begin(), found.end()); };
   add(inspection::inspect_unused(subject));
+  add(inspection::inspect_left_out(subject));
   add(inspection::inspect_constants(subject));
   // What has no value has none at any sampled state, and what is too large takes forever.
   if (has_errors(all)) return all;

@@ -46,6 +46,15 @@ Ref copy(Graph& graph, const RebuildStep& step) {
   return {};
 }
 
+Ref copied(Graph& graph, const Expressions& from) {
+  std::vector<Ref> renewed(from.graph.size());
+  for (const NodeId id : reachable(from.graph, from.values)) {
+    renewed[id] = copy(graph, {from.graph, id, renewed});
+  }
+  const Ref value = from.values[0];
+  return with_sign(renewed[value.node], value.negative);
+}
+
 Expressions rebuild(const Expressions& expressions, const RebuildRule& rule) {
   const Graph& old_graph = expressions.graph;
   Expressions result;

@@ -24,6 +24,9 @@ struct RebuildStep {
 /// The old node in the new graph, unchanged.
 [[nodiscard]] Ref copy(Graph& graph, const RebuildStep& step);
 
+/// The only value of `from` in another graph.
+[[nodiscard]] Ref copied(Graph& graph, const Expressions& from);
+
 /// What a pass makes of one node; births and names are carried over around it.
 using RebuildRule = std::function<Ref(Graph&, const RebuildStep&)>;
 

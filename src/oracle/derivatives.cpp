@@ -1,6 +1,8 @@
 // Derivatives, column by column.
 #include "derivatives.hpp"
 
+#include <algorithm>
+
 #include "solved_dynamics.hpp"
 
 namespace elgen::oracle {
@@ -135,16 +137,20 @@ cl_R dot(const Direction& a, const Direction& b) {
   return sum;
 }
 
+bool is_zero(const Direction& d) {
+  return std::all_of(d.begin(), d.end(), [](const cl_R& entry) { return cln::zerop(entry); });
+}
+
 /// w has positions first, then velocities; so has y, unless it is one of inputs.
 cl_R contracted_linearization(Mechanics& at, const Contraction& by) {
   const auto middle = static_cast<std::ptrdiff_t>(at.size());
   const Direction w_position(by.w.begin(), by.w.begin() + middle);
   const Direction w_velocity(by.w.begin() + middle, by.w.end());
-  if (by.field == 1) return along_inputs(at, w_velocity, by.y);
+  if (by.field == 1) return is_zero(w_velocity) ? 0 : along_inputs(at, w_velocity, by.y);
   const Displacement along{{by.y.begin(), by.y.begin() + middle},
                            {by.y.begin() + middle, by.y.end()}};
-  return dot(w_position, along.y) - dot(w_position, at.across_velocity(along.x)) +
-         along_acceleration(at, w_velocity, along);
+  const cl_R rates = dot(w_position, along.y) - dot(w_position, at.across_velocity(along.x));
+  return is_zero(w_velocity) ? rates : rates + along_acceleration(at, w_velocity, along);
 }
 
 }  // namespace

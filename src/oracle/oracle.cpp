@@ -59,6 +59,14 @@ std::optional<cl_R> oracle_projected_inverse_dynamics(const Model& model, const 
   return guarded([&] { return oracle::Mechanics(model, state).inverse_dynamics(w, state.a); });
 }
 
+std::optional<cl_R> oracle_residual_slope(const Model& model, const State& state,
+                                          const std::vector<cl_R>& w, const std::vector<cl_R>& x,
+                                          const std::vector<cl_R>& y) {
+  return guarded([&] {
+    return oracle::Mechanics(model, state).residual_slope(w, {x, y}, state.a, state.u);
+  });
+}
+
 std::optional<cl_R> oracle_contraction(const Model& model, const OutputRequest& output,
                                        const State& state, const Contraction& by) {
   return guarded([&] { return oracle::contracted_values(model, output, state, by); });

@@ -37,6 +37,7 @@ class SidecarReader {
     named(take(json, "inputs"), model.inputs, unit);
     parameters(take(json, "parameters"));
     outputs(take(json, "outputs"));
+    if (!origin_.scene.left_out.empty()) left_out(take(json, "left_out"));
     take(json, "hash");
     expect_empty(json);
   }
@@ -138,6 +139,15 @@ class SidecarReader {
       operations(take(output, "operations"), function);
       expect_empty(output);
       function_.clear();
+    }
+    expect_empty(all);
+  }
+
+  void left_out(Json all) {
+    for (const LeftOut& each : origin_.scene.left_out) {
+      for (const std::string& output : each.outputs) {
+        expect(take(all, output), name_of(each.reason));
+      }
     }
     expect_empty(all);
   }

@@ -31,6 +31,19 @@ Lines locked_coordinates(const Model& model) {
   return values;
 }
 
+/// "Left out, with more than 4096 entries: mass_matrix, linearization. …"
+std::string left_out_text(const LeftOut& left_out) {
+  const std::string names = fmt::format("{}", fmt::join(left_out.outputs, ", "));
+  if (left_out.reason == LeftOutReason::too_many_entries) {
+    return fmt::format(
+        "Left out, with more than {} entries: {}. A scene or --outputs that names an output gets "
+        "it.",
+        entries_in_full, names);
+  }
+  return fmt::format("Left out, as forces with abs, sign, min or max have no derivatives: {}.",
+                     names);
+}
+
 }  // namespace
 
 std::vector<std::string> scene_notes(const Model& model, const Scene& scene) {
@@ -42,6 +55,7 @@ std::vector<std::string> scene_notes(const Model& model, const Scene& scene) {
   add("Fixed", fixed_parameters(model, scene));
   add("Locked", locked_coordinates(model));
   if (model.approximation) notes.push_back(expansion_text(model));
+  for (const LeftOut& left_out : scene.left_out) notes.push_back(left_out_text(left_out));
   return notes;
 }
 

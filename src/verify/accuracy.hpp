@@ -5,19 +5,23 @@
 #include <vector>
 
 #include "elgen/certificate.hpp"
-#include "states.hpp"
+#include "visit.hpp"
 
 namespace elgen {
 
-/// The promise: |x - x*| <= 8 u B + N eta, u half the scalar's epsilon, eta its smallest denormal,
-/// N operations.
-inline constexpr double promised_bounds = 8;
+/// How check_accuracy goes about it.
+struct AccuracyOptions {
+  Comparison comparison = Comparison::entries;
+  const Program* parts = nullptr;  ///< of SolutionBounds
+  std::function<void(const std::string&)> on_step = {};
+};
 
 /// One row per output and field. A state fails where the exact value of the program is not the
 /// oracle's (to 50 digits of its bound) or, at a nominal state, is undefined where the oracle has
 /// one, and where the rounded value is further off than promised.
 template <class Scalar>
 [[nodiscard]] std::vector<CertificateRow> check_accuracy(
-    const Subject& subject, const std::vector<SampledState<Scalar>>& states);
+    const Subject& subject, const std::vector<SampledState<Scalar>>& states,
+    const AccuracyOptions& options = {});
 
 }  // namespace elgen

@@ -1,18 +1,20 @@
-// to_text: one paragraph of aligned lines per row, with equal checks under one heading, and a
-// summary line:
+// Certificates as people and programs read them:
 //
 //     certificate of cart_pole, scene full, seed 1
 //
-//     program vs oracle
-//       holds    mass_matrix (double)   1.2 u B
-//                formula    |x - x*| / (u B)
-//                samples    276
-//     …
-//     41 checks hold, 0 fail, 2 skipped
+//       holds    mass_matrix        9 checks, 276 states, 1.2 u B
+//       FAILS    gravity            1 of 8 checks
+//                program vs oracle: gravity (double)
+//                worst      entry 1 is 2, the oracle says 1
+//                …
+//
+//     41 checks hold, 1 fails, 2 skipped
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "elgen/certificate.hpp"
@@ -20,29 +22,156 @@
 namespace elgen {
 namespace {
 
-std::string_view word(Verdict verdict) {
-  constexpr std::array<std::string_view, 3> words{"holds", "FAILS", "skipped"};
-  return words[static_cast<std::size_t>(verdict)];
+using Json = nlohmann::ordered_json;
+using Rows = std::vector<const CertificateRow*>;
+
+constexpr std::array<std::string_view, 3> verdict_words{"holds", "FAILS", "skipped"};
+constexpr std::array<std::string_view, 3> verdict_names{"holds", "fails", "skipped"};
+constexpr std::array<std::string_view, 4> obstacle_words{
+    "overflow", "outside the domain", "too ill-conditioned to bound", "singular"};
+constexpr std::array<std::string_view, 4> obstacle_names{"overflow", "undefined", "ill_conditioned",
+                                                         "singular"};
+
+constexpr std::array<std::string_view, 3> evidence_names{"states", "proof", "zeros"};
+
+template <class Enum, std::size_t size>
+std::string_view word(const std::array<std::string_view, size>& words, Enum value) {
+  return words[static_cast<std::size_t>(value)];
+}
+
+std::string plural(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+/// "41 states too ill-conditioned to bound, 1 overflow"
+std::string skipped_text(const CertificateRow& row) {
+  std::string text;
+  for (const SkippedStates& some : row.skipped) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", some.states,
+                        word(obstacle_words, some.obstacle));
+  }
+  return text;
 }
 
 void append_detail(std::string& text, std::string_view label, const std::string& value) {
   if (!value.empty()) text += fmt::format("           {:<10} {}\n", label, value);
 }
 
-void append_row(std::string& text, const CertificateRow& row, std::size_t subject_width) {
-  text +=
-      fmt::format("  {:<8} {:<{}}  {}\n", word(row.verdict), row.subject, subject_width, row.worst);
+std::string evidence_text(const CertificateRow& row) {
+  switch (row.evidence) {
+    case Evidence::proof:
+      return "for every state, by proof";
+    case Evidence::zeros:
+      return "at " + plural(row.samples, "random point");
+    case Evidence::states:
+      break;
+  }
+  return "at " + plural(row.samples, "state");
+}
+
+void append_details(std::string& text, const CertificateRow& row) {
   append_detail(text, "formula", row.formula);
-  append_detail(text, "samples", std::to_string(row.samples));
+  append_detail(text, "decided", evidence_text(row));
+  append_detail(text, "skipped", skipped_text(row));
   append_detail(text, "worst at", row.where);
   append_detail(text, "tolerance", row.tolerance);
 }
 
-std::size_t widest_subject(const std::vector<CertificateRow>& rows) {
-  std::size_t width = 0;
-  for (const CertificateRow& row : rows) width = std::max(width, row.subject.size());
-  return width;
+std::size_t count_of(const Rows& rows, Verdict verdict) {
+  return static_cast<std::size_t>(
+      std::count_if(rows.begin(), rows.end(),
+                    [verdict](const CertificateRow* row) { return row->verdict == verdict; }));
 }
+
+Verdict verdict_of(const Rows& rows) {
+  if (count_of(rows, Verdict::fails) > 0) return Verdict::fails;
+  return count_of(rows, Verdict::holds) > 0 ? Verdict::holds : Verdict::skipped;
+}
+
+/// Rows of one output, in the order in which outputs come first.
+std::vector<std::pair<std::string, Rows>> by_output(const Certificate& certificate) {
+  std::vector<std::pair<std::string, Rows>> groups;
+  for (const CertificateRow& row : certificate.rows) {
+    const auto known = std::find_if(groups.begin(), groups.end(), [&row](const auto& group) {
+      return group.first == row.output;
+    });
+    Rows& rows =
+        known == groups.end() ? groups.emplace_back(row.output, Rows()).second : known->second;
+    rows.push_back(&row);
+  }
+  return groups;
+}
+
+bool rests_on(const Rows& rows, Evidence evidence) {
+  return std::any_of(rows.begin(), rows.end(),
+                     [evidence](const CertificateRow* row) { return row->evidence == evidence; });
+}
+
+/// "9 checks, 276 states, 1.2 u B", "4 checks, proved"
+std::string summary(const Rows& rows) {
+  const std::size_t failed = count_of(rows, Verdict::fails);
+  if (failed > 0) return fmt::format("{} of {}", failed, plural(rows.size(), "check"));
+  std::string text = plural(rows.size(), "check");
+  if (!rests_on(rows, Evidence::states)) return text + ", proved";
+  std::size_t states = 0;
+  std::optional<double> error;
+  for (const CertificateRow* row : rows) {
+    if (row->evidence == Evidence::states) states = std::max(states, row->samples);
+    if (row->error) error = std::max(error.value_or(0), *row->error);
+  }
+  text += ", " + plural(states, "state");
+  if (error) text += fmt::format(", {:.2g} u B", *error);
+  if (rests_on(rows, Evidence::proof)) text += ", some proved";
+  if (rests_on(rows, Evidence::zeros)) text += ", rests on zeros that are not proved";
+  return text;
+}
+
+void append_output(std::string& text, const std::string& name, const Rows& rows,
+                   std::size_t width) {
+  const Verdict verdict = verdict_of(rows);
+  text +=
+      fmt::format("  {:<8} {:<{}}  {}\n", word(verdict_words, verdict), name, width, summary(rows));
+  for (const CertificateRow* row : rows) {
+    if (row->verdict == Verdict::holds) continue;
+    const std::string_view prefix = row->verdict == Verdict::skipped ? "skipped: " : "";
+    text += fmt::format("           {}{}, {}\n", prefix, row->check, row->subject);
+    const bool fails = row->verdict == Verdict::fails;
+    append_detail(text, fails ? "worst" : "because", fails ? row->worst : skipped_text(*row));
+    if (fails) append_details(text, *row);
+  }
+}
+
+std::string heading(const Certificate& certificate) {
+  return fmt::format("certificate of {}, scene {}, seed {}\n\n", certificate.model,
+                     certificate.scene, certificate.seed);
+}
+
+std::string counts(const Certificate& certificate) {
+  const std::size_t held = count(certificate, Verdict::holds);
+  const std::size_t failed = count(certificate, Verdict::fails);
+  return fmt::format("{} hold{}, {} fail{}, {} skipped", plural(held, "check"),
+                     held == 1 ? "s" : "", failed, failed == 1 ? "s" : "",
+                     count(certificate, Verdict::skipped));
+}
+
+Json json_of(const CertificateRow& row) {
+  Json skipped = Json::object();
+  for (const SkippedStates& some : row.skipped) {
+    skipped[std::string(word(obstacle_names, some.obstacle))] = some.states;
+  }
+  Json json{{"check", row.check},     {"output", row.output},
+            {"subject", row.subject}, {"verdict", word(verdict_names, row.verdict)},
+            {"formula", row.formula}, {"evidence", word(evidence_names, row.evidence)},
+            {"samples", row.samples}, {"skipped_states", skipped}};
+  // JSON has no infinity, which a value that is no number is off by.
+  if (row.error && std::isfinite(*row.error)) json["error_in_bounds"] = *row.error;
+  json["worst"] = row.worst;
+  json["worst_at"] = row.where;
+  json["tolerance"] = row.tolerance;
+  return json;
+}
+
+}  // namespace
 
 std::size_t count(const Certificate& certificate, Verdict verdict) {
   return static_cast<std::size_t>(
@@ -50,23 +179,47 @@ std::size_t count(const Certificate& certificate, Verdict verdict) {
                     [verdict](const CertificateRow& row) { return row.verdict == verdict; }));
 }
 
-}  // namespace
-
 bool holds(const Certificate& certificate) { return count(certificate, Verdict::fails) == 0; }
 
+std::string verdict_line(const Certificate& certificate) {
+  return certificate.model + ": " + counts(certificate) + "\n";
+}
+
 std::string to_text(const Certificate& certificate) {
-  std::string text = fmt::format("certificate of {}, scene {}, seed {}\n", certificate.model,
-                                 certificate.scene, certificate.seed);
-  const std::size_t width = widest_subject(certificate.rows);
-  std::string_view heading;
+  const auto groups = by_output(certificate);
+  std::size_t width = 0;
+  for (const auto& [name, rows] : groups) width = std::max(width, name.size());
+  std::string text = heading(certificate);
+  for (const auto& [name, rows] : groups) append_output(text, name, rows, width);
+  return text + "\n" + counts(certificate) + "\n";
+}
+
+std::string to_full_text(const Certificate& certificate) {
+  std::size_t width = 0;
+  for (const CertificateRow& row : certificate.rows) width = std::max(width, row.subject.size());
+  std::string text = heading(certificate);
+  std::string_view check;
   for (const CertificateRow& row : certificate.rows) {
-    if (row.check != heading) text += fmt::format("\n{}\n", row.check);
-    heading = row.check;
-    append_row(text, row, width);
+    if (row.check != check) text += fmt::format("{}{}\n", check.empty() ? "" : "\n", row.check);
+    check = row.check;
+    text += fmt::format("  {:<8} {:<{}}  {}\n", word(verdict_words, row.verdict), row.subject,
+                        width, row.worst);
+    append_details(text, row);
   }
-  return text + fmt::format("\n{} checks hold, {} fail, {} skipped\n",
-                            count(certificate, Verdict::holds), count(certificate, Verdict::fails),
-                            count(certificate, Verdict::skipped));
+  return text + "\n" + counts(certificate) + "\n";
+}
+
+std::string to_json(const Certificate& certificate) {
+  Json checks = Json::array();
+  for (const CertificateRow& row : certificate.rows) checks.push_back(json_of(row));
+  const Json json{{"model", certificate.model},
+                  {"scene", certificate.scene},
+                  {"seed", certificate.seed},
+                  {"holds", count(certificate, Verdict::holds)},
+                  {"fails", count(certificate, Verdict::fails)},
+                  {"skipped", count(certificate, Verdict::skipped)},
+                  {"checks", checks}};
+  return json.dump(2) + "\n";
 }
 
 }  // namespace elgen

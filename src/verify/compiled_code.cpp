@@ -41,6 +41,7 @@ CertificateRow compiled_row(const Subject& subject, const CompiledHeader& compil
   }
   CertificateRow row;
   row.check = "compiled code vs program";
+  row.output = function.name;
   row.subject =
       fmt::format("{} ({}{}{})", function.name, std::is_same_v<Scalar, float> ? "float" : "double",
                   compiled.types.empty() ? "" : ", ", compiled.types);

@@ -108,6 +108,7 @@ CertificateRow expectation_row(const Expectation& expectation, std::size_t entry
                                const Subject& subject) {
   CertificateRow row;
   row.check = "[[expect]]";
+  row.output = row.check + " " + expectation.output;
   row.subject = entry_name(expectation, entry);
   row.formula = to_string(subject.model, expectation.entries[entry]);
   row.tolerance = reason;
@@ -117,7 +118,7 @@ CertificateRow expectation_row(const Expectation& expectation, std::size_t entry
 void finish(CertificateRow& row, const Tally& tally, const Subject& subject) {
   row.samples = tally.samples();
   row.worst = fmt::format("{:.1e} relative", tally.worst());
-  if (tally.skipped() > 0) row.worst += fmt::format("; {} outside the domain", tally.skipped());
+  if (tally.skipped() > 0) row.skipped = {{Obstacle::undefined, tally.skipped()}};
   row.where = tally.within(tolerance) ? std::string() : tally.where(subject);
   // The author expects a value: where there is none, the expectation is not met.
   row.verdict = tally.samples() == 0 ? Verdict::fails : tally.verdict(tolerance);
@@ -269,6 +270,7 @@ namespace {
 
 CertificateRow proved_row(CertificateRow row, const char* how) {
   row.worst = "equal";
+  row.evidence = Evidence::proof;
   row.tolerance = how;
   return row;
 }

@@ -32,6 +32,11 @@ template <class Scalar>
 [[nodiscard]] BoundedRun bounded_run(const Program& program, const Function& function,
                                      const State& state);
 
+/// The same with accelerations that are not the state's, and may be known to their bounds only.
+template <class Scalar>
+[[nodiscard]] BoundedRun bounded_run(const Program& program, const Function& function,
+                                     const State& state, const std::vector<Bound>& accelerations);
+
 /// What judges an entry: B of the closed form where the function is emitted in it (a bound that
 /// does not depend on the code), else B run along the function itself, the weaker "own bound".
 struct Judge {
@@ -48,9 +53,17 @@ struct Judge {
 /// there grows by what multiplies it afterwards, which the closed form does not know.
 [[nodiscard]] const Bound& judging_bound(const Bound& own, const Bound& closed);
 
-/// |x - exact| / (u B), B grown to n B/8 where n > 16 roundings meet in the entry, less
-/// `operations` times the smallest denormal, which underflow may cost; 0 where both are equal,
-/// infinite where x is not a number or B is 0. Scalar: double or float.
+/// |x - exact| less `operations` times the smallest denormal, which underflow may cost; undefined
+/// where x is not a number. Scalar: double or float.
+template <class Scalar>
+[[nodiscard]] Real excess_error(Scalar x, const Real& exact, std::size_t operations);
+
+/// excess/(u bound): 0 where there is no excess, infinite where it has no value or the bound is 0.
+template <class Scalar>
+[[nodiscard]] double in_bounds(const Real& excess, const Real& bound);
+
+/// |x - exact| / (u B), B grown to n B/8 where n > 8 roundings meet in the entry, less what
+/// underflow may cost.
 template <class Scalar>
 [[nodiscard]] double error_in_bounds(Scalar x, const Bound& entry, std::size_t operations);
 

@@ -30,8 +30,9 @@ std::vector<CertificateRow> sampled_zeros(const Program& program) {
     if (function.sampled_zeros.empty()) continue;
     CertificateRow row;
     row.check = "zeros that are not proved";
-    row.subject = function.name;
+    row.output = row.subject = function.name;
     row.formula = "|x| <= 1e-40 B in 60 digits, of what is taken for 0";
+    row.evidence = Evidence::zeros;
     row.samples = zero_points;
     row.worst = fmt::format("in entr{} {}", function.sampled_zeros.size() == 1 ? "y" : "ies",
                             numbers(function.sampled_zeros));

@@ -28,7 +28,7 @@ CertificateRow finish(CertificateRow row, const Tally& tally, const Subject& sub
   row.samples = tally.samples();
   row.where = tally.where(subject);
   row.verdict = tally.verdict(tolerance);
-  if (tally.skipped() > 0) row.worst += fmt::format("; {} undefined", tally.skipped());
+  if (tally.skipped() > 0) row.skipped = {{Obstacle::undefined, tally.skipped()}};
   return row;
 }
 
@@ -62,7 +62,7 @@ void add_identities(std::vector<CertificateRow>& rows, std::vector<ExactValues>&
     if (!has_all(program, identity.functions)) continue;
     CertificateRow row;
     row.check = identity.check;
-    row.subject = find_function(program, identity.functions.front())->name;
+    row.output = row.subject = find_function(program, identity.functions.front())->name;
     row.formula = identity.formula;
     rows.push_back(identity_row(std::move(row), points, identity.balance));
   }
@@ -90,7 +90,7 @@ CertificateRow output_row(std::vector<ExactValues>& points, const Function& func
   const Claim claim = claim_of(points.front().subject().model.outputs[user], is_jacobian);
   CertificateRow row;
   row.check = claim.check;
-  row.subject = function.name;
+  row.output = row.subject = function.name;
   row.formula = claim.formula;
   return identity_row(std::move(row), points, [=](ExactValues& at) {
     return is_jacobian ? jacobian_balance(at, user) : output_bias_balance(at, user);
@@ -153,7 +153,7 @@ CertificateRow symmetry_row(const Subject& subject, const Function& function,
   }
   CertificateRow row;
   row.check = "mass matrix symmetric";
-  row.subject = function.name;
+  row.output = row.subject = function.name;
   row.formula = "M_ij = M_ji in double";
   row.worst = fmt::format("{:g} apart", tally.worst());
   row.tolerance = "exact: both entries are one value";
@@ -189,7 +189,7 @@ CertificateRow definiteness_row(const Function& function, std::vector<ExactValue
   }
   CertificateRow row;
   row.check = "mass matrix positive definite";
-  row.subject = function.name;
+  row.output = row.subject = function.name;
   row.formula = "D_i/M_ii > 0, M = L D L^T";
   row.worst = tally.samples() == 0 ? "no regular state"
                                    : fmt::format("smallest pivot {:.2g}", -tally.worst());
@@ -197,7 +197,7 @@ CertificateRow definiteness_row(const Function& function, std::vector<ExactValue
   row.samples = tally.samples();
   row.where = tally.where(points.front().subject());
   row.verdict = tally.verdict(-singular_pivot);
-  if (tally.skipped() > 0) row.worst += fmt::format("; {} singular", tally.skipped());
+  if (tally.skipped() > 0) row.skipped = {{Obstacle::singular, tally.skipped()}};
   return row;
 }
 

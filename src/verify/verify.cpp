@@ -15,11 +15,19 @@
 namespace elgen {
 namespace {
 
-constexpr std::size_t quick_samples = 16;
-constexpr std::size_t default_samples = 256;
-/// Instructions times random states, about half a minute in 64 digits; never fewer states than
-/// a quick run has.
-constexpr std::size_t most_work = 1 << 20;
+/// How many states are visited where nobody says it: `samples` random ones with all extremes, or as
+/// many of them as the work allows, in instructions times states.
+struct Effort {
+  std::size_t samples;
+  std::size_t work;
+};
+
+/// About half a minute in 64 digits.
+constexpr Effort thorough{256, 1 << 20};
+/// A few seconds. Of the longest programs one state is left in each scalar.
+constexpr Effort quick{16, 1 << 18};
+/// From so many velocities on all entries of all outputs take the oracle minutes.
+constexpr std::size_t projected_velocities = 9;
 /// Identities hold at all states or at none, so that few states tell.
 constexpr std::size_t structure_samples = 32;
 
@@ -37,12 +45,31 @@ std::vector<State> nominal_states(const Subject& subject,
   return states;
 }
 
-std::size_t samples_of(const Program& program, const VerifyOptions& options) {
-  if (options.quick) return quick_samples;
-  if (options.samples) return *options.samples;
+std::size_t instructions_of(const Program& program) {
   std::size_t length = 1;
   for (const Function& function : program.functions) length += function.instructions.size();
-  return std::clamp(most_work / length, quick_samples, default_samples);
+  return length;
+}
+
+template <class Scalar>
+std::vector<SampledState<Scalar>> states_for(const Subject& subject, const VerifyOptions& options) {
+  const Effort& effort = options.quick ? quick : thorough;
+  const std::size_t count = options.samples.value_or(effort.samples);
+  auto states = sample_states<Scalar>(subject, {count, options.seed, true});
+  if (options.samples) return states;
+  // Extremes come last: every k-th of all states is left, the first one always.
+  const std::size_t affordable =
+      std::max<std::size_t>(effort.work / instructions_of(subject.program), 1);
+  const std::size_t stride = (states.size() + affordable - 1) / affordable;
+  std::vector<SampledState<Scalar>> some;
+  for (std::size_t i = 0; i < states.size(); i += stride) some.push_back(states[i]);
+  return some;
+}
+
+/// Few states, or many velocities: the time goes where it tells most.
+Comparison comparison_for(const Model& model, const VerifyOptions& options) {
+  const bool is_large = model.velocities.size() >= projected_velocities;
+  return options.quick || is_large ? Comparison::projections : Comparison::entries;
 }
 
 }  // namespace
@@ -50,18 +77,18 @@ std::size_t samples_of(const Program& program, const VerifyOptions& options) {
 Verification verify(const Model& model, const Scene& scene, const Program& program,
                     const CompiledHeaders& compiled, const VerifyOptions& options) {
   const Subject subject{model, scene, program};
-  const Sampling sampling{samples_of(program, options), options.seed, true};
-  const auto doubles = sample_states<double>(subject, sampling);
-  const auto floats = sample_states<float>(subject, sampling);
+  const auto doubles = states_for<double>(subject, options);
+  const auto floats = states_for<float>(subject, options);
+  const AccuracyOptions accuracy{comparison_for(model, options), options.parts, options.on_step};
 
   Verification result;
   result.certificate = {model.name, scene.name.empty() ? "full" : scene.name, options.seed, {}};
   std::vector<CertificateRow>& rows = result.certificate.rows;
   ExpectationReport expected = check_expectations(subject, options.forms, options.seed);
   append(rows, expected.rows);
-  append(rows, check_accuracy(subject, doubles));
+  append(rows, check_accuracy(subject, doubles, accuracy));
   const bool fits_float = fits(model, program, ScalarKind::single_precision);
-  if (fits_float) append(rows, check_accuracy(subject, floats));
+  if (fits_float) append(rows, check_accuracy(subject, floats, accuracy));
   for (const CompiledHeader& header : compiled) {
     const bool has_doubles = header.functions->has(ScalarKind::double_precision);
     const bool has_floats = header.functions->has(ScalarKind::single_precision);

@@ -129,5 +129,12 @@ TEST_CASE("a scene is dumped with what it wants") {
   CHECK(text.find("output bias 1 1, closed\nscalar float\nscalar double\n") != std::string::npos);
 }
 
+TEST_CASE("what a scene does without is dumped with the reason") {
+  const std::string text =
+      dump(checked(block("[[force]]\non = \"x\"\nvalue = \"-k*abs(x)\"\n")).scene);
+  CHECK(text.find("left out linearization, kinked force\n") != std::string::npos);
+  CHECK(text.find("left out mass_matrix") == std::string::npos);
+}
+
 }  // namespace
 }  // namespace elgen::test

@@ -30,6 +30,20 @@ std::vector<std::string> names_in_full(const std::string& model) {
   return names;
 }
 
+/// "too many entries: mass_matrix, linearization", a reason a line.
+std::string left_out(const CheckedModel& checked) {
+  std::string lines;
+  for (const LeftOut& reason : checked.scene.left_out) {
+    std::string names;
+    for (const std::string& output : reason.outputs) names += (names.empty() ? "" : ", ") + output;
+    lines += std::string(name_of(reason.reason)) + ": " + names + "\n";
+  }
+  return lines;
+}
+
+const std::string without_derivatives =
+    "kinked force: linearization, inverse_dynamics_derivatives, forward_dynamics_derivatives\n";
+
 bool has(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -118,6 +132,14 @@ TEST_CASE("forces with kinks have no derivatives, and full does without them") {
       messages(model, wanted) ==
       "E603 1:1 `forward_dynamics_derivatives` needs forces with derivatives; `abs`, `sign`, `min` "
       "and `max` have none, a smooth stand-in is tanh(x/width)\n");
+  const CheckedModel kinked = checked(model);
+  CHECK(left_out(kinked) == without_derivatives);
+  CHECK(covered_text(kinked.scene.left_out.front().span) == "abs(x)");
+}
+
+TEST_CASE("what a model simply does not have is not left out") {
+  CHECK(left_out(checked(with_output)).empty());
+  CHECK(left_out(checked(block())).empty());
 }
 
 TEST_CASE("only kinks in forces on what moves stand in the way of derivatives") {
@@ -137,18 +159,52 @@ TEST_CASE("only kinks in forces on what moves stand in the way of derivatives") 
   CHECK(messages(two, wanted).empty());
 }
 
-TEST_CASE("big outputs are left out of full, but can be had by name") {
-  const std::string model =
-      "format = 1\n[model]\nname = \"a\"\n[sizes]\nn = 64\n[[coordinate]]\n"
-      "for = \"i in 1..n\"\nname = \"x[i]\"\n[energy]\n"
-      "T = \"sum(i, 1, n, dot(x[i])^2)\"\n";
-  CHECK(has(names_in_full(model), "mass_matrix"));
-  Wanted wanted;
-  wanted.sizes = {"n=65"};
-  const CheckedModel big = checked(model, wanted);
+std::string masses(int count) {
+  return "format = 1\n[model]\nname = \"a\"\n[sizes]\nn = " + std::to_string(count) +
+         "\n[[coordinate]]\nfor = \"i in 1..n\"\nname = \"x[i]\"\n[energy]\n"
+         "T = \"sum(i, 1, n, dot(x[i])^2)\"\n";
+}
+
+TEST_CASE("big outputs are left out of full, each from the size on that makes it big") {
+  CHECK(left_out(checked(masses(32))).empty());
+  CHECK(left_out(checked(masses(33))) == "too many entries: linearization\n");
+  CHECK(left_out(checked(masses(64))) == "too many entries: linearization\n");
+  const CheckedModel big = checked(masses(65));
+  CHECK(left_out(big) ==
+        "too many entries: mass_matrix, coriolis_matrix, linearization, "
+        "inverse_dynamics_derivatives, forward_dynamics_derivatives\n");
+  CHECK(covered_text(big.scene.left_out.front().span) == "a");
   CHECK(big.scene.outputs.front().name == "velocity_force");
-  wanted.outputs = {"mass_matrix"};
-  CHECK(checked(model, wanted).scene.outputs.front().rows == 65);
+}
+
+TEST_CASE("a scene or an option gets a big output that it names, and nothing is left out of it") {
+  Wanted wanted;
+  wanted.scene = "format = 1\nmodel = \"a.toml\"\nname = \"b\"\n[outputs]\nlinearization = true\n";
+  const CheckedModel by_scene = checked(masses(65), wanted);
+  REQUIRE(by_scene.scene.outputs.size() == 1);
+  CHECK(by_scene.scene.outputs.front().rows == 130);
+  CHECK(by_scene.scene.left_out.empty());
+  Wanted option;
+  option.outputs = {"mass_matrix"};
+  const CheckedModel by_option = checked(masses(65), option);
+  CHECK(by_option.scene.outputs.front().rows == 65);
+  CHECK(by_option.scene.left_out.empty());
+  option.outputs = {"mass_matrx"};
+  CHECK_THAT(
+      messages(masses(65), option),
+      Catch::EndsWith("E601 1:1 unknown output `mass_matrx` | did you mean `mass_matrix`?\n"));
+}
+
+TEST_CASE("a scene that names no outputs does without what full does without") {
+  Wanted wanted;
+  wanted.scene = "format = 1\nmodel = \"a.toml\"\nname = \"b\"\n[sizes]\nn = 33\n";
+  CHECK(left_out(checked(masses(2), wanted)) == "too many entries: linearization\n");
+}
+
+TEST_CASE("each reason is given once, and derivatives that no scene gets under theirs") {
+  const std::string kinked = masses(65) + "[[force]]\non = \"x[2]\"\nvalue = \"-sign(x[1])\"\n";
+  CHECK(left_out(checked(kinked)) ==
+        "too many entries: mass_matrix, coriolis_matrix\n" + without_derivatives);
 }
 
 }  // namespace

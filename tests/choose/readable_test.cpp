@@ -47,6 +47,13 @@ TEST_CASE("the shortest form is written") {
   }
 }
 
+TEST_CASE("what is shorter as it was derived is written so only where no digits are lost") {
+  CHECK(written("(x + a)^3 - x^3") == "a*(3*x*(a + x) + a^2)");
+  CHECK(written("(a - sqrt(x^2 + y^2))^2") == "(a - sqrt(x^2 + y^2))^2");
+  // Both have as few digits as the angle has.
+  CHECK(written("cos(x + pi/6)") == "cos(1/6*pi + x)");
+}
+
 TEST_CASE("no entry of any output holds both squares") {
   // The spherical pendulum: l^2 (theta'^2 + sin(theta)^2 phi'^2) out of three components.
   const Chosen c = chosen(model_text("spherical", R"toml(

@@ -1,5 +1,7 @@
 // elgen verify: certificates and exit codes.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include "support/shell.hpp"
 
@@ -58,7 +60,7 @@ name = "pose"
 frame = "ball"
 jacobian = true
 )toml");
-  const Outcome judged = shell("elgen verify --samples 16 arm.toml", workspace.path());
+  const Outcome judged = shell("elgen verify -v --samples 16 arm.toml", workspace.path());
   INFO(judged.output + judged.errors);
   CHECK(judged.status == 0);
   CHECK(mentions(judged.output, "J = d(omega; dp/dt)/dv, [omega]x = dR/dt R^T"));
@@ -96,7 +98,7 @@ TEST_CASE("every file that is emitted is compiled and run, in every storage") {
                "format = 1\nmodel = \"" + models + "/cart_pole.toml\"\nname = \"one\"\n" +
                    "[outputs]\ninput_matrix = true\nmass_matrix = true\nlinearization = true\n" +
                    "[numeric]\nscalar = [\"double\"]\n[emit]\n" + emission);
-    const Outcome outcome = shell("elgen verify --samples 16 one.scene.toml", workspace.path());
+    const Outcome outcome = shell("elgen verify -v --samples 16 one.scene.toml", workspace.path());
     INFO(emission << outcome.output << outcome.errors);
     CHECK(outcome.status == 0);
     return outcome.output;
@@ -117,7 +119,7 @@ TEST_CASE("a model whose numbers do not fit float is verified in double alone") 
              "format = 1\n[model]\nname = \"star\"\n[[coordinate]]\nname = \"x\"\nunit = \"m\"\n"
              "[parameters]\nm = { value = 1e39, unit = \"kg\" }\nk = { value = 1e39, unit = "
              "\"N/m\" }\n[energy]\nT = \"1/2*m*dot(x)^2\"\nV = \"1/2*k*x^2\"\n");
-  const Outcome outcome = shell("elgen verify star.toml", workspace.path());
+  const Outcome outcome = shell("elgen verify -v star.toml", workspace.path());
   INFO(outcome.output + outcome.errors);
   CHECK(outcome.status == 0);
   CHECK(mentions(outcome.output, "mass_matrix (double)"));
@@ -136,11 +138,12 @@ TEST_CASE("-o writes the certificates, and over a file with --force only") {
   const std::string command = "elgen verify --quick a.toml -o new/c.txt";
   const Outcome first = shell(command, workspace.path());
   CHECK(first.status == 0);
-  CHECK(read_text(workspace.path() / "new/c.txt") == first.output);
+  const std::string full = shell("elgen verify --quick -v a.toml", workspace.path()).output;
+  CHECK(read_text(workspace.path() / "new/c.txt") == full);
   CHECK(shell(command, workspace.path()).status == 4);
   write_text(workspace.path() / "new/c.txt", "old\n");
   CHECK(shell(command + " --force", workspace.path()).status == 0);
-  CHECK(read_text(workspace.path() / "new/c.txt") == first.output);
+  CHECK(read_text(workspace.path() / "new/c.txt") == full);
 }
 
 TEST_CASE("where a certificate is missing no file is written") {
@@ -160,6 +163,80 @@ TEST_CASE("--samples is a positive number of states, -v prints the equations") {
   CHECK(few.status == 0);
   CHECK(few.output != shell("elgen verify --samples 8 " + model, workspace.path()).output);
   CHECK(mentions(few.errors, shell("elgen show " + model, workspace.path()).output));
+}
+
+TEST_CASE(
+    "there is a line per output; -v says all, -q the verdict alone, --format json everything") {
+  const Workspace workspace;
+  const std::string verify = "elgen verify --quick " + models + "/simple_pendulum.toml ";
+  const Outcome lines = shell(verify, workspace.path());
+  CHECK(mentions(lines.output, "\n  holds    mass_matrix "));
+  CHECK(mentions(lines.output, "\n  holds    [[expect]] gravity            1 check, proved\n"));
+  CHECK(mentions(lines.output, " checks hold, 0 fail, 0 skipped\n"));
+  CHECK_FALSE(mentions(lines.output, "tolerance"));
+  const Outcome full = shell(verify + "-v", workspace.path());
+  CHECK(mentions(full.output, "           tolerance  8 u B + N eta"));
+  CHECK(mentions(full.output, "           decided    for every state, by proof"));
+  const Outcome verdict = shell(verify + "-q", workspace.path());
+  CHECK(starts_with(verdict.output, "simple_pendulum: "));
+  CHECK(std::count(verdict.output.begin(), verdict.output.end(), '\n') == 1);
+  const Outcome as_json = shell(verify + "--format json", workspace.path());
+  const auto json = nlohmann::json::parse(as_json.output);
+  CHECK(json.at("model") == "simple_pendulum");
+  CHECK(json.at("fails") == 0);
+  CHECK(json.at("checks").size() == json.at("holds"));
+}
+
+TEST_CASE("what is skipped is counted with its reason, and --strict makes it count") {
+  const Workspace workspace;
+  // M is regular on paper, and singular to 1e-18 of its entries.
+  write_text(workspace.path() / "light.toml",
+             "format = 1\n[model]\nname = \"light\"\n[[coordinate]]\nname = \"x\"\nunit = \"m\"\n"
+             "[[coordinate]]\nname = \"y\"\nunit = \"m\"\n[parameters]\n"
+             "m = { value = 1, unit = \"kg\" }\nd = { value = 1e-18, unit = \"kg\" }\n"
+             "[energy]\nT = \"1/2*m*(dot(x) + dot(y))^2 + 1/2*d*dot(y)^2\"\nV = \"0\"\n");
+  const std::string verify = "elgen verify --quick light.toml";
+  const Outcome lenient = shell(verify, workspace.path());
+  INFO(lenient.output + lenient.errors);
+  CHECK(lenient.status == 0);
+  CHECK(mentions(lenient.output,
+                 "           skipped: mass matrix positive definite, mass_matrix\n"
+                 "           because    "));
+  CHECK(mentions(lenient.output, " singular\n"));
+  CHECK_FALSE(mentions(lenient.output, ", 0 skipped"));
+  CHECK(shell(verify + " --strict", workspace.path()).status == 1);
+  CHECK(shell("elgen verify --quick --strict " + models + "/simple_pendulum.toml", workspace.path())
+            .status == 0);
+}
+
+TEST_CASE("the forward dynamics of arms is bounded") {
+  const Workspace workspace;
+  for (const std::string name : {"panda7", "ur5", "chain"}) {
+    const Outcome outcome = shell(
+        "elgen verify --quick --format json " + models + "/" + name + ".toml", workspace.path());
+    INFO(name << outcome.errors);
+    REQUIRE(outcome.status == 0);
+    const auto json = nlohmann::json::parse(outcome.output);
+    CHECK(json.at("skipped") == 0);
+    for (const auto& row : json.at("checks")) {
+      if (row.at("check") != "program vs oracle" || row.at("output") != "forward_dynamics")
+        continue;
+      INFO(row.dump(2));
+      CHECK(row.at("error_in_bounds") > 0);
+      // Extremes may be: angles of 1e4 in float.
+      CHECK(row.at("skipped_states").value("ill_conditioned", 0) <= 1);
+      CHECK(row.at("samples") >= 8);
+    }
+  }
+}
+
+TEST_CASE("--timings has the times of verify too") {
+  const Workspace workspace;
+  const std::string model = models + "/simple_pendulum.toml";
+  const Outcome outcome = shell("elgen verify --samples 2 --timings " + model, workspace.path());
+  CHECK(outcome.status == 0);
+  CHECK(mentions(outcome.errors, "     compile "));
+  CHECK(mentions(outcome.errors, "      verify "));
 }
 
 }  // namespace elgen::test

@@ -76,6 +76,17 @@ TEST_CASE("title, variables and fixed parameters") {
   CHECK(lines.back() == " Fixed: g = 9.81.");
 }
 
+TEST_CASE("what is left out is said, and nothing where nothing is") {
+  Subject subject = cart_pole();
+  const Lines without = introduction(subject.model, subject.scene, subject.program);
+  subject.scene.left_out = {{LeftOutReason::kinked_force, {"linearization"}}};
+  const Lines lines = introduction(subject.model, subject.scene, subject.program);
+  REQUIRE(lines.size() == without.size() + 2);
+  CHECK(lines[without.size()].empty());
+  CHECK(lines.back() ==
+        " Left out, as forces with abs, sign, min or max have no derivatives: linearization.");
+}
+
 TEST_CASE("an expansion is said") {
   Subject subject = cart_pole();
   subject.model.expressions = {Expression{}};  // the number 0

@@ -27,3 +27,11 @@ TEST_CASE("the page ends with the operations of every function") {
     CHECK(page.find("\n" + function.name + " ", operations) != std::string::npos);
   }
 }
+
+TEST_CASE("the page says what is left out") {
+  Subject subject = cart_pole();
+  subject.scene.left_out = {{LeftOutReason::too_many_entries, {"linearization"}}};
+  const std::string page = markdown(emission_input(subject.model, subject.scene, subject.program));
+  CHECK(page.find("\n\nLeft out, with more than 4096 entries: linearization. A scene or --outputs "
+                  "that names an output gets it.\n\n") != std::string::npos);
+}

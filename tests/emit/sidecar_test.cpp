@@ -67,3 +67,13 @@ TEST_CASE("short lists stand on one line, lines end with LF") {
   CHECK(text.find('\r') == std::string::npos);
   CHECK(text.back() == '\n');
 }
+
+TEST_CASE("what is left out stands beside the outputs, each with its reason") {
+  Subject subject = cart_pole();
+  subject.scene.left_out = {{LeftOutReason::too_many_entries, {"mass_matrix", "coriolis_matrix"}},
+                            {LeftOutReason::kinked_force, {"linearization"}}};
+  const Json left_out = Json::parse(text_of(subject))["left_out"];
+  CHECK(left_out.dump() ==
+        R"({"mass_matrix":"too many entries","coriolis_matrix":"too many entries",)"
+        R"("linearization":"kinked force"})");
+}

@@ -36,3 +36,15 @@ TEST_CASE("a rule may turn signs: users see the renewed operand") {
   });
   CHECK(testing::texts_of(turned) == std::vector<std::string>{"a - b", "-a*b"});
 }
+
+TEST_CASE("a copy in another graph meets what is there") {
+  testing::ExpressionLeaves l;
+  l.expressions.values = {-l.graph.sum({l.a, l.b})};
+  Expressions other;
+  const Ref first = copied(other.graph, l.expressions);
+  const std::size_t size = other.graph.size();
+  CHECK(copied(other.graph, l.expressions) == first);
+  CHECK(other.graph.size() == size);
+  other.values = {first};
+  CHECK(testing::texts_of(other) == testing::texts_of(l.expressions));
+}

@@ -26,7 +26,7 @@ std::string model_of(const Row& row) {
 Outcome verdict(const Row& row) {
   const Workspace folder;
   write_text(folder.path() / "constants.toml", model_of(row));
-  return shell("elgen verify -q --quick constants.toml", folder.path());
+  return shell("elgen verify -v --quick constants.toml", folder.path());
 }
 
 }  // namespace
@@ -106,7 +106,7 @@ TEST_CASE("a parameter that is fixed at an irrational value keeps its form") {
   CHECK(mentions(shown.output, "gravity = 1 - cos(1)\n"));
   const Outcome all = shell("elgen show -q --fix all fixed.toml", folder.path());
   CHECK(mentions(all.output, "mass_matrix = 2*sqrt(2)\n"));
-  const Outcome verified = shell("elgen verify -q --quick one.scene.toml", folder.path());
+  const Outcome verified = shell("elgen verify -v --quick one.scene.toml", folder.path());
   INFO(verified.output);
   CHECK(verified.status == 0);
   CHECK(mentions(verified.output, "proved: both are one canonical sum"));
@@ -145,7 +145,7 @@ coriolis_matrix = [["m*(1 + b)*dot(b)", "m*(1 + b)*dot(a)"], ["-m*(1 + b)*dot(a)
 )toml");
   const Outcome shown = shell("elgen show -q --what coriolis_matrix slide.toml", folder.path());
   CHECK(mentions(shown.output, "coriolis_matrix[1,2] = m*(1 + b)*dot(a)\n"));
-  const Outcome verified = shell("elgen verify -q --quick slide.toml", folder.path());
+  const Outcome verified = shell("elgen verify -v --quick slide.toml", folder.path());
   INFO(verified.output);
   CHECK(verified.status == 0);
 }

@@ -60,9 +60,11 @@ TEST_CASE("stop_after ends after that stage, whichever it is") {
     const Products products = run_pipeline(model("simple_pendulum.toml"), options);
     INFO(options.stop_after);
     CHECK(stages(products).size() == count);
-    const bool is_read = options.stop_after == "readback";
+    const bool is_judged = options.stop_after == "parts";
+    const bool is_read = is_judged || options.stop_after == "readback";
     CHECK(products.files.has_value() == (options.stop_after == "emit" || is_read));
     CHECK(products.readback.has_value() == is_read);
+    CHECK(products.parts.has_value() == is_judged);
     CHECK_FALSE(products.self_check.has_value());
   }
 }

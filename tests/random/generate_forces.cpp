@@ -25,7 +25,7 @@ void Generator::add_prescribed() {
   } else if (!model.points.empty() && model.points[0].repeat == 0) {
     model.points[0].at[0] = model.points[0].at[0] + drive;
   } else if (model.T && draw_.chance(50)) {
-    model.T = model.T + any_constant() / number(2) * raised(draw_.one_of(rates_) + drive, 2);
+    model.T = model.T + positive_constant() / number(2) * raised(draw_.one_of(rates_) + drive, 2);
   }
   const Expression term = draw_.function_of(positions_) * drive;
   if (model.L)

@@ -26,7 +26,7 @@ std::string failed_rows(const std::string& certificate) {
 }
 
 Outcome verify(const std::string& file, const std::filesystem::path& folder) {
-  return test::shell("timeout 300 elgen verify -q --quick " + file, folder);
+  return test::shell("timeout 300 elgen verify --quick " + file, folder);
 }
 
 /// The first check that does not hold is part of the kind: a smaller model must fail in the same

@@ -29,4 +29,17 @@ TEST_CASE("a sidecar that says something else is refused") {
   }
 }
 
+TEST_CASE("a sidecar that leaves out something else is refused") {
+  const test::Written all = test::written(
+      "format = 1\n[model]\nname = \"slider\"\n[[coordinate]]\nname = \"x\"\n"
+      "[energy]\nT = \"dot(x)^2\"\n[[force]]\non = \"x\"\nvalue = \"-sign(dot(x))\"\n");
+  const std::string json = ".equations.json";
+  for (const Change& change : std::vector<Change>{
+           {all, json, "\"left_out\"", "\"left_out\"", "\"missing\"", "`left_out` is missing"},
+           {all, json, "\"left_out\"", "kinked force", "too many entries", "instead of"},
+           {all, json, "\"left_out\"", "\"linearization\"", "\"bias\"", "is missing"}}) {
+    expect_refused(change);
+  }
+}
+
 }  // namespace elgen

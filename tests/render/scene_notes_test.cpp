@@ -16,6 +16,18 @@ std::vector<std::string> notes(const std::string& scene) {
 
 }  // namespace
 
+TEST_CASE("what a model leaves out, and whether it can be had") {
+  Scene scene;
+  scene.left_out = {{LeftOutReason::too_many_entries, {"mass_matrix", "linearization"}},
+                    {LeftOutReason::kinked_force, {"forward_dynamics_derivatives"}}};
+  CHECK(scene_notes(Model{}, scene) ==
+        std::vector<std::string>{
+            "Left out, with more than 4096 entries: mass_matrix, linearization. A scene or "
+            "--outputs that names an output gets it.",
+            "Left out, as forces with abs, sign, min or max have no derivatives: "
+            "forward_dynamics_derivatives."});
+}
+
 TEST_CASE("what a scene fixes and locks") {
   CHECK(notes("") == std::vector<std::string>{});
   CHECK(notes("doc = \"Upright.\"\n[parameters]\nfixed = { l = \"1/2\", g = 9.81 }\n"

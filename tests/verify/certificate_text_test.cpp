@@ -1,5 +1,7 @@
-// The certificate as people read it.
+// The certificate as people and programs read it.
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "elgen/certificate.hpp"
 
@@ -7,48 +9,120 @@ using namespace elgen;
 
 namespace {
 
+CertificateRow row(const std::string& check, const std::string& output, Verdict verdict) {
+  CertificateRow result;
+  result.check = check;
+  result.output = result.subject = output;
+  result.verdict = verdict;
+  return result;
+}
+
 Certificate sample() {
-  return {"cart_pole",
-          "full",
-          7,
-          {{"program vs oracle", "mass_matrix (double)", "|x - x*| / (u B)", 276, "1.2 u B",
-            "q = (1, 2)", "8 u B", Verdict::holds},
-           {"program vs oracle", "bias (double)", "|x - x*| / (u B)", 276, "9 u B", "q = (3, 4)",
-            "8 u B", Verdict::fails},
-           {"mass matrix positive definite", "mass_matrix", "D_i/M_ii > 0", 0, "no regular state",
-            "", "> 0", Verdict::skipped}}};
+  CertificateRow proved = row("[[expect]]", "[[expect]] gravity", Verdict::holds);
+  proved.subject = "gravity[1]";
+  proved.worst = "equal";
+  proved.evidence = Evidence::proof;
+  CertificateRow mass = row("program vs oracle", "mass_matrix", Verdict::holds);
+  mass.subject = "mass_matrix (double)";
+  mass.formula = "|x - x*| / (u B)";
+  mass.samples = 276;
+  mass.skipped = {{Obstacle::overflow, 2}, {Obstacle::undefined, 1}};
+  mass.error = 1.25;
+  mass.worst = "1.2 u B";
+  mass.where = "q = (1, 2)";
+  mass.tolerance = "8 u B";
+  CertificateRow bias = row("program vs oracle", "bias", Verdict::fails);
+  bias.subject = "bias (double)";
+  bias.formula = mass.formula;
+  bias.samples = 276;
+  bias.error = HUGE_VAL;
+  bias.worst = "inf u B";
+  bias.where = "q = (3, 4)";
+  CertificateRow zeros = row("zeros that are not proved", "mass_matrix", Verdict::holds);
+  zeros.evidence = Evidence::zeros;
+  zeros.samples = 64;
+  zeros.worst = "in entry 1";
+  CertificateRow pivots = row("mass matrix positive definite", "mass_matrix", Verdict::skipped);
+  pivots.skipped = {{Obstacle::singular, 32}};
+  pivots.worst = "no regular state";
+  return {"cart_pole", "full", 7, {proved, mass, bias, zeros, pivots}};
 }
 
 }  // namespace
 
-TEST_CASE("rows are aligned under their check, the summary comes last") {
+TEST_CASE("there is a line per output; what fails is printed in full, what is skipped with why") {
   CHECK(to_text(sample()) == R"(certificate of cart_pole, scene full, seed 7
+
+  holds    [[expect]] gravity  1 check, proved
+  holds    mass_matrix         3 checks, 276 states, 1.2 u B, rests on zeros that are not proved
+           skipped: mass matrix positive definite, mass_matrix
+           because    32 singular
+  FAILS    bias                1 of 1 check
+           program vs oracle, bias (double)
+           worst      inf u B
+           formula    |x - x*| / (u B)
+           decided    at 276 states
+           worst at   q = (3, 4)
+
+3 checks hold, 1 fails, 1 skipped
+)");
+}
+
+TEST_CASE("in full every row says how it was decided") {
+  CHECK(to_full_text(sample()) == R"(certificate of cart_pole, scene full, seed 7
+
+[[expect]]
+  holds    gravity[1]            equal
+           decided    for every state, by proof
 
 program vs oracle
   holds    mass_matrix (double)  1.2 u B
            formula    |x - x*| / (u B)
-           samples    276
+           decided    at 276 states
+           skipped    2 overflow, 1 outside the domain
            worst at   q = (1, 2)
            tolerance  8 u B
-  FAILS    bias (double)         9 u B
+  FAILS    bias (double)         inf u B
            formula    |x - x*| / (u B)
-           samples    276
+           decided    at 276 states
            worst at   q = (3, 4)
-           tolerance  8 u B
+
+zeros that are not proved
+  holds    mass_matrix           in entry 1
+           decided    at 64 random points
 
 mass matrix positive definite
   skipped  mass_matrix           no regular state
-           formula    D_i/M_ii > 0
-           samples    0
-           tolerance  > 0
+           decided    at 0 states
+           skipped    32 singular
 
-1 checks hold, 1 fail, 1 skipped
+3 checks hold, 1 fails, 1 skipped
 )");
+}
+
+TEST_CASE("the verdict alone is one line") {
+  CHECK(verdict_line(sample()) == "cart_pole: 3 checks hold, 1 fails, 1 skipped\n");
+}
+
+TEST_CASE("as JSON nothing is left out but what is no number") {
+  const auto json = nlohmann::json::parse(to_json(sample()));
+  CHECK(json.at("model") == "cart_pole");
+  CHECK(json.at("scene") == "full");
+  CHECK(json.at("seed") == 7);
+  CHECK(json.at("holds") == 3);
+  CHECK(json.at("fails") == 1);
+  CHECK(json.at("skipped") == 1);
+  const auto& mass = json.at("checks").at(1);
+  CHECK(mass.at("output") == "mass_matrix");
+  CHECK(mass.at("evidence") == "states");
+  CHECK(mass.at("skipped_states") == nlohmann::json{{"overflow", 2}, {"undefined", 1}});
+  CHECK(mass.at("error_in_bounds") == 1.25);
+  CHECK_FALSE(json.at("checks").at(2).contains("error_in_bounds"));
 }
 
 TEST_CASE("a certificate holds when no row fails") {
   Certificate certificate = sample();
   CHECK_FALSE(holds(certificate));
-  certificate.rows[1].verdict = Verdict::holds;
+  certificate.rows[2].verdict = Verdict::holds;
   CHECK(holds(certificate));
 }

@@ -84,7 +84,7 @@ TEST_CASE("no number, and a difference where the bound is 0, are infinitely wron
 TEST_CASE("a long sum may be off by its roundings") {
   const double next = std::nextafter(1.0, 2.0);
   Bound entry = unit();
-  entry.roundings = 16;
+  entry.roundings = 8;
   CHECK(error_in_bounds(next, entry, 5) == Approx(2));
   entry.roundings = 160;
   CHECK(error_in_bounds(next, entry, 5) == Approx(0.1));

@@ -1,0 +1,47 @@
+// The places of all fields, in the order of the program.
+#include "field_place.hpp"
+
+namespace elgen {
+namespace {
+
+/// What the oracle is asked for.
+OutputRequest request_of(const Subject& subject, const Function& function, const Field& field) {
+  OutputRequest request = standard_request(function.kind);
+  request.user = function.user;
+  if (function.kind != OutputKind::dynamics) return request;
+  const OutputRequest* member = find_request(subject.scene, field.name);
+  return member != nullptr ? *member : request;
+}
+
+}  // namespace
+
+std::vector<FieldPlace> field_places(const Subject& subject, std::size_t index) {
+  const Function& function = subject.program.functions[index];
+  const bool holds_others = function.kind == OutputKind::dynamics;
+  std::vector<FieldPlace> places;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < function.fields.size(); ++i) {
+    const Field& field = function.fields[i];
+    FieldPlace place;
+    place.function = &function;
+    place.index = i;
+    place.first = first;
+    place.judge = judge_of(subject.program, index, field, first);
+    place.request = request_of(subject, function, field);
+    place.request_field = holds_others ? 0 : i;
+    place.first_oracle = holds_others ? 0 : first;
+    first += field.entries.size();
+    places.push_back(std::move(place));
+  }
+  return places;
+}
+
+std::vector<FieldPlace> field_places(const Subject& subject) {
+  std::vector<FieldPlace> places;
+  for (std::size_t index = 0; index < subject.program.functions.size(); ++index) {
+    for (FieldPlace& place : field_places(subject, index)) places.push_back(std::move(place));
+  }
+  return places;
+}
+
+}  // namespace elgen

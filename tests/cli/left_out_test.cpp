@@ -1,0 +1,103 @@
+// What a model leaves out where nothing names outputs: said by every command, in every file, and
+// had by name.
+#include <catch2/catch.hpp>
+
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+/// Free masses side by side: what is large here is quick to derive.
+std::string masses(int count, const std::string& more = {}) {
+  std::string text = "format = 1\n[model]\nname = \"row\"\n[energy]\nT = \"";
+  for (int i = 1; i <= count; ++i) {
+    text += (i == 1 ? "" : " + ") + ("dot(x" + std::to_string(i)) + ")^2";
+  }
+  text += "\"\n";
+  for (int i = 1; i <= count; ++i) {
+    text += "[[coordinate]]\nname = \"x" + std::to_string(i) + "\"\n";
+  }
+  return text + more;
+}
+
+const std::string friction = "[[force]]\non = \"x1\"\nvalue = \"-sign(dot(x1))\"\n";
+
+const std::string kinked_note =
+    "row.toml:10:11: note[E619]: left out, as a force with a kink has no derivatives: "
+    "`linearization`, `inverse_dynamics_derivatives`, `forward_dynamics_derivatives`\n"
+    "   10 | value = \"-sign(dot(x1))\"\n"
+    "      |           ^~~~~~~~~~~~~ a smooth stand-in has them: `tanh(x/width)` for `sign(x)`\n";
+
+Outcome run(const std::string& command, const std::string& model, const Workspace& workspace) {
+  write_text(workspace.path() / "row.toml", model);
+  return shell("elgen " + command, workspace.path());
+}
+
+}  // namespace
+
+TEST_CASE("generate, show and verify say which derivatives a kink takes away, and where it is") {
+  for (const char* command : {"generate row.toml", "show row.toml", "verify --quick row.toml"}) {
+    const Workspace workspace;
+    const Outcome outcome = run(command, masses(1, friction), workspace);
+    INFO(command);
+    CHECK(outcome.status == 0);
+    CHECK(mentions(outcome.errors, kinked_note));
+  }
+}
+
+TEST_CASE("-q, a choice of outputs and the steps of a derivation have nothing left out") {
+  for (const char* command : {"generate -q row.toml", "generate --outputs bias row.toml",
+                              "show --what bias row.toml", "show --what steps row.toml"}) {
+    const Workspace workspace;
+    const Outcome outcome = run(command, masses(1, friction), workspace);
+    INFO(command);
+    CHECK(outcome.status == 0);
+    CHECK_FALSE(mentions(outcome.errors, "E619"));
+  }
+}
+
+TEST_CASE("every file says what is left out of it") {
+  const Workspace workspace;
+  const Outcome outcome = run("generate row.toml", masses(33), workspace);
+  REQUIRE(outcome.status == 0);
+  CHECK(starts_with(outcome.errors,
+                    "row.toml:3:9: note[E619]: left out, with more than 4096 entries: "
+                    "`linearization`\n"
+                    "    3 | name = \"row\"\n"
+                    "      |         ^~~ a scene or `--outputs` that names an output gets it\n"));
+  const std::string stem = "generated/row/row";
+  CHECK(mentions(read_text(workspace.path() / (stem + ".hpp")),
+                 "\n// Left out, with more than 4096 entries: linearization. A scene or --outputs "
+                 "that names an output\n// "
+                 "gets it.\n"));
+  CHECK(mentions(read_text(workspace.path() / (stem + ".md")),
+                 "\nLeft out, with more than 4096 entries: linearization. "));
+  CHECK(mentions(read_text(workspace.path() / (stem + ".equations.json")),
+                 "\n  \"left_out\": {\"linearization\": \"too many entries\"},\n"));
+}
+
+TEST_CASE("headers in C say it too, and a scene without [outputs]") {
+  const Workspace workspace;
+  write_text(workspace.path() / "c.scene.toml",
+             "format = 1\nmodel = \"row.toml\"\nname = \"c\"\n[emit]\nlanguage = \"c99\"\n");
+  const Outcome outcome = run("generate --stdout c.scene.toml", masses(1, friction), workspace);
+  CHECK(outcome.status == 0);
+  CHECK(mentions(outcome.errors, "[E619]"));
+  CHECK(mentions(outcome.output, "Left out, as forces with abs, sign, min or max have no"));
+}
+
+TEST_CASE("a scene gets the large outputs that it names") {
+  const Workspace workspace;
+  write_text(workspace.path() / "large.scene.toml",
+             "format = 1\nmodel = \"row.toml\"\nname = \"large\"\n"
+             "[outputs]\nlinearization = true\n");
+  const Outcome outcome = run("generate large.scene.toml", masses(33), workspace);
+  CHECK(outcome.status == 0);
+  CHECK_FALSE(mentions(outcome.errors, "E619"));
+  const std::string header = read_text(workspace.path() / "generated/row_large/row_large.hpp");
+  CHECK(mentions(header, "linearization("));
+  CHECK_FALSE(mentions(header, "Left out"));
+}
+
+}  // namespace elgen::test

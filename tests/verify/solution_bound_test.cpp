@@ -1,0 +1,130 @@
+// Solutions are judged by the condition of M, not by the code that solves.
+#include "verify/solution_bound.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "elgen/certificate.hpp"
+#include "verify/systems.hpp"
+#include "verify/visit.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+/// M = [1 c; c 1] and bias = (b, 0), all parameters, solved as `body` says.
+System symmetric_pair(const std::string& body, const std::string& results) {
+  const std::string leaves =
+      "  0 = parameter one\n  1 = parameter c\n  2 = parameter b\n  3 = constant 0\n";
+  ModelBuilder builder;
+  builder.coordinate("x", "m").coordinate("y", "m");
+  builder.parameter("one", "1").parameter("c", "0.5").parameter("b", "3");
+  builder.T("one*x_d^2/2 + c*x_d*y_d + one*y_d^2/2").V("b*x");
+  return system_of(builder.model,
+                   "parameters one c b\ncoordinates x y\n" +
+                       function_text("mass_matrix", leaves, "  result 2 2 = 0 1 1 0\n") +
+                       function_text("bias", leaves, "  result 2 1 = 2 3\n") +
+                       function_text("forward_dynamics", leaves + body, results));
+}
+
+// 4 -b  5 L = c/1  6 D2 = 1 - c L  7 -L r1 = c b  8 a2  9 L a2  10 a1  11 d2
+const std::string solve =
+    "  4 = negate 2\n  5 = divide 1 0\n  6 = multiply 5 1\n  7 = subtract 0 6\n"
+    "  8 = multiply 5 4\n  9 = negate 8\n  10 = divide 9 7\n  11 = multiply 5 10\n"
+    "  12 = subtract 4 11\n  13 = divide 7 0\n";
+const std::string results =
+    "  result acceleration 2 1 = 12 10\n  result relative_pivots 2 1 = 0 13\n";
+
+SampledState<double> state_with(const System& system, double c) {
+  auto states = sample_states<double>(system.subject(), {1, 3, false});
+  states.front().values.parameters[1] = c;
+  return states.front();
+}
+
+std::vector<SolvedColumn> columns_at(const System& system, double c) {
+  const Subject subject = system.subject();
+  const SampledState<double> sample = state_with(system, c);
+  const State state = exact_state(subject, sample.values);
+  SolutionBounds<double> bounds(&system.program, state);
+  const FieldPlace place = field_places(subject, 2).front();
+  const BoundedRun run = bounded_run<double>(system.program, *place.function, state);
+  return bounds.columns(place, {run.entries[0], run.entries[1]});
+}
+
+Finding finding_at(const System& system, double c, const Program* parts) {
+  const Subject subject = system.subject();
+  const SampledState<double> sample = state_with(system, c);
+  Visit<double> visit(subject, sample, Comparison::entries, parts);
+  Random random(1);
+  return visit.look_at(field_places(subject, 2).front(), random);
+}
+
+}  // namespace
+
+TEST_CASE("the bound is cond ((n + |B_M|) |x| + |B_b|), in the norm of D^1/2 x") {
+  // M = [1 1/2; 1/2 1] has the eigenvalues 1/2 and 3/2; a = (-4, 2), and B_M = M, B_b = (3, 0).
+  const auto columns = columns_at(symmetric_pair(solve, results), 0.5);
+  REQUIRE(columns.size() == 1);
+  CHECK(columns[0].entries == std::vector<std::size_t>{0, 1});
+  const double frobenius = std::sqrt(2.5);
+  const double expected = 3 * ((2 + frobenius) * std::sqrt(20.0) + 3);
+  CHECK(ScalarTraits<double>::from_real(columns[0].bound.value()) == Approx(expected));
+  CHECK(ScalarTraits<double>::from_real(columns[0].weights[1].value()) == Approx(1));
+}
+
+TEST_CASE("near a singular M nothing is claimed, and far from it everything is bounded") {
+  const System system = symmetric_pair(solve, results);
+  CHECK(columns_at(system, 1 - 1e-15).empty());
+  CHECK(columns_at(system, 1).empty());
+  CHECK_FALSE(columns_at(system, 1 - 1e-12).empty());
+  const Finding bounded = finding_at(system, 1 - 1e-12, &system.program);
+  CHECK(bounded.regime == Regime::regular);
+  REQUIRE(bounded.error);
+  CHECK(*bounded.error < promised_bounds);
+  const Finding unbounded = finding_at(system, 1 - 1e-15, &system.program);
+  CHECK(unbounded.regime == Regime::ill_conditioned);
+  CHECK(unbounded.mistake.empty());
+}
+
+TEST_CASE("a solution whose own bound says nothing is still judged, and found wrong") {
+  // (c + 1e6) - 1e6 for c in the pivot: 4 1e6  6 c  7 -b  8 L  10 D2  13 a2  15 a1
+  const std::string body =
+      "  4 = constant 1000000\n  5 = add 1 4\n  6 = subtract 5 4\n  7 = negate 2\n"
+      "  8 = divide 1 0\n  9 = multiply 8 6\n  10 = subtract 0 9\n  11 = multiply 8 7\n"
+      "  12 = negate 11\n  13 = divide 12 10\n  14 = multiply 8 13\n  15 = subtract 7 14\n"
+      "  16 = divide 10 0\n";
+  const System system = symmetric_pair(
+      body, "  result acceleration 2 1 = 15 13\n  result relative_pivots 2 1 = 0 16\n");
+  const Finding finding = finding_at(system, 0.3, &system.program);
+  REQUIRE(finding.error);
+  CHECK(*finding.error > promised_bounds);
+  CHECK(finding.imprecision.find("times its error bound") != std::string::npos);
+}
+
+TEST_CASE("without the parts there is no such bound") {
+  const System system = symmetric_pair(solve, results);
+  const Finding own = finding_at(system, 0.5, nullptr);
+  CHECK(own.regime == Regime::regular);
+  const Subject subject = system.subject();
+  const State state = exact_state(subject, state_with(system, 0.5).values);
+  SolutionBounds<double> none(nullptr, state);
+  CHECK(none.columns(field_places(subject, 2).front(), {}).empty());
+}
+
+TEST_CASE("what solves names its parts") {
+  System system = cart_pole_system();
+  const auto kinds = [&] {
+    std::vector<OutputKind> result;
+    for (const OutputRequest& request : needed_parts(system.model, system.scene)) {
+      result.push_back(request.kind);
+    }
+    return result;
+  };
+  CHECK(kinds() == std::vector<OutputKind>{OutputKind::mass_matrix, OutputKind::bias,
+                                           OutputKind::input_matrix});
+  system.scene.outputs = {standard_request(OutputKind::linearization)};
+  CHECK(kinds().size() == 5);
+  system.scene.outputs = {standard_request(OutputKind::inverse_dynamics)};
+  CHECK(kinds().empty());
+}
