@@ -20,12 +20,6 @@ Regime regime_of(const Bound& x, const Rounding& rounding) {
 /// number is the bound of first order: (x + y)^12 is off by up to 23 u, and B does not count.
 constexpr std::uint32_t covered_roundings = 8;
 
-/// B, such that 8 u of it cover all roundings.
-Real bound_of(const Bound& entry) {
-  if (entry.roundings <= covered_roundings) return entry.bound;
-  return entry.bound * Real(cln::cl_RA(entry.roundings) / covered_roundings);
-}
-
 /// Arguments are made anew where more digits are needed.
 template <class Scalar, class MakeArguments>
 BoundedRun run_of(const Program& program, const Function& function,
@@ -48,6 +42,11 @@ BoundedRun run_of(const Program& program, const Function& function,
 }
 
 }  // namespace
+
+Real covering_bound(const Bound& entry) {
+  if (entry.roundings <= covered_roundings) return entry.bound;
+  return entry.bound * Real(cln::cl_RA(entry.roundings) / covered_roundings);
+}
 
 Regime worse(Regime x, Regime y) {
   if (x == Regime::regular) return y;
@@ -117,7 +116,7 @@ double in_bounds(const Real& excess, const Real& bound) {
 
 template <class Scalar>
 double error_in_bounds(Scalar x, const Bound& entry, std::size_t operations) {
-  return in_bounds<Scalar>(excess_error(x, entry.value, operations), bound_of(entry));
+  return in_bounds<Scalar>(excess_error(x, entry.value, operations), covering_bound(entry));
 }
 
 template Real excess_error(double, const Real&, std::size_t);

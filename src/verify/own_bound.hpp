@@ -53,6 +53,10 @@ struct Judge {
 /// there grows by what multiplies it afterwards, which the closed form does not know.
 [[nodiscard]] const Bound& judging_bound(const Bound& own, const Bound& closed);
 
+/// B, grown to n B/8 where n > 8 roundings meet in the entry, such that 8 u of it cover all of
+/// them.
+[[nodiscard]] Real covering_bound(const Bound& entry);
+
 /// |x - exact| less `operations` times the smallest denormal, which underflow may cost; undefined
 /// where x is not a number. Scalar: double or float.
 template <class Scalar>
@@ -62,8 +66,7 @@ template <class Scalar>
 template <class Scalar>
 [[nodiscard]] double in_bounds(const Real& excess, const Real& bound);
 
-/// |x - exact| / (u B), B grown to n B/8 where n > 8 roundings meet in the entry, less what
-/// underflow may cost.
+/// |x - exact| / (u B), B the covering bound, less what underflow may cost.
 template <class Scalar>
 [[nodiscard]] double error_in_bounds(Scalar x, const Bound& entry, std::size_t operations);
 

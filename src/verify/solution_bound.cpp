@@ -90,7 +90,7 @@ auto SolutionBounds<Scalar>::measured_mass() -> std::optional<Mass> {
   }
   std::vector<Real> scaled;
   for (std::size_t k = 0; k < n * n; ++k) {
-    scaled.push_back(m->entries[k].bound / (mass.weights[k / n] * mass.weights[k % n]));
+    scaled.push_back(covering_bound(m->entries[k]) / (mass.weights[k / n] * mass.weights[k % n]));
   }
   mass.uncertainty = norm(scaled);
   const auto condition_of_mass = condition(m->entries, mass.weights);
@@ -138,9 +138,9 @@ std::vector<Real> SolutionBounds<Scalar>::driven_bias() {
   if (inputs > 0 && (input == nullptr || !is_known(*input))) return {};
   std::vector<Real> bounds;
   for (std::size_t i = 0; i < bias->entries.size(); ++i) {
-    Real sum = bias->entries[i].bound;
+    Real sum = covering_bound(bias->entries[i]);
     for (std::size_t k = 0; k < inputs; ++k) {
-      sum = sum + input->entries[i * inputs + k].bound * abs(Real(state_.u[k]));
+      sum = sum + covering_bound(input->entries[i * inputs + k]) * abs(Real(state_.u[k]));
     }
     bounds.push_back(sum);
   }
@@ -154,7 +154,7 @@ std::vector<Real> SolutionBounds<Scalar>::input_column(std::size_t input) {
   std::vector<Real> bounds;
   const std::size_t inputs = state_.u.size();
   for (std::size_t i = 0; i < state_.v.size(); ++i) {
-    bounds.push_back(matrix->entries[i * inputs + input].bound);
+    bounds.push_back(covering_bound(matrix->entries[i * inputs + input]));
   }
   return bounds;
 }
@@ -201,7 +201,7 @@ std::vector<Real> SolutionBounds<Scalar>::state_column(std::size_t first, std::s
   const std::size_t n = state_.v.size();
   std::vector<Real> bounds;
   for (std::size_t i = 0; i < n; ++i) {
-    bounds.push_back(derivatives->entries[(first * n + i) * n + column].bound);
+    bounds.push_back(covering_bound(derivatives->entries[(first * n + i) * n + column]));
   }
   return bounds;
 }

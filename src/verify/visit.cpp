@@ -177,24 +177,33 @@ void Visit<Scalar>::add_entry(const FieldPlace& place, std::size_t entry, const 
 }
 
 template <class Scalar>
-double Visit<Scalar>::error_of(const FieldPlace& place, const SolvedColumn& column) const {
+double Visit<Scalar>::error_in_norm(const FieldPlace& place, const SolvedColumn& column) const {
   const std::size_t operations = place.function->instructions.size();
   Real square;
-  double own = 0;
-  std::vector<Bound> entries;
   for (std::size_t i = 0; i < column.entries.size(); ++i) {
     const std::size_t at = place.first + column.entries[i];
-    entries.push_back(exact_.entries[at]);
-    const Real error = excess_error(values_[at], entries.back().value, operations);
+    const Real error = excess_error(values_[at], exact_.entries[at].value, operations);
     const Real weighted = error * column.weights[i];
     square = square + weighted * weighted;
-    own = std::max(own, error_in_bounds(values_[at], entries.back(), operations));
   }
-  const double figure = in_bounds<Scalar>(sqrt(square), column.bound);
+  return in_bounds<Scalar>(sqrt(square), column.bound);
+}
+
+template <class Scalar>
+double Visit<Scalar>::error_of(const FieldPlace& place, const SolvedColumn& column) const {
+  const double in_norm = error_in_norm(place, column);
+  std::vector<Bound> own;
+  for (const std::size_t entry : column.entries) own.push_back(exact_.entries[place.first + entry]);
   // Beyond the ranges the code may round more on its way to M and b than M and b themselves do.
   const bool has_own = sample_.region != Region::nominal && exact_.regime == Regime::regular &&
-                       says_something(entries, rounding<Scalar>().roundoff);
-  return has_own ? std::min(figure, own) : figure;
+                       says_something(own, rounding<Scalar>().roundoff);
+  if (!has_own) return in_norm;
+  double largest = 0;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const Scalar x = values_[place.first + column.entries[i]];
+    largest = std::max(largest, error_in_bounds(x, own[i], place.function->instructions.size()));
+  }
+  return std::min(in_norm, largest);
 }
 
 template <class Scalar>

@@ -74,6 +74,7 @@ class Visit {
   void add_entry(const FieldPlace& place, std::size_t entry, const Bound& bound,
                  Finding& finding) const;
   void add_error(const FieldPlace& place, std::size_t entry, double error, Finding& finding) const;
+  [[nodiscard]] double error_in_norm(const FieldPlace& place, const SolvedColumn& column) const;
   [[nodiscard]] double error_of(const FieldPlace& place, const SolvedColumn& column) const;
 
   const Subject& subject_;
