@@ -249,6 +249,40 @@ Result<ReadableSteps> steps(const Lagrangian& lagrangian, const CheckedModel& ch
   return result;
 }
 
+/// What is made of the equations, into `out`; without a Lagrangian no stage runs.
+void run_outputs(Stages& stages, Products& out, const std::optional<Lagrangian>& lagrangian,
+                 const PipelineOptions& options) {
+  const Limits& limits = options.limits;
+  const auto equations =
+      stages.run("derive", [&] { return derive(*lagrangian, out.checked->scene.outputs, limits); });
+  auto lowered =
+      stages.run("lower", [&] { return lower(*equations, out.checked->scene.outputs, limits); });
+  const auto recursive =
+      stages.run("cancel", [&] { return Result<Program>(cancel(std::move(*lowered))); });
+  auto forms = stages.run("present",
+                          [&] { return presented(*lagrangian, *out.checked, *recursive, limits); });
+  auto choice = stages.run("choose", [&] {
+    return choose(*recursive, forms->reduced ? forms->reduced->forms : forms->exact,
+                  out.checked->scene);
+  });
+  if (forms) out.closed_forms = std::move(forms->exact);
+  if (choice) {
+    out.program = std::move(choice->program);
+    if (forms->reduced) out.program->reduction = std::move(forms->reduced->reduction);
+    out.costs = std::move(choice->costs);
+  }
+  out.files = stages.run(
+      "emit", [&] { return emit(out.checked->model, out.checked->scene, *out.program); });
+  out.readback = stages.run("readback", [&] {
+    out.written = sources_of(*out.files);
+    return read_back(out.written, *out.checked, *out.program);
+  });
+  auto judging = stages.run("parts", [&] {
+    return parts(*lagrangian, *out.checked, *recursive, limits, options.derives_parts);
+  });
+  if (judging) out.parts = std::move(judging->program);
+}
+
 }  // namespace
 
 const std::vector<std::string>& stage_names() {
@@ -282,38 +316,10 @@ Products run_pipeline(const Inputs& inputs, const PipelineOptions& options) {
       stages.run("specialise", [&] { return specialise(*lagrangian, *out.checked); });
   if (options.steps) {
     out.steps = stages.run("derive", [&] { return steps(*specialised, *out.checked, limits); });
-    sort_by_position(out.diagnostics);
-    return out;
+  } else {
+    run_outputs(stages, out, specialised, options);
   }
-  const auto equations = stages.run(
-      "derive", [&] { return derive(*specialised, out.checked->scene.outputs, limits); });
-  auto lowered =
-      stages.run("lower", [&] { return lower(*equations, out.checked->scene.outputs, limits); });
-  const auto recursive =
-      stages.run("cancel", [&] { return Result<Program>(cancel(std::move(*lowered))); });
-  auto forms = stages.run(
-      "present", [&] { return presented(*specialised, *out.checked, *recursive, limits); });
-  auto choice = stages.run("choose", [&] {
-    return choose(*recursive, forms->reduced ? forms->reduced->forms : forms->exact,
-                  out.checked->scene);
-  });
-  if (forms) out.closed_forms = std::move(forms->exact);
-  if (choice) {
-    out.program = std::move(choice->program);
-    if (forms->reduced) out.program->reduction = std::move(forms->reduced->reduction);
-    out.costs = std::move(choice->costs);
-  }
-  out.files = stages.run(
-      "emit", [&] { return emit(out.checked->model, out.checked->scene, *out.program); });
-  out.readback = stages.run("readback", [&] {
-    out.written = sources_of(*out.files);
-    return read_back(out.written, *out.checked, *out.program);
-  });
-  const auto judging = stages.run("parts", [&] {
-    return parts(*specialised, *out.checked, *recursive, limits, options.derives_parts);
-  });
-  if (judging) out.parts = std::move(judging->program);
-  if (options.check_itself) {
+  if (options.check_itself && !options.steps) {
     const double generation = stages.seconds();
     out.self_check = stages.run(
         "self-check", [&] { return checked(*out.checked, *out.program, out.parts, generation); });
