@@ -7,19 +7,13 @@
 #include <cmath>
 #include <vector>
 
+#include "elgen/leaves.hpp"
 #include "elgen/program.hpp"
 
 namespace elgen {
 
 template <class Scalar>
-struct Arguments {
-  std::vector<Scalar> parameters = {};
-  std::vector<Scalar> q = {};
-  std::vector<Scalar> v = {};
-  std::vector<Scalar> a = {};
-  std::vector<Scalar> u = {};
-  Scalar t = Scalar();
-};
+using Arguments = LeafValues<Scalar>;
 
 /// How a scalar type is made from an exact number; specialised for float, double, long double,
 /// cl_F, …

@@ -123,17 +123,12 @@ template <class Scalar>
     case Opcode::constant:
       return ScalarTraits<Scalar>::from_real(program.constants[i.a].value);
     case Opcode::parameter:
-      return arguments.parameters[i.a];
     case Opcode::coordinate:
-      return arguments.q[i.a];
     case Opcode::velocity:
-      return arguments.v[i.a];
     case Opcode::acceleration:
-      return arguments.a[i.a];
     case Opcode::input:
-      return arguments.u[i.a];
     case Opcode::time:
-      return arguments.t;
+      return leaf_of(arguments, i.opcode, i.a);
     case Opcode::negate:
       return -values[i.a];
     case Opcode::add:

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "elgen/leaf_names.hpp"
+#include "elgen/leaves.hpp"
 #include "elgen/model.hpp"
 
 namespace elgen {
@@ -27,13 +28,7 @@ struct RotationPlace {
 };
 
 /// The leaves, in the order of declaration.
-struct Symbols {
-  std::vector<GiNaC::ex> parameters = {};
-  std::vector<GiNaC::ex> q = {};
-  std::vector<GiNaC::ex> v = {};
-  std::vector<GiNaC::ex> a = {};  ///< dv/dt
-  std::vector<GiNaC::ex> u = {};
-  GiNaC::ex t = {};
+struct Symbols : LeafValues<GiNaC::ex> {
   std::vector<GiNaC::ex> q_rates = {};  ///< dq/dt, of q and v
   std::vector<RotationPlace> rotations = {};
 };

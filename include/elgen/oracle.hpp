@@ -18,6 +18,7 @@
 #include <optional>
 #include <vector>
 
+#include "elgen/leaves.hpp"
 #include "elgen/model.hpp"
 #include "elgen/scene.hpp"
 
@@ -25,14 +26,7 @@ namespace elgen {
 
 /// A point of evaluation; numbers are exact (rational) where they come from binary or decimal
 /// inputs.
-struct State {
-  std::vector<cln::cl_R> parameters = {};
-  std::vector<cln::cl_R> q = {};
-  std::vector<cln::cl_R> v = {};
-  std::vector<cln::cl_R> a = {};
-  std::vector<cln::cl_R> u = {};
-  cln::cl_R t = 0;
-};
+using State = LeafValues<cln::cl_R>;
 
 /// Parameters at their values (or as fixed by the scene), quaternions at (1, 0, 0, 0), everything
 /// else zero, sized for the model.

@@ -32,23 +32,11 @@ bool is_zero(const Value& x) { return x.value.is_defined() && cln::zerop(x.value
 
 /// Parameters are positive, as most masses and lengths have to be.
 Arguments<Value> random_point(const LeafNames& leaves, Random& random) {
-  const auto draw = [&random](std::size_t count) {
-    Values values;
-    for (std::size_t i = 0; i < count; ++i) {
-      values.push_back(ScalarTraits<Value>::from_real(random.rational()));
-    }
-    return values;
-  };
-  Arguments<Value> point;
-  point.parameters = draw(leaves.parameters.size());
+  Arguments<Value> point =
+      draw_leaves(leaves, [&random] { return ScalarTraits<Value>::from_real(random.rational()); });
   for (Value& value : point.parameters) {
     if (cln::minusp(value.value.value())) value = -value;
   }
-  point.q = draw(leaves.coordinates.size());
-  point.v = draw(leaves.velocities.size());
-  point.a = draw(leaves.velocities.size());
-  point.u = draw(leaves.inputs.size());
-  point.t = ScalarTraits<Value>::from_real(random.rational());
   return point;
 }
 

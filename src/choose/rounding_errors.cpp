@@ -22,19 +22,9 @@ constexpr std::size_t point_count = 16;
 constexpr int widest = 26;
 
 Arguments<double> point(const LeafNames& leaves, int lowest, int highest, Random& random) {
-  const auto drawn = [&](std::size_t count) {
-    std::vector<double> values(count);
-    for (double& value : values) value = random.log_uniform(lowest, highest);
-    return values;
-  };
-  Arguments<double> result;
-  result.parameters = drawn(leaves.parameters.size());
+  Arguments<double> result =
+      draw_leaves(leaves, [&] { return random.log_uniform(lowest, highest); });
   for (double& value : result.parameters) value = std::abs(value);
-  result.q = drawn(leaves.coordinates.size());
-  result.v = drawn(leaves.velocities.size());
-  result.a = drawn(leaves.velocities.size());
-  result.u = drawn(leaves.inputs.size());
-  result.t = drawn(1)[0];
   return result;
 }
 

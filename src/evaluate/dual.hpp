@@ -83,18 +83,11 @@ template <class Base>
 template <class Base>
 [[nodiscard]] Arguments<Dual<Base>> moving(const Arguments<Base>& point,
                                            const Arguments<Base>& direction) {
-  const auto zip = [](const std::vector<Base>& values, const std::vector<Base>& slopes) {
-    std::vector<Dual<Base>> result;
-    result.reserve(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) result.push_back({values[i], slopes[i]});
-    return result;
-  };
-  return {zip(point.parameters, direction.parameters),
-          zip(point.q, direction.q),
-          zip(point.v, direction.v),
-          zip(point.a, direction.a),
-          zip(point.u, direction.u),
-          {point.t, direction.t}};
+  return map_leaves(
+      [](const Base& value, const Base& slope) {
+        return Dual<Base>{value, slope};
+      },
+      point, direction);
 }
 
 }  // namespace elgen

@@ -33,17 +33,14 @@ std::string operation_text(const Program& program, const Instruction& instructio
     return row.arity == 1 ? fmt::format("{} {}", row.name, instruction.a)
                           : fmt::format("{} {} {}", row.name, instruction.a, instruction.b);
   }
-  std::string text;
-  for (const OpcodeName& row : opcode_names) {
-    if (row.opcode == instruction.opcode) text = row.name;
-  }
+  std::string text(opcode_row(instruction.opcode).name);
   const std::size_t operands = operand_count(instruction);
   if (operands > 0) text += fmt::format(" {}", instruction.a);
   if (operands > 1) text += fmt::format(" {}", instruction.b);
   if (instruction.opcode == Opcode::constant) {
     text += " " + constant_text(program.constants[instruction.a]);
   }
-  if (const auto* names = leaf_spellings(program.leaves, instruction.opcode)) {
+  if (const auto* names = names_of_leaves(program.leaves, instruction.opcode)) {
     text += " " + (*names)[instruction.a];
   }
   return text;

@@ -14,23 +14,10 @@ namespace elgen {
 namespace {
 
 std::size_t leaf_count(const Program& program, Opcode opcode) {
-  switch (opcode) {
-    case Opcode::constant:
-      return program.constants.size();
-    case Opcode::parameter:
-      return program.leaves.parameters.size();
-    case Opcode::coordinate:
-      return program.leaves.coordinates.size();
-    case Opcode::velocity:
-    case Opcode::acceleration:
-      return program.leaves.velocities.size();
-    case Opcode::input:
-      return program.leaves.inputs.size();
-    case Opcode::time:
-      return program.leaves.uses_time ? 1 : 0;
-    default:
-      return 1;
-  }
+  if (opcode == Opcode::constant) return program.constants.size();
+  if (opcode == Opcode::time) return program.leaves.uses_time ? 1 : 0;
+  const auto* names = names_of_leaves(program.leaves, opcode);
+  return names == nullptr ? 1 : names->size();
 }
 
 std::string broken_instruction(const Program& program, const Function& function, std::size_t at) {

@@ -148,9 +148,10 @@ class Reader {
   }
 
   static bool find_operation(std::string_view word, Instruction& instruction) {
-    for (const OpcodeName& row : opcode_names) {
-      if (row.name != word) continue;
-      instruction.opcode = row.opcode;
+    for (const OpcodeRow& row : opcode_table) {
+      // A call is written as its function's own name.
+      if (row.name != word || row.id == Opcode::call) continue;
+      instruction.opcode = row.id;
       return true;
     }
     for (const FunctionRow& row : function_table) {
@@ -177,7 +178,7 @@ class Reader {
   bool read_leaf(const Words& words, Instruction& instruction) {
     if (instruction.opcode == Opcode::time) return words.empty();
     if (words.size() != 1) return false;
-    const auto* names = leaf_spellings(program_.leaves, instruction.opcode);
+    const auto* names = names_of_leaves(program_.leaves, instruction.opcode);
     const auto index = names != nullptr ? position(*names, words[0]) : constant_index(words[0]);
     if (!index) return false;
     instruction.a = *index;

@@ -8,28 +8,25 @@
 
 namespace elgen {
 
-std::size_t operand_count(const Instruction& instruction) {
-  switch (instruction.opcode) {
-    case Opcode::constant:
+const std::vector<std::string>* names_of_leaves(const LeafNames& leaves, Opcode kind) {
+  switch (kind) {
     case Opcode::parameter:
+      return &leaves.parameters;
     case Opcode::coordinate:
+      return &leaves.coordinates;
     case Opcode::velocity:
     case Opcode::acceleration:
+      return &leaves.velocities;
     case Opcode::input:
-    case Opcode::time:
-      return 0;
-    case Opcode::negate:
-    case Opcode::square_root:
-      return 1;
-    case Opcode::add:
-    case Opcode::subtract:
-    case Opcode::multiply:
-    case Opcode::divide:
-      return 2;
-    case Opcode::call:
-      return function_row(instruction.function).arity;
+      return &leaves.inputs;
+    default:
+      return nullptr;
   }
-  return 0;
+}
+
+std::size_t operand_count(const Instruction& instruction) {
+  if (instruction.opcode == Opcode::call) return function_row(instruction.function).arity;
+  return opcode_row(instruction.opcode).operands;
 }
 
 const ReducedOutput* find_reduced(const Reduction& reduction, OutputKind kind) {

@@ -114,7 +114,7 @@ class Naming {
   std::optional<std::string> leaf_sum(std::size_t at) const {
     const Instruction& i = function_.instructions[at];
     if (i.opcode == Opcode::time) return "t";
-    if (const auto* spellings = leaf_spellings(program_.leaves, i.opcode)) {
+    if (const auto* spellings = names_of_leaves(program_.leaves, i.opcode)) {
       return identifier((*spellings)[i.a]);
     }
     if (i.opcode != Opcode::add && i.opcode != Opcode::subtract) return std::nullopt;
@@ -146,10 +146,10 @@ class Naming {
   void hash(std::size_t at) {
     const Instruction& i = function_.instructions[at];
     std::string content =
-        fmt::format("{} {} ", static_cast<int>(i.opcode),
+        fmt::format("{} {} ", opcode_row(i.opcode).tag,
                     i.opcode == Opcode::call ? function_row(i.function).name : "");
     if (i.opcode == Opcode::constant) content += text_of(program_.constants[i.a].form);
-    if (const auto* spellings = leaf_spellings(program_.leaves, i.opcode)) {
+    if (const auto* spellings = names_of_leaves(program_.leaves, i.opcode)) {
       content += (*spellings)[i.a];
     }
     if (operand_count(i) > 0) content += fmt::format("{:x} ", hashes_[i.a]);

@@ -10,6 +10,7 @@
 
 #include <vector>
 
+#include "elgen/leaves.hpp"
 #include "elgen/model.hpp"
 #include "jet.hpp"
 #include "jet_functions.hpp"
@@ -18,14 +19,7 @@
 namespace elgen::oracle {
 
 /// A state whose entries may carry directions of differentiation, generators 0 to 7.
-struct Motion {
-  std::vector<Jet> parameters = {};
-  std::vector<Jet> q = {};
-  std::vector<Jet> v = {};
-  std::vector<Jet> a = {};
-  std::vector<Jet> u = {};
-  Jet t = {};
-};
+using Motion = LeafValues<Jet>;
 
 class Evaluation {
  public:

@@ -51,8 +51,7 @@ Direction unit_direction(std::size_t n, std::size_t i) {
 }
 
 Motion motion_of(const State& state) {
-  return {jets(state.parameters), jets(state.q), jets(state.v),
-          jets(state.a),          jets(state.u), Jet(state.t)};
+  return map_leaves([](const cl_R& value) { return Jet(value); }, state);
 }
 
 void displace(std::vector<Jet>& quantity, const Direction& direction, Generators generators) {

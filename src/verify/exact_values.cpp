@@ -101,9 +101,7 @@ std::vector<Real> ExactValues::coasting_accelerations() const {
 }
 
 Arguments<Real> ExactValues::at_rest() const {
-  const auto zeros = [](const std::vector<Real>& like) { return std::vector<Real>(like.size()); };
-  return {zeros(arguments_.parameters), zeros(arguments_.q), zeros(arguments_.v),
-          zeros(arguments_.a),          zeros(arguments_.u), Real()};
+  return map_leaves([](const Real&) { return Real(); }, arguments_);
 }
 
 }  // namespace elgen

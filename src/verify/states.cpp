@@ -211,14 +211,7 @@ Scalar finite(double value) {
 
 template <class Scalar>
 Arguments<Scalar> rounded(const Arguments<double>& values) {
-  const auto convert = [](const std::vector<double>& from) {
-    std::vector<Scalar> to;
-    to.reserve(from.size());
-    for (const double value : from) to.push_back(finite<Scalar>(value));
-    return to;
-  };
-  return {convert(values.parameters), convert(values.q), convert(values.v),
-          convert(values.a),          convert(values.u), finite<Scalar>(values.t)};
+  return map_leaves([](double value) { return finite<Scalar>(value); }, values);
 }
 
 }  // namespace

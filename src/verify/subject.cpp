@@ -18,14 +18,6 @@ namespace {
 
 using cln::cl_R;
 
-template <class Scalar>
-std::vector<cl_R> exact(const std::vector<Scalar>& values) {
-  std::vector<cl_R> result;
-  result.reserve(values.size());
-  for (const Scalar value : values) result.push_back(exact_value(static_cast<double>(value)));
-  return result;
-}
-
 std::string list(const char* name, const std::vector<cl_R>& values) {
   if (values.empty()) return {};
   std::string text = fmt::format("{} = (", name);
@@ -66,18 +58,12 @@ cl_R power_of_ten(int exponent) { return cln::expt(cln::cl_RA(10), exponent); }
 
 template <class Scalar>
 State exact_state(const Subject& subject, const Arguments<Scalar>& arguments) {
-  State state = nominal_state(subject.model, subject.scene);
-  const auto& fixed = subject.scene.specialisation.fixed;
-  for (std::uint32_t i = 0; i < state.parameters.size(); ++i) {
-    if (fixed.count(i) == 0) {
-      state.parameters[i] = exact_value(static_cast<double>(arguments.parameters[i]));
-    }
+  State state = map_leaves(
+      [](Scalar value) -> cl_R { return exact_value(static_cast<double>(value)); }, arguments);
+  const State nominal = nominal_state(subject.model, subject.scene);
+  for (const auto& fixed : subject.scene.specialisation.fixed) {
+    state.parameters[fixed.first] = nominal.parameters[fixed.first];
   }
-  state.q = exact(arguments.q);
-  state.v = exact(arguments.v);
-  state.a = exact(arguments.a);
-  state.u = exact(arguments.u);
-  state.t = exact_value(static_cast<double>(arguments.t));
   scale_to_length_one(subject.model, state);
   return state;
 }

@@ -30,14 +30,8 @@ template <class Scalar>
 /// The arguments of a program at an exact state, rounded to Scalar where Scalar rounds.
 template <class Scalar>
 [[nodiscard]] Arguments<Scalar> arguments_at(const State& state) {
-  const auto convert = [](const std::vector<cln::cl_R>& values) {
-    std::vector<Scalar> result;
-    result.reserve(values.size());
-    for (const cln::cl_R& value : values) result.push_back(ScalarTraits<Scalar>::from_real(value));
-    return result;
-  };
-  return {convert(state.parameters), convert(state.q), convert(state.v),
-          convert(state.a),          convert(state.u), ScalarTraits<Scalar>::from_real(state.t)};
+  return map_leaves([](const cln::cl_R& value) { return ScalarTraits<Scalar>::from_real(value); },
+                    state);
 }
 
 /// Null where the program has no function of this kind.

@@ -21,13 +21,12 @@ inline EquationsOfMotion leaves(std::size_t rotation = 0) {
   }
   EquationsOfMotion equations;
   equations.leaves = {{"m", "l"}, {"x", "y"}, {"x", "y"}, {"u"}, true};
-  equations.symbols = {{symbols[0], symbols[1]},
-                       {symbols[2], symbols[3]},
-                       {symbols[4], symbols[5]},
-                       {symbols[6], symbols[7]},
-                       {symbols[8]},
-                       symbols[9],
-                       {symbols[4], symbols[5]}};
+  equations.symbols.parameters = {symbols[0], symbols[1]};
+  equations.symbols.q = {symbols[2], symbols[3]};
+  equations.symbols.v = equations.symbols.q_rates = {symbols[4], symbols[5]};
+  equations.symbols.a = {symbols[6], symbols[7]};
+  equations.symbols.u = {symbols[8]};
+  equations.symbols.t = symbols[9];
   return equations;
 }
 
