@@ -2,15 +2,13 @@
 // for the hash in stamps: models that give different code have different texts.
 #include <algorithm>
 
+#include "base/number_text.hpp"
 #include "elgen/scene.hpp"
-#include "number_text.hpp"
 #include "read_approximate.hpp"
 #include "scene_reader.hpp"
 
 namespace elgen {
 namespace {
-
-using checking::number_text;
 
 class ModelDump {
  public:

@@ -6,7 +6,10 @@
 // Nodes of the arena change their kind in place, so that whatever refers to them stays.
 #include "lock.hpp"
 
+#include <algorithm>
 #include <utility>
+
+#include "elgen/references.hpp"
 
 namespace elgen::checking {
 namespace {
@@ -132,19 +135,10 @@ class Locking {
   }
 
   [[nodiscard]] bool depends_on_time(ExpressionId id) const {
-    std::vector<ExpressionId> waiting{id};
-    while (!waiting.empty()) {
-      const Expression& node = unlocked_.expressions[waiting.back()];
-      waiting.pop_back();
-      if (node.kind == ExpressionKind::time) return true;
-      if (node.kind == ExpressionKind::prescribed) {
-        waiting.push_back(unlocked_.prescribed[node.index].value);
-      } else if (node.kind == ExpressionKind::definition) {
-        waiting.push_back(unlocked_.definitions[node.index].value);
-      }
-      waiting.insert(waiting.end(), node.operands.begin(), node.operands.end());
-    }
-    return false;
+    const std::vector<ExpressionId> all = reached(unlocked_, {id});
+    return std::any_of(all.begin(), all.end(), [this](ExpressionId each) {
+      return unlocked_.expressions[each].kind == ExpressionKind::time;
+    });
   }
 
   void rewrite(Expression& node) const {

@@ -2,6 +2,7 @@
 // derivative (and in the position of a mass) a coordinate counts as its rate does.
 #include <algorithm>
 
+#include "elgen/references.hpp"
 #include "mechanics.hpp"
 
 namespace elgen::checking {
@@ -59,22 +60,11 @@ class RateSearch {
           mark(model_.coordinates[node.index]);
         }
         return;
-      case ExpressionKind::definition:
-        push(model_.definitions[node.index].value, visit.differentiated);
-        return;
-      case ExpressionKind::point_component:
-        push(model_.points[node.index / 3].at[node.index % 3], visit.differentiated);
-        return;
-      case ExpressionKind::frame_component:
-        push(component_of_frame(model_, node.index), visit.differentiated);
-        return;
       default:
         break;
     }
     const bool below = visit.differentiated || node.kind == ExpressionKind::time_derivative;
-    for (const ExpressionId operand : node.operands) {
-      push(operand, below);
-    }
+    for (const ExpressionId reference : references(model_, visit.id)) push(reference, below);
   }
 
   const Model& model_;

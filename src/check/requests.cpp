@@ -5,6 +5,8 @@
 #include <array>
 #include <map>
 
+#include "elgen/references.hpp"
+
 namespace elgen {
 
 std::string_view name_of(LeftOutReason reason) {
@@ -160,23 +162,12 @@ OutputRequest request_of(const Model& model, OutputKind kind, std::uint32_t user
 }
 
 const Expression* find_kink(const Model& model) {
-  std::vector<bool> seen(model.expressions.size());
-  std::vector<ExpressionId> waiting;
+  std::vector<ExpressionId> values;
   for (const Force& force : model.forces) {
-    if (is_held(model, force)) continue;
-    waiting.insert(waiting.end(), force.value.begin(), force.value.end());
+    if (!is_held(model, force)) values.insert(values.end(), force.value.begin(), force.value.end());
   }
-  while (!waiting.empty()) {
-    const ExpressionId id = waiting.back();
-    waiting.pop_back();
-    if (seen[id]) continue;
-    seen[id] = true;
-    const Expression& node = model.expressions[id];
-    if (is_kink(node)) return &node;
-    if (node.kind == ExpressionKind::definition) {
-      waiting.push_back(model.definitions[node.index].value);
-    }
-    waiting.insert(waiting.end(), node.operands.begin(), node.operands.end());
+  for (const ExpressionId id : reached(model, values)) {
+    if (is_kink(model.expressions[id])) return &model.expressions[id];
   }
   return nullptr;
 }

@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
+#include "base/number_text.hpp"
 #include "emission.hpp"
-#include "number_text.hpp"
 #include "options.hpp"
 #include "parameters.hpp"
 #include "read_approximate.hpp"

@@ -18,6 +18,7 @@
 #include <cmath>
 
 #include "checks.hpp"
+#include "elgen/references.hpp"
 #include "elgen/wording.hpp"
 #include "readable.hpp"
 #include "roots.hpp"
@@ -67,7 +68,7 @@ class Names {
   /// After all that it refers to.
   void visit(ExpressionId id) {
     const Expression& node = model_.expressions[id];
-    const auto referred = referred_to(model_, id);
+    const auto referred = references(model_, id);
     if (node.operands.empty() && !referred.empty()) {
       known_[id] = known_[referred.front()];
       growth_[id] = growth_[referred.front()];
@@ -238,7 +239,7 @@ std::vector<ExpressionId> roots_of(const Model& model) {
 
 Diagnostics inspect_constants(const Subject& subject) {
   Names names(subject);
-  for (const ExpressionId id : below(subject.model, roots_of(subject.model))) names.visit(id);
+  for (const ExpressionId id : reached(subject.model, roots_of(subject.model))) names.visit(id);
   return names.take();
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "checks.hpp"
+#include "elgen/references.hpp"
 #include "samples.hpp"
 
 namespace elgen::inspection {
@@ -22,17 +23,9 @@ constexpr unsigned samples = 3;  // exact and random: one in 1e9 is a coincidenc
 
 /// The points whose components an expression refers to, directly or through names.
 std::vector<std::uint32_t> points_in(const Model& model, ExpressionId root) {
-  std::vector<bool> seen(model.expressions.size(), false);
   std::vector<std::uint32_t> points;
-  std::vector<ExpressionId> pending{root};
-  while (!pending.empty()) {
-    const ExpressionId id = pending.back();
-    pending.pop_back();
-    if (seen[id]) continue;
-    seen[id] = true;
+  for (const ExpressionId id : reached(model, {root})) {
     const Expression& e = model.expressions[id];
-    pending.insert(pending.end(), e.operands.begin(), e.operands.end());
-    if (e.kind == ExpressionKind::definition) pending.push_back(model.definitions[e.index].value);
     if (e.kind == ExpressionKind::point_component) points.push_back(e.index / 3);
   }
   std::sort(points.begin(), points.end());

@@ -42,39 +42,4 @@ std::vector<ExpressionId> output_roots(const UserOutput& output) {
   return roots;
 }
 
-std::vector<ExpressionId> referred_to(const Model& model, ExpressionId expression) {
-  const Expression& node = model.expressions[expression];
-  switch (node.kind) {
-    case ExpressionKind::definition:
-      return {model.definitions[node.index].value};
-    case ExpressionKind::prescribed:
-      return {model.prescribed[node.index].value};
-    case ExpressionKind::point_component:
-      return {model.points[node.index / 3].at[node.index % 3]};
-    case ExpressionKind::frame_component:
-      return {component_of_frame(model, node.index)};
-    default:
-      return node.operands;
-  }
-}
-
-std::vector<ExpressionId> below(const Model& model, const std::vector<ExpressionId>& roots) {
-  std::vector<ExpressionId> order;
-  std::vector<bool> visited(model.expressions.size());
-  std::vector<ExpressionId> stack(roots.rbegin(), roots.rend());
-  while (!stack.empty()) {
-    const ExpressionId id = stack.back();
-    const std::size_t before = stack.size();
-    for (const ExpressionId needed : referred_to(model, id)) {
-      if (!visited[needed]) stack.push_back(needed);
-    }
-    if (stack.size() > before) continue;
-    stack.pop_back();
-    if (visited[id]) continue;
-    visited[id] = true;
-    order.push_back(id);
-  }
-  return order;
-}
-
 }  // namespace elgen::inspection

@@ -14,11 +14,4 @@ namespace elgen::inspection {
 /// Of an [[output]].
 [[nodiscard]] std::vector<ExpressionId> output_roots(const UserOutput& output);
 
-/// What an expression refers to: its operands, or the one that its name stands for.
-[[nodiscard]] std::vector<ExpressionId> referred_to(const Model& model, ExpressionId expression);
-
-/// Everything below the roots, through names, each once, operands before their users.
-[[nodiscard]] std::vector<ExpressionId> below(const Model& model,
-                                              const std::vector<ExpressionId>& roots);
-
 }  // namespace elgen::inspection

@@ -1,8 +1,7 @@
 // Schedule: the expressions that some roots need, operands first, each with how often it is
 // differentiated by time above it.
 //
-// Chains of definitions and points may be thousands of links long, so the order is found with a
-// stack of its own, once per output; an evaluation then walks a list.
+// The order is found once per output; an evaluation then walks a list.
 #pragma once
 
 #include <cstdint>
@@ -21,14 +20,11 @@ struct Root {
 struct Schedule {
   std::vector<ExpressionId> order = {};  ///< operands precede their users
   std::vector<std::uint32_t> slots =
-      {};  ///< position in `order`, for every expression of the model
+      {};  ///< position in `order`, for every expression of the model that is in it
   std::vector<unsigned> time_orders =
       {};  ///< of each position: order of the time derivative needed
 };
 
 [[nodiscard]] Schedule make_schedule(const Model& model, const std::vector<Root>& roots);
-
-/// The expressions an expression refers to: its operands, or what its name stands for.
-[[nodiscard]] std::vector<ExpressionId> references(const Model& model, ExpressionId expression);
 
 }  // namespace elgen::oracle

@@ -5,6 +5,7 @@
 #include "arithmetic.hpp"
 #include "elgen/closed_forms.hpp"
 #include "elgen/model.hpp"
+#include "elgen/references.hpp"
 #include "polynomial.hpp"
 
 namespace elgen {
@@ -28,12 +29,12 @@ class ModelExpressions {
     while (!pending.empty()) {
       const ExpressionId id = pending.back();
       const std::size_t before = pending.size();
-      for (const ExpressionId operand : needs(model_.expressions[id])) {
+      for (const ExpressionId operand : needs(id)) {
         if (!known_[operand].done) pending.push_back(operand);
       }
       if (pending.size() > before) continue;
       pending.pop_back();
-      if (!known_[id].done) known_[id] = {true, compose(model_.expressions[id])};
+      if (!known_[id].done) known_[id] = {true, compose(id)};
     }
     return known_[wanted].form;
   }
@@ -44,25 +45,13 @@ class ModelExpressions {
     Value form = {};
   };
 
-  /// Operands, and what a name stands for.
-  [[nodiscard]] std::vector<ExpressionId> needs(const Expression& e) const {
-    switch (e.kind) {
-      case ExpressionKind::definition:
-        return {model_.definitions[e.index].value};
-      case ExpressionKind::prescribed:
-        return {model_.prescribed[e.index].value};
-      case ExpressionKind::point_component:
-        return {model_.points[e.index / 3].at[e.index % 3]};
-      case ExpressionKind::frame_component:
-        return {component_of_frame(model_, e.index)};
-      case ExpressionKind::parameter: {
-        const auto fixed = fixed_.find(e.index);
-        if (fixed == fixed_.end() || !fixed->second.form) return {};
-        return {*fixed->second.form};
-      }
-      default:
-        return e.operands;
-    }
+  /// The form of a fixed parameter counts, too.
+  [[nodiscard]] std::vector<ExpressionId> needs(ExpressionId id) const {
+    const Expression& e = model_.expressions[id];
+    if (e.kind != ExpressionKind::parameter) return references(model_, id);
+    const auto fixed = fixed_.find(e.index);
+    if (fixed == fixed_.end() || !fixed->second.form) return {};
+    return {*fixed->second.form};
   }
 
   Value parameter(std::uint32_t index) {
@@ -73,9 +62,8 @@ class ModelExpressions {
     return fraction_of(cln::rational(value.number));
   }
 
-  Value named(const Expression& e) { return known_[needs(e).front()].form; }
-
-  Value compose(const Expression& e) {
+  Value compose(ExpressionId id) {
+    const Expression& e = model_.expressions[id];
     const auto operand = [&](std::size_t i) -> const Value& { return known_[e.operands[i]].form; };
     switch (e.kind) {
       case ExpressionKind::number:
@@ -98,7 +86,7 @@ class ModelExpressions {
       case ExpressionKind::definition:
       case ExpressionKind::point_component:
       case ExpressionKind::frame_component:
-        return named(e);
+        return known_[needs(id).front()].form;
       case ExpressionKind::negate:
         return arithmetic_.negate(operand(0));
       case ExpressionKind::add:

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "elgen/outputs.hpp"
+#include "elgen/references.hpp"
 #include "inspect/roots.hpp"
 
 namespace elgen {
@@ -25,7 +26,7 @@ std::optional<ExpressionId> undefined_expression(const Model& model, const Funct
   const auto roots = is_user_output(function)
                          ? inspection::output_roots(model.outputs[function.user])
                          : inspection::equation_roots(model);
-  for (const ExpressionId id : inspection::below(model, roots)) {
+  for (const ExpressionId id : reached(model, roots)) {
     const auto is_undefined = [&](const State& state) {
       return !oracle_expression(model, id, state);
     };

@@ -8,8 +8,8 @@
 #include <map>
 #include <sstream>
 
+#include "base/number_text.hpp"
 #include "check/constants.hpp"
-#include "check/number_text.hpp"
 #include "check_testing.hpp"
 
 namespace elgen::test {
@@ -113,7 +113,7 @@ void check_value(const CheckedModel& result, const std::string& expected) {
   const ExpressionSyntax& number =
       literal->kind == SyntaxKind::negate ? literal->operands.front() : *literal;
   const cln::cl_RA exact = literal->kind == SyntaxKind::negate ? -number.value : number.value;
-  INFO(checking::number_text(value));
+  INFO(number_text(value));
   // The table rounds to 20 digits: half a unit of the last.
   CHECK(cln::abs(value - exact) <= cln::abs(exact) * cln::expt(cln::cl_RA(10), -19) / 2);
 }

@@ -5,7 +5,7 @@
 #include <ctime>
 #include <utility>
 
-#include "check/number_text.hpp"
+#include "base/number_text.hpp"
 #include "check_testing.hpp"
 
 namespace elgen::checking {

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <utility>
 
-#include "check/number_text.hpp"
+#include "base/number_text.hpp"
 #include "check_testing.hpp"
 
 namespace elgen::test {
@@ -35,7 +35,7 @@ std::string output_names(const Scene& scene) {
 std::string fixed(const Scene& scene) {
   std::string text;
   for (const auto& [parameter, value] : scene.specialisation.fixed) {
-    text += std::to_string(parameter) + "=" + checking::number_text(value.number) + " ";
+    text += std::to_string(parameter) + "=" + number_text(value.number) + " ";
   }
   return text;
 }

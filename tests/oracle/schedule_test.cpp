@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "elgen/references.hpp"
 #include "oracle/samples.hpp"
 
 using namespace elgen;

@@ -5,9 +5,9 @@
 
 #include <string>
 
-namespace elgen::checking {
+namespace elgen {
 
 /// "3", "-1/2"; a number that is no rational as a decimal of 30 digits, "3.14159…e0".
 [[nodiscard]] std::string number_text(const cln::cl_R& value);
 
-}  // namespace elgen::checking
+}  // namespace elgen

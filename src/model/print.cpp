@@ -5,13 +5,11 @@
 
 #include <array>
 
+#include "base/number_text.hpp"
 #include "elgen/model.hpp"
-#include "number_text.hpp"
 
 namespace elgen {
 namespace {
-
-using checking::number_text;
 
 /// How tightly an operator binds; operands that bind less tightly get brackets.
 enum class Binding : std::uint8_t { sum, product, power, atom };

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 constexpr int printed_digits = 30;  // of 100: told apart by everything a file can say
@@ -63,4 +63,4 @@ std::string number_text(const cln::cl_R& value) {
                                        : numerator + "/" + integer_text(cln::denominator(number));
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -1,12 +1,12 @@
 // Numbers as text: exact for rationals, thirty digits for the rest, in any locale.
-#include "check/number_text.hpp"
+#include "base/number_text.hpp"
 
 #include <cln/cln.h>
 
 #include <catch2/catch.hpp>
 #include <clocale>
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 TEST_CASE("rationals are printed exactly") {
@@ -44,4 +44,4 @@ TEST_CASE("the locale does not show") {
 }
 
 }  // namespace
-}  // namespace elgen::checking
+}  // namespace elgen

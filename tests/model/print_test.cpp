@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <utility>
 
-#include "check_testing.hpp"
+#include "check/check_testing.hpp"
 
 namespace elgen::test {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "check_testing.hpp"
+#include "check/check_testing.hpp"
 
 namespace elgen::test {
 namespace {
