@@ -102,7 +102,7 @@ struct Verification {
 [[nodiscard]] std::size_t count(const Certificate& certificate, Verdict verdict);
 [[nodiscard]] bool holds(const Certificate& certificate);
 
-/// "cart_pole: 41 checks hold, 0 fail, 2 skipped"
+/// "cart_pole, scene balance: 41 checks hold, 0 fail, 2 skipped"
 [[nodiscard]] std::string verdict_line(const Certificate& certificate);
 /// A line per output, what fails or is skipped in full, and the verdict.
 [[nodiscard]] std::string to_text(const Certificate& certificate);

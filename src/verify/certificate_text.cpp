@@ -182,7 +182,9 @@ std::size_t count(const Certificate& certificate, Verdict verdict) {
 bool holds(const Certificate& certificate) { return count(certificate, Verdict::fails) == 0; }
 
 std::string verdict_line(const Certificate& certificate) {
-  return certificate.model + ": " + counts(certificate) + "\n";
+  const bool is_full = certificate.scene == "full";
+  return certificate.model + (is_full ? "" : ", scene " + certificate.scene) + ": " +
+         counts(certificate) + "\n";
 }
 
 std::string to_text(const Certificate& certificate) {

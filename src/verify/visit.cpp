@@ -83,18 +83,17 @@ template <class Scalar>
 auto Visit<Scalar>::judged(const FieldPlace& place) -> Judged {
   const std::size_t count = place.field().entries.size();
   Judged result{exact_.regime, slice(exact_.entries, place.first, count), {}};
-  const bool solves = output_row(place.request.kind).solves;
-  std::vector<Bound> own = result.entries;
   if (place.judge.is_closed_form) {
     result.regime = worse(exact_.regime, judge_run_.regime);
     result.entries = slice(judge_run_.entries, place.judge.first, count);
+    return result;
   }
-  const bool is_bounded = place.judge.is_closed_form && result.regime == Regime::regular;
-  if (!solves || is_bounded || !has_values(result.regime)) return result;
-  result.columns = solutions_.columns(place, own);
+  const bool solves = output_row(place.request.kind).solves;
+  if (!solves || !has_values(result.regime)) return result;
+  result.columns = solutions_.columns(place, result.entries);
   if (!result.columns.empty()) {
     result.regime = Regime::regular;
-  } else if (!says_something(own, rounding<Scalar>().roundoff)) {
+  } else if (!says_something(result.entries, rounding<Scalar>().roundoff)) {
     result.regime = Regime::ill_conditioned;
   }
   return result;

@@ -101,7 +101,11 @@ mass matrix positive definite
 }
 
 TEST_CASE("the verdict alone is one line") {
-  CHECK(verdict_line(sample()) == "cart_pole: 3 checks hold, 1 fails, 1 skipped\n");
+  Certificate certificate = sample();
+  CHECK(verdict_line(certificate) == "cart_pole: 3 checks hold, 1 fails, 1 skipped\n");
+  certificate.scene = "balance";
+  CHECK(verdict_line(certificate) ==
+        "cart_pole, scene balance: 3 checks hold, 1 fails, 1 skipped\n");
 }
 
 TEST_CASE("as JSON nothing is left out but what is no number") {
