@@ -9,7 +9,7 @@
 #include <set>
 
 #include "base/random.hpp"
-#include "evaluate/dual.hpp"
+#include "evaluate/bounded.hpp"
 #include "evaluate/exact_value.hpp"
 #include "lower/linearise.hpp"
 
@@ -75,110 +75,109 @@ bool rounds_more_angles(const Expressions& way, const Expressions& reference) {
   return !std::all_of(own_angles.begin(), own_angles.end(), is_known);
 }
 
-struct Comparison {
-  Program program = {};  ///< the constants
+/// A value in 64 digits with the running error of its rounding, as a scalar to run functions on.
+struct Running {
+  Real value = {};
+  Real error = {};  ///< in u; undefined where the value is
+};
+
+}  // namespace
+
+/// Constants that are not binary are rounded once.
+template <>
+struct ScalarTraits<Running> {
+  [[nodiscard]] static Running from_real(const cln::cl_R& value) {
+    const Bound constant = ScalarTraits<Bounded<double>>::from_real(value);
+    return {constant.value, constant.exact ? Real() : abs(constant.value)};
+  }
+};
+
+namespace {
+
+Running operator-(const Running& x) { return {-x.value, x.error}; }
+
+Running operator+(const Running& x, const Running& y) {
+  const Real value = x.value + y.value;
+  return {value, x.error + y.error + abs(value)};
+}
+
+Running operator-(const Running& x, const Running& y) { return x + -y; }
+
+Running operator*(const Running& x, const Running& y) {
+  const Real value = x.value * y.value;
+  const bool is_scaled = is_power_of_two(x.value) || is_power_of_two(y.value);
+  const Real rounding = is_scaled ? Real() : abs(value);
+  return {value, x.error * abs(y.value) + y.error * abs(x.value) + rounding};
+}
+
+Running operator/(const Running& x, const Running& y) {
+  const Real value = x.value / y.value;
+  return {value, (x.error + abs(value) * y.error) / abs(y.value) + abs(value)};
+}
+
+Running sqrt(const Running& x) {
+  const Real value = sqrt(x.value);
+  return {value, x.error / (value + value) + value};
+}
+
+/// Magnitude of the derivative by one argument.
+Real slope(FunctionId function, const Running& x, const Running& y, bool by_first) {
+  const Dual<Real> first{x.value, Real(by_first ? 1 : 0)};
+  const Dual<Real> second{y.value, Real(by_first ? 0 : 1)};
+  return abs(interpreter::call(function, first, second).slope);
+}
+
+/// Kinked functions pass an operand on. Those of one argument ignore y.
+Running called(FunctionId function, const Running& x, const Running& y) {
+  const FunctionRow& row = function_row(function);
+  const Real value = interpreter::call(function, x.value, y.value);
+  const Running& second = row.arity == 2 ? y : x;
+  if (row.use == FunctionUse::forces) return {value, max(x.error, second.error)};
+  Real error = abs(value) + slope(function, x, y, true) * x.error;
+  if (row.arity == 2) error = error + slope(function, x, y, false) * y.error;
+  return {value, error};
+}
+
+#define ELGEN_RUNNING_1(name) \
+  Running name(const Running& x) { return called(FunctionId::name, x, x); }
+#define ELGEN_RUNNING_2(name) \
+  Running name(const Running& x, const Running& y) { return called(FunctionId::name, x, y); }
+#define ELGEN_FUNCTION(name, arity, use, parity, first, second) ELGEN_RUNNING_##arity(name)
+#include "elgen/functions.def"
+#undef ELGEN_FUNCTION
+#undef ELGEN_RUNNING_2
+#undef ELGEN_RUNNING_1
+
+/// The error that may take the place of x's.
+Real admitted_error(const Running& x) {
+  static const Real recounted(3);
+  static const Real always(8);
+  return max(x.error * recounted, abs(x.value) * always);
+}
+
+/// Two ways as one function of two entries, with its constants.
+struct BothWays {
+  Program program = {};
   Function function = {};
 };
 
-Comparison comparison(const Expressions& way, const Expressions& reference) {
+BothWays both_ways(const Expressions& way, const Expressions& reference) {
   Expressions both;
   both.values = {copied(both.graph, way), copied(both.graph, reference)};
-  Comparison result;
+  BothWays result;
   result.function.fields = {Field{"", 1, 2, {0, 1}}};
   linearise(make_network(both), result.program, result.function);
   return result;
 }
 
-/// Values and errors of a function's instructions at one point.
-class RunningErrors {
- public:
-  RunningErrors(const Comparison& compared, const Arguments<double>& point, Leaves leaves)
-      : program_(compared.program), point_(point), leaves_(leaves) {
-    for (const Instruction& i : compared.function.instructions) {
-      values_.push_back(value(i));
-      errors_.push_back(error(i, values_.back()));
-    }
-  }
-
-  /// Undefined where the value is.
-  [[nodiscard]] const Real& of(std::uint32_t instruction) const { return errors_[instruction]; }
-
-  /// The error that may take the place of an instruction's.
-  [[nodiscard]] Real admitted(std::uint32_t instruction) const {
-    static const Real recounted(3);
-    static const Real always(8);
-    return max(errors_[instruction] * recounted, abs(values_[instruction]) * always);
-  }
-
- private:
-  [[nodiscard]] Real value(const Instruction& i) const {
-    const bool is_leaf = operand_count(i) == 0 && i.opcode != Opcode::constant;
-    if (!is_leaf) return interpreter::step(program_, i, {}, values_);
-    return Real(exact_value(interpreter::step(program_, i, point_, {})));
-  }
-
-  [[nodiscard]] Real error(const Instruction& i, const Real& value) const {
-    switch (i.opcode) {
-      case Opcode::constant:
-        return is_binary(value) ? Real() : abs(value);
-      case Opcode::negate:
-        return errors_[i.a];
-      case Opcode::add:
-      case Opcode::subtract:
-        return errors_[i.a] + errors_[i.b] + abs(value);
-      case Opcode::multiply:
-        return product_error(i, value);
-      case Opcode::divide:
-        return (errors_[i.a] + abs(value) * errors_[i.b]) / abs(values_[i.b]) + abs(value);
-      case Opcode::square_root:
-        return errors_[i.a] / (value + value) + value;
-      case Opcode::call:
-        return call_error(i, value);
-      default:
-        return leaves_ == Leaves::rounded ? abs(value) : Real();
-    }
-  }
-
-  [[nodiscard]] Real product_error(const Instruction& i, const Real& value) const {
-    const bool is_scaled = is_power_of_two(values_[i.a]) || is_power_of_two(values_[i.b]);
-    const Real rounding = is_scaled ? Real() : abs(value);
-    return errors_[i.a] * abs(values_[i.b]) + errors_[i.b] * abs(values_[i.a]) + rounding;
-  }
-
-  /// Kinked functions pass an operand on.
-  [[nodiscard]] Real call_error(const Instruction& i, const Real& value) const {
-    const FunctionRow& row = function_row(i.function);
-    const Real& second = row.arity == 2 ? errors_[i.b] : errors_[i.a];
-    if (row.use == FunctionUse::forces) return max(errors_[i.a], second);
-    Real result = abs(value) + slope(i, true) * errors_[i.a];
-    if (row.arity == 2) result = result + slope(i, false) * second;
-    return result;
-  }
-
-  /// Magnitude of the derivative by one argument.
-  [[nodiscard]] Real slope(const Instruction& i, bool by_first) const {
-    const Dual<Real> first{values_[i.a], Real(by_first ? 1 : 0)};
-    const Dual<Real> second{values_[i.b], Real(by_first ? 0 : 1)};
-    return abs(interpreter::call(i.function, first, second).slope);
-  }
-
-  /// What double holds.
-  static bool is_binary(const Real& value) {
-    const double rounded = ScalarTraits<double>::from_real(value.value());
-    return cln::zerop(value.value() - Real(exact_value(rounded)).value());
-  }
-
-  static bool is_power_of_two(const Real& value) {
-    if (!value.is_defined() || cln::zerop(value.value())) return false;
-    return cln::abs(cln::decode_float(value.value()).mantissa) == cln::cl_RA(1) / 2;
-  }
-
-  const Program& program_;
-  const Arguments<double>& point_;
-  Leaves leaves_;
-  std::vector<Real> values_ = {};
-  std::vector<Real> errors_ = {};
-};
+Arguments<Running> leaves_at(const Arguments<double>& point, Leaves leaves) {
+  return map_leaves(
+      [leaves](double x) {
+        const Real value(exact_value(x));
+        return Running{value, leaves == Leaves::rounded ? abs(value) : Real()};
+      },
+      point);
+}
 
 }  // namespace
 
@@ -196,13 +195,13 @@ MixedPoints mixed_points(const LeafNames& leaves) {
 bool is_as_precise(const Expressions& way, const Expressions& reference, const MixedPoints& points,
                    Leaves leaves) {
   if (leaves == Leaves::exact && rounds_more_angles(way, reference)) return false;
-  const Comparison compared = comparison(way, reference);
-  const std::vector<std::uint32_t>& entries = compared.function.fields[0].entries;
+  const BothWays both = both_ways(way, reference);
   bool is_compared = false;
   for (const Arguments<double>& point : points) {
-    const RunningErrors errors(compared, point, leaves);
-    const Real& own = errors.of(entries[0]);
-    const Real admitted = errors.admitted(entries[1]);
+    const std::vector<Running> entries =
+        evaluate(both.program, both.function, leaves_at(point, leaves));
+    const Real& own = entries[0].error;
+    const Real admitted = admitted_error(entries[1]);
     if (!admitted.is_defined()) continue;
     if (!own.is_defined() || own.value() > admitted.value()) return false;
     is_compared = true;

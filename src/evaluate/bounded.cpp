@@ -47,11 +47,6 @@ bool is_certain(const Bound& x, const Rounding& rounding) {
   return x.exact || is_less(x.bound * rounding.roundoff * Real(80), abs(x.value));
 }
 
-bool is_power_of_two(const Bound& x) {
-  if (!x.exact || !x.value.is_defined() || cln::zerop(x.value.value())) return false;
-  return cln::abs(cln::decode_float(x.value.value()).mantissa) == cln::cl_RA(1) / 2;
-}
-
 /// f, f' and f'' in one argument, the other held.
 Dual<Dual<Real>> with_derivatives(FunctionId function, const Bound& x, const Bound& y,
                                   bool in_first) {
@@ -114,6 +109,11 @@ const Rounding& rounding() {
 template const Rounding& rounding<float>();
 template const Rounding& rounding<double>();
 
+bool is_power_of_two(const Real& x) {
+  if (!x.is_defined() || cln::zerop(x.value())) return false;
+  return cln::abs(cln::decode_float(x.value()).mantissa) == cln::cl_RA(1) / 2;
+}
+
 Bound leaf_bound(const Real& value, bool exact) {
   return {value, abs(value), exact, false, exact ? 0U : 1U};
 }
@@ -132,7 +132,7 @@ Bound product(const Bound& x, const Bound& y, const Rounding& rounding) {
   Bound result = inherit(computed(x.value * y.value, x.bound * y.bound, rounding), x, y);
   constexpr std::uint32_t most = 1'000'000;  // counts saturate: bounds are useless before
   result.roundings = std::min(x.roundings + y.roundings + 1, most);
-  const bool scaled = (is_power_of_two(x) && y.exact) || (is_power_of_two(y) && x.exact);
+  const bool scaled = x.exact && y.exact && (is_power_of_two(x.value) || is_power_of_two(y.value));
   result.exact = scaled && !is_less(abs(result.value), rounding.smallest);
   return result;
 }

@@ -35,6 +35,9 @@ struct Bound {
 template <class Scalar>
 struct Bounded : Bound {};
 
+/// Up to sign; multiplying by it keeps the digits.
+[[nodiscard]] bool is_power_of_two(const Real& x);
+
 /// A leaf: B = |x|, and a rounding where it is not exact.
 [[nodiscard]] Bound leaf_bound(const Real& value, bool exact);
 [[nodiscard]] Bound negated(const Bound& x);
