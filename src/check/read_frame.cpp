@@ -117,28 +117,23 @@ class FrameReader {
     }
   }
 
-  /// The axis of unit length, exactly.
+  /// The axis of unit length, exactly: irrational components keep their form.
   void add_turn_about(const ValueSyntax& axis, ExpressionId angle) {
-    std::array<cln::cl_RA, 3> given;
-    cln::cl_RA square = 0;
+    NodeBuilder nodes(context_, axis.span);
+    Vector3 given{};
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::optional<cln::cl_R> value = values_.constant(axis.items[i]);
+      const std::optional<FixedValue> value = values_.constant_with_form(axis.items[i]);
       if (!value) return;
-      given[i] = cln::rational(*value);
-      square = square + given[i] * given[i];
+      given[i] = value->form ? *value->form : nodes.number(cln::rational(value->number));
     }
-    if (cln::zerop(square)) {
+    const ExpressionId squared = nodes.dot(given, given);
+    if (context_.constants[squared] && cln::zerop(*context_.constants[squared])) {
       report_.add(Code::E112, axis.span, "an axis of length 0 has no direction");
       return;
     }
-    NodeBuilder nodes(context_, axis.span);
-    const ExpressionId squared = nodes.number(square);
     const ExpressionId scale = nodes.power(squared, cln::cl_RA(-1) / 2);
     FrameStep step{FrameStepKind::turn};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const ExpressionId component = nodes.number(given[i]);
-      step.vector[i] = nodes.multiply({component, scale});
-    }
+    for (std::size_t i = 0; i < 3; ++i) step.vector[i] = nodes.multiply({given[i], scale});
     nodes.finish(OwnerKind::frame, target_);
     step.angle = angle;
     frame_.steps.push_back(step);

@@ -64,6 +64,19 @@ TEST_CASE("a constant axis has exactly length one", "[frames]") {
   CHECK(to_string(model, axis[2]) == "6/7");
 }
 
+TEST_CASE("irrational components of an axis keep their form", "[frames]") {
+  const auto frame = [](const std::string& axis) {
+    return checked(with_frames("[[frame]]\nname = \"f\"\nparent = \"world\"\nrotate = [[" + axis +
+                               ", \"q\"]]\n"));
+  };
+  const Model model = frame("[\"cos(1)\", \"0\", \"2*sqrt(3)\"]").model;
+  const Vector3& axis = model.frames[0].steps[0].vector;
+  CHECK(to_string(model, axis[0]) == "cos(1)*(cos(1)*cos(1) + 2*sqrt(3)*(2*sqrt(3)))^(-1/2)");
+  CHECK(to_string(model, axis[1]) == "0");
+  CHECK(close(pose_of("rotate = [[[\"cos(1)\", \"-sin(1)\", \"0\"], \"q\"]]\n"),
+              as_pose(about({std::cos(1.0), -std::sin(1.0), 0}, q), {0, 0, 0})));
+}
+
 TEST_CASE("rpy are turns about the fixed axes x, y, z in this order", "[frames]") {
   CHECK(close(pose_of("rpy = [\"q\", \"0.2\", \"-q\"]\n"),
               as_pose(about_z(-q) * about_y(0.2) * about_x(q), {0, 0, 0})));
