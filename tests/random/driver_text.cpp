@@ -189,7 +189,9 @@ std::string c_function(const Trial& trial, const std::string& declared) {
   text += fmt::format("  const SCALAR t = {};\n", number(trial.state.t));
   text += "  (void)p, (void)q, (void)v, (void)a, (void)u, (void)t;\n";
   for (const Declaration& function : declarations(declared, "static inline ")) {
-    const bool is_output = mentions(function.parameters, "_parameters *p");
+    // Long functions are written in parts.
+    const bool is_output = mentions(function.parameters, "_parameters *p") &&
+                           !mentions(function.parameters, "_workspace *w");
     if (is_output && function.name != base + "_dynamics") text += c_call(function, trial);
   }
   return text;

@@ -75,6 +75,8 @@ bool holds(std::uint64_t seed) {
   } catch (const std::exception& error) {
     std::printf("seed %llu: the test itself fails: %s\n", static_cast<unsigned long long>(seed),
                 error.what());
+    std::fflush(stdout);
+    write_files(system, "random_findings/" + std::to_string(seed));
   }
   return false;
 }
