@@ -198,17 +198,16 @@ Result<Presented> presented(const Lagrangian& lagrangian, const CheckedModel& ch
 }
 
 /// The functions of `program` that are needed; none where one is missing.
-std::optional<Program> selected(Program program, const std::vector<OutputRequest>& needed) {
-  std::vector<Function> functions;
+std::optional<Program> selected(const Program& program, const std::vector<OutputRequest>& needed) {
+  Program some{program.leaves, program.constants};
   for (const OutputRequest& request : needed) {
     const auto known = std::find_if(
         program.functions.begin(), program.functions.end(),
         [&request](const Function& function) { return function.kind == request.kind; });
     if (known == program.functions.end()) return std::nullopt;
-    functions.push_back(std::move(*known));
+    some.functions.push_back(*known);
   }
-  program.functions = std::move(functions);
-  return program;
+  return some;
 }
 
 /// Always in recursive form: what is closed has cancelled terms that solutions do not. `derives`

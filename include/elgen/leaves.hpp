@@ -1,4 +1,4 @@
-// Leaves: what the equations of a system depend on, listed here and in opcodes.def only.
+// Leaves: what the equations of a system depend on, one thing per kind.
 #pragma once
 
 #include <utility>

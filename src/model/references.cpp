@@ -4,7 +4,8 @@
 namespace elgen {
 namespace {
 
-struct Visit {
+/// An expression whose references are being entered.
+struct Entered {
   ExpressionId expression = 0;
   std::vector<ExpressionId> references = {};
   std::size_t next = 0;
@@ -31,14 +32,14 @@ std::vector<ExpressionId> references(const Model& model, ExpressionId expression
 std::vector<ExpressionId> reached(const Model& model, const std::vector<ExpressionId>& roots) {
   std::vector<bool> done(model.expressions.size(), false);
   std::vector<ExpressionId> order;
-  std::vector<Visit> stack;
+  std::vector<Entered> stack;
   const auto enter = [&](ExpressionId id) {
     if (!done[id]) stack.push_back({id, references(model, id), 0});
   };
   for (const ExpressionId root : roots) {
     enter(root);
     while (!stack.empty()) {
-      Visit& top = stack.back();
+      Entered& top = stack.back();
       if (top.next < top.references.size()) {
         enter(top.references[top.next++]);
         continue;
