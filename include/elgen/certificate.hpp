@@ -71,8 +71,8 @@ struct Certificate {
 struct VerifyOptions {
   /// Random states per output; 256 where none is said, fewer for long programs.
   std::optional<std::size_t> samples = {};
-  /// Up to 16 states, fewer for long programs, one contraction of an output instead of all entries,
-  /// no compiler.
+  /// 16 random states with all extremes, fewer of both for long programs; one contraction of an
+  /// output instead of all entries; no compiler.
   bool quick = false;
   std::uint64_t seed = 1;
   /// Prove [[expect]]; parallel to the program's functions. Without them, and where they do not

@@ -65,11 +65,17 @@ Result<Verification> compared(const std::string& path, Products& products,
   return result;
 }
 
+/// With every check, as -o gets it.
+std::string full_text(const GlobalOptions& global, const Certificate& certificate) {
+  const bool is_json = global.style.format == DiagnosticFormat::json;
+  return is_json ? to_json(certificate) : to_full_text(certificate);
+}
+
 /// As -q, -v and --format want it.
 std::string text_of(const GlobalOptions& global, const Certificate& certificate) {
-  if (global.style.format == DiagnosticFormat::json) return to_json(certificate);
-  if (global.quiet) return verdict_line(certificate);
-  return global.verbose ? to_full_text(certificate) : to_text(certificate);
+  const bool is_json = global.style.format == DiagnosticFormat::json;
+  if (is_json || (global.verbose && !global.quiet)) return full_text(global, certificate);
+  return global.quiet ? verdict_line(certificate) : to_text(certificate);
 }
 
 ExitCode exit_code(const Certificate& certificate, bool strict) {
@@ -97,8 +103,7 @@ ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& opt
   tell_times(global, products);
   if (!verification) return report(global, verification.diagnostics);
   const Certificate& certificate = verification->certificate;
-  const bool is_json = global.style.format == DiagnosticFormat::json;
-  certificates.push_back(is_json ? to_json(certificate) : to_full_text(certificate));
+  certificates.push_back(full_text(global, certificate));
   const ExitCode printed = print(global, text_of(global, certificate));
   const ExitCode found = std::max(printed, report(global, verification->diagnostics));
   return std::max(found, exit_code(certificate, options.strict));

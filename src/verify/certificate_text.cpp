@@ -2,7 +2,7 @@
 //
 //     certificate of cart_pole, scene full, seed 1
 //
-//       holds    mass_matrix        9 checks, 276 states, 1.2 u B
+//       holds    mass_matrix        9 checks, 1.2 u B at 276 states
 //       FAILS    gravity            1 of 8 checks
 //                program vs oracle: gravity (double)
 //                worst      entry 1 is 2, the oracle says 1
@@ -107,20 +107,31 @@ bool rests_on(const Rows& rows, Evidence evidence) {
                      [evidence](const CertificateRow* row) { return row->evidence == evidence; });
 }
 
-/// "9 checks, 276 states, 1.2 u B", "4 checks, proved"
+/// The fewest states at which one of the rows was compared: of those with an error in u B, where
+/// there are such.
+std::optional<std::size_t> fewest_states(const Rows& rows, bool with_error) {
+  std::optional<std::size_t> fewest;
+  for (const CertificateRow* row : rows) {
+    const bool counts = row->evidence == Evidence::states && row->verdict == Verdict::holds;
+    if (!counts || row->error.has_value() != with_error) continue;
+    fewest = std::min(fewest.value_or(row->samples), row->samples);
+  }
+  return fewest;
+}
+
+/// "9 checks, 1.2 u B at 276 states", "4 checks, proved"
 std::string summary(const Rows& rows) {
   const std::size_t failed = count_of(rows, Verdict::fails);
   if (failed > 0) return fmt::format("{} of {}", failed, plural(rows.size(), "check"));
   std::string text = plural(rows.size(), "check");
   if (!rests_on(rows, Evidence::states)) return text + ", proved";
-  std::size_t states = 0;
   std::optional<double> error;
   for (const CertificateRow* row : rows) {
-    if (row->evidence == Evidence::states) states = std::max(states, row->samples);
     if (row->error) error = std::max(error.value_or(0), *row->error);
   }
-  text += ", " + plural(states, "state");
+  const auto states = fewest_states(rows, error.has_value());
   if (error) text += fmt::format(", {:.2g} u B", *error);
+  if (states) text += (error ? " at " : ", at ") + plural(*states, "state");
   if (rests_on(rows, Evidence::proof)) text += ", some proved";
   if (rests_on(rows, Evidence::zeros)) text += ", rests on zeros that are not proved";
   return text;

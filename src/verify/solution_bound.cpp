@@ -38,7 +38,7 @@ std::optional<Real> condition(const std::vector<Bound>& m, const std::vector<Rea
 
 bool is_known(const BoundedRun& run) { return run.regime == Regime::regular; }
 
-/// Whether 1/10 is more.
+/// Whether x is known to be below a tenth.
 bool is_small(const Real& x) { return x.is_defined() && x.value() < cln::cl_RA(1) / 10; }
 
 bool depends_on_position(const Function& function) {

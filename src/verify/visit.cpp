@@ -72,7 +72,9 @@ void Visit<Scalar>::run(const FieldPlace& place) {
     function_ = place.function;
     exact_ = bounded_run<Scalar>(subject_.program, *function_, state());
     values_ = evaluate(subject_.program, *function_, sample_.values);
-    if (function_->fields.size() == 1) known_[function_->name] = exact_.entries;
+    const bool is_repeated =
+        comparison_ == Comparison::projections && function_->fields.size() == 1;
+    if (is_repeated) known_[function_->name] = exact_.entries;
   }
   if (!place.judge.is_closed_form || place.judge.function == judge_) return;
   judge_ = place.judge.function;
@@ -150,7 +152,9 @@ std::string Visit<Scalar>::differing_projection(const FieldPlace& place, const J
   const auto known = repeats ? known_.find(place.field().name) : known_.end();
   if (known != known_.end())
     return differing_from(place, known->second, "the function of its name");
-  const std::string differs = differing_from(place, judged.entries, "its closed form");
+  const std::string differs = place.judge.is_closed_form
+                                  ? differing_from(place, judged.entries, "its closed form")
+                                  : std::string();
   return differs.empty() ? compare_projection(subject_, place, exact_, oracle_, random) : differs;
 }
 
@@ -207,6 +211,7 @@ double Visit<Scalar>::error_of(const FieldPlace& place, const SolvedColumn& colu
 
 template <class Scalar>
 void Visit<Scalar>::measure(const FieldPlace& place, const Judged& judged, Finding& finding) const {
+  finding.in_norm = !judged.columns.empty();
   std::vector<bool> by_norm(judged.entries.size());
   for (const SolvedColumn& column : judged.columns) {
     for (const std::size_t entry : column.entries) by_norm[entry] = true;

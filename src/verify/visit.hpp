@@ -32,6 +32,7 @@ struct Finding {
   Regime regime = Regime::regular;
   std::string mistake = {};          ///< an exact value that is not the oracle's
   std::optional<double> error = {};  ///< largest, in u B; none where nothing bounds it
+  bool in_norm = false;              ///< that of solutions, not of entries
   std::string imprecision = {};      ///< the entry of an error that breaks the promise
   double cancellation = 0;           ///< largest B/|x|
   std::vector<double> ulps = {};     ///< of entries that are not 0

@@ -54,7 +54,7 @@ TEST_CASE("there is a line per output; what fails is printed in full, what is sk
   CHECK(to_text(sample()) == R"(certificate of cart_pole, scene full, seed 7
 
   holds    [[expect]] gravity  1 check, proved
-  holds    mass_matrix         3 checks, 276 states, 1.2 u B, rests on zeros that are not proved
+  holds    mass_matrix         3 checks, 1.2 u B at 276 states, rests on zeros that are not proved
            skipped: mass matrix positive definite, mass_matrix
            because    32 singular
   FAILS    bias                1 of 1 check
@@ -66,6 +66,21 @@ TEST_CASE("there is a line per output; what fails is printed in full, what is sk
 
 3 checks hold, 1 fails, 1 skipped
 )");
+}
+
+TEST_CASE("an error is said to be of the states at which it was measured, the fewest of its rows") {
+  CertificateRow often = row("compiled code vs program", "linearization", Verdict::holds);
+  often.samples = 264;
+  CertificateRow seldom = row("program vs oracle", "linearization", Verdict::holds);
+  seldom.error = 0.5;
+  seldom.samples = 17;
+  CertificateRow in_float = seldom;
+  in_float.samples = 16;
+  const Certificate certificate{"arm", "full", 1, {often, seldom, in_float}};
+  CHECK(to_text(certificate).find("linearization  3 checks, 0.5 u B at 16 states\n") !=
+        std::string::npos);
+  const Certificate bits{"arm", "full", 1, {often}};
+  CHECK(to_text(bits).find("linearization  1 check, at 264 states\n") != std::string::npos);
 }
 
 TEST_CASE("in full every row says how it was decided") {

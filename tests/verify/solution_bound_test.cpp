@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "elgen/certificate.hpp"
+#include "verify/accuracy.hpp"
 #include "verify/systems.hpp"
 #include "verify/visit.hpp"
 
@@ -73,6 +74,27 @@ TEST_CASE("the bound is cond ((n + |B_M|) |x| + |B_b|), in the norm of D^1/2 x")
   CHECK(ScalarTraits<double>::from_real(columns[0].weights[1].value()) == Approx(1));
 }
 
+TEST_CASE("M that takes many roundings is as uncertain as they make it") {
+  // M11 = 1 + c - c + c - … of 24 sums: 24 u B where 8 u B cover eight.
+  System system = symmetric_pair(solve, results);
+  const Real plain = columns_at(system, 0.5).front().bound;
+  Function& mass = system.program.functions.front();
+  std::uint32_t last = 0;
+  for (int i = 0; i < 24; ++i) {
+    const Opcode opcode = i % 2 == 0 ? Opcode::add : Opcode::subtract;
+    mass.instructions.push_back({.opcode = opcode, .a = last, .b = 1});
+    mass.names.emplace_back();
+    last = static_cast<std::uint32_t>(mass.instructions.size() - 1);
+  }
+  mass.fields.front().entries.front() = last;
+  // B of M11 is 1 + 24/2 = 13, and three times that for 24 roundings.
+  const double frobenius = std::sqrt(39 * 39 + 1 + 0.5);
+  const double expected = 3 * ((2 + frobenius) * std::sqrt(20.0) + 3);
+  const Real counted = columns_at(system, 0.5).front().bound;
+  CHECK(ScalarTraits<double>::from_real(counted.value()) == Approx(expected));
+  CHECK(plain.value() < counted.value());
+}
+
 TEST_CASE("near a singular M nothing is claimed, and far from it everything is bounded") {
   const System system = symmetric_pair(solve, results);
   CHECK(columns_at(system, 1 - 1e-15).empty());
@@ -110,6 +132,22 @@ TEST_CASE("without the parts there is no such bound") {
   const State state = exact_state(subject, state_with(system, 0.5).values);
   SolutionBounds<double> none(nullptr, state);
   CHECK(none.columns(field_places(subject, 2).front(), {}).empty());
+}
+
+TEST_CASE("the tolerance names what judged") {
+  const System system = symmetric_pair(solve, results);
+  const std::vector<SampledState<double>> states{state_with(system, 0.5)};
+  const auto tolerance = [&](const Program* parts) {
+    AccuracyOptions options;
+    options.parts = parts;
+    for (const CertificateRow& row : check_accuracy(system.subject(), states, options)) {
+      if (row.subject == "forward_dynamics.acceleration (double)") return row.tolerance;
+    }
+    return std::string();
+  };
+  CHECK(tolerance(&system.program).find("in the norm of D^1/2 x") != std::string::npos);
+  CHECK_FALSE(tolerance(nullptr).empty());
+  CHECK(tolerance(nullptr).find("norm") == std::string::npos);
 }
 
 TEST_CASE("what solves names its parts") {
