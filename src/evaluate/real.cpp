@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/more_digits.hpp"
 #include "elgen/evaluate.hpp"
 
 namespace elgen {
@@ -19,6 +20,8 @@ constexpr unsigned spare_digits = 10;
 /// Of RealPrecision: digits beyond the basic ones, and those that angles met have before the point.
 thread_local unsigned more_digits = 0;
 thread_local unsigned lost_digits = 0;
+
+unsigned digits() { return basic_digits + MoreDigits::count() + more_digits; }
 
 const cln::cl_F& number(const Real& x) { return x.value(); }
 
@@ -46,7 +49,7 @@ cln::cl_F lengthened(const Real& x) {
   const auto exponent = std::max(std::int64_t{0}, std::int64_t{cln::float_exponent(number(x))});
   const auto before_point = static_cast<unsigned>(exponent / 3);
   lost_digits = std::max(lost_digits, before_point);
-  return cln::cl_float(number(x), cln::float_format(basic_digits + more_digits + before_point));
+  return cln::cl_float(number(x), cln::float_format(digits() + before_point));
 }
 
 /// The largest exponent of an angle that is reduced: beyond the range of every built-in float.
@@ -64,7 +67,7 @@ bool is_exponent(const Real& x) {
 
 }  // namespace
 
-cln::float_format_t Real::format() { return cln::float_format(basic_digits + more_digits); }
+cln::float_format_t Real::format() { return cln::float_format(digits()); }
 
 RealPrecision::RealPrecision() : outer_(std::exchange(more_digits, 0)) { lost_digits = 0; }
 

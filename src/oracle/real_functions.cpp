@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/more_digits.hpp"
+
 namespace elgen::oracle {
 namespace {
 
@@ -38,14 +40,16 @@ thread_local unsigned lost_digits = 0;
 /// So many the working precision has to spare: 60 digits are promised.
 constexpr unsigned spare_digits = 10;
 
-cln::float_format_t working_format() { return cln::float_format(working_digits + more_digits); }
+unsigned all_digits() { return working_digits + MoreDigits::count() + more_digits; }
+
+cln::float_format_t working_format() { return cln::float_format(all_digits()); }
 
 /// Working precision plus the digits in front of the decimal point of `x`.
 cl_F widened(const cl_R& x) {
   if (is_rational(x)) {
     const cl_I integer_part = cln::truncate1(x);
     const auto digits = static_cast<unsigned>(cln::integer_length(integer_part)) / 3 + 1;
-    return cln::cl_float(x, cln::float_format(working_digits + more_digits + digits));
+    return cln::cl_float(x, cln::float_format(all_digits() + digits));
   }
   const cl_F f = cln::the<cl_F>(x);
   const auto bits = cln::float_exponent(f);
@@ -53,7 +57,7 @@ cl_F widened(const cl_R& x) {
   if (bits > largest_angle_exponent) throw OutsideDomain("argument too large to reduce");
   const unsigned digits = static_cast<unsigned>(bits) / 3 + 1;
   lost_digits = std::max(lost_digits, digits);
-  return cln::cl_float(f, cln::float_format(working_digits + more_digits + digits));
+  return cln::cl_float(f, cln::float_format(all_digits() + digits));
 }
 
 cl_R rounded(const cl_R& x) {

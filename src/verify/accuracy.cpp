@@ -20,7 +20,7 @@ constexpr const char* closed_reason =
 constexpr const char* solution_reason =
     "8 u B + N eta in the norm of D^1/2 x, D = diag M: B = cond ((n + |D^-1/2 B_M D^-1/2|) |D^1/2 "
     "x*| + |D^-1/2 B_b|) of M x = b, cond of D^-1/2 M D^-1/2; beyond the ranges the code's own "
-    "bound does too, where it is below a tenth of x; skipped where u cond or "
+    "bound does too, where it is below a tenth of x; skipped where neither does, u cond or "
     "8 u cond |D^-1/2 B_M D^-1/2| > 0.1";
 
 /// One field of a function, and what was found of it so far.

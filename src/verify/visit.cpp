@@ -8,12 +8,16 @@
 #include <limits>
 
 #include "agreement.hpp"
+#include "base/more_digits.hpp"
 #include "elgen/outputs.hpp"
 #include "projection.hpp"
 #include "stated_error.hpp"
 
 namespace elgen {
 namespace {
+
+/// For a second look at values that differ: as many as Real has by itself.
+constexpr unsigned digits_of_second_look = 64;
 
 bool has_values(Regime regime) {
   return regime == Regime::regular || regime == Regime::ill_conditioned;
@@ -63,6 +67,7 @@ Visit<Scalar>::Visit(const Subject& subject, const SampledState<Scalar>& sample,
     : subject_(subject),
       sample_(sample),
       comparison_(comparison),
+      parts_(parts),
       oracle_(subject, exact_state(subject, sample.values)),
       solutions_(parts, oracle_.state()) {}
 
@@ -192,15 +197,19 @@ double Visit<Scalar>::error_in_norm(const FieldPlace& place, const SolvedColumn&
   return in_bounds<Scalar>(sqrt(square), column.bound);
 }
 
+/// None where nothing bounds it: beyond the ranges the code may round more on its way to M and b
+/// than M and b themselves do, and its own bound decides.
 template <class Scalar>
-double Visit<Scalar>::error_of(const FieldPlace& place, const SolvedColumn& column) const {
+std::optional<double> Visit<Scalar>::error_of(const FieldPlace& place,
+                                              const SolvedColumn& column) const {
   const double in_norm = error_in_norm(place, column);
   std::vector<Bound> own;
   for (const std::size_t entry : column.entries) own.push_back(exact_.entries[place.first + entry]);
-  // Beyond the ranges the code may round more on its way to M and b than M and b themselves do.
-  const bool has_own = sample_.region != Region::nominal && exact_.regime == Regime::regular &&
-                       says_something(own, rounding<Scalar>().roundoff);
-  if (!has_own) return in_norm;
+  const bool keeps = in_norm <= promised_bounds;
+  if (keeps || sample_.region == Region::nominal) return in_norm;
+  const bool has_own =
+      exact_.regime == Regime::regular && says_something(own, rounding<Scalar>().roundoff);
+  if (!has_own) return std::nullopt;
   double largest = 0;
   for (std::size_t i = 0; i < own.size(); ++i) {
     const Scalar x = values_[place.first + column.entries[i]];
@@ -215,7 +224,12 @@ void Visit<Scalar>::measure(const FieldPlace& place, const Judged& judged, Findi
   std::vector<bool> by_norm(judged.entries.size());
   for (const SolvedColumn& column : judged.columns) {
     for (const std::size_t entry : column.entries) by_norm[entry] = true;
-    add_error(place, column.entries.front(), error_of(place, column), finding);
+    const std::optional<double> error = error_of(place, column);
+    if (!error) {
+      finding = Finding{.regime = Regime::ill_conditioned};
+      return;
+    }
+    add_error(place, column.entries.front(), *error, finding);
   }
   for (std::size_t i = 0; i < judged.entries.size(); ++i) {
     const Bound& own = exact_.entries[place.first + i];
@@ -227,6 +241,14 @@ void Visit<Scalar>::measure(const FieldPlace& place, const Judged& judged, Findi
 
 template <class Scalar>
 Finding Visit<Scalar>::look_at(const FieldPlace& place, Random& random) {
+  Finding first = found(place, random);
+  if (first.mistake.empty()) return first;
+  const MoreDigits twice(digits_of_second_look);
+  return Visit(subject_, sample_, comparison_, parts_).found(place, random);
+}
+
+template <class Scalar>
+Finding Visit<Scalar>::found(const FieldPlace& place, Random& random) {
   run(place);
   const Judged judged = this->judged(place);
   Finding finding;

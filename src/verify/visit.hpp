@@ -60,6 +60,7 @@ class Visit {
     std::vector<SolvedColumn> columns = {};  ///< where norms judge
   };
 
+  [[nodiscard]] Finding found(const FieldPlace& place, Random& random);
   void run(const FieldPlace& place);
   [[nodiscard]] Judged judged(const FieldPlace& place);
   [[nodiscard]] std::string differing(const FieldPlace& place, const Judged& judged,
@@ -76,11 +77,13 @@ class Visit {
                  Finding& finding) const;
   void add_error(const FieldPlace& place, std::size_t entry, double error, Finding& finding) const;
   [[nodiscard]] double error_in_norm(const FieldPlace& place, const SolvedColumn& column) const;
-  [[nodiscard]] double error_of(const FieldPlace& place, const SolvedColumn& column) const;
+  [[nodiscard]] std::optional<double> error_of(const FieldPlace& place,
+                                               const SolvedColumn& column) const;
 
   const Subject& subject_;
   const SampledState<Scalar>& sample_;
   Comparison comparison_;
+  const Program* parts_;
   OracleCache oracle_;
   SolutionBounds<Scalar> solutions_;
   const Function* function_ = nullptr;  ///< of the following runs

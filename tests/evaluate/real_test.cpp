@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/more_digits.hpp"
 #include "elgen/evaluate.hpp"
 
 using namespace elgen;
@@ -96,4 +97,12 @@ TEST_CASE("beyond the range of exponents nothing is defined, and nothing is thro
   CHECK_FALSE(x.is_defined());
   CHECK_FALSE(exp(Real(cln::expt(cln::cl_RA(10), 300))).is_defined());
   CHECK_FALSE((x + Real(1)).is_defined());
+}
+
+TEST_CASE("1 + 1e-120 - 1 is 0 in 64 digits, and 1e-120 in twice as many") {
+  const cln::cl_RA tiny = cln::expt(cln::cl_RA(10), -120);
+  const auto rest = [&] { return (Real(1) + Real(tiny)) - Real(1); };
+  CHECK(cln::zerop(rest().value()));
+  const MoreDigits twice(64);
+  CHECK_FALSE(cln::zerop(rest().value()));
 }

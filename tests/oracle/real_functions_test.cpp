@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/more_digits.hpp"
 #include "oracle/samples.hpp"
 
 using namespace elgen;
@@ -91,4 +92,11 @@ TEST_CASE("long rationals become floats, short ones stay") {
   const cl_R lengthy = cln::expt(exact("1/3"), cln::cl_I(5000));
   CHECK_FALSE(is_rational(shortened(lengthy)));
   CHECK(agree(shortened(lengthy), lengthy, 90));
+}
+
+TEST_CASE("pi has more digits where they are asked for") {
+  const auto digits = [] { return cln::float_digits(cln::the<cln::cl_F>(real_pi())); };
+  const auto few = digits();
+  const MoreDigits twice(64);
+  CHECK(digits() > few + 200);  // binary
 }
