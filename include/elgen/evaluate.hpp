@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "elgen/fold.hpp"
 #include "elgen/leaves.hpp"
-#include "elgen/program.hpp"
 
 namespace elgen {
 

@@ -115,37 +115,30 @@ template <class Scalar>
   return x;
 }
 
+/// The rules of numbers.
 template <class Scalar>
-[[nodiscard]] Scalar step(const Program& program, const Instruction& i,
-                          const Arguments<Scalar>& arguments, const std::vector<Scalar>& values) {
-  using std::sqrt;
-  switch (i.opcode) {
-    case Opcode::constant:
-      return ScalarTraits<Scalar>::from_real(program.constants[i.a].value);
-    case Opcode::parameter:
-    case Opcode::coordinate:
-    case Opcode::velocity:
-    case Opcode::acceleration:
-    case Opcode::input:
-    case Opcode::time:
-      return leaf_of(arguments, i.opcode, i.a);
-    case Opcode::negate:
-      return -values[i.a];
-    case Opcode::add:
-      return values[i.a] + values[i.b];
-    case Opcode::subtract:
-      return values[i.a] - values[i.b];
-    case Opcode::multiply:
-      return values[i.a] * values[i.b];
-    case Opcode::divide:
-      return values[i.a] / values[i.b];
-    case Opcode::square_root:
-      return sqrt(values[i.a]);
-    case Opcode::call:
-      return call(i.function, values[i.a], values[i.b]);
+struct Rules {
+  const Arguments<Scalar>& arguments;
+
+  [[nodiscard]] Scalar constant(const Constant& constant) const {
+    return ScalarTraits<Scalar>::from_real(constant.value);
   }
-  return Scalar();
-}
+  [[nodiscard]] Scalar leaf(Opcode kind, std::uint32_t number) const {
+    return leaf_of(arguments, kind, number);
+  }
+  [[nodiscard]] Scalar negate(const Scalar& x) const { return -x; }
+  [[nodiscard]] Scalar add(const Scalar& x, const Scalar& y) const { return x + y; }
+  [[nodiscard]] Scalar subtract(const Scalar& x, const Scalar& y) const { return x - y; }
+  [[nodiscard]] Scalar multiply(const Scalar& x, const Scalar& y) const { return x * y; }
+  [[nodiscard]] Scalar divide(const Scalar& x, const Scalar& y) const { return x / y; }
+  [[nodiscard]] Scalar square_root(const Scalar& x) const {
+    using std::sqrt;
+    return sqrt(x);
+  }
+  [[nodiscard]] Scalar call(FunctionId function, const Scalar& x, const Scalar& y) const {
+    return interpreter::call(function, x, y);
+  }
+};
 
 }  // namespace interpreter
 
@@ -154,24 +147,14 @@ template <class Scalar>
 [[nodiscard]] std::vector<Scalar> evaluate_instructions(const Program& program,
                                                         const Function& function,
                                                         const Arguments<Scalar>& arguments) {
-  std::vector<Scalar> values;
-  values.reserve(function.instructions.size());
-  for (const Instruction& instruction : function.instructions) {
-    values.push_back(interpreter::step(program, instruction, arguments, values));
-  }
-  return values;
+  return fold<Scalar>(interpreter::Rules<Scalar>{arguments}, program, function);
 }
 
 /// The entries of all fields, field by field, row-major.
 template <class Scalar>
 [[nodiscard]] std::vector<Scalar> evaluate(const Program& program, const Function& function,
                                            const Arguments<Scalar>& arguments) {
-  const std::vector<Scalar> values = evaluate_instructions(program, function, arguments);
-  std::vector<Scalar> entries;
-  for (const Field& field : function.fields) {
-    for (const std::uint32_t entry : field.entries) entries.push_back(values[entry]);
-  }
-  return entries;
+  return entries_of(function, evaluate_instructions(program, function, arguments));
 }
 
 }  // namespace elgen

@@ -9,11 +9,8 @@
 
 namespace elgen {
 
-struct LeafNames {
-  std::vector<std::string> parameters = {};   ///< "m", "l[2]"
-  std::vector<std::string> coordinates = {};  ///< "theta", "q[1]"
-  std::vector<std::string> velocities = {};   ///< what dot() is written around, as above
-  std::vector<std::string> inputs = {};
+/// "m", "l[2]", "theta", "q[1]"; of rates what dot() is written around.
+struct LeafNames : LeafValues<std::string> {
   bool uses_time = false;
 };
 
@@ -22,20 +19,7 @@ struct LeafNames {
 /// draw() for every leaf, in their order, t among them.
 template <class Draw>
 [[nodiscard]] auto draw_leaves(const LeafNames& leaves, const Draw& draw) {
-  const auto list = [&draw](std::size_t count) {
-    std::vector<decltype(draw())> values;
-    for (std::size_t i = 0; i < count; ++i) values.push_back(draw());
-    return values;
-  };
-  const std::size_t velocities = leaves.velocities.size();
-  const PerLeaf<std::size_t, std::size_t> counts{leaves.parameters.size(),
-                                                 leaves.coordinates.size(),
-                                                 velocities,
-                                                 velocities,
-                                                 leaves.inputs.size(),
-                                                 1};
-  return map_kinds(
-      list, [&draw](std::size_t) { return draw(); }, counts);
+  return map_leaves([&draw](const std::string&) { return draw(); }, leaves);
 }
 
 }  // namespace elgen

@@ -4,17 +4,18 @@
 #include <utility>
 #include <vector>
 
+#include "elgen/opcodes.hpp"
+
 namespace elgen {
 
 /// One thing per kind of leaf: a list where there are many of the kind.
 template <class List, class One>
 struct PerLeaf {
-  List parameters = {};
-  List q = {};
-  List v = {};
-  List a = {};  ///< dv/dt
-  List u = {};
-  One t = {};
+#define ELGEN_LEAVES(kind, member, symbol, type, tag, rank) List member = {};
+#define ELGEN_LEAF(kind, member, symbol, type, tag, rank) One member = {};
+#include "elgen/leaves.def"
+#undef ELGEN_LEAVES
+#undef ELGEN_LEAF
 };
 
 /// A T for every leaf.
@@ -28,12 +29,11 @@ template <class Lists, class Ones, class... Leaves>
   using One = decltype(one(each.t...));
   // In this order: what draws numbers gives the same everywhere.
   PerLeaf<List, One> result;
-  result.parameters = lists(each.parameters...);
-  result.q = lists(each.q...);
-  result.v = lists(each.v...);
-  result.a = lists(each.a...);
-  result.u = lists(each.u...);
-  result.t = one(each.t...);
+#define ELGEN_LEAVES(kind, member, symbol, type, tag, rank) result.member = lists(each.member...);
+#define ELGEN_LEAF(kind, member, symbol, type, tag, rank) result.member = one(each.member...);
+#include "elgen/leaves.def"
+#undef ELGEN_LEAVES
+#undef ELGEN_LEAF
   return result;
 }
 
@@ -48,6 +48,53 @@ template <class F, class First, class... Others>
     return result;
   };
   return map_kinds(list, f, first, others...);
+}
+
+/// f(kind, number, leaf) of every leaf of one or more lists of the same lengths.
+template <class F, class First, class... Others>
+void for_each_leaf(const F& f, const LeafValues<First>& first,
+                   const LeafValues<Others>&... others) {
+#define ELGEN_LEAVES(kind, member, symbol, type, tag, rank)   \
+  for (std::uint32_t i = 0; i < first.member.size(); ++i) {   \
+    f(Opcode::kind, i, first.member[i], others.member[i]...); \
+  }
+#define ELGEN_LEAF(kind, member, symbol, type, tag, rank) \
+  f(Opcode::kind, std::uint32_t{0}, first.member, others.member...);
+#include "elgen/leaves.def"
+#undef ELGEN_LEAVES
+#undef ELGEN_LEAF
+}
+
+/// The leaf of this kind and number.
+template <class T>
+[[nodiscard]] const T& leaf_of(const LeafValues<T>& leaves, Opcode kind, std::uint32_t number) {
+  switch (kind) {
+#define ELGEN_LEAVES(kind, member, symbol, type, tag, rank) \
+  case Opcode::kind:                                        \
+    return leaves.member[number];
+#define ELGEN_LEAF(kind, member, symbol, type, tag, rank)
+#include "elgen/leaves.def"
+#undef ELGEN_LEAVES
+#undef ELGEN_LEAF
+    default:
+      return leaves.t;
+  }
+}
+
+/// How many there are of a kind.
+template <class T>
+[[nodiscard]] std::size_t leaf_count(const LeafValues<T>& leaves, Opcode kind) {
+  switch (kind) {
+#define ELGEN_LEAVES(kind, member, symbol, type, tag, rank) \
+  case Opcode::kind:                                        \
+    return leaves.member.size();
+#define ELGEN_LEAF(kind, member, symbol, type, tag, rank)
+#include "elgen/leaves.def"
+#undef ELGEN_LEAVES
+#undef ELGEN_LEAF
+    default:
+      return 1;
+  }
 }
 
 }  // namespace elgen

@@ -12,11 +12,9 @@
 //                                   ; of a struct: "result acceleration 2 1 = …"
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "elgen/constant.hpp"
@@ -28,52 +26,6 @@
 #include "elgen/reduction.hpp"
 
 namespace elgen {
-
-enum class Opcode : std::uint8_t {
-#define ELGEN_OPCODE(name, operands, tag) name,
-#include "elgen/opcodes.def"
-#undef ELGEN_OPCODE
-};
-
-struct OpcodeRow {
-  Opcode id;
-  std::string_view name;
-  std::size_t operands;
-  int tag;
-};
-
-/// opcodes.def
-inline constexpr std::array opcode_table{
-#define ELGEN_OPCODE(name, operands, tag) OpcodeRow{Opcode::name, #name, operands, tag},
-#include "elgen/opcodes.def"
-#undef ELGEN_OPCODE
-};
-
-[[nodiscard]] constexpr const OpcodeRow& opcode_row(Opcode opcode) {
-  return opcode_table[static_cast<std::size_t>(opcode)];
-}
-
-/// The leaf of this kind and number.
-template <class T>
-[[nodiscard]] const T& leaf_of(const LeafValues<T>& leaves, Opcode kind, std::uint32_t number) {
-  switch (kind) {
-    case Opcode::parameter:
-      return leaves.parameters[number];
-    case Opcode::coordinate:
-      return leaves.q[number];
-    case Opcode::velocity:
-      return leaves.v[number];
-    case Opcode::acceleration:
-      return leaves.a[number];
-    case Opcode::input:
-      return leaves.u[number];
-    default:
-      return leaves.t;
-  }
-}
-
-/// The names of leaves of this kind; null of time, which has none, and of what is no leaf.
-[[nodiscard]] const std::vector<std::string>* names_of_leaves(const LeafNames& leaves, Opcode kind);
 
 struct Instruction {
   Opcode opcode = Opcode::constant;

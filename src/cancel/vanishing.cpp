@@ -72,12 +72,13 @@ Value settled(const Instruction& i, const Values& values, Value x) {
 Values run(const Program& program, const Function& function, const std::vector<bool>& needed,
            Random& random) {
   const Arguments<Value> point = random_point(program.leaves, random);
+  const interpreter::Rules<Value> rules{point};
   Values values(function.instructions.size());
   for (std::size_t at = 0; at < values.size(); ++at) {
     if (!needed[at]) continue;
     const Instruction& i = function.instructions[at];
     values[at] = is_kinked(i) ? ScalarTraits<Value>::from_real(cln::abs(random.rational()))
-                              : settled(i, values, interpreter::step(program, i, point, values));
+                              : settled(i, values, folded(rules, program, i, values));
   }
   return values;
 }

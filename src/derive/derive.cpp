@@ -135,7 +135,7 @@ void define_entries(Derivation& derivation, std::vector<FieldEquations>& fields)
 
 Diagnostic singular_mass(const OutputRequest& request, const ZeroPivot& pivot,
                          const LeafNames& names) {
-  const std::string& velocity = names.velocities[pivot.velocity];
+  const std::string& velocity = names.v[pivot.velocity];
   return pivot.is_diagonal ? no_kinetic_energy(request, velocity)
                            : singular_mass_matrix(request, velocity);
 }

@@ -90,7 +90,7 @@ class StepByStep {
     const Vector force = applied_force(derivation_, InputForces::acting);
     for (std::size_t i = 0; i < derivation_.size(); ++i) {
       const ex rate = derivation_.motion(momentum_[i]) + turning[i];
-      add(derivation_.lagrangian.leaves.velocities[i],
+      add(derivation_.lagrangian.leaves.v[i],
           {scalar("momentum", momentum_[i]), scalar("momentum_rate", rate),
            scalar("partial", partial[i]), scalar("dissipation", dissipation[i]),
            scalar("force", force[i]), scalar("left", rate - partial[i] + dissipation[i])});

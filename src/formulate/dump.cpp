@@ -37,7 +37,7 @@ std::string dump(const Lagrangian& lagrangian) {
   append_terms(text, "L", lagrangian.lagrangian, print);
   for (std::size_t i = 0; i < lagrangian.forces.size(); ++i) {
     if (lagrangian.forces[i].is_zero()) continue;
-    text += "force on " + lagrangian.leaves.velocities[i] + " = " + print(lagrangian.forces[i]);
+    text += "force on " + lagrangian.leaves.v[i] + " = " + print(lagrangian.forces[i]);
     text += '\n';
   }
   for (const NamedOutput& output : lagrangian.outputs) {

@@ -40,9 +40,8 @@ std::string operation_text(const Program& program, const Instruction& instructio
   if (instruction.opcode == Opcode::constant) {
     text += " " + constant_text(program.constants[instruction.a]);
   }
-  if (const auto* names = names_of_leaves(program.leaves, instruction.opcode)) {
-    text += " " + (*names)[instruction.a];
-  }
+  const bool is_listed = is_leaf(instruction.opcode) && instruction.opcode != Opcode::time;
+  if (is_listed) text += " " + leaf_of(program.leaves, instruction.opcode, instruction.a);
   return text;
 }
 
@@ -74,12 +73,12 @@ std::string function_text(const Program& program, const Function& function) {
 
 std::string dump(const Program& program) {
   std::string text = list_line("parameters", program.leaves.parameters) +
-                     list_line("coordinates", program.leaves.coordinates);
+                     list_line("coordinates", program.leaves.q);
   // Where nothing rotates, velocities are called as their coordinates.
-  if (program.leaves.velocities != program.leaves.coordinates) {
-    text += list_line("velocities", program.leaves.velocities);
+  if (program.leaves.v != program.leaves.q) {
+    text += list_line("velocities", program.leaves.v);
   }
-  text += list_line("inputs", program.leaves.inputs);
+  text += list_line("inputs", program.leaves.u);
   if (program.leaves.uses_time) text += "time\n";
   for (const Function& function : program.functions) text += function_text(program, function);
   return text;

@@ -17,12 +17,9 @@ class Importer {
  public:
   Importer(const EquationsOfMotion& equations, const OutputRequest& request)
       : equations_(equations), request_(request) {
-    add_leaves(Opcode::parameter, equations.symbols.parameters);
-    add_leaves(Opcode::coordinate, equations.symbols.q);
-    add_leaves(Opcode::velocity, equations.symbols.v);
-    add_leaves(Opcode::acceleration, equations.symbols.a);
-    add_leaves(Opcode::input, equations.symbols.u);
-    known_[equations.symbols.t] = graph.leaf(Opcode::time, 0);
+    for_each_leaf([this](Opcode kind, std::uint32_t number,
+                         const GiNaC::ex& symbol) { known_[symbol] = graph.leaf(kind, number); },
+                  equations.symbols);
   }
 
   void add_definition(std::uint32_t position) {
@@ -55,10 +52,6 @@ class Importer {
   Ref fail(Code code, std::string message) {
     if (!problem) problem = Diagnostic{code, request_.span, std::move(message)};
     return graph.rational(0);
-  }
-
-  void add_leaves(Opcode opcode, const std::vector<GiNaC::ex>& symbols) {
-    for (std::uint32_t i = 0; i < symbols.size(); ++i) known_[symbols[i]] = graph.leaf(opcode, i);
   }
 
   Ref symbol(const GiNaC::ex& e) {

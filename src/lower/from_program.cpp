@@ -1,35 +1,33 @@
 // from_program: one instruction after another.
 #include "from_program.hpp"
 
+#include "elgen/fold.hpp"
 #include "prune.hpp"
 
 namespace elgen {
 namespace {
 
-Ref graph_of(Graph& graph, const Program& program, const Instruction& i,
-             const std::vector<Ref>& refs) {
-  switch (i.opcode) {
-    case Opcode::constant:
-      return graph.constant(program.constants[i.a].form);
-    case Opcode::negate:
-      return -refs[i.a];
-    case Opcode::add:
-      return graph.sum({refs[i.a], refs[i.b]});
-    case Opcode::subtract:
-      return graph.sum({refs[i.a], -refs[i.b]});
-    case Opcode::multiply:
-      return graph.product({{refs[i.a], 1}, {refs[i.b], 1}});
-    case Opcode::divide:
-      return graph.product({{refs[i.a], 1}, {refs[i.b], -1}});
-    case Opcode::square_root:
-      return graph.square_root(refs[i.a]);
-    case Opcode::call:
-      if (function_row(i.function).arity == 1) return graph.call(i.function, {refs[i.a]});
-      return graph.call(i.function, {refs[i.a], refs[i.b]});
-    default:
-      return graph.leaf(i.opcode, i.opcode == Opcode::time ? 0 : i.a);
+/// The rules of graphs.
+struct Rules {
+  Graph& graph;
+
+  [[nodiscard]] Ref constant(const Constant& constant) const {
+    return graph.constant(constant.form);
   }
-}
+  [[nodiscard]] Ref leaf(Opcode kind, std::uint32_t number) const {
+    return graph.leaf(kind, number);
+  }
+  [[nodiscard]] Ref negate(Ref x) const { return -x; }
+  [[nodiscard]] Ref add(Ref x, Ref y) const { return graph.sum({x, y}); }
+  [[nodiscard]] Ref subtract(Ref x, Ref y) const { return graph.sum({x, -y}); }
+  [[nodiscard]] Ref multiply(Ref x, Ref y) const { return graph.product({{x, 1}, {y, 1}}); }
+  [[nodiscard]] Ref divide(Ref x, Ref y) const { return graph.product({{x, 1}, {y, -1}}); }
+  [[nodiscard]] Ref square_root(Ref x) const { return graph.square_root(x); }
+  [[nodiscard]] Ref call(FunctionId function, Ref x, Ref y) const {
+    if (function_row(function).arity == 1) return graph.call(function, {x});
+    return graph.call(function, {x, y});
+  }
+};
 
 }  // namespace
 
@@ -44,8 +42,8 @@ Expressions from_program(const Program& program, const Function& function,
     if (!needed[at]) continue;
     graph.set_birth(static_cast<std::uint32_t>(at));
     const bool vanishes = !is_zero.empty() && is_zero[at];
-    refs[at] =
-        vanishes ? graph.rational(0) : graph_of(graph, program, function.instructions[at], refs);
+    refs[at] = vanishes ? graph.rational(0)
+                        : folded(Rules{graph}, program, function.instructions[at], refs);
     graph.name(refs[at], function.names[at]);
   }
   for (const std::uint32_t at : wanted) result.values.push_back(refs[at]);

@@ -36,21 +36,7 @@ bool same(const Node& x, const Node& y) {
 int rank(const Node& node) {
   if (node.kind == NodeKind::rational) return 0;
   if (node.constant_size > 0) return 1;
-  if (node.kind != NodeKind::leaf) return 4;
-  switch (node.leaf) {
-    case Opcode::parameter:
-      return 2;
-    case Opcode::coordinate:
-      return 3;
-    case Opcode::velocity:
-      return 5;
-    case Opcode::acceleration:
-      return 6;
-    case Opcode::input:
-      return 7;
-    default:
-      return 8;
-  }
+  return node.kind == NodeKind::leaf ? leaf_row(node.leaf).rank : 4;
 }
 
 template <class T>

@@ -16,8 +16,7 @@ namespace {
 std::size_t leaf_count(const Program& program, Opcode opcode) {
   if (opcode == Opcode::constant) return program.constants.size();
   if (opcode == Opcode::time) return program.leaves.uses_time ? 1 : 0;
-  const auto* names = names_of_leaves(program.leaves, opcode);
-  return names == nullptr ? 1 : names->size();
+  return is_leaf(opcode) ? elgen::leaf_count(program.leaves, opcode) : 1;
 }
 
 std::string broken_instruction(const Program& program, const Function& function, std::size_t at) {

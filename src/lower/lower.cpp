@@ -32,7 +32,7 @@ Diagnostic zero_denominator(const Program& program, const OutputRequest& request
     const std::size_t n = known.fields[0].rows;
     for (std::size_t i = 0; i < n; ++i) {
       if (is_zero(program, known, known.fields[0].entries[i * n + i])) {
-        return no_kinetic_energy(request, program.leaves.velocities[i]);
+        return no_kinetic_energy(request, program.leaves.v[i]);
       }
     }
   }

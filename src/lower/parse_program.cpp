@@ -33,14 +33,6 @@ std::optional<std::uint32_t> number(std::string_view word) {
   return value;
 }
 
-std::optional<std::uint32_t> position(const std::vector<std::string>& names,
-                                      std::string_view name) {
-  for (std::uint32_t i = 0; i < names.size(); ++i) {
-    if (names[i] == name) return i;
-  }
-  return std::nullopt;
-}
-
 class Reader {
  public:
   explicit Reader(const SourceText& source) : source_(source) {}
@@ -67,11 +59,12 @@ class Reader {
     if (words.empty()) return "";
     if (words[0] == "parameters") return read_names(words, program_.leaves.parameters);
     if (words[0] == "coordinates") return read_coordinates(words);
-    if (words[0] == "velocities") return read_names(words, program_.leaves.velocities);
-    if (words[0] == "inputs") return read_names(words, program_.leaves.inputs);
+    if (words[0] == "velocities") return read_velocities(words);
+    if (words[0] == "inputs") return read_names(words, program_.leaves.u);
     if (words[0] == "function") return read_heading(words);
     if (words[0] == "time") {
       program_.leaves.uses_time = true;
+      program_.leaves.t = "t";
       return "";
     }
     if (program_.functions.empty()) return fmt::format("`{}` outside of a function", words[0]);
@@ -87,8 +80,13 @@ class Reader {
 
   /// Velocities are called as coordinates unless a line of their own follows.
   std::string read_coordinates(const Words& words) {
-    read_names(words, program_.leaves.velocities);
-    return read_names(words, program_.leaves.coordinates);
+    read_velocities(words);
+    return read_names(words, program_.leaves.q);
+  }
+
+  std::string read_velocities(const Words& words) {
+    read_names(words, program_.leaves.a);
+    return read_names(words, program_.leaves.v);
   }
 
   std::string read_heading(const Words& words) {
@@ -178,11 +176,18 @@ class Reader {
   bool read_leaf(const Words& words, Instruction& instruction) {
     if (instruction.opcode == Opcode::time) return words.empty();
     if (words.size() != 1) return false;
-    const auto* names = names_of_leaves(program_.leaves, instruction.opcode);
-    const auto index = names != nullptr ? position(*names, words[0]) : constant_index(words[0]);
+    const auto index = is_leaf(instruction.opcode) ? leaf_index(instruction.opcode, words[0])
+                                                   : constant_index(words[0]);
     if (!index) return false;
     instruction.a = *index;
     return true;
+  }
+
+  std::optional<std::uint32_t> leaf_index(Opcode kind, std::string_view name) {
+    for (std::uint32_t i = 0; i < leaf_count(program_.leaves, kind); ++i) {
+      if (leaf_of(program_.leaves, kind, i) == name) return i;
+    }
+    return std::nullopt;
   }
 
   std::optional<std::uint32_t> constant_index(std::string_view text) {

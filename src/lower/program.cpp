@@ -8,22 +8,6 @@
 
 namespace elgen {
 
-const std::vector<std::string>* names_of_leaves(const LeafNames& leaves, Opcode kind) {
-  switch (kind) {
-    case Opcode::parameter:
-      return &leaves.parameters;
-    case Opcode::coordinate:
-      return &leaves.coordinates;
-    case Opcode::velocity:
-    case Opcode::acceleration:
-      return &leaves.velocities;
-    case Opcode::input:
-      return &leaves.inputs;
-    default:
-      return nullptr;
-  }
-}
-
 std::size_t operand_count(const Instruction& instruction) {
   if (instruction.opcode == Opcode::call) return function_row(instruction.function).arity;
   return opcode_row(instruction.opcode).operands;

@@ -31,8 +31,6 @@ constexpr int shortest_hash = 5;
 constexpr std::array<std::string_view, 12> reserved_names{
     "p", "q", "v", "a", "u", "t", "sqrt", "constant", "result", "parameters", "Scalar", "std"};
 
-bool is_leaf(const Instruction& instruction) { return operand_count(instruction) == 0; }
-
 std::string identifier(std::string_view spelling) {
   std::string name;
   for (const char c : spelling) {
@@ -51,10 +49,9 @@ class Naming {
       : program_(program), function_(function) {
     for (const std::string_view name : reserved_names) taken_.emplace(name);
     for (const FunctionRow& row : function_table) taken_.emplace(row.name);
-    for (const std::string& leaf : program.leaves.parameters) taken_.insert(identifier(leaf));
-    for (const std::string& leaf : program.leaves.coordinates) taken_.insert(identifier(leaf));
-    for (const std::string& leaf : program.leaves.velocities) taken_.insert(identifier(leaf));
-    for (const std::string& leaf : program.leaves.inputs) taken_.insert(identifier(leaf));
+    for_each_leaf(
+        [this](Opcode, std::uint32_t, const std::string& leaf) { taken_.insert(identifier(leaf)); },
+        program.leaves);
     count_uses();
     for (std::size_t at = 0; at < function.instructions.size(); ++at) {
       hash(at);
@@ -68,7 +65,7 @@ class Naming {
     std::vector<std::size_t> sizes(count, 0);
     for (std::size_t at = 0; at < count; ++at) {
       const Instruction& i = function_.instructions[at];
-      if (is_leaf(i)) continue;
+      if (operand_count(i) == 0) continue;
       sizes[at] = 1 + sizes[i.a] + (operand_count(i) > 1 ? sizes[i.b] : 0);
       names[at] = name(at, sizes[at]);
       if (!names[at].empty()) sizes[at] = 0;
@@ -113,10 +110,7 @@ class Naming {
   /// "q1_minus_q2", from those of its operands.
   std::optional<std::string> leaf_sum(std::size_t at) const {
     const Instruction& i = function_.instructions[at];
-    if (i.opcode == Opcode::time) return "t";
-    if (const auto* spellings = names_of_leaves(program_.leaves, i.opcode)) {
-      return identifier((*spellings)[i.a]);
-    }
+    if (is_leaf(i.opcode)) return identifier(leaf_of(program_.leaves, i.opcode, i.a));
     if (i.opcode != Opcode::add && i.opcode != Opcode::subtract) return std::nullopt;
     const std::optional<std::string>& left = sums_[i.a];
     const std::optional<std::string>& right = sums_[i.b];
@@ -149,9 +143,8 @@ class Naming {
         fmt::format("{} {} ", opcode_row(i.opcode).tag,
                     i.opcode == Opcode::call ? function_row(i.function).name : "");
     if (i.opcode == Opcode::constant) content += text_of(program_.constants[i.a].form);
-    if (const auto* spellings = names_of_leaves(program_.leaves, i.opcode)) {
-      content += (*spellings)[i.a];
-    }
+    const bool is_listed = is_leaf(i.opcode) && i.opcode != Opcode::time;
+    if (is_listed) content += leaf_of(program_.leaves, i.opcode, i.a);
     if (operand_count(i) > 0) content += fmt::format("{:x} ", hashes_[i.a]);
     if (operand_count(i) > 1) content += fmt::format("{:x} ", hashes_[i.b]);
     std::uint64_t value = 0xCBF29CE484222325U;

@@ -16,8 +16,10 @@ std::vector<std::string> names_of(const Rows& rows) {
 }  // namespace
 
 LeafNames leaf_names(const Model& model) {
-  return {names_of(model.parameters), names_of(model.coordinates), names_of(model.velocities),
-          names_of(model.inputs), model.uses_time};
+  const std::vector<std::string> velocities = names_of(model.velocities);
+  return {{names_of(model.parameters), names_of(model.coordinates), velocities, velocities,
+           names_of(model.inputs), "t"},
+          model.uses_time};
 }
 
 Dimensions dimensions(const Model& model) {

@@ -21,18 +21,21 @@ class Arithmetic {
       : algebra_(algebra), work_(work), terms_(terms) {}
 
   [[nodiscard]] Value add(const Value& x, const Value& y);
+  [[nodiscard]] Value subtract(const Value& x, const Value& y) { return add(x, negate(y)); }
   [[nodiscard]] Value negate(const Value& x) const;
   [[nodiscard]] Value multiply(const Value& x, const Value& y);
   [[nodiscard]] Value divide(const Value& x, const Value& y);
   /// x^exponent, exponent an integer.
   [[nodiscard]] Value power(const Value& x, std::int32_t exponent);
   [[nodiscard]] Value square_root(const Value& x);
-  [[nodiscard]] Value call(FunctionId function, const std::vector<Value>& arguments);
+  /// A function of one argument ignores y.
+  [[nodiscard]] Value call(FunctionId function, const Value& x, const Value& y);
 
   [[nodiscard]] Value leaf(Opcode leaf, std::uint32_t index);
   [[nodiscard]] Value pi();
   /// Sums, products, roots and multiples of pi are taken apart.
   [[nodiscard]] Value constant(const ConstantForm& form);
+  [[nodiscard]] Value constant(const Constant& constant) { return this->constant(constant.form); }
 
  private:
   Fraction atom(Atom wanted);

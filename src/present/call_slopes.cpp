@@ -32,7 +32,7 @@ struct Operand {
 Operand sqrt(const Operand& x) { return {x.arithmetic, x.arithmetic->square_root(x.value)}; }
 
 Operand called(FunctionId function, const Operand& x) {
-  return {x.arithmetic, x.arithmetic->call(function, {x.value})};
+  return {x.arithmetic, x.arithmetic->call(function, x.value, {})};
 }
 Operand sin(const Operand& x) { return called(FunctionId::sin, x); }
 Operand cos(const Operand& x) { return called(FunctionId::cos, x); }

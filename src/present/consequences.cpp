@@ -89,7 +89,7 @@ Values Consequences::coriolis() {
     for (std::size_t j = 0; j < size_; ++j) {
       for (std::size_t k = 0; k < size_; ++k) {
         const Value symmetric = arithmetic_.add(slope(mass(i, j), k), slope(mass(i, k), j));
-        const Value symbol = arithmetic_.add(symmetric, arithmetic_.negate(slope(mass(j, k), i)));
+        const Value symbol = arithmetic_.subtract(symmetric, slope(mass(j, k), i));
         const Value rate_k = arithmetic_.leaf(Opcode::velocity, static_cast<std::uint32_t>(k));
         const Value term = arithmetic_.multiply(half, arithmetic_.multiply(symbol, rate_k));
         result[i * size_ + j] = arithmetic_.add(result[i * size_ + j], term);

@@ -193,7 +193,7 @@ class Drop {
     closed.is_reduced = true;
     Values& entries = closed.fields[0].entries;
     for (std::size_t i = 0; i < entries.size(); ++i) {
-      entries[i] = arithmetic_.add(entries[i], arithmetic_.negate(lost[i]));
+      entries[i] = arithmetic_.subtract(entries[i], lost[i]);
       if (!entries[i]) fail_given_up(function.name);
     }
   }

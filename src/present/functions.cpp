@@ -158,12 +158,11 @@ Value Arithmetic::sine_or_cosine(FunctionId function, const Fraction& x) {
   return multiply(both, fraction_of(Polynomial{{Monomial{}, half}}));
 }
 
-Value Arithmetic::call(FunctionId function, const std::vector<Value>& arguments) {
-  std::vector<Fraction> values;
-  for (const Value& argument : arguments) {
-    if (!argument) return std::nullopt;
-    values.push_back(*argument);
-  }
+Value Arithmetic::call(FunctionId function, const Value& x, const Value& y) {
+  const FunctionRow& row = function_row(function);
+  if (!x || (row.arity > 1 && !y)) return std::nullopt;
+  std::vector<Fraction> values{*x};
+  if (row.arity > 1) values.push_back(*y);
   if (function == FunctionId::sin || function == FunctionId::cos) {
     return sine_or_cosine(function, values[0]);
   }
@@ -172,10 +171,9 @@ Value Arithmetic::call(FunctionId function, const std::vector<Value>& arguments)
     return divide(sine, sine_or_cosine(FunctionId::cos, values[0]));
   }
   bool turned = false;
-  const Parity parity = function_row(function).parity;
-  if (parity != Parity::none && has_negative_lead(values[0])) {
+  if (row.parity != Parity::none && has_negative_lead(values[0])) {
     values[0] = *negate(values[0]);
-    turned = parity == Parity::odd;
+    turned = row.parity == Parity::odd;
   }
   const Value value =
       opaque({.kind = AtomKind::call, .function = function, .arguments = std::move(values)});
@@ -201,7 +199,7 @@ Value Arithmetic::constant(const ConstantForm& form) {
     case ConstantKind::square_root:
       return square_root(operands.front());
     case ConstantKind::call:
-      return call(form.function, operands);
+      return call(form.function, operands.front(), operands.back());
     case ConstantKind::sum: {
       Value total = Fraction{};
       for (const Value& term : operands) total = add(total, term);

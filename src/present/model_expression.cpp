@@ -126,9 +126,8 @@ class ModelExpressions {
   }
 
   Value call(const Expression& e) {
-    std::vector<Value> arguments;
-    for (const ExpressionId id : e.operands) arguments.push_back(known_[id].form);
-    return arithmetic_.call(e.function, arguments);
+    return arithmetic_.call(e.function, known_[e.operands.front()].form,
+                            known_[e.operands.back()].form);
   }
 
   Arithmetic& arithmetic_;

@@ -5,6 +5,7 @@
 
 #include "arithmetic.hpp"
 #include "elgen/closed_forms.hpp"
+#include "elgen/fold.hpp"
 
 namespace elgen {
 
@@ -13,37 +14,8 @@ using presenting::Value;
 
 namespace {
 
-Value step(Arithmetic& arithmetic, const Program& program, const Instruction& i,
-           const std::vector<Value>& values) {
-  switch (i.opcode) {
-    case Opcode::constant:
-      return arithmetic.constant(program.constants[i.a].form);
-    case Opcode::negate:
-      return arithmetic.negate(values[i.a]);
-    case Opcode::add:
-      return arithmetic.add(values[i.a], values[i.b]);
-    case Opcode::subtract:
-      return arithmetic.add(values[i.a], arithmetic.negate(values[i.b]));
-    case Opcode::multiply:
-      return arithmetic.multiply(values[i.a], values[i.b]);
-    case Opcode::divide:
-      return arithmetic.divide(values[i.a], values[i.b]);
-    case Opcode::square_root:
-      return arithmetic.square_root(values[i.a]);
-    case Opcode::call:
-      if (function_row(i.function).arity == 1) return arithmetic.call(i.function, {values[i.a]});
-      return arithmetic.call(i.function, {values[i.a], values[i.b]});
-    default:
-      return arithmetic.leaf(i.opcode, i.opcode == Opcode::time ? 0 : i.a);
-  }
-}
-
 ClosedFunction run(Arithmetic& arithmetic, const Program& program, const Function& function) {
-  std::vector<Value> values;
-  values.reserve(function.instructions.size());
-  for (const Instruction& i : function.instructions) {
-    values.push_back(step(arithmetic, program, i, values));
-  }
+  const std::vector<Value> values = fold<Value>(arithmetic, program, function);
   ClosedFunction closed;
   for (const Field& field : function.fields) {
     ClosedField& entries = closed.fields.emplace_back(ClosedField{field.name, {}});
@@ -85,7 +57,7 @@ bool proved_equal(ClosedForms& forms, const Fraction& x, const Fraction& y) {
   const PresentBudget budget;
   std::size_t work = budget.products_per_function;
   Arithmetic arithmetic(forms.algebra, work, budget.terms);
-  const Value difference = arithmetic.add(x, arithmetic.negate(y));
+  const Value difference = arithmetic.subtract(x, y);
   return difference && difference->numerator.empty();
 }
 

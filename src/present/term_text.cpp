@@ -146,9 +146,9 @@ class TermText {
       case Opcode::parameter:
         return names_.parameters[known.index];
       case Opcode::coordinate:
-        return names_.coordinates[known.index];
+        return names_.q[known.index];
       case Opcode::velocity:
-        return "dot(" + names_.velocities[known.index] + ")";
+        return "dot(" + names_.v[known.index] + ")";
       default:
         return "t";
     }

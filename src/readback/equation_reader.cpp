@@ -32,22 +32,16 @@ std::string leaf_name(const ExpressionSyntax& e) {
   return is_rate ? fmt::format("dot({})", leaf_name(e.operands.front())) : "";
 }
 
-void add_leaves(const std::vector<std::string>& names, const std::vector<Real>& values,
-                std::string_view pattern, std::unordered_map<std::string, Real>& leaves) {
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    leaves.emplace(fmt::format(fmt::runtime(pattern), names[i]), values[i]);
-  }
-}
-
 std::unordered_map<std::string, Real> leaves_at(const LeafNames& names,
                                                 const Arguments<Real>& state) {
   std::unordered_map<std::string, Real> leaves;
-  add_leaves(names.parameters, state.parameters, "{}", leaves);
-  add_leaves(names.coordinates, state.q, "{}", leaves);
-  add_leaves(names.velocities, state.v, "dot({})", leaves);
-  add_leaves(names.velocities, state.a, "dot(dot({}))", leaves);
-  add_leaves(names.inputs, state.u, "{}", leaves);
-  leaves.emplace("t", state.t);
+  const auto add = [&](Opcode kind, std::uint32_t, const std::string& name, const Real& value) {
+    const char* const pattern = kind == Opcode::velocity       ? "dot({})"
+                                : kind == Opcode::acceleration ? "dot(dot({}))"
+                                                               : "{}";
+    leaves.emplace(fmt::format(fmt::runtime(pattern), name), value);
+  };
+  for_each_leaf(add, names, state);
   leaves.emplace("pi", Real(cln::pi(Real::format())));
   return leaves;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "elgen/fold.hpp"
 #include "elgen/wording.hpp"
 #include "literal.hpp"
 
@@ -19,6 +20,33 @@ std::vector<std::uint32_t> named_instructions(const std::vector<std::string>& na
   return named;
 }
 
+/// The rules of what code stands for; constants of C are rounded.
+struct Rules {
+  ValueGraph& graph;
+  const Dialect& dialect;
+
+  [[nodiscard]] Value constant(const Constant& constant) const {
+    const bool is_c = dialect.shape == Shape::c99;
+    return graph.constant(is_c ? rounded(constant.value, dialect.kind) : constant.value);
+  }
+  [[nodiscard]] Value leaf(Opcode kind, std::uint32_t number) const {
+    return graph.leaf(kind, number);
+  }
+  [[nodiscard]] static Value negate(Value x) { return negated(x); }
+  [[nodiscard]] Value add(Value x, Value y) const { return graph.binary(Opcode::add, x, y); }
+  [[nodiscard]] Value subtract(Value x, Value y) const {
+    return graph.binary(Opcode::subtract, x, y);
+  }
+  [[nodiscard]] Value multiply(Value x, Value y) const {
+    return graph.binary(Opcode::multiply, x, y);
+  }
+  [[nodiscard]] Value divide(Value x, Value y) const { return graph.binary(Opcode::divide, x, y); }
+  [[nodiscard]] Value square_root(Value x) const { return graph.square_root(x); }
+  [[nodiscard]] Value call(FunctionId function, Value x, Value y) const {
+    return graph.call(function, x, y);
+  }
+};
+
 }  // namespace
 
 FunctionReader::FunctionReader(TokenReader& tokens, const FileScope& file, const Function& function)
@@ -29,10 +57,7 @@ FunctionReader::FunctionReader(TokenReader& tokens, const FileScope& file, const
       expressions_(tokens, graph_, file, workspace_) {
   tokens.set_function(function.name);
   const Program& program = file.origin.program;
-  values_ = graph_.values_of(function, [&](std::uint32_t constant) {
-    const cln::cl_R& value = program.constants[constant].value;
-    return is_c() ? rounded(value, file.dialect.kind) : value;
-  });
+  values_ = fold<Value>(Rules{graph_, file.dialect}, program, function);
   const std::vector<std::string> names = temporary_names(program, function);
   named_ = named_instructions(names);
   for (const std::uint32_t named : named_) graph_.set_name(values_[named], names[named]);

@@ -29,14 +29,15 @@ char sign_of(Opcode opcode) {
   }
 }
 
-std::string bracketed(bool is_operand, const std::string& text) {
-  return is_operand ? "(" + text + ")" : text;
+/// "m", "q[1]", "t"
+std::string leaf_text(const LeafNames& leaves, Opcode kind, std::uint32_t number) {
+  if (kind == Opcode::parameter) return leaves.parameters[number];
+  const std::string_view symbol = leaf_row(kind).symbol;
+  return kind == Opcode::time ? std::string(symbol) : fmt::format("{}[{}]", symbol, number);
 }
 
-std::string variable(const Instruction& i) {
-  constexpr std::string_view letters = "qvau";
-  const auto first = static_cast<std::size_t>(Opcode::coordinate);
-  return fmt::format("{}[{}]", letters[static_cast<std::size_t>(i.opcode) - first], i.a);
+std::string bracketed(bool is_operand, const std::string& text) {
+  return is_operand ? "(" + text + ")" : text;
 }
 
 }  // namespace
@@ -91,37 +92,6 @@ Value ValueGraph::call(FunctionId function, Value x, Value y) {
   return node({Opcode::call, function, packed(x), second});
 }
 
-std::vector<Value> ValueGraph::values_of(const Function& function,
-                                         const std::function<cln::cl_R(std::uint32_t)>& constant) {
-  std::vector<Value> values;
-  values.reserve(function.instructions.size());
-  for (const Instruction& i : function.instructions) {
-    switch (i.opcode) {
-      case Opcode::constant:
-        values.push_back(this->constant(constant(i.a)));
-        break;
-      case Opcode::negate:
-        values.push_back(negated(values[i.a]));
-        break;
-      case Opcode::add:
-      case Opcode::subtract:
-      case Opcode::multiply:
-      case Opcode::divide:
-        values.push_back(binary(i.opcode, values[i.a], values[i.b]));
-        break;
-      case Opcode::square_root:
-        values.push_back(square_root(values[i.a]));
-        break;
-      case Opcode::call:
-        values.push_back(call(i.function, values[i.a], values[i.b]));
-        break;
-      default:
-        values.push_back(leaf(i.opcode, i.opcode == Opcode::time ? 0 : i.a));
-    }
-  }
-  return values;
-}
-
 void ValueGraph::set_name(Value value, const std::string& name) {
   names_.emplace(value.node, name);
 }
@@ -156,18 +126,10 @@ std::string ValueGraph::text(const LeafNames& leaves, Value value, int depth) co
 std::string ValueGraph::text(const LeafNames& leaves, const Instruction& i, int depth) const {
   const bool is_deep = depth >= deepest_text;
   const auto operand = [&](std::uint32_t of) { return text(leaves, unpacked(of), depth + 1); };
+  if (is_leaf(i.opcode)) return leaf_text(leaves, i.opcode, i.a);
   switch (i.opcode) {
     case Opcode::constant:
       return exact_text(constants_[i.a]);
-    case Opcode::parameter:
-      return leaves.parameters[i.a];
-    case Opcode::coordinate:
-    case Opcode::velocity:
-    case Opcode::acceleration:
-    case Opcode::input:
-      return variable(i);
-    case Opcode::time:
-      return "t";
     case Opcode::square_root:
       return is_deep ? "…" : fmt::format("sqrt({})", operand(i.a));
     case Opcode::call:

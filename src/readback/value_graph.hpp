@@ -8,7 +8,6 @@
 #include <cln/real.h>
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <string>
 #include <unordered_map>
@@ -37,10 +36,6 @@ class ValueGraph {
   [[nodiscard]] Value square_root(Value x);
   /// y is ignored by functions of one argument.
   [[nodiscard]] Value call(FunctionId function, Value x, Value y);
-
-  /// The value of every instruction; `constant` says what number each constant is in the code.
-  [[nodiscard]] std::vector<Value> values_of(
-      const Function& function, const std::function<cln::cl_R(std::uint32_t)>& constant);
 
   /// From now on text() writes the name where the value is an operand.
   void set_name(Value value, const std::string& name);

@@ -127,10 +127,10 @@ Symbols text_symbols(const LeafNames& leaves) {
   };
   Symbols symbols;
   symbols.parameters = verbatim(leaves.parameters);
-  symbols.coordinates = verbatim(leaves.coordinates);
-  symbols.velocities = verbatim(leaves.velocities);
+  symbols.coordinates = verbatim(leaves.q);
+  symbols.velocities = verbatim(leaves.v);
   symbols.are_own.assign(symbols.velocities.size(), false);
-  symbols.inputs = verbatim(leaves.inputs);
+  symbols.inputs = verbatim(leaves.u);
   return symbols;
 }
 

@@ -97,8 +97,8 @@ void remove_variables(Lagrangian& lagrangian) {
   }
   for (std::vector<ex>* list : {&symbols.q, &symbols.q_rates}) coordinates(*list);
   for (std::vector<ex>* list : {&symbols.v, &symbols.a, &lagrangian.forces}) velocities(*list);
-  coordinates(lagrangian.leaves.coordinates);
-  velocities(lagrangian.leaves.velocities);
+  coordinates(lagrangian.leaves.q);
+  for (auto* names : {&lagrangian.leaves.v, &lagrangian.leaves.a}) velocities(*names);
   std::vector<RotationPlace> rotations;
   for (const RotationPlace& place : symbols.rotations) {
     if (coordinates.has(place.first_coordinate)) continue;

@@ -127,7 +127,7 @@ Diagnostics lock_coordinates(Lagrangian& lagrangian, const CheckedModel& checked
   std::vector<Part> parts;
   const Model& unlocked = checked.model.unlocked ? *checked.model.unlocked : checked.model;
   for (std::size_t i = 0; i < before.locked.size(); ++i) {
-    parts.push_back({before.leaves.coordinates[before.locked[i].coordinate], unlocked.locks[i].span,
+    parts.push_back({before.leaves.q[before.locked[i].coordinate], unlocked.locks[i].span,
                      [i](Lagrangian& part) {
                        part.locked = {part.locked[i]};
                        lock(part);

@@ -24,7 +24,7 @@ TEST_CASE("a coordinate comes with its rate") {
   CHECK(rate.unit == *find_unit("m") / *find_unit("s"));
   CHECK_FALSE(model.velocities[0].unit);
   CHECK(dimensions(model).velocities == 2);
-  CHECK(leaf_names(model).velocities == std::vector<std::string>{"", "s[2]"});
+  CHECK(leaf_names(model).v == std::vector<std::string>{"", "s[2]"});
 }
 
 }  // namespace elgen::test

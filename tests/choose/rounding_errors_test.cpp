@@ -19,7 +19,7 @@ struct Ways {
   Expressions reference;
 };
 
-const LeafNames leaves{{"a", "b"}, {"x", "y"}, {"x", "y"}, {}, false};
+const LeafNames leaves{{{"a", "b"}, {"x", "y"}, {"x", "y"}, {"x", "y"}, {}, "t"}, false};
 
 Ref parameter(Graph& graph, std::uint32_t index) { return graph.leaf(Opcode::parameter, index); }
 Ref coordinate(Graph& graph, std::uint32_t index) { return graph.leaf(Opcode::coordinate, index); }

@@ -36,7 +36,7 @@ TEST_CASE("the steps of every system are the textbook's") {
       CHECK(s.agree(derived, expected));
     };
     for (std::size_t i = 0; i < s.size(); ++i) {
-      const std::string& q = s.source.leaves.coordinates[i];
+      const std::string& q = s.source.leaves.q[i];
       const GiNaC::ex momentum = s.textbook.momentum(i);
       const GiNaC::ex force = s.textbook.force(i);
       agree(q, "momentum", momentum);

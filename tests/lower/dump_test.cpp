@@ -33,7 +33,7 @@ Function every_opcode() {
 
 TEST_CASE("dump names leaves as the model does and writes constants exactly") {
   Program program;
-  program.leaves = {{"m", "l[2]"}, {"theta"}, {"theta"}, {"u"}, true};
+  program.leaves = {{{"m", "l[2]"}, {"theta"}, {"theta"}, {"theta"}, {"u"}, "t"}, true};
   program.constants = {rational_constant(cln::cl_RA("-1/3")), *read_constant("2 - pi")};
   program.functions = {every_opcode()};
   CHECK(dump(program) ==

@@ -31,7 +31,7 @@ struct ExpressionLeaves {
 /// The values as one program, in order.
 inline Program program_of(const Network& network) {
   Program program;
-  program.leaves.coordinates = program.leaves.velocities = {"a", "b", "c", "d", "e"};
+  program.leaves.q = program.leaves.v = program.leaves.a = {"a", "b", "c", "d", "e"};
   Function function;
   function.name = "bias";
   function.kind = OutputKind::bias;

@@ -11,9 +11,9 @@ namespace {
 TEST_CASE("leaves are called what the model calls them") {
   const Model model = checked(file_text("models/chain.toml")).model;
   const LeafNames leaves = leaf_names(model);
-  REQUIRE(leaves.coordinates.size() == 5);
-  CHECK(leaves.coordinates[4] == "q[5]");
-  CHECK(leaves.inputs[0] == "tau[1]");
+  REQUIRE(leaves.q.size() == 5);
+  CHECK(leaves.q[4] == "q[5]");
+  CHECK(leaves.u[0] == "tau[1]");
   CHECK(leaves.parameters.front() == "m[1]");
   CHECK_FALSE(leaves.uses_time);
   CHECK(leaf_names(checked(file_text("models/rotating_hoop.toml")).model).uses_time);

@@ -15,16 +15,14 @@ std::vector<std::string> slopes_of(FunctionId function) {
   Algebra algebra;
   std::size_t work = 10'000;
   Arithmetic arithmetic(algebra, work, 1000);
-  std::vector<Value> arguments{arithmetic.leaf(Opcode::coordinate, 0)};
-  if (function_row(function).arity == 2) {
-    arguments.push_back(arithmetic.leaf(Opcode::coordinate, 1));
-  }
-  const Value call = arithmetic.call(function, arguments);
+  const Value x = arithmetic.leaf(Opcode::coordinate, 0);
+  const Value call = arithmetic.call(function, x, arithmetic.leaf(Opcode::coordinate, 1));
   REQUIRE(call);
   const Atom atom = algebra.atoms[call->numerator.begin()->first.at(0).atom];
   std::vector<std::string> texts;
   for (const Value& slope : call_slopes(arithmetic, atom, *call)) {
-    texts.push_back(slope ? term_text(algebra, {{}, {"x", "y"}, {}, {}, false}, *slope) : "none");
+    texts.push_back(slope ? term_text(algebra, {{{}, {"x", "y"}, {}, {}, {}, "t"}, false}, *slope)
+                          : "none");
   }
   return texts;
 }

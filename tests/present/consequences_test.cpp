@@ -11,7 +11,7 @@ using namespace elgen::presenting;
 
 namespace {
 
-const LeafNames names{{"e", "k"}, {"x", "y"}, {"x", "y"}, {}, true};
+const LeafNames names{{{"e", "k"}, {"x", "y"}, {"x", "y"}, {"x", "y"}, {}, "t"}, true};
 
 /// Of a system of two coordinates.
 class Loss {

@@ -6,7 +6,7 @@
 namespace elgen::reading {
 namespace {
 
-const LeafNames names{{"a"}, {"x", "y", "z"}, {"x", "y", "z"}, {"u"}, true};
+const LeafNames names{{{"a"}, {"x", "y", "z"}, {"x", "y", "z"}, {"x", "y", "z"}, {"u"}, "t"}, true};
 
 }  // namespace
 

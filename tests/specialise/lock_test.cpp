@@ -25,7 +25,7 @@ TEST_CASE("the coordinate, its velocity and its force are gone") {
   CHECK(l.symbols.a.size() == 1);
   CHECK(l.symbols.q_rates.size() == 1);
   CHECK(l.forces.size() == 1);
-  CHECK(l.leaves.coordinates == std::vector<std::string>{"theta"});
+  CHECK(l.leaves.q == std::vector<std::string>{"theta"});
   CHECK(l.leaves.uses_time);
   CHECK(l.locked.empty());
   CHECK_FALSE(l.holding.has_value());

@@ -31,7 +31,7 @@ inline elgen::Program program() {
   using elgen::OutputKind;
   elgen::Program program;
   program.leaves.parameters = {"m", "l[1]", "l[2]"};
-  program.leaves.coordinates = program.leaves.velocities = {"x"};
+  program.leaves.q = program.leaves.v = program.leaves.a = {"x"};
   // An element that is read brings its array.
   program.functions.push_back(
       {.kind = OutputKind::inverse_dynamics,

@@ -1,0 +1,64 @@
+// fold: what the instructions of a Function stand for in a domain of one's own: numbers, bounds,
+// closed forms, graphs, text. The domain says by its rules what every operation makes of its
+// operands:
+//
+//     constant(const Constant&)   leaf(Opcode, number)   negate(x)   add(x, y)   subtract(x, y)
+//     multiply(x, y)   divide(x, y)   square_root(x)   call(FunctionId, x, y)
+//
+// The y of a function with one argument is any value.
+#pragma once
+
+#include <vector>
+
+#include "elgen/program.hpp"
+
+namespace elgen {
+
+/// What one instruction makes of the `values` of its operands, by index.
+template <class Rules, class Values>
+[[nodiscard]] auto folded(Rules&& rules, const Program& program, const Instruction& i,
+                          const Values& values) {
+  switch (i.opcode) {
+    case Opcode::constant:
+      return rules.constant(program.constants[i.a]);
+    case Opcode::negate:
+      return rules.negate(values[i.a]);
+    case Opcode::add:
+      return rules.add(values[i.a], values[i.b]);
+    case Opcode::subtract:
+      return rules.subtract(values[i.a], values[i.b]);
+    case Opcode::multiply:
+      return rules.multiply(values[i.a], values[i.b]);
+    case Opcode::divide:
+      return rules.divide(values[i.a], values[i.b]);
+    case Opcode::square_root:
+      return rules.square_root(values[i.a]);
+    case Opcode::call:
+      return rules.call(i.function, values[i.a], values[i.b]);
+    default:
+      return rules.leaf(i.opcode, i.a);
+  }
+}
+
+/// The values of all instructions, in order.
+template <class Value, class Rules>
+[[nodiscard]] std::vector<Value> fold(Rules&& rules, const Program& program,
+                                      const Function& function) {
+  std::vector<Value> values;
+  values.reserve(function.instructions.size());
+  for (const Instruction& i : function.instructions) {
+    values.push_back(folded(rules, program, i, values));
+  }
+  return values;
+}
+
+/// Those of the entries of all fields, field by field, row-major.
+template <class Value>
+[[nodiscard]] std::vector<Value> entries_of(const Function& function,
+                                            const std::vector<Value>& values) {
+  std::vector<Value> entries;
+  for (const std::uint32_t entry : entries_of(function)) entries.push_back(values[entry]);
+  return entries;
+}
+
+}  // namespace elgen
