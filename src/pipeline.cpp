@@ -1,9 +1,10 @@
 // The order of the stages, and the only place that knows it:
 //
 //     parse -> check -> inspect -> formulate -> specialise -> derive -> lower -> cancel -> present
-//     -> choose -> emit -> readback -> parts -> self-check
+//     -> choose -> emit -> readback -> self-check
 //
-// parts: what solutions are judged by, from the program before forms were chosen.
+//     specialise -> steps    the derivation as a student writes it
+//     cancel -> parts        what solutions are judged by
 #include "elgen/pipeline.hpp"
 
 #include <algorithm>
@@ -12,13 +13,14 @@
 
 #include "elgen/cancel.hpp"
 #include "elgen/choose.hpp"
-#include "elgen/drop.hpp"
 #include "elgen/equations_of_motion.hpp"
 #include "elgen/inspect.hpp"
 #include "elgen/lagrangian.hpp"
 #include "elgen/lower.hpp"
 #include "elgen/specialise.hpp"
-#include "elgen/steps.hpp"
+#include "pipeline/parts.hpp"
+#include "pipeline/presented.hpp"
+#include "pipeline/readable_steps.hpp"
 
 namespace elgen {
 
@@ -39,64 +41,9 @@ struct Inspection {
 std::string dump(const Inspection& inspection) { return format(inspection.found); }
 std::string dump(const ReadableSteps& steps) { return dump(steps.program); }
 
-/// What solutions are judged by; none where nothing is solved, or where a limit was reached.
-struct Parts {
-  std::optional<Program> program;
-};
 std::string dump(const Parts& parts) { return parts.program ? dump(*parts.program) : ""; }
+std::string dump(const Presented& p) { return dump(p.reduced ? p.reduced->forms : p.exact); }
 std::string dump(const SelfCheck& check) { return receipt(check) + "\n"; }
-
-/// Times each stage, collects its diagnostics and its dump, and says whether the next one may run.
-class Stages {
- public:
-  Stages(const PipelineOptions& options, Products& products)
-      : options_(options), products_(products) {}
-
-  /// The stage's value, or nothing where it failed, was the last one wanted, or came after such a
-  /// one.
-  template <class Stage>
-  auto run(const std::string& name, const Stage& stage) -> decltype(stage().value) {
-    if (done_) return {};
-    const auto start = std::chrono::steady_clock::now();
-    auto result = guarded(name, [&] {
-      if (options_.on_stage) options_.on_stage(name);
-      return stage();
-    });
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    products_.times.push_back({name, elapsed.count()});
-    auto& all = products_.diagnostics;
-    all.insert(all.end(), result.diagnostics.begin(), result.diagnostics.end());
-    if (result && name == options_.dump_stage) products_.dump = dump(*result);
-    done_ = !result || has_errors(all) || name == options_.stop_after;
-    return std::move(result.value);
-  }
-
-  [[nodiscard]] bool done() const { return done_; }
-
-  /// Time of the stages so far: what the self-check may take a share of.
-  [[nodiscard]] double seconds() const {
-    double sum = 0.0;
-    for (const StageTime& time : products_.times) sum += time.seconds;
-    return sum;
-  }
-
- private:
-  /// A mistake of ours must not swallow what earlier stages found.
-  template <class Stage>
-  static auto guarded(const std::string& name, const Stage& stage) -> decltype(stage()) {
-    try {
-      return stage();
-    } catch (const std::bad_alloc&) {
-      throw;
-    } catch (const std::exception& mistake) {
-      return Diagnostic{Code::E912, {}, "internal error in `" + name + "`: " + mistake.what()};
-    }
-  }
-
-  const PipelineOptions& options_;
-  Products& products_;
-  bool done_ = false;
-};
 
 Result<Syntaxes> parse(const Inputs& inputs, const Limits& limits) {
   Result<ModelSyntax> model = parse_model(inputs.model, limits);
@@ -131,200 +78,268 @@ Result<SelfCheck> checked(const CheckedModel& checked, const Program& program,
   return Diagnostic{Code::E911, {}, "self-check failed: " + check.failure};
 }
 
-/// The outputs, and the parts of those that are reduced, each once.
-std::vector<OutputRequest> with_parts(const Scene& scene) {
-  std::vector<OutputRequest> all;
-  for (const OutputRequest& output : scene.outputs) {
-    if (output.kind != OutputKind::dynamics) all.push_back(output);
-  }
-  for (const OutputRequest& part : scene.dropping->parts) {
-    const bool is_known = std::any_of(all.begin(), all.end(), [&](const OutputRequest& output) {
-      return output.kind == part.kind;
-    });
-    if (!is_known) all.push_back(part);
-  }
-  return all;
+/// The reduction goes with the program whose closed forms it changed.
+Result<Choice> chosen(const Program& recursive, const Presented& forms, const Scene& scene) {
+  const bool is_reduced = forms.reduced.has_value();
+  Result<Choice> choice = choose(recursive, is_reduced ? forms.reduced->forms : forms.exact, scene);
+  if (choice && is_reduced) choice->program.reduction = forms.reduced->reduction;
+  return choice;
 }
 
-/// The forms of `program`'s functions out of those of a program that has more.
-std::vector<ClosedFunction> selected(const Program& program, const Program& whole,
-                                     const ClosedForms& forms) {
-  std::vector<ClosedFunction> result;
-  for (const Function& function : program.functions) {
-    ClosedFunction& closed = result.emplace_back();
-    for (std::size_t i = 0; i < whole.functions.size(); ++i) {
-      const Function& known = whole.functions[i];
-      if (known.kind == function.kind && known.user == function.user) closed = forms.functions[i];
+/// A stage's product, once it was asked for.
+template <class T>
+struct Stage {
+  std::optional<T> product = {};
+  bool was_asked_for = false;
+};
+
+/// Each stage runs when its product is first asked for, after those it needs; null where it, or one
+/// that it needs, failed.
+class Compilation {
+ public:
+  Compilation(const Inputs& inputs, const PipelineOptions& options)
+      : inputs_(inputs), options_(options) {}
+
+  /// A model that was checked before is not checked again.
+  Compilation(CheckedModel checked, const PipelineOptions& options) : options_(options) {
+    syntaxes_.was_asked_for = true;
+    checked_ = {std::move(checked), true};
+    inspection_ = {Inspection{}, true};
+  }
+
+  void reach(std::string_view goal) {
+    for (const Row& row : rows()) {
+      if (row.name == goal) row.reach(*this);
     }
   }
-  return result;
-}
 
-/// The closed forms of `recursive` without their small terms. The parts are derived with them, so
-/// that all are sums over one algebra.
-Result<ReducedForms> reduced(const Lagrangian& lagrangian, const CheckedModel& checked,
-                             const Program& recursive, const Limits& limits) {
-  const auto& [model, scene] = checked;
-  const std::vector<OutputRequest> wanted = with_parts(scene);
-  const Result<EquationsOfMotion> equations = derive(lagrangian, wanted, limits);
-  if (!equations) return equations.diagnostics;
-  Result<Program> lowered = lower(*equations, wanted, limits);
-  if (!lowered) return lowered.diagnostics;
-  const Program program = cancel(std::move(*lowered));
-  Result<ReducedForms> reduced = drop_terms(program, present(program), model, *scene.dropping);
-  if (!reduced) return reduced.diagnostics;
-  Diagnostics refused = check_definiteness(model, scene, reduced->reduction);
-  if (!refused.empty()) return refused;
-  reduced->forms.functions = selected(recursive, program, reduced->forms);
-  return reduced;
-}
+  Products products() && {
+    Products out;
+    out.checked = std::move(checked_.product);
+    if (forms_.product) out.closed_forms = std::move(forms_.product->exact);
+    if (choice_.product) out.program = std::move(choice_.product->program);
+    if (choice_.product) out.costs = std::move(choice_.product->costs);
+    if (parts_.product) out.parts = std::move(parts_.product->program);
+    out.steps = std::move(steps_.product);
+    out.files = std::move(files_.product);
+    out.written = std::move(written_);
+    out.readback = std::move(readback_.product);
+    out.self_check = std::move(self_check_.product);
+    out.diagnostics = std::move(diagnostics_);
+    sort_by_position(out.diagnostics);
+    out.dump = std::move(dump_);
+    out.times = std::move(times_);
+    return out;
+  }
 
-/// The closed forms as they are, and without small terms where the scene wants that.
-struct Presented {
-  ClosedForms exact;
-  std::optional<ReducedForms> reduced;
+  static std::vector<std::string> names() {
+    std::vector<std::string> names;
+    for (const Row& row : rows()) names.emplace_back(row.name);
+    return names;
+  }
+
+ private:
+  struct Row {
+    std::string_view name;
+    void (*reach)(Compilation&);
+  };
+
+  static const std::vector<Row>& rows() {
+    using C = Compilation;
+    static const std::vector<Row> table{
+        {"parse", [](C& c) { c.syntaxes(); }},        {"check", [](C& c) { c.checked(); }},
+        {"inspect", [](C& c) { c.inspection(); }},    {"formulate", [](C& c) { c.formulated(); }},
+        {"specialise", [](C& c) { c.lagrangian(); }}, {"steps", [](C& c) { c.steps(); }},
+        {"derive", [](C& c) { c.equations(); }},      {"lower", [](C& c) { c.lowered(); }},
+        {"cancel", [](C& c) { c.recursive(); }},      {"present", [](C& c) { c.forms(); }},
+        {"choose", [](C& c) { c.choice(); }},         {"emit", [](C& c) { c.files(); }},
+        {"readback", [](C& c) { c.readback(); }},     {"parts", [](C& c) { c.parts(); }},
+        {"self-check", [](C& c) { c.self_check(); }}};
+    return table;
+  }
+
+  Syntaxes* syntaxes() {
+    return made("parse", syntaxes_, [this] { return parse(inputs_, options_.limits); });
+  }
+
+  CheckedModel* checked() {
+    const auto make = [this](const Syntaxes& s) {
+      return check(s.model, s.scene ? &*s.scene : nullptr, options_.scene, options_.limits);
+    };
+    return made("check", checked_, make, syntaxes());
+  }
+
+  Inspection* inspection() {
+    const auto make = [this](CheckedModel& c) {
+      // A derivation step by step shows no output, so none is missing from it.
+      if (options_.goals == std::vector<std::string>{"steps"}) c.scene.left_out.clear();
+      Diagnostics found = inspect(c.model, c.scene);
+      return Result<Inspection>({found}, found);
+    };
+    return made("inspect", inspection_, make, checked());
+  }
+
+  Lagrangian* formulated() {
+    const auto make = [](const CheckedModel& c, Inspection&) { return formulate(c.model); };
+    return made("formulate", formulated_, make, checked(), inspection());
+  }
+
+  Lagrangian* lagrangian() {
+    const auto make = [](const Lagrangian& l, const CheckedModel& c) { return specialise(l, c); };
+    return made("specialise", lagrangian_, make, formulated(), checked());
+  }
+
+  ReadableSteps* steps() {
+    const auto make = [this](const Lagrangian& l, const CheckedModel& c) {
+      return readable_steps(l, c.model, options_.limits);
+    };
+    return made("steps", steps_, make, lagrangian(), checked());
+  }
+
+  EquationsOfMotion* equations() {
+    const auto make = [this](const Lagrangian& l, const CheckedModel& c) {
+      return derive(l, c.scene.outputs, options_.limits);
+    };
+    return made("derive", equations_, make, lagrangian(), checked());
+  }
+
+  Program* lowered() {
+    const auto make = [this](const EquationsOfMotion& e, const CheckedModel& c) {
+      return lower(e, c.scene.outputs, options_.limits);
+    };
+    return made("lower", lowered_, make, equations(), checked());
+  }
+
+  Program* recursive() {
+    const auto make = [](Program& p) { return Result<Program>(cancel(std::move(p))); };
+    return made("cancel", recursive_, make, lowered());
+  }
+
+  Presented* forms() {
+    const auto make = [this](const Lagrangian& l, const CheckedModel& c, const Program& p) {
+      return presented(l, c, p, options_.limits);
+    };
+    return made("present", forms_, make, lagrangian(), checked(), recursive());
+  }
+
+  Choice* choice() {
+    const auto make = [](const Program& p, const Presented& f, const CheckedModel& c) {
+      return chosen(p, f, c.scene);
+    };
+    return made("choose", choice_, make, recursive(), forms(), checked());
+  }
+
+  EmittedFiles* files() {
+    const auto make = [](const CheckedModel& m, const Choice& c) {
+      return emit(m.model, m.scene, c.program);
+    };
+    return made("emit", files_, make, checked(), choice());
+  }
+
+  Readback* readback() {
+    const auto make = [this](const EmittedFiles& f, const CheckedModel& m, const Choice& c) {
+      written_ = sources_of(f);
+      return read_back(written_, m, c.program);
+    };
+    return made("readback", readback_, make, files(), checked(), choice());
+  }
+
+  Parts* parts() {
+    const auto make = [this](const Lagrangian& l, const CheckedModel& c, const Program& p) {
+      return elgen::parts(l, c, p, options_.limits);
+    };
+    return made("parts", parts_, make, lagrangian(), checked(), recursive());
+  }
+
+  /// Its share of the time that all before it took.
+  SelfCheck* self_check() {
+    const auto make = [this](const CheckedModel& m, const Choice& c, const Program& p, Readback&) {
+      double generation = 0;
+      for (const StageTime& time : times_) generation += time.seconds;
+      return elgen::checked(m, c.program, known_parts(m, p), generation);
+    };
+    return made("self-check", self_check_, make, checked(), choice(), recursive(), readback());
+  }
+
+  template <class T, class Make, class... Needs>
+  T* made(const std::string& name, Stage<T>& stage, const Make& make, Needs*... needs) {
+    const bool can_run = !stage.was_asked_for && !has_errors(diagnostics_);
+    stage.was_asked_for = true;
+    if (can_run && (... && (needs != nullptr))) {
+      stage.product = timed(name, [&] { return make(*needs...); });
+    }
+    return stage.product ? &*stage.product : nullptr;
+  }
+
+  template <class Make>
+  auto timed(const std::string& name, const Make& make) -> decltype(make().value) {
+    const auto start = std::chrono::steady_clock::now();
+    auto result = guarded(name, make);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    times_.push_back({name, elapsed.count()});
+    diagnostics_.insert(diagnostics_.end(), result.diagnostics.begin(), result.diagnostics.end());
+    if (result && name == options_.dump_stage) dump_ = dump(*result);
+    return std::move(result.value);
+  }
+
+  /// A mistake of ours must not swallow what earlier stages found.
+  template <class Make>
+  auto guarded(const std::string& name, const Make& make) -> decltype(make()) {
+    try {
+      if (options_.on_stage) options_.on_stage(name);
+      return make();
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const std::exception& mistake) {
+      return Diagnostic{Code::E912, {}, "internal error in `" + name + "`: " + mistake.what()};
+    }
+  }
+
+  Inputs inputs_ = {};
+  const PipelineOptions& options_;
+  Stage<Syntaxes> syntaxes_ = {};
+  Stage<CheckedModel> checked_ = {};
+  Stage<Inspection> inspection_ = {};
+  Stage<Lagrangian> formulated_ = {};
+  Stage<Lagrangian> lagrangian_ = {};
+  Stage<ReadableSteps> steps_ = {};
+  Stage<EquationsOfMotion> equations_ = {};
+  Stage<Program> lowered_ = {};
+  Stage<Program> recursive_ = {};
+  Stage<Presented> forms_ = {};
+  Stage<Choice> choice_ = {};
+  Stage<EmittedFiles> files_ = {};
+  std::vector<SourcePointer> written_ = {};
+  Stage<Readback> readback_ = {};
+  Stage<Parts> parts_ = {};
+  Stage<SelfCheck> self_check_ = {};
+  Diagnostics diagnostics_ = {};
+  std::string dump_ = {};
+  std::vector<StageTime> times_ = {};
 };
-std::string dump(const Presented& p) { return dump(p.reduced ? p.reduced->forms : p.exact); }
-
-Result<Presented> presented(const Lagrangian& lagrangian, const CheckedModel& checked,
-                            const Program& recursive, const Limits& limits) {
-  Presented result{present(recursive), {}};
-  if (checked.scene.dropping) {
-    Result<ReducedForms> without = reduced(lagrangian, checked, recursive, limits);
-    if (!without) return without.diagnostics;
-    result.reduced = std::move(*without);
-  }
-  return result;
-}
-
-/// The functions of `program` that are needed; none where one is missing.
-std::optional<Program> selected(const Program& program, const std::vector<OutputRequest>& needed) {
-  Program some{program.leaves, program.constants};
-  for (const OutputRequest& request : needed) {
-    const auto known = std::find_if(
-        program.functions.begin(), program.functions.end(),
-        [&request](const Function& function) { return function.kind == request.kind; });
-    if (known == program.functions.end()) return std::nullopt;
-    some.functions.push_back(*known);
-  }
-  return some;
-}
-
-/// Always in recursive form: what is closed has cancelled terms that solutions do not. `derives`
-/// those that the scene has not; else there are none then.
-Result<Parts> parts(const Lagrangian& lagrangian, const CheckedModel& checked,
-                    const Program& recursive, const Limits& limits, bool derives) {
-  const std::vector<OutputRequest> needed = needed_parts(checked.model, checked.scene);
-  if (needed.empty()) return Parts{};
-  std::optional<Program> known = selected(recursive, needed);
-  if (known || !derives) return Parts{std::move(known)};
-  // Where a limit is in the way, solutions are judged by the code's own bound.
-  const Result<EquationsOfMotion> equations = derive(lagrangian, needed, limits);
-  if (!equations) return Parts{};
-  Result<Program> lowered = lower(*equations, needed, limits);
-  return lowered ? Parts{cancel(std::move(*lowered))} : Parts{};
-}
-
-std::string name_of(const Model& model, const Entity& origin) {
-  if (origin.kind == EntityKind::point) return model.points[origin.index].name;
-  if (origin.kind == EntityKind::body) return model.bodies[origin.index].name;
-  return {};
-}
-
-/// The steps go the way of every output: lowered, presented, and read in their closed forms.
-Result<ReadableSteps> steps(const Lagrangian& lagrangian, const CheckedModel& checked,
-                            const Limits& limits) {
-  const Result<Steps> derived = derive_steps(lagrangian);
-  if (!derived) return derived.diagnostics;
-  Result<Program> lowered = lower(derived->equations, derived->requests, limits);
-  if (!lowered) return lowered.diagnostics;
-  const Program recursive = cancel(std::move(*lowered));
-  Result<Choice> choice = choose(recursive, present(recursive), {});
-  if (!choice) return choice.diagnostics;
-  ReadableSteps result{std::move(choice->program), {}};
-  for (const Entity& mass : derived->masses) {
-    result.masses.push_back(name_of(checked.model, mass));
-  }
-  return result;
-}
-
-/// What is made of the equations, into `out`; without a Lagrangian no stage runs.
-void run_outputs(Stages& stages, Products& out, const std::optional<Lagrangian>& lagrangian,
-                 const PipelineOptions& options) {
-  const Limits& limits = options.limits;
-  const auto equations =
-      stages.run("derive", [&] { return derive(*lagrangian, out.checked->scene.outputs, limits); });
-  auto lowered =
-      stages.run("lower", [&] { return lower(*equations, out.checked->scene.outputs, limits); });
-  const auto recursive =
-      stages.run("cancel", [&] { return Result<Program>(cancel(std::move(*lowered))); });
-  auto forms = stages.run("present",
-                          [&] { return presented(*lagrangian, *out.checked, *recursive, limits); });
-  auto choice = stages.run("choose", [&] {
-    return choose(*recursive, forms->reduced ? forms->reduced->forms : forms->exact,
-                  out.checked->scene);
-  });
-  if (forms) out.closed_forms = std::move(forms->exact);
-  if (choice) {
-    out.program = std::move(choice->program);
-    if (forms->reduced) out.program->reduction = std::move(forms->reduced->reduction);
-    out.costs = std::move(choice->costs);
-  }
-  out.files = stages.run(
-      "emit", [&] { return emit(out.checked->model, out.checked->scene, *out.program); });
-  out.readback = stages.run("readback", [&] {
-    out.written = sources_of(*out.files);
-    return read_back(out.written, *out.checked, *out.program);
-  });
-  auto judging = stages.run("parts", [&] {
-    return parts(*lagrangian, *out.checked, *recursive, limits, options.derives_parts);
-  });
-  if (judging) out.parts = std::move(judging->program);
-}
 
 }  // namespace
 
 const std::vector<std::string>& stage_names() {
-  static const std::vector<std::string> names{
-      "parse",  "check",   "inspect", "formulate", "specialise", "derive", "lower",
-      "cancel", "present", "choose",  "emit",      "readback",   "parts"};
+  static const std::vector<std::string> names = Compilation::names();
   return names;
 }
 
 Products run_pipeline(const Inputs& inputs, const PipelineOptions& options) {
-  Products out;
-  Stages stages(options, out);
-  const Limits& limits = options.limits;
+  Compilation compilation(inputs, options);
+  for (const std::string& goal : options.goals) compilation.reach(goal);
+  return std::move(compilation).products();
+}
 
-  auto syntax = stages.run("parse", [&] { return parse(inputs, limits); });
-  out.checked = stages.run("check", [&] {
-    return check(syntax->model, syntax->scene ? &*syntax->scene : nullptr, options.scene, limits);
-  });
-  if (out.checked && options.only_output) {
-    std::vector<OutputRequest>& outputs = out.checked->scene.outputs;
-    outputs = {outputs[*options.only_output]};
-  }
-  // A derivation step by step shows no output, so none is missing from it.
-  if (out.checked && options.steps) out.checked->scene.left_out.clear();
-  stages.run("inspect", [&] {
-    Diagnostics found = inspect(out.checked->model, out.checked->scene);
-    return Result<Inspection>({found}, found);
-  });
-  const auto lagrangian = stages.run("formulate", [&] { return formulate(out.checked->model); });
-  const auto specialised =
-      stages.run("specialise", [&] { return specialise(*lagrangian, *out.checked); });
-  if (options.steps) {
-    out.steps = stages.run("derive", [&] { return steps(*specialised, *out.checked, limits); });
-  } else {
-    run_outputs(stages, out, specialised, options);
-  }
-  if (options.check_itself && !options.steps) {
-    const double generation = stages.seconds();
-    out.self_check = stages.run(
-        "self-check", [&] { return checked(*out.checked, *out.program, out.parts, generation); });
-  }
-  sort_by_position(out.diagnostics);
-  return out;
+std::vector<StageTime> times_alone(const CheckedModel& checked, std::size_t output,
+                                   const Limits& limits) {
+  PipelineOptions options;
+  options.limits = limits;
+  CheckedModel one = checked;
+  one.scene.outputs = {checked.scene.outputs[output]};
+  Compilation compilation(std::move(one), options);
+  compilation.reach("choose");
+  return std::move(compilation).products().times;
 }
 
 }  // namespace elgen

@@ -30,13 +30,8 @@ struct PipelineOptions {
   SceneOptions scene = {};
   Limits limits = {};
   std::string dump_stage = {};  ///< its product as text, into Products::dump
-  std::string stop_after = {};  ///< the last stage to run
-  /// The one output of the scene to derive, by its place in Scene::outputs; none: all of them.
-  std::optional<std::size_t> only_output = {};
-  bool steps = false;        ///< make Products::steps instead of the scene's outputs
-  bool check_itself = true;  ///< compare with the oracle at the end
-  /// Products::parts are derived where the scene has not all of them.
-  bool derives_parts = false;
+  /// The stages whose products are wanted; those that they need run before them.
+  std::vector<std::string> goals = {"self-check"};
   std::function<void(const std::string&)> on_stage = {};  ///< told each name as it starts
 };
 
@@ -50,7 +45,8 @@ struct Products {
   std::optional<CheckedModel> checked = {};
   std::optional<ClosedForms> closed_forms = {};  ///< with all their terms
   std::optional<Program> program = {};           ///< each function in its chosen form
-  /// What solutions are judged by (VerifyOptions::parts); none where nothing is solved.
+  /// What solutions are judged by (VerifyOptions::parts); none where nothing is solved, or where a
+  /// limit was reached.
   std::optional<Program> parts = {};
   std::vector<FormCosts> costs = {};
   std::optional<ReadableSteps> steps = {};
@@ -63,12 +59,16 @@ struct Products {
   std::vector<StageTime> times = {};
 };
 
-/// Stages that --dump and --stop-after know, in order.
+/// All of them, in order; --dump and --stop-after know them.
 [[nodiscard]] const std::vector<std::string>& stage_names();
 
-/// Runs the stages in order, until one reports an error or `stop_after` is done. E915: the
-/// files do not say what was derived; E911: the self-check failed; E521: an output has no value at
-/// any state.
+/// Runs the stages that the goals need, until one reports an error. E915: the files do not say what
+/// was derived; E911: the self-check failed; E521: an output has no value at any state.
 [[nodiscard]] Products run_pipeline(const Inputs& inputs, const PipelineOptions& options);
+
+/// The times of the stages from `formulate` to `choose` for one output of the scene, by its place
+/// there.
+[[nodiscard]] std::vector<StageTime> times_alone(const CheckedModel& checked, std::size_t output,
+                                                 const Limits& limits);
 
 }  // namespace elgen

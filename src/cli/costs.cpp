@@ -8,10 +8,10 @@
 namespace elgen::cli {
 namespace {
 
-double seconds(const Products& products, std::string_view first, std::string_view last) {
+double seconds(const std::vector<StageTime>& times, std::string_view first, std::string_view last) {
   double sum = 0;
   bool counts = false;
-  for (const StageTime& time : products.times) {
+  for (const StageTime& time : times) {
     counts = counts || time.stage == first;
     if (counts) sum += time.seconds;
     if (time.stage == last) break;
@@ -19,7 +19,7 @@ double seconds(const Products& products, std::string_view first, std::string_vie
   return sum;
 }
 
-double generation(const Products& products) { return seconds(products, "parse", "emit"); }
+double generation(const Products& products) { return seconds(products.times, "parse", "emit"); }
 
 /// The sizes that the scene chose, in the words of --size.
 std::vector<SourcePointer> sizes_of(const Inputs& inputs, const PipelineOptions& options) {
@@ -43,12 +43,6 @@ Products full_model(const Inputs& inputs, const PipelineOptions& options) {
   full.scene = {};
   full.scene.sizes = sizes_of(inputs, options);
   return run_pipeline({inputs.model, nullptr}, full);
-}
-
-double seconds_alone(const Inputs& inputs, PipelineOptions options, std::size_t output) {
-  options.only_output = output;
-  options.stop_after = "choose";
-  return seconds(run_pipeline(inputs, options), "formulate", "choose");
 }
 
 const Function* same_output(const Program& program, const OutputRequest& request) {
@@ -91,9 +85,10 @@ std::string generation_costs(const Inputs& inputs, const PipelineOptions& option
       full == nullptr ? "" : fmt::format("  {:>10}  {:>6}", "full model", "share"), "alone");
   for (std::size_t i = 0; i < requests.size(); ++i) {
     if (requests[i].kind == OutputKind::dynamics) continue;  // made of the others
-    text += fmt::format("{:<{}}  {}  {:>9.1f} ms\n", requests[i].name, width,
-                        compared(requests[i], *products.program, full),
-                        1e3 * seconds_alone(inputs, silent, i));
+    text += fmt::format(
+        "{:<{}}  {}  {:>9.1f} ms\n", requests[i].name, width,
+        compared(requests[i], *products.program, full),
+        1e3 * seconds(times_alone(*products.checked, i, options.limits), "formulate", "choose"));
   }
   text += fmt::format("\ngenerated in {:.1f} ms", 1e3 * generation(products));
   if (full != nullptr) {

@@ -32,7 +32,8 @@ PipelineOptions pipeline_options(const GlobalOptions& global, const GenerateOpti
   pipeline.scene = options.scene;
   pipeline.limits = global.limits;
   pipeline.dump_stage = global.dump_stage;
-  pipeline.stop_after = options.list_outputs ? "check" : global.stop_after;
+  if (!global.stop_after.empty()) pipeline.goals = {global.stop_after};
+  if (options.list_outputs) pipeline.goals = {"check"};
   return pipeline;
 }
 

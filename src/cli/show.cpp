@@ -108,9 +108,9 @@ ExitCode show(const GlobalOptions& global, const ShowOptions& options) {
   pipeline.scene = options.scene;
   pipeline.limits = global.limits;
   pipeline.dump_stage = global.dump_stage;
-  pipeline.stop_after = global.stop_after;
-  pipeline.steps = *subject == Subject::steps || *subject == Subject::lagrangian;
-  pipeline.check_itself = false;
+  const bool shows_steps = *subject == Subject::steps || *subject == Subject::lagrangian;
+  pipeline.goals = {shows_steps ? "steps" : "readback"};
+  if (!global.stop_after.empty()) pipeline.goals = {global.stop_after};
   const Products products = run_shown(options.input, *inputs, pipeline);
   const ExitCode dumped = print(global, products.dump);
   const ExitCode derived = std::max(dumped, report(global, products.diagnostics));

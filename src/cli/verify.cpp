@@ -33,9 +33,8 @@ PipelineOptions pipeline_options(const GlobalOptions& global) {
   PipelineOptions pipeline;
   pipeline.limits = global.limits;
   pipeline.dump_stage = global.dump_stage;
-  pipeline.stop_after = global.stop_after;
-  pipeline.check_itself = false;
-  pipeline.derives_parts = true;
+  pipeline.goals = {"readback", "parts"};
+  if (!global.stop_after.empty()) pipeline.goals = {global.stop_after};
   pipeline.scene.large_expectations = true;
   return pipeline;
 }

@@ -1,10 +1,8 @@
 // What goes wrong in written derivations: each is caught with its own message, or cannot be
 // written.
-#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "elgen/pipeline.hpp"
-#include "elgen/render.hpp"
 
 namespace elgen {
 
@@ -41,14 +39,14 @@ g = 9.81
 
 std::string found(const std::string& text) {
   PipelineOptions options;
-  options.check_itself = false;
+  options.goals = {"readback"};
   return format(run_pipeline({make_source("model.toml", text), nullptr}, options).diagnostics);
 }
 
 /// The wrong entries of [[expect]], as `verify` finds them.
 std::string disproved(const std::string& text) {
   PipelineOptions options;
-  options.check_itself = false;
+  options.goals = {"readback"};
   options.scene.large_expectations = true;
   Products products = run_pipeline({make_source("model.toml", text), nullptr}, options);
   const auto& [model, scene] = *products.checked;
@@ -142,27 +140,6 @@ TEST_CASE("the sign of the potential: a mass that is pushed up is noted") {
             "note[E512]: gravity pulls along +y"));
   CHECK(found(pendulum + "[gravity]\nvector = [\"0\", \"-g\"]\n").find("E512") ==
         std::string::npos);
-}
-
-TEST_CASE("dL/dq and d/dt dL/dv are steps of their own") {
-  PipelineOptions options;
-  options.steps = true;
-  const std::string text = pendulum + "[gravity]\nvector = [\"0\", \"-g\"]\n";
-  const Products products = run_pipeline({make_source("model.toml", text), nullptr}, options);
-  REQUIRE(products.steps);
-  const Program& program = products.steps->program;
-  const auto is_theta = [](const Function& function) { return function.name == "theta"; };
-  const auto theta = std::find_if(program.functions.begin(), program.functions.end(), is_theta);
-  REQUIRE(theta != program.functions.end());
-  const FunctionEquations steps =
-      readable_equations(program, static_cast<std::size_t>(theta - program.functions.begin()));
-  const std::vector<std::vector<std::string>> expected{{"m*l^2*dot(theta)"},
-                                                       {"m*l^2*dot(dot(theta))"},
-                                                       {"-m*l*g*sin(theta)"},
-                                                       {"0"},
-                                                       {"0"},
-                                                       {"m*l*(l*dot(dot(theta)) + g*sin(theta))"}};
-  CHECK(steps.entries == expected);
 }
 
 }  // namespace elgen

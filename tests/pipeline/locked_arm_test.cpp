@@ -19,7 +19,7 @@ const std::string root = ELGEN_SOURCE_DIR;
 
 Products products_of(const std::string& scene) {
   PipelineOptions options;
-  options.stop_after = "choose";
+  options.goals = {"choose"};
   Inputs inputs;
   inputs.model = make_source("panda7.toml", read_text(root + "/models/panda7.toml"));
   inputs.scene = make_source("test.scene.toml", scene);

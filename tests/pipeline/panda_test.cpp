@@ -27,7 +27,7 @@ std::string imported_text() {
 Products products_of(const std::string& text, const std::string& outputs) {
   PipelineOptions options;
   options.scene.outputs = {make_source("--outputs", outputs)};
-  options.stop_after = "choose";
+  options.goals = {"choose"};
   Inputs inputs;
   inputs.model = make_source("model.toml", text);
   Products products = run_pipeline(inputs, options);

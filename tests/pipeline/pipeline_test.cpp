@@ -1,6 +1,7 @@
 // The stages run in their order, stop where they should, and hand over what they made.
 #include "elgen/pipeline.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "support/shell.hpp"
@@ -29,8 +30,10 @@ TEST_CASE("all stages run in their order and give a checked program and its file
   CHECK(products.self_check->states >= 1);  // more of them where the machine is not busy
   CHECK(products.files->files.size() == 3);
   CHECK(check_invariants(*products.program).empty());
-  std::vector<std::string> expected = stage_names();
-  expected.push_back("self-check");
+  std::vector<std::string> expected;
+  for (const std::string& name : stage_names()) {
+    if (name != "steps" && name != "parts") expected.push_back(name);  // nobody asked for them
+  }
   CHECK(stages(products) == expected);
 }
 
@@ -53,27 +56,56 @@ TEST_CASE("a mistake of a stage leaves what the stages before it found") {
   CHECK_FALSE(products.program.has_value());
 }
 
-TEST_CASE("stop_after ends after that stage, whichever it is") {
-  for (std::size_t count = 1; count <= stage_names().size(); ++count) {
+TEST_CASE("a goal runs what it needs, each once and in order, and nothing else") {
+  const std::vector<std::string>& all = stage_names();
+  for (const std::string& goal : all) {
     PipelineOptions options;
-    options.stop_after = stage_names()[count - 1];
+    options.goals = {goal};
     const Products products = run_pipeline(model("simple_pendulum.toml"), options);
-    INFO(options.stop_after);
-    CHECK(stages(products).size() == count);
-    const bool is_judged = options.stop_after == "parts";
-    const bool is_read = is_judged || options.stop_after == "readback";
-    CHECK(products.files.has_value() == (options.stop_after == "emit" || is_read));
+    INFO(goal);
+    CHECK_FALSE(has_errors(products.diagnostics));
+    const std::vector<std::string> run = stages(products);
+    CHECK(run.back() == goal);
+    auto next = all.begin();
+    for (const std::string& stage : run) {
+      next = std::find(next, all.end(), stage);
+      REQUIRE(next != all.end());
+      ++next;
+    }
+    CHECK(products.steps.has_value() == (goal == "steps"));
+    CHECK(products.parts.has_value() == (goal == "parts"));
+    CHECK(products.self_check.has_value() == (goal == "self-check"));
+    const bool is_read = goal == "readback" || goal == "self-check";
+    CHECK(products.files.has_value() == (goal == "emit" || is_read));
     CHECK(products.readback.has_value() == is_read);
-    CHECK(products.parts.has_value() == is_judged);
-    CHECK_FALSE(products.self_check.has_value());
   }
+}
+
+TEST_CASE("what two goals need is made once") {
+  PipelineOptions options;
+  options.goals = {"readback", "parts", "steps"};
+  const Products products = run_pipeline(model("cart_pole.toml"), options);
+  CHECK(products.readback.has_value());
+  CHECK(products.parts.has_value());
+  CHECK(products.steps.has_value());
+  std::vector<std::string> run = stages(products);
+  std::sort(run.begin(), run.end());
+  CHECK(std::adjacent_find(run.begin(), run.end()) == run.end());
+}
+
+TEST_CASE("an output alone is derived from what was checked") {
+  const Products products = run_pipeline(model("cart_pole.toml"), {});
+  std::vector<std::string> run;
+  for (const StageTime& time : times_alone(*products.checked, 1, {})) run.push_back(time.stage);
+  CHECK(run == std::vector<std::string>{"formulate", "specialise", "derive", "lower", "cancel",
+                                        "present", "choose"});
 }
 
 TEST_CASE("each stage is told before it runs, and dumped where asked") {
   for (const std::string& name : stage_names()) {
     PipelineOptions options;
     options.dump_stage = name;
-    options.stop_after = name;
+    options.goals = {name};
     std::string last;
     options.on_stage = [&](const std::string& stage) { last = stage; };
     const Products products = run_pipeline(model("cart_pole.toml"), options);

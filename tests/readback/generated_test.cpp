@@ -35,7 +35,7 @@ fs::path model_of(const SourcePointer& scene) {
 
 void expect_read(const Inputs& inputs) {
   PipelineOptions options;
-  options.check_itself = false;
+  options.goals = {"readback"};
   const Products products = run_pipeline(inputs, options);
   INFO(inputs.model->path << " " << (inputs.scene ? inputs.scene->path : ""));
   CHECK_FALSE(has_errors(products.diagnostics));

@@ -19,7 +19,7 @@ struct Written {
 
 inline Written written(const Inputs& inputs) {
   PipelineOptions options;
-  options.check_itself = false;
+  options.goals = {"readback"};
   Products products = run_pipeline(inputs, options);
   if (!products.readback) throw std::runtime_error(format(products.diagnostics));
   return {std::move(*products.checked), std::move(*products.program), std::move(products.written)};

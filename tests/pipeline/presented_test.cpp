@@ -1,4 +1,6 @@
 // A sensor of a milligram on an arm: what drop_below leaves out, states, and saves.
+#include "pipeline/presented.hpp"
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>

@@ -1,0 +1,42 @@
+// parts: picked where they are, derived where not.
+#include "parts.hpp"
+
+#include <algorithm>
+
+#include "elgen/certificate.hpp"
+#include "recursive_program.hpp"
+
+namespace elgen {
+namespace {
+
+/// The functions of `program` that are needed; none where one is missing.
+std::optional<Program> selected(const Program& program, const std::vector<OutputRequest>& needed) {
+  Program some{program.leaves, program.constants};
+  for (const OutputRequest& request : needed) {
+    const auto known = std::find_if(
+        program.functions.begin(), program.functions.end(),
+        [&request](const Function& function) { return function.kind == request.kind; });
+    if (known == program.functions.end()) return std::nullopt;
+    some.functions.push_back(*known);
+  }
+  return some;
+}
+
+}  // namespace
+
+std::optional<Program> known_parts(const CheckedModel& checked, const Program& recursive) {
+  const std::vector<OutputRequest> needed = needed_parts(checked.model, checked.scene);
+  return needed.empty() ? std::nullopt : selected(recursive, needed);
+}
+
+Result<Parts> parts(const Lagrangian& lagrangian, const CheckedModel& checked,
+                    const Program& recursive, const Limits& limits) {
+  const std::vector<OutputRequest> needed = needed_parts(checked.model, checked.scene);
+  if (needed.empty()) return Parts{};
+  std::optional<Program> known = selected(recursive, needed);
+  if (known) return Parts{std::move(known)};
+  // Where a limit is in the way, solutions are judged by the code's own bound.
+  return Parts{recursive_program(lagrangian, needed, limits).value};
+}
+
+}  // namespace elgen

@@ -1,0 +1,49 @@
+// Equations of one's own are those of the stages, and their limits hold.
+#include "pipeline/recursive_program.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "elgen/pipeline.hpp"
+#include "support/shell.hpp"
+
+namespace elgen {
+
+namespace {
+
+Inputs cart_pole() {
+  const std::string path = std::string(ELGEN_SOURCE_DIR) + "/models/cart_pole.toml";
+  return {make_source("cart_pole.toml", test::read_text(path)), nullptr};
+}
+
+CheckedModel checked() {
+  PipelineOptions options;
+  options.goals = {"check"};
+  return *run_pipeline(cart_pole(), options).checked;
+}
+
+}  // namespace
+
+TEST_CASE("what is derived beside the stages is what they derive") {
+  const CheckedModel model = checked();
+  const Result<Lagrangian> lagrangian = formulate(model.model);
+  REQUIRE(lagrangian);
+  const Result<Program> program = recursive_program(*lagrangian, model.scene.outputs, {});
+  REQUIRE(program);
+  PipelineOptions options;
+  options.goals = {"cancel"};
+  options.dump_stage = "cancel";
+  CHECK(dump(*program) == run_pipeline(cart_pole(), options).dump);
+}
+
+TEST_CASE("a limit on derived nodes ends it") {
+  const CheckedModel model = checked();
+  const Result<Lagrangian> lagrangian = formulate(model.model);
+  Limits limits;
+  limits.derived_nodes = 3;
+  const Result<Program> program = recursive_program(*lagrangian, model.scene.outputs, limits);
+  CHECK_FALSE(program);
+  REQUIRE(program.diagnostics.size() == 1);
+  CHECK(program.diagnostics.front().code == Code::E908);
+}
+
+}  // namespace elgen
