@@ -20,21 +20,12 @@ struct EmittedFiles {
   std::map<std::string, std::string> files = {};  ///< "cart_pole/cart_pole.hpp" -> text, UTF-8, LF
 };
 
-/// Header `<base>/<base>.hpp` (`.h` in C), with Eigen `<base>/<base>_eigen.hpp`, sidecar
-/// `<base>/<base>.equations.json`, and the equations to read,
-/// `<base>/<base>.md`.
-/// Errors: E7xx (a name C++ cannot take, a parameter that overflows in a requested scalar).
+/// The artifacts of the scene. Errors: E7xx (a name C++ cannot take, a parameter that overflows in a requested scalar).
 [[nodiscard]] Result<EmittedFiles> emit(const Model& model, const Scene& scene,
                                         const Program& program);
 
-/// Paths that emit() would give, without deriving anything.
-[[nodiscard]] std::vector<std::string> emitted_paths(const Scene& scene);
-
 /// Every term that `drop_below` left out with its bound, and what every entry is off by at most.
 [[nodiscard]] std::string dropped_page(const Model& model, const Program& program);
-
-/// The header alone among them.
-[[nodiscard]] std::string header_path(const Scene& scene);
 
 /// The body hash a generated text states, and the one its content has: they differ after a hand
 /// edit.

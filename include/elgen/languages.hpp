@@ -9,7 +9,7 @@
 namespace elgen {
 
 enum class LanguageId : std::uint8_t {
-#define ELGEN_LANGUAGE(id, name, ending, scalars) id,
+#define ELGEN_LANGUAGE(id, name, scalars) id,
 #include "elgen/languages.def"
 #undef ELGEN_LANGUAGE
 };
@@ -20,13 +20,12 @@ enum class LanguageScalars : std::uint8_t { any, one };
 struct LanguageRow {
   LanguageId id;
   std::string_view name;
-  std::string_view ending;
   LanguageScalars scalars;
 };
 
 inline constexpr std::array language_table{
-#define ELGEN_LANGUAGE(id, name, ending, scalars) \
-  LanguageRow{LanguageId::id, name, ending, LanguageScalars::scalars},
+#define ELGEN_LANGUAGE(id, name, scalars) \
+  LanguageRow{LanguageId::id, name, LanguageScalars::scalars},
 #include "elgen/languages.def"
 #undef ELGEN_LANGUAGE
 };

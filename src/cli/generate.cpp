@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 
+#include "elgen/artifacts.hpp"
 #include "elgen/render.hpp"
 #include "inputs.hpp"
 #include "options.hpp"
@@ -165,8 +166,11 @@ ExitCode write(const GlobalOptions& global, const GenerateOptions& options,
 std::string listed(const GenerateOptions& options, const std::vector<Job>& jobs) {
   std::string text;
   for (const Job& job : jobs) {
-    for (const std::string& name : emitted_paths(job.scene())) {
-      text += (fs::path(options.output_directory) / name).generic_string() + "\n";
+    std::vector<Artifact> wanted = artifacts_of(job.scene());
+    std::sort(wanted.begin(), wanted.end(),
+              [](const Artifact& x, const Artifact& y) { return x.path < y.path; });
+    for (const Artifact& artifact : wanted) {
+      text += (fs::path(options.output_directory) / artifact.path).generic_string() + "\n";
     }
   }
   return text;
@@ -174,7 +178,8 @@ std::string listed(const GenerateOptions& options, const std::vector<Job>& jobs)
 
 std::string headers(const std::vector<Job>& jobs) {
   std::string text;
-  for (const Job& job : jobs) text += job.products.files->files.at(header_path(job.scene()));
+  for (const Job& job : jobs)
+    text += job.products.files->files.at(artifacts_of(job.scene()).front().path);
   return text;
 }
 

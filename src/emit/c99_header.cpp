@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cctype>
 
+#include "artifacts.hpp"
 #include "c99_dialect.hpp"
 #include "evaluate/decimal.hpp"
 #include "header_data.hpp"
-#include "languages.hpp"
 #include "layout.hpp"
 #include "parameters.hpp"
 #include "stamp.hpp"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "artifacts.hpp"
 #include "fields.hpp"
-#include "languages.hpp"
 
 namespace elgen {
 namespace {

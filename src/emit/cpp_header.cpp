@@ -1,12 +1,12 @@
 // cpp_header: the C++17 header, as templates/cpp/header.hpp.mustache pictures it.
 #include <fmt/format.h>
 
+#include "artifacts.hpp"
 #include "cpp_constant.hpp"
 #include "cpp_declarations.hpp"
 #include "cpp_dialect.hpp"
 #include "evaluate/decimal.hpp"
 #include "header_data.hpp"
-#include "languages.hpp"
 #include "layout.hpp"
 #include "parameters.hpp"
 #include "stamp.hpp"

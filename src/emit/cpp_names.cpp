@@ -9,11 +9,11 @@
 #include <array>
 #include <map>
 
+#include "artifacts.hpp"
 #include "cpp_constant.hpp"
 #include "elgen/functions.hpp"
 #include "emission_input.hpp"
 #include "fields.hpp"
-#include "languages.hpp"
 #include "layout.hpp"
 #include "library_names.hpp"
 #include "parameters.hpp"

@@ -1,12 +1,10 @@
 // eigen_header: the bodies are written again rather than called: a Map of the other header's arrays
 // would be a copy of them each way (up to a quarter of the time of panda7, g++ -O2), or undefined.
-#include "eigen_header.hpp"
-
+#include "artifacts.hpp"
 #include "cpp_names.hpp"
 #include "eigen_dialect.hpp"
 #include "fields.hpp"
 #include "header_data.hpp"
-#include "languages.hpp"
 #include "layout.hpp"
 #include "stamp.hpp"
 
@@ -21,7 +19,7 @@ std::string eigen_header(const EmissionInput& input) {
   return stamped(fill_template("cpp/eigen.hpp.mustache", data));
 }
 
-Diagnostics eigen_check_names(const Scene& scene, const Program& program) {
+Diagnostics eigen_check_names(const Model& /*model*/, const Scene& scene, const Program& program) {
   Diagnostics diagnostics;
   for (const Function& function : program.functions) {
     const bool takes_struct = gives_struct(function) && is_eigen_name(cpp_struct_name(function));

@@ -17,10 +17,6 @@ std::string file_name(const SourcePointer& source) {
   return comment_text(slash == std::string::npos ? source->path : source->path.substr(slash + 1));
 }
 
-std::string path_with(const Scene& scene, std::string_view ending) {
-  return fmt::format("{0}/{0}{1}", scene.base_name, ending);
-}
-
 }  // namespace
 
 EmissionInput emission_input(const Model& model, const Scene& scene, const Program& program) {
@@ -41,12 +37,5 @@ const std::string& name_space(const Scene& scene) {
   const std::string& name = scene.emission.name_space;
   return name.empty() ? scene.base_name : name;
 }
-
-std::string header_path(const Scene& scene) {
-  return path_with(scene, language_row(scene.emission.language).ending);
-}
-std::string eigen_path(const Scene& scene) { return path_with(scene, "_eigen.hpp"); }
-std::string sidecar_path(const Scene& scene) { return path_with(scene, ".equations.json"); }
-std::string markdown_path(const Scene& scene) { return path_with(scene, ".md"); }
 
 }  // namespace elgen

@@ -30,9 +30,4 @@ struct EmissionInput {
 /// base name.
 [[nodiscard]] const std::string& name_space(const Scene& scene);
 
-/// "cart_pole/cart_pole.equations.json", ".md", "_eigen.hpp": relative to the output folder.
-[[nodiscard]] std::string eigen_path(const Scene& scene);
-[[nodiscard]] std::string sidecar_path(const Scene& scene);
-[[nodiscard]] std::string markdown_path(const Scene& scene);
-
 }  // namespace elgen

@@ -216,7 +216,7 @@ const std::vector<ChoiceRow>& choice_table() {
       {"scene.numeric", "form", "recursive"},     {"scene.outputs.*", "form", "closed"},
       {"scene.outputs.*", "form", "recursive"},   {"scene.emit", "storage", "row-major"},
       {"scene.emit", "storage", "column-major"},
-#define ELGEN_LANGUAGE(id, name, ending, scalars) {"scene.emit", "language", name},
+#define ELGEN_LANGUAGE(id, name, scalars) {"scene.emit", "language", name},
 #include "elgen/languages.def"
 #undef ELGEN_LANGUAGE
   };

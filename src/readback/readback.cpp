@@ -1,10 +1,9 @@
 // readback: which file is read how; the first mistake of each becomes a diagnostic.
 #include "elgen/readback.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "elgen/artifacts.hpp"
 #include "elgen/wording.hpp"
 #include "header_reader.hpp"
 #include "page_reader.hpp"
@@ -23,50 +22,56 @@ class Reading {
       : files_(files), origin_{checked.model, checked.scene, program}, equations_(origin_) {}
 
   Result<Readback> read() {
-    const Emission& emission = origin_.scene.emission;
-    const std::string header(language_row(emission.language).ending);
-    std::optional<FileScope> scope;
-    read_file(".equations.json",
-              [&](const SourceText& text) { read_sidecar(text, origin_, equations_); });
-    read_file(header, [&](const SourceText& text) {
-      TokenReader tokens(text);
-      scope.emplace(read_header(tokens, origin_, equations_));
-      result_.functions += origin_.program.functions.size();
-    });
-    if (emission.eigen && scope) {
-      read_file("_eigen.hpp", [&](const SourceText& text) {
-        TokenReader tokens(text);
-        read_eigen_header(tokens, *scope);
-        result_.functions += origin_.program.functions.size();
-      });
-    }
-    read_file(".md", [&](const SourceText& text) { read_page(text, origin_, equations_); });
+    for (const Artifact& artifact : artifacts_of(origin_.scene)) read(artifact);
     result_.equations = equations_.compared();
     if (!diagnostics_.empty()) return diagnostics_;
     return result_;
   }
 
  private:
-  template <class Reader>
-  void read_file(const std::string& ending, const Reader& reader) {
-    const std::string path = fmt::format("{0}/{0}{1}", origin_.scene.base_name, ending);
-    const auto found = std::find_if(files_.begin(), files_.end(),
-                                    [&](const SourcePointer& file) { return file->path == path; });
+  using Read = void (Reading::*)(const SourceText& text);
+  static PerArtifact<Read> readers() {
+    return {{&Reading::header, &Reading::eigen_header, &Reading::header, &Reading::sidecar,
+             &Reading::page}};
+  }
+
+  void read(const Artifact& artifact) {
+    const auto found = std::find_if(files_.begin(), files_.end(), [&](const SourcePointer& file) {
+      return file->path == artifact.path;
+    });
     if (found == files_.end()) {
-      diagnostics_.push_back({Code::E915, {}, quoted(path) + " is missing"});
+      diagnostics_.push_back({Code::E915, {}, quoted(artifact.path) + " is missing"});
       return;
     }
     try {
-      reader(**found);
+      (this->*readers()[static_cast<std::size_t>(artifact.id)])(**found);
       ++result_.files;
     } catch (const Mistake& mistake) {
       diagnostics_.push_back(mistake.diagnostic);
     }
   }
 
+  void header(const SourceText& text) {
+    TokenReader tokens(text);
+    scope_.emplace(read_header(tokens, origin_, equations_));
+    result_.functions += origin_.program.functions.size();
+  }
+
+  /// Its numbers are those of the other header.
+  void eigen_header(const SourceText& text) {
+    if (!scope_) return;
+    TokenReader tokens(text);
+    read_eigen_header(tokens, *scope_);
+    result_.functions += origin_.program.functions.size();
+  }
+
+  void sidecar(const SourceText& text) { read_sidecar(text, origin_, equations_); }
+  void page(const SourceText& text) { read_page(text, origin_, equations_); }
+
   const std::vector<SourcePointer>& files_;
   Origin origin_;
   EquationReader equations_;
+  std::optional<FileScope> scope_ = {};
   Readback result_ = {};
   Diagnostics diagnostics_ = {};
 };

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "driver_parts.hpp"
+#include "elgen/artifacts.hpp"
 #include "emit/arguments.hpp"
 #include "emit/emission_input.hpp"
 #include "emit/fields.hpp"
@@ -70,11 +71,11 @@ std::string c99_driver(const DriverInput& input) {
   const auto& [model, scene, program] = input;
   const bool is_row_major = scene.emission.storage == Storage::row_major;
   const std::string scalar = scalar_name(scene.numerics.scalars.front());
-  std::string text =
-      fmt::format(prologue, fmt::arg("header", header_path(scene)), fmt::arg("scalar", scalar),
-                  fmt::arg("position", is_row_major ? "i * columns + j" : "j * rows + i"),
-                  fmt::arg("name_space", name_space(scene)),
-                  fmt::arg("parameters", parameter_assignments(input)));
+  std::string text = fmt::format(
+      prologue, fmt::arg("header", path_of(scene, ArtifactId::c99)), fmt::arg("scalar", scalar),
+      fmt::arg("position", is_row_major ? "i * columns + j" : "j * rows + i"),
+      fmt::arg("name_space", name_space(scene)),
+      fmt::arg("parameters", parameter_assignments(input)));
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     text += fmt::format(wrapper_template, fmt::arg("symbol", driver_symbol(scalar, i)),
                         fmt::arg("scalar", scalar), fmt::arg("name_space", name_space(scene)),

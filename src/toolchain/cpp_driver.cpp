@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "driver_parts.hpp"
+#include "elgen/artifacts.hpp"
 #include "emit/arguments.hpp"
 #include "emit/cpp_names.hpp"
 #include "emit/emission_input.hpp"
@@ -144,13 +145,13 @@ std::string driver_of(const DriverInput& input, const Types& types) {
 }  // namespace
 
 std::string cpp_driver(const DriverInput& input) {
-  return driver_of(input,
-                   {header_path(input.scene), name_space(input.scene), array_vector, array_type});
+  return driver_of(input, {path_of(input.scene, ArtifactId::cpp), name_space(input.scene),
+                           array_vector, array_type});
 }
 
 std::string eigen_driver(const DriverInput& input) {
-  return driver_of(input, {eigen_path(input.scene), name_space(input.scene) + "::eigen",
-                           eigen_vector, eigen_type});
+  return driver_of(input, {path_of(input.scene, ArtifactId::eigen),
+                           name_space(input.scene) + "::eigen", eigen_vector, eigen_type});
 }
 
 }  // namespace elgen

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "driver_parts.hpp"
+#include "elgen/artifacts.hpp"
 #include "emit/arguments.hpp"
 #include "emit/fields.hpp"
 #include "emit/parameters.hpp"
@@ -32,6 +33,18 @@ std::set<std::string> emitted_names(const DriverInput& input) {
 bool is_generic(const Scene& scene) {
   return language_row(scene.emission.language).scalars == LanguageScalars::any;
 }
+
+struct DriverRow {
+  const char* types;
+  const char* file;
+  std::string (*text)(const DriverInput& input);  ///< null where there is nothing to compile
+};
+
+constexpr PerArtifact<DriverRow> driver_table{{{"", "driver.cpp", &cpp_driver},
+                                               {"Eigen", "eigen_driver.cpp", &eigen_driver},
+                                               {"", "driver.c", &c99_driver},
+                                               {"", "", nullptr},
+                                               {"", "", nullptr}}};
 
 }  // namespace
 
@@ -62,12 +75,10 @@ std::string appended(const DriverInput& input, const Function& function, std::st
 }
 
 std::vector<Driver> drivers(const DriverInput& input) {
-  if (input.scene.emission.language == LanguageId::c99) {
-    return {{"", "driver.c", c99_driver(input)}};
-  }
-  std::vector<Driver> result{{"", "driver.cpp", cpp_driver(input)}};
-  if (input.scene.emission.eigen) {
-    result.push_back({"Eigen", "eigen_driver.cpp", eigen_driver(input)});
+  std::vector<Driver> result;
+  for (const Artifact& artifact : artifacts_of(input.scene)) {
+    const DriverRow& row = driver_table[static_cast<std::size_t>(artifact.id)];
+    if (row.text != nullptr) result.push_back({row.types, row.file, row.text(input)});
   }
   return result;
 }

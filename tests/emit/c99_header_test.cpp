@@ -3,7 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "emit/languages.hpp"
+#include "emit/artifacts.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;

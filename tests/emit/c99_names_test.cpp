@@ -1,5 +1,5 @@
 // c99_names: what the header needs is refused, and nothing else.
-#include "emit/languages.hpp"
+#include "emit/artifacts.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;

@@ -1,6 +1,5 @@
 // eigen_header: functions on vectors and matrices; tests/pipeline/languages_test.cpp compiles them.
-#include "emit/eigen_header.hpp"
-
+#include "emit/artifacts.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;
@@ -35,8 +34,8 @@ TEST_CASE("storage decides the order of Eigen's matrices") {
 
 TEST_CASE("names of this header are E701") {
   Subject subject = cart_pole();
-  CHECK(eigen_check_names(subject.scene, subject.program).empty());
+  CHECK(eigen_check_names(subject.model, subject.scene, subject.program).empty());
   subject.program.functions[0].name = "eigen";
   subject.program.functions[4].name = "matrix";
-  CHECK(eigen_check_names(subject.scene, subject.program).size() == 2);
+  CHECK(eigen_check_names(subject.model, subject.scene, subject.program).size() == 2);
 }

@@ -34,8 +34,3 @@ TEST_CASE("hashes follow the contents") {
   CHECK(input_of(subject).model_hash != model_hash);
   CHECK(input_of(subject).scene_hash.size() == 16);
 }
-
-TEST_CASE("paths") {
-  CHECK(header_path(cart_pole().scene) == "cart_pole/cart_pole.hpp");
-  CHECK(sidecar_path(cart_pole().scene) == "cart_pole/cart_pole.equations.json");
-}
