@@ -41,7 +41,7 @@ struct Inspection {
 std::string dump(const Inspection& inspection) { return format(inspection.found); }
 std::string dump(const ReadableSteps& steps) { return dump(steps.program); }
 
-std::string dump(const Parts& parts) { return parts.program ? dump(*parts.program) : ""; }
+std::string dump(const SolutionParts& parts) { return parts.program ? dump(*parts.program) : ""; }
 std::string dump(const Presented& p) { return dump(p.reduced ? p.reduced->forms : p.exact); }
 std::string dump(const SelfCheck& check) { return receipt(check) + "\n"; }
 
@@ -244,7 +244,7 @@ class Compilation {
     return made("readback", readback_, make, files(), checked(), choice());
   }
 
-  Parts* parts() {
+  SolutionParts* parts() {
     const auto make = [this](const Lagrangian& l, const CheckedModel& c, const Program& p) {
       return elgen::parts(l, c, p, options_.limits);
     };
@@ -311,7 +311,7 @@ class Compilation {
   Stage<EmittedFiles> files_ = {};
   std::vector<SourcePointer> written_ = {};
   Stage<Readback> readback_ = {};
-  Stage<Parts> parts_ = {};
+  Stage<SolutionParts> parts_ = {};
   Stage<SelfCheck> self_check_ = {};
   Diagnostics diagnostics_ = {};
   std::string dump_ = {};

@@ -29,14 +29,14 @@ std::optional<Program> known_parts(const CheckedModel& checked, const Program& r
   return needed.empty() ? std::nullopt : selected(recursive, needed);
 }
 
-Result<Parts> parts(const Lagrangian& lagrangian, const CheckedModel& checked,
-                    const Program& recursive, const Limits& limits) {
+Result<SolutionParts> parts(const Lagrangian& lagrangian, const CheckedModel& checked,
+                            const Program& recursive, const Limits& limits) {
   const std::vector<OutputRequest> needed = needed_parts(checked.model, checked.scene);
-  if (needed.empty()) return Parts{};
+  if (needed.empty()) return SolutionParts{};
   std::optional<Program> known = selected(recursive, needed);
-  if (known) return Parts{std::move(known)};
+  if (known) return SolutionParts{std::move(known)};
   // Where a limit is in the way, solutions are judged by the code's own bound.
-  return Parts{recursive_program(lagrangian, needed, limits).value};
+  return SolutionParts{recursive_program(lagrangian, needed, limits).value};
 }
 
 }  // namespace elgen

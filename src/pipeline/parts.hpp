@@ -11,7 +11,7 @@
 namespace elgen {
 
 /// None where nothing is solved, or where a limit was reached.
-struct Parts {
+struct SolutionParts {
   std::optional<Program> program = {};
 };
 
@@ -21,7 +21,7 @@ struct Parts {
 
 /// Those that the scene has not are derived. Always in recursive form: what is closed has cancelled
 /// terms that solutions do not.
-[[nodiscard]] Result<Parts> parts(const Lagrangian& lagrangian, const CheckedModel& checked,
-                                  const Program& recursive, const Limits& limits);
+[[nodiscard]] Result<SolutionParts> parts(const Lagrangian& lagrangian, const CheckedModel& checked,
+                                          const Program& recursive, const Limits& limits);
 
 }  // namespace elgen
