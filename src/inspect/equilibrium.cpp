@@ -24,12 +24,6 @@ struct Balance {
   std::vector<cl_R> input_matrix;  ///< row-major
 };
 
-OracleValues values_of(const Model& model, OutputKind kind, const State& state) {
-  OutputRequest request;
-  request.kind = kind;
-  return oracle_values(model, request, state);
-}
-
 /// The first at the parameters' own values, zeros too, the others elsewhere.
 State varied_state(const Subject& subject, unsigned seed) {
   State state = sampled_state(subject, seed);
@@ -68,9 +62,9 @@ std::optional<State> at_point(const Model& model, State state) {
 }
 
 std::optional<Balance> balance_at(const Model& exact, const State& point, const State& elsewhere) {
-  const OracleValues bias = values_of(exact, OutputKind::bias, point);
-  const OracleValues typical = values_of(exact, OutputKind::bias, elsewhere);
-  const OracleValues inputs = values_of(exact, OutputKind::input_matrix, point);
+  const OracleValues bias = oracle_values(exact, {.kind = OutputKind::bias}, point);
+  const OracleValues typical = oracle_values(exact, {.kind = OutputKind::bias}, elsewhere);
+  const OracleValues inputs = oracle_values(exact, {.kind = OutputKind::input_matrix}, point);
   if (!bias || !typical || !inputs) return std::nullopt;
   Balance balance{*bias, {}, *inputs};
   const std::size_t columns = point.u.size();
@@ -134,7 +128,7 @@ Diagnostics unbalanced(const Model& model, const Balance& balance, const State& 
 }
 
 bool has_expansion(const Model& model, const State& state) {
-  return values_of(model, OutputKind::inverse_dynamics, state).has_value();
+  return oracle_values(model, {.kind = OutputKind::inverse_dynamics}, state).has_value();
 }
 
 Diagnostic no_expansion(const Model& model) {

@@ -49,9 +49,7 @@ State sampled_state(const Subject& subject, unsigned seed) {
 }
 
 OracleValues mass_matrix(const Model& model, const State& state) {
-  OutputRequest request;
-  request.kind = OutputKind::mass_matrix;
-  return oracle_values(model, request, state);
+  return oracle_values(model, {.kind = OutputKind::mass_matrix}, state);
 }
 
 std::optional<MassSample> sampled_mass_matrix(const Subject& subject, unsigned seed) {

@@ -25,7 +25,7 @@ struct MassSample {
 
 std::vector<MassSample> mass_samples(const Subject& subject) {
   std::vector<MassSample> samples;
-  const OutputRequest request = standard_request(OutputKind::mass_matrix);
+  const OutputRequest request{.kind = OutputKind::mass_matrix};
   for (const auto& sample : sample_states<double>(subject, {sampled_states, 1, false})) {
     State state = exact_state(subject, sample.values);
     const OracleValues values = oracle_values(subject.model, request, state);

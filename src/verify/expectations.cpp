@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "base/random.hpp"
-#include "elgen/outputs.hpp"
+#include "check/requests.hpp"
 #include "proofs.hpp"
 #include "tally.hpp"
 
@@ -81,7 +81,7 @@ struct PointOfComparison {
 
 std::vector<PointOfComparison> compare_at(const Model& model, const OutputRequest& request,
                                           const std::vector<State>& states) {
-  const OutputRequest mass = standard_request(OutputKind::mass_matrix);
+  const OutputRequest mass{.kind = OutputKind::mass_matrix};
   std::vector<PointOfComparison> points;
   for (const State& state : states) {
     PointOfComparison point{state, oracle_values(model, request, state), 0};
@@ -176,8 +176,7 @@ void check_entry(ExpectationReport& report, const Expectation& expectation, std:
 /// The state at rest of inputs, with the acceleration it then has; none where M is singular.
 std::optional<State> free_motion(const Model& model, State state) {
   for (cl_R& u : state.u) u = 0;
-  const OracleValues solution =
-      oracle_values(model, standard_request(OutputKind::forward_dynamics), state);
+  const OracleValues solution = oracle_values(model, {.kind = OutputKind::forward_dynamics}, state);
   if (!solution) return std::nullopt;
   for (std::size_t i = 0; i < state.a.size(); ++i) state.a[i] = (*solution)[i];
   return state;
@@ -250,24 +249,6 @@ std::vector<State> free_motions(const Model& model, const std::vector<State>& st
   return motions;
 }
 
-}  // namespace
-
-std::optional<OutputRequest> expected_request(const Model& model, std::string_view name) {
-  if (const OutputRow* row = find_output(name)) return standard_request(row->kind);
-  for (std::uint32_t i = 0; i < model.outputs.size(); ++i) {
-    for (const OutputKind kind :
-         {OutputKind::user_value, OutputKind::user_jacobian, OutputKind::user_bias}) {
-      OutputRequest request = standard_request(kind);
-      request.user = i;
-      request.name = model.outputs[i].name + request.name;
-      if (request.name == name) return request;
-    }
-  }
-  return std::nullopt;
-}
-
-namespace {
-
 CertificateRow proved_row(CertificateRow row, const char* how) {
   row.worst = "equal";
   row.evidence = Evidence::proof;
@@ -278,7 +259,7 @@ CertificateRow proved_row(CertificateRow row, const char* how) {
 /// Entries of one expectation; the points are made for the first that is not proved.
 void check_values(ExpectationReport& report, const Expectation& expectation, const Subject& subject,
                   Proofs& proofs, const std::vector<State>& states) {
-  const auto request = expected_request(subject.model, expectation.output);
+  const auto request = checking::find_request(subject.model, expectation.output);
   std::optional<std::vector<PointOfComparison>> points;
   for (std::size_t entry = 0; entry < expectation.entries.size(); ++entry) {
     if (proofs.equal(expectation, entry)) {

@@ -23,9 +23,4 @@ struct ExpectationReport {
 [[nodiscard]] ExpectationReport check_expectations(const Subject& subject, ClosedForms* forms,
                                                    std::uint64_t seed);
 
-/// The oracle's request for the output an expectation names; none where the model has no such
-/// output.
-[[nodiscard]] std::optional<OutputRequest> expected_request(const Model& model,
-                                                            std::string_view name);
-
 }  // namespace elgen

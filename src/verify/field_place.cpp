@@ -6,8 +6,7 @@ namespace {
 
 /// What the oracle is asked for.
 OutputRequest request_of(const Subject& subject, const Function& function, const Field& field) {
-  OutputRequest request = standard_request(function.kind);
-  request.user = function.user;
+  const OutputRequest request{.kind = function.kind, .user = function.user};
   if (function.kind != OutputKind::dynamics) return request;
   const OutputRequest* member = find_request(subject.scene, field.name);
   return member != nullptr ? *member : request;

@@ -42,7 +42,7 @@ cln::cl_R OracleCache::force() {
 }
 
 cln::cl_R OracleCache::inertia() {
-  const OracleValues& mass = values(standard_request(OutputKind::mass_matrix));
+  const OracleValues& mass = values({.kind = OutputKind::mass_matrix});
   if (!mass) return 0;
   return largest_of(*mass) * (largest_of(state_.v) + largest_of(state_.a));
 }
@@ -60,8 +60,8 @@ bool OracleCache::solution_is_known() {
   static const cln::cl_R digits = power_of_ten(-95);
   static const cln::cl_R wanted = power_of_ten(-50);
   static const cln::cl_R least_pivot = power_of_ten(-40);  // 55 digits are left of itself
-  const OracleValues& solution = values(standard_request(OutputKind::forward_dynamics));
-  const OracleValues& mass = values(standard_request(OutputKind::mass_matrix));
+  const OracleValues& solution = values({.kind = OutputKind::forward_dynamics});
+  const OracleValues& mass = values({.kind = OutputKind::mass_matrix});
   if (!solution || !mass) return false;
   const std::size_t n = solution->size() / 2;
   const cln::cl_R largest_force = force();

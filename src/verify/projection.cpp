@@ -100,8 +100,7 @@ class Projection {
   /// w.B y
   [[nodiscard]] std::optional<cl_R> input_force(const Values& w, const Values& y) const {
     if (y.empty()) return cl_R(0);
-    return oracle_contraction(subject_.model, standard_request(OutputKind::input_matrix), state(),
-                              {w, y});
+    return oracle_contraction(subject_.model, {.kind = OutputKind::input_matrix}, state(), {w, y});
   }
 
   std::string compare_acceleration() {
@@ -126,7 +125,7 @@ class Projection {
       return evaluate(subject_.program, *function, arguments_at<Real>(state()));
     }
     std::vector<Real> m;
-    const OracleValues& values = oracle_.values(standard_request(OutputKind::mass_matrix));
+    const OracleValues& values = oracle_.values({.kind = OutputKind::mass_matrix});
     if (!values) return m;
     for (const cl_R& value : *values) m.emplace_back(value);
     return m;
@@ -150,7 +149,7 @@ class Projection {
     const std::size_t n = state().v.size();
     Values a;
     if (function == nullptr || n <= directly_solved) {
-      const OracleValues& truth = oracle_.values(standard_request(OutputKind::forward_dynamics));
+      const OracleValues& truth = oracle_.values({.kind = OutputKind::forward_dynamics});
       if (!truth) return std::nullopt;
       a.assign(truth->begin(), truth->begin() + static_cast<std::ptrdiff_t>(n));
       return a;
@@ -205,7 +204,7 @@ class Projection {
     const Values y = random_direction(field.columns, random_);
     const auto z = response(y);
     if (!z) return compare_undefined("a derivative");
-    const OutputRequest mass = standard_request(OutputKind::mass_matrix);
+    const OutputRequest mass{.kind = OutputKind::mass_matrix};
     const auto left = oracle_contraction(subject_.model, mass, state(), {w, *z});
     const auto right = response_force(w, y);
     if (!left || !right) return {};

@@ -48,7 +48,7 @@ std::string changed_parameters(const Subject& subject, const State& state) {
 /// not.
 void scale_to_length_one(const Model& model, State& state) {
   if (model.rotations.empty()) return;
-  const OracleValues scaled = oracle_values(model, standard_request(OutputKind::normalized), state);
+  const OracleValues scaled = oracle_values(model, {.kind = OutputKind::normalized}, state);
   if (scaled) state.q = *scaled;
 }
 
@@ -82,13 +82,6 @@ const OutputRequest* find_request(const Scene& scene, std::string_view name) {
   const auto found = std::find_if(scene.outputs.begin(), scene.outputs.end(),
                                   [&](const OutputRequest& output) { return output.name == name; });
   return found == scene.outputs.end() ? nullptr : &*found;
-}
-
-OutputRequest standard_request(OutputKind kind) {
-  OutputRequest request;
-  request.kind = kind;
-  request.name = output_row(kind).name;
-  return request;
 }
 
 std::string describe(const Subject& subject, const State& state) {

@@ -42,9 +42,6 @@ template <class Scalar>
 /// that name.
 [[nodiscard]] const OutputRequest* find_request(const Scene& scene, std::string_view name);
 
-/// A built-in output, whether or not the scene asks for it.
-[[nodiscard]] OutputRequest standard_request(OutputKind kind);
-
 /// "q = (0.1, 2), v = (3, -1), u = (0.5), t = 2"; parameters only where they are not at their
 /// value.
 [[nodiscard]] std::string describe(const Subject& subject, const State& state);

@@ -98,6 +98,10 @@ TEST_CASE("shapes follow the dimensions") {
   CHECK(shape("tip_jacobian") == std::pair(2U, 1U));
   CHECK(shape("tip_bias") == std::pair(2U, 1U));
   CHECK(shape("forward_dynamics") == std::pair(1U, 1U));
+  CHECK(checking::find_request(model.model, "tip")->kind == OutputKind::user_value);
+  CHECK(checking::find_request(model.model, "tip_jacobian")->kind == OutputKind::user_jacobian);
+  CHECK(checking::find_request(model.model, "tip_bias")->kind == OutputKind::user_bias);
+  CHECK(checking::find_request(model.model, "bias")->kind == OutputKind::bias);
   CHECK_FALSE(checking::find_request(model.model, "tipp"));
 }
 

@@ -116,11 +116,3 @@ TEST_CASE("points lie in the declared ranges, where a model has values") {
   check_holds(expecting(builder, "potential_energy", 1, {"(th - 5)*sqrt(th - 5) - m*g*l*cos(th)"}));
 }
 
-TEST_CASE("outputs of the model are expected under their names") {
-  const Model model = cart_pole_model();
-  CHECK(expected_request(model, "tip")->kind == OutputKind::user_value);
-  CHECK(expected_request(model, "tip_jacobian")->kind == OutputKind::user_jacobian);
-  CHECK(expected_request(model, "tip_bias")->kind == OutputKind::user_bias);
-  CHECK(expected_request(model, "bias")->kind == OutputKind::bias);
-  CHECK_FALSE(expected_request(model, "nothing"));
-}

@@ -12,10 +12,10 @@ TEST_CASE("values are the oracle's, each output and user output by itself, asked
   const System system = cart_pole_system();
   const Subject subject = system.subject();
   OracleCache cache(subject, random_state(system.model, 1));
-  const OutputRequest mass = standard_request(OutputKind::mass_matrix);
+  const OutputRequest mass{.kind = OutputKind::mass_matrix};
   const OracleValues& first = cache.values(mass);
   CHECK(first == oracle_values(system.model, mass, cache.state()));
-  CHECK(cache.values(standard_request(OutputKind::user_value))->size() == 2);
+  CHECK(cache.values({.kind = OutputKind::user_value})->size() == 2);
   CHECK(&cache.values(mass) == &first);
 }
 

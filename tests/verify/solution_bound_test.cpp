@@ -161,8 +161,8 @@ TEST_CASE("what solves names its parts") {
   };
   CHECK(kinds() == std::vector<OutputKind>{OutputKind::mass_matrix, OutputKind::bias,
                                            OutputKind::input_matrix});
-  system.scene.outputs = {standard_request(OutputKind::linearization)};
+  system.scene.outputs = {OutputRequest{.kind = OutputKind::linearization}};
   CHECK(kinds().size() == 5);
-  system.scene.outputs = {standard_request(OutputKind::inverse_dynamics)};
+  system.scene.outputs = {OutputRequest{.kind = OutputKind::inverse_dynamics}};
   CHECK(kinds().empty());
 }
