@@ -231,8 +231,6 @@ Values second_rate(ExactValues& at, const Arguments<Real>& motion, std::uint32_t
   return result;
 }
 
-}  // namespace
-
 Balance jacobian_balance(ExactValues& at, std::uint32_t user) {
   const UserOutput& output = at.subject().model.outputs[user];
   const Values& jacobian = at.value(K::user_jacobian, user);
@@ -266,6 +264,18 @@ Balance output_bias_balance(ExactValues& at, std::uint32_t user) {
     add_all(balance, second_rate(at, motion, user), -1);
   }
   return balance;
+}
+
+}  // namespace
+
+const std::vector<OutputIdentity>& output_identities() {
+  static const std::vector<OutputIdentity> table{
+      {K::user_jacobian, "Jacobian by dual numbers", "J = dy/dq",
+       "J = d(omega; dp/dt)/dv, [omega]x = dR/dt R^T", jacobian_balance},
+      {K::user_bias, "output bias by dual numbers", "bias = d^2 y/dt^2 at a = 0",
+       "bias = d(omega; dp/dt)/dt at a = 0", output_bias_balance},
+  };
+  return table;
 }
 
 }  // namespace elgen

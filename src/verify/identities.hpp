@@ -1,4 +1,4 @@
-// The table of identities between the functions of a program.
+// The tables of identities between the functions of a program.
 #pragma once
 
 #include <string_view>
@@ -19,9 +19,16 @@ struct Identity {
 
 [[nodiscard]] const std::vector<Identity>& identities();
 
-/// J - dy/dq and bias - d^2 y/dt^2 (at a = 0) of the user's output. Of a frame y is a pose, and its
-/// twist stands for dy/dt: quaternions must be of norm 1 then.
-[[nodiscard]] Balance jacobian_balance(ExactValues& at, std::uint32_t user);
-[[nodiscard]] Balance output_bias_balance(ExactValues& at, std::uint32_t user);
+/// What holds between an [[output]] y and a derivative of it. Of a frame y is a pose, and its twist
+/// stands for dy/dt: quaternions must be of norm 1 then.
+struct OutputIdentity {
+  OutputKind derivative;
+  std::string_view check;
+  std::string_view formula;
+  std::string_view formula_of_frame;
+  Balance (*balance)(ExactValues& at, std::uint32_t user);
+};
+
+[[nodiscard]] const std::vector<OutputIdentity>& output_identities();
 
 }  // namespace elgen

@@ -68,35 +68,6 @@ void add_identities(std::vector<CertificateRow>& rows, std::vector<ExactValues>&
   }
 }
 
-/// What is claimed of a derivative of the user's output.
-struct Claim {
-  std::string check;
-  std::string formula;
-};
-
-Claim claim_of(const UserOutput& output, bool is_jacobian) {
-  const bool is_pose = output.frame.has_value();
-  if (is_jacobian) {
-    return {"Jacobian by dual numbers",
-            is_pose ? "J = d(omega; dp/dt)/dv, [omega]x = dR/dt R^T" : "J = dy/dq"};
-  }
-  return {"output bias by dual numbers",
-          is_pose ? "bias = d(omega; dp/dt)/dt at a = 0" : "bias = d^2 y/dt^2 at a = 0"};
-}
-
-CertificateRow output_row(std::vector<ExactValues>& points, const Function& function) {
-  const bool is_jacobian = function.kind == OutputKind::user_jacobian;
-  const std::uint32_t user = function.user;
-  const Claim claim = claim_of(points.front().subject().model.outputs[user], is_jacobian);
-  CertificateRow row;
-  row.check = claim.check;
-  row.output = row.subject = function.name;
-  row.formula = claim.formula;
-  return identity_row(std::move(row), points, [=](ExactValues& at) {
-    return is_jacobian ? jacobian_balance(at, user) : output_bias_balance(at, user);
-  });
-}
-
 std::vector<ExactValues> points_at(const Subject& subject, const std::vector<State>& states) {
   std::vector<ExactValues> points;
   points.reserve(states.size());
@@ -117,19 +88,24 @@ void add_outputs(std::vector<CertificateRow>& rows, std::vector<ExactValues>& po
                  const std::vector<State>& states) {
   const Subject& subject = points.front().subject();
   std::vector<ExactValues> points_on_sphere;
-  for (const Function& function : subject.program.functions) {
-    const bool derived =
-        function.kind == OutputKind::user_jacobian || function.kind == OutputKind::user_bias;
-    if (!derived ||
-        find_function(subject.program, OutputKind::user_value, function.user) == nullptr) {
-      continue;
+  for (const OutputIdentity& identity : output_identities()) {
+    for (std::uint32_t user = 0; user < subject.model.outputs.size(); ++user) {
+      const Function* function = find_function(subject.program, identity.derivative, user);
+      const bool has_value =
+          find_function(subject.program, OutputKind::user_value, user) != nullptr;
+      if (function == nullptr || !has_value) continue;
+      const bool is_of_frame = subject.model.outputs[user].frame.has_value();
+      const bool turns = is_of_frame && !subject.model.rotations.empty();
+      if (turns && points_on_sphere.empty()) {
+        points_on_sphere = points_at(subject, on_sphere(subject, states));
+      }
+      CertificateRow row;
+      row.check = identity.check;
+      row.output = row.subject = function->name;
+      row.formula = is_of_frame ? identity.formula_of_frame : identity.formula;
+      rows.push_back(identity_row(std::move(row), turns ? points_on_sphere : points,
+                                  [&](ExactValues& at) { return identity.balance(at, user); }));
     }
-    const bool turns =
-        subject.model.outputs[function.user].frame && !subject.model.rotations.empty();
-    if (turns && points_on_sphere.empty()) {
-      points_on_sphere = points_at(subject, on_sphere(subject, states));
-    }
-    rows.push_back(output_row(turns ? points_on_sphere : points, function));
   }
 }
 
