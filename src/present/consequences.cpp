@@ -1,4 +1,5 @@
-// One line per output, in the notation of the table of outputs.
+// One row per output, in the notation of the table of outputs; parts of which nothing was dropped
+// lose nothing.
 #include "consequences.hpp"
 
 #include "rates.hpp"
@@ -7,59 +8,39 @@ namespace elgen::presenting {
 
 using cln::cl_RA;
 
+using K = OutputKind;
+
 const Values& Consequences::of(OutputKind output) & {
   const auto known = known_.find(output);
   return known != known_.end() ? known->second : known_[output] = found(output);
 }
 
 Values Consequences::found(OutputKind output) {
-  using K = OutputKind;
-  switch (output) {
-    case K::mass_matrix:
-      return or_zeros(dropped_.mass_matrix, size_ * size_);
-    case K::coriolis_matrix:
-      return coriolis();
-    case K::velocity_force:
-      return times(of(K::coriolis_matrix), Opcode::velocity);
-    case K::gravity:
-      return gravity();
-    case K::potential_energy:
-      return or_zeros(dropped_.potential_energy, 1);
-    case K::drift:
-      return drift();
-    case K::dissipation:
-      return or_zeros(dropped_.dissipation, size_);
-    case K::applied_force:
-      return or_zeros(dropped_.applied_force, size_);
-    case K::bias:
-      return bias();
-    case K::momentum:
-      return times(of(K::mass_matrix), Opcode::velocity);
-    case K::kinetic_energy:
-      return kinetic_energy();
-    case K::total_energy:
-    case K::energy_function:
-      return sum(of(K::kinetic_energy), of(K::potential_energy));
-    case K::input_matrix:
-      return dropped_.input_matrix;
-    case K::inverse_dynamics:
-      return sum(times(of(K::mass_matrix), Opcode::acceleration), of(K::bias));
-    default:
-      return {};
-  }
-}
-
-Value Consequences::mass(std::size_t i, std::size_t j) const {
-  return dropped_.mass_matrix.empty() ? Value(Fraction{}) : dropped_.mass_matrix[i * size_ + j];
+  using Self = Consequences&;
+  static const std::map<K, Values (*)(Self)> rules{
+      {K::mass_matrix, [](Self c) { return c.zeros(c.size_ * c.size_); }},
+      {K::potential_energy, [](Self c) { return c.zeros(1); }},
+      {K::dissipation, [](Self c) { return c.zeros(c.size_); }},
+      {K::applied_force, [](Self c) { return c.zeros(c.size_); }},
+      {K::coriolis_matrix, [](Self c) { return c.coriolis(); }},
+      {K::velocity_force,
+       [](Self c) { return c.times(c.of(K::coriolis_matrix), Opcode::velocity); }},
+      {K::gravity, [](Self c) { return c.gravity(); }},
+      {K::drift, [](Self c) { return c.drift(); }},
+      {K::bias, [](Self c) { return c.bias(); }},
+      {K::momentum, [](Self c) { return c.times(c.of(K::mass_matrix), Opcode::velocity); }},
+      {K::kinetic_energy, [](Self c) { return c.kinetic_energy(); }},
+      {K::total_energy, [](Self c) { return c.energy(); }},
+      {K::energy_function, [](Self c) { return c.energy(); }},
+      {K::inverse_dynamics, [](Self c) { return c.inverse_dynamics(); }},
+  };
+  const auto rule = rules.find(output);
+  return rule == rules.end() ? Values() : rule->second(*this);
 }
 
 Value Consequences::slope(const Value& x, std::size_t coordinate) {
   if (!x || x->numerator.empty()) return x;
   return rate(arithmetic_, algebra_, *x, along_coordinate(coordinate, size_));
-}
-
-Values Consequences::or_zeros(const Values& part, std::size_t count) const {
-  return part.empty() ? zeros(count) : part;
 }
 
 Values Consequences::sum(Values x, const Values& y, int sign) {
@@ -85,6 +66,7 @@ Values Consequences::times(const Values& matrix, Opcode vector) {
 Values Consequences::coriolis() {
   const Value half = fraction_of(cl_RA(1) / 2);
   Values result = zeros(size_ * size_);
+  const auto mass = [&](std::size_t i, std::size_t j) { return of(K::mass_matrix)[i * size_ + j]; };
   for (std::size_t i = 0; i < size_; ++i) {
     for (std::size_t j = 0; j < size_; ++j) {
       for (std::size_t k = 0; k < size_; ++k) {
@@ -102,7 +84,7 @@ Values Consequences::coriolis() {
 /// g = dV0/dq
 Values Consequences::gravity() {
   Values result;
-  const Value potential = of(OutputKind::potential_energy)[0];
+  const Value potential = of(K::potential_energy)[0];
   for (std::size_t i = 0; i < size_; ++i) result.push_back(slope(potential, i));
   return result;
 }
@@ -110,7 +92,7 @@ Values Consequences::gravity() {
 /// Of drift only (dM/dt) v holds M.
 Values Consequences::drift() {
   Values explicit_rate;
-  for (const Value& entry : of(OutputKind::mass_matrix)) {
+  for (const Value& entry : of(K::mass_matrix)) {
     explicit_rate.push_back(entry ? rate(arithmetic_, algebra_, *entry, along_time(size_))
                                   : std::nullopt);
   }
@@ -119,17 +101,25 @@ Values Consequences::drift() {
 
 /// C v + drift + g + dD/dv - Q
 Values Consequences::bias() {
-  Values result = of(OutputKind::velocity_force);
-  for (const OutputKind part : {OutputKind::drift, OutputKind::gravity, OutputKind::dissipation}) {
+  Values result = of(K::velocity_force);
+  for (const OutputKind part : {K::drift, K::gravity, K::dissipation}) {
     result = sum(std::move(result), of(part));
   }
-  return sum(std::move(result), of(OutputKind::applied_force), -1);
+  return sum(std::move(result), of(K::applied_force), -1);
 }
+
+/// M a + bias
+Values Consequences::inverse_dynamics() {
+  return sum(times(of(K::mass_matrix), Opcode::acceleration), of(K::bias));
+}
+
+/// T + V0
+Values Consequences::energy() { return sum(of(K::kinetic_energy), of(K::potential_energy)); }
 
 /// 1/2 v.M v
 Values Consequences::kinetic_energy() {
   Value total = Fraction{};
-  const Values momentum = of(OutputKind::momentum);
+  const Values momentum = of(K::momentum);
   for (std::size_t i = 0; i < size_; ++i) {
     const Value v = arithmetic_.leaf(Opcode::velocity, static_cast<std::uint32_t>(i));
     total = arithmetic_.add(total, arithmetic_.multiply(momentum[i], v));

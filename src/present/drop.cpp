@@ -75,11 +75,15 @@ class Drop {
   }
 
   void find_small_terms() {
-    dropped_.mass_matrix = small_terms_of_mass();
-    dropped_.potential_energy = small_terms_of_potential();
-    dropped_.dissipation = small_terms(K::dissipation, 1);
-    dropped_.applied_force = small_terms(K::applied_force, 1);
-    dropped_.input_matrix = small_terms(K::input_matrix, model_.inputs.size());
+    keep(K::mass_matrix, small_terms_of_mass());
+    keep(K::potential_energy, small_terms_of_potential());
+    keep(K::dissipation, small_terms(K::dissipation, 1));
+    keep(K::applied_force, small_terms(K::applied_force, 1));
+    keep(K::input_matrix, small_terms(K::input_matrix, model_.inputs.size()));
+  }
+
+  void keep(OutputKind part, Values dropped) {
+    if (!dropped.empty()) dropped_[part] = std::move(dropped);
   }
 
   void note(OutputKind output, std::size_t entry, std::size_t columns, const Fraction& term) {
@@ -214,8 +218,8 @@ class Drop {
       EntryError error;
       error.constant = error_bound(without_acceleration[i]);
       const std::size_t n = takes_acceleration ? model_.velocities.size() : 0;
-      for (std::size_t j = 0; j < n && !dropped_.mass_matrix.empty(); ++j) {
-        error.by_acceleration.push_back(error_bound(dropped_.mass_matrix[i * n + j]));
+      for (std::size_t j = 0; j < n && dropped_.count(K::mass_matrix) > 0; ++j) {
+        error.by_acceleration.push_back(error_bound(dropped_[K::mass_matrix][i * n + j]));
       }
       if (n == 0 && field.entries[i]) error.largest = bounds_.largest_term(*field.entries[i]);
       output.errors.push_back(std::move(error));

@@ -47,7 +47,7 @@ using Texts = std::vector<std::string>;
 TEST_CASE("a term of M_11") {
   Loss loss;
   const Value term = loss.product(loss.parameter(0), loss.coordinate(1));
-  loss.parts.mass_matrix = {term, Fraction{}, Fraction{}, Fraction{}};
+  loss.parts[OutputKind::mass_matrix] = {term, Fraction{}, Fraction{}, Fraction{}};
   CHECK(loss.of(OutputKind::mass_matrix) == Texts{"e*y", "0", "0", "0"});
   CHECK(loss.of(OutputKind::coriolis_matrix) ==
         Texts{"0.5*e*dot(y)", "0.5*e*dot(x)", "-0.5*e*dot(x)", "0"});
@@ -61,16 +61,16 @@ TEST_CASE("a term of M_11") {
 TEST_CASE("explicit time moves into the drift") {
   Loss loss;
   const Value term = loss.product(loss.parameter(0), loss.time());
-  loss.parts.mass_matrix = {Fraction{}, term, term, Fraction{}};
+  loss.parts[OutputKind::mass_matrix] = {Fraction{}, term, term, Fraction{}};
   CHECK(loss.of(OutputKind::drift) == Texts{"e*dot(y)", "e*dot(x)"});
 }
 
 TEST_CASE("a term of V0, and of forces") {
   Loss loss;
   const Value square = loss.product(loss.coordinate(0), loss.coordinate(0));
-  loss.parts.potential_energy = {loss.product(loss.parameter(1), square)};
-  loss.parts.dissipation = {loss.parameter(0), Fraction{}};
-  loss.parts.applied_force = {Fraction{}, loss.parameter(0)};
+  loss.parts[OutputKind::potential_energy] = {loss.product(loss.parameter(1), square)};
+  loss.parts[OutputKind::dissipation] = {loss.parameter(0), Fraction{}};
+  loss.parts[OutputKind::applied_force] = {Fraction{}, loss.parameter(0)};
   CHECK(loss.of(OutputKind::gravity) == Texts{"2*k*x", "0"});
   CHECK(loss.of(OutputKind::total_energy) == Texts{"k*x^2"});
   CHECK(loss.of(OutputKind::bias) == Texts{"e + 2*k*x", "-e"});
