@@ -1,44 +1,19 @@
-// The table of outputs: what elgen can derive, with arguments, shape, availability and equation.
+// The table of outputs (outputs.def): arguments, shape, units, type, availability and equation.
 //
-// Everything that needs a list of outputs (scene reader, derivation, oracle, emission,
-// verification, documentation) reads this table; there is no second one.
+// Whatever differs between outputs is a column here, which every stage reads. Only the derivation
+// and the oracle's definition of an output stand elsewhere, under its name.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
+#include <span>
 #include <string_view>
-#include <vector>
 
 namespace elgen {
 
 enum class OutputKind : std::uint8_t {
-  mass_matrix,
-  coriolis_matrix,
-  velocity_force,
-  gravity,
-  potential_energy,
-  drift,
-  dissipation,
-  applied_force,
-  bias,
-  momentum,
-  kinetic_energy,
-  total_energy,
-  energy_function,
-  input_matrix,
-  inverse_dynamics,
-  reaction,
-  forward_dynamics,
-  linearization,
-  inverse_dynamics_derivatives,
-  forward_dynamics_derivatives,
-  coordinate_rates,
-  normalized,
-  user_value,     ///< an [[output]] of the model
-  user_jacobian,  ///< its Jacobian
-  user_bias,      ///< its second rate without the terms in a
-  dynamics,       ///< struct of every chosen output that takes neither a nor u
+#define ELGEN_OUTPUT(name) name,
+#include "elgen/outputs.def"
 };
 
 /// Which form of the equations a function is emitted in.
@@ -51,30 +26,26 @@ enum class Form : std::uint8_t {
 
 enum class Extent : std::uint8_t { one, coordinates, velocities, states, inputs, held, user };
 
-/// What the units of an output's entries follow from; see unit_of_entry().
+/// The unit of an entry from those of its row and column, which stand for coordinates, velocities
+/// or inputs: forces times velocities are a power, momenta times velocities an energy.
 enum class UnitRule : std::uint8_t {
   none,
-  user,
-  mass,
-  coriolis,
-  momentum,
-  force,
-  held_force,
-  input,
-  energy,
-  acceleration,
-  coordinate,
-  coordinate_rate,
+  number,
+  row,
+  row_per_second,
+  energy,  ///< J over the units of row and column
+  power,   ///< W over them
 };
 
-/// What a model must have for an output to exist.
-enum class Requirement : std::uint8_t { nothing, quadratic, energies, inputs, rotations, held };
-
-/// One field of an output; plain outputs have one field without a name.
-struct FieldRow {
-  std::string_view name;
-  Extent rows;
-  Extent columns;
+/// What a model must have for an output to exist; `jacobian`: the [[output]] asks for it.
+enum class Requirement : std::uint8_t {
+  nothing,
+  quadratic,
+  energies,
+  inputs,
+  rotations,
+  held,
+  jacobian,
 };
 
 /// A symbol or an equation as text and in LaTeX, where `<v>` and `<a>` stand for the velocities and
@@ -85,28 +56,57 @@ struct Notation {
   std::string_view latex = {};  ///< may be empty
 };
 
+/// One field of an output; plain outputs have one field without a name.
+struct FieldRow {
+  std::string_view name = {};
+  Extent rows = Extent::one;
+  Extent columns = Extent::one;
+  UnitRule unit = UnitRule::none;
+  /// What holds it in C++: `{0}` are its rows, `{1}` its entries. A single number is a Scalar.
+  std::string_view type = "Scalar";
+  std::string_view latex = {};  ///< its symbol, where it has a name
+};
+
+/// Which parts of the equations of motion an output is made of, so that their terms are its terms.
+struct Parts {
+  bool mass = false;
+  bool potential = false;
+  bool forces = false;  ///< dissipation and applied forces
+  bool inputs = false;
+};
+
 struct OutputRow {
-  OutputKind kind;
-  std::string_view name;  ///< as in scenes, options and emitted code
-  Notation symbol;
-  bool takes_velocity;  ///< arguments beside parameters and q (and t where t occurs)
-  bool takes_acceleration;
-  bool takes_input;
-  std::vector<FieldRow> fields;
-  Notation equation;
-  std::string_view doc;  ///< one sentence
-  UnitRule unit;
+  OutputKind kind = {};
+  std::string_view name = {};  ///< as in scenes, options and emitted code, where it is built in
+  Notation symbol = {};
+  bool takes_velocity = false;  ///< arguments beside parameters and q (and t where t occurs)
+  bool takes_acceleration = false;
+  bool takes_input = false;
+  std::span<const FieldRow> fields = {};
+  Notation equation = {};
   Notation turning_equation = {};  ///< with rotations, where it is another
+  std::string_view doc = {};       ///< one sentence
   Requirement requirement = Requirement::nothing;
-  bool solves = false;          ///< M x = b
-  bool differentiates = false;  ///< the equations of motion
+  Parts parts = {};
+  bool solves = false;           ///< M x = b
+  bool differentiates = false;   ///< the equations of motion
+  bool gives_pivots = false;     ///< of M = L D L^T, beside what it solves for
+  bool of_user = false;          ///< one for every [[output]] of a model
+  std::string_view suffix = {};  ///< its name is that of the [[output]] and this
+  bool repeats = false;          ///< every chosen output that takes neither a nor u
 };
 
 /// The equation that holds in a model with or without rotations.
 [[nodiscard]] const Notation& equation_of(const OutputRow& output, bool has_rotations);
 
-[[nodiscard]] const std::vector<OutputRow>& output_table();
+[[nodiscard]] std::span<const OutputRow> output_table();
 [[nodiscard]] const OutputRow& output_row(OutputKind kind);
+
+/// Whether what repeats others holds its entries: of an output that takes neither a nor u.
+[[nodiscard]] bool is_repeated(OutputKind kind);
+
+/// The field of this name, or the only one; a single number where the output has no fields.
+[[nodiscard]] const FieldRow& field_row(OutputKind kind, std::string_view name);
 
 /// Null where the name is no built-in output.
 [[nodiscard]] const OutputRow* find_output(std::string_view name);

@@ -46,7 +46,7 @@ struct Field {
 };
 
 struct Function {
-  OutputKind kind = OutputKind::mass_matrix;
+  OutputKind kind = {};
   std::uint32_t user = 0;  ///< which user output, for the user_* kinds
   std::string name = {};
   Form form = Form::recursive;

@@ -13,7 +13,7 @@
 namespace elgen {
 
 struct DroppedTerm {
-  OutputKind output = OutputKind::mass_matrix;
+  OutputKind output = {};
   std::uint32_t row = 0;
   std::uint32_t column = 0;
   std::string text = {};  ///< in the model language
@@ -28,7 +28,7 @@ struct EntryError {
 };
 
 struct ReducedOutput {
-  OutputKind kind = OutputKind::mass_matrix;
+  OutputKind kind = {};
   std::uint32_t columns = 1;
   std::vector<EntryError> errors = {};  ///< one per entry, row-major
 };

@@ -34,7 +34,7 @@ struct Specialisation {
 
 /// One wanted output, in the order of the output table.
 struct OutputRequest {
-  OutputKind kind = OutputKind::mass_matrix;
+  OutputKind kind = {};
   std::uint32_t user = 0;  ///< which Model::outputs, for the user_* kinds
   std::string name = {};   ///< of the emitted function: renamed, or the standard one
   std::uint32_t rows = 1;  ///< of the (single or first) field

@@ -43,8 +43,7 @@ Rows rows_of(const ValueSyntax& value) {
 
 /// By what it is, not by its size: the mass matrix of one coordinate is one. (So is a pose.)
 bool is_matrix(const OutputRequest& request) {
-  const std::vector<FieldRow>& fields = output_row(request.kind).fields;
-  return request.columns > 1 || (!fields.empty() && fields.front().columns != Extent::one);
+  return request.columns > 1 || field_row(request.kind, "").columns != Extent::one;
 }
 
 bool is_nested(const ValueSyntax& value) {

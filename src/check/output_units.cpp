@@ -1,4 +1,4 @@
-// Units of the entries of outputs: one switch over the rules of the output table.
+// Units of the entries of outputs, by the rules of the output table.
 #include "output_units.hpp"
 
 namespace elgen::checking {
@@ -10,46 +10,45 @@ MaybeUnit over(const MaybeUnit& a, const MaybeUnit& b) {
   return a && b ? MaybeUnit(*a / *b) : std::nullopt;
 }
 
-/// p_i v_i is an energy.
-MaybeUnit momentum_unit(const MaybeUnit& velocity) { return over(find_unit("J"), velocity); }
-
-MaybeUnit force_unit(const MaybeUnit& velocity) {
-  return over(momentum_unit(velocity), find_unit("s"));
+/// Of what the i-th row or column stands for.
+MaybeUnit unit_along(const Model& model, Extent extent, std::size_t i) {
+  switch (extent) {
+    case Extent::one:
+      return Unit{};
+    case Extent::coordinates:
+      return model.coordinates[i].unit;
+    case Extent::velocities:
+      return model.velocities[i].unit;
+    case Extent::inputs:
+      return model.inputs[i].unit;
+    case Extent::held:
+      return model.unlocked->velocities[held_velocities(model)[i]].unit;
+    case Extent::states:
+    case Extent::user:
+      break;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
 MaybeUnit unit_of_entry(const Model& model, const EntryPlace& place) {
-  if (place.field == "relative_pivots") return Unit{};
-  const MaybeUnit second = find_unit("s");
-  const auto velocity = [&model](std::size_t i) { return model.velocities[i].unit; };
-  const auto mass = [&] {
-    return over(momentum_unit(velocity(place.row)), velocity(place.column));
-  };
-  switch (output_row(place.kind).unit) {
+  const FieldRow& field = field_row(place.kind, place.field);
+  const MaybeUnit row = unit_along(model, field.rows, place.row);
+  const MaybeUnit column = unit_along(model, field.columns, place.column);
+  switch (field.unit) {
     case UnitRule::none:
-    case UnitRule::user:
-      return std::nullopt;
+      break;
+    case UnitRule::number:
+      return Unit{};
+    case UnitRule::row:
+      return row;
+    case UnitRule::row_per_second:
+      return over(row, find_unit("s"));
     case UnitRule::energy:
-      return find_unit("J");
-    case UnitRule::coordinate:
-      return model.coordinates[place.row].unit;
-    case UnitRule::coordinate_rate:
-      return over(model.coordinates[place.row].unit, second);
-    case UnitRule::acceleration:
-      return over(velocity(place.row), second);
-    case UnitRule::momentum:
-      return momentum_unit(velocity(place.row));
-    case UnitRule::force:
-      return force_unit(velocity(place.row));
-    case UnitRule::held_force:
-      return force_unit(model.unlocked->velocities[held_velocities(model)[place.row]].unit);
-    case UnitRule::input:
-      return over(force_unit(velocity(place.row)), model.inputs[place.column].unit);
-    case UnitRule::mass:
-      return mass();
-    case UnitRule::coriolis:
-      return over(mass(), second);
+      return over(over(find_unit("J"), row), column);
+    case UnitRule::power:
+      return over(over(find_unit("W"), row), column);
   }
   return std::nullopt;
 }

@@ -12,7 +12,7 @@ namespace elgen::checking {
 
 /// An entry of a field of an output, counted from 0.
 struct EntryPlace {
-  OutputKind kind = OutputKind::mass_matrix;
+  OutputKind kind = {};
   std::string_view field = {};  ///< "relative_pivots"; "" in plain outputs
   std::size_t row = 0;
   std::size_t column = 0;

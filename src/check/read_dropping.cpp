@@ -17,41 +17,6 @@ namespace {
 
 using K = OutputKind;
 
-/// An output that is reduced, and what it is made of.
-struct ReducedRow {
-  OutputKind output;
-  bool has_mass;
-  bool has_potential;
-  bool has_forces;  ///< dissipation and applied forces
-};
-
-constexpr std::array<ReducedRow, 14> reduced_rows{{
-    {K::mass_matrix, true, false, false},
-    {K::coriolis_matrix, true, false, false},
-    {K::velocity_force, true, false, false},
-    {K::gravity, false, true, false},
-    {K::potential_energy, false, true, false},
-    {K::drift, true, false, false},
-    {K::dissipation, false, false, true},
-    {K::applied_force, false, false, true},
-    {K::bias, true, true, true},
-    {K::momentum, true, false, false},
-    {K::kinetic_energy, true, false, false},
-    {K::total_energy, true, true, false},
-    {K::energy_function, true, true, false},
-    {K::inverse_dynamics, true, true, true},
-}};
-
-const ReducedRow* find_row(OutputKind kind) {
-  const auto row = std::find_if(reduced_rows.begin(), reduced_rows.end(),
-                                [&](const ReducedRow& known) { return known.output == kind; });
-  return row == reduced_rows.end() ? nullptr : &*row;
-}
-
-bool has_no_terms(OutputKind kind) {
-  return output_row(kind).solves || output_row(kind).differentiates;
-}
-
 class DroppingReader {
  public:
   DroppingReader(Context& context, Scene& scene) : context_(context), scene_(scene) {}
@@ -84,9 +49,10 @@ class DroppingReader {
   void check_output(const OutputRequest& output, const Span& otherwise) {
     // Outputs that no list names have no place of their own.
     const Span& place = output.span.source == nullptr ? otherwise : output.span;
-    const bool is_reduced = find_row(output.kind) != nullptr || output.kind == K::input_matrix ||
-                            output.kind == K::dynamics;
-    if (has_no_terms(output.kind)) {
+    const OutputRow& row = output_row(output.kind);
+    const auto& [mass, potential, forces, inputs] = row.parts;
+    const bool is_reduced = mass || potential || forces || inputs || row.repeats;
+    if (row.solves || row.differentiates) {
       refuse(place,
              quoted(output.name) +
                  " solves or differentiates the equations of motion, "
@@ -99,23 +65,17 @@ class DroppingReader {
 
   /// Each output once, those that the model has.
   [[nodiscard]] std::vector<OutputRequest> parts() const {
-    bool has_mass = false;
-    bool has_potential = false;
-    bool has_forces = false;
-    bool has_inputs = false;
+    Parts parts;
     for (const OutputRequest& output : scene_.outputs) {
-      has_inputs = has_inputs || output.kind == K::input_matrix;
-      const ReducedRow* row = find_row(output.kind);
-      if (row == nullptr) continue;
-      has_mass = has_mass || row->has_mass;
-      has_potential = has_potential || row->has_potential;
-      has_forces = has_forces || row->has_forces;
+      const Parts& own = output_row(output.kind).parts;
+      parts = {parts.mass || own.mass, parts.potential || own.potential, parts.forces || own.forces,
+               parts.inputs || own.inputs};
     }
     std::vector<OutputRequest> result;
-    if (has_mass) append(result, {K::mass_matrix});
-    if (has_potential) append(result, {K::gravity, K::potential_energy});
-    if (has_forces) append(result, {K::dissipation, K::applied_force});
-    if (has_inputs) append(result, {K::input_matrix});
+    if (parts.mass) append(result, {K::mass_matrix});
+    if (parts.potential) append(result, {K::gravity, K::potential_energy});
+    if (parts.forces) append(result, {K::dissipation, K::applied_force});
+    if (parts.inputs) append(result, {K::input_matrix});
     return result;
   }
 

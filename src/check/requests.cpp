@@ -2,7 +2,6 @@
 #include "requests.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 #include "elgen/references.hpp"
@@ -17,9 +16,6 @@ std::string_view name_of(LeftOutReason reason) {
 
 namespace elgen::checking {
 namespace {
-
-constexpr std::array user_kinds{OutputKind::user_value, OutputKind::user_jacobian,
-                                OutputKind::user_bias};
 
 std::uint32_t extent(const Model& model, Extent kind, std::uint32_t user) {
   switch (kind) {
@@ -39,30 +35,6 @@ std::uint32_t extent(const Model& model, Extent kind, std::uint32_t user) {
       break;
   }
   return 1;
-}
-
-OutputRequest make_request(const Model& model, const OutputRow& row, std::uint32_t user) {
-  OutputRequest request;
-  request.kind = row.kind;
-  request.user = user;
-  request.name = std::string(row.name);
-  if (!row.fields.empty()) {
-    request.rows = extent(model, row.fields.front().rows, user);
-    request.columns = extent(model, row.fields.front().columns, user);
-  }
-  return request;
-}
-
-OutputRequest make_user_request(const Model& model, OutputKind kind, std::uint32_t user) {
-  OutputRequest request = make_request(model, output_row(kind), user);
-  const UserOutput& output = model.outputs[user];
-  request.name = output.name + request.name;
-  if (output.frame) {
-    const bool is_pose = kind == OutputKind::user_value;
-    request.rows = is_pose ? 3 : 6;
-    request.columns = is_pose ? output.columns : request.columns;
-  }
-  return request;
 }
 
 /// Why the model lacks what the output needs.
@@ -103,25 +75,20 @@ std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
                 "stand-in is tanh(x/width)",
                 kink->span, "one is here"};
   }
-  const bool is_derivative =
-      request.kind == OutputKind::user_jacobian || request.kind == OutputKind::user_bias;
-  if (is_derivative && !model.outputs[request.user].jacobian) {
+  if (requirement == Requirement::jacobian && !model.outputs[request.user].jacobian) {
     return Lack{Code::E603, "needs `jacobian = true` in the output's entry",
                 model.outputs[request.user].span, "declared here"};
   }
   return std::nullopt;
 }
 
-/// Built-in rows, then each kind of declared output, as the table orders them.
+/// In the order of the table, each kind of the declared outputs' in the order of their declaration.
 std::vector<OutputRequest> all_requests(const Model& model) {
   std::vector<OutputRequest> result;
   for (const OutputRow& row : output_table()) {
-    if (find_output(row.name) != nullptr) {
-      result.push_back(make_request(model, row, 0));
-      continue;
-    }
-    for (std::uint32_t user = 0; user < model.outputs.size(); ++user) {
-      result.push_back(make_user_request(model, row.kind, user));
+    const std::size_t count = row.of_user ? model.outputs.size() : 1;
+    for (std::uint32_t user = 0; user < count; ++user) {
+      result.push_back(request_of(model, row.kind, user));
     }
   }
   return result;
@@ -156,9 +123,22 @@ bool is_kink(const Expression& node) {
 }  // namespace
 
 OutputRequest request_of(const Model& model, OutputKind kind, std::uint32_t user) {
-  const bool is_users = std::find(user_kinds.begin(), user_kinds.end(), kind) != user_kinds.end();
-  return is_users ? make_user_request(model, kind, user)
-                  : make_request(model, output_row(kind), user);
+  const OutputRow& row = output_row(kind);
+  OutputRequest request;
+  request.kind = kind;
+  request.user = user;
+  request.name =
+      row.of_user ? model.outputs[user].name + std::string(row.suffix) : std::string(row.name);
+  if (!row.fields.empty()) {
+    request.rows = extent(model, row.fields.front().rows, user);
+    request.columns = extent(model, row.fields.front().columns, user);
+  }
+  if (row.of_user && model.outputs[user].frame) {
+    const bool is_pose = kind == OutputKind::user_value;
+    request.rows = is_pose ? 3 : 6;
+    request.columns = is_pose ? model.outputs[user].columns : request.columns;
+  }
+  return request;
 }
 
 const Expression* find_kink(const Model& model) {
@@ -173,16 +153,8 @@ const Expression* find_kink(const Model& model) {
 }
 
 std::optional<OutputRequest> find_request(const Model& model, std::string_view name) {
-  if (const OutputRow* row = find_output(name)) {
-    return make_request(model, *row, 0);
-  }
-  for (std::uint32_t user = 0; user < model.outputs.size(); ++user) {
-    for (const OutputKind kind : user_kinds) {
-      OutputRequest request = make_user_request(model, kind, user);
-      if (request.name == name) {
-        return request;
-      }
-    }
+  for (OutputRequest& request : all_requests(model)) {
+    if (request.name == name) return std::move(request);
   }
   return std::nullopt;
 }
@@ -240,11 +212,13 @@ void check_output_names(const Model& model, Report& report) {
   std::map<std::string, Span> taken;
   for (std::uint32_t user = 0; user < model.outputs.size(); ++user) {
     const Span& span = model.outputs[user].span;
-    for (const OutputKind kind : user_kinds) {
-      const OutputRequest request = make_user_request(model, kind, user);
-      const bool exists = kind == OutputKind::user_value || model.outputs[user].jacobian;
+    for (const OutputRow& row : output_table()) {
+      const bool exists =
+          row.of_user && (row.requirement != Requirement::jacobian || model.outputs[user].jacobian);
+      if (!exists) continue;
+      const OutputRequest request = request_of(model, row.kind, user);
       const bool is_built_in = find_output(request.name) != nullptr;
-      if (exists && (is_built_in || !taken.emplace(request.name, span).second)) {
+      if (is_built_in || !taken.emplace(request.name, span).second) {
         report.add(Code::E609, span, "another output is already called " + quoted(request.name));
       }
     }

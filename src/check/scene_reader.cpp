@@ -102,15 +102,12 @@ class SceneReader {
 
   /// `dynamics` has no equations of its own.
   void check_dynamics() {
-    const auto is_member = [](const OutputRequest& output) {
-      const OutputRow& row = output_row(output.kind);
-      return output.kind != OutputKind::dynamics && !row.takes_acceleration && !row.takes_input;
-    };
+    const auto is_member = [](const OutputRequest& output) { return is_repeated(output.kind); };
     if (std::any_of(scene_.outputs.begin(), scene_.outputs.end(), is_member)) {
       return;
     }
     for (const OutputRequest& output : scene_.outputs) {
-      if (output.kind == OutputKind::dynamics) {
+      if (output_row(output.kind).repeats) {
         context_.report.add(Code::E603, output.span,
                             "`dynamics` holds the chosen outputs that take neither a nor u, and "
                             "none is chosen");
@@ -310,9 +307,7 @@ class SceneReader {
   }
 
   [[nodiscard]] std::string standard_name(const OutputRequest& output) const {
-    const std::string_view name = output_row(output.kind).name;
-    const bool is_built_in = find_output(name) != nullptr;
-    return (is_built_in ? "" : model_.outputs[output.user].name) + std::string(name);
+    return request_of(model_, output.kind, output.user).name;
   }
 
   Context& context_;

@@ -172,7 +172,7 @@ class Choosing {
   const ReadableEntries& entries_of(std::size_t index) {
     const Function& function = recursive_.functions[index];
     ReadableEntries& entries = entries_[function.name];
-    if (function.kind != OutputKind::dynamics) {
+    if (!output_row(function.kind).repeats) {
       entries = read_entries(recursive_, function, forms_, forms_.functions[index], points_);
       if (forms_.functions[index].is_reduced) reduced_.insert(function.name);
       return entries;
@@ -189,7 +189,7 @@ class Choosing {
 
   /// Whether terms were dropped from it: the recursive form has them all.
   [[nodiscard]] bool is_reduced(const Function& function) const {
-    if (function.kind != OutputKind::dynamics) return reduced_.count(function.name) > 0;
+    if (!output_row(function.kind).repeats) return reduced_.count(function.name) > 0;
     return std::any_of(function.fields.begin(), function.fields.end(),
                        [&](const Field& field) { return reduced_.count(field.name) > 0; });
   }
@@ -223,11 +223,11 @@ class Choosing {
   /// The function as it is emitted in either form: with what algebra would take out again.
   Function finished(Function function) {
     if (function.kind == OutputKind::normalized) normalized_ = function.name;
-    const bool repeats = function.kind == OutputKind::dynamics && !normalized_.empty();
+    const bool repeats = output_row(function.kind).repeats && !normalized_.empty();
     if (repeats || function.kind == OutputKind::normalized) {
       return with_scaled_lengths(std::move(function), normalized_);
     }
-    if (function.kind != OutputKind::forward_dynamics) return function;
+    if (!output_row(function.kind).gives_pivots) return function;
     return with_guarded_pivots(std::move(function), result_.program.constants);
   }
 
@@ -238,7 +238,7 @@ class Choosing {
 
   /// What the guards of pivots cost is no reason to prefer one form.
   static std::size_t cost_of(const Function& form) {
-    const bool has_pivots = form.kind == OutputKind::forward_dynamics;
+    const bool has_pivots = output_row(form.kind).gives_pivots;
     return cost(count_operations(has_pivots ? without_diagonal(form) : form));
   }
 
@@ -252,9 +252,9 @@ class Choosing {
 
   void fill_readable(std::size_t index, const ReadableEntries& entries) {
     const Function& function = recursive_.functions[index];
-    if (function.kind == OutputKind::dynamics) return;
+    if (output_row(function.kind).repeats) return;
     Function readable = lowered_one_by_one(entries, function, result_.program);
-    const bool has_pivots = function.kind == OutputKind::forward_dynamics;
+    const bool has_pivots = output_row(function.kind).gives_pivots;
     result_.program.readable[index] = has_pivots ? without_diagonal(std::move(readable)) : readable;
   }
 

@@ -9,33 +9,8 @@ namespace elgen {
 
 std::string field_type(OutputKind kind, const Field& field) {
   if (is_scalar(kind, field)) return "Scalar";
-  switch (kind) {
-    case OutputKind::mass_matrix:
-    case OutputKind::coriolis_matrix:
-      return "SquareMatrix<Scalar>";
-    case OutputKind::input_matrix:
-      return "InputMatrix<Scalar>";
-    case OutputKind::coordinate_rates:
-    case OutputKind::normalized:
-      return "Coordinates<Scalar>";
-    case OutputKind::inverse_dynamics_derivatives:
-    case OutputKind::forward_dynamics_derivatives:
-      return field.name == "by_input" ? "InputMatrix<Scalar>" : "SquareMatrix<Scalar>";
-    case OutputKind::linearization:
-      return field.name == "A" ? "std::array<Scalar, 4 * velocity_count * velocity_count>"
-                               : "std::array<Scalar, 2 * velocity_count * input_count>";
-    case OutputKind::user_value:
-    case OutputKind::user_bias:
-    case OutputKind::reaction:
-      return fmt::format("std::array<Scalar, {}>", field.rows * field.columns);
-    case OutputKind::user_jacobian:
-      return fmt::format("std::array<Scalar, {} * velocity_count>", field.rows);
-    case OutputKind::forward_dynamics:
-      return field.name == "acceleration" ? "Accelerations<Scalar>"
-                                          : "std::array<Scalar, velocity_count>";
-    default:
-      return "Forces<Scalar>";
-  }
+  const auto type = fmt::runtime(field_row(kind, field.name).type);
+  return fmt::format(type, field.rows, field.rows * field.columns);
 }
 
 std::string argument_type(Argument argument) {

@@ -23,7 +23,7 @@ bool gives_struct(const Function& function) {
 }
 
 OutputKind kind_of_field(const Program& program, const Function& function, const Field& field) {
-  if (function.kind != OutputKind::dynamics) return function.kind;
+  if (!output_row(function.kind).repeats) return function.kind;
   for (const Function& candidate : program.functions) {
     if (candidate.name == field.name) return candidate.kind;
   }
@@ -32,10 +32,10 @@ OutputKind kind_of_field(const Program& program, const Function& function, const
 }
 
 bool is_scalar(OutputKind kind, const Field& field) {
-  if (field.rows != 1 || field.columns != 1) return false;
-  if (kind == OutputKind::user_value || kind == OutputKind::user_bias) return true;
-  const std::vector<FieldRow>& rows = output_row(kind).fields;
-  return rows.empty() || rows.front().rows == Extent::one;
+  const FieldRow& row = field_row(kind, field.name);
+  const bool may_be =
+      row.columns == Extent::one && (row.rows == Extent::one || row.rows == Extent::user);
+  return may_be && field.rows == 1 && field.columns == 1;
 }
 
 std::vector<bool> scalar_fields(const Program& program, const Function& function) {

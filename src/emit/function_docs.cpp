@@ -99,8 +99,7 @@ std::string too_long_note(const FunctionText& text) {
 }
 
 Lines shown_equations(const FunctionText& text) {
-  const bool is_dynamics = text.function.kind == OutputKind::dynamics;
-  if (is_dynamics) return {};
+  if (output_row(text.function.kind).repeats) return {};
   const Lines all = listing(text);
   Lines lines = {equation_text(output_row(text.function.kind), text.model), ""};
   append(lines, all.size() > longest_listing ? Lines{too_long_note(text)} : all);

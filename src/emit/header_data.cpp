@@ -30,7 +30,7 @@ bool has_kinks(const Program& program) {
 
 bool has_pivots(const Program& program) {
   return std::any_of(program.functions.begin(), program.functions.end(),
-                     [](const Function& f) { return f.kind == OutputKind::forward_dynamics; });
+                     [](const Function& f) { return output_row(f.kind).gives_pivots; });
 }
 
 TemplateData struct_data(const FunctionText& text, const Dialect& dialect) {

@@ -11,7 +11,6 @@
 #include <algorithm>
 
 #include "elgen/program.hpp"
-#include "program_text.hpp"
 
 namespace elgen {
 namespace {
@@ -46,13 +45,11 @@ std::string operation_text(const Program& program, const Instruction& instructio
 }
 
 std::string heading(const Function& function) {
-  const std::string_view kind = kind_name(function.kind);
-  const bool is_user = function.kind == OutputKind::user_value ||
-                       function.kind == OutputKind::user_jacobian ||
-                       function.kind == OutputKind::user_bias;
-  if (is_user) return fmt::format("function {} = {} {}\n", function.name, kind, function.user);
-  if (kind == function.name) return fmt::format("function {}\n", kind);
-  return fmt::format("function {} = {}\n", function.name, kind);
+  const OutputRow& row = output_row(function.kind);
+  if (row.of_user)
+    return fmt::format("function {} = {} {}\n", function.name, row.name, function.user);
+  if (row.name == function.name) return fmt::format("function {}\n", row.name);
+  return fmt::format("function {} = {}\n", function.name, row.name);
 }
 
 std::string function_text(const Program& program, const Function& function) {

@@ -165,20 +165,14 @@ std::vector<Field> import_fields(Importer& importer, const OutputEquations& outp
   return fields;
 }
 
-/// `dynamics` holds what depends on q, v and t alone.
-bool belongs_to_dynamics(const OutputEquations& output) {
-  const OutputRow& row = output_row(output.request.kind);
-  return !row.takes_acceleration && !row.takes_input;
-}
-
-/// The equations a request stands for: its own, or for `dynamics` all that belong to it.
+/// The equations a request stands for: its own, or all that it repeats.
 std::vector<const OutputEquations*> equations_for(const EquationsOfMotion& equations,
                                                   const OutputRequest& request) {
   std::vector<const OutputEquations*> wanted;
   for (const OutputEquations& output : equations.outputs) {
     const bool is_wanted =
-        request.kind == OutputKind::dynamics
-            ? belongs_to_dynamics(output)
+        output_row(request.kind).repeats
+            ? is_repeated(output.request.kind)
             : output.request.kind == request.kind && output.request.user == request.user;
     if (is_wanted) wanted.push_back(&output);
   }
@@ -191,7 +185,7 @@ std::vector<Field> import_outputs(Importer& importer, const OutputRequest& reque
   std::vector<Field> fields;
   for (const OutputEquations* output : outputs) {
     for (Field& field : import_fields(importer, *output, values)) {
-      if (request.kind == OutputKind::dynamics) field.name = output->request.name;
+      if (output_row(request.kind).repeats) field.name = output->request.name;
       fields.push_back(std::move(field));
     }
   }

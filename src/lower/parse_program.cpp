@@ -8,7 +8,6 @@
 
 #include "constant_reader.hpp"
 #include "elgen/program.hpp"
-#include "program_text.hpp"
 
 namespace elgen {
 namespace {
@@ -96,7 +95,7 @@ class Reader {
     function.name = std::string(words[1]);
     const OutputRow* kind = nullptr;
     for (const OutputRow& row : output_table()) {
-      if (kind_name(row.kind) == (renamed ? words[3] : words[1])) kind = &row;
+      if (row.name == (renamed ? words[3] : words[1])) kind = &row;
     }
     if (kind == nullptr) return fmt::format("`{}` is no output", words[renamed ? 3 : 1]);
     function.kind = kind->kind;

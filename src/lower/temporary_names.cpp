@@ -17,7 +17,6 @@
 #include <set>
 
 #include "elgen/program.hpp"
-#include "program_text.hpp"
 
 namespace elgen {
 namespace {

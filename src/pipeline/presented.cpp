@@ -13,7 +13,7 @@ namespace {
 std::vector<OutputRequest> with_parts(const Scene& scene) {
   std::vector<OutputRequest> all;
   for (const OutputRequest& output : scene.outputs) {
-    if (output.kind != OutputKind::dynamics) all.push_back(output);
+    if (!output_row(output.kind).repeats) all.push_back(output);
   }
   for (const OutputRequest& part : scene.dropping->parts) {
     const bool is_known = std::any_of(all.begin(), all.end(), [&](const OutputRequest& output) {

@@ -40,7 +40,7 @@ ClosedForms present(const Program& program, const PresentBudget& budget) {
   ClosedForms forms;
   std::size_t left = budget.products;
   for (const Function& function : program.functions) {
-    if (function.kind == OutputKind::dynamics) {
+    if (output_row(function.kind).repeats) {
       forms.functions.emplace_back();
       continue;
     }

@@ -55,7 +55,7 @@ bool has_kinks(const Program& program) {
 
 bool has_pivots(const Program& program) {
   return std::any_of(program.functions.begin(), program.functions.end(),
-                     [](const Function& f) { return f.kind == OutputKind::forward_dynamics; });
+                     [](const Function& f) { return output_row(f.kind).gives_pivots; });
 }
 
 /// A section that stands there once wherever the picture has it, or nowhere.

@@ -135,7 +135,7 @@ class SidecarReader {
       Json output = take(all, function.name);
       function_ = function.name;
       equations_.start(i);
-      if (function.kind != OutputKind::dynamics) equations(output, function);
+      if (!output_row(function.kind).repeats) equations(output, function);
       operations(take(output, "operations"), function);
       expect_empty(output);
       function_.clear();

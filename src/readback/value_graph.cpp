@@ -6,7 +6,6 @@
 #include <array>
 
 #include "evaluate/decimal.hpp"
-#include "lower/program_text.hpp"
 
 namespace elgen::reading {
 namespace {

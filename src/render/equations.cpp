@@ -11,8 +11,6 @@
 
 #include <algorithm>
 
-#include "lower/program_text.hpp"
-
 namespace elgen::rendering {
 namespace {
 

@@ -34,7 +34,7 @@ Heading heading(const Model& model, const Function& function) {
   const OutputRow& row = output_row(function.kind);
   const Notation& equation = equation_of(row, !model.rotations.empty());
   Heading result{latex_of(model, row.symbol.latex), latex_of(model, equation.latex)};
-  if (row.unit != UnitRule::user) return result;
+  if (!row.of_user) return result;
   const Symbol y = latex_symbol(model.outputs[function.user].name);
   result.symbol = replaced(result.symbol, "<y>", y.text());
   result.definition = replaced(result.definition, "<y>", y.text());
@@ -44,28 +44,15 @@ Heading heading(const Model& model, const Function& function) {
 }
 
 std::string field_symbol(const Model& model, OutputKind kind, const Field& field) {
-  if (field.name == "acceleration") return latex_of(model, "<a>");
-  if (field.name == "relative_pivots") return "\\frac{D_{i}}{M_{ii}}";
-  const char* below = field.name == "by_position"   ? "q"
-                      : field.name == "by_velocity" ? "<v>"
-                      : field.name == "by_input"    ? "u"
-                                                    : nullptr;
-  if (below == nullptr) return latex_symbol(field.name).text();
-  const bool is_inverse = kind == OutputKind::inverse_dynamics_derivatives;
-  const char* above = is_inverse ? "\\tau" : "<a>";
-  return latex_of(model, fmt::format("\\frac{{\\partial {}}}{{\\partial {}}}", above, below));
+  return latex_of(model, field_row(kind, field.name).latex);
 }
 
 std::string output_doc(const Model& model, const Function& function) {
   const OutputRow& row = output_row(function.kind);
-  if (row.unit != UnitRule::user) return std::string(row.doc);
+  if (!row.of_user) return std::string(row.doc);
   const UserOutput& output = model.outputs[function.user];
-  const std::string what = function.kind == OutputKind::user_value ? "Output"
-                           : function.kind == OutputKind::user_jacobian
-                               ? "Jacobian of output"
-                               : "Bias of the second rate of output";
   return sentence(
-      fmt::format("{} `{}`{}{}", what, output.name, output.doc.empty() ? "" : ": ", output.doc));
+      fmt::format("{} `{}`{}{}", row.doc, output.name, output.doc.empty() ? "" : ": ", output.doc));
 }
 
 }  // namespace elgen::rendering

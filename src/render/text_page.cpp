@@ -43,7 +43,7 @@ std::string text_page(const Model& model, const Scene& scene, const Program& pro
   for (const std::string& line : variable_lines(model, program)) text += "  " + line + "\n";
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     const Function& function = program.functions[i];
-    if (function.kind == OutputKind::dynamics) continue;
+    if (output_row(function.kind).repeats) continue;
     if (!options.zeros && is_zero(program, function)) continue;
     text += fmt::format("\n{}\n{}", function.name, function_text(program, i));
   }

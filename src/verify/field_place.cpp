@@ -7,7 +7,7 @@ namespace {
 /// What the oracle is asked for.
 OutputRequest request_of(const Subject& subject, const Function& function, const Field& field) {
   const OutputRequest request{.kind = function.kind, .user = function.user};
-  if (function.kind != OutputKind::dynamics) return request;
+  if (!output_row(function.kind).repeats) return request;
   const OutputRequest* member = find_request(subject.scene, field.name);
   return member != nullptr ? *member : request;
 }
@@ -16,7 +16,7 @@ OutputRequest request_of(const Subject& subject, const Function& function, const
 
 std::vector<FieldPlace> field_places(const Subject& subject, std::size_t index) {
   const Function& function = subject.program.functions[index];
-  const bool holds_others = function.kind == OutputKind::dynamics;
+  const bool holds_others = output_row(function.kind).repeats;
   std::vector<FieldPlace> places;
   std::size_t first = 0;
   for (std::size_t i = 0; i < function.fields.size(); ++i) {

@@ -80,7 +80,7 @@ Judge judge_of(const Program& program, std::size_t index, const Field& field, st
   const Function& function = program.functions[index];
   const Judge own{&function, first, false};
   if (function.form != Form::closed) return own;
-  if (function.kind != OutputKind::dynamics) {
+  if (!output_row(function.kind).repeats) {
     const bool is_readable =
         index < program.readable.size() && !program.readable[index].fields.empty();
     return is_readable ? Judge{&program.readable[index], first, true} : own;

@@ -37,11 +37,11 @@ class Projection {
       : subject_(subject), place_(place), run_(run), oracle_(oracle), random_(random) {}
 
   std::string compare() {
-    const OutputKind kind = place_.request.kind;
-    if (kind == OutputKind::forward_dynamics) {
+    const OutputRow& output = output_row(place_.request.kind);
+    if (output.gives_pivots) {
       return place_.request_field == 0 ? compare_acceleration() : compare_pivots();
     }
-    return output_row(kind).solves ? compare_response() : compare_contraction();
+    return output.solves ? compare_response() : compare_contraction();
   }
 
  private:

@@ -19,7 +19,7 @@ std::string numbers(const std::vector<std::uint32_t>& entries) {
 std::size_t count_sampled_zeros(const Program& program) {
   std::size_t count = 0;
   for (const Function& function : program.functions) {
-    if (function.kind != OutputKind::dynamics) count += function.sampled_zeros.size();
+    if (!output_row(function.kind).repeats) count += function.sampled_zeros.size();
   }
   return count;
 }

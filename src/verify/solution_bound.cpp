@@ -209,17 +209,14 @@ std::vector<Real> SolutionBounds<Scalar>::state_column(std::size_t first, std::s
 template <class Scalar>
 std::vector<Real> SolutionBounds<Scalar>::right_side(const FieldPlace& place, std::size_t column) {
   const std::size_t n = state_.v.size();
-  const std::size_t field = place.request_field;
-  switch (place.request.kind) {
-    case OutputKind::forward_dynamics:
-      return driven_bias();
-    case OutputKind::forward_dynamics_derivatives:
-      return field == 2 ? input_column(column) : state_column(field, column);
-    case OutputKind::linearization:
-      return field == 1 ? input_column(column) : state_column(column / n, column % n);
-    default:
-      return {};
-  }
+  const OutputRow& output = output_row(place.request.kind);
+  if (!output.differentiates) return driven_bias();
+  const FieldRow& field = output.fields[place.request_field];
+  if (field.columns == Extent::inputs) return input_column(column);
+  // A field has a column of every state, or of every position, or of every velocity.
+  const bool is_of_state = field.columns == Extent::states;
+  return is_of_state ? state_column(column / n, column % n)
+                     : state_column(place.request_field, column);
 }
 
 template <class Scalar>
@@ -228,7 +225,7 @@ std::vector<SolvedColumn> SolutionBounds<Scalar>::columns(const FieldPlace& plac
   if (!output_row(place.request.kind).solves || mass() == nullptr) return {};
   const std::size_t n = state_.v.size();
   std::vector<SolvedColumn> columns;
-  if (place.request.kind == OutputKind::forward_dynamics && place.request_field == 1) {
+  if (output_row(place.request.kind).gives_pivots && place.request_field == 1) {
     for (std::size_t i = 0; i < n; ++i) columns.push_back(pivot(i, entries[i]));
     return columns;
   }

@@ -10,10 +10,6 @@
 namespace elgen {
 namespace {
 
-bool is_user_output(const Function& function) {
-  return output_row(function.kind).fields.front().rows == Extent::user;
-}
-
 bool may_be_undefined(const Expression& node) {
   return node.kind == ExpressionKind::divide || node.kind == ExpressionKind::power ||
          node.kind == ExpressionKind::function;
@@ -23,7 +19,7 @@ bool may_be_undefined(const Expression& node) {
 
 std::optional<ExpressionId> undefined_expression(const Model& model, const Function& function,
                                                  const std::vector<State>& states) {
-  const auto roots = is_user_output(function)
+  const auto roots = output_row(function.kind).of_user
                          ? inspection::output_roots(model.outputs[function.user])
                          : inspection::equation_roots(model);
   for (const ExpressionId id : reached(model, roots)) {

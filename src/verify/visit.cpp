@@ -153,7 +153,7 @@ std::string Visit<Scalar>::differing_from(const FieldPlace& place, const std::ve
 template <class Scalar>
 std::string Visit<Scalar>::differing_projection(const FieldPlace& place, const Judged& judged,
                                                 Random& random) {
-  const bool repeats = place.function->kind == OutputKind::dynamics;
+  const bool repeats = output_row(place.function->kind).repeats;
   const auto known = repeats ? known_.find(place.field().name) : known_.end();
   if (known != known_.end())
     return differing_from(place, known->second, "the function of its name");

@@ -26,11 +26,11 @@ const OutputRequest& request(const CheckedModel& checked, OutputKind kind) {
 
 /// Fields by inputs are left out where there are none; the diagonal of M comes with the pivots.
 std::size_t fields_of(OutputKind kind, const Model& model) {
-  const std::vector<FieldRow>& fields = output_row(kind).fields;
+  const std::span<const FieldRow> fields = output_row(kind).fields;
   const auto is_there = [&](const FieldRow& field) {
     return field.columns != Extent::inputs || !model.inputs.empty();
   };
-  const std::size_t more = kind == OutputKind::forward_dynamics ? 1 : 0;
+  const std::size_t more = output_row(kind).gives_pivots ? 1 : 0;
   return more + static_cast<std::size_t>(std::count_if(fields.begin(), fields.end(), is_there));
 }
 
@@ -44,7 +44,7 @@ TEST_CASE("every output of the full scene has entries of its shape") {
     REQUIRE(equations);
     std::size_t wanted = 0;
     for (const OutputRequest& output : checked.scene.outputs) {
-      if (output.kind != OutputKind::dynamics) ++wanted;
+      if (!output_row(output.kind).repeats) ++wanted;
     }
     CHECK(equations->outputs.size() == wanted);
     for (const OutputEquations& output : equations->outputs) {

@@ -94,10 +94,7 @@ TEST_CASE("the README names every function, unit, output and limit") {
     CHECK(mentions(readme(), "`" + std::string(row.name) + "`"));
   }
   for (const OutputRow& row : output_table()) {
-    if (row.kind == OutputKind::user_value || row.kind == OutputKind::user_jacobian ||
-        row.kind == OutputKind::user_bias) {
-      continue;
-    }
+    if (row.of_user) continue;
     INFO(row.name);
     CHECK(mentions(readme(), "`" + std::string(row.name) + "`"));
   }
