@@ -58,14 +58,6 @@ Values negative(Values values) {
   return values;
 }
 
-Values inverse_derivatives(Mechanics& at) {
-  Point point{at, at.state().a, Direction(at.state().u.size(), cl_R(0))};
-  const auto columns = residual_columns(point);
-  Values values = matrix_of(columns[0], at.size());
-  append(values, matrix_of(columns[1], at.size()));
-  return values;
-}
-
 /// Columns of da/dq, da/dv and da/du.
 std::array<std::vector<Values>, 3> acceleration_columns(Mechanics& at) {
   const Values mass = mass_matrix_values(at);
@@ -88,12 +80,59 @@ std::array<std::vector<Values>, 3> acceleration_columns(Mechanics& at) {
   return columns;
 }
 
+/// w.(da/dx) along a displacement: z.(-dr) with M z = w.
+cl_R along_acceleration(Mechanics& at, const Direction& w, const Displacement& along) {
+  const Values mass = mass_matrix_values(at);
+  const Direction z = solve_mass(at.model(), mass, w).x;
+  return -at.residual_slope(z, along, solved_dynamics(at, mass).x, at.state().u);
+}
+
+/// w.(da/du) y: z.B y with M z = w.
+cl_R along_inputs(Mechanics& at, const Direction& w, const Direction& y) {
+  return at.input_force(solve_mass(at.model(), mass_matrix_values(at), w).x, y);
+}
+
+cl_R dot(const Direction& a, const Direction& b) {
+  cl_R sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum = sum + a[i] * b[i];
+  return sum;
+}
+
+bool is_zero(const Direction& d) {
+  return std::all_of(d.begin(), d.end(), [](const cl_R& entry) { return cln::zerop(entry); });
+}
+
+/// The displacement of the first or second field of derivatives along y.
+Displacement displacement(const Mechanics& at, const Contraction& by) {
+  return by.field == 0 ? Displacement{by.y, rest(at)} : Displacement{rest(at), by.y};
+}
+
+}  // namespace
+
+Values inverse_derivatives(Mechanics& at) {
+  Point point{at, at.state().a, Direction(at.state().u.size(), cl_R(0))};
+  const auto columns = residual_columns(point);
+  Values values = matrix_of(columns[0], at.size());
+  append(values, matrix_of(columns[1], at.size()));
+  return values;
+}
+
+cl_R inverse_contraction(Mechanics& at, const Contraction& by) {
+  return at.residual_slope(by.w, displacement(at, by), at.state().a,
+                           Direction(at.state().u.size(), cl_R(0)));
+}
+
 Values forward_derivatives(Mechanics& at) {
   Values values;
   for (const std::vector<Values>& columns : acceleration_columns(at)) {
     append(values, matrix_of(columns, at.size()));
   }
   return values;
+}
+
+cl_R forward_contraction(Mechanics& at, const Contraction& by) {
+  return by.field == 2 ? along_inputs(at, by.w, by.y)
+                       : along_acceleration(at, by.w, displacement(at, by));
 }
 
 /// The rates of x = (dq, dv) for unit changes: of a rotation vector dq the rate is dv - w x dq.
@@ -119,30 +158,8 @@ Values state_matrices(Mechanics& at) {
   return values;
 }
 
-/// w.(da/dx) along a displacement: z.(-dr) with M z = w.
-cl_R along_acceleration(Mechanics& at, const Direction& w, const Displacement& along) {
-  const Values mass = mass_matrix_values(at);
-  const Direction z = solve_mass(at.model(), mass, w).x;
-  return -at.residual_slope(z, along, solved_dynamics(at, mass).x, at.state().u);
-}
-
-/// w.(da/du) y: z.B y with M z = w.
-cl_R along_inputs(Mechanics& at, const Direction& w, const Direction& y) {
-  return at.input_force(solve_mass(at.model(), mass_matrix_values(at), w).x, y);
-}
-
-cl_R dot(const Direction& a, const Direction& b) {
-  cl_R sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum = sum + a[i] * b[i];
-  return sum;
-}
-
-bool is_zero(const Direction& d) {
-  return std::all_of(d.begin(), d.end(), [](const cl_R& entry) { return cln::zerop(entry); });
-}
-
 /// w has positions first, then velocities; so has y, unless it is one of inputs.
-cl_R contracted_linearization(Mechanics& at, const Contraction& by) {
+cl_R state_contraction(Mechanics& at, const Contraction& by) {
   const auto middle = static_cast<std::ptrdiff_t>(at.size());
   const Direction w_position(by.w.begin(), by.w.begin() + middle);
   const Direction w_velocity(by.w.begin() + middle, by.w.end());
@@ -151,24 +168,6 @@ cl_R contracted_linearization(Mechanics& at, const Contraction& by) {
                            {by.y.begin() + middle, by.y.end()}};
   const cl_R rates = dot(w_position, along.y) - dot(w_position, at.across_velocity(along.x));
   return is_zero(w_velocity) ? rates : rates + along_acceleration(at, w_velocity, along);
-}
-
-}  // namespace
-
-Values derivative_values(OutputKind kind, Mechanics& at) {
-  if (kind == OutputKind::linearization) return state_matrices(at);
-  const bool is_inverse = kind == OutputKind::inverse_dynamics_derivatives;
-  return is_inverse ? inverse_derivatives(at) : forward_derivatives(at);
-}
-
-cl_R contracted_derivative(OutputKind kind, Mechanics& at, const Contraction& by) {
-  if (kind == OutputKind::linearization) return contracted_linearization(at, by);
-  const Displacement along =
-      by.field == 0 ? Displacement{by.y, rest(at)} : Displacement{rest(at), by.y};
-  if (kind == OutputKind::forward_dynamics_derivatives) {
-    return by.field == 2 ? along_inputs(at, by.w, by.y) : along_acceleration(at, by.w, along);
-  }
-  return at.residual_slope(by.w, along, at.state().a, Direction(at.state().u.size(), cl_R(0)));
 }
 
 }  // namespace elgen::oracle

@@ -1,17 +1,22 @@
 // Derivatives of the dynamics: slopes of w.(M a + bias - B u) along displacements, and for forward
-// dynamics a solve with M.
+// dynamics a solve with M. Of each all entries, one field after another, and w.X y of one field.
 #pragma once
 
-#include "elgen/outputs.hpp"
 #include "mechanics.hpp"
 
 namespace elgen::oracle {
 
-/// Of what differentiates the equations of motion: all entries, one field after another.
-[[nodiscard]] std::vector<cln::cl_R> derivative_values(OutputKind kind, Mechanics& at);
+/// d tau/dq, d tau/dv
+[[nodiscard]] std::vector<cln::cl_R> inverse_derivatives(Mechanics& at);
+[[nodiscard]] cln::cl_R inverse_contraction(Mechanics& at, const Contraction& by);
 
-/// w.X y of one field.
-[[nodiscard]] cln::cl_R contracted_derivative(OutputKind kind, Mechanics& at,
-                                              const Contraction& by);
+/// da/dq, da/dv, da/du
+[[nodiscard]] std::vector<cln::cl_R> forward_derivatives(Mechanics& at);
+[[nodiscard]] cln::cl_R forward_contraction(Mechanics& at, const Contraction& by);
+
+/// A and B of d(dx)/dt = A dx + B du: the rates of x = (dq, dv) for unit changes. Of a rotation
+/// vector dq the rate is dv - w x dq.
+[[nodiscard]] std::vector<cln::cl_R> state_matrices(Mechanics& at);
+[[nodiscard]] cln::cl_R state_contraction(Mechanics& at, const Contraction& by);
 
 }  // namespace elgen::oracle

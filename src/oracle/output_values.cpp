@@ -1,5 +1,7 @@
-// Output values: the definitions of the output table, one function each.
+// Output values: a row of each output: its definition, and how it is contracted.
 #include "output_values.hpp"
+
+#include <functional>
 
 #include "contraction.hpp"
 #include "derivatives.hpp"
@@ -13,22 +15,32 @@ namespace {
 using cln::cl_R;
 using Values = std::vector<cl_R>;
 
-/// entry(e_i, e_j) = entry(e_j, e_i)
-template <class Entry>
-Values symmetric(std::size_t n, const Entry& entry) {
-  Values values(n * n);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) values[i * n + j] = values[j * n + i] = entry(i, j);
-  }
-  return values;
-}
+/// What is asked for: an output of a model at a state.
+struct Question {
+  const Model& model;
+  const OutputRequest& output;
+  const State& state;
 
-/// C_ij = 1/2 (dM_ij/dt + R_ij - R_ji + turning) with dM/dt along v and R_ij = d/dq_j (M v)_i
-Values coriolis_matrix(Mechanics& at) {
+  [[nodiscard]] const UserOutput& of_user() const { return model.outputs[output.user]; }
+};
+
+struct OracleRow {
+  Values (*values)(const Question&);
+  /// w.x or w.X y; null where it takes all values.
+  cl_R (*contraction)(const Question&, const Contraction&) = nullptr;
+};
+
+/// C_ij = 1/2 (dM_ij/dt + R_ij - R_ji + turning) with dM/dt along v and R_ij = d/dq_j (M v)_i: half
+/// the work of one contraction for each entry.
+Values coriolis_entries(Mechanics& at) {
   const std::size_t n = at.size();
   const Direction& v = at.state().v;
-  Values c = symmetric(
-      n, [&](std::size_t i, std::size_t j) { return at.mass_gradient(v, at.unit(i), at.unit(j)); });
+  Values c(n * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      c[i * n + j] = c[j * n + i] = at.mass_gradient(v, at.unit(i), at.unit(j));
+    }
+  }
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) {
       const cl_R r = at.mass_gradient(at.unit(j), at.unit(i), v);
@@ -40,182 +52,184 @@ Values coriolis_matrix(Mechanics& at) {
   return c;
 }
 
-Values column(OutputKind kind, Mechanics& at) {
-  Values values;
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    values.push_back(contracted_column(kind, at, at.unit(i)));
-  }
-  return values;
-}
-
-Values input_matrix(Mechanics& at) {
+/// B_ij = e_i.B e_j
+Values input_entries(Mechanics& at) {
   const std::size_t inputs = at.state().u.size();
   Values values;
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    for (std::size_t k = 0; k < inputs; ++k) {
-      values.push_back(at.input_force(at.unit(i), unit_direction(inputs, k)));
-    }
+  for (std::size_t k = 0; k < at.size() * inputs; ++k) {
+    values.push_back(at.input_force(at.unit(k / inputs), unit_direction(inputs, k % inputs)));
   }
   return values;
 }
 
+cl_R total_energy_of(Mechanics& at) { return at.kinetic_energy() + at.potential_energy(); }
+
 /// M a = B u - bias: a, then the relative pivots.
-Values forward_dynamics(Mechanics& at) {
+Values solved(Mechanics& at) {
   const Solution solution = solved_dynamics(at, mass_matrix_values(at));
   Values values = solution.x;
   values.insert(values.end(), solution.relative_pivots.begin(), solution.relative_pivots.end());
   return values;
 }
 
-std::vector<Root> roots_of(const UserOutput& output, unsigned time_order) {
+std::vector<Root> roots_of(const std::vector<ExpressionId>& expressions, unsigned time_order) {
   std::vector<Root> roots;
-  for (const ExpressionId id : output.values) roots.push_back({id, time_order});
+  for (const ExpressionId id : expressions) roots.push_back({id, time_order});
   return roots;
 }
 
-std::vector<Root> twist_roots(const UserOutput& output, unsigned time_order) {
-  std::vector<Root> roots;
-  for (const ExpressionId id : output.twist) roots.push_back({id, time_order});
-  return roots;
-}
-
-Values user_value(const Model& model, const UserOutput& output, const State& state) {
+Values values_of_user(const Question& of) {
   JetFunctions functions;
-  const Schedule schedule = make_schedule(model, roots_of(output, 0));
-  const Motion motion = motion_of(state);
-  const Evaluation at(model, schedule, motion, functions);
+  const Schedule schedule = make_schedule(of.model, roots_of(of.of_user().values, 0));
+  const Motion motion = motion_of(of.state);
+  const Evaluation at(of.model, schedule, motion, functions);
   Values values;
-  for (const ExpressionId id : output.values) values.push_back(at.value(id).real());
+  for (const ExpressionId id : of.of_user().values) values.push_back(at.value(id).real());
   return values;
 }
 
-/// The twist is linear in the rates: its coefficient of each.
-Values twist_jacobian(const Model& model, const UserOutput& output, const State& state) {
+/// dy/dq; of a frame the twist, which is linear in the rates: its coefficient of each.
+Values jacobian_of_user(const Question& of) {
   JetFunctions functions;
-  const Schedule schedule = make_schedule(model, twist_roots(output, 0));
-  const std::size_t n = state.v.size();
-  Values values(output.twist.size() * n);
+  const bool is_twist = of.of_user().frame.has_value();
+  const std::vector<ExpressionId>& ids = is_twist ? of.of_user().twist : of.of_user().values;
+  const Schedule schedule = make_schedule(of.model, roots_of(ids, 0));
+  const std::size_t n = of.state.v.size();
+  Values values(ids.size() * n);
   for (std::size_t j = 0; j < n; ++j) {
-    Motion motion = motion_of(state);
-    displace(motion.v, unit_direction(n, j), generator(0));
-    const Evaluation at(model, schedule, motion, functions);
-    for (std::size_t i = 0; i < output.twist.size(); ++i) {
-      values[i * n + j] = at.value(output.twist[i]).coefficient(generator(0));
+    Motion motion = motion_of(of.state);
+    const Direction unit = unit_direction(n, j);
+    if (is_twist) displace(motion.v, unit, generator(0));
+    if (!is_twist) displace_position(of.model, motion, unit, generator(0));
+    const Evaluation at(of.model, schedule, motion, functions);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      values[i * n + j] = at.value(ids[i]).coefficient(generator(0));
     }
   }
   return values;
 }
 
-/// d twist/dt at a = 0
-Values twist_bias(const Model& model, const UserOutput& output, const State& state) {
+/// d2y/dt2 at a = 0; of a frame d twist/dt.
+Values bias_of_user(const Question& of) {
   JetFunctions functions;
-  const Schedule schedule = make_schedule(model, twist_roots(output, 1));
-  Motion motion = motion_of(state);
-  motion.a.assign(state.v.size(), Jet());
-  const Evaluation at(model, schedule, motion, functions);
+  const bool is_twist = of.of_user().frame.has_value();
+  const std::vector<ExpressionId>& ids = is_twist ? of.of_user().twist : of.of_user().values;
+  const Schedule schedule = make_schedule(of.model, roots_of(ids, is_twist ? 1 : 2));
+  Motion motion = motion_of(of.state);
+  motion.a.assign(of.state.v.size(), Jet());
+  const Evaluation at(of.model, schedule, motion, functions);
   Values values;
-  for (const ExpressionId id : output.twist) values.push_back(at.rate(id).real());
-  return values;
-}
-
-Values user_jacobian(const Model& model, const UserOutput& output, const State& state) {
-  JetFunctions functions;
-  const Schedule schedule = make_schedule(model, roots_of(output, 0));
-  const std::size_t n = state.v.size();
-  if (output.frame) return twist_jacobian(model, output, state);
-  Values values(output.values.size() * n);
-  for (std::size_t j = 0; j < n; ++j) {
-    Motion motion = motion_of(state);
-    displace_position(model, motion, unit_direction(n, j), generator(0));
-    const Evaluation at(model, schedule, motion, functions);
-    for (std::size_t i = 0; i < output.values.size(); ++i) {
-      values[i * n + j] = at.value(output.values[i]).coefficient(generator(0));
-    }
+  for (const ExpressionId id : ids) {
+    values.push_back((is_twist ? at.rate(id) : at.second_rate(id)).real());
   }
   return values;
 }
 
-/// d2/dt2 of the value at a = 0
-Values user_bias(const Model& model, const UserOutput& output, const State& state) {
-  if (output.frame) return twist_bias(model, output, state);
-  JetFunctions functions;
-  const Schedule schedule = make_schedule(model, roots_of(output, 2));
-  Motion motion = motion_of(state);
-  motion.a.assign(state.v.size(), Jet());
-  const Evaluation at(model, schedule, motion, functions);
+Values rates_of_coordinates(const Question& of) {
+  const Motion motion = motion_of(of.state);
   Values values;
-  for (const ExpressionId id : output.values) values.push_back(at.second_rate(id).real());
-  return values;
-}
-
-Values rates_of_coordinates(const Model& model, const State& state) {
-  const Motion motion = motion_of(state);
-  Values values;
-  for (const Jet& rate : coordinate_rates(model, motion.q, motion.v)) values.push_back(rate.real());
-  return values;
-}
-
-Values mechanical_values(OutputKind kind, Mechanics at) {
-  if (output_row(kind).differentiates) return derivative_values(kind, at);
-  if (is_contractible_column(kind)) return column(kind, at);
-  switch (kind) {
-    case OutputKind::mass_matrix:
-      return mass_matrix_values(at);
-    case OutputKind::coriolis_matrix:
-      return coriolis_matrix(at);
-    case OutputKind::input_matrix:
-      return input_matrix(at);
-    case OutputKind::potential_energy:
-      return {at.potential_energy_at_rest()};
-    case OutputKind::kinetic_energy:
-      return {at.kinetic_energy()};
-    case OutputKind::total_energy:
-      return {at.kinetic_energy() + at.potential_energy()};
-    case OutputKind::energy_function:
-      return {at.energy_function()};
-    case OutputKind::forward_dynamics:
-      return forward_dynamics(at);
-    default:
-      return {};
+  for (const Jet& rate : coordinate_rates(of.model, motion.q, motion.v)) {
+    values.push_back(rate.real());
   }
+  return values;
+}
+
+/// All entries of what one function gives: a number, or every entry.
+template <auto whole>
+Values entries(const Question& of) {
+  Mechanics at(of.model, of.state);
+  return {std::invoke(whole, at)};
+}
+
+/// x_i = e_i.x
+template <auto product>
+Values column_entries(const Question& of) {
+  Mechanics at(of.model, of.state);
+  Values values;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    values.push_back(std::invoke(product, at, at.unit(i)));
+  }
+  return values;
+}
+
+/// w.x, w.X y, or what the function makes of both.
+template <auto product>
+cl_R contracted(const Question& of, const Contraction& by) {
+  Mechanics at(of.model, of.state);
+  if constexpr (std::is_invocable_v<decltype(product), Mechanics&, const Direction&>) {
+    return std::invoke(product, at, by.w);
+  } else if constexpr (std::is_invocable_v<decltype(product), Mechanics&, const Contraction&>) {
+    return std::invoke(product, at, by);
+  } else {
+    return std::invoke(product, at, by.w, by.y);
+  }
+}
+
+template <auto product>
+constexpr OracleRow column{column_entries<product>, contracted<product>};
+
+namespace rows {
+
+constexpr OracleRow mass_matrix{entries<mass_matrix_values>, contracted<&Mechanics::mass>};
+constexpr OracleRow coriolis_matrix{entries<coriolis_entries>, contracted<coriolis>};
+constexpr OracleRow input_matrix{entries<input_entries>, contracted<&Mechanics::input_force>};
+
+constexpr OracleRow velocity_force = column<oracle::velocity_force>;
+constexpr OracleRow gravity = column<&Mechanics::gravity>;
+constexpr OracleRow drift = column<oracle::drift>;
+constexpr OracleRow dissipation = column<&Mechanics::dissipation_force>;
+constexpr OracleRow applied_force = column<&Mechanics::applied_force>;
+constexpr OracleRow bias = column<oracle::bias>;
+constexpr OracleRow inverse_dynamics = column<oracle::inverse_dynamics>;
+constexpr OracleRow momentum = column<&Mechanics::momentum>;
+constexpr OracleRow reaction{
+    [](const Question& of) { return oracle::reaction(of.model, of.state); }};
+
+constexpr OracleRow potential_energy{entries<&Mechanics::potential_energy_at_rest>};
+constexpr OracleRow kinetic_energy{entries<&Mechanics::kinetic_energy>};
+constexpr OracleRow total_energy{entries<total_energy_of>};
+constexpr OracleRow energy_function{entries<&Mechanics::energy_function>};
+
+constexpr OracleRow forward_dynamics{entries<solved>};
+constexpr OracleRow linearization{entries<state_matrices>, contracted<state_contraction>};
+constexpr OracleRow inverse_dynamics_derivatives{entries<inverse_derivatives>,
+                                                 contracted<inverse_contraction>};
+constexpr OracleRow forward_dynamics_derivatives{entries<forward_derivatives>,
+                                                 contracted<forward_contraction>};
+
+constexpr OracleRow coordinate_rates{rates_of_coordinates};
+constexpr OracleRow normalized{
+    [](const Question& of) { return oracle::normalized(of.model, of.state.q); }};
+
+constexpr OracleRow user_value{values_of_user};
+constexpr OracleRow user_jacobian{jacobian_of_user};
+constexpr OracleRow user_bias{bias_of_user};
+
+constexpr OracleRow of_others{[](const Question&) { return Values(); }};
+
+constexpr OracleRow table[] = {
+#define ELGEN_OUTPUT(name) name,
+#define ELGEN_SUMMARY(name) of_others,
+#include "elgen/outputs.def"
+};
+
+}  // namespace rows
+
+const OracleRow& oracle_row(const OutputRequest& output) {
+  return rows::table[static_cast<std::size_t>(output.kind)];
 }
 
 }  // namespace
 
 Values output_values(const Model& model, const OutputRequest& output, const State& state) {
-  switch (output.kind) {
-    case OutputKind::coordinate_rates:
-      return rates_of_coordinates(model, state);
-    case OutputKind::normalized:
-      return normalized(model, state.q);
-    case OutputKind::reaction:
-      return reaction(model, state);
-    case OutputKind::user_value:
-      return user_value(model, model.outputs[output.user], state);
-    case OutputKind::user_jacobian:
-      return user_jacobian(model, model.outputs[output.user], state);
-    case OutputKind::user_bias:
-      return user_bias(model, model.outputs[output.user], state);
-    default:
-      return mechanical_values(output.kind, Mechanics(model, state));
-  }
+  return oracle_row(output).values({model, output, state});
 }
 
 cl_R contracted_values(const Model& model, const OutputRequest& output, const State& state,
                        const Contraction& by) {
-  if (is_contractible_column(output.kind)) {
-    Mechanics at(model, state);
-    return contracted_column(output.kind, at, by.w);
-  }
-  if (is_contractible_matrix(output.kind)) {
-    Mechanics at(model, state);
-    return contracted_matrix(output.kind, at, by.w, by.y);
-  }
-  if (output_row(output.kind).differentiates) {
-    Mechanics at(model, state);
-    return contracted_derivative(output.kind, at, by);
-  }
-  const Values values = output_values(model, output, state);
+  const Question of{model, output, state};
+  if (oracle_row(output).contraction != nullptr) return oracle_row(output).contraction(of, by);
+  const Values values = oracle_row(output).values(of);
   const std::size_t columns = by.y.empty() ? 1 : by.y.size();
   cl_R sum = 0;
   for (std::size_t k = 0; k < by.w.size() * columns; ++k) {

@@ -34,8 +34,7 @@ Solution solved_dynamics(Mechanics& at, const std::vector<cl_R>& mass) {
   std::vector<cl_R> right_side;
   for (std::size_t i = 0; i < at.size(); ++i) {
     const Direction w = at.unit(i);
-    right_side.push_back(at.input_force(w, at.state().u) -
-                         contracted_column(OutputKind::bias, at, w));
+    right_side.push_back(at.input_force(w, at.state().u) - bias(at, w));
   }
   return solve_mass(at.model(), mass, right_side);
 }
