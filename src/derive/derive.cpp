@@ -1,5 +1,5 @@
-// derive: Lagrangian -> EquationsOfMotion. One row per output says which function derives it; only
-// what the scene asks for is derived.
+// derive: Lagrangian -> EquationsOfMotion. The function that bears the name of an output derives
+// it; only what the scene asks for is derived.
 #include <fmt/format.h>
 
 #include "derive/derivation.hpp"
@@ -21,109 +21,74 @@ using GiNaC::ex;
 
 namespace {
 
-std::vector<FieldEquations> plain(const OutputRequest& request, Vector entries) {
+using Fields = std::vector<FieldEquations>;
+
+/// Fields of `rows` rows; one without entries is left out: a model without inputs has none by them.
+Fields named(std::size_t rows, std::vector<std::pair<std::string, Vector>> entries) {
+  Fields result;
+  for (auto& [name, values] : entries) {
+    const std::size_t columns = values.size() / rows;
+    if (values.empty()) continue;
+    result.push_back({name, static_cast<std::uint32_t>(rows), static_cast<std::uint32_t>(columns),
+                      std::move(values)});
+  }
+  return result;
+}
+
+Fields fields(const Derivation& /*derivation*/, const OutputRequest& request, Vector entries) {
   return {{"", request.rows, request.columns, std::move(entries)}};
 }
 
-std::vector<FieldEquations> accelerations(Derivation& derivation) {
-  ForwardDynamics solved = forward_dynamics(derivation);
-  const auto n = static_cast<std::uint32_t>(derivation.size());
-  return {{"acceleration", n, 1, std::move(solved.acceleration)},
-          {"relative_pivots", n, 1, std::move(solved.relative_pivots)},
-          {"diagonal", n, 1, std::move(solved.diagonal)}};
+Fields fields(const Derivation& derivation, const OutputRequest& request, const ex& entry) {
+  return fields(derivation, request, Vector{entry});
 }
 
-std::vector<FieldEquations> inverse_derivatives(Derivation& derivation) {
-  InverseDerivatives derived = inverse_dynamics_derivatives(derivation);
-  const auto n = static_cast<std::uint32_t>(derivation.size());
-  return {{"by_position", n, n, std::move(derived.by_position)},
-          {"by_velocity", n, n, std::move(derived.by_velocity)}};
+Fields fields(const Derivation& d, const OutputRequest& /*request*/, const ForwardDynamics& x) {
+  return named(d.size(), {{"acceleration", x.acceleration},
+                          {"relative_pivots", x.relative_pivots},
+                          {"diagonal", x.diagonal}});
 }
 
-std::vector<FieldEquations> forward_derivatives(Derivation& derivation) {
-  ForwardDerivatives derived = forward_dynamics_derivatives(derivation);
-  const auto n = static_cast<std::uint32_t>(derivation.size());
-  const auto inputs = static_cast<std::uint32_t>(derivation.symbols.u.size());
-  std::vector<FieldEquations> result{{"by_position", n, n, std::move(derived.by_position)},
-                                     {"by_velocity", n, n, std::move(derived.by_velocity)}};
-  if (inputs > 0) result.push_back({"by_input", n, inputs, std::move(derived.by_input)});
-  return result;
+Fields fields(const Derivation& d, const OutputRequest& /*request*/, const InverseDerivatives& x) {
+  return named(d.size(), {{"by_position", x.by_position}, {"by_velocity", x.by_velocity}});
 }
 
-std::vector<FieldEquations> state_matrices(Derivation& derivation) {
-  Linearization linear = linearization(derivation);
-  const auto n = static_cast<std::uint32_t>(2 * derivation.size());
-  const auto inputs = static_cast<std::uint32_t>(derivation.symbols.u.size());
-  std::vector<FieldEquations> result{{"A", n, n, std::move(linear.a)}};
-  if (inputs > 0) result.push_back({"B", n, inputs, std::move(linear.b)});
-  return result;
+Fields fields(const Derivation& d, const OutputRequest& /*request*/, const ForwardDerivatives& x) {
+  return named(
+      d.size(),
+      {{"by_position", x.by_position}, {"by_velocity", x.by_velocity}, {"by_input", x.by_input}});
 }
 
-Vector user_value(Derivation& derivation, const OutputRequest& request) {
-  const NamedOutput& output = derivation.lagrangian.outputs[request.user];
-  if (request.kind == OutputKind::user_value) return output.values;
-  const bool is_jacobian = request.kind == OutputKind::user_jacobian;
-  if (output.twist) {
-    return is_jacobian ? twist_jacobian(derivation, *output.twist)
-                       : twist_bias(derivation, *output.twist);
-  }
-  return is_jacobian ? jacobian(derivation, output.values) : second_rate(derivation, output.values);
+Fields fields(const Derivation& d, const OutputRequest& /*request*/, const Linearization& x) {
+  return named(2 * d.size(), {{"A", x.a}, {"B", x.b}});
 }
 
-std::vector<FieldEquations> fields(Derivation& d, const OutputRequest& request) {
-  switch (request.kind) {
-    case OutputKind::mass_matrix:
-      return plain(request, mass_matrix(d));
-    case OutputKind::coriolis_matrix:
-      return plain(request, coriolis_matrix(d));
-    case OutputKind::velocity_force:
-      return plain(request, velocity_force(d));
-    case OutputKind::gravity:
-      return plain(request, gravity(d));
-    case OutputKind::potential_energy:
-      return plain(request, {potential_energy(d)});
-    case OutputKind::drift:
-      return plain(request, drift(d));
-    case OutputKind::dissipation:
-      return plain(request, dissipation(d));
-    case OutputKind::applied_force:
-      return plain(request, applied_force(d, InputForces::absent));
-    case OutputKind::bias:
-      return plain(request, bias(d, InputForces::absent));
-    case OutputKind::momentum:
-      return plain(request, momentum(d));
-    case OutputKind::kinetic_energy:
-      return plain(request, {kinetic_energy(d)});
-    case OutputKind::total_energy:
-      return plain(request, {total_energy(d)});
-    case OutputKind::energy_function:
-      return plain(request, {energy_function(d)});
-    case OutputKind::input_matrix:
-      return plain(request, input_matrix(d));
-    case OutputKind::inverse_dynamics:
-      return plain(request, inverse_dynamics(d));
-    case OutputKind::reaction:
-      return plain(request, reaction(d));
-    case OutputKind::forward_dynamics:
-      return accelerations(d);
-    case OutputKind::linearization:
-      return state_matrices(d);
-    case OutputKind::inverse_dynamics_derivatives:
-      return inverse_derivatives(d);
-    case OutputKind::forward_dynamics_derivatives:
-      return forward_derivatives(d);
-    case OutputKind::coordinate_rates:
-      return plain(request, coordinate_rates(d));
-    case OutputKind::normalized:
-      return plain(request, normalized(d));
-    case OutputKind::user_value:
-    case OutputKind::user_jacobian:
-    case OutputKind::user_bias:
-      return plain(request, user_value(d, request));
-    case OutputKind::dynamics:
-      break;
-  }
-  return {};
+Vector user_value(Derivation& /*derivation*/, const NamedOutput& output) { return output.values; }
+
+Vector user_jacobian(Derivation& derivation, const NamedOutput& output) {
+  return output.twist ? twist_jacobian(derivation, *output.twist)
+                      : jacobian(derivation, output.values);
+}
+
+Vector user_bias(Derivation& derivation, const NamedOutput& output) {
+  return output.twist ? twist_bias(derivation, *output.twist)
+                      : second_rate(derivation, output.values);
+}
+
+/// The function of each output, in the order of the table; what repeats others has none.
+constexpr Fields (*derivations[])(Derivation&, const OutputRequest&) = {
+#define ELGEN_OUTPUT(name) \
+  [](Derivation& d, const OutputRequest& request) { return fields(d, request, name(d)); },
+#define ELGEN_USER_OUTPUT(name)                                             \
+  [](Derivation& d, const OutputRequest& request) {                         \
+    return fields(d, request, name(d, d.lagrangian.outputs[request.user])); \
+  },
+#define ELGEN_SUMMARY(name) nullptr
+#include "elgen/outputs.def"
+};
+
+Fields derived(Derivation& derivation, const OutputRequest& request) {
+  return derivations[static_cast<std::size_t>(request.kind)](derivation, request);
 }
 
 /// Entries as symbols, so that every output, and what shares them, refers to definitions.
@@ -147,11 +112,11 @@ Result<EquationsOfMotion> derive(const Lagrangian& lagrangian,
   Derivation derivation(lagrangian);
   EquationsOfMotion equations;
   for (const OutputRequest& request : outputs) {
-    if (request.kind == OutputKind::dynamics) continue;  // made of the others
+    if (output_row(request.kind).repeats) continue;
     try {
-      OutputEquations derived{request, fields(derivation, request)};
-      define_entries(derivation, derived.fields);
-      equations.outputs.push_back(std::move(derived));
+      OutputEquations output{request, derived(derivation, request)};
+      define_entries(derivation, output.fields);
+      equations.outputs.push_back(std::move(output));
     } catch (const ZeroPivot& pivot) {
       return singular_mass(request, pivot, lagrangian.leaves);
     } catch (const GiNaC::pole_error&) {

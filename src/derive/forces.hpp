@@ -16,7 +16,7 @@ enum class Bodies : unsigned char { all, without_frames };
 [[nodiscard]] Vector residual(Derivation& derivation, InputForces inputs, Bodies bodies);
 
 /// C v + drift + g + dD/dv - Q; with the inputs acting, - Q - B u.
-[[nodiscard]] Vector bias(Derivation& derivation, InputForces inputs);
+[[nodiscard]] Vector bias(Derivation& derivation, InputForces inputs = InputForces::absent);
 
 /// C v: the part quadratic in v. L quadratic in v.
 [[nodiscard]] Vector velocity_force(Derivation& derivation, Bodies bodies = Bodies::all);
@@ -34,7 +34,8 @@ enum class Bodies : unsigned char { all, without_frames };
 [[nodiscard]] Vector dissipation(Derivation& derivation);
 
 /// Q: the declared forces with u = 0; with the inputs acting, Q + B u.
-[[nodiscard]] Vector applied_force(Derivation& derivation, InputForces inputs);
+[[nodiscard]] Vector applied_force(Derivation& derivation,
+                                   InputForces inputs = InputForces::absent);
 
 /// dL/dv = M v + b.
 [[nodiscard]] Vector momentum(Derivation& derivation);
