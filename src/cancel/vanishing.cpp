@@ -8,7 +8,6 @@
 
 #include "base/random.hpp"
 #include "evaluate/bounded.hpp"
-#include "evaluate/decimal.hpp"
 #include "lower/prune.hpp"
 
 namespace elgen {
@@ -19,9 +18,6 @@ using Values = std::vector<Value>;
 
 constexpr std::uint64_t first_seed = 1;
 constexpr std::uint64_t other_seed = 2;
-
-/// 1/10^digits.
-Real share(long digits) { return Real(cln::cl_R(1) / power_of_ten(digits)); }
 
 /// x below a share of y.
 bool is_below(const Real& x, const Real& y, const Real& share) {
@@ -47,7 +43,7 @@ bool is_kinked(const Instruction& i) {
 /// A sum of which one term is so small beside the other that twenty digits of it are gone, or a
 /// function that its argument hardly moves, or moves so much that its own digits are gone.
 bool hides_something(const Instruction& i, const Values& values, const Value& x) {
-  static const Real hidden = share(20);
+  static const Real hidden(power_of_ten(-20));
   if (i.opcode == Opcode::add || i.opcode == Opcode::subtract) {
     const Value& a = values[i.a];
     const Value& b = values[i.b];
@@ -61,7 +57,7 @@ bool hides_something(const Instruction& i, const Values& values, const Value& x)
 
 /// The value at the point: exactly 0 where it vanishes, lost where its digits do not tell.
 Value settled(const Instruction& i, const Values& values, Value x) {
-  static const Real vanished = share(40);
+  static const Real vanished(power_of_ten(-40));
   if (!x.value.is_defined() || operand_count(i) == 0) return x;
   x.lost = x.lost || hides_something(i, values, x);
   if (!x.lost && is_below(x.value, x.bound, vanished)) return {leaf_bound(Real(), true)};

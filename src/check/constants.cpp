@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/exact_number.hpp"
+
 namespace elgen::checking {
 namespace {
 
@@ -31,21 +33,15 @@ ConstantOutcome failure(Code code, std::string message, std::optional<std::size_
 
 ConstantOutcome too_large() { return failure(Code::E914, "is beyond 10^±10000"); }
 
-bool is_rational(const cl_R& x) { return cln:: instanceof (x, cln::cl_RA_ring); }
-
 cln::float_format_t format_of(int digits) {
   return cln::float_format(static_cast<uintE>(digits) + guard_digits);
 }
 
 cl_F as_float(const cl_R& x, int digits) { return cln::cl_float(x, format_of(digits)); }
 
-cl_R ten_to_minus(int digits) {
-  return cln::recip(cln::expt_pos(cl_RA(10), static_cast<uintL>(digits)));
-}
-
 /// 0 where |x| is below what rounding leaves of `scale`.
 cl_R without_rounding(const cl_R& x, const cl_R& scale, int digits) {
-  const bool noise = !is_rational(x) && cln::abs(x) < scale * ten_to_minus(digits - guard_digits);
+  const bool noise = !is_rational(x) && cln::abs(x) < scale * power_of_ten(guard_digits - digits);
   return noise ? cl_R(0) : x;
 }
 
@@ -146,7 +142,7 @@ ConstantOutcome tangent(const Operands& x) {
 
 ConstantOutcome inverse_sine_cosine(const Operands& x) {
   cl_R sine = x[0];
-  if (cln::abs(cln::abs(sine) - 1) < ten_to_minus(x.digits - guard_digits)) {
+  if (cln::abs(cln::abs(sine) - 1) < power_of_ten(guard_digits - x.digits)) {
     sine = cln::signum(cln::realpart(sine)) > 0 ? 1 : -1;
   }
   if (cln::abs(sine) > 1) {

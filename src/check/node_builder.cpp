@@ -1,10 +1,11 @@
 // Nodes that check writes itself. Operands come first, as everywhere in the arena.
 #include "node_builder.hpp"
 
-#include <cln/rational_ring.h>
 #include <cln/real.h>
 
 #include <utility>
+
+#include "base/exact_number.hpp"
 
 namespace elgen::checking {
 
@@ -20,7 +21,7 @@ ExpressionId NodeBuilder::push(Expression node) {
   (void)context_.constants.append(arena);
   const auto id = static_cast<ExpressionId>(arena.size() - 1);
   const auto& value = context_.constants[id];
-  if (value && cln:: instanceof (*value, cln::cl_RA_ring)) {
+  if (value && is_rational(*value)) {
     Expression folded;
     folded.number = cln::the<cln::cl_RA>(*value);
     folded.span = span_;
@@ -117,7 +118,7 @@ ExpressionId NodeBuilder::call(FunctionId function, ExpressionId argument) {
   if (!value) return id;
   // The sine of k pi/2 is known to 100 digits; that it is exactly -1, 0 or 1 is not seen there.
   const cln::cl_I nearest = cln::round1(*value);
-  if (cln::abs(*value - nearest) >= cln::expt(cln::cl_RA(10), -(constant_digits - 5))) return id;
+  if (cln::abs(*value - nearest) >= power_of_ten(5 - constant_digits)) return id;
   return number(nearest);
 }
 

@@ -5,10 +5,9 @@
 //                                    applied_force
 #include "read_dropping.hpp"
 
-#include <cln/rational_ring.h>
-
 #include <algorithm>
 
+#include "base/exact_number.hpp"
 #include "requests.hpp"
 #include "values.hpp"
 
@@ -26,7 +25,7 @@ class DroppingReader {
     dropping.span = key.value.span;
     const auto share = ValueReader(context_, Scope(context_.sizes)).constant(key.value);
     if (!share) return;
-    if (!cln::plusp(*share) || *share >= 1 || !cln:: instanceof (*share, cln::cl_RA_ring)) {
+    if (!cln::plusp(*share) || *share >= 1 || !is_rational(*share)) {
       refuse(dropping.span, "a share of the largest term is a rational number between 0 and 1");
       return;
     }

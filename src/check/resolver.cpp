@@ -1,11 +1,12 @@
 // Resolver, operators and numbers. Names are in resolve_name.cpp, calls in resolve_call.cpp.
 #include "resolver.hpp"
 
-#include <cln/rational_ring.h>
 #include <cln/real_ring.h>
 
 #include <algorithm>
 #include <utility>
+
+#include "base/exact_number.hpp"
 
 namespace elgen::checking {
 namespace {
@@ -91,7 +92,7 @@ std::optional<ExpressionId> Resolver::push(Expression expression) {
   }
   const auto id = static_cast<ExpressionId>(arena.size() - 1);
   const std::optional<cln::cl_R>& value = context_.constants[id];
-  if (value && cln:: instanceof (*value, cln::cl_RA_ring)) {
+  if (value && is_rational(*value)) {
     const Span span = node.span;
     node = Expression{};
     node.number = cln::the<cln::cl_RA>(*value);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/exact_number.hpp"
 #include "unit_expression.hpp"
 
 namespace elgen::checking {
@@ -12,7 +13,7 @@ namespace {
 constexpr std::array<std::string_view, 4> keys_of_numbers{"range", "wrap", "singular", "armature"};
 
 /// What decimals of a unit quaternion may be off.
-cln::cl_RA start_tolerance() { return cln::expt(cln::cl_RA(10), -9); }
+cln::cl_RA start_tolerance() { return power_of_ten(-9); }
 
 bool declare_velocities(Context& context, const NewName& name, std::uint32_t first) {
   for (std::uint32_t axis = 1; axis <= axis_count; ++axis) {

@@ -2,20 +2,18 @@
 #include "values.hpp"
 
 #include <cln/float.h>
-#include <cln/rational_ring.h>
 
 #include <algorithm>
 
+#include "base/exact_number.hpp"
 #include "resolver.hpp"
 
 namespace elgen::checking {
 namespace {
 
 cln::cl_R rounded(const cln::cl_R& value) {
-  if (cln:: instanceof (value, cln::cl_RA_ring)) {
-    return value;
-  }
-  return cln::cl_float(value, cln::float_format(constant_digits));
+  return is_rational(value) ? value
+                            : cln::cl_R(cln::cl_float(value, cln::float_format(constant_digits)));
 }
 
 }  // namespace
@@ -71,7 +69,7 @@ std::optional<FixedValue> ValueReader::constant_with_form(const ValueSyntax& val
   const std::size_t size = context_.model.expressions.size();
   const std::optional<ExpressionId> id = Resolver(context_, scope_).resolve(syntax);
   const std::optional<cln::cl_R> result = id ? context_.constants[*id] : std::optional<cln::cl_R>{};
-  const bool needs_form = result && !cln:: instanceof (*result, cln::cl_RA_ring);
+  const bool needs_form = result && !is_rational(*result);
   if (!needs_form) truncate(size);
   if (id && !result) {
     context_.report.add(Code::E319, syntax.span, quoted(syntax.span) + " is not a constant number");

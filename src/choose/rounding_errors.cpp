@@ -10,7 +10,6 @@
 
 #include "base/random.hpp"
 #include "evaluate/bounded.hpp"
-#include "evaluate/exact_value.hpp"
 #include "lower/linearise.hpp"
 
 namespace elgen {

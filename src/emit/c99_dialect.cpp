@@ -8,10 +8,9 @@
 #include <array>
 
 #include "emission_input.hpp"
-#include "evaluate/decimal.hpp"
+#include "evaluate/scalar_literal.hpp"
 #include "fields.hpp"
 #include "layout.hpp"
-#include "literal.hpp"
 #include "signature.hpp"
 
 namespace elgen {

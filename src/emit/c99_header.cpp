@@ -6,7 +6,7 @@
 
 #include "artifacts.hpp"
 #include "c99_dialect.hpp"
-#include "evaluate/decimal.hpp"
+#include "evaluate/scalar_literal.hpp"
 #include "header_data.hpp"
 #include "layout.hpp"
 #include "parameters.hpp"

@@ -11,8 +11,8 @@
 #include <cctype>
 #include <vector>
 
-#include "evaluate/decimal.hpp"
-#include "literal.hpp"
+#include "base/number_text.hpp"
+#include "evaluate/scalar_literal.hpp"
 #include "stamp.hpp"
 
 namespace elgen {
@@ -31,7 +31,7 @@ constexpr int irrational_digits = 66;
 constexpr long small_exponent = 6;
 
 Fraction fraction_of(const Decimal& decimal) {
-  const cln::cl_I scale = power_of_ten(std::abs(decimal.exponent));
+  const cln::cl_I scale = cln::numerator(power_of_ten(std::abs(decimal.exponent)));
   if (std::abs(decimal.exponent) > small_exponent)
     return {decimal.significand, 1, decimal.exponent};
   if (decimal.exponent < 0) return {decimal.significand, scale, 0};

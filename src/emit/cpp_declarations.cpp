@@ -8,7 +8,7 @@
 
 #include "check/output_units.hpp"
 #include "cpp_constant.hpp"
-#include "evaluate/decimal.hpp"
+#include "evaluate/scalar_literal.hpp"
 #include "parameters.hpp"
 
 namespace elgen {

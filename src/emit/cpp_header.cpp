@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include "artifacts.hpp"
+#include "base/number_text.hpp"
 #include "cpp_constant.hpp"
 #include "cpp_declarations.hpp"
 #include "cpp_dialect.hpp"
-#include "evaluate/decimal.hpp"
 #include "header_data.hpp"
 #include "layout.hpp"
 #include "parameters.hpp"

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
+#include "base/number_text.hpp"
 #include "check/output_units.hpp"
 #include "elgen/emitted_files.hpp"
-#include "evaluate/decimal.hpp"
 
 namespace elgen {
 namespace {
@@ -16,10 +16,6 @@ namespace {
 using cln::cl_RA;
 
 constexpr int digits = 3;
-
-cl_RA value_of(const Decimal& decimal) {
-  return decimal.significand * cln::expt(cl_RA(10), cln::cl_I(decimal.exponent));
-}
 
 /// The smallest number of so many digits that is not less.
 std::string rounded_up(const cl_RA& value) {

@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "evaluate/decimal.hpp"
+#include "base/number_text.hpp"
 #include "layout.hpp"
 
 namespace elgen {

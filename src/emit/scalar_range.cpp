@@ -3,7 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "evaluate/decimal.hpp"
+#include "base/number_text.hpp"
+#include "evaluate/scalar_literal.hpp"
 #include "parameters.hpp"
 
 namespace elgen {

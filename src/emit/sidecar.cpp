@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/number_text.hpp"
 #include "check/output_units.hpp"
-#include "evaluate/decimal.hpp"
 #include "fields.hpp"
 #include "layout.hpp"
 #include "parameters.hpp"

@@ -5,8 +5,6 @@
 #include <limits>
 #include <optional>
 
-#include "decimal.hpp"
-
 namespace elgen {
 namespace {
 

@@ -5,8 +5,8 @@
 // (an input times +- a power of two). What may underflow adds eta/u.
 #pragma once
 
+#include "base/exact_number.hpp"
 #include "dual.hpp"
-#include "exact_value.hpp"
 
 namespace elgen {
 

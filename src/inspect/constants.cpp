@@ -9,7 +9,6 @@
 // what has too few of them proves nothing.
 #include "check/constants.hpp"
 
-#include <cln/rational_ring.h>
 #include <cln/real_ring.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/exact_number.hpp"
 #include "checks.hpp"
 #include "elgen/references.hpp"
 #include "elgen/wording.hpp"
@@ -51,7 +51,7 @@ struct Growth {
 };
 
 double digits_of(const cl_R& number) {
-  if (!cln:: instanceof (number, cln::cl_RA_ring)) return 0;
+  if (!is_rational(number)) return 0;
   const auto rational = cln::the<cln::cl_RA>(number);
   const bool is_unit = cln::abs(rational) == 1 || cln::zerop(rational);
   return is_unit ? 0 : static_cast<double>(checking::digit_count(rational));
@@ -126,7 +126,7 @@ class Names {
     int digits = most_digits;
     for (const ExpressionId id : node.operands) {
       const cl_R& value = known_[id]->value;
-      if (cln:: instanceof (value, cln::cl_RA_ring)) continue;
+      if (is_rational(value)) continue;
       int lost = 0;
       if (node.kind == ExpressionKind::function) {
         lost = std::max(0, static_cast<int>(checking::decimal_exponent(value)) + 1);

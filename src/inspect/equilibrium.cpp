@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "base/exact_number.hpp"
 #include "checks.hpp"
 #include "readable.hpp"
 #include "samples.hpp"
@@ -111,7 +112,7 @@ std::string suggestion(const Model& model, const Balance& balance, std::size_t r
 Diagnostics unbalanced(const Model& model, const Balance& balance, const State& point,
                        bool own_values) {
   // The oracle's 64 digits less 24 for what cancels, as in verify.
-  static const cl_R tolerance = cln::expt(cl_R(10), -40);
+  static const cl_R tolerance = power_of_ten(-40);
   Diagnostics found;
   for (std::size_t q = 0; q < model.coordinates.size(); ++q) {
     if (!model.approximation->small[q]) continue;

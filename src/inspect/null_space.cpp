@@ -1,6 +1,8 @@
 // Gauss-Jordan elimination on scaled rows; columns without a pivot span the null space.
 #include "null_space.hpp"
 
+#include "base/exact_number.hpp"
+
 namespace elgen::inspection {
 namespace {
 
@@ -8,7 +10,7 @@ using cln::cl_R;
 
 /// Sixty digits are right; ten of them may have cancelled.
 const cl_R& vanishing_share() {
-  static const cl_R share = cln::expt(cl_R(10), -50);
+  static const cl_R share = power_of_ten(-50);
   return share;
 }
 
@@ -60,7 +62,7 @@ void eliminate(Elimination& e, std::size_t column) {
 }  // namespace
 
 const cl_R& rounding_share() {
-  static const cl_R share = cln::expt(cl_R(10), -80);
+  static const cl_R share = power_of_ten(-80);
   return share;
 }
 

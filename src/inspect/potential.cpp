@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "base/exact_number.hpp"
 #include "checks.hpp"
 #include "elgen/references.hpp"
 #include "samples.hpp"
@@ -109,7 +110,7 @@ bool falls_steadily(const Subject& subject, std::uint32_t point, const Direction
     if (!here || *here >= 0) return false;
     if (!first) first = here;
     // Equal to 50 digits: what a weight does and a spring does not.
-    if (cln::abs(*here - *first) > -*first * cln::expt(cl_R(10), -50)) return false;
+    if (cln::abs(*here - *first) > -*first * power_of_ten(-50)) return false;
   }
   return true;
 }

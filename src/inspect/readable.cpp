@@ -3,11 +3,10 @@
 
 #include <cln/float.h>
 #include <cln/integer.h>
-#include <cln/integer_io.h>
 #include <cln/rational.h>
 #include <fmt/format.h>
 
-#include <sstream>
+#include "base/number_text.hpp"
 
 namespace elgen::inspection {
 namespace {
@@ -18,23 +17,11 @@ using cln::cl_RA;
 
 constexpr int largest_denominator = 999;  // what a reader still sees as a number
 
-std::string text(const cl_I& integer) {
-  std::ostringstream stream;
-  stream << integer;
-  return stream.str();
-}
-
-std::string text(const cl_RA& fraction) {
-  const std::string numerator = text(cln::numerator(fraction));
-  const cl_I denominator = cln::denominator(fraction);
-  return denominator == 1 ? numerator : numerator + "/" + text(denominator);
-}
-
 }  // namespace
 
 std::string readable(const cl_R& x) {
   // What is left of 64 digits when terms of size 1 cancel.
-  if (cln::abs(x) < cln::expt(cl_R(10), -40)) return "0";
+  if (cln::abs(x) < power_of_ten(-40)) return "0";
   // Convergents h/k of the continued fraction of x, until one is near enough or too long.
   cl_I h = 1, h_before = 0, k = 0, k_before = 1;
   for (cl_R rest = x;;) {
@@ -49,7 +36,7 @@ std::string readable(const cl_R& x) {
     const cl_RA convergent = cl_RA(h) / k;
     // Four digits more than are printed, and far nearer than the 1e-6 at which fractions of such
     // denominators meet any number.
-    if (cln::abs(x - convergent) < cln::abs(x) * cln::expt(cl_R(10), -9)) return text(convergent);
+    if (cln::abs(x - convergent) < cln::abs(x) * power_of_ten(-9)) return number_text(convergent);
     rest = 1 / (rest - whole);
   }
   return fmt::format("{:.5g}", cln::double_approx(x));

@@ -8,6 +8,7 @@
 // of motion of the Lagrangian L = w.
 #include <fmt/format.h>
 
+#include "base/exact_number.hpp"
 #include "checks.hpp"
 #include "samples.hpp"
 
@@ -36,7 +37,7 @@ Model with_lagrangian(const Model& model, ExpressionId lagrangian) {
 
 /// What is left of terms of the size of `scale` when they cancel.
 bool vanishes(const cl_R& x, const cl_R& scale) {
-  return cln::abs(x) <= (1 + cln::abs(scale)) * cln::expt(cl_R(10), -50);
+  return cln::abs(x) <= (1 + cln::abs(scale)) * power_of_ten(-50);
 }
 
 /// True where the Euler-Lagrange expression differs from zero at a sampled state.

@@ -3,12 +3,11 @@
 
 #include <cln/integer.h>
 #include <cln/rational.h>
-#include <cln/real_io.h>
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <locale>
-#include <sstream>
+
+#include "base/number_text.hpp"
 
 namespace elgen {
 namespace {
@@ -29,12 +28,10 @@ std::string operand(const Text& x, Binding binding) {
 }
 
 Text written_number(const cln::cl_RA& number) {
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  out << number;
-  if (cln::minusp(number)) return {out.str(), Binding::sum};
+  const std::string text = number_text(number);
+  if (cln::minusp(number)) return {text, Binding::sum};
   const bool is_integer = cln::denominator(number) == 1;
-  return {out.str(), is_integer ? Binding::atom : Binding::product};
+  return {text, is_integer ? Binding::atom : Binding::product};
 }
 
 Text written_sum(const std::vector<ConstantPart>& terms) {

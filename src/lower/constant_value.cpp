@@ -5,12 +5,12 @@
 // digits cancel, or an angle is large, the form is evaluated again with more.
 #include <cln/float.h>
 #include <cln/rational.h>
-#include <cln/rational_ring.h>
 #include <cln/real.h>
 
 #include <algorithm>
 #include <array>
 
+#include "base/exact_number.hpp"
 #include "elgen/constant.hpp"
 
 namespace elgen {
@@ -32,10 +32,7 @@ constexpr int guard_digits = 10;
 /// Larger arguments of exp, sinh and cosh leave the exponents that numbers here may have.
 constexpr long largest_exponent = 100'000;
 
-cl_RA ten_to_minus(int exponent) { return cln::expt(cl_RA(10), -exponent); }
-
 bool is_exact(const Enclosure& x) { return cln::zerop(x.error); }
-bool is_rational(const cl_R& x) { return cln:: instanceof (x, cln::cl_RA_ring); }
 
 cl_R largest(const Enclosure& x) { return cln::abs(x.value) + x.error; }
 /// The least magnitude; not above 0 where 0 is enclosed.
@@ -47,7 +44,7 @@ class Evaluation {
  public:
   explicit Evaluation(int digits)
       : format_(cln::float_format(static_cast<std::uintptr_t>(digits))),
-        roundoff_(cln::cl_float(ten_to_minus(digits - guard_digits), bound_format())) {}
+        roundoff_(cln::cl_float(power_of_ten(guard_digits - digits), bound_format())) {}
 
   [[nodiscard]] Enclosed operator()(const ConstantForm& form) const {
     std::vector<Enclosure> parts;
@@ -72,7 +69,7 @@ class Evaluation {
   /// Bounds need few digits; the last factor covers their own rounding.
   [[nodiscard]] Enclosure rounded(const cl_R& value, const cl_R& error) const {
     const cl_F bound = cln::cl_float(error + roundoff_ * cln::abs(value), bound_format());
-    return {value, bound + bound * cln::cl_float(ten_to_minus(15), bound_format())};
+    return {value, bound + bound * cln::cl_float(power_of_ten(-15), bound_format())};
   }
 
   /// An argument as functions take it.
@@ -258,10 +255,10 @@ std::optional<Enclosure> enclosure_of(const ConstantForm& form) {
     const Enclosed found = Evaluation(digits)(form);
     if (!found) continue;
     last = found;
-    if (found->error <= ten_to_minus(promised_digits) * cln::abs(found->value)) return found;
+    if (found->error <= power_of_ten(-promised_digits) * cln::abs(found->value)) return found;
   }
   // What cancels to so little at full length is taken for 0; what is unknown has no value.
-  const bool is_negligible = last && last->error <= ten_to_minus(promised_digits);
+  const bool is_negligible = last && last->error <= power_of_ten(-promised_digits);
   return is_negligible ? last : std::nullopt;
 }
 

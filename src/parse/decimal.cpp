@@ -2,11 +2,12 @@
 #include "decimal.hpp"
 
 #include <cln/integer.h>
-#include <cln/integer_io.h>
 #include <fmt/format.h>
 
 #include <charconv>
-#include <sstream>
+#include <limits>
+
+#include "base/number_text.hpp"
 
 namespace elgen::parsing {
 
@@ -55,19 +56,6 @@ bool exceeds(const std::string& digits, std::uint64_t limit) {
   const char* end = digits.data() + digits.size();
   const auto read = std::from_chars(digits.data(), end, value);
   return read.ec == std::errc::result_out_of_range || value > limit;
-}
-
-cln::cl_I power_of_ten(std::size_t exponent) {
-  const cln::cl_I ten = 10;
-  return exponent == 0 ? cln::cl_I(1) : cln::expt_pos(ten, cln::cl_I(exponent));
-}
-
-/// CLN's own output goes by a global base; a stream of its own keeps it plain.
-std::string integer_text(const cln::cl_I& value) {
-  std::ostringstream stream;
-  stream.imbue(std::locale::classic());
-  stream << value;
-  return stream.str();
 }
 
 }  // namespace
@@ -133,31 +121,20 @@ cln::cl_RA decimal_value(const DecimalParts& parts) {
   const cln::cl_I digits = cln::cl_I(parts.digits.c_str());
   std::size_t exponent = 0;
   std::from_chars(parts.exponent.data(), parts.exponent.data() + parts.exponent.size(), exponent);
-  const cln::cl_RA scaled = parts.negative_exponent ? cln::cl_RA(digits) / power_of_ten(exponent)
-                                                    : cln::cl_RA(digits * power_of_ten(exponent));
-  return scaled / power_of_ten(parts.fraction);
+  const auto power = static_cast<long>(exponent);
+  const auto fraction = static_cast<long>(parts.fraction);
+  return digits * power_of_ten((parts.negative_exponent ? -power : power) - fraction);
 }
 
 std::string decimal_text(const cln::cl_RA& value) {
-  cln::cl_I numerator = cln::numerator(value);
-  cln::cl_I denominator = cln::denominator(value);
-  long exponent = 0;
-  // A factor 2 or 5 left in the denominator is cleared by one more decimal place.
-  while (cln::gcd(denominator, 10) != 1) {
-    const cln::cl_RA next = cln::cl_RA(numerator * 10) / denominator;
-    numerator = cln::numerator(next);
-    denominator = cln::denominator(next);
-    --exponent;
-  }
-  if (denominator != 1) {
-    return integer_text(cln::numerator(value)) + "/" + integer_text(cln::denominator(value));
-  }
-  if (exponent == 0) return integer_text(numerator);
-  std::string digits = integer_text(cln::abs(numerator));
-  const std::string sign = cln::minusp(numerator) ? "-" : "";
+  const std::optional<Decimal> decimal = exact_decimal(value, std::numeric_limits<long>::max());
+  if (!decimal || decimal->exponent >= 0) return number_text(value);
+  std::string digits = integer_text(cln::abs(decimal->significand));
+  const std::string sign = cln::minusp(value) ? "-" : "";
   constexpr long most_places = 30;  // longer ones are read more easily with an exponent
-  if (-exponent > most_places) return fmt::format("{}{}e{}", sign, digits, exponent);
-  const auto places = static_cast<std::size_t>(-exponent);
+  if (-decimal->exponent > most_places)
+    return fmt::format("{}{}e{}", sign, digits, decimal->exponent);
+  const auto places = static_cast<std::size_t>(-decimal->exponent);
   if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
   digits.insert(digits.size() - places, 1, '.');
   return sign + digits;

@@ -1,20 +1,11 @@
 // Closed forms as text: every term of every sum, in the order of the algebra.
-#include <cln/rational_io.h>
 #include <fmt/format.h>
 
-#include <sstream>
-
+#include "base/number_text.hpp"
 #include "elgen/closed_forms.hpp"
 
 namespace elgen {
 namespace {
-
-std::string number_text(const cln::cl_RA& value) {
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  out << value;
-  return out.str();
-}
 
 std::string polynomial_text(const Polynomial& sum) {
   if (sum.empty()) return "0";

@@ -3,9 +3,10 @@
 
 #include <cln/float.h>
 #include <cln/integer.h>
-#include <cln/rational_ring.h>
 
 #include <algorithm>
+
+#include "base/exact_number.hpp"
 
 namespace elgen::presenting {
 
@@ -16,7 +17,7 @@ namespace {
 
 /// Irrational numbers are kept to 100 digits.
 cl_RA uncertainty(const cl_RA& value) {
-  static const cl_RA relative = cln::expt(cl_RA(10), -90);
+  static const cl_RA relative = power_of_ten(-90);
   return cln::abs(value) * relative;
 }
 
@@ -37,9 +38,8 @@ Enclosure enclosure_of(const cln::cl_R& value) { return enclosure_of(value, valu
 
 Enclosure enclosure_of(const cln::cl_R& low, const cln::cl_R& high) {
   Enclosure result{cln::rational(low), cln::rational(high)};
-  if (!cln:: instanceof (low, cln::cl_RA_ring)) result.low = result.low - uncertainty(result.low);
-  if (!cln:: instanceof (high, cln::cl_RA_ring))
-    result.high = result.high + uncertainty(result.high);
+  if (!is_rational(low)) result.low = result.low - uncertainty(result.low);
+  if (!is_rational(high)) result.high = result.high + uncertainty(result.high);
   return result;
 }
 

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/number_text.hpp"
 #include "bounds.hpp"
-#include "evaluate/decimal.hpp"
 #include "polynomial.hpp"
 
 namespace elgen::presenting {

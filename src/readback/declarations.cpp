@@ -8,7 +8,7 @@
 
 #include "check/output_units.hpp"
 #include "elgen/wording.hpp"
-#include "evaluate/decimal.hpp"
+#include "evaluate/scalar_literal.hpp"
 #include "literal.hpp"
 #include "number_reader.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "evaluate/decimal.hpp"
+#include "evaluate/scalar_literal.hpp"
 
 namespace elgen::reading {
 

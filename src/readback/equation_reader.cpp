@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
+#include "base/number_text.hpp"
 #include "elgen/wording.hpp"
-#include "evaluate/decimal.hpp"
 #include "states.hpp"
 
 namespace elgen::reading {
@@ -106,7 +106,7 @@ std::string EquationReader::number(const cln::cl_R& value, const std::string& te
   Evaluated result;
   const Real written = this->value(*syntax, result);
   const Real difference = abs(written - Real(value));
-  const Real tolerance = abs(Real(value)) * Real(cln::cl_RA(1) / power_of_ten(agreeing_digits));
+  const Real tolerance = abs(Real(value)) * Real(power_of_ten(-agreeing_digits));
   const bool is_right = written.is_defined() && difference.value() <= tolerance.value();
   return is_right ? "" : fmt::format("{} is not {}", quoted(text), exact_text(value));
 }
@@ -119,7 +119,7 @@ std::string EquationReader::compare(std::uint32_t instruction, const std::string
   for (const std::string& name : written.used) {
     if (defined_.count(name) == 0) return quoted(name) + " is not defined here";
   }
-  const Real relative(cln::cl_RA(1) / power_of_ten(agreeing_digits));
+  const Real relative(power_of_ten(-agreeing_digits));
   for (std::size_t i = 0; i < states_.size(); ++i) {
     const Real& derived = known.instructions[i][instruction];
     if (!derived.is_defined()) continue;

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "elgen/wording.hpp"
-#include "evaluate/decimal.hpp"
+#include "evaluate/scalar_literal.hpp"
 #include "literal.hpp"
 
 namespace elgen::reading {

@@ -7,7 +7,7 @@
 
 #include "comment_reader.hpp"
 #include "declarations.hpp"
-#include "evaluate/decimal.hpp"
+#include "evaluate/scalar_literal.hpp"
 #include "function_reader.hpp"
 #include "number_reader.hpp"
 #include "operation_table.hpp"

@@ -1,9 +1,8 @@
 // literal: the digits are read as those of a model are, never through a binary number.
 #include "literal.hpp"
 
+#include "base/number_text.hpp"
 #include "elgen/evaluate.hpp"
-#include "evaluate/decimal.hpp"
-#include "evaluate/exact_value.hpp"
 #include "parse/decimal.hpp"
 
 namespace elgen::reading {
@@ -11,11 +10,6 @@ namespace {
 
 constexpr std::string_view suffixes = "fFlL";
 constexpr int long_double_digits = 40;
-
-cln::cl_R value_of(const Decimal& decimal) {
-  return decimal.exponent < 0 ? cln::cl_RA(decimal.significand) / power_of_ten(-decimal.exponent)
-                              : cln::cl_RA(decimal.significand * power_of_ten(decimal.exponent));
-}
 
 template <class Scalar>
 bool has_one_nearest(const cln::cl_R& x, const cln::cl_R& y) {

@@ -4,9 +4,10 @@
 #include <cln/integer.h>
 #include <fmt/format.h>
 
+#include "base/number_text.hpp"
 #include "elgen/constant.hpp"
 #include "elgen/wording.hpp"
-#include "evaluate/decimal.hpp"
+#include "evaluate/scalar_literal.hpp"
 #include "literal.hpp"
 
 namespace elgen::reading {
@@ -63,13 +64,9 @@ void read_fraction(TokenReader& tokens, const cln::cl_R& magnitude) {
   const cln::cl_I denominator = read_chunks(tokens);
   const long exponent = read_exponent(tokens);
   if (cln::zerop(denominator)) fail_number(tokens, first, magnitude);
-  const cln::cl_RA scale =
-      exponent < 0 ? cln::cl_RA(1) / power_of_ten(-exponent) : cln::cl_RA(power_of_ten(exponent));
-  const cln::cl_RA written = numerator / cln::cl_RA(denominator) * scale;
+  const cln::cl_RA written = numerator / cln::cl_RA(denominator) * power_of_ten(exponent);
   if (written == magnitude) return;
-  const Decimal digits = rounded_decimal(magnitude, irrational_digits);
-  const cln::cl_RA nearest =
-      digits.significand * cln::expt(cln::cl_RA(10), cln::cl_I(digits.exponent));
+  const cln::cl_RA nearest = value_of(rounded_decimal(magnitude, irrational_digits));
   if (is_rational(magnitude) || written != nearest) fail_number(tokens, first, magnitude);
 }
 

@@ -7,7 +7,6 @@
 
 #include "check/output_units.hpp"
 #include "elgen/wording.hpp"
-#include "evaluate/decimal.hpp"
 #include "token_reader.hpp"
 
 namespace elgen::reading {

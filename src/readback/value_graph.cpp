@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "evaluate/decimal.hpp"
+#include "base/number_text.hpp"
 
 namespace elgen::reading {
 namespace {

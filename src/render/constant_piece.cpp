@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
+#include "base/number_text.hpp"
 #include "equations.hpp"
-#include "evaluate/decimal.hpp"
 #include "symbols.hpp"
 
 namespace elgen::rendering {

@@ -1,8 +1,8 @@
 // scene_notes: what a reader must know of a scene to read its equations.
 #include <fmt/format.h>
 
+#include "base/number_text.hpp"
 #include "elgen/render.hpp"
-#include "evaluate/decimal.hpp"
 
 namespace elgen {
 namespace {

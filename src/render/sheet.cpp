@@ -1,8 +1,8 @@
 // sheet: Model, Scene, Program -> what a page shows.
 #include <fmt/format.h>
 
+#include "base/number_text.hpp"
 #include "elgen/render.hpp"
-#include "evaluate/decimal.hpp"
 #include "headings.hpp"
 #include "symbols.hpp"
 

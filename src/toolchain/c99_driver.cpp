@@ -6,7 +6,7 @@
 #include "emit/arguments.hpp"
 #include "emit/emission_input.hpp"
 #include "emit/fields.hpp"
-#include "evaluate/decimal.hpp"
+#include "evaluate/scalar_literal.hpp"
 
 namespace elgen {
 namespace {

@@ -7,7 +7,7 @@
 #include "emit/cpp_names.hpp"
 #include "emit/emission_input.hpp"
 #include "emit/fields.hpp"
-#include "evaluate/decimal.hpp"
+#include "evaluate/scalar_literal.hpp"
 
 namespace elgen {
 namespace {

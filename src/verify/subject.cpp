@@ -54,8 +54,6 @@ void scale_to_length_one(const Model& model, State& state) {
 
 }  // namespace
 
-cl_R power_of_ten(int exponent) { return cln::expt(cln::cl_RA(10), exponent); }
-
 template <class Scalar>
 State exact_state(const Subject& subject, const Arguments<Scalar>& arguments) {
   State state = map_leaves(
@@ -105,7 +103,7 @@ std::string short_text(const cl_R& value) {
   // Beyond double: the leading digit by a power of ten from the binary exponent.
   const auto exponent = static_cast<long>(cln::float_exponent(number));
   const long decimal = std::lround(std::floor(static_cast<double>(exponent) * 0.30103));
-  const cl_R scaled = value / power_of_ten(static_cast<int>(decimal));
+  const cl_R scaled = value / power_of_ten(decimal);
   return fmt::format("{:.3g}e{}", ScalarTraits<double>::from_real(scaled), decimal);
 }
 

@@ -4,12 +4,12 @@
 
 #include <string>
 
+#include "base/exact_number.hpp"
 #include "elgen/evaluate.hpp"
 #include "elgen/model.hpp"
 #include "elgen/oracle.hpp"
 #include "elgen/program.hpp"
 #include "elgen/scene.hpp"
-#include "evaluate/exact_value.hpp"
 
 namespace elgen {
 
@@ -18,9 +18,6 @@ struct Subject {
   const Scene& scene;
   const Program& program;
 };
-
-/// 10^exponent. (CLN reads decimals as short floats, which underflow.)
-[[nodiscard]] cln::cl_R power_of_ten(int exponent);
 
 /// The exact state the oracle gets for binary inputs; fixed parameters stay the exact numbers they
 /// are, and quaternions get the length 1 that rounding took from them. Scalar: double or float.

@@ -9,6 +9,13 @@
 namespace elgen {
 namespace {
 
+using cln::cl_R;
+using cln::cl_RA;
+
+cl_RA ratio(long numerator, long denominator) {
+  return cl_RA(cln::cl_I(numerator)) / cl_RA(cln::cl_I(denominator));
+}
+
 TEST_CASE("rationals are printed exactly") {
   CHECK(number_text(0) == "0");
   CHECK(number_text(-7) == "-7");
@@ -33,6 +40,34 @@ TEST_CASE("what rounds up to a power of ten takes its exponent") {
   CHECK(number_text(-below_ten / 1000) == "-1.00000000000000000000000000000e-2");
   const cln::cl_RA nines = 10 - cln::expt(cln::cl_RA(10), -29);
   CHECK(number_text(cln::cl_float(nines, format)) == "9.99999999999999999999999999999e0");
+}
+
+TEST_CASE("exact decimals") {
+  const auto text = [](const cl_R& value) { return literal_text(*exact_decimal(value)); };
+  CHECK(text(0) == "0.0");
+  CHECK(text(2) == "2.0");
+  CHECK(text(-1500) == "-1500.0");
+  CHECK(text(ratio(981, 100)) == "9.81");
+  CHECK(text(ratio(1, 2000)) == "0.0005");
+  CHECK(text(ratio(1, 20000)) == "5e-5");
+  CHECK(text(power_of_ten(-300)) == "1e-300");
+  CHECK(text(ratio(602, 100) * power_of_ten(23)) == "6.02e23");
+  CHECK_FALSE(exact_decimal(ratio(1, 3)));
+  CHECK_FALSE(exact_decimal(cln::pi(cln::float_format(100))));
+}
+
+TEST_CASE("texts to read") {
+  CHECK(exact_text(1) == "1");
+  CHECK(exact_text(ratio(1, 2)) == "0.5");
+  CHECK(exact_text(ratio(-2, 3)) == "-2/3");
+  CHECK(exact_text(cln::pi(cln::float_format(100))) ==
+        "3.1415926535897932384626433832795028841971693993751");
+}
+
+TEST_CASE("rounding to significant digits") {
+  CHECK(literal_text(rounded_decimal(ratio(2, 3), 5)) == "0.66667");
+  CHECK(literal_text(rounded_decimal(ratio(999999, 1000), 3)) == "1000.0");
+  CHECK(literal_text(rounded_decimal(0, 3)) == "0.0");
 }
 
 TEST_CASE("the locale does not show") {

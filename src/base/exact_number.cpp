@@ -1,14 +1,18 @@
-// Significand times a power of two.
-#include "exact_value.hpp"
+// Significand times a power of the base.
+#include "exact_number.hpp"
 
 #include <cln/integer.h>
-#include <cln/rational.h>
+#include <cln/rational_ring.h>
 
 #include <cmath>
 
 namespace elgen {
 
-cln::cl_R exact_value(double value) {
+bool is_rational(const cln::cl_R& value) { return cln:: instanceof (value, cln::cl_RA_ring); }
+
+cln::cl_RA power_of_ten(long exponent) { return cln::expt(cln::cl_RA(10), cln::cl_I(exponent)); }
+
+cln::cl_RA exact_value(double value) {
   if (!std::isfinite(value)) return 0;
   // CLN has no denormals, so the exponent is applied to an integer significand.
   int exponent = 0;

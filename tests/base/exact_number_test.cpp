@@ -1,5 +1,5 @@
-// Binary numbers as rationals.
-#include "evaluate/exact_value.hpp"
+// Powers of ten, and binary numbers as rationals.
+#include "base/exact_number.hpp"
 
 #include <cln/rational.h>
 #include <cln/rational_io.h>
@@ -15,4 +15,10 @@ TEST_CASE("binary numbers become the rationals they are, denormals too") {
   CHECK(exact_value(0) == 0);
   const cln::cl_RA smallest = 1 / cln::expt(cln::cl_RA(2), 1074);
   CHECK(exact_value(std::numeric_limits<double>::denorm_min()) == smallest);
+}
+
+TEST_CASE("powers of ten are exact in both directions") {
+  CHECK(power_of_ten(0) == 1);
+  CHECK(power_of_ten(3) == 1000);
+  CHECK(power_of_ten(-400) * power_of_ten(400) == 1);
 }

@@ -1,0 +1,17 @@
+// Exact numbers: powers of ten, and binary numbers as the rationals they are.
+#pragma once
+
+#include <cln/rational.h>
+#include <cln/real.h>
+
+namespace elgen {
+
+[[nodiscard]] bool is_rational(const cln::cl_R& value);
+
+/// 10^exponent. (CLN reads decimals as short floats, which underflow.)
+[[nodiscard]] cln::cl_RA power_of_ten(long exponent);
+
+/// The rational a binary number is; 0 where it is none.
+[[nodiscard]] cln::cl_RA exact_value(double value);
+
+}  // namespace elgen
