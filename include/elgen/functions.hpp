@@ -37,4 +37,12 @@ inline constexpr std::array function_table{
   return function_table[static_cast<std::size_t>(id)];
 }
 
+/// Null where no function has that name.
+[[nodiscard]] constexpr const FunctionRow* find_function(std::string_view name) {
+  for (const FunctionRow& row : function_table) {
+    if (row.name == name) return &row;
+  }
+  return nullptr;
+}
+
 }  // namespace elgen

@@ -18,15 +18,6 @@ namespace {
 
 constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
 
-std::optional<FunctionId> find_function(std::string_view name) {
-  for (const FunctionRow& row : function_table) {
-    if (row.name == name) {
-      return row.id;
-    }
-  }
-  return std::nullopt;
-}
-
 constexpr std::array composites{
 #define ELGEN_COMPOSITE(name, arity, definition) Resolver::Composite{#name, arity, definition},
 #include "composite_functions.def"
@@ -85,8 +76,8 @@ const std::vector<std::string>& function_names() {
 }
 
 std::optional<ExpressionId> Resolver::resolve_call(const ExpressionSyntax& call) {
-  if (const auto function = find_function(call.text)) {
-    return resolve_function(call, *function);
+  if (const FunctionRow* function = find_function(call.text)) {
+    return resolve_function(call, function->id);
   }
   if (const Composite* composite = find_composite(call.text)) {
     return resolve_composite(call, *composite);

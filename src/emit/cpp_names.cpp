@@ -90,9 +90,7 @@ Diagnostics cpp_check_names(const Model& model, const Scene& scene, const Progra
 }
 
 std::string cpp_temporary(const std::string& name) {
-  const auto is_called = [&name](const FunctionRow& row) { return row.name == name; };
-  const bool is_function =
-      name == "sqrt" || std::any_of(function_table.begin(), function_table.end(), is_called);
+  const bool is_function = name == "sqrt" || find_function(name) != nullptr;
   const bool hides = is_function || is_emitted_name(name) || contains(arguments, name);
   return hides ? name + "_" : name;
 }

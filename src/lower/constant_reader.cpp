@@ -25,10 +25,9 @@ std::optional<std::vector<Ref>> read_all(Graph& graph, const std::vector<Express
 
 Read read_call(Graph& graph, const std::string& name, const std::vector<Ref>& arguments) {
   if (name == "sqrt" && arguments.size() == 1) return graph.square_root(arguments.front());
-  for (const FunctionRow& row : function_table) {
-    if (row.name == name && row.arity == arguments.size()) return graph.call(row.id, arguments);
-  }
-  return std::nullopt;
+  const FunctionRow* row = find_function(name);
+  const bool is_known = row != nullptr && row->arity == arguments.size();
+  return is_known ? Read(graph.call(row->id, arguments)) : std::nullopt;
 }
 
 Read read_power(Graph& graph, Ref base, Ref exponent) {

@@ -110,9 +110,8 @@ class Importer {
     if (name.rfind(kinked, 0) == 0) name.erase(0, kinked.size());
     std::vector<Ref> arguments;
     for (std::size_t i = 0; i < e.nops(); ++i) arguments.push_back(import(e.op(i)));
-    for (const FunctionRow& row : function_table) {
-      if (row.name == name && row.arity == arguments.size()) return graph.call(row.id, arguments);
-    }
+    const FunctionRow* row = find_function(name);
+    if (row != nullptr && row->arity == arguments.size()) return graph.call(row->id, arguments);
     return fail(Code::E912, fmt::format("cannot import the GiNaC function `{}`", name));
   }
 

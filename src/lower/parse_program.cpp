@@ -151,13 +151,11 @@ class Reader {
       instruction.opcode = row.id;
       return true;
     }
-    for (const FunctionRow& row : function_table) {
-      if (row.name != word) continue;
-      instruction.opcode = Opcode::call;
-      instruction.function = row.id;
-      return true;
-    }
-    return false;
+    const FunctionRow* row = find_function(word);
+    if (row == nullptr) return false;
+    instruction.opcode = Opcode::call;
+    instruction.function = row->id;
+    return true;
   }
 
   bool read_operands(const Words& words, Instruction& instruction) {

@@ -186,12 +186,10 @@ std::optional<FunctionId> ExpressionReader::function_named(std::string_view name
   if (is_c && name.starts_with(prefix)) return kinked_function(name.substr(prefix.size()));
   const std::string_view plain = without_suffix(name);
   if (is_c && plain == "fabs") return FunctionId::abs;
-  for (const FunctionRow& row : function_table) {
-    const bool has_kinks = row.use == FunctionUse::forces;
-    const bool is_library = !has_kinks || (!is_c && row.id == FunctionId::abs);
-    if (is_library && row.name == plain) return row.id;
-  }
-  return std::nullopt;
+  const FunctionRow* row = find_function(plain);
+  const bool is_library =
+      row != nullptr && (row->use != FunctionUse::forces || (!is_c && row->id == FunctionId::abs));
+  return is_library ? std::optional(row->id) : std::nullopt;
 }
 
 Value ExpressionReader::call(const CodeToken& name) {
