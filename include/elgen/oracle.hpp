@@ -35,6 +35,16 @@ using State = LeafValues<cln::cl_R>;
 /// Replaces every quaternion by a rational one of length 1, made of its last three components.
 void make_unit_quaternions(const Model& model, State& state);
 
+class Random;
+
+/// Those that are not fixed at half to twice their value; one that is 0 at a positive number up
+/// to 1.
+void draw_parameters(const FixedParameters& fixed, Random& random, State& state);
+
+/// Everything but parameters somewhere: in the declared range, else in [-1, 1], outside of which a
+/// model need not have values; quaternions of length 1.
+void draw_motion(const Model& model, Random& random, State& state);
+
 /// Values of one field after another, row-major; empty where an intermediate left the domain
 /// (sqrt(-1), 1/0).
 using OracleValues = std::optional<std::vector<cln::cl_R>>;

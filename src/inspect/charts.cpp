@@ -47,7 +47,8 @@ std::string breaking_values(const Subject& subject, const MassSample& regular, s
     if (!contains(subject.model.coordinates[i].range, special.value)) continue;
     State state = regular.state;
     state.q[i] = special.value;
-    const OracleValues matrix = mass_matrix(subject.model, state);
+    const OracleValues matrix =
+        oracle_values(subject.model, {.kind = OutputKind::mass_matrix}, state);
     if (!matrix || null_space(*matrix, scales).empty()) continue;
     names += (names.empty() ? "" : ", ") + std::string(special.name);
   }

@@ -7,9 +7,10 @@
 #include <algorithm>
 
 #include "base/exact_number.hpp"
+#include "base/random.hpp"
 #include "checks.hpp"
+#include "elgen/oracle.hpp"
 #include "readable.hpp"
-#include "samples.hpp"
 
 namespace elgen::inspection {
 namespace {
@@ -27,16 +28,10 @@ struct Balance {
 
 /// The first at the parameters' own values, zeros too, the others elsewhere.
 State varied_state(const Subject& subject, unsigned seed) {
-  State state = sampled_state(subject, seed);
-  if (seed == 0) {
-    state.parameters = nominal_state(subject.model, subject.scene).parameters;
-    return state;
-  }
-  for (std::uint32_t i = 0; i < state.parameters.size(); ++i) {
-    const bool is_fixed = subject.scene.specialisation.fixed.count(i) > 0;
-    const auto share = static_cast<int>(seed * (37 * i + 13) % 101);
-    if (!is_fixed) state.parameters[i] = state.parameters[i] * (cln::cl_RA(137 + share) / 137);
-  }
+  Random random(seed);
+  State state = nominal_state(subject.model, subject.scene);
+  if (seed > 0) draw_parameters(subject.scene.specialisation.fixed, random, state);
+  draw_motion(subject.model, random, state);
   return state;
 }
 

@@ -9,14 +9,11 @@
 
 namespace elgen::inspection {
 
-/// Coordinates in their range, or [-2, 2]; rates in theirs, or [-1, 1]. Run-time parameters whose
-/// value is 0 are sampled too: zero is a default there, not a property of the system.
+/// Everything that moves as draw_motion() has it. Run-time parameters whose value is 0 are sampled
+/// too: zero is a default there, not a property of the system.
 [[nodiscard]] State sampled_state(const Subject& subject, unsigned seed);
 
-/// M at a state, row-major.
-[[nodiscard]] OracleValues mass_matrix(const Model& model, const State& state);
-
-/// A state at which M has a value, and M there; empty where a few attempts found none.
+/// A state at which M has a value, and M there, row-major; empty where a few attempts found none.
 struct MassSample {
   State state;
   std::vector<cln::cl_R> matrix;

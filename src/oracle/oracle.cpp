@@ -3,6 +3,7 @@
 
 #include <cln/exception.h>
 
+#include "base/random.hpp"
 #include "mechanics.hpp"
 #include "output_values.hpp"
 #include "real_functions.hpp"
@@ -33,6 +34,11 @@ auto guarded(const Computation& computation) -> std::optional<decltype(computati
   return value;
 }
 
+cl_R within(const std::optional<Interval>& range, Random& random) {
+  const cln::cl_RA r = random.rational();
+  return range ? range->low + (range->high - range->low) * cln::abs(r) : cl_R(r);
+}
+
 }  // namespace
 
 State nominal_state(const Model& model, const Scene& scene) {
@@ -48,6 +54,30 @@ State nominal_state(const Model& model, const Scene& scene) {
   state.a = state.v;
   state.u.assign(model.inputs.size(), cl_R(0));
   return state;
+}
+
+void draw_parameters(const FixedParameters& fixed, Random& random, State& state) {
+  for (std::uint32_t i = 0; i < state.parameters.size(); ++i) {
+    if (fixed.count(i) > 0) continue;
+    cl_R& parameter = state.parameters[i];
+    const cln::cl_RA r = cln::abs(random.rational());
+    parameter = cln::zerop(parameter) ? cl_R(r) : parameter * (cln::cl_RA(1) / 2 + r * 3 / 2);
+  }
+}
+
+void draw_motion(const Model& model, Random& random, State& state) {
+  for (std::size_t i = 0; i < state.q.size(); ++i) {
+    state.q[i] = within(model.coordinates[i].range, random);
+  }
+  for (std::size_t i = 0; i < state.v.size(); ++i) {
+    state.v[i] = within(model.velocities[i].rate_range, random);
+  }
+  for (cl_R& a : state.a) a = random.rational();
+  for (std::size_t i = 0; i < state.u.size(); ++i) {
+    state.u[i] = within(model.inputs[i].limits, random);
+  }
+  state.t = random.rational();
+  make_unit_quaternions(model, state);
 }
 
 OracleValues oracle_values(const Model& model, const OutputRequest& output, const State& state) {

@@ -7,8 +7,9 @@
 #include <algorithm>
 
 #include "base/number_text.hpp"
+#include "base/random.hpp"
+#include "elgen/oracle.hpp"
 #include "elgen/wording.hpp"
-#include "states.hpp"
 
 namespace elgen::reading {
 namespace {
@@ -53,6 +54,18 @@ std::string short_value(const Real& value) {
   return literal_text(rounded_decimal(value.value(), digits));
 }
 
+/// Parameters at their values, everything else somewhere inside its range.
+std::vector<Arguments<Real>> comparison_states(const Model& model) {
+  std::vector<Arguments<Real>> states;
+  Random random(1);
+  while (states.size() < state_count) {
+    State state = nominal_state(model, {});
+    draw_motion(model, random, state);
+    states.push_back(map_leaves([](const cln::cl_R& value) { return Real(value); }, state));
+  }
+  return states;
+}
+
 Real largest_of(const std::vector<Real>& values) {
   Real largest;
   for (const Real& value : values) {
@@ -65,7 +78,7 @@ Real largest_of(const std::vector<Real>& values) {
 
 EquationReader::EquationReader(const Origin& origin)
     : origin_(origin),
-      states_(comparison_states(origin.model, origin.program.leaves, state_count)),
+      states_(comparison_states(origin.model)),
       known_(origin.program.functions.size()) {
   for (const Arguments<Real>& state : states_) {
     leaves_.push_back(leaves_at(origin.program.leaves, state));
@@ -198,9 +211,8 @@ Real EquationReader::power(const ExpressionSyntax& e, Evaluated& result) const {
 Real EquationReader::call(const ExpressionSyntax& e, Evaluated& result) const {
   if (e.text == "dot") return named(leaf_name(e), result);
   const bool is_root = e.text == "sqrt";
-  const auto* const row = std::find_if(function_table.begin(), function_table.end(),
-                                       [&](const FunctionRow& r) { return r.name == e.text; });
-  const bool is_known = is_root || row != function_table.end();
+  const FunctionRow* row = find_function(e.text);
+  const bool is_known = is_root || row != nullptr;
   if (!is_known || e.operands.size() != (is_root ? 1 : row->arity)) {
     result.problem = quoted(e.text) + " is no function of so many arguments";
     return Real::undefined();

@@ -24,41 +24,14 @@ constexpr const char* reason = "1e-45 of the largest entry: sampled at 64 points
 constexpr const char* proof = "proved: both are one canonical sum";
 constexpr const char* proof_of_rate = "proved: the rate is the empty canonical sum";
 
-/// Half to twice the value; a parameter that is zero becomes a positive number up to 1.
-cl_R varied(const cl_R& value, Random& random) {
-  const cln::cl_RA r = cln::abs(random.rational());
-  if (cln::zerop(value)) return r;
-  return value * (cln::cl_RA(1) / 2 + r * 3 / 2);
-}
-
-/// In the declared range, else in [-1, 1]: outside, a model need not have values.
-cl_R within(const std::optional<Interval>& range, Random& random) {
-  const cln::cl_RA r = random.rational();
-  return range ? range->low + (range->high - range->low) * cln::abs(r) : cl_R(r);
-}
-
-State random_point(const Model& model, Random& random) {
-  State state = nominal_state(model, {});
-  for (cl_R& parameter : state.parameters) parameter = varied(parameter, random);
-  for (std::size_t i = 0; i < state.q.size(); ++i) {
-    state.q[i] = within(model.coordinates[i].range, random);
-  }
-  for (std::size_t i = 0; i < state.v.size(); ++i) {
-    state.v[i] = within(model.velocities[i].rate_range, random);
-  }
-  for (cl_R& a : state.a) a = random.rational();
-  for (std::size_t i = 0; i < state.u.size(); ++i) {
-    state.u[i] = within(model.inputs[i].limits, random);
-  }
-  state.t = random.rational();
-  make_unit_quaternions(model, state);
-  return state;
-}
-
 std::vector<State> random_points(const Model& model, std::uint64_t seed) {
   Random random(seed);
   std::vector<State> points;
-  for (std::size_t i = 0; i < point_count; ++i) points.push_back(random_point(model, random));
+  for (std::size_t i = 0; i < point_count; ++i) {
+    points.push_back(nominal_state(model, {}));
+    draw_parameters({}, random, points.back());
+    draw_motion(model, random, points.back());
+  }
   return points;
 }
 

@@ -16,7 +16,7 @@ TEST_CASE("samples are the same every time, differ by seed, and lie inside the r
   CHECK(sampled_state(subject, 5).q != sampled_state(subject, 6).q);
   for (unsigned seed = 0; seed < 20; ++seed) {
     const State state = sampled_state(subject, seed);
-    CHECK((state.q[0] > 3 && state.q[0] < 4));
+    CHECK((state.q[0] > 3 && state.q[0] <= 4));
     CHECK((state.q[1] > -2 && state.q[1] < 2));
   }
 }

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "base/random.hpp"
 #include "oracle/samples.hpp"
 
 using namespace elgen;
@@ -321,4 +322,31 @@ TEST_CASE("a chain of 1000 points is evaluated without recursion") {
   CHECK(*oracle_contraction(b.model, mass, state, {w, w}) == exact("0.2") * 1000 * exact("0.09"));
   CHECK(*oracle_contraction(b.model, mass, state, {w, y}) == exact("0.2") * exact("0.09"));
   CHECK(*oracle_projected_inverse_dynamics(b.model, state, w) == 0);
+}
+
+TEST_CASE("states are drawn inside the declared ranges, the same ones for a seed") {
+  ModelBuilder b = cart_pole();
+  b.model.coordinates[0].range = Interval{3, 4};
+  Random random(5);
+  Random again(5);
+  for (int i = 0; i < 20; ++i) {
+    State state = nominal_state(b.model, {});
+    State same = state;
+    draw_motion(b.model, random, state);
+    draw_motion(b.model, again, same);
+    CHECK(state.q == same.q);
+    CHECK((state.q[0] > 3 && state.q[0] <= 4));
+    CHECK(cln::abs(state.q[1]) <= 1);
+  }
+}
+
+TEST_CASE("parameters are drawn at half to twice their value, and fixed ones stay") {
+  ModelBuilder b;
+  b.coordinate("x").parameter("m", "2").parameter("k", "0").parameter("c", "3");
+  State state = nominal_state(b.model, {});
+  Random random(1);
+  draw_parameters({{2, {3}}}, random, state);
+  CHECK((state.parameters[0] >= 1 && state.parameters[0] <= 4));
+  CHECK((state.parameters[1] > 0 && state.parameters[1] <= 1));
+  CHECK(state.parameters[2] == 3);
 }

@@ -115,4 +115,3 @@ TEST_CASE("points lie in the declared ranges, where a model has values") {
   builder.model.coordinates[0].range = Interval{6, 9};
   check_holds(expecting(builder, "potential_energy", 1, {"(th - 5)*sqrt(th - 5) - m*g*l*cos(th)"}));
 }
-
