@@ -105,6 +105,10 @@ struct Scene {
       {};  ///< canonical text of what it says beyond `full`; "" for full. Hashed into stamps
 };
 
+/// The request behind a function, or behind a field of `dynamics`; null where the scene has none of
+/// that name.
+[[nodiscard]] const OutputRequest* find_request(const Scene& scene, std::string_view name);
+
 struct CheckedModel {
   Model model;
   Scene scene;

@@ -12,6 +12,12 @@ std::string_view name_of(LeftOutReason reason) {
   return reason == LeftOutReason::too_many_entries ? "too many entries" : "kinked force";
 }
 
+const OutputRequest* find_request(const Scene& scene, std::string_view name) {
+  const auto found = std::find_if(scene.outputs.begin(), scene.outputs.end(),
+                                  [&](const OutputRequest& output) { return output.name == name; });
+  return found == scene.outputs.end() ? nullptr : &*found;
+}
+
 }  // namespace elgen
 
 namespace elgen::checking {

@@ -128,22 +128,15 @@ Function lowered_one_by_one(const ReadableEntries& entries, const Function& shap
   return readable;
 }
 
-const OutputRequest* request_of(const Scene& scene, const Function& function) {
-  for (const OutputRequest& request : scene.outputs) {
-    if (request.name == function.name) return &request;
-  }
-  return nullptr;
-}
-
 /// The form the scene asks for; none where the cost decides.
 std::optional<Form> wish_for(const Scene& scene, const Function& function) {
-  const OutputRequest* request = request_of(scene, function);
+  const OutputRequest* request = find_request(scene, function.name);
   return request == nullptr ? std::nullopt : request->form;
 }
 
 /// Where the function was asked for.
 Span place_of(const Scene& scene, const Function& function) {
-  const OutputRequest* request = request_of(scene, function);
+  const OutputRequest* request = find_request(scene, function.name);
   if (request != nullptr && request->span.source != nullptr) return request->span;
   return scene.dropping ? scene.dropping->span : Span{};
 }

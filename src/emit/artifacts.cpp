@@ -26,10 +26,8 @@ Diagnostic taken_name(const std::string& name, const char* what, const Span& spa
 }
 
 Span span_of(const Scene& scene, const Function& function) {
-  for (const OutputRequest& request : scene.outputs) {
-    if (request.name == function.name) return request.span;
-  }
-  return {};
+  const OutputRequest* request = find_request(scene, function.name);
+  return request == nullptr ? Span{} : request->span;
 }
 
 }  // namespace elgen

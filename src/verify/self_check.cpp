@@ -88,10 +88,9 @@ class SelfChecking {
 
   /// Where an output was asked for; the model's name where all of them were.
   [[nodiscard]] Span place_of(const Function& function) const {
-    for (const OutputRequest& request : subject_.scene.outputs) {
-      if (request.name == function.name && request.span.source != nullptr) return request.span;
-    }
-    return subject_.model.name_span;
+    const OutputRequest* request = find_request(subject_.scene, function.name);
+    const bool was_named = request != nullptr && request->span.source != nullptr;
+    return was_named ? request->span : subject_.model.name_span;
   }
 
   const Subject& subject_;

@@ -11,8 +11,6 @@
 #include <cmath>
 #include <limits>
 
-#include "elgen/outputs.hpp"
-
 namespace elgen {
 namespace {
 
@@ -74,12 +72,6 @@ const Function* find_function(const Program& program, OutputKind kind, std::uint
       std::find_if(program.functions.begin(), program.functions.end(),
                    [&](const Function& f) { return f.kind == kind && f.user == user; });
   return found == program.functions.end() ? nullptr : &*found;
-}
-
-const OutputRequest* find_request(const Scene& scene, std::string_view name) {
-  const auto found = std::find_if(scene.outputs.begin(), scene.outputs.end(),
-                                  [&](const OutputRequest& output) { return output.name == name; });
-  return found == scene.outputs.end() ? nullptr : &*found;
 }
 
 std::string describe(const Subject& subject, const State& state) {

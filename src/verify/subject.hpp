@@ -35,10 +35,6 @@ template <class Scalar>
 [[nodiscard]] const Function* find_function(const Program& program, OutputKind kind,
                                             std::uint32_t user = 0);
 
-/// The request behind a function, or behind a field of `dynamics`; null where the scene has none of
-/// that name.
-[[nodiscard]] const OutputRequest* find_request(const Scene& scene, std::string_view name);
-
 /// "q = (0.1, 2), v = (3, -1), u = (0.5), t = 2"; parameters only where they are not at their
 /// value.
 [[nodiscard]] std::string describe(const Subject& subject, const State& state);

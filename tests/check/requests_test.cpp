@@ -105,6 +105,13 @@ TEST_CASE("shapes follow the dimensions") {
   CHECK_FALSE(checking::find_request(model.model, "tipp"));
 }
 
+TEST_CASE("the requests of a scene are found by name") {
+  const CheckedModel model = checked(with_output);
+  REQUIRE(find_request(model.scene, "tip_bias") != nullptr);
+  CHECK(find_request(model.scene, "tip_bias")->kind == OutputKind::user_bias);
+  CHECK(find_request(model.scene, "nothing") == nullptr);
+}
+
 TEST_CASE("names that cannot be had") {
   const std::vector<std::pair<std::string, std::string>> rows{
       {"mass_matrx", "E601 1:1 unknown output `mass_matrx` | did you mean `mass_matrix`?\n"},

@@ -55,12 +55,9 @@ TEST_CASE("numbers beyond double are written too") {
   CHECK(short_text(cln::expt(cln::cl_RA(10), 400) * 3 / 2).find("e400") != std::string::npos);
 }
 
-TEST_CASE("functions and requests are found by kind and name") {
+TEST_CASE("functions are found by kind") {
   const System system = cart_pole_system();
   REQUIRE(find_function(system.program, OutputKind::gravity) != nullptr);
   CHECK(find_function(system.program, OutputKind::gravity)->name == "gravity");
   CHECK(find_function(system.program, OutputKind::user_value, 1) == nullptr);
-  REQUIRE(find_request(system.scene, "tip_bias") != nullptr);
-  CHECK(find_request(system.scene, "tip_bias")->kind == OutputKind::user_bias);
-  CHECK(find_request(system.scene, "nothing") == nullptr);
 }
