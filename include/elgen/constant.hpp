@@ -47,18 +47,6 @@ struct ConstantPart {
 /// In the model language: `1/2*pi`, `1 - cos(3/10)`.
 [[nodiscard]] std::string text_of(const ConstantForm& form);
 
-/// |value - x| <= error for the number x that a form stands for.
-struct ConstantEnclosure {
-  cln::cl_R value = 0;  ///< exact for rationals, else a float of at least 220 digits
-  cln::cl_R error = 0;  ///< at most 1e-200 |value|, or 1e-200 where 1760 digits cancelled
-};
-
-/// None where the form has no real value, or where 1760 digits do not tell whether it has one.
-[[nodiscard]] std::optional<ConstantEnclosure> enclosure_of(const ConstantForm& form);
-
-/// -1, 0 or 1; none where the enclosure holds 0 and more.
-[[nodiscard]] std::optional<int> sign_of(const ConstantEnclosure& enclosure);
-
 struct Constant {
   /// Rational where the form is; else to 200 digits, and 0 where these do not tell it from 0.
   cln::cl_R value = 0;

@@ -3,11 +3,11 @@
 
 #include <cln/real.h>
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/enclosed_number.hpp"
 #include "elgen/diagnostic.hpp"
 #include "elgen/model.hpp"
 
@@ -20,21 +20,19 @@ struct ConstantFailure {
   std::optional<std::size_t> operand = {};
 };
 
+/// A value, or why there is none, or neither where so many digits do not tell.
 struct ConstantOutcome {
-  std::optional<cln::cl_R> value = {};
+  std::optional<EnclosedNumber> value = {};
   std::optional<ConstantFailure> failure = {};
 };
 
 /// Digits constants are kept to.
 inline constexpr int constant_digits = 100;
 
-/// The value of operand `i` of the node, to that many decimal digits.
-using OperandValue = std::function<cln::cl_R(std::size_t operand, int digits)>;
-
-/// Value of one node from its operands: an exact rational where it is one, else a float good to
-/// `digits` decimal digits. What cancels to less than its rounding is an exact 0: sin(pi),
-/// 2-sqrt(4).
-[[nodiscard]] ConstantOutcome evaluate_constant(const Expression& node, const OperandValue& operand,
+/// Value of one node from its operands, in floats of so many digits. What differs from 0 by no more
+/// than its error is an exact 0: sin(pi), 2-sqrt(4).
+[[nodiscard]] ConstantOutcome evaluate_constant(const Expression& node,
+                                                const std::vector<EnclosedNumber>& operands,
                                                 int digits);
 
 /// Values of the constant expressions of an arena, kept beside it.
@@ -46,20 +44,19 @@ class Constants {
   void truncate(std::size_t size) { values_.resize(size); }
   [[nodiscard]] std::size_t size() const { return values_.size(); }
 
-  /// Nothing where the expression is no constant.
-  [[nodiscard]] const std::optional<cln::cl_R>& operator[](ExpressionId id) const {
-    return values_[id];
+  /// An exact rational where it is one, else a float good to constant_digits; nothing where the
+  /// expression is no constant.
+  [[nodiscard]] std::optional<cln::cl_R> operator[](ExpressionId id) const {
+    return values_[id] ? std::optional(values_[id]->value) : std::nullopt;
   }
 
  private:
-  [[nodiscard]] cln::cl_R at(const std::vector<Expression>& arena, ExpressionId id,
-                             int digits) const;
+  /// The outcome of a node, its operands evaluated again to as many digits.
+  [[nodiscard]] ConstantOutcome at(const std::vector<Expression>& arena, const Expression& node,
+                                   int digits) const;
 
-  std::vector<std::optional<cln::cl_R>> values_;
+  std::vector<std::optional<EnclosedNumber>> values_;
 };
-
-/// log10 |x| to within one, of numbers of any size; 0 of 0.
-[[nodiscard]] double decimal_exponent(const cln::cl_R& x);
 
 /// Decimal digits of numerator and denominator, whichever has more.
 [[nodiscard]] std::size_t digit_count(const cln::cl_RA& number);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/enclosed_number.hpp"
 #include "base/more_digits.hpp"
 #include "elgen/evaluate.hpp"
 
@@ -38,12 +39,6 @@ Real guarded(bool in_domain, const Operation& operation) {
 
 bool both(const Real& x, const Real& y) { return x.is_defined() && y.is_defined(); }
 
-/// sqrt(1 - x^2), undefined outside of [-1, 1].
-Real cofunction(const Real& x) {
-  const Real one(1);
-  return sqrt((one - x) * (one + x));
-}
-
 /// x with so many digits more that reduction by a multiple of pi leaves as many as Real has.
 cln::cl_F lengthened(const Real& x) {
   const auto exponent = std::max(std::int64_t{0}, std::int64_t{cln::float_exponent(number(x))});
@@ -55,14 +50,37 @@ cln::cl_F lengthened(const Real& x) {
 /// The largest exponent of an angle that is reduced: beyond the range of every built-in float.
 constexpr std::int64_t maximal_angle_exponent = 20'000;
 
-bool is_angle(const Real& x) {
-  return x.is_defined() && cln::float_exponent(number(x)) < maximal_angle_exponent;
+bool in_domain(FunctionId function, const cln::cl_F& x) {
+  constexpr std::int64_t maximal_exponent = 30;  // beyond, CLN's overflow without a word
+  switch (function) {
+    case FunctionId::sin:
+    case FunctionId::cos:
+    case FunctionId::tan:
+      return cln::float_exponent(x) < maximal_angle_exponent;
+    case FunctionId::sinh:
+    case FunctionId::cosh:
+    case FunctionId::tanh:
+    case FunctionId::exp:
+      return cln::float_exponent(x) < maximal_exponent;
+    case FunctionId::asin:
+    case FunctionId::acos:
+      return cln::abs(x) <= cln::cl_R(1);
+    case FunctionId::log:
+      return cln::plusp(x);
+    default:
+      return true;
+  }
 }
 
-/// Beyond, CLN's exponents overflow without a word.
-bool is_exponent(const Real& x) {
-  constexpr std::int64_t maximal_exponent = 30;  // |x| < 2^30
-  return x.is_defined() && cln::float_exponent(number(x)) < maximal_exponent;
+Real called(FunctionId function, const Real& x, const Real& y) {
+  if (!both(x, y)) return Real::undefined();
+  const bool is_origin = cln::zerop(number(x)) && cln::zerop(number(y));
+  if (function == FunctionId::atan2 && is_origin) return Real();  // as the C library has it
+  const bool is_wave =
+      function == FunctionId::sin || function == FunctionId::cos || function == FunctionId::tan;
+  return guarded(in_domain(function, number(x)), [&] {
+    return function_value(function, is_wave ? lengthened(x) : number(x), number(y));
+  });
 }
 
 }  // namespace
@@ -104,49 +122,15 @@ Real operator/(const Real& x, const Real& y) {
 Real sqrt(const Real& x) {
   return guarded(x.is_defined() && !cln::minusp(number(x)), [&] { return cln::sqrt(number(x)); });
 }
-Real sin(const Real& x) {
-  return guarded(is_angle(x), [&] { return cln::sin(lengthened(x)); });
-}
-Real cos(const Real& x) {
-  return guarded(is_angle(x), [&] { return cln::cos(lengthened(x)); });
-}
-Real tan(const Real& x) { return sin(x) / cos(x); }
-Real asin(const Real& x) { return atan2(x, cofunction(x)); }
-Real acos(const Real& x) { return atan2(cofunction(x), x); }
-Real atan(const Real& x) {
-  return guarded(x.is_defined(), [&] { return cln::atan(number(x)); });
-}
-Real atan2(const Real& y, const Real& x) {
-  const bool origin = both(x, y) && cln::zerop(number(x)) && cln::zerop(number(y));
-  if (origin) return Real();  // as the C library has it
-  return guarded(both(x, y), [&] { return cln::atan(number(x), number(y)); });
-}
-Real sinh(const Real& x) {
-  return guarded(is_exponent(x), [&] { return cln::sinh(number(x)); });
-}
-Real cosh(const Real& x) {
-  return guarded(is_exponent(x), [&] { return cln::cosh(number(x)); });
-}
-Real tanh(const Real& x) {
-  return guarded(is_exponent(x), [&] { return cln::tanh(number(x)); });
-}
-Real exp(const Real& x) {
-  return guarded(is_exponent(x), [&] { return cln::exp(number(x)); });
-}
-Real log(const Real& x) {
-  return guarded(x.is_defined() && cln::plusp(number(x)), [&] { return cln::ln(number(x)); });
-}
-Real abs(const Real& x) {
-  return guarded(x.is_defined(), [&] { return cln::abs(number(x)); });
-}
-Real sign(const Real& x) {
-  return guarded(x.is_defined(), [&] { return cln::cl_R(cln::signum(number(x))); });
-}
-Real min(const Real& x, const Real& y) {
-  return guarded(both(x, y), [&] { return cln::min(number(x), number(y)); });
-}
-Real max(const Real& x, const Real& y) {
-  return guarded(both(x, y), [&] { return cln::max(number(x), number(y)); });
-}
+
+#define ELGEN_REAL_1(name) \
+  Real name(const Real& x) { return called(FunctionId::name, x, x); }
+#define ELGEN_REAL_2(name) \
+  Real name(const Real& x, const Real& y) { return called(FunctionId::name, x, y); }
+#define ELGEN_FUNCTION(name, arity, use, parity, first, second) ELGEN_REAL_##arity(name)
+#include "elgen/functions.def"
+#undef ELGEN_FUNCTION
+#undef ELGEN_REAL_2
+#undef ELGEN_REAL_1
 
 }  // namespace elgen

@@ -5,8 +5,7 @@
 //     x1 = x*x   x2 = x1*x1 ...   the degree is counted before anything is expanded
 //
 // check has evaluated what is written out. Here names are followed, operands before users, by the
-// same evaluate_constant(); every value is kept with the number of its digits that are right, and
-// what has too few of them proves nothing.
+// same evaluate_constant(); what is known to too few digits proves nothing.
 #include "check/constants.hpp"
 
 #include <cln/real_ring.h>
@@ -33,22 +32,27 @@ using cln::cl_R;
 constexpr int most_digits = 400;
 /// With fewer a zero is not told from what cancelled.
 constexpr int least_digits = 60;
-/// Of a parameter that is fixed at an irrational value.
-constexpr int parameter_digits = checking::constant_digits;
 
 /// x^10000 leaves every scalar's range for all x that are not 1 to four digits.
 constexpr double largest_degree = 10'000;
-
-struct Known {
-  cl_R value = 0;
-  int digits = most_digits;
-};
 
 /// How far a product has grown: its degree in what varies, the digits of its numbers.
 struct Growth {
   double degree = 0;
   double digits = 0;
 };
+
+/// A parameter that is fixed at an irrational value has fewer digits.
+EnclosedNumber enclosed(const cl_R& fixed) {
+  if (is_rational(fixed)) return {fixed, 0};
+  return {cln::cl_float(fixed, cln::float_format(most_digits)),
+          cln::abs(fixed) * power_of_ten(-checking::constant_digits)};
+}
+
+bool is_known(const EnclosedNumber& x) {
+  static const cln::cl_RA share = power_of_ten(-least_digits);
+  return x.error <= share * cln::abs(x.value);
+}
 
 double digits_of(const cl_R& number) {
   if (!is_rational(number)) return 0;
@@ -85,7 +89,7 @@ class Names {
     if (node.kind == ExpressionKind::parameter) {
       const auto& fixed = subject_.scene.specialisation.fixed;
       const auto value = fixed.find(node.index);
-      if (value != fixed.end()) known_[id] = Known{value->second.number, parameter_digits};
+      if (value != fixed.end()) known_[id] = enclosed(value->second.number);
       return true;
     }
     if (node.kind == ExpressionKind::divide && is_zero(node.operands[1])) {
@@ -93,17 +97,14 @@ class Names {
     }
     if (!is_constant(node)) return true;
     if (node.kind == ExpressionKind::time_derivative) {
-      known_[id] = Known{};
+      known_[id] = EnclosedNumber{};
       return true;
     }
-    const int digits = digits_left(node);
-    if (digits < least_digits) return true;
-    const auto operand = [&](std::size_t i, int /*digits*/) {
-      return known_[node.operands[i]]->value;
-    };
-    const checking::ConstantOutcome outcome = checking::evaluate_constant(node, operand, digits);
+    std::vector<EnclosedNumber> operands;
+    for (const ExpressionId operand : node.operands) operands.push_back(*known_[operand]);
+    checking::ConstantOutcome outcome = checking::evaluate_constant(node, operands, most_digits);
     if (outcome.failure) return report(node, *outcome.failure);
-    if (outcome.value) known_[id] = Known{*outcome.value, digits};
+    if (outcome.value && is_known(*outcome.value)) known_[id] = std::move(outcome.value);
     return true;
   }
 
@@ -119,21 +120,6 @@ class Names {
 
   [[nodiscard]] bool is_zero(ExpressionId id) const {
     return known_[id] && cln::zerop(known_[id]->value);
-  }
-
-  /// A large angle has lost the digits before its point, where it has any that are not exact.
-  [[nodiscard]] int digits_left(const Expression& node) const {
-    int digits = most_digits;
-    for (const ExpressionId id : node.operands) {
-      const cl_R& value = known_[id]->value;
-      if (is_rational(value)) continue;
-      int lost = 0;
-      if (node.kind == ExpressionKind::function) {
-        lost = std::max(0, static_cast<int>(checking::decimal_exponent(value)) + 1);
-      }
-      digits = std::min(digits, known_[id]->digits - lost);
-    }
-    return digits;
   }
 
   void grow(ExpressionId id, const Expression& node) {
@@ -218,7 +204,7 @@ class Names {
 
   const Subject& subject_;
   const Model& model_;
-  std::vector<std::optional<Known>> known_;
+  std::vector<std::optional<EnclosedNumber>> known_;
   std::vector<Growth> growth_;
   Diagnostics found_ = {};
 };

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "base/number_text.hpp"
+#include "constant_value.hpp"
 
 namespace elgen {
 namespace {
@@ -137,7 +138,7 @@ std::string text_of(const ConstantForm& form) { return written(form).text; }
 Constant rational_constant(const cln::cl_RA& number) { return {number, rational_form(number)}; }
 
 std::optional<Constant> constant_of(ConstantForm form) {
-  const std::optional<ConstantEnclosure> enclosure = enclosure_of(form);
+  const std::optional<EnclosedNumber> enclosure = enclosure_of(form);
   if (!enclosure) return std::nullopt;
   const bool is_told = sign_of(*enclosure).has_value();
   return Constant{is_told ? enclosure->value : cln::cl_R(0), std::move(form)};

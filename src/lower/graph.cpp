@@ -8,6 +8,8 @@
 #include <array>
 #include <compare>
 
+#include "constant_value.hpp"
+
 namespace elgen {
 namespace {
 
@@ -102,25 +104,6 @@ std::optional<cln::cl_RA> Graph::rational_value(Ref value) const {
   if (!is_rational(value.node)) return std::nullopt;
   return value.negative ? -rational_of(value.node) : rational_of(value.node);
 }
-
-namespace {
-
-/// f(x) where it is a number known without computing.
-std::optional<cln::cl_RA> known_value(FunctionId function, const cln::cl_RA& x) {
-  switch (function) {
-    case FunctionId::cos:
-    case FunctionId::cosh:
-    case FunctionId::exp:
-      return cln::zerop(x) ? std::optional(cln::cl_RA(1)) : std::nullopt;
-    case FunctionId::log:
-    case FunctionId::acos:
-      return x == 1 ? std::optional(cln::cl_RA(0)) : std::nullopt;
-    default:
-      return cln::zerop(x) ? std::optional(cln::cl_RA(0)) : std::nullopt;
-  }
-}
-
-}  // namespace
 
 std::optional<int> Graph::constant_sign(Ref value) const {
   if (!has_form(value.node)) return std::nullopt;

@@ -1,5 +1,5 @@
 // Real arithmetic of the oracle: the functions of the model language to working_digits decimal
-// digits.
+// digits. It is the oracle's own, and shares no value of a function with what it judges.
 //
 // Exact rationals stay exact as long as they are short, and exact zeros stay exact, so that
 // derivatives that vanish cost nothing. Arguments of any size are reduced with as many digits as

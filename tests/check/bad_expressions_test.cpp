@@ -82,27 +82,28 @@ ModelSyntax model_with_force(const ExpressionSyntax& value) {
   return syntax;
 }
 
-/// The value of an expression at the state of the table, to that many digits.
-cln::cl_R value_at_state(const Model& model, ExpressionId id, int digits) {
+/// The value of an expression at the state of the table, with digits for the largest angle in it.
+EnclosedNumber value_at_state(const Model& model, ExpressionId id) {
   static const std::map<std::string, cln::cl_RA> state{
       {"x", cln::cl_RA(3) / 4}, {"y", cln::cl_RA(5) / 4}, {"z", cln::cl_RA(-1) / 2},
       {"q", cln::cl_RA(3) / 8}, {"a", cln::cl_RA(3) / 2}, {"b", cln::cl_RA(-1) / 4},
       {"c", cln::cl_RA(5) / 8}, {"d", cln::cl_RA(9) / 4}};
   const Expression& node = model.expressions[id];
   if (node.kind == ExpressionKind::coordinate) {
-    return state.at(model.coordinates[node.index].name);
+    return {state.at(model.coordinates[node.index].name), 0};
   }
-  const auto operand = [&](std::size_t i, int more) {
-    return value_at_state(model, node.operands[i], more);
-  };
-  const auto outcome = checking::evaluate_constant(node, operand, digits);
+  std::vector<EnclosedNumber> operands;
+  for (const ExpressionId operand : node.operands) {
+    operands.push_back(value_at_state(model, operand));
+  }
+  const auto outcome = checking::evaluate_constant(node, operands, 700);
   REQUIRE(outcome.value);
   return *outcome.value;
 }
 
 void check_value(const CheckedModel& result, const std::string& expected) {
   const cln::cl_R value =
-      value_at_state(result.model, result.model.forces.front().value.front(), 60);
+      value_at_state(result.model, result.model.forces.front().value.front()).value;
   std::string plain = expected;
   const std::size_t e = plain.find("e+");
   if (e != std::string::npos) plain.erase(e + 1, 1);

@@ -1,3 +1,5 @@
+#include "lower/constant_value.hpp"
+
 #include <cln/float.h>
 
 #include <catch2/catch.hpp>

@@ -1,0 +1,284 @@
+// Enclosed numbers: a float, and a bound that needs few digits.
+#include "enclosed_number.hpp"
+
+#include <cln/integer.h>
+#include <cln/rational.h>
+
+#include <cmath>
+
+#include "exact_number.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_F;
+using cln::cl_I;
+using cln::cl_R;
+using cln::cl_RA;
+
+/// Digits left to the library's own rounding, which is a few units in the last place.
+constexpr int guard_digits = 10;
+
+/// Larger arguments of exp, sinh and cosh have values beyond 10^±10000.
+constexpr long largest_exponent = 23'025;
+
+cln::float_format_t bound_format() { return cln::float_format(17); }
+
+cl_R largest(const EnclosedNumber& x) { return cln::abs(x.value) + x.error; }
+/// The least magnitude; not above 0 where 0 is enclosed.
+cl_R least(const EnclosedNumber& x) { return cln::abs(x.value) - x.error; }
+
+bool is_zero(const EnclosedNumber& x) { return is_exact(x) && cln::zerop(x.value); }
+
+/// cos(x) within this of 0 is 0, where x is known that well.
+const cl_R& pole_distance() {
+  static const cl_R distance = power_of_ten(-60);
+  return distance;
+}
+
+}  // namespace
+
+bool is_exact(const EnclosedNumber& x) { return cln::zerop(x.error); }
+
+EnclosedNumber operator-(const EnclosedNumber& x) { return {-x.value, x.error}; }
+
+std::optional<int> sign_of(const EnclosedNumber& x) {
+  if (cln::plusp(least(x))) return cln::minusp(x.value) ? -1 : 1;
+  return is_zero(x) ? std::optional(0) : std::nullopt;
+}
+
+EnclosedArithmetic::EnclosedArithmetic(int digits)
+    : format_(cln::float_format(static_cast<std::uintptr_t>(digits))),
+      roundoff_(cln::cl_float(power_of_ten(guard_digits - digits), bound_format())) {}
+
+/// Bounds need few digits; the last factor covers their own rounding.
+EnclosedNumber EnclosedArithmetic::rounded(const cl_R& value, const cl_R& error) const {
+  const cl_F bound = cln::cl_float(error + roundoff_ * cln::abs(value), bound_format());
+  return {value, bound + bound * cln::cl_float(power_of_ten(-15), bound_format())};
+}
+
+/// An argument as functions take it.
+EnclosedNumber EnclosedArithmetic::floating(const EnclosedNumber& x) const {
+  return is_rational(x.value) ? rounded(as_float(x.value), x.error) : x;
+}
+
+/// A function whose slope is at most `slope` on the enclosure of its argument.
+EnclosedNumber EnclosedArithmetic::sloped(FunctionId function, const EnclosedNumber& x,
+                                          const cl_R& slope) const {
+  const cl_F argument = as_float(x.value);
+  return rounded(function_value(function, argument, argument), x.error * slope);
+}
+
+EnclosedNumber EnclosedArithmetic::pi() const { return rounded(cln::pi(format_), 0); }
+
+EnclosedNumber EnclosedArithmetic::sum(const EnclosedNumber& x, const EnclosedNumber& y) const {
+  const cl_R value = x.value + y.value;
+  if (is_exact(x) && is_exact(y)) return {value, 0};
+  return rounded(value, x.error + y.error);
+}
+
+EnclosedNumber EnclosedArithmetic::product(const EnclosedNumber& x, const EnclosedNumber& y) const {
+  const cl_R value = x.value * y.value;
+  if (is_exact(x) && is_exact(y)) return {value, 0};
+  return rounded(value, largest(x) * y.error + cln::abs(y.value) * x.error);
+}
+
+/// |1/x - 1/y| = |x - y|/|x y|
+Enclosed EnclosedArithmetic::reciprocal(const EnclosedNumber& x) const {
+  if (!cln::plusp(least(x))) return is_zero(x) ? NoValue::undefined : NoValue::unknown;
+  const cl_R value = cln::recip(x.value);
+  if (is_exact(x)) return EnclosedNumber{value, 0};
+  return rounded(value, x.error / (cln::abs(x.value) * least(x)));
+}
+
+Enclosed EnclosedArithmetic::integer_power(const EnclosedNumber& x, cl_I exponent) const {
+  EnclosedNumber result{1, 0};
+  EnclosedNumber square = x;
+  for (cl_I rest = cln::abs(exponent); rest > 0; rest = cln::ash(rest, -1)) {
+    if (cln::oddp(rest)) result = product(result, square);
+    if (rest > 1) square = product(square, square);
+  }
+  return cln::minusp(exponent) ? reciprocal(result) : Enclosed(result);
+}
+
+/// |sqrt x - sqrt y| <= |x - y|/sqrt y
+EnclosedNumber EnclosedArithmetic::square_root(const EnclosedNumber& x) const {
+  return rounded(cln::sqrt(as_float(x.value)), x.error / cln::sqrt(as_float(least(x))));
+}
+
+/// x^(p/q), exact where the root is.
+Enclosed EnclosedArithmetic::power(const EnclosedNumber& x, const cl_RA& exponent) const {
+  const cl_I q = cln::denominator(exponent);
+  if (is_zero(x) && cln::plusp(exponent)) return EnclosedNumber{0, 0};
+  if (is_zero(x)) return NoValue::undefined;
+  const double size = decimal_exponent(x.value) * cln::double_approx(exponent);
+  if (std::abs(size) > largest_decimal_exponent) return NoValue::too_large;
+  if (q == 1) return integer_power(x, cln::numerator(exponent));
+  const std::optional<int> sign = sign_of(x);
+  if (!sign) return NoValue::unknown;
+  if (*sign < 0) return NoValue::complex;
+  cl_RA root;
+  if (is_exact(x) && is_rational(x.value) && cln::rootp(cln::the<cl_RA>(x.value), q, &root)) {
+    return integer_power({root, 0}, cln::numerator(exponent));
+  }
+  const EnclosedNumber base = floating(x);
+  if (q == 2) return integer_power(square_root(base), cln::numerator(exponent));
+  return exponential(FunctionId::exp, product(*logarithm(base).number, {exponent, 0}));
+}
+
+Enclosed EnclosedArithmetic::tangent(const EnclosedNumber& x) const {
+  const cl_R cosine = cln::abs(cln::cos(as_float(x.value))) - x.error - roundoff_;
+  if (!cln::plusp(cosine)) return -cosine > pole_distance() ? NoValue::unknown : NoValue::undefined;
+  return sloped(FunctionId::tan, x, cln::recip(cosine * cosine));
+}
+
+/// asin or acos; the slope 1/sqrt(1 - x^2) has no bound at ±1, where only an exact ±1 is told.
+Enclosed EnclosedArithmetic::inverse_circular(FunctionId function, const EnclosedNumber& x) const {
+  if (is_exact(x) && cln::abs(x.value) == 1) return sloped(function, x, 0);
+  const EnclosedNumber sine = floating(x);
+  const cl_R square = (1 - x.value) * (1 + x.value);  // of the cosine
+  const cl_R error = sine.error * (2 * cln::abs(x.value) + sine.error);
+  if (square < -error) return NoValue::complex;
+  if (square <= error) return NoValue::unknown;
+  return sloped(function, sine, cln::recip(cln::sqrt(as_float(square - error))));
+}
+
+/// The angle of (x, y); none at the origin, and on the cut only where y is 0 exactly.
+Enclosed EnclosedArithmetic::arc_tangent_2(const EnclosedNumber& y, const EnclosedNumber& x) const {
+  if (is_zero(x) && is_zero(y)) return NoValue::undefined;
+  const bool is_right = cln::plusp(x.value - x.error);
+  if (is_zero(y) && is_right) return EnclosedNumber{0, 0};
+  const bool is_on_cut = is_zero(y) && cln::minusp(x.value + x.error);
+  if (!is_right && !cln::plusp(least(y)) && !is_on_cut) return NoValue::unknown;
+  const EnclosedNumber across = floating(y);
+  const EnclosedNumber along = floating(x);
+  const cl_R distance = cln::max(least(across), least(along));
+  const cl_R value =
+      function_value(FunctionId::atan2, as_float(across.value), as_float(along.value));
+  return rounded(value, (across.error + along.error) / distance);
+}
+
+Enclosed EnclosedArithmetic::logarithm(const EnclosedNumber& x) const {
+  if (is_zero(x)) return NoValue::undefined;
+  const std::optional<int> sign = sign_of(x);
+  if (!sign) return NoValue::unknown;
+  if (*sign < 0) return NoValue::complex;
+  return sloped(FunctionId::log, floating(x), cln::recip(least(x)));
+}
+
+Enclosed EnclosedArithmetic::exponential(FunctionId function, const EnclosedNumber& x) const {
+  const EnclosedNumber argument = floating(x);
+  if (largest(argument) > largest_exponent) {
+    const bool is_tanh = function == FunctionId::tanh;  // ±1 to more digits than there are
+    return is_tanh ? Enclosed(rounded(cln::signum(as_float(x.value)), 0)) : NoValue::too_large;
+  }
+  if (function == FunctionId::tanh) return sloped(function, argument, 1);
+  const bool falls = function == FunctionId::exp;  // on the left, where the others rise again
+  const cl_R end = falls ? argument.value + argument.error : largest(argument);
+  return sloped(function, argument, 2 * cln::exp(cln::cl_float(end, bound_format())));
+}
+
+Enclosed EnclosedArithmetic::call(FunctionId function, const EnclosedNumber& x,
+                                  const EnclosedNumber& y) const {
+  if (is_exact(x) && is_rational(x.value) && function_row(function).arity == 1) {
+    const auto known = known_value(function, cln::the<cl_RA>(x.value));
+    if (known) return EnclosedNumber{*known, 0};
+  }
+  switch (function) {
+    case FunctionId::sin:
+    case FunctionId::cos:
+    case FunctionId::atan:
+      return sloped(function, floating(x), 1);
+    case FunctionId::tan:
+      return tangent(floating(x));
+    case FunctionId::asin:
+    case FunctionId::acos:
+      return inverse_circular(function, x);
+    case FunctionId::atan2:
+      return arc_tangent_2(x, y);
+    case FunctionId::sinh:
+    case FunctionId::cosh:
+    case FunctionId::tanh:
+    case FunctionId::exp:
+      return exponential(function, x);
+    case FunctionId::log:
+      return logarithm(x);
+    case FunctionId::abs:
+      return EnclosedNumber{cln::abs(x.value), x.error};
+    case FunctionId::sign: {
+      const std::optional<int> sign = sign_of(x);
+      return sign ? Enclosed(EnclosedNumber{*sign, 0}) : NoValue::unknown;
+    }
+    case FunctionId::min:
+      return EnclosedNumber{cln::min(x.value, y.value), cln::max(x.error, y.error)};
+    case FunctionId::max:
+      return EnclosedNumber{cln::max(x.value, y.value), cln::max(x.error, y.error)};
+  }
+  return NoValue::unknown;
+}
+
+cl_R function_value(FunctionId function, const cl_F& x, const cl_F& y) {
+  const auto cofunction = [&x] { return cln::sqrt((1 - x) * (1 + x)); };
+  switch (function) {
+    case FunctionId::sin:
+      return cln::sin(x);
+    case FunctionId::cos:
+      return cln::cos(x);
+    case FunctionId::tan:
+      return cln::tan(x);
+    case FunctionId::asin:
+      return cln::atan(cofunction(), x);
+    case FunctionId::acos:
+      return cln::atan(x, cofunction());
+    case FunctionId::atan:
+      return cln::atan(x);
+    case FunctionId::atan2:
+      return cln::atan(y, x);
+    case FunctionId::sinh:
+      return cln::sinh(x);
+    case FunctionId::cosh:
+      return cln::cosh(x);
+    case FunctionId::tanh:
+      return cln::tanh(x);
+    case FunctionId::exp:
+      return cln::exp(x);
+    case FunctionId::log:
+      return cln::ln(x);
+    case FunctionId::abs:
+      return cln::abs(x);
+    case FunctionId::sign:
+      return cln::signum(x);
+    case FunctionId::min:
+      return cln::min(x, y);
+    case FunctionId::max:
+      return cln::max(x, y);
+  }
+  return x;
+}
+
+std::optional<cl_RA> known_value(FunctionId function, const cl_RA& x) {
+  switch (function) {
+    case FunctionId::cos:
+    case FunctionId::cosh:
+    case FunctionId::exp:
+      return cln::zerop(x) ? std::optional<cl_RA>(1) : std::nullopt;
+    case FunctionId::log:
+    case FunctionId::acos:
+      return x == 1 ? std::optional<cl_RA>(0) : std::nullopt;
+    default:
+      return cln::zerop(x) ? std::optional<cl_RA>(0) : std::nullopt;
+  }
+}
+
+double decimal_exponent(const cl_R& x) {
+  constexpr double log10_of_2 = 0.30102999566398120;
+  if (cln::zerop(x)) return 0;
+  if (!is_rational(x)) {
+    return static_cast<double>(cln::float_exponent(cln::the<cl_F>(x))) * log10_of_2;
+  }
+  const cl_RA r = cln::the<cl_RA>(x);
+  const auto bits = [](const cl_I& n) { return static_cast<double>(cln::integer_length(n)); };
+  return (bits(cln::numerator(r)) - bits(cln::denominator(r))) * log10_of_2;
+}
+
+}  // namespace elgen

@@ -1,0 +1,93 @@
+// Enclosed numbers: numbers that are known to within a bound, and the functions of functions.def on
+// them, with their domains.
+//
+//     sin(10^30)  at 220 digits    ->    -0.0901169…  with an error of at most 1e-179
+//
+// Every operation adds what rounding costs, u |x|, to what the errors of its operands become, so
+// that a sign is known or is known to be open; where it is open, more digits may tell.
+#pragma once
+
+#include <cln/float.h>
+#include <cln/real.h>
+
+#include <cstdint>
+#include <optional>
+
+#include "elgen/functions.hpp"
+
+namespace elgen {
+
+/// |value - x| <= error for a number x.
+struct EnclosedNumber {
+  cln::cl_R value = 0;  ///< exact where it is rational and the error is 0, else a float
+  cln::cl_R error = 0;
+};
+
+[[nodiscard]] bool is_exact(const EnclosedNumber& x);
+[[nodiscard]] EnclosedNumber operator-(const EnclosedNumber& x);
+
+/// -1, 0 or 1; none where the enclosure holds 0 and more.
+[[nodiscard]] std::optional<int> sign_of(const EnclosedNumber& x);
+
+/// Why an operation has no value.
+enum class NoValue : std::uint8_t {
+  unknown,    ///< these digits do not tell
+  undefined,  ///< 1/0, log(0), tan(pi/2)
+  complex,    ///< sqrt(-1), asin(2)
+  too_large,  ///< beyond 10^±10000
+};
+
+/// A number, or why there is none.
+struct Enclosed {
+  std::optional<EnclosedNumber> number = {};
+  NoValue why = NoValue::unknown;
+
+  Enclosed(EnclosedNumber value) : number(std::move(value)) {}
+  Enclosed(NoValue reason) : why(reason) {}
+};
+
+/// Operations in floats of so many digits; exact where the operands and the value are.
+class EnclosedArithmetic {
+ public:
+  explicit EnclosedArithmetic(int digits);
+
+  [[nodiscard]] EnclosedNumber pi() const;
+  [[nodiscard]] EnclosedNumber sum(const EnclosedNumber& x, const EnclosedNumber& y) const;
+  [[nodiscard]] EnclosedNumber product(const EnclosedNumber& x, const EnclosedNumber& y) const;
+  [[nodiscard]] Enclosed reciprocal(const EnclosedNumber& x) const;
+  [[nodiscard]] Enclosed power(const EnclosedNumber& x, const cln::cl_RA& exponent) const;
+  /// f(x), or f(x, y).
+  [[nodiscard]] Enclosed call(FunctionId function, const EnclosedNumber& x,
+                              const EnclosedNumber& y) const;
+
+ private:
+  [[nodiscard]] cln::cl_F as_float(const cln::cl_R& x) const { return cln::cl_float(x, format_); }
+  [[nodiscard]] EnclosedNumber rounded(const cln::cl_R& value, const cln::cl_R& error) const;
+  [[nodiscard]] EnclosedNumber floating(const EnclosedNumber& x) const;
+  [[nodiscard]] EnclosedNumber sloped(FunctionId function, const EnclosedNumber& x,
+                                      const cln::cl_R& slope) const;
+  [[nodiscard]] EnclosedNumber square_root(const EnclosedNumber& x) const;
+  [[nodiscard]] Enclosed integer_power(const EnclosedNumber& x, cln::cl_I exponent) const;
+  [[nodiscard]] Enclosed tangent(const EnclosedNumber& x) const;
+  [[nodiscard]] Enclosed inverse_circular(FunctionId function, const EnclosedNumber& x) const;
+  [[nodiscard]] Enclosed arc_tangent_2(const EnclosedNumber& y, const EnclosedNumber& x) const;
+  [[nodiscard]] Enclosed logarithm(const EnclosedNumber& x) const;
+  [[nodiscard]] Enclosed exponential(FunctionId function, const EnclosedNumber& x) const;
+
+  cln::float_format_t format_;
+  cln::cl_R roundoff_;
+};
+
+/// f(x) where it is a number known without computing: cos(0), log(1).
+[[nodiscard]] std::optional<cln::cl_RA> known_value(FunctionId function, const cln::cl_RA& x);
+
+/// f(x), or f(x, y), inside the domain; CLN throws where its exponents end.
+[[nodiscard]] cln::cl_R function_value(FunctionId function, const cln::cl_F& x, const cln::cl_F& y);
+
+/// log10 |x| to within one, of numbers of any size; 0 of 0.
+[[nodiscard]] double decimal_exponent(const cln::cl_R& x);
+
+/// Exponents of ten beyond this one are too large for a constant.
+inline constexpr double largest_decimal_exponent = 10'000;
+
+}  // namespace elgen

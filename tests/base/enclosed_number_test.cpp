@@ -1,0 +1,107 @@
+// Enclosed numbers: exact where they can be, bounded elsewhere, refused outside of a domain.
+#include "base/enclosed_number.hpp"
+
+#include <cln/integer.h>
+
+#include <catch2/catch.hpp>
+
+#include "base/exact_number.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_R;
+using cln::cl_RA;
+
+const EnclosedArithmetic few(60);
+const EnclosedArithmetic many(400);
+
+EnclosedNumber exact(const cl_RA& value) { return {value, 0}; }
+
+Enclosed call(const EnclosedArithmetic& with, FunctionId function, const cl_RA& x,
+              const cl_RA& y = 0) {
+  return with.call(function, exact(x), exact(y));
+}
+
+/// Whether the value in few digits is within its error of the one in many.
+bool agree(const Enclosed& rough, const Enclosed& fine) {
+  REQUIRE(rough.number);
+  REQUIRE(fine.number);
+  const cl_R difference = cln::rational(rough.number->value) - cln::rational(fine.number->value);
+  return cln::abs(difference) <= cln::rational(rough.number->error) + power_of_ten(-300);
+}
+
+TEST_CASE("340 digits more agree within the error") {
+  for (const FunctionRow& row : function_table) {
+    for (const cl_RA& x : {cl_RA(3) / 10, cl_RA(-7) / 9, cl_RA(9999) / 10000}) {
+      if (row.id == FunctionId::log && cln::minusp(x)) continue;
+      INFO(row.name);
+      CHECK(agree(call(few, row.id, x, cl_RA(1) / 7), call(many, row.id, x, cl_RA(1) / 7)));
+    }
+  }
+  for (const cl_RA& exponent : {cl_RA(1) / 2, cl_RA(-7) / 3, cl_RA(-5)}) {
+    CHECK(agree(few.power(few.pi(), exponent), many.power(many.pi(), exponent)));
+  }
+}
+
+TEST_CASE("errors of arguments go through a function") {
+  const EnclosedNumber rough{cl_RA(7) / 10, power_of_ten(-20)};
+  for (const FunctionRow& row : function_table) {
+    INFO(row.name);
+    const Enclosed here = few.call(row.id, rough, rough);
+    REQUIRE(here.number);
+    for (const cl_RA& end : {power_of_ten(-20), -power_of_ten(-20)}) {
+      const Enclosed there = call(many, row.id, cl_RA(7) / 10 + end, cl_RA(7) / 10 - end);
+      CHECK(agree(here, there));
+    }
+  }
+}
+
+TEST_CASE("what is small is known to as many digits") {
+  for (const FunctionId function : {FunctionId::exp, FunctionId::tanh, FunctionId::sin}) {
+    const Enclosed value =
+        call(few, function, function == FunctionId::exp ? cl_RA(-300) : power_of_ten(-300));
+    REQUIRE(value.number);
+    CHECK(value.number->error < cln::abs(value.number->value) * power_of_ten(-40));
+  }
+}
+
+TEST_CASE("what is rational stays exact") {
+  CHECK(is_exact(*few.power(exact(cl_RA(4) / 9), cl_RA(1) / 2).number));
+  CHECK(few.power(exact(8), cl_RA(-2) / 3).number->value == cl_RA(1) / 4);
+  CHECK(is_exact(*call(few, FunctionId::exp, 0).number));
+  CHECK(is_exact(*call(few, FunctionId::log, 1).number));
+  CHECK(call(few, FunctionId::max, -2, 3).number->value == 3);
+}
+
+TEST_CASE("outside of a domain there is a reason") {
+  CHECK(few.reciprocal(exact(0)).why == NoValue::undefined);
+  CHECK(few.reciprocal({0, 1}).why == NoValue::unknown);
+  CHECK(few.power(exact(0), 0).why == NoValue::undefined);
+  CHECK(few.power(exact(-8), cl_RA(1) / 3).why == NoValue::complex);
+  CHECK(few.power(exact(10), 12'000).why == NoValue::too_large);
+  CHECK(call(few, FunctionId::log, 0).why == NoValue::undefined);
+  CHECK(call(few, FunctionId::log, -1).why == NoValue::complex);
+  CHECK(call(few, FunctionId::asin, 1 + power_of_ten(-30)).why == NoValue::complex);
+  CHECK(call(few, FunctionId::asin, 1 - power_of_ten(-30)).number);
+  CHECK(call(few, FunctionId::atan2, 0, 0).why == NoValue::undefined);
+  CHECK(call(few, FunctionId::exp, 100'000).why == NoValue::too_large);
+  CHECK(call(few, FunctionId::tanh, -100'000).number->value == -1);
+  const Enclosed right_angle = many.product(many.pi(), exact(cl_RA(1) / 2));
+  CHECK(many.call(FunctionId::tan, *right_angle.number, {}).why == NoValue::undefined);
+}
+
+TEST_CASE("a sign is known, or known to be open") {
+  CHECK(sign_of({0, 0}) == 0);
+  CHECK(sign_of({-2, 1}) == -1);
+  CHECK_FALSE(sign_of({2, 3}));
+}
+
+TEST_CASE("decimal exponents of numbers of any size") {
+  CHECK(decimal_exponent(0) == 0);
+  CHECK(decimal_exponent(power_of_ten(5000)) == Approx(5000).margin(1));
+  CHECK(decimal_exponent(few.pi().value) == Approx(0).margin(1));
+}
+
+}  // namespace
+}  // namespace elgen
