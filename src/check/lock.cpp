@@ -84,10 +84,8 @@ class Locking {
     const std::uint32_t index = lock.coordinate + component;
     const Coordinate& coordinate = unlocked_.coordinates[index];
     const ExpressionId value = lock.values[component];
-    Expression rate;
-    rate.kind = ExpressionKind::time_derivative;
-    rate.operands = {value};
-    rate.span = lock.span;
+    const Expression rate{
+        .kind = ExpressionKind::time_derivative, .operands = {value}, .span = lock.span};
     replacements_[index] = {prescribe({coordinate.name, coordinate.identifier, value,
                                        coordinate.latex, coordinate.doc, lock.span}),
                             prescribe({"dot(" + coordinate.name + ")",
@@ -103,24 +101,16 @@ class Locking {
 
   /// A moving lock carries energy: 1/2 J (ds/dt)^2.
   void add_armature(const Coordinate& coordinate, std::uint32_t rate) {
-    Expression half;
-    half.number = cln::cl_RA(1) / 2;
-    Expression speed;
-    speed.kind = ExpressionKind::prescribed;
-    speed.index = rate;
-    Expression square;
-    square.kind = ExpressionKind::power;
-    square.number = 2;
-    square.operands = {append(speed)};
-    Expression energy;
-    energy.kind = ExpressionKind::multiply;
-    energy.operands = {append(half), *coordinate.armature};
-    energy.operands.push_back(append(square));
+    const ExpressionId speed = append({.kind = ExpressionKind::prescribed, .index = rate});
+    const ExpressionId half = append({.number = cln::cl_RA(1) / 2});
+    const ExpressionId square =
+        append({.kind = ExpressionKind::power, .number = 2, .operands = {speed}});
+    const ExpressionId energy = append(
+        {.kind = ExpressionKind::multiply, .operands = {half, *coordinate.armature, square}});
     auto& total = model_.energies.L ? model_.energies.L : model_.energies.T;
-    Expression sum;
-    sum.kind = ExpressionKind::add;
+    Expression sum{.kind = ExpressionKind::add};
     if (total) sum.operands = {*total};
-    sum.operands.push_back(append(energy));
+    sum.operands.push_back(energy);
     total = append(sum);
   }
 

@@ -22,10 +22,7 @@ ExpressionId NodeBuilder::push(Expression node) {
   const auto id = static_cast<ExpressionId>(arena.size() - 1);
   const auto& value = context_.constants[id];
   if (value && is_rational(*value)) {
-    Expression folded;
-    folded.number = cln::the<cln::cl_RA>(*value);
-    folded.span = span_;
-    arena[id] = std::move(folded);
+    arena[id] = {.number = cln::the<cln::cl_RA>(*value), .span = span_};
   }
   return id;
 }
@@ -37,26 +34,18 @@ bool NodeBuilder::is_number(ExpressionId id, int value) const {
 
 ExpressionId NodeBuilder::number(const cln::cl_RA& value) {
   if (cln::zerop(value)) return no_expression;
-  Expression node;
-  node.number = value;
-  return push(std::move(node));
+  return push({.number = value});
 }
 
 ExpressionId NodeBuilder::leaf(ExpressionKind kind, std::uint32_t index) {
-  Expression node;
-  node.kind = kind;
-  node.index = index;
-  return push(std::move(node));
+  return push({.kind = kind, .index = index});
 }
 
 ExpressionId NodeBuilder::negate(ExpressionId a) {
   if (is_number(a, 0)) return a;
   const Expression& operand = context_.model.expressions[a];
   if (operand.kind == ExpressionKind::negate) return operand.operands.front();
-  Expression node;
-  node.kind = ExpressionKind::negate;
-  node.operands = {a};
-  return push(std::move(node));
+  return push({.kind = ExpressionKind::negate, .operands = {a}});
 }
 
 ExpressionId NodeBuilder::add(const std::vector<ExpressionId>& terms) {
@@ -94,26 +83,16 @@ ExpressionId NodeBuilder::multiply(const std::vector<ExpressionId>& factors) {
 
 ExpressionId NodeBuilder::divide(ExpressionId a, ExpressionId b) {
   if (is_number(a, 0) || is_number(b, 1)) return a;
-  Expression node;
-  node.kind = ExpressionKind::divide;
-  node.operands = {a, b};
-  return push(std::move(node));
+  return push({.kind = ExpressionKind::divide, .operands = {a, b}});
 }
 
 ExpressionId NodeBuilder::power(ExpressionId base, const cln::cl_RA& exponent) {
-  Expression node;
-  node.kind = ExpressionKind::power;
-  node.operands = {base};
-  node.number = exponent;
-  return push(std::move(node));
+  return push({.kind = ExpressionKind::power, .number = exponent, .operands = {base}});
 }
 
 ExpressionId NodeBuilder::call(FunctionId function, ExpressionId argument) {
-  Expression node;
-  node.kind = ExpressionKind::function;
-  node.function = function;
-  node.operands = {argument};
-  const ExpressionId id = push(std::move(node));
+  const ExpressionId id =
+      push({.kind = ExpressionKind::function, .function = function, .operands = {argument}});
   const auto& value = context_.constants[id];
   if (!value) return id;
   // The sine of k pi/2 is known to 100 digits; that it is exactly -1, 0 or 1 is not seen there.
@@ -124,10 +103,7 @@ ExpressionId NodeBuilder::call(FunctionId function, ExpressionId argument) {
 
 ExpressionId NodeBuilder::rate(ExpressionId a) {
   if (context_.constants[a]) return no_expression;
-  Expression node;
-  node.kind = ExpressionKind::time_derivative;
-  node.operands = {a};
-  return push(std::move(node));
+  return push({.kind = ExpressionKind::time_derivative, .operands = {a}});
 }
 
 ExpressionId NodeBuilder::dot(const Vector3& a, const Vector3& b) {

@@ -171,12 +171,9 @@ class ApproximationReader {
   void check_forces() {
     const Expression* kink = find_kink(model_);
     if (kink == nullptr) return;
-    Diagnostic diagnostic{Code::E614, entry_.span,
-                          "`abs`, `sign`, `min` and `max` in a force have no expansion",
-                          "a smooth stand-in is tanh(x/width)"};
-    diagnostic.related = kink->span;
-    diagnostic.related_message = "one is here";
-    context_.report.add(std::move(diagnostic));
+    context_.report.add({Code::E614, entry_.span,
+                         "`abs`, `sign`, `min` and `max` in a force have no expansion",
+                         "a smooth stand-in is tanh(x/width)", kink->span, "one is here"});
   }
 
   Context& context_;

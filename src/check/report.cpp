@@ -27,9 +27,7 @@ void Report::add(Diagnostic diagnostic) {
 }
 
 void Report::add(Code code, const Span& span, std::string message, std::string hint) {
-  Diagnostic diagnostic{code, span, std::move(message)};
-  diagnostic.hint = std::move(hint);
-  add(std::move(diagnostic));
+  add({code, span, std::move(message), std::move(hint)});
 }
 
 Diagnostics Report::sorted() const {

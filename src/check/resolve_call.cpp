@@ -112,12 +112,10 @@ std::optional<ExpressionId> Resolver::resolve_function(const ExpressionSyntax& c
   if (!operands) {
     return std::nullopt;
   }
-  Expression node;
-  node.kind = ExpressionKind::function;
-  node.function = function;
-  node.operands = std::move(*operands);
-  node.span = call.span;
-  return push(std::move(node));
+  return push({.kind = ExpressionKind::function,
+               .function = function,
+               .operands = std::move(*operands),
+               .span = call.span});
 }
 
 std::optional<ExpressionId> Resolver::resolve_composite(const ExpressionSyntax& call,
@@ -152,11 +150,8 @@ std::optional<ExpressionId> Resolver::resolve_dot(const ExpressionSyntax& call) 
   if (context_.constants[*argument]) {
     return push_number(0, call.span);
   }
-  Expression node;
-  node.kind = ExpressionKind::time_derivative;
-  node.operands = {*argument};
-  node.span = call.span;
-  return push(std::move(node));
+  return push(
+      {.kind = ExpressionKind::time_derivative, .operands = {*argument}, .span = call.span});
 }
 
 std::optional<ExpressionId> Resolver::resolve_sum(const ExpressionSyntax& call) {
@@ -242,11 +237,10 @@ std::optional<ExpressionId> Resolver::resolve_squared_speed(const ExpressionSynt
   }
   std::vector<std::optional<ExpressionId>> terms;
   for (std::uint32_t axis = 0; axis < context_.model.points[*point].dimension; ++axis) {
-    Expression rate;
-    rate.kind = ExpressionKind::time_derivative;
-    rate.operands = {*push_component(*point, axis, call.span)};
-    rate.span = call.span;
-    terms.push_back(push_square(push(std::move(rate)), call.span));
+    terms.push_back(push_square(push({.kind = ExpressionKind::time_derivative,
+                                      .operands = {*push_component(*point, axis, call.span)},
+                                      .span = call.span}),
+                                call.span));
   }
   return push_sum(terms, call.span);
 }
@@ -268,11 +262,9 @@ std::optional<ExpressionId> Resolver::resolve_squared_distance(const ExpressionS
   }
   std::vector<std::optional<ExpressionId>> terms;
   for (std::uint32_t axis = 0; axis < dimension; ++axis) {
-    Expression minus;
-    minus.kind = ExpressionKind::negate;
-    minus.operands = {*push_component(*from, axis, call.span)};
-    minus.span = call.span;
-    const auto subtracted = push(std::move(minus));
+    const auto subtracted = push({.kind = ExpressionKind::negate,
+                                  .operands = {*push_component(*from, axis, call.span)},
+                                  .span = call.span});
     const auto difference = push_sum({push_component(*to, axis, call.span), subtracted}, call.span);
     terms.push_back(push_square(difference, call.span));
   }
@@ -284,12 +276,7 @@ std::optional<ExpressionId> Resolver::push_square(std::optional<ExpressionId> ba
   if (!base) {
     return std::nullopt;
   }
-  Expression node;
-  node.kind = ExpressionKind::power;
-  node.operands = {*base};
-  node.number = 2;
-  node.span = span;
-  return push(std::move(node));
+  return push({.kind = ExpressionKind::power, .number = 2, .operands = {*base}, .span = span});
 }
 
 std::optional<ExpressionId> Resolver::push_sum(

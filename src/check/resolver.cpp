@@ -109,19 +109,12 @@ void Resolver::report_failure(const ConstantFailure& failure, const Expression& 
 }
 
 std::optional<ExpressionId> Resolver::push_number(const cln::cl_RA& number, const Span& span) {
-  Expression node;
-  node.number = number;
-  node.span = span;
-  return push(std::move(node));
+  return push({.number = number, .span = span});
 }
 
 std::optional<ExpressionId> Resolver::push_leaf(ExpressionKind kind, std::uint32_t index,
                                                 const Span& span) {
-  Expression node;
-  node.kind = kind;
-  node.index = index;
-  node.span = span;
-  return push(std::move(node));
+  return push({.kind = kind, .index = index, .span = span});
 }
 
 std::optional<ExpressionId> Resolver::resolve_operation(const ExpressionSyntax& operation) {
@@ -129,11 +122,8 @@ std::optional<ExpressionId> Resolver::resolve_operation(const ExpressionSyntax& 
   if (!operands) {
     return std::nullopt;
   }
-  Expression node;
-  node.kind = kind_of(operation.kind);
-  node.operands = std::move(*operands);
-  node.span = operation.span;
-  return push(std::move(node));
+  return push(
+      {.kind = kind_of(operation.kind), .operands = std::move(*operands), .span = operation.span});
 }
 
 std::optional<ExpressionId> Resolver::resolve_power(const ExpressionSyntax& power) {
@@ -147,12 +137,10 @@ std::optional<ExpressionId> Resolver::resolve_power(const ExpressionSyntax& powe
   if (product != *exponent && !check_exponent(product, power.span)) {
     return std::nullopt;
   }
-  Expression node;
-  node.kind = ExpressionKind::power;
-  node.operands = {*base};
-  node.number = *exponent;
-  node.span = power.span;
-  return push(std::move(node));
+  return push({.kind = ExpressionKind::power,
+               .number = *exponent,
+               .operands = {*base},
+               .span = power.span});
 }
 
 /// The exponent's own nodes are dropped again. Of exponents inside exponents only the outermost

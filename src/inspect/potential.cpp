@@ -56,16 +56,11 @@ ExpressionId append(Model& model, Expression expression) {
 }
 
 ExpressionId node(Model& model, ExpressionKind kind, std::vector<ExpressionId> operands) {
-  Expression e;
-  e.kind = kind;
-  e.operands = std::move(operands);
-  return append(model, std::move(e));
+  return append(model, {.kind = kind, .operands = std::move(operands)});
 }
 
 ExpressionId number(Model& model, const cl_R& value) {
-  Expression e;
-  e.number = cln::rational(value);
-  return append(model, std::move(e));
+  return append(model, {.number = cln::rational(value)});
 }
 
 /// The model with one more coordinate that moves the point along `up`.
