@@ -67,11 +67,11 @@ struct FieldRow {
   std::string_view latex = {};  ///< its symbol, where it has a name
 };
 
-/// Which parts of the equations of motion an output is made of, so that their terms are its terms.
+/// Which terms an output has: those of M, of V0, of dissipation and applied forces, and of B.
 struct Parts {
   bool mass = false;
   bool potential = false;
-  bool forces = false;  ///< dissipation and applied forces
+  bool forces = false;
   bool inputs = false;
 };
 
@@ -102,10 +102,10 @@ struct OutputRow {
 [[nodiscard]] std::span<const OutputRow> output_table();
 [[nodiscard]] const OutputRow& output_row(OutputKind kind);
 
-/// Whether what repeats others holds its entries: of an output that takes neither a nor u.
+/// Whether an output that repeats others holds this one: it takes neither a nor u.
 [[nodiscard]] bool is_repeated(OutputKind kind);
 
-/// The field of this name, or the only one; a single number where the output has no fields.
+/// The field of this name, or the first; a single number where the output has no fields.
 [[nodiscard]] const FieldRow& field_row(OutputKind kind, std::string_view name);
 
 /// Null where the name is no built-in output.
