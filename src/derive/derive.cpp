@@ -24,13 +24,13 @@ namespace {
 using Fields = std::vector<FieldEquations>;
 
 /// Fields of `rows` rows; one without entries is left out: a model without inputs has none by them.
-Fields named(std::size_t rows, std::vector<std::pair<std::string, Vector>> entries) {
+Fields named(std::size_t rows, const std::vector<std::pair<std::string, Vector>>& entries) {
   Fields result;
-  for (auto& [name, values] : entries) {
+  for (const auto& [name, values] : entries) {
     const std::size_t columns = values.size() / rows;
     if (values.empty()) continue;
-    result.push_back({name, static_cast<std::uint32_t>(rows), static_cast<std::uint32_t>(columns),
-                      std::move(values)});
+    result.push_back(
+        {name, static_cast<std::uint32_t>(rows), static_cast<std::uint32_t>(columns), values});
   }
   return result;
 }

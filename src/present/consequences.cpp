@@ -18,10 +18,10 @@ const Values& Consequences::of(OutputKind output) & {
 Values Consequences::found(OutputKind output) {
   using Self = Consequences&;
   static const std::map<K, Values (*)(Self)> rules{
-      {K::mass_matrix, [](Self c) { return c.zeros(c.size_ * c.size_); }},
-      {K::potential_energy, [](Self c) { return c.zeros(1); }},
-      {K::dissipation, [](Self c) { return c.zeros(c.size_); }},
-      {K::applied_force, [](Self c) { return c.zeros(c.size_); }},
+      {K::mass_matrix, [](Self c) { return zeros(c.size_ * c.size_); }},
+      {K::potential_energy, [](Self) { return zeros(1); }},
+      {K::dissipation, [](Self c) { return zeros(c.size_); }},
+      {K::applied_force, [](Self c) { return zeros(c.size_); }},
       {K::coriolis_matrix, [](Self c) { return c.coriolis(); }},
       {K::velocity_force,
        [](Self c) { return c.times(c.of(K::coriolis_matrix), Opcode::velocity); }},
