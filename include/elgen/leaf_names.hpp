@@ -16,6 +16,9 @@ struct LeafNames : LeafValues<std::string> {
 
 [[nodiscard]] LeafNames leaf_names(const Model& model);
 
+/// "m", "dot(x)", "t": a leaf as models write it.
+[[nodiscard]] std::string leaf_text(const LeafNames& leaves, Opcode kind, std::uint32_t number);
+
 /// draw() for every leaf, in their order, t among them.
 template <class Draw>
 [[nodiscard]] auto draw_leaves(const LeafNames& leaves, const Draw& draw) {

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cctype>
 #include <string_view>
 #include <unordered_map>
 
@@ -15,8 +13,6 @@ std::string member_text(const Model& model, const Parameter& parameter) {
   const ParameterArray& array = model.parameter_arrays[parameter.array];
   return array.is_array ? fmt::format("{}[{}]", array.name, parameter.element) : array.name;
 }
-
-bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 }  // namespace
 
@@ -32,11 +28,6 @@ std::vector<Argument> arguments_of(const Model& model, const Function& function)
   add(row.takes_input, Argument::inputs);
   add(model.uses_time, Argument::time);
   return list;
-}
-
-std::string_view argument_name(Argument argument) {
-  constexpr std::array<std::string_view, 6> names{"p", "q", "v", "a", "u", "t"};
-  return names[static_cast<std::size_t>(argument)];
 }
 
 std::size_t argument_size(const Model& model, Argument argument) {
@@ -67,32 +58,17 @@ std::vector<std::string> parameter_members(const Model& model, const LeafNames& 
   return members;
 }
 
-std::string variable_text(const Instruction& instruction) {
-  switch (instruction.opcode) {
-    case Opcode::coordinate:
-      return fmt::format("q[{}]", instruction.a);
-    case Opcode::velocity:
-      return fmt::format("v[{}]", instruction.a);
-    case Opcode::acceleration:
-      return fmt::format("a[{}]", instruction.a);
-    case Opcode::input:
-      return fmt::format("u[{}]", instruction.a);
-    default:
-      return "t";
-  }
+std::optional<Argument> argument_of(Opcode opcode) {
+  static_assert(static_cast<int>(Opcode::time) - static_cast<int>(Opcode::parameter) ==
+                static_cast<int>(Argument::time));
+  if (opcode < Opcode::parameter || opcode > Opcode::time) return std::nullopt;
+  return static_cast<Argument>(static_cast<int>(opcode) - static_cast<int>(Opcode::parameter));
 }
 
-bool mentions(std::string_view text, std::string_view word) {
-  for (std::size_t at = text.find(word); at != std::string_view::npos;
-       at = text.find(word, at + 1)) {
-    const std::size_t end = at + word.size();
-    const std::string_view before = text.substr(0, at);
-    const bool is_member = before.ends_with(".") || before.ends_with("->");
-    const bool begins = at == 0 || (!is_word(text[at - 1]) && !is_member);
-    const bool ends = end == text.size() || !is_word(text[end]);
-    if (begins && ends) return true;
-  }
-  return false;
+std::string variable_text(const Instruction& instruction) {
+  const std::string_view name = argument_name(*argument_of(instruction.opcode));
+  return instruction.opcode == Opcode::time ? std::string(name)
+                                            : fmt::format("{}[{}]", name, instruction.a);
 }
 
 }  // namespace elgen

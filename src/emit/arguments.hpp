@@ -4,7 +4,9 @@
 //     parameter l[3], coordinate x    ->   l[2] of p, q[0]
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,8 +29,12 @@ enum class Argument : std::uint8_t {
 /// function takes them.
 [[nodiscard]] std::vector<Argument> arguments_of(const Model& model, const Function& function);
 
-/// "p", "q", "v", "a", "u", "t"
-[[nodiscard]] std::string_view argument_name(Argument argument);
+/// By argument, in their order.
+inline constexpr std::array<std::string_view, 6> argument_names{"p", "q", "v", "a", "u", "t"};
+
+[[nodiscard]] constexpr std::string_view argument_name(Argument argument) {
+  return argument_names[static_cast<std::size_t>(argument)];
+}
 
 /// How many numbers it holds; one for time.
 [[nodiscard]] std::size_t argument_size(const Model& model, Argument argument);
@@ -37,11 +43,10 @@ enum class Argument : std::uint8_t {
 [[nodiscard]] std::vector<std::string> parameter_members(const Model& model,
                                                          const LeafNames& leaves);
 
+/// The one that a leaf is read from; none for what is no leaf.
+[[nodiscard]] std::optional<Argument> argument_of(Opcode opcode);
+
 /// "q[0]", "t": a leaf that is no parameter.
 [[nodiscard]] std::string variable_text(const Instruction& instruction);
-
-/// True where `word` stands in `text` as an identifier of its own: not as a member or part of a
-/// name.
-[[nodiscard]] bool mentions(std::string_view text, std::string_view word);
 
 }  // namespace elgen

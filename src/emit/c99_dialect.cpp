@@ -33,15 +33,6 @@ bool is_hiding(const std::string& name, const std::string& prefix) {
 /// "[7]"; C has no arrays of zero elements.
 std::string extent(std::size_t size) { return size == 0 ? "[]" : fmt::format("[{}]", size); }
 
-/// "  (void)q;" for each name the statements do not mention.
-std::string unused(const Texts& names, const std::string& statements) {
-  std::string lines;
-  for (const std::string& name : names) {
-    if (!mentions(statements, name)) lines += fmt::format("  (void){};\n", name);
-  }
-  return lines;
-}
-
 }  // namespace
 
 ScalarKind c99_scalar(const Scene& scene) { return scene.numerics.scalars.front(); }
@@ -53,67 +44,43 @@ std::string c99_literal(const cln::cl_R& value, ScalarKind scalar) {
 }
 
 C99Dialect::C99Dialect(const Model& model, const Scene& scene, const Program& program)
-    : model_(model),
-      program_(program),
+    : Dialect(model, program, "->"),
       scalar_kind_(c99_scalar(scene)),
       scalar_(scalar_name(scalar_kind_)),
-      prefix_(name_space(scene) + "_"),
-      parameters_(parameter_members(model, program.leaves)) {}
+      prefix_(name_space(scene) + "_") {}
 
-std::string C99Dialect::leaf(const Instruction& instruction) const {
-  const bool is_parameter = instruction.opcode == Opcode::parameter;
-  return is_parameter ? "p->" + parameters_[instruction.a] : variable_text(instruction);
-}
-
-Term C99Dialect::constant(const Constant& constant) const {
+Formula C99Dialect::constant(const Constant& constant) const {
   const bool is_negative = cln::minusp(constant.value);
   return {c99_literal(constant.value, scalar_kind_),
-          is_negative ? Precedence::negation : Precedence::primary};
+          is_negative ? Binding::negation : Binding::atom};
 }
 
-std::string C99Dialect::function_of_library(const std::string& name) const {
-  return name + (scalar_kind_ == ScalarKind::single_precision ? "f" : "");
+std::string C99Dialect::library_function(std::string_view name) const {
+  const bool is_float = scalar_kind_ == ScalarKind::single_precision;
+  return fmt::format("{}{}", name == "abs" ? "fabs" : name, is_float ? "f" : "");
 }
 
-std::string C99Dialect::call(FunctionId function, const std::string& arguments) const {
-  switch (function) {
-    case FunctionId::sign:
-      return fmt::format("{}sign_of({})", prefix_, arguments);
-    case FunctionId::min:
-      return fmt::format("{}smaller({})", prefix_, arguments);
-    case FunctionId::max:
-      return fmt::format("{}larger({})", prefix_, arguments);
-    case FunctionId::abs:
-      return fmt::format("{}({})", function_of_library("fabs"), arguments);
-    default:
-      return fmt::format("{}({})", function_of_library(std::string(function_row(function).name)),
-                         arguments);
-  }
-}
-
-std::string C99Dialect::square_root(const std::string& argument) const {
-  return fmt::format("{}({})", function_of_library("sqrt"), argument);
+std::string C99Dialect::own_function(std::string_view name) const {
+  return fmt::format("{}{}", prefix_, name);
 }
 
 std::string C99Dialect::temporary(const std::string& name) const {
   return is_hiding(name, prefix_) ? name + "_" : name;
 }
 
-std::string C99Dialect::shared(const std::string& name) const { return "w->" + name; }
-
 std::string C99Dialect::declaration(const std::string& name) const {
   return fmt::format("const {} {}", scalar_, name);
 }
 
 bool C99Dialect::gives_number(const Function& function) const {
-  return !gives_struct(function) && is_scalar(function.kind, function.fields.front());
+  return !gives_struct(function) && is_number(function, function.fields.front());
 }
 
 std::string C99Dialect::target(const Function& function, const SectionItem& entry) const {
   const Field& field = function.fields[entry.field];
   if (field.name.empty()) return fmt::format("result[{}]", entry.index);
-  const bool is_number = is_scalar(kind_of_field(program_, function, field), field);
-  return "result->" + field.name + (is_number ? "" : fmt::format("[{}]", entry.index));
+  const std::string element = is_number(function, field) ? "" : fmt::format("[{}]", entry.index);
+  return "result->" + field.name + element;
 }
 
 std::string C99Dialect::returned(const Function& function, const Function& /*ordered*/,
@@ -124,20 +91,25 @@ std::string C99Dialect::returned(const Function& function, const Function& /*ord
   return fmt::format("  return {};\n", fmt::join(lines, "\n"));
 }
 
-std::string C99Dialect::opening(const Function& function, const std::string& statements,
+/// "  (void)q;" for each argument that is not used.
+std::string C99Dialect::opening(const Function& function, const UsedNames& used,
                                 bool is_part) const {
-  Texts names;
-  for (const Argument argument : arguments_of(model_, function)) {
-    names.emplace_back(argument_name(argument));
+  std::vector<std::string_view> names;
+  for (const Argument argument : arguments_of(model(), function)) {
+    names.push_back(argument_name(argument));
   }
   if (is_part) names.emplace_back("w");
   if (is_part || !gives_number(function)) names.emplace_back("result");
-  return unused(names, statements);
+  std::string lines;
+  for (const std::string_view name : names) {
+    if (used.count(name) == 0) lines += fmt::format("  (void){};\n", name);
+  }
+  return lines;
 }
 
 Texts C99Dialect::declared_arguments(const Function& function) const {
   Texts arguments;
-  for (const Argument argument : arguments_of(model_, function)) {
+  for (const Argument argument : arguments_of(model(), function)) {
     const std::string_view name = argument_name(argument);
     if (argument == Argument::parameters) {
       arguments.push_back(fmt::format("const {}parameters *{}", prefix_, name));
@@ -145,7 +117,7 @@ Texts C99Dialect::declared_arguments(const Function& function) const {
       arguments.push_back(fmt::format("{} {}", scalar_, name));
     } else {
       arguments.push_back(
-          fmt::format("const {} {}{}", scalar_, name, extent(argument_size(model_, argument))));
+          fmt::format("const {} {}{}", scalar_, name, extent(argument_size(model(), argument))));
     }
   }
   return arguments;
@@ -156,12 +128,12 @@ std::string C99Dialect::result_argument(const Function& function) const {
   return fmt::format("{} result{}", scalar_, extent(entry_count(function)));
 }
 
-std::string C99Dialect::signature(const Function& function, const std::string& /*body*/) const {
+std::string C99Dialect::signature(const Function& function, const UsedNames& /*used*/) const {
   Texts arguments = declared_arguments(function);
-  const bool is_number = gives_number(function);
-  if (!is_number) arguments.push_back(result_argument(function));
+  const bool is_returned = gives_number(function);
+  if (!is_returned) arguments.push_back(result_argument(function));
   return elgen::signature(
-      fmt::format("static inline {} {}{}", is_number ? scalar_ : "void", prefix_, function.name),
+      fmt::format("static inline {} {}{}", is_returned ? scalar_ : "void", prefix_, function.name),
       arguments, "");
 }
 
@@ -170,7 +142,7 @@ std::string C99Dialect::part_name(const Function& function, std::size_t part) co
 }
 
 std::string C99Dialect::part_signature(const Function& function, std::size_t part,
-                                       const std::string& /*body*/) const {
+                                       const UsedNames& /*used*/) const {
   Texts arguments = declared_arguments(function);
   arguments.push_back(workspace_name(function) + " *w");
   arguments.push_back(result_argument(function));
@@ -178,24 +150,23 @@ std::string C99Dialect::part_signature(const Function& function, std::size_t par
 }
 
 std::string C99Dialect::calling_body(const Function& function, std::size_t parts) const {
-  const bool is_number = gives_number(function);
-  std::string body = is_number ? fmt::format("  {} result[1];\n", scalar_) : "";
+  const bool is_returned = gives_number(function);
+  std::string body = is_returned ? fmt::format("  {} result[1];\n", scalar_) : "";
   body += fmt::format("  {} w;\n", workspace_name(function));
   std::string arguments;
-  for (const Argument argument : arguments_of(model_, function)) {
+  for (const Argument argument : arguments_of(model(), function)) {
     arguments += fmt::format("{}, ", argument_name(argument));
   }
   for (std::size_t part = 0; part < parts; ++part) {
     body += fmt::format("  {}({}&w, result);\n", part_name(function, part), arguments);
   }
-  return is_number ? body + "  return result[0];\n" : body;
+  return is_returned ? body + "  return result[0];\n" : body;
 }
 
 std::string C99Dialect::member(const Function& function, const Field& field) const {
   if (field.entries.empty()) return "";
-  const bool is_number = is_scalar(kind_of_field(program_, function, field), field);
   return fmt::format("{} {}{};", scalar_, field.name,
-                     is_number ? "" : extent(field.entries.size()));
+                     is_number(function, field) ? "" : extent(field.entries.size()));
 }
 
 std::string C99Dialect::struct_name(const Function& function) const {

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "arguments.hpp"
 #include "dialect.hpp"
 #include "elgen/scene.hpp"
 
@@ -25,23 +24,19 @@ class C99Dialect final : public Dialect {
  public:
   C99Dialect(const Model& model, const Scene& scene, const Program& program);
 
-  [[nodiscard]] std::string leaf(const Instruction& instruction) const override;
-  [[nodiscard]] Term constant(const Constant& constant) const override;
-  [[nodiscard]] std::string call(FunctionId function, const std::string& arguments) const override;
-  [[nodiscard]] std::string square_root(const std::string& argument) const override;
+  [[nodiscard]] Formula constant(const Constant& constant) const override;
   [[nodiscard]] std::string temporary(const std::string& name) const override;
-  [[nodiscard]] std::string shared(const std::string& name) const override;
   [[nodiscard]] std::string declaration(const std::string& name) const override;
   [[nodiscard]] std::string target(const Function& function,
                                    const SectionItem& entry) const override;
   [[nodiscard]] std::string returned(const Function& function, const Function& ordered,
                                      const FunctionBody& body) const override;
-  [[nodiscard]] std::string opening(const Function& function, const std::string& statements,
+  [[nodiscard]] std::string opening(const Function& function, const UsedNames& used,
                                     bool is_part) const override;
   [[nodiscard]] std::string signature(const Function& function,
-                                      const std::string& body) const override;
+                                      const UsedNames& used) const override;
   [[nodiscard]] std::string part_signature(const Function& function, std::size_t part,
-                                           const std::string& body) const override;
+                                           const UsedNames& used) const override;
   [[nodiscard]] std::string calling_body(const Function& function,
                                          std::size_t parts) const override;
   [[nodiscard]] std::string member(const Function& function, const Field& field) const override;
@@ -49,7 +44,8 @@ class C99Dialect final : public Dialect {
   [[nodiscard]] std::string workspace_name(const Function& function) const override;
 
  private:
-  [[nodiscard]] std::string function_of_library(const std::string& name) const;
+  [[nodiscard]] std::string library_function(std::string_view name) const override;
+  [[nodiscard]] std::string own_function(std::string_view name) const override;
   [[nodiscard]] std::vector<std::string> declared_arguments(const Function& function) const;
   /// "double": what a function returns where it gives one number.
   [[nodiscard]] bool gives_number(const Function& function) const;
@@ -57,12 +53,9 @@ class C99Dialect final : public Dialect {
   [[nodiscard]] std::string result_argument(const Function& function) const;
   [[nodiscard]] std::string part_name(const Function& function, std::size_t part) const;
 
-  const Model& model_;
-  const Program& program_;
   ScalarKind scalar_kind_;
-  std::string scalar_;                   ///< "double"
-  std::string prefix_;                   ///< "cart_pole_"
-  std::vector<std::string> parameters_;  ///< of each leaf number
+  std::string scalar_;  ///< "double"
+  std::string prefix_;  ///< "cart_pole_"
 };
 
 }  // namespace elgen

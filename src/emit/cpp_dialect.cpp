@@ -22,21 +22,11 @@ using Texts = std::vector<std::string>;
 std::string joined_lines(const Texts& lines) { return fmt::format("{}", fmt::join(lines, "\n")); }
 
 /// sign, min and max are not the standard library's.
-bool is_standard(FunctionId function) {
-  return function != FunctionId::sign && function != FunctionId::min && function != FunctionId::max;
-}
-
-/// Those of the standard functions that the statements mention.
-std::string using_declarations(const std::string& statements) {
-  std::set<std::string> names = {"sqrt"};
-  for (const FunctionRow& row : function_table) {
-    if (is_standard(row.id)) names.emplace(row.name);
-  }
-  std::string text;
-  for (const std::string& name : names) {
-    if (mentions(statements, name)) text += fmt::format("  using std::{};\n", name);
-  }
-  return text;
+bool is_standard(std::string_view name) {
+  const auto is_called = [name](const FunctionRow& row) { return row.name == name; };
+  const bool is_own = name == "sign" || name == "min" || name == "max";
+  return name == "sqrt" ||
+         (!is_own && std::any_of(function_table.begin(), function_table.end(), is_called));
 }
 
 /// The rows of a matrix, joined by commas, where every row fits a line; else one line per entry.
@@ -91,43 +81,21 @@ std::string part_name(const Function& function, std::size_t part) {
 
 }  // namespace
 
-CppDialect::CppDialect(const Model& model, const Program& program)
-    : model_(model), program_(program), parameters_(parameter_members(model, program.leaves)) {}
-
-std::string CppDialect::leaf(const Instruction& instruction) const {
-  const bool is_parameter = instruction.opcode == Opcode::parameter;
-  return is_parameter ? "p." + parameters_[instruction.a] : variable_text(instruction);
-}
-
-Term CppDialect::constant(const Constant& constant) const {
+Formula CppDialect::constant(const Constant& constant) const {
   const bool is_negative = cln::minusp(constant.value);
   const std::string magnitude = is_short_constant(constant.value)
                                     ? cpp_magnitude(constant.value)
                                     : constant_name(constant) + "<Scalar>()";
-  return {(is_negative ? "-" : "") + magnitude,
-          is_negative ? Precedence::negation : Precedence::primary};
+  return {(is_negative ? "-" : "") + magnitude, is_negative ? Binding::negation : Binding::atom};
 }
 
-std::string CppDialect::call(FunctionId function, const std::string& arguments) const {
-  switch (function) {
-    case FunctionId::sign:
-      return fmt::format("detail::sign_of<Scalar>({})", arguments);
-    case FunctionId::min:
-      return fmt::format("detail::smaller<Scalar>({})", arguments);
-    case FunctionId::max:
-      return fmt::format("detail::larger<Scalar>({})", arguments);
-    default:
-      return fmt::format("{}({})", function_row(function).name, arguments);
-  }
-}
+std::string CppDialect::library_function(std::string_view name) const { return std::string(name); }
 
-std::string CppDialect::square_root(const std::string& argument) const {
-  return "sqrt(" + argument + ")";
+std::string CppDialect::own_function(std::string_view name) const {
+  return fmt::format("detail::{}<Scalar>", name);
 }
 
 std::string CppDialect::temporary(const std::string& name) const { return cpp_temporary(name); }
-
-std::string CppDialect::shared(const std::string& name) const { return "w." + name; }
 
 std::string CppDialect::declaration(const std::string& name) const {
   return "const Scalar " + name;
@@ -136,27 +104,30 @@ std::string CppDialect::declaration(const std::string& name) const {
 std::string CppDialect::target(const Function& function, const SectionItem& entry) const {
   const Field& field = function.fields[entry.field];
   const std::string member = field.name.empty() ? "" : "." + field.name;
-  const bool is_number = is_scalar(kind_of_field(program_, function, field), field);
-  return "result" + member + (is_number ? "" : element(entry.index));
+  return "result" + member + (is_number(function, field) ? "" : element(entry.index));
 }
 
 std::string CppDialect::returned(const Function& function, const Function& ordered,
                                  const FunctionBody& body) const {
   if (!is_returned(function)) return "";
-  const std::vector<bool> scalars = scalar_fields(program_, function);
   const bool is_struct = gives_struct(function);
   Texts values;
   for (std::size_t i = 0; i < function.fields.size(); ++i) {
     const Texts entries = texts_of(body.entries[i]);
-    values.push_back(field_value({ordered.fields[i], entries, scalars[i]}, is_struct ? 6 : 2));
+    const bool is_plain = is_number(function, function.fields[i]);
+    values.push_back(field_value({ordered.fields[i], entries, is_plain}, is_struct ? 6 : 2));
   }
   if (!is_struct) return fmt::format("  return {};\n", values.front());
   return fmt::format("  return {{\n      {},\n  }};\n", fmt::join(values, ",\n      "));
 }
 
-std::string CppDialect::opening(const Function& /*function*/, const std::string& statements,
+std::string CppDialect::opening(const Function& /*function*/, const UsedNames& used,
                                 bool /*is_part*/) const {
-  return using_declarations(statements);
+  std::string text;
+  for (const std::string_view name : used) {
+    if (is_standard(name)) text += fmt::format("  using std::{};\n", name);
+  }
+  return text;
 }
 
 std::string CppDialect::element(std::uint32_t index) const { return fmt::format("[{}]", index); }
@@ -174,19 +145,19 @@ std::string CppDialect::result_type(const Function& function) const {
   return type_of_field(function.kind, function.fields.front());
 }
 
-/// Arguments that the body does not mention have no name.
-Texts CppDialect::declared_arguments(const Function& function, const std::string& body) const {
+/// Arguments that the body does not use have no name.
+Texts CppDialect::declared_arguments(const Function& function, const UsedNames& used) const {
   Texts texts;
-  for (const Argument argument : arguments_of(model_, function)) {
+  for (const Argument argument : arguments_of(model(), function)) {
     const std::string_view name = argument_name(argument);
     texts.push_back(type_of_argument(argument) +
-                    (mentions(body, name) ? fmt::format(" {}", name) : ""));
+                    (used.count(name) > 0 ? fmt::format(" {}", name) : ""));
   }
   return texts;
 }
 
-std::string CppDialect::signature(const Function& function, const std::string& body) const {
-  Texts arguments = declared_arguments(function, body);
+std::string CppDialect::signature(const Function& function, const UsedNames& used) const {
+  Texts arguments = declared_arguments(function, used);
   const std::string type = result_type(function);
   if (is_returned(function)) {
     const std::string start = fmt::format("[[nodiscard]] {} {}", type, function.name);
@@ -197,11 +168,11 @@ std::string CppDialect::signature(const Function& function, const std::string& b
 }
 
 std::string CppDialect::part_signature(const Function& function, std::size_t part,
-                                       const std::string& body) const {
+                                       const UsedNames& used) const {
   Texts arguments = {result_type(function) + "&", workspace_name(function) + "<Scalar>&"};
-  if (mentions(body, "result")) arguments[0] += " result";
-  if (mentions(body, "w")) arguments[1] += " w";
-  const Texts own = declared_arguments(function, body);
+  if (used.count("result") > 0) arguments[0] += " result";
+  if (used.count("w") > 0) arguments[1] += " w";
+  const Texts own = declared_arguments(function, used);
   arguments.insert(arguments.end(), own.begin(), own.end());
   return elgen::signature("void " + part_name(function, part), arguments, " noexcept");
 }
@@ -211,7 +182,7 @@ std::string CppDialect::calling_body(const Function& function, std::size_t parts
   if (is_returned(function)) body += fmt::format("  {} result;\n", result_type(function));
   body += fmt::format("  detail::{}<Scalar> w;\n", workspace_name(function));
   std::string arguments = "result, w";
-  for (const Argument argument : arguments_of(model_, function)) {
+  for (const Argument argument : arguments_of(model(), function)) {
     arguments += fmt::format(", {}", argument_name(argument));
   }
   for (std::size_t part = 0; part < parts; ++part) {
@@ -221,8 +192,7 @@ std::string CppDialect::calling_body(const Function& function, std::size_t parts
 }
 
 std::string CppDialect::member(const Function& function, const Field& field) const {
-  return fmt::format("{} {};", type_of_field(kind_of_field(program_, function, field), field),
-                     field.name);
+  return fmt::format("{} {};", type_of_field(kind_of(function, field), field), field.name);
 }
 
 std::string CppDialect::struct_name(const Function& function) const {

@@ -8,32 +8,27 @@
 #include <string>
 #include <vector>
 
-#include "arguments.hpp"
 #include "dialect.hpp"
 
 namespace elgen {
 
 class CppDialect : public Dialect {
  public:
-  CppDialect(const Model& model, const Program& program);
+  CppDialect(const Model& model, const Program& program) : Dialect(model, program, ".") {}
 
-  [[nodiscard]] std::string leaf(const Instruction& instruction) const override;
-  [[nodiscard]] Term constant(const Constant& constant) const override;
-  [[nodiscard]] std::string call(FunctionId function, const std::string& arguments) const override;
-  [[nodiscard]] std::string square_root(const std::string& argument) const override;
+  [[nodiscard]] Formula constant(const Constant& constant) const override;
   [[nodiscard]] std::string temporary(const std::string& name) const override;
-  [[nodiscard]] std::string shared(const std::string& name) const override;
   [[nodiscard]] std::string declaration(const std::string& name) const override;
   [[nodiscard]] std::string target(const Function& function,
                                    const SectionItem& entry) const override;
   [[nodiscard]] std::string returned(const Function& function, const Function& ordered,
                                      const FunctionBody& body) const override;
-  [[nodiscard]] std::string opening(const Function& function, const std::string& statements,
+  [[nodiscard]] std::string opening(const Function& function, const UsedNames& used,
                                     bool is_part) const override;
   [[nodiscard]] std::string signature(const Function& function,
-                                      const std::string& body) const override;
+                                      const UsedNames& used) const override;
   [[nodiscard]] std::string part_signature(const Function& function, std::size_t part,
-                                           const std::string& body) const override;
+                                           const UsedNames& used) const override;
   [[nodiscard]] std::string calling_body(const Function& function,
                                          std::size_t parts) const override;
   [[nodiscard]] std::string member(const Function& function, const Field& field) const override;
@@ -41,7 +36,6 @@ class CppDialect : public Dialect {
   [[nodiscard]] std::string workspace_name(const Function& function) const override;
 
  protected:
-  [[nodiscard]] const Model& model() const { return model_; }
   /// "Forces<Scalar>", "ForwardDynamics<Scalar>": what the function returns.
   [[nodiscard]] std::string result_type(const Function& function) const;
 
@@ -52,12 +46,10 @@ class CppDialect : public Dialect {
   [[nodiscard]] virtual std::string type_of_argument(Argument argument) const;
 
  private:
+  [[nodiscard]] std::string library_function(std::string_view name) const override;
+  [[nodiscard]] std::string own_function(std::string_view name) const override;
   [[nodiscard]] std::vector<std::string> declared_arguments(const Function& function,
-                                                            const std::string& body) const;
-
-  const Model& model_;
-  const Program& program_;
-  std::vector<std::string> parameters_;  ///< of each leaf number
+                                                            const UsedNames& used) const;
 };
 
 }  // namespace elgen

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "fields.hpp"
 #include "layout.hpp"
 
@@ -24,17 +26,65 @@ std::string declarations(const Dialect& dialect, const FunctionBody& body) {
   return lines;
 }
 
-std::string short_body(const Dialect& dialect, const Function& function, const Function& ordered,
-                       const FunctionBody& body) {
+std::string short_lines(const Dialect& dialect, const Function& function, const Function& ordered,
+                        const FunctionBody& body) {
   const std::string returned = dialect.returned(function, ordered, body);
-  const std::string lines = declarations(dialect, body) +
-                            (returned.empty() ? assignments(dialect, ordered, body) : returned);
-  return dialect.opening(function, lines, false) + lines;
+  return declarations(dialect, body) +
+         (returned.empty() ? assignments(dialect, ordered, body) : returned);
+}
+
+/// Temporaries under names that are unique in the function.
+std::vector<std::string> local_names(const Dialect& dialect, const Program& program,
+                                     const Function& function) {
+  std::vector<std::string> names = temporary_names(program, function);
+  std::set<std::string> taken;
+  for (std::string& name : names) {
+    if (name.empty()) continue;
+    name = dialect.temporary(name);
+    while (!taken.insert(name).second) name += '_';
+  }
+  return names;
+}
+
+/// The names of statements that cross into other parts; they are spelt as shared from here on.
+std::vector<std::string> take_shared(const Dialect& dialect, std::vector<std::string>& names,
+                                     const std::vector<bool>& crosses) {
+  std::vector<std::string> shared;
+  std::size_t statement = 0;
+  for (std::string& name : names) {
+    if (name.empty() || !crosses[statement++]) continue;
+    shared.push_back(name);
+    name = dialect.shared(name);
+  }
+  return shared;
+}
+
+std::string_view name_of(const Instruction& instruction) {
+  if (instruction.opcode == Opcode::square_root) return "sqrt";
+  if (instruction.opcode == Opcode::call) return function_row(instruction.function).name;
+  const std::optional<Argument> argument = argument_of(instruction.opcode);
+  return argument ? argument_name(*argument) : std::string_view();
+}
+
+UsedNames used_names(const Function& function, const FunctionBody& body, const Sections& cut,
+                     std::size_t part) {
+  UsedNames used;
+  for (const SectionItem& item : cut.parts[part]) {
+    const Term& value = value_of(body, item);
+    for (const std::uint32_t at : value.instructions) {
+      used.insert(name_of(function.instructions[at]));
+    }
+    const auto crosses = [&cut](std::uint32_t statement) { return cut.crosses[statement]; };
+    const bool is_shared = !item.is_entry && crosses(item.index);
+    if (item.is_entry) used.insert("result");
+    if (is_shared || std::any_of(value.uses.begin(), value.uses.end(), crosses)) used.insert("w");
+  }
+  return used;
 }
 
 /// The statements and entries of one part; what crosses into another one is no declaration.
-std::string part_body(const Dialect& dialect, const Function& function, const FunctionBody& body,
-                      const Sections& cut, std::size_t part) {
+std::string part_lines(const Dialect& dialect, const Function& function, const FunctionBody& body,
+                       const Sections& cut, std::size_t part) {
   std::string lines;
   for (const SectionItem& item : cut.parts[part]) {
     const std::string& name = item.is_entry ? std::string() : body.statements[item.index].name;
@@ -43,15 +93,7 @@ std::string part_body(const Dialect& dialect, const Function& function, const Fu
                                                          : dialect.declaration(name);
     lines += assignment(target, value_of(body, item));
   }
-  return dialect.opening(function, lines, true) + lines;
-}
-
-std::vector<std::string> shared_names(const FunctionBody& body, const std::vector<bool>& crosses) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < crosses.size(); ++i) {
-    if (crosses[i]) names.push_back(body.statements[i].name);
-  }
-  return names;
+  return lines;
 }
 
 }  // namespace
@@ -77,20 +119,27 @@ std::string assignments(const Dialect& dialect, const Function& function,
 FunctionDefinition definition(const Dialect& dialect, const Program& program,
                               const Function& function, Storage storage) {
   const Function ordered = stored(function, storage);
-  const FunctionBody body = statements(program, ordered, dialect);
-  if (length(body) <= longest_body) {
-    const std::string text = short_body(dialect, function, ordered, body);
-    return {{dialect.signature(function, text), text}};
+  std::vector<std::string> names = local_names(dialect, program, ordered);
+  const FunctionBody body = statements(program, ordered, dialect, names);
+  const bool is_short = length(body) <= longest_body;
+  const Sections cut = sections(body, is_short ? longest_body : section_length);
+  if (is_short) {
+    const UsedNames used = used_names(ordered, body, cut, 0);
+    return {{dialect.signature(function, used), dialect.opening(function, used, false) +
+                                                    short_lines(dialect, function, ordered, body)}};
   }
-  const Sections cut = sections(body, section_length);
-  const FunctionBody shared = statements(program, ordered, dialect, cut.crosses);
-  const std::string calls = dialect.calling_body(function, cut.parts.size());
-  FunctionDefinition result{{dialect.signature(function, calls), calls}};
+  FunctionDefinition result;
+  result.workspace = take_shared(dialect, names, cut.crosses);
+  const UsedNames passed_on(argument_names.begin(), argument_names.end());
+  result.whole = {dialect.signature(function, passed_on),
+                  dialect.calling_body(function, cut.parts.size())};
+  const FunctionBody shared = statements(program, ordered, dialect, names);
   for (std::size_t part = 0; part < cut.parts.size(); ++part) {
-    const std::string text = part_body(dialect, ordered, shared, cut, part);
-    result.parts.push_back({dialect.part_signature(function, part, text), text});
+    const UsedNames used = used_names(ordered, shared, cut, part);
+    result.parts.push_back(
+        {dialect.part_signature(function, part, used),
+         dialect.opening(function, used, true) + part_lines(dialect, ordered, shared, cut, part)});
   }
-  result.workspace = shared_names(body, cut.crosses);
   return result;
 }
 

@@ -1,16 +1,37 @@
-// dialect: how a C-like language writes a function, where Spelling says how it writes expressions.
-// definition.hpp puts the pieces together; what is no picture in templates/ is here.
+// dialect: how a C-like language writes a function; definition.hpp puts the pieces together.
 #pragma once
 
+#include <set>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "arguments.hpp"
 #include "sections.hpp"
 #include "statements.hpp"
 
 namespace elgen {
 
-class Dialect : public Spelling {
+/// What a body reads, writes and calls: "q", "w", "result", "sin".
+using UsedNames = std::set<std::string_view>;
+
+class Dialect : public Vocabulary {
  public:
+  /// `access`: "." or "->", between a struct and its member.
+  Dialect(const Model& model, const Program& program, std::string_view access);
+
+  [[nodiscard]] std::string leaf(const Instruction& instruction) const override;
+  [[nodiscard]] Formula constant(const Constant& constant) const override = 0;
+  [[nodiscard]] Formula square_root(const Formula& radicand) const override;
+  [[nodiscard]] Formula call(FunctionId function,
+                             const std::vector<Formula>& arguments) const override;
+
+  /// The name of a temporary as this language can take it.
+  [[nodiscard]] virtual std::string temporary(const std::string& name) const = 0;
+
+  /// A temporary that several parts of a function share, where it is written and read.
+  [[nodiscard]] std::string shared(const std::string& name) const;
+
   /// "const Scalar x": the declaration of a temporary, without its value.
   [[nodiscard]] virtual std::string declaration(const std::string& name) const = 0;
 
@@ -25,14 +46,14 @@ class Dialect : public Spelling {
                                              const FunctionBody& body) const = 0;
 
   /// What has to stand before the statements of a body: using-declarations, unused arguments.
-  [[nodiscard]] virtual std::string opening(const Function& function, const std::string& statements,
+  [[nodiscard]] virtual std::string opening(const Function& function, const UsedNames& used,
                                             bool is_part) const = 0;
 
   /// Everything before the brace of a function, or of one of its parts.
   [[nodiscard]] virtual std::string signature(const Function& function,
-                                              const std::string& body) const = 0;
+                                              const UsedNames& used) const = 0;
   [[nodiscard]] virtual std::string part_signature(const Function& function, std::size_t part,
-                                                   const std::string& body) const = 0;
+                                                   const UsedNames& used) const = 0;
 
   /// The body that calls the parts one after another.
   [[nodiscard]] virtual std::string calling_body(const Function& function,
@@ -45,6 +66,24 @@ class Dialect : public Spelling {
   /// "ForwardDynamics": the struct a function gives, and the one its parts share values in.
   [[nodiscard]] virtual std::string struct_name(const Function& function) const = 0;
   [[nodiscard]] virtual std::string workspace_name(const Function& function) const = 0;
+
+ protected:
+  [[nodiscard]] const Model& model() const { return model_; }
+  [[nodiscard]] const std::string& access() const { return access_; }
+  /// Whether a field is one number, and no array.
+  [[nodiscard]] bool is_number(const Function& function, const Field& field) const;
+  [[nodiscard]] OutputKind kind_of(const Function& function, const Field& field) const;
+
+ private:
+  /// A function of the standard library, by its name for double.
+  [[nodiscard]] virtual std::string library_function(std::string_view name) const = 0;
+  /// A function of the header.
+  [[nodiscard]] virtual std::string own_function(std::string_view name) const = 0;
+
+  const Model& model_;
+  const Program& program_;
+  std::string access_;
+  std::vector<std::string> parameters_;  ///< of each leaf number
 };
 
 }  // namespace elgen

@@ -57,10 +57,9 @@ const Term& value_of(const FunctionBody& body, const SectionItem& item) {
 }
 
 Sections sections(const FunctionBody& body, std::size_t length_of_part) {
-  Sections cut;
+  Sections cut{.parts = {{}}};
   for (const SectionItem& item : ordered_items(body)) {
-    const bool is_full = !cut.parts.empty() && cut.parts.back().size() == length_of_part;
-    if (cut.parts.empty() || is_full) cut.parts.emplace_back();
+    if (cut.parts.back().size() == length_of_part) cut.parts.emplace_back();
     cut.parts.back().push_back(item);
   }
   cut.crosses = crossing(body, cut);

@@ -24,7 +24,7 @@ struct SectionItem {
 };
 
 struct Sections {
-  std::vector<std::vector<SectionItem>> parts = {};
+  std::vector<std::vector<SectionItem>> parts = {};  ///< at least one
   std::vector<bool> crosses = {};  ///< of each statement: used in another part than its own
 };
 

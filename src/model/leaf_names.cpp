@@ -22,6 +22,12 @@ LeafNames leaf_names(const Model& model) {
           model.uses_time};
 }
 
+std::string leaf_text(const LeafNames& leaves, Opcode kind, std::uint32_t number) {
+  const std::string& name = leaf_of(leaves, kind, number);
+  if (kind == Opcode::acceleration) return "dot(dot(" + name + "))";
+  return kind == Opcode::velocity ? "dot(" + name + ")" : name;
+}
+
 Dimensions dimensions(const Model& model) {
   return {model.coordinates.size(), model.velocities.size(), model.inputs.size(),
           model.parameters.size()};

@@ -1,55 +1,39 @@
 // Prints expressions of a Model in the model language, with as few brackets as keep the tree:
 //
 //     multiply(1/2, add(a, negate(b)))   ->   1/2*(a - b)
-#include <cln/integer.h>
-
-#include <array>
-
-#include "base/number_text.hpp"
+#include "base/formula.hpp"
 #include "elgen/model.hpp"
 
 namespace elgen {
 namespace {
 
-/// How tightly an operator binds; operands that bind less tightly get brackets.
-enum class Binding : std::uint8_t { sum, product, power, atom };
-
-struct Printed {
-  std::string text;
-  Binding binding = Binding::atom;
-};
-
-std::string within(const Printed& operand, Binding needed) {
-  return operand.binding < needed ? "(" + operand.text + ")" : operand.text;
-}
-
 class Printer {
  public:
   explicit Printer(const Model& model) : model_(model) {}
 
-  [[nodiscard]] Printed print(ExpressionId id) const {
+  [[nodiscard]] Formula print(ExpressionId id) const {
     const Expression& node = model_.expressions[id];
     switch (node.kind) {
       case ExpressionKind::number:
-        return number(node.number);
+        return as_term(number(spelling_, node.number));
       case ExpressionKind::negate:
-        return {"-" + within(print(node.operands[0]), Binding::power), Binding::sum};
+        return as_term(
+            negated(spelling_, at_least(spelling_, print(node.operands[0]), Binding::power)));
       case ExpressionKind::add:
-        return sum(node);
+        return total(node);
       case ExpressionKind::multiply:
-        return product(node);
+        return product_of(node);
       case ExpressionKind::divide:
-        return {within(print(node.operands[0]), Binding::product) + "/" +
-                    within(print(node.operands[1]), Binding::power),
-                Binding::product};
+        return quotient(spelling_, print(node.operands[0]), print(node.operands[1]));
       case ExpressionKind::power:
-        return power(node);
+        if (node.number == cln::cl_RA(1) / 2) return called("sqrt", operands(node));
+        return power(spelling_, print(node.operands[0]), number(spelling_, node.number));
       case ExpressionKind::function:
-        return call(std::string(function_row(node.function).name), node);
+        return call(spelling_, node.function, operands(node));
       case ExpressionKind::time_derivative:
-        return call("dot", node);
+        return called("dot", operands(node));
       default:
-        return {leaf(node), Binding::atom};
+        return {leaf(node)};
     }
   }
 
@@ -91,63 +75,44 @@ class Printer {
                  : std::string(1, "xyz"[k - 9]) + "(" + name + ")";
   }
 
-  static bool is_negative(const Expression& term) {
-    return term.kind == ExpressionKind::number && cln::minusp(term.number);
+  /// What has a sign is an operand in brackets only …
+  [[nodiscard]] static Formula as_term(Formula formula) {
+    if (formula.binding == Binding::negation) formula.binding = Binding::sum;
+    return formula;
   }
 
-  static Printed number(const cln::cl_RA& value) {
-    const bool is_integer = cln::denominator(value) == 1;
-    if (cln::minusp(value)) {
-      return {number_text(value), Binding::sum};
-    }
-    return {number_text(value), is_integer ? Binding::atom : Binding::product};
+  /// … but for a negation that begins a product: -a*b.
+  [[nodiscard]] Formula product_of(const Expression& node) const {
+    std::vector<Formula> factors = operands(node);
+    const Expression& first = model_.expressions[node.operands[0]];
+    if (first.kind == ExpressionKind::negate) factors[0].binding = Binding::product;
+    return product(spelling_, factors);
   }
 
-  [[nodiscard]] Printed sum(const Expression& node) const {
-    std::string text;
-    for (const ExpressionId operand : node.operands) {
-      const Expression& term = model_.expressions[operand];
-      if (term.kind == ExpressionKind::negate && !text.empty()) {
-        text += " - " + within(print(term.operands[0]), Binding::product);
-      } else if (is_negative(term) && !text.empty()) {
-        text += " - " + number_text(-term.number);
+  [[nodiscard]] std::vector<Formula> operands(const Expression& node) const {
+    std::vector<Formula> all;
+    for (const ExpressionId operand : node.operands) all.push_back(print(operand));
+    return all;
+  }
+
+  [[nodiscard]] Formula total(const Expression& node) const {
+    Formula text = at_least(spelling_, print(node.operands[0]), Binding::product);
+    for (std::size_t i = 1; i < node.operands.size(); ++i) {
+      const Expression& term = model_.expressions[node.operands[i]];
+      const bool is_negative = term.kind == ExpressionKind::number && cln::minusp(term.number);
+      if (term.kind == ExpressionKind::negate) {
+        text = difference(spelling_, text, print(term.operands[0]));
+      } else if (is_negative) {
+        text = difference(spelling_, text, number(spelling_, -term.number));
       } else {
-        text += (text.empty() ? "" : " + ") + within(print(operand), Binding::product);
+        text = sum(spelling_, text, print(node.operands[i]));
       }
     }
-    return {text, Binding::sum};
-  }
-
-  [[nodiscard]] Printed product(const Expression& node) const {
-    std::string text;
-    for (const ExpressionId operand : node.operands) {
-      // Only the first factor may be a quotient without brackets: a/b*c is (a/b)*c.
-      const bool negated = model_.expressions[operand].kind == ExpressionKind::negate;
-      const Binding first = negated ? Binding::sum : Binding::product;
-      const Binding needed = text.empty() ? first : Binding::power;
-      text += (text.empty() ? "" : "*") + within(print(operand), needed);
-    }
-    return {text, Binding::product};
-  }
-
-  [[nodiscard]] Printed power(const Expression& node) const {
-    const Printed base = print(node.operands[0]);
-    if (node.number == cln::cl_RA(1) / 2) {
-      return {"sqrt(" + base.text + ")", Binding::atom};
-    }
-    const std::string exponent = within(number(node.number), Binding::atom);
-    return {within(base, Binding::atom) + "^" + exponent, Binding::power};
-  }
-
-  [[nodiscard]] Printed call(const std::string& name, const Expression& node) const {
-    std::string arguments;
-    for (const ExpressionId operand : node.operands) {
-      arguments += (arguments.empty() ? "" : ", ") + print(operand).text;
-    }
-    return {name + "(" + arguments + ")", Binding::atom};
+    return text;
   }
 
   const Model& model_;
+  const Spelling& spelling_ = model_spelling();
 };
 
 }  // namespace
@@ -169,7 +134,7 @@ ExpressionId component_of_frame(const Model& model, std::uint32_t index) {
 }
 
 std::string to_string(const Model& model, ExpressionId expression) {
-  return Printer(model).print(expression).text;
+  return Printer(model).print(expression).text();
 }
 
 }  // namespace elgen

@@ -36,13 +36,10 @@ std::string leaf_name(const ExpressionSyntax& e) {
 std::unordered_map<std::string, Real> leaves_at(const LeafNames& names,
                                                 const Arguments<Real>& state) {
   std::unordered_map<std::string, Real> leaves;
-  const auto add = [&](Opcode kind, std::uint32_t, const std::string& name, const Real& value) {
-    const char* const pattern = kind == Opcode::velocity       ? "dot({})"
-                                : kind == Opcode::acceleration ? "dot(dot({}))"
-                                                               : "{}";
-    leaves.emplace(fmt::format(fmt::runtime(pattern), name), value);
+  const auto add = [&](Opcode kind, std::uint32_t number, const Real& value) {
+    leaves.emplace(leaf_text(names, kind, number), value);
   };
-  for_each_leaf(add, names, state);
+  for_each_leaf(add, state);
   leaves.emplace("pi", Real(cln::pi(Real::format())));
   return leaves;
 }

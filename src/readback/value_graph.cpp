@@ -29,7 +29,7 @@ char sign_of(Opcode opcode) {
 }
 
 /// "m", "q[1]", "t"
-std::string leaf_text(const LeafNames& leaves, Opcode kind, std::uint32_t number) {
+std::string code_text(const LeafNames& leaves, Opcode kind, std::uint32_t number) {
   if (kind == Opcode::parameter) return leaves.parameters[number];
   const std::string_view symbol = leaf_row(kind).symbol;
   return kind == Opcode::time ? std::string(symbol) : fmt::format("{}[{}]", symbol, number);
@@ -125,7 +125,7 @@ std::string ValueGraph::text(const LeafNames& leaves, Value value, int depth) co
 std::string ValueGraph::text(const LeafNames& leaves, const Instruction& i, int depth) const {
   const bool is_deep = depth >= deepest_text;
   const auto operand = [&](std::uint32_t of) { return text(leaves, unpacked(of), depth + 1); };
-  if (is_leaf(i.opcode)) return leaf_text(leaves, i.opcode, i.a);
+  if (is_leaf(i.opcode)) return code_text(leaves, i.opcode, i.a);
   switch (i.opcode) {
     case Opcode::constant:
       return exact_text(constants_[i.a]);

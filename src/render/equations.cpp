@@ -5,127 +5,63 @@
 //
 // An entry of at most 12 operations is written out over the leaves alone; definitions are those the
 // others need.
-#include "equations.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+
+#include "elgen/render.hpp"
+#include "function_formulas.hpp"
+#include "symbols.hpp"
 
 namespace elgen::rendering {
 namespace {
 
 constexpr std::size_t longest_entry = 12;
 
-class Walk {
+class ModelLanguage final : public Vocabulary {
  public:
-  /// `names` says which instructions are referred to by name.
-  Walk(const Program& program, const Function& function, const Language& language,
-       const std::vector<std::string>& names)
-      : program_(program), function_(function), language_(language), names_(names) {}
+  explicit ModelLanguage(const LeafNames& leaves) : Vocabulary(model_spelling()), leaves_(leaves) {}
 
-  /// The instruction itself, even where it has a name.
-  std::string definition(std::uint32_t at) const { return written_out(at).text(); }
-
-  std::string entry(std::uint32_t at) const { return print(at).text(); }
+  [[nodiscard]] std::string leaf(const Instruction& i) const override {
+    return leaf_text(leaves_, i.opcode, i.a);
+  }
 
  private:
-  Piece print(std::uint32_t at) const {
-    return names_[at].empty() ? written_out(at) : Piece{names_[at]};
-  }
+  const LeafNames& leaves_;
+};
 
-  Piece written_out(std::uint32_t at) const {
-    const Notation& notation = language_.notation;
-    const Instruction& i = function_.instructions[at];
+class Latex final : public Vocabulary {
+ public:
+  explicit Latex(const Model& model)
+      : Vocabulary(latex_spelling()), symbols_(latex_symbols(model)) {}
+
+  [[nodiscard]] std::string leaf(const Instruction& i) const override {
     switch (i.opcode) {
-      case Opcode::negate:
-        return negation(i.a);
-      case Opcode::square_root:
-        return square_root(notation, print(i.a));
-      case Opcode::multiply:
-        return product(notation, factors(at));
-      case Opcode::add:
-      case Opcode::subtract:
-      case Opcode::divide:
-        return binary(i);
-      case Opcode::call:
-        return called(i);
-      default:
-        return leaf(i);
-    }
-  }
-
-  Piece negation(std::uint32_t operand) const {
-    const Instruction& i = function_.instructions[operand];
-    if (i.opcode != Opcode::constant) return negated(language_.notation, print(operand));
-    return constant_piece(language_.notation, elgen::negated(program_.constants[i.a].form));
-  }
-
-  Piece binary(const Instruction& i) const {
-    const Piece left = print(i.a);
-    const Piece right = print(i.b);
-    if (i.opcode == Opcode::divide) return quotient(language_.notation, left, right);
-    return i.opcode == Opcode::add ? sum(language_.notation, left, right)
-                                   : difference(language_.notation, left, right);
-  }
-
-  Piece called(const Instruction& i) const {
-    std::vector<Piece> arguments = {print(i.a)};
-    if (operand_count(i) > 1) arguments.push_back(print(i.b));
-    return call(language_.notation, i.function, arguments);
-  }
-
-  Piece leaf(const Instruction& i) const {
-    const auto dotted = [&](std::string_view dots, const Symbol& symbol) {
-      return Piece{fmt::format(fmt::runtime(dots), symbol.base) + symbol.scripts};
-    };
-    const Symbols& symbols = language_.symbols;
-    switch (i.opcode) {
-      case Opcode::constant:
-        return constant_piece(language_.notation, program_.constants[i.a].form);
       case Opcode::parameter:
-        return {symbols.parameters[i.a].text()};
+        return symbols_.parameters[i.a].text();
       case Opcode::coordinate:
-        return {symbols.coordinates[i.a].text()};
+        return symbols_.coordinates[i.a].text();
       case Opcode::velocity:
-        if (symbols.are_own[i.a]) return {symbols.velocities[i.a].text()};
-        return dotted(language_.notation.rate, symbols.velocities[i.a]);
+        return dotted(i.a, 1);
       case Opcode::acceleration:
-        return dotted(
-            symbols.are_own[i.a] ? language_.notation.rate : language_.notation.second_rate,
-            symbols.velocities[i.a]);
+        return dotted(i.a, 2);
       case Opcode::input:
-        return {symbols.inputs[i.a].text()};
+        return symbols_.inputs[i.a].text();
       default:
-        return {"t"};
+        return "t";
     }
   }
 
-  /// The factors of nested products that are written out, left to right.
-  void collect_factors(std::uint32_t at, bool is_root, std::vector<std::uint32_t>& factors) const {
-    const Instruction& i = function_.instructions[at];
-    if (i.opcode != Opcode::multiply || (!is_root && !names_[at].empty())) {
-      factors.push_back(at);
-      return;
-    }
-    collect_factors(i.a, false, factors);
-    collect_factors(i.b, false, factors);
+ private:
+  /// The derivative of so high an order of a coordinate.
+  [[nodiscard]] std::string dotted(std::uint32_t velocity, int order) const {
+    const Symbol& symbol = symbols_.velocities[velocity];
+    const int dots = symbols_.are_own[velocity] ? order - 1 : order;
+    if (dots == 0) return symbol.text();
+    return fmt::format("\\{}{{{}}}{}", dots == 1 ? "dot" : "ddot", symbol.base, symbol.scripts);
   }
 
-  std::vector<Factor> factors(std::uint32_t at) const {
-    std::vector<std::uint32_t> all;
-    collect_factors(at, true, all);
-    std::vector<Factor> different;
-    for (auto factor = all.begin(); factor != all.end(); ++factor) {
-      if (std::find(all.begin(), factor, *factor) != factor) continue;
-      different.push_back({print(*factor), std::count(all.begin(), all.end(), *factor)});
-    }
-    return different;
-  }
-
-  const Program& program_;
-  const Function& function_;
-  const Language& language_;
-  const std::vector<std::string>& names_;
+  const Symbols symbols_;
 };
 
 /// Operations of each instruction written out over the leaves alone; counted up to just beyond the
@@ -160,11 +96,11 @@ std::vector<bool> needed_instructions(const Function& function,
 
 /// In formulas, short definitions are easier to read where they are used than where they are made.
 std::vector<std::string> definition_names(const Program& program, const Function& function,
-                                          const Notation& notation,
+                                          const Spelling& spelling,
                                           const std::vector<std::size_t>& sizes) {
   constexpr std::size_t short_definition = 3;
   std::vector<std::string> names = temporary_names(program, function);
-  if (!notation.is_two_dimensional) return names;
+  if (!spelling.is_two_dimensional) return names;
   for (std::size_t at = 0; at < names.size(); ++at) {
     const bool is_named = !names[at].empty() && sizes[at] > short_definition;
     names[at] = is_named ? latex_symbol(names[at]).text() : "";
@@ -172,73 +108,66 @@ std::vector<std::string> definition_names(const Program& program, const Function
   return names;
 }
 
-}  // namespace
-
 FunctionEquations equations(const Program& program, const Function& function,
-                            const Language& language) {
+                            const Vocabulary& vocabulary) {
   const std::vector<std::size_t> sizes = written_out_sizes(function);
   const std::vector<std::string> names =
-      definition_names(program, function, language.notation, sizes);
+      definition_names(program, function, vocabulary.spelling(), sizes);
   const std::vector<std::string> no_names(names.size());
-  const Walk with_names(program, function, language, names);
-  const Walk over_leaves(program, function, language, no_names);
+  const FunctionFormulas with_names(program, function, vocabulary, names);
+  const FunctionFormulas over_leaves(program, function, vocabulary, no_names);
   const std::vector<bool> needed = needed_instructions(function, sizes);
   FunctionEquations result;
   for (std::uint32_t at = 0; at < names.size(); ++at) {
     if (needed[at] && !names[at].empty()) {
-      result.definitions.push_back({names[at], with_names.definition(at)});
+      result.definitions.push_back({names[at], with_names.definition(at).text()});
     }
   }
   for (const Field& field : function.fields) {
     std::vector<std::string>& texts = result.entries.emplace_back();
     for (const std::uint32_t entry : field.entries) {
-      const Walk& walk = sizes[entry] > longest_entry ? with_names : over_leaves;
-      texts.push_back(walk.entry(entry));
+      const FunctionFormulas& formulas = sizes[entry] > longest_entry ? with_names : over_leaves;
+      texts.push_back(formulas.entry(entry).text());
     }
   }
   return result;
 }
 
 FunctionEquations written_out(const Program& program, const Function& function,
-                              const Language& language) {
+                              const Vocabulary& vocabulary) {
   const std::vector<std::string> no_names(function.instructions.size());
-  const Walk over_leaves(program, function, language, no_names);
+  const FunctionFormulas over_leaves(program, function, vocabulary, no_names);
   FunctionEquations result;
   for (const Field& field : function.fields) {
     std::vector<std::string>& texts = result.entries.emplace_back();
-    for (const std::uint32_t entry : field.entries) texts.push_back(over_leaves.entry(entry));
+    for (const std::uint32_t entry : field.entries)
+      texts.push_back(over_leaves.entry(entry).text());
   }
   return result;
 }
 
-}  // namespace elgen::rendering
-
-namespace elgen {
-namespace {
-
 FunctionEquations readable(const Program& program, std::size_t index,
-                           const rendering::Language& language) {
+                           const Vocabulary& vocabulary) {
   const bool is_closed = index < program.readable.size() && !program.readable[index].fields.empty();
-  return is_closed ? rendering::written_out(program, program.readable[index], language)
-                   : rendering::equations(program, program.functions[index], language);
-}
-
-rendering::Language model_language(const Program& program) {
-  return {rendering::text_notation(), rendering::text_symbols(program.leaves)};
+  return is_closed ? written_out(program, program.readable[index], vocabulary)
+                   : equations(program, program.functions[index], vocabulary);
 }
 
 }  // namespace
+}  // namespace elgen::rendering
+
+namespace elgen {
 
 FunctionEquations equations(const Program& program, const Function& function) {
-  return rendering::equations(program, function, model_language(program));
+  return rendering::equations(program, function, rendering::ModelLanguage(program.leaves));
 }
 
 FunctionEquations readable_equations(const Program& program, std::size_t index) {
-  return readable(program, index, model_language(program));
+  return rendering::readable(program, index, rendering::ModelLanguage(program.leaves));
 }
 
 FunctionEquations latex_equations(const Model& model, const Program& program, std::size_t index) {
-  return readable(program, index, {rendering::latex_notation(), rendering::latex_symbols(model)});
+  return rendering::readable(program, index, rendering::Latex(model));
 }
 
 }  // namespace elgen

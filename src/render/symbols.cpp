@@ -119,21 +119,6 @@ Symbol latex_symbol(std::string_view name, const std::string& key) {
   return symbol;
 }
 
-Symbols text_symbols(const LeafNames& leaves) {
-  const auto verbatim = [](const std::vector<std::string>& names) {
-    std::vector<Symbol> symbols;
-    for (const std::string& name : names) symbols.push_back({name});
-    return symbols;
-  };
-  Symbols symbols;
-  symbols.parameters = verbatim(leaves.parameters);
-  symbols.coordinates = verbatim(leaves.q);
-  symbols.velocities = verbatim(leaves.v);
-  symbols.are_own.assign(symbols.velocities.size(), false);
-  symbols.inputs = verbatim(leaves.u);
-  return symbols;
-}
-
 Symbols latex_symbols(const Model& model) {
   Symbols symbols;
   for (const Parameter& p : model.parameters) {

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "elgen/leaf_names.hpp"
 #include "elgen/model.hpp"
 
 namespace elgen::rendering {
@@ -30,10 +29,7 @@ struct Symbols {
   std::vector<Symbol> inputs = {};
 };
 
-/// As the model language writes them.
-[[nodiscard]] Symbols text_symbols(const LeafNames& leaves);
-
-/// In LaTeX: by the model's `latex` keys where there are some, else by name.
+/// In LaTeX, by the model's `latex` keys where there are some, else by name.
 [[nodiscard]] Symbols latex_symbols(const Model& model);
 
 /// The symbol of a name; of "l[2]" with the key of `l`. An empty key: as the name suggests.

@@ -1,4 +1,4 @@
-// arguments: which ones by the table, their names and sizes, and words of a text.
+// arguments: which ones by the table, their names and sizes, and what is read from them.
 #include "emit/arguments.hpp"
 
 #include "fixture.hpp"
@@ -31,14 +31,12 @@ TEST_CASE("arguments in one order, t last") {
   CHECK(names(subject.model, functions[0]) == "pqvt");
 }
 
-TEST_CASE("a word is mentioned where it stands alone") {
-  CHECK(mentions("p.m * q[0]", "q"));
-  CHECK(mentions("sin(q[1])", "sin"));
-  CHECK_FALSE(mentions("asin(q[1])", "sin"));
-  CHECK_FALSE(mentions("sin_theta + sine", "sin"));
-  CHECK_FALSE(mentions("p.v + w.v", "v"));
-  CHECK_FALSE(mentions("p->v + w->v", "v"));
-  CHECK_FALSE(mentions("", "t"));
+TEST_CASE("leaves are read from arguments") {
+  CHECK(argument_of(Opcode::parameter) == Argument::parameters);
+  CHECK(argument_of(Opcode::input) == Argument::inputs);
+  CHECK(argument_of(Opcode::time) == Argument::time);
+  CHECK_FALSE(argument_of(Opcode::constant));
+  CHECK_FALSE(argument_of(Opcode::negate));
 }
 
 TEST_CASE("sizes of arguments, and members of parameters") {

@@ -50,10 +50,10 @@ TEST_CASE("float has its own functions and literals") {
   const Subject subject = in_c(ScalarKind::single_precision);
   CHECK(text_of(subject, 1).body.find("const float sin_theta = sinf(q[1]);") != std::string::npos);
   const C99Dialect dialect(subject.model, subject.scene, subject.program);
-  CHECK(dialect.constant(rational_constant(cln::cl_RA(-1) / 3)).text == "-0.33333334f");
-  CHECK(dialect.square_root("x") == "sqrtf(x)");
-  CHECK(dialect.call(FunctionId::abs, "x") == "fabsf(x)");
-  CHECK(dialect.call(FunctionId::min, "x, y") == "cart_pole_smaller(x, y)");
+  CHECK(dialect.constant(rational_constant(cln::cl_RA(-1) / 3)).text() == "-0.33333334f");
+  CHECK(dialect.square_root({"x"}).text() == "sqrtf(x)");
+  CHECK(dialect.call(FunctionId::abs, {{"x"}}).text() == "fabsf(x)");
+  CHECK(dialect.call(FunctionId::min, {{"x"}, {"y"}}).text() == "cart_pole_smaller(x, y)");
 }
 
 TEST_CASE("temporaries hide nothing") {

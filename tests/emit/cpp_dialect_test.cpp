@@ -90,34 +90,34 @@ TEST_CASE("leaves") {
   Subject subject = cart_pole();
   elgen::testing::add_parameter_array(subject.model, "k", {1, 2});
   subject.program.leaves.parameters = {"g", "k[2]"};
-  const CppDialect spelling(subject.model, subject.program);
-  CHECK(spelling.leaf(leaf(Opcode::parameter, 0)) == "p.g");
-  CHECK(spelling.leaf(leaf(Opcode::parameter, 1)) == "p.k[1]");
-  CHECK(spelling.leaf(leaf(Opcode::coordinate, 1)) == "q[1]");
-  CHECK(spelling.leaf(leaf(Opcode::velocity, 0)) == "v[0]");
-  CHECK(spelling.leaf(leaf(Opcode::acceleration, 0)) == "a[0]");
-  CHECK(spelling.leaf(leaf(Opcode::input, 0)) == "u[0]");
-  CHECK(spelling.leaf(leaf(Opcode::time, 0)) == "t");
+  const CppDialect dialect(subject.model, subject.program);
+  CHECK(dialect.leaf(leaf(Opcode::parameter, 0)) == "p.g");
+  CHECK(dialect.leaf(leaf(Opcode::parameter, 1)) == "p.k[1]");
+  CHECK(dialect.leaf(leaf(Opcode::coordinate, 1)) == "q[1]");
+  CHECK(dialect.leaf(leaf(Opcode::velocity, 0)) == "v[0]");
+  CHECK(dialect.leaf(leaf(Opcode::acceleration, 0)) == "a[0]");
+  CHECK(dialect.leaf(leaf(Opcode::input, 0)) == "u[0]");
+  CHECK(dialect.leaf(leaf(Opcode::time, 0)) == "t");
 }
 
 TEST_CASE("constants stand where they are used when they are short") {
   const Subject subject = cart_pole();
-  const CppDialect spelling(subject.model, subject.program);
-  CHECK(spelling.constant(rational_constant(2)).text == "constant<Scalar>(2.0)");
-  CHECK(spelling.constant(rational_constant(cln::cl_RA(1) / 3)).text == "number_1_3<Scalar>()");
-  const Term negative = spelling.constant(rational_constant(-1));
-  CHECK(negative.text == "-constant<Scalar>(1.0)");
-  CHECK(negative.precedence == Precedence::negation);
+  const CppDialect dialect(subject.model, subject.program);
+  CHECK(dialect.constant(rational_constant(2)).text() == "constant<Scalar>(2.0)");
+  CHECK(dialect.constant(rational_constant(cln::cl_RA(1) / 3)).text() == "number_1_3<Scalar>()");
+  const Formula negative = dialect.constant(rational_constant(-1));
+  CHECK(negative.text() == "-constant<Scalar>(1.0)");
+  CHECK(negative.binding == Binding::negation);
 }
 
 TEST_CASE("calls") {
   const Subject subject = cart_pole();
-  const CppDialect spelling(subject.model, subject.program);
-  CHECK(spelling.call(FunctionId::atan2, "y, x") == "atan2(y, x)");
-  CHECK(spelling.call(FunctionId::sign, "x") == "detail::sign_of<Scalar>(x)");
-  CHECK(spelling.call(FunctionId::min, "x, y") == "detail::smaller<Scalar>(x, y)");
-  CHECK(spelling.call(FunctionId::max, "x, y") == "detail::larger<Scalar>(x, y)");
-  CHECK(spelling.square_root("x") == "sqrt(x)");
-  CHECK(spelling.temporary("sin") == "sin_");
-  CHECK(spelling.shared("sin_theta") == "w.sin_theta");
+  const CppDialect dialect(subject.model, subject.program);
+  CHECK(dialect.call(FunctionId::atan2, {{"y"}, {"x"}}).text() == "atan2(y, x)");
+  CHECK(dialect.call(FunctionId::sign, {{"x"}}).text() == "detail::sign_of<Scalar>(x)");
+  CHECK(dialect.call(FunctionId::min, {{"x"}, {"y"}}).text() == "detail::smaller<Scalar>(x, y)");
+  CHECK(dialect.call(FunctionId::max, {{"x"}, {"y"}}).text() == "detail::larger<Scalar>(x, y)");
+  CHECK(dialect.square_root({"x"}).text() == "sqrt(x)");
+  CHECK(dialect.temporary("sin") == "sin_");
+  CHECK(dialect.shared("sin_theta") == "w.sin_theta");
 }

@@ -50,6 +50,9 @@ TEST_CASE("a long function calls its parts in order") {
         "  return result;\n");
   CHECK(function.whole.signature.find("Parameters<Scalar>& p") != std::string::npos);
   CHECK(function.workspace.size() == 4);  // two at each cut
+  const std::string shared = "w." + function.workspace.front();
+  CHECK(function.parts[0].body.find("\n  " + shared + " = ") != std::string::npos);
+  CHECK(function.parts[1].body.find(shared) != std::string::npos);
 }
 
 TEST_CASE("parts name the arguments they mention") {

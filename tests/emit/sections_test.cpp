@@ -9,7 +9,7 @@ using namespace elgen;
 
 namespace {
 
-Term term(std::vector<std::uint32_t> uses) { return {"", Precedence::primary, std::move(uses)}; }
+Term term(std::vector<std::uint32_t> uses) { return {"", std::move(uses)}; }
 
 /// Statement i uses some earlier ones, entries use any.
 FunctionBody random_body() {

@@ -11,24 +11,20 @@ using namespace elgen;
 namespace {
 
 /// The plainest language: leaves by letter and number.
-class Plain final : public Spelling {
+class Plain final : public Vocabulary {
  public:
+  Plain() : Vocabulary(code_spelling()) {}
   std::string leaf(const Instruction& i) const override {
     return i.opcode == Opcode::time ? "t" : fmt::format("x{}", i.a);
   }
-  Term constant(const Constant& constant) const override { return {text_of(constant.form)}; }
-  std::string call(FunctionId function, const std::string& arguments) const override {
-    return fmt::format("{}({})", function_row(function).name, arguments);
-  }
-  std::string square_root(const std::string& x) const override { return "sqrt(" + x + ")"; }
-  std::string temporary(const std::string& name) const override { return name; }
-  std::string shared(const std::string& name) const override { return "shared." + name; }
+  Formula square_root(const Formula& x) const override { return called("sqrt", {x}); }
 };
 
 FunctionBody body_of(const std::string& instructions) {
   const Program program =
       elgen::testing::read_program("parameters a b c d\nfunction gravity\n" + instructions);
-  return statements(program, program.functions.front(), Plain());
+  const Function& function = program.functions.front();
+  return statements(program, function, Plain(), temporary_names(program, function));
 }
 
 std::string entry_of(const std::string& operations, int last) {
@@ -79,19 +75,8 @@ TEST_CASE("a shared value is one statement, before its uses") {
   CHECK(body.entries[0][0].text == "total * total");
   CHECK(body.entries[0][1].text == "total");
   CHECK(body.entries[0][0].uses == std::vector<std::uint32_t>{0});
-}
-
-TEST_CASE("a shared statement is spelt as such where it is written and read") {
-  const Program program = elgen::testing::read_program(
-      "parameters a b\nfunction gravity\n  0 = parameter a\n  1 = parameter b\n"
-      "  2 = add 0 1  ; total\n  3 = multiply 2 0  ; part\n  4 = add 3 2\n  5 = multiply 3 4\n"
-      "  result 2 1 = 4 5\n");
-  const Function& function = program.functions.front();
-  const FunctionBody body = statements(program, function, Plain(), {false, true});
-  CHECK(body.statements[0].name == "total");
-  CHECK(body.statements[1].name == "shared.part");
-  const std::vector<Term>& entries = body.entries.front();
-  CHECK(entries[1].text.find("shared.part * ") == 0);
+  CHECK(body.statements[0].value.instructions == std::vector<std::uint32_t>{2, 0, 1});
+  CHECK(body.entries[0][0].instructions == std::vector<std::uint32_t>{3});
 }
 
 TEST_CASE("functions called") {

@@ -1,10 +1,10 @@
+#include "lower/constant_formula.hpp"
+
 #include <catch2/catch.hpp>
 
 #include "lower/constant_reader.hpp"
-#include "render/equations.hpp"
 
 using namespace elgen;
-using namespace elgen::rendering;
 
 namespace {
 
@@ -28,14 +28,14 @@ TEST_CASE("exact constants in both notations") {
                                         {"exp(-1 - pi)", "\\exp(-1 - \\pi)"}}));
   const auto constant = read_constant(row.text);
   REQUIRE(constant);
-  CHECK(constant_piece(text_notation(), constant->form).text() == row.text);
-  CHECK(constant_piece(latex_notation(), constant->form).text() == row.latex);
+  CHECK(constant_formula(model_spelling(), constant->form).text() == row.text);
+  CHECK(constant_formula(latex_spelling(), constant->form).text() == row.latex);
 }
 
 TEST_CASE("a constant sum is bracketed as a factor") {
   const auto sum = read_constant("1 + pi");
   REQUIRE(sum);
-  const Piece written =
-      product(text_notation(), {{constant_piece(text_notation(), sum->form)}, {Piece{"x"}}});
+  const Spelling& n = model_spelling();
+  const Formula written = product(n, {constant_formula(n, sum->form), {"x"}});
   CHECK(written.text() == "(1 + pi)*x");
 }

@@ -1,0 +1,172 @@
+// formula: the rows of spellings, and where brackets stand.
+#include "formula.hpp"
+
+#include <cln/integer.h>
+#include <fmt/format.h>
+
+#include <cctype>
+
+#include "number_text.hpp"
+
+namespace elgen {
+namespace {
+
+/// What LaTeX spells differently from the model language; the others are `\name`.
+std::string latex_head(FunctionId function) {
+  switch (function) {
+    case FunctionId::asin:
+      return "\\arcsin";
+    case FunctionId::acos:
+      return "\\arccos";
+    case FunctionId::atan:
+      return "\\arctan";
+    case FunctionId::atan2:
+      return "\\operatorname{atan2}";
+    case FunctionId::log:
+      return "\\ln";
+    case FunctionId::sign:
+      return "\\operatorname{sgn}";
+    default:
+      return fmt::format("\\{}", function_row(function).name);
+  }
+}
+
+/// Brackets grow with what is taller than a line.
+std::string in_brackets(const Spelling& spelling, const std::string& text) {
+  const bool is_tall = spelling.is_two_dimensional && (text.find("\\frac") != std::string::npos ||
+                                                       text.find("\\sqrt") != std::string::npos);
+  return is_tall ? fmt::format("\\left( {} \\right)", text) : fmt::format("({})", text);
+}
+
+bool starts_with(std::string_view text, std::string_view start) {
+  return text.substr(0, start.size()) == start;
+}
+
+/// Side by side, factors keep apart where one could be read into the other.
+std::string side_by_side(const Formula& before, const std::string& after) {
+  if (std::isdigit(static_cast<unsigned char>(after.front())) != 0) return " \\cdot ";
+  const bool is_word = starts_with(before.head, "\\mathrm") || starts_with(after, "\\mathrm");
+  return is_word || !before.tail.empty() ? " \\thinspace " : " ";
+}
+
+/// How a product holds together, by its first operand.
+Binding signed_as(const Formula& first) {
+  return first.binding == Binding::negation ? Binding::negation : Binding::product;
+}
+
+std::string joined(const std::vector<Formula>& arguments) {
+  std::string list;
+  for (const Formula& argument : arguments) list += (list.empty() ? "" : ", ") + argument.text();
+  return list;
+}
+
+/// 9.81, but not 1/2: a denominator with a factor 5 is one of a decimal number.
+bool is_decimal(const cln::cl_RA& value) {
+  return cln::zerop(cln::mod(cln::denominator(value), 5)) && exact_decimal(value) &&
+         exact_text(value).find('e') == std::string::npos;
+}
+
+std::string filled(std::string_view holes, const std::string& first,
+                   const std::string& second = {}) {
+  return fmt::format(fmt::runtime(holes), first, second);
+}
+
+}  // namespace
+
+const Spelling& model_spelling() {
+  static constexpr Spelling spelling{"*", "{}/{}", "{}^{}", "sqrt({})"};
+  return spelling;
+}
+
+const Spelling& latex_spelling() {
+  static constexpr Spelling spelling{" ", "\\frac{{{}}}{{{}}}", "{}^{{{}}}", "\\sqrt{{{}}}", true};
+  return spelling;
+}
+
+const Spelling& code_spelling() {
+  static constexpr Spelling spelling{" * ", "{} / {}"};
+  return spelling;
+}
+
+Formula at_least(const Spelling& spelling, const Formula& formula, Binding least) {
+  return formula.binding < least ? Formula{in_brackets(spelling, formula.text())} : formula;
+}
+
+Formula negated(const Spelling& spelling, const Formula& operand) {
+  return {"-" + at_least(spelling, operand, Binding::product).text(), Binding::negation};
+}
+
+Formula sum(const Spelling& spelling, const Formula& left, const Formula& right) {
+  return {left.text() + " + " + at_least(spelling, right, Binding::product).text(), Binding::sum};
+}
+
+Formula difference(const Spelling& spelling, const Formula& left, const Formula& right) {
+  return {left.text() + " - " + at_least(spelling, right, Binding::product).text(), Binding::sum};
+}
+
+Formula product(const Spelling& spelling, const std::vector<Formula>& factors) {
+  if (factors.size() == 1) return factors.front();
+  // Only the first factor may be a quotient, or carry a sign, without brackets.
+  std::string text = at_least(spelling, factors.front(), Binding::negation).text();
+  for (std::size_t i = 1; i < factors.size(); ++i) {
+    const std::string next = at_least(spelling, factors[i], Binding::power).text();
+    text += spelling.is_two_dimensional ? side_by_side(factors[i - 1], next)
+                                        : std::string(spelling.times);
+    text += next;
+  }
+  return {text, signed_as(factors.front())};
+}
+
+Formula quotient(const Spelling& spelling, const Formula& above, const Formula& below) {
+  if (spelling.is_two_dimensional) {
+    return {filled(spelling.quotient, above.text(), below.text()), Binding::power};
+  }
+  return {filled(spelling.quotient, at_least(spelling, above, Binding::negation).text(),
+                 at_least(spelling, below, Binding::power).text()),
+          signed_as(above)};
+}
+
+Formula power(const Spelling& spelling, const Formula& base, const Formula& exponent) {
+  const bool is_stacked = spelling.is_two_dimensional;
+  const std::string raised =
+      (is_stacked ? exponent : at_least(spelling, exponent, Binding::atom)).text();
+  if (!base.tail.empty()) {
+    return {filled(spelling.power, base.head, raised), Binding::power, base.tail};
+  }
+  std::string text = at_least(spelling, base, Binding::atom).text();
+  const bool has_exponent =
+      is_stacked && base.binding == Binding::atom && text.find('^') != std::string::npos;
+  if (has_exponent) text = fmt::format("{{{}}}", text);
+  return {filled(spelling.power, text, raised), Binding::power};
+}
+
+Formula square_root(const Spelling& spelling, const Formula& radicand) {
+  return {filled(spelling.root, radicand.text()),
+          spelling.is_two_dimensional ? Binding::power : Binding::atom};
+}
+
+Formula call(const Spelling& spelling, FunctionId function, const std::vector<Formula>& arguments) {
+  if (!spelling.is_two_dimensional) return called(function_row(function).name, arguments);
+  const std::string list = joined(arguments);
+  if (function == FunctionId::abs) return {fmt::format("\\left| {} \\right|", list)};
+  const Formula& first = arguments.front();
+  const bool is_alone = first.binding == Binding::atom && first.tail.empty();
+  const bool is_fraction = first.binding == Binding::power && starts_with(list, "\\frac");
+  const bool stands_free = arguments.size() == 1 && (is_alone || is_fraction);
+  return {latex_head(function), Binding::power,
+          stands_free ? " " + list : in_brackets(spelling, list)};
+}
+
+Formula called(std::string_view name, const std::vector<Formula>& arguments) {
+  return {fmt::format("{}({})", name, joined(arguments))};
+}
+
+Formula number(const Spelling& spelling, const cln::cl_RA& value) {
+  if (cln::minusp(value)) return negated(spelling, number(spelling, -value));
+  const cln::cl_I denominator = cln::denominator(value);
+  if (denominator == 1) return {integer_text(cln::numerator(value))};
+  if (spelling.is_two_dimensional && is_decimal(value)) return {exact_text(value)};
+  return quotient(spelling, {integer_text(cln::numerator(value))}, {integer_text(denominator)});
+}
+
+}  // namespace elgen

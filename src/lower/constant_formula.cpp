@@ -1,0 +1,73 @@
+// constant_formula: weights are signs, or exponents: those below zero stand below a stacked
+// fraction.
+#include "constant_formula.hpp"
+
+#include <cstdlib>
+
+namespace elgen {
+namespace {
+
+Formula sum_of(const Spelling& spelling, const std::vector<ConstantPart>& terms) {
+  const Formula first = constant_formula(spelling, terms.front().form);
+  Formula total = terms.front().weight < 0 ? negated(spelling, first) : first;
+  for (std::size_t i = 1; i < terms.size(); ++i) {
+    const Formula term = constant_formula(spelling, terms[i].form);
+    total = terms[i].weight < 0 ? difference(spelling, total, term) : sum(spelling, total, term);
+  }
+  return total;
+}
+
+/// The base with its exponent; a sum of one term keeps its sign in brackets.
+Formula raised(const Spelling& spelling, const ConstantPart& factor, std::int32_t exponent) {
+  Formula base = constant_formula(spelling, factor.form);
+  const bool is_signed = factor.form.kind == ConstantKind::sum && base.binding == Binding::negation;
+  if (is_signed) base = at_least(spelling, base, Binding::product);
+  return exponent == 1 ? base : power(spelling, base, number(spelling, exponent));
+}
+
+Formula product_of(const Spelling& spelling, const std::vector<ConstantPart>& factors) {
+  std::vector<Formula> above;
+  std::vector<Formula> below;
+  for (const ConstantPart& factor : factors) {
+    const bool is_below = spelling.is_two_dimensional && factor.weight < 0;
+    (is_below ? below : above)
+        .push_back(raised(spelling, factor, is_below ? -factor.weight : factor.weight));
+  }
+  if (above.empty()) above.push_back({"1"});
+  const Formula numerator = product(spelling, above);
+  return below.empty() ? numerator : quotient(spelling, numerator, product(spelling, below));
+}
+
+std::vector<Formula> arguments_of(const Spelling& spelling, const ConstantForm& form) {
+  std::vector<Formula> arguments;
+  for (const ConstantPart& part : form.parts) {
+    arguments.push_back(
+        constant_formula(spelling, part.weight < 0 ? negated(part.form) : part.form));
+  }
+  return arguments;
+}
+
+}  // namespace
+
+Formula constant_formula(const Spelling& spelling, const ConstantForm& form) {
+  switch (form.kind) {
+    case ConstantKind::rational:
+      return number(spelling, form.number);
+    case ConstantKind::pi:
+      return {spelling.is_two_dimensional ? "\\pi" : "pi"};
+    case ConstantKind::sum:
+      return sum_of(spelling, form.parts);
+    case ConstantKind::product:
+      return product_of(spelling, form.parts);
+    case ConstantKind::square_root:
+      return square_root(spelling, arguments_of(spelling, form).front());
+    default:
+      return call(spelling, form.function, arguments_of(spelling, form));
+  }
+}
+
+std::string text_of(const ConstantForm& form) {
+  return constant_formula(model_spelling(), form).text();
+}
+
+}  // namespace elgen

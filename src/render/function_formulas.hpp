@@ -1,0 +1,60 @@
+// function_formulas: instructions of a Function -> formulas, in the words of a language.
+//
+//     2 = multiply 0 0; 3 = multiply 1 2; 4 = cos 3
+//
+//     as read          cos(m*x^2)           products of many factors, with powers
+//     as executed      cos(m * (x * x))     where the language has no powers
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/formula.hpp"
+#include "elgen/program.hpp"
+
+namespace elgen {
+
+/// What a language calls the leaves, constants and functions of a program.
+class Vocabulary {
+ public:
+  explicit Vocabulary(const Spelling& spelling) : spelling_(spelling) {}
+  virtual ~Vocabulary() = default;
+
+  [[nodiscard]] const Spelling& spelling() const { return spelling_; }
+  /// A parameter, coordinate, …, or time.
+  [[nodiscard]] virtual std::string leaf(const Instruction& instruction) const = 0;
+  [[nodiscard]] virtual Formula constant(const Constant& constant) const;
+  [[nodiscard]] virtual Formula square_root(const Formula& radicand) const;
+  [[nodiscard]] virtual Formula call(FunctionId function,
+                                     const std::vector<Formula>& arguments) const;
+
+ private:
+  const Spelling& spelling_;
+};
+
+class FunctionFormulas {
+ public:
+  /// `names` says which instructions are referred to by name.
+  FunctionFormulas(const Program& program, const Function& function, const Vocabulary& vocabulary,
+                   const std::vector<std::string>& names)
+      : program_(program), function_(function), vocabulary_(vocabulary), names_(names) {}
+
+  /// The instruction itself, even where it has a name.
+  [[nodiscard]] Formula definition(std::uint32_t at) const;
+  /// Its name, where it has one.
+  [[nodiscard]] Formula entry(std::uint32_t at) const;
+
+ private:
+  [[nodiscard]] Formula negation(std::uint32_t operand) const;
+  void collect_factors(std::uint32_t at, std::vector<std::uint32_t>& factors) const;
+  [[nodiscard]] Formula product_of(const Instruction& i) const;
+  [[nodiscard]] Formula product_of_powers(const Instruction& i) const;
+  [[nodiscard]] Formula call(const Instruction& i) const;
+
+  const Program& program_;
+  const Function& function_;
+  const Vocabulary& vocabulary_;
+  const std::vector<std::string>& names_;
+};
+
+}  // namespace elgen
