@@ -96,12 +96,16 @@ Formula negated(const Spelling& spelling, const Formula& operand) {
   return {"-" + at_least(spelling, operand, Binding::product).text(), Binding::negation};
 }
 
-Formula sum(const Spelling& spelling, const Formula& left, const Formula& right) {
-  return {left.text() + " + " + at_least(spelling, right, Binding::product).text(), Binding::sum};
-}
-
-Formula difference(const Spelling& spelling, const Formula& left, const Formula& right) {
-  return {left.text() + " - " + at_least(spelling, right, Binding::product).text(), Binding::sum};
+Formula sum(const Spelling& spelling, const std::vector<Summand>& terms) {
+  const auto& [first, is_subtracted] = terms.front();
+  const Formula start = is_subtracted ? negated(spelling, first) : first;
+  if (terms.size() == 1) return start;
+  std::string text = start.text();
+  for (std::size_t i = 1; i < terms.size(); ++i) {
+    text += terms[i].is_subtracted ? " - " : " + ";
+    text += at_least(spelling, terms[i].term, Binding::product).text();
+  }
+  return {text, Binding::sum};
 }
 
 Formula product(const Spelling& spelling, const std::vector<Formula>& factors) {

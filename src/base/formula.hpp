@@ -34,6 +34,11 @@ struct Formula {
   [[nodiscard]] std::string text() const { return head + tail; }
 };
 
+struct Summand {
+  Formula term = {};
+  bool is_subtracted = false;
+};
+
 /// How a language writes what is no name; holes in the order of the operands.
 struct Spelling {
   std::string_view times;  ///< between factors
@@ -53,9 +58,7 @@ struct Spelling {
 [[nodiscard]] Formula at_least(const Spelling& spelling, const Formula& formula, Binding least);
 
 [[nodiscard]] Formula negated(const Spelling& spelling, const Formula& operand);
-[[nodiscard]] Formula sum(const Spelling& spelling, const Formula& left, const Formula& right);
-[[nodiscard]] Formula difference(const Spelling& spelling, const Formula& left,
-                                 const Formula& right);
+[[nodiscard]] Formula sum(const Spelling& spelling, const std::vector<Summand>& terms);
 [[nodiscard]] Formula product(const Spelling& spelling, const std::vector<Formula>& factors);
 [[nodiscard]] Formula quotient(const Spelling& spelling, const Formula& above,
                                const Formula& below);

@@ -7,14 +7,12 @@
 namespace elgen {
 namespace {
 
-Formula sum_of(const Spelling& spelling, const std::vector<ConstantPart>& terms) {
-  const Formula first = constant_formula(spelling, terms.front().form);
-  Formula total = terms.front().weight < 0 ? negated(spelling, first) : first;
-  for (std::size_t i = 1; i < terms.size(); ++i) {
-    const Formula term = constant_formula(spelling, terms[i].form);
-    total = terms[i].weight < 0 ? difference(spelling, total, term) : sum(spelling, total, term);
+Formula sum_of(const Spelling& spelling, const std::vector<ConstantPart>& parts) {
+  std::vector<Summand> terms;
+  for (const ConstantPart& part : parts) {
+    terms.push_back({constant_formula(spelling, part.form), part.weight < 0});
   }
-  return total;
+  return sum(spelling, terms);
 }
 
 /// The base with its exponent; a sum of one term keeps its sign in brackets.

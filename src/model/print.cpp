@@ -96,19 +96,19 @@ class Printer {
   }
 
   [[nodiscard]] Formula total(const Expression& node) const {
-    Formula text = at_least(spelling_, print(node.operands[0]), Binding::product);
-    for (std::size_t i = 1; i < node.operands.size(); ++i) {
-      const Expression& term = model_.expressions[node.operands[i]];
-      const bool is_negative = term.kind == ExpressionKind::number && cln::minusp(term.number);
-      if (term.kind == ExpressionKind::negate) {
-        text = difference(spelling_, text, print(term.operands[0]));
-      } else if (is_negative) {
-        text = difference(spelling_, text, number(spelling_, -term.number));
+    std::vector<Summand> terms;
+    for (const ExpressionId operand : node.operands) {
+      const Expression& term = model_.expressions[operand];
+      const bool is_number = term.kind == ExpressionKind::number && cln::minusp(term.number);
+      if (!terms.empty() && term.kind == ExpressionKind::negate) {
+        terms.push_back({print(term.operands[0]), true});
+      } else if (!terms.empty() && is_number) {
+        terms.push_back({number(spelling_, -term.number), true});
       } else {
-        text = sum(spelling_, text, print(node.operands[i]));
+        terms.push_back({at_least(spelling_, print(operand), Binding::product)});
       }
     }
-    return text;
+    return sum(spelling_, terms);
   }
 
   const Model& model_;

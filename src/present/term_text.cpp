@@ -2,11 +2,10 @@
 // rest.
 #include "term_text.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <tuple>
 
+#include "base/formula.hpp"
 #include "base/number_text.hpp"
 #include "bounds.hpp"
 #include "polynomial.hpp"
@@ -20,61 +19,57 @@ class TermText {
  public:
   TermText(const Algebra& algebra, const LeafNames& names) : algebra_(algebra), names_(names) {}
 
-  [[nodiscard]] std::string fraction(const Fraction& x) const {
-    std::string text;
+  [[nodiscard]] Formula fraction(const Fraction& x) const {
+    std::vector<Summand> terms;
     for (const Fraction& term : in_order(terms_of(algebra_, x))) {
       const auto& [monomial, coefficient] = *term.numerator.rbegin();
-      const std::string angle = angle_of(monomial);
+      const std::vector<Summand> angle = angle_of(monomial);
       if (angle.empty()) {
-        append(text, coefficient.real, monomial, "");
+        append(terms, coefficient.real, monomial, {});
         continue;
       }
       // c z + conj(c z) = 2 Re(c) cos - 2 Im(c) sin, of the angle as it is written
-      append(text, coefficient.real * 2, monomial, "cos(" + angle + ")");
-      append(text, coefficient.imaginary * -2, monomial, "sin(" + angle + ")");
+      const std::vector<Formula> argument = {elgen::sum(spelling_, angle)};
+      append(terms, coefficient.real * 2, monomial, {called("cos", argument)});
+      append(terms, coefficient.imaginary * -2, monomial, {called("sin", argument)});
     }
-    if (text.empty()) return "0";
-    if (x.denominator.empty()) return text;
-    return "(" + text + ")" + divisors(x);
+    if (terms.empty()) return {"0"};
+    const Formula total = elgen::sum(spelling_, terms);
+    return x.denominator.empty() ? total : divided(total, x);
   }
 
  private:
-  [[nodiscard]] std::string divisors(const Fraction& x) const {
-    std::string text;
+  /// Numerator and factors of the denominator in brackets, whatever they are.
+  [[nodiscard]] Formula divided(const Formula& numerator, const Fraction& x) const {
+    Formula result = called("", {numerator});
     for (const auto& [factor, exponent] : x.denominator) {
-      text += "/(" + fraction({algebra_.factors[factor].shown, {}}) + ")";
-      if (exponent != 1) text += fmt::format("^{}", exponent);
+      const Formula own = called("", {fraction({algebra_.factors[factor].shown, {}})});
+      result = quotient(spelling_, result, raised(own, exponent));
     }
-    return text;
+    return result;
   }
 
-  void append(std::string& text, const cl_RA& coefficient, const Monomial& monomial,
-              const std::string& circular) const {
+  [[nodiscard]] Formula raised(const Formula& base, std::int32_t exponent) const {
+    return exponent == 1 ? base : power(spelling_, base, number(spelling_, exponent));
+  }
+
+  void append(std::vector<Summand>& terms, const cl_RA& coefficient, const Monomial& monomial,
+              const std::vector<Formula>& circular) const {
     if (cln::zerop(coefficient)) return;
-    std::string factors;
-    std::string divided;
+    std::vector<Formula> factors;
+    std::vector<Formula> divisors;
     for (const AtomPower& power : ordered(monomial)) {
-      if (algebra_.atoms[power.atom].kind == AtomKind::circular) continue;
-      const std::int32_t exponent = std::abs(power.exponent);
-      const std::string own =
-          atom(algebra_.atoms[power.atom]) + (exponent == 1 ? "" : fmt::format("^{}", exponent));
-      if (power.exponent < 0) {
-        divided += "/" + own;
-      } else {
-        factors += "*" + own;
-      }
+      const Atom& known = algebra_.atoms[power.atom];
+      if (known.kind == AtomKind::circular) continue;
+      (power.exponent < 0 ? divisors : factors)
+          .push_back(raised(atom(known), std::abs(power.exponent)));
     }
-    if (!circular.empty()) factors += "*" + circular;
+    factors.insert(factors.end(), circular.begin(), circular.end());
     const cl_RA magnitude = cln::abs(coefficient);
-    const bool is_one = magnitude == 1 && !factors.empty();
-    const std::string product =
-        (is_one ? factors.substr(1) : exact_text(magnitude) + factors) + divided;
-    const bool is_negative = cln::minusp(coefficient);
-    if (text.empty()) {
-      text = (is_negative ? "-" : "") + product;
-    } else {
-      text += (is_negative ? " - " : " + ") + product;
-    }
+    if (magnitude != 1 || factors.empty()) factors.insert(factors.begin(), {exact_text(magnitude)});
+    Formula term = product(spelling_, factors);
+    for (const Formula& divisor : divisors) term = quotient(spelling_, term, divisor);
+    terms.push_back({term, cln::minusp(coefficient)});
   }
 
   using Key = std::tuple<bool, Opcode, std::uint32_t, AtomId>;
@@ -105,63 +100,49 @@ class TermText {
     return terms;
   }
 
-  /// The sum of exponent/divisor * argument over the exponentials; empty without any.
-  [[nodiscard]] std::string angle_of(const Monomial& monomial) const {
-    Polynomial sum;
-    std::string others;
+  /// exponent/divisor * argument of the exponentials, in one sum but for those with denominators.
+  [[nodiscard]] std::vector<Summand> angle_of(const Monomial& monomial) const {
+    Polynomial whole;
+    std::vector<Summand> terms;
     for (const AtomPower& power : monomial) {
       const Atom& known = algebra_.atoms[power.atom];
       if (known.kind != AtomKind::circular) continue;
       const Fraction& argument = known.arguments[0];
       const Polynomial own = scaled(argument.numerator, {power.exponent / known.divisor, 0});
       if (argument.denominator.empty()) {
-        sum = presenting::sum(std::move(sum), own);
+        whole = presenting::sum(std::move(whole), own);
       } else {
-        others += (others.empty() ? "" : " + ") + fraction({own, argument.denominator});
+        terms.push_back({fraction({own, argument.denominator})});
       }
     }
-    if (sum.empty()) return others;
-    return fraction({sum, {}}) + (others.empty() ? "" : " + " + others);
+    if (!whole.empty()) terms.insert(terms.begin(), {fraction({whole, {}})});
+    return terms;
   }
 
-  [[nodiscard]] std::string atom(const Atom& known) const {
-    std::string arguments;
-    for (const Fraction& argument : known.arguments) {
-      arguments += (arguments.empty() ? "" : ", ") + fraction(argument);
-    }
+  [[nodiscard]] Formula atom(const Atom& known) const {
+    std::vector<Formula> arguments;
+    for (const Fraction& argument : known.arguments) arguments.push_back(fraction(argument));
     switch (known.kind) {
       case AtomKind::leaf:
-        return leaf(known);
+        return {leaf_text(names_, known.leaf, known.index)};
       case AtomKind::root:
-        return "sqrt(" + arguments + ")";
+        return square_root(spelling_, arguments.front());
       case AtomKind::call:
-        return fmt::format("{}({})", function_row(known.function).name, arguments);
+        return call(spelling_, known.function, arguments);
       default:
-        return "pi";
-    }
-  }
-
-  [[nodiscard]] std::string leaf(const Atom& known) const {
-    switch (known.leaf) {
-      case Opcode::parameter:
-        return names_.parameters[known.index];
-      case Opcode::coordinate:
-        return names_.q[known.index];
-      case Opcode::velocity:
-        return "dot(" + names_.v[known.index] + ")";
-      default:
-        return "t";
+        return {"pi"};
     }
   }
 
   const Algebra& algebra_;
   const LeafNames& names_;
+  const Spelling& spelling_ = model_spelling();
 };
 
 }  // namespace
 
 std::string term_text(const Algebra& algebra, const LeafNames& names, const Fraction& x) {
-  return TermText(algebra, names).fraction(x);
+  return TermText(algebra, names).fraction(x).text();
 }
 
 }  // namespace elgen::presenting

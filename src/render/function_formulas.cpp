@@ -32,9 +32,8 @@ Formula FunctionFormulas::definition(std::uint32_t at) const {
     case Opcode::negate:
       return negation(i.a);
     case Opcode::add:
-      return sum(spelling, entry(i.a), entry(i.b));
     case Opcode::subtract:
-      return difference(spelling, entry(i.a), entry(i.b));
+      return sum(spelling, {{entry(i.a)}, {entry(i.b), i.opcode == Opcode::subtract}});
     case Opcode::multiply:
       return product_of(i);
     case Opcode::divide:

@@ -15,20 +15,20 @@ const Formula two{"2"};
 
 TEST_CASE("brackets stand only where precedence asks for them, in the model language") {
   const Spelling& n = model_spelling();
-  CHECK(sum(n, a, difference(n, b, c)).text() == "a + (b - c)");
-  CHECK(sum(n, sum(n, a, b), c).text() == "a + b + c");
-  CHECK(product(n, {sum(n, a, b), power(n, c, two)}).text() == "(a + b)*c^2");
+  CHECK(sum(n, {{a}, {sum(n, {{b}, {c, true}})}}).text() == "a + (b - c)");
+  CHECK(sum(n, {{sum(n, {{a}, {b}})}, {c}}).text() == "a + b + c");
+  CHECK(product(n, {sum(n, {{a}, {b}}), power(n, c, two)}).text() == "(a + b)*c^2");
   CHECK(quotient(n, a, product(n, {b, c})).text() == "a/(b*c)");
-  CHECK(negated(n, sum(n, a, b)).text() == "-(a + b)");
-  CHECK(square_root(n, sum(n, a, b)).text() == "sqrt(a + b)");
+  CHECK(negated(n, sum(n, {{a}, {b}})).text() == "-(a + b)");
+  CHECK(square_root(n, sum(n, {{a}, {b}})).text() == "sqrt(a + b)");
   CHECK(power(n, call(n, FunctionId::sin, {a}), two).text() == "sin(a)^2");
 }
 
 TEST_CASE("LaTeX stacks fractions and puts exponents on functions") {
   const Spelling& n = latex_spelling();
-  CHECK(quotient(n, sum(n, a, b), c).text() == "\\frac{a + b}{c}");
+  CHECK(quotient(n, sum(n, {{a}, {b}}), c).text() == "\\frac{a + b}{c}");
   CHECK(power(n, call(n, FunctionId::sin, {a}), two).text() == "\\sin^{2} a");
-  CHECK(call(n, FunctionId::cos, {sum(n, a, b)}).text() == "\\cos(a + b)");
+  CHECK(call(n, FunctionId::cos, {sum(n, {{a}, {b}})}).text() == "\\cos(a + b)");
   CHECK(square_root(n, a).text() == "\\sqrt{a}");
 }
 
@@ -37,7 +37,7 @@ TEST_CASE("a sign stands free in front of a formula only") {
   CHECK(product(n, {negated(n, a), b}).text() == "-a * b");
   CHECK(negated(n, product(n, {a, b})).text() == "-a * b");
   CHECK(product(n, {a, negated(n, b)}).text() == "a * (-b)");
-  CHECK(difference(n, c, negated(n, product(n, {a, b}))).text() == "c - (-a * b)");
+  CHECK(sum(n, {{c}, {negated(n, product(n, {a, b})), true}}).text() == "c - (-a * b)");
   CHECK(negated(n, negated(n, a)).text() == "-(-a)");
 }
 
