@@ -74,7 +74,7 @@ Texts default_parameters(const EmissionInput& input) {
 }  // namespace
 
 std::string c99_header(const EmissionInput& input) {
-  TemplateData data = header_data(input, C99Dialect(input.model, input.scene, input.program));
+  TemplateData data = header_data(input, *c99_dialect(input.model, input.scene, input.program));
   data.set("scalar", scalar_name(c99_scalar(input.scene)));
   data.set("guard", upper_case(input.scene.base_name));
   data.set("capitals", upper_case(name_space(input.scene)));

@@ -10,6 +10,7 @@
 #include "cpp_constant.hpp"
 #include "cpp_names.hpp"
 #include "cpp_types.hpp"
+#include "definition.hpp"
 #include "fields.hpp"
 #include "layout.hpp"
 #include "signature.hpp"
@@ -20,14 +21,6 @@ namespace {
 using Texts = std::vector<std::string>;
 
 std::string joined_lines(const Texts& lines) { return fmt::format("{}", fmt::join(lines, "\n")); }
-
-/// sign, min and max are not the standard library's.
-bool is_standard(std::string_view name) {
-  const auto is_called = [name](const FunctionRow& row) { return row.name == name; };
-  const bool is_own = name == "sign" || name == "min" || name == "max";
-  return name == "sqrt" ||
-         (!is_own && std::any_of(function_table.begin(), function_table.end(), is_called));
-}
 
 /// The rows of a matrix, joined by commas, where every row fits a line; else one line per entry.
 Texts entry_lines(const Field& field, const Texts& entries, std::size_t indent) {
@@ -75,132 +68,179 @@ Texts texts_of(const std::vector<Term>& terms) {
   return texts;
 }
 
-std::string part_name(const Function& function, std::size_t part) {
-  return fmt::format("{}_part_{}", function.name, part + 1);
-}
+class CppDialect : public Dialect {
+ public:
+  CppDialect(const Model& model, const Program& program) : Dialect(model, program, ".") {}
+
+  Formula constant(const Constant& constant) const override {
+    const bool is_negative = cln::minusp(constant.value);
+    const std::string magnitude = is_short_constant(constant.value)
+                                      ? cpp_magnitude(constant.value)
+                                      : constant_name(constant) + "<Scalar>()";
+    return {(is_negative ? "-" : "") + magnitude, is_negative ? Binding::negation : Binding::atom};
+  }
+
+  std::string temporary(const std::string& name) const override { return cpp_temporary(name); }
+
+  std::string declaration(const std::string& name) const override { return "const Scalar " + name; }
+
+  std::string target(const Function& function, const SectionItem& entry) const override {
+    const Field& field = function.fields[entry.field];
+    const std::string member = field.name.empty() ? "" : "." + field.name;
+    return "result" + member + (is_number(function, field) ? "" : element(entry.index));
+  }
+
+  std::string returned(const Function& function, const Function& ordered,
+                       const FunctionBody& body) const override {
+    if (!is_returned(function)) return "";
+    const bool is_struct = gives_struct(function);
+    Texts values;
+    for (std::size_t i = 0; i < function.fields.size(); ++i) {
+      const Texts entries = texts_of(body.entries[i]);
+      const bool is_plain = is_number(function, function.fields[i]);
+      values.push_back(field_value({ordered.fields[i], entries, is_plain}, is_struct ? 6 : 2));
+    }
+    if (!is_struct) return fmt::format("  return {};\n", values.front());
+    return fmt::format("  return {{\n      {},\n  }};\n", fmt::join(values, ",\n      "));
+  }
+
+  std::string opening(const Function& /*function*/, const UsedNames& used,
+                      bool /*is_part*/) const override {
+    std::string text;
+    for (const std::string_view name : used.functions) {
+      text += fmt::format("  using std::{};\n", name);
+    }
+    return text;
+  }
+
+  std::string signature(const Function& function, const UsedNames& used) const override {
+    Texts arguments = declared_arguments(function, used);
+    const std::string type = result_type(function);
+    if (is_returned(function)) {
+      const std::string start = fmt::format("[[nodiscard]] {} {}", type, function.name);
+      return elgen::signature(start, arguments, " noexcept");
+    }
+    arguments.insert(arguments.begin(), type + "& result");
+    return elgen::signature("void " + function.name, arguments, " noexcept");
+  }
+
+  std::string part_signature(const Function& function, std::size_t part,
+                             const UsedNames& used) const override {
+    Texts arguments = {result_type(function) + "&" + name_if(used, " result"),
+                       workspace_name(function) + "<Scalar>&" + name_if(used, " w")};
+    const Texts own = declared_arguments(function, used);
+    arguments.insert(arguments.end(), own.begin(), own.end());
+    return elgen::signature("void " + part_name(function, part), arguments, " noexcept");
+  }
+
+  std::string calling_body(const Function& function, std::size_t parts) const override {
+    std::string body;
+    if (is_returned(function)) body += fmt::format("  {} result;\n", result_type(function));
+    body += fmt::format("  detail::{}<Scalar> w;\n", workspace_name(function));
+    for (std::size_t part = 0; part < parts; ++part) {
+      body += fmt::format("  detail::{}(result, w, {});\n", part_name(function, part),
+                          fmt::join(argument_names_of(function), ", "));
+    }
+    return is_returned(function) ? body + "  return result;\n" : body;
+  }
+
+  std::string member(const Function& function, const Field& field) const override {
+    return fmt::format("{} {};", type_of_field(kind_of(function, field), field), field.name);
+  }
+
+  std::string struct_name(const Function& function) const override {
+    return cpp_struct_name(function);
+  }
+
+  std::string workspace_name(const Function& function) const override {
+    return cpp_struct_name(function) + "Workspace";
+  }
+
+ protected:
+  /// "Forces<Scalar>", "ForwardDynamics<Scalar>": what the function returns.
+  std::string result_type(const Function& function) const {
+    if (gives_struct(function)) return cpp_struct_name(function) + "<Scalar>";
+    return type_of_field(function.kind, function.fields.front());
+  }
+
+  /// "[2]": after the name of an array.
+  virtual std::string element(std::uint32_t index) const { return fmt::format("[{}]", index); }
+
+  /// "SquareMatrix<Scalar>", "const Coordinates<Scalar>&"
+  virtual std::string type_of_field(OutputKind kind, const Field& field) const {
+    return field_type(kind, field);
+  }
+  virtual std::string type_of_argument(Argument argument) const { return argument_type(argument); }
+
+ private:
+  std::string library_function(std::string_view name) const override { return std::string(name); }
+
+  std::string own_function(std::string_view name) const override {
+    return fmt::format("detail::{}<Scalar>", name);
+  }
+
+  static std::string part_name(const Function& function, std::size_t part) {
+    return fmt::format("{}_part_{}", function.name, part + 1);
+  }
+
+  /// What the body does not use has no name.
+  static std::string name_if(const UsedNames& used, std::string_view blank_and_name) {
+    return std::string(used.variables.count(blank_and_name.substr(1)) > 0 ? blank_and_name : "");
+  }
+
+  Texts declared_arguments(const Function& function, const UsedNames& used) const {
+    Texts texts;
+    for (const Argument argument : arguments_of(model(), function)) {
+      texts.push_back(type_of_argument(argument) +
+                      name_if(used, fmt::format(" {}", argument_name(argument))));
+    }
+    return texts;
+  }
+};
+
+/// Arguments are read where they lie; sizes are numbers, because a model has several of one size.
+class EigenDialect final : public CppDialect {
+ public:
+  using CppDialect::CppDialect;
+
+  std::string temporary(const std::string& name) const override {
+    return is_eigen_name(name) ? name + "_" : CppDialect::temporary(name);
+  }
+
+  /// std::array's braces mean something else to Eigen: every entry is assigned.
+  std::string returned(const Function& function, const Function& ordered,
+                       const FunctionBody& body) const override {
+    const bool is_plain = !gives_struct(function) && is_number(function, function.fields.front());
+    if (is_plain || !is_returned(function)) return CppDialect::returned(function, ordered, body);
+    return fmt::format("  {} result;\n{}  return result;\n", result_type(function),
+                       assignments(*this, ordered, body));
+  }
+
+ private:
+  std::string element(std::uint32_t index) const override { return fmt::format("({})", index); }
+
+  std::string type_of_field(OutputKind kind, const Field& field) const override {
+    if (is_scalar(kind, field)) return "Scalar";
+    if (field.columns == 1) return fmt::format("Vector<Scalar, {}>", field.rows);
+    return fmt::format("Matrix<Scalar, {}, {}>", field.rows, field.columns);
+  }
+
+  std::string type_of_argument(Argument argument) const override {
+    if (argument == Argument::parameters || argument == Argument::time) {
+      return CppDialect::type_of_argument(argument);
+    }
+    return fmt::format("const Argument<Scalar, {}>&", argument_size(model(), argument));
+  }
+};
 
 }  // namespace
 
-Formula CppDialect::constant(const Constant& constant) const {
-  const bool is_negative = cln::minusp(constant.value);
-  const std::string magnitude = is_short_constant(constant.value)
-                                    ? cpp_magnitude(constant.value)
-                                    : constant_name(constant) + "<Scalar>()";
-  return {(is_negative ? "-" : "") + magnitude, is_negative ? Binding::negation : Binding::atom};
+std::unique_ptr<Dialect> cpp_dialect(const Model& model, const Program& program) {
+  return std::make_unique<CppDialect>(model, program);
 }
 
-std::string CppDialect::library_function(std::string_view name) const { return std::string(name); }
-
-std::string CppDialect::own_function(std::string_view name) const {
-  return fmt::format("detail::{}<Scalar>", name);
-}
-
-std::string CppDialect::temporary(const std::string& name) const { return cpp_temporary(name); }
-
-std::string CppDialect::declaration(const std::string& name) const {
-  return "const Scalar " + name;
-}
-
-std::string CppDialect::target(const Function& function, const SectionItem& entry) const {
-  const Field& field = function.fields[entry.field];
-  const std::string member = field.name.empty() ? "" : "." + field.name;
-  return "result" + member + (is_number(function, field) ? "" : element(entry.index));
-}
-
-std::string CppDialect::returned(const Function& function, const Function& ordered,
-                                 const FunctionBody& body) const {
-  if (!is_returned(function)) return "";
-  const bool is_struct = gives_struct(function);
-  Texts values;
-  for (std::size_t i = 0; i < function.fields.size(); ++i) {
-    const Texts entries = texts_of(body.entries[i]);
-    const bool is_plain = is_number(function, function.fields[i]);
-    values.push_back(field_value({ordered.fields[i], entries, is_plain}, is_struct ? 6 : 2));
-  }
-  if (!is_struct) return fmt::format("  return {};\n", values.front());
-  return fmt::format("  return {{\n      {},\n  }};\n", fmt::join(values, ",\n      "));
-}
-
-std::string CppDialect::opening(const Function& /*function*/, const UsedNames& used,
-                                bool /*is_part*/) const {
-  std::string text;
-  for (const std::string_view name : used) {
-    if (is_standard(name)) text += fmt::format("  using std::{};\n", name);
-  }
-  return text;
-}
-
-std::string CppDialect::element(std::uint32_t index) const { return fmt::format("[{}]", index); }
-
-std::string CppDialect::type_of_field(OutputKind kind, const Field& field) const {
-  return field_type(kind, field);
-}
-
-std::string CppDialect::type_of_argument(Argument argument) const {
-  return argument_type(argument);
-}
-
-std::string CppDialect::result_type(const Function& function) const {
-  if (gives_struct(function)) return cpp_struct_name(function) + "<Scalar>";
-  return type_of_field(function.kind, function.fields.front());
-}
-
-/// Arguments that the body does not use have no name.
-Texts CppDialect::declared_arguments(const Function& function, const UsedNames& used) const {
-  Texts texts;
-  for (const Argument argument : arguments_of(model(), function)) {
-    const std::string_view name = argument_name(argument);
-    texts.push_back(type_of_argument(argument) +
-                    (used.count(name) > 0 ? fmt::format(" {}", name) : ""));
-  }
-  return texts;
-}
-
-std::string CppDialect::signature(const Function& function, const UsedNames& used) const {
-  Texts arguments = declared_arguments(function, used);
-  const std::string type = result_type(function);
-  if (is_returned(function)) {
-    const std::string start = fmt::format("[[nodiscard]] {} {}", type, function.name);
-    return elgen::signature(start, arguments, " noexcept");
-  }
-  arguments.insert(arguments.begin(), type + "& result");
-  return elgen::signature("void " + function.name, arguments, " noexcept");
-}
-
-std::string CppDialect::part_signature(const Function& function, std::size_t part,
-                                       const UsedNames& used) const {
-  Texts arguments = {result_type(function) + "&", workspace_name(function) + "<Scalar>&"};
-  if (used.count("result") > 0) arguments[0] += " result";
-  if (used.count("w") > 0) arguments[1] += " w";
-  const Texts own = declared_arguments(function, used);
-  arguments.insert(arguments.end(), own.begin(), own.end());
-  return elgen::signature("void " + part_name(function, part), arguments, " noexcept");
-}
-
-std::string CppDialect::calling_body(const Function& function, std::size_t parts) const {
-  std::string body;
-  if (is_returned(function)) body += fmt::format("  {} result;\n", result_type(function));
-  body += fmt::format("  detail::{}<Scalar> w;\n", workspace_name(function));
-  std::string arguments = "result, w";
-  for (const Argument argument : arguments_of(model(), function)) {
-    arguments += fmt::format(", {}", argument_name(argument));
-  }
-  for (std::size_t part = 0; part < parts; ++part) {
-    body += fmt::format("  detail::{}({});\n", part_name(function, part), arguments);
-  }
-  return is_returned(function) ? body + "  return result;\n" : body;
-}
-
-std::string CppDialect::member(const Function& function, const Field& field) const {
-  return fmt::format("{} {};", type_of_field(kind_of(function, field), field), field.name);
-}
-
-std::string CppDialect::struct_name(const Function& function) const {
-  return cpp_struct_name(function);
-}
-
-std::string CppDialect::workspace_name(const Function& function) const {
-  return cpp_struct_name(function) + "Workspace";
+std::unique_ptr<Dialect> eigen_dialect(const Model& model, const Program& program) {
+  return std::make_unique<EigenDialect>(model, program);
 }
 
 }  // namespace elgen

@@ -31,6 +31,8 @@ constexpr std::array<std::string_view, 24> emitted_names{
 constexpr std::array<std::string_view, 5> more_names{"unbounded", "velocity_count",
                                                      "velocity_names", "velocity_units", "result"};
 constexpr std::array<std::string_view, 7> arguments{"p", "q", "v", "a", "u", "t", "w"};
+constexpr std::array<std::string_view, 5> eigen_names{"eigen", "Eigen", "Argument", "Matrix",
+                                                      "Vector"};
 /// Members of Parameters hide these in the initialisers beside them.
 constexpr std::array<std::string_view, 5> hidden_by_members{"Parameters", "Scalar", "constant",
                                                             "detail", "std"};
@@ -94,6 +96,8 @@ std::string cpp_temporary(const std::string& name) {
   const bool hides = is_function || is_emitted_name(name) || contains(arguments, name);
   return hides ? name + "_" : name;
 }
+
+bool is_eigen_name(const std::string& name) { return contains(eigen_names, name); }
 
 std::string cpp_struct_name(const Function& function) { return camel_case(function.name); }
 

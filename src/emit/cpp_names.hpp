@@ -10,6 +10,9 @@ namespace elgen {
 /// A temporary's name, with an underscore behind where it would hide something.
 [[nodiscard]] std::string cpp_temporary(const std::string& name);
 
+/// Whether templates/cpp/eigen.hpp.mustache needs the name for itself.
+[[nodiscard]] bool is_eigen_name(const std::string& name);
+
 /// "forward_dynamics" -> "ForwardDynamics": the struct a function of several fields returns.
 [[nodiscard]] std::string cpp_struct_name(const Function& function);
 

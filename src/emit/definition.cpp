@@ -59,11 +59,12 @@ std::vector<std::string> take_shared(const Dialect& dialect, std::vector<std::st
   return shared;
 }
 
-std::string_view name_of(const Instruction& instruction) {
-  if (instruction.opcode == Opcode::square_root) return "sqrt";
-  if (instruction.opcode == Opcode::call) return function_row(instruction.function).name;
+void use(const Instruction& instruction, UsedNames& used) {
   const std::optional<Argument> argument = argument_of(instruction.opcode);
-  return argument ? argument_name(*argument) : std::string_view();
+  if (argument) used.variables.insert(argument_name(*argument));
+  if (instruction.opcode == Opcode::square_root) used.functions.insert("sqrt");
+  if (instruction.opcode != Opcode::call || !own_name(instruction.function).empty()) return;
+  used.functions.insert(function_row(instruction.function).name);
 }
 
 UsedNames used_names(const Function& function, const FunctionBody& body, const Sections& cut,
@@ -71,13 +72,12 @@ UsedNames used_names(const Function& function, const FunctionBody& body, const S
   UsedNames used;
   for (const SectionItem& item : cut.parts[part]) {
     const Term& value = value_of(body, item);
-    for (const std::uint32_t at : value.instructions) {
-      used.insert(name_of(function.instructions[at]));
-    }
+    for (const std::uint32_t at : value.instructions) use(function.instructions[at], used);
     const auto crosses = [&cut](std::uint32_t statement) { return cut.crosses[statement]; };
     const bool is_shared = !item.is_entry && crosses(item.index);
-    if (item.is_entry) used.insert("result");
-    if (is_shared || std::any_of(value.uses.begin(), value.uses.end(), crosses)) used.insert("w");
+    if (item.is_entry) used.variables.insert("result");
+    if (is_shared || std::any_of(value.uses.begin(), value.uses.end(), crosses))
+      used.variables.insert("w");
   }
   return used;
 }
@@ -130,7 +130,7 @@ FunctionDefinition definition(const Dialect& dialect, const Program& program,
   }
   FunctionDefinition result;
   result.workspace = take_shared(dialect, names, cut.crosses);
-  const UsedNames passed_on(argument_names.begin(), argument_names.end());
+  const UsedNames passed_on{{argument_names.begin(), argument_names.end()}};
   result.whole = {dialect.signature(function, passed_on),
                   dialect.calling_body(function, cut.parts.size())};
   const FunctionBody shared = statements(program, ordered, dialect, names);

@@ -5,6 +5,19 @@
 
 namespace elgen {
 
+std::string_view own_name(FunctionId function) {
+  switch (function) {
+    case FunctionId::sign:
+      return "sign_of";
+    case FunctionId::min:
+      return "smaller";
+    case FunctionId::max:
+      return "larger";
+    default:
+      return {};
+  }
+}
+
 Dialect::Dialect(const Model& model, const Program& program, std::string_view access)
     : Vocabulary(code_spelling()),
       model_(model),
@@ -22,19 +35,20 @@ Formula Dialect::square_root(const Formula& radicand) const {
 }
 
 Formula Dialect::call(FunctionId function, const std::vector<Formula>& arguments) const {
-  switch (function) {
-    case FunctionId::sign:
-      return called(own_function("sign_of"), arguments);
-    case FunctionId::min:
-      return called(own_function("smaller"), arguments);
-    case FunctionId::max:
-      return called(own_function("larger"), arguments);
-    default:
-      return called(library_function(function_row(function).name), arguments);
-  }
+  const std::string_view own = own_name(function);
+  return called(own.empty() ? library_function(function_row(function).name) : own_function(own),
+                arguments);
 }
 
 std::string Dialect::shared(const std::string& name) const { return "w" + access_ + name; }
+
+std::vector<std::string_view> Dialect::argument_names_of(const Function& function) const {
+  std::vector<std::string_view> names;
+  for (const Argument argument : arguments_of(model_, function)) {
+    names.push_back(argument_name(argument));
+  }
+  return names;
+}
 
 OutputKind Dialect::kind_of(const Function& function, const Field& field) const {
   return kind_of_field(program_, function, field);

@@ -12,8 +12,14 @@
 
 namespace elgen {
 
-/// What a body reads, writes and calls: "q", "w", "result", "sin".
-using UsedNames = std::set<std::string_view>;
+/// What a body reads, writes and calls.
+struct UsedNames {
+  std::set<std::string_view> variables = {};  ///< "q", "w", "result"
+  std::set<std::string_view> functions = {};  ///< of the library: "sin"
+};
+
+/// "sign_of", "smaller", "larger": what the header has of its own; empty for what libraries have.
+[[nodiscard]] std::string_view own_name(FunctionId function);
 
 class Dialect : public Vocabulary {
  public:
@@ -69,9 +75,9 @@ class Dialect : public Vocabulary {
 
  protected:
   [[nodiscard]] const Model& model() const { return model_; }
-  [[nodiscard]] const std::string& access() const { return access_; }
   /// Whether a field is one number, and no array.
   [[nodiscard]] bool is_number(const Function& function, const Field& field) const;
+  [[nodiscard]] std::vector<std::string_view> argument_names_of(const Function& function) const;
   [[nodiscard]] OutputKind kind_of(const Function& function, const Field& field) const;
 
  private:

@@ -1,8 +1,8 @@
 // eigen_header: the bodies are written again rather than called: a Map of the other header's arrays
 // would be a copy of them each way (up to a quarter of the time of panda7, g++ -O2), or undefined.
 #include "artifacts.hpp"
+#include "cpp_dialect.hpp"
 #include "cpp_names.hpp"
-#include "eigen_dialect.hpp"
 #include "fields.hpp"
 #include "header_data.hpp"
 #include "layout.hpp"
@@ -11,7 +11,7 @@
 namespace elgen {
 
 std::string eigen_header(const EmissionInput& input) {
-  TemplateData data = header_data(input, EigenDialect(input.model, input.program));
+  TemplateData data = header_data(input, *eigen_dialect(input.model, input.program));
   const bool is_row_major = input.scene.emission.storage == Storage::row_major;
   data.set("header", input.scene.base_name + ".hpp");
   data.set("order", is_row_major ? "RowMajor" : "ColMajor");

@@ -20,11 +20,10 @@ namespace {
 using List = TemplateData::type;
 
 bool has_kinks(const Program& program) {
-  return std::any_of(program.functions.begin(), program.functions.end(), [](const Function& f) {
+  const auto is_own = [](FunctionId function) { return !own_name(function).empty(); };
+  return std::any_of(program.functions.begin(), program.functions.end(), [&](const Function& f) {
     const std::set<FunctionId> calls = called_functions(f);
-    return calls.count(FunctionId::sign) + calls.count(FunctionId::min) +
-               calls.count(FunctionId::max) >
-           0;
+    return std::any_of(calls.begin(), calls.end(), is_own);
   });
 }
 

@@ -18,8 +18,8 @@ Subject in_c(ScalarKind scalar = ScalarKind::double_precision) {
 }
 
 DefinitionText text_of(const Subject& subject, std::size_t function) {
-  const C99Dialect dialect(subject.model, subject.scene, subject.program);
-  return definition(dialect, subject.program, subject.program.functions[function],
+  const auto dialect = c99_dialect(subject.model, subject.scene, subject.program);
+  return definition(*dialect, subject.program, subject.program.functions[function],
                     Storage::row_major)
       .whole;
 }
@@ -49,26 +49,26 @@ TEST_CASE("a number is returned, a struct filled") {
 TEST_CASE("float has its own functions and literals") {
   const Subject subject = in_c(ScalarKind::single_precision);
   CHECK(text_of(subject, 1).body.find("const float sin_theta = sinf(q[1]);") != std::string::npos);
-  const C99Dialect dialect(subject.model, subject.scene, subject.program);
-  CHECK(dialect.constant(rational_constant(cln::cl_RA(-1) / 3)).text() == "-0.33333334f");
-  CHECK(dialect.square_root({"x"}).text() == "sqrtf(x)");
-  CHECK(dialect.call(FunctionId::abs, {{"x"}}).text() == "fabsf(x)");
-  CHECK(dialect.call(FunctionId::min, {{"x"}, {"y"}}).text() == "cart_pole_smaller(x, y)");
+  const auto dialect = c99_dialect(subject.model, subject.scene, subject.program);
+  CHECK(dialect->constant(rational_constant(cln::cl_RA(-1) / 3)).text() == "-0.33333334f");
+  CHECK(dialect->square_root({"x"}).text() == "sqrtf(x)");
+  CHECK(dialect->call(FunctionId::abs, {{"x"}}).text() == "fabsf(x)");
+  CHECK(dialect->call(FunctionId::min, {{"x"}, {"y"}}).text() == "cart_pole_smaller(x, y)");
 }
 
 TEST_CASE("temporaries hide nothing") {
   const Subject subject = in_c();
-  const C99Dialect dialect(subject.model, subject.scene, subject.program);
-  CHECK(dialect.temporary("sin_theta") == "sin_theta");
+  const auto dialect = c99_dialect(subject.model, subject.scene, subject.program);
+  CHECK(dialect->temporary("sin_theta") == "sin_theta");
   for (const char* name : {"p", "result", "sinf", "cart_pole_bias"}) {
-    CHECK(dialect.temporary(name) == std::string(name) + "_");
+    CHECK(dialect->temporary(name) == std::string(name) + "_");
   }
 }
 
 TEST_CASE("a number in parts comes back through an array") {
   const Subject subject = in_c();
-  const C99Dialect dialect(subject.model, subject.scene, subject.program);
-  CHECK(dialect.calling_body(subject.program.functions[2], 2) ==
+  const auto dialect = c99_dialect(subject.model, subject.scene, subject.program);
+  CHECK(dialect->calling_body(subject.program.functions[2], 2) ==
         "  double result[1];\n"
         "  cart_pole_kinetic_energy_workspace w;\n"
         "  cart_pole_kinetic_energy_part_1(p, q, v, &w, result);\n"

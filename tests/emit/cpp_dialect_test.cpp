@@ -1,4 +1,5 @@
-// cpp_dialect: leaves, constants and calls, then small functions, line for line.
+// cpp_dialect: leaves, constants and calls, then small functions, line for line; and what differs
+// on Eigen, which tests/pipeline/languages_test.cpp compiles.
 #include "emit/cpp_dialect.hpp"
 
 #include <fmt/format.h>
@@ -14,8 +15,8 @@ using elgen::testing::Subject;
 namespace {
 
 std::string body_of(const Subject& subject, const Function& function) {
-  const CppDialect dialect(subject.model, subject.program);
-  return definition(dialect, subject.program, function, Storage::row_major).whole.body;
+  const auto dialect = cpp_dialect(subject.model, subject.program);
+  return definition(*dialect, subject.program, function, Storage::row_major).whole.body;
 }
 
 std::string body_of(std::size_t function) {
@@ -24,6 +25,14 @@ std::string body_of(std::size_t function) {
 }
 
 Instruction leaf(Opcode opcode, std::uint32_t index) { return {opcode, FunctionId::sin, index, 0}; }
+
+DefinitionText on_eigen(std::size_t function) {
+  const Subject subject = cart_pole();
+  const auto dialect = eigen_dialect(subject.model, subject.program);
+  return definition(*dialect, subject.program, subject.program.functions[function],
+                    Storage::row_major)
+      .whole;
+}
 
 }  // namespace
 
@@ -76,9 +85,9 @@ TEST_CASE("big results are written entry by entry") {
   function.names = {""};
   const auto count = static_cast<std::uint32_t>(largest_returned + 1);
   function.fields = {{"", count, 1, std::vector<std::uint32_t>(count, 0)}};
-  const CppDialect dialect(subject.model, subject.program);
+  const auto dialect = cpp_dialect(subject.model, subject.program);
   const FunctionDefinition written =
-      definition(dialect, subject.program, function, Storage::row_major);
+      definition(*dialect, subject.program, function, Storage::row_major);
   REQUIRE(written.parts.size() > 1);
   const std::string& first = written.parts.front().body;
   CHECK(first.rfind("  result[0] = v[1];\n  result[1] = v[1];\n", 0) == 0);
@@ -90,34 +99,73 @@ TEST_CASE("leaves") {
   Subject subject = cart_pole();
   elgen::testing::add_parameter_array(subject.model, "k", {1, 2});
   subject.program.leaves.parameters = {"g", "k[2]"};
-  const CppDialect dialect(subject.model, subject.program);
-  CHECK(dialect.leaf(leaf(Opcode::parameter, 0)) == "p.g");
-  CHECK(dialect.leaf(leaf(Opcode::parameter, 1)) == "p.k[1]");
-  CHECK(dialect.leaf(leaf(Opcode::coordinate, 1)) == "q[1]");
-  CHECK(dialect.leaf(leaf(Opcode::velocity, 0)) == "v[0]");
-  CHECK(dialect.leaf(leaf(Opcode::acceleration, 0)) == "a[0]");
-  CHECK(dialect.leaf(leaf(Opcode::input, 0)) == "u[0]");
-  CHECK(dialect.leaf(leaf(Opcode::time, 0)) == "t");
+  const auto dialect = cpp_dialect(subject.model, subject.program);
+  CHECK(dialect->leaf(leaf(Opcode::parameter, 0)) == "p.g");
+  CHECK(dialect->leaf(leaf(Opcode::parameter, 1)) == "p.k[1]");
+  CHECK(dialect->leaf(leaf(Opcode::coordinate, 1)) == "q[1]");
+  CHECK(dialect->leaf(leaf(Opcode::velocity, 0)) == "v[0]");
+  CHECK(dialect->leaf(leaf(Opcode::acceleration, 0)) == "a[0]");
+  CHECK(dialect->leaf(leaf(Opcode::input, 0)) == "u[0]");
+  CHECK(dialect->leaf(leaf(Opcode::time, 0)) == "t");
 }
 
 TEST_CASE("constants stand where they are used when they are short") {
   const Subject subject = cart_pole();
-  const CppDialect dialect(subject.model, subject.program);
-  CHECK(dialect.constant(rational_constant(2)).text() == "constant<Scalar>(2.0)");
-  CHECK(dialect.constant(rational_constant(cln::cl_RA(1) / 3)).text() == "number_1_3<Scalar>()");
-  const Formula negative = dialect.constant(rational_constant(-1));
+  const auto dialect = cpp_dialect(subject.model, subject.program);
+  CHECK(dialect->constant(rational_constant(2)).text() == "constant<Scalar>(2.0)");
+  CHECK(dialect->constant(rational_constant(cln::cl_RA(1) / 3)).text() == "number_1_3<Scalar>()");
+  const Formula negative = dialect->constant(rational_constant(-1));
   CHECK(negative.text() == "-constant<Scalar>(1.0)");
   CHECK(negative.binding == Binding::negation);
 }
 
 TEST_CASE("calls") {
   const Subject subject = cart_pole();
-  const CppDialect dialect(subject.model, subject.program);
-  CHECK(dialect.call(FunctionId::atan2, {{"y"}, {"x"}}).text() == "atan2(y, x)");
-  CHECK(dialect.call(FunctionId::sign, {{"x"}}).text() == "detail::sign_of<Scalar>(x)");
-  CHECK(dialect.call(FunctionId::min, {{"x"}, {"y"}}).text() == "detail::smaller<Scalar>(x, y)");
-  CHECK(dialect.call(FunctionId::max, {{"x"}, {"y"}}).text() == "detail::larger<Scalar>(x, y)");
-  CHECK(dialect.square_root({"x"}).text() == "sqrt(x)");
-  CHECK(dialect.temporary("sin") == "sin_");
-  CHECK(dialect.shared("sin_theta") == "w.sin_theta");
+  const auto dialect = cpp_dialect(subject.model, subject.program);
+  CHECK(dialect->call(FunctionId::atan2, {{"y"}, {"x"}}).text() == "atan2(y, x)");
+  CHECK(dialect->call(FunctionId::sign, {{"x"}}).text() == "detail::sign_of<Scalar>(x)");
+  CHECK(dialect->call(FunctionId::min, {{"x"}, {"y"}}).text() == "detail::smaller<Scalar>(x, y)");
+  CHECK(dialect->call(FunctionId::max, {{"x"}, {"y"}}).text() == "detail::larger<Scalar>(x, y)");
+  CHECK(dialect->square_root({"x"}).text() == "sqrt(x)");
+  CHECK(dialect->temporary("sin") == "sin_");
+  CHECK(dialect->shared("sin_theta") == "w.sin_theta");
+}
+
+TEST_CASE("Eigen: arguments are read in place, entries written into the result") {
+  const DefinitionText text = on_eigen(1);
+  CHECK(text.signature ==
+        "[[nodiscard]] Vector<Scalar, 2> gravity(const Parameters<Scalar>& p,\n"
+        "                                        const Argument<Scalar, 2>& q) noexcept");
+  CHECK(text.body ==
+        "  using std::sin;\n"
+        "  const Scalar sin_theta = sin(q[1]);\n"
+        "  Vector<Scalar, 2> result;\n"
+        "  result(0) = constant<Scalar>(0.0);\n"
+        "  result(1) = -p.g * p.l * p.m * sin_theta;\n"
+        "  return result;\n");
+}
+
+TEST_CASE("Eigen: a matrix stored by columns has the shape of the function's result") {
+  const Subject subject = cart_pole();
+  const auto dialect = eigen_dialect(subject.model, subject.program);
+  Function function = subject.program.functions[1];
+  function.fields = {{"", 2, 3, {0, 1, 0, 1, 0, 1}}};
+  const DefinitionText text =
+      definition(*dialect, subject.program, function, Storage::column_major).whole;
+  CHECK(text.signature.find("Matrix<Scalar, 2, 3> gravity(") != std::string::npos);
+  CHECK(text.body.find("  Matrix<Scalar, 2, 3> result;\n") != std::string::npos);
+}
+
+TEST_CASE("Eigen: numbers are returned, structs filled") {
+  CHECK(on_eigen(2).body == "  return constant<Scalar>(0.5) * p.M * (v[0] * v[0]);\n");
+  CHECK(on_eigen(4).body.find("  ForwardDynamics<Scalar> result;\n  result.acceleration(0) = ") !=
+        std::string::npos);
+}
+
+TEST_CASE("Eigen: temporaries leave the header its names") {
+  const Subject subject = cart_pole();
+  const auto dialect = eigen_dialect(subject.model, subject.program);
+  CHECK(dialect->temporary("Vector") == "Vector_");
+  CHECK(dialect->temporary("sin") == "sin_");
+  CHECK(dialect->temporary("Vectors") == "Vectors");
 }

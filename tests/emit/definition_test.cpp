@@ -25,8 +25,8 @@ Subject long_function(std::size_t statements) {
 }
 
 FunctionDefinition function_of(const Subject& subject, Storage storage = Storage::row_major) {
-  const CppDialect dialect(subject.model, subject.program);
-  return definition(dialect, subject.program, subject.program.functions.front(), storage);
+  const auto dialect = cpp_dialect(subject.model, subject.program);
+  return definition(*dialect, subject.program, subject.program.functions.front(), storage);
 }
 
 }  // namespace

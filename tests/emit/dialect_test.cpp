@@ -10,20 +10,20 @@ TEST_CASE("members of parameters and of the workspace") {
   const auto subject = cart_pole();
   const Instruction first{Opcode::parameter, FunctionId::sin, 0, 0};
   const std::string name = subject.program.leaves.parameters.front();
-  const CppDialect cpp(subject.model, subject.program);
-  const C99Dialect c99(subject.model, subject.scene, subject.program);
-  CHECK(cpp.leaf(first) == "p." + name);
-  CHECK(c99.leaf(first) == "p->" + name);
-  CHECK(cpp.shared("sin_theta") == "w.sin_theta");
-  CHECK(c99.shared("sin_theta") == "w->sin_theta");
+  const auto cpp = cpp_dialect(subject.model, subject.program);
+  const auto c99 = c99_dialect(subject.model, subject.scene, subject.program);
+  CHECK(cpp->leaf(first) == "p." + name);
+  CHECK(c99->leaf(first) == "p->" + name);
+  CHECK(cpp->shared("sin_theta") == "w.sin_theta");
+  CHECK(c99->shared("sin_theta") == "w->sin_theta");
 }
 
 TEST_CASE("calls of the library and of the header") {
   const auto subject = cart_pole();
-  const CppDialect cpp(subject.model, subject.program);
-  const C99Dialect c99(subject.model, subject.scene, subject.program);
-  CHECK(cpp.call(FunctionId::max, {{"x"}, {"y"}}).text() == "detail::larger<Scalar>(x, y)");
-  CHECK(c99.call(FunctionId::max, {{"x"}, {"y"}}).text() == "cart_pole_larger(x, y)");
-  CHECK(cpp.call(FunctionId::abs, {{"x"}}).text() == "abs(x)");
-  CHECK(c99.call(FunctionId::abs, {{"x"}}).text() == "fabs(x)");
+  const auto cpp = cpp_dialect(subject.model, subject.program);
+  const auto c99 = c99_dialect(subject.model, subject.scene, subject.program);
+  CHECK(cpp->call(FunctionId::max, {{"x"}, {"y"}}).text() == "detail::larger<Scalar>(x, y)");
+  CHECK(c99->call(FunctionId::max, {{"x"}, {"y"}}).text() == "cart_pole_larger(x, y)");
+  CHECK(cpp->call(FunctionId::abs, {{"x"}}).text() == "abs(x)");
+  CHECK(c99->call(FunctionId::abs, {{"x"}}).text() == "fabs(x)");
 }

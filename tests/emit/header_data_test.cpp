@@ -11,7 +11,7 @@ using elgen::testing::Subject;
 TEST_CASE("sections for pivots and kinks, one item per function") {
   const Subject subject = cart_pole();
   const EmissionInput input = emission_input(subject.model, subject.scene, subject.program);
-  const TemplateData data = header_data(input, CppDialect(subject.model, subject.program));
+  const TemplateData data = header_data(input, *cpp_dialect(subject.model, subject.program));
   CHECK(data.get("regular")->list_value().size() == 1);
   CHECK(data.get("kinks")->list_value().empty());
   CHECK(data.get("functions")->list_value().size() == subject.program.functions.size());
