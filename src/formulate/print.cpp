@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "base/formula.hpp"
+
 namespace elgen {
 
 using GiNaC::ex;
@@ -16,88 +18,84 @@ std::string plain(const ex& value) {
   return text.str();
 }
 
-bool is_positive_integer(const ex& value) { return value.info(GiNaC::info_flags::posint); }
+/// A value up to its sign, which GiNaC moves in and out of sums.
+class Writer {
+ public:
+  explicit Writer(const Definitions& definitions) : definitions_(definitions) {}
+
+  Summand print(const ex& value) const {
+    if (GiNaC::is_a<GiNaC::symbol>(value)) {
+      const SymbolPlace& at = definitions_.places.at(value);
+      return {{at.is_definition ? "d" + std::to_string(at.index) : plain(value)}};
+    }
+    if (GiNaC::is_a<GiNaC::numeric>(value)) {
+      const bool is_negative = value.info(GiNaC::info_flags::negative);
+      return {{plain(is_negative ? -value : value)}, is_negative};
+    }
+    if (GiNaC::is_a<GiNaC::add>(value)) return total(value);
+    if (GiNaC::is_a<GiNaC::mul>(value)) return product_of(value);
+    if (GiNaC::is_a<GiNaC::power>(value)) return raised(value);
+    if (GiNaC::is_a<GiNaC::function>(value)) return {call_of(value)};
+    return {{plain(value)}};
+  }
+
+  Formula whole(const ex& value) const { return sum(spelling_, {print(value)}); }
+
+ private:
+  std::vector<Summand> sorted(const ex& value, Binding least) const {
+    std::vector<Summand> parts;
+    for (const ex& part : value) {
+      const auto [term, is_negative] = print(part);
+      parts.push_back({at_least(spelling_, term, least), is_negative});
+    }
+    std::sort(parts.begin(), parts.end(), [](const Summand& left, const Summand& right) {
+      return left.term.text() < right.term.text();
+    });
+    return parts;
+  }
+
+  /// The first term is positive; where it is not, the sum is printed as its negative.
+  Summand total(const ex& value) const {
+    std::vector<Summand> terms = sorted(value, Binding::sum);
+    const bool is_negative = terms.front().is_subtracted;
+    for (Summand& term : terms) term.is_subtracted = term.is_subtracted != is_negative;
+    return {sum(spelling_, terms), is_negative};
+  }
+
+  Summand product_of(const ex& value) const {
+    bool is_negative = false;
+    std::vector<Formula> factors;
+    for (const Summand& part : sorted(value, Binding::product)) {
+      is_negative = is_negative != part.is_subtracted;
+      if (part.term.text() != "1") factors.push_back(part.term);
+    }
+    return {product(spelling_, factors), is_negative};
+  }
+
+  Summand raised(const ex& value) const {
+    const ex exponent = value.op(1);
+    Summand base = print(value.op(0));
+    if (!exponent.info(GiNaC::info_flags::integer)) base = {whole(value.op(0))};
+    Formula above = whole(exponent);
+    if (!exponent.info(GiNaC::info_flags::posint)) above.binding = Binding::sum;
+    const bool is_negative = base.is_subtracted && exponent.info(GiNaC::info_flags::odd);
+    return {power(spelling_, base.term, above), is_negative};
+  }
+
+  Formula call_of(const ex& value) const {
+    std::vector<Formula> arguments;
+    for (const ex& argument : value) arguments.push_back(whole(argument));
+    return called(GiNaC::ex_to<GiNaC::function>(value).get_name(), arguments);
+  }
+
+  const Definitions& definitions_;
+  const Spelling& spelling_ = model_spelling();
+};
 
 }  // namespace
 
 std::string ExpressionPrinter::operator()(const ex& value) const {
-  const Signed printed = print(value);
-  if (!printed.negative) return printed.text;
-  return GiNaC::is_a<GiNaC::add>(value) ? "-(" + printed.text + ")" : "-" + printed.text;
-}
-
-ExpressionPrinter::Signed ExpressionPrinter::print(const ex& value) const {
-  if (GiNaC::is_a<GiNaC::symbol>(value)) {
-    const SymbolPlace& at = definitions_.places.at(value);
-    return {false, at.is_definition ? "d" + std::to_string(at.index) : plain(value)};
-  }
-  if (GiNaC::is_a<GiNaC::numeric>(value)) {
-    const bool negative = value.info(GiNaC::info_flags::negative);
-    return {negative, plain(negative ? -value : value)};
-  }
-  if (GiNaC::is_a<GiNaC::add>(value)) return sum(value);
-  if (GiNaC::is_a<GiNaC::mul>(value)) return product(value);
-  if (GiNaC::is_a<GiNaC::power>(value)) return power(value);
-  if (GiNaC::is_a<GiNaC::function>(value)) return function(value);
-  return {false, plain(value)};
-}
-
-std::vector<ExpressionPrinter::Signed> ExpressionPrinter::sorted(const ex& value,
-                                                                 bool as_factors) const {
-  std::vector<Signed> parts;
-  for (std::size_t i = 0; i < value.nops(); ++i) {
-    parts.push_back(as_factors ? factor(value.op(i)) : print(value.op(i)));
-  }
-  std::sort(parts.begin(), parts.end(),
-            [](const Signed& left, const Signed& right) { return left.text < right.text; });
-  return parts;
-}
-
-/// The first term is positive; where it is not, the sum is printed as its negative.
-ExpressionPrinter::Signed ExpressionPrinter::sum(const ex& value) const {
-  const std::vector<Signed> terms = sorted(value, false);
-  const bool negative = terms.front().negative;
-  std::string text = terms.front().text;
-  for (std::size_t i = 1; i < terms.size(); ++i) {
-    text += (terms[i].negative == negative ? " + " : " - ") + terms[i].text;
-  }
-  return {negative, text};
-}
-
-ExpressionPrinter::Signed ExpressionPrinter::product(const ex& value) const {
-  Signed result;
-  for (const Signed& part : sorted(value, true)) {
-    result.negative = result.negative != part.negative;
-    if (part.text == "1") continue;
-    result.text += (result.text.empty() ? "" : "*") + part.text;
-  }
-  return result;
-}
-
-ExpressionPrinter::Signed ExpressionPrinter::factor(const ex& value) const {
-  Signed printed = print(value);
-  if (GiNaC::is_a<GiNaC::add>(value)) printed.text = "(" + printed.text + ")";
-  return printed;
-}
-
-ExpressionPrinter::Signed ExpressionPrinter::power(const ex& value) const {
-  const ex exponent = value.op(1);
-  Signed base = factor(value.op(0));
-  if (base.negative && !exponent.info(GiNaC::info_flags::integer)) {
-    base = {false, "(-" + base.text + ")"};
-  }
-  const std::string raised = (*this)(exponent);
-  const bool negative = base.negative && exponent.info(GiNaC::info_flags::odd);
-  return {negative,
-          base.text + "^" + (is_positive_integer(exponent) ? raised : "(" + raised + ")")};
-}
-
-ExpressionPrinter::Signed ExpressionPrinter::function(const ex& value) const {
-  std::string text = GiNaC::ex_to<GiNaC::function>(value).get_name() + "(";
-  for (std::size_t i = 0; i < value.nops(); ++i) {
-    text += (i == 0 ? "" : ", ") + (*this)(value.op(i));
-  }
-  return {false, text + ")"};
+  return Writer(definitions_).whole(value).text();
 }
 
 std::string dump(const Definitions& definitions) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "elgen/lagrangian.hpp"
 
@@ -17,20 +16,6 @@ class ExpressionPrinter {
   [[nodiscard]] std::string operator()(const GiNaC::ex& value) const;
 
  private:
-  /// Text up to its sign; GiNaC moves signs in and out of sums.
-  struct Signed {
-    bool negative = false;
-    std::string text;
-  };
-
-  [[nodiscard]] Signed print(const GiNaC::ex& value) const;
-  [[nodiscard]] Signed sum(const GiNaC::ex& value) const;
-  [[nodiscard]] Signed product(const GiNaC::ex& value) const;
-  [[nodiscard]] Signed power(const GiNaC::ex& value) const;
-  [[nodiscard]] Signed function(const GiNaC::ex& value) const;
-  [[nodiscard]] Signed factor(const GiNaC::ex& value) const;
-  [[nodiscard]] std::vector<Signed> sorted(const GiNaC::ex& value, bool as_factors) const;
-
   const Definitions& definitions_;
 };
 
