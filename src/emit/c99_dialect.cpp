@@ -55,18 +55,19 @@ class C99Dialect final : public Dialect {
     return fmt::format("const {} {}", scalar_, name);
   }
 
-  std::string target(const Function& function, const SectionItem& entry) const override {
-    const Field& field = function.fields[entry.field];
-    const std::string element = fmt::format("[{}]", entry.index);
+  std::string target(const Function& function, std::uint32_t at,
+                     std::uint32_t index) const override {
+    const Field& field = function.fields[at];
+    const std::string element = fmt::format("[{}]", index);
     if (field.name.empty()) return "result" + element;
     return "result->" + field.name + (is_number(function, field) ? "" : element);
   }
 
   std::string returned(const Function& function, const Function& /*ordered*/,
-                       const FunctionBody& body) const override {
+                       const FieldTexts& entries) const override {
     if (!gives_number(function)) return "";
     const Wrapping wrapping{line_width - 10, "      "};
-    const Texts lines = wrap_expression(body.entries.front().front().text, wrapping);
+    const Texts lines = wrap_expression(entries.front().front(), wrapping);
     return fmt::format("  return {};\n", fmt::join(lines, "\n"));
   }
 

@@ -62,12 +62,6 @@ std::string field_value(const Value& value, std::size_t indent) {
                      fmt::join(lines, ",\n" + margin + "    "));
 }
 
-Texts texts_of(const std::vector<Term>& terms) {
-  Texts texts;
-  for (const Term& term : terms) texts.push_back(term.text);
-  return texts;
-}
-
 class CppDialect : public Dialect {
  public:
   CppDialect(const Model& model, const Program& program) : Dialect(model, program, ".") {}
@@ -84,21 +78,21 @@ class CppDialect : public Dialect {
 
   std::string declaration(const std::string& name) const override { return "const Scalar " + name; }
 
-  std::string target(const Function& function, const SectionItem& entry) const override {
-    const Field& field = function.fields[entry.field];
+  std::string target(const Function& function, std::uint32_t at,
+                     std::uint32_t index) const override {
+    const Field& field = function.fields[at];
     const std::string member = field.name.empty() ? "" : "." + field.name;
-    return "result" + member + (is_number(function, field) ? "" : element(entry.index));
+    return "result" + member + (is_number(function, field) ? "" : element(index));
   }
 
   std::string returned(const Function& function, const Function& ordered,
-                       const FunctionBody& body) const override {
+                       const FieldTexts& entries) const override {
     if (!is_returned(function)) return "";
     const bool is_struct = gives_struct(function);
     Texts values;
     for (std::size_t i = 0; i < function.fields.size(); ++i) {
-      const Texts entries = texts_of(body.entries[i]);
       const bool is_plain = is_number(function, function.fields[i]);
-      values.push_back(field_value({ordered.fields[i], entries, is_plain}, is_struct ? 6 : 2));
+      values.push_back(field_value({ordered.fields[i], entries[i], is_plain}, is_struct ? 6 : 2));
     }
     if (!is_struct) return fmt::format("  return {};\n", values.front());
     return fmt::format("  return {{\n      {},\n  }};\n", fmt::join(values, ",\n      "));
@@ -209,11 +203,11 @@ class EigenDialect final : public CppDialect {
 
   /// std::array's braces mean something else to Eigen: every entry is assigned.
   std::string returned(const Function& function, const Function& ordered,
-                       const FunctionBody& body) const override {
+                       const FieldTexts& entries) const override {
     const bool is_plain = !gives_struct(function) && is_number(function, function.fields.front());
-    if (is_plain || !is_returned(function)) return CppDialect::returned(function, ordered, body);
+    if (is_plain || !is_returned(function)) return CppDialect::returned(function, ordered, entries);
     return fmt::format("  {} result;\n{}  return result;\n", result_type(function),
-                       assignments(*this, ordered, body));
+                       assignments(*this, ordered, entries));
   }
 
  private:

@@ -14,24 +14,10 @@
 
 #include "fields.hpp"
 #include "layout.hpp"
+#include "sections.hpp"
 
 namespace elgen {
 namespace {
-
-std::string declarations(const Dialect& dialect, const FunctionBody& body) {
-  std::string lines;
-  for (const Statement& statement : body.statements) {
-    lines += assignment(dialect.declaration(statement.name), statement.value);
-  }
-  return lines;
-}
-
-std::string short_lines(const Dialect& dialect, const Function& function, const Function& ordered,
-                        const FunctionBody& body) {
-  const std::string returned = dialect.returned(function, ordered, body);
-  return declarations(dialect, body) +
-         (returned.empty() ? assignments(dialect, ordered, body) : returned);
-}
 
 /// Temporaries under names that are unique in the function.
 std::vector<std::string> local_names(const Dialect& dialect, const Program& program,
@@ -46,19 +32,6 @@ std::vector<std::string> local_names(const Dialect& dialect, const Program& prog
   return names;
 }
 
-/// The names of statements that cross into other parts; they are spelt as shared from here on.
-std::vector<std::string> take_shared(const Dialect& dialect, std::vector<std::string>& names,
-                                     const std::vector<bool>& crosses) {
-  std::vector<std::string> shared;
-  std::size_t statement = 0;
-  for (std::string& name : names) {
-    if (name.empty() || !crosses[statement++]) continue;
-    shared.push_back(name);
-    name = dialect.shared(name);
-  }
-  return shared;
-}
-
 void use(const Instruction& instruction, UsedNames& used) {
   const std::optional<Argument> argument = argument_of(instruction.opcode);
   if (argument) used.variables.insert(argument_name(*argument));
@@ -67,50 +40,116 @@ void use(const Instruction& instruction, UsedNames& used) {
   used.functions.insert(function_row(instruction.function).name);
 }
 
-UsedNames used_names(const Function& function, const FunctionBody& body, const Sections& cut,
-                     std::size_t part) {
-  UsedNames used;
-  for (const SectionItem& item : cut.parts[part]) {
-    const Term& value = value_of(body, item);
-    for (const std::uint32_t at : value.instructions) use(function.instructions[at], used);
-    const auto crosses = [&cut](std::uint32_t statement) { return cut.crosses[statement]; };
-    const bool is_shared = !item.is_entry && crosses(item.index);
-    if (item.is_entry) used.variables.insert("result");
-    if (is_shared || std::any_of(value.uses.begin(), value.uses.end(), crosses))
-      used.variables.insert("w");
-  }
-  return used;
+/// "  target = …;\n", broken before operators.
+std::string assignment(const std::string& target, const std::string& value) {
+  const std::string start = fmt::format("  {} = ", target);
+  const Wrapping wrapping{line_width - start.size() - 1, "      "};
+  return start + fmt::format("{}", fmt::join(wrap_expression(value, wrapping), "\n")) + ";\n";
 }
 
-/// The statements and entries of one part; what crosses into another one is no declaration.
-std::string part_lines(const Dialect& dialect, const Function& function, const FunctionBody& body,
-                       const Sections& cut, std::size_t part) {
-  std::string lines;
-  for (const SectionItem& item : cut.parts[part]) {
-    const std::string& name = item.is_entry ? std::string() : body.statements[item.index].name;
-    const std::string target = item.is_entry             ? dialect.target(function, item)
-                               : cut.crosses[item.index] ? name
-                                                         : dialect.declaration(name);
-    lines += assignment(target, value_of(body, item));
+class Writer {
+ public:
+  Writer(const Dialect& dialect, const Program& program, const Function& function, Storage storage)
+      : dialect_(dialect),
+        function_(function),
+        ordered_(stored(function, storage)),
+        names_(local_names(dialect, program, ordered_)),
+        formulas_(program, ordered_, dialect, names_) {}
+
+  FunctionDefinition definition() {
+    const std::vector<Statement> all = statements(ordered_, names_);
+    if (all.size() <= longest_body) return {short_text(all)};
+    const Sections cut = sections(all, section_length);
+    FunctionDefinition result;
+    result.workspace = take_shared(cut.crosses);
+    const UsedNames passed_on{{argument_names.begin(), argument_names.end()}};
+    result.whole = {dialect_.signature(function_, passed_on),
+                    dialect_.calling_body(function_, cut.parts.size())};
+    for (std::size_t part = 0; part < cut.parts.size(); ++part) {
+      result.parts.push_back(part_text(cut, part));
+    }
+    return result;
   }
-  return lines;
-}
+
+ private:
+  [[nodiscard]] DefinitionText short_text(const std::vector<Statement>& all) const {
+    std::string lines;
+    FieldTexts entries(ordered_.fields.size());
+    for (const Statement& statement : all) {
+      const std::uint32_t at = statement.instruction;
+      if (statement.is_entry) {
+        entries[statement.field].push_back(formulas_.entry(at).text());
+      } else {
+        lines += assignment(dialect_.declaration(names_[at]), formulas_.definition(at).text());
+      }
+    }
+    const UsedNames used = used_names(all, {});
+    const std::string returned = dialect_.returned(function_, ordered_, entries);
+    return {dialect_.signature(function_, used),
+            dialect_.opening(function_, used, false) + lines +
+                (returned.empty() ? assignments(dialect_, ordered_, entries) : returned)};
+  }
+
+  /// What crosses into another part is no declaration.
+  [[nodiscard]] DefinitionText part_text(const Sections& cut, std::size_t part) const {
+    std::string lines;
+    for (const Statement& statement : cut.parts[part]) {
+      const std::uint32_t at = statement.instruction;
+      const std::string& name = names_[at];
+      if (statement.is_entry) {
+        lines += assignment(dialect_.target(ordered_, statement.field, statement.index),
+                            formulas_.entry(at).text());
+      } else {
+        lines += assignment(cut.crosses[at] ? name : dialect_.declaration(name),
+                            formulas_.definition(at).text());
+      }
+    }
+    const UsedNames used = used_names(cut.parts[part], cut.crosses);
+    return {dialect_.part_signature(function_, part, used),
+            dialect_.opening(function_, used, true) + lines};
+  }
+
+  /// The names of what crosses into other parts; it is spelt as shared from here on.
+  std::vector<std::string> take_shared(const std::vector<bool>& crosses) {
+    std::vector<std::string> shared;
+    for (std::size_t at = 0; at < crosses.size(); ++at) {
+      if (!crosses[at]) continue;
+      shared.push_back(names_[at]);
+      names_[at] = dialect_.shared(names_[at]);
+    }
+    return shared;
+  }
+
+  /// `crosses`: see Sections; empty in a body of one part.
+  [[nodiscard]] UsedNames used_names(const std::vector<Statement>& statements,
+                                     const std::vector<bool>& crosses) const {
+    UsedNames used;
+    const auto is_shared = [&](std::uint32_t at) { return at < crosses.size() && crosses[at]; };
+    for (const Statement& statement : statements) {
+      for (const std::uint32_t at : statement.written) use(ordered_.instructions[at], used);
+      const bool is_written = !statement.is_entry && is_shared(statement.instruction);
+      const bool is_read = std::any_of(statement.uses.begin(), statement.uses.end(), is_shared);
+      if (is_written || is_read) used.variables.insert("w");
+      if (statement.is_entry) used.variables.insert("result");
+    }
+    return used;
+  }
+
+  const Dialect& dialect_;
+  const Function& function_;
+  const Function ordered_;
+  std::vector<std::string> names_;
+  const FunctionFormulas formulas_;
+};
 
 }  // namespace
 
-std::string assignment(const std::string& target, const Term& value) {
-  const std::string start = fmt::format("  {} = ", target);
-  const Wrapping wrapping{line_width - start.size() - 1, "      "};
-  return start + fmt::format("{}", fmt::join(wrap_expression(value.text, wrapping), "\n")) + ";\n";
-}
-
 std::string assignments(const Dialect& dialect, const Function& function,
-                        const FunctionBody& body) {
+                        const FieldTexts& entries) {
   std::string lines;
-  for (std::uint32_t field = 0; field < body.entries.size(); ++field) {
-    for (std::uint32_t index = 0; index < body.entries[field].size(); ++index) {
-      const SectionItem entry{true, field, index};
-      lines += assignment(dialect.target(function, entry), value_of(body, entry));
+  for (std::uint32_t field = 0; field < entries.size(); ++field) {
+    for (std::uint32_t index = 0; index < entries[field].size(); ++index) {
+      lines += assignment(dialect.target(function, field, index), entries[field][index]);
     }
   }
   return lines;
@@ -118,29 +157,7 @@ std::string assignments(const Dialect& dialect, const Function& function,
 
 FunctionDefinition definition(const Dialect& dialect, const Program& program,
                               const Function& function, Storage storage) {
-  const Function ordered = stored(function, storage);
-  std::vector<std::string> names = local_names(dialect, program, ordered);
-  const FunctionBody body = statements(program, ordered, dialect, names);
-  const bool is_short = length(body) <= longest_body;
-  const Sections cut = sections(body, is_short ? longest_body : section_length);
-  if (is_short) {
-    const UsedNames used = used_names(ordered, body, cut, 0);
-    return {{dialect.signature(function, used), dialect.opening(function, used, false) +
-                                                    short_lines(dialect, function, ordered, body)}};
-  }
-  FunctionDefinition result;
-  result.workspace = take_shared(dialect, names, cut.crosses);
-  const UsedNames passed_on{{argument_names.begin(), argument_names.end()}};
-  result.whole = {dialect.signature(function, passed_on),
-                  dialect.calling_body(function, cut.parts.size())};
-  const FunctionBody shared = statements(program, ordered, dialect, names);
-  for (std::size_t part = 0; part < cut.parts.size(); ++part) {
-    const UsedNames used = used_names(ordered, shared, cut, part);
-    result.parts.push_back(
-        {dialect.part_signature(function, part, used),
-         dialect.opening(function, used, true) + part_lines(dialect, ordered, shared, cut, part)});
-  }
-  return result;
+  return Writer(dialect, program, function, storage).definition();
 }
 
 }  // namespace elgen

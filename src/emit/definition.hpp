@@ -28,11 +28,8 @@ struct FunctionDefinition {
 [[nodiscard]] FunctionDefinition definition(const Dialect& dialect, const Program& program,
                                             const Function& function, Storage storage);
 
-/// "  target = …;\n", broken before operators.
-[[nodiscard]] std::string assignment(const std::string& target, const Term& value);
-
 /// Every entry to its target, in the order of storage.
 [[nodiscard]] std::string assignments(const Dialect& dialect, const Function& function,
-                                      const FunctionBody& body);
+                                      const FieldTexts& entries);
 
 }  // namespace elgen

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "arguments.hpp"
-#include "sections.hpp"
-#include "statements.hpp"
+#include "elgen/program.hpp"
+#include "render/function_formulas.hpp"
 
 namespace elgen {
 
@@ -17,6 +17,9 @@ struct UsedNames {
   std::set<std::string_view> variables = {};  ///< "q", "w", "result"
   std::set<std::string_view> functions = {};  ///< of the library: "sin"
 };
+
+/// The entries of each field, row-major.
+using FieldTexts = std::vector<std::vector<std::string>>;
 
 /// "sign_of", "smaller", "larger": what the header has of its own; empty for what libraries have.
 [[nodiscard]] std::string_view own_name(FunctionId function);
@@ -42,14 +45,14 @@ class Dialect : public Vocabulary {
   [[nodiscard]] virtual std::string declaration(const std::string& name) const = 0;
 
   /// "result.gravity[1]": where an entry is written, when it is not returned at once.
-  [[nodiscard]] virtual std::string target(const Function& function,
-                                           const SectionItem& entry) const = 0;
+  [[nodiscard]] virtual std::string target(const Function& function, std::uint32_t field,
+                                           std::uint32_t index) const = 0;
 
   /// The statements that end a function in one piece: a return, or empty where every entry is to
   /// be assigned to its target. The function says the type of what is returned, `ordered` and the
-  /// body say the order in which entries are stored.
+  /// entries say the order in which they are stored.
   [[nodiscard]] virtual std::string returned(const Function& function, const Function& ordered,
-                                             const FunctionBody& body) const = 0;
+                                             const FieldTexts& entries) const = 0;
 
   /// What has to stand before the statements of a body: using-declarations, unused arguments.
   [[nodiscard]] virtual std::string opening(const Function& function, const UsedNames& used,

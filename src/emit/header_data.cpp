@@ -13,6 +13,7 @@
 #include "layout.hpp"
 #include "parameters.hpp"
 #include "stamp.hpp"
+#include "statements.hpp"
 
 namespace elgen {
 namespace {

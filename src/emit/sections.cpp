@@ -1,44 +1,36 @@
 // sections: entries sorted behind the last statement they use, the whole cut into equal parts.
 #include "sections.hpp"
 
+#include <algorithm>
+
 namespace elgen {
 namespace {
 
-/// Entries by the number of statements that have to stand before them.
-std::vector<std::vector<SectionItem>> entries_by_place(const FunctionBody& body) {
-  std::vector<std::vector<SectionItem>> places(body.statements.size() + 1);
-  for (std::uint32_t field = 0; field < body.entries.size(); ++field) {
-    for (std::uint32_t index = 0; index < body.entries[field].size(); ++index) {
-      const std::vector<std::uint32_t>& uses = body.entries[field][index].uses;
-      places[uses.empty() ? 0 : uses.back() + 1].push_back({true, field, index});
-    }
-  }
-  return places;
+/// Instructions are numbered in the order of evaluation.
+std::uint64_t place_of(const Statement& statement) {
+  if (!statement.is_entry) return 2 * (std::uint64_t{statement.instruction} + 1);
+  return statement.uses.empty() ? 0 : 2 * (std::uint64_t{statement.uses.back()} + 1) + 1;
 }
 
-std::vector<SectionItem> ordered_items(const FunctionBody& body) {
-  const std::vector<std::vector<SectionItem>> places = entries_by_place(body);
-  std::vector<SectionItem> items = places.front();
-  for (std::uint32_t i = 0; i < body.statements.size(); ++i) {
-    items.push_back({false, 0, i});
-    items.insert(items.end(), places[i + 1].begin(), places[i + 1].end());
-  }
-  return items;
+std::vector<Statement> ordered(std::vector<Statement> statements) {
+  std::stable_sort(
+      statements.begin(), statements.end(),
+      [](const Statement& a, const Statement& b) { return place_of(a) < place_of(b); });
+  return statements;
 }
 
-std::vector<bool> crossing(const FunctionBody& body, const Sections& cut) {
-  std::vector<std::size_t> part_of(body.statements.size());
+std::vector<bool> crossing(const Sections& cut) {
+  std::vector<std::size_t> part_of;
+  std::vector<bool> crosses;
   for (std::size_t part = 0; part < cut.parts.size(); ++part) {
-    for (const SectionItem& item : cut.parts[part]) {
-      if (!item.is_entry) part_of[item.index] = part;
-    }
-  }
-  std::vector<bool> crosses(body.statements.size());
-  for (std::size_t part = 0; part < cut.parts.size(); ++part) {
-    for (const SectionItem& item : cut.parts[part]) {
-      for (const std::uint32_t used : value_of(body, item).uses) {
+    for (const Statement& statement : cut.parts[part]) {
+      for (const std::uint32_t used : statement.uses) {
         if (part_of[used] != part) crosses[used] = true;
       }
+      if (statement.is_entry) continue;
+      part_of.resize(statement.instruction + 1);
+      crosses.resize(statement.instruction + 1);
+      part_of.back() = part;
     }
   }
   return crosses;
@@ -46,23 +38,13 @@ std::vector<bool> crossing(const FunctionBody& body, const Sections& cut) {
 
 }  // namespace
 
-std::size_t length(const FunctionBody& body) {
-  std::size_t count = body.statements.size();
-  for (const std::vector<Term>& entries : body.entries) count += entries.size();
-  return count;
-}
-
-const Term& value_of(const FunctionBody& body, const SectionItem& item) {
-  return item.is_entry ? body.entries[item.field][item.index] : body.statements[item.index].value;
-}
-
-Sections sections(const FunctionBody& body, std::size_t length_of_part) {
+Sections sections(const std::vector<Statement>& statements, std::size_t length_of_part) {
   Sections cut{.parts = {{}}};
-  for (const SectionItem& item : ordered_items(body)) {
+  for (Statement& statement : ordered(statements)) {
     if (cut.parts.back().size() == length_of_part) cut.parts.emplace_back();
-    cut.parts.back().push_back(item);
+    cut.parts.back().push_back(std::move(statement));
   }
-  cut.crosses = crossing(body, cut);
+  cut.crosses = crossing(cut);
   return cut;
 }
 

@@ -1,5 +1,4 @@
-// statements: every named instruction in the order of evaluation, then the entries.
-// -(a*b) is written -a * b and (-a)*b likewise: both round to the same number.
+// statements: the operands of each are followed to where a name stands for them.
 #include "statements.hpp"
 
 #include <algorithm>
@@ -7,59 +6,39 @@
 namespace elgen {
 namespace {
 
-class Writer {
- public:
-  Writer(const Program& program, const Function& function, const Vocabulary& vocabulary,
-         const std::vector<std::string>& names)
-      : function_(function),
-        names_(names),
-        formulas_(program, function, vocabulary, names),
-        statement_of_(names.size()) {}
+void collect(const Function& function, const std::vector<std::string>& names, std::uint32_t at,
+             Statement& statement) {
+  const bool is_definition = !statement.is_entry && at == statement.instruction;
+  if (!names[at].empty() && !is_definition) return statement.uses.push_back(at);
+  statement.written.push_back(at);
+  const Instruction& i = function.instructions[at];
+  if (operand_count(i) > 0) collect(function, names, i.a, statement);
+  if (operand_count(i) > 1) collect(function, names, i.b, statement);
+}
 
-  FunctionBody body() {
-    FunctionBody body;
-    for (std::uint32_t at = 0; at < names_.size(); ++at) {
-      if (names_[at].empty()) continue;
-      statement_of_[at] = static_cast<std::uint32_t>(body.statements.size());
-      body.statements.push_back({names_[at], term(formulas_.definition(at), at, true)});
-    }
-    for (const Field& field : function_.fields) {
-      std::vector<Term>& entries = body.entries.emplace_back();
-      for (const std::uint32_t at : field.entries) {
-        entries.push_back(term(formulas_.entry(at), at, false));
-      }
-    }
-    return body;
-  }
-
- private:
-  [[nodiscard]] Term term(const Formula& formula, std::uint32_t at, bool is_definition) const {
-    Term term{formula.text()};
-    collect(at, is_definition, term);
-    std::sort(term.uses.begin(), term.uses.end());
-    term.uses.erase(std::unique(term.uses.begin(), term.uses.end()), term.uses.end());
-    return term;
-  }
-
-  void collect(std::uint32_t at, bool is_written_out, Term& term) const {
-    if (!is_written_out && !names_[at].empty()) return term.uses.push_back(statement_of_[at]);
-    term.instructions.push_back(at);
-    const Instruction& i = function_.instructions[at];
-    if (operand_count(i) > 0) collect(i.a, false, term);
-    if (operand_count(i) > 1) collect(i.b, false, term);
-  }
-
-  const Function& function_;
-  const std::vector<std::string>& names_;
-  FunctionFormulas formulas_;
-  std::vector<std::uint32_t> statement_of_;  ///< of each instruction that has a name
-};
+Statement completed(const Function& function, const std::vector<std::string>& names,
+                    Statement statement) {
+  collect(function, names, statement.instruction, statement);
+  std::vector<std::uint32_t>& uses = statement.uses;
+  std::sort(uses.begin(), uses.end());
+  uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
+  return statement;
+}
 
 }  // namespace
 
-FunctionBody statements(const Program& program, const Function& function,
-                        const Vocabulary& vocabulary, const std::vector<std::string>& names) {
-  return Writer(program, function, vocabulary, names).body();
+std::vector<Statement> statements(const Function& function, const std::vector<std::string>& names) {
+  std::vector<Statement> all;
+  for (std::uint32_t at = 0; at < names.size(); ++at) {
+    if (!names[at].empty()) all.push_back(completed(function, names, {.instruction = at}));
+  }
+  for (std::uint32_t field = 0; field < function.fields.size(); ++field) {
+    const std::vector<std::uint32_t>& entries = function.fields[field].entries;
+    for (std::uint32_t index = 0; index < entries.size(); ++index) {
+      all.push_back(completed(function, names, {entries[index], {}, {}, true, field, index}));
+    }
+  }
+  return all;
 }
 
 std::set<FunctionId> called_functions(const Function& function) {

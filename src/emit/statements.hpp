@@ -1,7 +1,5 @@
-// statements: a Function -> named values and entries as text of a C-like language.
-//
-// What has a name becomes a statement; everything else is written out where it is used, with the
-// brackets that keep the order of evaluation and no others:
+// statements: what the body of a Function computes, in order: what has a name, then the entries of
+// its fields. Everything else is written out where it is used.
 //
 //     2 = add 0 1  ; total        total = a + b
 //     3 = multiply 2 2
@@ -14,31 +12,22 @@
 #include <vector>
 
 #include "elgen/program.hpp"
-#include "render/function_formulas.hpp"
 
 namespace elgen {
 
-/// An expression, and what stands in it.
-struct Term {
-  std::string text = {};
-  std::vector<std::uint32_t> uses = {};          ///< statements, ascending, each once
-  std::vector<std::uint32_t> instructions = {};  ///< those written out
-};
-
+/// A named value, or an entry of a field.
 struct Statement {
-  std::string name;
-  Term value;
-};
-
-struct FunctionBody {
-  std::vector<Statement> statements = {};
-  std::vector<std::vector<Term>> entries = {};  ///< one list per field, row-major
+  std::uint32_t instruction = 0;
+  std::vector<std::uint32_t> uses = {};     ///< named instructions, ascending, each once
+  std::vector<std::uint32_t> written = {};  ///< instructions written out
+  bool is_entry = false;
+  std::uint32_t field = 0;  ///< of an entry
+  std::uint32_t index = 0;  ///< of an entry in its field
 };
 
 /// `names`: of each instruction, empty where it is written out.
-[[nodiscard]] FunctionBody statements(const Program& program, const Function& function,
-                                      const Vocabulary& vocabulary,
-                                      const std::vector<std::string>& names);
+[[nodiscard]] std::vector<Statement> statements(const Function& function,
+                                                const std::vector<std::string>& names);
 
 /// The functions of the language that a function calls, square roots apart.
 [[nodiscard]] std::set<FunctionId> called_functions(const Function& function);

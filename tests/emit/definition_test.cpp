@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "emit/cpp_dialect.hpp"
+#include "emit/sections.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;

@@ -1,6 +1,8 @@
 // function_formulas: the same instructions as read and as executed.
 #include "render/function_formulas.hpp"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 
 #include "lower/read_program.hpp"
@@ -16,10 +18,23 @@ class Plain final : public Vocabulary {
   std::string leaf(const Instruction& i) const override {
     return leaf_text(leaves_, i.opcode, i.a);
   }
+  Formula square_root(const Formula& x) const override { return called("sqrt", {x}); }
 
  private:
   const LeafNames& leaves_;
 };
+
+/// A function of a, b and c = 0, 1, 2, as executed.
+std::string executed(const std::string& operations, std::uint32_t last) {
+  const Program program = testing::read_program(
+      "parameters a b c\nfunction gravity\n  0 = parameter a\n  1 = parameter b\n"
+      "  2 = parameter c\n" +
+      operations + fmt::format("  result 1 1 = {}\n", last));
+  const Function& function = program.functions.front();
+  const Plain language(code_spelling(), program.leaves);
+  const std::vector<std::string> names(function.instructions.size());
+  return FunctionFormulas(program, function, language, names).entry(last).text();
+}
 
 }  // namespace
 
@@ -40,4 +55,31 @@ TEST_CASE("products are read with powers, and executed in their order") {
   CHECK(named.entry(3).text() == "mass");
   CHECK(named.definition(3).text() == "m*x^2");
   CHECK(named.entry(4).text() == "cos(mass)");
+}
+
+TEST_CASE("brackets keep the order of evaluation, and there are no others") {
+  CHECK(executed("  3 = add 0 1\n  4 = add 3 2\n", 4) == "a + b + c");
+  CHECK(executed("  3 = add 1 2\n  4 = add 0 3\n", 4) == "a + (b + c)");
+  CHECK(executed("  3 = subtract 1 2\n  4 = subtract 0 3\n", 4) == "a - (b - c)");
+  CHECK(executed("  3 = subtract 0 1\n  4 = subtract 3 2\n", 4) == "a - b - c");
+  CHECK(executed("  3 = multiply 1 2\n  4 = multiply 0 3\n", 4) == "a * (b * c)");
+  CHECK(executed("  3 = multiply 0 1\n  4 = divide 3 2\n", 4) == "a * b / c");
+  CHECK(executed("  3 = divide 1 2\n  4 = divide 0 3\n", 4) == "a / (b / c)");
+  CHECK(executed("  3 = divide 1 2\n  4 = multiply 0 3\n", 4) == "a * (b / c)");
+  CHECK(executed("  3 = add 0 1\n  4 = multiply 3 2\n", 4) == "(a + b) * c");
+  CHECK(executed("  3 = add 0 1\n  4 = divide 2 3\n", 4) == "c / (a + b)");
+  CHECK(executed("  3 = multiply 0 1\n  4 = add 2 3\n", 4) == "c + a * b");
+}
+
+TEST_CASE("minus signs") {
+  CHECK(executed("  3 = negate 0\n  4 = multiply 3 1\n  5 = add 4 2\n", 5) == "-a * b + c");
+  CHECK(executed("  3 = multiply 0 1\n  4 = negate 3\n  5 = add 4 2\n", 5) == "-a * b + c");
+  CHECK(executed("  3 = add 0 1\n  4 = negate 3\n  5 = multiply 4 2\n", 5) == "-(a + b) * c");
+  CHECK(executed("  3 = negate 1\n  4 = multiply 0 3\n  5 = multiply 4 2\n", 5) == "a * (-b) * c");
+  CHECK(executed("  3 = multiply 1 2\n  4 = negate 3\n  5 = subtract 0 4\n", 5) == "a - (-b * c)");
+}
+
+TEST_CASE("calls take their arguments without brackets") {
+  CHECK(executed("  3 = add 0 1\n  4 = atan2 3 2\n", 4) == "atan2(a + b, c)");
+  CHECK(executed("  3 = add 0 1\n  4 = square_root 3\n  5 = divide 2 4\n", 5) == "c / sqrt(a + b)");
 }
