@@ -4,9 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-
 #include "emission_input.hpp"
 #include "evaluate/scalar_literal.hpp"
 #include "fields.hpp"
@@ -17,18 +14,6 @@ namespace elgen {
 namespace {
 
 using Texts = std::vector<std::string>;
-
-constexpr std::array<std::string_view, 8> own_names{"p", "q", "v", "a", "u", "t", "w", "result"};
-
-/// Whether a local of this name would hide an argument or a function it might call.
-bool is_hiding(const std::string& name, const std::string& prefix) {
-  const auto is_called = [&name](const FunctionRow& row) {
-    return name == row.name || name == std::string(row.name) + "f";
-  };
-  return name == "sqrtf" || name == "fabs" || name == "fabsf" || name.starts_with(prefix) ||
-         std::any_of(function_table.begin(), function_table.end(), is_called) ||
-         std::find(own_names.begin(), own_names.end(), name) != own_names.end();
-}
 
 /// "[7]"; C has no arrays of zero elements.
 std::string extent(std::size_t size) { return size == 0 ? "[]" : fmt::format("[{}]", size); }
@@ -45,10 +30,6 @@ class C99Dialect final : public Dialect {
     const bool is_negative = cln::minusp(constant.value);
     return {c99_literal(constant.value, scalar_kind_),
             is_negative ? Binding::negation : Binding::atom};
-  }
-
-  std::string temporary(const std::string& name) const override {
-    return is_hiding(name, prefix_) ? name + "_" : name;
   }
 
   std::string declaration(const std::string& name) const override {
@@ -127,6 +108,13 @@ class C99Dialect final : public Dialect {
   }
 
  private:
+  /// Every other name of the header begins with the prefix; fabs and what ends in f are <math.h>'s.
+  bool is_reserved(const std::string& name) const override {
+    const bool is_float = name.ends_with('f');
+    const std::string own = is_float ? name.substr(0, name.size() - 1) : name;
+    return name.starts_with(prefix_) || own == "fabs" || (is_float && is_function(own));
+  }
+
   std::string library_function(std::string_view name) const override {
     const bool is_float = scalar_kind_ == ScalarKind::single_precision;
     return fmt::format("{}{}", name == "abs" ? "fabs" : name, is_float ? "f" : "");

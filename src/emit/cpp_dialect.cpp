@@ -74,8 +74,6 @@ class CppDialect : public Dialect {
     return {(is_negative ? "-" : "") + magnitude, is_negative ? Binding::negation : Binding::atom};
   }
 
-  std::string temporary(const std::string& name) const override { return cpp_temporary(name); }
-
   std::string declaration(const std::string& name) const override { return "const Scalar " + name; }
 
   std::string target(const Function& function, std::uint32_t at,
@@ -166,6 +164,8 @@ class CppDialect : public Dialect {
   }
   virtual std::string type_of_argument(Argument argument) const { return argument_type(argument); }
 
+  bool is_reserved(const std::string& name) const override { return is_emitted_name(name); }
+
  private:
   std::string library_function(std::string_view name) const override { return std::string(name); }
 
@@ -197,10 +197,6 @@ class EigenDialect final : public CppDialect {
  public:
   using CppDialect::CppDialect;
 
-  std::string temporary(const std::string& name) const override {
-    return is_eigen_name(name) ? name + "_" : CppDialect::temporary(name);
-  }
-
   /// std::array's braces mean something else to Eigen: every entry is assigned.
   std::string returned(const Function& function, const Function& ordered,
                        const FieldTexts& entries) const override {
@@ -211,6 +207,10 @@ class EigenDialect final : public CppDialect {
   }
 
  private:
+  bool is_reserved(const std::string& name) const override {
+    return is_eigen_name(name) || CppDialect::is_reserved(name);
+  }
+
   std::string element(std::uint32_t index) const override { return fmt::format("({})", index); }
 
   std::string type_of_field(OutputKind kind, const Field& field) const override {

@@ -11,7 +11,6 @@
 
 #include "artifacts.hpp"
 #include "cpp_constant.hpp"
-#include "elgen/functions.hpp"
 #include "emission_input.hpp"
 #include "fields.hpp"
 #include "layout.hpp"
@@ -30,7 +29,6 @@ constexpr std::array<std::string_view, 24> emitted_names{
     "is_regular",       "parameter_count",   "rate_ranges",      "std"};
 constexpr std::array<std::string_view, 5> more_names{"unbounded", "velocity_count",
                                                      "velocity_names", "velocity_units", "result"};
-constexpr std::array<std::string_view, 7> arguments{"p", "q", "v", "a", "u", "t", "w"};
 constexpr std::array<std::string_view, 5> eigen_names{"eigen", "Eigen", "Argument", "Matrix",
                                                       "Vector"};
 /// Members of Parameters hide these in the initialisers beside them.
@@ -41,11 +39,6 @@ constexpr std::string_view constant_prefix = "number_";
 template <class List>
 bool contains(const List& list, std::string_view name) {
   return std::find(list.begin(), list.end(), name) != list.end();
-}
-
-bool is_emitted_name(std::string_view name) {
-  return contains(emitted_names, name) || contains(more_names, name) ||
-         name.substr(0, constant_prefix.size()) == constant_prefix;
 }
 
 /// One value per name of a constant.
@@ -91,10 +84,9 @@ Diagnostics cpp_check_names(const Model& model, const Scene& scene, const Progra
   return diagnostics;
 }
 
-std::string cpp_temporary(const std::string& name) {
-  const bool is_function = name == "sqrt" || find_function(name) != nullptr;
-  const bool hides = is_function || is_emitted_name(name) || contains(arguments, name);
-  return hides ? name + "_" : name;
+bool is_emitted_name(std::string_view name) {
+  return contains(emitted_names, name) || contains(more_names, name) ||
+         name.substr(0, constant_prefix.size()) == constant_prefix;
 }
 
 bool is_eigen_name(const std::string& name) { return contains(eigen_names, name); }

@@ -2,13 +2,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "elgen/program.hpp"
 
 namespace elgen {
 
-/// A temporary's name, with an underscore behind where it would hide something.
-[[nodiscard]] std::string cpp_temporary(const std::string& name);
+/// Whether templates/cpp/header.hpp.mustache needs the name for itself.
+[[nodiscard]] bool is_emitted_name(std::string_view name);
 
 /// Whether templates/cpp/eigen.hpp.mustache needs the name for itself.
 [[nodiscard]] bool is_eigen_name(const std::string& name);

@@ -1,6 +1,8 @@
 // dialect: what C and C++ have in common.
 #include "dialect.hpp"
 
+#include <algorithm>
+
 #include "fields.hpp"
 
 namespace elgen {
@@ -38,6 +40,19 @@ Formula Dialect::call(FunctionId function, const std::vector<Formula>& arguments
   const std::string_view own = own_name(function);
   return called(own.empty() ? library_function(function_row(function).name) : own_function(own),
                 arguments);
+}
+
+bool Dialect::is_function(std::string_view name) {
+  const auto is_called = [&name](const FunctionRow& row) { return row.name == name; };
+  return name == "sqrt" || std::any_of(function_table.begin(), function_table.end(), is_called);
+}
+
+std::string Dialect::temporary(const std::string& name) const {
+  const bool is_argument =
+      std::find(argument_names.begin(), argument_names.end(), name) != argument_names.end();
+  const bool hides =
+      is_argument || name == "w" || name == "result" || is_function(name) || is_reserved(name);
+  return hides ? name + "_" : name;
 }
 
 std::string Dialect::shared(const std::string& name) const { return "w" + access_ + name; }

@@ -35,8 +35,8 @@ class Dialect : public Vocabulary {
   [[nodiscard]] Formula call(FunctionId function,
                              const std::vector<Formula>& arguments) const override;
 
-  /// The name of a temporary as this language can take it.
-  [[nodiscard]] virtual std::string temporary(const std::string& name) const = 0;
+  /// A temporary's name, with an underscore behind where it would hide something.
+  [[nodiscard]] std::string temporary(const std::string& name) const;
 
   /// A temporary that several parts of a function share, where it is written and read.
   [[nodiscard]] std::string shared(const std::string& name) const;
@@ -77,6 +77,8 @@ class Dialect : public Vocabulary {
   [[nodiscard]] virtual std::string workspace_name(const Function& function) const = 0;
 
  protected:
+  /// sqrt, or a function of the model language.
+  [[nodiscard]] static bool is_function(std::string_view name);
   [[nodiscard]] const Model& model() const { return model_; }
   /// Whether a field is one number, and no array.
   [[nodiscard]] bool is_number(const Function& function, const Field& field) const;
@@ -84,6 +86,8 @@ class Dialect : public Vocabulary {
   [[nodiscard]] OutputKind kind_of(const Function& function, const Field& field) const;
 
  private:
+  /// Whether the header has the name for itself, beside arguments and functions.
+  [[nodiscard]] virtual bool is_reserved(const std::string& name) const = 0;
   /// A function of the standard library, by its name for double.
   [[nodiscard]] virtual std::string library_function(std::string_view name) const = 0;
   /// A function of the header.

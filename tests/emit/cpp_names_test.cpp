@@ -56,12 +56,3 @@ TEST_CASE("the namespace of the library is not the model's") {
     CHECK(diagnostics_of(subject).size() == 1);
   }
 }
-
-TEST_CASE("temporaries give way") {
-  CHECK(cpp_temporary("sin_theta") == "sin_theta");
-  CHECK(cpp_temporary("p") == "p_");
-  CHECK(cpp_temporary("w") == "w_");
-  CHECK(cpp_temporary("sin") == "sin_");
-  CHECK(cpp_temporary("constant") == "constant_");
-  CHECK(cpp_temporary("velocity_count") == "velocity_count_");
-}
