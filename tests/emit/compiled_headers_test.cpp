@@ -177,10 +177,8 @@ bool is_installed(const std::string& compiler) {
 }
 
 void compile_and_run(const std::string& compiler, bool is_exhaustive) {
-  if (!is_installed(compiler)) {
-    WARN("skipped: " + compiler + " is not installed");
-    return;
-  }
+  INFO(compiler);
+  REQUIRE(is_installed(compiler));
   const fs::path folder =
       fs::temp_directory_path() / fmt::format("elgen_emit_{}_{}", compiler, getpid());
   fs::create_directories(folder);

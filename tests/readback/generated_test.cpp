@@ -38,8 +38,8 @@ void expect_read(const Inputs& inputs) {
   options.goals = {"readback"};
   const Products products = run_pipeline(inputs, options);
   INFO(inputs.model->path << " " << (inputs.scene ? inputs.scene->path : ""));
+  INFO(format(products.diagnostics));
   CHECK_FALSE(has_errors(products.diagnostics));
-  if (has_errors(products.diagnostics)) WARN(format(products.diagnostics));
   REQUIRE(products.readback.has_value());
   CHECK(products.readback->functions >= products.program->functions.size());
 }
