@@ -126,11 +126,11 @@ class C99Dialect final : public Dialect {
 
   Texts declared_arguments(const Function& function) const {
     Texts arguments;
-    for (const Argument argument : arguments_of(model(), function)) {
-      const std::string_view name = argument_name(argument);
-      if (argument == Argument::parameters) {
+    for (const Opcode argument : arguments_of(model(), function)) {
+      const std::string_view name = leaf_row(argument).symbol;
+      if (argument == Opcode::parameter) {
         arguments.push_back(fmt::format("const {}parameters *{}", prefix_, name));
-      } else if (argument == Argument::time) {
+      } else if (argument == Opcode::time) {
         arguments.push_back(fmt::format("{} {}", scalar_, name));
       } else {
         arguments.push_back(

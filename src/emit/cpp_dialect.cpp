@@ -162,7 +162,7 @@ class CppDialect : public Dialect {
   virtual std::string type_of_field(OutputKind kind, const Field& field) const {
     return field_type(kind, field);
   }
-  virtual std::string type_of_argument(Argument argument) const { return argument_type(argument); }
+  virtual std::string type_of_argument(Opcode argument) const { return argument_type(argument); }
 
   bool is_reserved(const std::string& name) const override { return is_emitted_name(name); }
 
@@ -184,9 +184,9 @@ class CppDialect : public Dialect {
 
   Texts declared_arguments(const Function& function, const UsedNames& used) const {
     Texts texts;
-    for (const Argument argument : arguments_of(model(), function)) {
+    for (const Opcode argument : arguments_of(model(), function)) {
       texts.push_back(type_of_argument(argument) +
-                      name_if(used, fmt::format(" {}", argument_name(argument))));
+                      name_if(used, fmt::format(" {}", leaf_row(argument).symbol)));
     }
     return texts;
   }
@@ -219,10 +219,8 @@ class EigenDialect final : public CppDialect {
     return fmt::format("Matrix<Scalar, {}, {}>", field.rows, field.columns);
   }
 
-  std::string type_of_argument(Argument argument) const override {
-    if (argument == Argument::parameters || argument == Argument::time) {
-      return CppDialect::type_of_argument(argument);
-    }
+  std::string type_of_argument(Opcode argument) const override {
+    if (!is_vector(argument)) return CppDialect::type_of_argument(argument);
     return fmt::format("const Argument<Scalar, {}>&", argument_size(model(), argument));
   }
 };

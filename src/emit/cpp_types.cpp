@@ -13,23 +13,9 @@ std::string field_type(OutputKind kind, const Field& field) {
   return fmt::format(type, field.rows, field.rows * field.columns);
 }
 
-std::string argument_type(Argument argument) {
-  switch (argument) {
-    case Argument::parameters:
-      return "const Parameters<Scalar>&";
-    case Argument::coordinates:
-      return "const Coordinates<Scalar>&";
-    case Argument::velocities:
-      return "const Velocities<Scalar>&";
-    case Argument::accelerations:
-      return "const Accelerations<Scalar>&";
-    case Argument::inputs:
-      return "const Inputs<Scalar>&";
-    case Argument::time:
-      break;
-  }
-  // Not deduced, so that t may be a number of another type.
-  return "const std::common_type_t<Scalar>&";
+/// That of t is not deduced, so that t may be a number of another type.
+std::string argument_type(Opcode argument) {
+  return fmt::format("const {}&", leaf_row(argument).type);
 }
 
 }  // namespace elgen

@@ -12,6 +12,6 @@ namespace elgen {
 [[nodiscard]] std::string field_type(OutputKind kind, const Field& field);
 
 /// "const Coordinates<Scalar>&"
-[[nodiscard]] std::string argument_type(Argument argument);
+[[nodiscard]] std::string argument_type(Opcode argument);
 
 }  // namespace elgen

@@ -33,8 +33,7 @@ std::vector<std::string> local_names(const Dialect& dialect, const Program& prog
 }
 
 void use(const Instruction& instruction, UsedNames& used) {
-  const std::optional<Argument> argument = argument_of(instruction.opcode);
-  if (argument) used.variables.insert(argument_name(*argument));
+  if (is_leaf(instruction.opcode)) used.variables.insert(leaf_row(instruction.opcode).symbol);
   if (instruction.opcode == Opcode::square_root) used.functions.insert("sqrt");
   if (instruction.opcode != Opcode::call || !own_name(instruction.function).empty()) return;
   used.functions.insert(function_row(instruction.function).name);
@@ -62,7 +61,8 @@ class Writer {
     const Sections cut = sections(all, section_length);
     FunctionDefinition result;
     result.workspace = take_shared(cut.crosses);
-    const UsedNames passed_on{{argument_names.begin(), argument_names.end()}};
+    UsedNames passed_on;
+    for (const LeafRow& leaf : leaf_table) passed_on.variables.insert(leaf.symbol);
     result.whole = {dialect_.signature(function_, passed_on),
                     dialect_.calling_body(function_, cut.parts.size())};
     for (std::size_t part = 0; part < cut.parts.size(); ++part) {

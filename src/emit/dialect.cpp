@@ -48,8 +48,8 @@ bool Dialect::is_function(std::string_view name) {
 }
 
 std::string Dialect::temporary(const std::string& name) const {
-  const bool is_argument =
-      std::find(argument_names.begin(), argument_names.end(), name) != argument_names.end();
+  const bool is_argument = std::any_of(leaf_table.begin(), leaf_table.end(),
+                                       [&](const LeafRow& leaf) { return leaf.symbol == name; });
   const bool hides =
       is_argument || name == "w" || name == "result" || is_function(name) || is_reserved(name);
   return hides ? name + "_" : name;
@@ -59,8 +59,8 @@ std::string Dialect::shared(const std::string& name) const { return "w" + access
 
 std::vector<std::string_view> Dialect::argument_names_of(const Function& function) const {
   std::vector<std::string_view> names;
-  for (const Argument argument : arguments_of(model_, function)) {
-    names.push_back(argument_name(argument));
+  for (const Opcode argument : arguments_of(model_, function)) {
+    names.push_back(leaf_row(argument).symbol);
   }
   return names;
 }

@@ -1,4 +1,4 @@
-// dialect: the output table says what functions take, the program what they read.
+// dialect: what functions read, and how their files write it.
 #include "dialect.hpp"
 
 #include <algorithm>
@@ -20,25 +20,6 @@ Dialect dialect_of(Shape shape, const Scene& scene) {
 const std::string& name_space_of(const Scene& scene) {
   const std::string& name = scene.emission.name_space;
   return name.empty() ? scene.base_name : name;
-}
-
-std::vector<Argument> arguments_of(const Origin& origin, const Function& function) {
-  const auto& [model, scene, program] = origin;
-  const OutputRow& row = output_row(function.kind);
-  const bool is_mass_of_rates = function.kind == OutputKind::mass_matrix && !model.quadratic;
-  const std::size_t velocities = model.velocities.size();
-  std::vector<Argument> list{
-      {Opcode::parameter, "p", "Parameters<Scalar>", program.leaves.parameters.size()},
-      {Opcode::coordinate, "q", "Coordinates<Scalar>", model.coordinates.size()}};
-  if (row.takes_velocity || is_mass_of_rates) {
-    list.push_back({Opcode::velocity, "v", "Velocities<Scalar>", velocities});
-  }
-  if (row.takes_acceleration) {
-    list.push_back({Opcode::acceleration, "a", "Accelerations<Scalar>", velocities});
-  }
-  if (row.takes_input) list.push_back({Opcode::input, "u", "Inputs<Scalar>", model.inputs.size()});
-  if (model.uses_time) list.push_back({Opcode::time, "t", "std::common_type_t<Scalar>", 1});
-  return list;
 }
 
 std::vector<ParameterArray> read_parameters(const Origin& origin) {

@@ -37,17 +37,6 @@ struct Origin {
   const Program& program;
 };
 
-/// An argument of a function.
-struct Argument {
-  Opcode opcode = Opcode::parameter;  ///< of the leaves it holds
-  std::string_view name = {};         ///< "p", "q", …
-  std::string_view type = {};         ///< in C++
-  std::size_t size = 0;               ///< numbers it holds
-};
-
-/// Parameters, q, then v, a, u and t as far as the output table says so.
-[[nodiscard]] std::vector<Argument> arguments_of(const Origin& origin, const Function& function);
-
 /// Those that a function of the program reads, in the order of the model.
 [[nodiscard]] std::vector<ParameterArray> read_parameters(const Origin& origin);
 

@@ -88,7 +88,7 @@ Value ExpressionReader::short_constant() {
 
 Value ExpressionReader::named() {
   const CodeToken name = tokens_.advance();
-  const auto is_meant = [&](const Argument& argument) { return argument.name == name.text; };
+  const auto is_meant = [&](Opcode argument) { return leaf_row(argument).symbol == name.text; };
   const auto known = std::find_if(body_->arguments.begin(), body_->arguments.end(), is_meant);
   if (known != body_->arguments.end()) return argument(*known);
   if (name.text == "w" && body_->has_workspace) return shared();
@@ -112,10 +112,10 @@ void ExpressionReader::expect_in_scope(const CodeToken& name) {
   tokens_.fail(tokens_.span(name), quoted(name.text) + " is not declared here");
 }
 
-Value ExpressionReader::argument(const Argument& argument) {
-  if (argument.opcode == Opcode::parameter) return parameter();
-  if (argument.opcode == Opcode::time) return graph_.leaf(Opcode::time, 0);
-  return graph_.leaf(argument.opcode, index(argument.size));
+Value ExpressionReader::argument(Opcode argument) {
+  if (argument == Opcode::parameter) return parameter();
+  if (argument == Opcode::time) return graph_.leaf(Opcode::time, 0);
+  return graph_.leaf(argument, index(argument_size(file_.origin.model, argument)));
 }
 
 std::uint32_t ExpressionReader::index(std::size_t size) {

@@ -15,6 +15,7 @@
 #include <unordered_map>
 
 #include "dialect.hpp"
+#include "elgen/arguments.hpp"
 #include "token_reader.hpp"
 #include "value_graph.hpp"
 
@@ -36,7 +37,7 @@ struct FileScope {
 
 /// What the statements of a body may name.
 struct BodyScope {
-  std::vector<Argument> arguments = {};  ///< those with a name
+  std::vector<Opcode> arguments = {};  ///< those with a name
   bool has_workspace = false;
   std::set<std::string_view> used = {};  ///< the functions of namespace std
   std::unordered_map<std::string_view, Value> locals = {};
@@ -63,7 +64,7 @@ class ExpressionReader {
   Value short_constant();
   Value named();
   Value named_number(const CodeToken& name);
-  Value argument(const Argument& argument);
+  Value argument(Opcode argument);
   Value parameter();
   Value shared();
   Value kinked();

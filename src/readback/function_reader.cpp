@@ -53,7 +53,7 @@ FunctionReader::FunctionReader(TokenReader& tokens, const FileScope& file, const
     : tokens_(tokens),
       file_(file),
       function_(function),
-      arguments_(arguments_of(file.origin, function)),
+      arguments_(arguments_of(file.origin.model, function)),
       expressions_(tokens, graph_, file, workspace_) {
   tokens.set_function(function.name);
   const Program& program = file.origin.program;
@@ -124,7 +124,7 @@ void FunctionReader::unused_argument() {
   tokens_.name();
   const bool is_argument =
       std::any_of(scope_.arguments.begin(), scope_.arguments.end(),
-                  [&](const Argument& argument) { return argument.name == name.text; });
+                  [&](Opcode argument) { return leaf_row(argument).symbol == name.text; });
   if (!is_argument && name.text != "w" && name.text != "result") {
     tokens_.fail(tokens_.span(name), quoted(name.text) + " is no argument");
   }
@@ -283,7 +283,9 @@ void FunctionReader::array_value(std::size_t result) {
 /// The body of a function whose parts compute it one after another.
 void FunctionReader::calls_of_parts() {
   std::string arguments;
-  for (const Argument& argument : scope_.arguments) arguments += fmt::format(", {}", argument.name);
+  for (const Opcode argument : scope_.arguments) {
+    arguments += fmt::format(", {}", leaf_row(argument).symbol);
+  }
   if (scope_.arguments.size() != arguments_.size())
     tokens_.fail_expected("an argument with a name");
   if (is_c()) {

@@ -64,7 +64,7 @@ class FunctionReader {
   void cpp_signature();
   void cpp_part_signature();
   void cpp_arguments();
-  void cpp_argument(const Argument& argument);
+  void cpp_argument(Opcode argument);
   void c_signature();
   void c_arguments();
   void c_result();
@@ -95,7 +95,7 @@ class FunctionReader {
   std::vector<std::uint32_t> named_ = {};  ///< instructions that are statements
   std::size_t next_statement_ = 0;
   std::vector<Result> results_ = {};
-  std::vector<Argument> arguments_;
+  std::vector<Opcode> arguments_;
   Workspace workspace_ = {};
   ExpressionReader expressions_;
   BodyScope scope_ = {};

@@ -191,14 +191,14 @@ void FunctionReader::cpp_arguments() {
   tokens_.expect_code(") noexcept");
 }
 
-void FunctionReader::cpp_argument(const Argument& argument) {
-  const bool is_vector = argument.opcode != Opcode::parameter && argument.opcode != Opcode::time;
-  const bool is_eigen = file_.dialect.shape == Shape::eigen && is_vector;
+void FunctionReader::cpp_argument(Opcode argument) {
+  const bool is_eigen = file_.dialect.shape == Shape::eigen && is_vector(argument);
   tokens_.expect("const");
-  tokens_.expect_code(is_eigen ? fmt::format("Argument<Scalar, {}>", argument.size)
-                               : std::string(argument.type));
+  tokens_.expect_code(
+      is_eigen ? fmt::format("Argument<Scalar, {}>", argument_size(file_.origin.model, argument))
+               : std::string(leaf_row(argument).type));
   tokens_.expect("&");
-  if (optional_name(argument.name)) scope_.arguments.push_back(argument);
+  if (optional_name(leaf_row(argument).symbol)) scope_.arguments.push_back(argument);
 }
 
 /// What a body does not mention has no name.
@@ -227,15 +227,17 @@ void FunctionReader::c_signature() {
 void FunctionReader::c_arguments() {
   const std::string& scalar = file_.dialect.scalar;
   for (std::size_t i = 0; i < arguments_.size(); ++i) {
-    const Argument& argument = arguments_[i];
-    const std::string extent = argument.size == 0 ? "" : std::to_string(argument.size);
+    const Opcode argument = arguments_[i];
+    const std::size_t size = argument_size(file_.origin.model, argument);
+    const std::string extent = size == 0 ? "" : std::to_string(size);
     if (i > 0) tokens_.expect(",");
-    if (argument.opcode == Opcode::parameter) {
+    if (argument == Opcode::parameter) {
       tokens_.expect_code(fmt::format("const {}parameters *p", file_.dialect.prefix));
-    } else if (argument.opcode == Opcode::time) {
+    } else if (argument == Opcode::time) {
       tokens_.expect_code(scalar + " t");
     } else {
-      tokens_.expect_code(fmt::format("const {} {}[{}]", scalar, argument.name, extent));
+      tokens_.expect_code(
+          fmt::format("const {} {}[{}]", scalar, leaf_row(argument).symbol, extent));
     }
   }
   scope_.arguments = arguments_;

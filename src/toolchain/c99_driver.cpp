@@ -43,10 +43,10 @@ void {symbol}(const {scalar} *parameters, const {scalar} *q, const {scalar} *v,
 /// "&p, q, v"
 std::string arguments(const Model& model, const Function& function) {
   std::string text;
-  for (const Argument argument : arguments_of(model, function)) {
-    const bool is_struct = argument == Argument::parameters;
+  for (const Opcode argument : arguments_of(model, function)) {
+    const bool is_struct = argument == Opcode::parameter;
     text += text.empty() ? "" : ", ";
-    text += is_struct ? "&p" : argument_name(argument);
+    text += is_struct ? "&p" : leaf_row(argument).symbol;
   }
   return text;
 }

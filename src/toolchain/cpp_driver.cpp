@@ -97,10 +97,10 @@ std::string eigen_type(const Function& function) {
 /// "parameters_from<Scalar>(parameters), from_flat<Scalar, emitted::coordinate_count>(q)"
 std::string arguments(const Model& model, const Function& function) {
   std::string text = "parameters_from<Scalar>(parameters)";
-  for (const Argument argument : arguments_of(model, function)) {
-    const std::string_view name = argument_name(argument);
-    if (argument == Argument::time) text += ", t";
-    if (argument == Argument::parameters || argument == Argument::time) continue;
+  for (const Opcode argument : arguments_of(model, function)) {
+    const std::string_view name = leaf_row(argument).symbol;
+    if (argument == Opcode::time) text += ", t";
+    if (!is_vector(argument)) continue;
     text += fmt::format(",\n      from_flat<Scalar, {}>({})", argument_size(model, argument), name);
   }
   return text;

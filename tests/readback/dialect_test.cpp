@@ -1,4 +1,4 @@
-// What functions take, what they read, and how their entries are stored.
+// What functions read, and how their entries are stored.
 #include "readback/dialect.hpp"
 
 #include <catch2/catch.hpp>
@@ -12,21 +12,7 @@ Origin origin() {
   return {test::cpp().checked.model, test::cpp().checked.scene, test::cpp().program};
 }
 
-std::string names(OutputKind kind) {
-  Function function;
-  function.kind = kind;
-  std::string text;
-  for (const Argument& argument : arguments_of(origin(), function)) text += argument.name;
-  return text;
-}
-
 }  // namespace
-
-TEST_CASE("arguments follow the table of outputs") {
-  CHECK(names(OutputKind::mass_matrix) == "pq");
-  CHECK(names(OutputKind::inverse_dynamics) == "pqva");
-  CHECK(names(OutputKind::forward_dynamics) == "pqvu");
-}
 
 TEST_CASE("parameters are those that functions read") {
   CHECK(read_parameters(origin()).size() == 6);
