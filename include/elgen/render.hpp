@@ -93,7 +93,7 @@ struct Sheet {
   std::vector<SheetOutput> outputs = {};
 };
 
-/// What of a program a page shows; `dynamics`, which repeats the others, never.
+/// Which functions of a program a page shows. `dynamics` repeats the others and is never shown.
 struct PageOptions {
   bool zeros = false;                   ///< functions whose entries are all 0
   std::size_t most_entries = SIZE_MAX;  ///< longer outputs are named, without their equations

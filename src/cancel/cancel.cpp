@@ -40,7 +40,7 @@ Places outermost(const Function& function, const Places& zeros) {
   return result;
 }
 
-/// What `wanted` needs, `wanted` as the entries of one field.
+/// The instructions that `wanted` needs, with `wanted` as the entries of one field.
 Function extract(Function function, const Places& wanted) {
   function.fields = {{"", static_cast<std::uint32_t>(wanted.size()), 1, wanted}};
   return pruned(std::move(function));

@@ -79,7 +79,7 @@ Values run(const Program& program, const Function& function, const std::vector<b
   return values;
 }
 
-/// What goes into something undefined.
+/// The instructions that undefined values are made of.
 std::vector<bool> needed_for_undefined(const Function& function, const Values& values,
                                        const std::vector<bool>& needed) {
   std::vector<std::uint32_t> undefined;

@@ -229,7 +229,7 @@ class Choosing {
     return total <= always_tried || total <= hopeless_ratio * recursive;
   }
 
-  /// What the guards of pivots cost is no reason to prefer one form.
+  /// The guards of pivots are not counted: whichever form is chosen gets them.
   static std::size_t cost_of(const Function& form) {
     const bool has_pivots = output_row(form.kind).gives_pivots;
     return cost(count_operations(has_pivots ? without_diagonal(form) : form));

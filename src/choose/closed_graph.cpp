@@ -27,7 +27,7 @@ class ClosedGraph {
   }
 
  private:
-  /// What has the same roots, each part over its own denominator:
+  /// The parts of a sum by the roots in their terms, each over its own denominator:
   /// (a sqrt(r) + b r)/r^2 = a sqrt(r)/r^2 + b/r.
   [[nodiscard]] std::vector<Fraction> by_roots(const Fraction& form) const {
     std::map<Monomial, Fraction, MonomialLess> parts;
@@ -76,7 +76,7 @@ class ClosedGraph {
     return graph_.product(factors);
   }
 
-  /// What two or more terms are divided by divides the sum: x/l + y/l^2 = (x l + y)/l^2.
+  /// A divisor of two or more terms divides the whole sum: x/l + y/l^2 = (x l + y)/l^2.
   bool take_divisors(Fraction& form, std::vector<Power>& factors) {
     struct Divisor {
       std::int32_t exponent = 0;

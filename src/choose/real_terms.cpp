@@ -171,7 +171,8 @@ class RealTerms {
     if (!cln::zerop(value)) add_to(sum, powers, {value, 0});
   }
 
-  /// What every multiple of a direction, or of a unit, is a multiple of: at most the angle itself.
+  /// The angle of which all multiples of a direction, or of a unit, are multiples: at most the
+  /// angle itself.
   void note_angle(const Monomial& angle) {
     if (angle.empty()) return;
     constexpr std::int32_t whole = 12;

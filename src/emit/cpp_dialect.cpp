@@ -177,7 +177,7 @@ class CppDialect : public Dialect {
     return fmt::format("{}_part_{}", function.name, part + 1);
   }
 
-  /// What the body does not use has no name.
+  /// An argument that the body does not use has no name.
   static std::string name_if(const UsedNames& used, std::string_view blank_and_name) {
     return std::string(used.variables.count(blank_and_name.substr(1)) > 0 ? blank_and_name : "");
   }

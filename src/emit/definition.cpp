@@ -90,7 +90,7 @@ class Writer {
                 (returned.empty() ? assignments(dialect_, ordered_, entries) : returned)};
   }
 
-  /// What crosses into another part is no declaration.
+  /// A value that another part reads is assigned to the workspace, not declared.
   [[nodiscard]] DefinitionText part_text(const Sections& cut, std::size_t part) const {
     std::string lines;
     for (const Statement& statement : cut.parts[part]) {

@@ -164,7 +164,7 @@ class Names {
     const bool is_operand = failure.operand && *failure.operand < node.operands.size();
     const Span span =
         is_operand ? model_.expressions[node.operands[*failure.operand]].span : node.span;
-    // What is written out would not have passed check.
+    // Check refuses a number that is written out that long: this one came from an operation.
     const Code code = failure.code == Code::E914 ? Code::E910 : failure.code;
     found_.push_back({code, span, quoted(span) + " " + failure.message, values_in(node)});
     return false;

@@ -15,7 +15,8 @@ Diagnostics inspect(const Model& model, const Scene& scene) {
   add(inspection::inspect_unused(subject));
   add(inspection::inspect_left_out(subject));
   add(inspection::inspect_constants(subject));
-  // What has no value has none at any sampled state, and what is too large takes forever.
+  // A model with a constant that has no value has none at sampled states, and one with a constant
+  // that is too large takes forever.
   if (has_errors(all)) return all;
   add(inspection::inspect_inertias(subject));
   add(inspection::inspect_spins(subject));

@@ -63,7 +63,8 @@ std::optional<EnclosedNumber> enclosure_of(const ConstantForm& form) {
     last = found.number;
     if (last->error <= share * cln::abs(last->value)) return last;
   }
-  // What cancels to so little at full length is taken for 0; what is unknown has no value.
+  // A sum that cancels to so little at full length is taken for 0. Where no length tells, there is
+  // no value.
   const bool is_negligible = last && last->error <= share;
   return is_negligible ? last : std::nullopt;
 }

@@ -21,7 +21,7 @@ bool is_zero(const Program& program, const Function& function, std::uint32_t ent
   return value.opcode == Opcode::constant && cln::zerop(program.constants[value.a].value);
 }
 
-/// What divides by zero divides by a pivot where it solves; the rate whose M_ii is 0 is named.
+/// An output that solves divides by the pivots of M: the message names the rate whose M_ii is 0.
 Diagnostic zero_denominator(const Program& program, const OutputRequest& request) {
   if (!output_row(request.kind).solves) {
     return {Code::E312, request.span,

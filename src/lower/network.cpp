@@ -98,7 +98,7 @@ class Conversion {
     return at->second = std::move(result);
   }
 
-  /// What has to be converted before the node.
+  /// Operands that have to be converted before the node.
   std::vector<Operand> needed_operands(NodeId id) {
     const NodeKind kind = graph_.node(id).kind;
     if (graph_.has_form(id) && fold(id)) return {};

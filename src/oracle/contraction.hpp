@@ -23,7 +23,7 @@ namespace elgen::oracle {
 /// w.tau at the state's a
 [[nodiscard]] cln::cl_R inverse_dynamics(Mechanics& at, const Direction& w);
 
-/// What of the bias no other output holds.
+/// The part of the bias that no other output holds.
 [[nodiscard]] cln::cl_R drift(Mechanics& at, const Direction& w);
 
 }  // namespace elgen::oracle

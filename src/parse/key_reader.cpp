@@ -153,7 +153,7 @@ std::vector<KeySyntax> read_keys(const std::vector<TomlEntry>& entries, const Ta
       result.push_back({entry.key, entry.key_span, read_by_type(entry, *row, reading)});
     }
   }
-  // What an unsupported key would have replaced is not missed.
+  // A key that the unsupported one would have replaced is not reported as missing.
   if (all_supported) report_missing(entries, table, reading);
   return result;
 }

@@ -14,7 +14,7 @@ namespace elgen::presenting {
 
 using Values = std::vector<Value>;
 
-/// What was dropped of each entry of M, V0, dD/dv, Q and B; without those of which nothing can be.
+/// The terms dropped from each entry of M, V0, dD/dv, Q and B, of those that have terms to drop.
 using DroppedParts = std::map<OutputKind, Values>;
 
 class Consequences {

@@ -25,7 +25,7 @@ class FunctionReader {
  public:
   FunctionReader(TokenReader& tokens, const FileScope& file, const Function& function);
 
-  // What of a definition comes next.
+  // Which part of the definition comes next.
   [[nodiscard]] bool wants_struct() const;
   [[nodiscard]] bool wants_parts();
   [[nodiscard]] bool wants_part();

@@ -6,7 +6,7 @@
 // Equations of order k need T - V and D to order k + 1, counting deviations and rates jointly, and
 // forces to order k: one derivative is still to be taken of the energies. Those of coordinates that
 // are not small lose no order by that derivative: right to order k + 1, with forces to that order.
-// What passed for masses, points and their forces is then in T, V and the generalized forces.
+// Masses, points and their forces have then become terms of T, V and the generalized forces.
 #include "specialise/expand.hpp"
 
 #include <algorithm>

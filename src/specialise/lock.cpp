@@ -1,4 +1,4 @@
-// lock: coordinates become functions of time; motion that is known is no freedom.
+// lock: locked coordinates become given functions of time, and are no unknowns any more.
 //
 //     before    x = l*cos(q1) + l*cos(q1 + q2)     q = (q1, q2)     q1 locked at 0
 //     after     x = l + l*cos(q2)                  q = (q2)

@@ -4,8 +4,8 @@
 //     before    p = l*sin(q), T = 1/2*m*p_dot^2      l = 1/2 fixed
 //     after     p = 1/2*sin(q), T = 1/2*m*p_dot^2
 //
-// What vanishes is no longer reached from any energy, force or output, so later stages never see
-// it. Then what a scene expands is expanded (expand.hpp).
+// Definitions that vanish are no longer reached from any energy, force or output, so later stages
+// never see them. Then a scene that asks for an expansion gets it (expand.hpp).
 #include "elgen/specialise.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What the joints of a tree move has mass, and an inertia that some body has.
+// masses: whatever joints move must have mass, and an inertia that a rigid body can have.
 #include <fmt/format.h>
 
 #include "elgen/inertia.hpp"

@@ -74,7 +74,7 @@ bool OracleCache::solution_is_known() {
   for (std::size_t i = 0; i < n; ++i) {
     const cln::cl_R pivot = cln::abs((*solution)[n + i] * (*mass)[i * n + i]);
     if (cln::abs((*solution)[n + i]) < least_pivot || cln::zerop(pivot)) return false;
-    // What cancels to a = 0 is known as well as forces of this size allow.
+    // An acceleration that cancels to 0 is known as well as forces of this size allow.
     const cln::cl_R scale = cln::max(largest_acceleration, largest_force / largest_mass);
     if (digits * largest_force > wanted * scale * pivot) return false;
   }

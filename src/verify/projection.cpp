@@ -136,7 +136,7 @@ class Projection {
     const auto pivots = relative_pivots(mass_matrix(), n, eliminates_last_first(subject_.model));
     if (!pivots) return {};
     for (std::size_t i = 0; i < n; ++i) {
-      // What cancels of a pivot is rounding of 1; that of an indefinite M may be of any size.
+      // A pivot that cancels is known to rounding of 1. An indefinite M has pivots of any size.
       if (agrees({entry(i).value, abs((*pivots)[i]), {}}, (*pivots)[i], Real(1))) continue;
       return mismatch("a relative pivot", entry(i).value, (*pivots)[i].value());
     }

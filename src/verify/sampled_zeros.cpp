@@ -1,4 +1,4 @@
-// What cancel left to say (elgen/cancel.hpp).
+// sampled_zeros: what the certificate says of the zeros that cancel sampled (elgen/cancel.hpp).
 #include "sampled_zeros.hpp"
 
 #include <fmt/format.h>
