@@ -37,6 +37,11 @@ inline constexpr std::array function_table{
   return function_table[static_cast<std::size_t>(id)];
 }
 
+/// Whether it has no derivative somewhere, so that forces alone may call it.
+[[nodiscard]] constexpr bool is_kinked(FunctionId id) {
+  return function_row(id).use == FunctionUse::forces;
+}
+
 /// Null where no function has that name.
 [[nodiscard]] constexpr const FunctionRow* find_function(std::string_view name) {
   for (const FunctionRow& row : function_table) {

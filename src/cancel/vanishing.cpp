@@ -36,9 +36,7 @@ Arguments<Value> random_point(const LeafNames& leaves, Random& random) {
   return point;
 }
 
-bool is_kinked(const Instruction& i) {
-  return i.opcode == Opcode::call && function_row(i.function).use == FunctionUse::forces;
-}
+bool has_kink(const Instruction& i) { return i.opcode == Opcode::call && is_kinked(i.function); }
 
 /// A sum of which one term is so small beside the other that twenty digits of it are gone, or a
 /// function that its argument hardly moves, or moves so much that its own digits are gone.
@@ -73,8 +71,8 @@ Values run(const Program& program, const Function& function, const std::vector<b
   for (std::size_t at = 0; at < values.size(); ++at) {
     if (!needed[at]) continue;
     const Instruction& i = function.instructions[at];
-    values[at] = is_kinked(i) ? ScalarTraits<Value>::from_real(cln::abs(random.rational()))
-                              : settled(i, values, folded(rules, program, i, values));
+    values[at] = has_kink(i) ? ScalarTraits<Value>::from_real(cln::abs(random.rational()))
+                             : settled(i, values, folded(rules, program, i, values));
   }
   return values;
 }

@@ -122,8 +122,7 @@ bool fits_in_full(const OutputRequest& request) {
 }
 
 bool is_kink(const Expression& node) {
-  return node.kind == ExpressionKind::function &&
-         function_row(node.function).use == FunctionUse::forces;
+  return node.kind == ExpressionKind::function && is_kinked(node.function);
 }
 
 }  // namespace

@@ -150,9 +150,7 @@ class TraitFinder {
 
   [[nodiscard]] Traits of_call(const Expression& node) const {
     Traits result = opaque(folded(node, sum));
-    if (function_row(node.function).use == FunctionUse::forces) {
-      result.ingredients |= uses_kink;
-    }
+    if (is_kinked(node.function)) result.ingredients |= uses_kink;
     return result;
   }
 

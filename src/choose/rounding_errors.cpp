@@ -131,7 +131,7 @@ Running called(FunctionId function, const Running& x, const Running& y) {
   const FunctionRow& row = function_row(function);
   const Real value = interpreter::call(function, x.value, y.value);
   const Running& second = row.arity == 2 ? y : x;
-  if (row.use == FunctionUse::forces) return {value, max(x.error, second.error)};
+  if (is_kinked(function)) return {value, max(x.error, second.error)};
   Real error = abs(value) + slope(function, x, y, true) * x.error;
   if (row.arity == 2) error = error + slope(function, x, y, false) * y.error;
   return {value, error};

@@ -110,9 +110,7 @@ Lines shown_equations(const FunctionText& text) {
 std::string ordering_note(const FunctionText& text) {
   if (language_row(text.emission.language).scalars == LanguageScalars::one) return "";
   const std::set<FunctionId> calls = called_functions(text.function);
-  const bool has_kinks = std::any_of(calls.begin(), calls.end(), [](FunctionId id) {
-    return function_row(id).use == FunctionUse::forces;
-  });
+  const bool has_kinks = std::any_of(calls.begin(), calls.end(), is_kinked);
   return has_kinks ? " Needs an ordered Scalar." : "";
 }
 

@@ -67,8 +67,6 @@ Real argument_part(FunctionId function, const Bound& x, const Bound& y, bool in_
   return abs(f.value.slope) * a + rounding.roundoff * curvature * a * a / Real(2);
 }
 
-bool is_kinked(FunctionId function) { return function_row(function).use == FunctionUse::forces; }
-
 /// The value of an exponential function so far out that 64 digits do not tell it from its limit;
 /// the exponent of exp(1e300) would leave even CLN's range. Infinite limits are beyond the overflow
 /// threshold.

@@ -128,9 +128,7 @@ std::optional<Ref> Graph::kinked_call(FunctionId function, const std::vector<Ref
 
 /// The call where it is a number known without computing, or one of its arguments.
 std::optional<Ref> Graph::exact_call(FunctionId function, const std::vector<Ref>& arguments) {
-  const bool is_kinked = function == FunctionId::abs || function == FunctionId::sign ||
-                         function == FunctionId::min || function == FunctionId::max;
-  if (is_kinked) return kinked_call(function, arguments);
+  if (is_kinked(function)) return kinked_call(function, arguments);
   const std::optional<cln::cl_RA> x = rational_value(arguments.front());
   const std::optional<cln::cl_RA> y = rational_value(arguments.back());
   if (!x || !y) return std::nullopt;

@@ -57,7 +57,7 @@ std::vector<Operand> slopes(FunctionId function, const Operand& x, const Operand
 
 std::vector<Value> call_slopes(Arithmetic& arithmetic, const Atom& atom, const Fraction& call) {
   std::vector<Value> result(atom.arguments.size());
-  if (function_row(atom.function).use == FunctionUse::forces) return result;
+  if (is_kinked(atom.function)) return result;
   const Operand x{&arithmetic, atom.arguments.front()};
   const Operand y{&arithmetic, atom.arguments.back()};
   const std::vector<Operand> all = slopes(atom.function, x, y, {&arithmetic, call});

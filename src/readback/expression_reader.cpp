@@ -188,7 +188,7 @@ std::optional<FunctionId> ExpressionReader::function_named(std::string_view name
   if (is_c && plain == "fabs") return FunctionId::abs;
   const FunctionRow* row = find_function(plain);
   const bool is_library =
-      row != nullptr && (row->use != FunctionUse::forces || (!is_c && row->id == FunctionId::abs));
+      row != nullptr && (!is_kinked(row->id) || (!is_c && row->id == FunctionId::abs));
   return is_library ? std::optional(row->id) : std::nullopt;
 }
 
