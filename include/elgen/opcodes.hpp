@@ -34,6 +34,7 @@ inline constexpr std::array opcode_table{
 /// A kind of leaf.
 struct LeafRow {
   Opcode id;
+  std::string_view member;  ///< "parameters": of PerLeaf
   std::string_view symbol;  ///< "q"
   std::string_view type;    ///< "Coordinates<Scalar>"
   int rank;
@@ -42,7 +43,7 @@ struct LeafRow {
 /// leaves.def
 inline constexpr std::array leaf_table{
 #define ELGEN_LEAVES(kind, member, symbol, type, tag, rank) \
-  LeafRow{Opcode::kind, symbol, type, rank},
+  LeafRow{Opcode::kind, #member, symbol, type, rank},
 #include "elgen/leaves.def"
 #undef ELGEN_LEAVES
 };

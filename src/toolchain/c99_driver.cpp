@@ -31,12 +31,10 @@ static {name_space}_parameters parameters_from(const {scalar} *values) {{
 )";
 
 constexpr std::string_view wrapper_template = R"(
-void {symbol}(const {scalar} *parameters, const {scalar} *q, const {scalar} *v,
-    const {scalar} *a, const {scalar} *u, {scalar} t, {scalar} *to);
-void {symbol}(const {scalar} *parameters, const {scalar} *q, const {scalar} *v,
-    const {scalar} *a, const {scalar} *u, {scalar} t, {scalar} *to) {{
+void {symbol}({leaves}{scalar} *to);
+void {symbol}({leaves}{scalar} *to) {{
   const {name_space}_parameters p = parameters_from(parameters);
-  (void)q, (void)v, (void)a, (void)u, (void)t;
+  {unused}
 {body}}}
 )";
 
@@ -76,9 +74,12 @@ std::string c99_driver(const DriverInput& input) {
       fmt::arg("position", is_row_major ? "i * columns + j" : "j * rows + i"),
       fmt::arg("name_space", name_space(scene)),
       fmt::arg("parameters", parameter_assignments(input)));
+  std::string unused;
+  for (const LeafRow& leaf : leaf_table) unused += fmt::format("(void){};", leaf.member);
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     text += fmt::format(wrapper_template, fmt::arg("symbol", driver_symbol(scalar, i)),
                         fmt::arg("scalar", scalar), fmt::arg("name_space", name_space(scene)),
+                        fmt::arg("leaves", declared_leaves(scalar)), fmt::arg("unused", unused),
                         fmt::arg("body", call(input, program.functions[i], scalar)));
   }
   return text;

@@ -71,13 +71,18 @@ class LoadedModel final : public CompiledModel {
  private:
   template <class Scalar>
   std::vector<Scalar> invoke(std::string_view name, const Arguments<Scalar>& arguments,
-                             DriverFunction<Scalar> LoadedFunction::*member) const {
+                             DriverFunction<Scalar> LoadedFunction::*function) const {
     const auto found = std::find_if(functions_.begin(), functions_.end(),
                                     [name](const auto& f) { return f.name == name; });
-    if (found == functions_.end() || (*found).*member == nullptr) return {};
+    if (found == functions_.end() || (*found).*function == nullptr) return {};
     std::vector<Scalar> result(found->entries);
-    ((*found).*member)(arguments.parameters.data(), arguments.q.data(), arguments.v.data(),
-                       arguments.a.data(), arguments.u.data(), arguments.t, result.data());
+    ((*found).*function)(
+#define ELGEN_LEAVES(kind, member, symbol, type, tag, rank) arguments.member.data(),
+#define ELGEN_LEAF(kind, member, symbol, type, tag, rank) arguments.member,
+#include "elgen/leaves.def"
+#undef ELGEN_LEAVES
+#undef ELGEN_LEAF
+        result.data());
     return result;
   }
 

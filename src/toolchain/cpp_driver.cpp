@@ -62,18 +62,14 @@ template <class Scalar>
 
 constexpr std::string_view call_template = R"(
 template <class Scalar>
-void call_{index}([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] const Scalar* q,
-    [[maybe_unused]] const Scalar* v, [[maybe_unused]] const Scalar* a,
-    [[maybe_unused]] const Scalar* u, [[maybe_unused]] Scalar t, [[maybe_unused]] Scalar* to) {{
+void call_{index}({leaves}[[maybe_unused]] Scalar* to) {{
 {body}}}
 )";
 
 constexpr std::string_view wrapper_template = R"(
-extern "C" void {symbol}(const {scalar}* parameters, const {scalar}* q, const {scalar}* v,
-    const {scalar}* a, const {scalar}* u, {scalar} t, {scalar}* result);
-extern "C" void {symbol}(const {scalar}* parameters, const {scalar}* q, const {scalar}* v,
-    const {scalar}* a, const {scalar}* u, {scalar} t, {scalar}* result) {{
-  call_{index}(parameters, q, v, a, u, t, result);
+extern "C" void {symbol}({leaves}{scalar}* result);
+extern "C" void {symbol}({leaves}{scalar}* result) {{
+  call_{index}({names}, result);
 }}
 )";
 
@@ -98,7 +94,7 @@ std::string eigen_type(const Function& function) {
 std::string arguments(const Model& model, const Function& function) {
   std::string text = "parameters_from<Scalar>(parameters)";
   for (const Opcode argument : arguments_of(model, function)) {
-    const std::string_view name = leaf_row(argument).symbol;
+    const std::string_view name = leaf_row(argument).member;
     if (argument == Opcode::time) text += ", t";
     if (!is_vector(argument)) continue;
     text += fmt::format(",\n      from_flat<Scalar, {}>({})", argument_size(model, argument), name);
@@ -129,14 +125,19 @@ std::string driver_of(const DriverInput& input, const Types& types) {
       fmt::arg("parameters", parameter_assignments(input)));
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     text += fmt::format(call_template, fmt::arg("index", i),
+                        fmt::arg("leaves", declared_leaves("Scalar", "[[maybe_unused]] ")),
                         fmt::arg("body", call(input, types, program.functions[i])));
   }
   text += "\n}  // namespace\n";
+  std::vector<std::string_view> names;
+  for (const LeafRow& leaf : leaf_table) names.push_back(leaf.member);
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     for (const ScalarKind kind : driver_scalars(input)) {
       const std::string scalar = scalar_name(kind);
       text += fmt::format(wrapper_template, fmt::arg("symbol", driver_symbol(scalar, i)),
-                          fmt::arg("scalar", scalar), fmt::arg("index", i));
+                          fmt::arg("scalar", scalar), fmt::arg("index", i),
+                          fmt::arg("leaves", declared_leaves(scalar)),
+                          fmt::arg("names", fmt::join(names, ", ")));
     }
   }
   return text;

@@ -48,6 +48,15 @@ constexpr PerArtifact<DriverRow> driver_table{{{"", "driver.cpp", &cpp_driver},
 
 }  // namespace
 
+std::string declared_leaves(std::string_view scalar, std::string_view attribute) {
+  std::string text;
+  for (const LeafRow& leaf : leaf_table) {
+    const char* const pattern = leaf.id != Opcode::time ? "{}const {}* {}, " : "{}{} {}, ";
+    text += fmt::format(fmt::runtime(pattern), attribute, scalar, leaf.member);
+  }
+  return text;
+}
+
 std::string parameter_assignments(const DriverInput& input) {
   const LeafNames& leaves = input.program.leaves;
   const std::vector<std::string> members = parameter_members(input.model, leaves);

@@ -13,10 +13,16 @@
 
 namespace elgen {
 
-/// What every driver function looks like; arguments a function does not take are ignored.
+/// What every driver function looks like: all leaves, then the result. Arguments a function does
+/// not take are ignored.
 template <class Scalar>
-using DriverFunction = void (*)(const Scalar* parameters, const Scalar* q, const Scalar* v,
-                                const Scalar* a, const Scalar* u, Scalar t, Scalar* result);
+using DriverFunction = void (*)(
+#define ELGEN_LEAVES(kind, member, symbol, type, tag, rank) const Scalar *member,
+#define ELGEN_LEAF(kind, member, symbol, type, tag, rank) Scalar member,
+#include "elgen/leaves.def"
+#undef ELGEN_LEAVES
+#undef ELGEN_LEAF
+    Scalar* result);
 
 /// What drivers are made from.
 struct DriverInput {

@@ -12,6 +12,10 @@ namespace elgen {
 [[nodiscard]] std::string appended(const DriverInput& input, const Function& function,
                                    std::string_view to, std::string_view data);
 
+/// "const double* parameters, const double* q, …, double t, ": what a driver function declares
+/// before its result, each after `attribute`.
+[[nodiscard]] std::string declared_leaves(std::string_view scalar, std::string_view attribute = "");
+
 /// The drivers of C++17 and of C99.
 [[nodiscard]] std::string cpp_driver(const DriverInput& input);
 [[nodiscard]] std::string eigen_driver(const DriverInput& input);
