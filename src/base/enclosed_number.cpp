@@ -91,7 +91,7 @@ Enclosed EnclosedArithmetic::reciprocal(const EnclosedNumber& x) const {
   return rounded(value, x.error / (cln::abs(x.value) * least(x)));
 }
 
-Enclosed EnclosedArithmetic::integer_power(const EnclosedNumber& x, cl_I exponent) const {
+Enclosed EnclosedArithmetic::integer_power(const EnclosedNumber& x, const cl_I& exponent) const {
   EnclosedNumber result{1, 0};
   EnclosedNumber square = x;
   for (cl_I rest = cln::abs(exponent); rest > 0; rest = cln::ash(rest, -1)) {

@@ -67,7 +67,7 @@ class EnclosedArithmetic {
   [[nodiscard]] EnclosedNumber sloped(FunctionId function, const EnclosedNumber& x,
                                       const cln::cl_R& slope) const;
   [[nodiscard]] EnclosedNumber square_root(const EnclosedNumber& x) const;
-  [[nodiscard]] Enclosed integer_power(const EnclosedNumber& x, cln::cl_I exponent) const;
+  [[nodiscard]] Enclosed integer_power(const EnclosedNumber& x, const cln::cl_I& exponent) const;
   [[nodiscard]] Enclosed tangent(const EnclosedNumber& x) const;
   [[nodiscard]] Enclosed inverse_circular(FunctionId function, const EnclosedNumber& x) const;
   [[nodiscard]] Enclosed arc_tangent_2(const EnclosedNumber& y, const EnclosedNumber& x) const;
