@@ -1,6 +1,8 @@
 // Pivots by the solver of the oracle, the right side being 0.
 #include "pivots.hpp"
 
+#include <cln/exception.h>
+
 #include <algorithm>
 
 #include "oracle/linear_solve.hpp"
@@ -21,6 +23,8 @@ std::optional<std::vector<Real>> relative_pivots(const std::vector<Real>& m, std
     const auto solution = oracle::solve_symmetric(std::move(entries), std::vector<cln::cl_R>(n));
     for (const cln::cl_R& pivot : solution.relative_pivots) pivots.emplace_back(pivot);
   } catch (const oracle::OutsideDomain&) {
+    return std::nullopt;
+  } catch (const cln::runtime_exception&) {
     return std::nullopt;
   }
   if (last_first) std::reverse(pivots.begin(), pivots.end());
