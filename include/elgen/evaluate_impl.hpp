@@ -39,22 +39,13 @@ class Real {
 [[nodiscard]] Real operator*(const Real& x, const Real& y);
 [[nodiscard]] Real operator/(const Real& x, const Real& y);
 [[nodiscard]] Real sqrt(const Real& x);
-[[nodiscard]] Real sin(const Real& x);
-[[nodiscard]] Real cos(const Real& x);
-[[nodiscard]] Real tan(const Real& x);
-[[nodiscard]] Real asin(const Real& x);
-[[nodiscard]] Real acos(const Real& x);
-[[nodiscard]] Real atan(const Real& x);
-[[nodiscard]] Real atan2(const Real& y, const Real& x);
-[[nodiscard]] Real sinh(const Real& x);
-[[nodiscard]] Real cosh(const Real& x);
-[[nodiscard]] Real tanh(const Real& x);
-[[nodiscard]] Real exp(const Real& x);
-[[nodiscard]] Real log(const Real& x);
-[[nodiscard]] Real abs(const Real& x);
-[[nodiscard]] Real sign(const Real& x);
-[[nodiscard]] Real min(const Real& x, const Real& y);
-[[nodiscard]] Real max(const Real& x, const Real& y);
+#define ELGEN_REAL_1(name) [[nodiscard]] Real name(const Real& x);
+#define ELGEN_REAL_2(name) [[nodiscard]] Real name(const Real& x, const Real& y);
+#define ELGEN_FUNCTION(name, arity, use, parity, first, second) ELGEN_REAL_##arity(name)
+#include "elgen/functions.def"
+#undef ELGEN_FUNCTION
+#undef ELGEN_REAL_2
+#undef ELGEN_REAL_1
 
 /// While it lives, Reals have as many digits more as its user lets them grow by: an angle of 1e100
 /// leaves none of 64 behind the point, for sines to be made of.
