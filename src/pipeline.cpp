@@ -123,7 +123,7 @@ class Compilation {
     out.steps = std::move(steps_.product);
     out.files = std::move(files_.product);
     out.written = std::move(written_);
-    out.readback = std::move(readback_.product);
+    out.readback = readback_.product;
     out.self_check = std::move(self_check_.product);
     out.diagnostics = std::move(diagnostics_);
     sort_by_position(out.diagnostics);
