@@ -20,7 +20,8 @@ struct EmittedFiles {
   std::map<std::string, std::string> files = {};  ///< "cart_pole/cart_pole.hpp" -> text, UTF-8, LF
 };
 
-/// The artifacts of the scene. Errors: E7xx (a name C++ cannot take, a parameter that overflows in a requested scalar).
+/// The artifacts of the scene. Errors: E7xx (a name C++ cannot take, a parameter that overflows in
+/// a requested scalar).
 [[nodiscard]] Result<EmittedFiles> emit(const Model& model, const Scene& scene,
                                         const Program& program);
 
