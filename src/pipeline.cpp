@@ -8,7 +8,6 @@
 #include "elgen/pipeline.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "elgen/cancel.hpp"
@@ -18,32 +17,15 @@
 #include "elgen/lagrangian.hpp"
 #include "elgen/lower.hpp"
 #include "elgen/specialise.hpp"
+#include "pipeline/dumps.hpp"
 #include "pipeline/parts.hpp"
 #include "pipeline/presented.hpp"
 #include "pipeline/readable_steps.hpp"
+#include "pipeline/stages.hpp"
 
 namespace elgen {
 
 namespace {
-
-struct Syntaxes {
-  ModelSyntax model;
-  std::optional<SceneSyntax> scene;
-};
-
-std::string dump(const Syntaxes& s) { return dump(s.model) + (s.scene ? dump(*s.scene) : ""); }
-std::string dump(const CheckedModel& c) { return dump(c.model) + dump(c.scene); }
-
-/// inspect only reports; its dump is what it found.
-struct Inspection {
-  Diagnostics found;
-};
-std::string dump(const Inspection& inspection) { return format(inspection.found); }
-std::string dump(const ReadableSteps& steps) { return dump(steps.program); }
-
-std::string dump(const SolutionParts& parts) { return parts.program ? dump(*parts.program) : ""; }
-std::string dump(const Presented& p) { return dump(p.reduced ? p.reduced->forms : p.exact); }
-std::string dump(const SelfCheck& check) { return receipt(check) + "\n"; }
 
 Result<Syntaxes> parse(const Inputs& inputs, const Limits& limits) {
   Result<ModelSyntax> model = parse_model(inputs.model, limits);
@@ -86,22 +68,16 @@ Result<Choice> chosen(const Program& recursive, const Presented& forms, const Sc
   return choice;
 }
 
-/// A stage's product, once it was asked for.
-template <class T>
-struct Stage {
-  std::optional<T> product = {};
-  bool was_asked_for = false;
-};
-
 /// Each stage runs when its product is first asked for, after those it needs; null where it, or one
 /// that it needs, failed.
 class Compilation {
  public:
   Compilation(const Inputs& inputs, const PipelineOptions& options)
-      : inputs_(inputs), options_(options) {}
+      : inputs_(inputs), options_(options), run_(options) {}
 
   /// A model that was checked before is not checked again.
-  Compilation(CheckedModel checked, const PipelineOptions& options) : options_(options) {
+  Compilation(CheckedModel checked, const PipelineOptions& options)
+      : options_(options), run_(options) {
     syntaxes_.was_asked_for = true;
     checked_ = {std::move(checked), true};
     inspection_ = {Inspection{}, true};
@@ -125,10 +101,10 @@ class Compilation {
     out.written = std::move(written_);
     out.readback = readback_.product;
     out.self_check = std::move(self_check_.product);
-    out.diagnostics = std::move(diagnostics_);
+    out.diagnostics = std::move(run_.diagnostics);
     sort_by_position(out.diagnostics);
-    out.dump = std::move(dump_);
-    out.times = std::move(times_);
+    out.dump = std::move(run_.dumped);
+    out.times = std::move(run_.times);
     return out;
   }
 
@@ -159,14 +135,14 @@ class Compilation {
   }
 
   Syntaxes* syntaxes() {
-    return made("parse", syntaxes_, [this] { return parse(inputs_, options_.limits); });
+    return run_.product("parse", syntaxes_, [this] { return parse(inputs_, options_.limits); });
   }
 
   CheckedModel* checked() {
     const auto make = [this](const Syntaxes& s) {
       return check(s.model, s.scene ? &*s.scene : nullptr, options_.scene, options_.limits);
     };
-    return made("check", checked_, make, syntaxes());
+    return run_.product("check", checked_, make, syntaxes());
   }
 
   Inspection* inspection() {
@@ -176,64 +152,64 @@ class Compilation {
       Diagnostics found = inspect(c.model, c.scene);
       return Result<Inspection>({found}, found);
     };
-    return made("inspect", inspection_, make, checked());
+    return run_.product("inspect", inspection_, make, checked());
   }
 
   Lagrangian* formulated() {
     const auto make = [](const CheckedModel& c, Inspection&) { return formulate(c.model); };
-    return made("formulate", formulated_, make, checked(), inspection());
+    return run_.product("formulate", formulated_, make, checked(), inspection());
   }
 
   Lagrangian* lagrangian() {
     const auto make = [](const Lagrangian& l, const CheckedModel& c) { return specialise(l, c); };
-    return made("specialise", lagrangian_, make, formulated(), checked());
+    return run_.product("specialise", lagrangian_, make, formulated(), checked());
   }
 
   ReadableSteps* steps() {
     const auto make = [this](const Lagrangian& l, const CheckedModel& c) {
       return readable_steps(l, c.model, options_.limits);
     };
-    return made("steps", steps_, make, lagrangian(), checked());
+    return run_.product("steps", steps_, make, lagrangian(), checked());
   }
 
   EquationsOfMotion* equations() {
     const auto make = [this](const Lagrangian& l, const CheckedModel& c) {
       return derive(l, c.scene.outputs, options_.limits);
     };
-    return made("derive", equations_, make, lagrangian(), checked());
+    return run_.product("derive", equations_, make, lagrangian(), checked());
   }
 
   Program* lowered() {
     const auto make = [this](const EquationsOfMotion& e, const CheckedModel& c) {
       return lower(e, c.scene.outputs, options_.limits);
     };
-    return made("lower", lowered_, make, equations(), checked());
+    return run_.product("lower", lowered_, make, equations(), checked());
   }
 
   Program* recursive() {
     const auto make = [](Program& p) { return Result<Program>(cancel(std::move(p))); };
-    return made("cancel", recursive_, make, lowered());
+    return run_.product("cancel", recursive_, make, lowered());
   }
 
   Presented* forms() {
     const auto make = [this](const Lagrangian& l, const CheckedModel& c, const Program& p) {
       return presented(l, c, p, options_.limits);
     };
-    return made("present", forms_, make, lagrangian(), checked(), recursive());
+    return run_.product("present", forms_, make, lagrangian(), checked(), recursive());
   }
 
   Choice* choice() {
     const auto make = [](const Program& p, const Presented& f, const CheckedModel& c) {
       return chosen(p, f, c.scene);
     };
-    return made("choose", choice_, make, recursive(), forms(), checked());
+    return run_.product("choose", choice_, make, recursive(), forms(), checked());
   }
 
   EmittedFiles* files() {
     const auto make = [](const CheckedModel& m, const Choice& c) {
       return emit(m.model, m.scene, c.program);
     };
-    return made("emit", files_, make, checked(), choice());
+    return run_.product("emit", files_, make, checked(), choice());
   }
 
   Readback* readback() {
@@ -241,58 +217,25 @@ class Compilation {
       written_ = sources_of(f);
       return read_back(written_, m, c.program);
     };
-    return made("readback", readback_, make, files(), checked(), choice());
+    return run_.product("readback", readback_, make, files(), checked(), choice());
   }
 
   SolutionParts* parts() {
     const auto make = [this](const Lagrangian& l, const CheckedModel& c, const Program& p) {
       return elgen::parts(l, c, p, options_.limits);
     };
-    return made("parts", parts_, make, lagrangian(), checked(), recursive());
+    return run_.product("parts", parts_, make, lagrangian(), checked(), recursive());
   }
 
   /// Its share of the time that all before it took.
   SelfCheck* self_check() {
     const auto make = [this](const CheckedModel& m, const Choice& c, const Program& p, Readback&) {
       double generation = 0;
-      for (const StageTime& time : times_) generation += time.seconds;
+      for (const StageTime& time : run_.times) generation += time.seconds;
       return elgen::checked(m, c.program, known_parts(m, p), generation);
     };
-    return made("self-check", self_check_, make, checked(), choice(), recursive(), readback());
-  }
-
-  template <class T, class Make, class... Needs>
-  T* made(const std::string& name, Stage<T>& stage, const Make& make, Needs*... needs) {
-    const bool can_run = !stage.was_asked_for && !has_errors(diagnostics_);
-    stage.was_asked_for = true;
-    if (can_run && (... && (needs != nullptr))) {
-      stage.product = timed(name, [&] { return make(*needs...); });
-    }
-    return stage.product ? &*stage.product : nullptr;
-  }
-
-  template <class Make>
-  auto timed(const std::string& name, const Make& make) -> decltype(make().value) {
-    const auto start = std::chrono::steady_clock::now();
-    auto result = guarded(name, make);
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    times_.push_back({name, elapsed.count()});
-    diagnostics_.insert(diagnostics_.end(), result.diagnostics.begin(), result.diagnostics.end());
-    if (result && name == options_.dump_stage) dump_ = dump(*result);
-    return std::move(result.value);
-  }
-
-  /// A mistake of ours must not swallow what earlier stages found.
-  template <class Make>
-  auto guarded(const std::string& name, const Make& make) -> decltype(make()) {
-    try {
-      if (options_.on_stage) options_.on_stage(name);
-      return make();
-    } catch (const std::bad_alloc&) {
-      throw;
-    } catch (const std::exception& mistake) {
-      return Diagnostic{Code::E912, {}, "internal error in `" + name + "`: " + mistake.what()};
-    }
+    return run_.product("self-check", self_check_, make, checked(), choice(), recursive(),
+                        readback());
   }
 
   Inputs inputs_ = {};
@@ -313,9 +256,7 @@ class Compilation {
   Stage<Readback> readback_ = {};
   Stage<SolutionParts> parts_ = {};
   Stage<SelfCheck> self_check_ = {};
-  Diagnostics diagnostics_ = {};
-  std::string dump_ = {};
-  std::vector<StageTime> times_ = {};
+  StageRunner run_;
 };
 
 }  // namespace

@@ -1,0 +1,27 @@
+// The text of what a stage hands on is made of the texts of its parts.
+#include "pipeline/dumps.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace elgen {
+
+TEST_CASE("an inspection is what it found") {
+  const Inspection inspection{{Diagnostic{Code::E501, {}, "no mass moves"}}};
+  CHECK(dump(inspection) == format(inspection.found));
+  CHECK(dump(Inspection{}).empty());
+}
+
+TEST_CASE("of forms with and without small terms those without are shown") {
+  Presented forms;
+  const std::string exact = dump(forms);
+  forms.reduced.emplace();
+  forms.reduced->forms.algebra.atoms = {Atom{AtomKind::pi}};
+  CHECK(dump(forms) == dump(forms.reduced->forms));
+  CHECK(dump(forms) != exact);
+}
+
+TEST_CASE("where nothing is solved there are no parts to show") {
+  CHECK(dump(SolutionParts{}).empty());
+}
+
+}  // namespace elgen
