@@ -33,7 +33,7 @@ TEST_CASE("code points under the caret, tabs and control characters") {
         "      |       ^~~\n");
 }
 
-TEST_CASE("a related place has a line of its own; without a source there is no excerpt") {
+TEST_CASE("a related place has a line of its own, and without a source there is no excerpt") {
   const SourcePointer source = make_source("m.toml", "a\nb\n");
   const Diagnostics list{{Code::E203, span_of(source, "b"), "duplicate name `b`", "",
                           span_of(source, "a"), "first declared here"},
