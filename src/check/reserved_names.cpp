@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "resolver.hpp"
+#include "function_names.hpp"
 
 namespace elgen::checking {
 namespace {

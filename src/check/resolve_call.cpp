@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "elgen/functions.hpp"
+#include "function_names.hpp"
 #include "resolver.hpp"
 
 namespace elgen::checking {
@@ -56,22 +57,10 @@ ExpressionSyntax written_out(ExpressionSyntax definition, const ExpressionSyntax
 
 const std::vector<Resolver::Expansion>& Resolver::expansions() {
   static const std::vector<Expansion> all{
-      {"dot", &Resolver::resolve_dot},          {"sum", &Resolver::resolve_sum},
-      {"delta", &Resolver::resolve_delta},      {"x", &Resolver::resolve_component},
-      {"y", &Resolver::resolve_component},      {"z", &Resolver::resolve_component},
-      {"v2", &Resolver::resolve_squared_speed}, {"dist2", &Resolver::resolve_squared_distance},
+#define ELGEN_EXPANDED(name, rule) {#name, &Resolver::rule},
+#include "expanded_functions.def"
+#undef ELGEN_EXPANDED
   };
-  return all;
-}
-
-const std::vector<std::string>& function_names() {
-  static const std::vector<std::string> all = [] {
-    std::vector<std::string> names;
-    for (const auto& expansion : Resolver::expansions()) names.emplace_back(expansion.name);
-    for (const Resolver::Composite& row : composites) names.emplace_back(row.name);
-    for (const FunctionRow& row : function_table) names.emplace_back(row.name);
-    return names;
-  }();
   return all;
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "elgen/functions.hpp"
+#include "function_names.hpp"
 #include "resolver.hpp"
 
 namespace elgen::checking {

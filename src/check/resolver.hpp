@@ -84,7 +84,4 @@ class Resolver {
   std::uint64_t steps_ = 0;
 };
 
-/// Names of everything that can be called.
-[[nodiscard]] const std::vector<std::string>& function_names();
-
 }  // namespace elgen::checking
