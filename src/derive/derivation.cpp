@@ -2,7 +2,6 @@
 #include "derive/derivation.hpp"
 
 #include "derive/rate_grades.hpp"
-#include "derive/tree.hpp"
 #include "derive/turning.hpp"
 
 namespace elgen {
@@ -61,13 +60,6 @@ std::string Derivation::velocity_identifier(std::size_t velocity) const {
   std::string name = GiNaC::ex_to<GiNaC::symbol>(symbols.v[velocity]).get_name();
   name.resize(name.size() - std::string_view("_dot").size());
   return name;
-}
-
-Derivation::~Derivation() = default;
-
-Tree& Derivation::tree() {
-  if (!tree_) tree_ = std::make_unique<Tree>(*this);
-  return *tree_;
 }
 
 const GradedEnergies& Derivation::graded() {

@@ -39,7 +39,6 @@ class Tree;
 class Derivation {
  public:
   explicit Derivation(const Lagrangian& source);
-  ~Derivation();
   Derivation(const Derivation&) = delete;
   Derivation& operator=(const Derivation&) = delete;
 
@@ -56,9 +55,6 @@ class Derivation {
   [[nodiscard]] const std::vector<Weighted>& other_lagrangian() const { return other_; }
 
   [[nodiscard]] const GradedEnergies& graded();
-
-  /// The frames, and what passes along them.
-  [[nodiscard]] Tree& tree();
 
   /// sum over `sum` of weight * dvalue/dq, along every velocity: N^T d/dq where dq/dt = N v.
   [[nodiscard]] Vector by_position(const std::vector<Weighted>& sum);
@@ -79,9 +75,11 @@ class Derivation {
   [[nodiscard]] std::size_t size() const { return symbols.v.size(); }
 
  private:
+  friend Tree& tree_of(Derivation& derivation);
+
   std::vector<Weighted> other_;
   std::optional<GradedEnergies> graded_;
-  std::unique_ptr<Tree> tree_;
+  std::shared_ptr<Tree> tree_;  ///< not unique: its type is known later
 };
 
 template <class Force>

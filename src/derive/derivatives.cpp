@@ -30,7 +30,7 @@ Vector columns(Derivation& derivation, const Vector& values, const Direction& di
 
 /// d(M a + bias - B u)/dq and /dv; B u only where the inputs act.
 InverseDerivatives residual_derivatives(Derivation& derivation, InputForces inputs) {
-  const bool by_columns = has_linear_variables(derivation.tree());
+  const bool by_columns = has_linear_variables(tree_of(derivation));
   Vector rest = residual(derivation, inputs, by_columns ? Bodies::without_frames : Bodies::all);
   for (ex& entry : rest) entry = define(derivation.definitions, entry);
   InverseDerivatives result;
@@ -39,7 +39,7 @@ InverseDerivatives residual_derivatives(Derivation& derivation, InputForces inpu
   result.by_velocity =
       columns(derivation, rest, [&](std::size_t j) { return derivation.unit_velocity(j); });
   if (!by_columns) return result;
-  const TreeDerivatives of_frames = tree_derivatives(derivation.tree(), derivation.motion);
+  const TreeDerivatives of_frames = tree_derivatives(tree_of(derivation), derivation.motion);
   add(of_frames.by_position, derivation.size(), result.by_position);
   add(of_frames.by_velocity, derivation.size(), result.by_velocity);
   return result;

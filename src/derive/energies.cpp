@@ -24,7 +24,7 @@ void append_squares(GiNaC::exvector& terms, Derivation& derivation, Tangent& alo
     }
     terms.push_back(GiNaC::numeric(sign, 2) * mass.mass * GiNaC::add(squares));
   }
-  Tree& tree = derivation.tree();
+  Tree& tree = tree_of(derivation);
   append(terms, tree_kinetic_energy(tree, along), sign);
 }
 
@@ -32,7 +32,7 @@ void append_squares(GiNaC::exvector& terms, Derivation& derivation, Tangent& alo
 void append_weights(GiNaC::exvector& terms, Derivation& derivation) {
   const Lagrangian& lagrangian = derivation.lagrangian;
   if (!lagrangian.gravity) return;
-  Tree& tree = derivation.tree();
+  Tree& tree = tree_of(derivation);
   append(terms, tree_potential_energy(tree), 1);
   for (const PointMass& mass : lagrangian.masses) {
     GiNaC::exvector heights;

@@ -109,12 +109,12 @@ TreeForces negative(TreeForces forces) {
 
 TreeForces negative_wrenches(Derivation& derivation, InputForces inputs) {
   const std::vector<Wrench> wrenches = acting_wrenches(derivation, inputs);
-  return negative(derivation.tree().wrench_forces(wrenches));
+  return negative(tree_of(derivation).wrench_forces(wrenches));
 }
 
 /// Of bodies in frames; gravity is an acceleration of their base.
 TreeForces tree_forces(Derivation& derivation, Tangent& second) {
-  return inertial_forces(derivation.tree(), {derivation.coasting, second, true});
+  return inertial_forces(tree_of(derivation), {derivation.coasting, second, true});
 }
 
 /// Everything of tau that `second` gives: inertia, gravity, dissipation, forces.
@@ -165,7 +165,7 @@ Vector velocity_force(Derivation& derivation, Bodies bodies) {
   append(pulled_back, weighted(kinetic, -1));
   TreeForces inertial;
   if (bodies == Bodies::all) {
-    inertial = inertial_forces(derivation.tree(), {derivation.frozen, derivation.frozen, false});
+    inertial = inertial_forces(tree_of(derivation), {derivation.frozen, derivation.frozen, false});
   }
   append(pulled_back, inertial.pulled_back);
   const Vector momentum = derivation.by_velocity(weighted(kinetic, 1));
@@ -190,7 +190,7 @@ Vector drift(Derivation& derivation) {
   for (const Weighted& term : linear) pulled_back.push_back({term.value, -term.weight});
   append(pulled_back, weighted(energies.kinetic0, -1));
   // Of bodies in frames all inertial forces less those at frozen time.
-  Tree& tree = derivation.tree();
+  Tree& tree = tree_of(derivation);
   const TreeForces all = inertial_forces(tree, {derivation.coasting, derivation.coasting, false});
   const TreeForces frozen =
       negative(inertial_forces(tree, {derivation.frozen, derivation.frozen, false}));
@@ -213,7 +213,7 @@ Vector gravity(Derivation& derivation) {
         return define(derivation.definitions, -mass.mass * g[axis]);
       });
   append(pulled_back, weighted(derivation.graded().potential0, 1));
-  Tree& tree = derivation.tree();
+  Tree& tree = tree_of(derivation);
   const TreeForces weights = tree_gravity(tree);
   append(pulled_back, weights.pulled_back);
   Vector result = derivation.by_position(pulled_back);
@@ -238,7 +238,7 @@ Vector applied_force(Derivation& derivation, InputForces inputs) {
 }
 
 Vector momentum_of_frames(Derivation& derivation) {
-  const TreeForces of_bodies = tree_momentum(derivation.tree());
+  const TreeForces of_bodies = tree_momentum(tree_of(derivation));
   Vector result = derivation.by_position(of_bodies.pulled_back);
   add(of_bodies, result);
   return result;

@@ -31,7 +31,7 @@ std::vector<Wrench> rates(Derivation& derivation, Tangent& along) {
   return result;
 }
 
-bool has_columns(Derivation& derivation) { return tree_variables(derivation.tree()).is_complete; }
+bool has_columns(Derivation& derivation) { return tree_variables(tree_of(derivation)).is_complete; }
 
 /// M of everything, or of what is not in frames.
 Vector mass_matrix_of(Derivation& derivation, Bodies bodies) {
@@ -63,7 +63,7 @@ Vector mass_matrix_of(Derivation& derivation, Bodies bodies) {
 Vector mass_matrix(Derivation& derivation) {
   if (!has_columns(derivation)) return mass_matrix_of(derivation, Bodies::all);
   Vector entries = mass_matrix_of(derivation, Bodies::without_frames);
-  add(tree_mass_matrix(derivation.tree()), derivation.size(), entries);
+  add(tree_mass_matrix(tree_of(derivation)), derivation.size(), entries);
   return entries;
 }
 
@@ -82,7 +82,7 @@ Vector coriolis_matrix(Derivation& derivation) {
     const Vector mass = mass_matrix_of(derivation, bodies);
     add_turning(derivation, mass, entries);
   }
-  if (by_columns) add(tree_coriolis_matrix(derivation.tree()), n, entries);
+  if (by_columns) add(tree_coriolis_matrix(tree_of(derivation)), n, entries);
   return entries;
 }
 
@@ -98,7 +98,7 @@ Vector input_matrix(Derivation& derivation) {
         forces.push_back({applied.position[axis], input(applied.force[axis])});
       }
     }
-    const TreeForces of_wrenches = derivation.tree().wrench_forces(rates(derivation, input));
+    const TreeForces of_wrenches = tree_of(derivation).wrench_forces(rates(derivation, input));
     append(forces, of_wrenches.pulled_back);
     Vector column = derivation.by_position(forces);
     for (const auto& [velocity, force] : of_wrenches.on_velocities) column[velocity] += force;
@@ -114,7 +114,7 @@ namespace {
 /// Six entries; zeros for the world.
 Vector twist_of(Derivation& derivation, const TwistOutput& output) {
   if (!output.step) return Vector(6, 0);
-  Tree& tree = derivation.tree();
+  Tree& tree = tree_of(derivation);
   const Twist twist = tree_twists(tree, derivation.coasting)[*output.step];
   const auto axes = output.in_world ? std::optional<std::uint32_t>() : output.step;
   const ExVector3 spin = tree.turned(twist.spin, output.step, axes);

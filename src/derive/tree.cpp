@@ -85,6 +85,11 @@ std::vector<std::uint32_t> path_to_root(const FrameTree& tree, std::optional<std
 
 }  // namespace
 
+Tree& tree_of(Derivation& derivation) {
+  if (!derivation.tree_) derivation.tree_ = std::make_shared<Tree>(derivation);
+  return *derivation.tree_;
+}
+
 Tree::Tree(Derivation& derivation) : algebra(derivation.definitions), derivation_(derivation) {
   for (const TreeStep& step : frames().steps) {
     rotations_.push_back(rotation_of(derivation.definitions, step));

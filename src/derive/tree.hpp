@@ -84,6 +84,9 @@ class Tree {
   std::vector<RigidBody> bodies_;
 };
 
+/// That of a Derivation, made when it is first asked for.
+[[nodiscard]] Tree& tree_of(Derivation& derivation);
+
 /// h = m c, or what the body was given.
 [[nodiscard]] ExVector3 first_moment(VectorAlgebra& algebra, const RigidBody& body);
 

@@ -32,7 +32,7 @@ TEST_CASE("along its own twist a body asks for w x momentum", "[frames]") {
     INFO(name);
     const Framed system(text);
     Derivation derivation(system.lagrangian);
-    Tree& tree = derivation.tree();
+    Tree& tree = tree_of(derivation);
     VectorAlgebra& algebra = tree.algebra;
     const std::vector<Twist> twists = tree_twists(tree, derivation.frozen);
     const std::size_t leaf = tree.size() - 1;  // carries itself only
@@ -57,7 +57,7 @@ TEST_CASE("a force per twist is the same force in the axes before a step", "[fra
   for (const auto& [name, text] : frame_systems()) {
     const Framed system(text);
     Derivation derivation(system.lagrangian);
-    Tree& tree = derivation.tree();
+    Tree& tree = tree_of(derivation);
     const std::vector<CompositeRate> rates =
         composite_rates(tree, tree_twists(tree, derivation.frozen));
     for (std::size_t k = 0; k < tree.size(); ++k) {

@@ -55,7 +55,7 @@ TEST_CASE("the base carries all bodies", "[frames]") {
   const Model& model = system.checked.model;
   const State state = some_state(system.checked);
   Derivation derivation(system.lagrangian);
-  const CompositeInertia base = composite_inertias(derivation.tree()).front();
+  const CompositeInertia base = composite_inertias(tree_of(derivation)).front();
   const auto value = [&](ExpressionId id) { return *oracle_expression(model, id, state); };
   Reals expected(4, 0);  // mass and first moment about the base, which is at (x, 0, 0)
   for (const Body& body : model.bodies) {
@@ -74,7 +74,7 @@ TEST_CASE("twice the kinetic energy does not depend on the axes", "[frames]") {
   for (const auto& [name, text] : frame_systems()) {
     const Framed system(text);
     Derivation derivation(system.lagrangian);
-    Tree& tree = derivation.tree();
+    Tree& tree = tree_of(derivation);
     const std::vector<CompositeInertia> inertias = composite_inertias(tree);
     for (std::size_t k = 0; k < tree.size(); ++k) {
       INFO(name << " step " << k);

@@ -64,7 +64,7 @@ TEST_CASE("every output of every system of frames, all parameters fixed", "[regr
 TEST_CASE("what a turn cannot tell from its parent moves there", "[regroup]") {
   Framed system(model_text("two_links", two_links));
   Derivation derivation(system.lagrangian);
-  std::vector<RigidBody> bodies = derivation.tree().bodies();
+  std::vector<RigidBody> bodies = tree_of(derivation).bodies();
   // The world's part first: a body that does not move has a weight only.
   REQUIRE(bodies.size() == 3);
   CHECK_FALSE(bodies[0].step.has_value());
@@ -92,7 +92,7 @@ TEST_CASE("symbolic bodies stay as they are", "[regroup]") {
     Framed system(text);
     Derivation derivation(system.lagrangian);
     const auto& before = system.lagrangian.tree.bodies;
-    const std::vector<RigidBody>& after = derivation.tree().bodies();
+    const std::vector<RigidBody>& after = tree_of(derivation).bodies();
     std::size_t symbolic = 0;
     for (const RigidBody& body : before) {
       symbolic += GiNaC::is_a<GiNaC::numeric>(body.mass) ? 0U : 1U;

@@ -14,7 +14,7 @@ namespace {
 using Pairs = std::multiset<std::pair<std::size_t, std::size_t>>;
 
 Pairs visited(Derivation& derivation) {
-  Tree& tree = derivation.tree();
+  Tree& tree = tree_of(derivation);
   const std::vector<TreeVariable> variables = tree_variables(tree).list;
   TreeColumns columns(tree, variables, {derivation.frozen, derivation.frozen, false});
   Pairs pairs;
@@ -48,7 +48,7 @@ TEST_CASE("variables of one step meet in both orders", "[frames]") {
 TEST_CASE("a turn carries the inertia about its axis", "[frames]") {
   const Framed system(planar_text());
   Derivation derivation(system.lagrangian);
-  Tree& tree = derivation.tree();
+  Tree& tree = tree_of(derivation);
   const std::vector<TreeVariable> variables = tree_variables(tree).list;
   const std::vector<CompositeInertia> inertias = composite_inertias(tree);
   TreeColumns columns(tree, variables, {derivation.frozen, derivation.frozen, false});

@@ -26,7 +26,7 @@ TEST_CASE("to the parent and back is nothing", "[frames]") {
   for (const auto& [name, text] : frame_systems()) {
     const Framed system(text);
     Derivation derivation(system.lagrangian);
-    Tree& tree = derivation.tree();
+    Tree& tree = tree_of(derivation);
     for (std::size_t k = 0; k < tree.size(); ++k) {
       INFO(name << " step " << k);
       const ExVector3 forth = tree.to_parent(k, some_vector);
@@ -47,7 +47,7 @@ TEST_CASE("components in the world are those of the frame's rotation", "[frames]
       INFO(name << " " << model.outputs[i].name);
       const auto step = system.lagrangian.outputs[i].twist->step;
       Derivation derivation(system.lagrangian);
-      Tree& tree = derivation.tree();
+      Tree& tree = tree_of(derivation);
       const Vector world = listed(tree.turned(some_vector, step, std::nullopt));
       const Vector back = listed(tree.turned({world[0], world[1], world[2]}, std::nullopt, step));
       const NumbersAt at(derivation.symbols, derivation.definitions, state);
@@ -67,7 +67,7 @@ TEST_CASE("components in the world are those of the frame's rotation", "[frames]
 TEST_CASE("from one arm to the other, only the way between is gone", "[frames]") {
   const Framed system(two_arms_text());
   Derivation derivation(system.lagrangian);
-  Tree& tree = derivation.tree();
+  Tree& tree = tree_of(derivation);
   const ExVector3 same = tree.turned(some_vector, 0, std::nullopt);
   CHECK(same[0].is_equal(some_vector[0]));
   const std::size_t before = derivation.definitions.list.size();
@@ -80,7 +80,7 @@ TEST_CASE("the rate of a turned unit vector is spin x vector", "[frames]") {
   for (const auto& [name, text] : frame_systems()) {
     const Framed system(text);
     Derivation derivation(system.lagrangian);
-    Tree& tree = derivation.tree();
+    Tree& tree = tree_of(derivation);
     for (std::size_t k = 0; k < tree.size(); ++k) {
       INFO(name << " step " << k);
       const ExVector3 spin = tree.relative_spin(k, derivation.motion);
@@ -100,7 +100,7 @@ TEST_CASE("the rate of a turned unit vector is spin x vector", "[frames]") {
 TEST_CASE("quarter turns permute and cost nothing", "[frames]") {
   const Framed system(two_turns_text());
   Derivation derivation(system.lagrangian);
-  Tree& tree = derivation.tree();
+  Tree& tree = tree_of(derivation);
   const std::size_t before = derivation.definitions.list.size();
   for (std::size_t k = 0; k < tree.size(); ++k) {
     if (tree.step(k).kind != FrameStepKind::turn || !tree.rotation(k).cosine.is_zero()) continue;
@@ -115,7 +115,7 @@ TEST_CASE("quarter turns permute and cost nothing", "[frames]") {
 TEST_CASE("a force before a shift has a moment about the new origin", "[frames]") {
   const Framed system(planar_text());
   Derivation derivation(system.lagrangian);
-  Tree& tree = derivation.tree();
+  Tree& tree = tree_of(derivation);
   for (std::size_t k = 0; k < tree.size(); ++k) {
     if (tree.step(k).kind != FrameStepKind::translation) continue;
     const ExVector3& p = tree.step(k).vector;

@@ -12,7 +12,7 @@ using namespace elgen::test;
 TEST_CASE("angles and components of offsets that coordinates move are variables", "[frames]") {
   const Framed system(sliders_text());
   Derivation derivation(system.lagrangian);
-  const TreeVariables variables = tree_variables(derivation.tree());
+  const TreeVariables variables = tree_variables(tree_of(derivation));
   CHECK(variables.is_complete);
   // x, x/3 of the cabin; q of the arm; s, s^2/3 of the bead; 2 s, s q of the nozzle
   REQUIRE(variables.list.size() == 7);
@@ -26,7 +26,7 @@ TEST_CASE("angles and components of offsets that coordinates move are variables"
 TEST_CASE("what time moves is no variable", "[frames]") {
   const Framed system(turntable_text());
   Derivation derivation(system.lagrangian);
-  Tree& tree = derivation.tree();
+  Tree& tree = tree_of(derivation);
   const TreeVariables variables = tree_variables(tree);
   REQUIRE(variables.list.size() == 2);
   const std::vector<Coefficient> row = jacobian_row(tree, variables.list[1]);
@@ -40,13 +40,13 @@ TEST_CASE("what time moves is no variable", "[frames]") {
 TEST_CASE("quaternions over coordinates have no variables", "[frames]") {
   const Framed system(quaternion_text());
   Derivation derivation(system.lagrangian);
-  CHECK_FALSE(tree_variables(derivation.tree()).is_complete);
+  CHECK_FALSE(tree_variables(tree_of(derivation)).is_complete);
 }
 
 TEST_CASE("derivatives by columns need variables linear in the coordinates", "[frames]") {
   const auto is_linear = [](const std::string& text) {
     Derivation derivation(Framed(text).lagrangian);
-    return has_linear_variables(derivation.tree());
+    return has_linear_variables(tree_of(derivation));
   };
   CHECK(is_linear(two_turns_text()));
   CHECK(is_linear(turntable_text()));
