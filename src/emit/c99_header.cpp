@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "artifacts.hpp"
+#include "c99_artifact.hpp"
 #include "c99_dialect.hpp"
 #include "evaluate/scalar_literal.hpp"
 #include "header_data.hpp"

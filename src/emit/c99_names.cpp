@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <array>
 
-#include "artifacts.hpp"
+#include "c99_artifact.hpp"
 #include "fields.hpp"
+#include "taken_name.hpp"
 
 namespace elgen {
 namespace {
@@ -31,7 +32,7 @@ Diagnostics c99_check_names(const Model& /*model*/, const Scene& scene, const Pr
   Diagnostics diagnostics;
   for (const Function& function : program.functions) {
     if (!is_taken(function.name, program)) continue;
-    diagnostics.push_back(taken_name(function.name, "function", span_of(scene, function)));
+    diagnostics.push_back(taken_name(scene, function));
   }
   return diagnostics;
 }

@@ -1,8 +1,8 @@
 // cpp_header: the C++17 header, as templates/cpp/header.hpp.mustache pictures it.
 #include <fmt/format.h>
 
-#include "artifacts.hpp"
 #include "base/number_text.hpp"
+#include "cpp_artifacts.hpp"
 #include "cpp_constant.hpp"
 #include "cpp_declarations.hpp"
 #include "cpp_dialect.hpp"

@@ -9,13 +9,14 @@
 #include <array>
 #include <map>
 
-#include "artifacts.hpp"
+#include "cpp_artifacts.hpp"
 #include "cpp_constant.hpp"
 #include "emission_input.hpp"
 #include "fields.hpp"
 #include "layout.hpp"
 #include "library_names.hpp"
 #include "parameters.hpp"
+#include "taken_name.hpp"
 
 namespace elgen {
 namespace {
@@ -71,7 +72,7 @@ Diagnostics cpp_check_names(const Model& model, const Scene& scene, const Progra
     const bool collides = gives_struct(function) &&
                           (is_emitted_name(type) || !structs.emplace(type, function.name).second);
     if (collides || is_emitted_name(function.name)) {
-      diagnostics.push_back(taken_name(function.name, "function", span_of(scene, function)));
+      diagnostics.push_back(taken_name(scene, function));
     }
   }
   const std::string& outermost = name_space(scene);

@@ -1,12 +1,13 @@
 // eigen_header: the bodies are written again rather than called: a Map of the other header's arrays
 // would be a copy of them each way (up to a quarter of the time of panda7, g++ -O2), or undefined.
-#include "artifacts.hpp"
+#include "cpp_artifacts.hpp"
 #include "cpp_dialect.hpp"
 #include "cpp_names.hpp"
 #include "fields.hpp"
 #include "header_data.hpp"
 #include "layout.hpp"
 #include "stamp.hpp"
+#include "taken_name.hpp"
 
 namespace elgen {
 
@@ -24,7 +25,7 @@ Diagnostics eigen_check_names(const Model& /*model*/, const Scene& scene, const 
   for (const Function& function : program.functions) {
     const bool takes_struct = gives_struct(function) && is_eigen_name(cpp_struct_name(function));
     if (!takes_struct && !is_eigen_name(function.name)) continue;
-    diagnostics.push_back(taken_name(function.name, "function", span_of(scene, function)));
+    diagnostics.push_back(taken_name(scene, function));
   }
   return diagnostics;
 }
