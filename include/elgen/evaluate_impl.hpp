@@ -108,7 +108,7 @@ template <class Scalar>
 
 /// The rules of numbers.
 template <class Scalar>
-struct Rules {
+struct NumberRules {
   const Arguments<Scalar>& arguments;
 
   [[nodiscard]] Scalar constant(const Constant& constant) const {
@@ -138,7 +138,7 @@ template <class Scalar>
 [[nodiscard]] std::vector<Scalar> evaluate_instructions(const Program& program,
                                                         const Function& function,
                                                         const Arguments<Scalar>& arguments) {
-  return fold<Scalar>(interpreter::Rules<Scalar>{arguments}, program, function);
+  return fold<Scalar>(interpreter::NumberRules<Scalar>{arguments}, program, function);
 }
 
 /// The entries of all fields, field by field, row-major.

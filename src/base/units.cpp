@@ -44,7 +44,7 @@ Unit integer_unit(std::int32_t m, std::int32_t kg, std::int32_t s, std::int32_t 
 }
 
 /// A unit spelled as a product: powers of at most one derived unit and of the base units.
-struct Spelling {
+struct UnitSpelling {
   std::string text;
   std::int64_t cost = 0;
 };
@@ -68,14 +68,14 @@ std::string joined(const std::vector<std::string>& factors) {
 }
 
 /// Heads the numerator with `derived` ("" for none); kg goes before m, as it is said.
-Spelling spell(std::string_view derived, const Unit& rest) {
+UnitSpelling spell(std::string_view derived, const Unit& rest) {
   // A derived unit has to save this many base powers to be worth its place: m/s^2 stays, kg*m/s^2
   // is N.
   constexpr std::int64_t derived_cost = 3;
   constexpr std::array<std::size_t, base_unit_count> order{1, 0, 2, 3, 4};
   std::vector<std::string> above;
   std::vector<std::string> below;
-  Spelling result;
+  UnitSpelling result;
   if (!derived.empty()) {
     above.emplace_back(derived);
     result.cost = derived_cost;
@@ -149,7 +149,7 @@ std::optional<Unit> find_unit(std::string_view name) {
 }
 
 std::string to_string(const Unit& unit) {
-  Spelling best = spell("", unit);
+  UnitSpelling best = spell("", unit);
   for (const UnitRow& row : unit_table()) {
     if (!is_spelled_by_name(row)) {
       continue;
@@ -157,7 +157,7 @@ std::string to_string(const Unit& unit) {
     if (row.unit == unit) {
       return std::string(row.name);
     }
-    Spelling candidate = spell(row.name, unit / row.unit);
+    UnitSpelling candidate = spell(row.name, unit / row.unit);
     if (candidate.cost < best.cost) {
       best = std::move(candidate);
     }

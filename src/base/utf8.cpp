@@ -10,32 +10,33 @@ namespace elgen {
 
 namespace {
 
-struct Form {
+struct ByteForm {
   unsigned char mask;  ///< the bits of the first byte that tell the length
   unsigned char mark;  ///< their value
   std::size_t bytes;
   char32_t smallest;  ///< below, a shorter form exists
 };
 
-constexpr std::array<Form, 4> forms{Form{0x80, 0x00, 1, 0x0}, Form{0xE0, 0xC0, 2, 0x80},
-                                    Form{0xF0, 0xE0, 3, 0x800}, Form{0xF8, 0xF0, 4, 0x10000}};
+constexpr std::array<ByteForm, 4> forms{ByteForm{0x80, 0x00, 1, 0x0}, ByteForm{0xE0, 0xC0, 2, 0x80},
+                                        ByteForm{0xF0, 0xE0, 3, 0x800},
+                                        ByteForm{0xF8, 0xF0, 4, 0x10000}};
 
-struct Range {
+struct CodePoints {
   char32_t first;
   char32_t last;
 };
 
 /// Categories Cc, Cf, Zl and Zp of Unicode 15, letters that are drawn as nothing, and tags.
 constexpr std::array hidden{
-    Range{0x0000, 0x001F},   Range{0x007F, 0x009F},   Range{0x00AD, 0x00AD},
-    Range{0x034F, 0x034F},   Range{0x0600, 0x0605},   Range{0x061C, 0x061C},
-    Range{0x06DD, 0x06DD},   Range{0x070F, 0x070F},   Range{0x0890, 0x0891},
-    Range{0x08E2, 0x08E2},   Range{0x115F, 0x1160},   Range{0x17B4, 0x17B5},
-    Range{0x180B, 0x180F},   Range{0x200B, 0x200F},   Range{0x2028, 0x202E},
-    Range{0x2060, 0x206F},   Range{0x3164, 0x3164},   Range{0xFEFF, 0xFEFF},
-    Range{0xFFA0, 0xFFA0},   Range{0xFFF9, 0xFFFB},   Range{0x110BD, 0x110BD},
-    Range{0x110CD, 0x110CD}, Range{0x13430, 0x1343F}, Range{0x1BCA0, 0x1BCA3},
-    Range{0x1D173, 0x1D17A}, Range{0xE0000, 0xE0FFF}};
+    CodePoints{0x0000, 0x001F},   CodePoints{0x007F, 0x009F},   CodePoints{0x00AD, 0x00AD},
+    CodePoints{0x034F, 0x034F},   CodePoints{0x0600, 0x0605},   CodePoints{0x061C, 0x061C},
+    CodePoints{0x06DD, 0x06DD},   CodePoints{0x070F, 0x070F},   CodePoints{0x0890, 0x0891},
+    CodePoints{0x08E2, 0x08E2},   CodePoints{0x115F, 0x1160},   CodePoints{0x17B4, 0x17B5},
+    CodePoints{0x180B, 0x180F},   CodePoints{0x200B, 0x200F},   CodePoints{0x2028, 0x202E},
+    CodePoints{0x2060, 0x206F},   CodePoints{0x3164, 0x3164},   CodePoints{0xFEFF, 0xFEFF},
+    CodePoints{0xFFA0, 0xFFA0},   CodePoints{0xFFF9, 0xFFFB},   CodePoints{0x110BD, 0x110BD},
+    CodePoints{0x110CD, 0x110CD}, CodePoints{0x13430, 0x1343F}, CodePoints{0x1BCA0, 0x1BCA3},
+    CodePoints{0x1D173, 0x1D17A}, CodePoints{0xE0000, 0xE0FFF}};
 
 bool is_scalar_value(char32_t value) {
   const bool surrogate = value >= 0xD800 && value <= 0xDFFF;
@@ -47,7 +48,7 @@ bool is_scalar_value(char32_t value) {
 CodePoint code_point_at(std::string_view text, std::size_t position) {
   const auto first = static_cast<unsigned char>(text[position]);
   const auto form = std::find_if(forms.begin(), forms.end(),
-                                 [&](const Form& f) { return (first & f.mask) == f.mark; });
+                                 [&](const ByteForm& f) { return (first & f.mask) == f.mark; });
   if (form == forms.end() || position + form->bytes > text.size()) return {};
   char32_t value = first & static_cast<unsigned char>(~form->mask);
   for (std::size_t i = 1; i < form->bytes; ++i) {
@@ -74,7 +75,7 @@ std::string code_point_name(char32_t value) {
 }
 
 bool is_hidden(char32_t value) {
-  return std::any_of(hidden.begin(), hidden.end(), [value](const Range& range) {
+  return std::any_of(hidden.begin(), hidden.end(), [value](const CodePoints& range) {
     return value >= range.first && value <= range.last;
   });
 }
@@ -98,7 +99,7 @@ std::string visible_text(std::string_view text) {
 
 void append_utf8(std::string& text, char32_t value) {
   const auto form = std::find_if(forms.rbegin(), forms.rend(),
-                                 [&](const Form& f) { return value >= f.smallest; });
+                                 [&](const ByteForm& f) { return value >= f.smallest; });
   const std::size_t bytes = form->bytes;
   text += static_cast<char>(form->mark | (value >> (6 * (bytes - 1))));
   for (std::size_t i = bytes - 1; i > 0; --i) {

@@ -66,7 +66,7 @@ Value settled(const Instruction& i, const Values& values, Value x) {
 Values run(const Program& program, const Function& function, const std::vector<bool>& needed,
            Random& random) {
   const Arguments<Value> point = random_point(program.leaves, random);
-  const interpreter::Rules<Value> rules{point};
+  const interpreter::NumberRules<Value> rules{point};
   Values values(function.instructions.size());
   for (std::size_t at = 0; at < values.size(); ++at) {
     if (!needed[at]) continue;

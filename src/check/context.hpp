@@ -38,7 +38,7 @@ struct Place {
 enum class OwnerKind : std::uint8_t { none, definition, prescribed, point, frame };
 
 /// One expression of the file in the arena: the nodes [first, value], its place and its unit.
-struct Root {
+struct WrittenExpression {
   ExpressionId first = 0;
   ExpressionId value = 0;
   Place place = {};
@@ -55,7 +55,7 @@ struct Root {
 inline constexpr ExpressionId no_expression = 0;
 
 /// `min` and `max` of a parameter; either may be given alone.
-struct Bounds {
+struct ParameterBounds {
   std::optional<cln::cl_R> minimum = {};
   std::optional<cln::cl_R> maximum = {};
 };
@@ -69,8 +69,9 @@ struct Context {
   const Limits& limits;
   Report report = {};
   Sizes sizes = {};
-  Symbols symbols = {};
-  Symbols frames = {};  ///< frames have names of their own: a body may be called like its frame
+  DeclaredNames symbols = {};
+  DeclaredNames frames =
+      {};  ///< frames have names of their own: a body may be called like its frame
   Model model = {};
   Constants constants = {};
   /// Expression nodes (and steps to resolve one expression) before E908.
@@ -82,8 +83,8 @@ struct Context {
   std::uint32_t dimension = 0;
   Span model_span = {};       ///< the header `[model]`
   Span lagrangian_span = {};  ///< the key `L`
-  std::vector<Root> roots = {};
-  std::vector<Bounds> bounds = {};                         ///< by parameter array
+  std::vector<WrittenExpression> roots = {};
+  std::vector<ParameterBounds> bounds = {};                ///< by parameter array
   std::vector<std::optional<Unit>> prescribed_units = {};  ///< as declared, by prescribed function
 };
 

@@ -56,7 +56,7 @@ class DependencyGraph {
 
  private:
   void add_root(std::uint32_t index) {
-    const Root& root = context_.roots[index];
+    const WrittenExpression& root = context_.roots[index];
     if (root.owner == OwnerKind::none) {
       return;
     }

@@ -149,7 +149,7 @@ class Expander {
       note_dimension(context_.model, entry, target);
     }
     instances_.push_back({&entry, scope, target});
-    Symbols& symbols = kind.kind == SymbolKind::frame ? context_.frames : context_.symbols;
+    DeclaredNames& symbols = kind.kind == SymbolKind::frame ? context_.frames : context_.symbols;
     return key == nullptr || symbols.declare(name, kind.kind, target, context_.report);
   }
 
@@ -182,7 +182,7 @@ void check_indices(Context& context, const EntrySyntax& entry) {
     return;
   }
   for (const RangeSyntax& range : read_repetition(repetition->value)) {
-    if (const Symbol* symbol = context.symbols.find(range.index)) {
+    if (const DeclaredName* symbol = context.symbols.find(range.index)) {
       Diagnostic diagnostic{Code::E203, range.index_span,
                             "the running index " + quoted(range.index) + " is also " +
                                 with_article(noun(symbol->kind))};

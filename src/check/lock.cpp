@@ -50,7 +50,7 @@ NewIndices indices_without(const Model& model) {
 }
 
 /// The prescribed functions that take the places of a locked coordinate and of its rate.
-struct Replacement {
+struct LockReplacement {
   std::uint32_t value = 0;
   std::uint32_t rate = 0;
 };
@@ -216,7 +216,7 @@ class Locking {
 
   const Model& unlocked_;
   NewIndices indices_;
-  std::vector<Replacement> replacements_;
+  std::vector<LockReplacement> replacements_;
   Model model_;
 };
 

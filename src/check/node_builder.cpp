@@ -150,7 +150,7 @@ Matrix3 NodeBuilder::identity() {
 void NodeBuilder::finish(OwnerKind owner, std::uint32_t index) {
   const auto size = static_cast<ExpressionId>(context_.model.expressions.size());
   if (size == first_) return;
-  Root root;
+  WrittenExpression root;
   root.first = first_;
   root.value = size - 1;
   root.owner = owner;

@@ -148,7 +148,7 @@ void check_value(Context& context, std::uint32_t parameter, const cln::cl_R& val
                        quoted(span) + (needs_positive ? " is not positive" : " is negative") +
                            ", which `assume` of " + name + " rules out");
   }
-  const Bounds& bounds = context.bounds[row.array];
+  const ParameterBounds& bounds = context.bounds[row.array];
   if ((bounds.minimum && value < *bounds.minimum) || (bounds.maximum && value > *bounds.maximum)) {
     context.report.add(Code::E518, span,
                        quoted(span) + " is not what `min` or `max` of " + name + " say");

@@ -47,7 +47,8 @@ bool brings_in(const Expression& node, const std::vector<Traits>& traits, Expres
   return true;
 }
 
-void report(Context& context, const Root& root, const Expression& node, const IngredientRow& row) {
+void report(Context& context, const WrittenExpression& root, const Expression& node,
+            const IngredientRow& row) {
   const bool is_name = node.kind == ExpressionKind::definition ||
                        node.kind == ExpressionKind::point_component ||
                        node.kind == ExpressionKind::prescribed;
@@ -57,7 +58,7 @@ void report(Context& context, const Root& root, const Expression& node, const In
   context.report.add(code_of(row.ingredient, root.place), node.span, std::move(message), hint);
 }
 
-void check_root(Context& context, const std::vector<Traits>& traits, Root& root) {
+void check_root(Context& context, const std::vector<Traits>& traits, WrittenExpression& root) {
   const auto excess =
       static_cast<Ingredients>(traits[root.value].ingredients & ~unsigned{root.place.allowed});
   if (excess == 0) {
@@ -76,7 +77,8 @@ void check_root(Context& context, const std::vector<Traits>& traits, Root& root)
 }
 
 /// A function with a kink may have a place, its rate has none.
-void check_rates_of_kinks(Context& context, const std::vector<Traits>& traits, Root& root) {
+void check_rates_of_kinks(Context& context, const std::vector<Traits>& traits,
+                          WrittenExpression& root) {
   const unsigned kinks = traits[root.value].ingredients & uses_kink;
   if (kinks == 0 || (root.place.allowed & uses_kink) == 0) return;
   for (ExpressionId id = root.first; id <= root.value; ++id) {
@@ -93,7 +95,7 @@ void check_rates_of_kinks(Context& context, const std::vector<Traits>& traits, R
 }  // namespace
 
 void check_places(Context& context, const std::vector<Traits>& traits) {
-  for (Root& root : context.roots) {
+  for (WrittenExpression& root : context.roots) {
     if (root.generated) continue;
     check_root(context, traits, root);
     check_rates_of_kinks(context, traits, root);

@@ -99,7 +99,7 @@ class ApproximationReader {
 
   /// Neither unknown nor of a rotation.
   bool is_expandable(const std::string& name, const Span& span, bool is_unknown) {
-    const Symbol* symbol = context_.symbols.find(name.substr(0, name.find('[')));
+    const DeclaredName* symbol = context_.symbols.find(name.substr(0, name.find('[')));
     if (symbol != nullptr && (symbol->kind == SymbolKind::rotation ||
                               symbol->kind == SymbolKind::quaternion_component)) {
       context_.report.add(Code::E614, span,

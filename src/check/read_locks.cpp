@@ -88,8 +88,8 @@ class LockReader {
   }
 
   void report_unknown(const KeySyntax& key) {
-    const Symbols& symbols = context_.symbols;
-    const Symbol* symbol = symbols.find(key.key);
+    const DeclaredNames& symbols = context_.symbols;
+    const DeclaredName* symbol = symbols.find(key.key);
     if (symbol != nullptr && symbol->kind == SymbolKind::coordinate && symbol->is_array) {
       context_.report.add(Code::E208, key.key_span,
                           quoted(key.key) + " needs an index: " + elements_of(key.key, *symbol));

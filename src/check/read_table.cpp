@@ -39,7 +39,7 @@ void read_definitions(ValueReader& values, const EntrySyntax& entry) {
   Context& context = values.context();
   constexpr Place place{"a definition", place::of_force};
   for (const KeySyntax& key : entry.keys) {
-    const Symbol* symbol = context.symbols.find(key.key);
+    const DeclaredName* symbol = context.symbols.find(key.key);
     if (symbol == nullptr || symbol->kind != SymbolKind::definition) {
       continue;
     }

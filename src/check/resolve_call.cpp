@@ -118,7 +118,7 @@ std::optional<ExpressionId> Resolver::resolve_dot(const ExpressionSyntax& call) 
     return std::nullopt;
   }
   const ExpressionSyntax& operand = call.operands[0];
-  const Symbol* symbol = context_.symbols.find(operand.text);
+  const DeclaredName* symbol = context_.symbols.find(operand.text);
   if (operand.kind == SyntaxKind::name && symbol != nullptr &&
       symbol->kind == SymbolKind::rotation) {
     const std::optional<std::uint32_t> velocity = element(operand, *symbol);
@@ -180,7 +180,7 @@ std::optional<ExpressionId> Resolver::resolve_delta(const ExpressionSyntax& call
 }
 
 std::optional<std::uint32_t> Resolver::resolve_point(const ExpressionSyntax& name) {
-  const Symbol* symbol = context_.symbols.find(name.text);
+  const DeclaredName* symbol = context_.symbols.find(name.text);
   if (symbol == nullptr && context_.symbols.has_failed(name.text)) {
     return std::nullopt;
   }

@@ -54,14 +54,14 @@ std::optional<ExpressionId> Resolver::resolve_name(const ExpressionSyntax& name)
   if (const auto value = scope_.find(name.text); value && !indexed) {
     return push_number(cln::cl_I(static_cast<long>(*value)), name.span);
   }
-  if (const Symbol* symbol = context_.symbols.find(name.text)) {
+  if (const DeclaredName* symbol = context_.symbols.find(name.text)) {
     return resolve_symbol(name, *symbol);
   }
   return context_.symbols.has_failed(name.text) ? std::nullopt : unknown_name(name);
 }
 
 std::optional<ExpressionId> Resolver::resolve_symbol(const ExpressionSyntax& name,
-                                                     const Symbol& symbol) {
+                                                     const DeclaredName& symbol) {
   const std::optional<ExpressionKind> kind = leaf_kind(symbol.kind);
   if (!kind) {
     context_.report.add(
@@ -74,7 +74,8 @@ std::optional<ExpressionId> Resolver::resolve_symbol(const ExpressionSyntax& nam
   return index ? push_leaf(*kind, *index, name.span) : std::nullopt;
 }
 
-std::optional<std::uint32_t> Resolver::element(const ExpressionSyntax& name, const Symbol& symbol) {
+std::optional<std::uint32_t> Resolver::element(const ExpressionSyntax& name,
+                                               const DeclaredName& symbol) {
   if (symbol.is_array == name.operands.empty()) {
     context_.report.add(
         Code::E208, name.span,

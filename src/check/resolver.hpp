@@ -26,7 +26,7 @@ class Resolver {
   std::optional<ExpressionId> resolve(const ExpressionSyntax& expression);
 
   /// The index in the Model of `name` or `name[i]`. E207, E208.
-  std::optional<std::uint32_t> element(const ExpressionSyntax& name, const Symbol& symbol);
+  std::optional<std::uint32_t> element(const ExpressionSyntax& name, const DeclaredName& symbol);
 
   /// A function that is expanded where it is called.
   struct Expansion {
@@ -58,7 +58,8 @@ class Resolver {
   bool check_exponent(const cln::cl_RA& exponent, const Span& span);
 
   std::optional<ExpressionId> resolve_name(const ExpressionSyntax& name);
-  std::optional<ExpressionId> resolve_symbol(const ExpressionSyntax& name, const Symbol& symbol);
+  std::optional<ExpressionId> resolve_symbol(const ExpressionSyntax& name,
+                                             const DeclaredName& symbol);
   std::optional<ExpressionId> unknown_name(const ExpressionSyntax& name);
 
   std::optional<ExpressionId> resolve_call(const ExpressionSyntax& call);

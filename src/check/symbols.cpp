@@ -1,5 +1,5 @@
-// Symbols: the one set of names of a model. Every declaration passes here, so that duplicates,
-// reserved names and names that would become one C++ identifier are found in one place.
+// DeclaredNames: the one set of names of a model. Every declaration passes here, so that
+// duplicates, reserved names and names that would become one C++ identifier are found in one place.
 #include "symbols.hpp"
 
 #include "reserved_names.hpp"
@@ -72,21 +72,22 @@ std::string NewName::identifier() const {
   return index ? base + "_" + std::to_string(*index) : base;
 }
 
-std::string elements_of(const std::string& name, const Symbol& symbol) {
+std::string elements_of(const std::string& name, const DeclaredName& symbol) {
   const std::int64_t first = symbol.elements.begin()->first;
   const std::int64_t last = symbol.elements.rbegin()->first;
   return quoted(name) + " has the elements " + std::to_string(first) + " to " +
          std::to_string(last);
 }
 
-bool Symbols::declare(const NewName& name, SymbolKind kind, std::uint32_t target, Report& report) {
+bool DeclaredNames::declare(const NewName& name, SymbolKind kind, std::uint32_t target,
+                            Report& report) {
   if (!check_spelling(name, report)) {
     mark_failed(name.base);
     return false;
   }
   const auto found = symbols_.find(name.base);
   if (found != symbols_.end()) {
-    const Symbol& first = found->second;
+    const DeclaredName& first = found->second;
     const bool joins = first.is_array && name.index && first.kind == kind &&
                        first.elements.count(*name.index) == 0;
     if (!joins) {
@@ -96,7 +97,7 @@ bool Symbols::declare(const NewName& name, SymbolKind kind, std::uint32_t target
   if (!claim_identifier(name, report)) {
     return false;
   }
-  Symbol& symbol = found == symbols_.end() ? symbols_[name.base] : found->second;
+  DeclaredName& symbol = found == symbols_.end() ? symbols_[name.base] : found->second;
   if (found == symbols_.end()) {
     symbol = {kind, name.index.has_value(), {}, name.span};
   }
@@ -104,7 +105,8 @@ bool Symbols::declare(const NewName& name, SymbolKind kind, std::uint32_t target
   return true;
 }
 
-bool Symbols::report_duplicate(const NewName& name, const Symbol& first, Report& report) const {
+bool DeclaredNames::report_duplicate(const NewName& name, const DeclaredName& first,
+                                     Report& report) const {
   Diagnostic diagnostic{Code::E203, name.span,
                         quoted(name.text()) + " is already " + with_article(noun(first.kind))};
   if (first.span.source != nullptr) {
@@ -116,7 +118,7 @@ bool Symbols::report_duplicate(const NewName& name, const Symbol& first, Report&
   return false;
 }
 
-bool Symbols::claim_identifier(const NewName& name, Report& report) {
+bool DeclaredNames::claim_identifier(const NewName& name, Report& report) {
   const auto [first, is_new] = identifiers_.emplace(name.identifier(), name);
   if (is_new) {
     return true;
@@ -130,12 +132,12 @@ bool Symbols::claim_identifier(const NewName& name, Report& report) {
   return false;
 }
 
-const Symbol* Symbols::find(std::string_view base) const {
+const DeclaredName* DeclaredNames::find(std::string_view base) const {
   const auto found = symbols_.find(base);
   return found == symbols_.end() ? nullptr : &found->second;
 }
 
-std::vector<std::string> Symbols::names() const {
+std::vector<std::string> DeclaredNames::names() const {
   std::vector<std::string> result;
   for (const auto& [name, symbol] : symbols_) {
     result.push_back(name);
@@ -143,7 +145,7 @@ std::vector<std::string> Symbols::names() const {
   return result;
 }
 
-std::vector<std::string> Symbols::names(SymbolKind kind) const {
+std::vector<std::string> DeclaredNames::names(SymbolKind kind) const {
   std::vector<std::string> result;
   for (const auto& [name, symbol] : symbols_) {
     if (symbol.kind == kind) {
@@ -153,9 +155,10 @@ std::vector<std::string> Symbols::names(SymbolKind kind) const {
   return result;
 }
 
-std::string Symbols::suggest(std::string_view word, const std::vector<std::string>& among) const {
+std::string DeclaredNames::suggest(std::string_view word,
+                                   const std::vector<std::string>& among) const {
   const std::string near = nearest(word, among);
-  const Symbol* symbol = near.empty() ? nullptr : find(near);
+  const DeclaredName* symbol = near.empty() ? nullptr : find(near);
   if (symbol == nullptr) {
     return suggestion(word, among);
   }

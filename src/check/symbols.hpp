@@ -1,4 +1,4 @@
-// Symbols: the one set of names of a model, with the elements of repeated names.
+// DeclaredNames: the one set of names of a model, with the elements of repeated names.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ enum class SymbolKind : std::uint8_t {
 [[nodiscard]] std::string with_article(std::string_view word);
 
 /// A name with one meaning, or (`is_array`) with one per index.
-struct Symbol {
+struct DeclaredName {
   SymbolKind kind = SymbolKind::parameter;
   bool is_array = false;
   std::map<std::int64_t, std::uint32_t> elements = {};  ///< index in the file -> index in the Model
@@ -52,9 +52,9 @@ struct NewName {
 };
 
 /// "`q` has the elements 1 to 3"
-[[nodiscard]] std::string elements_of(const std::string& name, const Symbol& symbol);
+[[nodiscard]] std::string elements_of(const std::string& name, const DeclaredName& symbol);
 
-class Symbols {
+class DeclaredNames {
  public:
   /// False after E203, E204, E205 or E211. `target` is the index in the Model.
   bool declare(const NewName& name, SymbolKind kind, std::uint32_t target, Report& report);
@@ -63,7 +63,7 @@ class Symbols {
   void mark_failed(const std::string& base) { failed_.insert(base); }
   [[nodiscard]] bool has_failed(std::string_view base) const { return failed_.count(base) > 0; }
 
-  [[nodiscard]] const Symbol* find(std::string_view base) const;
+  [[nodiscard]] const DeclaredName* find(std::string_view base) const;
   [[nodiscard]] std::vector<std::string> names() const;
   [[nodiscard]] std::vector<std::string> names(SymbolKind kind) const;
   /// "did you mean `m`? (parameter, line 20)", or nothing.
@@ -71,11 +71,11 @@ class Symbols {
                                     const std::vector<std::string>& among) const;
 
  private:
-  bool report_duplicate(const NewName& name, const Symbol& first, Report& report) const;
+  bool report_duplicate(const NewName& name, const DeclaredName& first, Report& report) const;
   bool claim_identifier(const NewName& name, Report& report);
 
   std::set<std::string, std::less<>> failed_;
-  std::map<std::string, Symbol, std::less<>> symbols_;
+  std::map<std::string, DeclaredName, std::less<>> symbols_;
   std::map<std::string, NewName, std::less<>> identifiers_;
 };
 

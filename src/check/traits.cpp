@@ -87,7 +87,7 @@ class TraitFinder {
     if (!traits_.empty()) traits_[no_expression] = nothing();
   }
 
-  void visit(const Root& root) {
+  void visit(const WrittenExpression& root) {
     for (ExpressionId id = root.first; id <= root.value; ++id) {
       traits_[id] = of(context_.model.expressions[id]);
     }

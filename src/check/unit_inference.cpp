@@ -39,7 +39,7 @@ class UnitInference {
   explicit UnitInference(Context& context)
       : context_(context), model_(context.model), units_(context.model.expressions.size()) {}
 
-  void visit(const Root& root) {
+  void visit(const WrittenExpression& root) {
     if (root.generated || root.plain_numbers) return;
     for (ExpressionId id = root.first; id <= root.value; ++id) {
       units_[id] = of(model_.expressions[id]);

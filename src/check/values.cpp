@@ -36,7 +36,7 @@ ExpressionId ValueReader::root(const ValueSyntax& value, const RootRequest& requ
 ExpressionId ValueReader::scene_value(const ValueSyntax& value, const RootRequest& request) {
   const ExpressionId id = root(value, request);
   if (id == no_expression) return id;
-  Root& read = context_.roots.back();
+  WrittenExpression& read = context_.roots.back();
   const auto& nodes = context_.model.expressions;
   read.plain_numbers = std::none_of(
       nodes.begin() + read.first, nodes.begin() + read.value + 1, [](const Expression& node) {
@@ -104,8 +104,8 @@ std::optional<std::int64_t> ValueReader::integer(const ValueSyntax& value) {
 
 std::optional<std::uint32_t> ValueReader::reference(const ValueSyntax& value, SymbolKind kind) {
   const ExpressionSyntax& name = value.expression;
-  const Symbols& symbols = kind == SymbolKind::frame ? context_.frames : context_.symbols;
-  const Symbol* symbol = symbols.find(name.text);
+  const DeclaredNames& symbols = kind == SymbolKind::frame ? context_.frames : context_.symbols;
+  const DeclaredName* symbol = symbols.find(name.text);
   if (symbol == nullptr && symbols.has_failed(name.text)) {
     return std::nullopt;
   }
@@ -122,7 +122,7 @@ std::optional<std::uint32_t> ValueReader::reference(const ValueSyntax& value, Sy
 
 std::optional<std::uint32_t> ValueReader::rotation(const ValueSyntax& value) {
   const ExpressionSyntax& name = value.expression;
-  const Symbol* symbol = context_.symbols.find(name.text);
+  const DeclaredName* symbol = context_.symbols.find(name.text);
   if (symbol == nullptr && context_.symbols.has_failed(name.text)) {
     return std::nullopt;
   }
@@ -136,7 +136,7 @@ std::optional<std::uint32_t> ValueReader::rotation(const ValueSyntax& value) {
 }
 
 std::optional<std::uint32_t> ValueReader::velocity(const ValueSyntax& value) {
-  const Symbol* symbol = context_.symbols.find(value.expression.text);
+  const DeclaredName* symbol = context_.symbols.find(value.expression.text);
   if (symbol != nullptr && symbol->kind == SymbolKind::rotation) {
     return Resolver(context_, scope_).element(value.expression, *symbol);
   }

@@ -17,22 +17,22 @@ namespace elgen::cli {
 namespace {
 
 /// What --what may ask for beside outputs; each stands alone.
-enum class Subject : unsigned char { outputs, lagrangian, steps, cost, dropped };
+enum class ShownSubject : unsigned char { outputs, lagrangian, steps, cost, dropped };
 
 struct SubjectRow {
   std::string_view word;
-  Subject subject;
+  ShownSubject subject;
 };
 
 constexpr std::array subjects{
-    SubjectRow{"lagrangian", Subject::lagrangian}, SubjectRow{"steps", Subject::steps},
-    SubjectRow{"cost", Subject::cost}, SubjectRow{"dropped", Subject::dropped}};
+    SubjectRow{"lagrangian", ShownSubject::lagrangian}, SubjectRow{"steps", ShownSubject::steps},
+    SubjectRow{"cost", ShownSubject::cost}, SubjectRow{"dropped", ShownSubject::dropped}};
 
-bool has_formulas(Subject subject) {
-  return subject != Subject::cost && subject != Subject::dropped;
+bool has_formulas(ShownSubject subject) {
+  return subject != ShownSubject::cost && subject != ShownSubject::dropped;
 }
 
-Result<Subject> subject_of(const ShowOptions& options) {
+Result<ShownSubject> subject_of(const ShowOptions& options) {
   for (const SubjectRow& row : subjects) {
     if (options.what == row.word) {
       const bool is_printed =
@@ -48,14 +48,14 @@ Result<Subject> subject_of(const ShowOptions& options) {
                         "show it in a command of its own"};
     }
   }
-  return Subject::outputs;
+  return ShownSubject::outputs;
 }
 
-Sheet sheet_of(const Products& products, Subject subject, const PageOptions& options) {
+Sheet sheet_of(const Products& products, ShownSubject subject, const PageOptions& options) {
   const auto& [model, scene] = *products.checked;
-  if (subject == Subject::outputs) return sheet(model, scene, *products.program, options);
+  if (subject == ShownSubject::outputs) return sheet(model, scene, *products.program, options);
   Sheet steps = steps_sheet(model, scene, *products.steps);
-  if (subject == Subject::steps) return steps;
+  if (subject == ShownSubject::steps) return steps;
   steps.outputs.erase(
       std::remove_if(steps.outputs.begin(), steps.outputs.end(),
                      [](const SheetOutput& step) { return step.name != energies_title; }),
@@ -63,24 +63,24 @@ Sheet sheet_of(const Products& products, Subject subject, const PageOptions& opt
   return steps;
 }
 
-std::string text_of(const Products& products, Subject subject, const PageOptions& options) {
+std::string text_of(const Products& products, ShownSubject subject, const PageOptions& options) {
   const auto& [model, scene] = *products.checked;
   switch (subject) {
-    case Subject::outputs:
+    case ShownSubject::outputs:
       return text_page(model, scene, *products.program, options);
-    case Subject::lagrangian:
+    case ShownSubject::lagrangian:
       return steps_text(model, *products.steps, energies_title);
-    case Subject::steps:
+    case ShownSubject::steps:
       return steps_text(model, *products.steps);
-    case Subject::cost:
+    case ShownSubject::cost:
       return cost_page(products.costs);
-    case Subject::dropped:
+    case ShownSubject::dropped:
       return dropped_page(model, *products.program);
   }
   return {};
 }
 
-std::string page(const Products& products, Subject subject, const ShowOptions& wanted) {
+std::string page(const Products& products, ShownSubject subject, const ShowOptions& wanted) {
   const PageOptions options{!wanted.what.empty()};  // what is asked for by name is shown
   if (wanted.as == "text") return text_of(products, subject, options);
   if (wanted.as == "latex") return latex_document(sheet_of(products, subject, options));
@@ -100,7 +100,7 @@ bool is_subject_of_its_own(const std::string& what) {
 }
 
 ExitCode show(const GlobalOptions& global, const ShowOptions& options) {
-  const Result<Subject> subject = subject_of(options);
+  const Result<ShownSubject> subject = subject_of(options);
   if (!subject) return report(global, subject.diagnostics);
   const Result<Inputs> inputs = read_inputs(options.input, global.limits);
   if (!inputs) return report(global, inputs.diagnostics);
@@ -108,7 +108,7 @@ ExitCode show(const GlobalOptions& global, const ShowOptions& options) {
   pipeline.scene = options.scene;
   pipeline.limits = global.limits;
   pipeline.dump_stage = global.dump_stage;
-  const bool shows_steps = *subject == Subject::steps || *subject == Subject::lagrangian;
+  const bool shows_steps = *subject == ShownSubject::steps || *subject == ShownSubject::lagrangian;
   pipeline.goals = {shows_steps ? "steps" : "readback"};
   if (!global.stop_after.empty()) pipeline.goals = {global.stop_after};
   const Products products = run_shown(options.input, *inputs, pipeline);
@@ -117,12 +117,12 @@ ExitCode show(const GlobalOptions& global, const ShowOptions& options) {
   tell_times(global, products);
   if (derived != ExitCode::success || !global.stop_after.empty()) return derived;
   std::string text = page(products, *subject, options);
-  if (*subject == Subject::outputs && options.as == "text") {
+  if (*subject == ShownSubject::outputs && options.as == "text") {
     const SourcePointer printed = make_source("printed equations", text);
     const Diagnostics wrong = read_back_page(printed, *products.checked, *products.program);
     if (!wrong.empty()) return report(global, wrong);
   }
-  if (*subject == Subject::cost) text += "\n" + generation_costs(*inputs, pipeline, products);
+  if (*subject == ShownSubject::cost) text += "\n" + generation_costs(*inputs, pipeline, products);
   return print(global, text);
 }
 

@@ -10,9 +10,9 @@ using GiNaC::ex;
 namespace {
 
 /// Adds a J-weighted entry of a matrix over variables to the matrix over velocities.
-class Projection {
+class VelocityProjection {
  public:
-  Projection(Tree& tree, const std::vector<TreeVariable>& variables) : tree_(tree) {
+  VelocityProjection(Tree& tree, const std::vector<TreeVariable>& variables) : tree_(tree) {
     for (const TreeVariable& variable : variables) rows_.push_back(jacobian_row(tree, variable));
   }
 
@@ -56,7 +56,7 @@ SparseMatrix tree_mass_matrix(Tree& tree) {
   const std::vector<TreeVariable> variables = tree_variables(tree).list;
   Tangent& frozen = tree.derivation().frozen;
   TreeColumns columns(tree, variables, {frozen, frozen, false});
-  Projection projection(tree, variables);
+  VelocityProjection projection(tree, variables);
   columns.for_each_pair({ColumnKind::inertia}, [&](const ColumnPair& pair) {
     const ex entry = columns.along(pair.lower, UnitKind::unit, pair.columns[0]);
     projection.add(pair.upper, pair.lower, entry);
@@ -71,7 +71,7 @@ SparseMatrix tree_coriolis_matrix(Tree& tree) {
   const std::vector<TreeVariable> variables = tree_variables(tree).list;
   Tangent& frozen = tree.derivation().frozen;
   TreeColumns columns(tree, variables, {frozen, frozen, false});
-  Projection projection(tree, variables);
+  VelocityProjection projection(tree, variables);
   const std::vector kinds{ColumnKind::rate, ColumnKind::inertia, ColumnKind::transposed};
   columns.for_each_pair(kinds, [&](const ColumnPair& pair) {
     const ex below = columns.along(pair.lower, UnitKind::unit, pair.columns[0]);
@@ -100,8 +100,8 @@ bool has_linear_variables(Tree& tree) {
 TreeDerivatives tree_derivatives(Tree& tree, Tangent& second) {
   const std::vector<TreeVariable> variables = tree_variables(tree).list;
   TreeColumns columns(tree, variables, {tree.derivation().coasting, second, true});
-  Projection by_position(tree, variables);
-  Projection by_velocity(tree, variables);
+  VelocityProjection by_position(tree, variables);
+  VelocityProjection by_velocity(tree, variables);
   const std::vector kinds{ColumnKind::inertia, ColumnKind::transposed, ColumnKind::by_position,
                           ColumnKind::by_velocity};
   columns.for_each_pair(kinds, [&](const ColumnPair& pair) {

@@ -19,7 +19,7 @@ namespace elgen {
 namespace {
 
 /// numerator / denominator * 10^exponent
-struct Fraction {
+struct ScaledRatio {
   cln::cl_I numerator = 0;
   cln::cl_I denominator = 1;
   long exponent = 0;
@@ -30,7 +30,7 @@ constexpr int irrational_digits = 66;
 /// Decimal powers up to this one are written into numerator or denominator.
 constexpr long small_exponent = 6;
 
-Fraction fraction_of(const Decimal& decimal) {
+ScaledRatio fraction_of(const Decimal& decimal) {
   const cln::cl_I scale = cln::numerator(power_of_ten(std::abs(decimal.exponent)));
   if (std::abs(decimal.exponent) > small_exponent)
     return {decimal.significand, 1, decimal.exponent};
@@ -38,7 +38,7 @@ Fraction fraction_of(const Decimal& decimal) {
   return {decimal.significand * scale, 1, 0};
 }
 
-Fraction exact_fraction(const cln::cl_R& value) {
+ScaledRatio exact_fraction(const cln::cl_R& value) {
   if (!is_rational(value)) return fraction_of(rounded_decimal(value, irrational_digits));
   if (const std::optional<Decimal> decimal = exact_decimal(value)) return fraction_of(*decimal);
   const cln::cl_RA x = cln::rational(value);
@@ -69,7 +69,7 @@ std::string cpp_magnitude(const cln::cl_R& value) {
   if (const std::optional<std::string> exact = exact_in_float(magnitude)) {
     return fmt::format("constant<Scalar>({})", *exact);
   }
-  const Fraction fraction = exact_fraction(magnitude);
+  const ScaledRatio fraction = exact_fraction(magnitude);
   const std::string exponent = fraction.exponent == 0 ? "" : fmt::format(", {}", fraction.exponent);
   return fmt::format("constant<Scalar>({}, {}, {}, {}, {}{})",
                      literal(magnitude, ScalarKind::single_precision, "F"),

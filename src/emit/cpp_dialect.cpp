@@ -40,14 +40,14 @@ Texts entry_lines(const Field& field, const Texts& entries, std::size_t indent) 
 }
 
 /// A field to be written: `is_number` where its type is no array.
-struct Value {
+struct WrittenField {
   const Field& field;
   const Texts& entries;
   bool is_number;
 };
 
 /// A scalar as it is, an array in the double braces of std::array.
-std::string field_value(const Value& value, std::size_t indent) {
+std::string field_value(const WrittenField& value, std::size_t indent) {
   const auto& [field, entries, is_number] = value;
   const std::string margin(indent, ' ');
   if (is_number) {

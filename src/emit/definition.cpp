@@ -46,9 +46,10 @@ std::string assignment(const std::string& target, const std::string& value) {
   return start + fmt::format("{}", fmt::join(wrap_expression(value, wrapping), "\n")) + ";\n";
 }
 
-class Writer {
+class DefinitionWriter {
  public:
-  Writer(const Dialect& dialect, const Program& program, const Function& function, Storage storage)
+  DefinitionWriter(const Dialect& dialect, const Program& program, const Function& function,
+                   Storage storage)
       : dialect_(dialect),
         function_(function),
         ordered_(stored(function, storage)),
@@ -157,7 +158,7 @@ std::string assignments(const Dialect& dialect, const Function& function,
 
 FunctionDefinition definition(const Dialect& dialect, const Program& program,
                               const Function& function, Storage storage) {
-  return Writer(dialect, program, function, storage).definition();
+  return DefinitionWriter(dialect, program, function, storage).definition();
 }
 
 }  // namespace elgen

@@ -11,13 +11,13 @@ namespace elgen {
 namespace {
 
 /// The value, what it is, and where it was written.
-struct Candidate {
+struct CheckedNumber {
   const cln::cl_R& value;
   std::string name;
   Span span;
 };
 
-void check(const Candidate& candidate, const Scene& scene, Diagnostics& diagnostics) {
+void check(const CheckedNumber& candidate, const Scene& scene, Diagnostics& diagnostics) {
   for (const ScalarKind scalar : scene.numerics.scalars) {
     const Fit result = fit(candidate.value, scalar);
     if (result == Fit::fits) continue;

@@ -19,9 +19,9 @@ std::string plain(const ex& value) {
 }
 
 /// A value up to its sign, which GiNaC moves in and out of sums.
-class Writer {
+class ExpressionWriter {
  public:
-  explicit Writer(const Definitions& definitions) : definitions_(definitions) {}
+  explicit ExpressionWriter(const Definitions& definitions) : definitions_(definitions) {}
 
   Summand print(const ex& value) const {
     if (GiNaC::is_a<GiNaC::symbol>(value)) {
@@ -95,7 +95,7 @@ class Writer {
 }  // namespace
 
 std::string ExpressionPrinter::operator()(const ex& value) const {
-  return Writer(definitions_).whole(value).text();
+  return ExpressionWriter(definitions_).whole(value).text();
 }
 
 std::string dump(const Definitions& definitions) {

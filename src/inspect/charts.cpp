@@ -40,7 +40,7 @@ Diagnostic declared(const Model& model, const Coordinate& coordinate) {
 }
 
 /// "0, pi": the special values of coordinate i at which M is singular.
-std::string breaking_values(const Subject& subject, const MassSample& regular, std::size_t i) {
+std::string breaking_values(const Inspected& subject, const MassSample& regular, std::size_t i) {
   const Vector scales = row_scales(regular.matrix, regular.state.v.size());
   std::string names;
   for (const SpecialValue& special : special_values(subject.model.coordinates[i])) {
@@ -63,7 +63,7 @@ Diagnostic found(const Coordinate& coordinate, const std::string& values) {
 
 }  // namespace
 
-Diagnostics inspect_charts(const Subject& subject) {
+Diagnostics inspect_charts(const Inspected& subject) {
   const auto& coordinates = subject.model.coordinates;
   Diagnostics diagnostics;
   for (const Coordinate& coordinate : coordinates) {

@@ -8,7 +8,7 @@
 namespace elgen::inspection {
 
 /// What is inspected: a model with the parameter values of a scene.
-struct Subject {
+struct Inspected {
   const Model& model;
   const Scene& scene;
 };
@@ -21,31 +21,31 @@ inline constexpr std::size_t most_coordinates_sampled = 24;
 inline constexpr std::size_t most_coordinates_searched = 3;
 
 /// E312, E313, E314, E910: constants without a value and powers beyond all sizes, through names.
-[[nodiscard]] Diagnostics inspect_constants(const Subject& subject);
+[[nodiscard]] Diagnostics inspect_constants(const Inspected& subject);
 
 /// E501: M x = 0 at every sampled state; or M_ii = 0 where an output solves for accelerations.
-[[nodiscard]] Diagnostics inspect_mass_matrix(const Subject& subject);
+[[nodiscard]] Diagnostics inspect_mass_matrix(const Inspected& subject);
 
 /// E507: a planar spin that is not the rate of an angle(q, t).
-[[nodiscard]] Diagnostics inspect_spins(const Subject& subject);
+[[nodiscard]] Diagnostics inspect_spins(const Inspected& subject);
 
 /// E508: an inertia that no distribution of mass has.
-[[nodiscard]] Diagnostics inspect_inertias(const Subject& subject);
+[[nodiscard]] Diagnostics inspect_inertias(const Inspected& subject);
 
 /// E511: configurations at which M loses rank.
-[[nodiscard]] Diagnostics inspect_charts(const Subject& subject);
+[[nodiscard]] Diagnostics inspect_charts(const Inspected& subject);
 
 /// E512: the written potential falls as a point with a mass rises.
-[[nodiscard]] Diagnostics inspect_potential(const Subject& subject);
+[[nodiscard]] Diagnostics inspect_potential(const Inspected& subject);
 
 /// E522: parameters in no expression, inputs that act on nothing.
-[[nodiscard]] Diagnostics inspect_unused(const Subject& subject);
+[[nodiscard]] Diagnostics inspect_unused(const Inspected& subject);
 
 /// E619: outputs of the model that the built-in scene `full` leaves out.
-[[nodiscard]] Diagnostics inspect_left_out(const Subject& subject);
+[[nodiscard]] Diagnostics inspect_left_out(const Inspected& subject);
 
 /// E613, E614: a scene that expands about a point where the system does not stay at rest, or where
 /// energies and forces have no derivatives. The other checks see the exact model.
-[[nodiscard]] Diagnostics inspect_equilibrium(const Subject& subject);
+[[nodiscard]] Diagnostics inspect_equilibrium(const Inspected& subject);
 
 }  // namespace elgen::inspection

@@ -61,9 +61,9 @@ double digits_of(const cl_R& number) {
   return is_unit ? 0 : static_cast<double>(checking::digit_count(rational));
 }
 
-class Names {
+class NamedConstants {
  public:
-  explicit Names(const Subject& subject)
+  explicit NamedConstants(const Inspected& subject)
       : subject_(subject),
         model_(subject.model),
         known_(model_.expressions.size()),
@@ -202,7 +202,7 @@ class Names {
     return is_locked ? "locked at " : "";
   }
 
-  const Subject& subject_;
+  const Inspected& subject_;
   const Model& model_;
   std::vector<std::optional<EnclosedNumber>> known_;
   std::vector<Growth> growth_;
@@ -223,8 +223,8 @@ std::vector<ExpressionId> roots_of(const Model& model) {
 
 }  // namespace
 
-Diagnostics inspect_constants(const Subject& subject) {
-  Names names(subject);
+Diagnostics inspect_constants(const Inspected& subject) {
+  NamedConstants names(subject);
   for (const ExpressionId id : reached(subject.model, roots_of(subject.model))) names.visit(id);
   return names.take();
 }

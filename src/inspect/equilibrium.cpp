@@ -20,14 +20,14 @@ using cln::cl_R;
 constexpr unsigned samples = 4;  // exact and random; the first has the model's own values
 
 /// What is left of bias - B u, row by row, and how large the terms are.
-struct Balance {
+struct Residual {
   std::vector<cl_R> rest;
   std::vector<cl_R> scale;
   std::vector<cl_R> input_matrix;  ///< row-major
 };
 
 /// The first at the parameters' own values, zeros too, the others elsewhere.
-State varied_state(const Subject& subject, unsigned seed) {
+State varied_state(const Inspected& subject, unsigned seed) {
   Random random(seed);
   State state = nominal_state(subject.model, subject.scene);
   if (seed > 0) draw_parameters(subject.scene.specialisation.fixed, random, state);
@@ -57,12 +57,12 @@ std::optional<State> at_point(const Model& model, State state) {
   return exists ? std::optional(std::move(state)) : std::nullopt;
 }
 
-std::optional<Balance> balance_at(const Model& exact, const State& point, const State& elsewhere) {
+std::optional<Residual> balance_at(const Model& exact, const State& point, const State& elsewhere) {
   const OracleValues bias = oracle_values(exact, {.kind = OutputKind::bias}, point);
   const OracleValues typical = oracle_values(exact, {.kind = OutputKind::bias}, elsewhere);
   const OracleValues inputs = oracle_values(exact, {.kind = OutputKind::input_matrix}, point);
   if (!bias || !typical || !inputs) return std::nullopt;
-  Balance balance{*bias, {}, *inputs};
+  Residual balance{*bias, {}, *inputs};
   const std::size_t columns = point.u.size();
   for (std::size_t i = 0; i < bias->size(); ++i) {
     cl_R scale = cln::abs((*typical)[i]);
@@ -83,7 +83,7 @@ bool is_complete(const Approximation& approximation) {
 }
 
 /// "`u = 4.905` balances it" where one input acts on this row, and on no other.
-std::string suggestion(const Model& model, const Balance& balance, std::size_t row,
+std::string suggestion(const Model& model, const Residual& balance, std::size_t row,
                        const State& point) {
   if (!is_complete(*model.approximation)) return {};
   const std::size_t columns = point.u.size();
@@ -104,7 +104,7 @@ std::string suggestion(const Model& model, const Balance& balance, std::size_t r
 }
 
 /// `own_values`: whether the parameters have theirs, so that the figures mean something.
-Diagnostics unbalanced(const Model& model, const Balance& balance, const State& point,
+Diagnostics unbalanced(const Model& model, const Residual& balance, const State& point,
                        bool own_values) {
   // The oracle's 64 digits less 24 for what cancels, as in verify.
   static const cl_R tolerance = power_of_ten(-40);
@@ -135,7 +135,7 @@ Diagnostic no_expansion(const Model& model) {
 
 }  // namespace
 
-Diagnostics inspect_equilibrium(const Subject& subject) {
+Diagnostics inspect_equilibrium(const Inspected& subject) {
   const Model& model = subject.model;
   if (!model.approximation) return {};
   Model exact = model;

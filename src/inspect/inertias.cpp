@@ -11,7 +11,7 @@ namespace {
 
 using cln::cl_R;
 
-std::optional<std::vector<cl_R>> values_of(const Subject& subject, const Body& body) {
+std::optional<std::vector<cl_R>> values_of(const Inspected& subject, const Body& body) {
   const State state = nominal_state(subject.model, subject.scene);
   std::vector<cl_R> values;
   for (const ExpressionId id : body.inertia) {
@@ -35,7 +35,7 @@ std::string listed(const std::vector<cl_R>& values) {
 
 }  // namespace
 
-Diagnostics inspect_inertias(const Subject& subject) {
+Diagnostics inspect_inertias(const Inspected& subject) {
   Diagnostics diagnostics;
   for (const Body& body : subject.model.bodies) {
     if (body.inertia.empty()) continue;

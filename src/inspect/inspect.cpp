@@ -9,7 +9,7 @@ namespace elgen {
 Diagnostics inspect(const Model& model, const Scene& scene) {
   Model exact = model;
   exact.approximation.reset();
-  const inspection::Subject subject{exact, scene};
+  const inspection::Inspected subject{exact, scene};
   Diagnostics all;
   const auto add = [&](Diagnostics found) { all.insert(all.end(), found.begin(), found.end()); };
   add(inspection::inspect_unused(subject));

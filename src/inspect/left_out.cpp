@@ -25,7 +25,7 @@ Diagnostic note(const LeftOut& left_out) {
 
 }  // namespace
 
-Diagnostics inspect_left_out(const Subject& subject) {
+Diagnostics inspect_left_out(const Inspected& subject) {
   Diagnostics notes;
   for (const LeftOut& left_out : subject.scene.left_out) notes.push_back(note(left_out));
   return notes;

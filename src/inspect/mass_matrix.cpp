@@ -93,7 +93,7 @@ std::vector<std::size_t> without_energy(const MassSample& sample,
 }
 
 /// Of a regular matrix only what is solved for needs that it is positive definite.
-Diagnostics not_definite(const Subject& subject, const std::vector<std::size_t>& rates) {
+Diagnostics not_definite(const Inspected& subject, const std::vector<std::size_t>& rates) {
   for (const OutputRequest& output : subject.scene.outputs) {
     if (!output_row(output.kind).solves || rates.empty()) continue;
     return {no_kinetic_energy(output, subject.model.velocities[rates.front()].name)};
@@ -116,7 +116,7 @@ Diagnostics without_rank(const Model& model, const std::vector<Basis>& found, co
 
 }  // namespace
 
-Diagnostics inspect_mass_matrix(const Subject& subject) {
+Diagnostics inspect_mass_matrix(const Inspected& subject) {
   const std::size_t n = subject.model.velocities.size();
   if (n > most_coordinates_sampled) return {};
   std::vector<Basis> found;

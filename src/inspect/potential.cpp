@@ -35,7 +35,7 @@ std::vector<std::uint32_t> points_in(const Model& model, ExpressionId root) {
 }
 
 /// Against gravity, or the last axis of the point.
-std::optional<Direction> upward(const Subject& subject, const Point& point) {
+std::optional<Direction> upward(const Inspected& subject, const Point& point) {
   Direction up{0, 0, 0};
   if (!subject.model.gravity) {
     up[point.dimension - 1] = 1;
@@ -97,7 +97,7 @@ bool has_mass(const Model& model, std::uint32_t point) {
   return std::find(moving.begin(), moving.end(), point) != moving.end();
 }
 
-bool falls_steadily(const Subject& subject, std::uint32_t point, const Direction& up) {
+bool falls_steadily(const Inspected& subject, std::uint32_t point, const Direction& up) {
   const Model lifted = liftable(subject.model, point, up);
   std::optional<cl_R> first;
   for (unsigned seed = 0; seed < samples; ++seed) {
@@ -117,7 +117,7 @@ std::uint32_t dimension_of(const Model& model) {
 }
 
 /// "y" or "z": the last axis of points and bodies, which most models draw upwards.
-Diagnostics gravity_along_last_axis(const Subject& subject) {
+Diagnostics gravity_along_last_axis(const Inspected& subject) {
   const Model& model = subject.model;
   const std::uint32_t dimension = dimension_of(model);
   if (!model.gravity || dimension == 0) return {};
@@ -132,7 +132,7 @@ Diagnostics gravity_along_last_axis(const Subject& subject) {
 
 }  // namespace
 
-Diagnostics inspect_potential(const Subject& subject) {
+Diagnostics inspect_potential(const Inspected& subject) {
   const Model& model = subject.model;
   Diagnostics diagnostics = gravity_along_last_axis(subject);
   if (!model.energies.V || model.velocities.size() > most_coordinates_sampled) {

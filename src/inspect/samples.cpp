@@ -10,7 +10,7 @@ constexpr unsigned attempts = 8;  // a model undefined at all of them has no dom
 
 }  // namespace
 
-State sampled_state(const Subject& subject, unsigned seed) {
+State sampled_state(const Inspected& subject, unsigned seed) {
   Random random(seed);
   State state = nominal_state(subject.model, subject.scene);
   for (std::uint32_t i = 0; i < state.parameters.size(); ++i) {
@@ -22,7 +22,7 @@ State sampled_state(const Subject& subject, unsigned seed) {
   return state;
 }
 
-std::optional<MassSample> sampled_mass_matrix(const Subject& subject, unsigned seed) {
+std::optional<MassSample> sampled_mass_matrix(const Inspected& subject, unsigned seed) {
   for (unsigned attempt = 0; attempt < attempts; ++attempt) {
     State state = sampled_state(subject, seed * attempts + attempt);
     OracleValues matrix = oracle_values(subject.model, {.kind = OutputKind::mass_matrix}, state);

@@ -11,13 +11,14 @@ namespace elgen::inspection {
 
 /// Everything that moves as draw_motion() has it. Run-time parameters whose value is 0 are sampled
 /// too: zero is a default there, not a property of the system.
-[[nodiscard]] State sampled_state(const Subject& subject, unsigned seed);
+[[nodiscard]] State sampled_state(const Inspected& subject, unsigned seed);
 
 /// A state at which M has a value, and M there, row-major; empty where a few attempts found none.
 struct MassSample {
   State state;
   std::vector<cln::cl_R> matrix;
 };
-[[nodiscard]] std::optional<MassSample> sampled_mass_matrix(const Subject& subject, unsigned seed);
+[[nodiscard]] std::optional<MassSample> sampled_mass_matrix(const Inspected& subject,
+                                                            unsigned seed);
 
 }  // namespace elgen::inspection

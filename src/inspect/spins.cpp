@@ -41,7 +41,7 @@ bool vanishes(const cl_R& x, const cl_R& scale) {
 }
 
 /// True where the Euler-Lagrange expression differs from zero at a sampled state.
-bool has_curl(const Subject& subject, ExpressionId spin) {
+bool has_curl(const Inspected& subject, ExpressionId spin) {
   const Model bare = with_lagrangian(subject.model, spin);
   for (unsigned seed = 0; seed < samples; ++seed) {
     const State state = sampled_state(subject, seed);
@@ -55,7 +55,7 @@ bool has_curl(const Subject& subject, ExpressionId spin) {
 
 }  // namespace
 
-Diagnostics inspect_spins(const Subject& subject) {
+Diagnostics inspect_spins(const Inspected& subject) {
   if (subject.model.velocities.size() > most_coordinates_sampled) return {};
   Diagnostics diagnostics;
   for (const Body& body : subject.model.bodies) {

@@ -44,7 +44,7 @@ Diagnostics unused_inputs(const Model& model) {
 
 }  // namespace
 
-Diagnostics inspect_unused(const Subject& subject) {
+Diagnostics inspect_unused(const Inspected& subject) {
   const Model& model = subject.model.unlocked ? *subject.model.unlocked : subject.model;
   Diagnostics found = unused_parameters(model);
   const Diagnostics inputs = unused_inputs(model);

@@ -48,7 +48,7 @@ Combination plus(Combination x, const Combination& y, int sign) {
   return x;
 }
 
-struct Angle {
+struct AngleTerms {
   NodeId argument = 0;
   Combination terms = {};
   cl_RA size = 0;  ///< sum of |coefficients|: simpler angles are smaller
@@ -66,15 +66,15 @@ bool is_circular(const Node& node) {
          (node.function == FunctionId::sin || node.function == FunctionId::cos);
 }
 
-std::vector<Angle> angles_of(const Expressions& expressions) {
+std::vector<AngleTerms> angles_of(const Expressions& expressions) {
   const Graph& graph = expressions.graph;
-  std::vector<Angle> angles;
+  std::vector<AngleTerms> angles;
   for (const NodeId id : reachable(graph, expressions.values)) {
     if (!is_circular(graph.node(id))) continue;
     const NodeId argument = graph.node(id).operands[0].node;
-    const auto same = [&](const Angle& known) { return known.argument == argument; };
+    const auto same = [&](const AngleTerms& known) { return known.argument == argument; };
     if (std::any_of(angles.begin(), angles.end(), same)) continue;
-    Angle angle{argument};
+    AngleTerms angle{argument};
     add_terms(graph, argument, 1, angle.terms);
     for (const auto& [node, coefficient] : angle.terms) {
       angle.size = angle.size + cln::abs(coefficient);
@@ -89,7 +89,8 @@ constexpr std::size_t most_angles = 40;
 
 /// angle = first + second, or first - second, where nothing cancels: q1 + q3 as (q1 + q2) - (q2 -
 /// q3) would have the rounding of a q2 that it does not hold.
-std::optional<Split> split_into(const Angle& angle, const Angle& first, const Angle& second) {
+std::optional<Split> split_into(const AngleTerms& angle, const AngleTerms& first,
+                                const AngleTerms& second) {
   if (first.size + second.size != angle.size) return std::nullopt;
   for (const int sign : {1, -1}) {
     if (plus(first.terms, second.terms, sign) == angle.terms) {
@@ -100,9 +101,9 @@ std::optional<Split> split_into(const Angle& angle, const Angle& first, const An
 }
 
 /// The angle as a sum or difference of two of the simpler ones.
-std::optional<Split> split_of(const Angle& angle, const std::vector<Angle>& simpler) {
-  for (const Angle& first : simpler) {
-    for (const Angle& second : simpler) {
+std::optional<Split> split_of(const AngleTerms& angle, const std::vector<AngleTerms>& simpler) {
+  for (const AngleTerms& first : simpler) {
+    for (const AngleTerms& second : simpler) {
       if (const auto split = split_into(angle, first, second)) return split;
     }
   }
@@ -111,7 +112,7 @@ std::optional<Split> split_of(const Angle& angle, const std::vector<Angle>& simp
 
 /// 2^k x of a leaf x: its sine and cosine are known to all digits, which a difference of squares
 /// loses where it is small.
-bool is_exact(const Graph& graph, const Angle& angle) {
+bool is_exact(const Graph& graph, const AngleTerms& angle) {
   if (angle.terms.size() != 1) return false;
   const auto& [node, coefficient] = *angle.terms.begin();
   const auto is_power_of_two = [](const cln::cl_I& n) { return cln::power2p(n) > 0; };
@@ -122,13 +123,13 @@ bool is_exact(const Graph& graph, const Angle& angle) {
 
 std::map<NodeId, Split> splits_of(const Expressions& expressions) {
   std::map<NodeId, Split> splits;
-  const std::vector<Angle> angles = angles_of(expressions);
+  const std::vector<AngleTerms> angles = angles_of(expressions);
   if (angles.size() > most_angles) return splits;
-  for (const Angle& angle : angles) {
+  for (const AngleTerms& angle : angles) {
     if (is_exact(expressions.graph, angle)) continue;
-    std::vector<Angle> simpler;
+    std::vector<AngleTerms> simpler;
     std::copy_if(angles.begin(), angles.end(), std::back_inserter(simpler),
-                 [&](const Angle& other) { return other.size < angle.size; });
+                 [&](const AngleTerms& other) { return other.size < angle.size; });
     if (const auto split = split_of(angle, simpler)) splits[angle.argument] = *split;
   }
   return splits;

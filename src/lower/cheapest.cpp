@@ -14,13 +14,13 @@ namespace {
 /// Larger graphs are not tried with all products written out, which takes them longest.
 constexpr std::size_t maximal_nodes_written_out = 20'000;
 
-struct Candidate {
+struct CostedNetwork {
   Network network = {};
   std::size_t cost = 0;
 };
 
-Candidate candidate(const Expressions& expressions, const Function& unfilled) {
-  Candidate result{make_network(expressions)};
+CostedNetwork candidate(const Expressions& expressions, const Function& unfilled) {
+  CostedNetwork result{make_network(expressions)};
   share(result.network);
   turn_signs(result.network);
   Program scratch;
@@ -35,7 +35,7 @@ class Cheapest {
   explicit Cheapest(const Function& unfilled) : unfilled_(unfilled) {}
 
   void consider(const Expressions& expressions) {
-    Candidate other = candidate(expressions, unfilled_);
+    CostedNetwork other = candidate(expressions, unfilled_);
     if (!best_ || other.cost < best_->cost) best_ = std::move(other);
   }
 
@@ -51,7 +51,7 @@ class Cheapest {
 
  private:
   const Function& unfilled_;
-  std::optional<Candidate> best_ = {};
+  std::optional<CostedNetwork> best_ = {};
 };
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace elgen {
 namespace {
 
 /// The rules of graphs.
-struct Rules {
+struct GraphRules {
   Graph& graph;
 
   [[nodiscard]] Ref constant(const Constant& constant) const {
@@ -43,7 +43,7 @@ Expressions from_program(const Program& program, const Function& function,
     graph.set_birth(static_cast<std::uint32_t>(at));
     const bool vanishes = !is_zero.empty() && is_zero[at];
     refs[at] = vanishes ? graph.rational(0)
-                        : folded(Rules{graph}, program, function.instructions[at], refs);
+                        : folded(GraphRules{graph}, program, function.instructions[at], refs);
     graph.name(refs[at], function.names[at]);
   }
   for (const std::uint32_t at : wanted) result.values.push_back(refs[at]);

@@ -32,9 +32,9 @@ std::optional<std::uint32_t> number(std::string_view word) {
   return value;
 }
 
-class Reader {
+class ProgramReader {
  public:
-  explicit Reader(const SourceText& source) : source_(source) {}
+  explicit ProgramReader(const SourceText& source) : source_(source) {}
 
   Result<Program> read() {
     for (std::uint32_t line = 1; line <= source_.line_starts.size(); ++line) {
@@ -199,6 +199,6 @@ class Reader {
 
 }  // namespace
 
-Result<Program> parse_program(const SourcePointer& text) { return Reader(*text).read(); }
+Result<Program> parse_program(const SourcePointer& text) { return ProgramReader(*text).read(); }
 
 }  // namespace elgen

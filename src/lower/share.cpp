@@ -30,11 +30,11 @@ struct PairHash {
   }
 };
 
-struct Candidate {
+struct SharedPair {
   std::size_t count;
   Pair pair;
   /// std::priority_queue takes the largest: most users, then the first pair.
-  friend bool operator<(const Candidate& x, const Candidate& y) {
+  friend bool operator<(const SharedPair& x, const SharedPair& y) {
     return x.count != y.count ? x.count < y.count : y.pair < x.pair;
   }
 };
@@ -71,7 +71,7 @@ class Sharing {
       if (users.size() > 1) queue_.push({users.size(), pair});
     }
     while (!queue_.empty()) {
-      const Candidate candidate = queue_.top();
+      const SharedPair candidate = queue_.top();
       queue_.pop();
       take_turn(candidate);
     }
@@ -94,7 +94,7 @@ class Sharing {
     if (users.empty() || users.back() != id) users.push_back(id);
   }
 
-  void take_turn(const Candidate& candidate) {
+  void take_turn(const SharedPair& candidate) {
     std::vector<NodeId>& users = users_[candidate.pair];
     std::sort(users.begin(), users.end());
     users.erase(std::unique(users.begin(), users.end()), users.end());
@@ -162,7 +162,7 @@ class Sharing {
 
   Network& network_;
   std::unordered_map<Pair, std::vector<NodeId>, PairHash> users_;
-  std::priority_queue<Candidate> queue_;
+  std::priority_queue<SharedPair> queue_;
 };
 
 }  // namespace

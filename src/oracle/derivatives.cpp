@@ -23,14 +23,14 @@ Values matrix_of(const std::vector<Values>& columns, std::size_t rows) {
 void append(Values& to, const Values& from) { to.insert(to.end(), from.begin(), from.end()); }
 
 /// The state and what the residual is differentiated at.
-struct Point {
+struct ResidualPoint {
   Mechanics& at;
   Direction a;
   Direction u;
 };
 
 /// d(M a + bias - B u) along a displacement.
-Values slope(Point& point, const Displacement& along) {
+Values slope(ResidualPoint& point, const Displacement& along) {
   Values result;
   for (std::size_t i = 0; i < point.at.size(); ++i) {
     result.push_back(point.at.residual_slope(point.at.unit(i), along, point.a, point.u));
@@ -44,7 +44,7 @@ Displacement by_position(const Mechanics& at, std::size_t j) { return {at.unit(j
 Displacement by_velocity(const Mechanics& at, std::size_t j) { return {rest(at), at.unit(j)}; }
 
 /// The residual's derivatives by q, then by v.
-std::array<std::vector<Values>, 2> residual_columns(Point& point) {
+std::array<std::vector<Values>, 2> residual_columns(ResidualPoint& point) {
   std::array<std::vector<Values>, 2> columns;
   for (std::size_t j = 0; j < point.at.size(); ++j) {
     columns[0].push_back(slope(point, by_position(point.at, j)));
@@ -61,7 +61,7 @@ Values negative(Values values) {
 /// Columns of da/dq, da/dv and da/du.
 std::array<std::vector<Values>, 3> acceleration_columns(Mechanics& at) {
   const Values mass = mass_matrix_values(at);
-  Point point{at, solved_dynamics(at, mass).x, at.state().u};
+  ResidualPoint point{at, solved_dynamics(at, mass).x, at.state().u};
   const auto residual = residual_columns(point);
   std::array<std::vector<Values>, 3> columns;
   for (std::size_t part = 0; part < 2; ++part) {
@@ -110,7 +110,7 @@ Displacement displacement(const Mechanics& at, const Contraction& by) {
 }  // namespace
 
 Values inverse_derivatives(Mechanics& at) {
-  Point point{at, at.state().a, Direction(at.state().u.size(), cl_R(0))};
+  ResidualPoint point{at, at.state().a, Direction(at.state().u.size(), cl_R(0))};
   const auto columns = residual_columns(point);
   Values values = matrix_of(columns[0], at.size());
   append(values, matrix_of(columns[1], at.size()));

@@ -51,7 +51,7 @@ const Span& header_of(const TomlValue& value) {
 
 class EntryReader {
  public:
-  EntryReader(FileKind kind, Reading& reading)
+  EntryReader(FileKind kind, FileReading& reading)
       : kind_(kind), rows_(rows_of(kind)), reading_(reading) {}
 
   std::vector<EntrySyntax> read(const TomlValue& root);
@@ -67,7 +67,7 @@ class EntryReader {
 
   FileKind kind_;
   std::vector<NamedRow> rows_;
-  Reading& reading_;
+  FileReading& reading_;
   std::vector<EntrySyntax> entries_ = {};
 };
 
@@ -157,7 +157,7 @@ void EntryReader::add(const NamedRow& row, const TomlValue& table) {
 
 }  // namespace
 
-std::vector<EntrySyntax> read_entries(const TomlValue& root, FileKind kind, Reading& reading) {
+std::vector<EntrySyntax> read_entries(const TomlValue& root, FileKind kind, FileReading& reading) {
   return EntryReader(kind, reading).read(root);
 }
 

@@ -9,7 +9,7 @@ enum class FileKind : std::uint8_t { model, scene };
 
 /// Top-level keys and entries in file order. E103–E109 and what the values report, into `reading`.
 [[nodiscard]] std::vector<EntrySyntax> read_entries(const TomlValue& root, FileKind kind,
-                                                    Reading& reading);
+                                                    FileReading& reading);
 
 /// A table whose keys are the rows of `entry`. `label` is what messages call it:
 /// "`[[coordinate]]`"; `header` is where a missing key is reported.
@@ -20,6 +20,6 @@ struct TableContext {
 };
 
 [[nodiscard]] std::vector<KeySyntax> read_keys(const std::vector<TomlEntry>& entries,
-                                               const TableContext& table, Reading& reading);
+                                               const TableContext& table, FileReading& reading);
 
 }  // namespace elgen::parsing

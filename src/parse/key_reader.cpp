@@ -22,7 +22,7 @@ const KeyRow* find_row(std::string_view entry, std::string_view key) {
   return any;
 }
 
-void report_unknown(const TomlEntry& key, const TableContext& table, Reading& reading) {
+void report_unknown(const TomlEntry& key, const TableContext& table, FileReading& reading) {
   std::vector<std::string> candidates;
   for (const KeyRow& row : key_table()) {
     if (row.entry == table.entry && row.supported) candidates.emplace_back(row.key);
@@ -33,7 +33,7 @@ void report_unknown(const TomlEntry& key, const TableContext& table, Reading& re
 }
 
 void report_missing(const std::vector<TomlEntry>& entries, const TableContext& table,
-                    Reading& reading) {
+                    FileReading& reading) {
   for (const KeyRow& row : key_table()) {
     if (row.entry != table.entry || !row.required) continue;
     const bool given = std::any_of(entries.begin(), entries.end(),
@@ -52,14 +52,14 @@ std::vector<std::string_view> words_of(const KeyRow& row) {
 }
 
 void report_choice(const ValueSyntax& value, const std::string& observed, const KeyRow& row,
-                   Reading& reading) {
+                   FileReading& reading) {
   reading.report(
       Code::E104, value.span,
       fmt::format("{} where `{}` is expected", observed, fmt::join(words_of(row), "` or `")));
 }
 
 /// One of the words of the choice table: E104.
-ValueSyntax read_choice(const TomlValue& value, const KeyRow& row, Reading& reading) {
+ValueSyntax read_choice(const TomlValue& value, const KeyRow& row, FileReading& reading) {
   ValueSyntax result = read_text(value, reading);
   if (value.kind != TomlKind::string) return result;
   const std::vector<std::string_view> words = words_of(row);
@@ -69,7 +69,7 @@ ValueSyntax read_choice(const TomlValue& value, const KeyRow& row, Reading& read
   return result;
 }
 
-ValueSyntax read_choices(const TomlValue& value, const KeyRow& row, Reading& reading) {
+ValueSyntax read_choices(const TomlValue& value, const KeyRow& row, FileReading& reading) {
   ValueSyntax result = empty_value(value, ValueKind::list);
   if (value.kind != TomlKind::array) {
     report_wrong_type(value, "a list of strings", reading);
@@ -80,7 +80,7 @@ ValueSyntax read_choices(const TomlValue& value, const KeyRow& row, Reading& rea
   return result;
 }
 
-ValueSyntax read_table(const TomlEntry& key, const KeyRow& row, Reading& reading) {
+ValueSyntax read_table(const TomlEntry& key, const KeyRow& row, FileReading& reading) {
   ValueSyntax result = empty_value(key.value, ValueKind::table);
   if (key.value.kind != TomlKind::table) {
     report_wrong_type(key.value, "a table", reading);
@@ -91,7 +91,7 @@ ValueSyntax read_table(const TomlEntry& key, const KeyRow& row, Reading& reading
   return result;
 }
 
-ValueSyntax read_by_type(const TomlEntry& key, const KeyRow& row, Reading& reading) {
+ValueSyntax read_by_type(const TomlEntry& key, const KeyRow& row, FileReading& reading) {
   const TomlValue& value = key.value;
   const bool is_table = value.kind == TomlKind::table;
   switch (row.type) {
@@ -139,7 +139,7 @@ ValueSyntax read_by_type(const TomlEntry& key, const KeyRow& row, Reading& readi
 }  // namespace
 
 std::vector<KeySyntax> read_keys(const std::vector<TomlEntry>& entries, const TableContext& table,
-                                 Reading& reading) {
+                                 FileReading& reading) {
   std::vector<KeySyntax> result;
   bool all_supported = true;
   for (const TomlEntry& entry : entries) {

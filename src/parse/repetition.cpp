@@ -17,28 +17,29 @@ namespace {
 constexpr std::string_view grammar = "a repetition is written `i in 1..n`";
 
 /// Bytes of the decoded text.
-struct Part {
+struct Extent {
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
-struct Parts {
-  Part index;
-  Part low;
-  Part high;
+struct RepetitionParts {
+  Extent index;
+  Extent low;
+  Extent high;
 };
 
-std::optional<Parts> split(const DecodedText& text) {
+std::optional<RepetitionParts> split(const DecodedText& text) {
   const std::size_t dots = text.text.find("..");
   if (dots == std::string::npos) return std::nullopt;
   Lexer lexer(text, 0, dots);
   const Token index = lexer.next();
   const Token in = lexer.next();
   if (index.kind != TokenKind::name || lexer.text(in) != "in") return std::nullopt;
-  return Parts{{index.begin, index.end}, {in.end, dots}, {dots + 2, text.text.size()}};
+  return RepetitionParts{{index.begin, index.end}, {in.end, dots}, {dots + 2, text.text.size()}};
 }
 
-KeySyntax part_entry(std::string key, const Part& part, const DecodedText& text, Reading& reading) {
+KeySyntax part_entry(std::string key, const Extent& part, const DecodedText& text,
+                     FileReading& reading) {
   KeySyntax result;
   result.key = std::move(key);
   result.key_span = result.value.span = text.span(part.begin, part.end);
@@ -52,13 +53,13 @@ KeySyntax part_entry(std::string key, const Part& part, const DecodedText& text,
   return result;
 }
 
-ValueSyntax read_one(const TomlValue& value, Reading& reading) {
+ValueSyntax read_one(const TomlValue& value, FileReading& reading) {
   ValueSyntax result = empty_value(value, ValueKind::table);
   if (value.kind != TomlKind::string) {
     report_wrong_type(value, "a repetition (a string)", reading);
     return result;
   }
-  const std::optional<Parts> parts = split(value.text);
+  const std::optional<RepetitionParts> parts = split(value.text);
   if (!parts) {
     reading.report(Code::E210, value.text.whole, quoted(value.text.text) + " is no repetition",
                    std::string(grammar));
@@ -72,7 +73,7 @@ ValueSyntax read_one(const TomlValue& value, Reading& reading) {
 
 }  // namespace
 
-ValueSyntax read_repetition(const TomlValue& value, Reading& reading) {
+ValueSyntax read_repetition(const TomlValue& value, FileReading& reading) {
   ValueSyntax result = empty_value(value, ValueKind::list);
   if (value.kind != TomlKind::array) {
     result.items.push_back(read_one(value, reading));

@@ -7,6 +7,6 @@ namespace elgen::parsing {
 
 /// A list of tables {index, low, high}, one per repetition, also where the file has a single
 /// string. E104; E210 malformed repetition; errors of the bounds.
-[[nodiscard]] ValueSyntax read_repetition(const TomlValue& value, Reading& reading);
+[[nodiscard]] ValueSyntax read_repetition(const TomlValue& value, FileReading& reading);
 
 }  // namespace elgen::parsing

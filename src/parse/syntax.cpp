@@ -18,7 +18,7 @@ namespace elgen {
 namespace {
 
 using parsing::FileKind;
-using parsing::Reading;
+using parsing::FileReading;
 using parsing::TomlValue;
 
 Span all_of(const SourceText& source) {
@@ -70,7 +70,7 @@ ReadFile read_file(const SourceText& source, FileKind kind, const Limits& limits
   const Result<TomlValue> root = parsing::read_toml(source);
   if (!root) return {{}, root.diagnostics};
   if (auto error = format_error(*root)) return {{}, {*std::move(error)}};
-  Reading reading{limits};
+  FileReading reading{limits};
   std::vector<EntrySyntax> entries = parsing::read_entries(*root, kind, reading);
   sort_by_position(reading.diagnostics);
   return {std::move(entries), std::move(reading.diagnostics)};

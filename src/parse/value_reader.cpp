@@ -35,7 +35,7 @@ std::string described(const TomlValue& value) {
 }
 
 /// The first character that is not seen. Blanks and line ends are seen by what they part.
-void report_hidden(const DecodedText& text, Reading& reading) {
+void report_hidden(const DecodedText& text, FileReading& reading) {
   for (std::size_t i = 0; i < text.text.size();) {
     const CodePoint point = code_point_at(text.text, i);
     const bool is_blank = std::string_view("\t\n\r").find(text.text[i]) != std::string_view::npos;
@@ -49,7 +49,7 @@ void report_hidden(const DecodedText& text, Reading& reading) {
 }
 
 /// A bare number, signed.
-void read_number(const TomlValue& value, ValueSyntax& result, Reading& reading) {
+void read_number(const TomlValue& value, ValueSyntax& result, FileReading& reading) {
   const std::string& text = value.text.text;
   const bool negative = text[0] == '-';
   const DecimalParts parts = decimal_parts(text);
@@ -62,7 +62,7 @@ void read_number(const TomlValue& value, ValueSyntax& result, Reading& reading) 
   result.expression.value = negative ? cln::cl_RA(-magnitude) : magnitude;
 }
 
-void keep(Result<ExpressionSyntax> read, ExpressionSyntax& expression, Reading& reading) {
+void keep(Result<ExpressionSyntax> read, ExpressionSyntax& expression, FileReading& reading) {
   if (read) expression = std::move(*read);
   for (Diagnostic& problem : read.diagnostics) {
     reading.diagnostics.push_back(std::move(problem));
@@ -83,7 +83,7 @@ bool speaks_for_itself(const Result<ExpressionSyntax>& read, const DecodedText& 
 
 }  // namespace
 
-void Reading::report(Code code, const Span& span, std::string message, std::string hint) {
+void FileReading::report(Code code, const Span& span, std::string message, std::string hint) {
   diagnostics.push_back({code, span, std::move(message), std::move(hint)});
 }
 
@@ -95,7 +95,7 @@ ValueSyntax empty_value(const TomlValue& value, ValueKind kind) {
   return result;
 }
 
-void report_wrong_type(const TomlValue& value, std::string_view expected, Reading& reading) {
+void report_wrong_type(const TomlValue& value, std::string_view expected, FileReading& reading) {
   if (value.kind == TomlKind::other) {
     reading.report(Code::E109, value.span, described(value) + " is not a decimal number",
                    "numbers are written `12`, `0.5` or `1e-3`");
@@ -105,7 +105,7 @@ void report_wrong_type(const TomlValue& value, std::string_view expected, Readin
                  fmt::format("{} where {} is expected", described(value), expected));
 }
 
-ValueSyntax read_expression_value(const TomlValue& value, Reading& reading) {
+ValueSyntax read_expression_value(const TomlValue& value, FileReading& reading) {
   ValueSyntax result = empty_value(value, ValueKind::expression);
   if (value.kind == TomlKind::number) {
     read_number(value, result, reading);
@@ -117,7 +117,7 @@ ValueSyntax read_expression_value(const TomlValue& value, Reading& reading) {
   return result;
 }
 
-ValueSyntax read_name(const TomlValue& value, Reading& reading) {
+ValueSyntax read_name(const TomlValue& value, FileReading& reading) {
   ValueSyntax result = empty_value(value, ValueKind::expression);
   if (value.kind != TomlKind::string) {
     report_wrong_type(value, "a name (a string)", reading);
@@ -134,7 +134,7 @@ ValueSyntax read_name(const TomlValue& value, Reading& reading) {
   return result;
 }
 
-ValueSyntax read_list(const TomlValue& value, std::size_t count, Reading& reading) {
+ValueSyntax read_list(const TomlValue& value, std::size_t count, FileReading& reading) {
   ValueSyntax result = empty_value(value, ValueKind::list);
   const bool wrong_size = count != 0 && value.items.size() != count;
   if (value.kind != TomlKind::array || wrong_size) {
@@ -149,7 +149,7 @@ ValueSyntax read_list(const TomlValue& value, std::size_t count, Reading& readin
   return result;
 }
 
-ValueSyntax read_array_or_expression(const TomlValue& value, Reading& reading) {
+ValueSyntax read_array_or_expression(const TomlValue& value, FileReading& reading) {
   if (value.kind != TomlKind::array) return read_expression_value(value, reading);
   ValueSyntax result = empty_value(value, ValueKind::list);
   for (const TomlValue& item : value.items) {
@@ -161,7 +161,7 @@ ValueSyntax read_array_or_expression(const TomlValue& value, Reading& reading) {
 
 namespace {
 
-ValueSyntax read_turn(const TomlValue& value, Reading& reading) {
+ValueSyntax read_turn(const TomlValue& value, FileReading& reading) {
   ValueSyntax result = empty_value(value, ValueKind::list);
   if (value.kind != TomlKind::array || value.items.size() != 2) {
     report_wrong_type(value, "[axis, angle]", reading);
@@ -176,7 +176,7 @@ ValueSyntax read_turn(const TomlValue& value, Reading& reading) {
 
 }  // namespace
 
-ValueSyntax read_turns(const TomlValue& value, Reading& reading) {
+ValueSyntax read_turns(const TomlValue& value, FileReading& reading) {
   ValueSyntax result = empty_value(value, ValueKind::list);
   if (value.kind != TomlKind::array) {
     report_wrong_type(value, "a list of [axis, angle]", reading);
@@ -185,20 +185,20 @@ ValueSyntax read_turns(const TomlValue& value, Reading& reading) {
   return result;
 }
 
-ValueSyntax read_text(const TomlValue& value, Reading& reading) {
+ValueSyntax read_text(const TomlValue& value, FileReading& reading) {
   if (value.kind != TomlKind::string) report_wrong_type(value, "a string", reading);
   report_hidden(value.text, reading);
   return empty_value(value, ValueKind::text);
 }
 
-ValueSyntax read_boolean(const TomlValue& value, Reading& reading) {
+ValueSyntax read_boolean(const TomlValue& value, FileReading& reading) {
   ValueSyntax result = empty_value(value, ValueKind::boolean);
   result.boolean = value.boolean;
   if (value.kind != TomlKind::boolean) report_wrong_type(value, "`true` or `false`", reading);
   return result;
 }
 
-ValueSyntax read_integer(const TomlValue& value, Reading& reading) {
+ValueSyntax read_integer(const TomlValue& value, FileReading& reading) {
   ValueSyntax result = empty_value(value, ValueKind::expression);
   if (value.kind == TomlKind::number) read_number(value, result, reading);
   const bool whole = cln:: instanceof (result.expression.value, cln::cl_I_ring);

@@ -7,7 +7,7 @@
 namespace elgen::parsing {
 
 /// What reading a file shares: the limits, and where its errors go.
-struct Reading {
+struct FileReading {
   const Limits& limits;
   Diagnostics diagnostics = {};
 
@@ -15,26 +15,27 @@ struct Reading {
 };
 
 /// A number or a string as an expression; E104 for anything else, E3xx and E9xx of the expression.
-[[nodiscard]] ValueSyntax read_expression_value(const TomlValue& value, Reading& reading);
+[[nodiscard]] ValueSyntax read_expression_value(const TomlValue& value, FileReading& reading);
 
 /// A string as a name with or without an index; E104, E205.
-[[nodiscard]] ValueSyntax read_name(const TomlValue& value, Reading& reading);
+[[nodiscard]] ValueSyntax read_name(const TomlValue& value, FileReading& reading);
 
 /// A list of `count` expressions, of any number where `count` is 0; E104.
-[[nodiscard]] ValueSyntax read_list(const TomlValue& value, std::size_t count, Reading& reading);
+[[nodiscard]] ValueSyntax read_list(const TomlValue& value, std::size_t count,
+                                    FileReading& reading);
 
 /// An expression, a list, or a list of lists.
-[[nodiscard]] ValueSyntax read_array_or_expression(const TomlValue& value, Reading& reading);
+[[nodiscard]] ValueSyntax read_array_or_expression(const TomlValue& value, FileReading& reading);
 
 /// A list of pairs [axis, angle]; the axis is a string or a list of three expressions.
-[[nodiscard]] ValueSyntax read_turns(const TomlValue& value, Reading& reading);
+[[nodiscard]] ValueSyntax read_turns(const TomlValue& value, FileReading& reading);
 
-[[nodiscard]] ValueSyntax read_text(const TomlValue& value, Reading& reading);
-[[nodiscard]] ValueSyntax read_boolean(const TomlValue& value, Reading& reading);
-[[nodiscard]] ValueSyntax read_integer(const TomlValue& value, Reading& reading);
+[[nodiscard]] ValueSyntax read_text(const TomlValue& value, FileReading& reading);
+[[nodiscard]] ValueSyntax read_boolean(const TomlValue& value, FileReading& reading);
+[[nodiscard]] ValueSyntax read_integer(const TomlValue& value, FileReading& reading);
 
 /// E104: "number `1` where a string is expected"; E109 where no decimal number stands.
-void report_wrong_type(const TomlValue& value, std::string_view expected, Reading& reading);
+void report_wrong_type(const TomlValue& value, std::string_view expected, FileReading& reading);
 
 /// A value of `kind` at the place of `value`: inside the quotes for strings.
 [[nodiscard]] ValueSyntax empty_value(const TomlValue& value, ValueKind kind);

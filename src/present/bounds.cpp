@@ -1,5 +1,5 @@
-// Bounds: see bounds.hpp. Every leaf of a term lies in its range by itself, so that bounds hold but
-// need not be reached.
+// TermBounds: see bounds.hpp. Every leaf of a term lies in its range by itself, so that bounds hold
+// but need not be reached.
 #include "bounds.hpp"
 
 #include <fmt/format.h>
@@ -48,12 +48,12 @@ std::vector<Fraction> terms_of(const Algebra& algebra, const Fraction& x) {
   return terms;
 }
 
-std::nullopt_t Bounds::miss(const Span& span, std::string message, std::string hint) {
+std::nullopt_t TermBounds::miss(const Span& span, std::string message, std::string hint) {
   missing_ = {Code::E616, span, std::move(message), std::move(hint)};
   return std::nullopt;
 }
 
-std::optional<Enclosure> Bounds::of(const Fraction& x) {
+std::optional<Enclosure> TermBounds::of(const Fraction& x) {
   std::optional<Enclosure> result = of(x.numerator);
   for (const auto& [factor, exponent] : x.denominator) {
     const std::optional<Enclosure> divisor = of(algebra_.factors[factor].shown);
@@ -65,7 +65,7 @@ std::optional<Enclosure> Bounds::of(const Fraction& x) {
   return result;
 }
 
-std::optional<cl_RA> Bounds::largest_term(const Fraction& x) {
+std::optional<cl_RA> TermBounds::largest_term(const Fraction& x) {
   cl_RA largest = 0;
   for (const Fraction& term : terms_of(algebra_, x)) {
     const std::optional<Enclosure> bound = of(term);
@@ -75,7 +75,7 @@ std::optional<cl_RA> Bounds::largest_term(const Fraction& x) {
   return largest;
 }
 
-std::optional<cl_RA> Bounds::all_terms(const Fraction& x) {
+std::optional<cl_RA> TermBounds::all_terms(const Fraction& x) {
   cl_RA total = 0;
   for (const Fraction& term : terms_of(algebra_, x)) {
     const std::optional<Enclosure> bound = of(term);
@@ -86,7 +86,7 @@ std::optional<cl_RA> Bounds::all_terms(const Fraction& x) {
 }
 
 /// A pair c z + conj(c z), |z| = r, is at most 2 |c| r.
-std::optional<Enclosure> Bounds::of(const Polynomial& sum) {
+std::optional<Enclosure> TermBounds::of(const Polynomial& sum) {
   Enclosure total;
   for (const auto& [monomial, coefficient] : sum) {
     const AtomPower* angle = exponential(algebra_, monomial);
@@ -105,7 +105,7 @@ std::optional<Enclosure> Bounds::of(const Polynomial& sum) {
   return total;
 }
 
-std::optional<Enclosure> Bounds::of(const Monomial& monomial) {
+std::optional<Enclosure> TermBounds::of(const Monomial& monomial) {
   Enclosure result{1, 1};
   for (const AtomPower& factor : monomial) {
     if (algebra_.atoms[factor.atom].kind == AtomKind::circular) continue;  // of length 1
@@ -118,7 +118,7 @@ std::optional<Enclosure> Bounds::of(const Monomial& monomial) {
   return result;
 }
 
-std::optional<Enclosure> Bounds::of_atom(AtomId id) {
+std::optional<Enclosure> TermBounds::of_atom(AtomId id) {
   if (const auto known = known_.find(id); known != known_.end()) return known->second;
   const Atom& atom = algebra_.atoms[id];
   std::optional<Enclosure> result;
@@ -144,7 +144,7 @@ std::optional<Enclosure> Bounds::of_atom(AtomId id) {
   return result;
 }
 
-std::optional<Enclosure> Bounds::of_leaf(const Atom& atom) {
+std::optional<Enclosure> TermBounds::of_leaf(const Atom& atom) {
   switch (atom.leaf) {
     case Opcode::parameter: {
       const Parameter& parameter = model_.parameters[atom.index];
@@ -172,7 +172,7 @@ std::optional<Enclosure> Bounds::of_leaf(const Atom& atom) {
   }
 }
 
-std::optional<Enclosure> Bounds::of_call(const Atom& atom) {
+std::optional<Enclosure> TermBounds::of_call(const Atom& atom) {
   const cl_RA pi_above = cl_RA(22) / 7;
   std::vector<Enclosure> arguments;
   switch (atom.function) {

@@ -1,4 +1,4 @@
-// Bounds: what closed forms are at most over the ranges a model declares.
+// TermBounds: what closed forms are at most over the ranges a model declares.
 //
 //     1/4 m x e^(i theta) + its conjugate,  m = 2, x in [-3, 1]     ->     [-3, 3]
 //
@@ -17,10 +17,10 @@ namespace elgen::presenting {
 /// Each pair of conjugate exponentials, and each other monomial, as a fraction of its own.
 [[nodiscard]] std::vector<Fraction> terms_of(const Algebra& algebra, const Fraction& x);
 
-class Bounds {
+class TermBounds {
  public:
   /// `algebra` may grow while this lives.
-  Bounds(const Algebra& algebra, const Model& model) : algebra_(algebra), model_(model) {}
+  TermBounds(const Algebra& algebra, const Model& model) : algebra_(algebra), model_(model) {}
 
   /// None where there is no bound; missing() then says why.
   [[nodiscard]] std::optional<Enclosure> of(const Fraction& x);

@@ -15,9 +15,9 @@ namespace elgen {
 
 using cln::cl_RA;
 using presenting::Arithmetic;
-using presenting::Bounds;
 using presenting::Consequences;
 using presenting::DroppedParts;
+using presenting::TermBounds;
 using presenting::Value;
 using presenting::Values;
 
@@ -231,7 +231,7 @@ class Drop {
   const Model& model_;
   const Dropping& dropping_;
   ClosedForms forms_;
-  Bounds bounds_;
+  TermBounds bounds_;
   std::size_t work_ = PresentBudget{}.products;
   Arithmetic arithmetic_;
   DroppedParts dropped_;

@@ -13,7 +13,7 @@ namespace elgen {
 using cln::cl_RA;
 using presenting::Arithmetic;
 using presenting::fraction_of;
-using presenting::Motion;
+using presenting::LeafRates;
 using presenting::Value;
 
 namespace {
@@ -24,7 +24,7 @@ bool is_input(const Atom& atom) {
 
 class Rates {
  public:
-  Rates(Arithmetic& arithmetic, const Algebra& algebra, const Motion& motion)
+  Rates(Arithmetic& arithmetic, const Algebra& algebra, const LeafRates& motion)
       : arithmetic_(arithmetic), algebra_(algebra), motion_(motion) {}
 
   Value of(const Fraction& x) {
@@ -120,7 +120,7 @@ class Rates {
 
   Arithmetic& arithmetic_;
   const Algebra& algebra_;
-  const Motion& motion_;
+  const LeafRates& motion_;
   std::map<AtomId, Value> known_;
 };
 
@@ -167,18 +167,18 @@ Value without_inputs(const Algebra& algebra, const Fraction& x) {
 
 namespace presenting {
 
-Motion along_coordinate(std::size_t coordinate, std::size_t count) {
-  Motion motion{std::vector<Fraction>(count), std::vector<Fraction>(count), {}};
+LeafRates along_coordinate(std::size_t coordinate, std::size_t count) {
+  LeafRates motion{std::vector<Fraction>(count), std::vector<Fraction>(count), {}};
   motion.coordinates[coordinate] = fraction_of(cl_RA(1));
   return motion;
 }
 
-Motion along_time(std::size_t count) {
+LeafRates along_time(std::size_t count) {
   return {std::vector<Fraction>(count), std::vector<Fraction>(count), fraction_of(cl_RA(1))};
 }
 
 Value rate(Arithmetic& arithmetic, const Algebra& algebra, const Fraction& x,
-           const Motion& motion) {
+           const LeafRates& motion) {
   return Rates(arithmetic, algebra, motion).of(x);
 }
 
@@ -206,7 +206,7 @@ bool proved_conserved(ClosedForms& forms, const Fraction& x,
   const PresentBudget budget;
   std::size_t work = budget.products;
   Arithmetic arithmetic(forms.algebra, work, budget.terms);
-  Motion free_motion{coordinate_rates, {}, fraction_of(cl_RA(1))};
+  LeafRates free_motion{coordinate_rates, {}, fraction_of(cl_RA(1))};
   for (const Fraction& acceleration : accelerations) {
     Value free = without_inputs(forms.algebra, acceleration);
     if (!free) return false;

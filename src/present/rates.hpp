@@ -6,19 +6,19 @@
 namespace elgen::presenting {
 
 /// How fast the leaves change; parameters stand still.
-struct Motion {
+struct LeafRates {
   std::vector<Fraction> coordinates = {};  ///< empty: they change at their velocities
   std::vector<Fraction> velocities = {};   ///< empty: unknown
   Fraction time = {};
 };
 
 /// Displacement of one of `count` coordinates, at rest otherwise.
-[[nodiscard]] Motion along_coordinate(std::size_t coordinate, std::size_t count);
+[[nodiscard]] LeafRates along_coordinate(std::size_t coordinate, std::size_t count);
 /// Time alone passes.
-[[nodiscard]] Motion along_time(std::size_t count);
+[[nodiscard]] LeafRates along_time(std::size_t count);
 
 /// None beyond the budget, and of functions with kinks where they change.
 [[nodiscard]] Value rate(Arithmetic& arithmetic, const Algebra& algebra, const Fraction& x,
-                         const Motion& motion);
+                         const LeafRates& motion);
 
 }  // namespace elgen::presenting

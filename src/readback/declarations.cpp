@@ -158,7 +158,7 @@ void read_cpp_parameters(TokenReader& tokens, const Origin& origin) {
   }
 }
 
-void read_c_parameters(TokenReader& tokens, const Origin& origin, const Dialect& dialect) {
+void read_c_parameters(TokenReader& tokens, const Origin& origin, const CodeDialect& dialect) {
   const std::vector<ParameterArray> arrays = read_parameters(origin);
   for (const ParameterArray& array : arrays) {
     tokens.expect_code(fmt::format("{} {}", dialect.scalar, array.name));
@@ -168,7 +168,7 @@ void read_c_parameters(TokenReader& tokens, const Origin& origin, const Dialect&
   if (arrays.empty()) tokens.expect_code("char none;");
 }
 
-void read_c_defaults(TokenReader& tokens, const Origin& origin, const Dialect& dialect) {
+void read_c_defaults(TokenReader& tokens, const Origin& origin, const CodeDialect& dialect) {
   std::string capitals = name_space_of(origin.scene);
   std::transform(capitals.begin(), capitals.end(), capitals.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });

@@ -34,7 +34,7 @@ void read_declared_values(TokenReader& tokens, const DeclaredArray& array);
 void read_cpp_parameters(TokenReader& tokens, const Origin& origin);
 
 /// The members of C, and the macro with their values.
-void read_c_parameters(TokenReader& tokens, const Origin& origin, const Dialect& dialect);
-void read_c_defaults(TokenReader& tokens, const Origin& origin, const Dialect& dialect);
+void read_c_parameters(TokenReader& tokens, const Origin& origin, const CodeDialect& dialect);
+void read_c_defaults(TokenReader& tokens, const Origin& origin, const CodeDialect& dialect);
 
 }  // namespace elgen::reading

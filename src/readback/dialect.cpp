@@ -8,7 +8,7 @@
 
 namespace elgen::reading {
 
-Dialect dialect_of(Shape shape, const Scene& scene) {
+CodeDialect dialect_of(Shape shape, const Scene& scene) {
   if (shape != Shape::c99) {
     const bool is_eigen = shape == Shape::eigen;
     return {shape, "Scalar", ".", is_eigen ? "(" : "[", is_eigen ? ")" : "]"};

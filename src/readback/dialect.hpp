@@ -15,7 +15,7 @@ namespace elgen::reading {
 /// The shapes of file that there are.
 enum class Shape : std::uint8_t { cpp, eigen, c99 };
 
-struct Dialect {
+struct CodeDialect {
   Shape shape = Shape::cpp;
   std::string scalar = {};  ///< "Scalar", "double"
   std::string member = {};  ///< "." or "->"
@@ -25,7 +25,7 @@ struct Dialect {
   ScalarKind kind = ScalarKind::double_precision;  ///< of C
 };
 
-[[nodiscard]] Dialect dialect_of(Shape shape, const Scene& scene);
+[[nodiscard]] CodeDialect dialect_of(Shape shape, const Scene& scene);
 
 /// "cart_pole": the namespace of C++, the start of every name in C.
 [[nodiscard]] const std::string& name_space_of(const Scene& scene);

@@ -14,55 +14,55 @@ constexpr int deepest = 200;
 
 }  // namespace
 
-Value ExpressionReader::read(const BodyScope& body) {
+SignedNode ExpressionReader::read(const BodyScope& body) {
   body_ = &body;
   return sum();
 }
 
-Value ExpressionReader::sum() {
-  Value value = product();
+SignedNode ExpressionReader::sum() {
+  SignedNode value = product();
   while (tokens_.at("+") || tokens_.at("-")) {
     const Opcode opcode = tokens_.advance().text == "+" ? Opcode::add : Opcode::subtract;
-    const Value next = product();
+    const SignedNode next = product();
     value = graph_.binary(opcode, value, next);
   }
   return value;
 }
 
-Value ExpressionReader::product() {
-  Value value = unary();
+SignedNode ExpressionReader::product() {
+  SignedNode value = unary();
   while (tokens_.at("*") || tokens_.at("/")) {
     const Opcode opcode = tokens_.advance().text == "*" ? Opcode::multiply : Opcode::divide;
-    const Value next = unary();
+    const SignedNode next = unary();
     value = graph_.binary(opcode, value, next);
   }
   return value;
 }
 
-Value ExpressionReader::unary() {
+SignedNode ExpressionReader::unary() {
   if (!tokens_.at("-")) return primary();
   tokens_.advance();
   return negated(unary());
 }
 
-Value ExpressionReader::primary() {
+SignedNode ExpressionReader::primary() {
   if (tokens_.at("(")) return bracketed();
   if (tokens_.at(CodeTokenKind::number) && file_.dialect.shape == Shape::c99) return literal();
   if (!tokens_.at(CodeTokenKind::name)) tokens_.fail_expected("an operand");
   return named();
 }
 
-Value ExpressionReader::bracketed() {
+SignedNode ExpressionReader::bracketed() {
   if (++depth_ > deepest) tokens_.fail_expected("fewer brackets");
   tokens_.expect("(");
-  const Value value = sum();
+  const SignedNode value = sum();
   tokens_.expect(")");
   --depth_;
   return value;
 }
 
 /// Of C: a number of its one scalar, known by what it rounds to.
-Value ExpressionReader::literal() {
+SignedNode ExpressionReader::literal() {
   const CodeToken token = tokens_.advance();
   const std::optional<Literal> literal = read_literal(token.text);
   const bool is_float = file_.dialect.kind == ScalarKind::single_precision;
@@ -74,7 +74,7 @@ Value ExpressionReader::literal() {
 }
 
 /// constant<Scalar>(0.5): a number that is the same in every scalar.
-Value ExpressionReader::short_constant() {
+SignedNode ExpressionReader::short_constant() {
   tokens_.expect_code("<Scalar>(");
   const CodeToken token = tokens_.advance();
   const std::optional<Literal> literal = read_literal(token.text);
@@ -86,7 +86,7 @@ Value ExpressionReader::short_constant() {
   return graph_.constant(literal->value);
 }
 
-Value ExpressionReader::named() {
+SignedNode ExpressionReader::named() {
   const CodeToken name = tokens_.advance();
   const auto is_meant = [&](Opcode argument) { return leaf_row(argument).symbol == name.text; };
   const auto known = std::find_if(body_->arguments.begin(), body_->arguments.end(), is_meant);
@@ -101,7 +101,7 @@ Value ExpressionReader::named() {
   return named_number(name);
 }
 
-Value ExpressionReader::named_number(const CodeToken& name) {
+SignedNode ExpressionReader::named_number(const CodeToken& name) {
   const auto known = file_.numbers.find(name.text);
   if (known == file_.numbers.end()) expect_in_scope(name);
   tokens_.expect_code("<Scalar>()");
@@ -112,7 +112,7 @@ void ExpressionReader::expect_in_scope(const CodeToken& name) {
   tokens_.fail(tokens_.span(name), quoted(name.text) + " is not declared here");
 }
 
-Value ExpressionReader::argument(Opcode argument) {
+SignedNode ExpressionReader::argument(Opcode argument) {
   if (argument == Opcode::parameter) return parameter();
   if (argument == Opcode::time) return graph_.leaf(Opcode::time, 0);
   return graph_.leaf(argument, index(argument_size(file_.origin.model, argument)));
@@ -130,7 +130,7 @@ std::uint32_t ExpressionReader::index(std::size_t size) {
   return index;
 }
 
-Value ExpressionReader::parameter() {
+SignedNode ExpressionReader::parameter() {
   tokens_.expect(file_.dialect.member);
   const CodeToken name = tokens_.current();
   const auto known = file_.parameters.find(tokens_.name());
@@ -142,7 +142,7 @@ Value ExpressionReader::parameter() {
   return graph_.leaf(Opcode::parameter, *leaf);
 }
 
-Value ExpressionReader::shared() {
+SignedNode ExpressionReader::shared() {
   tokens_.expect(file_.dialect.member);
   const CodeToken name = tokens_.current();
   const auto known = workspace_.find(tokens_.name());
@@ -152,7 +152,7 @@ Value ExpressionReader::shared() {
 }
 
 /// detail::sign_of<Scalar>(x): helpers of C++ for functions with kinks.
-Value ExpressionReader::kinked() {
+SignedNode ExpressionReader::kinked() {
   tokens_.expect("::");
   const CodeToken name = tokens_.current();
   const std::optional<FunctionId> function = kinked_function(tokens_.name());
@@ -170,7 +170,7 @@ std::optional<FunctionId> ExpressionReader::kinked_function(std::string_view hel
 
 /// Of C in float: sinf is sin.
 std::string_view ExpressionReader::without_suffix(std::string_view name) const {
-  const Dialect& dialect = file_.dialect;
+  const CodeDialect& dialect = file_.dialect;
   if (dialect.shape != Shape::c99 || dialect.kind != ScalarKind::single_precision) return name;
   return name.ends_with('f') ? name.substr(0, name.size() - 1) : std::string_view();
 }
@@ -192,7 +192,7 @@ std::optional<FunctionId> ExpressionReader::function_named(std::string_view name
   return is_library ? std::optional(row->id) : std::nullopt;
 }
 
-Value ExpressionReader::call(const CodeToken& name) {
+SignedNode ExpressionReader::call(const CodeToken& name) {
   const bool is_root = is_square_root(name.text);
   const std::optional<FunctionId> function = function_named(name.text);
   const bool is_known = file_.dialect.shape == Shape::c99 || body_->used.count(name.text) > 0;
@@ -200,16 +200,16 @@ Value ExpressionReader::call(const CodeToken& name) {
   return is_root ? graph_.square_root(bracketed()) : call_of(*function);
 }
 
-Value ExpressionReader::call_of(FunctionId function) {
+SignedNode ExpressionReader::call_of(FunctionId function) {
   const bool is_binary = function_row(function).arity > 1;
   if (!is_binary) {
-    const Value x = bracketed();
+    const SignedNode x = bracketed();
     return graph_.call(function, x, {});
   }
   tokens_.expect("(");
-  const Value x = sum();
+  const SignedNode x = sum();
   tokens_.expect(",");
-  const Value y = sum();
+  const SignedNode y = sum();
   tokens_.expect(")");
   return graph_.call(function, x, y);
 }

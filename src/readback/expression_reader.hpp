@@ -30,7 +30,7 @@ struct ParameterMember {
 /// What the functions of a file may name.
 struct FileScope {
   Origin origin;
-  Dialect dialect;
+  CodeDialect dialect;
   std::map<std::string, ParameterMember, std::less<>> parameters = {};
   std::map<std::string, cln::cl_R, std::less<>> numbers = {};  ///< "number_1_3"
 };
@@ -40,11 +40,11 @@ struct BodyScope {
   std::vector<Opcode> arguments = {};  ///< those with a name
   bool has_workspace = false;
   std::set<std::string_view> used = {};  ///< the functions of namespace std
-  std::unordered_map<std::string_view, Value> locals = {};
+  std::unordered_map<std::string_view, SignedNode> locals = {};
 };
 
 /// Values that the parts of a function share; none before one has written them.
-using Workspace = std::unordered_map<std::string_view, std::optional<Value>>;
+using Workspace = std::unordered_map<std::string_view, std::optional<SignedNode>>;
 
 class ExpressionReader {
  public:
@@ -52,28 +52,28 @@ class ExpressionReader {
                    const Workspace& workspace)
       : tokens_(tokens), graph_(graph), file_(file), workspace_(workspace) {}
 
-  [[nodiscard]] Value read(const BodyScope& body);
+  [[nodiscard]] SignedNode read(const BodyScope& body);
 
  private:
-  Value sum();
-  Value product();
-  Value unary();
-  Value primary();
-  Value bracketed();
-  Value literal();
-  Value short_constant();
-  Value named();
-  Value named_number(const CodeToken& name);
-  Value argument(Opcode argument);
-  Value parameter();
-  Value shared();
-  Value kinked();
+  SignedNode sum();
+  SignedNode product();
+  SignedNode unary();
+  SignedNode primary();
+  SignedNode bracketed();
+  SignedNode literal();
+  SignedNode short_constant();
+  SignedNode named();
+  SignedNode named_number(const CodeToken& name);
+  SignedNode argument(Opcode argument);
+  SignedNode parameter();
+  SignedNode shared();
+  SignedNode kinked();
   std::optional<FunctionId> kinked_function(std::string_view helper) const;
   std::optional<FunctionId> function_named(std::string_view name) const;
   bool is_square_root(std::string_view name) const;
   std::string_view without_suffix(std::string_view name) const;
-  Value call(const CodeToken& name);
-  Value call_of(FunctionId function);
+  SignedNode call(const CodeToken& name);
+  SignedNode call_of(FunctionId function);
   std::uint32_t index(std::size_t size);
   void expect_in_scope(const CodeToken& name);
 

@@ -21,28 +21,32 @@ std::vector<std::uint32_t> named_instructions(const std::vector<std::string>& na
 }
 
 /// The rules of what code stands for; constants of C are rounded.
-struct Rules {
+struct CodeRules {
   ValueGraph& graph;
-  const Dialect& dialect;
+  const CodeDialect& dialect;
 
-  [[nodiscard]] Value constant(const Constant& constant) const {
+  [[nodiscard]] SignedNode constant(const Constant& constant) const {
     const bool is_c = dialect.shape == Shape::c99;
     return graph.constant(is_c ? rounded(constant.value, dialect.kind) : constant.value);
   }
-  [[nodiscard]] Value leaf(Opcode kind, std::uint32_t number) const {
+  [[nodiscard]] SignedNode leaf(Opcode kind, std::uint32_t number) const {
     return graph.leaf(kind, number);
   }
-  [[nodiscard]] static Value negate(Value x) { return negated(x); }
-  [[nodiscard]] Value add(Value x, Value y) const { return graph.binary(Opcode::add, x, y); }
-  [[nodiscard]] Value subtract(Value x, Value y) const {
+  [[nodiscard]] static SignedNode negate(SignedNode x) { return negated(x); }
+  [[nodiscard]] SignedNode add(SignedNode x, SignedNode y) const {
+    return graph.binary(Opcode::add, x, y);
+  }
+  [[nodiscard]] SignedNode subtract(SignedNode x, SignedNode y) const {
     return graph.binary(Opcode::subtract, x, y);
   }
-  [[nodiscard]] Value multiply(Value x, Value y) const {
+  [[nodiscard]] SignedNode multiply(SignedNode x, SignedNode y) const {
     return graph.binary(Opcode::multiply, x, y);
   }
-  [[nodiscard]] Value divide(Value x, Value y) const { return graph.binary(Opcode::divide, x, y); }
-  [[nodiscard]] Value square_root(Value x) const { return graph.square_root(x); }
-  [[nodiscard]] Value call(FunctionId function, Value x, Value y) const {
+  [[nodiscard]] SignedNode divide(SignedNode x, SignedNode y) const {
+    return graph.binary(Opcode::divide, x, y);
+  }
+  [[nodiscard]] SignedNode square_root(SignedNode x) const { return graph.square_root(x); }
+  [[nodiscard]] SignedNode call(FunctionId function, SignedNode x, SignedNode y) const {
     return graph.call(function, x, y);
   }
 };
@@ -57,7 +61,7 @@ FunctionReader::FunctionReader(TokenReader& tokens, const FileScope& file, const
       expressions_(tokens, graph_, file, workspace_) {
   tokens.set_function(function.name);
   const Program& program = file.origin.program;
-  values_ = fold<Value>(Rules{graph_, file.dialect}, program, function);
+  values_ = fold<SignedNode>(CodeRules{graph_, file.dialect}, program, function);
   const std::vector<std::string> names = temporary_names(program, function);
   named_ = named_instructions(names);
   for (const std::uint32_t named : named_) graph_.set_name(values_[named], names[named]);
@@ -173,7 +177,7 @@ void FunctionReader::named_value(const CodeToken& name) {
     tokens_.fail(tokens_.span(name), quoted(name.text) + " is one statement too many");
   }
   const CodeToken first = tokens_.current();
-  const Value written = expressions_.read(scope_);
+  const SignedNode written = expressions_.read(scope_);
   compare(written, values_[named_[next_statement_]], first, quoted(name.text));
   ++next_statement_;
   tokens_.expect(";");
@@ -216,13 +220,13 @@ void FunctionReader::entry(std::size_t result, std::size_t index, const CodeToke
     tokens_.fail(tokens_.span(first), fmt::format("entry {} is written twice", index));
   const std::string field = target.field.name.empty() ? "the result" : quoted(target.field.name);
   const CodeToken start = tokens_.current();
-  const Value written = expressions_.read(scope_);
+  const SignedNode written = expressions_.read(scope_);
   compare(written, values_[target.entries[index]], start,
           fmt::format("entry {} of {}", index, field));
   target.written[index] = true;
 }
 
-void FunctionReader::compare(Value written, Value derived, const CodeToken& first,
+void FunctionReader::compare(SignedNode written, SignedNode derived, const CodeToken& first,
                              const std::string& what) {
   if (written == derived) return;
   const LeafNames& leaves = file_.origin.program.leaves;
@@ -309,7 +313,7 @@ void FunctionReader::calls_of_parts() {
 
 void FunctionReader::expect_complete() {
   if (next_statement_ < named_.size()) {
-    const Value missing = values_[named_[next_statement_]];
+    const SignedNode missing = values_[named_[next_statement_]];
     tokens_.fail(tokens_.span(tokens_.current()),
                  fmt::format("the statement `{}` is missing",
                              graph_.text(file_.origin.program.leaves, missing)));

@@ -83,7 +83,8 @@ class FunctionReader {
   void array_value(std::size_t result);
   void entry(std::size_t result, std::size_t index, const CodeToken& first);
   void named_value(const CodeToken& name);
-  void compare(Value written, Value derived, const CodeToken& first, const std::string& what);
+  void compare(SignedNode written, SignedNode derived, const CodeToken& first,
+               const std::string& what);
   void expect_complete();
   std::size_t result_named(std::string_view name, const CodeToken& token);
 
@@ -91,7 +92,7 @@ class FunctionReader {
   const FileScope& file_;
   const Function& function_;
   ValueGraph graph_ = {};
-  std::vector<Value> values_ = {};         ///< of every instruction
+  std::vector<SignedNode> values_ = {};    ///< of every instruction
   std::vector<std::uint32_t> named_ = {};  ///< instructions that are statements
   std::size_t next_statement_ = 0;
   std::vector<Result> results_ = {};

@@ -25,7 +25,7 @@ std::string upper_case(std::string text) {
 }
 
 /// The holes that are the same everywhere in a file.
-Texts known_texts(const Origin& origin, const Dialect& dialect) {
+Texts known_texts(const Origin& origin, const CodeDialect& dialect) {
   const auto& [model, scene, program] = origin;
   std::size_t parameters = 0;
   for (const ParameterArray& array : read_parameters(origin)) parameters += array.count;

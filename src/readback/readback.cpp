@@ -15,10 +15,10 @@ namespace {
 
 using namespace reading;
 
-class Reading {
+class FilesReader {
  public:
-  Reading(const std::vector<SourcePointer>& files, const CheckedModel& checked,
-          const Program& program)
+  FilesReader(const std::vector<SourcePointer>& files, const CheckedModel& checked,
+              const Program& program)
       : files_(files), origin_{checked.model, checked.scene, program}, equations_(origin_) {}
 
   Result<Readback> read() {
@@ -29,10 +29,10 @@ class Reading {
   }
 
  private:
-  using Read = void (Reading::*)(const SourceText& text);
+  using Read = void (FilesReader::*)(const SourceText& text);
   static PerArtifact<Read> readers() {
-    return {{&Reading::header, &Reading::eigen_header, &Reading::header, &Reading::sidecar,
-             &Reading::page}};
+    return {{&FilesReader::header, &FilesReader::eigen_header, &FilesReader::header,
+             &FilesReader::sidecar, &FilesReader::page}};
   }
 
   void read(const Artifact& artifact) {
@@ -80,7 +80,7 @@ class Reading {
 
 Result<Readback> read_back(const std::vector<SourcePointer>& files, const CheckedModel& checked,
                            const Program& program) {
-  return Reading(files, checked, program).read();
+  return FilesReader(files, checked, program).read();
 }
 
 Diagnostics read_back_page(const SourcePointer& page, const CheckedModel& checked,

@@ -12,8 +12,8 @@ namespace {
 
 constexpr int deepest_text = 5;
 
-std::uint32_t packed(Value x) { return 2 * x.node + (x.is_negative ? 1 : 0); }
-Value unpacked(std::uint32_t operand) { return {operand / 2, operand % 2 == 1}; }
+std::uint32_t packed(SignedNode x) { return 2 * x.node + (x.is_negative ? 1 : 0); }
+SignedNode unpacked(std::uint32_t operand) { return {operand / 2, operand % 2 == 1}; }
 
 char sign_of(Opcode opcode) {
   switch (opcode) {
@@ -41,7 +41,7 @@ std::string bracketed(bool is_operand, const std::string& text) {
 
 }  // namespace
 
-Value negated(Value x) {
+SignedNode negated(SignedNode x) {
   x.is_negative = !x.is_negative;
   return x;
 }
@@ -54,48 +54,48 @@ std::size_t ValueGraph::Hash::operator()(const Node& node) const {
   return std::hash<std::uint64_t>()((operands ^ (kind << 57U) ^ kind) * 0x9E3779B97F4A7C15U);
 }
 
-Value ValueGraph::node(const Instruction& instruction) {
+SignedNode ValueGraph::node(const Instruction& instruction) {
   const auto next = static_cast<std::uint32_t>(nodes_.size());
   const auto [known, is_new] = known_.emplace(Node{instruction}, next);
   if (is_new) nodes_.push_back({instruction});
   return {known->second, false};
 }
 
-Value ValueGraph::constant(const cln::cl_R& value) {
+SignedNode ValueGraph::constant(const cln::cl_R& value) {
   const cln::cl_R magnitude = cln::abs(value);
   const auto next = static_cast<std::uint32_t>(constants_.size());
   const auto [known, is_new] = known_constants_.emplace(magnitude, next);
   if (is_new) constants_.push_back(magnitude);
-  const Value result = node({Opcode::constant, FunctionId::sin, known->second, 0});
+  const SignedNode result = node({Opcode::constant, FunctionId::sin, known->second, 0});
   return cln::minusp(value) ? negated(result) : result;
 }
 
-Value ValueGraph::leaf(Opcode opcode, std::uint32_t index) {
+SignedNode ValueGraph::leaf(Opcode opcode, std::uint32_t index) {
   return node({opcode, FunctionId::sin, index, 0});
 }
 
-Value ValueGraph::binary(Opcode opcode, Value x, Value y) {
+SignedNode ValueGraph::binary(Opcode opcode, SignedNode x, SignedNode y) {
   const bool is_product = opcode == Opcode::multiply || opcode == Opcode::divide;
   const bool is_negative = is_product && x.is_negative != y.is_negative;
   if (is_product) x.is_negative = y.is_negative = false;
-  const Value result = node({opcode, FunctionId::sin, packed(x), packed(y)});
+  const SignedNode result = node({opcode, FunctionId::sin, packed(x), packed(y)});
   return is_negative ? negated(result) : result;
 }
 
-Value ValueGraph::square_root(Value x) {
+SignedNode ValueGraph::square_root(SignedNode x) {
   return node({Opcode::square_root, FunctionId::sin, packed(x), 0});
 }
 
-Value ValueGraph::call(FunctionId function, Value x, Value y) {
+SignedNode ValueGraph::call(FunctionId function, SignedNode x, SignedNode y) {
   const std::uint32_t second = function_row(function).arity > 1 ? packed(y) : 0;
   return node({Opcode::call, function, packed(x), second});
 }
 
-void ValueGraph::set_name(Value value, const std::string& name) {
+void ValueGraph::set_name(SignedNode value, const std::string& name) {
   names_.emplace(value.node, name);
 }
 
-std::pair<Value, Value> ValueGraph::difference(Value x, Value y) const {
+std::pair<SignedNode, SignedNode> ValueGraph::difference(SignedNode x, SignedNode y) const {
   for (;;) {
     const Instruction& i = nodes_[x.node].instruction;
     const Instruction& j = nodes_[y.node].instruction;
@@ -109,13 +109,13 @@ std::pair<Value, Value> ValueGraph::difference(Value x, Value y) const {
   }
 }
 
-std::string ValueGraph::text(const LeafNames& leaves, Value value) const {
+std::string ValueGraph::text(const LeafNames& leaves, SignedNode value) const {
   const int depth = value.is_negative ? 1 : 0;
   const std::string whole = text(leaves, nodes_[value.node].instruction, depth);
   return value.is_negative ? "-" + whole : whole;
 }
 
-std::string ValueGraph::text(const LeafNames& leaves, Value value, int depth) const {
+std::string ValueGraph::text(const LeafNames& leaves, SignedNode value, int depth) const {
   const auto name = names_.find(value.node);
   const std::string whole =
       name != names_.end() ? name->second : text(leaves, nodes_[value.node].instruction, depth);

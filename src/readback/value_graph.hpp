@@ -19,30 +19,30 @@
 namespace elgen::reading {
 
 /// A node, or what it stands for with the other sign.
-struct Value {
+struct SignedNode {
   std::uint32_t node = 0;
   bool is_negative = false;
-  friend bool operator==(const Value&, const Value&) = default;
+  friend bool operator==(const SignedNode&, const SignedNode&) = default;
 };
 
-[[nodiscard]] Value negated(Value x);
+[[nodiscard]] SignedNode negated(SignedNode x);
 
 class ValueGraph {
  public:
-  [[nodiscard]] Value constant(const cln::cl_R& value);
-  [[nodiscard]] Value leaf(Opcode opcode, std::uint32_t index);
+  [[nodiscard]] SignedNode constant(const cln::cl_R& value);
+  [[nodiscard]] SignedNode leaf(Opcode opcode, std::uint32_t index);
   /// add, subtract, multiply or divide
-  [[nodiscard]] Value binary(Opcode opcode, Value x, Value y);
-  [[nodiscard]] Value square_root(Value x);
+  [[nodiscard]] SignedNode binary(Opcode opcode, SignedNode x, SignedNode y);
+  [[nodiscard]] SignedNode square_root(SignedNode x);
   /// y is ignored by functions of one argument.
-  [[nodiscard]] Value call(FunctionId function, Value x, Value y);
+  [[nodiscard]] SignedNode call(FunctionId function, SignedNode x, SignedNode y);
 
   /// From now on text() writes the name where the value is an operand.
-  void set_name(Value value, const std::string& name);
+  void set_name(SignedNode value, const std::string& name);
   /// The innermost operands in which they differ, if that is one of each.
-  [[nodiscard]] std::pair<Value, Value> difference(Value x, Value y) const;
+  [[nodiscard]] std::pair<SignedNode, SignedNode> difference(SignedNode x, SignedNode y) const;
   /// For messages: "t_1*cos(q[1])"; what is nested deeply is left out.
-  [[nodiscard]] std::string text(const LeafNames& leaves, Value value) const;
+  [[nodiscard]] std::string text(const LeafNames& leaves, SignedNode value) const;
 
  private:
   struct Node {
@@ -56,8 +56,8 @@ class ValueGraph {
     [[nodiscard]] bool operator()(const cln::cl_R& x, const cln::cl_R& y) const { return x < y; }
   };
 
-  [[nodiscard]] Value node(const Instruction& instruction);
-  [[nodiscard]] std::string text(const LeafNames& leaves, Value value, int depth) const;
+  [[nodiscard]] SignedNode node(const Instruction& instruction);
+  [[nodiscard]] std::string text(const LeafNames& leaves, SignedNode value, int depth) const;
   [[nodiscard]] std::string text(const LeafNames& leaves, const Instruction& i, int depth) const;
 
   std::vector<Node> nodes_;

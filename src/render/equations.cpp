@@ -55,13 +55,13 @@ class Latex final : public Vocabulary {
  private:
   /// The derivative of so high an order of a coordinate.
   [[nodiscard]] std::string dotted(std::uint32_t velocity, int order) const {
-    const Symbol& symbol = symbols_.velocities[velocity];
+    const SymbolText& symbol = symbols_.velocities[velocity];
     const int dots = symbols_.are_own[velocity] ? order - 1 : order;
     if (dots == 0) return symbol.text();
     return fmt::format("\\{}{{{}}}{}", dots == 1 ? "dot" : "ddot", symbol.base, symbol.scripts);
   }
 
-  const Symbols symbols_;
+  const SymbolTexts symbols_;
 };
 
 /// Operations of each instruction written out over the leaves alone; counted up to just beyond the

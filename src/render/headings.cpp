@@ -35,7 +35,7 @@ Heading heading(const Model& model, const Function& function) {
   const Notation& equation = equation_of(row, !model.rotations.empty());
   Heading result{latex_of(model, row.symbol.latex), latex_of(model, equation.latex)};
   if (!row.of_user) return result;
-  const Symbol y = latex_symbol(model.outputs[function.user].name);
+  const SymbolText y = latex_symbol(model.outputs[function.user].name);
   result.symbol = replaced(result.symbol, "<y>", y.text());
   result.definition = replaced(result.definition, "<y>", y.text());
   const std::string second = fmt::format("\\ddot{{{}}}{}", y.base, y.scripts);

@@ -50,9 +50,9 @@ LatexTree with_parts(LatexKind kind, std::string_view text, Parts... parts) {
 /// Nobody reads deeper formulas; what is inside them is left out.
 constexpr int deepest = 200;
 
-class Reader {
+class LatexReader {
  public:
-  explicit Reader(std::string_view text) : text_(text) {}
+  explicit LatexReader(std::string_view text) : text_(text) {}
 
   LatexTree row(char end) {
     LatexTree result;
@@ -192,7 +192,7 @@ double width_of_parts(const LatexTree& tree) {
 
 }  // namespace
 
-LatexTree read_latex(std::string_view latex) { return Reader(latex).row('\0'); }
+LatexTree read_latex(std::string_view latex) { return LatexReader(latex).row('\0'); }
 
 double width(const LatexTree& tree) {
   constexpr double smaller = 0.75;  // scripts, beside their base

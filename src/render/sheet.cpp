@@ -13,7 +13,7 @@ using rendering::latex_symbol;
 
 std::vector<SheetVariable> coordinates(const Model& model) {
   std::vector<SheetVariable> list;
-  const rendering::Symbols symbols = rendering::latex_symbols(model);
+  const rendering::SymbolTexts symbols = rendering::latex_symbols(model);
   for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
     const Coordinate& c = model.coordinates[i];
     const std::string& doc = c.rotation ? model.rotations[*c.rotation].doc : c.doc;

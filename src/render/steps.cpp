@@ -20,7 +20,7 @@ struct StepEquation {
   std::uint32_t rows = 1;
 };
 
-struct Step {
+struct DerivationStep {
   std::string title = {};
   std::string doc = {};
   std::vector<StepEquation> equations = {};
@@ -39,7 +39,7 @@ class Outline {
     }
   }
 
-  std::vector<Step> operator()() {
+  std::vector<DerivationStep> operator()() {
     std::size_t function = 0;
     if (!steps_.masses.empty()) {
       add_motions(function, "Positions", "Where the masses are, in the coordinates.", false);
@@ -73,7 +73,7 @@ class Outline {
   }
 
   void add_motions(std::size_t function, const char* title, const char* doc, bool are_rates) {
-    Step step{title, doc, {}};
+    DerivationStep step{title, doc, {}};
     for (std::size_t i = 0; i < steps_.masses.size(); ++i) {
       const std::string& name = steps_.masses[i];
       const std::string place = fmt::format("r_{{{}}}", latex_symbol(name).text());
@@ -88,7 +88,7 @@ class Outline {
     const bool is_whole = model_.energies.L.has_value();
     const char* doc =
         is_whole ? "The Lagrangian as given." : "Kinetic and potential energy, L = T - V.";
-    Step step{std::string(energies_title), doc, {}};
+    DerivationStep step{std::string(energies_title), doc, {}};
     const std::vector<std::string> names =
         is_whole ? std::vector<std::string>{"L"} : std::vector<std::string>{"T", "V", "L"};
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -102,13 +102,13 @@ class Outline {
   void add_velocity(std::size_t function, const Velocity& velocity) {
     const std::string& q = velocity.name;
     const bool is_angular = velocity.rotation.has_value();
-    const rendering::Symbol symbol =
+    const rendering::SymbolText symbol =
         latex_symbol(q, is_angular ? std::string() : model_.coordinates[velocity.coordinate].latex);
     const std::string rate = fmt::format("\\dot{{{}}}{}", symbol.base, symbol.scripts);
     const std::string slope = fmt::format("\\frac{{\\partial L}}{{\\partial {}}}", rate);
-    Step step{fmt::format("Equation of {}", q),
-              is_angular ? std::string(turning_doc) : conservation(function, q),
-              {}};
+    DerivationStep step{fmt::format("Equation of {}", q),
+                        is_angular ? std::string(turning_doc) : conservation(function, q),
+                        {}};
     step.equations = {
         {fmt::format("dL/d(dot({}))", q), slope, function, momentum},
         {fmt::format("d/dt dL/d(dot({}))", q), "\\frac{d}{dt} " + slope, function, momentum_rate},
@@ -145,7 +145,7 @@ class Outline {
 
   void add_invariants(std::size_t function) {
     const bool is_autonomous = is_zero(function, 1);
-    Step step{"Energy function", {}, {}};
+    DerivationStep step{"Energy function", {}, {}};
     step.doc =
         is_autonomous ? "L does not hold t, so E is conserved" : "L holds t, so E is not conserved";
     if (is_autonomous && !is_free()) step.doc += " wherever no force and no dissipation work";
@@ -164,7 +164,7 @@ class Outline {
   const Model& model_;
   const ReadableSteps& steps_;
   std::vector<std::vector<std::vector<std::string>>> entries_;
-  std::vector<Step> outline_;
+  std::vector<DerivationStep> outline_;
 };
 
 /// "(x, y)" of the first `rows` components, or the one value.
@@ -179,7 +179,7 @@ std::string tuple(const std::vector<std::string>& entries, std::uint32_t rows) {
 std::string steps_text(const Model& model, const ReadableSteps& steps, std::string_view title) {
   Outline outline(model, steps);
   std::string text;
-  for (const Step& step : outline()) {
+  for (const DerivationStep& step : outline()) {
     if (!title.empty() && step.title != title) continue;
     text += fmt::format("{}{}\n", text.empty() ? "" : "\n", step.title);
     if (!step.doc.empty()) text += fmt::format("  {}\n", step.doc);
@@ -197,7 +197,7 @@ Sheet steps_sheet(const Model& model, const Scene& scene, const ReadableSteps& s
       "\\frac{d}{dt} \\frac{\\partial L}{\\partial \\dot{q}} - \\frac{\\partial L}{\\partial q} + "
       "\\frac{\\partial D}{\\partial \\dot{q}} = Q";
   Outline outline(model, steps);
-  for (const Step& step : outline()) {
+  for (const DerivationStep& step : outline()) {
     SheetOutput section{step.title, step.doc, {}, {}};
     for (const StepEquation& equation : step.equations) {
       std::vector<std::string> entries =

@@ -68,7 +68,7 @@ std::size_t scripts_of(std::string_view key) {
   return key.size();
 }
 
-Symbol named_symbol(std::string_view name) {
+SymbolText named_symbol(std::string_view name) {
   const std::size_t end = static_cast<std::size_t>(
       std::find_if_not(name.begin(), name.end(), is_letter) - name.begin());
   std::vector<std::string> parts;
@@ -87,7 +87,7 @@ std::string component_key(const Model& model, const Coordinate& component) {
 }
 
 /// "\\omega_{2}", with the name of the rotation where there are several.
-Symbol spin_symbol(const Model& model, const Velocity& velocity) {
+SymbolText spin_symbol(const Model& model, const Velocity& velocity) {
   const std::string axis(1, velocity.name[velocity.name.size() - 2]);
   std::vector<std::string> parts = {axis};
   if (model.rotations.size() > 1) {
@@ -106,11 +106,11 @@ std::string_view greek_letter(std::string_view command) {
   return {};
 }
 
-Symbol latex_symbol(std::string_view name, const std::string& key) {
+SymbolText latex_symbol(std::string_view name, const std::string& key) {
   const std::size_t bracket = std::min(name.find('['), name.size());
   std::string index(name.substr(bracket));
   if (!index.empty()) index = index.substr(1, index.size() - 2);
-  Symbol symbol = named_symbol(name.substr(0, bracket));
+  SymbolText symbol = named_symbol(name.substr(0, bracket));
   if (!key.empty()) {
     const std::size_t scripts = scripts_of(key);
     symbol = {key.substr(0, scripts), key.substr(scripts)};
@@ -119,8 +119,8 @@ Symbol latex_symbol(std::string_view name, const std::string& key) {
   return symbol;
 }
 
-Symbols latex_symbols(const Model& model) {
-  Symbols symbols;
+SymbolTexts latex_symbols(const Model& model) {
+  SymbolTexts symbols;
   for (const Parameter& p : model.parameters) {
     symbols.parameters.push_back(latex_symbol(p.name, model.parameter_arrays[p.array].latex));
   }

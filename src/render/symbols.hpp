@@ -13,7 +13,7 @@
 namespace elgen::rendering {
 
 /// Dots of rates stand over the base alone.
-struct Symbol {
+struct SymbolText {
   std::string base = {};
   std::string scripts = {};
 
@@ -21,19 +21,19 @@ struct Symbol {
 };
 
 /// What the leaves of a program are called.
-struct Symbols {
-  std::vector<Symbol> parameters = {};
-  std::vector<Symbol> coordinates = {};
-  std::vector<Symbol> velocities = {};  ///< of what they are the rates of, or their own
-  std::vector<bool> are_own = {};       ///< which velocities have a symbol of their own: no dot
-  std::vector<Symbol> inputs = {};
+struct SymbolTexts {
+  std::vector<SymbolText> parameters = {};
+  std::vector<SymbolText> coordinates = {};
+  std::vector<SymbolText> velocities = {};  ///< of what they are the rates of, or their own
+  std::vector<bool> are_own = {};           ///< which velocities have a symbol of their own: no dot
+  std::vector<SymbolText> inputs = {};
 };
 
 /// In LaTeX, by the model's `latex` keys where there are some, else by name.
-[[nodiscard]] Symbols latex_symbols(const Model& model);
+[[nodiscard]] SymbolTexts latex_symbols(const Model& model);
 
 /// The symbol of a name; of "l[2]" with the key of `l`. An empty key: as the name suggests.
-[[nodiscard]] Symbol latex_symbol(std::string_view name, const std::string& key = {});
+[[nodiscard]] SymbolText latex_symbol(std::string_view name, const std::string& key = {});
 
 /// The character of a Greek letter's command ("theta"); empty for other words.
 [[nodiscard]] std::string_view greek_letter(std::string_view command);

@@ -76,7 +76,7 @@ std::optional<Problem> problem_of(const Step& step, Lagrangian& lagrangian) {
 }
 
 /// Part of a step that is taken apart to find what is wrong with it.
-struct Part {
+struct StepPart {
   std::string name;
   Span span;
   Step step;
@@ -88,10 +88,10 @@ struct Circumstance {
 };
 
 /// The first part that fails by itself is to blame; where none does, all are.
-Diagnostic blamed(const Problem& problem, const std::vector<Part>& parts, const Lagrangian& before,
-                  const Circumstance& at) {
+Diagnostic blamed(const Problem& problem, const std::vector<StepPart>& parts,
+                  const Lagrangian& before, const Circumstance& at) {
   std::string names;
-  for (const Part& part : parts) {
+  for (const StepPart& part : parts) {
     Lagrangian trial = before;
     const auto found = problem_of(part.step, trial);
     if (found) {
@@ -111,7 +111,7 @@ Diagnostics fix_parameters(Lagrangian& lagrangian, const CheckedModel& checked) 
   const Lagrangian before = lagrangian;
   const auto problem = problem_of([&](Lagrangian& whole) { fix(whole, model, fixed); }, lagrangian);
   if (!problem) return {};
-  std::vector<Part> parts;
+  std::vector<StepPart> parts;
   for (const auto& entry : fixed) {
     const Parameter& parameter = model.parameters[entry.first];
     parts.push_back({parameter.name, model.parameter_arrays[parameter.array].span,
@@ -124,7 +124,7 @@ Diagnostics lock_coordinates(Lagrangian& lagrangian, const CheckedModel& checked
   const Lagrangian before = lagrangian;
   const auto problem = problem_of(lock, lagrangian);
   if (!problem) return {};
-  std::vector<Part> parts;
+  std::vector<StepPart> parts;
   const Model& unlocked = checked.model.unlocked ? *checked.model.unlocked : checked.model;
   for (std::size_t i = 0; i < before.locked.size(); ++i) {
     parts.push_back({before.leaves.q[before.locked[i].coordinate], unlocked.locks[i].span,

@@ -18,7 +18,7 @@ TreeLine tree_line(const Robot& robot, const Branch& branch) {
 
 }  // namespace
 
-Draft make_draft(const Robot& robot, const Tree& tree) {
+Draft make_draft(const Robot& robot, const LinkTree& tree) {
   Draft draft;
   draft.name = model_name(robot.name);
   draft.title = robot.name;
@@ -31,7 +31,7 @@ Draft make_draft(const Robot& robot, const Tree& tree) {
     draft.tree.push_back(tree_line(robot, branch));
     glossary.open_group(fmt::format("{}, on {}", robot.links[branch.child].name.text,
                                     robot.joints[branch.joint].name.text));
-    const Motion motion = draft_joint(drafting, branch);
+    const JointMotion motion = draft_joint(drafting, branch);
     LinkDraft link;
     link.frames = draft_frames(drafting, branch, motion);
     if (branch.moves) draft_body(drafting, branch.child, link);

@@ -36,7 +36,7 @@ struct ParameterGroup {
   std::vector<ParameterDraft> parameters = {};
 };
 
-struct Step {
+struct AxisAngle {
   Components axis = {};  ///< "x", "y" or "z" and nothing else, or three numbers
   std::string angle = {};
 };
@@ -46,7 +46,7 @@ struct FrameDraft {
   std::string name = {};
   std::string parent = {};
   Components translate = {"0", "0", "0"};
-  std::vector<Step> rotate = {};
+  std::vector<AxisAngle> rotate = {};
   std::string rotation = {};  ///< a coordinate of kind rotation
 };
 
@@ -100,7 +100,7 @@ struct Draft {
 };
 
 /// The model of a robot without errors.
-[[nodiscard]] Draft make_draft(const Robot& robot, const Tree& tree);
+[[nodiscard]] Draft make_draft(const Robot& robot, const LinkTree& tree);
 
 /// The text of the model file.
 [[nodiscard]] std::string print(const Draft& draft);

@@ -12,8 +12,8 @@ namespace {
 constexpr std::array<std::string_view, 6> inertia_names{"Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"};
 
 std::vector<std::string> inertia_of(Glossary& glossary, const std::string& link,
-                                    const std::array<Decimal, 6>& numbers) {
-  const auto is_zero = [](const Decimal& number) { return number.is_zero(); };
+                                    const std::array<FileNumber, 6>& numbers) {
+  const auto is_zero = [](const FileNumber& number) { return number.is_zero(); };
   if (std::all_of(numbers.begin(), numbers.end(), is_zero)) return {};
   const std::size_t count = std::all_of(numbers.begin() + 3, numbers.end(), is_zero) ? 3 : 6;
   std::vector<std::string> inertia;
@@ -39,7 +39,7 @@ void draft_body(Drafting& drafting, std::size_t link, LinkDraft& to) {
     body.com[i] = glossary.parameter(fmt::format("c{}_{}", axis_letter(i), body.name),
                                      inertial->origin.xyz[i], "m");
   }
-  const Rotation rotation = rotation_of(inertial->origin.rpy);
+  const RollPitchYaw rotation = rotation_of(inertial->origin.rpy);
   const auto turned = rotated(rotation, inertial->inertia);
   body.inertia = inertia_of(glossary, body.name, turned.value_or(inertial->inertia));
   if (body.mass == "0" && body.inertia.empty()) return;

@@ -37,8 +37,8 @@ Components origin_of(Glossary& glossary, const Joint& joint, const std::string& 
 
 }  // namespace
 
-std::vector<Step> steps_of(const Rotation& rotation) {
-  std::vector<Step> steps;
+std::vector<AxisAngle> steps_of(const RollPitchYaw& rotation) {
+  std::vector<AxisAngle> steps;
   for (const std::size_t axis : {2U, 1U, 0U}) {
     const Angle& angle = rotation.rpy[axis];
     if (!angle.is_zero()) steps.push_back({{axis_letter(axis), "", ""}, angle.text});
@@ -46,17 +46,17 @@ std::vector<Step> steps_of(const Rotation& rotation) {
   return steps;
 }
 
-std::vector<std::string> rounding_comment(const Rotation& rotation, const Vector& rpy) {
+std::vector<std::string> rounding_comment(const RollPitchYaw& rotation, const Vector& rpy) {
   if (!rotation.is_rounded()) return {};
   return {fmt::format("rpy in the URDF: {}", listed(rpy))};
 }
 
 std::vector<FrameDraft> draft_frames(Drafting& drafting, const Branch& branch,
-                                     const Motion& motion) {
+                                     const JointMotion& motion) {
   const Joint& joint = drafting.robot.joints[branch.joint];
   Glossary& glossary = drafting.glossary;
   const std::string& name = glossary.joint(branch.joint);
-  const Rotation rotation = rotation_of(joint.origin.rpy);
+  const RollPitchYaw rotation = rotation_of(joint.origin.rpy);
   const bool turns_only = joint.type == JointType::revolute || joint.type == JointType::continuous;
   const bool needs_origin = !rotation.is_zero() && !turns_only && joint.type != JointType::fixed;
 
@@ -80,7 +80,7 @@ std::vector<FrameDraft> draft_frames(Drafting& drafting, const Branch& branch,
   for (std::size_t i = 0; i < 3; ++i) {
     last.translate[i] = sum(last.translate[i], motion.translate[i]);
   }
-  for (const Step& step : motion.turn) last.rotate.push_back(step);
+  for (const AxisAngle& step : motion.turn) last.rotate.push_back(step);
   last.rotation = motion.attitude;
   return frames;
 }

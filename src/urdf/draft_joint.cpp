@@ -36,7 +36,7 @@ class JointDrafter {
         joint_(robot_.joints[branch.joint]),
         name_(glossary_.joint(branch.joint)) {}
 
-  Motion draft() {
+  JointMotion draft() {
     switch (joint_.type) {
       case JointType::revolute:
       case JointType::continuous: {
@@ -76,7 +76,7 @@ class JointDrafter {
   Coupling mimicked() {
     const Joint& other = robot_.joints[*branch_.mimics];
     Coupling coupling{glossary_.joint(*branch_.mimics)};
-    const Decimal& factor = joint_.mimic->multiplier;
+    const FileNumber& factor = joint_.mimic->multiplier;
     const std::string unit = ratio_unit(joint_.type, other.type);
     const bool is_sign = unit == "1" && cln::abs(factor.value) == 1;  // 1 rad/m is no 1
     coupling.factor = is_sign ? (cln::minusp(factor.value) ? "-1" : "1")
@@ -89,8 +89,8 @@ class JointDrafter {
   void draft_coordinate() {
     CoordinateDraft coordinate{name_, std::string(units_of(joint_.type).position), doc()};
     const JointLimit& limit = joint_.limit;
-    const Decimal low = limit.lower.value_or(Decimal{});
-    const Decimal high = limit.upper.value_or(Decimal{});
+    const FileNumber low = limit.lower.value_or(FileNumber{});
+    const FileNumber high = limit.upper.value_or(FileNumber{});
     coordinate.wraps = joint_.type == JointType::continuous;
     if (coordinate.wraps) {
       coordinate.low = "\"-pi\"";
@@ -130,7 +130,7 @@ class JointDrafter {
         glossary_.parameter("friction_" + name_, joint_.friction,
                             std::string(units_of(joint_.type).force), "assume = \"nonnegative\"");
     if (friction == "0" || coupling.factor == "0") return;
-    const Decimal scale{"0.01", cln::cl_RA(1) / 100, {}};
+    const FileNumber scale{"0.01", cln::cl_RA(1) / 100, {}};
     const std::string stiction_rate = glossary_.parameter(
         name_ + "_stiction_rate", scale, std::string(units_of(joint_.type).rate),
         "assume = \"positive\", doc = \"friction is full at some times this rate\"");
@@ -142,7 +142,7 @@ class JointDrafter {
                                                               rate, stiction_rate)});
   }
 
-  [[nodiscard]] Step turn_by(const std::string& angle) const {
+  [[nodiscard]] AxisAngle turn_by(const std::string& angle) const {
     const Axis axis = axis_of(joint_.axis);
     if (axis.along) {
       return {{axis_letter(*axis.along), "", ""}, axis.is_reversed ? negated(angle) : angle};
@@ -168,7 +168,7 @@ class JointDrafter {
   [[nodiscard]] std::string axis_length() const {
     cln::cl_RA square = 0;
     std::string terms;
-    for (const Decimal& component : joint_.axis) {
+    for (const FileNumber& component : joint_.axis) {
       if (component.is_zero()) continue;
       square = square + component.value * component.value;
       const bool is_negative = cln::minusp(component.value);
@@ -190,16 +190,16 @@ class JointDrafter {
     return coordinate.name;
   }
 
-  Motion draft_floating() {
-    Motion motion;
+  JointMotion draft_floating() {
+    JointMotion motion;
     for (std::size_t i = 0; i < 3; ++i) motion.translate[i] = draft_free(axis_letter(i), "m");
     motion.attitude = draft_free("attitude", "");
     return motion;
   }
 
-  Motion draft_planar() {
+  JointMotion draft_planar() {
     const std::size_t normal = *axis_of(joint_.axis).along;
-    Motion motion;
+    JointMotion motion;
     for (const std::size_t i : {(normal + 1) % 3, (normal + 2) % 3}) {
       const std::string name = draft_free(axis_letter(i), "m");
       motion.translate[i] = name;
@@ -231,7 +231,7 @@ class JointDrafter {
 
 std::string axis_letter(std::size_t axis) { return std::string(1, "xyz"[axis]); }
 
-Motion draft_joint(Drafting& drafting, const Branch& branch) {
+JointMotion draft_joint(Drafting& drafting, const Branch& branch) {
   return JointDrafter(drafting, branch).draft();
 }
 

@@ -44,7 +44,7 @@ Text ElementReader::required_text(std::string_view name) {
   return {};
 }
 
-std::optional<Decimal> ElementReader::number(std::string_view name) {
+std::optional<FileNumber> ElementReader::number(std::string_view name) {
   const Attribute* found = attribute(name);
   if (found == nullptr) return std::nullopt;
   const std::vector<Span> words = words_of(found->span);
@@ -54,13 +54,13 @@ std::optional<Decimal> ElementReader::number(std::string_view name) {
          fmt::format("{} numbers, but `{}` is one number", words.size(), name)});
     return std::nullopt;
   }
-  Result<Decimal> number = read_decimal(words.front(), reading_.limits);
+  Result<FileNumber> number = read_decimal(words.front(), reading_.limits);
   auto& all = reading_.found;
   all.insert(all.end(), number.diagnostics.begin(), number.diagnostics.end());
   return number.value;
 }
 
-std::optional<Decimal> ElementReader::required_number(std::string_view name) {
+std::optional<FileNumber> ElementReader::required_number(std::string_view name) {
   if (attribute(name) != nullptr) return number(name);
   report_missing("attribute", name);
   return std::nullopt;
@@ -79,7 +79,7 @@ bool ElementReader::vector(std::string_view name, Vector& vector) {
   Vector read;
   bool is_complete = true;
   for (std::size_t i = 0; i < read.size(); ++i) {
-    Result<Decimal> number = read_decimal(words[i], reading_.limits);
+    Result<FileNumber> number = read_decimal(words[i], reading_.limits);
     auto& all = reading_.found;
     all.insert(all.end(), number.diagnostics.begin(), number.diagnostics.end());
     is_complete = is_complete && number;
@@ -136,7 +136,7 @@ void ElementReader::note_the_rest() const {
   }
 }
 
-Pose read_origin(ElementReader& parent, Reading& reading) {
+Pose read_origin(ElementReader& parent, RobotReading& reading) {
   Pose pose;
   const Element* element = parent.child("origin");
   if (element == nullptr) return pose;

@@ -13,7 +13,8 @@ namespace elgen::urdf {
 
 class ElementReader {
  public:
-  ElementReader(const Element& element, Reading& reading) : element_(element), reading_(reading) {}
+  ElementReader(const Element& element, RobotReading& reading)
+      : element_(element), reading_(reading) {}
 
   /// The attribute's text, empty where it is absent.
   Text text(std::string_view name);
@@ -21,8 +22,8 @@ class ElementReader {
   Text required_text(std::string_view name);
 
   /// E804 where it is no number.
-  std::optional<Decimal> number(std::string_view name);
-  std::optional<Decimal> required_number(std::string_view name);
+  std::optional<FileNumber> number(std::string_view name);
+  std::optional<FileNumber> required_number(std::string_view name);
 
   /// Three numbers: E805 where there are not three. False, and unchanged, where they are not there.
   bool vector(std::string_view name, Vector& vector);
@@ -44,11 +45,11 @@ class ElementReader {
   void report_missing(std::string_view kind, std::string_view name);
 
   const Element& element_;
-  Reading& reading_;
+  RobotReading& reading_;
   std::set<const void*> taken_ = {};
 };
 
 /// An `<origin>` among the children, or none.
-[[nodiscard]] Pose read_origin(ElementReader& parent, Reading& reading);
+[[nodiscard]] Pose read_origin(ElementReader& parent, RobotReading& reading);
 
 }  // namespace elgen::urdf

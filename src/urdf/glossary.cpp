@@ -8,7 +8,7 @@
 
 namespace elgen::urdf {
 
-Glossary::Glossary(const Robot& robot, const Tree& tree)
+Glossary::Glossary(const Robot& robot, const LinkTree& tree)
     : frames_(robot.links.size()), joints_(robot.joints.size()) {
   for (const char* own : {"g", "world"}) names_.claim(own, "");
   for (const Branch& branch : tree.branches) {
@@ -34,7 +34,7 @@ void Glossary::note_change(const std::string& from, const std::string& to) {
 
 void Glossary::open_group(std::string title) { groups_.push_back({std::move(title), {}}); }
 
-std::string Glossary::parameter(const std::string& name, const Decimal& number,
+std::string Glossary::parameter(const std::string& name, const FileNumber& number,
                                 const std::string& unit, const std::string& more) {
   if (number.is_zero()) return "0";
   const std::string claimed = names_.claim(name, "parameter");

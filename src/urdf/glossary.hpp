@@ -8,7 +8,7 @@ namespace elgen::urdf {
 
 class Glossary {
  public:
-  Glossary(const Robot& robot, const Tree& tree);
+  Glossary(const Robot& robot, const LinkTree& tree);
 
   /// "world", or the frame of a link.
   [[nodiscard]] const std::string& frame(std::size_t link) const { return frames_[link]; }
@@ -24,7 +24,7 @@ class Glossary {
   /// Parameters go into this group from now on.
   void open_group(std::string title);
   /// A parameter of the open group; "0" for the number 0, so that it stays a zero of the equations.
-  std::string parameter(const std::string& name, const Decimal& number, const std::string& unit,
+  std::string parameter(const std::string& name, const FileNumber& number, const std::string& unit,
                         const std::string& more = {});
   [[nodiscard]] std::vector<ParameterGroup> take_groups() { return std::move(groups_); }
 

@@ -18,10 +18,10 @@ Result<ImportedModel> import_urdf(const SourcePointer& source, const Limits& lim
   const Result<urdf::Element> root = urdf::read_xml(*source);
   if (!root) return root.diagnostics;
   Diagnostics found;
-  urdf::Reading reading{limits, found};
+  urdf::RobotReading reading{limits, found};
   const urdf::Robot robot = urdf::read_robot(*root, reading);
   const bool is_read = !has_errors(found);
-  Result<urdf::Tree> tree;
+  Result<urdf::LinkTree> tree;
   if (root->name == "robot") tree = urdf::make_tree(robot);
   append(found, tree.diagnostics);
   if (is_read && tree) append(found, urdf::check_masses(robot, *tree));

@@ -10,7 +10,7 @@ namespace elgen::urdf {
 namespace {
 
 /// Whether a link, or one behind it, has mass; by link.
-std::vector<bool> massive_subtrees(const Robot& robot, const Tree& tree) {
+std::vector<bool> massive_subtrees(const Robot& robot, const LinkTree& tree) {
   std::vector<bool> massive;
   for (const Link& link : robot.links) massive.push_back(link.has_mass());
   for (auto branch = tree.branches.rbegin(); branch != tree.branches.rend(); ++branch) {
@@ -21,7 +21,7 @@ std::vector<bool> massive_subtrees(const Robot& robot, const Tree& tree) {
 
 /// Whether a joint's coordinate moves mass: behind itself, or behind a joint that mimics it; by
 /// joint.
-std::vector<bool> joints_with_mass(const Robot& robot, const Tree& tree,
+std::vector<bool> joints_with_mass(const Robot& robot, const LinkTree& tree,
                                    const std::vector<bool>& massive) {
   std::vector<bool> result(robot.joints.size());
   for (const Branch& branch : tree.branches) {
@@ -61,7 +61,7 @@ void check_joint(const Robot& robot, const Branch& branch, bool moves_mass, Diag
 
 }  // namespace
 
-Diagnostics check_masses(const Robot& robot, const Tree& tree) {
+Diagnostics check_masses(const Robot& robot, const LinkTree& tree) {
   Diagnostics found;
   const Link& root = robot.links[tree.root];
   if (root.has_mass()) {

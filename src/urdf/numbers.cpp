@@ -78,9 +78,9 @@ Diagnostic refused(const Span& span, std::string_view unsigned_text) {
 
 }  // namespace
 
-Decimal decimal_of(int value) { return {std::to_string(value), value, {}}; }
+FileNumber decimal_of(int value) { return {std::to_string(value), value, {}}; }
 
-Decimal negative(Decimal number) {
+FileNumber negative(FileNumber number) {
   if (number.is_zero()) return number;
   if (number.text.front() == '-') {
     number.text.erase(0, 1);
@@ -91,7 +91,7 @@ Decimal negative(Decimal number) {
   return number;
 }
 
-Result<Decimal> read_decimal(const Span& span, const Limits& limits) {
+Result<FileNumber> read_decimal(const Span& span, const Limits& limits) {
   std::string_view rest = covered_text(span);
   const bool is_negative = take(rest, "-");
   if (!is_negative) take(rest, "+");
@@ -101,7 +101,7 @@ Result<Decimal> read_decimal(const Span& span, const Limits& limits) {
   if (const auto hit = parsing::limit_hit(parts, limits)) {
     return Diagnostic{hit->code, span, hit->message, hit->hint};
   }
-  const Decimal number{*text, parsing::decimal_value(parts), span};
+  const FileNumber number{*text, parsing::decimal_value(parts), span};
   return is_negative ? negative(number) : number;
 }
 

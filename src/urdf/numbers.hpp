@@ -14,7 +14,7 @@
 
 namespace elgen::urdf {
 
-struct Decimal {
+struct FileNumber {
   std::string text = "0";  ///< the digits of the file: `+.50` is `0.50`, every zero is `0`
   cln::cl_RA value = 0;
   Span span = {};
@@ -22,14 +22,14 @@ struct Decimal {
   [[nodiscard]] bool is_zero() const { return text == "0"; }
 };
 
-using Vector = std::array<Decimal, 3>;
+using Vector = std::array<FileNumber, 3>;
 
-[[nodiscard]] Decimal decimal_of(int value);
+[[nodiscard]] FileNumber decimal_of(int value);
 
-[[nodiscard]] Decimal negative(Decimal number);
+[[nodiscard]] FileNumber negative(FileNumber number);
 
 /// The number that a span covers. E804: no decimal number, or not finite; E903, E904: limits.
-[[nodiscard]] Result<Decimal> read_decimal(const Span& span, const Limits& limits);
+[[nodiscard]] Result<FileNumber> read_decimal(const Span& span, const Limits& limits);
 
 /// The spans of the words a span covers.
 [[nodiscard]] std::vector<Span> words_of(const Span& span);

@@ -93,7 +93,7 @@ std::string vector_text(const Components& components) {
   return toml_list(quoted);
 }
 
-std::string step_text(const Step& step) {
+std::string step_text(const AxisAngle& step) {
   const std::string axis =
       step.axis[1].empty() ? toml_string(step.axis[0]) : vector_text(step.axis);
   return toml_list({axis, toml_string(step.angle)});
@@ -114,7 +114,7 @@ std::string frame_table(const FrameDraft& frame) {
   }
   if (!frame.rotate.empty()) {
     std::vector<std::string> steps;
-    for (const Step& step : frame.rotate) steps.push_back(step_text(step));
+    for (const AxisAngle& step : frame.rotate) steps.push_back(step_text(step));
     table.add("rotate", toml_list(steps));
   }
   if (!frame.rotation.empty()) table.add("rotation", toml_string(frame.rotation));

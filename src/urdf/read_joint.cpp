@@ -22,7 +22,7 @@ constexpr std::array types{
     TypeRow{JointType::floating, "floating"},   TypeRow{JointType::planar, "planar"},
 };
 
-JointType read_type(ElementReader& joint, Reading& reading) {
+JointType read_type(ElementReader& joint, RobotReading& reading) {
   const Text text = joint.required_text("type");
   const auto row = std::find_if(types.begin(), types.end(),
                                 [&](const TypeRow& type) { return type.word == text.text; });
@@ -36,7 +36,7 @@ JointType read_type(ElementReader& joint, Reading& reading) {
   return JointType::fixed;
 }
 
-Text read_link_name(ElementReader& joint, std::string_view role, Reading& reading) {
+Text read_link_name(ElementReader& joint, std::string_view role, RobotReading& reading) {
   const Element* element = joint.required_child(role);
   if (element == nullptr) return {};
   ElementReader reader(*element, reading);
@@ -46,7 +46,7 @@ Text read_link_name(ElementReader& joint, std::string_view role, Reading& readin
 }
 
 /// Without `<axis>`, URDF means x.
-void read_axis(ElementReader& reader, Joint& joint, Reading& reading) {
+void read_axis(ElementReader& reader, Joint& joint, RobotReading& reading) {
   joint.axis = {decimal_of(1), decimal_of(0), decimal_of(0)};
   if (joint.type == JointType::fixed || joint.type == JointType::floating) return;
   const Element* element = reader.child("axis");
@@ -57,7 +57,7 @@ void read_axis(ElementReader& reader, Joint& joint, Reading& reading) {
   axis.note_the_rest();
   if (!is_read) return;
   const bool is_zero = std::all_of(joint.axis.begin(), joint.axis.end(),
-                                   [](const Decimal& component) { return component.is_zero(); });
+                                   [](const FileNumber& component) { return component.is_zero(); });
   if (is_zero) reading.found.push_back({Code::E813, joint.axis_span, "the axis has no direction"});
   if (joint.type == JointType::planar && !is_zero && !axis_of(joint.axis).along) {
     reading.found.push_back({Code::E108, joint.axis_span,
@@ -65,14 +65,14 @@ void read_axis(ElementReader& reader, Joint& joint, Reading& reading) {
   }
 }
 
-void refuse_negative(const std::optional<Decimal>& number, std::string_view name,
+void refuse_negative(const std::optional<FileNumber>& number, std::string_view name,
                      Diagnostics& found) {
   if (!number || !cln::minusp(number->value)) return;
   found.push_back(
       {Code::E814, number->span, fmt::format("{} `{}` is negative", name, number->text)});
 }
 
-void read_limit(ElementReader& reader, JointLimit& limit, Reading& reading) {
+void read_limit(ElementReader& reader, JointLimit& limit, RobotReading& reading) {
   const Element* element = reader.child("limit");
   if (element == nullptr) return;
   ElementReader numbers(*element, reading);
@@ -90,22 +90,22 @@ void read_limit(ElementReader& reader, JointLimit& limit, Reading& reading) {
   refuse_negative(limit.effort, "effort", reading.found);
 }
 
-void read_dynamics(ElementReader& reader, Joint& joint, Reading& reading) {
+void read_dynamics(ElementReader& reader, Joint& joint, RobotReading& reading) {
   const Element* element = reader.child("dynamics");
   if (element == nullptr) return;
   ElementReader dynamics(*element, reading);
-  joint.damping = dynamics.number("damping").value_or(Decimal{});
-  joint.friction = dynamics.number("friction").value_or(Decimal{});
+  joint.damping = dynamics.number("damping").value_or(FileNumber{});
+  joint.friction = dynamics.number("friction").value_or(FileNumber{});
   dynamics.note_the_rest();
 }
 
-void read_mimic(ElementReader& reader, Joint& joint, Reading& reading) {
+void read_mimic(ElementReader& reader, Joint& joint, RobotReading& reading) {
   const Element* element = reader.child("mimic");
   if (element == nullptr) return;
   ElementReader mimic(*element, reading);
   joint.mimic =
       Mimic{mimic.required_text("joint"), mimic.number("multiplier").value_or(decimal_of(1)),
-            mimic.number("offset").value_or(Decimal{})};
+            mimic.number("offset").value_or(FileNumber{})};
   mimic.note_the_rest();
 }
 
@@ -122,7 +122,7 @@ bool has_one_coordinate(JointType type) {
          type == JointType::prismatic;
 }
 
-Joint read_joint(const Element& element, Reading& reading) {
+Joint read_joint(const Element& element, RobotReading& reading) {
   ElementReader reader(element, reading);
   Joint joint;
   joint.name = reader.required_text("name");

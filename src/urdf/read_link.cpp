@@ -9,11 +9,11 @@ namespace {
 
 constexpr std::array<std::string_view, 6> inertia_names{"ixx", "iyy", "izz", "ixy", "ixz", "iyz"};
 
-void read_mass(ElementReader& inertial, Inertial& to, Reading& reading) {
+void read_mass(ElementReader& inertial, Inertial& to, RobotReading& reading) {
   const Element* element = inertial.required_child("mass");
   if (element == nullptr) return;
   ElementReader mass(*element, reading);
-  to.mass = mass.required_number("value").value_or(Decimal{});
+  to.mass = mass.required_number("value").value_or(FileNumber{});
   mass.note_the_rest();
   if (cln::minusp(to.mass.value)) {
     reading.found.push_back(
@@ -21,20 +21,20 @@ void read_mass(ElementReader& inertial, Inertial& to, Reading& reading) {
   }
 }
 
-void read_inertia(ElementReader& inertial, Inertial& to, Reading& reading) {
+void read_inertia(ElementReader& inertial, Inertial& to, RobotReading& reading) {
   const Element* element = inertial.required_child("inertia");
   if (element == nullptr) return;
   to.span = element->span;
   ElementReader inertia(*element, reading);
   for (std::size_t i = 0; i < inertia_names.size(); ++i) {
-    to.inertia[i] = inertia.required_number(inertia_names[i]).value_or(Decimal{});
+    to.inertia[i] = inertia.required_number(inertia_names[i]).value_or(FileNumber{});
   }
   inertia.note_the_rest();
 }
 
 }  // namespace
 
-Link read_link(const Element& element, Reading& reading) {
+Link read_link(const Element& element, RobotReading& reading) {
   ElementReader reader(element, reading);
   Link link{reader.required_text("name"), {}};
   if (const Element* child = reader.child("inertial")) {

@@ -32,7 +32,7 @@ std::string file_name(const Span& span) {
 
 }  // namespace
 
-Robot read_robot(const Element& root, Reading& reading) {
+Robot read_robot(const Element& root, RobotReading& reading) {
   Robot robot;
   robot.file = file_name(root.span);
   robot.span = root.span;

@@ -28,9 +28,9 @@ struct Pose {
 
 struct Inertial {
   Pose origin = {};
-  Decimal mass = {};
-  std::array<Decimal, 6> inertia = {};  ///< xx yy zz xy xz yz
-  Span span = {};                       ///< `inertia` in its tag
+  FileNumber mass = {};
+  std::array<FileNumber, 6> inertia = {};  ///< xx yy zz xy xz yz
+  Span span = {};                          ///< `inertia` in its tag
 };
 
 struct Link {
@@ -48,16 +48,16 @@ enum class JointType : unsigned char { revolute, continuous, prismatic, fixed, f
 [[nodiscard]] bool has_one_coordinate(JointType type);
 
 struct JointLimit {
-  std::optional<Decimal> lower = {};
-  std::optional<Decimal> upper = {};
-  std::optional<Decimal> velocity = {};
-  std::optional<Decimal> effort = {};
+  std::optional<FileNumber> lower = {};
+  std::optional<FileNumber> upper = {};
+  std::optional<FileNumber> velocity = {};
+  std::optional<FileNumber> effort = {};
 };
 
 struct Mimic {
   Text joint = {};
-  Decimal multiplier = {};
-  Decimal offset = {};
+  FileNumber multiplier = {};
+  FileNumber offset = {};
 };
 
 struct Joint {
@@ -69,8 +69,8 @@ struct Joint {
   Vector axis = {};
   Span axis_span = {};
   JointLimit limit = {};
-  Decimal damping = {};
-  Decimal friction = {};
+  FileNumber damping = {};
+  FileNumber friction = {};
   std::optional<Mimic> mimic = {};
 };
 
@@ -83,14 +83,14 @@ struct Robot {
 };
 
 /// What reading needs on the way.
-struct Reading {
+struct RobotReading {
   const Limits& limits;
   Diagnostics& found;
 };
 
 /// E802 to E806, E811, E813, E814; notes E815. What is missing is left at its default.
-[[nodiscard]] Robot read_robot(const Element& root, Reading& reading);
-[[nodiscard]] Link read_link(const Element& element, Reading& reading);
-[[nodiscard]] Joint read_joint(const Element& element, Reading& reading);
+[[nodiscard]] Robot read_robot(const Element& root, RobotReading& reading);
+[[nodiscard]] Link read_link(const Element& element, RobotReading& reading);
+[[nodiscard]] Joint read_joint(const Element& element, RobotReading& reading);
 
 }  // namespace elgen::urdf

@@ -54,7 +54,7 @@ std::size_t place_of(std::size_t row, std::size_t column) {
 
 }  // namespace
 
-Angle angle_of(const Decimal& number) {
+Angle angle_of(const FileNumber& number) {
   if (number.is_zero()) return {};
   const double angle = approximate(number.value);
   constexpr double largest = 1e6;  // beyond, nobody means a multiple of a right angle
@@ -65,32 +65,32 @@ Angle angle_of(const Decimal& number) {
   return {turns % 4 == 0 ? "0" : multiple_of_right_angle(turns), turns, true};
 }
 
-bool Rotation::is_zero() const {
+bool RollPitchYaw::is_zero() const {
   return std::all_of(rpy.begin(), rpy.end(), [](const Angle& angle) { return angle.is_zero(); });
 }
 
-bool Rotation::is_rounded() const {
+bool RollPitchYaw::is_rounded() const {
   return std::any_of(rpy.begin(), rpy.end(), [](const Angle& angle) { return angle.is_rounded; });
 }
 
-Rotation rotation_of(const Vector& rpy) {
+RollPitchYaw rotation_of(const Vector& rpy) {
   return {{angle_of(rpy[0]), angle_of(rpy[1]), angle_of(rpy[2])}};
 }
 
-std::optional<std::array<Decimal, 6>> rotated(const Rotation& rotation,
-                                              const std::array<Decimal, 6>& inertia) {
+std::optional<std::array<FileNumber, 6>> rotated(const RollPitchYaw& rotation,
+                                                 const std::array<FileNumber, 6>& inertia) {
   Permutation permutation{{{0, 1}, {1, 1}, {2, 1}}};
   for (std::size_t axis = 0; axis < 3; ++axis) {  // about x, y, z of the outer frame, in this order
     const std::optional<int>& count = rotation.rpy[axis].quarter_turns;
     if (!count) return std::nullopt;
     for (int turn = 0; turn < (*count % 4 + 4) % 4; ++turn) permutation = turned(permutation, axis);
   }
-  std::array<Decimal, 6> result;
+  std::array<FileNumber, 6> result;
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = row; column < 3; ++column) {
       const auto [first, first_sign] = permutation[row];
       const auto [second, second_sign] = permutation[column];
-      const Decimal& entry = inertia[place_of(first, second)];
+      const FileNumber& entry = inertia[place_of(first, second)];
       result[place_of(row, column)] = first_sign == second_sign ? entry : negative(entry);
     }
   }
@@ -98,13 +98,13 @@ std::optional<std::array<Decimal, 6>> rotated(const Rotation& rotation,
 }
 
 Axis axis_of(const Vector& direction) {
-  const auto shorter = [](const Decimal& left, const Decimal& right) {
+  const auto shorter = [](const FileNumber& left, const FileNumber& right) {
     return cln::abs(left.value) < cln::abs(right.value);
   };
   const auto* longest = std::max_element(direction.begin(), direction.end(), shorter);
   const auto along = static_cast<std::size_t>(longest - direction.begin());
-  const Decimal& second = direction[(along + 1) % 3];
-  const Decimal& third = direction[(along + 2) % 3];
+  const FileNumber& second = direction[(along + 1) % 3];
+  const FileNumber& third = direction[(along + 2) % 3];
   const double sine = std::hypot(approximate(second.value / longest->value),
                                  approximate(third.value / longest->value));
   if (sine > tolerance) return {};

@@ -18,20 +18,20 @@ struct Angle {
   [[nodiscard]] bool is_zero() const { return text == "0"; }
 };
 
-[[nodiscard]] Angle angle_of(const Decimal& number);
+[[nodiscard]] Angle angle_of(const FileNumber& number);
 
-struct Rotation {
+struct RollPitchYaw {
   std::array<Angle, 3> rpy = {};  ///< R = Rz(yaw) Ry(pitch) Rx(roll)
 
   [[nodiscard]] bool is_zero() const;
   [[nodiscard]] bool is_rounded() const;
 };
 
-[[nodiscard]] Rotation rotation_of(const Vector& rpy);
+[[nodiscard]] RollPitchYaw rotation_of(const Vector& rpy);
 
 /// R I R^T (xx yy zz xy xz yz), digit by digit; not a value unless all angles are quarter turns.
-[[nodiscard]] std::optional<std::array<Decimal, 6>> rotated(const Rotation& rotation,
-                                                            const std::array<Decimal, 6>& inertia);
+[[nodiscard]] std::optional<std::array<FileNumber, 6>> rotated(
+    const RollPitchYaw& rotation, const std::array<FileNumber, 6>& inertia);
 
 /// A direction: an axis of the frame, or three numbers.
 struct Axis {

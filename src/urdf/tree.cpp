@@ -48,7 +48,7 @@ class TreeMaker {
         joint_above_(robot.links.size()),
         joints_below_(robot.links.size()) {}
 
-  Result<Tree> make() {
+  Result<LinkTree> make() {
     for (std::size_t i = 0; i < robot_.joints.size(); ++i) connect(i);
     if (is_connected_ && !has_errors(found_)) find_root();
     if (is_connected_ && !has_errors(found_)) grow();
@@ -183,11 +183,11 @@ class TreeMaker {
   std::vector<std::optional<std::size_t>> joint_above_;  ///< by link
   std::vector<std::vector<std::size_t>> joints_below_;
   bool is_connected_ = true;  ///< every joint names its links
-  Tree tree_ = {};
+  LinkTree tree_ = {};
 };
 
 }  // namespace
 
-Result<Tree> make_tree(const Robot& robot) { return TreeMaker(robot).make(); }
+Result<LinkTree> make_tree(const Robot& robot) { return TreeMaker(robot).make(); }
 
 }  // namespace elgen::urdf

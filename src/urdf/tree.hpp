@@ -1,5 +1,5 @@
-// Tree: which link hangs on which, in the order the model is written: parents first, and otherwise
-// in the order of the file.
+// LinkTree: which link hangs on which, in the order the model is written: parents first, and
+// otherwise in the order of the file.
 #pragma once
 
 #include <optional>
@@ -18,16 +18,16 @@ struct Branch {
   std::optional<std::size_t> mimics = {};  ///< the joint it copies, index in Robot::joints
 };
 
-struct Tree {
+struct LinkTree {
   std::size_t root = 0;
   std::vector<Branch> branches = {};
 };
 
 /// Not a value where the links are no tree: E807 to E809; E812 for what mimics in vain.
-[[nodiscard]] Result<Tree> make_tree(const Robot& robot);
+[[nodiscard]] Result<LinkTree> make_tree(const Robot& robot);
 
 /// E508, E810, E816, E817; E803 where nothing moves: masses that are missing, or in the wrong
 /// place.
-[[nodiscard]] Diagnostics check_masses(const Robot& robot, const Tree& tree);
+[[nodiscard]] Diagnostics check_masses(const Robot& robot, const LinkTree& tree);
 
 }  // namespace elgen::urdf

@@ -1,4 +1,4 @@
-// Symbols: one set of names for all kinds of entries.
+// DeclaredNames: one set of names for all kinds of entries.
 #include "check/symbols.hpp"
 
 #include <catch2/catch.hpp>
@@ -13,11 +13,11 @@ std::string only_message(const Report& report) {
 }
 
 TEST_CASE("elements of one array are declared one by one") {
-  Symbols symbols;
+  DeclaredNames symbols;
   Report report;
   CHECK(symbols.declare({"q", 1, {}}, SymbolKind::coordinate, 0, report));
   CHECK(symbols.declare({"q", 2, {}}, SymbolKind::coordinate, 1, report));
-  const Symbol* q = symbols.find("q");
+  const DeclaredName* q = symbols.find("q");
   REQUIRE(q != nullptr);
   CHECK(q->is_array);
   CHECK(q->elements.at(2) == 1);
@@ -26,7 +26,7 @@ TEST_CASE("elements of one array are declared one by one") {
 }
 
 TEST_CASE("kinds share one set of names") {
-  Symbols symbols;
+  DeclaredNames symbols;
   Report report;
   CHECK(symbols.declare({"a", {}, {}}, SymbolKind::input, 0, report));
   CHECK_FALSE(symbols.declare({"a", {}, {}}, SymbolKind::point, 0, report));
@@ -34,7 +34,7 @@ TEST_CASE("kinds share one set of names") {
 }
 
 TEST_CASE("a single name and an array cannot share it") {
-  Symbols symbols;
+  DeclaredNames symbols;
   Report report;
   CHECK(symbols.declare({"a", {}, {}}, SymbolKind::point, 0, report));
   CHECK_FALSE(symbols.declare({"a", 1, {}}, SymbolKind::point, 1, report));
@@ -42,7 +42,7 @@ TEST_CASE("a single name and an array cannot share it") {
 }
 
 TEST_CASE("names that become one identifier are told apart from duplicates") {
-  Symbols symbols;
+  DeclaredNames symbols;
   Report report;
   CHECK(symbols.declare({"q_1", {}, {}}, SymbolKind::parameter, 0, report));
   CHECK_FALSE(symbols.declare({"q", 1, {}}, SymbolKind::coordinate, 0, report));
@@ -50,7 +50,7 @@ TEST_CASE("names that become one identifier are told apart from duplicates") {
 }
 
 TEST_CASE("reserved and malformed names fail, and are remembered as failed") {
-  Symbols symbols;
+  DeclaredNames symbols;
   Report report;
   CHECK_FALSE(symbols.declare({"double", {}, {}}, SymbolKind::parameter, 0, report));
   CHECK(only_message(report) == "E204 `double` is reserved: it is a keyword of C++");
@@ -63,7 +63,7 @@ TEST_CASE("reserved and malformed names fail, and are remembered as failed") {
 
 TEST_CASE("a duplicate points at the first declaration; suggestions say what is meant") {
   const SourcePointer source = make_source("m.toml", "\nmass\nmass");
-  Symbols symbols;
+  DeclaredNames symbols;
   Report report;
   symbols.declare({"mass", {}, {source.get(), 1, 5}}, SymbolKind::parameter, 0, report);
   CHECK(symbols.suggest("mas", symbols.names()) == "did you mean `mass`? (parameter, line 2)");

@@ -11,7 +11,7 @@ using namespace elgen::inspection;
 TEST_CASE("samples are the same every time, differ by seed, and lie inside the ranges") {
   ModelBuilder b = cart_pole();
   b.model.coordinates[0].range = Interval{3, 4};
-  const Subject subject{b.model, {}};
+  const Inspected subject{b.model, {}};
   CHECK(sampled_state(subject, 5).q == sampled_state(subject, 5).q);
   CHECK(sampled_state(subject, 5).q != sampled_state(subject, 6).q);
   for (unsigned seed = 0; seed < 20; ++seed) {

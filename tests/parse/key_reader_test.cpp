@@ -30,7 +30,7 @@ std::vector<Code> codes_of(const KeyRow& row, const std::string& value) {
   const auto root = parsing::read_toml(*source);
   REQUIRE(root);
   const Limits limits;
-  parsing::Reading reading{limits};
+  parsing::FileReading reading{limits};
   const parsing::TableContext table{std::string(row.entry), "the entry", {source.get(), 0, 0}};
   const auto keys = parsing::read_keys(root->entries, table, reading);
   std::vector<Code> codes;

@@ -8,8 +8,8 @@
 using namespace elgen;
 using namespace elgen::test;
 using cln::cl_RA;
-using presenting::Bounds;
 using presenting::Enclosure;
+using presenting::TermBounds;
 using presenting::terms_of;
 
 namespace {
@@ -40,10 +40,10 @@ struct Sample {
   Fraction form;
 
   [[nodiscard]] std::optional<Enclosure> bound() const {
-    return Bounds(forms.algebra, model).of(form);
+    return TermBounds(forms.algebra, model).of(form);
   }
   [[nodiscard]] std::string missing() const {
-    Bounds bounds(forms.algebra, model);
+    TermBounds bounds(forms.algebra, model);
     CHECK_FALSE(bounds.of(form));
     return bounds.missing().message;
   }
@@ -99,7 +99,7 @@ TEST_CASE("what has no range is named") {
 TEST_CASE("conjugate exponentials are one term") {
   const Sample sample("m + k*cos(y)^2 + x*sin(y)");
   CHECK(terms_of(sample.forms.algebra, sample.form).size() == 4);
-  Bounds bounds(sample.forms.algebra, sample.model);
+  TermBounds bounds(sample.forms.algebra, sample.model);
   CHECK(*bounds.largest_term(sample.form) == 3);
   CHECK(*bounds.all_terms(sample.form) == 9);
 }

@@ -28,7 +28,7 @@ TEST_CASE("column-major entries go down the columns") {
 }
 
 TEST_CASE("C names begin with the prefix, and use one scalar") {
-  const Dialect c = dialect_of(Shape::c99, test::c99().checked.scene);
+  const CodeDialect c = dialect_of(Shape::c99, test::c99().checked.scene);
   CHECK(c.scalar == "float");
   CHECK(c.prefix == "wide_scene_");
   CHECK(c.member == "->");

@@ -12,15 +12,15 @@ const LeafNames names{{{"a"}, {"x", "y", "z"}, {"x", "y", "z"}, {"x", "y", "z"},
 
 TEST_CASE("a minus moves through products and quotients, not through sums") {
   ValueGraph graph;
-  const Value x = graph.leaf(Opcode::coordinate, 0);
-  const Value y = graph.leaf(Opcode::coordinate, 1);
-  const Value product = graph.binary(Opcode::multiply, x, y);
+  const SignedNode x = graph.leaf(Opcode::coordinate, 0);
+  const SignedNode y = graph.leaf(Opcode::coordinate, 1);
+  const SignedNode product = graph.binary(Opcode::multiply, x, y);
   CHECK(graph.binary(Opcode::multiply, negated(x), y) == negated(product));
   CHECK(graph.binary(Opcode::multiply, x, negated(y)) == negated(product));
   CHECK(graph.binary(Opcode::multiply, negated(x), negated(y)) == product);
-  const Value quotient = graph.binary(Opcode::divide, x, y);
+  const SignedNode quotient = graph.binary(Opcode::divide, x, y);
   CHECK(graph.binary(Opcode::divide, negated(x), y) == negated(quotient));
-  const Value sum = graph.binary(Opcode::add, x, y);
+  const SignedNode sum = graph.binary(Opcode::add, x, y);
   CHECK_FALSE(graph.binary(Opcode::add, negated(x), negated(y)) == negated(sum));
   CHECK_FALSE(graph.call(FunctionId::sin, negated(x), {}) ==
               negated(graph.call(FunctionId::sin, x, {})));
@@ -28,10 +28,10 @@ TEST_CASE("a minus moves through products and quotients, not through sums") {
 
 TEST_CASE("the order of operands and of operations counts") {
   ValueGraph graph;
-  const Value x = graph.leaf(Opcode::coordinate, 0);
-  const Value y = graph.leaf(Opcode::coordinate, 1);
-  const Value z = graph.leaf(Opcode::coordinate, 2);
-  const auto sum = [&](Value a, Value b) { return graph.binary(Opcode::add, a, b); };
+  const SignedNode x = graph.leaf(Opcode::coordinate, 0);
+  const SignedNode y = graph.leaf(Opcode::coordinate, 1);
+  const SignedNode z = graph.leaf(Opcode::coordinate, 2);
+  const auto sum = [&](SignedNode a, SignedNode b) { return graph.binary(Opcode::add, a, b); };
   CHECK_FALSE(sum(x, y) == sum(y, x));
   CHECK_FALSE(sum(sum(x, y), z) == sum(x, sum(y, z)));
   CHECK(sum(x, y) == sum(x, y));
@@ -46,11 +46,11 @@ TEST_CASE("a constant is known by its exact value") {
 
 TEST_CASE("a difference is shown where it is") {
   ValueGraph graph;
-  const Value x = graph.leaf(Opcode::coordinate, 0);
-  const Value y = graph.leaf(Opcode::coordinate, 1);
-  const Value z = graph.leaf(Opcode::coordinate, 2);
-  const Value a = graph.binary(Opcode::add, graph.call(FunctionId::sin, x, {}), z);
-  const Value b = graph.binary(Opcode::add, graph.call(FunctionId::sin, y, {}), z);
+  const SignedNode x = graph.leaf(Opcode::coordinate, 0);
+  const SignedNode y = graph.leaf(Opcode::coordinate, 1);
+  const SignedNode z = graph.leaf(Opcode::coordinate, 2);
+  const SignedNode a = graph.binary(Opcode::add, graph.call(FunctionId::sin, x, {}), z);
+  const SignedNode b = graph.binary(Opcode::add, graph.call(FunctionId::sin, y, {}), z);
   const auto [written, derived] = graph.difference(a, b);
   CHECK(graph.text(names, written) == "q[0]");
   CHECK(graph.text(names, derived) == "q[1]");

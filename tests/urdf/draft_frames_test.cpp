@@ -15,7 +15,7 @@ std::vector<urdf::FrameDraft> frames_of(const std::string& type, const std::stri
 
 std::string rotation_text(const urdf::FrameDraft& frame) {
   std::string text;
-  for (const urdf::Step& step : frame.rotate) {
+  for (const urdf::AxisAngle& step : frame.rotate) {
     text += (text.empty() ? "" : ", ") + step.axis[0] + " " + step.angle;
   }
   return text;
@@ -63,7 +63,7 @@ TEST_CASE("an axis that was rounded is told") {
 }
 
 TEST_CASE("constant turns without angle are left out") {
-  const urdf::Decimal zero;
+  const urdf::FileNumber zero;
   CHECK(urdf::steps_of(urdf::rotation_of({zero, zero, zero})).empty());
   CHECK(urdf::rounding_comment(urdf::rotation_of({zero, zero, zero}), {}).empty());
 }

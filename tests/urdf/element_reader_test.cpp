@@ -15,7 +15,7 @@ std::string said(const std::string& text, const Read& read) {
   const urdf::Element element = xml_of(text);
   Diagnostics found;
   const Limits limits;
-  urdf::Reading reading{limits, found};
+  urdf::RobotReading reading{limits, found};
   urdf::ElementReader reader(element, reading);
   read(reader);
   reader.note_the_rest();
@@ -65,7 +65,7 @@ TEST_CASE("an origin is zero where it is not given") {
   const urdf::Element element = xml_of("<e><origin rpy='0 0 1'/></e>");
   Diagnostics found;
   const Limits limits;
-  urdf::Reading reading{limits, found};
+  urdf::RobotReading reading{limits, found};
   urdf::ElementReader reader(element, reading);
   const urdf::Pose pose = urdf::read_origin(reader, reading);
   CHECK(pose.xyz[2].is_zero());

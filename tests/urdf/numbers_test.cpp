@@ -9,7 +9,7 @@ namespace elgen::test {
 
 namespace {
 
-Result<urdf::Decimal> read(const SourcePointer& source) {
+Result<urdf::FileNumber> read(const SourcePointer& source) {
   const Span span{source.get(), 0, static_cast<std::uint32_t>(source->text.size())};
   return urdf::read_decimal(span, {});
 }
@@ -41,7 +41,7 @@ TEST_CASE("the value of a number is exact") {
 }
 
 TEST_CASE("a sign turns digits and value") {
-  const urdf::Decimal one = urdf::decimal_of(1);
+  const urdf::FileNumber one = urdf::decimal_of(1);
   CHECK(urdf::negative(one).text == "-1");
   CHECK(urdf::negative(one).value == -1);
   CHECK(urdf::negative(urdf::negative(one)).text == "1");

@@ -23,7 +23,7 @@ TEST_CASE("an inertial is read in the order xx yy zz xy xz yz") {
   CHECK(inertial.origin.xyz[1].text == "2");
   CHECK(inertial.origin.rpy[2].text == "1");
   std::string order;
-  for (const urdf::Decimal& number : inertial.inertia) order += number.text;
+  for (const urdf::FileNumber& number : inertial.inertia) order += number.text;
   CHECK(order == "146235");
 }
 

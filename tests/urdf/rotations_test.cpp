@@ -7,7 +7,7 @@ namespace elgen::test {
 
 namespace {
 
-urdf::Decimal decimal(const std::string& text) {
+urdf::FileNumber decimal(const std::string& text) {
   const SourcePointer source = make_source("r.urdf", text);
   return *urdf::read_decimal({source.get(), 0, static_cast<std::uint32_t>(text.size())}, {});
 }
@@ -28,12 +28,12 @@ std::string axis(const std::string& x, const std::string& y, const std::string& 
 
 /// Inertias as their first digits: the tensor 123456 where nothing turns.
 std::string turned(const std::string& roll, const std::string& pitch, const std::string& yaw) {
-  const std::array<urdf::Decimal, 6> inertia{decimal("1"), decimal("2"), decimal("3"),
-                                             decimal("4"), decimal("5"), decimal("6")};
+  const std::array<urdf::FileNumber, 6> inertia{decimal("1"), decimal("2"), decimal("3"),
+                                                decimal("4"), decimal("5"), decimal("6")};
   const auto result = urdf::rotated(urdf::rotation_of(vector(roll, pitch, yaw)), inertia);
   if (!result) return "oblique";
   std::string text;
-  for (const urdf::Decimal& entry : *result) text += entry.text;
+  for (const urdf::FileNumber& entry : *result) text += entry.text;
   return text;
 }
 

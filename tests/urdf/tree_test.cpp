@@ -32,7 +32,7 @@ std::string tree_messages(const std::string& text) {
 TEST_CASE("parents come first, children in the order of the file") {
   const urdf::Robot robot = robot_of(links("abcde") + joint("cd") + joint("ac", "fixed") +
                                      joint("ab") + joint("be") + "</robot>");
-  const urdf::Tree tree = tree_of(robot);
+  const urdf::LinkTree tree = tree_of(robot);
   CHECK(tree.root == 0);
   std::string order;
   for (const urdf::Branch& branch : tree.branches) {

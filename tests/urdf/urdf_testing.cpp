@@ -59,15 +59,15 @@ urdf::Element xml_of(const std::string& text) {
 urdf::Robot robot_of(const std::string& text) {
   Diagnostics found;
   const Limits limits;
-  urdf::Reading reading{limits, found};
+  urdf::RobotReading reading{limits, found};
   const urdf::Element root = xml_of(text);
   urdf::Robot robot = urdf::read_robot(root, reading);
   if (has_errors(found)) throw std::runtime_error(format(found));
   return robot;
 }
 
-urdf::Tree tree_of(const urdf::Robot& robot) {
-  Result<urdf::Tree> tree = urdf::make_tree(robot);
+urdf::LinkTree tree_of(const urdf::Robot& robot) {
+  Result<urdf::LinkTree> tree = urdf::make_tree(robot);
   if (!tree) throw std::runtime_error(format(tree.diagnostics));
   return *tree;
 }
@@ -75,7 +75,7 @@ urdf::Tree tree_of(const urdf::Robot& robot) {
 std::string reading_messages(const std::string& text) {
   Diagnostics found;
   const Limits limits;
-  urdf::Reading reading{limits, found};
+  urdf::RobotReading reading{limits, found};
   const urdf::Element root = xml_of(text);
   (void)urdf::read_robot(root, reading);
   sort_by_position(found);

@@ -26,7 +26,7 @@ namespace elgen::test {
 /// The robot and its tree; throws where there is none. The source lives as long as the process.
 [[nodiscard]] urdf::Element xml_of(const std::string& text);
 [[nodiscard]] urdf::Robot robot_of(const std::string& text);
-[[nodiscard]] urdf::Tree tree_of(const urdf::Robot& robot);
+[[nodiscard]] urdf::LinkTree tree_of(const urdf::Robot& robot);
 
 /// What read_robot() says.
 [[nodiscard]] std::string reading_messages(const std::string& text);
