@@ -27,8 +27,6 @@
 namespace elgen {
 namespace {
 
-using namespace checking;
-
 /// Keeps the texts alive that spans of the model point into.
 void keep_sources(Model& model, const ModelSyntax& syntax, const SceneSyntax* scene,
                   const SceneOptions& options) {

@@ -12,7 +12,7 @@
 
 #include "base/exact_number.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 using cln::cl_R;
@@ -179,4 +179,4 @@ std::size_t digit_count(const cl_RA& number) {
   return std::max(digits(cln::numerator(number)), digits(cln::denominator(number)));
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -11,7 +11,7 @@
 #include "elgen/diagnostic.hpp"
 #include "elgen/model.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 /// Why a constant has no (usable) value. `operand` says where: the denominator, or the whole.
 struct ConstantFailure {
@@ -63,4 +63,4 @@ class Constants {
 
 inline constexpr std::size_t largest_exact_digits = 4096;
 
-}  // namespace elgen::checking
+}  // namespace elgen

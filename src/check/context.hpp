@@ -13,7 +13,7 @@
 #include "report.hpp"
 #include "symbols.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 /// What an expression is made of, as bits.
 enum Ingredient : std::uint8_t {
@@ -88,4 +88,4 @@ struct Context {
   std::vector<std::optional<Unit>> prescribed_units = {};  ///< as declared, by prescribed function
 };
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 /// A named thing: definitions first, then prescribed functions, points, and frames.
@@ -210,4 +210,4 @@ std::optional<std::vector<std::uint32_t>> dependency_order(Context& context) {
   return order;
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -7,10 +7,10 @@
 
 #include "context.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 /// The roots in an order in which what is named comes before what names it; nothing after E206,
 /// which prints the cycle: `a -> b -> a`.
 [[nodiscard]] std::optional<std::vector<std::uint32_t>> dependency_order(Context& context);
 
-}  // namespace elgen::checking
+}  // namespace elgen

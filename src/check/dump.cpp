@@ -176,7 +176,7 @@ class ModelDump {
       }
     }
     if (model_.approximation) {
-      line("approximate " + checking::canonical_text(model_, *model_.approximation));
+      line("approximate " + canonical_text(model_, *model_.approximation));
     }
   }
 
@@ -219,7 +219,7 @@ std::string dump(const Scene& scene) {
     }
   }
   for (const ScalarKind kind : scene.numerics.scalars) {
-    text += "scalar " + std::string(checking::name_of(kind)) + "\n";
+    text += "scalar " + std::string(name_of(kind)) + "\n";
   }
   if (scene.dropping) text += "drop below " + number_text(scene.dropping->below) + "\n";
   return text;

@@ -13,7 +13,6 @@ std::string_view name_of(Storage storage) {
   return storage == Storage::row_major ? "row-major" : "column-major";
 }
 
-namespace checking {
 namespace {
 
 const KeySyntax* find(const EntrySyntax* entry, std::string_view name) {
@@ -82,6 +81,4 @@ std::string canonical_text(const Emission& emission, const std::string& base_nam
   if (emission.eigen) text += "eigen\n";
   return text;
 }
-
-}  // namespace checking
 }  // namespace elgen

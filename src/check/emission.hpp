@@ -5,7 +5,7 @@
 #include "context.hpp"
 #include "elgen/scene.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 /// The two entries of a scene file this is about; null where the file has none.
 struct EmissionEntries {
@@ -21,4 +21,4 @@ struct EmissionEntries {
 /// One line per thing said beyond the defaults, in a fixed order.
 [[nodiscard]] std::string canonical_text(const Emission& emission, const std::string& base_name);
 
-}  // namespace elgen::checking
+}  // namespace elgen

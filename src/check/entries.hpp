@@ -5,7 +5,7 @@
 #include "elgen/syntax.hpp"
 #include "expand.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 /// Coordinates, inputs and prescribed functions: what other entries take units from.
 void read_variable(Context& context, const Instance& instance);
@@ -25,4 +25,4 @@ void read_table(Context& context, const EntrySyntax& entry);
 /// Unit of the generalized force on a velocity, whose power is in W.
 [[nodiscard]] std::optional<Unit> force_unit(const Velocity& velocity);
 
-}  // namespace elgen::checking
+}  // namespace elgen

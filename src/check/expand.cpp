@@ -8,7 +8,7 @@
 #include "parameters.hpp"
 #include "rotations.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 /// How an entry of an array of tables becomes a row of the Model.
@@ -214,4 +214,4 @@ std::vector<Instance> expand_entries(Context& context, const ModelSyntax& syntax
   return expander.take();
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -8,7 +8,7 @@
 #include "context.hpp"
 #include "elgen/syntax.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 /// One entry of the file for one combination of running indices; `target` is its index in the
 /// Model.
@@ -36,4 +36,4 @@ void apply_sizes(Context& context, const ModelSyntax& syntax,
 ///     [[point]] for = "i in 1..2", name = "p[i]"   ->   p[1] with i = 1, p[2] with i = 2
 [[nodiscard]] std::vector<Instance> expand_entries(Context& context, const ModelSyntax& syntax);
 
-}  // namespace elgen::checking
+}  // namespace elgen

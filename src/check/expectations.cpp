@@ -11,7 +11,7 @@
 #include "requests.hpp"
 #include "values.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 constexpr std::string_view entry_suffix = "_entry";
@@ -266,4 +266,4 @@ void read_expectations(Context& context, const ModelSyntax& syntax, bool large) 
   }
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -3,7 +3,7 @@
 
 #include "elgen/functions.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 const std::vector<std::string>& function_names() {
   static const std::vector<std::string> all = [] {
@@ -21,4 +21,4 @@ const std::vector<std::string>& function_names() {
   return all;
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-namespace elgen::checking {
+namespace elgen {
 
 [[nodiscard]] const std::vector<std::string>& function_names();
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 Vector3 origin_of(NodeBuilder& nodes, std::uint32_t frame) {
@@ -115,4 +115,4 @@ Vector3 turned(NodeBuilder& nodes, const Vector3& x, std::optional<std::uint32_t
   return result;
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -5,7 +5,7 @@
 #include "context.hpp"
 #include "node_builder.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 /// Whose nodes they are, and where the file says so.
 struct Ownership {
@@ -36,4 +36,4 @@ void write_frame_output(Context& context, UserOutput& output);
 /// The nine entries of the frame's rotation, as leaves.
 [[nodiscard]] Matrix3 rotation_of(NodeBuilder& nodes, std::uint32_t frame);
 
-}  // namespace elgen::checking
+}  // namespace elgen

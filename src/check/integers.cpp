@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 std::optional<std::int64_t> not_an_integer(const ExpressionSyntax& expression, Report& report) {
@@ -182,4 +182,4 @@ bool repeat(const std::vector<RangeSyntax>& ranges, Scope& scope, Report& report
   return repeat_from(ranges, 0, scope, report, body);
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

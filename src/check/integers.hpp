@@ -12,7 +12,7 @@
 #include "elgen/syntax.hpp"
 #include "report.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 /// Largest magnitude of an index or a size: sums and products of two of them fit 64 bits.
 inline constexpr std::int64_t largest_integer = 1'000'000'000;
@@ -68,4 +68,4 @@ struct IntegerRange {
 bool repeat(const std::vector<RangeSyntax>& ranges, Scope& scope, Report& report,
             const std::function<bool()>& body);
 
-}  // namespace elgen::checking
+}  // namespace elgen

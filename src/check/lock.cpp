@@ -11,7 +11,7 @@
 
 #include "elgen/references.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 /// Where coordinates, velocities and rotations go; none: locked.
@@ -230,4 +230,4 @@ Model locked(Model model) {
   return result;
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

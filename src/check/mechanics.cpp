@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 template <class Rows>
@@ -166,4 +166,4 @@ void check_mechanics(Context& context, const std::vector<Traits>& traits) {
   MechanicsCheck(context, traits).run();
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

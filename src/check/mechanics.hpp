@@ -6,7 +6,7 @@
 #include "context.hpp"
 #include "traits.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 /// E503, E504, E509, E513, E514, E515; sets Model::quadratic, uses_time and may_drift.
 void check_mechanics(Context& context, const std::vector<Traits>& traits);
@@ -20,4 +20,4 @@ void check_mechanics(Context& context, const std::vector<Traits>& traits);
   return body.mass.has_value() || !body.inertia.empty();
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

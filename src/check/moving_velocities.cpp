@@ -5,7 +5,7 @@
 #include "elgen/references.hpp"
 #include "mechanics.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 /// Explicit stack: a chain of points is as deep as it is long.
@@ -113,4 +113,4 @@ std::vector<bool> moving_velocities(const Model& model) {
   return moving;
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

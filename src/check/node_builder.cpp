@@ -7,7 +7,7 @@
 
 #include "base/exact_number.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 NodeBuilder::NodeBuilder(Context& context, const Span& span)
     : context_(context),
@@ -159,4 +159,4 @@ void NodeBuilder::finish(OwnerKind owner, std::uint32_t index) {
   context_.roots.push_back(root);
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -8,7 +8,7 @@
 
 #include "context.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 using Matrix3 = std::array<ExpressionId, 9>;  ///< row-major
 
@@ -50,4 +50,4 @@ class NodeBuilder {
   ExpressionId first_;
 };
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -7,7 +7,7 @@
 
 #include "values.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 Span trimmed(Span span) {
@@ -88,4 +88,4 @@ std::vector<SizeOverride> size_overrides(const SceneSyntax* scene, const SceneOp
   return sizes;
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -9,7 +9,7 @@
 #include "expand.hpp"
 #include "report.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 /// A word of an option, with where it stands.
 struct OptionWord {
@@ -31,4 +31,4 @@ struct Assignment {
 [[nodiscard]] std::vector<SizeOverride> size_overrides(const SceneSyntax* scene,
                                                        const SceneOptions& options, Report& report);
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -1,7 +1,7 @@
 // Units of the entries of outputs, by the rules of the output table.
 #include "output_units.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 using MaybeUnit = std::optional<Unit>;
@@ -60,4 +60,4 @@ std::string velocity_unit(const Model& model, const Velocity& velocity) {
   return is_angle ? "rad/s" : to_string(*velocity.unit);
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -8,7 +8,7 @@
 #include "elgen/model.hpp"
 #include "elgen/outputs.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 /// An entry of a field of an output, counted from 0.
 struct EntryPlace {
@@ -26,4 +26,4 @@ struct EntryPlace {
 /// The unit of a velocity as text: angles per second stay "rad/s". Empty where it has none.
 [[nodiscard]] std::string velocity_unit(const Model& model, const Velocity& velocity);
 
-}  // namespace elgen::checking
+}  // namespace elgen

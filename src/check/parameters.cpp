@@ -5,7 +5,7 @@
 #include "unit_expression.hpp"
 #include "values.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 void add_elements(Context& context, const KeySyntax& key, std::int64_t count, bool is_array) {
@@ -199,4 +199,4 @@ void read_parameters(Context& context, const ModelSyntax& syntax) {
   }
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

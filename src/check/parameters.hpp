@@ -4,7 +4,7 @@
 #include "context.hpp"
 #include "elgen/syntax.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 /// Declares the name and adds the elements, without values.
 void declare_parameter(Context& context, const KeySyntax& key);
@@ -18,4 +18,4 @@ void check_value(Context& context, std::uint32_t parameter, const cln::cl_R& val
 /// Reads value, unit, assumption and range of every declared parameter. E104, E112, E402, E518.
 void read_parameters(Context& context, const ModelSyntax& syntax);
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 struct IngredientRow {
@@ -102,4 +102,4 @@ void check_places(Context& context, const std::vector<Traits>& traits) {
   }
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -7,7 +7,7 @@
 #include "context.hpp"
 #include "traits.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 namespace place {
 
@@ -24,4 +24,4 @@ inline constexpr Ingredients anything = of_force | uses_acceleration;
 /// E315, E319, E502, E506: each ingredient that does not belong, at the node that brings it in.
 void check_places(Context& context, const std::vector<Traits>& traits);
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 class PlaneCheck {
@@ -58,4 +58,4 @@ void check_plane(Context& context) {
   for (const Frame& frame : context.model.frames) plane.check(frame);
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -3,7 +3,7 @@
 
 #include "node_builder.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 /// Rodrigues: cos 1 + sin [n]x + (1 - cos) n n^T
@@ -111,4 +111,4 @@ void write_pose(Context& context, std::uint32_t target, Frame& frame) {
   nodes.finish(OwnerKind::frame, target);
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

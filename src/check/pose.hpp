@@ -5,7 +5,7 @@
 
 #include "context.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 /// Fills `rotation`, `origin` and `spin` from the steps and the parent; `target` is the index of
 /// the frame in the Model.
@@ -14,4 +14,4 @@ namespace elgen::checking {
 ///     after     R = [cos(q), -sin(q), 0; sin(q), cos(q), 0; 0, 0, 1], origin (l, 0, 0)
 void write_pose(Context& context, std::uint32_t target, Frame& frame);
 
-}  // namespace elgen::checking
+}  // namespace elgen

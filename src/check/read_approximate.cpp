@@ -13,7 +13,7 @@
 #include "requests.hpp"
 #include "values.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 constexpr Place at_point{"a value of `about`", place::parameters_only};
@@ -212,4 +212,4 @@ std::string canonical_text(const Model& model, const Approximation& approximatio
          " small";
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -11,7 +11,7 @@
 #include "requests.hpp"
 #include "values.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 using K = OutputKind;
@@ -100,4 +100,4 @@ void read_dropping(Context& context, const EntrySyntax& approximate, Scene& scen
   if (key != nullptr) DroppingReader(context, scene).read(*key);
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

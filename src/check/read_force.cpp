@@ -7,7 +7,7 @@
 #include "places.hpp"
 #include "values.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 constexpr Place force_place{"a force", place::of_force};
@@ -180,4 +180,4 @@ void read_force_or_output(Context& context, const Instance& instance) {
   }
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

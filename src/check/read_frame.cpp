@@ -15,7 +15,7 @@
 #include "pose.hpp"
 #include "values.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 constexpr Place angle_place{"an angle", place::of_configuration};
@@ -224,4 +224,4 @@ void read_frame(Context& context, const Instance& instance) {
   if (instance.entry->name == "frame") FrameReader(context, instance).read();
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

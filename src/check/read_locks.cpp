@@ -7,7 +7,7 @@
 #include "places.hpp"
 #include "values.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 template <class List>
@@ -131,4 +131,4 @@ void read_locks(Context& context, const SceneSyntax* scene) {
   }
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -4,10 +4,10 @@
 #include "context.hpp"
 #include "elgen/syntax.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 /// Fills Model::locks, in the order of the coordinates. `scene` may be null. E612, E615, and what
 /// the values' expressions give.
 void read_locks(Context& context, const SceneSyntax* scene);
 
-}  // namespace elgen::checking
+}  // namespace elgen

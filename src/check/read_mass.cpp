@@ -6,7 +6,7 @@
 #include "places.hpp"
 #include "values.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 RootRequest mass_request() {
@@ -174,4 +174,4 @@ void read_mass(Context& context, const Instance& instance) {
   }
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

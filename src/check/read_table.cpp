@@ -7,7 +7,7 @@
 #include "reserved_names.hpp"
 #include "values.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 bool is_model_name(std::string_view name) {
@@ -104,4 +104,4 @@ void read_table(Context& context, const EntrySyntax& entry) {
   }
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

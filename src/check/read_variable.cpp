@@ -5,7 +5,7 @@
 #include "unit_expression.hpp"
 #include "values.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 std::optional<Unit> unit_of(const EntrySyntax& entry, Report& report) {
@@ -141,4 +141,4 @@ void read_variable(Context& context, const Instance& instance) {
   }
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

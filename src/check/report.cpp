@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 std::string without_digits(std::string text) {
@@ -36,4 +36,4 @@ Diagnostics Report::sorted() const {
   return result;
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -9,7 +9,7 @@
 #include "elgen/diagnostic.hpp"
 #include "elgen/wording.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 class Report {
  public:
@@ -31,4 +31,4 @@ class Report {
   std::size_t errors_ = 0;
 };
 
-}  // namespace elgen::checking
+}  // namespace elgen

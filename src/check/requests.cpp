@@ -20,7 +20,7 @@ const OutputRequest* find_request(const Scene& scene, std::string_view name) {
 
 }  // namespace elgen
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 std::uint32_t extent(const Model& model, Extent kind, std::uint32_t user) {
@@ -230,4 +230,4 @@ void check_output_names(const Model& model, Report& report) {
   }
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -8,7 +8,7 @@
 #include "elgen/scene.hpp"
 #include "report.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 /// The request for a name: built-in outputs, and NAME, NAME_jacobian, NAME_bias of declared ones.
 [[nodiscard]] std::optional<OutputRequest> find_request(const Model& model, std::string_view name);
@@ -39,4 +39,4 @@ namespace elgen::checking {
 /// ones.
 void check_output_names(const Model& model, Report& report);
 
-}  // namespace elgen::checking
+}  // namespace elgen

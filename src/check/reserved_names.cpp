@@ -7,7 +7,7 @@
 
 #include "function_names.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 constexpr std::array keywords{"alignas",
@@ -186,4 +186,4 @@ bool check_name(const std::string& name, const Span& span, Report& report) {
   return true;
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

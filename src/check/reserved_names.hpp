@@ -6,7 +6,7 @@
 
 #include "report.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 /// Why the name is reserved ("a C++ keyword"), or empty.
 [[nodiscard]] std::string_view reserved_reason(std::string_view name);
@@ -17,4 +17,4 @@ namespace elgen::checking {
 /// False after E205 or E204: a name of the model or of the emitted code must be one, and free.
 bool check_name(const std::string& name, const Span& span, Report& report);
 
-}  // namespace elgen::checking
+}  // namespace elgen

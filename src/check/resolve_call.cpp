@@ -14,7 +14,7 @@
 #include "function_names.hpp"
 #include "resolver.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
@@ -288,4 +288,4 @@ std::optional<ExpressionId> Resolver::push_sum(
   return push(std::move(node));
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -6,7 +6,7 @@
 #include "function_names.hpp"
 #include "resolver.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 std::optional<ExpressionKind> leaf_kind(SymbolKind kind) {
@@ -121,4 +121,4 @@ std::optional<ExpressionId> Resolver::unknown_name(const ExpressionSyntax& name)
   return std::nullopt;
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

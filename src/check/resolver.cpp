@@ -8,7 +8,7 @@
 
 #include "base/exact_number.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 ExpressionKind kind_of(SyntaxKind kind) {
@@ -183,4 +183,4 @@ bool Resolver::check_exponent(const cln::cl_RA& exponent, const Span& span) {
   return false;
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -10,7 +10,7 @@
 #include "context.hpp"
 #include "elgen/syntax.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 /// Resolves names, expands sums and components of points, folds exact constants, and finds
 /// constants without a value. Every node keeps the span it was written at, so leaves are not
@@ -85,4 +85,4 @@ class Resolver {
   std::uint64_t steps_ = 0;
 };
 
-}  // namespace elgen::checking
+}  // namespace elgen

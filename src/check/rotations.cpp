@@ -7,7 +7,7 @@
 #include "base/exact_number.hpp"
 #include "unit_expression.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 constexpr std::array<std::string_view, 4> keys_of_numbers{"range", "wrap", "singular", "armature"};
@@ -171,4 +171,4 @@ void check_rotations(Context& context) {
   }
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -8,7 +8,7 @@
 #include "elgen/syntax.hpp"
 #include "values.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 [[nodiscard]] bool is_rotation(const EntrySyntax& entry);
 
@@ -25,4 +25,4 @@ void read_rotation(ValueReader& values, const EntrySyntax& entry, std::uint32_t 
 /// E513 for a rotation that turns no frame, E112 where it turns two.
 void check_rotations(Context& context);
 
-}  // namespace elgen::checking
+}  // namespace elgen

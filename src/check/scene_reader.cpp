@@ -18,7 +18,7 @@
 #include "syntax_part.hpp"
 #include "values.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 struct ScalarRow {
@@ -271,7 +271,7 @@ class SceneReader {
     }
     text += locks_text();
     if (model_.approximation) {
-      text += "approximate " + checking::canonical_text(model_, *model_.approximation) + "\n";
+      text += "approximate " + elgen::canonical_text(model_, *model_.approximation) + "\n";
     }
     std::map<std::string, std::int64_t> sizes;
     for (const SizeOverride& size : input_.sizes) {
@@ -285,10 +285,10 @@ class SceneReader {
     }
     if (scene_.numerics.scalars != Numerics{}.scalars) {
       for (const ScalarKind kind : scene_.numerics.scalars) {
-        text += "scalar " + std::string(checking::name_of(kind)) + "\n";
+        text += "scalar " + std::string(name_of(kind)) + "\n";
       }
     }
-    return text + checking::canonical_text(scene_.emission, scene_.base_name);
+    return text + elgen::canonical_text(scene_.emission, scene_.base_name);
   }
 
   [[nodiscard]] std::string locks_text() const {
@@ -327,4 +327,4 @@ Scene read_scene(Context& context, const SceneInput& input) {
   return SceneReader(context, input).read();
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -5,7 +5,7 @@
 #include "elgen/scene.hpp"
 #include "expand.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 /// What the scene is made from; `scene` may be null.
 struct SceneInput {
@@ -21,4 +21,4 @@ struct SceneInput {
 /// same.
 [[nodiscard]] Scene read_scene(Context& context, const SceneInput& input);
 
-}  // namespace elgen::checking
+}  // namespace elgen

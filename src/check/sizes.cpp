@@ -4,7 +4,7 @@
 #include "elgen/syntax.hpp"
 #include "expand.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 void declare_size(Context& context, const KeySyntax& key) {
@@ -48,4 +48,4 @@ void apply_sizes(Context& context, const ModelSyntax& syntax,
   }
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -4,7 +4,7 @@
 
 #include "reserved_names.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 std::string at_line(const Span& span) {
@@ -169,4 +169,4 @@ std::string DeclaredNames::suggest(std::string_view word,
   return "did you mean `" + near + "`? (" + where + ")";
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

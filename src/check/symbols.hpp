@@ -10,7 +10,7 @@
 
 #include "report.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 enum class SymbolKind : std::uint8_t {
   coordinate,
@@ -79,4 +79,4 @@ class DeclaredNames {
   std::map<std::string, NewName, std::less<>> identifiers_;
 };
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 void move_span(Span& span, const Span& home) {
@@ -39,4 +39,4 @@ std::optional<ExpressionSyntax> parse_part(const Span& home, const Limits& limit
   return std::move(result.value);
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -7,11 +7,11 @@
 #include "elgen/syntax.hpp"
 #include "report.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 /// Parses the bytes of `home` as one expression; its spans and errors point into the source of
 /// `home`.
 [[nodiscard]] std::optional<ExpressionSyntax> parse_part(const Span& home, const Limits& limits,
                                                          Report& report);
 
-}  // namespace elgen::checking
+}  // namespace elgen

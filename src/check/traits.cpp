@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 Traits leaf(Ingredients ingredients) { return {ingredients, 0, 0, 0, false}; }
@@ -177,4 +177,4 @@ std::vector<Traits> find_traits(const Context& context, const std::vector<std::u
   return finder.take();
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -7,7 +7,7 @@
 
 #include "context.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 /// Degrees count up to `not_polynomial`, which stands for anything above 2 as well.
 inline constexpr std::uint8_t not_polynomial = 3;
@@ -28,4 +28,4 @@ struct Traits {
 [[nodiscard]] std::vector<Traits> find_traits(const Context& context,
                                               const std::vector<std::uint32_t>& order);
 
-}  // namespace elgen::checking
+}  // namespace elgen

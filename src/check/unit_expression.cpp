@@ -9,7 +9,7 @@
 #include <cctype>
 #include <charconv>
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 class UnitReader {
@@ -167,4 +167,4 @@ std::optional<Unit> read_unit(const ValueSyntax& text, Report& report) {
   return UnitReader(text, report).read();
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -7,9 +7,9 @@
 #include "elgen/units.hpp"
 #include "report.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 /// The unit a string names; nothing after E402. `*` and `/` bind from left to right.
 [[nodiscard]] std::optional<Unit> read_unit(const ValueSyntax& text, Report& report);
 
-}  // namespace elgen::checking
+}  // namespace elgen

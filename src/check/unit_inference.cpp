@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 enum class Known : std::uint8_t { yes, any, no };
@@ -262,4 +262,4 @@ void check_units(Context& context, const std::vector<std::uint32_t>& order) {
   }
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

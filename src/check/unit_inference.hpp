@@ -6,9 +6,9 @@
 
 #include "context.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 /// E401, E403, E404, and one note E520 that lists what has no unit. `order` as for find_traits.
 void check_units(Context& context, const std::vector<std::uint32_t>& order);
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -8,7 +8,7 @@
 #include "base/exact_number.hpp"
 #include "resolver.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 cln::cl_R rounded(const cln::cl_R& value) {
@@ -194,4 +194,4 @@ std::string text_of(const ValueSyntax& table, std::string_view key) {
   return found == nullptr ? "" : found->value.text;
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -12,7 +12,7 @@
 #include "elgen/syntax.hpp"
 #include "expand.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 
 /// What is known of an expression before it is read.
 struct RootRequest {
@@ -88,4 +88,4 @@ class ValueReader {
 /// The entry of a scene, or null; `scene` may be null.
 [[nodiscard]] const EntrySyntax* find_entry(const SceneSyntax* scene, std::string_view name);
 
-}  // namespace elgen::checking
+}  // namespace elgen

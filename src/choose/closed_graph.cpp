@@ -51,8 +51,7 @@ class ClosedGraph {
     std::size_t work = 100'000;
     for (auto at = part.denominator.begin(); at != part.denominator.end();) {
       while (at->second > 0 && part.numerator.size() > 1) {
-        auto divided =
-            presenting::quotient(part.numerator, algebra_.factors[at->first].shown, work);
+        auto divided = elgen::quotient(part.numerator, algebra_.factors[at->first].shown, work);
         if (!divided) break;
         part.numerator = std::move(*divided);
         --at->second;
@@ -99,7 +98,7 @@ class ClosedGraph {
       if (!value) return false;
       factors.push_back({*value, divisor.exponent});
     }
-    if (!taken.empty()) form.numerator = presenting::scaled(form.numerator, {1, 0}, taken);
+    if (!taken.empty()) form.numerator = elgen::scaled(form.numerator, {1, 0}, taken);
     return true;
   }
 
@@ -112,7 +111,7 @@ class ClosedGraph {
     for (auto& [factor, exponent] : form.denominator) {
       const std::optional<AtomId> root = root_of(algebra_.factors[factor].shown);
       if (!root || exponent == 0 || !divides(*root, form.numerator)) continue;
-      form.numerator = presenting::scaled(form.numerator, {1, 0}, Monomial{{*root, -1}});
+      form.numerator = elgen::scaled(form.numerator, {1, 0}, Monomial{{*root, -1}});
       --exponent;
       const std::optional<Ref> radicand = fraction(algebra_.atoms[*root].arguments[0]);
       if (!radicand) return false;
@@ -129,7 +128,7 @@ class ClosedGraph {
       const Atom& atom = algebra_.atoms[id];
       if (atom.kind != AtomKind::root || !atom.arguments[0].denominator.empty()) continue;
       const Polynomial difference =
-          presenting::sum(radicand, presenting::scaled(atom.arguments[0].numerator, {-1, 0}));
+          elgen::sum(radicand, elgen::scaled(atom.arguments[0].numerator, {-1, 0}));
       if (difference.empty()) return id;
     }
     return std::nullopt;

@@ -13,7 +13,6 @@ namespace elgen {
 namespace {
 
 using cln::cl_RA;
-using presenting::is_zero;
 
 bool precedes(const CircularPower& x, const CircularPower& y) {
   const MonomialLess less;
@@ -76,7 +75,7 @@ TwoPowers power_of_exponential(std::int32_t multiple, bool by_sines) {
     TwoPowers next;
     for (const auto& [powers, value] : result) {
       add_to(next, powers.first + 1, powers.second, value);
-      add_to(next, powers.first, powers.second + 1, presenting::product(value, i));
+      add_to(next, powers.first, powers.second + 1, elgen::product(value, i));
     }
     result = reduced(next, by_sines);
   }
@@ -142,7 +141,7 @@ class RealTerms {
       return add_real(sum, {{angle, 0, 1}}, coefficient.imaginary * -2);
     }
     for (const auto& [circular, value] : expanded(angle)) {
-      add_real(sum, circular, presenting::product(value, coefficient).real * 2);
+      add_real(sum, circular, elgen::product(value, coefficient).real * 2);
     }
   }
 
@@ -195,7 +194,7 @@ class RealTerms {
     if (!by_units()) {
       const Monomial along = direction(angle);
       const std::int32_t base = base_of_direction_.at(along);
-      return factor(presenting::power(along, base), common_divisor(angle) / base);
+      return factor(elgen::power(along, base), common_divisor(angle) / base);
     }
     CircularSum result{{{}, Gaussian{1, 0}}};
     for (const AtomPower& part : angle) {
@@ -205,7 +204,7 @@ class RealTerms {
         for (const auto& [own, a] : result) {
           std::vector<CircularPower> powers = own;
           powers.insert(powers.end(), more.begin(), more.end());
-          add_to(next, powers, presenting::product(a, b));
+          add_to(next, powers, elgen::product(a, b));
         }
       }
       result = std::move(next);

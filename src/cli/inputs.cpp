@@ -102,7 +102,7 @@ Result<SourcePointer> read_file(const std::string& path, const Limits& limits) {
 }
 
 bool is_scene(const SourceText& source) {
-  if (source.path == stdin_name) return parsing::names_model(source);
+  if (source.path == stdin_name) return names_model(source);
   return source.path.size() > std::string_view(".scene.toml").size() &&
          source.path.ends_with(".scene.toml");
 }

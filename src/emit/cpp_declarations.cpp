@@ -105,7 +105,7 @@ TemplateData declared_arrays(const Model& model) {
     list << declared(text, "velocity_names",
                      velocities([](const Velocity& v) { return string_literal(v.name); }));
     list << declared(text, "velocity_units", velocities([&](const Velocity& v) {
-                       return string_literal(checking::velocity_unit(model, v));
+                       return string_literal(velocity_unit(model, v));
                      }));
   }
   list << declared("Interval", "rate_ranges",

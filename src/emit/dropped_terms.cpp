@@ -32,9 +32,8 @@ std::string rounded_up(const cl_RA& value) {
   return exact_text(value_of(decimal));
 }
 
-std::string with_unit(const std::string& number, const Model& model,
-                      const checking::EntryPlace& place) {
-  const std::optional<Unit> unit = checking::unit_of_entry(model, place);
+std::string with_unit(const std::string& number, const Model& model, const EntryPlace& place) {
+  const std::optional<Unit> unit = unit_of_entry(model, place);
   const std::string text = unit ? to_string(*unit) : "1";
   return text == "1" ? number : number + " " + text;
 }
@@ -73,7 +72,7 @@ std::string table(const std::vector<TableRow>& rows) {
 std::string dropped_table(const Model& model, const Reduction& reduction) {
   std::vector<TableRow> rows{{"entry", "dropped term", "at most"}};
   for (const DroppedTerm& term : reduction.terms) {
-    const checking::EntryPlace place{term.output, "", term.row, term.column};
+    const EntryPlace place{term.output, "", term.row, term.column};
     rows.push_back({entry_name(term.output, term.row, term.column), term.text,
                     with_unit(rounded_up(term.bound), model, place)});
   }
@@ -82,13 +81,12 @@ std::string dropped_table(const Model& model, const Reduction& reduction) {
 
 /// "1.2e-7 N*m, 0.0001 of its largest term's bound", "1.2e-7 N*m + 3.1e-8 kg*m^2 |a[1]|"; empty
 /// where it is 0.
-std::string error_text(const Model& model, const checking::EntryPlace& place,
-                       const EntryError& error) {
+std::string error_text(const Model& model, const EntryPlace& place, const EntryError& error) {
   std::string text;
   if (cln::plusp(error.constant)) text = with_unit(rounded_up(error.constant), model, place);
   for (std::size_t j = 0; j < error.by_acceleration.size(); ++j) {
     if (cln::zerop(error.by_acceleration[j])) continue;
-    const checking::EntryPlace mass{OutputKind::mass_matrix, "", place.row, j};
+    const EntryPlace mass{OutputKind::mass_matrix, "", place.row, j};
     text += (text.empty() ? "" : " + ") +
             with_unit(rounded_up(error.by_acceleration[j]), model, mass) +
             fmt::format(" |a[{}]|", j + 1);
@@ -104,7 +102,7 @@ std::string error_table(const Model& model, const Reduction& reduction) {
   std::vector<TableRow> rows{{"entry", "off by at most"}};
   for (const ReducedOutput& output : reduction.outputs) {
     for (std::size_t i = 0; i < output.errors.size(); ++i) {
-      const checking::EntryPlace place{output.kind, "", i / output.columns, i % output.columns};
+      const EntryPlace place{output.kind, "", i / output.columns, i % output.columns};
       std::string text = error_text(model, place, output.errors[i]);
       if (text.empty()) continue;
       rows.push_back({entry_name(output.kind, place.row, place.column), std::move(text)});

@@ -65,8 +65,7 @@ Json coordinates(const Model& model) {
 
 Json velocities(const Model& model) {
   Json list = Json::array();
-  for (const Velocity& v : model.velocities)
-    list.push_back(named(v.name, checking::velocity_unit(model, v)));
+  for (const Velocity& v : model.velocities) list.push_back(named(v.name, velocity_unit(model, v)));
   return list;
 }
 

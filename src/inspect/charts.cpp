@@ -9,7 +9,7 @@
 #include "null_space.hpp"
 #include "samples.hpp"
 
-namespace elgen::inspection {
+namespace elgen {
 namespace {
 
 using cln::cl_R;
@@ -79,4 +79,4 @@ Diagnostics inspect_charts(const Inspected& subject) {
   return diagnostics;
 }
 
-}  // namespace elgen::inspection
+}  // namespace elgen

@@ -5,7 +5,7 @@
 #include "elgen/model.hpp"
 #include "elgen/scene.hpp"
 
-namespace elgen::inspection {
+namespace elgen {
 
 /// What is inspected: a model with the parameter values of a scene.
 struct Inspected {
@@ -48,4 +48,4 @@ inline constexpr std::size_t most_coordinates_searched = 3;
 /// energies and forces have no derivatives. The other checks see the exact model.
 [[nodiscard]] Diagnostics inspect_equilibrium(const Inspected& subject);
 
-}  // namespace elgen::inspection
+}  // namespace elgen

@@ -22,10 +22,9 @@
 #include "readable.hpp"
 #include "roots.hpp"
 
-namespace elgen::inspection {
+namespace elgen {
 namespace {
 
-using checking::ConstantFailure;
 using cln::cl_R;
 
 /// Digits of pi and of roots: enough for a sine of what 300 decimal exponents reach.
@@ -46,7 +45,7 @@ struct Growth {
 EnclosedNumber enclosed(const cl_R& fixed) {
   if (is_rational(fixed)) return {fixed, 0};
   return {cln::cl_float(fixed, cln::float_format(most_digits)),
-          cln::abs(fixed) * power_of_ten(-checking::constant_digits)};
+          cln::abs(fixed) * power_of_ten(-constant_digits)};
 }
 
 bool is_known(const EnclosedNumber& x) {
@@ -58,7 +57,7 @@ double digits_of(const cl_R& number) {
   if (!is_rational(number)) return 0;
   const auto rational = cln::the<cln::cl_RA>(number);
   const bool is_unit = cln::abs(rational) == 1 || cln::zerop(rational);
-  return is_unit ? 0 : static_cast<double>(checking::digit_count(rational));
+  return is_unit ? 0 : static_cast<double>(digit_count(rational));
 }
 
 class NamedConstants {
@@ -102,7 +101,7 @@ class NamedConstants {
     }
     std::vector<EnclosedNumber> operands;
     for (const ExpressionId operand : node.operands) operands.push_back(*known_[operand]);
-    checking::ConstantOutcome outcome = checking::evaluate_constant(node, operands, most_digits);
+    ConstantOutcome outcome = evaluate_constant(node, operands, most_digits);
     if (outcome.failure) return report(node, *outcome.failure);
     if (outcome.value && is_known(*outcome.value)) known_[id] = std::move(outcome.value);
     return true;
@@ -132,11 +131,11 @@ class NamedConstants {
       growth = combined(node);
     }
     const bool is_known = growth.degree <= largest_degree;
-    if (is_known && growth.digits <= static_cast<double>(checking::largest_exact_digits)) return;
+    if (is_known && growth.digits <= static_cast<double>(largest_exact_digits)) return;
     found_.push_back(
         {Code::E910, node.span,
          is_known ? fmt::format("{} has numbers of more than {} digits", quoted(node.span),
-                                checking::largest_exact_digits)
+                                largest_exact_digits)
                   : fmt::format("{} has powers beyond {}", quoted(node.span), largest_degree)});
     growth = {};
   }
@@ -229,4 +228,4 @@ Diagnostics inspect_constants(const Inspected& subject) {
   return names.take();
 }
 
-}  // namespace elgen::inspection
+}  // namespace elgen

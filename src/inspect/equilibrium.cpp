@@ -12,7 +12,7 @@
 #include "elgen/oracle.hpp"
 #include "readable.hpp"
 
-namespace elgen::inspection {
+namespace elgen {
 namespace {
 
 using cln::cl_R;
@@ -154,4 +154,4 @@ Diagnostics inspect_equilibrium(const Inspected& subject) {
   return was_seen ? Diagnostics() : Diagnostics{no_expansion(model)};
 }
 
-}  // namespace elgen::inspection
+}  // namespace elgen

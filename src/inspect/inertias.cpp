@@ -6,7 +6,7 @@
 #include "elgen/oracle.hpp"
 #include "readable.hpp"
 
-namespace elgen::inspection {
+namespace elgen {
 namespace {
 
 using cln::cl_R;
@@ -50,4 +50,4 @@ Diagnostics inspect_inertias(const Inspected& subject) {
   return diagnostics;
 }
 
-}  // namespace elgen::inspection
+}  // namespace elgen

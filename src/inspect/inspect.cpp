@@ -9,22 +9,22 @@ namespace elgen {
 Diagnostics inspect(const Model& model, const Scene& scene) {
   Model exact = model;
   exact.approximation.reset();
-  const inspection::Inspected subject{exact, scene};
+  const Inspected subject{exact, scene};
   Diagnostics all;
   const auto add = [&](Diagnostics found) { all.insert(all.end(), found.begin(), found.end()); };
-  add(inspection::inspect_unused(subject));
-  add(inspection::inspect_left_out(subject));
-  add(inspection::inspect_constants(subject));
+  add(inspect_unused(subject));
+  add(inspect_left_out(subject));
+  add(inspect_constants(subject));
   // A model with a constant that has no value has none at sampled states, and one with a constant
   // that is too large takes forever.
   if (has_errors(all)) return all;
-  add(inspection::inspect_inertias(subject));
-  add(inspection::inspect_spins(subject));
-  add(inspection::inspect_mass_matrix(subject));
+  add(inspect_inertias(subject));
+  add(inspect_spins(subject));
+  add(inspect_mass_matrix(subject));
   // A matrix that is singular everywhere would be reported again at every special configuration.
-  if (!has_errors(all)) add(inspection::inspect_charts(subject));
-  add(inspection::inspect_potential(subject));
-  if (!has_errors(all)) add(inspection::inspect_equilibrium({model, scene}));
+  if (!has_errors(all)) add(inspect_charts(subject));
+  add(inspect_potential(subject));
+  if (!has_errors(all)) add(inspect_equilibrium({model, scene}));
   sort_by_position(all);
   return all;
 }

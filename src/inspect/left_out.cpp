@@ -3,7 +3,7 @@
 
 #include "checks.hpp"
 
-namespace elgen::inspection {
+namespace elgen {
 namespace {
 
 /// "`mass_matrix`, `linearization`"
@@ -31,4 +31,4 @@ Diagnostics inspect_left_out(const Inspected& subject) {
   return notes;
 }
 
-}  // namespace elgen::inspection
+}  // namespace elgen

@@ -14,7 +14,7 @@
 #include "samples.hpp"
 #include "singular_mass.hpp"
 
-namespace elgen::inspection {
+namespace elgen {
 namespace {
 
 constexpr unsigned samples = 3;  // exact and random: one in 1e9 is a coincidence
@@ -136,4 +136,4 @@ Diagnostics inspect_mass_matrix(const Inspected& subject) {
   return is_regular ? not_definite(subject, rates) : without_rank(subject.model, found, last);
 }
 
-}  // namespace elgen::inspection
+}  // namespace elgen

@@ -3,7 +3,7 @@
 
 #include "base/exact_number.hpp"
 
-namespace elgen::inspection {
+namespace elgen {
 namespace {
 
 using cln::cl_R;
@@ -100,4 +100,4 @@ std::vector<Vector> null_space(const Vector& matrix, const Vector& row_scales) {
   return basis;
 }
 
-}  // namespace elgen::inspection
+}  // namespace elgen

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace elgen::inspection {
+namespace elgen {
 
 using Vector = std::vector<cln::cl_R>;
 
@@ -22,4 +22,4 @@ using Vector = std::vector<cln::cl_R>;
 /// have 0.
 [[nodiscard]] std::vector<Vector> null_space(const Vector& matrix, const Vector& row_scales);
 
-}  // namespace elgen::inspection
+}  // namespace elgen

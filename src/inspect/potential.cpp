@@ -14,7 +14,7 @@
 #include "elgen/references.hpp"
 #include "samples.hpp"
 
-namespace elgen::inspection {
+namespace elgen {
 namespace {
 
 using cln::cl_R;
@@ -149,4 +149,4 @@ Diagnostics inspect_potential(const Inspected& subject) {
   return diagnostics;
 }
 
-}  // namespace elgen::inspection
+}  // namespace elgen

@@ -8,7 +8,7 @@
 
 #include "base/number_text.hpp"
 
-namespace elgen::inspection {
+namespace elgen {
 namespace {
 
 using cln::cl_I;
@@ -42,4 +42,4 @@ std::string readable(const cl_R& x) {
   return fmt::format("{:.5g}", cln::double_approx(x));
 }
 
-}  // namespace elgen::inspection
+}  // namespace elgen

@@ -5,10 +5,10 @@
 
 #include <string>
 
-namespace elgen::inspection {
+namespace elgen {
 
 /// The simplest fraction within 1e-9 of x where its denominator has at most three digits, else five
 /// digits; "0" for what is below 1e-40.
 [[nodiscard]] std::string readable(const cln::cl_R& x);
 
-}  // namespace elgen::inspection
+}  // namespace elgen

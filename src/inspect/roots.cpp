@@ -2,7 +2,7 @@
 // is long.
 #include "roots.hpp"
 
-namespace elgen::inspection {
+namespace elgen {
 
 std::vector<ExpressionId> equation_roots(const Model& model) {
   std::vector<ExpressionId> roots;
@@ -42,4 +42,4 @@ std::vector<ExpressionId> output_roots(const UserOutput& output) {
   return roots;
 }
 
-}  // namespace elgen::inspection
+}  // namespace elgen

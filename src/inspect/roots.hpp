@@ -5,7 +5,7 @@
 
 #include "elgen/model.hpp"
 
-namespace elgen::inspection {
+namespace elgen {
 
 /// Of the equations of motion: energies, masses, points, bodies, frames and forces. Names in them
 /// are not followed.
@@ -14,4 +14,4 @@ namespace elgen::inspection {
 /// Of an [[output]].
 [[nodiscard]] std::vector<ExpressionId> output_roots(const UserOutput& output);
 
-}  // namespace elgen::inspection
+}  // namespace elgen

@@ -3,7 +3,7 @@
 
 #include "base/random.hpp"
 
-namespace elgen::inspection {
+namespace elgen {
 namespace {
 
 constexpr unsigned attempts = 8;  // a model undefined at all of them has no domain worth the name
@@ -31,4 +31,4 @@ std::optional<MassSample> sampled_mass_matrix(const Inspected& subject, unsigned
   return std::nullopt;
 }
 
-}  // namespace elgen::inspection
+}  // namespace elgen

@@ -7,7 +7,7 @@
 #include "checks.hpp"
 #include "elgen/oracle.hpp"
 
-namespace elgen::inspection {
+namespace elgen {
 
 /// Everything that moves as draw_motion() has it. Run-time parameters whose value is 0 are sampled
 /// too: zero is a default there, not a property of the system.
@@ -21,4 +21,4 @@ struct MassSample {
 [[nodiscard]] std::optional<MassSample> sampled_mass_matrix(const Inspected& subject,
                                                             unsigned seed);
 
-}  // namespace elgen::inspection
+}  // namespace elgen

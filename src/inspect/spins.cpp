@@ -12,7 +12,7 @@
 #include "checks.hpp"
 #include "samples.hpp"
 
-namespace elgen::inspection {
+namespace elgen {
 namespace {
 
 using cln::cl_R;
@@ -68,4 +68,4 @@ Diagnostics inspect_spins(const Inspected& subject) {
   return diagnostics;
 }
 
-}  // namespace elgen::inspection
+}  // namespace elgen

@@ -6,7 +6,7 @@
 
 #include "checks.hpp"
 
-namespace elgen::inspection {
+namespace elgen {
 namespace {
 
 /// By index in the Model: whether a leaf of this kind stands in an expression.
@@ -52,4 +52,4 @@ Diagnostics inspect_unused(const Inspected& subject) {
   return found;
 }
 
-}  // namespace elgen::inspection
+}  // namespace elgen

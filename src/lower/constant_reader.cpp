@@ -74,7 +74,7 @@ Read read(Graph& graph, const ExpressionSyntax& syntax) {
 
 std::optional<Constant> read_constant(const std::string& text) {
   Limits limits;
-  limits.expression_depth = parsing::deepest_expression;
+  limits.expression_depth = deepest_expression;
   limits.literal_digits = text.size();
   const Result<ExpressionSyntax> syntax = parse_expression(make_source("constant", text), limits);
   if (!syntax) return std::nullopt;

@@ -8,7 +8,7 @@
 #include <array>
 #include <string_view>
 
-namespace elgen::parsing {
+namespace elgen {
 
 namespace {
 
@@ -145,4 +145,4 @@ std::string replacement_hint(char32_t character) {
   return fmt::format("write `{}` instead of {}", row->written, script_name(character));
 }
 
-}  // namespace elgen::parsing
+}  // namespace elgen

@@ -3,9 +3,9 @@
 
 #include <string>
 
-namespace elgen::parsing {
+namespace elgen {
 
 /// "write `pi`" for U+03C0, "write `-`" for U+2212 …; empty where there is nothing to suggest.
 [[nodiscard]] std::string replacement_hint(char32_t character);
 
-}  // namespace elgen::parsing
+}  // namespace elgen

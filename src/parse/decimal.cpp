@@ -9,7 +9,7 @@
 
 #include "base/number_text.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 namespace {
 
@@ -140,4 +140,4 @@ std::string decimal_text(const cln::cl_RA& value) {
   return sign + digits;
 }
 
-}  // namespace elgen::parsing
+}  // namespace elgen

@@ -10,7 +10,7 @@
 #include "elgen/diagnostic.hpp"
 #include "elgen/limits.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 /// How far the number that starts at a position goes, and whether it is one.
 struct NumberExtent {
@@ -50,4 +50,4 @@ struct DecimalParts {
 /// 1/3, as a quotient.
 [[nodiscard]] std::string decimal_text(const cln::cl_RA& value);
 
-}  // namespace elgen::parsing
+}  // namespace elgen

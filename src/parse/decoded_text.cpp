@@ -9,7 +9,7 @@
 
 #include "base/utf8.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 namespace {
 
@@ -147,4 +147,4 @@ DecodedText copied_text(const Span& span) {
 
 DecodedText decode_string(const Span& token) { return StringDecoder(token).decode(); }
 
-}  // namespace elgen::parsing
+}  // namespace elgen

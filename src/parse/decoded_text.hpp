@@ -11,7 +11,7 @@
 
 #include "elgen/source_text.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 /// A run of decoded bytes and the bytes of the file it came from. Runs of one length on both sides
 /// are copies; others are escapes, which stand or fall as a whole.
@@ -45,4 +45,4 @@ struct DecodedText {
 /// well-formed (toml++ accepted it).
 [[nodiscard]] DecodedText decode_string(const Span& token);
 
-}  // namespace elgen::parsing
+}  // namespace elgen

@@ -95,7 +95,7 @@ std::string dump(const ExpressionSyntax& expression) {
   print_operands(expression, inside);
   switch (expression.kind) {
     case SyntaxKind::number:
-      return parsing::decimal_text(expression.value);
+      return decimal_text(expression.value);
     case SyntaxKind::name:
       return expression.operands.empty() ? expression.text : expression.text + "[" + inside + "]";
     case SyntaxKind::call:

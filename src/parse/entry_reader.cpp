@@ -9,7 +9,7 @@
 
 #include "elgen/wording.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 namespace {
 
@@ -161,4 +161,4 @@ std::vector<EntrySyntax> read_entries(const TomlValue& root, FileKind kind, File
   return EntryReader(kind, reading).read(root);
 }
 
-}  // namespace elgen::parsing
+}  // namespace elgen

@@ -3,7 +3,7 @@
 
 #include "value_reader.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 enum class FileKind : std::uint8_t { model, scene };
 
@@ -22,4 +22,4 @@ struct TableContext {
 [[nodiscard]] std::vector<KeySyntax> read_keys(const std::vector<TomlEntry>& entries,
                                                const TableContext& table, FileReading& reading);
 
-}  // namespace elgen::parsing
+}  // namespace elgen

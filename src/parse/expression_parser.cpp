@@ -19,7 +19,7 @@
 #include "decimal.hpp"
 #include "syntax_errors.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 namespace {
 
@@ -323,4 +323,4 @@ Result<ExpressionSyntax> read_expression(const DecodedText& text, const Limits& 
   return read_expression(text, 0, text.text.size(), limits);
 }
 
-}  // namespace elgen::parsing
+}  // namespace elgen

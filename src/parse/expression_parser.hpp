@@ -4,7 +4,7 @@
 #include "decoded_text.hpp"
 #include "elgen/syntax.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 /// However far the limit is raised, the parser recurses no deeper (about 1 KiB of stack a level).
 inline constexpr std::uint64_t deepest_expression = 1000;
@@ -16,4 +16,4 @@ inline constexpr std::uint64_t deepest_expression = 1000;
 [[nodiscard]] Result<ExpressionSyntax> read_expression(const DecodedText& text,
                                                        const Limits& limits);
 
-}  // namespace elgen::parsing
+}  // namespace elgen

@@ -8,7 +8,7 @@
 #include "entry_reader.hpp"
 #include "repetition.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 namespace {
 
@@ -158,4 +158,4 @@ std::vector<KeySyntax> read_keys(const std::vector<TomlEntry>& entries, const Ta
   return result;
 }
 
-}  // namespace elgen::parsing
+}  // namespace elgen

@@ -9,7 +9,7 @@
 #include "decimal.hpp"
 #include "elgen/wording.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 namespace {
 
@@ -136,4 +136,4 @@ Token Lexer::unknown_character() {
                  replacement_hint(point.value));
 }
 
-}  // namespace elgen::parsing
+}  // namespace elgen

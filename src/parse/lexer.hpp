@@ -8,7 +8,7 @@
 #include "decoded_text.hpp"
 #include "elgen/diagnostic.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 enum class TokenKind : std::uint8_t {
   number,
@@ -60,4 +60,4 @@ class Lexer {
   std::optional<Diagnostic> problem_;
 };
 
-}  // namespace elgen::parsing
+}  // namespace elgen

@@ -5,7 +5,7 @@
 
 #include "toml_document.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 bool names_model(const SourceText& source) {
   const Result<TomlValue> root = read_toml(source);
@@ -15,4 +15,4 @@ bool names_model(const SourceText& source) {
   });
 }
 
-}  // namespace elgen::parsing
+}  // namespace elgen

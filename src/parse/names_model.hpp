@@ -3,9 +3,9 @@
 
 #include "elgen/source_text.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 /// Whether the text is TOML with `model = "…"`; in a model file `model` is a table.
 [[nodiscard]] bool names_model(const SourceText& source);
 
-}  // namespace elgen::parsing
+}  // namespace elgen

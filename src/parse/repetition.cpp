@@ -10,7 +10,7 @@
 #include "expression_parser.hpp"
 #include "lexer.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 namespace {
 
@@ -83,4 +83,4 @@ ValueSyntax read_repetition(const TomlValue& value, FileReading& reading) {
   return result;
 }
 
-}  // namespace elgen::parsing
+}  // namespace elgen

@@ -3,10 +3,10 @@
 
 #include "value_reader.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 /// A list of tables {index, low, high}, one per repetition, also where the file has a single
 /// string. E104; E210 malformed repetition; errors of the bounds.
 [[nodiscard]] ValueSyntax read_repetition(const TomlValue& value, FileReading& reading);
 
-}  // namespace elgen::parsing
+}  // namespace elgen

@@ -17,10 +17,6 @@ namespace elgen {
 
 namespace {
 
-using parsing::FileKind;
-using parsing::FileReading;
-using parsing::TomlValue;
-
 Span all_of(const SourceText& source) {
   return {&source, 0, static_cast<std::uint32_t>(source.text.size())};
 }
@@ -49,8 +45,8 @@ std::optional<Diagnostic> size_error(const SourceText& source, const Limits& lim
 std::optional<Diagnostic> format_error(const TomlValue& root) {
   const auto entry =
       std::find_if(root.entries.begin(), root.entries.end(),
-                   [](const parsing::TomlEntry& candidate) { return candidate.key == "format"; });
-  if (entry == root.entries.end() || entry->value.kind != parsing::TomlKind::number) {
+                   [](const TomlEntry& candidate) { return candidate.key == "format"; });
+  if (entry == root.entries.end() || entry->value.kind != TomlKind::number) {
     return std::nullopt;  // missing, or of the wrong type: said with the other keys
   }
   const std::string& text = entry->value.text.text;
@@ -67,11 +63,11 @@ struct ReadFile {
 ReadFile read_file(const SourceText& source, FileKind kind, const Limits& limits) {
   if (auto error = size_error(source, limits)) return {{}, {*std::move(error)}};
   if (auto error = encoding_error(source)) return {{}, {*std::move(error)}};
-  const Result<TomlValue> root = parsing::read_toml(source);
+  const Result<TomlValue> root = read_toml(source);
   if (!root) return {{}, root.diagnostics};
   if (auto error = format_error(*root)) return {{}, {*std::move(error)}};
   FileReading reading{limits};
-  std::vector<EntrySyntax> entries = parsing::read_entries(*root, kind, reading);
+  std::vector<EntrySyntax> entries = read_entries(*root, kind, reading);
   sort_by_position(reading.diagnostics);
   return {std::move(entries), std::move(reading.diagnostics)};
 }
@@ -98,7 +94,7 @@ Result<SceneSyntax> parse_scene(SourcePointer source, const Limits& limits) {
 
 Result<ExpressionSyntax> parse_expression(const SourcePointer& source, const Limits& limits) {
   if (auto error = encoding_error(*source)) return *std::move(error);
-  return parsing::read_expression(parsing::copied_text(all_of(*source)), limits);
+  return read_expression(copied_text(all_of(*source)), limits);
 }
 
 }  // namespace elgen

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace elgen::parsing {
+namespace elgen {
 
 namespace {
 
@@ -91,4 +91,4 @@ Diagnostic unclosed_bracket(const TokenStream& tokens, const Token& opened) {
   return result;
 }
 
-}  // namespace elgen::parsing
+}  // namespace elgen

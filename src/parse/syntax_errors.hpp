@@ -4,7 +4,7 @@
 
 #include "token_stream.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 /// An operand was due, another token is current: E302, E301, or the lexer's own error.
 [[nodiscard]] Diagnostic missing_operand(const TokenStream& tokens);
@@ -16,4 +16,4 @@ namespace elgen::parsing {
 /// `opened` is not closed by the current token: E304, or what misplaced_token() says.
 [[nodiscard]] Diagnostic unclosed_bracket(const TokenStream& tokens, const Token& opened);
 
-}  // namespace elgen::parsing
+}  // namespace elgen

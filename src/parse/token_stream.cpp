@@ -3,7 +3,7 @@
 
 #include "elgen/wording.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 TokenStream::TokenStream(const DecodedText& text, std::size_t begin, std::size_t end)
     : text_(&text), lexer_(text, begin, end), current_(lexer_.next()) {}
@@ -18,4 +18,4 @@ Span TokenStream::span(const Token& token) const { return text_->span(token.begi
 
 std::string TokenStream::shown(const Token& token) const { return quoted(text(token)); }
 
-}  // namespace elgen::parsing
+}  // namespace elgen

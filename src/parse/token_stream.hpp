@@ -5,7 +5,7 @@
 
 #include "lexer.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 class TokenStream {
  public:
@@ -32,4 +32,4 @@ class TokenStream {
   Token current_;
 };
 
-}  // namespace elgen::parsing
+}  // namespace elgen

@@ -11,7 +11,7 @@
 #include "toml_guard.hpp"
 #include "toml_positions.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 namespace {
 
@@ -84,4 +84,4 @@ Result<TomlValue> read_toml(const SourceText& source) {
   }
 }
 
-}  // namespace elgen::parsing
+}  // namespace elgen

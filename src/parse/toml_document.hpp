@@ -12,7 +12,7 @@
 #include "decoded_text.hpp"
 #include "elgen/diagnostic.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 enum class TomlKind : std::uint8_t {
   string,
@@ -43,4 +43,4 @@ struct TomlEntry {
 /// The root table. E101 malformed TOML (one error), E109 a number wider than TOML allows.
 [[nodiscard]] Result<TomlValue> read_toml(const SourceText& source);
 
-}  // namespace elgen::parsing
+}  // namespace elgen

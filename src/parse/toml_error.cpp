@@ -9,7 +9,7 @@
 #include "base/utf8.hpp"
 #include "elgen/wording.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 namespace {
 
@@ -101,4 +101,4 @@ Diagnostic toml_error(const SourceText& source, std::uint32_t offset,
           is_unquoted_value(description) ? "texts and expressions are written in quotes" : ""};
 }
 
-}  // namespace elgen::parsing
+}  // namespace elgen

@@ -6,7 +6,7 @@
 
 #include "elgen/diagnostic.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 /// `description` is that of toml++, `offset` the byte it points at. E101; E109 for a decimal that
 /// TOML itself cannot hold.
@@ -16,4 +16,4 @@ namespace elgen::parsing {
 /// Whether the text of a token is a decimal number as TOML writes it: `-1_000`, `+0.5e-3`.
 [[nodiscard]] bool is_decimal_token(std::string_view token);
 
-}  // namespace elgen::parsing
+}  // namespace elgen

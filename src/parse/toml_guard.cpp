@@ -2,7 +2,7 @@
 // nobody writes a hundred words with a point between each two.
 #include "toml_guard.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 namespace {
 
@@ -50,4 +50,4 @@ std::optional<std::size_t> find_endless_key(std::string_view text) {
   return std::nullopt;
 }
 
-}  // namespace elgen::parsing
+}  // namespace elgen

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-namespace elgen::parsing {
+namespace elgen {
 
 inline constexpr std::size_t most_key_parts = 100;
 
@@ -13,4 +13,4 @@ inline constexpr std::size_t most_key_parts = 100;
 /// but not `a.b.c…`, which it frees recursively.
 [[nodiscard]] std::optional<std::size_t> find_endless_key(std::string_view text);
 
-}  // namespace elgen::parsing
+}  // namespace elgen

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
-namespace elgen::parsing {
+namespace elgen {
 
 TomlPositions::TomlPositions(const SourceText& source) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
@@ -26,4 +26,4 @@ std::uint32_t TomlPositions::offset(std::uint32_t line, std::uint32_t column) co
   return points_[std::min(point, points_.size() - 1)];
 }
 
-}  // namespace elgen::parsing
+}  // namespace elgen

@@ -6,7 +6,7 @@
 
 #include "elgen/source_text.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 /// toml++ counts columns in code points and does not count a byte order mark.
 class TomlPositions {
@@ -21,4 +21,4 @@ class TomlPositions {
   std::vector<std::uint32_t> line_points_;  ///< index of the first code point of each line
 };
 
-}  // namespace elgen::parsing
+}  // namespace elgen

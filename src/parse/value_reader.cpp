@@ -12,7 +12,7 @@
 #include "elgen/wording.hpp"
 #include "expression_parser.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 namespace {
 
@@ -206,4 +206,4 @@ ValueSyntax read_integer(const TomlValue& value, FileReading& reading) {
   return result;
 }
 
-}  // namespace elgen::parsing
+}  // namespace elgen

@@ -4,7 +4,7 @@
 #include "elgen/syntax.hpp"
 #include "toml_document.hpp"
 
-namespace elgen::parsing {
+namespace elgen {
 
 /// What reading a file shares: the limits, and where its errors go.
 struct FileReading {
@@ -40,4 +40,4 @@ void report_wrong_type(const TomlValue& value, std::string_view expected, FileRe
 /// A value of `kind` at the place of `value`: inside the quotes for strings.
 [[nodiscard]] ValueSyntax empty_value(const TomlValue& value, ValueKind kind);
 
-}  // namespace elgen::parsing
+}  // namespace elgen

@@ -6,12 +6,12 @@
 
 #include "polynomial.hpp"
 
-namespace elgen::presenting {
+namespace elgen {
 
 using cln::cl_RA;
 
 Fraction fraction_of(const Polynomial& numerator) { return {numerator, {}}; }
-Fraction fraction_of(const cl_RA& value) { return {presenting::constant(value), {}}; }
+Fraction fraction_of(const cl_RA& value) { return {constant(value), {}}; }
 
 namespace {
 
@@ -236,10 +236,10 @@ Value Arithmetic::reduced_roots(Fraction x) {
 /// The factor equal to `polynomial` but for a monomial, which becomes `unit`; a new one where none
 /// is known.
 std::uint32_t Arithmetic::factor_index(const Polynomial& polynomial, Polynomial& unit) {
-  const auto inverse = [](const Monomial& x) { return presenting::power(x, -1); };
+  const auto inverse = [](const Monomial& x) { return elgen::power(x, -1); };
   Polynomial normal =
       scaled(polynomial, {1, 0}, inverse(common_monomial(polynomial, false, algebra_)));
-  normal = scaled(normal, presenting::reciprocal(normal.rbegin()->second));
+  normal = scaled(normal, elgen::reciprocal(normal.rbegin()->second));
   std::uint32_t index = 0;
   while (index < algebra_.factors.size() &&
          !same_polynomial(algebra_.factors[index].normal, normal)) {
@@ -250,9 +250,9 @@ std::uint32_t Arithmetic::factor_index(const Polynomial& polynomial, Polynomial&
     algebra_.factors.push_back({scaled(polynomial, {1, 0}, inverse(common)), normal});
   }
   const Polynomial& shown = algebra_.factors[index].shown;
-  unit = Polynomial{
-      {product(polynomial.rbegin()->first, inverse(shown.rbegin()->first)),
-       product(polynomial.rbegin()->second, presenting::reciprocal(shown.rbegin()->second))}};
+  unit =
+      Polynomial{{product(polynomial.rbegin()->first, inverse(shown.rbegin()->first)),
+                  product(polynomial.rbegin()->second, elgen::reciprocal(shown.rbegin()->second))}};
   return index;
 }
 
@@ -274,7 +274,7 @@ bool Arithmetic::split_factors(Polynomial& rest,
 void Arithmetic::note_circular_factors(const Polynomial& rest) {
   const cl_RA half = cl_RA(1) / 2;
   for (const Monomial& angle : angles_of(rest, algebra_)) {
-    const Monomial opposite = presenting::power(angle, -1);
+    const Monomial opposite = elgen::power(angle, -1);
     const Polynomial sine{{angle, Gaussian{0, -half}}, {opposite, Gaussian{0, half}}};
     const Polynomial cosine{{angle, Gaussian{half, 0}}, {opposite, Gaussian{half, 0}}};
     for (const Polynomial& factor : {sine, cosine}) {
@@ -296,8 +296,7 @@ Value Arithmetic::reciprocal(const Fraction& x) {
     rest = std::move(unit);
   }
   const auto& [monomial, coefficient] = *rest.begin();
-  result.numerator =
-      Polynomial{{presenting::power(monomial, -1), presenting::reciprocal(coefficient)}};
+  result.numerator = Polynomial{{elgen::power(monomial, -1), elgen::reciprocal(coefficient)}};
   for (const auto& [factor, exponent] : x.denominator) {
     for (std::int32_t i = 0; i < exponent; ++i) {
       auto next = multiplied(result.numerator, algebra_.factors[factor].shown);
@@ -321,4 +320,4 @@ Value Arithmetic::power(const Value& x, std::int32_t exponent) {
   return result;
 }
 
-}  // namespace elgen::presenting
+}  // namespace elgen

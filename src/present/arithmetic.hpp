@@ -7,7 +7,7 @@
 #include "elgen/closed_forms.hpp"
 #include "elgen/syntax.hpp"
 
-namespace elgen::presenting {
+namespace elgen {
 
 using Value = std::optional<Fraction>;
 
@@ -63,4 +63,4 @@ class Arithmetic {
   std::size_t terms_;
 };
 
-}  // namespace elgen::presenting
+}  // namespace elgen

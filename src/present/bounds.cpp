@@ -8,7 +8,7 @@
 
 #include "polynomial.hpp"
 
-namespace elgen::presenting {
+namespace elgen {
 
 using cln::cl_RA;
 
@@ -94,13 +94,13 @@ std::optional<Enclosure> TermBounds::of(const Polynomial& sum) {
     const std::optional<Enclosure> powers = of(monomial);
     if (!powers) return std::nullopt;
     if (angle == nullptr) {
-      total = presenting::sum(total, product(*powers, {coefficient.real, coefficient.real}));
+      total = elgen::sum(total, product(*powers, {coefficient.real, coefficient.real}));
       continue;
     }
     const cl_RA square =
         coefficient.real * coefficient.real + coefficient.imaginary * coefficient.imaginary;
     const cl_RA amplitude = square_root(Enclosure{square, square}).high * 2;
-    total = presenting::sum(total, about_zero(amplitude * magnitude(*powers)));
+    total = elgen::sum(total, about_zero(amplitude * magnitude(*powers)));
   }
   return total;
 }
@@ -203,4 +203,4 @@ std::optional<Enclosure> TermBounds::of_call(const Atom& atom) {
   return about_zero(largest);
 }
 
-}  // namespace elgen::presenting
+}  // namespace elgen

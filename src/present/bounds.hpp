@@ -12,7 +12,7 @@
 #include "elgen/model.hpp"
 #include "enclosure.hpp"
 
-namespace elgen::presenting {
+namespace elgen {
 
 /// Each pair of conjugate exponentials, and each other monomial, as a fraction of its own.
 [[nodiscard]] std::vector<Fraction> terms_of(const Algebra& algebra, const Fraction& x);
@@ -46,4 +46,4 @@ class TermBounds {
   Diagnostic missing_{Code::E616, {}, {}};
 };
 
-}  // namespace elgen::presenting
+}  // namespace elgen

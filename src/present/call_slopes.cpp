@@ -2,7 +2,7 @@
 // written over it as they are over numbers.
 #include "call_slopes.hpp"
 
-namespace elgen::presenting {
+namespace elgen {
 namespace {
 
 using cln::cl_RA;
@@ -69,4 +69,4 @@ std::vector<Value> call_slopes(Arithmetic& arithmetic, const Atom& atom, const F
   return result;
 }
 
-}  // namespace elgen::presenting
+}  // namespace elgen

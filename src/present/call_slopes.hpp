@@ -5,11 +5,11 @@
 
 #include "arithmetic.hpp"
 
-namespace elgen::presenting {
+namespace elgen {
 
 /// d call/d argument for each argument, by functions.def; `call` is the atom as a sum. None beyond
 /// the budget, and of functions with kinks.
 [[nodiscard]] std::vector<Value> call_slopes(Arithmetic& arithmetic, const Atom& atom,
                                              const Fraction& call);
 
-}  // namespace elgen::presenting
+}  // namespace elgen

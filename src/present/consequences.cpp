@@ -4,7 +4,7 @@
 
 #include "rates.hpp"
 
-namespace elgen::presenting {
+namespace elgen {
 
 using cln::cl_RA;
 
@@ -127,4 +127,4 @@ Values Consequences::kinetic_energy() {
   return {arithmetic_.multiply(total, fraction_of(cl_RA(1) / 2))};
 }
 
-}  // namespace elgen::presenting
+}  // namespace elgen

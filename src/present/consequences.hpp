@@ -10,7 +10,7 @@
 
 #include "arithmetic.hpp"
 
-namespace elgen::presenting {
+namespace elgen {
 
 using Values = std::vector<Value>;
 
@@ -49,4 +49,4 @@ class Consequences {
   std::map<OutputKind, Values> known_;
 };
 
-}  // namespace elgen::presenting
+}  // namespace elgen

@@ -14,12 +14,6 @@
 namespace elgen {
 
 using cln::cl_RA;
-using presenting::Arithmetic;
-using presenting::Consequences;
-using presenting::DroppedParts;
-using presenting::TermBounds;
-using presenting::Value;
-using presenting::Values;
 
 namespace {
 
@@ -90,7 +84,7 @@ class Drop {
     const auto bound = bounds_.all_terms(term);
     reduction_.terms.push_back({output, static_cast<std::uint32_t>(entry / columns),
                                 static_cast<std::uint32_t>(entry % columns),
-                                presenting::term_text(forms_.algebra, program_.leaves, term),
+                                term_text(forms_.algebra, program_.leaves, term),
                                 bound.value_or(0)});
   }
 
@@ -111,7 +105,7 @@ class Drop {
   Value small_terms(const Fraction& entry, OutputKind output, std::size_t index,
                     std::size_t columns) {
     Value dropped = Fraction{};
-    const std::vector<Fraction> terms = presenting::terms_of(forms_.algebra, entry);
+    const std::vector<Fraction> terms = terms_of(forms_.algebra, entry);
     if (terms.size() < 2) return dropped;
     const cl_RA largest = largest_term(entry);
     for (const Fraction& term : terms) {
@@ -148,8 +142,7 @@ class Drop {
     bool acts = false;
     const std::size_t n = largest.size();
     for (std::size_t i = 0; i < n; ++i) {
-      const Value force =
-          presenting::rate(arithmetic_, forms_.algebra, term, presenting::along_coordinate(i, n));
+      const Value force = elgen::rate(arithmetic_, forms_.algebra, term, along_coordinate(i, n));
       if (!force) fail_given_up("gravity");
       if (!force || force->numerator.empty()) continue;
       acts = true;
@@ -162,7 +155,7 @@ class Drop {
     const Values potential = exact(K::potential_energy);
     const Values gravity = exact(K::gravity);
     if (potential.empty() || gravity.empty()) return {};
-    const std::vector<Fraction> terms = presenting::terms_of(forms_.algebra, *potential[0]);
+    const std::vector<Fraction> terms = terms_of(forms_.algebra, *potential[0]);
     Value dropped = Fraction{};
     if (terms.size() < 2) return {dropped};
     std::vector<cl_RA> largest;

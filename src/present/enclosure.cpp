@@ -8,7 +8,7 @@
 
 #include "base/exact_number.hpp"
 
-namespace elgen::presenting {
+namespace elgen {
 
 using cln::cl_I;
 using cln::cl_RA;
@@ -72,4 +72,4 @@ Enclosure square_root(const Enclosure& x) {
 
 cl_RA magnitude(const Enclosure& x) { return cln::max(cln::abs(x.low), cln::abs(x.high)); }
 
-}  // namespace elgen::presenting
+}  // namespace elgen

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace elgen::presenting {
+namespace elgen {
 
 struct Enclosure {
   cln::cl_RA low = 0;
@@ -29,4 +29,4 @@ struct Enclosure {
 /// The largest |x|.
 [[nodiscard]] cln::cl_RA magnitude(const Enclosure& x);
 
-}  // namespace elgen::presenting
+}  // namespace elgen

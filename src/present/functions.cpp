@@ -8,7 +8,7 @@
 #include "arithmetic.hpp"
 #include "polynomial.hpp"
 
-namespace elgen::presenting {
+namespace elgen {
 
 using cln::cl_I;
 using cln::cl_RA;
@@ -122,7 +122,7 @@ Value Arithmetic::exponential_of_term(const Monomial& monomial, const cl_RA& coe
                               .arguments = {fraction_of(Polynomial{{monomial, Gaussian{1, 0}}})}});
   const Monomial base = unit.numerator.begin()->first;
   return fraction_of(
-      Polynomial{{presenting::power(base, static_cast<std::int32_t>(power)), Gaussian{1, 0}}});
+      Polynomial{{elgen::power(base, static_cast<std::int32_t>(power)), Gaussian{1, 0}}});
 }
 
 /// e^(i x), or e^(-i x): the product over the terms of x, where it is a sum of real monomials.
@@ -214,4 +214,4 @@ Value Arithmetic::constant(const ConstantForm& form) {
   return std::nullopt;
 }
 
-}  // namespace elgen::presenting
+}  // namespace elgen

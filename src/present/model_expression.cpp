@@ -11,9 +11,6 @@
 namespace elgen {
 
 using cln::cl_RA;
-using presenting::Arithmetic;
-using presenting::fraction_of;
-using presenting::Value;
 
 namespace {
 

@@ -17,8 +17,6 @@ bool MonomialLess::operator()(const Monomial& x, const Monomial& y) const {
   return j != y.end() && j->exponent > 0;
 }
 
-namespace presenting {
-
 using cln::cl_RA;
 
 Monomial product(const Monomial& x, const Monomial& y) {
@@ -183,6 +181,4 @@ std::optional<cl_RA> rational_value(const Polynomial& x) {
   if (!cln::zerop(x.begin()->second.imaginary)) return std::nullopt;
   return x.begin()->second.real;
 }
-
-}  // namespace presenting
 }  // namespace elgen

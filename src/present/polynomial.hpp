@@ -3,7 +3,7 @@
 
 #include "elgen/closed_forms.hpp"
 
-namespace elgen::presenting {
+namespace elgen {
 
 [[nodiscard]] Monomial product(const Monomial& x, const Monomial& y);
 [[nodiscard]] Monomial power(const Monomial& x, std::int32_t exponent);
@@ -32,4 +32,4 @@ void add_term(Polynomial& to, const Monomial& monomial, const Gaussian& coeffici
 /// The rational number, where it is one.
 [[nodiscard]] std::optional<cln::cl_RA> rational_value(const Polynomial& x);
 
-}  // namespace elgen::presenting
+}  // namespace elgen

@@ -9,9 +9,6 @@
 
 namespace elgen {
 
-using presenting::Arithmetic;
-using presenting::Value;
-
 namespace {
 
 ClosedFunction run(Arithmetic& arithmetic, const Program& program, const Function& function) {

@@ -11,10 +11,6 @@
 namespace elgen {
 
 using cln::cl_RA;
-using presenting::Arithmetic;
-using presenting::fraction_of;
-using presenting::LeafRates;
-using presenting::Value;
 
 namespace {
 
@@ -40,7 +36,7 @@ class Rates {
   }
 
  private:
-  static Fraction over(const Fraction& x) { return {presenting::constant(1), x.denominator}; }
+  static Fraction over(const Fraction& x) { return {constant(1), x.denominator}; }
 
   Value of(const Polynomial& sum) {
     Value result = Fraction{};
@@ -50,8 +46,8 @@ class Rates {
         if (!own) return std::nullopt;
         if (own->numerator.empty()) continue;
         // n x^(n-1) x'
-        const Gaussian factor = presenting::product(coefficient, {power.exponent, 0});
-        const Monomial lowered = presenting::product(monomial, {{power.atom, -1}});
+        const Gaussian factor = elgen::product(coefficient, {power.exponent, 0});
+        const Monomial lowered = elgen::product(monomial, {{power.atom, -1}});
         const Fraction slope = fraction_of(Polynomial{{lowered, factor}});
         result = arithmetic_.add(result, arithmetic_.multiply(slope, own));
       }
@@ -75,7 +71,7 @@ class Rates {
         return Fraction{};
       case AtomKind::circular: {
         const Gaussian i{0, 1 / atom.divisor};
-        const Fraction slope{presenting::scaled(itself.numerator, i), {}};
+        const Fraction slope{elgen::scaled(itself.numerator, i), {}};
         return arithmetic_.multiply(slope, of(atom.arguments[0]));
       }
       case AtomKind::root: {
@@ -165,8 +161,6 @@ Value without_inputs(const Algebra& algebra, const Fraction& x) {
 
 }  // namespace
 
-namespace presenting {
-
 LeafRates along_coordinate(std::size_t coordinate, std::size_t count) {
   LeafRates motion{std::vector<Fraction>(count), std::vector<Fraction>(count), {}};
   motion.coordinates[coordinate] = fraction_of(cl_RA(1));
@@ -181,8 +175,6 @@ Value rate(Arithmetic& arithmetic, const Algebra& algebra, const Fraction& x,
            const LeafRates& motion) {
   return Rates(arithmetic, algebra, motion).of(x);
 }
-
-}  // namespace presenting
 
 std::vector<Fraction> coordinate_rates(ClosedForms& forms, const Model& model) {
   std::vector<Fraction> rates;
@@ -212,7 +204,7 @@ bool proved_conserved(ClosedForms& forms, const Fraction& x,
     if (!free) return false;
     free_motion.velocities.push_back(std::move(*free));
   }
-  const Value rate = presenting::rate(arithmetic, forms.algebra, x, free_motion);
+  const Value rate = elgen::rate(arithmetic, forms.algebra, x, free_motion);
   return rate && rate->numerator.empty();
 }
 

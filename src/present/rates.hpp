@@ -3,7 +3,7 @@
 
 #include "arithmetic.hpp"
 
-namespace elgen::presenting {
+namespace elgen {
 
 /// How fast the leaves change; parameters stand still.
 struct LeafRates {
@@ -21,4 +21,4 @@ struct LeafRates {
 [[nodiscard]] Value rate(Arithmetic& arithmetic, const Algebra& algebra, const Fraction& x,
                          const LeafRates& motion);
 
-}  // namespace elgen::presenting
+}  // namespace elgen

@@ -10,7 +10,7 @@
 #include "bounds.hpp"
 #include "polynomial.hpp"
 
-namespace elgen::presenting {
+namespace elgen {
 namespace {
 
 using cln::cl_RA;
@@ -110,7 +110,7 @@ class TermText {
       const Fraction& argument = known.arguments[0];
       const Polynomial own = scaled(argument.numerator, {power.exponent / known.divisor, 0});
       if (argument.denominator.empty()) {
-        whole = presenting::sum(std::move(whole), own);
+        whole = elgen::sum(std::move(whole), own);
       } else {
         terms.push_back({fraction({own, argument.denominator})});
       }
@@ -145,4 +145,4 @@ std::string term_text(const Algebra& algebra, const LeafNames& names, const Frac
   return TermText(algebra, names).fraction(x).text();
 }
 
-}  // namespace elgen::presenting
+}  // namespace elgen

@@ -8,9 +8,9 @@
 #include "elgen/closed_forms.hpp"
 #include "elgen/leaf_names.hpp"
 
-namespace elgen::presenting {
+namespace elgen {
 
 [[nodiscard]] std::string term_text(const Algebra& algebra, const LeafNames& names,
                                     const Fraction& x);
 
-}  // namespace elgen::presenting
+}  // namespace elgen

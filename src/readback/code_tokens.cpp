@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-namespace elgen::reading {
+namespace elgen {
 namespace {
 
 /// Longest first.
@@ -140,4 +140,4 @@ class Scanner {
 
 CodeText code_tokens(std::string_view text, CodeKind kind) { return Scanner(text, kind).scan(); }
 
-}  // namespace elgen::reading
+}  // namespace elgen

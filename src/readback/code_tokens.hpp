@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace elgen::reading {
+namespace elgen {
 
 enum class CodeTokenKind : std::uint8_t {
   name,
@@ -39,4 +39,4 @@ enum class CodeKind : std::uint8_t { file, picture };
 /// The text must outlive what is returned.
 [[nodiscard]] CodeText code_tokens(std::string_view text, CodeKind kind = CodeKind::file);
 
-}  // namespace elgen::reading
+}  // namespace elgen

@@ -8,7 +8,7 @@
 
 #include "elgen/wording.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 namespace {
 
 constexpr std::string_view mark = "///";
@@ -190,4 +190,4 @@ void read_comment(const std::vector<std::string_view>& comments, const TokenRead
   CommentReader(tokens, equations).read(listing);
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

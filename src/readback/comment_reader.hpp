@@ -10,10 +10,10 @@
 #include "equation_reader.hpp"
 #include "token_reader.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 
 /// `comments` are the lines above the function that the equations were started with.
 void read_comment(const std::vector<std::string_view>& comments, const TokenReader& tokens,
                   EquationReader& equations, const Origin& origin);
 
-}  // namespace elgen::reading
+}  // namespace elgen

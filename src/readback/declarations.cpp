@@ -12,7 +12,7 @@
 #include "literal.hpp"
 #include "number_reader.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 namespace {
 
 /// User text as one line, with quotes and backslashes escaped.
@@ -103,7 +103,7 @@ std::vector<DeclaredArray> declared_arrays(const Model& model) {
   if (!model.rotations.empty()) {
     list.push_back(texts("velocity_names", model.velocities, [](const V& v) { return v.name; }));
     list.push_back(texts("velocity_units", model.velocities,
-                         [&](const V& v) { return checking::velocity_unit(model, v); }));
+                         [&](const V& v) { return velocity_unit(model, v); }));
   }
   list.push_back(
       intervals("rate_ranges", model.velocities, [](const V& v) { return v.rate_range; }));
@@ -192,4 +192,4 @@ void read_c_defaults(TokenReader& tokens, const Origin& origin, const CodeDialec
   tokens.advance();
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

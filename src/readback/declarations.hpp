@@ -9,7 +9,7 @@
 #include "expression_reader.hpp"
 #include "token_reader.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 
 /// One of the arrays at the head of a C++ header: texts, or intervals.
 struct DeclaredArray {
@@ -37,4 +37,4 @@ void read_cpp_parameters(TokenReader& tokens, const Origin& origin);
 void read_c_parameters(TokenReader& tokens, const Origin& origin, const CodeDialect& dialect);
 void read_c_defaults(TokenReader& tokens, const Origin& origin, const CodeDialect& dialect);
 
-}  // namespace elgen::reading
+}  // namespace elgen

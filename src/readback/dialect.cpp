@@ -6,7 +6,7 @@
 
 #include "evaluate/scalar_literal.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 
 CodeDialect dialect_of(Shape shape, const Scene& scene) {
   if (shape != Shape::c99) {
@@ -54,4 +54,4 @@ std::vector<std::uint32_t> stored_entries(const Field& field, Storage storage) {
   return entries;
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

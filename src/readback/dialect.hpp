@@ -10,7 +10,7 @@
 #include "elgen/program.hpp"
 #include "elgen/scene.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 
 /// The shapes of file that there are.
 enum class Shape : std::uint8_t { cpp, eigen, c99 };
@@ -46,4 +46,4 @@ struct Origin {
 /// Entries of a field in the order of storage.
 [[nodiscard]] std::vector<std::uint32_t> stored_entries(const Field& field, Storage storage);
 
-}  // namespace elgen::reading
+}  // namespace elgen

@@ -11,7 +11,7 @@
 #include "elgen/oracle.hpp"
 #include "elgen/wording.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 namespace {
 
 constexpr std::size_t state_count = 2;
@@ -232,4 +232,4 @@ Real EquationReader::named(const std::string& name, Evaluated& result) const {
   return known.instructions[state_][definition->second];
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

@@ -14,7 +14,7 @@
 #include "elgen/evaluate.hpp"
 #include "elgen/syntax.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 
 class EquationReader {
  public:
@@ -65,4 +65,4 @@ class EquationReader {
   std::size_t compared_ = 0;
 };
 
-}  // namespace elgen::reading
+}  // namespace elgen

@@ -7,7 +7,7 @@
 #include "evaluate/scalar_literal.hpp"
 #include "literal.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 namespace {
 
 constexpr int deepest = 200;
@@ -214,4 +214,4 @@ SignedNode ExpressionReader::call_of(FunctionId function) {
   return graph_.call(function, x, y);
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

@@ -19,7 +19,7 @@
 #include "token_reader.hpp"
 #include "value_graph.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 
 /// A member of the parameters: the leaf of each element; none where the program has no such leaf.
 struct ParameterMember {
@@ -85,4 +85,4 @@ class ExpressionReader {
   int depth_ = 0;
 };
 
-}  // namespace elgen::reading
+}  // namespace elgen

@@ -9,7 +9,7 @@
 #include "elgen/wording.hpp"
 #include "literal.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 namespace {
 
 std::vector<std::uint32_t> named_instructions(const std::vector<std::string>& names) {
@@ -327,4 +327,4 @@ void FunctionReader::expect_complete() {
   }
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

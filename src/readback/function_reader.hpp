@@ -11,7 +11,7 @@
 
 #include "expression_reader.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 
 /// A type as written: a number, an array of `rows` times `columns`, or the function's struct.
 struct WrittenType {
@@ -111,4 +111,4 @@ class FunctionReader {
   bool has_returned_ = false;  ///< a return has been read
 };
 
-}  // namespace elgen::reading
+}  // namespace elgen

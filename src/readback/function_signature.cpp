@@ -5,7 +5,7 @@
 #include "elgen/wording.hpp"
 #include "function_reader.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 
 void FunctionReader::struct_name() {
   if (struct_name_.empty()) {
@@ -258,4 +258,4 @@ void FunctionReader::c_result() {
   }
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

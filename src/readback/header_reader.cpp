@@ -13,7 +13,7 @@
 #include "operation_table.hpp"
 #include "picture.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 namespace {
 
 using Texts = std::map<std::string, std::string>;
@@ -216,4 +216,4 @@ void read_eigen_header(TokenReader& tokens, const FileScope& header) {
   read_picture(picture, readers, tokens);
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

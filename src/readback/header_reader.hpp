@@ -6,7 +6,7 @@
 #include "expression_reader.hpp"
 #include "token_reader.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 
 /// Reads the header of the scene's language, and the equations in its comments. The scope of its
 /// functions: what the header of Eigen may name as well.
@@ -16,4 +16,4 @@ namespace elgen::reading {
 /// Reads the header of Eigen, which includes the other one.
 void read_eigen_header(TokenReader& tokens, const FileScope& header);
 
-}  // namespace elgen::reading
+}  // namespace elgen

@@ -5,7 +5,7 @@
 #include "elgen/evaluate.hpp"
 #include "parse/decimal.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 namespace {
 
 constexpr std::string_view suffixes = "fFlL";
@@ -24,12 +24,12 @@ std::optional<Literal> read_literal(std::string_view text) {
     literal.suffix = text.back();
     text.remove_suffix(1);
   }
-  const parsing::NumberExtent extent = parsing::number_extent(text, 0);
+  const NumberExtent extent = number_extent(text, 0);
   const bool is_floating = text.find_first_of(".eE") != std::string_view::npos;
   if (!extent.well_formed || extent.end != text.size() || !is_floating) return std::nullopt;
-  const parsing::DecimalParts parts = parsing::decimal_parts(text);
-  if (parsing::limit_hit(parts, Limits{})) return std::nullopt;
-  literal.value = parsing::decimal_value(parts);
+  const DecimalParts parts = decimal_parts(text);
+  if (limit_hit(parts, Limits{})) return std::nullopt;
+  literal.value = decimal_value(parts);
   return literal;
 }
 
@@ -52,4 +52,4 @@ cln::cl_R rounded(const cln::cl_R& value, ScalarKind scalar) {
   return exact_value(ScalarTraits<double>::from_real(value));
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

@@ -11,7 +11,7 @@
 
 #include "elgen/scene.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 
 struct Literal {
   cln::cl_RA value = 0;
@@ -29,4 +29,4 @@ struct Literal {
 /// The exact value of what a compiler makes of it in `float` or `double`.
 [[nodiscard]] cln::cl_R rounded(const cln::cl_R& value, ScalarKind scalar);
 
-}  // namespace elgen::reading
+}  // namespace elgen

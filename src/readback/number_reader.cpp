@@ -10,7 +10,7 @@
 #include "evaluate/scalar_literal.hpp"
 #include "literal.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 namespace {
 
 constexpr int irrational_digits = 66;
@@ -106,4 +106,4 @@ void read_c_number(TokenReader& tokens, const cln::cl_R& number, ScalarKind scal
   if (!is_right) fail_number(tokens, token, number);
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

@@ -9,7 +9,7 @@
 #include "elgen/scene.hpp"
 #include "token_reader.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 
 /// Reads it with its sign. Literals have to round to the number, chunks have to be the number: of
 /// an irrational one its first 66 digits.
@@ -18,4 +18,4 @@ void read_cpp_number(TokenReader& tokens, const cln::cl_R& number);
 /// "-9.81f": of C.
 void read_c_number(TokenReader& tokens, const cln::cl_R& number, ScalarKind scalar);
 
-}  // namespace elgen::reading
+}  // namespace elgen

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace elgen::reading {
+namespace elgen {
 namespace {
 
 constexpr std::string_view heading = "function ";
@@ -56,4 +56,4 @@ WrongLine wrong_operations(const Program& program, const std::vector<std::string
   return {};
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

@@ -9,7 +9,7 @@
 
 #include "dialect.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 
 /// A line, and what is wrong with it.
 struct WrongLine {
@@ -22,4 +22,4 @@ struct WrongLine {
 [[nodiscard]] WrongLine wrong_operations(const Program& program,
                                          const std::vector<std::string_view>& lines);
 
-}  // namespace elgen::reading
+}  // namespace elgen

@@ -9,7 +9,7 @@
 #include "operation_table.hpp"
 #include "token_reader.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 namespace {
 
 constexpr std::string_view operations_title = "## Operations";
@@ -126,4 +126,4 @@ void read_page(const SourceText& source, const Origin& origin, EquationReader& e
   PageReader(source, origin, equations).read();
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

@@ -5,8 +5,8 @@
 #include "dialect.hpp"
 #include "equation_reader.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 
 void read_page(const SourceText& source, const Origin& origin, EquationReader& equations);
 
-}  // namespace elgen::reading
+}  // namespace elgen

@@ -5,7 +5,7 @@
 
 #include "elgen/templates.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 namespace {
 
 std::string_view folder_of(std::string_view path) { return path.substr(0, path.find('/') + 1); }
@@ -94,4 +94,4 @@ void read_picture(const Picture& picture, const HoleReaders& readers, TokenReade
   tokens.expect_end();
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

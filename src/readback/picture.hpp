@@ -14,7 +14,7 @@
 
 #include "token_reader.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 
 struct PictureElement {
   CodeToken token = {};                    ///< where it is one of its own
@@ -45,4 +45,4 @@ struct HoleReaders {
 /// Reads what the picture shows, token by token. Comments are no tokens.
 void read_picture(const Picture& picture, const HoleReaders& readers, TokenReader& tokens);
 
-}  // namespace elgen::reading
+}  // namespace elgen

@@ -13,8 +13,6 @@
 namespace elgen {
 namespace {
 
-using namespace reading;
-
 class FilesReader {
  public:
   FilesReader(const std::vector<SourcePointer>& files, const CheckedModel& checked,

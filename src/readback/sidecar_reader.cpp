@@ -9,7 +9,7 @@
 #include "elgen/wording.hpp"
 #include "token_reader.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -31,7 +31,7 @@ class SidecarReader {
     named(take(json, "coordinates"), model.coordinates, unit);
     if (!model.rotations.empty()) {
       named(take(json, "velocities"), model.velocities,
-            [&](const Velocity& v) { return checking::velocity_unit(model, v); });
+            [&](const Velocity& v) { return velocity_unit(model, v); });
     }
     named(take(json, "inputs"), model.inputs, unit);
     parameters(take(json, "parameters"));
@@ -207,4 +207,4 @@ void read_sidecar(const SourceText& source, const Origin& origin, EquationReader
   SidecarReader(source, origin, equations).read();
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

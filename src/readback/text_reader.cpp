@@ -8,7 +8,7 @@
 #include "elgen/wording.hpp"
 #include "token_reader.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 namespace {
 
 constexpr std::string_view margin = "  ";
@@ -100,4 +100,4 @@ void read_text(const SourceText& source, const Origin& origin, EquationReader& e
   TextReader(source, origin, equations).read();
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

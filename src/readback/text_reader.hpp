@@ -8,9 +8,9 @@
 #include "dialect.hpp"
 #include "equation_reader.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 
 /// A function without a section has no entry but 0.
 void read_text(const SourceText& source, const Origin& origin, EquationReader& equations);
 
-}  // namespace elgen::reading
+}  // namespace elgen

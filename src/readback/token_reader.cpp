@@ -5,7 +5,7 @@
 
 #include "elgen/wording.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 
 bool TokenReader::begins(const std::vector<CodeToken>& tokens) const {
   for (std::size_t i = 0; i < tokens.size(); ++i) {
@@ -114,4 +114,4 @@ void TokenReader::fail_expected(const std::string& what) const {
   fail(span(current()), found + " instead of " + what);
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

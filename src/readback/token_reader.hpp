@@ -8,7 +8,7 @@
 #include "code_tokens.hpp"
 #include "elgen/diagnostic.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 
 /// The first difference between a text and what it should say. It leaves this folder as a
 /// Diagnostic.
@@ -63,4 +63,4 @@ class TokenReader {
   std::string function_;
 };
 
-}  // namespace elgen::reading
+}  // namespace elgen

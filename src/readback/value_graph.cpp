@@ -7,7 +7,7 @@
 
 #include "base/number_text.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 namespace {
 
 constexpr int deepest_text = 5;
@@ -142,4 +142,4 @@ std::string ValueGraph::text(const LeafNames& leaves, const Instruction& i, int 
   }
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

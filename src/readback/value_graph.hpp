@@ -16,7 +16,7 @@
 
 #include "elgen/program.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 
 /// A node, or what it stands for with the other sign.
 struct SignedNode {
@@ -67,4 +67,4 @@ class ValueGraph {
   std::unordered_map<std::uint32_t, std::string> names_;
 };
 
-}  // namespace elgen::reading
+}  // namespace elgen

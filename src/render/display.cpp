@@ -9,7 +9,7 @@
 
 #include "latex_tree.hpp"
 
-namespace elgen::rendering {
+namespace elgen {
 namespace {
 
 constexpr double between_columns = 2.5;
@@ -153,4 +153,4 @@ std::string latex_block(const Display& display) {
   return text + "\\end{pmatrix}";
 }
 
-}  // namespace elgen::rendering
+}  // namespace elgen

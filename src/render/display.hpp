@@ -10,7 +10,7 @@
 
 #include "elgen/render.hpp"
 
-namespace elgen::rendering {
+namespace elgen {
 
 /// Widest formula of a page, in letters.
 inline constexpr double page_width = 78;
@@ -28,4 +28,4 @@ struct Display {
 /// The LaTeX between \[ and \]: aligned or pmatrix.
 [[nodiscard]] std::string latex_block(const Display& display);
 
-}  // namespace elgen::rendering
+}  // namespace elgen

@@ -104,7 +104,7 @@ EquationOfMotion equation_of_motion(const Model& model, const Program& program) 
     return fmt::format("{} = {}", joined(left, notation, model.uses_time ? time : ""),
                        joined(right, notation, model.uses_time ? time : ""));
   };
-  return {equation(&Term::text, ",t"), rendering::latex_of(model, equation(&Term::latex, ", t"))};
+  return {equation(&Term::text, ",t"), latex_of(model, equation(&Term::latex, ", t"))};
 }
 
 }  // namespace elgen

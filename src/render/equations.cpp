@@ -13,7 +13,7 @@
 #include "function_formulas.hpp"
 #include "symbols.hpp"
 
-namespace elgen::rendering {
+namespace elgen {
 namespace {
 
 constexpr std::size_t longest_entry = 12;
@@ -154,20 +154,20 @@ FunctionEquations readable(const Program& program, std::size_t index,
 }
 
 }  // namespace
-}  // namespace elgen::rendering
+}  // namespace elgen
 
 namespace elgen {
 
 FunctionEquations equations(const Program& program, const Function& function) {
-  return rendering::equations(program, function, rendering::ModelLanguage(program.leaves));
+  return equations(program, function, ModelLanguage(program.leaves));
 }
 
 FunctionEquations readable_equations(const Program& program, std::size_t index) {
-  return rendering::readable(program, index, rendering::ModelLanguage(program.leaves));
+  return readable(program, index, ModelLanguage(program.leaves));
 }
 
 FunctionEquations latex_equations(const Model& model, const Program& program, std::size_t index) {
-  return rendering::readable(program, index, rendering::Latex(model));
+  return readable(program, index, Latex(model));
 }
 
 }  // namespace elgen

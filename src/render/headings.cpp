@@ -5,7 +5,7 @@
 
 #include "symbols.hpp"
 
-namespace elgen::rendering {
+namespace elgen {
 namespace {
 
 std::string replaced(std::string text, std::string_view from, const std::string& to) {
@@ -55,4 +55,4 @@ std::string output_doc(const Model& model, const Function& function) {
       fmt::format("{} `{}`{}{}", row.doc, output.name, output.doc.empty() ? "" : ": ", output.doc));
 }
 
-}  // namespace elgen::rendering
+}  // namespace elgen

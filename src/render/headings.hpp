@@ -6,7 +6,7 @@
 #include "elgen/model.hpp"
 #include "elgen/program.hpp"
 
-namespace elgen::rendering {
+namespace elgen {
 
 struct Heading {
   std::string symbol = {};      ///< "M"
@@ -25,4 +25,4 @@ struct Heading {
 /// One sentence: the table's, or the model's own about its outputs.
 [[nodiscard]] std::string output_doc(const Model& model, const Function& function);
 
-}  // namespace elgen::rendering
+}  // namespace elgen

@@ -8,11 +8,8 @@
 namespace elgen {
 namespace {
 
-using rendering::Display;
-using rendering::xml_text;
-
 std::string formula(const std::string& latex) {
-  return fmt::format("<mrow>{}</mrow>", rendering::mathml(rendering::read_latex(latex)));
+  return fmt::format("<mrow>{}</mrow>", mathml(read_latex(latex)));
 }
 
 std::string cell(const std::string& content) { return fmt::format("<mtd>{}</mtd>", content); }
@@ -64,7 +61,7 @@ std::string section(const SheetOutput& output) {
   if (!output.doc.empty()) text += fmt::format("<p>{}</p>\n", xml_text(output.doc));
   if (!output.definition.empty()) text += block(formula(output.definition));
   for (const SheetEquation& equation : output.equations) {
-    for (const Display& display : rendering::displays(equation)) {
+    for (const Display& display : displays(equation)) {
       text += block(display.columns > 0 ? matrix(display) : lines(display));
     }
   }

@@ -42,8 +42,8 @@ std::string block(const std::string& latex) { return fmt::format("\\[\n{}\n\\]\n
 /// Lines that may break across pages; `aligned` may not.
 constexpr std::size_t longest_block = 10;
 
-std::string block(const rendering::Display& display) {
-  const std::string latex = rendering::latex_block(display);
+std::string block(const Display& display) {
+  const std::string latex = latex_block(display);
   if (display.columns > 0 || display.texts.size() <= longest_block) return block(latex);
   const std::string body = latex.substr(latex.find('\n'), latex.rfind('\n') - latex.find('\n'));
   return fmt::format("\\begin{{align*}}{}\n\\end{{align*}}\n", body);
@@ -68,7 +68,7 @@ std::string section(const SheetOutput& output) {
   if (!output.doc.empty()) text += plain(output.doc) + "\n";
   if (!output.definition.empty()) text += block(output.definition);
   for (const SheetEquation& equation : output.equations) {
-    for (const rendering::Display& display : rendering::displays(equation)) {
+    for (const Display& display : displays(equation)) {
       text += block(display);
     }
   }

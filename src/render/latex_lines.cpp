@@ -6,7 +6,7 @@
 
 #include "latex_tree.hpp"
 
-namespace elgen::rendering {
+namespace elgen {
 namespace {
 
 /// What stands between two places where the formula may be broken.
@@ -76,4 +76,4 @@ std::vector<std::string> latex_lines(const std::string& latex, double widest) {
   return lines;
 }
 
-}  // namespace elgen::rendering
+}  // namespace elgen

@@ -9,7 +9,7 @@
 #include "elgen/functions.hpp"
 #include "symbols.hpp"
 
-namespace elgen::rendering {
+namespace elgen {
 namespace {
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
@@ -225,4 +225,4 @@ double width(const LatexTree& tree) {
   return 0;
 }
 
-}  // namespace elgen::rendering
+}  // namespace elgen

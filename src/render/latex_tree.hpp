@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace elgen::rendering {
+namespace elgen {
 
 enum class LatexKind : std::uint8_t {
   row,       ///< parts, side by side
@@ -49,4 +49,4 @@ struct LatexTree {
 /// are completed on both sides. Every line is at most about `widest` letters wide, if it can be.
 [[nodiscard]] std::vector<std::string> latex_lines(const std::string& latex, double widest);
 
-}  // namespace elgen::rendering
+}  // namespace elgen

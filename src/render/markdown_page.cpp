@@ -38,8 +38,8 @@ std::string section(const SheetOutput& output) {
   if (!output.doc.empty()) text += plain(output.doc) + "\n\n";
   if (!output.definition.empty()) text += block(output.definition);
   for (const SheetEquation& equation : output.equations) {
-    for (const rendering::Display& display : rendering::displays(equation)) {
-      text += block(rendering::latex_block(display));
+    for (const Display& display : displays(equation)) {
+      text += block(latex_block(display));
     }
   }
   return text;

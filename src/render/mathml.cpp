@@ -3,7 +3,7 @@
 
 #include "latex_tree.hpp"
 
-namespace elgen::rendering {
+namespace elgen {
 namespace {
 
 /// One element, whatever the row holds.
@@ -110,4 +110,4 @@ std::string mathml(const LatexTree& tree) {
   return "";
 }
 
-}  // namespace elgen::rendering
+}  // namespace elgen

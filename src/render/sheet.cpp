@@ -9,11 +9,9 @@
 namespace elgen {
 namespace {
 
-using rendering::latex_symbol;
-
 std::vector<SheetVariable> coordinates(const Model& model) {
   std::vector<SheetVariable> list;
-  const rendering::SymbolTexts symbols = rendering::latex_symbols(model);
+  const SymbolTexts symbols = latex_symbols(model);
   for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
     const Coordinate& c = model.coordinates[i];
     const std::string& doc = c.rotation ? model.rotations[*c.rotation].doc : c.doc;
@@ -70,8 +68,8 @@ std::vector<SheetVariable> parameters(const Model& model, const Scene& scene) {
 
 SheetOutput output(const Model& model, const Program& program, std::size_t index) {
   const Function& function = program.functions[index];
-  const rendering::Heading heading = rendering::heading(model, function);
-  SheetOutput result{function.name, rendering::output_doc(model, function), heading.definition};
+  const Heading heading = elgen::heading(model, function);
+  SheetOutput result{function.name, output_doc(model, function), heading.definition};
   const FunctionEquations equations = latex_equations(model, program, index);
   for (const EquationLine& line : equations.definitions) {
     result.equations.push_back({line.name, 1, 1, {line.value}});
@@ -79,7 +77,7 @@ SheetOutput output(const Model& model, const Program& program, std::size_t index
   for (std::size_t f = 0; f < function.fields.size(); ++f) {
     const Field& field = function.fields[f];
     const std::string symbol =
-        field.name.empty() ? heading.symbol : rendering::field_symbol(model, function.kind, field);
+        field.name.empty() ? heading.symbol : field_symbol(model, function.kind, field);
     result.equations.push_back({symbol, field.rows, field.columns, equations.entries[f]});
   }
   return result;
@@ -102,10 +100,9 @@ Sheet sheet(const Model& model, const Scene& scene, const Program& program,
     if (entry_count(function) <= options.most_entries) {
       result.outputs.push_back(output(model, program, i));
     } else {
-      const std::string doc = fmt::format("{} {} entries.", rendering::output_doc(model, function),
-                                          entry_count(function));
-      result.outputs.push_back(
-          {function.name, doc, rendering::heading(model, function).definition});
+      const std::string doc =
+          fmt::format("{} {} entries.", output_doc(model, function), entry_count(function));
+      result.outputs.push_back({function.name, doc, elgen::heading(model, function).definition});
     }
   }
   return result;

@@ -9,8 +9,6 @@
 namespace elgen {
 namespace {
 
-using rendering::latex_symbol;
-
 /// `left` = one field of one function.
 struct StepEquation {
   std::string text = {};
@@ -102,7 +100,7 @@ class Outline {
   void add_velocity(std::size_t function, const Velocity& velocity) {
     const std::string& q = velocity.name;
     const bool is_angular = velocity.rotation.has_value();
-    const rendering::SymbolText symbol =
+    const SymbolText symbol =
         latex_symbol(q, is_angular ? std::string() : model_.coordinates[velocity.coordinate].latex);
     const std::string rate = fmt::format("\\dot{{{}}}{}", symbol.base, symbol.scripts);
     const std::string slope = fmt::format("\\frac{{\\partial L}}{{\\partial {}}}", rate);

@@ -7,7 +7,7 @@
 #include <array>
 #include <cctype>
 
-namespace elgen::rendering {
+namespace elgen {
 namespace {
 
 struct GreekRow {
@@ -137,4 +137,4 @@ SymbolTexts latex_symbols(const Model& model) {
   return symbols;
 }
 
-}  // namespace elgen::rendering
+}  // namespace elgen

@@ -10,7 +10,7 @@
 
 #include "elgen/model.hpp"
 
-namespace elgen::rendering {
+namespace elgen {
 
 /// Dots of rates stand over the base alone.
 struct SymbolText {
@@ -38,4 +38,4 @@ struct SymbolTexts {
 /// The character of a Greek letter's command ("theta"); empty for other words.
 [[nodiscard]] std::string_view greek_letter(std::string_view command);
 
-}  // namespace elgen::rendering
+}  // namespace elgen

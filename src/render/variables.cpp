@@ -26,7 +26,7 @@ Lines rates(const Model& model) {
   Lines names;
   for (const Velocity& velocity : model.velocities) {
     const std::string name = velocity.rotation ? velocity.name : "dot(" + velocity.name + ")";
-    names.push_back(with_unit(name, checking::velocity_unit(model, velocity)));
+    names.push_back(with_unit(name, velocity_unit(model, velocity)));
   }
   return names;
 }

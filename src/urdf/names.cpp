@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 5> names_of_headers{"Parameters", "Scalar
                                                            "detail", "std"};
 
 bool is_reserved(const std::string& name) {
-  return !checking::reserved_reason(name).empty() ||
+  return !reserved_reason(name).empty() ||
          std::find(names_of_headers.begin(), names_of_headers.end(), name) !=
              names_of_headers.end();
 }

@@ -97,11 +97,11 @@ Result<FileNumber> read_decimal(const Span& span, const Limits& limits) {
   if (!is_negative) take(rest, "+");
   const std::optional<std::string> text = spelled(rest);
   if (!text) return refused(span, rest);
-  const parsing::DecimalParts parts = parsing::decimal_parts(*text);
-  if (const auto hit = parsing::limit_hit(parts, limits)) {
+  const DecimalParts parts = decimal_parts(*text);
+  if (const auto hit = limit_hit(parts, limits)) {
     return Diagnostic{hit->code, span, hit->message, hit->hint};
   }
-  const FileNumber number{*text, parsing::decimal_value(parts), span};
+  const FileNumber number{*text, decimal_value(parts), span};
   return is_negative ? negative(number) : number;
 }
 

@@ -18,7 +18,7 @@ std::vector<Real> entries_of(const Function& function, const std::vector<Real>& 
 
 std::vector<Real> from_oracle(const Subject& subject, const State& state, OutputKind kind,
                               std::uint32_t user) {
-  const OutputRequest request = checking::request_of(subject.model, kind, user);
+  const OutputRequest request = request_of(subject.model, kind, user);
   const OracleValues exact = oracle_values(subject.model, request, state);
   const std::size_t entries = std::size_t{request.rows} * request.columns;
   if (!exact) return std::vector<Real>(entries, Real::undefined());

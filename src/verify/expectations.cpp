@@ -232,7 +232,7 @@ CertificateRow proved_row(CertificateRow row, const char* how) {
 /// Entries of one expectation; the points are made for the first that is not proved.
 void check_values(ExpectationReport& report, const Expectation& expectation, const Subject& subject,
                   Proofs& proofs, const std::vector<State>& states) {
-  const auto request = checking::find_request(subject.model, expectation.output);
+  const auto request = find_request(subject.model, expectation.output);
   std::optional<std::vector<PointOfComparison>> points;
   for (std::size_t entry = 0; entry < expectation.entries.size(); ++entry) {
     if (proofs.equal(expectation, entry)) {

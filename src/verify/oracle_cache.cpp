@@ -33,8 +33,8 @@ cln::cl_R OracleCache::force() {
   for (const OutputKind kind :
        {OutputKind::velocity_force, OutputKind::gravity, OutputKind::bias}) {
     // Whatever the scene asks for and calls it: the model decides what there is.
-    const OutputRequest request = checking::request_of(subject_.model, kind, 0);
-    if (!checking::is_available(subject_.model, request)) continue;
+    const OutputRequest request = request_of(subject_.model, kind, 0);
+    if (!is_available(subject_.model, request)) continue;
     const OracleValues& entries = values(request);
     if (entries) largest = cln::max(largest, largest_of(*entries));
   }

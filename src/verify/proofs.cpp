@@ -42,7 +42,7 @@ std::optional<Fraction> Proofs::written(const Expectation& expectation, std::siz
 }
 
 bool Proofs::equal(const Expectation& expectation, std::size_t entry) {
-  const auto request = checking::find_request(subject_.model, expectation.output);
+  const auto request = find_request(subject_.model, expectation.output);
   const ClosedFunction* function = request ? derived(request->kind, request->user) : nullptr;
   const std::optional<Fraction>* form = function == nullptr ? nullptr : entry_of(*function, entry);
   if (form == nullptr || !form->has_value()) return false;

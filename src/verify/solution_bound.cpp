@@ -64,7 +64,7 @@ std::vector<OutputRequest> needed_parts(const Model& model, const Scene& scene) 
     kinds.push_back(OutputKind::inverse_dynamics_derivatives);
   }
   std::vector<OutputRequest> needed;
-  for (const OutputKind kind : kinds) needed.push_back(checking::request_of(model, kind, 0));
+  for (const OutputKind kind : kinds) needed.push_back(request_of(model, kind, 0));
   return needed;
 }
 

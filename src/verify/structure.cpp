@@ -77,7 +77,7 @@ std::vector<ExactValues> points_at(const Subject& subject, const std::vector<Sta
 
 /// The states with quaternions of norm 1, which those in double are to 16 digits: R turns there.
 std::vector<State> on_sphere(const Subject& subject, std::vector<State> states) {
-  const OutputRequest request = checking::request_of(subject.model, OutputKind::normalized, 0);
+  const OutputRequest request = request_of(subject.model, OutputKind::normalized, 0);
   for (State& state : states) {
     if (const OracleValues q = oracle_values(subject.model, request, state)) state.q = *q;
   }

@@ -19,9 +19,8 @@ bool may_be_undefined(const Expression& node) {
 
 std::optional<ExpressionId> undefined_expression(const Model& model, const Function& function,
                                                  const std::vector<State>& states) {
-  const auto roots = output_row(function.kind).of_user
-                         ? inspection::output_roots(model.outputs[function.user])
-                         : inspection::equation_roots(model);
+  const auto roots = output_row(function.kind).of_user ? output_roots(model.outputs[function.user])
+                                                       : equation_roots(model);
   for (const ExpressionId id : reached(model, roots)) {
     const auto is_undefined = [&](const State& state) {
       return !oracle_expression(model, id, state);

@@ -96,7 +96,7 @@ EnclosedNumber value_at_state(const Model& model, ExpressionId id) {
   for (const ExpressionId operand : node.operands) {
     operands.push_back(value_at_state(model, operand));
   }
-  const auto outcome = checking::evaluate_constant(node, operands, 700);
+  const auto outcome = evaluate_constant(node, operands, 700);
   REQUIRE(outcome.value);
   return *outcome.value;
 }

@@ -8,7 +8,7 @@
 #include "base/number_text.hpp"
 #include "check_testing.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 using test::block;
@@ -133,4 +133,4 @@ TEST_CASE("nested angles cost no more than their depth") {
 }
 
 }  // namespace
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-namespace elgen::checking {
+namespace elgen {
 
 TEST_CASE("functions of each table are known, and each once") {
   std::vector<std::string> names = function_names();
@@ -15,4 +15,4 @@ TEST_CASE("functions of each table are known, and each once") {
   CHECK(std::adjacent_find(names.begin(), names.end()) == names.end());
 }
 
-}  // namespace elgen::checking
+}  // namespace elgen

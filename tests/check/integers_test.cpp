@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <utility>
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 const Sizes sizes{{"n", 4}};
@@ -98,4 +98,4 @@ TEST_CASE("a repetition ends where its body asks") {
 }
 
 }  // namespace
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -66,7 +66,7 @@ TEST_CASE("inputs and forces on it act only on what holds it", "[lock]") {
 
 TEST_CASE("without locks the model is returned as it is", "[lock]") {
   const Model model = checked_model(arm).model;
-  CHECK(dump(checking::locked(model)) == dump(model));
+  CHECK(dump(locked(model)) == dump(model));
   CHECK(held_velocities(model).empty());
 }
 

@@ -19,7 +19,7 @@ std::string moving(const std::string& entries) {
   for (Coordinate& coordinate : model.coordinates) {
     coordinate.armature.reset();
   }
-  const std::vector<bool> found = checking::moving_velocities(model);
+  const std::vector<bool> found = moving_velocities(model);
   std::string names;
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (found[i]) names += model.coordinates[i].name;
@@ -59,7 +59,7 @@ TEST_CASE("an armature moves its coordinate") {
                           "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n"
                           "armature = 1\n")
                           .model;
-  CHECK(checking::moving_velocities(model) == std::vector<bool>{true});
+  CHECK(moving_velocities(model) == std::vector<bool>{true});
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 /// A coordinate x, and nodes over it.
@@ -124,4 +124,4 @@ TEST_CASE("finished nodes are one root of their owner, which is not judged", "[f
 }
 
 }  // namespace
-}  // namespace elgen::checking
+}  // namespace elgen

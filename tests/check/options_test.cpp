@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 TEST_CASE("words are split at commas and keep their places") {
@@ -61,4 +61,4 @@ TEST_CASE("sizes are integers that sums and products of two can hold") {
 }
 
 }  // namespace
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -39,9 +39,9 @@ value = "u*c"
 }
 
 std::string unit(const Model& model, const char* output, std::uint32_t row, std::uint32_t column) {
-  const auto request = checking::find_request(model, output);
+  const auto request = find_request(model, output);
   REQUIRE(request);
-  const auto found = checking::unit_of_entry(model, {request->kind, "", row, column});
+  const auto found = unit_of_entry(model, {request->kind, "", row, column});
   return found ? to_string(*found) : "not known";
 }
 
@@ -61,13 +61,12 @@ TEST_CASE("units follow from those of coordinates and inputs") {
 
 TEST_CASE("pivots are shares, rates of angles stay rad/s") {
   const Model model = sliding_pendulum();
-  const auto pivot =
-      checking::unit_of_entry(model, {OutputKind::forward_dynamics, "relative_pivots", 0, 0});
+  const auto pivot = unit_of_entry(model, {OutputKind::forward_dynamics, "relative_pivots", 0, 0});
   REQUIRE(pivot);
   CHECK(to_string(*pivot) == "1");
-  CHECK(checking::velocity_unit(model, model.velocities[0]) == "m/s");
-  CHECK(checking::velocity_unit(model, model.velocities[1]) == "rad/s");
-  CHECK(checking::velocity_unit(model, model.velocities[2]).empty());
+  CHECK(velocity_unit(model, model.velocities[0]) == "m/s");
+  CHECK(velocity_unit(model, model.velocities[1]) == "rad/s");
+  CHECK(velocity_unit(model, model.velocities[2]).empty());
 }
 
 TEST_CASE("a missing unit leaves the entry unknown") {

@@ -46,7 +46,7 @@ std::string said(const std::string& lines) {
 
 std::string canonical(const std::string& lines) {
   const Model model = checked(two, near(lines)).model;
-  return checking::canonical_text(model, *model.approximation);
+  return canonical_text(model, *model.approximation);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 TEST_CASE("one mistake met many times is one message") {
@@ -37,4 +37,4 @@ TEST_CASE("suggestions end after a hundred errors") {
 }
 
 }  // namespace
-}  // namespace elgen::checking
+}  // namespace elgen

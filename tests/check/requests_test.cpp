@@ -88,7 +88,7 @@ TEST_CASE("outputs of another Lagrangian") {
 TEST_CASE("shapes follow the dimensions") {
   const CheckedModel model = checked(with_output);
   const auto shape = [&](const char* name) {
-    const auto request = checking::find_request(model.model, name);
+    const auto request = find_request(model.model, name);
     REQUIRE(request);
     return std::pair(request->rows, request->columns);
   };
@@ -98,11 +98,11 @@ TEST_CASE("shapes follow the dimensions") {
   CHECK(shape("tip_jacobian") == std::pair(2U, 1U));
   CHECK(shape("tip_bias") == std::pair(2U, 1U));
   CHECK(shape("forward_dynamics") == std::pair(1U, 1U));
-  CHECK(checking::find_request(model.model, "tip")->kind == OutputKind::user_value);
-  CHECK(checking::find_request(model.model, "tip_jacobian")->kind == OutputKind::user_jacobian);
-  CHECK(checking::find_request(model.model, "tip_bias")->kind == OutputKind::user_bias);
-  CHECK(checking::find_request(model.model, "bias")->kind == OutputKind::bias);
-  CHECK_FALSE(checking::find_request(model.model, "tipp"));
+  CHECK(find_request(model.model, "tip")->kind == OutputKind::user_value);
+  CHECK(find_request(model.model, "tip_jacobian")->kind == OutputKind::user_jacobian);
+  CHECK(find_request(model.model, "tip_bias")->kind == OutputKind::user_bias);
+  CHECK(find_request(model.model, "bias")->kind == OutputKind::bias);
+  CHECK_FALSE(find_request(model.model, "tipp"));
 }
 
 TEST_CASE("the requests of a scene are found by name") {

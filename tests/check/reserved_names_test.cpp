@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 TEST_CASE("names with another meaning are reserved") {
@@ -51,4 +51,4 @@ TEST_CASE("a name is held against both rules") {
 }
 
 }  // namespace
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 std::string only_message(const Report& report) {
@@ -77,4 +77,4 @@ TEST_CASE("a duplicate points at the first declaration; suggestions say what is 
 }
 
 }  // namespace
-}  // namespace elgen::checking
+}  // namespace elgen

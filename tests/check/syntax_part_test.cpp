@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 TEST_CASE("a part keeps its place in the whole") {
@@ -32,4 +32,4 @@ TEST_CASE("errors of a part point into the whole") {
 }
 
 }  // namespace
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -7,7 +7,7 @@
 #include "check/places.hpp"
 #include "check/values.hpp"
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 /// Traits of an expression over a coordinate x and y, an input u, a parameter m and time t.
@@ -112,4 +112,4 @@ TEST_CASE("ingredients") {
 }
 
 }  // namespace
-}  // namespace elgen::checking
+}  // namespace elgen

@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 #include <utility>
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 struct Reading {
@@ -85,4 +85,4 @@ TEST_CASE("deep brackets are refused, not followed") {
 }
 
 }  // namespace
-}  // namespace elgen::checking
+}  // namespace elgen

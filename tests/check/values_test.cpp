@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace elgen::checking {
+namespace elgen {
 namespace {
 
 ValueSyntax value_of(const std::string& text) {
@@ -86,4 +86,4 @@ TEST_CASE("keys of tables are found by name") {
 }
 
 }  // namespace
-}  // namespace elgen::checking
+}  // namespace elgen

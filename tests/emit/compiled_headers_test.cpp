@@ -173,7 +173,7 @@ std::vector<std::vector<Header>> grouped(const std::vector<Header>& headers) {
   std::vector<std::vector<Header>> groups;
   std::size_t size = most_text;
   for (const Header& header : headers) {
-    if (header.text.size() > 2 * most_text) continue;
+    if (header.text.size() > most_text) continue;
     size += header.text.size();
     if (size > most_text) {
       groups.emplace_back();

@@ -10,9 +10,7 @@ using namespace elgen::test;
 
 namespace {
 
-std::string found(const ModelBuilder& b) {
-  return text_of(inspection::inspect_charts({b.model, {}}));
-}
+std::string found(const ModelBuilder& b) { return text_of(inspect_charts({b.model, {}})); }
 
 }  // namespace
 

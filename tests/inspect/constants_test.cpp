@@ -17,7 +17,7 @@ std::string found(const std::string& definitions, const std::string& potential,
       "[define]\n" +
           definitions + "[energy]\nT = \"dot(x)^2\"\nV = \"" + potential + "\"\n",
       options);
-  return text_of(inspection::inspect_constants({checked.model, checked.scene}));
+  return text_of(inspect_constants({checked.model, checked.scene}));
 }
 
 /// `first`, then `count` definitions that each make `next` of the one before, called `c`.
@@ -77,7 +77,7 @@ TEST_CASE("the names that make a value are told with it") {
   const CheckedModel checked = checked_model(
       "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n[define]\na = \"1/3\"\n"
       "b = \"sqrt(2)\"\n[energy]\nT = \"dot(x)^2\"\nV = \"log(a - b - 2*a)*x\"\n");
-  const Diagnostics all = inspection::inspect_constants({checked.model, checked.scene});
+  const Diagnostics all = inspect_constants({checked.model, checked.scene});
   REQUIRE(all.size() == 1);
   CHECK(all[0].hint == "`a` is 1/3, `b` is 1.4142");
 }

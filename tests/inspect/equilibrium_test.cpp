@@ -12,7 +12,7 @@ namespace {
 
 Diagnostics diagnostics(const std::string& model, const std::string& lines) {
   const CheckedModel checked = approximated(model, lines);
-  return inspection::inspect_equilibrium({checked.model, checked.scene});
+  return inspect_equilibrium({checked.model, checked.scene});
 }
 
 std::string found(const std::string& model, const std::string& lines) {
@@ -39,7 +39,7 @@ on = "q"
 
 TEST_CASE("exact models and equilibria pass") {
   const CheckedModel exact = checked_model(cart_pole_text());
-  CHECK(inspection::inspect_equilibrium({exact.model, exact.scene}).empty());
+  CHECK(inspect_equilibrium({exact.model, exact.scene}).empty());
   CHECK(found(cart_pole_text(), "order = 1\nabout = { x = 3, theta = 0 }").empty());
   CHECK(found(cart_pole_text(), "order = 1\nabout = { x = 0, theta = \"pi\" }").empty());
   CHECK(found(cart_pole_text(), "order = 2\nabout = { theta = 0 }").empty());

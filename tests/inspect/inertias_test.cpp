@@ -17,7 +17,7 @@ std::string found(const std::vector<std::string>& inertia) {
   body.name = "top";
   for (const std::string& entry : inertia) body.inertia.push_back(b.expression(entry));
   b.model.bodies.push_back(body);
-  return text_of(inspection::inspect_inertias({b.model, {}}));
+  return text_of(inspect_inertias({b.model, {}}));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 Diagnostics found(const std::vector<LeftOut>& left_out) {
   Scene scene;
   scene.left_out = left_out;
-  return inspection::inspect_left_out({Model{}, scene});
+  return inspect_left_out({Model{}, scene});
 }
 
 }  // namespace

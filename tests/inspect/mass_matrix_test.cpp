@@ -11,7 +11,7 @@ using namespace elgen::test;
 namespace {
 
 std::string found(const ModelBuilder& b, const Scene& scene = {}) {
-  return text_of(inspection::inspect_mass_matrix({b.model, scene}));
+  return text_of(inspect_mass_matrix({b.model, scene}));
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ TEST_CASE("a coordinate without a mass is named, at its own place") {
   b.coordinate("x").coordinate("y").T("x_d^2/2 + 0*y_d");
   b.model.velocities[1].span = {nullptr, 7, 8};
   CHECK(found(b) == "E501: the rate of `y` has no kinetic energy");
-  CHECK(inspection::inspect_mass_matrix({b.model, {}})[0].span.begin == 7);
+  CHECK(inspect_mass_matrix({b.model, {}})[0].span.begin == 7);
 }
 
 TEST_CASE("a null vector is printed as a proportion") {

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace elgen::inspection;
+using namespace elgen;
 using cln::cl_R;
 
 TEST_CASE("a regular matrix has no null space, whatever its scales") {

@@ -17,9 +17,7 @@ ModelBuilder falling_bob(const std::string& potential, const std::string& mass =
   return b;
 }
 
-std::string found(const ModelBuilder& b) {
-  return text_of(inspection::inspect_potential({b.model, {}}));
-}
+std::string found(const ModelBuilder& b) { return text_of(inspect_potential({b.model, {}})); }
 
 const std::string pushed_up = "E512: V falls as `bob` rises";
 

@@ -4,9 +4,10 @@
 
 #include <catch2/catch.hpp>
 
+using namespace elgen;
+
 using cln::cl_R;
 using cln::cl_RA;
-using elgen::inspection::readable;
 
 TEST_CASE("integers and short fractions are printed as such") {
   CHECK(readable(0) == "0");

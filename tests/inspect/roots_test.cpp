@@ -26,15 +26,15 @@ TEST_CASE("energies are roots of equations, values are those of outputs") {
                           "[define]\na = \"2*x\"\nunused = \"3*x\"\n[energy]\nT = \"dot(x)^2\"\n"
                           "V = \"sin(a) + a\"\n[[output]]\nname = \"o\"\nvalue = \"cos(x)\"\n")
                           .model;
-  CHECK(texts(model, inspection::equation_roots(model)) == "dot(x)^2, sin(a) + a");
-  CHECK(texts(model, inspection::output_roots(model.outputs.front())) == "cos(x)");
+  CHECK(texts(model, equation_roots(model)) == "dot(x)^2, sin(a) + a");
+  CHECK(texts(model, output_roots(model.outputs.front())) == "cos(x)");
 }
 
 TEST_CASE("everything that carries energy or force is a root", "[frames]") {
   for (const auto& [name, text] : frame_systems()) {
     INFO(name);
     const Model model = checked_model(text).model;
-    const auto all = reached(model, inspection::equation_roots(model));
+    const auto all = reached(model, equation_roots(model));
     for (const Body& body : model.bodies) {
       if (body.mass) CHECK(std::find(all.begin(), all.end(), *body.mass) != all.end());
     }

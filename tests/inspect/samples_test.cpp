@@ -6,7 +6,6 @@
 
 using namespace elgen;
 using namespace elgen::test;
-using namespace elgen::inspection;
 
 TEST_CASE("samples are the same every time, differ by seed, and lie inside the ranges") {
   ModelBuilder b = cart_pole();

@@ -20,7 +20,7 @@ std::string found(const std::string& spin, std::uint32_t dimension = 2) {
   body.inertia = {b.expression("1")};
   body.spin = {b.expression(spin)};
   b.model.bodies.push_back(body);
-  return text_of(inspection::inspect_spins({b.model, {}}));
+  return text_of(inspect_spins({b.model, {}}));
 }
 
 }  // namespace
@@ -45,5 +45,5 @@ TEST_CASE("in space a spin need not be a rate") { CHECK(found("x*th_d", 3).empty
 
 TEST_CASE("spins of bodies in nested frames follow from the frames", "[frames]") {
   const CheckedModel planar = checked_model(planar_text());
-  CHECK(text_of(inspection::inspect_spins({planar.model, planar.scene})).empty());
+  CHECK(text_of(inspect_spins({planar.model, planar.scene})).empty());
 }

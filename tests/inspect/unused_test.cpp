@@ -19,7 +19,7 @@ ModelBuilder spring(const std::string& potential) {
   return b;
 }
 
-std::string found(const Model& model) { return text_of(inspection::inspect_unused({model, {}})); }
+std::string found(const Model& model) { return text_of(inspect_unused({model, {}})); }
 
 }  // namespace
 

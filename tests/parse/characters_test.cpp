@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-using elgen::parsing::replacement_hint;
+using namespace elgen;
 
 TEST_CASE("look-alikes have a replacement", "[parse]") {
   CHECK(replacement_hint(0x03C0) == "write `pi` instead of the Greek letter");

@@ -8,7 +8,6 @@
 #include "rapidcheck.h"
 
 using namespace elgen;
-using namespace elgen::parsing;
 
 namespace {
 

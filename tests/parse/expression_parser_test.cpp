@@ -146,7 +146,7 @@ TEST_CASE("the default depth holds at 200", "[parse]") {
 
 TEST_CASE("a raised limit ends before the stack does", "[parse]") {
   const Limits limits = depth(1'000'000);
-  const auto most = parsing::deepest_expression;
+  const auto most = deepest_expression;
   CHECK(expression_answer(repeated("(", most) + "x" + repeated(")", most), limits) == "x");
   CHECK(expression_answer(repeated("-f(", 100'000), limits) == "E902 1:1501");
 }

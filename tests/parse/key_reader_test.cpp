@@ -27,12 +27,12 @@ namespace {
 std::vector<Code> codes_of(const KeyRow& row, const std::string& value) {
   const std::string key = row.key == "*" ? "any_name" : std::string(row.key);
   const SourcePointer source = make_source("test", key + " = " + value);
-  const auto root = parsing::read_toml(*source);
+  const auto root = read_toml(*source);
   REQUIRE(root);
   const Limits limits;
-  parsing::FileReading reading{limits};
-  const parsing::TableContext table{std::string(row.entry), "the entry", {source.get(), 0, 0}};
-  const auto keys = parsing::read_keys(root->entries, table, reading);
+  FileReading reading{limits};
+  const TableContext table{std::string(row.entry), "the entry", {source.get(), 0, 0}};
+  const auto keys = read_keys(root->entries, table, reading);
   std::vector<Code> codes;
   for (const Diagnostic& d : reading.diagnostics) {
     if (d.code != Code::E105) codes.push_back(d.code);

@@ -6,7 +6,7 @@
 TEST_CASE("a scene is told from a model by its key `model`") {
   const auto names = [](const std::string& text) {
     const elgen::SourcePointer source = elgen::make_source("<stdin>", text);
-    return elgen::parsing::names_model(*source);
+    return elgen::names_model(*source);
   };
   CHECK(names("format = 1\nmodel = \"a.toml\"\n"));
   CHECK_FALSE(names("format = 1\n[model]\nname = \"a\"\n"));

@@ -4,7 +4,6 @@
 #include <catch2/catch.hpp>
 
 using namespace elgen;
-using namespace elgen::parsing;
 
 TEST_CASE("a token stream knows the token it is at and the one before", "[parse]") {
   const SourcePointer source = make_source("test", "a + 1");

@@ -45,7 +45,6 @@ TEST_CASE("numbers of more digits than toml++ reads are told so", "[parse]") {
 }
 
 TEST_CASE("decimal tokens are told from other numbers", "[parse]") {
-  using parsing::is_decimal_token;
   CHECK(is_decimal_token("12"));
   CHECK(is_decimal_token("-1_000.5e+3"));
   CHECK(is_decimal_token("+0"));

@@ -5,8 +5,8 @@
 
 #include "parse_testing.hpp"
 
-using elgen::parsing::find_endless_key;
-using elgen::parsing::most_key_parts;
+using namespace elgen;
+
 using elgen::testing::repeated;
 
 TEST_CASE("keys may have as many parts as the limit says, not one more", "[parse]") {

@@ -4,7 +4,6 @@
 #include <catch2/catch.hpp>
 
 using namespace elgen;
-using elgen::parsing::TomlPositions;
 
 TEST_CASE("columns count code points", "[parse]") {
   const SourcePointer source = make_source("test", "ab\n\u03C0=\u2212x\r\ny");

@@ -40,9 +40,7 @@ std::string model_text(const json& system) {
          system["V"].get<std::string>() + "\"\n";
 }
 
-cln::cl_R exact(const std::string& decimal) {
-  return parsing::decimal_value(parsing::decimal_parts(decimal));
-}
+cln::cl_R exact(const std::string& decimal) { return decimal_value(decimal_parts(decimal)); }
 
 std::vector<double> rounded(const json& decimals) {
   std::vector<double> values;

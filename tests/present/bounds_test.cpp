@@ -8,9 +8,6 @@
 using namespace elgen;
 using namespace elgen::test;
 using cln::cl_RA;
-using presenting::Enclosure;
-using presenting::TermBounds;
-using presenting::terms_of;
 
 namespace {
 

@@ -6,7 +6,6 @@
 #include "present/term_text.hpp"
 
 using namespace elgen;
-using namespace elgen::presenting;
 
 namespace {
 

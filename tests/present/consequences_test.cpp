@@ -7,7 +7,6 @@
 #include "support/models.hpp"
 
 using namespace elgen;
-using namespace elgen::presenting;
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace elgen::presenting;
+using namespace elgen;
 using cln::cl_RA;
 
 namespace {

@@ -5,7 +5,6 @@
 #include "present/polynomial.hpp"
 
 using namespace elgen;
-using namespace elgen::presenting;
 
 namespace {
 

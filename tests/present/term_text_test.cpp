@@ -25,7 +25,7 @@ potential_energy = ")toml" + expression + "\"\n"))
                           .model;
   ClosedForms forms;
   const auto form = closed_form(forms, model, {}, model.expectations[0].entries[0]);
-  return presenting::term_text(forms.algebra, leaf_names(model), form.value());
+  return term_text(forms.algebra, leaf_names(model), form.value());
 }
 
 }  // namespace

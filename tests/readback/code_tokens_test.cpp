@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-namespace elgen::reading {
+namespace elgen {
 namespace {
 
 std::string joined(std::string_view text, CodeKind kind = CodeKind::file) {
@@ -58,4 +58,4 @@ TEST_CASE("a hole of a picture is one token") {
   CHECK(joined("{{a}}") == "{ { a } }");
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

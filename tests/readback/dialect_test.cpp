@@ -5,7 +5,7 @@
 
 #include "changes.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 namespace {
 
 Origin origin() {
@@ -35,4 +35,4 @@ TEST_CASE("C names begin with the prefix, and use one scalar") {
   CHECK(dialect_of(Shape::eigen, test::eigen().checked.scene).open == "(");
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

@@ -5,7 +5,7 @@
 
 #include "changes.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 namespace {
 
 /// Equations of the mass matrix.
@@ -58,4 +58,4 @@ TEST_CASE("a number is compared in forty digits") {
   CHECK_FALSE(mass.reader.number(0, "a").empty());
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

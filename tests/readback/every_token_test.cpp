@@ -17,9 +17,6 @@ sight = true
 sight_jacobian = true
 )toml";
 
-using reading::CodeToken;
-using reading::CodeTokenKind;
-
 /// Reads one header again and again; what its equations are worth is computed once.
 class Reader {
  public:
@@ -28,12 +25,12 @@ class Reader {
 
   bool refuses(const std::string& text) {
     const SourcePointer source = make_source("changed", text);
-    reading::TokenReader tokens(*source);
+    TokenReader tokens(*source);
     try {
-      reading::FileScope scope = reading::read_header(tokens, origin_, equations_);
-      if (scope_ == nullptr) scope_ = std::make_unique<reading::FileScope>(std::move(scope));
+      FileScope scope = read_header(tokens, origin_, equations_);
+      if (scope_ == nullptr) scope_ = std::make_unique<FileScope>(std::move(scope));
       return false;
-    } catch (const reading::Mistake&) {
+    } catch (const Mistake&) {
       return true;
     }
   }
@@ -41,24 +38,24 @@ class Reader {
   /// After the other header has been read.
   bool refuses_eigen(const std::string& text) {
     const SourcePointer source = make_source("changed", text);
-    reading::TokenReader tokens(*source);
+    TokenReader tokens(*source);
     try {
-      reading::read_eigen_header(tokens, *scope_);
+      read_eigen_header(tokens, *scope_);
       return false;
-    } catch (const reading::Mistake&) {
+    } catch (const Mistake&) {
       return true;
     }
   }
 
  private:
-  reading::Origin origin_;
-  reading::EquationReader equations_;
-  std::unique_ptr<reading::FileScope> scope_ = {};
+  Origin origin_;
+  EquationReader equations_;
+  std::unique_ptr<FileScope> scope_ = {};
 };
 
 /// The tokens between the brackets of function bodies.
 std::vector<CodeToken> tokens_of_bodies(const std::string& text) {
-  const reading::CodeText code = reading::code_tokens(text);
+  const CodeText code = code_tokens(text);
   std::vector<CodeToken> bodies;
   int depth = 0;
   for (std::size_t i = 1; i < code.tokens.size(); ++i) {

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace elgen::reading {
+namespace elgen {
 
 TEST_CASE("a floating literal is read exactly, with its suffix") {
   const auto literal = read_literal("9.81F");
@@ -35,4 +35,4 @@ TEST_CASE("numbers round alike where a compiler makes the same of them") {
       rounds_alike(read_literal(digits.substr(0, 41))->value, third, ScalarKind::long_double));
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace elgen::reading {
+namespace elgen {
 namespace {
 
 bool is_read(const std::string& text, const cln::cl_R& number) {
@@ -59,4 +59,4 @@ TEST_CASE("a C literal has the suffix of its scalar") {
                   Mistake);
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

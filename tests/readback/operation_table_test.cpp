@@ -5,7 +5,7 @@
 
 #include "changes.hpp"
 
-namespace elgen::reading {
+namespace elgen {
 namespace {
 
 using Lines = std::vector<std::string_view>;
@@ -32,4 +32,4 @@ TEST_CASE("a row says what a function executes") {
   CHECK(wrong_operations(program, Lines{}).problem == "no table of operations");
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace elgen::reading {
+namespace elgen {
 
 TEST_CASE("holes with one text are filled, comments are left out") {
   const Picture picture("c99/kinked.h.mustache", {{"scalar", "double"}, {"namespace", "arm"}});
@@ -40,4 +40,4 @@ TEST_CASE("what the picture does not show is a mistake") {
   CHECK_THROWS_AS(Picture("c99/none.mustache", {}), std::logic_error);
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

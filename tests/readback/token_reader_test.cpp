@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace elgen::reading {
+namespace elgen {
 namespace {
 
 /// The message of what `read` finds wrong.
@@ -64,4 +64,4 @@ TEST_CASE("the comments before a token are told") {
   CHECK(tokens.comments() == std::vector<std::string_view>{"// two", "// three"});
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace elgen::reading {
+namespace elgen {
 namespace {
 
 const LeafNames names{{{"a"}, {"x", "y", "z"}, {"x", "y", "z"}, {"x", "y", "z"}, {"u"}, "t"}, true};
@@ -60,4 +60,4 @@ TEST_CASE("a difference is shown where it is") {
   CHECK(graph.text(names, negated(a)) == "-(sin_x + q[2])");
 }
 
-}  // namespace elgen::reading
+}  // namespace elgen

@@ -15,28 +15,27 @@ std::string sum_of(int terms) {
 }  // namespace
 
 TEST_CASE("a fraction wider than the page is written in three lines") {
-  const auto displays = rendering::displays({"a", 1, 1, {"-\\frac{" + sum_of(60) + "}{m + l}"}});
-  REQUIRE(displays.size() == 3);
-  CHECK(displays[0].texts[0] == "-\\frac{\\mathrm{numerator}}{\\mathrm{denominator}}");
-  CHECK(displays[1].left == "\\mathrm{numerator}");
-  CHECK(displays[1].texts.size() > 1);
-  CHECK(displays[2].texts[0] == "m + l");
+  const auto parts = displays({"a", 1, 1, {"-\\frac{" + sum_of(60) + "}{m + l}"}});
+  REQUIRE(parts.size() == 3);
+  CHECK(parts[0].texts[0] == "-\\frac{\\mathrm{numerator}}{\\mathrm{denominator}}");
+  CHECK(parts[1].left == "\\mathrm{numerator}");
+  CHECK(parts[1].texts.size() > 1);
+  CHECK(parts[2].texts[0] == "m + l");
 }
 
 TEST_CASE("a fraction that fits stays one") {
-  CHECK(rendering::displays({"a", 1, 1, {"\\frac{x}{m + l}"}}).size() == 1);
+  CHECK(displays({"a", 1, 1, {"\\frac{x}{m + l}"}}).size() == 1);
 }
 
 TEST_CASE("what does not fit as a matrix is written entry by entry, without zeros") {
-  const auto displays = rendering::displays({"M", 2, 2, {sum_of(30), "0", "0", "m"}});
-  REQUIRE(displays.size() == 2);
-  CHECK(displays[0].left == "M_{1, 1}");
-  CHECK(displays[1].left == "M_{2, 2}");
+  const auto parts = displays({"M", 2, 2, {sum_of(30), "0", "0", "m"}});
+  REQUIRE(parts.size() == 2);
+  CHECK(parts[0].left == "M_{1, 1}");
+  CHECK(parts[1].left == "M_{2, 2}");
 }
 
 TEST_CASE("a matrix that fits is one") {
-  const auto displays = rendering::displays({"M", 2, 2, {"a", "b", "b", "c"}});
-  REQUIRE(displays.size() == 1);
-  CHECK(rendering::latex_block(displays[0]) ==
-        "M = \\begin{pmatrix}\na & b \\\\\nb & c\n\\end{pmatrix}");
+  const auto parts = displays({"M", 2, 2, {"a", "b", "b", "c"}});
+  REQUIRE(parts.size() == 1);
+  CHECK(latex_block(parts[0]) == "M = \\begin{pmatrix}\na & b \\\\\nb & c\n\\end{pmatrix}");
 }

@@ -15,8 +15,8 @@ TEST_CASE("every output of the table has a symbol and a sentence") {
   const Chosen c = chosen(everything_text());
   for (const Function& function : c.choice.program.functions) {
     INFO(function.name);
-    CHECK_FALSE(rendering::heading(c.checked.model, function).symbol.empty());
-    CHECK(rendering::output_doc(c.checked.model, function).back() == '.');
+    CHECK_FALSE(elgen::heading(c.checked.model, function).symbol.empty());
+    CHECK(output_doc(c.checked.model, function).back() == '.');
   }
 }
 
@@ -24,7 +24,7 @@ TEST_CASE("where rotations turn the rates are v, and the equations those of v") 
   const auto definition_of = [](const std::string& text, OutputKind kind) {
     const Chosen c = chosen(text);
     for (const Function& function : c.choice.program.functions) {
-      if (function.kind == kind) return rendering::heading(c.checked.model, function).definition;
+      if (function.kind == kind) return elgen::heading(c.checked.model, function).definition;
     }
     FAIL("no such output");
     return std::string();

@@ -2,7 +2,7 @@
 
 #include "render/latex_tree.hpp"
 
-using namespace elgen::rendering;
+using namespace elgen;
 
 TEST_CASE("a short formula is one line") {
   CHECK(latex_lines("a + b - c", 40) == std::vector<std::string>{"a + b - c"});

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-using namespace elgen::rendering;
+using namespace elgen;
 
 TEST_CASE("a formula is read into its parts") {
   const LatexTree tree = read_latex("\\frac{a}{b} - \\sin^{2} x");

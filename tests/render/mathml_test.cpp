@@ -16,6 +16,6 @@ TEST_CASE("LaTeX becomes MathML") {
   };
   for (const auto& [latex, expected] : rows) {
     INFO(latex);
-    CHECK(rendering::mathml(rendering::read_latex(latex)) == expected);
+    CHECK(mathml(read_latex(latex)) == expected);
   }
 }

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace elgen::rendering;
+using namespace elgen;
 
 TEST_CASE("names become symbols") {
   const std::vector<std::pair<std::string, std::string>> rows{
