@@ -1,12 +1,12 @@
 // Enclosed numbers: a float, and a bound that needs few digits.
-#include "enclosed_number.hpp"
+#include "base/enclosed_number.hpp"
 
 #include <cln/integer.h>
 #include <cln/rational.h>
 
 #include <cmath>
 
-#include "exact_number.hpp"
+#include "base/exact_number.hpp"
 
 namespace elgen {
 namespace {

@@ -1,5 +1,5 @@
 // Significand times a power of the base.
-#include "exact_number.hpp"
+#include "base/exact_number.hpp"
 
 #include <cln/integer.h>
 #include <cln/rational_ring.h>

@@ -5,8 +5,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "base/utf8.hpp"
 #include "elgen/diagnostic.hpp"
-#include "utf8.hpp"
 
 namespace elgen {
 

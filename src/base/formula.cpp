@@ -1,12 +1,12 @@
 // formula: the rows of spellings, and where brackets stand.
-#include "formula.hpp"
+#include "base/formula.hpp"
 
 #include <cln/integer.h>
 #include <fmt/format.h>
 
 #include <cctype>
 
-#include "number_text.hpp"
+#include "base/number_text.hpp"
 
 namespace elgen {
 namespace {

@@ -1,5 +1,5 @@
 // MoreDigits: one sum per thread.
-#include "more_digits.hpp"
+#include "base/more_digits.hpp"
 
 namespace elgen {
 namespace {

@@ -1,5 +1,5 @@
 // no_interrupts: signals are blocked in this thread; others have to block theirs (Progress does).
-#include "no_interrupts.hpp"
+#include "base/no_interrupts.hpp"
 
 #include <array>
 

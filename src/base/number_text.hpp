@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "exact_number.hpp"
+#include "base/exact_number.hpp"
 
 namespace elgen {
 

@@ -1,6 +1,6 @@
 // SplitMix64 after Steele, Lea, Flood, "Fast splittable pseudorandom number generators" (OOPSLA
 // 2014).
-#include "random.hpp"
+#include "base/random.hpp"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
 // Wording: user text made fit for a message, counts and suggestions.
 #include "elgen/wording.hpp"
 
+#include "base/utf8.hpp"
 #include "elgen/diagnostic.hpp"
-#include "utf8.hpp"
 
 namespace elgen {
 

@@ -5,13 +5,13 @@
 #include <cassert>
 #include <utility>
 
+#include "cancel/vanishing.hpp"
 #include "elgen/closed_forms.hpp"
 #include "lower/cheapest.hpp"
 #include "lower/from_program.hpp"
 #include "lower/linearise.hpp"
 #include "lower/prune.hpp"
 #include "lower/turn_signs.hpp"
-#include "vanishing.hpp"
 
 namespace elgen {
 namespace {

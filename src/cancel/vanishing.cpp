@@ -2,7 +2,7 @@
 // functions with kinks, which may be zero in a whole region, are unknowns of their own; where 64
 // digits hide a difference (1 - tanh(500), 1 + 1e-70 - 1) nothing is concluded; nor is it from a
 // point at which what a value goes into is undefined.
-#include "vanishing.hpp"
+#include "cancel/vanishing.hpp"
 
 #include <algorithm>
 

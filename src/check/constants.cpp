@@ -3,7 +3,7 @@
 //
 // Where digits cancel, or an angle is large, a constant is evaluated again with more. Sizes are
 // bounded (10^±10000, 4096 exact digits) before anything is computed, so that no constant hangs.
-#include "constants.hpp"
+#include "check/constants.hpp"
 
 #include <cln/integer.h>
 

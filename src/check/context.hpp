@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "constants.hpp"
+#include "check/constants.hpp"
+#include "check/integers.hpp"
+#include "check/report.hpp"
+#include "check/symbols.hpp"
 #include "elgen/limits.hpp"
 #include "elgen/model.hpp"
-#include "integers.hpp"
-#include "report.hpp"
-#include "symbols.hpp"
 
 namespace elgen {
 

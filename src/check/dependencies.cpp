@@ -1,6 +1,6 @@
 // Dependencies: depth-first search over the named expressions, without recursion, because a chain
 // of points is as deep as it is long.
-#include "dependencies.hpp"
+#include "check/dependencies.hpp"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "context.hpp"
+#include "check/context.hpp"
 
 namespace elgen {
 

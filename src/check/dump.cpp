@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "base/number_text.hpp"
+#include "check/read_approximate.hpp"
+#include "check/scene_reader.hpp"
 #include "elgen/scene.hpp"
-#include "read_approximate.hpp"
-#include "scene_reader.hpp"
 
 namespace elgen {
 namespace {

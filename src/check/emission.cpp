@@ -1,11 +1,11 @@
 // Emission: words of the choice table become enumerators, and what does not go together is refused
 // where it is written.
-#include "emission.hpp"
+#include "check/emission.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "reserved_names.hpp"
+#include "check/reserved_names.hpp"
 
 namespace elgen {
 

@@ -2,7 +2,7 @@
 // `[numeric] scalar`.
 #pragma once
 
-#include "context.hpp"
+#include "check/context.hpp"
 #include "elgen/scene.hpp"
 
 namespace elgen {

@@ -1,9 +1,9 @@
 // Entries: reads the keys of one instance of an entry into its row of the Model.
 #pragma once
 
-#include "context.hpp"
+#include "check/context.hpp"
+#include "check/expand.hpp"
 #include "elgen/syntax.hpp"
-#include "expand.hpp"
 
 namespace elgen {
 

@@ -1,12 +1,12 @@
 // Expansion: declares all names first, then lists the instances whose expressions are to be
 // resolved.
-#include "expand.hpp"
+#include "check/expand.hpp"
 
 #include <array>
 #include <utility>
 
-#include "parameters.hpp"
-#include "rotations.hpp"
+#include "check/parameters.hpp"
+#include "check/rotations.hpp"
 
 namespace elgen {
 namespace {

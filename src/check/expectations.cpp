@@ -1,15 +1,15 @@
 // Expectations: closed forms as matrices of expressions, row-major, or by entry:
 //
 //     gravity_entry = { for = "i in 1..2", value = "m[i]*g" }   ->   gravity = [m[1]*g, m[2]*g]
-#include "expectations.hpp"
+#include "check/expectations.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "output_units.hpp"
-#include "places.hpp"
-#include "requests.hpp"
-#include "values.hpp"
+#include "check/output_units.hpp"
+#include "check/places.hpp"
+#include "check/requests.hpp"
+#include "check/values.hpp"
 
 namespace elgen {
 namespace {

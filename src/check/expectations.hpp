@@ -1,7 +1,7 @@
 // Expectations: [[expect]] -> Model::expectations.
 #pragma once
 
-#include "context.hpp"
+#include "check/context.hpp"
 #include "elgen/syntax.hpp"
 
 namespace elgen {

@@ -1,5 +1,5 @@
 // function_names: the first columns of three tables.
-#include "function_names.hpp"
+#include "check/function_names.hpp"
 
 #include "elgen/functions.hpp"
 
@@ -9,10 +9,10 @@ const std::vector<std::string>& function_names() {
   static const std::vector<std::string> all = [] {
     std::vector<std::string> names{
 #define ELGEN_EXPANDED(name, rule) #name,
-#include "expanded_functions.def"
+#include "check/expanded_functions.def"
 #undef ELGEN_EXPANDED
 #define ELGEN_COMPOSITE(name, arity, definition) #name,
-#include "composite_functions.def"
+#include "check/composite_functions.def"
 #undef ELGEN_COMPOSITE
     };
     for (const FunctionRow& row : function_table) names.emplace_back(row.name);

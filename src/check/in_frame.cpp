@@ -1,5 +1,5 @@
 // From the axes of a frame to the world.
-#include "in_frame.hpp"
+#include "check/in_frame.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -2,8 +2,8 @@
 // needs positions reads it there.
 #pragma once
 
-#include "context.hpp"
-#include "node_builder.hpp"
+#include "check/context.hpp"
+#include "check/node_builder.hpp"
 
 namespace elgen {
 

@@ -1,7 +1,7 @@
 // Integer arithmetic of indices and sizes, done while repetitions are expanded:
 //
 //     for = ["i in 1..n", "j in i..n"]   with n = 2   ->   (1, 1) (1, 2) (2, 2)
-#include "integers.hpp"
+#include "check/integers.hpp"
 
 #include <cln/integer.h>
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "check/report.hpp"
 #include "elgen/syntax.hpp"
-#include "report.hpp"
 
 namespace elgen {
 

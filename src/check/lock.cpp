@@ -4,7 +4,7 @@
 //     after     q = (q2)        q1(t) = w*t, T = 1/2*I1*dot(q1)^2 + 1/2*I2*dot(q2)^2
 //
 // Nodes of the arena change their kind in place, so that whatever refers to them stays.
-#include "lock.hpp"
+#include "check/lock.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 // Mechanics: degrees of the energies in the rates, forces affine in the inputs, and that everything
 // that may move has kinetic energy.
-#include "mechanics.hpp"
+#include "check/mechanics.hpp"
 
 #include <algorithm>
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "context.hpp"
-#include "traits.hpp"
+#include "check/context.hpp"
+#include "check/traits.hpp"
 
 namespace elgen {
 

@@ -2,8 +2,8 @@
 // derivative (and in the position of a mass) a coordinate counts as its rate does.
 #include <algorithm>
 
+#include "check/mechanics.hpp"
 #include "elgen/references.hpp"
-#include "mechanics.hpp"
 
 namespace elgen {
 namespace {

@@ -1,5 +1,5 @@
 // Nodes that check writes itself. Operands come first, as everywhere in the arena.
-#include "node_builder.hpp"
+#include "check/node_builder.hpp"
 
 #include <cln/real.h>
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "context.hpp"
+#include "check/context.hpp"
 
 namespace elgen {
 

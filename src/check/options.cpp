@@ -1,11 +1,11 @@
 // Options: --outputs, --fix and --size, split into parts that point into the option's text.
-#include "options.hpp"
+#include "check/options.hpp"
 
 #include <cln/integer.h>
 
 #include <charconv>
 
-#include "values.hpp"
+#include "check/values.hpp"
 
 namespace elgen {
 namespace {

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "check/expand.hpp"
+#include "check/report.hpp"
 #include "elgen/scene.hpp"
 #include "elgen/syntax.hpp"
-#include "expand.hpp"
-#include "report.hpp"
 
 namespace elgen {
 

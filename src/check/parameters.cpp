@@ -1,9 +1,9 @@
 // Parameters: NAME = number, string or { value, unit, min, max, assume, size, latex, doc }; with
 // `size` the value is one number for all elements or a list.
-#include "parameters.hpp"
+#include "check/parameters.hpp"
 
-#include "unit_expression.hpp"
-#include "values.hpp"
+#include "check/unit_expression.hpp"
+#include "check/values.hpp"
 
 namespace elgen {
 namespace {

@@ -1,7 +1,7 @@
 // Parameters: [parameters] -> Model::parameters and Model::parameter_arrays.
 #pragma once
 
-#include "context.hpp"
+#include "check/context.hpp"
 #include "elgen/syntax.hpp"
 
 namespace elgen {

@@ -1,5 +1,5 @@
 // Places: walks every root and reports the nodes that bring in what its place does not take.
-#include "places.hpp"
+#include "check/places.hpp"
 
 #include <array>
 

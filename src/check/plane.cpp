@@ -1,5 +1,5 @@
 // The plane of a model: frames turn about z and shift along x and y.
-#include "plane.hpp"
+#include "check/plane.hpp"
 
 #include <algorithm>
 

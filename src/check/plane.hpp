@@ -1,7 +1,7 @@
 // Planar models: what frames must not do there.
 #pragma once
 
-#include "context.hpp"
+#include "check/context.hpp"
 
 namespace elgen {
 

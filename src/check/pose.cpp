@@ -1,7 +1,7 @@
 // Poses: the steps of a frame multiplied out, and the spin from the rates of the rotation.
-#include "pose.hpp"
+#include "check/pose.hpp"
 
-#include "node_builder.hpp"
+#include "check/node_builder.hpp"
 
 namespace elgen {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "context.hpp"
+#include "check/context.hpp"
 
 namespace elgen {
 

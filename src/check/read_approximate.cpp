@@ -3,15 +3,15 @@
 //     order = 3                      ->   order 3
 //     about = { q1 = "pi/2", q2 = 0 }     q1 and q2 are pi/2 and 0 at the point
 //     small = ["q2"]                      q2 is small; q1 is any angle, and inputs are any forces
-#include "read_approximate.hpp"
+#include "check/read_approximate.hpp"
 
 #include <cln/integer.h>
 
 #include <algorithm>
 
-#include "places.hpp"
-#include "requests.hpp"
-#include "values.hpp"
+#include "check/places.hpp"
+#include "check/requests.hpp"
+#include "check/values.hpp"
 
 namespace elgen {
 namespace {

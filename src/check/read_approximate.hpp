@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "context.hpp"
+#include "check/context.hpp"
 #include "elgen/syntax.hpp"
 
 namespace elgen {

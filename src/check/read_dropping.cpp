@@ -3,13 +3,13 @@
 //
 //     [outputs] bias = true    ->    parts mass_matrix, gravity, potential_energy, dissipation,
 //                                    applied_force
-#include "read_dropping.hpp"
+#include "check/read_dropping.hpp"
 
 #include <algorithm>
 
 #include "base/exact_number.hpp"
-#include "requests.hpp"
-#include "values.hpp"
+#include "check/requests.hpp"
+#include "check/values.hpp"
 
 namespace elgen {
 namespace {

@@ -1,7 +1,7 @@
 // read_dropping: `drop_below` of a scene's [approximate].
 #pragma once
 
-#include "context.hpp"
+#include "check/context.hpp"
 #include "elgen/scene.hpp"
 #include "elgen/syntax.hpp"
 

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <array>
 
-#include "entries.hpp"
-#include "in_frame.hpp"
-#include "places.hpp"
-#include "values.hpp"
+#include "check/entries.hpp"
+#include "check/in_frame.hpp"
+#include "check/places.hpp"
+#include "check/values.hpp"
 
 namespace elgen {
 namespace {

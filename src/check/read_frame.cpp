@@ -9,11 +9,11 @@
 //       rotation    the same of a coordinate, whose length is one
 #include <algorithm>
 
-#include "entries.hpp"
-#include "node_builder.hpp"
-#include "places.hpp"
-#include "pose.hpp"
-#include "values.hpp"
+#include "check/entries.hpp"
+#include "check/node_builder.hpp"
+#include "check/places.hpp"
+#include "check/pose.hpp"
+#include "check/values.hpp"
 
 namespace elgen {
 namespace {

@@ -1,11 +1,11 @@
 // Locks: `[lock] NAME = { value, reaction }`, NAME a coordinate ("q[2]") or a rotation.
-#include "read_locks.hpp"
+#include "check/read_locks.hpp"
 
 #include <algorithm>
 
-#include "node_builder.hpp"
-#include "places.hpp"
-#include "values.hpp"
+#include "check/node_builder.hpp"
+#include "check/places.hpp"
+#include "check/values.hpp"
 
 namespace elgen {
 namespace {

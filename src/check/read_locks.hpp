@@ -1,7 +1,7 @@
 // Locks of a scene: which coordinates it holds, and at which functions of time.
 #pragma once
 
-#include "context.hpp"
+#include "check/context.hpp"
 #include "elgen/syntax.hpp"
 
 namespace elgen {

@@ -1,10 +1,10 @@
 // Points and bodies: where mass is, and how it turns.
 #include <algorithm>
 
-#include "entries.hpp"
-#include "in_frame.hpp"
-#include "places.hpp"
-#include "values.hpp"
+#include "check/entries.hpp"
+#include "check/in_frame.hpp"
+#include "check/places.hpp"
+#include "check/values.hpp"
 
 namespace elgen {
 namespace {

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <array>
 
-#include "entries.hpp"
-#include "places.hpp"
-#include "reserved_names.hpp"
-#include "values.hpp"
+#include "check/entries.hpp"
+#include "check/places.hpp"
+#include "check/reserved_names.hpp"
+#include "check/values.hpp"
 
 namespace elgen {
 namespace {

@@ -1,9 +1,9 @@
 // Coordinates, inputs and prescribed functions.
-#include "entries.hpp"
-#include "places.hpp"
-#include "rotations.hpp"
-#include "unit_expression.hpp"
-#include "values.hpp"
+#include "check/entries.hpp"
+#include "check/places.hpp"
+#include "check/rotations.hpp"
+#include "check/unit_expression.hpp"
+#include "check/values.hpp"
 
 namespace elgen {
 namespace {

@@ -1,5 +1,5 @@
 // Report: collects the diagnostics of one run, each once.
-#include "report.hpp"
+#include "check/report.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // Requests: which outputs a model has, and their shapes.
-#include "requests.hpp"
+#include "check/requests.hpp"
 
 #include <algorithm>
 #include <map>

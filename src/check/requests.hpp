@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "check/report.hpp"
 #include "elgen/scene.hpp"
-#include "report.hpp"
 
 namespace elgen {
 

@@ -1,11 +1,11 @@
 // Which names a model may not give to its entries: they mean something else in expressions, or
 // would not compile as members of the emitted structs.
-#include "reserved_names.hpp"
+#include "check/reserved_names.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "function_names.hpp"
+#include "check/function_names.hpp"
 
 namespace elgen {
 namespace {
@@ -107,7 +107,7 @@ constexpr std::array keywords{"alignas",
 
 /// Of the headers that are installed where elgen is built; sorted.
 constexpr auto library_macros = std::to_array<std::string_view>({
-#include "library_macros.def"
+#include "check/library_macros.def"
 });
 
 /// Of other platforms.

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "report.hpp"
+#include "check/report.hpp"
 
 namespace elgen {
 

@@ -10,9 +10,9 @@
 #include <map>
 #include <utility>
 
+#include "check/function_names.hpp"
+#include "check/resolver.hpp"
 #include "elgen/functions.hpp"
-#include "function_names.hpp"
-#include "resolver.hpp"
 
 namespace elgen {
 namespace {
@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
 
 constexpr std::array composites{
 #define ELGEN_COMPOSITE(name, arity, definition) Resolver::Composite{#name, arity, definition},
-#include "composite_functions.def"
+#include "check/composite_functions.def"
 #undef ELGEN_COMPOSITE
 };
 
@@ -58,7 +58,7 @@ ExpressionSyntax written_out(ExpressionSyntax definition, const ExpressionSyntax
 const std::vector<Resolver::Expansion>& Resolver::expansions() {
   static const std::vector<Expansion> all{
 #define ELGEN_EXPANDED(name, rule) {#name, &Resolver::rule},
-#include "expanded_functions.def"
+#include "check/expanded_functions.def"
 #undef ELGEN_EXPANDED
   };
   return all;

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "check/function_names.hpp"
+#include "check/resolver.hpp"
 #include "elgen/functions.hpp"
-#include "function_names.hpp"
-#include "resolver.hpp"
 
 namespace elgen {
 namespace {

@@ -1,5 +1,5 @@
 // Resolver, operators and numbers. Names are in resolve_name.cpp, calls in resolve_call.cpp.
-#include "resolver.hpp"
+#include "check/resolver.hpp"
 
 #include <cln/real_ring.h>
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "context.hpp"
+#include "check/context.hpp"
 #include "elgen/syntax.hpp"
 
 namespace elgen {

@@ -1,11 +1,11 @@
 // Rotations: four names of q, three of v, and the keys that such a coordinate takes.
-#include "rotations.hpp"
+#include "check/rotations.hpp"
 
 #include <algorithm>
 #include <array>
 
 #include "base/exact_number.hpp"
-#include "unit_expression.hpp"
+#include "check/unit_expression.hpp"
 
 namespace elgen {
 namespace {

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "context.hpp"
+#include "check/context.hpp"
+#include "check/values.hpp"
 #include "elgen/syntax.hpp"
-#include "values.hpp"
 
 namespace elgen {
 

@@ -1,6 +1,6 @@
 // Scene: outputs in the order of the table, fixed parameters, scalars, emission, and the canonical
 // text that is hashed into stamps.
-#include "scene_reader.hpp"
+#include "check/scene_reader.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,15 +8,15 @@
 #include <set>
 
 #include "base/number_text.hpp"
-#include "emission.hpp"
-#include "options.hpp"
-#include "parameters.hpp"
-#include "read_approximate.hpp"
-#include "read_dropping.hpp"
-#include "requests.hpp"
-#include "reserved_names.hpp"
-#include "syntax_part.hpp"
-#include "values.hpp"
+#include "check/emission.hpp"
+#include "check/options.hpp"
+#include "check/parameters.hpp"
+#include "check/read_approximate.hpp"
+#include "check/read_dropping.hpp"
+#include "check/requests.hpp"
+#include "check/reserved_names.hpp"
+#include "check/syntax_part.hpp"
+#include "check/values.hpp"
 
 namespace elgen {
 namespace {

@@ -1,9 +1,9 @@
 // Scene: what a scene file and options want of a resolved model.
 #pragma once
 
-#include "context.hpp"
+#include "check/context.hpp"
+#include "check/expand.hpp"
 #include "elgen/scene.hpp"
-#include "expand.hpp"
 
 namespace elgen {
 

@@ -1,8 +1,8 @@
 // Sizes: the integers repetitions run to, as the model has them or as a scene overrides them.
 #include <cln/integer.h>
 
+#include "check/expand.hpp"
 #include "elgen/syntax.hpp"
-#include "expand.hpp"
 
 namespace elgen {
 namespace {

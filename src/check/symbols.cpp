@@ -1,8 +1,8 @@
 // DeclaredNames: the one set of names of a model. Every declaration passes here, so that
 // duplicates, reserved names and names that would become one C++ identifier are found in one place.
-#include "symbols.hpp"
+#include "check/symbols.hpp"
 
-#include "reserved_names.hpp"
+#include "check/reserved_names.hpp"
 
 namespace elgen {
 namespace {

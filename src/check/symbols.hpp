@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "report.hpp"
+#include "check/report.hpp"
 
 namespace elgen {
 

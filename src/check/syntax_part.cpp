@@ -1,6 +1,6 @@
 // Expressions inside the text of options: the part is parsed as a source of its own, then its spans
 // are moved to where the part stands.
-#include "syntax_part.hpp"
+#include "check/syntax_part.hpp"
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 
 #include <optional>
 
+#include "check/report.hpp"
 #include "elgen/limits.hpp"
 #include "elgen/syntax.hpp"
-#include "report.hpp"
 
 namespace elgen {
 

@@ -4,7 +4,7 @@
 //     power    = primary [ "^" exponent ]
 //     primary  = name | "1" | "(" product ")"
 //     exponent = integer | "(" integer [ "/" integer ] ")"
-#include "unit_expression.hpp"
+#include "check/unit_expression.hpp"
 
 #include <cctype>
 #include <charconv>

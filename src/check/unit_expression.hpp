@@ -3,9 +3,9 @@
 
 #include <optional>
 
+#include "check/report.hpp"
 #include "elgen/syntax.hpp"
 #include "elgen/units.hpp"
-#include "report.hpp"
 
 namespace elgen {
 

@@ -3,7 +3,7 @@
 // Numbers are pure, but 0 has any unit; what touches a leaf without a unit is not known and not
 // compared, and a model without any unit is not judged at all. After an error the node counts as
 // not known, so that one mistake is reported once.
-#include "unit_inference.hpp"
+#include "check/unit_inference.hpp"
 
 #include <cln/integer.h>
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "context.hpp"
+#include "check/context.hpp"
 
 namespace elgen {
 

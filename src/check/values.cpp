@@ -1,12 +1,12 @@
 // Values: reads the values of keys as roots, constants, units and references.
-#include "values.hpp"
+#include "check/values.hpp"
 
 #include <cln/float.h>
 
 #include <algorithm>
 
 #include "base/exact_number.hpp"
-#include "resolver.hpp"
+#include "check/resolver.hpp"
 
 namespace elgen {
 namespace {

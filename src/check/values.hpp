@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "context.hpp"
+#include "check/context.hpp"
+#include "check/expand.hpp"
 #include "elgen/scene.hpp"
 #include "elgen/syntax.hpp"
-#include "expand.hpp"
 
 namespace elgen {
 

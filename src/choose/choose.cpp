@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <set>
 
-#include "guarded_pivots.hpp"
+#include "choose/guarded_pivots.hpp"
+#include "choose/readable.hpp"
+#include "choose/scaled_length.hpp"
 #include "lower/cheapest.hpp"
 #include "lower/linearise.hpp"
 #include "lower/turn_signs.hpp"
-#include "readable.hpp"
-#include "scaled_length.hpp"
 
 namespace elgen {
 namespace {

@@ -1,6 +1,6 @@
 // closed_graph: see closed_graph.hpp. What multiplies the whole numerator and stands in a
 // denominator too (sqrt(r)/r^2) is written as one power.
-#include "closed_graph.hpp"
+#include "choose/closed_graph.hpp"
 
 #include <algorithm>
 

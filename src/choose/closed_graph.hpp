@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "choose/real_terms.hpp"
 #include "lower/graph.hpp"
-#include "real_terms.hpp"
 
 namespace elgen {
 

@@ -1,5 +1,5 @@
 // guarded_pivots: two instructions per pivot, but where M_ii is a number, or divides already.
-#include "guarded_pivots.hpp"
+#include "choose/guarded_pivots.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,10 +1,10 @@
 // readable: see readable.hpp.
-#include "readable.hpp"
+#include "choose/readable.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-#include "closed_graph.hpp"
+#include "choose/closed_graph.hpp"
 #include "lower/cheapest.hpp"
 #include "lower/flatten.hpp"
 #include "lower/from_program.hpp"

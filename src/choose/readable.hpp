@@ -10,9 +10,9 @@
 
 #include <optional>
 
+#include "choose/rounding_errors.hpp"
 #include "elgen/closed_forms.hpp"
 #include "lower/rebuild.hpp"
-#include "rounding_errors.hpp"
 
 namespace elgen {
 

@@ -1,6 +1,6 @@
 // real_terms: see real_terms.hpp. (cos + i sin)^k is multiplied out and reduced by sin^2 + cos^2 =
 // 1 in the direction asked for; of each conjugate pair of exponentials one is visited.
-#include "real_terms.hpp"
+#include "choose/real_terms.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,6 +1,6 @@
 // rounding_errors: see rounding_errors.hpp. Both ways are one function of two entries, so that what
 // they share, sines above all, is evaluated once.
-#include "rounding_errors.hpp"
+#include "choose/rounding_errors.hpp"
 
 #include <cln/integer.h>
 

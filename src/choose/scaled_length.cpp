@@ -1,6 +1,6 @@
 // scaled_length: written out instruction by instruction, with those of the function that are the
 // same.
-#include "scaled_length.hpp"
+#include "choose/scaled_length.hpp"
 
 #include <algorithm>
 #include <utility>

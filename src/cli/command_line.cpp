@@ -1,5 +1,5 @@
 // CLI11 reads the words; what it rejects becomes a diagnostic that points into the command line.
-#include "command_line.hpp"
+#include "cli/command_line.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

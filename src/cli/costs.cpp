@@ -1,5 +1,5 @@
 // Costs of generation: run again, one output at a time.
-#include "costs.hpp"
+#include "cli/costs.hpp"
 
 #include <fmt/format.h>
 

@@ -2,9 +2,9 @@
 // and scene files (`coordinate`, `scene.outputs`).
 #include <fmt/format.h>
 
+#include "cli/options.hpp"
 #include "elgen/syntax.hpp"
 #include "elgen/wording.hpp"
-#include "options.hpp"
 
 namespace elgen::cli {
 namespace {

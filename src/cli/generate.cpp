@@ -5,13 +5,13 @@
 #include <filesystem>
 #include <map>
 
+#include "cli/inputs.hpp"
+#include "cli/options.hpp"
+#include "cli/output_files.hpp"
+#include "cli/progress.hpp"
+#include "cli/resources.hpp"
 #include "elgen/artifacts.hpp"
 #include "elgen/render.hpp"
-#include "inputs.hpp"
-#include "options.hpp"
-#include "output_files.hpp"
-#include "progress.hpp"
-#include "resources.hpp"
 
 namespace elgen::cli {
 

@@ -1,10 +1,10 @@
 // elgen import: a robot description as a model file, on stdout or where -o says.
 #include <algorithm>
 
+#include "cli/inputs.hpp"
+#include "cli/options.hpp"
+#include "cli/output_files.hpp"
 #include "elgen/urdf.hpp"
-#include "inputs.hpp"
-#include "options.hpp"
-#include "output_files.hpp"
 
 namespace elgen::cli {
 

@@ -1,5 +1,5 @@
 // Reads the files a command names. A scene's model is found through the scene's own text.
-#include "inputs.hpp"
+#include "cli/inputs.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "base/descriptor.hpp"
-#include "file_kind.hpp"
+#include "cli/file_kind.hpp"
+#include "cli/resources.hpp"
 #include "parse/names_model.hpp"
-#include "resources.hpp"
 
 namespace elgen::cli {
 

@@ -3,9 +3,9 @@
 
 #include <new>
 
-#include "command_line.hpp"
-#include "options.hpp"
-#include "resources.hpp"
+#include "cli/command_line.hpp"
+#include "cli/options.hpp"
+#include "cli/resources.hpp"
 
 namespace elgen::cli {
 

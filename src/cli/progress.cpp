@@ -1,5 +1,5 @@
 // A watching thread rewrites one line of the terminal, and clears it at the end.
-#include "progress.hpp"
+#include "cli/progress.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "options.hpp"
+#include "cli/options.hpp"
 
 namespace elgen::cli {
 

@@ -5,12 +5,12 @@
 #include <array>
 #include <optional>
 
-#include "costs.hpp"
+#include "cli/costs.hpp"
+#include "cli/inputs.hpp"
+#include "cli/options.hpp"
+#include "cli/progress.hpp"
 #include "elgen/emitted_files.hpp"
 #include "elgen/render.hpp"
-#include "inputs.hpp"
-#include "options.hpp"
-#include "progress.hpp"
 
 namespace elgen::cli {
 

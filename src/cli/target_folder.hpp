@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/descriptor.hpp"
-#include "transaction.hpp"
+#include "cli/transaction.hpp"
 
 namespace elgen::cli {
 

@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <chrono>
 
+#include "cli/inputs.hpp"
+#include "cli/options.hpp"
+#include "cli/output_files.hpp"
+#include "cli/progress.hpp"
+#include "cli/resources.hpp"
 #include "elgen/render.hpp"
-#include "inputs.hpp"
-#include "options.hpp"
-#include "output_files.hpp"
-#include "progress.hpp"
-#include "resources.hpp"
 
 namespace elgen::cli {
 

@@ -9,10 +9,10 @@
 #include <set>
 #include <system_error>
 
-#include "file_kind.hpp"
-#include "inputs.hpp"
-#include "output_files.hpp"
-#include "transaction.hpp"
+#include "cli/file_kind.hpp"
+#include "cli/inputs.hpp"
+#include "cli/output_files.hpp"
+#include "cli/transaction.hpp"
 
 namespace elgen::cli {
 

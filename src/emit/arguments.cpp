@@ -1,5 +1,5 @@
 // arguments: elements of arrays by their declaration, everything else by its number.
-#include "arguments.hpp"
+#include "emit/arguments.hpp"
 
 #include <fmt/format.h>
 

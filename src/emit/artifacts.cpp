@@ -1,10 +1,10 @@
 // artifacts: a row of each kind.
-#include "artifacts.hpp"
+#include "emit/artifacts.hpp"
 
-#include "c99_artifact.hpp"
-#include "cpp_artifacts.hpp"
-#include "markdown.hpp"
-#include "sidecar.hpp"
+#include "emit/c99_artifact.hpp"
+#include "emit/cpp_artifacts.hpp"
+#include "emit/markdown.hpp"
+#include "emit/sidecar.hpp"
 
 namespace elgen {
 namespace {

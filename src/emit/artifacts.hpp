@@ -4,7 +4,7 @@
 #include <string>
 
 #include "elgen/artifacts.hpp"
-#include "emission_input.hpp"
+#include "emit/emission_input.hpp"
 
 namespace elgen {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "emission_input.hpp"
+#include "emit/emission_input.hpp"
 
 namespace elgen {
 

@@ -1,14 +1,14 @@
 // c99_dialect: the float functions of <math.h> end with f, those of double do not; sign, min and
 // max are helpers of the header that compute what the C++ code computes (fmin would drop a NaN).
-#include "c99_dialect.hpp"
+#include "emit/c99_dialect.hpp"
 
 #include <fmt/format.h>
 
-#include "emission_input.hpp"
+#include "emit/emission_input.hpp"
+#include "emit/fields.hpp"
+#include "emit/layout.hpp"
+#include "emit/signature.hpp"
 #include "evaluate/scalar_literal.hpp"
-#include "fields.hpp"
-#include "layout.hpp"
-#include "signature.hpp"
 
 namespace elgen {
 namespace {

@@ -9,8 +9,8 @@
 #include <memory>
 #include <string>
 
-#include "dialect.hpp"
 #include "elgen/scene.hpp"
+#include "emit/dialect.hpp"
 
 namespace elgen {
 

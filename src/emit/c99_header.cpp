@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cctype>
 
-#include "c99_artifact.hpp"
-#include "c99_dialect.hpp"
+#include "emit/c99_artifact.hpp"
+#include "emit/c99_dialect.hpp"
+#include "emit/header_data.hpp"
+#include "emit/layout.hpp"
+#include "emit/parameters.hpp"
+#include "emit/stamp.hpp"
 #include "evaluate/scalar_literal.hpp"
-#include "header_data.hpp"
-#include "layout.hpp"
-#include "parameters.hpp"
-#include "stamp.hpp"
 
 namespace elgen {
 namespace {

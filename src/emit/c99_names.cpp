@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 
-#include "c99_artifact.hpp"
-#include "fields.hpp"
-#include "taken_name.hpp"
+#include "emit/c99_artifact.hpp"
+#include "emit/fields.hpp"
+#include "emit/taken_name.hpp"
 
 namespace elgen {
 namespace {

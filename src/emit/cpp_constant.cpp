@@ -1,6 +1,6 @@
 // cpp_constant: decimal literals for built-in types, chunks of six digits for all others. Chunks
 // fit an int wherever int has at least 21 bits, and every scalar type can be made from an int.
-#include "cpp_constant.hpp"
+#include "emit/cpp_constant.hpp"
 
 #include <cln/integer.h>
 #include <cln/rational.h>
@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "base/number_text.hpp"
+#include "emit/stamp.hpp"
 #include "evaluate/scalar_literal.hpp"
-#include "stamp.hpp"
 
 namespace elgen {
 namespace {

@@ -1,5 +1,5 @@
 // cpp_declarations: an array is one line where it fits, one element a line where not.
-#include "cpp_declarations.hpp"
+#include "emit/cpp_declarations.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <functional>
 
 #include "check/output_units.hpp"
-#include "cpp_constant.hpp"
+#include "emit/cpp_constant.hpp"
+#include "emit/parameters.hpp"
 #include "evaluate/scalar_literal.hpp"
-#include "parameters.hpp"
 
 namespace elgen {
 namespace {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "elgen/model.hpp"
-#include "fill_template.hpp"
-#include "layout.hpp"
+#include "emit/fill_template.hpp"
+#include "emit/layout.hpp"
 
 namespace elgen {
 

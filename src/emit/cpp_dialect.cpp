@@ -1,19 +1,19 @@
 // cpp_dialect: straight-line code. Nothing is branched, so that packs and AutoDiff numbers pass.
 // sign, min and max are helpers of the header, because the standard library has none that every
 // ordered scalar takes.
-#include "cpp_dialect.hpp"
+#include "emit/cpp_dialect.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "cpp_constant.hpp"
-#include "cpp_names.hpp"
-#include "cpp_types.hpp"
-#include "definition.hpp"
-#include "fields.hpp"
-#include "layout.hpp"
-#include "signature.hpp"
+#include "emit/cpp_constant.hpp"
+#include "emit/cpp_names.hpp"
+#include "emit/cpp_types.hpp"
+#include "emit/definition.hpp"
+#include "emit/fields.hpp"
+#include "emit/layout.hpp"
+#include "emit/signature.hpp"
 
 namespace elgen {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <memory>
 
-#include "dialect.hpp"
+#include "emit/dialect.hpp"
 
 namespace elgen {
 

@@ -2,14 +2,14 @@
 #include <fmt/format.h>
 
 #include "base/number_text.hpp"
-#include "cpp_artifacts.hpp"
-#include "cpp_constant.hpp"
-#include "cpp_declarations.hpp"
-#include "cpp_dialect.hpp"
-#include "header_data.hpp"
-#include "layout.hpp"
-#include "parameters.hpp"
-#include "stamp.hpp"
+#include "emit/cpp_artifacts.hpp"
+#include "emit/cpp_constant.hpp"
+#include "emit/cpp_declarations.hpp"
+#include "emit/cpp_dialect.hpp"
+#include "emit/header_data.hpp"
+#include "emit/layout.hpp"
+#include "emit/parameters.hpp"
+#include "emit/stamp.hpp"
 
 namespace elgen {
 namespace {

@@ -1,7 +1,7 @@
 // cpp_names: the one list of names of templates/cpp/ that a user's name could collide with, and
 // E701 where a model wants one of them. Keywords and macros are no names of a Model or Scene in the
 // first place (E204).
-#include "cpp_names.hpp"
+#include "emit/cpp_names.hpp"
 
 #include <fmt/format.h>
 
@@ -9,14 +9,14 @@
 #include <array>
 #include <map>
 
-#include "cpp_artifacts.hpp"
-#include "cpp_constant.hpp"
-#include "emission_input.hpp"
-#include "fields.hpp"
-#include "layout.hpp"
-#include "library_names.hpp"
-#include "parameters.hpp"
-#include "taken_name.hpp"
+#include "emit/cpp_artifacts.hpp"
+#include "emit/cpp_constant.hpp"
+#include "emit/emission_input.hpp"
+#include "emit/fields.hpp"
+#include "emit/layout.hpp"
+#include "emit/library_names.hpp"
+#include "emit/parameters.hpp"
+#include "emit/taken_name.hpp"
 
 namespace elgen {
 namespace {

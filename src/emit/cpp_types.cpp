@@ -1,9 +1,9 @@
 // cpp_types: a type with a name where the header has one, else an array of the field's size.
-#include "cpp_types.hpp"
+#include "emit/cpp_types.hpp"
 
 #include <fmt/format.h>
 
-#include "fields.hpp"
+#include "emit/fields.hpp"
 
 namespace elgen {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "arguments.hpp"
 #include "elgen/program.hpp"
+#include "emit/arguments.hpp"
 
 namespace elgen {
 

@@ -6,15 +6,15 @@
 //     detail::dynamics_part_1(result, w, p, q, v);
 //     …
 //     return result;
-#include "definition.hpp"
+#include "emit/definition.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "fields.hpp"
-#include "layout.hpp"
-#include "sections.hpp"
+#include "emit/fields.hpp"
+#include "emit/layout.hpp"
+#include "emit/sections.hpp"
 
 namespace elgen {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "dialect.hpp"
 #include "elgen/scene.hpp"
+#include "emit/dialect.hpp"
 
 namespace elgen {
 

@@ -1,9 +1,9 @@
 // dialect: what C and C++ have in common.
-#include "dialect.hpp"
+#include "emit/dialect.hpp"
 
 #include <algorithm>
 
-#include "fields.hpp"
+#include "emit/fields.hpp"
 
 namespace elgen {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "arguments.hpp"
 #include "elgen/program.hpp"
+#include "emit/arguments.hpp"
 #include "render/function_formulas.hpp"
 
 namespace elgen {

@@ -1,6 +1,6 @@
 // The report of `drop_below`: every term with its bound, and what every entry is off by at most.
 // Bounds are rounded up to three digits.
-#include "dropped_terms.hpp"
+#include "emit/dropped_terms.hpp"
 
 #include <fmt/format.h>
 

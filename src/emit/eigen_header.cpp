@@ -1,13 +1,13 @@
 // eigen_header: the bodies are written again rather than called: a Map of the other header's arrays
 // would be a copy of them each way (up to a quarter of the time of panda7, g++ -O2), or undefined.
-#include "cpp_artifacts.hpp"
-#include "cpp_dialect.hpp"
-#include "cpp_names.hpp"
-#include "fields.hpp"
-#include "header_data.hpp"
-#include "layout.hpp"
-#include "stamp.hpp"
-#include "taken_name.hpp"
+#include "emit/cpp_artifacts.hpp"
+#include "emit/cpp_dialect.hpp"
+#include "emit/cpp_names.hpp"
+#include "emit/fields.hpp"
+#include "emit/header_data.hpp"
+#include "emit/layout.hpp"
+#include "emit/stamp.hpp"
+#include "emit/taken_name.hpp"
 
 namespace elgen {
 

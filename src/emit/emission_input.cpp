@@ -1,12 +1,12 @@
 // emission_input: hashes and printed equations. Of the path of a model only the file name is used,
 // so that the same model gives the same bytes in every folder.
-#include "emission_input.hpp"
+#include "emit/emission_input.hpp"
 
 #include <fmt/format.h>
 
 #include "elgen/emitted_files.hpp"
-#include "layout.hpp"
-#include "stamp.hpp"
+#include "emit/layout.hpp"
+#include "emit/stamp.hpp"
 
 namespace elgen {
 namespace {

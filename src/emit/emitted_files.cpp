@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "artifacts.hpp"
-#include "emission_input.hpp"
-#include "scalar_range.hpp"
+#include "emit/artifacts.hpp"
+#include "emit/emission_input.hpp"
+#include "emit/scalar_range.hpp"
 
 namespace elgen {
 

@@ -1,5 +1,5 @@
 // entry_units: rows separated by ";", entries by ",".
-#include "entry_units.hpp"
+#include "emit/entry_units.hpp"
 
 #include <set>
 

@@ -1,5 +1,5 @@
 // fields: small questions, answered by the output table.
-#include "fields.hpp"
+#include "emit/fields.hpp"
 
 #include <utility>
 

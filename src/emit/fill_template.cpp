@@ -1,6 +1,6 @@
 // fill_template: strict Mustache. kainjow's own context answers an unknown name with nothing; this
 // one throws, so that a misspelt hole fails the first test that renders it.
-#include "fill_template.hpp"
+#include "emit/fill_template.hpp"
 
 #include <fmt/format.h>
 

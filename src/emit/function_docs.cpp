@@ -1,17 +1,17 @@
 // function_docs: sentence, equation, then the entries as a matrix where they fit, else one a line.
 // Beyond `longest_listing` lines the entries are left to the sidecar.
-#include "function_docs.hpp"
+#include "emit/function_docs.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
-#include "entry_units.hpp"
-#include "fields.hpp"
-#include "layout.hpp"
+#include "emit/entry_units.hpp"
+#include "emit/fields.hpp"
+#include "emit/layout.hpp"
+#include "emit/statements.hpp"
 #include "render/headings.hpp"
-#include "statements.hpp"
 
 namespace elgen {
 namespace {

@@ -1,19 +1,19 @@
 // header_data: fills the holes in the order of the file.
-#include "header_data.hpp"
+#include "emit/header_data.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "definition.hpp"
 #include "elgen/templates.hpp"
-#include "fields.hpp"
-#include "function_docs.hpp"
-#include "introduction.hpp"
-#include "layout.hpp"
-#include "parameters.hpp"
-#include "stamp.hpp"
-#include "statements.hpp"
+#include "emit/definition.hpp"
+#include "emit/fields.hpp"
+#include "emit/function_docs.hpp"
+#include "emit/introduction.hpp"
+#include "emit/layout.hpp"
+#include "emit/parameters.hpp"
+#include "emit/stamp.hpp"
+#include "emit/statements.hpp"
 
 namespace elgen {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "dialect.hpp"
-#include "emission_input.hpp"
-#include "fill_template.hpp"
+#include "emit/dialect.hpp"
+#include "emit/emission_input.hpp"
+#include "emit/fill_template.hpp"
 
 namespace elgen {
 

@@ -1,13 +1,13 @@
 // introduction: the first screen of a header. Rates are named where some function knows of them.
-#include "introduction.hpp"
+#include "emit/introduction.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "dropped_terms.hpp"
 #include "elgen/render.hpp"
-#include "layout.hpp"
+#include "emit/dropped_terms.hpp"
+#include "emit/layout.hpp"
 
 namespace elgen {
 namespace {

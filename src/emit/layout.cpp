@@ -1,5 +1,5 @@
 // layout: where lines break. Columns are counted in bytes; only user text is ever wider than ASCII.
-#include "layout.hpp"
+#include "emit/layout.hpp"
 
 #include <fmt/format.h>
 

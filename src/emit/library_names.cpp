@@ -1,5 +1,5 @@
 // library_names: a name as declared for double; those for float and long double end in f and l.
-#include "library_names.hpp"
+#include "emit/library_names.hpp"
 
 #include <string>
 

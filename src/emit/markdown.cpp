@@ -1,12 +1,12 @@
 // markdown: the page of the sheet under a comment that states what made it.
-#include "markdown.hpp"
+#include "emit/markdown.hpp"
 
 #include <fmt/format.h>
 
 #include "elgen/emitted_files.hpp"
 #include "elgen/render.hpp"
-#include "introduction.hpp"
-#include "stamp.hpp"
+#include "emit/introduction.hpp"
+#include "emit/stamp.hpp"
 
 namespace elgen {
 namespace {

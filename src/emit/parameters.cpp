@@ -1,12 +1,12 @@
 // parameters: what a program reads, it reads by the names of its leaves.
-#include "parameters.hpp"
+#include "emit/parameters.hpp"
 
 #include <fmt/format.h>
 
 #include <set>
 
 #include "base/number_text.hpp"
-#include "layout.hpp"
+#include "emit/layout.hpp"
 
 namespace elgen {
 

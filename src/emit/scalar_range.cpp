@@ -1,11 +1,11 @@
 // scalar_range: each value against each scalar, by correct rounding.
-#include "scalar_range.hpp"
+#include "emit/scalar_range.hpp"
 
 #include <fmt/format.h>
 
 #include "base/number_text.hpp"
+#include "emit/parameters.hpp"
 #include "evaluate/scalar_literal.hpp"
-#include "parameters.hpp"
 
 namespace elgen {
 namespace {

@@ -1,5 +1,5 @@
 // sections: entries sorted behind the last statement they use, the whole cut into equal parts.
-#include "sections.hpp"
+#include "emit/sections.hpp"
 
 #include <algorithm>
 

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "statements.hpp"
+#include "emit/statements.hpp"
 
 namespace elgen {
 

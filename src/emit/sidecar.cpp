@@ -1,6 +1,6 @@
 // sidecar: an object or list is one line where it fits, one element a line where not, so that a
 // one-term change is a one-line diff.
-#include "sidecar.hpp"
+#include "emit/sidecar.hpp"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 
 #include "base/number_text.hpp"
 #include "check/output_units.hpp"
-#include "fields.hpp"
-#include "layout.hpp"
-#include "parameters.hpp"
-#include "stamp.hpp"
+#include "emit/fields.hpp"
+#include "emit/layout.hpp"
+#include "emit/parameters.hpp"
+#include "emit/stamp.hpp"
 
 namespace elgen {
 namespace {

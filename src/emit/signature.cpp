@@ -1,10 +1,10 @@
 // signature: arguments stand below the first one, or indented where the start leaves too little
 // room.
-#include "signature.hpp"
+#include "emit/signature.hpp"
 
 #include <algorithm>
 
-#include "layout.hpp"
+#include "emit/layout.hpp"
 
 namespace elgen {
 

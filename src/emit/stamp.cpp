@@ -1,7 +1,7 @@
 // stamp: a file states the hash of its own text, taken with sixteen zeros where the hash will
 // stand. It stands behind " body " in the first two lines of a header, behind the last "body": of a
 // sidecar.
-#include "stamp.hpp"
+#include "emit/stamp.hpp"
 
 #include <fmt/format.h>
 #include <xxhash.h>

@@ -1,5 +1,5 @@
 // statements: the operands of each are followed to where a name stands for them.
-#include "statements.hpp"
+#include "emit/statements.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // taken_name: one message for every language.
-#include "taken_name.hpp"
+#include "emit/taken_name.hpp"
 
 #include <fmt/format.h>
 

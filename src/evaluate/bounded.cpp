@@ -1,5 +1,5 @@
 // The rules of error bounds.
-#include "bounded.hpp"
+#include "evaluate/bounded.hpp"
 
 #include <algorithm>
 #include <limits>

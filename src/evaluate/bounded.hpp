@@ -6,7 +6,7 @@
 #pragma once
 
 #include "base/exact_number.hpp"
-#include "dual.hpp"
+#include "evaluate/dual.hpp"
 
 namespace elgen {
 

@@ -1,5 +1,5 @@
 // scalar_literal: the standard's shortest decimals, which no locale changes.
-#include "scalar_literal.hpp"
+#include "evaluate/scalar_literal.hpp"
 
 #include <charconv>
 #include <cmath>

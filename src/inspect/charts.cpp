@@ -5,9 +5,9 @@
 // right angle and every coordinate at 0, the others being random.
 #include <fmt/format.h>
 
-#include "checks.hpp"
-#include "null_space.hpp"
-#include "samples.hpp"
+#include "inspect/checks.hpp"
+#include "inspect/null_space.hpp"
+#include "inspect/samples.hpp"
 
 namespace elgen {
 namespace {

@@ -16,11 +16,11 @@
 #include <cmath>
 
 #include "base/exact_number.hpp"
-#include "checks.hpp"
 #include "elgen/references.hpp"
 #include "elgen/wording.hpp"
-#include "readable.hpp"
-#include "roots.hpp"
+#include "inspect/checks.hpp"
+#include "inspect/readable.hpp"
+#include "inspect/roots.hpp"
 
 namespace elgen {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "base/exact_number.hpp"
 #include "base/random.hpp"
-#include "checks.hpp"
 #include "elgen/oracle.hpp"
-#include "readable.hpp"
+#include "inspect/checks.hpp"
+#include "inspect/readable.hpp"
 
 namespace elgen {
 namespace {

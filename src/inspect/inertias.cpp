@@ -1,10 +1,10 @@
 // E508: an inertia that no body has; a planar one is a number that is not negative.
 #include <fmt/format.h>
 
-#include "checks.hpp"
 #include "elgen/inertia.hpp"
 #include "elgen/oracle.hpp"
-#include "readable.hpp"
+#include "inspect/checks.hpp"
+#include "inspect/readable.hpp"
 
 namespace elgen {
 namespace {

@@ -2,7 +2,7 @@
 // are never used, inertias and points in an energy are read off the model.
 #include "elgen/inspect.hpp"
 
-#include "checks.hpp"
+#include "inspect/checks.hpp"
 
 namespace elgen {
 

@@ -1,7 +1,7 @@
 // E619: the outputs that the built-in scene `full` does without, one note per reason.
 #include <fmt/format.h>
 
-#include "checks.hpp"
+#include "inspect/checks.hpp"
 
 namespace elgen {
 namespace {

@@ -7,12 +7,12 @@
 
 #include <numeric>
 
-#include "checks.hpp"
 #include "elgen/outputs.hpp"
-#include "null_space.hpp"
-#include "readable.hpp"
-#include "samples.hpp"
-#include "singular_mass.hpp"
+#include "inspect/checks.hpp"
+#include "inspect/null_space.hpp"
+#include "inspect/readable.hpp"
+#include "inspect/samples.hpp"
+#include "inspect/singular_mass.hpp"
 
 namespace elgen {
 namespace {

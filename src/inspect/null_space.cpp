@@ -1,5 +1,5 @@
 // Gauss-Jordan elimination on scaled rows; columns without a pivot span the null space.
-#include "null_space.hpp"
+#include "inspect/null_space.hpp"
 
 #include "base/exact_number.hpp"
 

@@ -10,9 +10,9 @@
 #include <algorithm>
 
 #include "base/exact_number.hpp"
-#include "checks.hpp"
 #include "elgen/references.hpp"
-#include "samples.hpp"
+#include "inspect/checks.hpp"
+#include "inspect/samples.hpp"
 
 namespace elgen {
 namespace {

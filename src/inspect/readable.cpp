@@ -1,5 +1,5 @@
 // The simplest fraction near x by continued fractions, in exact arithmetic.
-#include "readable.hpp"
+#include "inspect/readable.hpp"
 
 #include <cln/float.h>
 #include <cln/integer.h>

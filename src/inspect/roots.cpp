@@ -1,6 +1,6 @@
 // Roots, and a depth-first search below them without recursion: a chain of points is as deep as it
 // is long.
-#include "roots.hpp"
+#include "inspect/roots.hpp"
 
 namespace elgen {
 

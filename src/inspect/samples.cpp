@@ -1,5 +1,5 @@
 // Sampled states: the model at its own values, moving anywhere.
-#include "samples.hpp"
+#include "inspect/samples.hpp"
 
 #include "base/random.hpp"
 

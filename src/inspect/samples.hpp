@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "checks.hpp"
 #include "elgen/oracle.hpp"
+#include "inspect/checks.hpp"
 
 namespace elgen {
 

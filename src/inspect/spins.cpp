@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "base/exact_number.hpp"
-#include "checks.hpp"
-#include "samples.hpp"
+#include "inspect/checks.hpp"
+#include "inspect/samples.hpp"
 
 namespace elgen {
 namespace {

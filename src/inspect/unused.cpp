@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "checks.hpp"
+#include "inspect/checks.hpp"
 
 namespace elgen {
 namespace {

@@ -10,7 +10,7 @@
 
 #include <optional>
 
-#include "rebuild.hpp"
+#include "lower/rebuild.hpp"
 
 namespace elgen {
 

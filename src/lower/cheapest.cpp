@@ -1,12 +1,12 @@
 // cheapest: see cheapest.hpp.
-#include "cheapest.hpp"
+#include "lower/cheapest.hpp"
 
-#include "angle_sums.hpp"
-#include "factor.hpp"
-#include "flatten.hpp"
-#include "linearise.hpp"
-#include "share.hpp"
-#include "turn_signs.hpp"
+#include "lower/angle_sums.hpp"
+#include "lower/factor.hpp"
+#include "lower/flatten.hpp"
+#include "lower/linearise.hpp"
+#include "lower/share.hpp"
+#include "lower/turn_signs.hpp"
 
 namespace elgen {
 namespace {

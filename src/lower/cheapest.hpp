@@ -6,7 +6,7 @@
 // cheapest is kept (the first on a tie).
 #pragma once
 
-#include "network.hpp"
+#include "lower/network.hpp"
 
 namespace elgen {
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "constant_value.hpp"
+#include "lower/constant_value.hpp"
 
 namespace elgen {
 

@@ -1,9 +1,9 @@
 // read_constant: see constant_reader.hpp. The graph gives the form that it had when it was printed.
-#include "constant_reader.hpp"
+#include "lower/constant_reader.hpp"
 
 #include <cln/integer.h>
 
-#include "graph.hpp"
+#include "lower/graph.hpp"
 #include "parse/expression_parser.hpp"
 
 namespace elgen {

@@ -8,7 +8,7 @@
 // what is left, inside and outside.
 #pragma once
 
-#include "rebuild.hpp"
+#include "lower/rebuild.hpp"
 
 namespace elgen {
 

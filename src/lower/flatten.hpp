@@ -9,7 +9,7 @@
 // worth it.
 #pragma once
 
-#include "rebuild.hpp"
+#include "lower/rebuild.hpp"
 
 namespace elgen {
 

@@ -1,7 +1,7 @@
 // from_ginac: each needed definition becomes one signed reference, in the order of the list.
 //
 // A definition's symbol stands for its node from then on; the node keeps the definition's name.
-#include "from_ginac.hpp"
+#include "lower/from_ginac.hpp"
 
 #include <cln/number.h>
 #include <cln/real.h>

@@ -1,8 +1,8 @@
 // from_program: one instruction after another.
-#include "from_program.hpp"
+#include "lower/from_program.hpp"
 
 #include "elgen/fold.hpp"
-#include "prune.hpp"
+#include "lower/prune.hpp"
 
 namespace elgen {
 namespace {

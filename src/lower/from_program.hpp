@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "rebuild.hpp"
+#include "lower/rebuild.hpp"
 
 namespace elgen {
 

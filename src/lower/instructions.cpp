@@ -1,5 +1,5 @@
 // Few are added, so that looking through all of them costs nothing.
-#include "instructions.hpp"
+#include "lower/instructions.hpp"
 
 #include <algorithm>
 

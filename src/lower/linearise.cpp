@@ -1,5 +1,5 @@
 // linearise: see linearise.hpp. Value numbering makes sure that nothing is computed twice.
-#include "linearise.hpp"
+#include "lower/linearise.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "elgen/program.hpp"
-#include "network.hpp"
+#include "lower/network.hpp"
 
 namespace elgen {
 

@@ -7,11 +7,11 @@
 
 #include <cassert>
 
-#include "cheapest.hpp"
 #include "elgen/outputs.hpp"
-#include "from_ginac.hpp"
 #include "inspect/singular_mass.hpp"
-#include "linearise.hpp"
+#include "lower/cheapest.hpp"
+#include "lower/from_ginac.hpp"
+#include "lower/linearise.hpp"
 
 namespace elgen {
 namespace {

@@ -1,6 +1,6 @@
 // make_network: Graph -> Network, numbered depth-first from the values through operands in
 // canonical order.
-#include "network.hpp"
+#include "lower/network.hpp"
 
 #include <map>
 #include <optional>

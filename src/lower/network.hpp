@@ -10,7 +10,7 @@
 // ties.
 #pragma once
 
-#include "rebuild.hpp"
+#include "lower/rebuild.hpp"
 
 namespace elgen {
 

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "graph.hpp"
+#include "lower/graph.hpp"
 
 namespace elgen {
 

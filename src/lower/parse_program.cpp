@@ -6,8 +6,8 @@
 
 #include <charconv>
 
-#include "constant_reader.hpp"
 #include "elgen/program.hpp"
+#include "lower/constant_reader.hpp"
 
 namespace elgen {
 namespace {

@@ -1,5 +1,5 @@
 // rebuild: the frame of every pass from Graph to Graph; operands are renewed before their users.
-#include "rebuild.hpp"
+#include "lower/rebuild.hpp"
 
 namespace elgen {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "graph.hpp"
+#include "lower/graph.hpp"
 
 namespace elgen {
 

@@ -8,7 +8,7 @@
 // comes first in the network.
 #pragma once
 
-#include "network.hpp"
+#include "lower/network.hpp"
 
 namespace elgen {
 

@@ -1,5 +1,5 @@
 // Contractions: the equations of the output table, each multiplied by w from the left.
-#include "contraction.hpp"
+#include "oracle/contraction.hpp"
 
 namespace elgen::oracle {
 

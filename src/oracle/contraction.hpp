@@ -2,7 +2,7 @@
 // derivatives: those of outputs that are no single derivative of an energy.
 #pragma once
 
-#include "mechanics.hpp"
+#include "oracle/mechanics.hpp"
 
 namespace elgen::oracle {
 

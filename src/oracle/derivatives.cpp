@@ -1,9 +1,9 @@
 // Derivatives, column by column.
-#include "derivatives.hpp"
+#include "oracle/derivatives.hpp"
 
 #include <algorithm>
 
-#include "solved_dynamics.hpp"
+#include "oracle/solved_dynamics.hpp"
 
 namespace elgen::oracle {
 namespace {

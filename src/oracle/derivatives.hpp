@@ -2,7 +2,7 @@
 // dynamics a solve with M. Of each all entries, one field after another, and w.X y of one field.
 #pragma once
 
-#include "mechanics.hpp"
+#include "oracle/mechanics.hpp"
 
 namespace elgen::oracle {
 

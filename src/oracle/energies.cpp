@@ -1,5 +1,5 @@
 // Energies: one term per entry of the model, in the order of the file.
-#include "energies.hpp"
+#include "oracle/energies.hpp"
 
 namespace elgen::oracle {
 namespace {

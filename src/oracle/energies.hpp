@@ -7,8 +7,8 @@
 #pragma once
 
 #include "elgen/model.hpp"
-#include "evaluation.hpp"
-#include "schedule.hpp"
+#include "oracle/evaluation.hpp"
+#include "oracle/schedule.hpp"
 
 namespace elgen::oracle {
 

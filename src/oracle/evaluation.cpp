@@ -1,7 +1,7 @@
 // Evaluation: walks the schedule once; every expression is computed from those before it.
-#include "evaluation.hpp"
+#include "oracle/evaluation.hpp"
 
-#include "rotations.hpp"
+#include "oracle/rotations.hpp"
 
 namespace elgen::oracle {
 namespace {

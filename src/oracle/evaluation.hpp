@@ -12,9 +12,9 @@
 
 #include "elgen/leaves.hpp"
 #include "elgen/model.hpp"
-#include "jet.hpp"
-#include "jet_functions.hpp"
-#include "schedule.hpp"
+#include "oracle/jet.hpp"
+#include "oracle/jet_functions.hpp"
+#include "oracle/schedule.hpp"
 
 namespace elgen::oracle {
 

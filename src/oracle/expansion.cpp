@@ -1,7 +1,7 @@
 // Expansion: the point from the model's expressions, and motions scaled towards it.
-#include "expansion.hpp"
+#include "oracle/expansion.hpp"
 
-#include "mechanics.hpp"
+#include "oracle/mechanics.hpp"
 
 namespace elgen::oracle {
 namespace {

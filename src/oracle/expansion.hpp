@@ -11,7 +11,7 @@
 
 #include "elgen/model.hpp"
 #include "elgen/oracle.hpp"
-#include "evaluation.hpp"
+#include "oracle/evaluation.hpp"
 
 namespace elgen::oracle {
 

@@ -1,11 +1,11 @@
 // Jets: sums merge terms, products multiply terms of disjoint generators, quotients go by the chain
 // rule.
-#include "jet.hpp"
+#include "oracle/jet.hpp"
 
 #include <algorithm>
 #include <bit>
 
-#include "real_functions.hpp"
+#include "oracle/real_functions.hpp"
 
 namespace elgen::oracle {
 namespace {

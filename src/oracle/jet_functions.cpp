@@ -1,5 +1,5 @@
 // Functions of jets: see the header. The derivatives are those of functions.def and nothing else.
-#include "jet_functions.hpp"
+#include "oracle/jet_functions.hpp"
 
 #include <cln/integer.h>
 

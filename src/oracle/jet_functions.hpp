@@ -10,8 +10,8 @@
 #include <cln/rational.h>
 
 #include "elgen/functions.hpp"
-#include "jet.hpp"
-#include "real_functions.hpp"
+#include "oracle/jet.hpp"
+#include "oracle/real_functions.hpp"
 
 namespace elgen::oracle {
 

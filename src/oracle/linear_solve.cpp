@@ -1,7 +1,7 @@
 // M = L D L^T: row i of L from the rows above it; forward, diagonal and backward substitution.
-#include "linear_solve.hpp"
+#include "oracle/linear_solve.hpp"
 
-#include "real_functions.hpp"
+#include "oracle/real_functions.hpp"
 
 namespace elgen::oracle {
 namespace {

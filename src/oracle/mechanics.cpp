@@ -1,7 +1,7 @@
 // Mechanics: each quantity is the coefficient of its generators in one evaluation of an energy.
-#include "mechanics.hpp"
+#include "oracle/mechanics.hpp"
 
-#include "rotations.hpp"
+#include "oracle/rotations.hpp"
 
 namespace elgen::oracle {
 namespace {

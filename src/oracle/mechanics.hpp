@@ -9,8 +9,8 @@
 
 #include "elgen/model.hpp"
 #include "elgen/oracle.hpp"
-#include "energies.hpp"
-#include "expansion.hpp"
+#include "oracle/energies.hpp"
+#include "oracle/expansion.hpp"
 
 namespace elgen::oracle {
 

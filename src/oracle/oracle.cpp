@@ -4,9 +4,9 @@
 #include <cln/exception.h>
 
 #include "base/random.hpp"
-#include "mechanics.hpp"
-#include "output_values.hpp"
-#include "real_functions.hpp"
+#include "oracle/mechanics.hpp"
+#include "oracle/output_values.hpp"
+#include "oracle/real_functions.hpp"
 
 namespace elgen {
 namespace {

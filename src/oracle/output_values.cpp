@@ -1,13 +1,13 @@
 // Output values: a row of each output: its definition, and how it is contracted.
-#include "output_values.hpp"
+#include "oracle/output_values.hpp"
 
 #include <functional>
 
-#include "contraction.hpp"
-#include "derivatives.hpp"
-#include "reaction.hpp"
-#include "rotations.hpp"
-#include "solved_dynamics.hpp"
+#include "oracle/contraction.hpp"
+#include "oracle/derivatives.hpp"
+#include "oracle/reaction.hpp"
+#include "oracle/rotations.hpp"
+#include "oracle/solved_dynamics.hpp"
 
 namespace elgen::oracle {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "elgen/oracle.hpp"
-#include "mechanics.hpp"
+#include "oracle/mechanics.hpp"
 
 namespace elgen::oracle {
 

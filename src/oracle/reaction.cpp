@@ -1,7 +1,7 @@
 // Reaction: nothing of the locked model is used but which of its entries stand where.
-#include "reaction.hpp"
+#include "oracle/reaction.hpp"
 
-#include "mechanics.hpp"
+#include "oracle/mechanics.hpp"
 
 namespace elgen::oracle {
 namespace {

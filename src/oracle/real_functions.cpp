@@ -2,7 +2,7 @@
 //
 // CLN reduces sin and exp with the digits of their argument only; so arguments are widened by the
 // digits their magnitude takes away, and the result is rounded to working precision.
-#include "real_functions.hpp"
+#include "oracle/real_functions.hpp"
 
 #include <cln/integer.h>
 #include <cln/rational.h>

@@ -1,8 +1,8 @@
 // Rotations: products of quaternions.
-#include "rotations.hpp"
+#include "oracle/rotations.hpp"
 
 #include "elgen/oracle.hpp"
-#include "real_functions.hpp"
+#include "oracle/real_functions.hpp"
 
 namespace elgen::oracle {
 

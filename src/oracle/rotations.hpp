@@ -4,7 +4,7 @@
 #include <array>
 
 #include "elgen/model.hpp"
-#include "evaluation.hpp"
+#include "oracle/evaluation.hpp"
 
 namespace elgen::oracle {
 

@@ -1,5 +1,5 @@
 // Schedule: the order of references, then time orders from users to operands.
-#include "schedule.hpp"
+#include "oracle/schedule.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // The mass matrix entry by entry, then one linear solve.
-#include "solved_dynamics.hpp"
+#include "oracle/solved_dynamics.hpp"
 
 #include <algorithm>
 
-#include "contraction.hpp"
+#include "oracle/contraction.hpp"
 
 namespace elgen::oracle {
 

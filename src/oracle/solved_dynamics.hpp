@@ -1,8 +1,8 @@
 // M a = B u - bias, solved: what forward dynamics and its derivatives start from.
 #pragma once
 
-#include "linear_solve.hpp"
-#include "mechanics.hpp"
+#include "oracle/linear_solve.hpp"
+#include "oracle/mechanics.hpp"
 
 namespace elgen::oracle {
 

@@ -1,6 +1,6 @@
 // Characters that get into expressions by typing in another alphabet or pasting from a text, and
 // what the language writes for them.
-#include "characters.hpp"
+#include "parse/characters.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Decimal numbers as rationals: digits * 10^(exponent - digits of the fraction).
-#include "decimal.hpp"
+#include "parse/decimal.hpp"
 
 #include <cln/integer.h>
 #include <fmt/format.h>

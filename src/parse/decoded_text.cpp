@@ -1,7 +1,7 @@
 // TOML strings re-read from the file: basic "…" and """…""" with escapes, literal '…' and '''…'''.
 // Every decoded byte remembers its place, so that an error inside an expression is shown where it
 // is.
-#include "decoded_text.hpp"
+#include "parse/decoded_text.hpp"
 
 #include <algorithm>
 #include <charconv>

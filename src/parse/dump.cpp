@@ -2,8 +2,8 @@
 // their headers, expressions fully bracketed, so that they parse back to the same tree.
 #include <fmt/format.h>
 
-#include "decimal.hpp"
 #include "elgen/syntax.hpp"
+#include "parse/decimal.hpp"
 
 namespace elgen {
 

@@ -1,6 +1,6 @@
 // The tables of a file against the entry table: unknown and unsupported ones, `[x]` for `[[x]]`,
 // and those a file cannot do without.
-#include "entry_reader.hpp"
+#include "parse/entry_reader.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Entries: the tables of a file, their keys checked against the key table.
 #pragma once
 
-#include "value_reader.hpp"
+#include "parse/value_reader.hpp"
 
 namespace elgen {
 

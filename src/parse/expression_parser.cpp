@@ -8,7 +8,7 @@
 //
 // Depth is counted on the way down, before the stack grows; a sum or product of any length is one
 // node.
-#include "expression_parser.hpp"
+#include "parse/expression_parser.hpp"
 
 #include <fmt/format.h>
 
@@ -16,8 +16,8 @@
 #include <deque>
 #include <utility>
 
-#include "decimal.hpp"
-#include "syntax_errors.hpp"
+#include "parse/decimal.hpp"
+#include "parse/syntax_errors.hpp"
 
 namespace elgen {
 

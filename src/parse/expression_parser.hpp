@@ -1,8 +1,8 @@
 // The expression parser: decoded text to a tree, every node with its place in the file.
 #pragma once
 
-#include "decoded_text.hpp"
 #include "elgen/syntax.hpp"
+#include "parse/decoded_text.hpp"
 
 namespace elgen {
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "elgen/wording.hpp"
-#include "entry_reader.hpp"
-#include "repetition.hpp"
+#include "parse/entry_reader.hpp"
+#include "parse/repetition.hpp"
 
 namespace elgen {
 

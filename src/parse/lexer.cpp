@@ -1,13 +1,13 @@
 // The lexer of the model language. Numbers, names, `+ - * / ^ ( ) [ ] ,`; everything else is named
 // in an error together with what the language writes for it.
-#include "lexer.hpp"
+#include "parse/lexer.hpp"
 
 #include <utility>
 
 #include "base/utf8.hpp"
-#include "characters.hpp"
-#include "decimal.hpp"
 #include "elgen/wording.hpp"
+#include "parse/characters.hpp"
+#include "parse/decimal.hpp"
 
 namespace elgen {
 

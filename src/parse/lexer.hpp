@@ -5,8 +5,8 @@
 #include <optional>
 #include <string_view>
 
-#include "decoded_text.hpp"
 #include "elgen/diagnostic.hpp"
+#include "parse/decoded_text.hpp"
 
 namespace elgen {
 

@@ -1,9 +1,9 @@
 // names_model: one look at the top-level keys.
-#include "names_model.hpp"
+#include "parse/names_model.hpp"
 
 #include <algorithm>
 
-#include "toml_document.hpp"
+#include "parse/toml_document.hpp"
 
 namespace elgen {
 

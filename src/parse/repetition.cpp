@@ -1,14 +1,14 @@
 // Repetitions:
 //
 //     "i in 1..n"   to   { index = i, low = 1, high = n }
-#include "repetition.hpp"
+#include "parse/repetition.hpp"
 
 #include <string_view>
 #include <utility>
 
 #include "elgen/wording.hpp"
-#include "expression_parser.hpp"
-#include "lexer.hpp"
+#include "parse/expression_parser.hpp"
+#include "parse/lexer.hpp"
 
 namespace elgen {
 

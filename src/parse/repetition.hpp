@@ -1,7 +1,7 @@
 // Repetitions: `for = "i in 1..n"`, or a list of such.
 #pragma once
 
-#include "value_reader.hpp"
+#include "parse/value_reader.hpp"
 
 namespace elgen {
 

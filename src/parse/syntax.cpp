@@ -9,9 +9,9 @@
 
 #include "base/utf8.hpp"
 #include "elgen/wording.hpp"
-#include "entry_reader.hpp"
-#include "expression_parser.hpp"
-#include "toml_document.hpp"
+#include "parse/entry_reader.hpp"
+#include "parse/expression_parser.hpp"
+#include "parse/toml_document.hpp"
 
 namespace elgen {
 

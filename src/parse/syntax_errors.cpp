@@ -1,6 +1,6 @@
 // Errors of the grammar of expressions. Each names the token that was met; the hint says how the
 // thing that was probably meant is written.
-#include "syntax_errors.hpp"
+#include "parse/syntax_errors.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // write.
 #pragma once
 
-#include "token_stream.hpp"
+#include "parse/token_stream.hpp"
 
 namespace elgen {
 

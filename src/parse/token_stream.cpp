@@ -1,5 +1,5 @@
 // TokenStream: a window of two tokens over the lexer.
-#include "token_stream.hpp"
+#include "parse/token_stream.hpp"
 
 #include "elgen/wording.hpp"
 

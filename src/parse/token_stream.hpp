@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lexer.hpp"
+#include "parse/lexer.hpp"
 
 namespace elgen {
 

@@ -1,15 +1,15 @@
 // TOML text to TomlValue: toml++ parses, every value is re-read at the place toml++ found it.
 // toml++ keeps tables sorted by key; here entries come back into file order.
-#include "toml_document.hpp"
+#include "parse/toml_document.hpp"
 
 #include <toml++/toml.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "toml_error.hpp"
-#include "toml_guard.hpp"
-#include "toml_positions.hpp"
+#include "parse/toml_error.hpp"
+#include "parse/toml_guard.hpp"
+#include "parse/toml_positions.hpp"
 
 namespace elgen {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "decoded_text.hpp"
 #include "elgen/diagnostic.hpp"
+#include "parse/decoded_text.hpp"
 
 namespace elgen {
 

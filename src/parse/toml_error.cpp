@@ -1,6 +1,6 @@
 // Malformed TOML: the description without its preamble, and a hint where the mistake is a usual one
 // (numbers wider than TOML's, expressions without quotes, strings that are not closed).
-#include "toml_error.hpp"
+#include "parse/toml_error.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // Finds `part.part.part…` on one line, parts bare or quoted, wherever it stands: outside of keys
 // nobody writes a hundred words with a point between each two.
-#include "toml_guard.hpp"
+#include "parse/toml_guard.hpp"
 
 namespace elgen {
 

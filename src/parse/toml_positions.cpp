@@ -1,6 +1,6 @@
 // TomlPositions: one table of code points, because a search along the line for each token would
 // take quadratic time on a file of one line.
-#include "toml_positions.hpp"
+#include "parse/toml_positions.hpp"
 
 #include <algorithm>
 #include <string_view>

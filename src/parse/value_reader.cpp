@@ -1,6 +1,6 @@
 // Values whose type needs no table: expressions, names, lists, texts, booleans, integers. A value
 // that cannot be read leaves its error in the Reading, and an empty value, which nobody sees then.
-#include "value_reader.hpp"
+#include "parse/value_reader.hpp"
 
 #include <cln/integer_ring.h>
 #include <fmt/format.h>
@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "base/utf8.hpp"
-#include "decimal.hpp"
 #include "elgen/wording.hpp"
-#include "expression_parser.hpp"
+#include "parse/decimal.hpp"
+#include "parse/expression_parser.hpp"
 
 namespace elgen {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "elgen/syntax.hpp"
-#include "toml_document.hpp"
+#include "parse/toml_document.hpp"
 
 namespace elgen {
 

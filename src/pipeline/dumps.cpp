@@ -1,5 +1,5 @@
 // dumps: each from those of the nouns it is made of.
-#include "dumps.hpp"
+#include "pipeline/dumps.hpp"
 
 namespace elgen {
 

@@ -7,9 +7,9 @@
 #include "elgen/certificate.hpp"
 #include "elgen/scene.hpp"
 #include "elgen/syntax.hpp"
-#include "parts.hpp"
-#include "presented.hpp"
-#include "readable_steps.hpp"
+#include "pipeline/parts.hpp"
+#include "pipeline/presented.hpp"
+#include "pipeline/readable_steps.hpp"
 
 namespace elgen {
 

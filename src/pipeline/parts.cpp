@@ -1,10 +1,10 @@
 // parts: picked where they are, derived where not.
-#include "parts.hpp"
+#include "pipeline/parts.hpp"
 
 #include <algorithm>
 
 #include "elgen/certificate.hpp"
-#include "recursive_program.hpp"
+#include "pipeline/recursive_program.hpp"
 
 namespace elgen {
 namespace {

@@ -1,10 +1,10 @@
 // presented: what is dropped from the parts of the equations is lost by all that is made of them.
-#include "presented.hpp"
+#include "pipeline/presented.hpp"
 
 #include <algorithm>
 
 #include "elgen/certificate.hpp"
-#include "recursive_program.hpp"
+#include "pipeline/recursive_program.hpp"
 
 namespace elgen {
 namespace {

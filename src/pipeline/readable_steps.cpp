@@ -1,5 +1,5 @@
 // readable_steps: the functions of elgen/steps.hpp, and the names of the masses.
-#include "readable_steps.hpp"
+#include "pipeline/readable_steps.hpp"
 
 #include "elgen/cancel.hpp"
 #include "elgen/choose.hpp"

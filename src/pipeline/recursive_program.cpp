@@ -1,5 +1,5 @@
 // recursive_program: the three stages one after another.
-#include "recursive_program.hpp"
+#include "pipeline/recursive_program.hpp"
 
 #include "elgen/cancel.hpp"
 #include "elgen/lower.hpp"

@@ -1,10 +1,10 @@
 // Field operations. Denominators stay products of factors that were met before, so that what one
 // division put there the next one takes away, without a general gcd.
-#include "arithmetic.hpp"
+#include "present/arithmetic.hpp"
 
 #include <algorithm>
 
-#include "polynomial.hpp"
+#include "present/polynomial.hpp"
 
 namespace elgen {
 

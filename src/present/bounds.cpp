@@ -1,12 +1,12 @@
 // TermBounds: see bounds.hpp. Every leaf of a term lies in its range by itself, so that bounds hold
 // but need not be reached.
-#include "bounds.hpp"
+#include "present/bounds.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "polynomial.hpp"
+#include "present/polynomial.hpp"
 
 namespace elgen {
 

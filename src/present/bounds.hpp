@@ -10,7 +10,7 @@
 
 #include "elgen/closed_forms.hpp"
 #include "elgen/model.hpp"
-#include "enclosure.hpp"
+#include "present/enclosure.hpp"
 
 namespace elgen {
 

@@ -1,6 +1,6 @@
 // call_slopes: an operand that carries its arithmetic, so that the laws of functions.def can be
 // written over it as they are over numbers.
-#include "call_slopes.hpp"
+#include "present/call_slopes.hpp"
 
 namespace elgen {
 namespace {

@@ -3,7 +3,7 @@
 //     tanh(x) -> 1 - tanh(x)^2      atan2(x, y) -> y/(x^2 + y^2), -x/(x^2 + y^2)
 #pragma once
 
-#include "arithmetic.hpp"
+#include "present/arithmetic.hpp"
 
 namespace elgen {
 

@@ -1,8 +1,8 @@
 // One row per output, in the notation of the table of outputs; parts of which nothing was dropped
 // lose nothing.
-#include "consequences.hpp"
+#include "present/consequences.hpp"
 
-#include "rates.hpp"
+#include "present/rates.hpp"
 
 namespace elgen {
 

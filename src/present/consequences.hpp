@@ -8,7 +8,7 @@
 
 #include <map>
 
-#include "arithmetic.hpp"
+#include "present/arithmetic.hpp"
 
 namespace elgen {
 

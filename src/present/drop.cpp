@@ -6,10 +6,10 @@
 
 #include <algorithm>
 
-#include "bounds.hpp"
-#include "consequences.hpp"
-#include "rates.hpp"
-#include "term_text.hpp"
+#include "present/bounds.hpp"
+#include "present/consequences.hpp"
+#include "present/rates.hpp"
+#include "present/term_text.hpp"
 
 namespace elgen {
 

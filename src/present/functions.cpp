@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "arithmetic.hpp"
-#include "polynomial.hpp"
+#include "present/arithmetic.hpp"
+#include "present/polynomial.hpp"
 
 namespace elgen {
 

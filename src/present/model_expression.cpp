@@ -2,11 +2,11 @@
 // what [[expect]] says is read here and compared with what was derived.
 #include <cln/integer.h>
 
-#include "arithmetic.hpp"
 #include "elgen/closed_forms.hpp"
 #include "elgen/model.hpp"
 #include "elgen/references.hpp"
-#include "polynomial.hpp"
+#include "present/arithmetic.hpp"
+#include "present/polynomial.hpp"
 
 namespace elgen {
 

@@ -1,5 +1,5 @@
 // Sparse sums, ordered by a group order, so that division and equality need no further thought.
-#include "polynomial.hpp"
+#include "present/polynomial.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -3,9 +3,9 @@
 //     0 = sin theta   1 = multiply 0 0   2 = cos theta   3 = multiply 2 2   4 = add 1 3   ->   1
 #include <algorithm>
 
-#include "arithmetic.hpp"
 #include "elgen/closed_forms.hpp"
 #include "elgen/fold.hpp"
+#include "present/arithmetic.hpp"
 
 namespace elgen {
 

@@ -1,12 +1,12 @@
 // Rates along the motion: de/dt = de/dq v + de/dv a + de/dt, by the chain rule on canonical sums.
-#include "rates.hpp"
+#include "present/rates.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "call_slopes.hpp"
 #include "elgen/model.hpp"
-#include "polynomial.hpp"
+#include "present/call_slopes.hpp"
+#include "present/polynomial.hpp"
 
 namespace elgen {
 

@@ -1,7 +1,7 @@
 // rates: the derivative of a closed form along a motion of its leaves.
 #pragma once
 
-#include "arithmetic.hpp"
+#include "present/arithmetic.hpp"
 
 namespace elgen {
 

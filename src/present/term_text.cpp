@@ -1,14 +1,14 @@
 // Terms as text. Factors stand as the model declares them: parameters, coordinates, rates, the
 // rest.
-#include "term_text.hpp"
+#include "present/term_text.hpp"
 
 #include <algorithm>
 #include <tuple>
 
 #include "base/formula.hpp"
 #include "base/number_text.hpp"
-#include "bounds.hpp"
-#include "polynomial.hpp"
+#include "present/bounds.hpp"
+#include "present/polynomial.hpp"
 
 namespace elgen {
 namespace {

@@ -1,5 +1,5 @@
 // code_tokens: one pass; lines that end with a backslash are continued, also in comments.
-#include "code_tokens.hpp"
+#include "readback/code_tokens.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // comment_reader: heading, equation, listing, with blank lines between them. Of a listing the lines
 // that continue others are joined to them, and each line is a row, an entry or a definition.
-#include "comment_reader.hpp"
+#include "readback/comment_reader.hpp"
 
 #include <fmt/format.h>
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "equation_reader.hpp"
-#include "token_reader.hpp"
+#include "readback/equation_reader.hpp"
+#include "readback/token_reader.hpp"
 
 namespace elgen {
 

@@ -1,5 +1,5 @@
 // declarations: every element of every list is compared with the model's.
-#include "declarations.hpp"
+#include "readback/declarations.hpp"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include "check/output_units.hpp"
 #include "elgen/wording.hpp"
 #include "evaluate/scalar_literal.hpp"
-#include "literal.hpp"
-#include "number_reader.hpp"
+#include "readback/literal.hpp"
+#include "readback/number_reader.hpp"
 
 namespace elgen {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "dialect.hpp"
-#include "expression_reader.hpp"
-#include "token_reader.hpp"
+#include "readback/dialect.hpp"
+#include "readback/expression_reader.hpp"
+#include "readback/token_reader.hpp"
 
 namespace elgen {
 

@@ -1,5 +1,5 @@
 // dialect: what functions read, and how their files write it.
-#include "dialect.hpp"
+#include "readback/dialect.hpp"
 
 #include <algorithm>
 #include <set>

@@ -1,6 +1,6 @@
 // equation_reader: the parser of models reads the text; names are leaves, rates of leaves, and
 // definitions that stand above.
-#include "equation_reader.hpp"
+#include "readback/equation_reader.hpp"
 
 #include <fmt/format.h>
 

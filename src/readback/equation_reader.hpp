@@ -10,9 +10,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "dialect.hpp"
 #include "elgen/evaluate.hpp"
 #include "elgen/syntax.hpp"
+#include "readback/dialect.hpp"
 
 namespace elgen {
 

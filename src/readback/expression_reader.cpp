@@ -1,11 +1,11 @@
 // expression_reader: recursive descent; a name is an argument, a local, or what it calls.
-#include "expression_reader.hpp"
+#include "readback/expression_reader.hpp"
 
 #include <algorithm>
 
 #include "elgen/wording.hpp"
 #include "evaluate/scalar_literal.hpp"
-#include "literal.hpp"
+#include "readback/literal.hpp"
 
 namespace elgen {
 namespace {

@@ -14,10 +14,10 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "dialect.hpp"
 #include "elgen/arguments.hpp"
-#include "token_reader.hpp"
-#include "value_graph.hpp"
+#include "readback/dialect.hpp"
+#include "readback/token_reader.hpp"
+#include "readback/value_graph.hpp"
 
 namespace elgen {
 

@@ -1,5 +1,5 @@
 // function_reader: one statement after another; the n-th one is the n-th named instruction.
-#include "function_reader.hpp"
+#include "readback/function_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "elgen/fold.hpp"
 #include "elgen/wording.hpp"
-#include "literal.hpp"
+#include "readback/literal.hpp"
 
 namespace elgen {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "expression_reader.hpp"
+#include "readback/expression_reader.hpp"
 
 namespace elgen {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "elgen/wording.hpp"
-#include "function_reader.hpp"
+#include "readback/function_reader.hpp"
 
 namespace elgen {
 

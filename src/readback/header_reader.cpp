@@ -1,17 +1,17 @@
 // header_reader: the holes of each picture, and who reads them.
-#include "header_reader.hpp"
+#include "readback/header_reader.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <memory>
 
-#include "comment_reader.hpp"
-#include "declarations.hpp"
 #include "evaluate/scalar_literal.hpp"
-#include "function_reader.hpp"
-#include "number_reader.hpp"
-#include "operation_table.hpp"
-#include "picture.hpp"
+#include "readback/comment_reader.hpp"
+#include "readback/declarations.hpp"
+#include "readback/function_reader.hpp"
+#include "readback/number_reader.hpp"
+#include "readback/operation_table.hpp"
+#include "readback/picture.hpp"
 
 namespace elgen {
 namespace {

@@ -1,10 +1,10 @@
 // header_reader: a header of each shape, from the first token to the last.
 #pragma once
 
-#include "dialect.hpp"
-#include "equation_reader.hpp"
-#include "expression_reader.hpp"
-#include "token_reader.hpp"
+#include "readback/dialect.hpp"
+#include "readback/equation_reader.hpp"
+#include "readback/expression_reader.hpp"
+#include "readback/token_reader.hpp"
 
 namespace elgen {
 

@@ -1,5 +1,5 @@
 // literal: the digits are read as those of a model are, never through a binary number.
-#include "literal.hpp"
+#include "readback/literal.hpp"
 
 #include "base/number_text.hpp"
 #include "elgen/evaluate.hpp"

@@ -1,5 +1,5 @@
 // number_reader: three literals, and a fraction of integers in chunks of six digits.
-#include "number_reader.hpp"
+#include "readback/number_reader.hpp"
 
 #include <cln/integer.h>
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 #include "elgen/constant.hpp"
 #include "elgen/wording.hpp"
 #include "evaluate/scalar_literal.hpp"
-#include "literal.hpp"
+#include "readback/literal.hpp"
 
 namespace elgen {
 namespace {

@@ -7,7 +7,7 @@
 #include <cln/real.h>
 
 #include "elgen/scene.hpp"
-#include "token_reader.hpp"
+#include "readback/token_reader.hpp"
 
 namespace elgen {
 

@@ -1,5 +1,5 @@
 // operation_table: the words of each row, one row per function.
-#include "operation_table.hpp"
+#include "readback/operation_table.hpp"
 
 #include <fmt/format.h>
 

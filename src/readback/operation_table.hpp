@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "dialect.hpp"
+#include "readback/dialect.hpp"
 
 namespace elgen {
 

@@ -1,13 +1,13 @@
 // page_reader: one row of the table for each parameter of the model, fixed ones too.
-#include "page_reader.hpp"
+#include "readback/page_reader.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "elgen/wording.hpp"
-#include "operation_table.hpp"
-#include "token_reader.hpp"
+#include "readback/operation_table.hpp"
+#include "readback/token_reader.hpp"
 
 namespace elgen {
 namespace {

@@ -2,8 +2,8 @@
 // are LaTeX, which is not read.
 #pragma once
 
-#include "dialect.hpp"
-#include "equation_reader.hpp"
+#include "readback/dialect.hpp"
+#include "readback/equation_reader.hpp"
 
 namespace elgen {
 

@@ -1,5 +1,5 @@
 // picture: sections that hold comments alone are left out, for comments are no tokens.
-#include "picture.hpp"
+#include "readback/picture.hpp"
 
 #include <stdexcept>
 

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "token_reader.hpp"
+#include "readback/token_reader.hpp"
 
 namespace elgen {
 

@@ -5,10 +5,10 @@
 
 #include "elgen/artifacts.hpp"
 #include "elgen/wording.hpp"
-#include "header_reader.hpp"
-#include "page_reader.hpp"
-#include "sidecar_reader.hpp"
-#include "text_reader.hpp"
+#include "readback/header_reader.hpp"
+#include "readback/page_reader.hpp"
+#include "readback/sidecar_reader.hpp"
+#include "readback/text_reader.hpp"
 
 namespace elgen {
 namespace {

@@ -1,5 +1,5 @@
 // sidecar_reader: each object has the keys it should have and no others.
-#include "sidecar_reader.hpp"
+#include "readback/sidecar_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "check/output_units.hpp"
 #include "elgen/wording.hpp"
-#include "token_reader.hpp"
+#include "readback/token_reader.hpp"
 
 namespace elgen {
 namespace {

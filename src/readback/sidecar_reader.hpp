@@ -2,8 +2,8 @@
 // definitions by value, values of parameters, counts of operations.
 #pragma once
 
-#include "dialect.hpp"
-#include "equation_reader.hpp"
+#include "readback/dialect.hpp"
+#include "readback/equation_reader.hpp"
 
 namespace elgen {
 

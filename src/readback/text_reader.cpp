@@ -1,12 +1,12 @@
 // text_reader: a section is the name of a function behind a blank line, and one equation a line.
-#include "text_reader.hpp"
+#include "readback/text_reader.hpp"
 
 #include <fmt/format.h>
 
 #include <vector>
 
 #include "elgen/wording.hpp"
-#include "token_reader.hpp"
+#include "readback/token_reader.hpp"
 
 namespace elgen {
 namespace {

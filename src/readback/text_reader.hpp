@@ -5,8 +5,8 @@
 //       gravity[2] = -m*l*g*sin(theta)
 #pragma once
 
-#include "dialect.hpp"
-#include "equation_reader.hpp"
+#include "readback/dialect.hpp"
+#include "readback/equation_reader.hpp"
 
 namespace elgen {
 

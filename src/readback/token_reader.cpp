@@ -1,5 +1,5 @@
 // TokenReader: E915, with the place in the text that would have been written.
-#include "token_reader.hpp"
+#include "readback/token_reader.hpp"
 
 #include <charconv>
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "code_tokens.hpp"
 #include "elgen/diagnostic.hpp"
+#include "readback/code_tokens.hpp"
 
 namespace elgen {
 

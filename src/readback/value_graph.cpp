@@ -1,5 +1,5 @@
 // value_graph: nodes are instructions whose operands carry signs; each is kept once.
-#include "value_graph.hpp"
+#include "readback/value_graph.hpp"
 
 #include <fmt/format.h>
 

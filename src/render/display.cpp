@@ -1,13 +1,13 @@
 // display: measured in letters, which is what a page of LaTeX, of GitHub and of HTML have in
 // common.
-#include "display.hpp"
+#include "render/display.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 
-#include "latex_tree.hpp"
+#include "render/latex_tree.hpp"
 
 namespace elgen {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "elgen/render.hpp"
-#include "headings.hpp"
+#include "render/headings.hpp"
 
 namespace elgen {
 namespace {

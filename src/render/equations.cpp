@@ -10,8 +10,8 @@
 #include <algorithm>
 
 #include "elgen/render.hpp"
-#include "function_formulas.hpp"
-#include "symbols.hpp"
+#include "render/function_formulas.hpp"
+#include "render/symbols.hpp"
 
 namespace elgen {
 namespace {

@@ -1,5 +1,5 @@
 // function_formulas: one walk over the operands, whatever the language.
-#include "function_formulas.hpp"
+#include "render/function_formulas.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // headings: symbols and equations of the output table, in LaTeX and in the model's own symbols.
-#include "headings.hpp"
+#include "render/headings.hpp"
 
 #include <fmt/format.h>
 
-#include "symbols.hpp"
+#include "render/symbols.hpp"
 
 namespace elgen {
 namespace {

@@ -1,9 +1,9 @@
 // html_page: a Sheet as one page of HTML with MathML Core, translated from the LaTeX.
 #include <fmt/format.h>
 
-#include "display.hpp"
 #include "elgen/render.hpp"
-#include "latex_tree.hpp"
+#include "render/display.hpp"
+#include "render/latex_tree.hpp"
 
 namespace elgen {
 namespace {

@@ -1,8 +1,8 @@
 // latex_document: a Sheet as a complete document; amsmath and longtable are all it needs.
 #include <fmt/format.h>
 
-#include "display.hpp"
 #include "elgen/render.hpp"
+#include "render/display.hpp"
 
 namespace elgen {
 namespace {

@@ -4,7 +4,7 @@
 //                                                 \left. {} + d \right) e
 #include <algorithm>
 
-#include "latex_tree.hpp"
+#include "render/latex_tree.hpp"
 
 namespace elgen {
 namespace {

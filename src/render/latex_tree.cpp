@@ -1,5 +1,5 @@
 // latex_tree: a reader of commands, groups and scripts, and the widths of what it read.
-#include "latex_tree.hpp"
+#include "render/latex_tree.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "base/utf8.hpp"
 #include "elgen/functions.hpp"
-#include "symbols.hpp"
+#include "render/symbols.hpp"
 
 namespace elgen {
 namespace {

@@ -1,8 +1,8 @@
 // markdown_page: a Sheet as GitHub Markdown, formulas in blocks of $$.
 #include <fmt/format.h>
 
-#include "display.hpp"
 #include "elgen/render.hpp"
+#include "render/display.hpp"
 
 namespace elgen {
 namespace {

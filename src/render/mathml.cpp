@@ -1,7 +1,7 @@
 // mathml: a LatexTree -> MathML Core, one element per piece.
 #include <fmt/format.h>
 
-#include "latex_tree.hpp"
+#include "render/latex_tree.hpp"
 
 namespace elgen {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "base/number_text.hpp"
 #include "elgen/render.hpp"
-#include "headings.hpp"
-#include "symbols.hpp"
+#include "render/headings.hpp"
+#include "render/symbols.hpp"
 
 namespace elgen {
 namespace {

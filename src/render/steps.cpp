@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "elgen/render.hpp"
-#include "symbols.hpp"
+#include "render/symbols.hpp"
 
 namespace elgen {
 namespace {

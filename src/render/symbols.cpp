@@ -1,5 +1,5 @@
 // symbols: letters first, digits and what follows an underscore below the line.
-#include "symbols.hpp"
+#include "render/symbols.hpp"
 
 #include <fmt/format.h>
 

@@ -2,12 +2,12 @@
 //
 //     before    x = l*cos(q1) + l*cos(q1 + q2)     q = (q1, q2)     q1 locked at 0
 //     after     x = l + l*cos(q2)                  q = (q2)
-#include "lock.hpp"
+#include "specialise/lock.hpp"
 
 #include <algorithm>
 #include <memory>
 
-#include "replace.hpp"
+#include "specialise/replace.hpp"
 
 namespace elgen {
 

@@ -1,5 +1,5 @@
 // Every expression a Lagrangian holds, in the order of its members.
-#include "replace.hpp"
+#include "specialise/replace.hpp"
 
 namespace elgen {
 

@@ -1,12 +1,12 @@
 // The driver of a C header, for its one scalar.
 #include <fmt/format.h>
 
-#include "driver_parts.hpp"
 #include "elgen/artifacts.hpp"
 #include "emit/arguments.hpp"
 #include "emit/emission_input.hpp"
 #include "emit/fields.hpp"
 #include "evaluate/scalar_literal.hpp"
+#include "toolchain/driver_parts.hpp"
 
 namespace elgen {
 namespace {

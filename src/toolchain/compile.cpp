@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "base/no_interrupts.hpp"
-#include "compiler.hpp"
-#include "driver.hpp"
 #include "elgen/toolchain.hpp"
-#include "temporary_directory.hpp"
+#include "toolchain/compiler.hpp"
+#include "toolchain/driver.hpp"
+#include "toolchain/temporary_directory.hpp"
 
 namespace elgen {
 namespace {

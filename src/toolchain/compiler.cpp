@@ -1,5 +1,5 @@
 // The user's compiler: $CXX where it is set, else c++, g++, clang++, whichever answers first.
-#include "compiler.hpp"
+#include "toolchain/compiler.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "plain_text.hpp"
+#include "toolchain/plain_text.hpp"
 
 namespace elgen {
 namespace {

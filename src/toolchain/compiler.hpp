@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "driver.hpp"
 #include "elgen/diagnostic.hpp"
-#include "process.hpp"
+#include "toolchain/driver.hpp"
+#include "toolchain/process.hpp"
 
 namespace elgen {
 

@@ -1,13 +1,13 @@
 // The drivers of C++: of the header on arrays, and of the one on types of Eigen.
 #include <fmt/format.h>
 
-#include "driver_parts.hpp"
 #include "elgen/artifacts.hpp"
 #include "emit/arguments.hpp"
 #include "emit/cpp_names.hpp"
 #include "emit/emission_input.hpp"
 #include "emit/fields.hpp"
 #include "evaluate/scalar_literal.hpp"
+#include "toolchain/driver_parts.hpp"
 
 namespace elgen {
 namespace {

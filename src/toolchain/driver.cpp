@@ -3,18 +3,18 @@
 //
 //     void elgen_driver_double_0(const double* p, const double* q, const double* v,
 //                                const double* a, const double* u, double t, double* result);
-#include "driver.hpp"
+#include "toolchain/driver.hpp"
 
 #include <fmt/format.h>
 
 #include <set>
 
-#include "driver_parts.hpp"
 #include "elgen/artifacts.hpp"
 #include "emit/arguments.hpp"
 #include "emit/fields.hpp"
 #include "emit/parameters.hpp"
 #include "emit/scalar_range.hpp"
+#include "toolchain/driver_parts.hpp"
 
 namespace elgen {
 namespace {

@@ -1,7 +1,7 @@
 // What the drivers of all languages are put together from.
 #pragma once
 
-#include "driver.hpp"
+#include "toolchain/driver.hpp"
 
 namespace elgen {
 

@@ -1,6 +1,6 @@
 // plain_text: escape sequences are those of ECMA-48: ESC [ parameters letter, ESC ] text BEL, and
 // ESC with one character.
-#include "plain_text.hpp"
+#include "toolchain/plain_text.hpp"
 
 #include "base/utf8.hpp"
 

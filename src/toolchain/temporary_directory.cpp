@@ -1,7 +1,7 @@
 // TemporaryDirectory: mkdtemp under $TMPDIR or /tmp, removed recursively by the destructor. Failing
 // to remove is not reported: nothing depends on it. Memory may be short once, where that is why the
 // owner goes.
-#include "temporary_directory.hpp"
+#include "toolchain/temporary_directory.hpp"
 
 #include <cstdlib>
 #include <new>

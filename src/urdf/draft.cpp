@@ -1,9 +1,9 @@
 // A robot's tree, link by link, into the tables of a model.
-#include "draft.hpp"
+#include "urdf/draft.hpp"
 
 #include <fmt/format.h>
 
-#include "drafting.hpp"
+#include "urdf/drafting.hpp"
 
 namespace elgen::urdf {
 

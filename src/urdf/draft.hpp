@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tree.hpp"
+#include "urdf/tree.hpp"
 
 namespace elgen::urdf {
 

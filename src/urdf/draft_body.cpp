@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "drafting.hpp"
+#include "urdf/drafting.hpp"
 
 namespace elgen::urdf {
 

@@ -1,7 +1,7 @@
 // A joint's origin and its motion as frames of the model.
 #include <fmt/format.h>
 
-#include "drafting.hpp"
+#include "urdf/drafting.hpp"
 
 namespace elgen::urdf {
 

@@ -1,7 +1,7 @@
 // A joint: its coordinates, and the forces along them.
 #include <fmt/format.h>
 
-#include "drafting.hpp"
+#include "urdf/drafting.hpp"
 
 namespace elgen::urdf {
 

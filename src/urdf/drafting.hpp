@@ -1,10 +1,10 @@
 // The parts of make_draft(): each adds what one joint or link is in the model.
 #pragma once
 
-#include "draft.hpp"
-#include "expressions.hpp"
-#include "glossary.hpp"
-#include "rotations.hpp"
+#include "urdf/draft.hpp"
+#include "urdf/expressions.hpp"
+#include "urdf/glossary.hpp"
+#include "urdf/rotations.hpp"
 
 namespace elgen::urdf {
 

@@ -1,5 +1,5 @@
 // Takes an element apart, and remembers what was taken.
-#include "element_reader.hpp"
+#include "urdf/element_reader.hpp"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "robot.hpp"
+#include "urdf/robot.hpp"
 
 namespace elgen::urdf {
 

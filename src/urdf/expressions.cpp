@@ -1,5 +1,5 @@
 // Sums, products and quotients of short expressions.
-#include "expressions.hpp"
+#include "urdf/expressions.hpp"
 
 #include <fmt/format.h>
 

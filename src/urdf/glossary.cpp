@@ -1,6 +1,6 @@
 // Coordinates are named first, then frames: where a joint and its link share a name, the joint
 // keeps it.
-#include "glossary.hpp"
+#include "urdf/glossary.hpp"
 
 #include <fmt/format.h>
 

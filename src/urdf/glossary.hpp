@@ -1,8 +1,8 @@
 // Glossary: the names of a model being made, and the parameters that its numbers become.
 #pragma once
 
-#include "draft.hpp"
-#include "names.hpp"
+#include "urdf/draft.hpp"
+#include "urdf/names.hpp"
 
 namespace elgen::urdf {
 

@@ -1,8 +1,8 @@
 // import_urdf: XML -> Robot -> Tree -> Draft -> text.
 #include <utility>
 
-#include "draft.hpp"
 #include "elgen/urdf.hpp"
+#include "urdf/draft.hpp"
 
 namespace elgen {
 

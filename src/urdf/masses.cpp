@@ -3,7 +3,7 @@
 
 #include "elgen/inertia.hpp"
 #include "elgen/wording.hpp"
-#include "tree.hpp"
+#include "urdf/tree.hpp"
 
 namespace elgen::urdf {
 

@@ -1,5 +1,5 @@
 // Texts of a URDF to names of a model.
-#include "names.hpp"
+#include "urdf/names.hpp"
 
 #include <algorithm>
 #include <array>

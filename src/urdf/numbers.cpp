@@ -1,5 +1,5 @@
 // Numbers: C's decimal notation, which URDF files are written in, to that of TOML.
-#include "numbers.hpp"
+#include "urdf/numbers.hpp"
 
 #include <fmt/format.h>
 

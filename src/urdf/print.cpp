@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "draft.hpp"
-#include "toml_text.hpp"
+#include "urdf/draft.hpp"
+#include "urdf/toml_text.hpp"
 
 namespace elgen::urdf {
 

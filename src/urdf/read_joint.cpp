@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "element_reader.hpp"
 #include "elgen/wording.hpp"
-#include "rotations.hpp"
+#include "urdf/element_reader.hpp"
+#include "urdf/rotations.hpp"
 
 namespace elgen::urdf {
 

@@ -1,7 +1,7 @@
 // <link>: its mass and inertia; shapes are no mechanics.
 #include <fmt/format.h>
 
-#include "element_reader.hpp"
+#include "urdf/element_reader.hpp"
 
 namespace elgen::urdf {
 

@@ -2,8 +2,8 @@
 // they stand for is missing.
 #include <fmt/format.h>
 
-#include "element_reader.hpp"
 #include "elgen/wording.hpp"
+#include "urdf/element_reader.hpp"
 
 namespace elgen::urdf {
 

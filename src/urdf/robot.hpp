@@ -10,8 +10,8 @@
 
 #include "elgen/diagnostic.hpp"
 #include "elgen/limits.hpp"
-#include "numbers.hpp"
-#include "xml.hpp"
+#include "urdf/numbers.hpp"
+#include "urdf/xml.hpp"
 
 namespace elgen::urdf {
 

@@ -1,5 +1,5 @@
 // Quarter turns are signed permutations of the axes, so what they turn keeps its digits.
-#include "rotations.hpp"
+#include "urdf/rotations.hpp"
 
 #include <cln/rational.h>
 #include <cln/real.h>

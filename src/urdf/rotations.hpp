@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "numbers.hpp"
+#include "urdf/numbers.hpp"
 
 namespace elgen::urdf {
 

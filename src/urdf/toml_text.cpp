@@ -1,5 +1,5 @@
 // Quoting, and columns.
-#include "toml_text.hpp"
+#include "urdf/toml_text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Names become indices, and the joints a tree.
-#include "tree.hpp"
+#include "urdf/tree.hpp"
 
 #include <fmt/format.h>
 

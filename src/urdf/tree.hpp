@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "robot.hpp"
+#include "urdf/robot.hpp"
 
 namespace elgen::urdf {
 

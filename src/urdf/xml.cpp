@@ -1,6 +1,6 @@
 // tinyxml2 parses in place: names and values are pointers into its copy of the text. So the place
 // of a piece is the difference of two pointers, once the first piece has been found in the source.
-#include "xml.hpp"
+#include "urdf/xml.hpp"
 
 #include <fmt/format.h>
 #include <tinyxml2.h>

@@ -1,5 +1,5 @@
 // Program against oracle: what the visits to all states say of each field, tallied.
-#include "accuracy.hpp"
+#include "verify/accuracy.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "elgen/outputs.hpp"
-#include "tally.hpp"
+#include "verify/tally.hpp"
 
 namespace elgen {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "elgen/certificate.hpp"
-#include "visit.hpp"
+#include "verify/visit.hpp"
 
 namespace elgen {
 

@@ -1,5 +1,5 @@
 // The one rule, and the two numbers in it.
-#include "agreement.hpp"
+#include "verify/agreement.hpp"
 
 namespace elgen {
 namespace {

@@ -1,7 +1,7 @@
 // Agreement: when an exact number of the program and one of the oracle are the same.
 #pragma once
 
-#include "oracle_cache.hpp"
+#include "verify/oracle_cache.hpp"
 
 namespace elgen {
 

@@ -1,6 +1,6 @@
 // The figure of a balance. One scale for all entries: an entry that is zero on paper has terms of
 // rounding alone.
-#include "balance.hpp"
+#include "verify/balance.hpp"
 
 namespace elgen {
 

@@ -1,6 +1,6 @@
 // Bitwise comparison. Both sides do the same operations in the same order on one machine with one
 // libm and without contraction, so nothing may differ.
-#include "compiled_code.hpp"
+#include "verify/compiled_code.hpp"
 
 #include <fmt/format.h>
 

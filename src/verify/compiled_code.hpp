@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "elgen/certificate.hpp"
-#include "states.hpp"
+#include "verify/states.hpp"
 
 namespace elgen {
 

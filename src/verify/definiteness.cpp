@@ -10,8 +10,8 @@
 #include <cmath>
 
 #include "elgen/certificate.hpp"
-#include "pivots.hpp"
-#include "states.hpp"
+#include "verify/pivots.hpp"
+#include "verify/states.hpp"
 
 namespace elgen {
 namespace {

@@ -1,9 +1,9 @@
 // Values and derivatives of a program at one state, in 64 digits.
-#include "exact_values.hpp"
+#include "verify/exact_values.hpp"
 
-#include "balance.hpp"
 #include "check/requests.hpp"
 #include "elgen/outputs.hpp"
+#include "verify/balance.hpp"
 
 namespace elgen {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "evaluate/dual.hpp"
-#include "subject.hpp"
+#include "verify/subject.hpp"
 
 namespace elgen {
 

@@ -1,7 +1,7 @@
 // Expectations: proved where that succeeds. Otherwise two exact functions of the model agree where
 // they agree to 45 digits at 64 random points; the row says that it was sampled, since that is no
 // proof.
-#include "expectations.hpp"
+#include "verify/expectations.hpp"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 
 #include "base/random.hpp"
 #include "check/requests.hpp"
-#include "proofs.hpp"
-#include "tally.hpp"
+#include "verify/proofs.hpp"
+#include "verify/tally.hpp"
 
 namespace elgen {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "elgen/certificate.hpp"
-#include "subject.hpp"
+#include "verify/subject.hpp"
 
 namespace elgen {
 

@@ -1,5 +1,5 @@
 // The places of all fields, in the order of the program.
-#include "field_place.hpp"
+#include "verify/field_place.hpp"
 
 namespace elgen {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "own_bound.hpp"
-#include "subject.hpp"
+#include "verify/own_bound.hpp"
+#include "verify/subject.hpp"
 
 namespace elgen {
 

@@ -1,9 +1,9 @@
 // The identities, each a balance of 64-digit values and derivatives. Notation: q, v, a, u, t; M, C,
 // g, B; E = v.dL/dv - L; p = dL/dv; T, V0, V1 as in the table of outputs.
-#include "identities.hpp"
+#include "verify/identities.hpp"
 
 #include "elgen/outputs.hpp"
-#include "twist.hpp"
+#include "verify/twist.hpp"
 
 namespace elgen {
 namespace {

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "balance.hpp"
-#include "exact_values.hpp"
+#include "verify/balance.hpp"
+#include "verify/exact_values.hpp"
 
 namespace elgen {
 

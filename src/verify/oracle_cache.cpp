@@ -1,6 +1,6 @@
 // Values of the oracle, kept per output: `dynamics` and the functions it repeats ask for the same
 // ones.
-#include "oracle_cache.hpp"
+#include "verify/oracle_cache.hpp"
 
 #include "check/requests.hpp"
 #include "elgen/oracle.hpp"

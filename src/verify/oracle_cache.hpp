@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "subject.hpp"
+#include "verify/subject.hpp"
 
 namespace elgen {
 

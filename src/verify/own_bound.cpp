@@ -1,5 +1,5 @@
 // Running bounds along a function, and errors measured in them.
-#include "own_bound.hpp"
+#include "verify/own_bound.hpp"
 
 #include <algorithm>
 #include <cmath>

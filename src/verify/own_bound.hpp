@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "evaluate/bounded.hpp"
-#include "subject.hpp"
+#include "verify/subject.hpp"
 
 namespace elgen {
 

@@ -1,5 +1,5 @@
 // Pivots by the solver of the oracle, the right side being 0.
-#include "pivots.hpp"
+#include "verify/pivots.hpp"
 
 #include <cln/exception.h>
 

@@ -1,14 +1,14 @@
 // Projections against oracle_contraction. Relative pivots are compared with the oracle's own solve
 // for up to four coordinates, and for more of them with the pivots of the program's mass matrix,
 // which is checked itself.
-#include "projection.hpp"
+#include "verify/projection.hpp"
 
 #include <fmt/format.h>
 
-#include "agreement.hpp"
 #include "elgen/outputs.hpp"
-#include "pivots.hpp"
-#include "stated_error.hpp"
+#include "verify/agreement.hpp"
+#include "verify/pivots.hpp"
+#include "verify/stated_error.hpp"
 
 namespace elgen {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "base/random.hpp"
-#include "field_place.hpp"
-#include "oracle_cache.hpp"
+#include "verify/field_place.hpp"
+#include "verify/oracle_cache.hpp"
 
 namespace elgen {
 

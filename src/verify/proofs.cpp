@@ -1,6 +1,6 @@
 // Proofs: see proofs.hpp. The author's form comes straight from the model, the derived one from the
 // program, so that they share nothing but the ring they are compared in.
-#include "proofs.hpp"
+#include "verify/proofs.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "elgen/closed_forms.hpp"
-#include "subject.hpp"
+#include "verify/subject.hpp"
 
 namespace elgen {
 

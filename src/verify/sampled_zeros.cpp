@@ -1,5 +1,5 @@
 // sampled_zeros: what the certificate says of the zeros that cancel sampled (elgen/cancel.hpp).
-#include "sampled_zeros.hpp"
+#include "verify/sampled_zeros.hpp"
 
 #include <fmt/format.h>
 

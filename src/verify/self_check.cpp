@@ -8,10 +8,10 @@
 
 #include "elgen/certificate.hpp"
 #include "elgen/wording.hpp"
-#include "sampled_zeros.hpp"
-#include "time_share.hpp"
-#include "undefined_expression.hpp"
-#include "visit.hpp"
+#include "verify/sampled_zeros.hpp"
+#include "verify/time_share.hpp"
+#include "verify/undefined_expression.hpp"
+#include "verify/visit.hpp"
 
 namespace elgen {
 namespace {

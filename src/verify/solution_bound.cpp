@@ -1,5 +1,5 @@
 // Solution bounds from the bounds of M, b and db/d(q, v, u).
-#include "solution_bound.hpp"
+#include "verify/solution_bound.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-#include "field_place.hpp"
+#include "verify/field_place.hpp"
 
 namespace elgen {
 

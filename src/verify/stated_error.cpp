@@ -1,5 +1,5 @@
 // constant + sum_j by_acceleration[j] |a_j|
-#include "stated_error.hpp"
+#include "verify/stated_error.hpp"
 
 namespace elgen {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "subject.hpp"
+#include "verify/subject.hpp"
 
 namespace elgen {
 

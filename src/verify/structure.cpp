@@ -1,6 +1,6 @@
 // The rows of structure: the table of identities, and the two properties of M that are no
 // identities.
-#include "structure.hpp"
+#include "verify/structure.hpp"
 
 #include <fmt/format.h>
 
@@ -9,9 +9,9 @@
 
 #include "check/requests.hpp"
 #include "elgen/outputs.hpp"
-#include "identities.hpp"
-#include "pivots.hpp"
-#include "tally.hpp"
+#include "verify/identities.hpp"
+#include "verify/pivots.hpp"
+#include "verify/tally.hpp"
 
 namespace elgen {
 namespace {

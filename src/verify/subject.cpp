@@ -1,5 +1,5 @@
 // States between views: binary arguments become exact rationals, and text for people.
-#include "subject.hpp"
+#include "verify/subject.hpp"
 
 #include <cln/dfloat.h>
 #include <cln/ffloat.h>

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "elgen/certificate.hpp"
-#include "subject.hpp"
+#include "verify/subject.hpp"
 
 namespace elgen {
 

@@ -1,5 +1,5 @@
 // Two states are a check of their own: what one of them hides, by chance, the other shows.
-#include "time_share.hpp"
+#include "verify/time_share.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // The twist is a form, linear in a pose and linear in its rate, so that its rate is that form
 // twice.
-#include "twist.hpp"
+#include "verify/twist.hpp"
 
 namespace elgen {
 namespace {

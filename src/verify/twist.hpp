@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "balance.hpp"
+#include "verify/balance.hpp"
 
 namespace elgen {
 

@@ -1,5 +1,5 @@
 // Asks the oracle for every quotient, power and call that the output is made of.
-#include "undefined_expression.hpp"
+#include "verify/undefined_expression.hpp"
 
 #include <algorithm>
 

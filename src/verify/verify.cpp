@@ -4,14 +4,14 @@
 #include <numeric>
 #include <utility>
 
-#include "accuracy.hpp"
-#include "compiled_code.hpp"
 #include "elgen/certificate.hpp"
 #include "emit/scalar_range.hpp"
-#include "expectations.hpp"
-#include "sampled_zeros.hpp"
-#include "states.hpp"
-#include "structure.hpp"
+#include "verify/accuracy.hpp"
+#include "verify/compiled_code.hpp"
+#include "verify/expectations.hpp"
+#include "verify/sampled_zeros.hpp"
+#include "verify/states.hpp"
+#include "verify/structure.hpp"
 
 namespace elgen {
 namespace {

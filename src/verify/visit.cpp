@@ -1,5 +1,5 @@
 // Visits: runs of one function after another, each compared and measured once.
-#include "visit.hpp"
+#include "verify/visit.hpp"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,11 @@
 #include <cmath>
 #include <limits>
 
-#include "agreement.hpp"
 #include "base/more_digits.hpp"
 #include "elgen/outputs.hpp"
-#include "projection.hpp"
-#include "stated_error.hpp"
+#include "verify/agreement.hpp"
+#include "verify/projection.hpp"
+#include "verify/stated_error.hpp"
 
 namespace elgen {
 namespace {

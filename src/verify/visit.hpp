@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "base/random.hpp"
-#include "field_place.hpp"
-#include "oracle_cache.hpp"
-#include "solution_bound.hpp"
-#include "states.hpp"
+#include "verify/field_place.hpp"
+#include "verify/oracle_cache.hpp"
+#include "verify/solution_bound.hpp"
+#include "verify/states.hpp"
 
 namespace elgen {
 
