@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "base/number_text.hpp"
-#include "check/read_approximate.hpp"
-#include "check/scene_reader.hpp"
+#include "check/scene/read_approximate.hpp"
+#include "check/scene/scene_reader.hpp"
 #include "elgen/scene.hpp"
 
 namespace elgen {

@@ -2,10 +2,10 @@
 // outputs themselves go shorter ways (derivation.hpp); tests compare the two.
 #include "elgen/steps.hpp"
 
-#include "derive/derivation.hpp"
-#include "derive/energies.hpp"
-#include "derive/forces.hpp"
-#include "derive/turning.hpp"
+#include "derive/lagrangian/derivation.hpp"
+#include "derive/lagrangian/turning.hpp"
+#include "derive/outputs/energies.hpp"
+#include "derive/outputs/forces.hpp"
 
 namespace elgen {
 

@@ -1,10 +1,10 @@
 // artifacts: a row of each kind.
 #include "emit/artifacts.hpp"
 
-#include "emit/c99_artifact.hpp"
-#include "emit/cpp_artifacts.hpp"
-#include "emit/markdown.hpp"
-#include "emit/sidecar.hpp"
+#include "emit/c99/c99_artifact.hpp"
+#include "emit/cpp/cpp_artifacts.hpp"
+#include "emit/pages/markdown.hpp"
+#include "emit/pages/sidecar.hpp"
 
 namespace elgen {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "elgen/artifacts.hpp"
-#include "emit/emission_input.hpp"
+#include "emit/text/emission_input.hpp"
 
 namespace elgen {
 

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "emit/artifacts.hpp"
-#include "emit/emission_input.hpp"
-#include "emit/scalar_range.hpp"
+#include "emit/text/emission_input.hpp"
+#include "emit/text/scalar_range.hpp"
 
 namespace elgen {
 

@@ -6,7 +6,7 @@
 //
 // check has evaluated what is written out. Here names are followed, operands before users, by the
 // same evaluate_constant(); what is known to too few digits proves nothing.
-#include "check/constants.hpp"
+#include "check/names/constants.hpp"
 
 #include <cln/real_ring.h>
 #include <fmt/format.h>

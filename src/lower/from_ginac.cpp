@@ -7,7 +7,7 @@
 #include <cln/real.h>
 #include <fmt/core.h>
 
-#include "derive/node_limit.hpp"
+#include "derive/lagrangian/node_limit.hpp"
 #include "elgen/equations_of_motion.hpp"
 
 namespace elgen {

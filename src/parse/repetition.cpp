@@ -17,15 +17,15 @@ namespace {
 constexpr std::string_view grammar = "a repetition is written `i in 1..n`";
 
 /// Bytes of the decoded text.
-struct Extent {
+struct TextRange {
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
 struct RepetitionParts {
-  Extent index;
-  Extent low;
-  Extent high;
+  TextRange index;
+  TextRange low;
+  TextRange high;
 };
 
 std::optional<RepetitionParts> split(const DecodedText& text) {
@@ -38,7 +38,7 @@ std::optional<RepetitionParts> split(const DecodedText& text) {
   return RepetitionParts{{index.begin, index.end}, {in.end, dots}, {dots + 2, text.text.size()}};
 }
 
-KeySyntax part_entry(std::string key, const Extent& part, const DecodedText& text,
+KeySyntax part_entry(std::string key, const TextRange& part, const DecodedText& text,
                      FileReading& reading) {
   KeySyntax result;
   result.key = std::move(key);

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "check/output_units.hpp"
+#include "check/judge/output_units.hpp"
 #include "elgen/wording.hpp"
 #include "evaluate/scalar_literal.hpp"
 #include "readback/literal.hpp"

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "check/output_units.hpp"
+#include "check/judge/output_units.hpp"
 #include "elgen/wording.hpp"
 #include "readback/token_reader.hpp"
 

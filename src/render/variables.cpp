@@ -1,7 +1,7 @@
 // The variables of a model on a few lines. Rates are named where some function knows of them.
 #include <fmt/format.h>
 
-#include "check/output_units.hpp"
+#include "check/judge/output_units.hpp"
 #include "elgen/render.hpp"
 
 namespace elgen {

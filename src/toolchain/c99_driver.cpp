@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include "elgen/artifacts.hpp"
-#include "emit/arguments.hpp"
-#include "emit/emission_input.hpp"
-#include "emit/fields.hpp"
+#include "emit/code/arguments.hpp"
+#include "emit/text/emission_input.hpp"
+#include "emit/text/fields.hpp"
 #include "evaluate/scalar_literal.hpp"
 #include "toolchain/driver_parts.hpp"
 

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include "elgen/artifacts.hpp"
-#include "emit/arguments.hpp"
-#include "emit/cpp_names.hpp"
-#include "emit/emission_input.hpp"
-#include "emit/fields.hpp"
+#include "emit/code/arguments.hpp"
+#include "emit/cpp/cpp_names.hpp"
+#include "emit/text/emission_input.hpp"
+#include "emit/text/fields.hpp"
 #include "evaluate/scalar_literal.hpp"
 #include "toolchain/driver_parts.hpp"
 

@@ -10,10 +10,10 @@
 #include <set>
 
 #include "elgen/artifacts.hpp"
-#include "emit/arguments.hpp"
-#include "emit/fields.hpp"
-#include "emit/parameters.hpp"
-#include "emit/scalar_range.hpp"
+#include "emit/code/arguments.hpp"
+#include "emit/text/fields.hpp"
+#include "emit/text/parameters.hpp"
+#include "emit/text/scalar_range.hpp"
 #include "toolchain/driver_parts.hpp"
 
 namespace elgen {

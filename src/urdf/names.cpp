@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "check/reserved_names.hpp"
+#include "check/names/reserved_names.hpp"
 
 namespace elgen::urdf {
 

@@ -10,21 +10,21 @@
 #include <cmath>
 
 #include "elgen/certificate.hpp"
-#include "verify/pivots.hpp"
-#include "verify/states.hpp"
+#include "verify/bounds/pivots.hpp"
+#include "verify/states/states.hpp"
 
 namespace elgen {
 namespace {
 
 constexpr std::size_t sampled_states = 200;  // with 99 % one in any 2.3 % of the ranges
 
-struct MassSample {
+struct DefiniteMass {
   State state;
   std::vector<Real> matrix;
 };
 
-std::vector<MassSample> mass_samples(const Subject& subject) {
-  std::vector<MassSample> samples;
+std::vector<DefiniteMass> mass_samples(const Subject& subject) {
+  std::vector<DefiniteMass> samples;
   const OutputRequest request{.kind = OutputKind::mass_matrix};
   for (const auto& sample : sample_states<double>(subject, {sampled_states, 1, false})) {
     State state = exact_state(subject, sample.values);
@@ -38,10 +38,10 @@ std::vector<MassSample> mass_samples(const Subject& subject) {
 }
 
 /// The largest row sum of E_ij/sqrt(d_i d_j); infinite where a d_i is not positive.
-double largest_change(const ReducedOutput& dropped, const std::vector<MassSample>& samples,
+double largest_change(const ReducedOutput& dropped, const std::vector<DefiniteMass>& samples,
                       std::size_t n) {
   std::vector<double> least(n, std::numeric_limits<double>::infinity());
-  for (const MassSample& sample : samples) {
+  for (const DefiniteMass& sample : samples) {
     for (std::size_t i = 0; i < n; ++i) {
       const double own = ScalarTraits<double>::from_real(sample.matrix[i * n + i].value());
       least[i] = std::min(least[i], own);
@@ -80,9 +80,9 @@ Diagnostics check_definiteness(const Model& model, const Scene& scene, const Red
   const Program none;
   const Subject subject{model, scene, none};
   const std::size_t n = model.velocities.size();
-  const std::vector<MassSample> samples = mass_samples(subject);
+  const std::vector<DefiniteMass> samples = mass_samples(subject);
   const double change = largest_change(*dropped, samples, n);
-  for (const MassSample& sample : samples) {
+  for (const DefiniteMass& sample : samples) {
     if (stays_definite(sample.matrix, n, change)) continue;
     return {{Code::E618, scene.dropping->span,
              fmt::format("what is dropped from `mass_matrix` may be {:.2g} of it, too near to its "

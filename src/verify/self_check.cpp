@@ -8,10 +8,10 @@
 
 #include "elgen/certificate.hpp"
 #include "elgen/wording.hpp"
-#include "verify/sampled_zeros.hpp"
-#include "verify/time_share.hpp"
-#include "verify/undefined_expression.hpp"
-#include "verify/visit.hpp"
+#include "verify/bounds/sampled_zeros.hpp"
+#include "verify/bounds/visit.hpp"
+#include "verify/states/time_share.hpp"
+#include "verify/states/undefined_expression.hpp"
 
 namespace elgen {
 namespace {

@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "elgen/certificate.hpp"
-#include "emit/scalar_range.hpp"
-#include "verify/accuracy.hpp"
+#include "emit/text/scalar_range.hpp"
+#include "verify/bounds/accuracy.hpp"
+#include "verify/bounds/sampled_zeros.hpp"
 #include "verify/compiled_code.hpp"
-#include "verify/expectations.hpp"
-#include "verify/sampled_zeros.hpp"
-#include "verify/states.hpp"
-#include "verify/structure.hpp"
+#include "verify/states/states.hpp"
+#include "verify/structure/expectations.hpp"
+#include "verify/structure/structure.hpp"
 
 namespace elgen {
 namespace {

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "base/number_text.hpp"
-#include "check/constants.hpp"
+#include "check/names/constants.hpp"
 #include "check_testing.hpp"
 
 namespace elgen::test {

@@ -1,5 +1,5 @@
 // Constants: exact where they can be, right where they are large, refused where they have no value.
-#include "check/constants.hpp"
+#include "check/names/constants.hpp"
 
 #include <catch2/catch.hpp>
 #include <ctime>

@@ -1,5 +1,5 @@
 // emission: [emit] as enumerators, what of it is hashed, and what does not go together.
-#include "check/emission.hpp"
+#include "check/scene/emission.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // Every kind of function has its names here.
-#include "check/function_names.hpp"
+#include "check/names/function_names.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // Points, bodies, loads and outputs given in frames, as the world sees them.
-#include "check/in_frame.hpp"
+#include "check/entries/in_frame.hpp"
 
 #include <catch2/catch.hpp>
 #include <utility>

@@ -1,5 +1,5 @@
 // Integer arithmetic of indices, and the repetitions it bounds.
-#include "check/integers.hpp"
+#include "check/names/integers.hpp"
 
 #include <catch2/catch.hpp>
 #include <utility>

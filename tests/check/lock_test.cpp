@@ -1,5 +1,5 @@
 // The model that is left: indices, functions of time in the places of coordinates, users.
-#include "check/lock.hpp"
+#include "check/scene/lock.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // Mechanics: degrees of energies, what has kinetic energy, and where time matters.
-#include "check/mechanics.hpp"
+#include "check/judge/mechanics.hpp"
 
 #include <catch2/catch.hpp>
 #include <utility>

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <utility>
 
-#include "check/mechanics.hpp"
+#include "check/judge/mechanics.hpp"
 #include "check_testing.hpp"
 
 namespace elgen::test {

@@ -1,5 +1,5 @@
 // Nodes written by check itself: what vanishes is never written.
-#include "check/node_builder.hpp"
+#include "check/expressions/node_builder.hpp"
 
 #include <catch2/catch.hpp>
 

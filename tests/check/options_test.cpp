@@ -1,5 +1,5 @@
 // Options: words and assignments keep their places.
-#include "check/options.hpp"
+#include "check/expressions/options.hpp"
 
 #include <catch2/catch.hpp>
 

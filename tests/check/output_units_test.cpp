@@ -1,10 +1,10 @@
 // Units of the entries of outputs.
-#include "check/output_units.hpp"
+#include "check/judge/output_units.hpp"
 
 #include <catch2/catch.hpp>
 #include <utility>
 
-#include "check/requests.hpp"
+#include "check/names/requests.hpp"
 #include "check_testing.hpp"
 
 namespace elgen::test {

@@ -1,5 +1,5 @@
 // Frames of planar models stay in the plane.
-#include "check/plane.hpp"
+#include "check/entries/plane.hpp"
 
 #include <catch2/catch.hpp>
 #include <utility>

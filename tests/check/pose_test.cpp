@@ -1,5 +1,5 @@
 // Poses: exact at right angles, small over their parents, and turning as their rotation does.
-#include "check/pose.hpp"
+#include "check/entries/pose.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // [approximate]: names, orders and values, and their canonical text.
-#include "check/read_approximate.hpp"
+#include "check/scene/read_approximate.hpp"
 
 #include <catch2/catch.hpp>
 

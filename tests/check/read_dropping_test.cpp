@@ -1,5 +1,5 @@
 // drop_below of a scene: its value, its parts, and what it cannot reduce.
-#include "check/read_dropping.hpp"
+#include "check/scene/read_dropping.hpp"
 
 #include <catch2/catch.hpp>
 

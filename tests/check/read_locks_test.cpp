@@ -1,5 +1,5 @@
 // Locks: what may be held, at what, and the messages about what may not.
-#include "check/read_locks.hpp"
+#include "check/scene/read_locks.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // Report: repeats kept once.
-#include "check/report.hpp"
+#include "check/names/report.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // Requests: availability, shapes and names of outputs.
-#include "check/requests.hpp"
+#include "check/names/requests.hpp"
 
 #include <catch2/catch.hpp>
 #include <utility>

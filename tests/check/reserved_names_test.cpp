@@ -1,5 +1,5 @@
 // Reserved names: what would not compile or would mean two things, and what stays free.
-#include "check/reserved_names.hpp"
+#include "check/names/reserved_names.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // Resolver, operators: exponents, folding, limits.
-#include "check/resolver.hpp"
+#include "check/expressions/resolver.hpp"
 
 #include <catch2/catch.hpp>
 #include <utility>

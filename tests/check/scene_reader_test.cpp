@@ -1,5 +1,5 @@
 // Scenes: outputs, fixed parameters, scalars, names and the canonical text.
-#include "check/scene_reader.hpp"
+#include "check/scene/scene_reader.hpp"
 
 #include <catch2/catch.hpp>
 #include <utility>

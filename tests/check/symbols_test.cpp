@@ -1,5 +1,5 @@
 // DeclaredNames: one set of names for all kinds of entries.
-#include "check/symbols.hpp"
+#include "check/names/symbols.hpp"
 
 #include <catch2/catch.hpp>
 

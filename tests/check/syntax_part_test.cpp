@@ -1,5 +1,5 @@
 // Expressions inside options: their spans point into the option.
-#include "check/syntax_part.hpp"
+#include "check/expressions/syntax_part.hpp"
 
 #include <catch2/catch.hpp>
 

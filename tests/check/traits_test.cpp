@@ -1,11 +1,11 @@
 // Traits: degrees and ingredients, judged through a context built by hand.
-#include "check/traits.hpp"
+#include "check/expressions/traits.hpp"
 
 #include <catch2/catch.hpp>
 #include <utility>
 
-#include "check/places.hpp"
-#include "check/values.hpp"
+#include "check/expressions/places.hpp"
+#include "check/expressions/values.hpp"
 
 namespace elgen {
 namespace {

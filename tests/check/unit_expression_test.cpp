@@ -1,5 +1,5 @@
 // Unit expressions: grammar, and errors at the exact character.
-#include "check/unit_expression.hpp"
+#include "check/expressions/unit_expression.hpp"
 
 #include <rapidcheck.h>
 

@@ -1,5 +1,5 @@
 // Values: roots, constants and references of one entry.
-#include "check/values.hpp"
+#include "check/expressions/values.hpp"
 
 #include <catch2/catch.hpp>
 

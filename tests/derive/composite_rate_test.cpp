@@ -1,5 +1,5 @@
 // The rate of momentum per unit twist: of one body, and passed on.
-#include "derive/composite_rate.hpp"
+#include "derive/tree/composite_rate.hpp"
 
 #include <catch2/catch.hpp>
 

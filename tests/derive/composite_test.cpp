@@ -1,5 +1,5 @@
 // Composite inertias against sums over the bodies in the world, and the laws of passing them on.
-#include "derive/composite.hpp"
+#include "derive/tree/composite.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // Directions and graded energies that the outputs share.
-#include "derive/derivation.hpp"
+#include "derive/lagrangian/derivation.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // Derivatives of the dynamics against the oracle.
-#include "derive/derivatives.hpp"
+#include "derive/outputs/derivatives.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 // One system, its textbook equations, and a Derivation to compare with them.
 #pragma once
 
-#include "derive/derivation.hpp"
+#include "derive/lagrangian/derivation.hpp"
 #include "support/systems.hpp"
 #include "textbook.hpp"
 

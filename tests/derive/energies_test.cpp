@@ -1,5 +1,5 @@
 // Energies against the textbook route.
-#include "derive/energies.hpp"
+#include "derive/outputs/energies.hpp"
 
 #include <catch2/catch.hpp>
 

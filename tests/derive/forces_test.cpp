@@ -1,5 +1,5 @@
 // Generalized forces by both routes against the textbook route.
-#include "derive/forces.hpp"
+#include "derive/outputs/forces.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,10 +1,10 @@
 // Forward dynamics undo inverse dynamics, and pivots say how regular M is.
-#include "derive/forward_dynamics.hpp"
+#include "derive/outputs/forward_dynamics.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "derive/forces.hpp"
-#include "derive/matrices.hpp"
+#include "derive/outputs/forces.hpp"
+#include "derive/outputs/matrices.hpp"
 #include "derived.hpp"
 
 using namespace elgen;

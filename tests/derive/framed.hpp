@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "derive/derivation.hpp"
+#include "derive/lagrangian/derivation.hpp"
 #include "elgen/equations_of_motion.hpp"
 #include "elgen/oracle.hpp"
 #include "elgen/specialise.hpp"

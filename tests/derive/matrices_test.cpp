@@ -1,5 +1,5 @@
 // Matrices against the textbook route, and the laws they obey.
-#include "derive/matrices.hpp"
+#include "derive/outputs/matrices.hpp"
 
 #include <catch2/catch.hpp>
 

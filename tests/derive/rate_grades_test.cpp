@@ -1,5 +1,5 @@
 // Degrees in the rates.
-#include "derive/rate_grades.hpp"
+#include "derive/lagrangian/rate_grades.hpp"
 
 #include <catch2/catch.hpp>
 

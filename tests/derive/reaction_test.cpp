@@ -1,9 +1,9 @@
 // The force on what is locked: by hand, and definitions that stay true.
-#include "derive/reaction.hpp"
+#include "derive/outputs/reaction.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "derive/forces.hpp"
+#include "derive/outputs/forces.hpp"
 #include "elgen/specialise.hpp"
 #include "formulate/print.hpp"
 #include "support/systems.hpp"

@@ -1,5 +1,5 @@
 // Regrouped numbers: the same functions of the state, in fewer of them.
-#include "derive/regroup.hpp"
+#include "derive/tree/regroup.hpp"
 
 #include <catch2/catch.hpp>
 

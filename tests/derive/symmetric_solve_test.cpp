@@ -1,9 +1,9 @@
 // Solutions, pivots, and that limbs do not fill in.
-#include "derive/symmetric_solve.hpp"
+#include "derive/lagrangian/symmetric_solve.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "derive/matrices.hpp"
+#include "derive/outputs/matrices.hpp"
 #include "framed.hpp"
 
 using namespace elgen;

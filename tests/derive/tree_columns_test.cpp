@@ -1,5 +1,5 @@
 // Which variables meet on the way to the root, and what their columns say.
-#include "derive/tree_columns.hpp"
+#include "derive/tree/tree_columns.hpp"
 
 #include <catch2/catch.hpp>
 #include <set>

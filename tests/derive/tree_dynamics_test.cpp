@@ -1,5 +1,5 @@
 // Inertial forces of bodies in frames against the oracle, which sees them in the world.
-#include "derive/tree_dynamics.hpp"
+#include "derive/tree/tree_dynamics.hpp"
 
 #include <catch2/catch.hpp>
 

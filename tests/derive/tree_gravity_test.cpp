@@ -1,5 +1,5 @@
 // Weights of subtrees against the oracle, which sees bodies in the world.
-#include "derive/tree_gravity.hpp"
+#include "derive/tree/tree_gravity.hpp"
 
 #include <catch2/catch.hpp>
 

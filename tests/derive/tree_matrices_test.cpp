@@ -1,9 +1,9 @@
 // Matrices of frames against the oracle, and the laws they obey.
-#include "derive/tree_matrices.hpp"
+#include "derive/tree/tree_matrices.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "derive/matrices.hpp"
+#include "derive/outputs/matrices.hpp"
 #include "framed.hpp"
 
 using namespace elgen;

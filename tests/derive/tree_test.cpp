@@ -1,5 +1,5 @@
 // Passing along the tree against the poses of the Model.
-#include "derive/tree.hpp"
+#include "derive/tree/tree.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // Momenta and kinetic energies by twists against the oracle, which sees bodies in the world.
-#include "derive/tree_twists.hpp"
+#include "derive/tree/tree_twists.hpp"
 
 #include <catch2/catch.hpp>
 

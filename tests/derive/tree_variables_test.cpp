@@ -1,9 +1,9 @@
 // What moves a tree, and how it depends on the coordinates.
-#include "derive/tree_variables.hpp"
+#include "derive/tree/tree_variables.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "derive/tree_matrices.hpp"
+#include "derive/tree/tree_matrices.hpp"
 #include "framed.hpp"
 
 using namespace elgen;

@@ -1,10 +1,10 @@
 // Turning: Euler's equations and the Christoffel form of angular velocities, from an energy alone.
-#include "derive/turning.hpp"
+#include "derive/lagrangian/turning.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "derive/forces.hpp"
-#include "derive/matrices.hpp"
+#include "derive/outputs/forces.hpp"
+#include "derive/outputs/matrices.hpp"
 #include "formulate/chain_rule.hpp"
 
 namespace elgen::test {

@@ -1,5 +1,5 @@
 // arguments: what is read from them.
-#include "emit/arguments.hpp"
+#include "emit/code/arguments.hpp"
 
 #include "fixture.hpp"
 

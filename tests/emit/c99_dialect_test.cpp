@@ -1,7 +1,7 @@
 // c99_dialect: leaves, constants and calls, then small functions, line for line.
-#include "emit/c99_dialect.hpp"
+#include "emit/c99/c99_dialect.hpp"
 
-#include "emit/definition.hpp"
+#include "emit/code/definition.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;

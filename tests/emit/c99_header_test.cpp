@@ -3,7 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "emit/c99_artifact.hpp"
+#include "emit/c99/c99_artifact.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;

@@ -1,5 +1,5 @@
 // c99_names: what the header needs is refused, and nothing else.
-#include "emit/c99_artifact.hpp"
+#include "emit/c99/c99_artifact.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;

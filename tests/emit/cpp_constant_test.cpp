@@ -1,5 +1,5 @@
 // cpp_constant: rows of value -> text, then many values compiled once and compared in every type.
-#include "emit/cpp_constant.hpp"
+#include "emit/code/cpp_constant.hpp"
 
 #include <cln/float.h>
 #include <cln/rational.h>

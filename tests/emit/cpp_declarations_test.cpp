@@ -1,7 +1,7 @@
 // cpp_declarations: what a model declares, as it stands in the header.
-#include "emit/cpp_declarations.hpp"
+#include "emit/cpp/cpp_declarations.hpp"
 
-#include "emit/parameters.hpp"
+#include "emit/text/parameters.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;

@@ -1,11 +1,11 @@
 // cpp_dialect: leaves, constants and calls, then small functions, line for line; and what differs
 // on Eigen, which tests/pipeline/languages_test.cpp compiles.
-#include "emit/cpp_dialect.hpp"
+#include "emit/cpp/cpp_dialect.hpp"
 
 #include <fmt/format.h>
 
-#include "emit/definition.hpp"
-#include "emit/fields.hpp"
+#include "emit/code/definition.hpp"
+#include "emit/text/fields.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;

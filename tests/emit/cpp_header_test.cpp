@@ -1,7 +1,7 @@
 // cpp_header: which parts a header has; the golden header shows them whole.
 #include <algorithm>
 
-#include "emit/cpp_artifacts.hpp"
+#include "emit/cpp/cpp_artifacts.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;

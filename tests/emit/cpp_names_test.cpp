@@ -1,7 +1,7 @@
 // cpp_names: every name the emitted code keeps is refused where it would collide, and nowhere else.
-#include "emit/cpp_names.hpp"
+#include "emit/cpp/cpp_names.hpp"
 
-#include "emit/cpp_artifacts.hpp"
+#include "emit/cpp/cpp_artifacts.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;

@@ -1,5 +1,5 @@
 // cpp_types: the types of fields.
-#include "emit/cpp_types.hpp"
+#include "emit/cpp/cpp_types.hpp"
 
 #include "fixture.hpp"
 

@@ -1,10 +1,10 @@
 // definition: short functions whole, long ones in parts, matrices in the order of storage.
-#include "emit/definition.hpp"
+#include "emit/code/definition.hpp"
 
 #include <fmt/format.h>
 
-#include "emit/cpp_dialect.hpp"
-#include "emit/sections.hpp"
+#include "emit/code/sections.hpp"
+#include "emit/cpp/cpp_dialect.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;

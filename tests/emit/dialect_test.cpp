@@ -1,6 +1,6 @@
 // dialect: what C and C++ write alike, but for how members are reached.
-#include "emit/c99_dialect.hpp"
-#include "emit/cpp_dialect.hpp"
+#include "emit/c99/c99_dialect.hpp"
+#include "emit/cpp/cpp_dialect.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;

@@ -1,5 +1,5 @@
 // The report of what was dropped.
-#include "emit/dropped_terms.hpp"
+#include "emit/pages/dropped_terms.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // eigen_header: functions on vectors and matrices; tests/pipeline/languages_test.cpp compiles them.
-#include "emit/cpp_artifacts.hpp"
+#include "emit/cpp/cpp_artifacts.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;

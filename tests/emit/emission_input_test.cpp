@@ -1,5 +1,5 @@
 // emission_input: what files are made from depends on contents, not on places.
-#include "emit/emission_input.hpp"
+#include "emit/text/emission_input.hpp"
 
 #include "fixture.hpp"
 

@@ -1,5 +1,5 @@
 // entry_units: the units of a cart (m) and pole (rad) pushed by a force (N), field by field.
-#include "emit/entry_units.hpp"
+#include "emit/text/entry_units.hpp"
 
 #include "fixture.hpp"
 

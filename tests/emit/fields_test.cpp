@@ -1,5 +1,5 @@
 // fields: structs and plain results, numbers and arrays of one, storage.
-#include "emit/fields.hpp"
+#include "emit/text/fields.hpp"
 
 #include "fixture.hpp"
 

@@ -1,6 +1,6 @@
 // fill_template: strict holes, no escaping, no doubled blank lines; and every template is known by
 // its path.
-#include "emit/fill_template.hpp"
+#include "emit/text/fill_template.hpp"
 
 #include <catch2/catch.hpp>
 #include <stdexcept>

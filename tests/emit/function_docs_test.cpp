@@ -1,7 +1,7 @@
 // function_docs: the comment above a function, line for line.
-#include "emit/function_docs.hpp"
+#include "emit/code/function_docs.hpp"
 
-#include "emit/statements.hpp"
+#include "emit/code/statements.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;

@@ -1,7 +1,7 @@
 // header_data: sections stand where they are needed.
-#include "emit/header_data.hpp"
+#include "emit/code/header_data.hpp"
 
-#include "emit/cpp_dialect.hpp"
+#include "emit/cpp/cpp_dialect.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;

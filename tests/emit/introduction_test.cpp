@@ -1,5 +1,5 @@
 // introduction: the equation of motion with the terms a model has, and the table of operations.
-#include "emit/introduction.hpp"
+#include "emit/pages/introduction.hpp"
 
 #include <algorithm>
 

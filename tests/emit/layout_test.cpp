@@ -1,5 +1,5 @@
 // layout: where lines break, and what user text may not do to a comment.
-#include "emit/layout.hpp"
+#include "emit/text/layout.hpp"
 
 #include <rapidcheck.h>
 

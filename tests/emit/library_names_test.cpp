@@ -1,5 +1,5 @@
 // library_names: what a header cannot have as its namespace.
-#include "emit/library_names.hpp"
+#include "emit/text/library_names.hpp"
 
 #include <catch2/catch.hpp>
 

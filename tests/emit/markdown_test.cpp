@@ -1,4 +1,4 @@
-#include "emit/markdown.hpp"
+#include "emit/pages/markdown.hpp"
 
 #include "elgen/emitted_files.hpp"
 #include "fixture.hpp"

@@ -1,5 +1,5 @@
 // parameters: which are emitted, how many, and what is said of them.
-#include "emit/parameters.hpp"
+#include "emit/text/parameters.hpp"
 
 #include "fixture.hpp"
 

@@ -1,5 +1,5 @@
 // scalar_range: E702 for parameters and constants, in the scalars asked for and no others.
-#include "emit/scalar_range.hpp"
+#include "emit/text/scalar_range.hpp"
 
 #include "fixture.hpp"
 

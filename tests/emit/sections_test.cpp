@@ -1,5 +1,5 @@
 // sections: small bodies cut by hand, and laws over random ones.
-#include "emit/sections.hpp"
+#include "emit/code/sections.hpp"
 
 #include <rapidcheck.h>
 

@@ -1,5 +1,5 @@
 // sidecar: the JSON is valid, has the keys in order, and says what the program does.
-#include "emit/sidecar.hpp"
+#include "emit/pages/sidecar.hpp"
 
 #include <nlohmann/json.hpp>
 

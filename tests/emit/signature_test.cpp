@@ -1,5 +1,5 @@
 // signature: lines within their width.
-#include "emit/signature.hpp"
+#include "emit/text/signature.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // stamp: hashes of contents, in headers and sidecars.
-#include "emit/stamp.hpp"
+#include "emit/text/stamp.hpp"
 
 #include <catch2/catch.hpp>
 

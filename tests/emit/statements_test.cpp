@@ -1,5 +1,5 @@
 // statements: what is computed under a name, what is written out, and what either is made of.
-#include "emit/statements.hpp"
+#include "emit/code/statements.hpp"
 
 #include "fixture.hpp"
 

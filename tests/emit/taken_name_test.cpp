@@ -1,5 +1,5 @@
 // A name that the emitted code needs is refused where the scene asks for it.
-#include "emit/taken_name.hpp"
+#include "emit/text/taken_name.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -24,24 +24,31 @@ std::vector<Layer> layers_of(const SourceTree& tree) {
   return parse_layers(tree.at("src/layers.txt"));
 }
 
-/// The folder a file belongs to: src/<folder>/…, src/<folder>.cpp, or the maker of a noun.
-std::string folder_of(const std::string& path, const std::vector<Layer>& layers) {
-  const std::string stem = std::filesystem::path(path).stem();
-  if (starts_with(path, noun_folder)) {
-    for (const Layer& layer : layers) {
-      if (std::count(layer.nouns.begin(), layer.nouns.end(), stem) > 0) return layer.folder;
-    }
-    return "";
-  }
-  const std::string inside = path.substr(std::string("src/").size());
-  const std::size_t slash = inside.find('/');
-  return slash == std::string::npos ? stem : inside.substr(0, slash);
+/// The folder or room a file stands in: "check" of src/check/check.cpp, "check/names" of
+/// src/check/names/report.cpp, "pipeline" of src/pipeline.cpp.
+std::string room_of(const std::string& path) {
+  const std::filesystem::path inside = std::filesystem::path(path).lexically_relative("src");
+  return inside.has_parent_path() ? inside.parent_path().string() : inside.stem().string();
 }
 
-std::optional<std::size_t> position_of(const std::string& folder,
-                                       const std::vector<Layer>& layers) {
+std::string folder_of(const std::string& room) { return room.substr(0, room.find('/')); }
+
+/// Of nouns the folder that makes them; empty where none does.
+std::string maker_of(const std::string& noun, const std::vector<Layer>& layers) {
+  const std::string stem = std::filesystem::path(noun).stem();
+  for (const Layer& layer : layers) {
+    if (std::count(layer.nouns.begin(), layer.nouns.end(), stem) > 0) return layer.folder;
+  }
+  return "";
+}
+
+/// Where a file stands in the order. A noun stands before the rooms of the folder that makes it.
+std::optional<std::size_t> position_of(const std::string& path, const std::vector<Layer>& layers) {
+  const bool is_noun = starts_with(path, noun_folder);
+  const std::string wanted = is_noun ? maker_of(path, layers) : room_of(path);
   for (std::size_t i = 0; i < layers.size(); ++i) {
-    if (layers[i].folder == folder) return i;
+    const std::string& known = layers[i].folder;
+    if (known == wanted || (is_noun && folder_of(known) == wanted)) return i;
   }
   return std::nullopt;
 }
@@ -69,22 +76,27 @@ std::optional<std::string> resolve(const SourceTree& tree, const std::string& in
   return std::nullopt;
 }
 
-std::vector<std::string> included_files(const SourceTree& tree, const std::string& path) {
-  std::vector<std::string> files;
-  for (const std::string& name : included_names(tree.at(path))) {
-    if (const auto file = resolve(tree, path, name)) files.push_back(*file);
+using Includes = std::map<std::string, std::vector<std::string>>;
+
+/// The project's files that each file includes.
+Includes includes_of(const SourceTree& tree) {
+  Includes includes;
+  for (const auto& [path, text] : tree) {
+    for (const std::string& name : included_names(text)) {
+      if (const auto file = resolve(tree, path, name)) includes[path].push_back(*file);
+    }
   }
-  return files;
+  return includes;
 }
 
 /// Everything `path` includes, directly or not, itself among it.
-std::set<std::string> closure(const SourceTree& tree, const std::string& path) {
+std::set<std::string> closure(Includes& includes, const std::string& path) {
   std::set<std::string> reached{path};
   std::vector<std::string> open{path};
   while (!open.empty()) {
     const std::string current = open.back();
     open.pop_back();
-    for (const std::string& next : included_files(tree, current)) {
+    for (const std::string& next : includes[current]) {
       if (reached.insert(next).second) open.push_back(next);
     }
   }
@@ -98,7 +110,7 @@ bool names_ginac(const std::string& text) {
 }
 
 bool may_use_ginac(const std::string& path, const std::vector<Layer>& layers) {
-  const auto position = position_of(folder_of(path, layers), layers);
+  const auto position = position_of(path, layers);
   if (!position) return false;
   const Layer& layer = layers[*position];
   return layer.all_ginac || layer.ginac_files.count(std::filesystem::path(path).filename()) > 0;
@@ -155,15 +167,16 @@ SourceTree read_tree(const std::filesystem::path& root) {
 
 std::vector<std::string> later_includes(const SourceTree& tree) {
   const std::vector<Layer> layers = layers_of(tree);
+  Includes includes = includes_of(tree);
   std::vector<std::string> found;
   for (const std::string& path : governed(tree)) {
-    const auto own = position_of(folder_of(path, layers), layers);
+    const auto own = position_of(path, layers);
     if (!own) {
       found.push_back(path + ": its folder or noun is not in src/layers.txt");
       continue;
     }
-    for (const std::string& reached : closure(tree, path)) {
-      const auto other = position_of(folder_of(reached, layers), layers);
+    for (const std::string& reached : closure(includes, path)) {
+      const auto other = position_of(reached, layers);
       if (other && *other > *own) found.push_back(path + ": reaches the later " + reached);
     }
   }
@@ -171,10 +184,11 @@ std::vector<std::string> later_includes(const SourceTree& tree) {
 }
 
 std::vector<std::string> include_cycles(const SourceTree& tree) {
+  Includes includes = includes_of(tree);
   std::vector<std::string> found;
   for (const std::string& path : governed(tree)) {
-    for (const std::string& next : included_files(tree, path)) {
-      if (closure(tree, next).count(path) > 0) {
+    for (const std::string& next : includes[path]) {
+      if (closure(includes, next).count(path) > 0) {
         found.push_back(path + ": is included again by " + next);
       }
     }
@@ -184,10 +198,11 @@ std::vector<std::string> include_cycles(const SourceTree& tree) {
 
 std::vector<std::string> misplaced_ginac(const SourceTree& tree) {
   const std::vector<Layer> layers = layers_of(tree);
+  Includes includes = includes_of(tree);
   std::vector<std::string> found;
   for (const std::string& path : governed(tree)) {
     if (may_use_ginac(path, layers)) continue;
-    for (const std::string& reached : closure(tree, path)) {
+    for (const std::string& reached : closure(includes, path)) {
       if (names_ginac(tree.at(reached))) found.push_back(path + ": reaches GiNaC by " + reached);
     }
   }
@@ -199,35 +214,58 @@ std::vector<std::string> sources_without_test(const SourceTree& tree) {
   for (const auto& [path, text] : tree) {
     if (!starts_with(path, "src/") || std::filesystem::path(path).extension() != ".cpp") continue;
     const std::string stem = std::filesystem::path(path).stem();
-    const std::string test = "tests/" + folder_of(path, {}) + "/" + stem + "_test.cpp";
+    const std::string test = "tests/" + folder_of(room_of(path)) + "/" + stem + "_test.cpp";
     if (tree.count(test) == 0) found.push_back(path + ": has no " + test);
   }
   return found;
 }
 
-std::vector<std::string> types_declared_twice(const SourceTree& tree) {
-  static const std::regex opening(R"(^namespace ?([\w:]*) ?\{)");
+std::vector<std::string> types_of_two_meanings(const SourceTree& tree) {
   static const std::regex type(R"(^(struct|class|enum class) (\w+)( final)?( : [^{;]*)? ?\{)");
   std::map<std::string, std::string> known;
-  std::vector<std::string> sentences;
+  std::vector<std::string> found;
   for (const auto& [path, text] : tree) {
     if (starts_with(path, "tests/")) continue;
-    std::vector<std::string> names;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
       std::smatch match;
-      if (std::regex_search(line, match, opening)) names.push_back(match[1]);
-      if (starts_with(line, "}  // namespace") && !names.empty()) names.pop_back();
-      const bool is_local = std::find(names.begin(), names.end(), "") != names.end();
-      if (is_local || !std::regex_search(line, match, type)) continue;
-      std::string name;
-      for (const std::string& part : names) name += part + "::";
-      name += match[2];
-      const auto [first, is_new] = known.emplace(name, path);
-      if (!is_new) sentences.push_back(path + ": " + name + " is also in " + first->second);
+      if (!std::regex_search(line, match, type)) continue;
+      const auto [first, is_new] = known.emplace(match[2], path);
+      if (!is_new) found.push_back(path + ": " + first->first + " is also in " + first->second);
     }
   }
-  return sentences;
+  return found;
+}
+
+std::vector<std::string> includes_beside(const SourceTree& tree) {
+  std::vector<std::string> found;
+  for (const std::string& path : governed(tree)) {
+    for (const std::string& name : included_names(tree.at(path))) {
+      if (tree.count("include/" + name) > 0 || tree.count("src/" + name) > 0) continue;
+      const std::filesystem::path beside = std::filesystem::path(path).parent_path() / name;
+      if (tree.count(beside.lexically_normal().string()) == 0) continue;
+      found.push_back(path + ": includes \"" + name + "\", which is not a path from src");
+    }
+  }
+  return found;
+}
+
+std::vector<std::string> unusual_namespaces(const SourceTree& tree) {
+  static const std::regex opening(R"(^namespace (elgen\S*) \{)");
+  static const std::set<std::string> own{"urdf", "oracle", "cli"};
+  std::vector<std::string> found;
+  for (const std::string& path : governed(tree)) {
+    const std::string folder = folder_of(room_of(path));
+    const bool may_have_own = starts_with(path, "src/") && own.count(folder) > 0;
+    std::istringstream lines(tree.at(path));
+    std::smatch match;
+    for (std::string line; std::getline(lines, line);) {
+      if (!std::regex_search(line, match, opening)) continue;
+      if (match[1] == "elgen" || (may_have_own && match[1] == "elgen::" + folder)) continue;
+      found.push_back(path + ": opens namespace " + match[1].str());
+    }
+  }
+  return found;
 }
 
 std::vector<std::string> long_files(const SourceTree& tree, std::size_t most_lines) {

@@ -14,7 +14,7 @@ namespace elgen::test {
 /// Path relative to the project ("src/base/units.cpp") -> text.
 using SourceTree = std::map<std::string, std::string>;
 
-/// One line of layers.txt.
+/// One line of layers.txt: a folder ("check"), or one of its rooms ("check/names").
 struct Layer {
   std::string folder;
   std::vector<std::string> nouns = {};  ///< headers of include/elgen/ without their extension
@@ -32,9 +32,13 @@ struct Layer {
 [[nodiscard]] std::vector<std::string> include_cycles(const SourceTree& tree);
 [[nodiscard]] std::vector<std::string> misplaced_ginac(const SourceTree& tree);
 [[nodiscard]] std::vector<std::string> sources_without_test(const SourceTree& tree);
-/// A type of one name and namespace in two files is two types to the compiler and one to the
-/// linker.
-[[nodiscard]] std::vector<std::string> types_declared_twice(const SourceTree& tree);
+/// Types of one name, in any two files: two meanings to a reader, and in one namespace one type to
+/// the linker.
+[[nodiscard]] std::vector<std::string> types_of_two_meanings(const SourceTree& tree);
+/// Includes of the project are paths from include/ or src/.
+[[nodiscard]] std::vector<std::string> includes_beside(const SourceTree& tree);
+/// Everything is in namespace elgen, except what stands beside the pipeline: urdf, oracle, cli.
+[[nodiscard]] std::vector<std::string> unusual_namespaces(const SourceTree& tree);
 [[nodiscard]] std::vector<std::string> long_files(const SourceTree& tree, std::size_t most_lines);
 
 }  // namespace elgen::test

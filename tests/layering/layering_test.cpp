@@ -20,7 +20,7 @@ SourceTree small_tree() {
       {"src/layers.txt", "# order\nfirst  : apple\nsecond : pear   ginac algebra.cpp\n"},
       {"include/elgen/apple.hpp", "#include <string>\n"},
       {"include/elgen/pear.hpp", "#include \"elgen/apple.hpp\"\n"},
-      {"src/first/apple.cpp", "#include \"elgen/apple.hpp\"\n#include \"core.hpp\"\n"},
+      {"src/first/apple.cpp", "#include \"elgen/apple.hpp\"\n#include \"first/core.hpp\"\n"},
       {"src/first/core.hpp", "#pragma once\n"},
       {"src/second/algebra.cpp", "#include <ginac/ginac.h>\n#include \"elgen/pear.hpp\"\n"},
       {"tests/first/apple_test.cpp", ""},
@@ -105,14 +105,40 @@ TEST_CASE("a source without its test is found") {
                   "src/second.cpp: has no tests/second/second_test.cpp"});
 }
 
-TEST_CASE("a type of the same name in the same namespace is found, a local one is not") {
+TEST_CASE("a type name with two meanings is found, also where both are local") {
   SourceTree tree = small_tree();
   tree["src/first/a.hpp"] = "namespace elgen {\nstruct Pip {\n};\n}  // namespace elgen\n";
-  tree["src/second/b.cpp"] =
-      "namespace elgen {\nnamespace {\nstruct Pip {\n};\n}  // namespace\nenum class Pip : char "
-      "{ one };\n}  // namespace elgen\n";
-  CHECK(types_declared_twice(tree) ==
-        Sentences{"src/second/b.cpp: elgen::Pip is also in src/first/a.hpp"});
+  tree["src/second/b.cpp"] = "namespace {\nenum class Pip : char { one };\n}  // namespace\n";
+  CHECK(types_of_two_meanings(tree) ==
+        Sentences{"src/second/b.cpp: Pip is also in src/first/a.hpp"});
+}
+
+TEST_CASE("an include that is no path from src is found") {
+  SourceTree tree = small_tree();
+  tree["src/first/seed.cpp"] = "#include \"core.hpp\"\n#include \"first/core.hpp\"\n";
+  CHECK(includes_beside(tree) ==
+        Sentences{"src/first/seed.cpp: includes \"core.hpp\", which is not a path from src"});
+}
+
+TEST_CASE("a namespace of a folder's own is found, except beside the pipeline") {
+  SourceTree tree = small_tree();
+  tree["src/first/core.hpp"] = "namespace elgen::first {\nnamespace {\n";
+  tree["src/urdf/robot.hpp"] = "namespace elgen::urdf {\n";
+  CHECK(unusual_namespaces(tree) == Sentences{"src/first/core.hpp: opens namespace elgen::first"});
+}
+
+TEST_CASE("rooms have an order, and nouns stand before those of their folder") {
+  SourceTree tree = small_tree();
+  tree["src/layers.txt"] = "first/names :\nfirst/rules :\nfirst : apple\nsecond : pear ginac *\n";
+  tree["src/first/names/core.hpp"] = "#include \"elgen/apple.hpp\"\n";
+  tree["src/first/rules/rule.hpp"] = "#include \"first/names/core.hpp\"\n";
+  CHECK(later_includes(tree).empty());
+  tree["src/first/names/core.hpp"] += "#include \"first/core.hpp\"\n";
+  tree["src/first/cellar/jar.hpp"] = "";
+  CHECK(later_includes(tree) ==
+        Sentences{"src/first/cellar/jar.hpp: its folder or noun is not in src/layers.txt",
+                  "src/first/names/core.hpp: reaches the later src/first/core.hpp",
+                  "src/first/rules/rule.hpp: reaches the later src/first/core.hpp"});
 }
 
 TEST_CASE("a long file is found, one of the greatest length is not") {
@@ -136,8 +162,16 @@ TEST_CASE("this project has a test named like every source") {
   CHECK(sources_without_test(project()) == Sentences{});
 }
 
-TEST_CASE("this project declares every type once") {
-  CHECK(types_declared_twice(project()) == Sentences{});
+TEST_CASE("this project gives every type name one meaning") {
+  CHECK(types_of_two_meanings(project()) == Sentences{});
+}
+
+TEST_CASE("this project writes includes as paths from src") {
+  CHECK(includes_beside(project()) == Sentences{});
+}
+
+TEST_CASE("this project has one namespace, and three beside the pipeline") {
+  CHECK(unusual_namespaces(project()) == Sentences{});
 }
 
 TEST_CASE("this project has no file over 400 lines") {

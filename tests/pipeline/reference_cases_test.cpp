@@ -14,8 +14,8 @@
 #include "elgen/oracle.hpp"
 #include "elgen/pipeline.hpp"
 #include "parse/decimal.hpp"
-#include "verify/own_bound.hpp"
-#include "verify/subject.hpp"
+#include "verify/bounds/own_bound.hpp"
+#include "verify/states/subject.hpp"
 
 using namespace elgen;
 using nlohmann::json;

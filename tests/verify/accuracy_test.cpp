@@ -1,5 +1,5 @@
 // Program against oracle: right programs keep the promise, wrong and imprecise ones are told apart.
-#include "verify/accuracy.hpp"
+#include "verify/bounds/accuracy.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // The rule by which numbers of program and oracle are the same.
-#include "verify/agreement.hpp"
+#include "verify/bounds/agreement.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // Balances: zero is zero relative to the terms, and undefined is no figure.
-#include "verify/balance.hpp"
+#include "verify/structure/balance.hpp"
 
 #include <catch2/catch.hpp>
 

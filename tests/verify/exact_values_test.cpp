@@ -1,9 +1,9 @@
 // Values, slopes and curvatures of a program at one state.
-#include "verify/exact_values.hpp"
+#include "verify/structure/exact_values.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "verify/balance.hpp"
+#include "verify/structure/balance.hpp"
 #include "verify/systems.hpp"
 
 using namespace elgen;

@@ -1,5 +1,5 @@
 // [[expect]]: right closed forms hold, wrong ones are pointed at with a witness.
-#include "verify/expectations.hpp"
+#include "verify/structure/expectations.hpp"
 
 #include <catch2/catch.hpp>
 

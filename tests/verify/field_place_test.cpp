@@ -1,5 +1,5 @@
 // Places of fields: whose they are and what the oracle is asked for.
-#include "verify/field_place.hpp"
+#include "verify/bounds/field_place.hpp"
 
 #include <catch2/catch.hpp>
 

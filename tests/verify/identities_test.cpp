@@ -1,5 +1,5 @@
 // The table of identities: complete, and each balance sees what it is made of.
-#include "verify/identities.hpp"
+#include "verify/structure/identities.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

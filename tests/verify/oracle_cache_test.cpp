@@ -1,5 +1,5 @@
 // Cached values are the oracle's.
-#include "verify/oracle_cache.hpp"
+#include "verify/bounds/oracle_cache.hpp"
 
 #include <catch2/catch.hpp>
 

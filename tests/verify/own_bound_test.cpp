@@ -1,5 +1,5 @@
 // Bounds along a program: regimes, and errors measured in them.
-#include "verify/own_bound.hpp"
+#include "verify/bounds/own_bound.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Pivots of small matrices worked out by hand.
-#include "verify/pivots.hpp"
+#include "verify/bounds/pivots.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // Projections: the program's exact numbers against the oracle's, for each shape of output.
-#include "verify/projection.hpp"
+#include "verify/bounds/projection.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "verify/proofs.hpp"
+#include "verify/structure/proofs.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // What is said of zeros that nobody proved: in the certificate, in the receipt, and by not proving.
-#include "verify/sampled_zeros.hpp"
+#include "verify/bounds/sampled_zeros.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,13 +1,13 @@
 // Solutions are judged by the condition of M, not by the code that solves.
-#include "verify/solution_bound.hpp"
+#include "verify/bounds/solution_bound.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "elgen/certificate.hpp"
-#include "verify/accuracy.hpp"
+#include "verify/bounds/accuracy.hpp"
+#include "verify/bounds/visit.hpp"
 #include "verify/systems.hpp"
-#include "verify/visit.hpp"
 
 using namespace elgen;
 using namespace elgen::test;

@@ -1,5 +1,5 @@
 // What a reduced output may be off by.
-#include "verify/stated_error.hpp"
+#include "verify/bounds/stated_error.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // Every structural row holds for a right program, and a mutation of the program turns it red.
-#include "verify/structure.hpp"
+#include "verify/structure/structure.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -7,7 +7,7 @@
 #include "elgen/equations_of_motion.hpp"
 #include "elgen/lower.hpp"
 #include "support/models.hpp"
-#include "verify/states.hpp"
+#include "verify/states/states.hpp"
 #include "verify/systems.hpp"
 
 using namespace elgen;

@@ -1,5 +1,5 @@
 // States between binary arguments, exact numbers and text.
-#include "verify/subject.hpp"
+#include "verify/states/subject.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -6,7 +6,7 @@
 
 #include "elgen/outputs.hpp"
 #include "oracle/samples.hpp"
-#include "verify/subject.hpp"
+#include "verify/states/subject.hpp"
 
 namespace elgen::test {
 

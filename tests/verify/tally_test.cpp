@@ -1,5 +1,5 @@
 // Tallies keep the worst figure and its state, and never lose a NaN.
-#include "verify/tally.hpp"
+#include "verify/states/tally.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

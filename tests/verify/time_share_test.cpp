@@ -1,5 +1,5 @@
 // How many states fit, with times that are given.
-#include "verify/time_share.hpp"
+#include "verify/states/time_share.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // The twist of a pose that turns about each axis of the world, against its closed form.
-#include "verify/twist.hpp"
+#include "verify/structure/twist.hpp"
 
 #include <catch2/catch.hpp>
 

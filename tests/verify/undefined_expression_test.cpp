@@ -1,5 +1,5 @@
 // The expression that takes an output's values away.
-#include "verify/undefined_expression.hpp"
+#include "verify/states/undefined_expression.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // Visits: what one state says of one field, by all entries or by one projection.
-#include "verify/visit.hpp"
+#include "verify/bounds/visit.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,0 +1,118 @@
+// From the axes of a frame to the world.
+#include "check/entries/in_frame.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace elgen {
+namespace {
+
+Vector3 origin_of(NodeBuilder& nodes, std::uint32_t frame) {
+  Vector3 result{};
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    result[k] = nodes.leaf(ExpressionKind::frame_component, components_per_frame * frame + 9 + k);
+  }
+  return result;
+}
+
+Vector3 position(NodeBuilder& nodes, const PlaceInFrame& place) {
+  const Matrix3 rotation = rotation_of(nodes, place.frame);
+  const Vector3 offset = nodes.apply(rotation, place.at);
+  const Vector3 origin = origin_of(nodes, place.frame);
+  return nodes.add(origin, offset);
+}
+
+/// I_com = I_origin - m (c.c 1 - c c^T), as xx yy zz xy xz yz, or zz alone.
+std::vector<ExpressionId> about_com(NodeBuilder& nodes, const BodyInFrame& body,
+                                    ExpressionId mass) {
+  const Vector3& c = body.com.at;
+  const auto shifted = [&](ExpressionId inertia, std::size_t i, std::size_t j) {
+    ExpressionId moment = no_expression;
+    if (i == j) {
+      const ExpressionId u = nodes.multiply({mass, c[(i + 1) % 3], c[(i + 1) % 3]});
+      const ExpressionId w = nodes.multiply({mass, c[(i + 2) % 3], c[(i + 2) % 3]});
+      moment = nodes.add({u, w});
+      return nodes.subtract(inertia, moment);
+    }
+    moment = nodes.multiply({mass, c[i], c[j]});
+    return nodes.add({inertia, moment});
+  };
+  if (body.inertia.size() == 1) return {shifted(body.inertia[0], 2, 2)};
+  constexpr std::array<std::array<std::size_t, 2>, 6> places{
+      {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
+  std::vector<ExpressionId> result;
+  for (std::size_t k = 0; k < body.inertia.size(); ++k) {
+    result.push_back(shifted(body.inertia[k], places[k][0], places[k][1]));
+  }
+  return result;
+}
+
+}  // namespace
+
+Matrix3 rotation_of(NodeBuilder& nodes, std::uint32_t frame) {
+  Matrix3 result{};
+  for (std::uint32_t k = 0; k < 9; ++k) {
+    result[k] = nodes.leaf(ExpressionKind::frame_component, components_per_frame * frame + k);
+  }
+  return result;
+}
+
+Vector3 world_position(Context& context, const PlaceInFrame& place, const Ownership& owner) {
+  NodeBuilder nodes(context, owner.span);
+  const Vector3 result = position(nodes, place);
+  nodes.finish(owner.kind, owner.index);
+  return result;
+}
+
+void put_in_frame(Context& context, BodyInFrame local, Body& body) {
+  NodeBuilder nodes(context, body.span);
+  body.com = position(nodes, local.com);
+  if (local.about_origin && body.mass) body.inertia = about_com(nodes, local, *body.mass);
+  const bool is_planar = body.dimension == 2;
+  const Vector3& spin = context.model.frames[local.com.frame].spin;
+  body.spin = is_planar ? std::vector{spin[2]} : std::vector(spin.begin(), spin.end());
+  if (body.inertia.empty()) body.spin.clear();
+  body.local = std::move(local);
+  nodes.finish();
+}
+
+void write_frame_output(Context& context, UserOutput& output) {
+  const std::uint32_t frame = *output.frame;
+  NodeBuilder nodes(context, output.span);
+  const Matrix3 rotation = rotation_of(nodes, frame);
+  const Vector3 origin = origin_of(nodes, frame);
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      output.values.push_back(rotation[3 * row + column]);
+    }
+    output.values.push_back(origin[row]);
+  }
+  Vector3 angular = context.model.frames[frame].spin;
+  Vector3 linear{};
+  for (std::size_t k = 0; k < 3; ++k) linear[k] = nodes.rate(origin[k]);
+  if (output.in_world) {
+    angular = nodes.apply(rotation, angular);
+  } else {
+    linear = nodes.apply_transposed(rotation, linear);
+  }
+  output.twist.assign(angular.begin(), angular.end());
+  output.twist.insert(output.twist.end(), linear.begin(), linear.end());
+  nodes.finish();
+}
+
+Vector3 padded(const std::vector<ExpressionId>& components) {
+  Vector3 result{no_expression, no_expression, no_expression};
+  std::copy_n(components.begin(), std::min(components.size(), result.size()), result.begin());
+  return result;
+}
+
+Vector3 turned(NodeBuilder& nodes, const Vector3& x, std::optional<std::uint32_t> from,
+               std::optional<std::uint32_t> to) {
+  if (from == to) return x;
+  Vector3 result = x;
+  if (from) result = nodes.apply(rotation_of(nodes, *from), result);
+  if (to) result = nodes.apply_transposed(rotation_of(nodes, *to), result);
+  return result;
+}
+
+}  // namespace elgen

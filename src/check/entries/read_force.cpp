@@ -1,0 +1,183 @@
+// Forces on velocities, at points and on frames, and the outputs a model declares.
+#include <algorithm>
+#include <array>
+
+#include "check/entries/entries.hpp"
+#include "check/entries/in_frame.hpp"
+#include "check/expressions/places.hpp"
+#include "check/expressions/values.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr Place force_place{"a force", place::of_force};
+constexpr Place torque_place{"a torque", place::of_force};
+
+void read_generalized_force(ValueReader& values, const KeySyntax& on, const KeySyntax& value,
+                            Force& force) {
+  force.on = values.velocity(on.value);
+  std::optional<Unit> unit;
+  if (force.on) {
+    unit = force_unit(values.context().model.velocities[*force.on]);
+  }
+  force.value = values.roots(value.value, {force_place, unit});
+  if (value.value.kind == ValueKind::list) {
+    values.context().report.add(Code::E104, value.value.span,
+                                "a list, but a generalized force is one number");
+  }
+}
+
+/// The frame whose axes the components are in: `in`, or what is usual.
+std::optional<std::uint32_t> axes_of(ValueReader& values, const EntrySyntax& entry,
+                                     std::optional<std::uint32_t> usual) {
+  const KeySyntax* in = entry.find("in");
+  return in == nullptr ? usual : values.frame_or_world(in->value);
+}
+
+/// Keeps the components as written, and turns them into the axes the model keeps them in.
+void turn_components(Context& context, std::optional<std::uint32_t> to, Force& force) {
+  force.written = force.value;
+  NodeBuilder nodes(context, force.span);
+  const Vector3 components = turned(nodes, padded(force.value), force.axes, to);
+  nodes.finish();
+  force.value.assign(components.begin(), components.end());
+}
+
+void read_point_force(ValueReader& values, const EntrySyntax& entry, Force& force) {
+  Context& context = values.context();
+  const KeySyntax& value = *entry.find("value");
+  force.at = values.reference(entry.find("at")->value, SymbolKind::point);
+  force.axes = axes_of(values, entry, std::nullopt);
+  force.value = values.roots(value.value, {force_place, find_unit("N")});
+  const std::size_t count = force.value.size();
+  if (force.at && count != context.model.points[*force.at].dimension) {
+    context.report.add(Code::E516, value.value.span,
+                       counted(count, "component") + ", but the point has " +
+                           std::to_string(context.model.points[*force.at].dimension));
+  }
+  force.value.resize(3, no_expression);
+  if (const KeySyntax* from = entry.find("from")) {
+    force.from = values.reference(from->value, SymbolKind::point);
+  }
+  turn_components(context, std::nullopt, force);
+}
+
+void read_torque(ValueReader& values, const EntrySyntax& entry, Force& force) {
+  Context& context = values.context();
+  const KeySyntax& value = *entry.find("value");
+  force.frame = values.reference(entry.find("frame")->value, SymbolKind::frame);
+  force.axes = axes_of(values, entry, force.frame);
+  force.value = values.roots(value.value, {torque_place, *find_unit("N") * *find_unit("m")});
+  const std::size_t expected = context.dimension == 2 ? 1 : 3;
+  if (force.value.size() != expected) {
+    context.report.add(Code::E516, value.value.span,
+                       counted(force.value.size(), "component") + ", but a torque has " +
+                           std::to_string(expected));
+    force.value.resize(expected, no_expression);
+  }
+  if (expected == 1) force.value = {no_expression, no_expression, force.value.front()};
+  if (const KeySyntax* from = entry.find("from")) {
+    force.from_frame = values.frame_or_world(from->value);
+  }
+  turn_components(context, force.frame, force);
+  if (!force.from_frame) return;
+  NodeBuilder nodes(context, force.span);
+  const Vector3 components = turned(nodes, padded(force.written), force.axes, force.from_frame);
+  nodes.finish();
+  force.reaction.assign(components.begin(), components.end());
+}
+
+constexpr std::array<std::string_view, 3> force_places{"on", "at", "frame"};
+
+/// Exactly one of `on`, `at` and `frame`; null after an error.
+const KeySyntax* place_of(const EntrySyntax& entry, Report& report) {
+  const KeySyntax* place = nullptr;
+  for (const KeySyntax& key : entry.keys) {
+    if (std::find(force_places.begin(), force_places.end(), key.key) == force_places.end()) {
+      continue;
+    }
+    if (place != nullptr) {
+      report.add(Code::E112, key.key_span, "a force has one of `on`, `at` and `frame`");
+      return nullptr;
+    }
+    place = &key;
+  }
+  if (place == nullptr) {
+    report.add(Code::E112, entry.span, "none of `on`, `at` and `frame` says where the force acts");
+  }
+  return place;
+}
+
+void read_force(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
+  Context& context = values.context();
+  Force force = context.model.forces[target];
+  const KeySyntax* value = entry.find("value");
+  if (value == nullptr) {
+    return;
+  }
+  const KeySyntax* place = place_of(entry, context.report);
+  if (place == nullptr) {
+    return;
+  }
+  if (place->key == "on") {
+    read_generalized_force(values, *place, *value, force);
+  } else if (place->key == "at") {
+    read_point_force(values, entry, force);
+  } else {
+    read_torque(values, entry, force);
+  }
+  context.model.forces[target] = std::move(force);
+}
+
+/// [R p] row by row, and the twist in the axes asked for.
+void read_frame_output(ValueReader& values, const EntrySyntax& entry, UserOutput& output) {
+  Context& context = values.context();
+  output.frame = values.reference(entry.find("frame")->value, SymbolKind::frame);
+  output.columns = 4;
+  if (!output.frame) {
+    return;
+  }
+  std::optional<std::uint32_t> axes;
+  if (const KeySyntax* key = entry.find("axes")) {
+    axes = values.frame_or_world(key->value);
+    if (axes && axes != output.frame) {
+      context.report.add(Code::E112, key->value.span,
+                         "axes are `world` or those of the frame itself");
+      return;
+    }
+  }
+  output.in_world = !axes;
+  write_frame_output(context, output);
+}
+
+void read_output(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
+  UserOutput output = values.context().model.outputs[target];
+  const Place place{"an output", place::of_configuration};
+  const KeySyntax* value = entry.find("value");
+  const KeySyntax* frame = entry.find("frame");
+  if ((value == nullptr) == (frame == nullptr)) {
+    values.context().report.add(Code::E112, entry.span, "an output has one of `value` and `frame`");
+  } else if (value != nullptr) {
+    output.values = values.roots(value->value, {place});
+  } else {
+    read_frame_output(values, entry, output);
+  }
+  if (const KeySyntax* jacobian = entry.find("jacobian")) {
+    output.jacobian = jacobian->value.boolean;
+  }
+  output.doc = text_of(entry, "doc");
+  values.context().model.outputs[target] = std::move(output);
+}
+
+}  // namespace
+
+void read_force_or_output(Context& context, const Instance& instance) {
+  ValueReader values(context, instance.scope);
+  if (instance.entry->name == "force") {
+    read_force(values, *instance.entry, instance.target);
+  } else if (instance.entry->name == "output") {
+    read_output(values, *instance.entry, instance.target);
+  }
+}
+
+}  // namespace elgen

@@ -1,0 +1,227 @@
+// Frames: their steps from the parent as the file gives them, and the pose in the world as
+// expressions over the parent's.
+//
+//     x_parent = translate + R x,   R by one of
+//       rotate      R1(angle1) R2(angle2) ..., each about an axis of the frame reached so far
+//       rpy         Rz(y) Ry(p) Rx(r)
+//       dh          standard Rz(theta) Tz(d) Tx(a) Rx(alpha), modified Rx(alpha) Tx(a) Rz(theta)
+//       Tz(d) quaternion  (w, x, y, z), Hamilton, frame to parent, divided by its squared length
+//       rotation    the same of a coordinate, whose length is one
+#include <algorithm>
+
+#include "check/entries/entries.hpp"
+#include "check/entries/pose.hpp"
+#include "check/expressions/node_builder.hpp"
+#include "check/expressions/places.hpp"
+#include "check/expressions/values.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr Place angle_place{"an angle", place::of_configuration};
+constexpr Place length_place{"a position", place::of_configuration};
+constexpr std::array<std::string_view, 5> orientations{"rotate", "rpy", "dh", "quaternion",
+                                                       "rotation"};
+
+class FrameReader {
+ public:
+  FrameReader(Context& context, const Instance& instance)
+      : context_(context),
+        values_(context, instance.scope),
+        entry_(*instance.entry),
+        target_(instance.target),
+        frame_(context.model.frames[instance.target]),
+        report_(context.report) {}
+
+  void read() {
+    frame_.doc = text_of(entry_, "doc");
+    check_name();
+    if (const KeySyntax* parent = entry_.find("parent")) {
+      frame_.parent = values_.frame_or_world(parent->value);
+    }
+    if (const KeySyntax* translate = entry_.find("translate")) read_translation(translate->value);
+    if (has_one_orientation()) read_orientation();
+    write_pose(context_, target_, frame_);
+    context_.model.frames[target_] = std::move(frame_);
+  }
+
+ private:
+  void check_name() {
+    if (frame_.name == world) {
+      report_.add(Code::E204, frame_.span, "`world` is reserved: it is what does not move");
+    }
+  }
+
+  bool has_one_orientation() {
+    const KeySyntax* first = nullptr;
+    for (const KeySyntax& key : entry_.keys) {
+      if (std::find(orientations.begin(), orientations.end(), key.key) == orientations.end()) {
+        continue;
+      }
+      if (first != nullptr) {
+        report_.add(Code::E112, key.key_span,
+                    "a frame is turned by one of `rotate`, `rpy`, `dh`, `quaternion`, `rotation`");
+        return false;
+      }
+      first = &key;
+    }
+    return first != nullptr;
+  }
+
+  void read_translation(const ValueSyntax& value) {
+    if (!values_.is_vector(value)) {
+      return;
+    }
+    std::vector<ExpressionId> offset = values_.roots(value, length_request());
+    offset.resize(3, no_expression);
+    frame_.steps.push_back({FrameStepKind::translation, {offset[0], offset[1], offset[2]}});
+  }
+
+  [[nodiscard]] RootRequest length_request() const {
+    return {length_place, find_unit("m"), OwnerKind::frame, target_};
+  }
+
+  [[nodiscard]] RootRequest angle_request() const {
+    return {angle_place, find_unit("rad"), OwnerKind::frame, target_};
+  }
+
+  void read_orientation() {
+    if (const KeySyntax* key = entry_.find("rotate")) read_turns(key->value);
+    if (const KeySyntax* key = entry_.find("rpy")) read_rpy(key->value);
+    if (const KeySyntax* key = entry_.find("dh")) read_dh(key->value);
+    if (const KeySyntax* key = entry_.find("quaternion")) read_quaternion(key->value);
+    if (const KeySyntax* key = entry_.find("rotation")) read_rotation(key->value);
+  }
+
+  void add_turn(std::size_t axis, ExpressionId angle) {
+    NodeBuilder nodes(context_, frame_.span);
+    FrameStep step{FrameStepKind::turn};
+    step.vector[axis] = nodes.number(1);
+    nodes.finish(OwnerKind::frame, target_);
+    step.angle = angle;
+    frame_.steps.push_back(step);
+  }
+
+  void read_turns(const ValueSyntax& turns) {
+    for (const ValueSyntax& turn : turns.items) {
+      const ValueSyntax& axis = turn.items[0];
+      const ExpressionId angle = values_.root(turn.items[1], angle_request());
+      if (axis.kind == ValueKind::list) {
+        add_turn_about(axis, angle);
+      } else if (axis.text == "x" || axis.text == "y" || axis.text == "z") {
+        add_turn(static_cast<std::size_t>(axis.text.front() - 'x'), angle);
+      } else {
+        report_.add(Code::E112, axis.span,
+                    quoted(axis.text) + " is no axis: `x`, `y`, `z` or three constants");
+      }
+    }
+  }
+
+  /// The axis of unit length, exactly: irrational components keep their form.
+  void add_turn_about(const ValueSyntax& axis, ExpressionId angle) {
+    NodeBuilder nodes(context_, axis.span);
+    Vector3 given{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::optional<FixedValue> value = values_.constant_with_form(axis.items[i]);
+      if (!value) return;
+      given[i] = value->form ? *value->form : nodes.number(cln::rational(value->number));
+    }
+    const ExpressionId squared = nodes.dot(given, given);
+    if (context_.constants[squared] && cln::zerop(*context_.constants[squared])) {
+      report_.add(Code::E112, axis.span, "an axis of length 0 has no direction");
+      return;
+    }
+    const ExpressionId scale = nodes.power(squared, cln::cl_RA(-1) / 2);
+    FrameStep step{FrameStepKind::turn};
+    for (std::size_t i = 0; i < 3; ++i) step.vector[i] = nodes.multiply({given[i], scale});
+    nodes.finish(OwnerKind::frame, target_);
+    step.angle = angle;
+    frame_.steps.push_back(step);
+  }
+
+  bool has_count(const ValueSyntax& value, std::size_t count, std::string_view what) {
+    if (value.items.size() == count) return true;
+    report_.add(Code::E104, value.span,
+                counted(value.items.size(), "component") + ", but " + std::string(what) + " has " +
+                    std::to_string(count));
+    return false;
+  }
+
+  void read_rpy(const ValueSyntax& value) {
+    if (!has_count(value, 3, "`rpy`")) return;
+    const std::vector<ExpressionId> angles = values_.roots(value, angle_request());
+    for (const std::size_t axis : {2U, 1U, 0U}) add_turn(axis, angles[axis]);
+  }
+
+  ExpressionId dh_value(const ValueSyntax& table, std::string_view key,
+                        const RootRequest& request) {
+    const KeySyntax* value = find_key(table, key);
+    return value == nullptr ? no_expression : values_.root(value->value, request);
+  }
+
+  /// The turn about and the shift along one axis commute.
+  void add_screw(std::size_t axis, ExpressionId angle, ExpressionId length) {
+    if (angle != no_expression) add_turn(axis, angle);
+    if (length == no_expression) return;
+    FrameStep step{FrameStepKind::translation};
+    step.vector[axis] = length;
+    frame_.steps.push_back(step);
+  }
+
+  void read_dh(const ValueSyntax& table) {
+    const ExpressionId a = dh_value(table, "a", length_request());
+    const ExpressionId alpha = dh_value(table, "alpha", angle_request());
+    const ExpressionId d = dh_value(table, "d", length_request());
+    const ExpressionId theta = dh_value(table, "theta", angle_request());
+    const bool is_modified = text_of(table, "convention") == "modified";
+    if (is_modified) add_screw(0, alpha, a);
+    add_screw(2, theta, d);
+    if (!is_modified) add_screw(0, alpha, a);
+  }
+
+  void read_quaternion(const ValueSyntax& value) {
+    if (!has_count(value, 4, "a quaternion")) return;
+    const Place place{"a quaternion", place::of_configuration};
+    const std::vector<ExpressionId> components =
+        values_.roots(value, {place, std::nullopt, OwnerKind::frame, target_});
+    FrameStep step{FrameStepKind::quaternion};
+    std::copy(components.begin(), components.end(), step.quaternion.begin());
+    const auto is_zero = [&](ExpressionId id) {
+      return context_.constants[id] && cln::zerop(*context_.constants[id]);
+    };
+    if (std::all_of(components.begin(), components.end(), is_zero)) {
+      report_.add(Code::E112, value.span, "a quaternion of length 0 is no orientation");
+      return;
+    }
+    frame_.steps.push_back(step);
+  }
+
+  void read_rotation(const ValueSyntax& value) {
+    const std::optional<std::uint32_t> rotation = values_.rotation(value);
+    if (!rotation) return;
+    NodeBuilder nodes(context_, frame_.span);
+    FrameStep step{FrameStepKind::quaternion};
+    for (std::uint32_t i = 0; i < quaternion_size; ++i) {
+      const std::uint32_t coordinate = context_.model.rotations[*rotation].first_coordinate + i;
+      step.quaternion[i] = nodes.leaf(ExpressionKind::coordinate, coordinate);
+    }
+    nodes.finish(OwnerKind::frame, target_);
+    step.rotation = rotation;
+    frame_.steps.push_back(step);
+  }
+
+  Context& context_;
+  ValueReader values_;
+  const EntrySyntax& entry_;
+  std::uint32_t target_;
+  Frame frame_;
+  Report& report_;
+};
+
+}  // namespace
+
+void read_frame(Context& context, const Instance& instance) {
+  if (instance.entry->name == "frame") FrameReader(context, instance).read();
+}
+
+}  // namespace elgen

@@ -1,0 +1,177 @@
+// Points and bodies: where mass is, and how it turns.
+#include <algorithm>
+
+#include "check/entries/entries.hpp"
+#include "check/entries/in_frame.hpp"
+#include "check/expressions/places.hpp"
+#include "check/expressions/values.hpp"
+
+namespace elgen {
+namespace {
+
+RootRequest mass_request() {
+  return {{"a mass", place::parameters_only, Code::E506}, find_unit("kg")};
+}
+
+void read_point(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
+  Context& context = values.context();
+  Point point = context.model.points[target];
+  point.doc = text_of(entry, "doc");
+  const KeySyntax* at = entry.find("at");
+  if (at != nullptr && values.is_vector(at->value)) {
+    const Place place{"a position", place::of_configuration};
+    point.at = padded(values.roots(at->value, {place, find_unit("m"), OwnerKind::point, target}));
+    if (const KeySyntax* frame = entry.find("frame")) {
+      if (const auto index = values.frame_or_world(frame->value)) {
+        point.local = PlaceInFrame{*index, point.at};
+        point.at = world_position(context, *point.local, {point.span, OwnerKind::point, target});
+      }
+    }
+  }
+  if (const KeySyntax* mass = entry.find("mass")) {
+    point.mass = values.root(mass->value, mass_request());
+  }
+  context.model.points[target] = std::move(point);
+}
+
+class BodyReader {
+ public:
+  BodyReader(ValueReader& values, const EntrySyntax& entry, Body& body)
+      : values_(values), entry_(entry), body_(body), report_(values.context().report) {}
+
+  void read() {
+    body_.doc = text_of(entry_, "doc");
+    read_com();
+    if (const KeySyntax* mass = entry_.find("mass")) {
+      body_.mass = values_.root(mass->value, mass_request());
+    }
+    const KeySyntax* frame = entry_.find("frame");
+    if (frame == nullptr) {
+      read_spin();
+    } else {
+      read_frame(frame->value);
+    }
+    read_inertia();
+    const bool about_origin = text_of(entry_, "inertia_about") == "origin";
+    if (about_origin && frame == nullptr) refuse_origin();
+    check_completeness();
+    if (frame_) {
+      put_in_frame(values_.context(), {{*frame_, body_.com}, body_.inertia, about_origin}, body_);
+    }
+  }
+
+ private:
+  void read_frame(const ValueSyntax& frame) {
+    if (const KeySyntax* spin = entry_.find("spin")) {
+      report_.add(Code::E112, spin->key_span, "a body has `frame` or `spin`, not both");
+    }
+    frame_ = values_.frame_or_world(frame);
+    // Where no vector has told yet, one moment of inertia does.
+    const KeySyntax* inertia = entry_.find("inertia");
+    const std::uint32_t known = values_.context().dimension;
+    const bool has_one_moment = inertia != nullptr && (inertia->value.kind != ValueKind::list ||
+                                                       inertia->value.items.size() == 1);
+    const bool is_planar = known == 2 || (known == 0 && has_one_moment);
+    body_.dimension = is_planar ? 2 : 3;
+    body_.spin.assign(is_planar ? 1 : 3, no_expression);
+  }
+
+  void read_com() {
+    const KeySyntax* com = entry_.find("com");
+    if (com == nullptr || !values_.is_vector(com->value)) {
+      return;
+    }
+    const bool in_frame = entry_.find("frame") != nullptr;
+    const Place place = in_frame ? Place{"a centre of mass", place::parameters_only, Code::E506}
+                                 : Place{"a position", place::of_configuration};
+    body_.com = padded(values_.roots(com->value, {place, find_unit("m")}));
+    body_.dimension = static_cast<std::uint32_t>(com->value.items.size());
+  }
+
+  void read_spin() {
+    const KeySyntax* spin = entry_.find("spin");
+    if (spin == nullptr) {
+      return;
+    }
+    const Place place{"a spin", place::of_state};
+    body_.spin = values_.roots(spin->value, {place, find_unit("Hz")});
+    const std::size_t count = body_.spin.size();
+    const bool has_com = entry_.find("com") != nullptr;
+    if (count != 1 && count != 3) {
+      report_.add(Code::E104, spin->value.span,
+                  counted(count, "component") + ", but a spin has 1 or 3");
+    } else if (has_com && (count == 1) != (body_.dimension == 2)) {
+      report_.add(Code::E516, spin->value.span,
+                  std::string(count == 1 ? "a planar" : "a spatial") +
+                      " spin, but the centre of mass has " + counted(body_.dimension, "component"));
+    }
+    body_.dimension = count == 1 ? 2 : 3;
+  }
+
+  void read_inertia() {
+    const KeySyntax* inertia = entry_.find("inertia");
+    if (inertia == nullptr) {
+      return;
+    }
+    const Place place{"an inertia", place::parameters_only, Code::E506};
+    const Unit unit = *find_unit("kg") * power(*find_unit("m"), {2, 1});
+    body_.inertia = values_.roots(inertia->value, {place, unit});
+    const std::size_t count = body_.inertia.size();
+    const bool fits = body_.spin.size() == 1 ? count == 1 : count == 3 || count == 6;
+    if (!body_.spin.empty() && !fits) {
+      report_.add(Code::E516, inertia->value.span,
+                  counted(count, "moment") + " of inertia for a " +
+                      (body_.spin.size() == 1 ? "planar" : "spatial") + " body",
+                  "planar bodies have 1, spatial ones 3 or 6: xx yy zz xy xz yz");
+    }
+    if (count == 3) {
+      body_.inertia.resize(6, no_expression);
+    }
+  }
+
+  /// A spin says how a body turns, not about which point of it.
+  void refuse_origin() {
+    report_.add(Code::E112, entry_.find("inertia_about")->key_span,
+                "without a `frame` the body has no origin for its inertia to be about",
+                "give the inertia about the centre of mass, or the body a frame; of a body that "
+                "turns about a fixed point, give no mass here and its weight in `[energy] V`");
+  }
+
+  void check_completeness() {
+    if (body_.mass && entry_.find("com") == nullptr && entry_.find("frame") == nullptr) {
+      missing("com", "mass");
+    }
+    if (!body_.inertia.empty() && body_.spin.empty()) {
+      missing("spin", "inertia");
+    }
+    if (entry_.find("spin") != nullptr && body_.inertia.empty()) {
+      missing("inertia", "spin");
+    }
+  }
+
+  void missing(const std::string& key, const std::string& other) {
+    report_.add(Code::E105, entry_.span,
+                quoted(body_.name) + " has `" + other + "` but no `" + key + "`");
+  }
+
+  ValueReader& values_;
+  const EntrySyntax& entry_;
+  Body& body_;
+  Report& report_;
+  std::optional<std::uint32_t> frame_ = {};
+};
+
+}  // namespace
+
+void read_mass(Context& context, const Instance& instance) {
+  ValueReader values(context, instance.scope);
+  if (instance.entry->name == "point") {
+    read_point(values, *instance.entry, instance.target);
+  } else if (instance.entry->name == "body") {
+    Body body = context.model.bodies[instance.target];
+    BodyReader(values, *instance.entry, body).read();
+    context.model.bodies[instance.target] = std::move(body);
+  }
+}
+
+}  // namespace elgen

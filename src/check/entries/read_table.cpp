@@ -1,0 +1,107 @@
+// The tables that are not repeated: [model], [define], [gravity], [energy].
+#include <algorithm>
+#include <array>
+
+#include "check/entries/entries.hpp"
+#include "check/expressions/places.hpp"
+#include "check/expressions/values.hpp"
+#include "check/names/reserved_names.hpp"
+
+namespace elgen {
+namespace {
+
+bool is_model_name(std::string_view name) {
+  const auto has_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+  return is_well_formed_name(name) && std::none_of(name.begin(), name.end(), has_capital);
+}
+
+void read_header(Context& context, const EntrySyntax& entry) {
+  Model& model = context.model;
+  context.model_span = entry.span;
+  model.name = text_of(entry, "name");
+  model.title = text_of(entry, "title");
+  model.description = text_of(entry, "description");
+  model.reference = text_of(entry, "reference");
+  const KeySyntax* name = entry.find("name");
+  if (name == nullptr) {
+    return;
+  }
+  model.name_span = name->value.span;
+  if (!is_model_name(model.name)) {
+    context.report.add(Code::E205, name->value.span,
+                       quoted(model.name) + " is not lower-case letters, digits and underscores");
+  } else {
+    (void)check_name(model.name, name->value.span, context.report);
+  }
+}
+
+void read_definitions(ValueReader& values, const EntrySyntax& entry) {
+  Context& context = values.context();
+  constexpr Place place{"a definition", place::of_force};
+  for (const KeySyntax& key : entry.keys) {
+    const DeclaredName* symbol = context.symbols.find(key.key);
+    if (symbol == nullptr || symbol->kind != SymbolKind::definition) {
+      continue;
+    }
+    const std::uint32_t target = symbol->elements.begin()->second;
+    const ExpressionId value =
+        values.root(key.value, {place, std::nullopt, OwnerKind::definition, target});
+    context.model.definitions[target].value = value;
+  }
+}
+
+void read_gravity(ValueReader& values, const EntrySyntax& entry) {
+  const KeySyntax* vector = entry.find("vector");
+  if (vector == nullptr) {
+    return;
+  }
+  const Unit acceleration = *find_unit("m") / power(*find_unit("s"), {2, 1});
+  const Place place{"gravity", place::of_time};
+  std::vector<ExpressionId> components = values.roots(vector->value, {place, acceleration});
+  (void)values.is_vector(vector->value);
+  components.resize(3, no_expression);
+  values.context().model.gravity = {components[0], components[1], components[2]};
+}
+
+struct EnergyKey {
+  std::string_view key;
+  std::optional<ExpressionId> Energies::*member;
+  std::string_view unit;
+};
+
+constexpr std::array<EnergyKey, 4> energy_keys{{
+    {"T", &Energies::T, "J"},
+    {"V", &Energies::V, "J"},
+    {"D", &Energies::D, "W"},
+    {"L", &Energies::L, "J"},
+}};
+
+void read_energies(ValueReader& values, const EntrySyntax& entry) {
+  for (const EnergyKey& energy : energy_keys) {
+    if (const KeySyntax* key = entry.find(energy.key)) {
+      const Place place{energy.key, place::of_state};
+      if (energy.key == "L") {
+        values.context().lagrangian_span = key->key_span;
+      }
+      values.context().model.energies.*energy.member =
+          values.root(key->value, {place, find_unit(energy.unit)});
+    }
+  }
+}
+
+}  // namespace
+
+void read_table(Context& context, const EntrySyntax& entry) {
+  ValueReader values(context, Scope(context.sizes));
+  if (entry.name == "model") {
+    read_header(context, entry);
+  } else if (entry.name == "define") {
+    read_definitions(values, entry);
+  } else if (entry.name == "gravity") {
+    read_gravity(values, entry);
+  } else if (entry.name == "energy") {
+    read_energies(values, entry);
+  }
+}
+
+}  // namespace elgen

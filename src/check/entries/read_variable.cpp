@@ -1,0 +1,144 @@
+// Coordinates, inputs and prescribed functions.
+#include "check/entries/entries.hpp"
+#include "check/expressions/places.hpp"
+#include "check/expressions/rotations.hpp"
+#include "check/expressions/unit_expression.hpp"
+#include "check/expressions/values.hpp"
+
+namespace elgen {
+namespace {
+
+std::optional<Unit> unit_of(const EntrySyntax& entry, Report& report) {
+  const KeySyntax* key = entry.find("unit");
+  return key == nullptr ? std::nullopt : read_unit(key->value, report);
+}
+
+std::optional<Interval> interval_of(ValueReader& values, const EntrySyntax& entry,
+                                    std::string_view name) {
+  const KeySyntax* key = entry.find(name);
+  return key == nullptr ? std::nullopt : values.interval(key->value);
+}
+
+/// E104: a list is what rotations start with.
+cln::cl_R start_constant(ValueReader& values, const ValueSyntax& value) {
+  if (value.kind == ValueKind::list) {
+    values.context().report.add(Code::E104, value.span, "a list, but the coordinate is one number");
+    return 0;
+  }
+  return values.constant(value).value_or(0);
+}
+
+void read_start(ValueReader& values, const ValueSyntax& table, Coordinate& coordinate) {
+  if (const KeySyntax* value = find_key(table, "value")) {
+    coordinate.start_value = start_constant(values, value->value);
+  }
+  if (const KeySyntax* rate = find_key(table, "rate")) {
+    values.context().model.velocities[coordinate.velocity].start_rate =
+        start_constant(values, rate->value);
+  }
+}
+
+void read_rate(ValueReader& values, const EntrySyntax& entry, const Coordinate& coordinate) {
+  std::optional<Interval> range = interval_of(values, entry, "rate_range");
+  Velocity& velocity = values.context().model.velocities[coordinate.velocity];
+  velocity.rate_range = std::move(range);
+  if (coordinate.unit) {
+    velocity.unit = *coordinate.unit / *find_unit("s");
+  }
+}
+
+/// 1/2 J v^2 is an energy.
+std::optional<Unit> armature_unit(const Coordinate& coordinate) {
+  if (!coordinate.unit) {
+    return std::nullopt;
+  }
+  const Unit rate = *coordinate.unit / *find_unit("s");
+  return *find_unit("J") / power(rate, {2, 1});
+}
+
+void read_coordinate(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
+  Context& context = values.context();
+  Coordinate coordinate = context.model.coordinates[target];
+  coordinate.unit = unit_of(entry, context.report);
+  coordinate.unit_text = text_of(entry, "unit");
+  coordinate.range = interval_of(values, entry, "range");
+  read_rate(values, entry, coordinate);
+  coordinate.latex = text_of(entry, "latex");
+  coordinate.doc = text_of(entry, "doc");
+  if (const KeySyntax* start = entry.find("start")) {
+    read_start(values, start->value, coordinate);
+  }
+  if (const KeySyntax* armature = entry.find("armature")) {
+    const Place place{"an armature", place::parameters_only, Code::E506};
+    coordinate.armature = values.root(armature->value, {place, armature_unit(coordinate)});
+  }
+  if (const KeySyntax* singular = entry.find("singular")) {
+    const Place place{"a singular configuration", place::of_configuration};
+    coordinate.singular = values.root(singular->value, {place});
+  }
+  context.model.coordinates[target] = std::move(coordinate);
+}
+
+void check_input_unit(Context& context, const Input& input, const ValueSyntax& unit) {
+  const Velocity& velocity = context.model.velocities[*input.on];
+  const std::optional<Unit> expected = force_unit(velocity);
+  if (input.unit && expected && *input.unit != *expected) {
+    context.report.add(Code::E403, unit.span,
+                       quoted(input.name) + " is in " + to_string(*input.unit) +
+                           ", but a force on " + quoted(velocity.name) + " is in " +
+                           to_string(*expected));
+  }
+}
+
+void read_input(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
+  Context& context = values.context();
+  Input input = context.model.inputs[target];
+  input.unit = unit_of(entry, context.report);
+  input.unit_text = text_of(entry, "unit");
+  input.limits = interval_of(values, entry, "limits");
+  input.doc = text_of(entry, "doc");
+  if (const KeySyntax* on = entry.find("on")) {
+    input.on = values.velocity(on->value);
+  }
+  if (const KeySyntax* unit = entry.find("unit"); unit != nullptr && input.on) {
+    check_input_unit(context, input, unit->value);
+  }
+  context.model.inputs[target] = std::move(input);
+}
+
+void read_prescribed(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
+  Context& context = values.context();
+  const std::optional<Unit> unit = unit_of(entry, context.report);
+  context.prescribed_units.resize(context.model.prescribed.size());
+  context.prescribed_units[target] = unit;
+  NamedExpression& prescribed = context.model.prescribed[target];
+  prescribed.latex = text_of(entry, "latex");
+  prescribed.doc = text_of(entry, "doc");
+  if (const KeySyntax* value = entry.find("value")) {
+    const Place place{"a prescribed function", place::of_time};
+    context.model.prescribed[target].value =
+        values.root(value->value, {place, unit, OwnerKind::prescribed, target});
+  }
+}
+
+}  // namespace
+
+std::optional<Unit> force_unit(const Velocity& velocity) {
+  return velocity.unit ? std::optional(*find_unit("W") / *velocity.unit) : std::nullopt;
+}
+
+void read_variable(Context& context, const Instance& instance) {
+  ValueReader values(context, instance.scope);
+  const EntrySyntax& entry = *instance.entry;
+  if (is_rotation(entry)) {
+    read_rotation(values, entry, instance.target);
+  } else if (entry.name == "coordinate") {
+    read_coordinate(values, entry, instance.target);
+  } else if (entry.name == "input") {
+    read_input(values, entry, instance.target);
+  } else if (entry.name == "prescribed") {
+    read_prescribed(values, entry, instance.target);
+  }
+}
+
+}  // namespace elgen

@@ -1,0 +1,217 @@
+// Expansion: declares all names first, then lists the instances whose expressions are to be
+// resolved.
+#include "check/expressions/expand.hpp"
+
+#include <array>
+#include <utility>
+
+#include "check/expressions/parameters.hpp"
+#include "check/expressions/rotations.hpp"
+
+namespace elgen {
+namespace {
+
+/// How an entry of an array of tables becomes a row of the Model.
+struct EntryKind {
+  std::string_view entry;
+  SymbolKind kind;
+  std::uint32_t (*add)(Model& model, const NewName& name);
+};
+
+template <class Row>
+Row named(const NewName& name) {
+  Row row;
+  row.name = name.text();
+  row.span = name.span;
+  if constexpr (requires { row.identifier; }) {
+    row.identifier = name.identifier();
+  }
+  return row;
+}
+
+template <class Row>
+std::uint32_t append(std::vector<Row>& rows, const NewName& name) {
+  rows.push_back(named<Row>(name));
+  return static_cast<std::uint32_t>(rows.size() - 1);
+}
+
+constexpr std::array<EntryKind, 8> entry_kinds{{
+    {"coordinate", SymbolKind::coordinate,
+     [](Model& model, const NewName& name) {
+       return append_coordinate(model, named<Coordinate>(name));
+     }},
+    {"prescribed", SymbolKind::prescribed,
+     [](Model& model, const NewName& name) { return append(model.prescribed, name); }},
+    {"point", SymbolKind::point,
+     [](Model& model, const NewName& name) { return append(model.points, name); }},
+    {"frame", SymbolKind::frame,
+     [](Model& model, const NewName& name) { return append(model.frames, name); }},
+    {"body", SymbolKind::body,
+     [](Model& model, const NewName& name) { return append(model.bodies, name); }},
+    {"input", SymbolKind::input,
+     [](Model& model, const NewName& name) { return append(model.inputs, name); }},
+    {"force", SymbolKind::force,
+     [](Model& model, const NewName& name) { return append(model.forces, name); }},
+    {"output", SymbolKind::output,
+     [](Model& model, const NewName& name) { return append(model.outputs, name); }},
+}};
+
+const EntryKind* find_kind(std::string_view entry) {
+  for (const EntryKind& kind : entry_kinds) {
+    if (kind.entry == entry) {
+      return &kind;
+    }
+  }
+  return nullptr;
+}
+
+/// The number of components decides the dimension; it is known before any expression is.
+void note_dimension(Model& model, const EntrySyntax& entry, std::uint32_t point) {
+  const KeySyntax* at = entry.find("at");
+  if (at != nullptr && at->value.items.size() == 2) {
+    model.points[point].dimension = 2;
+  }
+}
+
+/// E906, E907; false where the limit is reached.
+bool within_limits(Context& context, SymbolKind kind, const Span& span) {
+  const bool is_coordinate = kind == SymbolKind::coordinate;
+  std::uint64_t& count = is_coordinate ? context.coordinate_count : context.definition_count;
+  const std::uint64_t limit =
+      is_coordinate ? context.limits.coordinates : context.limits.definitions;
+  if (++count <= limit) {
+    return true;
+  }
+  if (!std::exchange(context.beyond_limits, true)) {
+    context.report.add(is_coordinate ? Code::E906 : Code::E907, span,
+                       "more than " + std::to_string(limit) +
+                           (is_coordinate ? " coordinates" : " entries after repetition"));
+  }
+  return false;
+}
+
+void declare_definition(Context& context, const KeySyntax& key) {
+  if (!within_limits(context, SymbolKind::definition, key.key_span)) {
+    return;
+  }
+  std::vector<NamedExpression>& definitions = context.model.definitions;
+  const auto target = static_cast<std::uint32_t>(definitions.size());
+  const NewName name{key.key, {}, key.key_span};
+  if (context.symbols.declare(name, SymbolKind::definition, target, context.report)) {
+    append(definitions, name);
+  }
+}
+
+class Expander {
+ public:
+  explicit Expander(Context& context) : context_(context) {}
+
+  void expand(const EntrySyntax& entry) {
+    const EntryKind* kind = find_kind(entry.name);
+    if (kind == nullptr) {
+      return;
+    }
+    const KeySyntax* repetition = entry.find("for");
+    Scope scope(context_.sizes);
+    if (repetition == nullptr) {
+      add_instance(entry, *kind, scope);
+      return;
+    }
+    const std::vector<RangeSyntax> ranges = read_repetition(repetition->value);
+    const bool complete =
+        repeat(ranges, scope, context_.report, [&] { return add_instance(entry, *kind, scope); });
+    const KeySyntax* name = entry.find("name");
+    if (!complete && name != nullptr) {
+      context_.symbols.mark_failed(name->value.expression.text);
+      context_.frames.mark_failed(name->value.expression.text);
+    }
+  }
+
+  std::vector<Instance> take() { return std::move(instances_); }
+
+ private:
+  /// False where nothing more should be added.
+  bool add_instance(const EntrySyntax& entry, const EntryKind& kind, const Scope& scope) {
+    NewName name;
+    name.span = entry.span;
+    const KeySyntax* key = entry.find("name");
+    if (key != nullptr && !read_new_name(key->value, scope, name)) {
+      return false;
+    }
+    if (!within_limits(context_, kind.kind, name.span)) {
+      return false;
+    }
+    if (is_rotation(entry)) {
+      return add_rotation(entry, name, scope);
+    }
+    const std::uint32_t target = kind.add(context_.model, name);
+    if (kind.kind == SymbolKind::point) {
+      note_dimension(context_.model, entry, target);
+    }
+    instances_.push_back({&entry, scope, target});
+    DeclaredNames& symbols = kind.kind == SymbolKind::frame ? context_.frames : context_.symbols;
+    return key == nullptr || symbols.declare(name, kind.kind, target, context_.report);
+  }
+
+  bool add_rotation(const EntrySyntax& entry, const NewName& name, const Scope& scope) {
+    const std::optional<std::uint32_t> target = declare_rotation(context_, entry, name);
+    if (target) {
+      instances_.push_back({&entry, scope, *target});
+    }
+    return target.has_value();
+  }
+
+  bool read_new_name(const ValueSyntax& value, const Scope& scope, NewName& name) {
+    name.base = value.expression.text;
+    name.span = value.span;
+    if (value.expression.operands.empty()) {
+      return true;
+    }
+    name.index = integer_value(value.expression.operands.front(), scope, context_.report);
+    return name.index.has_value();
+  }
+
+  Context& context_;
+  std::vector<Instance> instances_;
+};
+
+/// A running index that is also a name of the model would hide it.
+void check_indices(Context& context, const EntrySyntax& entry) {
+  const KeySyntax* repetition = entry.find("for");
+  if (repetition == nullptr) {
+    return;
+  }
+  for (const RangeSyntax& range : read_repetition(repetition->value)) {
+    if (const DeclaredName* symbol = context.symbols.find(range.index)) {
+      Diagnostic diagnostic{Code::E203, range.index_span,
+                            "the running index " + quoted(range.index) + " is also " +
+                                with_article(noun(symbol->kind))};
+      diagnostic.related = symbol->span;
+      diagnostic.related_message = "declared here";
+      context.report.add(std::move(diagnostic));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Instance> expand_entries(Context& context, const ModelSyntax& syntax) {
+  Expander expander(context);
+  for (const EntrySyntax& entry : syntax.entries) {
+    for (const KeySyntax& key : entry.keys) {
+      if (entry.name == "parameters") {
+        declare_parameter(context, key);
+      } else if (entry.name == "define") {
+        declare_definition(context, key);
+      }
+    }
+    expander.expand(entry);
+  }
+  // All names are known only now.
+  for (const EntrySyntax& entry : syntax.entries) {
+    check_indices(context, entry);
+  }
+  return expander.take();
+}
+
+}  // namespace elgen

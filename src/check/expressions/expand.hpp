@@ -1,0 +1,39 @@
+// Expansion: entries of the file, repetitions included, as a list of instances that declare names.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "check/names/context.hpp"
+#include "elgen/syntax.hpp"
+
+namespace elgen {
+
+/// One entry of the file for one combination of running indices; `target` is its index in the
+/// Model.
+struct Instance {
+  const EntrySyntax* entry = nullptr;
+  Scope scope;
+  std::uint32_t target = 0;
+};
+
+/// A size that a scene or an option sets.
+struct SizeOverride {
+  std::string name;
+  std::int64_t value = 0;
+  Span span = {};
+};
+
+/// Reads `[sizes]`, applies overrides (the scene's, then the options'), and declares the names.
+/// E605.
+void apply_sizes(Context& context, const ModelSyntax& syntax,
+                 const std::vector<SizeOverride>& overrides);
+
+/// Declares every name of the model, so that expressions may refer forward, and adds an empty
+/// coordinate, point, … to the Model for each. E2xx, E906, E907.
+///
+///     [[point]] for = "i in 1..2", name = "p[i]"   ->   p[1] with i = 1, p[2] with i = 2
+[[nodiscard]] std::vector<Instance> expand_entries(Context& context, const ModelSyntax& syntax);
+
+}  // namespace elgen

@@ -1,0 +1,162 @@
+// Nodes that check writes itself. Operands come first, as everywhere in the arena.
+#include "check/expressions/node_builder.hpp"
+
+#include <cln/real.h>
+
+#include <utility>
+
+#include "base/exact_number.hpp"
+
+namespace elgen {
+
+NodeBuilder::NodeBuilder(Context& context, const Span& span)
+    : context_(context),
+      span_(span),
+      first_(static_cast<ExpressionId>(context.model.expressions.size())) {}
+
+ExpressionId NodeBuilder::push(Expression node) {
+  node.span = span_;
+  std::vector<Expression>& arena = context_.model.expressions;
+  arena.push_back(std::move(node));
+  (void)context_.constants.append(arena);
+  const auto id = static_cast<ExpressionId>(arena.size() - 1);
+  const auto& value = context_.constants[id];
+  if (value && is_rational(*value)) {
+    arena[id] = {.number = cln::the<cln::cl_RA>(*value), .span = span_};
+  }
+  return id;
+}
+
+bool NodeBuilder::is_number(ExpressionId id, int value) const {
+  const Expression& node = context_.model.expressions[id];
+  return node.kind == ExpressionKind::number && node.number == value;
+}
+
+ExpressionId NodeBuilder::number(const cln::cl_RA& value) {
+  if (cln::zerop(value)) return no_expression;
+  return push({.number = value});
+}
+
+ExpressionId NodeBuilder::leaf(ExpressionKind kind, std::uint32_t index) {
+  return push({.kind = kind, .index = index});
+}
+
+ExpressionId NodeBuilder::negate(ExpressionId a) {
+  if (is_number(a, 0)) return a;
+  const Expression& operand = context_.model.expressions[a];
+  if (operand.kind == ExpressionKind::negate) return operand.operands.front();
+  return push({.kind = ExpressionKind::negate, .operands = {a}});
+}
+
+ExpressionId NodeBuilder::add(const std::vector<ExpressionId>& terms) {
+  Expression node;
+  node.kind = ExpressionKind::add;
+  for (const ExpressionId term : terms) {
+    if (!is_number(term, 0)) node.operands.push_back(term);
+  }
+  if (node.operands.empty()) return no_expression;
+  return node.operands.size() == 1 ? node.operands.front() : push(std::move(node));
+}
+
+ExpressionId NodeBuilder::subtract(ExpressionId a, ExpressionId b) {
+  const ExpressionId minus_b = negate(b);
+  return add({a, minus_b});
+}
+
+ExpressionId NodeBuilder::multiply(const std::vector<ExpressionId>& factors) {
+  Expression node;
+  node.kind = ExpressionKind::multiply;
+  bool negative = false;
+  for (const ExpressionId factor : factors) {
+    if (is_number(factor, 0)) return no_expression;
+    negative = negative != is_number(factor, -1);
+    if (!is_number(factor, 1) && !is_number(factor, -1)) node.operands.push_back(factor);
+  }
+  ExpressionId product = no_expression;
+  if (node.operands.empty()) {
+    product = number(1);
+  } else {
+    product = node.operands.size() == 1 ? node.operands.front() : push(std::move(node));
+  }
+  return negative ? negate(product) : product;
+}
+
+ExpressionId NodeBuilder::divide(ExpressionId a, ExpressionId b) {
+  if (is_number(a, 0) || is_number(b, 1)) return a;
+  return push({.kind = ExpressionKind::divide, .operands = {a, b}});
+}
+
+ExpressionId NodeBuilder::power(ExpressionId base, const cln::cl_RA& exponent) {
+  return push({.kind = ExpressionKind::power, .number = exponent, .operands = {base}});
+}
+
+ExpressionId NodeBuilder::call(FunctionId function, ExpressionId argument) {
+  const ExpressionId id =
+      push({.kind = ExpressionKind::function, .function = function, .operands = {argument}});
+  const auto& value = context_.constants[id];
+  if (!value) return id;
+  // The sine of k pi/2 is known to 100 digits; that it is exactly -1, 0 or 1 is not seen there.
+  const cln::cl_I nearest = cln::round1(*value);
+  if (cln::abs(*value - nearest) >= power_of_ten(5 - constant_digits)) return id;
+  return number(nearest);
+}
+
+ExpressionId NodeBuilder::rate(ExpressionId a) {
+  if (context_.constants[a]) return no_expression;
+  return push({.kind = ExpressionKind::time_derivative, .operands = {a}});
+}
+
+ExpressionId NodeBuilder::dot(const Vector3& a, const Vector3& b) {
+  std::vector<ExpressionId> terms;
+  for (std::size_t i = 0; i < 3; ++i) terms.push_back(multiply({a[i], b[i]}));
+  return add(terms);
+}
+
+Vector3 NodeBuilder::add(const Vector3& a, const Vector3& b) {
+  Vector3 sum{};
+  for (std::size_t i = 0; i < 3; ++i) sum[i] = add({a[i], b[i]});
+  return sum;
+}
+
+Vector3 NodeBuilder::apply(const Matrix3& m, const Vector3& x) {
+  Vector3 result{};
+  for (std::size_t i = 0; i < 3; ++i) result[i] = dot({m[3 * i], m[3 * i + 1], m[3 * i + 2]}, x);
+  return result;
+}
+
+Vector3 NodeBuilder::apply_transposed(const Matrix3& m, const Vector3& x) {
+  Vector3 result{};
+  for (std::size_t i = 0; i < 3; ++i) result[i] = dot({m[i], m[3 + i], m[6 + i]}, x);
+  return result;
+}
+
+Matrix3 NodeBuilder::multiply(const Matrix3& a, const Matrix3& b) {
+  Matrix3 product{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      product[3 * i + j] = dot({a[3 * i], a[3 * i + 1], a[3 * i + 2]}, {b[j], b[3 + j], b[6 + j]});
+    }
+  }
+  return product;
+}
+
+Matrix3 NodeBuilder::identity() {
+  const ExpressionId one = number(1);
+  return {one,           no_expression, no_expression,
+          no_expression, one,           no_expression,
+          no_expression, no_expression, one};
+}
+
+void NodeBuilder::finish(OwnerKind owner, std::uint32_t index) {
+  const auto size = static_cast<ExpressionId>(context_.model.expressions.size());
+  if (size == first_) return;
+  WrittenExpression root;
+  root.first = first_;
+  root.value = size - 1;
+  root.owner = owner;
+  root.owner_index = index;
+  root.generated = true;
+  context_.roots.push_back(root);
+}
+
+}  // namespace elgen

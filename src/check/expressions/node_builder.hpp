@@ -1,0 +1,53 @@
+// NodeBuilder: nodes of the arena that check writes itself, such as the pose of a frame.
+#pragma once
+
+#include <cln/rational.h>
+
+#include <array>
+#include <vector>
+
+#include "check/names/context.hpp"
+
+namespace elgen {
+
+using Matrix3 = std::array<ExpressionId, 9>;  ///< row-major
+
+/// Appends nodes, all with one span. Zeros, ones and exact constants fold away, so that what
+/// vanishes is never written; sines and cosines of quarter turns are exact.
+class NodeBuilder {
+ public:
+  NodeBuilder(Context& context, const Span& span);
+
+  ExpressionId number(const cln::cl_RA& value);
+  ExpressionId leaf(ExpressionKind kind, std::uint32_t index);
+  ExpressionId negate(ExpressionId a);
+  ExpressionId add(const std::vector<ExpressionId>& terms);
+  ExpressionId subtract(ExpressionId a, ExpressionId b);
+  ExpressionId multiply(const std::vector<ExpressionId>& factors);
+  ExpressionId divide(ExpressionId a, ExpressionId b);
+  ExpressionId power(ExpressionId base, const cln::cl_RA& exponent);
+  ExpressionId call(FunctionId function, ExpressionId argument);
+  ExpressionId rate(ExpressionId a);
+
+  ExpressionId dot(const Vector3& a, const Vector3& b);
+  Vector3 add(const Vector3& a, const Vector3& b);
+  Vector3 apply(const Matrix3& m, const Vector3& x);
+  Vector3 apply_transposed(const Matrix3& m, const Vector3& x);
+  Matrix3 multiply(const Matrix3& a, const Matrix3& b);
+  Matrix3 identity();
+
+  [[nodiscard]] bool is_one(ExpressionId id) const { return is_number(id, 1); }
+
+  /// Registers what was appended since construction as one generated root.
+  void finish(OwnerKind owner = OwnerKind::none, std::uint32_t index = 0);
+
+ private:
+  [[nodiscard]] bool is_number(ExpressionId id, int value) const;
+  ExpressionId push(Expression node);
+
+  Context& context_;
+  Span span_;
+  ExpressionId first_;
+};
+
+}  // namespace elgen

@@ -1,0 +1,202 @@
+// Parameters: NAME = number, string or { value, unit, min, max, assume, size, latex, doc }; with
+// `size` the value is one number for all elements or a list.
+#include "check/expressions/parameters.hpp"
+
+#include "check/expressions/unit_expression.hpp"
+#include "check/expressions/values.hpp"
+
+namespace elgen {
+namespace {
+
+void add_elements(Context& context, const KeySyntax& key, std::int64_t count, bool is_array) {
+  Model& model = context.model;
+  const auto array = static_cast<std::uint32_t>(model.parameter_arrays.size());
+  ParameterArray declared;
+  declared.name = key.key;
+  declared.first = static_cast<std::uint32_t>(model.parameters.size());
+  declared.count = static_cast<std::uint32_t>(count);
+  declared.is_array = is_array;
+  declared.span = key.key_span;
+  model.parameter_arrays.push_back(std::move(declared));
+  for (std::int64_t i = 0; i < count; ++i) {
+    NewName name{key.key, is_array ? std::optional(i + 1) : std::nullopt, key.key_span};
+    const auto target = static_cast<std::uint32_t>(model.parameters.size());
+    Parameter element;
+    element.name = name.text();
+    element.identifier = name.identifier();
+    element.array = array;
+    element.element = static_cast<std::uint32_t>(i);
+    model.parameters.push_back(std::move(element));
+    if (!context.symbols.declare(name, SymbolKind::parameter, target, context.report)) {
+      return;
+    }
+  }
+}
+
+Assumption assumption_of(const ValueSyntax& table) {
+  const std::string assumption = text_of(table, "assume");
+  if (assumption == "positive") {
+    return Assumption::positive;
+  }
+  return assumption == "nonnegative" ? Assumption::nonnegative : Assumption::none;
+}
+
+class ParameterReader {
+ public:
+  ParameterReader(Context& context, ParameterArray& array)
+      : context_(context), array_(array), values_(context, Scope(context.sizes)) {}
+
+  void read(const ValueSyntax& value) {
+    if (value.kind != ValueKind::table) {
+      read_values(value);
+      return;
+    }
+    array_.latex = text_of(value, "latex");
+    array_.doc = text_of(value, "doc");
+    read_unit_of(value);
+    const Assumption assumption = assumption_of(value);
+    for (std::uint32_t i = 0; i < array_.count; ++i) {
+      element(i).assumption = assumption;
+    }
+    read_range(value);
+    if (const KeySyntax* key = find_key(value, "value")) {
+      read_values(key->value);
+    }
+  }
+
+ private:
+  Parameter& element(std::uint32_t i) { return context_.model.parameters[array_.first + i]; }
+
+  void read_unit_of(const ValueSyntax& table) {
+    const KeySyntax* key = find_key(table, "unit");
+    if (key == nullptr) {
+      return;
+    }
+    array_.unit_text = key->value.text;
+    const std::optional<Unit> unit = read_unit(key->value, context_.report);
+    for (std::uint32_t i = 0; i < array_.count; ++i) {
+      element(i).unit = unit;
+    }
+  }
+
+  /// A missing end lies beyond every number a scalar holds.
+  void read_range(const ValueSyntax& table) {
+    const KeySyntax* low = find_key(table, "min");
+    const KeySyntax* high = find_key(table, "max");
+    const auto end = [&](const KeySyntax* key) {
+      return key == nullptr ? std::nullopt : values_.constant(key->value);
+    };
+    const auto minimum = end(low);
+    const auto maximum = end(high);
+    context_.bounds[element(0).array] = {minimum, maximum};
+    if (!minimum || !maximum) {
+      return;
+    }
+    if (*minimum > *maximum) {
+      context_.report.add(Code::E112, high->value.span,
+                          quoted(high->value.span) + " is below `min`");
+    } else {
+      array_.range = Interval{*minimum, *maximum};
+    }
+  }
+
+  void read_values(const ValueSyntax& value) {
+    if (value.kind != ValueKind::list) {
+      if (const auto number = values_.constant_with_form(value)) {
+        for (std::uint32_t i = 0; i < array_.count; ++i) {
+          set(i, *number, value.span);
+        }
+      }
+      return;
+    }
+    if (!array_.is_array || value.items.size() != array_.count) {
+      context_.report.add(Code::E104, value.span,
+                          counted(value.items.size(), "value") + ", but " + quoted(array_.name) +
+                              " has " +
+                              (array_.is_array ? "size " + std::to_string(array_.count)
+                                               : std::string("no `size`")));
+      return;
+    }
+    for (std::uint32_t i = 0; i < array_.count; ++i) {
+      if (const auto number = values_.constant_with_form(value.items[i])) {
+        set(i, *number, value.items[i].span);
+      }
+    }
+  }
+
+  void set(std::uint32_t i, const FixedValue& value, const Span& span) {
+    element(i).value = value.number;
+    element(i).form = value.form;
+    check_value(context_, array_.first + i, value.number, span);
+  }
+
+  Context& context_;
+  ParameterArray& array_;
+  ValueReader values_;
+};
+
+}  // namespace
+
+void check_value(Context& context, std::uint32_t parameter, const cln::cl_R& value,
+                 const Span& span) {
+  const Parameter& row = context.model.parameters[parameter];
+  const std::string name = quoted(context.model.parameter_arrays[row.array].name);
+  const bool needs_positive = row.assumption == Assumption::positive;
+  const bool needs_nonnegative = row.assumption == Assumption::nonnegative;
+  if ((needs_positive && value <= 0) || (needs_nonnegative && value < 0)) {
+    context.report.add(Code::E112, span,
+                       quoted(span) + (needs_positive ? " is not positive" : " is negative") +
+                           ", which `assume` of " + name + " rules out");
+  }
+  const ParameterBounds& bounds = context.bounds[row.array];
+  if ((bounds.minimum && value < *bounds.minimum) || (bounds.maximum && value > *bounds.maximum)) {
+    context.report.add(Code::E518, span,
+                       quoted(span) + " is not what `min` or `max` of " + name + " say");
+  }
+}
+
+void declare_parameter(Context& context, const KeySyntax& key) {
+  const KeySyntax* size =
+      key.value.kind == ValueKind::table ? find_key(key.value, "size") : nullptr;
+  std::int64_t count = 1;
+  if (size != nullptr) {
+    const auto value = ValueReader(context, Scope(context.sizes)).integer(size->value);
+    if (!value) {
+      context.symbols.mark_failed(key.key);
+      return;
+    }
+    count = *value;
+    if (count < 1) {
+      context.symbols.mark_failed(key.key);
+      context.report.add(Code::E209, size->value.span,
+                         "the size is " + std::to_string(count) + ", so there is no element");
+      return;
+    }
+    if (static_cast<std::uint64_t>(count) > context.limits.definitions) {
+      context.beyond_limits = true;
+      context.report.add(Code::E907, size->value.span,
+                         std::to_string(count) + " elements, but the limit is " +
+                             std::to_string(context.limits.definitions));
+      return;
+    }
+  }
+  add_elements(context, key, count, size != nullptr);
+}
+
+void read_parameters(Context& context, const ModelSyntax& syntax) {
+  std::size_t next = 0;
+  std::vector<ParameterArray>& arrays = context.model.parameter_arrays;
+  context.bounds.resize(arrays.size());
+  for (const EntrySyntax& entry : syntax.entries) {
+    if (entry.name != "parameters") {
+      continue;
+    }
+    for (const KeySyntax& key : entry.keys) {
+      if (next < arrays.size() && arrays[next].name == key.key) {
+        ParameterReader(context, arrays[next++]).read(key.value);
+      }
+    }
+  }
+}
+
+}  // namespace elgen

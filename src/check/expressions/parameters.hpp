@@ -1,0 +1,21 @@
+// Parameters: [parameters] -> Model::parameters and Model::parameter_arrays.
+#pragma once
+
+#include "check/names/context.hpp"
+#include "elgen/syntax.hpp"
+
+namespace elgen {
+
+/// Declares the name and adds the elements, without values.
+void declare_parameter(Context& context, const KeySyntax& key);
+
+/// Holds a value of a parameter, the model's own or that of a scene, against what the model says
+/// of it: E112 where `assume` denies it, since the algebra relies on that; E518, a warning, where
+/// it is beyond `min` or `max`.
+void check_value(Context& context, std::uint32_t parameter, const cln::cl_R& value,
+                 const Span& span);
+
+/// Reads value, unit, assumption and range of every declared parameter. E104, E112, E402, E518.
+void read_parameters(Context& context, const ModelSyntax& syntax);
+
+}  // namespace elgen

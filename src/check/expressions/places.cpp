@@ -1,0 +1,105 @@
+// Places: walks every root and reports the nodes that bring in what its place does not take.
+#include "check/expressions/places.hpp"
+
+#include <array>
+
+namespace elgen {
+namespace {
+
+struct IngredientRow {
+  Ingredient ingredient;
+  std::string_view noun;
+};
+
+constexpr std::array<IngredientRow, 7> ingredient_table{{
+    {uses_acceleration, "a second derivative"},
+    {uses_kink, "a function with a kink"},
+    {uses_input, "an input"},
+    {uses_rate, "a rate"},
+    {uses_coordinate, "a coordinate"},
+    {uses_time, "time"},
+    {uses_parameter, "a parameter"},
+}};
+
+constexpr const char* smooth_stand_in = "a smooth stand-in is tanh(x/width)";
+
+Code code_of(Ingredient ingredient, const Place& place) {
+  if (place.otherwise == Code::E319 && ingredient == uses_acceleration) {
+    return Code::E502;
+  }
+  if (place.otherwise == Code::E319 && ingredient == uses_kink) {
+    return Code::E315;
+  }
+  return place.otherwise;
+}
+
+/// Whether the node itself, not one of its operands, brings the ingredient in.
+bool brings_in(const Expression& node, const std::vector<Traits>& traits, ExpressionId id,
+               Ingredient ingredient) {
+  if ((traits[id].ingredients & ingredient) == 0) {
+    return false;
+  }
+  for (const ExpressionId operand : node.operands) {
+    if ((traits[operand].ingredients & ingredient) != 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void report(Context& context, const WrittenExpression& root, const Expression& node,
+            const IngredientRow& row) {
+  const bool is_name = node.kind == ExpressionKind::definition ||
+                       node.kind == ExpressionKind::point_component ||
+                       node.kind == ExpressionKind::prescribed;
+  std::string message = quoted(node.span) + (is_name ? " contains " : " is ");
+  message += std::string(row.noun) + ", and " + std::string(root.place.noun) + " takes none";
+  const std::string hint = row.ingredient == uses_kink ? smooth_stand_in : "";
+  context.report.add(code_of(row.ingredient, root.place), node.span, std::move(message), hint);
+}
+
+void check_root(Context& context, const std::vector<Traits>& traits, WrittenExpression& root) {
+  const auto excess =
+      static_cast<Ingredients>(traits[root.value].ingredients & ~unsigned{root.place.allowed});
+  if (excess == 0) {
+    return;
+  }
+  root.misplaced = true;
+  for (ExpressionId id = root.first; id <= root.value; ++id) {
+    const Expression& node = context.model.expressions[id];
+    for (const IngredientRow& row : ingredient_table) {
+      const bool forbidden = (excess & row.ingredient) != 0;
+      if (forbidden && brings_in(node, traits, id, row.ingredient)) {
+        report(context, root, node, row);
+      }
+    }
+  }
+}
+
+/// A function with a kink may have a place, its rate has none.
+void check_rates_of_kinks(Context& context, const std::vector<Traits>& traits,
+                          WrittenExpression& root) {
+  const unsigned kinks = traits[root.value].ingredients & uses_kink;
+  if (kinks == 0 || (root.place.allowed & uses_kink) == 0) return;
+  for (ExpressionId id = root.first; id <= root.value; ++id) {
+    const Expression& node = context.model.expressions[id];
+    const bool is_rate = node.kind == ExpressionKind::time_derivative;
+    if (!is_rate || (traits[id].ingredients & uses_kink) == 0) continue;
+    root.misplaced = true;
+    context.report.add(Code::E315, node.span,
+                       quoted(node.span) + " is the rate of a function with a kink",
+                       smooth_stand_in);
+  }
+}
+
+}  // namespace
+
+void check_places(Context& context, const std::vector<Traits>& traits) {
+  for (WrittenExpression& root : context.roots) {
+    if (root.generated) continue;
+    check_root(context, traits, root);
+    check_rates_of_kinks(context, traits, root);
+  }
+}
+
+}  // namespace elgen

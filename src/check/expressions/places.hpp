@@ -1,0 +1,27 @@
+// Places: what may stand where. Positions are made of coordinates and time, energies of no input,
+// and so on.
+#pragma once
+
+#include <vector>
+
+#include "check/expressions/traits.hpp"
+#include "check/names/context.hpp"
+
+namespace elgen {
+
+namespace place {
+
+inline constexpr Ingredients constants_only = 0;
+inline constexpr Ingredients parameters_only = uses_parameter;
+inline constexpr Ingredients of_time = uses_parameter | uses_time;
+inline constexpr Ingredients of_configuration = of_time | uses_coordinate;
+inline constexpr Ingredients of_state = of_configuration | uses_rate;
+inline constexpr Ingredients of_force = of_state | uses_input | uses_kink;
+inline constexpr Ingredients anything = of_force | uses_acceleration;
+
+}  // namespace place
+
+/// E315, E319, E502, E506: each ingredient that does not belong, at the node that brings it in.
+void check_places(Context& context, const std::vector<Traits>& traits);
+
+}  // namespace elgen

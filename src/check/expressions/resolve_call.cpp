@@ -1,0 +1,291 @@
+// Resolver, calls: the functions of functions.def, those of composite_functions.def, and those that
+// are expanded here:
+//
+//     dot(q) -> rate    delta(i, j) -> 0 or 1
+//     sum(i, a, b, e) -> e[a] + … + e[b], 0 where b < a
+//     x(P) y(P) z(P) -> components    v2(P) -> sum of dot(component)^2
+//     dist2(P, Q) -> sum of (component difference)^2
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+#include "check/expressions/resolver.hpp"
+#include "check/names/function_names.hpp"
+#include "elgen/functions.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
+
+constexpr std::array composites{
+#define ELGEN_COMPOSITE(name, arity, definition) Resolver::Composite{#name, arity, definition},
+#include "check/names/composite_functions.def"
+#undef ELGEN_COMPOSITE
+};
+
+const Resolver::Composite* find_composite(std::string_view name) {
+  const auto found = std::find_if(composites.begin(), composites.end(),
+                                  [&](const auto& row) { return row.name == name; });
+  return found == composites.end() ? nullptr : &*found;
+}
+
+/// Read once; the table's own text is right.
+const ExpressionSyntax& definition_of(const Resolver::Composite& composite) {
+  static std::map<std::string_view, ExpressionSyntax> read;
+  const auto known = read.find(composite.name);
+  if (known != read.end()) return known->second;
+  const SourcePointer source =
+      make_source(std::string(composite.name), std::string(composite.definition));
+  return read.emplace(composite.name, *parse_expression(source, Limits{})).first->second;
+}
+
+/// The definition with the call's arguments in place of x and y, all of it at the call.
+ExpressionSyntax written_out(ExpressionSyntax definition, const ExpressionSyntax& call) {
+  if (definition.kind == SyntaxKind::name) {
+    if (definition.text == "x") return call.operands[0];
+    if (definition.text == "y") return call.operands[1];
+  }
+  for (ExpressionSyntax& operand : definition.operands) operand = written_out(operand, call);
+  definition.span = call.span;
+  definition.token = call.token;
+  return definition;
+}
+
+}  // namespace
+
+const std::vector<Resolver::Expansion>& Resolver::expansions() {
+  static const std::vector<Expansion> all{
+#define ELGEN_EXPANDED(name, rule) {#name, &Resolver::rule},
+#include "check/names/expanded_functions.def"
+#undef ELGEN_EXPANDED
+  };
+  return all;
+}
+
+std::optional<ExpressionId> Resolver::resolve_call(const ExpressionSyntax& call) {
+  if (const FunctionRow* function = find_function(call.text)) {
+    return resolve_function(call, function->id);
+  }
+  if (const Composite* composite = find_composite(call.text)) {
+    return resolve_composite(call, *composite);
+  }
+  for (const auto& [name, rule] : expansions()) {
+    if (name == call.text) {
+      return (this->*rule)(call);
+    }
+  }
+  context_.report.add(Code::E202, call.span, "unknown function " + quoted(call.text),
+                      suggestion(call.text, function_names()));
+  return std::nullopt;
+}
+
+bool Resolver::has_arity(const ExpressionSyntax& call, std::size_t arity) {
+  if (call.operands.size() == arity) {
+    return true;
+  }
+  const std::size_t count = call.operands.size();
+  context_.report.add(Code::E309, call.span,
+                      counted(count, "argument") + ", but " + quoted(call.text) + " takes " +
+                          std::to_string(arity));
+  return false;
+}
+
+std::optional<ExpressionId> Resolver::resolve_function(const ExpressionSyntax& call,
+                                                       FunctionId function) {
+  if (!has_arity(call, function_row(function).arity)) {
+    return std::nullopt;
+  }
+  std::optional<Operands> operands = resolve_all(call.operands);
+  if (!operands) {
+    return std::nullopt;
+  }
+  return push({.kind = ExpressionKind::function,
+               .function = function,
+               .operands = std::move(*operands),
+               .span = call.span});
+}
+
+std::optional<ExpressionId> Resolver::resolve_composite(const ExpressionSyntax& call,
+                                                        const Composite& composite) {
+  if (!has_arity(call, composite.arity)) return std::nullopt;
+  return resolve(written_out(definition_of(composite), call));
+}
+
+std::optional<ExpressionId> Resolver::resolve_dot(const ExpressionSyntax& call) {
+  if (!has_arity(call, 1)) {
+    return std::nullopt;
+  }
+  const ExpressionSyntax& operand = call.operands[0];
+  const DeclaredName* symbol = context_.symbols.find(operand.text);
+  if (operand.kind == SyntaxKind::name && symbol != nullptr &&
+      symbol->kind == SymbolKind::rotation) {
+    const std::optional<std::uint32_t> velocity = element(operand, *symbol);
+    return velocity ? push_leaf(ExpressionKind::rate, *velocity, call.span) : std::nullopt;
+  }
+  const std::optional<ExpressionId> argument = resolve(operand);
+  if (!argument) {
+    return std::nullopt;
+  }
+  const Expression& inner = context_.model.expressions[*argument];
+  if (inner.kind == ExpressionKind::coordinate) {
+    return push_leaf(ExpressionKind::rate, context_.model.coordinates[inner.index].velocity,
+                     call.span);
+  }
+  if (inner.kind == ExpressionKind::rate) {
+    return push_leaf(ExpressionKind::acceleration, inner.index, call.span);
+  }
+  if (context_.constants[*argument]) {
+    return push_number(0, call.span);
+  }
+  return push(
+      {.kind = ExpressionKind::time_derivative, .operands = {*argument}, .span = call.span});
+}
+
+std::optional<ExpressionId> Resolver::resolve_sum(const ExpressionSyntax& call) {
+  if (!has_arity(call, 4)) {
+    return std::nullopt;
+  }
+  const ExpressionSyntax& index = call.operands[0];
+  if (index.kind != SyntaxKind::name || !index.operands.empty()) {
+    context_.report.add(Code::E210, index.span,
+                        quoted(index.span) + " is not the name of a running index",
+                        "write `sum(i, 1, n, …)`");
+    return std::nullopt;
+  }
+  const auto low = integer_value(call.operands[1], scope_, context_.report);
+  const auto high = integer_value(call.operands[2], scope_, context_.report);
+  if (!low || !high) {
+    return std::nullopt;
+  }
+  std::vector<std::optional<ExpressionId>> terms;
+  bool going = true;
+  for (std::int64_t i = *low; going && i <= *high; ++i) {
+    scope_.push(index.text, i);
+    terms.push_back(resolve(call.operands[3]));
+    scope_.pop();
+    going = terms.back().has_value();
+  }
+  return push_sum(terms, call.span);
+}
+
+std::optional<ExpressionId> Resolver::resolve_delta(const ExpressionSyntax& call) {
+  if (!has_arity(call, 2)) {
+    return std::nullopt;
+  }
+  const auto i = integer_value(call.operands[0], scope_, context_.report);
+  const auto j = integer_value(call.operands[1], scope_, context_.report);
+  return i && j ? push_number(*i == *j ? 1 : 0, call.span) : std::nullopt;
+}
+
+std::optional<std::uint32_t> Resolver::resolve_point(const ExpressionSyntax& name) {
+  const DeclaredName* symbol = context_.symbols.find(name.text);
+  if (symbol == nullptr && context_.symbols.has_failed(name.text)) {
+    return std::nullopt;
+  }
+  if (name.kind != SyntaxKind::name || symbol == nullptr || symbol->kind != SymbolKind::point) {
+    const std::vector<std::string> points = context_.symbols.names(SymbolKind::point);
+    context_.report.add(Code::E201, name.span, "unknown point " + quoted(name.span),
+                        context_.symbols.suggest(name.text, points));
+    return std::nullopt;
+  }
+  return element(name, *symbol);
+}
+
+std::optional<ExpressionId> Resolver::push_component(std::uint32_t point, std::uint32_t axis,
+                                                     const Span& span) {
+  return push_leaf(ExpressionKind::point_component, 3 * point + axis, span);
+}
+
+std::optional<ExpressionId> Resolver::resolve_component(const ExpressionSyntax& call) {
+  if (!has_arity(call, 1)) {
+    return std::nullopt;
+  }
+  const std::optional<std::uint32_t> point = resolve_point(call.operands[0]);
+  if (!point) {
+    return std::nullopt;
+  }
+  const auto axis =
+      static_cast<std::uint32_t>(std::find(axes.begin(), axes.end(), call.text) - axes.begin());
+  if (axis >= context_.model.points[*point].dimension) {
+    context_.report.add(Code::E516, call.span,
+                        quoted(call.operands[0].span) + " is planar, so it has no " + call.text);
+    return std::nullopt;
+  }
+  return push_component(*point, axis, call.span);
+}
+
+std::optional<ExpressionId> Resolver::resolve_squared_speed(const ExpressionSyntax& call) {
+  if (!has_arity(call, 1)) {
+    return std::nullopt;
+  }
+  const std::optional<std::uint32_t> point = resolve_point(call.operands[0]);
+  if (!point) {
+    return std::nullopt;
+  }
+  std::vector<std::optional<ExpressionId>> terms;
+  for (std::uint32_t axis = 0; axis < context_.model.points[*point].dimension; ++axis) {
+    terms.push_back(push_square(push({.kind = ExpressionKind::time_derivative,
+                                      .operands = {*push_component(*point, axis, call.span)},
+                                      .span = call.span}),
+                                call.span));
+  }
+  return push_sum(terms, call.span);
+}
+
+std::optional<ExpressionId> Resolver::resolve_squared_distance(const ExpressionSyntax& call) {
+  if (!has_arity(call, 2)) {
+    return std::nullopt;
+  }
+  const std::optional<std::uint32_t> from = resolve_point(call.operands[0]);
+  const std::optional<std::uint32_t> to = resolve_point(call.operands[1]);
+  if (!from || !to) {
+    return std::nullopt;
+  }
+  const std::uint32_t dimension = context_.model.points[*from].dimension;
+  if (dimension != context_.model.points[*to].dimension) {
+    context_.report.add(Code::E516, call.span,
+                        "one of the points of " + quoted(call.span) + " is planar");
+    return std::nullopt;
+  }
+  std::vector<std::optional<ExpressionId>> terms;
+  for (std::uint32_t axis = 0; axis < dimension; ++axis) {
+    const auto subtracted = push({.kind = ExpressionKind::negate,
+                                  .operands = {*push_component(*from, axis, call.span)},
+                                  .span = call.span});
+    const auto difference = push_sum({push_component(*to, axis, call.span), subtracted}, call.span);
+    terms.push_back(push_square(difference, call.span));
+  }
+  return push_sum(terms, call.span);
+}
+
+std::optional<ExpressionId> Resolver::push_square(std::optional<ExpressionId> base,
+                                                  const Span& span) {
+  if (!base) {
+    return std::nullopt;
+  }
+  return push({.kind = ExpressionKind::power, .number = 2, .operands = {*base}, .span = span});
+}
+
+std::optional<ExpressionId> Resolver::push_sum(
+    const std::vector<std::optional<ExpressionId>>& terms, const Span& span) {
+  Expression node;
+  node.kind = ExpressionKind::add;
+  node.span = span;
+  for (const std::optional<ExpressionId>& term : terms) {
+    if (!term) {
+      return std::nullopt;
+    }
+    node.operands.push_back(*term);
+  }
+  if (node.operands.empty()) {
+    return push_number(0, span);
+  }
+  if (node.operands.size() == 1) {
+    return node.operands.front();
+  }
+  return push(std::move(node));
+}
+
+}  // namespace elgen

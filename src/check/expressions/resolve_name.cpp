@@ -1,0 +1,124 @@
+// Resolver, names: time, pi, running indices and sizes (as numbers), and what the model declares.
+#include <algorithm>
+#include <utility>
+
+#include "check/expressions/resolver.hpp"
+#include "check/names/function_names.hpp"
+#include "elgen/functions.hpp"
+
+namespace elgen {
+namespace {
+
+std::optional<ExpressionKind> leaf_kind(SymbolKind kind) {
+  switch (kind) {
+    case SymbolKind::coordinate:
+      return ExpressionKind::coordinate;
+    case SymbolKind::parameter:
+      return ExpressionKind::parameter;
+    case SymbolKind::definition:
+      return ExpressionKind::definition;
+    case SymbolKind::prescribed:
+      return ExpressionKind::prescribed;
+    case SymbolKind::input:
+      return ExpressionKind::input;
+    default:
+      return std::nullopt;
+  }
+}
+
+bool is_function_name(const std::string& name) {
+  const std::vector<std::string>& functions = function_names();
+  return std::find(functions.begin(), functions.end(), name) != functions.end();
+}
+
+/// What can be written instead of a name that is no number.
+std::string numbers_of(const std::string& name, SymbolKind kind) {
+  if (kind == SymbolKind::point) return "its components are `x(" + name + ")` and so on";
+  if (kind == SymbolKind::rotation) {
+    return "it is the `rotation` of a [[frame]]; its angular velocity is `dot(" + name +
+           "[1])` to `dot(" + name + "[3])`";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::optional<ExpressionId> Resolver::resolve_name(const ExpressionSyntax& name) {
+  const bool indexed = !name.operands.empty();
+  if (!indexed && name.text == "t") {
+    return push_leaf(ExpressionKind::time, 0, name.span);
+  }
+  if (!indexed && name.text == "pi") {
+    return push_leaf(ExpressionKind::pi, 0, name.span);
+  }
+  if (const auto value = scope_.find(name.text); value && !indexed) {
+    return push_number(cln::cl_I(static_cast<long>(*value)), name.span);
+  }
+  if (const DeclaredName* symbol = context_.symbols.find(name.text)) {
+    return resolve_symbol(name, *symbol);
+  }
+  return context_.symbols.has_failed(name.text) ? std::nullopt : unknown_name(name);
+}
+
+std::optional<ExpressionId> Resolver::resolve_symbol(const ExpressionSyntax& name,
+                                                     const DeclaredName& symbol) {
+  const std::optional<ExpressionKind> kind = leaf_kind(symbol.kind);
+  if (!kind) {
+    context_.report.add(
+        Code::E319, name.span,
+        quoted(name.span) + " is a " + std::string(noun(symbol.kind)) + ", not a number",
+        numbers_of(name.text, symbol.kind));
+    return std::nullopt;
+  }
+  const std::optional<std::uint32_t> index = element(name, symbol);
+  return index ? push_leaf(*kind, *index, name.span) : std::nullopt;
+}
+
+std::optional<std::uint32_t> Resolver::element(const ExpressionSyntax& name,
+                                               const DeclaredName& symbol) {
+  if (symbol.is_array == name.operands.empty()) {
+    context_.report.add(
+        Code::E208, name.span,
+        symbol.is_array ? quoted(name.text) + " needs an index: " + elements_of(name.text, symbol)
+                        : quoted(name.text) + " takes no index");
+    return std::nullopt;
+  }
+  if (!symbol.is_array) {
+    return symbol.elements.begin()->second;
+  }
+  const auto index = integer_value(name.operands.front(), scope_, context_.report);
+  if (!index) {
+    return std::nullopt;
+  }
+  const auto found = symbol.elements.find(*index);
+  if (found == symbol.elements.end()) {
+    const std::string element = name.text + "[" + std::to_string(*index) + "]";
+    const bool says_so = covered_text(name.span) == element;
+    context_.report.add(Code::E207, name.span,
+                        (says_so ? "there is no " + quoted(element)
+                                 : quoted(name.span) + " is " + quoted(element)) +
+                            (says_so ? ": " : ", but ") + elements_of(name.text, symbol));
+    return std::nullopt;
+  }
+  return found->second;
+}
+
+std::optional<ExpressionId> Resolver::unknown_name(const ExpressionSyntax& name) {
+  if (is_function_name(name.text)) {
+    context_.report.add(Code::E316, name.span, quoted(name.text) + " has no argument",
+                        "write `" + name.text + "(…)`");
+    return std::nullopt;
+  }
+  std::string hint;
+  if (context_.report.wants_suggestion()) {
+    std::vector<std::string> candidates = context_.symbols.names();
+    const std::vector<std::string> indices = scope_.names();
+    candidates.insert(candidates.end(), indices.begin(), indices.end());
+    candidates.insert(candidates.end(), {"pi", "t"});
+    hint = context_.symbols.suggest(name.text, candidates);
+  }
+  context_.report.add(Code::E201, name.span, "unknown name " + quoted(name.text), std::move(hint));
+  return std::nullopt;
+}
+
+}  // namespace elgen

@@ -1,0 +1,186 @@
+// Resolver, operators and numbers. Names are in resolve_name.cpp, calls in resolve_call.cpp.
+#include "check/expressions/resolver.hpp"
+
+#include <cln/real_ring.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/exact_number.hpp"
+
+namespace elgen {
+namespace {
+
+ExpressionKind kind_of(SyntaxKind kind) {
+  switch (kind) {
+    case SyntaxKind::negate:
+      return ExpressionKind::negate;
+    case SyntaxKind::add:
+      return ExpressionKind::add;
+    case SyntaxKind::multiply:
+      return ExpressionKind::multiply;
+    default:
+      return ExpressionKind::divide;
+  }
+}
+
+/// 6 of (x^2)^3; 1 of what is no power.
+cln::cl_RA exponent_of(const Model& model, ExpressionId id) {
+  cln::cl_RA product = 1;
+  while (model.expressions[id].kind == ExpressionKind::power) {
+    product = product * model.expressions[id].number;
+    id = model.expressions[id].operands.front();
+  }
+  return product;
+}
+
+}  // namespace
+
+std::optional<ExpressionId> Resolver::resolve(const ExpressionSyntax& expression) {
+  if (!within_limits(expression.span)) {
+    return std::nullopt;
+  }
+  switch (expression.kind) {
+    case SyntaxKind::number:
+      return push_number(expression.value, expression.span);
+    case SyntaxKind::name:
+      return resolve_name(expression);
+    case SyntaxKind::call:
+      return resolve_call(expression);
+    case SyntaxKind::power:
+      return resolve_power(expression);
+    default:
+      return resolve_operation(expression);
+  }
+}
+
+bool Resolver::within_limits(const Span& span) {
+  const std::uint64_t limit = context_.node_limit;
+  if (++steps_ <= limit && context_.model.expressions.size() < limit && !context_.beyond_limits) {
+    return true;
+  }
+  if (std::exchange(context_.beyond_limits, true)) {
+    return false;
+  }
+  context_.report.add(
+      Code::E908, span,
+      "the expressions have more than " + std::to_string(limit) + " nodes after repetition");
+  return false;
+}
+
+std::optional<Resolver::Operands> Resolver::resolve_all(
+    const std::vector<ExpressionSyntax>& expressions) {
+  Operands result;
+  bool complete = true;
+  for (const ExpressionSyntax& expression : expressions) {
+    const std::optional<ExpressionId> id = resolve(expression);
+    complete = complete && id;
+    result.push_back(id.value_or(0));
+  }
+  return complete ? std::optional(std::move(result)) : std::nullopt;
+}
+
+/// Adds a node; a node whose operands are exact numbers becomes one where its value is exact:
+/// 1/2 + 1/3 -> 5/6, sqrt(4) -> 2.
+std::optional<ExpressionId> Resolver::push(Expression expression) {
+  std::vector<Expression>& arena = context_.model.expressions;
+  arena.push_back(std::move(expression));
+  Expression& node = arena.back();
+  if (const auto failure = context_.constants.append(arena)) {
+    report_failure(*failure, node);
+    return std::nullopt;
+  }
+  const auto id = static_cast<ExpressionId>(arena.size() - 1);
+  const std::optional<cln::cl_R>& value = context_.constants[id];
+  if (value && is_rational(*value)) {
+    const Span span = node.span;
+    node = Expression{};
+    node.number = cln::the<cln::cl_RA>(*value);
+    node.span = span;
+  }
+  return id;
+}
+
+void Resolver::report_failure(const ConstantFailure& failure, const Expression& node) {
+  const bool at_operand = failure.operand && *failure.operand < node.operands.size();
+  const Span span =
+      at_operand ? context_.model.expressions[node.operands[*failure.operand]].span : node.span;
+  context_.report.add(failure.code, span, quoted(span) + " " + failure.message);
+}
+
+std::optional<ExpressionId> Resolver::push_number(const cln::cl_RA& number, const Span& span) {
+  return push({.number = number, .span = span});
+}
+
+std::optional<ExpressionId> Resolver::push_leaf(ExpressionKind kind, std::uint32_t index,
+                                                const Span& span) {
+  return push({.kind = kind, .index = index, .span = span});
+}
+
+std::optional<ExpressionId> Resolver::resolve_operation(const ExpressionSyntax& operation) {
+  std::optional<Operands> operands = resolve_all(operation.operands);
+  if (!operands) {
+    return std::nullopt;
+  }
+  return push(
+      {.kind = kind_of(operation.kind), .operands = std::move(*operands), .span = operation.span});
+}
+
+std::optional<ExpressionId> Resolver::resolve_power(const ExpressionSyntax& power) {
+  const std::optional<ExpressionId> base = resolve(power.operands[0]);
+  const std::optional<cln::cl_RA> exponent = resolve_exponent(power.operands[1]);
+  if (!base || !exponent || !check_exponent(*exponent, power.operands[1].span)) {
+    return std::nullopt;
+  }
+  // A power of a power is one power, of the product of the exponents.
+  const cln::cl_RA product = *exponent * exponent_of(context_.model, *base);
+  if (product != *exponent && !check_exponent(product, power.span)) {
+    return std::nullopt;
+  }
+  return push({.kind = ExpressionKind::power,
+               .number = *exponent,
+               .operands = {*base},
+               .span = power.span});
+}
+
+/// The exponent's own nodes are dropped again. Of exponents inside exponents only the outermost
+/// that is no constant is reported: in x^y^z it is y^z.
+std::optional<cln::cl_RA> Resolver::resolve_exponent(const ExpressionSyntax& exponent) {
+  std::vector<Expression>& arena = context_.model.expressions;
+  const std::size_t size = arena.size();
+  Report outer = std::exchange(context_.report, Report{});
+  const std::optional<ExpressionId> id = resolve(exponent);
+  const Report inner = std::exchange(context_.report, std::move(outer));
+  std::optional<cln::cl_RA> value;
+  if (id && arena[*id].kind == ExpressionKind::number) {
+    value = arena[*id].number;
+  }
+  arena.resize(size);
+  context_.constants.truncate(size);
+
+  const Diagnostics errors = inner.sorted();
+  const auto is_variable = [](const Diagnostic& error) { return error.code == Code::E311; };
+  if (id ? !value.has_value() : std::any_of(errors.begin(), errors.end(), is_variable)) {
+    context_.report.add(Code::E311, exponent.span,
+                        quoted(exponent.span) + " is not a rational constant",
+                        "write exp(y*log(x)) for x^y");
+    return std::nullopt;
+  }
+  for (const Diagnostic& error : errors) {
+    context_.report.add(error);
+  }
+  return value;
+}
+
+bool Resolver::check_exponent(const cln::cl_RA& exponent, const Span& span) {
+  const auto largest = static_cast<unsigned long>(context_.limits.integer_power);
+  const cln::cl_I limit(largest);
+  if (cln::abs(cln::numerator(exponent)) <= limit && cln::denominator(exponent) <= limit) {
+    return true;
+  }
+  context_.report.add(Code::E905, span,
+                      quoted(span) + " is beyond the limit " + std::to_string(largest));
+  return false;
+}
+
+}  // namespace elgen

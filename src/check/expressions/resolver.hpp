@@ -1,0 +1,88 @@
+// Resolver: an expression as written -> nodes of the Model's arena. Its only verb is resolve().
+#pragma once
+
+#include <cln/rational.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "check/names/context.hpp"
+#include "elgen/syntax.hpp"
+
+namespace elgen {
+
+/// Resolves names, expands sums and components of points, folds exact constants, and finds
+/// constants without a value. Every node keeps the span it was written at, so leaves are not
+/// shared.
+///
+///     sum(i, 1, 2, m[i]*x[i])   ->   add(multiply(m[1], x[1]), multiply(m[2], x[2]))
+///     v2(P)                     ->   add(power(dot(P.x), 2), power(dot(P.y), 2))
+class Resolver {
+ public:
+  Resolver(Context& context, Scope& scope) : context_(context), scope_(scope) {}
+
+  /// Nothing after an error. Operands precede their users; the nodes of one call are consecutive.
+  std::optional<ExpressionId> resolve(const ExpressionSyntax& expression);
+
+  /// The index in the Model of `name` or `name[i]`. E207, E208.
+  std::optional<std::uint32_t> element(const ExpressionSyntax& name, const DeclaredName& symbol);
+
+  /// A function that is expanded where it is called.
+  struct Expansion {
+    std::string_view name;
+    std::optional<ExpressionId> (Resolver::*rule)(const ExpressionSyntax&);
+  };
+  static const std::vector<Expansion>& expansions();
+
+  /// One that is its definition, in the model language.
+  struct Composite {
+    std::string_view name;
+    std::size_t arity;
+    std::string_view definition;
+  };
+
+ private:
+  using Operands = std::vector<ExpressionId>;
+
+  std::optional<ExpressionId> push(Expression expression);
+  std::optional<ExpressionId> push_number(const cln::cl_RA& number, const Span& span);
+  std::optional<ExpressionId> push_leaf(ExpressionKind kind, std::uint32_t index, const Span& span);
+  std::optional<Operands> resolve_all(const std::vector<ExpressionSyntax>& expressions);
+  bool within_limits(const Span& span);
+  void report_failure(const ConstantFailure& failure, const Expression& node);
+
+  std::optional<ExpressionId> resolve_operation(const ExpressionSyntax& operation);
+  std::optional<ExpressionId> resolve_power(const ExpressionSyntax& power);
+  std::optional<cln::cl_RA> resolve_exponent(const ExpressionSyntax& exponent);
+  bool check_exponent(const cln::cl_RA& exponent, const Span& span);
+
+  std::optional<ExpressionId> resolve_name(const ExpressionSyntax& name);
+  std::optional<ExpressionId> resolve_symbol(const ExpressionSyntax& name,
+                                             const DeclaredName& symbol);
+  std::optional<ExpressionId> unknown_name(const ExpressionSyntax& name);
+
+  std::optional<ExpressionId> resolve_call(const ExpressionSyntax& call);
+  std::optional<ExpressionId> resolve_function(const ExpressionSyntax& call, FunctionId function);
+  std::optional<ExpressionId> resolve_composite(const ExpressionSyntax& call,
+                                                const Composite& composite);
+  std::optional<ExpressionId> resolve_dot(const ExpressionSyntax& call);
+  std::optional<ExpressionId> resolve_sum(const ExpressionSyntax& call);
+  std::optional<ExpressionId> resolve_delta(const ExpressionSyntax& call);
+  std::optional<ExpressionId> resolve_component(const ExpressionSyntax& call);
+  std::optional<ExpressionId> resolve_squared_speed(const ExpressionSyntax& call);
+  std::optional<ExpressionId> resolve_squared_distance(const ExpressionSyntax& call);
+  std::optional<std::uint32_t> resolve_point(const ExpressionSyntax& name);
+  std::optional<ExpressionId> push_square(std::optional<ExpressionId> base, const Span& span);
+  std::optional<ExpressionId> push_component(std::uint32_t point, std::uint32_t axis,
+                                             const Span& span);
+  std::optional<ExpressionId> push_sum(const std::vector<std::optional<ExpressionId>>& terms,
+                                       const Span& span);
+  bool has_arity(const ExpressionSyntax& call, std::size_t arity);
+
+  Context& context_;
+  Scope& scope_;
+  std::uint64_t steps_ = 0;
+};
+
+}  // namespace elgen

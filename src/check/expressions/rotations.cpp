@@ -1,0 +1,174 @@
+// Rotations: four names of q, three of v, and the keys that such a coordinate takes.
+#include "check/expressions/rotations.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "base/exact_number.hpp"
+#include "check/expressions/unit_expression.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr std::array<std::string_view, 4> keys_of_numbers{"range", "wrap", "singular", "armature"};
+
+/// What decimals of a unit quaternion may be off.
+cln::cl_RA start_tolerance() { return power_of_ten(-9); }
+
+bool declare_velocities(Context& context, const NewName& name, std::uint32_t first) {
+  for (std::uint32_t axis = 1; axis <= axis_count; ++axis) {
+    const NewName velocity{name.base, axis, name.span};
+    const std::uint32_t target = first + axis - 1;
+    if (!context.symbols.declare(velocity, SymbolKind::rotation, target, context.report)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool declare_components(Context& context, const Rotation& rotation) {
+  for (std::uint32_t i = 0; i < quaternion_size; ++i) {
+    const std::uint32_t target = rotation.first_coordinate + i;
+    const NewName component{context.model.coordinates[target].name, {}, rotation.span};
+    if (!context.symbols.declare(component, SymbolKind::quaternion_component, target,
+                                 context.report)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The constants of a list of this many; nothing after E104.
+std::optional<std::vector<cln::cl_R>> constants(ValueReader& values, const ValueSyntax& value,
+                                                std::size_t count) {
+  if (value.kind != ValueKind::list || value.items.size() != count) {
+    const std::string given =
+        value.kind == ValueKind::list ? counted(value.items.size(), "component") : "one number";
+    values.context().report.add(Code::E104, value.span,
+                                given + ", but a rotation has " + std::to_string(count) + " here");
+    return std::nullopt;
+  }
+  std::vector<cln::cl_R> result;
+  for (const ValueSyntax& item : value.items) {
+    const std::optional<cln::cl_R> constant = values.constant(item);
+    if (!constant) {
+      return std::nullopt;
+    }
+    result.push_back(*constant);
+  }
+  return result;
+}
+
+void read_start_value(ValueReader& values, const ValueSyntax& value, const Rotation& rotation) {
+  const auto quaternion = constants(values, value, quaternion_size);
+  if (!quaternion) {
+    return;
+  }
+  cln::cl_R square = 0;
+  for (std::uint32_t i = 0; i < quaternion_size; ++i) {
+    const cln::cl_R& component = (*quaternion)[i];
+    values.context().model.coordinates[rotation.first_coordinate + i].start_value = component;
+    square = square + component * component;
+  }
+  if (cln::abs(square - 1) > start_tolerance()) {
+    values.context().report.add(Code::E112, value.span,
+                                "the start of a rotation is a unit quaternion (w, x, y, z), but "
+                                "the squares of this one do not add up to 1");
+  }
+}
+
+void read_start(ValueReader& values, const ValueSyntax& table, const Rotation& rotation) {
+  if (const KeySyntax* value = find_key(table, "value")) {
+    read_start_value(values, value->value, rotation);
+  }
+  const KeySyntax* rate = find_key(table, "rate");
+  const auto rates = rate == nullptr ? std::nullopt : constants(values, rate->value, axis_count);
+  for (std::uint32_t i = 0; rates && i < axis_count; ++i) {
+    values.context().model.velocities[rotation.first_velocity + i].start_rate = (*rates)[i];
+  }
+}
+
+/// A quaternion is a pure number.
+void check_unit(Context& context, const EntrySyntax& entry) {
+  const KeySyntax* key = entry.find("unit");
+  const std::optional<Unit> unit =
+      key == nullptr ? std::nullopt : read_unit(key->value, context.report);
+  if (unit && *unit != Unit{}) {
+    context.report.add(Code::E403, key->value.span,
+                       "a rotation is a pure number; its angular velocity is in rad/s");
+  }
+}
+
+}  // namespace
+
+bool is_rotation(const EntrySyntax& entry) {
+  return entry.name == "coordinate" && text_of(entry, "kind") == "rotation";
+}
+
+std::optional<std::uint32_t> declare_rotation(Context& context, const EntrySyntax& entry,
+                                              const NewName& name) {
+  if (const KeySyntax* repetition = entry.find("for"); repetition != nullptr || name.index) {
+    context.report.add(Code::E112, repetition == nullptr ? name.span : repetition->key_span,
+                       "a rotation is not repeated: its index counts its angular velocities");
+    context.symbols.mark_failed(name.base);
+    return std::nullopt;
+  }
+  Rotation rotation;
+  rotation.name = name.text();
+  rotation.identifier = name.identifier();
+  rotation.span = name.span;
+  const std::uint32_t target = append_rotation(context.model, std::move(rotation));
+  const Rotation& added = context.model.rotations[target];
+  const bool declared =
+      declare_velocities(context, name, added.first_velocity) && declare_components(context, added);
+  return declared ? std::optional(target) : std::nullopt;
+}
+
+void read_rotation(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
+  Context& context = values.context();
+  Rotation& rotation = context.model.rotations[target];
+  rotation.latex = text_of(entry, "latex");
+  rotation.doc = text_of(entry, "doc");
+  check_unit(context, entry);
+  for (const KeySyntax& key : entry.keys) {
+    if (std::find(keys_of_numbers.begin(), keys_of_numbers.end(), key.key) !=
+        keys_of_numbers.end()) {
+      context.report.add(Code::E112, key.key_span, "a rotation has no " + quoted(key.key));
+    }
+  }
+  if (const KeySyntax* range = entry.find("rate_range")) {
+    const std::optional<Interval> interval = values.interval(range->value);
+    for (std::uint32_t i = 0; i < axis_count; ++i) {
+      context.model.velocities[rotation.first_velocity + i].rate_range = interval;
+    }
+  }
+  if (const KeySyntax* start = entry.find("start")) {
+    read_start(values, start->value, rotation);
+  }
+}
+
+void check_rotations(Context& context) {
+  const Model& model = context.model;
+  std::vector<const Frame*> turned(model.rotations.size(), nullptr);
+  for (const Frame& frame : model.frames) {
+    for (const FrameStep& step : frame.steps) {
+      if (!step.rotation) continue;
+      const Frame*& first = turned[*step.rotation];
+      if (first != nullptr) {
+        context.report.add(Code::E112, frame.span,
+                           quoted(model.rotations[*step.rotation].name) +
+                               " is already the rotation of the frame " + quoted(first->name));
+      }
+      first = &frame;
+    }
+  }
+  // A frame with an error of its own may be what is missed.
+  for (std::size_t i = 0; i < turned.size() && context.report.errors() == 0; ++i) {
+    if (turned[i] != nullptr) continue;
+    const Rotation& rotation = model.rotations[i];
+    context.report.add(Code::E513, rotation.span,
+                       quoted(rotation.name) + " is the `rotation` of no [[frame]]");
+  }
+}
+
+}  // namespace elgen

@@ -1,0 +1,180 @@
+// Traits: one pass over the arena; the degree of a sum is the largest of its terms (the lowest one
+// the least), of a product the sum of its factors; in a denominator, a function or a broken power
+// only degree 0 is a polynomial.
+#include "check/expressions/traits.hpp"
+
+#include <cln/integer.h>
+
+#include <algorithm>
+
+namespace elgen {
+namespace {
+
+Traits leaf(Ingredients ingredients) { return {ingredients, 0, 0, 0, false}; }
+
+/// 0 has no terms, so they are of any degree.
+Traits nothing() {
+  Traits traits;
+  traits.lowest_rate_degree = not_polynomial;
+  return traits;
+}
+
+std::uint8_t saturated(unsigned degree) {
+  return static_cast<std::uint8_t>(std::min<unsigned>(degree, not_polynomial));
+}
+
+Traits sum(const Traits& a, const Traits& b) {
+  return {static_cast<Ingredients>(a.ingredients | b.ingredients),
+          std::max(a.rate_degree, b.rate_degree),
+          std::min(a.lowest_rate_degree, b.lowest_rate_degree),
+          std::max(a.input_degree, b.input_degree), a.input_times_rate || b.input_times_rate};
+}
+
+bool meets(const Traits& inputs, const Traits& rates) {
+  return inputs.input_degree > 0 && rates.rate_degree > 0;
+}
+
+Traits product(const Traits& a, const Traits& b) {
+  Traits result = sum(a, b);
+  result.rate_degree = saturated(unsigned{a.rate_degree} + b.rate_degree);
+  result.lowest_rate_degree = saturated(unsigned{a.lowest_rate_degree} + b.lowest_rate_degree);
+  result.input_degree = saturated(unsigned{a.input_degree} + b.input_degree);
+  result.input_times_rate = result.input_times_rate || meets(a, b) || meets(b, a);
+  return result;
+}
+
+/// What a function makes of its argument: no polynomial in anything the argument contains.
+Traits opaque(Traits argument) {
+  argument.rate_degree = argument.rate_degree > 0 ? not_polynomial : 0;
+  argument.lowest_rate_degree = 0;
+  argument.input_degree = argument.input_degree > 0 ? not_polynomial : 0;
+  return argument;
+}
+
+Traits power(const Traits& base, const cln::cl_RA& exponent) {
+  if (cln::denominator(exponent) != 1 || cln::minusp(exponent)) {
+    return opaque(base);
+  }
+  Traits result;
+  // Degrees saturate, so a few factors tell as much as all of them.
+  const long factors = cln::cl_I_to_long(cln::min(cln::numerator(exponent), cln::cl_I(4)));
+  for (long i = 0; i < factors; ++i) {
+    result = product(result, base);
+  }
+  return result;
+}
+
+/// d/dt e = de/dq v + de/dv a + de/dt
+Traits time_derivative(const Traits& argument) {
+  if ((argument.ingredients & (uses_coordinate | uses_rate | uses_time)) == 0) return nothing();
+  Traits result = argument;
+  if ((argument.ingredients & uses_coordinate) != 0) {
+    result.ingredients |= uses_rate;
+    result.rate_degree = saturated(argument.rate_degree + 1U);
+    const bool moves_by_itself = (argument.ingredients & uses_time) != 0;
+    result.lowest_rate_degree = moves_by_itself ? 0 : saturated(argument.lowest_rate_degree + 1U);
+  }
+  if ((argument.ingredients & uses_rate) != 0) {
+    result.ingredients |= uses_acceleration;
+  }
+  return result;
+}
+
+class TraitFinder {
+ public:
+  explicit TraitFinder(const Context& context)
+      : context_(context), traits_(context.model.expressions.size()) {
+    if (!traits_.empty()) traits_[no_expression] = nothing();
+  }
+
+  void visit(const WrittenExpression& root) {
+    for (ExpressionId id = root.first; id <= root.value; ++id) {
+      traits_[id] = of(context_.model.expressions[id]);
+    }
+  }
+
+  std::vector<Traits> take() { return std::move(traits_); }
+
+ private:
+  [[nodiscard]] Traits of(const Expression& node) const {
+    const Model& model = context_.model;
+    switch (node.kind) {
+      case ExpressionKind::number:
+        return cln::zerop(node.number) ? nothing() : Traits{};
+      case ExpressionKind::pi:
+        return {};
+      case ExpressionKind::time:
+        return leaf(uses_time);
+      case ExpressionKind::coordinate:
+        return leaf(uses_coordinate);
+      case ExpressionKind::rate:
+        return {uses_rate, 1, 1, 0, false};
+      case ExpressionKind::acceleration:
+        return leaf(uses_acceleration);
+      case ExpressionKind::input:
+        return {uses_input, 0, 0, 1, false};
+      case ExpressionKind::parameter:
+        return leaf(uses_parameter);
+      case ExpressionKind::prescribed:
+        return sum(leaf(uses_time), traits_[model.prescribed[node.index].value]);
+      case ExpressionKind::definition:
+        return traits_[model.definitions[node.index].value];
+      case ExpressionKind::point_component:
+        return traits_[model.points[node.index / 3].at[node.index % 3]];
+      case ExpressionKind::frame_component:
+        return traits_[component_of_frame(model, node.index)];
+      default:
+        return of_operation(node);
+    }
+  }
+
+  [[nodiscard]] Traits of_operation(const Expression& node) const {
+    const Traits& first = traits_[node.operands.front()];
+    switch (node.kind) {
+      case ExpressionKind::add:
+        return folded(node, sum);
+      case ExpressionKind::multiply:
+        return folded(node, product);
+      case ExpressionKind::divide:
+        return product(first, opaque(traits_[node.operands[1]]));
+      case ExpressionKind::power:
+        return power(first, node.number);
+      case ExpressionKind::function:
+        return of_call(node);
+      case ExpressionKind::time_derivative:
+        return time_derivative(first);
+      default:
+        return first;
+    }
+  }
+
+  [[nodiscard]] Traits of_call(const Expression& node) const {
+    Traits result = opaque(folded(node, sum));
+    if (is_kinked(node.function)) result.ingredients |= uses_kink;
+    return result;
+  }
+
+  template <class Combine>
+  [[nodiscard]] Traits folded(const Expression& node, Combine combine) const {
+    Traits result = traits_[node.operands.front()];
+    for (std::size_t i = 1; i < node.operands.size(); ++i) {
+      result = combine(result, traits_[node.operands[i]]);
+    }
+    return result;
+  }
+
+  const Context& context_;
+  std::vector<Traits> traits_;
+};
+
+}  // namespace
+
+std::vector<Traits> find_traits(const Context& context, const std::vector<std::uint32_t>& order) {
+  TraitFinder finder(context);
+  for (const std::uint32_t root : order) {
+    finder.visit(context.roots[root]);
+  }
+  return finder.take();
+}
+
+}  // namespace elgen

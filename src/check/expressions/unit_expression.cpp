@@ -1,0 +1,170 @@
+// Unit expressions, by recursive descent:
+//
+//     product  = power { ("*" | "/") power }
+//     power    = primary [ "^" exponent ]
+//     primary  = name | "1" | "(" product ")"
+//     exponent = integer | "(" integer [ "/" integer ] ")"
+#include "check/expressions/unit_expression.hpp"
+
+#include <cctype>
+#include <charconv>
+
+namespace elgen {
+namespace {
+
+class UnitReader {
+ public:
+  UnitReader(const ValueSyntax& value, Report& report)
+      : text_(value.text), span_(value.span), report_(report) {}
+
+  std::optional<Unit> read() {
+    std::optional<Unit> unit = product(0);
+    skip_spaces();
+    if (unit && position_ != text_.size()) {
+      return fail(position_, position_ + 1, "unexpected " + quoted(text_.substr(position_, 1)));
+    }
+    return unit;
+  }
+
+ private:
+  static constexpr int deepest = 50;
+
+  std::optional<Unit> product(int depth) {
+    std::optional<Unit> result = power_of(depth);
+    while (result) {
+      const bool times = take('*');
+      if (!times && !take('/')) {
+        break;
+      }
+      const std::optional<Unit> factor = power_of(depth);
+      if (!factor) {
+        return std::nullopt;
+      }
+      result = times ? *result * *factor : *result / *factor;
+    }
+    return result;
+  }
+
+  std::optional<Unit> power_of(int depth) {
+    const std::optional<Unit> base = primary(depth);
+    if (!base || !take('^')) {
+      return base;
+    }
+    const std::optional<Exponent> exponent = read_exponent();
+    return exponent ? std::optional(power(*base, *exponent)) : std::nullopt;
+  }
+
+  std::optional<Unit> primary(int depth) {
+    if (depth < deepest && take('(')) {
+      const std::optional<Unit> inner = product(depth + 1);
+      if (inner && !take(')')) {
+        return fail(position_, position_ + 1, "missing `)`");
+      }
+      return inner;
+    }
+    skip_spaces();
+    const std::size_t begin = position_;
+    while (position_ < text_.size() &&
+           std::isalnum(static_cast<unsigned char>(text_[position_])) != 0) {
+      ++position_;
+    }
+    const std::string_view name = text_.substr(begin, position_ - begin);
+    if (name.empty()) {
+      return fail(begin, begin + 1, "a unit is missing");
+    }
+    const std::optional<Unit> unit = find_unit(name);
+    return unit ? unit : unknown(name, begin);
+  }
+
+  std::optional<Exponent> read_exponent() {
+    const std::size_t begin = position_;
+    const bool bracket = take('(');
+    const std::optional<std::int32_t> numerator = integer();
+    std::optional<std::int32_t> denominator = 1;
+    if (bracket && take('/')) {
+      denominator = integer();
+    }
+    if (!numerator || !denominator || *denominator <= 0 || (bracket && !take(')'))) {
+      fail(begin, std::max(position_, begin + 1), "an exponent is an integer, or `(p/q)`");
+      return std::nullopt;
+    }
+    return Exponent{*numerator, *denominator};
+  }
+
+  std::optional<std::int32_t> integer() {
+    constexpr std::int32_t largest = 64;
+    skip_spaces();
+    std::int32_t value = 0;
+    const char* end = text_.data() + text_.size();
+    const auto [stop, error] = std::from_chars(text_.data() + position_, end, value);
+    if (error != std::errc{} || value > largest || value < -largest) {
+      return std::nullopt;
+    }
+    position_ = static_cast<std::size_t>(stop - text_.data());
+    return value;
+  }
+
+  std::optional<Unit> unknown(std::string_view name, std::size_t begin) {
+    std::vector<std::string> candidates;
+    const std::string product = as_product(name);
+    if (!product.empty()) {
+      candidates.push_back(product);
+    } else {
+      for (const UnitRow& row : unit_table()) candidates.emplace_back(row.name);
+    }
+    report_.add(Code::E402, part(begin, begin + name.size()), "unknown unit " + quoted(name),
+                suggestion(name, candidates));
+    return std::nullopt;
+  }
+
+  /// "kg*m" of "kgm": two units without the sign between them; else nothing. What starts with m is
+  /// meant as milli.
+  static std::string as_product(std::string_view name) {
+    if (name.starts_with('m')) return {};
+    for (std::size_t i = 1; i < name.size(); ++i) {
+      if (!find_unit(name.substr(0, i)) || !find_unit(name.substr(i))) continue;
+      return std::string(name.substr(0, i)) + "*" + std::string(name.substr(i));
+    }
+    return {};
+  }
+
+  std::optional<Unit> fail(std::size_t begin, std::size_t end, const std::string& message) {
+    report_.add(Code::E402, part(begin, end), message + " in the unit " + quoted(text_));
+    return std::nullopt;
+  }
+
+  [[nodiscard]] Span part(std::size_t begin, std::size_t end) const {
+    const auto at = [&](std::size_t offset) {
+      return std::min(span_.begin + static_cast<std::uint32_t>(offset), span_.end);
+    };
+    return {span_.source, at(begin), at(end)};
+  }
+
+  bool take(char wanted) {
+    skip_spaces();
+    if (position_ < text_.size() && text_[position_] == wanted) {
+      ++position_;
+      return true;
+    }
+    return false;
+  }
+
+  void skip_spaces() {
+    while (position_ < text_.size() && text_[position_] == ' ') {
+      ++position_;
+    }
+  }
+
+  std::string_view text_;
+  Span span_;
+  Report& report_;
+  std::size_t position_ = 0;
+};
+
+}  // namespace
+
+std::optional<Unit> read_unit(const ValueSyntax& text, Report& report) {
+  return UnitReader(text, report).read();
+}
+
+}  // namespace elgen

@@ -1,0 +1,15 @@
+// Unit expressions: `kg*m^2/s`, `N/(m*s)`, `m^(1/2)`, `1`.
+#pragma once
+
+#include <optional>
+
+#include "check/names/report.hpp"
+#include "elgen/syntax.hpp"
+#include "elgen/units.hpp"
+
+namespace elgen {
+
+/// The unit a string names; nothing after E402. `*` and `/` bind from left to right.
+[[nodiscard]] std::optional<Unit> read_unit(const ValueSyntax& text, Report& report);
+
+}  // namespace elgen

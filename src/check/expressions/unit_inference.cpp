@@ -1,0 +1,265 @@
+// Units of expressions: one pass over the arena.
+//
+// Numbers are pure, but 0 has any unit; what touches a leaf without a unit is not known and not
+// compared, and a model without any unit is not judged at all. After an error the node counts as
+// not known, so that one mistake is reported once.
+#include "check/expressions/unit_inference.hpp"
+
+#include <cln/integer.h>
+
+#include <algorithm>
+
+namespace elgen {
+namespace {
+
+enum class Known : std::uint8_t { yes, any, no };
+
+struct InferredUnit {
+  Known known = Known::no;
+  Unit unit = {};
+};
+
+InferredUnit known(const Unit& unit) { return {Known::yes, unit}; }
+
+InferredUnit declared(const std::optional<Unit>& unit) {
+  return unit ? known(*unit) : InferredUnit{};
+}
+
+Unit per_second(int times) { return power(*find_unit("s"), Exponent{-times, 1}); }
+
+Exponent exponent_of(const cln::cl_RA& number) {
+  const auto integer = [](const cln::cl_I& n) {
+    return static_cast<std::int32_t>(cln::cl_I_to_long(n));
+  };
+  return {integer(cln::numerator(number)), integer(cln::denominator(number))};
+}
+
+class UnitInference {
+ public:
+  explicit UnitInference(Context& context)
+      : context_(context), model_(context.model), units_(context.model.expressions.size()) {}
+
+  void visit(const WrittenExpression& root) {
+    if (root.generated || root.plain_numbers) return;
+    for (ExpressionId id = root.first; id <= root.value; ++id) {
+      units_[id] = of(model_.expressions[id]);
+    }
+    const InferredUnit& inferred = units_[root.value];
+    if (root.unit && !root.misplaced && inferred.known == Known::yes &&
+        inferred.unit != *root.unit) {
+      const Span& span = model_.expressions[root.value].span;
+      context_.report.add(Code::E403, span,
+                          quoted(span) + " is in " + to_string(inferred.unit) + ", but " +
+                              std::string(root.place.noun) + " is in " + to_string(*root.unit));
+    }
+  }
+
+ private:
+  InferredUnit of(const Expression& node) {
+    switch (node.kind) {
+      case ExpressionKind::number:
+        return cln::zerop(node.number) ? InferredUnit{Known::any, {}} : known({});
+      case ExpressionKind::pi:
+        return known({});
+      case ExpressionKind::time:
+        return known(*find_unit("s"));
+      case ExpressionKind::coordinate:
+        return declared(model_.coordinates[node.index].unit);
+      case ExpressionKind::rate:
+        return declared(model_.velocities[node.index].unit);
+      case ExpressionKind::acceleration:
+        return over_time(declared(model_.velocities[node.index].unit), 1);
+      case ExpressionKind::input:
+        return declared(model_.inputs[node.index].unit);
+      case ExpressionKind::parameter:
+        return declared(model_.parameters[node.index].unit);
+      case ExpressionKind::prescribed:
+        return of_prescribed(node.index);
+      case ExpressionKind::definition:
+        return units_[model_.definitions[node.index].value];
+      case ExpressionKind::point_component:
+        return known(*find_unit("m"));
+      case ExpressionKind::frame_component:
+        return known(node.index % components_per_frame < 9 ? Unit{} : *find_unit("m"));
+      default:
+        return of_operation(node);
+    }
+  }
+
+  InferredUnit of_operation(const Expression& node) {
+    const InferredUnit& first = units_[node.operands.front()];
+    switch (node.kind) {
+      case ExpressionKind::add:
+        return common(node, "the sum");
+      case ExpressionKind::multiply:
+        return product(node);
+      case ExpressionKind::divide:
+        return quotient(first, units_[node.operands[1]]);
+      case ExpressionKind::power:
+        return first.known == Known::yes ? known(power(first.unit, exponent_of(node.number)))
+                                         : first;
+      case ExpressionKind::function:
+        return of_call(node);
+      case ExpressionKind::time_derivative:
+        return over_time(first, 1);
+      default:
+        return first;
+    }
+  }
+
+  /// A declared unit wins over what the value of a prescribed function says.
+  InferredUnit of_prescribed(std::uint32_t index) const {
+    const std::optional<Unit>& unit = context_.prescribed_units[index];
+    return unit ? known(*unit) : units_[model_.prescribed[index].value];
+  }
+
+  static InferredUnit over_time(const InferredUnit& base, int times) {
+    return base.known == Known::yes ? known(base.unit * per_second(times)) : base;
+  }
+
+  static InferredUnit quotient(const InferredUnit& a, const InferredUnit& b) {
+    if (a.known == Known::any) {
+      return a;
+    }
+    const bool both = a.known == Known::yes && b.known == Known::yes;
+    return both ? known(a.unit / b.unit) : InferredUnit{};
+  }
+
+  InferredUnit product(const Expression& node) const {
+    InferredUnit result = known({});
+    for (const ExpressionId operand : node.operands) {
+      const InferredUnit& factor = units_[operand];
+      if (factor.known == Known::any) {
+        return factor;
+      }
+      const bool both = factor.known == Known::yes && result.known == Known::yes;
+      result = both ? known(result.unit * factor.unit) : InferredUnit{};
+    }
+    return result;
+  }
+
+  /// The unit all operands share. E401 at the first that differs.
+  InferredUnit common(const Expression& node, std::string_view what) {
+    InferredUnit result{Known::any, {}};
+    bool complete = true;
+    for (const ExpressionId operand : node.operands) {
+      const InferredUnit& term = units_[operand];
+      complete = complete && term.known != Known::no;
+      if (result.known == Known::any && term.known == Known::yes) {
+        result = term;
+      }
+      if (term.known == Known::yes && term.unit != result.unit) {
+        report_difference(term_span(operand), term.unit, what, result.unit);
+        return {};
+      }
+    }
+    return complete ? result : InferredUnit{};
+  }
+
+  InferredUnit of_call(const Expression& node) {
+    switch (node.function) {
+      case FunctionId::abs:
+        return units_[node.operands[0]];
+      case FunctionId::min:
+      case FunctionId::max:
+        return common(node, "the other argument");
+      case FunctionId::atan2:
+        return ratio(common(node, "the other argument"));
+      case FunctionId::sign:
+        return ratio(units_[node.operands[0]]);
+      default:
+        return pure(node);
+    }
+  }
+
+  InferredUnit pure(const Expression& node) {
+    const InferredUnit& argument = units_[node.operands[0]];
+    if (argument.known == Known::yes && argument.unit != Unit{}) {
+      const Span& span = model_.expressions[node.operands[0]].span;
+      context_.report.add(Code::E404, span,
+                          quoted(span) + " is in " + to_string(argument.unit) + ", but " +
+                              quoted(function_row(node.function).name) + " takes a pure number");
+    }
+    return ratio(argument);
+  }
+
+  /// A pure number, as far as the argument is known.
+  static InferredUnit ratio(const InferredUnit& argument) {
+    return argument.known == Known::no ? InferredUnit{} : known({});
+  }
+
+  /// Of `a - b` the term is b.
+  [[nodiscard]] const Span& term_span(ExpressionId id) const {
+    const Expression& term = model_.expressions[id];
+    return term.kind == ExpressionKind::negate ? model_.expressions[term.operands[0]].span
+                                               : term.span;
+  }
+
+  void report_difference(const Span& span, const Unit& observed, std::string_view what,
+                         const Unit& expected) {
+    context_.report.add(Code::E401, span,
+                        quoted(span) + " is in " + to_string(observed) + ", but " +
+                            std::string(what) + " is in " + to_string(expected));
+  }
+
+  Context& context_;
+  const Model& model_;
+  std::vector<InferredUnit> units_;
+};
+
+bool declares_units(const Context& context) {
+  const auto has_unit = [](const auto& row) { return row.unit.has_value(); };
+  const auto any = [&](const auto& rows) {
+    return std::any_of(rows.begin(), rows.end(), has_unit);
+  };
+  const auto& prescribed = context.prescribed_units;
+  const auto given = [](const std::optional<Unit>& unit) { return unit.has_value(); };
+  return any(context.model.coordinates) || any(context.model.parameters) ||
+         any(context.model.inputs) || std::any_of(prescribed.begin(), prescribed.end(), given);
+}
+
+/// Names of what has no unit, each once, and where the first of them is declared.
+void note_missing_units(Context& context) {
+  const Model& model = context.model;
+  std::vector<std::string> names;
+  std::optional<Span> first;
+  const auto note = [&](const std::string& name, const Span& span) {
+    names.push_back(name);
+    if (!first || span.begin < first->begin) {
+      first = span;
+    }
+  };
+  for (const Coordinate& coordinate : model.coordinates) {
+    if (!coordinate.unit) note(coordinate.name, coordinate.span);
+  }
+  for (const ParameterArray& array : model.parameter_arrays) {
+    if (!model.parameters[array.first].unit) note(array.name, array.span);
+  }
+  for (const Input& input : model.inputs) {
+    if (!input.unit) note(input.name, input.span);
+  }
+  if (names.empty()) {
+    return;
+  }
+  std::string list;
+  for (std::size_t i = 0; i < std::min<std::size_t>(names.size(), 8); ++i) {
+    list += (i == 0 ? "" : ", ") + quoted(names[i]);
+  }
+  list += names.size() > 8 ? " and others" : "";
+  context.report.add(Code::E520, *first, list + ": no unit, so what touches it is not checked");
+}
+
+}  // namespace
+
+void check_units(Context& context, const std::vector<std::uint32_t>& order) {
+  UnitInference inference(context);
+  for (const std::uint32_t root : declares_units(context) ? order : std::vector<std::uint32_t>{}) {
+    inference.visit(context.roots[root]);
+  }
+  // Beside errors a note would only distract.
+  if (context.report.errors() == 0) {
+    note_missing_units(context);
+  }
+}
+
+}  // namespace elgen

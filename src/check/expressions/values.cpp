@@ -1,0 +1,197 @@
+// Values: reads the values of keys as roots, constants, units and references.
+#include "check/expressions/values.hpp"
+
+#include <cln/float.h>
+
+#include <algorithm>
+
+#include "base/exact_number.hpp"
+#include "check/expressions/resolver.hpp"
+
+namespace elgen {
+namespace {
+
+cln::cl_R rounded(const cln::cl_R& value) {
+  return is_rational(value) ? value
+                            : cln::cl_R(cln::cl_float(value, cln::float_format(constant_digits)));
+}
+
+}  // namespace
+
+ExpressionId ValueReader::root(const ExpressionSyntax& expression, const RootRequest& request) {
+  const auto first = static_cast<ExpressionId>(context_.model.expressions.size());
+  const std::optional<ExpressionId> id = Resolver(context_, scope_).resolve(expression);
+  if (!id) {
+    return no_expression;
+  }
+  context_.roots.push_back(
+      {first, *id, request.place, request.unit, request.owner, request.owner_index});
+  return *id;
+}
+
+ExpressionId ValueReader::root(const ValueSyntax& value, const RootRequest& request) {
+  return root(value.expression, request);
+}
+
+ExpressionId ValueReader::scene_value(const ValueSyntax& value, const RootRequest& request) {
+  const ExpressionId id = root(value, request);
+  if (id == no_expression) return id;
+  WrittenExpression& read = context_.roots.back();
+  const auto& nodes = context_.model.expressions;
+  read.plain_numbers = std::none_of(
+      nodes.begin() + read.first, nodes.begin() + read.value + 1, [](const Expression& node) {
+        return node.kind == ExpressionKind::parameter || node.kind == ExpressionKind::prescribed ||
+               node.kind == ExpressionKind::definition;
+      });
+  return id;
+}
+
+std::vector<ExpressionId> ValueReader::roots(const ValueSyntax& value, const RootRequest& request) {
+  if (value.kind != ValueKind::list) {
+    return {root(value, request)};
+  }
+  std::vector<ExpressionId> result;
+  for (const ValueSyntax& item : value.items) {
+    result.push_back(root(item, request));
+  }
+  return result;
+}
+
+std::optional<cln::cl_R> ValueReader::constant(const ValueSyntax& value) {
+  const std::size_t size = context_.model.expressions.size();
+  const std::optional<FixedValue> result = constant_with_form(value);
+  truncate(size);
+  return result ? std::optional(result->number) : std::nullopt;
+}
+
+std::optional<FixedValue> ValueReader::constant_with_form(const ValueSyntax& value) {
+  const ExpressionSyntax& syntax = value.expression;
+  const std::size_t size = context_.model.expressions.size();
+  const std::optional<ExpressionId> id = Resolver(context_, scope_).resolve(syntax);
+  const std::optional<cln::cl_R> result = id ? context_.constants[*id] : std::optional<cln::cl_R>{};
+  const bool needs_form = result && !is_rational(*result);
+  if (!needs_form) truncate(size);
+  if (id && !result) {
+    context_.report.add(Code::E319, syntax.span, quoted(syntax.span) + " is not a constant number");
+  }
+  if (!result) return std::nullopt;
+  return FixedValue{rounded(*result), needs_form ? id : std::nullopt};
+}
+
+void ValueReader::truncate(std::size_t size) {
+  context_.model.expressions.resize(size);
+  context_.constants.truncate(size);
+}
+
+std::optional<Interval> ValueReader::interval(const ValueSyntax& value) {
+  const std::optional<cln::cl_R> low = constant(value.items[0]);
+  const std::optional<cln::cl_R> high = constant(value.items[1]);
+  if (!low || !high) {
+    return std::nullopt;
+  }
+  if (*low >= *high) {
+    context_.report.add(
+        Code::E112, value.span,
+        quoted(value.items[0].span) + " is not below " + quoted(value.items[1].span));
+    return std::nullopt;
+  }
+  return Interval{*low, *high};
+}
+
+std::optional<std::int64_t> ValueReader::integer(const ValueSyntax& value) {
+  return integer_value(value.expression, scope_, context_.report);
+}
+
+std::optional<std::uint32_t> ValueReader::reference(const ValueSyntax& value, SymbolKind kind) {
+  const ExpressionSyntax& name = value.expression;
+  const DeclaredNames& symbols = kind == SymbolKind::frame ? context_.frames : context_.symbols;
+  const DeclaredName* symbol = symbols.find(name.text);
+  if (symbol == nullptr && symbols.has_failed(name.text)) {
+    return std::nullopt;
+  }
+  if (symbol == nullptr || symbol->kind != kind) {
+    std::vector<std::string> names = symbols.names(kind);
+    if (kind == SymbolKind::frame) names.emplace_back(world);
+    context_.report.add(Code::E201, value.span,
+                        "unknown " + std::string(noun(kind)) + " " + quoted(name.text),
+                        symbols.suggest(name.text, names));
+    return std::nullopt;
+  }
+  return Resolver(context_, scope_).element(name, *symbol);
+}
+
+std::optional<std::uint32_t> ValueReader::rotation(const ValueSyntax& value) {
+  const ExpressionSyntax& name = value.expression;
+  const DeclaredName* symbol = context_.symbols.find(name.text);
+  if (symbol == nullptr && context_.symbols.has_failed(name.text)) {
+    return std::nullopt;
+  }
+  if (symbol == nullptr || symbol->kind != SymbolKind::rotation || !name.operands.empty()) {
+    const std::vector<std::string> names = context_.symbols.names(SymbolKind::rotation);
+    context_.report.add(Code::E201, value.span, "unknown rotation " + quoted(value.span),
+                        context_.symbols.suggest(name.text, names));
+    return std::nullopt;
+  }
+  return context_.model.velocities[symbol->elements.begin()->second].rotation;
+}
+
+std::optional<std::uint32_t> ValueReader::velocity(const ValueSyntax& value) {
+  const DeclaredName* symbol = context_.symbols.find(value.expression.text);
+  if (symbol != nullptr && symbol->kind == SymbolKind::rotation) {
+    return Resolver(context_, scope_).element(value.expression, *symbol);
+  }
+  const std::optional<std::uint32_t> coordinate = reference(value, SymbolKind::coordinate);
+  return coordinate ? std::optional(context_.model.coordinates[*coordinate].velocity)
+                    : std::nullopt;
+}
+
+bool ValueReader::is_vector(const ValueSyntax& value) {
+  const std::size_t count = value.items.size();
+  if (count != 2 && count != 3) {
+    context_.report.add(Code::E104, value.span,
+                        counted(count, "component") + ", but a vector has 2 or 3");
+    return false;
+  }
+  if (context_.dimension == 0) {
+    context_.dimension = static_cast<std::uint32_t>(count);
+  } else if (count != context_.dimension) {
+    context_.report.add(Code::E516, value.span,
+                        counted(count, "component") + " in a model whose first vector has " +
+                            std::to_string(context_.dimension));
+  }
+  return true;
+}
+
+std::optional<std::uint32_t> ValueReader::frame_or_world(const ValueSyntax& value) {
+  const ExpressionSyntax& name = value.expression;
+  if (name.text == world && name.operands.empty()) return std::nullopt;
+  return reference(value, SymbolKind::frame);
+}
+
+const KeySyntax* find_key(const ValueSyntax& table, std::string_view key) {
+  for (const KeySyntax& entry : table.entries) {
+    if (entry.key == key) {
+      return &entry;
+    }
+  }
+  return nullptr;
+}
+
+const EntrySyntax* find_entry(const SceneSyntax* scene, std::string_view name) {
+  if (scene == nullptr) return nullptr;
+  const auto found = std::find_if(scene->entries.begin(), scene->entries.end(),
+                                  [&](const EntrySyntax& entry) { return entry.name == name; });
+  return found == scene->entries.end() ? nullptr : &*found;
+}
+
+std::string text_of(const EntrySyntax& entry, std::string_view key) {
+  const KeySyntax* found = entry.find(key);
+  return found == nullptr ? "" : found->value.text;
+}
+
+std::string text_of(const ValueSyntax& table, std::string_view key) {
+  const KeySyntax* found = find_key(table, key);
+  return found == nullptr ? "" : found->value.text;
+}
+
+}  // namespace elgen

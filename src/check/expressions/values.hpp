@@ -1,0 +1,91 @@
+// Values: reads the values of keys as roots, constants, units and references.
+#pragma once
+
+#include <cln/real.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "check/expressions/expand.hpp"
+#include "check/names/context.hpp"
+#include "elgen/scene.hpp"
+#include "elgen/syntax.hpp"
+
+namespace elgen {
+
+/// What is known of an expression before it is read.
+struct RootRequest {
+  Place place = {};
+  std::optional<Unit> unit = {};
+  OwnerKind owner = OwnerKind::none;
+  std::uint32_t owner_index = 0;
+};
+
+/// What has no frame of its own.
+inline constexpr std::string_view world = "world";
+
+/// Reads keys for one instance of an entry.
+class ValueReader {
+ public:
+  ValueReader(Context& context, const Scope& scope) : context_(context), scope_(scope) {}
+
+  /// Resolves an expression and registers it as a root; `no_expression` after an error.
+  ExpressionId root(const ExpressionSyntax& expression, const RootRequest& request);
+  ExpressionId root(const ValueSyntax& value, const RootRequest& request);
+
+  /// A value of a scene: where it names nothing but t and pi, numbers are in the unit of the place,
+  /// t in s.
+  ExpressionId scene_value(const ValueSyntax& value, const RootRequest& request);
+
+  /// Every item of a list (or the one value) as a root.
+  std::vector<ExpressionId> roots(const ValueSyntax& value, const RootRequest& request);
+
+  /// An exact rational where it is one, else a float of 100 digits. E319 where names occur.
+  std::optional<cln::cl_R> constant(const ValueSyntax& value);
+  /// The same with its expression, which stays in the model, where it is not rational.
+  std::optional<FixedValue> constant_with_form(const ValueSyntax& value);
+
+  /// [low, high]; E112 unless low < high.
+  std::optional<Interval> interval(const ValueSyntax& value);
+
+  std::optional<std::int64_t> integer(const ValueSyntax& value);
+
+  /// The index in the Model of what a name refers to. E201, E207, E208.
+  std::optional<std::uint32_t> reference(const ValueSyntax& value, SymbolKind kind);
+
+  /// The index in the Model of the velocity that `on` names: by its coordinate, or as
+  /// `attitude[2]`. E201, E207, E208.
+  std::optional<std::uint32_t> velocity(const ValueSyntax& value);
+
+  /// The index in the Model of the rotation a name refers to. E201.
+  std::optional<std::uint32_t> rotation(const ValueSyntax& value);
+
+  /// The same for a frame; nothing for `world` (and after an error).
+  std::optional<std::uint32_t> frame_or_world(const ValueSyntax& value);
+
+  /// False after E104: a vector has 2 or 3 components. E516 unless all vectors of the model have as
+  /// many as the first.
+  bool is_vector(const ValueSyntax& value);
+
+  Context& context() { return context_; }
+
+ private:
+  /// Forgets the expressions from `size` on.
+  void truncate(std::size_t size);
+
+  Context& context_;
+  Scope scope_;
+};
+
+/// Text of an optional key, or nothing.
+[[nodiscard]] std::string text_of(const EntrySyntax& entry, std::string_view key);
+[[nodiscard]] std::string text_of(const ValueSyntax& table, std::string_view key);
+
+/// The entry of a table value, or null.
+[[nodiscard]] const KeySyntax* find_key(const ValueSyntax& table, std::string_view key);
+
+/// The entry of a scene, or null; `scene` may be null.
+[[nodiscard]] const EntrySyntax* find_entry(const SceneSyntax* scene, std::string_view name);
+
+}  // namespace elgen

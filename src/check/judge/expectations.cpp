@@ -1,0 +1,269 @@
+// Expectations: closed forms as matrices of expressions, row-major, or by entry:
+//
+//     gravity_entry = { for = "i in 1..2", value = "m[i]*g" }   ->   gravity = [m[1]*g, m[2]*g]
+#include "check/judge/expectations.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "check/expressions/places.hpp"
+#include "check/expressions/values.hpp"
+#include "check/judge/output_units.hpp"
+#include "check/names/requests.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr std::string_view entry_suffix = "_entry";
+constexpr Place closed_form{"a closed form", place::anything};
+
+std::string shape(std::size_t rows, std::size_t columns) {
+  return std::to_string(rows) + " x " + std::to_string(columns);
+}
+
+using Rows = std::vector<std::vector<const ValueSyntax*>>;
+
+/// The rows of a value: a list of lists, a list (a column), or one expression.
+Rows rows_of(const ValueSyntax& value) {
+  Rows rows;
+  if (value.kind != ValueKind::list) {
+    return {{&value}};
+  }
+  for (const ValueSyntax& item : value.items) {
+    rows.emplace_back();
+    if (item.kind != ValueKind::list) {
+      rows.back().push_back(&item);
+    }
+    for (const ValueSyntax& entry : item.items) {
+      rows.back().push_back(&entry);
+    }
+  }
+  return rows;
+}
+
+/// By what it is, not by its size: the mass matrix of one coordinate is one. (So is a pose.)
+bool is_matrix(const OutputRequest& request) {
+  return request.columns > 1 || field_row(request.kind, "").columns != Extent::one;
+}
+
+bool is_nested(const ValueSyntax& value) {
+  return !value.items.empty() && value.items.front().kind == ValueKind::list;
+}
+
+/// What stands there instead of what should: "2 x 1 entries".
+std::string found_shape(const Rows& rows) {
+  const std::size_t columns = rows.empty() ? 0 : rows.front().size();
+  const bool is_ragged =
+      std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.size() != columns; });
+  return is_ragged ? "rows of different lengths" : shape(rows.size(), columns) + " entries";
+}
+
+class ExpectationReader {
+ public:
+  explicit ExpectationReader(Context& context)
+      : context_(context), values_(context, Scope(context.sizes)) {}
+
+  void read(const KeySyntax& key) {
+    if (key.key == "conserved") {
+      read_conserved(key);
+    } else if (key.value.kind == ValueKind::table) {
+      read_sized(key);
+    } else if (const auto request = require(key.key, key.key_span)) {
+      read_matrix(key, *request);
+    }
+  }
+
+ private:
+  std::optional<OutputRequest> require(std::string_view name, const Span& span) {
+    return require_request(context_.model, name, span, context_.report);
+  }
+
+  void read_conserved(const KeySyntax& key) {
+    Expectation expectation = blank(key.key, key.key_span);
+    for (const ValueSyntax& item : key.value.items) {
+      expectation.entries.push_back(values_.root(item, {closed_form}));
+      expectation.spans.push_back(item.span);
+    }
+    expectation.rows = static_cast<std::uint32_t>(expectation.entries.size());
+    expectation.columns = 1;
+    keep(std::move(expectation));
+  }
+
+  void read_matrix(const KeySyntax& key, const OutputRequest& request) {
+    const auto rows = rows_of(key.value);
+    Expectation expectation = blank(key.key, key.key_span);
+    expectation.rows = request.rows;
+    expectation.columns = request.columns;
+    const bool lacks_rows = is_matrix(request) && !is_nested(key.value);
+    bool fits = rows.size() == request.rows && !lacks_rows;
+    for (std::uint32_t i = 0; fits && i < rows.size(); ++i) {
+      fits = rows[i].size() == request.columns;
+      for (std::uint32_t j = 0; fits && j < rows[i].size(); ++j) {
+        add_entry(expectation, *rows[i][j],
+                  unit_of_entry(context_.model, {request.kind, "", i, j}));
+      }
+    }
+    if (!fits) {
+      const std::string found = lacks_rows ? "no list of rows" : found_shape(rows);
+      context_.report.add(
+          Code::E517, key.value.span,
+          found + ", but " + quoted(key.key) + " is " + shape(request.rows, request.columns),
+          is_matrix(request) ? "a matrix is a list of rows: [[…], […]]" : "");
+      return;
+    }
+    keep(std::move(expectation));
+  }
+
+  void keep(Expectation expectation) {
+    if (!context_.beyond_limits) {
+      context_.model.expectations.push_back(std::move(expectation));
+    }
+  }
+
+  void add_entry(Expectation& expectation, const ValueSyntax& value,
+                 const std::optional<Unit>& unit) {
+    expectation.entries.push_back(values_.root(value, {closed_form, unit}));
+    expectation.spans.push_back(value.span);
+  }
+
+  void read_sized(const KeySyntax& key) {
+    const std::string_view name = key.key;
+    if (!name.ends_with(entry_suffix)) {
+      context_.report.add(Code::E601, key.key_span,
+                          quoted(name) + " is given by entry, but is not called so",
+                          "did you mean `" + key.key + std::string(entry_suffix) + "`?");
+      return;
+    }
+    const auto request = require(name.substr(0, name.size() - entry_suffix.size()), key.key_span);
+    const KeySyntax* repetition = find_key(key.value, "for");
+    const KeySyntax* value = find_key(key.value, "value");
+    if (!request || repetition == nullptr || value == nullptr) {
+      return;
+    }
+    const std::vector<RangeSyntax> ranges = read_repetition(repetition->value);
+    const std::size_t indices = is_matrix(*request) ? 2 : 1;
+    if (ranges.size() != indices) {
+      context_.report.add(Code::E517, repetition->value.span,
+                          std::to_string(ranges.size()) + " indices, but an entry of " +
+                              quoted(request->name) + " has " + std::to_string(indices));
+      return;
+    }
+    expand(*request, ranges, *value, key.key_span);
+  }
+
+  void expand(const OutputRequest& request, const std::vector<RangeSyntax>& ranges,
+              const KeySyntax& value, const Span& span) {
+    Expectation expectation = blank(request.name, span);
+    expectation.rows = request.rows;
+    expectation.columns = request.columns;
+    Scope scope(context_.sizes);
+    const auto add = [&] {
+      const auto at = position(request, ranges, scope, value.value.span);
+      if (!at) {
+        return false;
+      }
+      const auto unit = unit_of_entry(context_.model, {request.kind, "", at->row, at->column});
+      const ExpressionId entry =
+          ValueReader(context_, scope).root(value.value, {closed_form, unit});
+      const std::size_t index = at->row * std::size_t{request.columns} + at->column;
+      // Grown as needed: a form beyond the limit of nodes ends long before its last entry.
+      expectation.entries.resize(std::max(expectation.entries.size(), index + 1), no_expression);
+      expectation.entries[index] = entry;
+      return entry != no_expression;
+    };
+    const bool complete = repeat(ranges, scope, context_.report, add);
+    if (complete && check_complete(expectation, value.value.span)) {
+      expectation.spans.assign(expectation.entries.size(), value.value.span);
+      context_.model.expectations.push_back(std::move(expectation));
+    }
+  }
+
+  struct Position {
+    std::uint32_t row = 0;
+    std::uint32_t column = 0;
+  };
+
+  /// Indices count from 1 in files.
+  std::optional<Position> position(const OutputRequest& request,
+                                   const std::vector<RangeSyntax>& ranges, const Scope& scope,
+                                   const Span& span) {
+    const std::int64_t row = *scope.find(ranges[0].index);
+    const std::int64_t column = ranges.size() > 1 ? *scope.find(ranges[1].index) : 1;
+    const bool inside = row >= 1 && row <= request.rows && column >= 1 && column <= request.columns;
+    if (!inside) {
+      context_.report.add(Code::E517, span,
+                          "entry " + std::to_string(row) + ", " + std::to_string(column) +
+                              ", but " + quoted(request.name) + " is " +
+                              shape(request.rows, request.columns));
+      return std::nullopt;
+    }
+    return Position{static_cast<std::uint32_t>(row - 1), static_cast<std::uint32_t>(column - 1)};
+  }
+
+  bool check_complete(Expectation& expectation, const Span& span) {
+    std::vector<ExpressionId>& entries = expectation.entries;
+    entries.resize(std::size_t{expectation.rows} * expectation.columns, no_expression);
+    const auto missing = std::find(entries.begin(), entries.end(), no_expression);
+    if (missing == entries.end()) {
+      return true;
+    }
+    const auto index = static_cast<std::size_t>(missing - entries.begin());
+    context_.report.add(Code::E517, span,
+                        "no entry " + std::to_string(index / expectation.columns + 1) + ", " +
+                            std::to_string(index % expectation.columns + 1) + " of " +
+                            quoted(expectation.output));
+    return false;
+  }
+
+  static Expectation blank(const std::string& output, const Span& span) {
+    Expectation expectation;
+    expectation.output = output;
+    expectation.span = span;
+    return expectation;
+  }
+
+  Context& context_;
+  ValueReader values_;
+};
+
+/// Reads one closed form with few nodes; one that needs more is dropped again, but what was wrong
+/// with it until then is reported.
+void read_small(Context& context, const KeySyntax& key) {
+  constexpr std::uint64_t few_nodes = 4096;
+  const std::size_t nodes = context.model.expressions.size();
+  const std::size_t roots = context.roots.size();
+  const std::uint64_t limit = std::exchange(context.node_limit, nodes + few_nodes);
+  Report outer = std::exchange(context.report, Report{});
+  ExpectationReader(context).read(key);
+  const Report inner = std::exchange(context.report, std::move(outer));
+  context.node_limit = limit;
+  if (std::exchange(context.beyond_limits, false)) {
+    context.model.expressions.resize(nodes);
+    context.constants.truncate(nodes);
+    context.roots.resize(roots);
+  }
+  for (const Diagnostic& diagnostic : inner.sorted()) {
+    if (diagnostic.code != Code::E908) {
+      context.report.add(diagnostic);
+    }
+  }
+}
+
+}  // namespace
+
+void read_expectations(Context& context, const ModelSyntax& syntax, bool large) {
+  for (const EntrySyntax& entry : syntax.entries) {
+    if (entry.name != "expect") {
+      continue;
+    }
+    for (const KeySyntax& key : entry.keys) {
+      if (large) {
+        ExpectationReader(context).read(key);
+      } else {
+        read_small(context, key);
+      }
+    }
+  }
+}
+
+}  // namespace elgen

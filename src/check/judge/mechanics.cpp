@@ -1,0 +1,169 @@
+// Mechanics: degrees of the energies in the rates, forces affine in the inputs, and that everything
+// that may move has kinetic energy.
+#include "check/judge/mechanics.hpp"
+
+#include <algorithm>
+
+namespace elgen {
+namespace {
+
+template <class Rows>
+bool any_energy(const Rows& rows) {
+  return std::any_of(rows.begin(), rows.end(), [](const auto& row) { return has_energy(row); });
+}
+
+bool has_masses(const Model& model) {
+  const auto has_armature = [](const Coordinate& q) { return q.armature.has_value(); };
+  return any_energy(model.points) || any_energy(model.bodies) ||
+         std::any_of(model.coordinates.begin(), model.coordinates.end(), has_armature);
+}
+
+class MechanicsCheck {
+ public:
+  MechanicsCheck(Context& context, const std::vector<Traits>& traits)
+      : context_(context), model_(context.model), traits_(traits) {}
+
+  void run() {
+    check_degree(model_.energies.V, 1, Code::E503, "at most linear");
+    check_degree(model_.energies.T, 2, Code::E504, "at most quadratic");
+    for (const Body& body : model_.bodies) {
+      for (const ExpressionId component : body.spin) {
+        check_degree(component, 1, Code::E504, "at most linear");
+      }
+    }
+    if (model_.energies.L) {
+      model_.quadratic = traits_[*model_.energies.L].rate_degree <= 2;
+    }
+    for (const Force& force : model_.forces) {
+      for (const ExpressionId value : force.value) {
+        check_affine(value);
+      }
+    }
+    check_lagrangian();
+    model_.uses_time = finds_time();
+    model_.may_drift = model_.uses_time || finds_drift();
+  }
+
+ private:
+  [[nodiscard]] const Span& span(ExpressionId id) const { return model_.expressions[id].span; }
+
+  /// Of an energy, or of a component of a spin: T is quadratic in that.
+  void check_degree(const std::optional<ExpressionId>& energy, std::uint8_t most, Code code,
+                    const std::string& rule) {
+    // What has no place in an energy is reported as such.
+    constexpr unsigned misplaced = uses_kink | uses_input | uses_acceleration;
+    if (!energy || (traits_[*energy].ingredients & misplaced) != 0 ||
+        traits_[*energy].rate_degree <= most) {
+      return;
+    }
+    const std::uint8_t degree = traits_[*energy].rate_degree;
+    const std::string observed =
+        degree < not_polynomial
+            ? "is of degree " + std::to_string(degree) + " in the rates"
+            : std::string("is of degree 3 or more in the rates, or no polynomial in them");
+    context_.report.add(code, span(*energy),
+                        quoted(span(*energy)) + " " + observed + ", not " + rule);
+  }
+
+  void check_affine(ExpressionId value) {
+    const Traits& traits = traits_[value];
+    if (traits.input_degree > 1) {
+      context_.report.add(Code::E509, span(value),
+                          quoted(span(value)) + " is not linear in the inputs");
+    } else if (traits.input_times_rate) {
+      context_.report.add(Code::E509, span(value),
+                          quoted(span(value)) + " multiplies an input by a rate");
+    }
+  }
+
+  void check_lagrangian() {
+    const Energies& energies = model_.energies;
+    if (energies.L && (energies.T || energies.V || has_masses(model_))) {
+      const std::string other = energies.T || energies.V ? "T or V" : "the mass of an entry";
+      context_.report.add(Code::E515, context_.lagrangian_span, "`L` is given beside " + other);
+    }
+    if (!energies.L && !energies.T && !has_masses(model_)) {
+      context_.report.add(Code::E514, context_.model_span,
+                          quoted(model_.name) + " has no kinetic energy",
+                          "give a point or body a mass, or write `[energy] T`");
+    } else if (context_.report.errors() == 0) {
+      check_motion();
+    }
+  }
+
+  void check_motion() {
+    const std::vector<bool> moving = moving_velocities(model_);
+    for (std::size_t i = 0; i < moving.size(); ++i) {
+      if (!moving[i]) {
+        const Velocity& velocity = model_.velocities[i];
+        context_.report.add(Code::E513, velocity.span,
+                            "the rate of " + quoted(velocity.name) +
+                                " is in no energy, so nothing determines its motion");
+      }
+    }
+  }
+
+  [[nodiscard]] bool has_time(ExpressionId id) const {
+    return (traits_[id].ingredients & uses_time) != 0;
+  }
+
+  template <class Ids>
+  [[nodiscard]] bool any_time(const Ids& ids) const {
+    return std::any_of(ids.begin(), ids.end(), [&](ExpressionId id) { return has_time(id); });
+  }
+
+  [[nodiscard]] bool any_time(const std::optional<ExpressionId>& id) const {
+    return id && has_time(*id);
+  }
+
+  /// A force does work on the motion of where it acts, a torque on the turning of its frames.
+  [[nodiscard]] bool reaches_time(const Force& force) const {
+    const auto moves = [&](const std::optional<std::uint32_t>& point) {
+      return point && any_time(model_.points[*point].at);
+    };
+    const auto turns = [&](const std::optional<std::uint32_t>& frame) {
+      return frame && any_time(model_.frames[*frame].spin);
+    };
+    return any_time(force.value) || any_time(force.reaction) || moves(force.at) ||
+           moves(force.from) || turns(force.frame) || turns(force.from_frame);
+  }
+
+  /// t matters where it reaches an equation: a point without mass that nothing uses does not count.
+  [[nodiscard]] bool finds_time() const {
+    const Energies& e = model_.energies;
+    const bool in_energy = any_time(e.T) || any_time(e.V) || any_time(e.D) || any_time(e.L);
+    const auto point = [&](const Point& p) { return has_energy(p) && any_time(p.at); };
+    const auto body = [&](const Body& b) { return any_time(b.com) || any_time(b.spin); };
+    const auto force = [&](const Force& f) { return reaches_time(f); };
+    const auto output = [&](const UserOutput& o) { return any_time(o.values); };
+    return in_energy || (model_.gravity && any_time(*model_.gravity)) ||
+           std::any_of(model_.points.begin(), model_.points.end(), point) ||
+           std::any_of(model_.bodies.begin(), model_.bodies.end(), body) ||
+           std::any_of(model_.forces.begin(), model_.forces.end(), force) ||
+           std::any_of(model_.outputs.begin(), model_.outputs.end(), output);
+  }
+
+  /// Whether some kinetic energy is not of second degree in the rates, or V not of degree 0.
+  [[nodiscard]] bool finds_drift() const {
+    const Energies& e = model_.energies;
+    const auto lowest = [&](ExpressionId id) { return traits_[id].lowest_rate_degree; };
+    const auto turns_at_rest = [&](const Body& body) {
+      return std::any_of(body.spin.begin(), body.spin.end(),
+                         [&](ExpressionId id) { return lowest(id) < 1; });
+    };
+    return e.L || (e.T && lowest(*e.T) < 2) || (e.V && traits_[*e.V].rate_degree > 0) ||
+           std::any_of(model_.bodies.begin(), model_.bodies.end(), turns_at_rest);
+  }
+
+  Context& context_;
+  Model& model_;
+  const std::vector<Traits>& traits_;
+};
+
+}  // namespace
+
+void check_mechanics(Context& context, const std::vector<Traits>& traits) {
+  MechanicsCheck(context, traits).run();
+}
+
+}  // namespace elgen

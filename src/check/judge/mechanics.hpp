@@ -1,0 +1,23 @@
+// Mechanics: what a set of resolved entries must be to have equations of motion.
+#pragma once
+
+#include <vector>
+
+#include "check/expressions/traits.hpp"
+#include "check/names/context.hpp"
+
+namespace elgen {
+
+/// E503, E504, E509, E513, E514, E515; sets Model::quadratic, uses_time and may_drift.
+void check_mechanics(Context& context, const std::vector<Traits>& traits);
+
+/// Which velocities are in some energy: T, L, or the motion of a point or body with mass.
+[[nodiscard]] std::vector<bool> moving_velocities(const Model& model);
+
+/// Whether the point or body has kinetic energy.
+[[nodiscard]] inline bool has_energy(const Point& point) { return point.mass.has_value(); }
+[[nodiscard]] inline bool has_energy(const Body& body) {
+  return body.mass.has_value() || !body.inertia.empty();
+}
+
+}  // namespace elgen

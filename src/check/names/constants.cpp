@@ -1,0 +1,182 @@
+// Constants: numbers, pi and functions of them, evaluated to find what has no value before anything
+// is derived, and to keep exact what is exact.
+//
+// Where digits cancel, or an angle is large, a constant is evaluated again with more. Sizes are
+// bounded (10^±10000, 4096 exact digits) before anything is computed, so that no constant hangs.
+#include "check/names/constants.hpp"
+
+#include <cln/integer.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/exact_number.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_R;
+using cln::cl_RA;
+using Operands = std::vector<EnclosedNumber>;
+
+/// Of the floats: more than are kept, doubled until these are right.
+constexpr int first_digits = constant_digits + 20;
+constexpr int most_digits = 30'000;
+
+ConstantOutcome failure(Code code, std::string message, std::optional<std::size_t> operand = {}) {
+  return {{}, ConstantFailure{code, std::move(message), operand}};
+}
+
+ConstantOutcome too_large() { return failure(Code::E914, "is beyond 10^±10000"); }
+
+/// `number`, where x may be that number and is known well beside `scale`.
+EnclosedNumber settled(const EnclosedNumber& x, int number, const cl_R& scale) {
+  static const cl_RA known_well = power_of_ten(-60);
+  const bool may_be = cln::abs(x.value - number) <= x.error;
+  return may_be && x.error <= known_well * scale ? EnclosedNumber{number, 0} : x;
+}
+
+EnclosedNumber sum(const Operands& terms, const EnclosedArithmetic& with) {
+  EnclosedNumber total;
+  cl_R scale = 0;
+  for (const EnclosedNumber& term : terms) {
+    total = with.sum(total, term);
+    scale = cln::max(scale, cln::abs(term.value));
+  }
+  return settled(total, 0, scale);
+}
+
+Enclosed product(const Operands& factors, const EnclosedArithmetic& with) {
+  EnclosedNumber total{1, 0};
+  for (const EnclosedNumber& factor : factors) {
+    total = with.product(total, factor);
+    if (std::abs(decimal_exponent(total.value)) > largest_decimal_exponent) {
+      return NoValue::too_large;
+    }
+  }
+  return total;
+}
+
+Enclosed quotient(const Operands& x, const EnclosedArithmetic& with) {
+  const Enclosed reciprocal = with.reciprocal(x[1]);
+  return reciprocal.number ? with.product(x[0], *reciprocal.number) : reciprocal;
+}
+
+Enclosed call(FunctionId function, const Operands& x, const EnclosedArithmetic& with) {
+  const bool is_inverse = function == FunctionId::asin || function == FunctionId::acos;
+  const EnclosedNumber argument = is_inverse ? settled(settled(x[0], 1, 1), -1, 1) : x[0];
+  Enclosed value = with.call(function, argument, x.back());
+  if (value.number) value.number = settled(*value.number, 0, 1);
+  return value;
+}
+
+Enclosed evaluated(const Expression& node, const Operands& x, const EnclosedArithmetic& with) {
+  switch (node.kind) {
+    case ExpressionKind::number:
+      return EnclosedNumber{node.number, 0};
+    case ExpressionKind::pi:
+      return with.pi();
+    case ExpressionKind::negate:
+      return -x[0];
+    case ExpressionKind::add:
+      return sum(x, with);
+    case ExpressionKind::multiply:
+      return product(x, with);
+    case ExpressionKind::divide:
+      return quotient(x, with);
+    case ExpressionKind::power:
+      return with.power(x[0], node.number);
+    case ExpressionKind::function:
+      return call(node.function, x, with);
+    default:
+      return NoValue::unknown;
+  }
+}
+
+ConstantOutcome outcome_without(NoValue why) {
+  switch (why) {
+    case NoValue::undefined:
+      return failure(Code::E313, "has no value");
+    case NoValue::complex:
+      return failure(Code::E314, "is not a real number");
+    case NoValue::too_large:
+      return too_large();
+    case NoValue::unknown:
+      break;
+  }
+  return {};
+}
+
+bool is_zero(const EnclosedNumber& x) { return is_exact(x) && cln::zerop(x.value); }
+
+/// To the digits that constants are kept to.
+bool is_known(const EnclosedNumber& x) {
+  static const cl_RA share = power_of_ten(-constant_digits);
+  return x.error <= share * cln::abs(x.value);
+}
+
+bool is_constant_leaf(ExpressionKind kind) {
+  return kind == ExpressionKind::number || kind == ExpressionKind::pi;
+}
+
+}  // namespace
+
+ConstantOutcome evaluate_constant(const Expression& node,
+                                  const std::vector<EnclosedNumber>& operands, int digits) {
+  const bool is_pole = node.kind == ExpressionKind::power && cln::minusp(node.number);
+  if (is_pole && is_zero(operands[0])) return failure(Code::E312, "is zero", 0);
+  const Enclosed result = evaluated(node, operands, EnclosedArithmetic(digits));
+  if (!result.number) return outcome_without(result.why);
+  const cl_R& value = result.number->value;
+  if (is_exact(*result.number) && cln::zerop(value)) return {EnclosedNumber{}, {}};
+  if (is_rational(value) && digit_count(cln::the<cl_RA>(value)) > largest_exact_digits) {
+    return failure(Code::E914, "has more than 4096 digits");
+  }
+  const bool is_float = !is_rational(value);
+  if (is_float && std::abs(decimal_exponent(value)) > largest_decimal_exponent) return too_large();
+  return {*result.number, {}};
+}
+
+std::optional<ConstantFailure> Constants::append(const std::vector<Expression>& arena) {
+  const Expression& node = arena[values_.size()];
+  const auto constant = [&](ExpressionId id) { return values_[id].has_value(); };
+  const bool all = std::all_of(node.operands.begin(), node.operands.end(), constant);
+  const bool divides = node.kind == ExpressionKind::divide && constant(node.operands[1]);
+  values_.emplace_back();
+  if (divides && is_zero(*values_[node.operands[1]])) {
+    return ConstantFailure{Code::E312, "is zero", 1};
+  }
+  if (!all || (node.operands.empty() && !is_constant_leaf(node.kind))) {
+    return std::nullopt;
+  }
+  ConstantOutcome outcome;
+  for (int digits = first_digits; digits < most_digits; digits *= 2) {
+    outcome = at(arena, node, digits);
+    if (outcome.failure || (outcome.value && is_known(*outcome.value))) break;
+  }
+  values_.back() = std::move(outcome.value);
+  return std::move(outcome.failure);
+}
+
+ConstantOutcome Constants::at(const std::vector<Expression>& arena, const Expression& node,
+                              int digits) const {
+  std::vector<EnclosedNumber> operands;
+  for (const ExpressionId id : node.operands) {
+    operands.push_back(*values_[id]);
+    if (digits == first_digits || is_exact(operands.back())) continue;
+    const ConstantOutcome again = at(arena, arena[id], digits);
+    if (again.value) operands.back() = *again.value;
+  }
+  return evaluate_constant(node, operands, digits);
+}
+
+std::size_t digit_count(const cl_RA& number) {
+  const auto digits = [](const cln::cl_I& n) {
+    return static_cast<std::size_t>(static_cast<double>(cln::integer_length(n)) *
+                                    0.30102999566398120) +
+           1;
+  };
+  return std::max(digits(cln::numerator(number)), digits(cln::denominator(number)));
+}
+
+}  // namespace elgen

@@ -1,0 +1,91 @@
+// Context: what the parts of check share while a Model is being built.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "check/names/constants.hpp"
+#include "check/names/integers.hpp"
+#include "check/names/report.hpp"
+#include "check/names/symbols.hpp"
+#include "elgen/limits.hpp"
+#include "elgen/model.hpp"
+
+namespace elgen {
+
+/// What an expression is made of, as bits.
+enum Ingredient : std::uint8_t {
+  uses_coordinate = 1,
+  uses_rate = 2,
+  uses_acceleration = 4,
+  uses_input = 8,
+  uses_time = 16,
+  uses_kink = 32,
+  uses_parameter = 64,
+};
+using Ingredients = std::uint8_t;
+
+/// Where an expression stands: what it may be made of, and which error says that it may not.
+struct Place {
+  std::string_view noun;  ///< "a position"
+  Ingredients allowed = 0;
+  Code otherwise = Code::E319;
+};
+
+/// What depends on other expressions by name.
+enum class OwnerKind : std::uint8_t { none, definition, prescribed, point, frame };
+
+/// One expression of the file in the arena: the nodes [first, value], its place and its unit.
+struct WrittenExpression {
+  ExpressionId first = 0;
+  ExpressionId value = 0;
+  Place place = {};
+  std::optional<Unit> unit = {};  ///< that the place asks for; none: any
+  OwnerKind owner = OwnerKind::none;
+  std::uint32_t owner_index = 0;
+  bool misplaced = false;      ///< made of what its place does not take; its unit is not judged too
+  bool plain_numbers = false;  ///< of a scene: its units are those of the place
+  bool generated = false;      ///< by check itself: neither its place nor its units are judged
+};
+
+/// The first node of every arena: the number 0, for what is absent (the z of a planar point) or
+/// could not be resolved. It has no root, so nothing is ever said about it.
+inline constexpr ExpressionId no_expression = 0;
+
+/// `min` and `max` of a parameter; either may be given alone.
+struct ParameterBounds {
+  std::optional<cln::cl_R> minimum = {};
+  std::optional<cln::cl_R> maximum = {};
+};
+
+struct Context {
+  explicit Context(const Limits& the_limits) : limits(the_limits) {
+    model.expressions.emplace_back();
+    (void)constants.append(model.expressions);
+  }
+
+  const Limits& limits;
+  Report report = {};
+  Sizes sizes = {};
+  DeclaredNames symbols = {};
+  DeclaredNames frames =
+      {};  ///< frames have names of their own: a body may be called like its frame
+  Model model = {};
+  Constants constants = {};
+  /// Expression nodes (and steps to resolve one expression) before E908.
+  std::uint64_t node_limit = limits.derived_nodes;
+  std::uint64_t coordinate_count = 0;
+  std::uint64_t definition_count = 0;  ///< definitions, points, bodies and the like
+  bool beyond_limits = false;  ///< E906, E907 or E908 was reported; nothing more is resolved
+  /// The number of components of the first vector of the model, and where it stands.
+  std::uint32_t dimension = 0;
+  Span model_span = {};       ///< the header `[model]`
+  Span lagrangian_span = {};  ///< the key `L`
+  std::vector<WrittenExpression> roots = {};
+  std::vector<ParameterBounds> bounds = {};                ///< by parameter array
+  std::vector<std::optional<Unit>> prescribed_units = {};  ///< as declared, by prescribed function
+};
+
+}  // namespace elgen

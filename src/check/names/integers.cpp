@@ -1,0 +1,185 @@
+// Integer arithmetic of indices and sizes, done while repetitions are expanded:
+//
+//     for = ["i in 1..n", "j in i..n"]   with n = 2   ->   (1, 1) (1, 2) (2, 2)
+#include "check/names/integers.hpp"
+
+#include <cln/integer.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace elgen {
+namespace {
+
+std::optional<std::int64_t> not_an_integer(const ExpressionSyntax& expression, Report& report) {
+  report.add(Code::E318, expression.span,
+             quoted(expression.span) + " is not integer arithmetic over sizes and indices");
+  return std::nullopt;
+}
+
+std::optional<std::int64_t> name_value(const ExpressionSyntax& name, const Scope& scope,
+                                       Report& report) {
+  const std::optional<std::int64_t> value = scope.find(name.text);
+  if (!name.operands.empty()) {
+    return not_an_integer(name, report);
+  }
+  if (!value) {
+    report.add(Code::E201, name.span, "unknown index " + quoted(name.text),
+               suggestion(name.text, scope.names()));
+  }
+  return value;
+}
+
+std::optional<std::int64_t> literal_value(const ExpressionSyntax& literal, Report& report) {
+  const bool in_range = cln::denominator(literal.value) == 1 &&
+                        cln::abs(literal.value) <= cln::cl_I(static_cast<long>(largest_integer));
+  if (!in_range) {
+    return not_an_integer(literal, report);
+  }
+  return cln::cl_I_to_long(cln::numerator(literal.value));
+}
+
+std::optional<std::int64_t> combined(const ExpressionSyntax& expression,
+                                     const std::vector<std::int64_t>& values) {
+  switch (expression.kind) {
+    case SyntaxKind::negate:
+      return -values.front();
+    case SyntaxKind::add:
+      return values[0] + values[1];
+    case SyntaxKind::multiply:
+      return values[0] * values[1];
+    case SyntaxKind::call:
+      if (values.size() == 2 && expression.text == "min") {
+        return std::min(values[0], values[1]);
+      }
+      if (values.size() == 2 && expression.text == "max") {
+        return std::max(values[0], values[1]);
+      }
+      return std::nullopt;
+    default:
+      return std::nullopt;
+  }
+}
+
+bool is_left_fold(SyntaxKind kind) {
+  return kind == SyntaxKind::add || kind == SyntaxKind::multiply;
+}
+
+/// Folds n-ary sums and products two at a time, so that no intermediate overflows.
+std::optional<std::int64_t> folded(const ExpressionSyntax& expression,
+                                   const std::vector<std::int64_t>& values) {
+  if (!is_left_fold(expression.kind)) {
+    return combined(expression, values);
+  }
+  std::int64_t result = values.front();
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    result = *combined(expression, {result, values[i]});
+    if (std::abs(result) > largest_integer) {
+      return std::nullopt;
+    }
+  }
+  return result;
+}
+
+bool repeat_from(const std::vector<RangeSyntax>& ranges, std::size_t first, Scope& scope,
+                 Report& report, const std::function<bool()>& body) {
+  if (first == ranges.size()) {
+    return body();
+  }
+  const std::optional<IntegerRange> range = range_value(ranges[first], scope, report);
+  if (!range) {
+    return false;
+  }
+  bool going = true;
+  for (std::int64_t i = range->low; going && i <= range->high; ++i) {
+    scope.push(ranges[first].index, i);
+    going = repeat_from(ranges, first + 1, scope, report, body);
+    scope.pop();
+  }
+  return going;
+}
+
+}  // namespace
+
+std::optional<std::int64_t> Scope::find(std::string_view name) const {
+  const auto innermost = std::find_if(indices_.rbegin(), indices_.rend(),
+                                      [&](const auto& index) { return index.first == name; });
+  if (innermost != indices_.rend()) {
+    return innermost->second;
+  }
+  const auto size = sizes_->find(name);
+  return size == sizes_->end() ? std::nullopt : std::optional(size->second);
+}
+
+std::vector<std::string> Scope::names() const {
+  std::vector<std::string> result;
+  for (const auto& [name, value] : indices_) {
+    result.push_back(name);
+  }
+  for (const auto& [name, value] : *sizes_) {
+    result.push_back(name);
+  }
+  return result;
+}
+
+std::optional<std::int64_t> integer_value(const ExpressionSyntax& expression, const Scope& scope,
+                                          Report& report) {
+  if (expression.kind == SyntaxKind::number) {
+    return literal_value(expression, report);
+  }
+  if (expression.kind == SyntaxKind::name) {
+    return name_value(expression, scope, report);
+  }
+  std::vector<std::int64_t> values;
+  for (const ExpressionSyntax& operand : expression.operands) {
+    const std::optional<std::int64_t> value = integer_value(operand, scope, report);
+    if (!value) {
+      return std::nullopt;
+    }
+    values.push_back(*value);
+  }
+  const std::optional<std::int64_t> result =
+      values.empty() ? std::nullopt : folded(expression, values);
+  return result ? result : not_an_integer(expression, report);
+}
+
+std::optional<IntegerRange> range_value(const RangeSyntax& range, const Scope& scope,
+                                        Report& report) {
+  const auto low = integer_value(range.low, scope, report);
+  const auto high = integer_value(range.high, scope, report);
+  if (!low || !high) {
+    return std::nullopt;
+  }
+  if (*low > *high) {
+    report.add(
+        Code::E209, range.span,
+        "from " + std::to_string(*low) + " to " + std::to_string(*high) + " there is no element");
+    return std::nullopt;
+  }
+  return IntegerRange{*low, *high};
+}
+
+std::vector<RangeSyntax> read_repetition(const ValueSyntax& value) {
+  std::vector<RangeSyntax> ranges;
+  for (const ValueSyntax& table : value.items) {
+    RangeSyntax range;
+    range.span = table.span;
+    for (const KeySyntax& part : table.entries) {
+      if (part.key == "index") {
+        range.index = part.value.text;
+        range.index_span = part.value.span;
+      } else {
+        (part.key == "low" ? range.low : range.high) = part.value.expression;
+      }
+    }
+    ranges.push_back(std::move(range));
+  }
+  return ranges;
+}
+
+bool repeat(const std::vector<RangeSyntax>& ranges, Scope& scope, Report& report,
+            const std::function<bool()>& body) {
+  return repeat_from(ranges, 0, scope, report, body);
+}
+
+}  // namespace elgen

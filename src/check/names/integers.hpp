@@ -1,0 +1,71 @@
+// Integer arithmetic of indices and sizes, and the repetitions written with it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "check/names/report.hpp"
+#include "elgen/syntax.hpp"
+
+namespace elgen {
+
+/// Largest magnitude of an index or a size: sums and products of two of them fit 64 bits.
+inline constexpr std::int64_t largest_integer = 1'000'000'000;
+
+using Sizes = std::map<std::string, std::int64_t, std::less<>>;
+
+/// What an index expression may name: sizes, and the running indices of the repetitions around it.
+class Scope {
+ public:
+  explicit Scope(const Sizes& sizes) : sizes_(&sizes) {}
+
+  void push(std::string index, std::int64_t value) {
+    indices_.emplace_back(std::move(index), value);
+  }
+  void pop() { indices_.pop_back(); }
+
+  [[nodiscard]] std::optional<std::int64_t> find(std::string_view name) const;
+  [[nodiscard]] std::vector<std::string> names() const;
+
+ private:
+  const Sizes* sizes_;
+  std::vector<std::pair<std::string, std::int64_t>> indices_ = {};
+};
+
+/// Value of integers, names of the scope, + - *, min and max. E201, E318.
+[[nodiscard]] std::optional<std::int64_t> integer_value(const ExpressionSyntax& expression,
+                                                        const Scope& scope, Report& report);
+
+/// "i in 1..n"
+struct RangeSyntax {
+  std::string index;
+  ExpressionSyntax low;
+  ExpressionSyntax high;
+  Span index_span;
+  Span span;
+};
+
+/// Both bounds included.
+struct IntegerRange {
+  std::int64_t low = 0;
+  std::int64_t high = 0;
+};
+
+/// The bounds in this scope; E209 where the range has no element.
+[[nodiscard]] std::optional<IntegerRange> range_value(const RangeSyntax& range, const Scope& scope,
+                                                      Report& report);
+
+/// The ranges of a parsed `for`.
+[[nodiscard]] std::vector<RangeSyntax> read_repetition(const ValueSyntax& value);
+
+/// Calls `body` for every combination, the last range fastest; a later range may depend on earlier
+/// indices. Stops early, returning false, at the first error or where `body` returns false.
+bool repeat(const std::vector<RangeSyntax>& ranges, Scope& scope, Report& report,
+            const std::function<bool()>& body);
+
+}  // namespace elgen

@@ -1,0 +1,233 @@
+// Requests: which outputs a model has, and their shapes.
+#include "check/names/requests.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "elgen/references.hpp"
+
+namespace elgen {
+
+std::string_view name_of(LeftOutReason reason) {
+  return reason == LeftOutReason::too_many_entries ? "too many entries" : "kinked force";
+}
+
+const OutputRequest* find_request(const Scene& scene, std::string_view name) {
+  const auto found = std::find_if(scene.outputs.begin(), scene.outputs.end(),
+                                  [&](const OutputRequest& output) { return output.name == name; });
+  return found == scene.outputs.end() ? nullptr : &*found;
+}
+
+}  // namespace elgen
+
+namespace elgen {
+namespace {
+
+std::uint32_t extent(const Model& model, Extent kind, std::uint32_t user) {
+  switch (kind) {
+    case Extent::coordinates:
+      return static_cast<std::uint32_t>(model.coordinates.size());
+    case Extent::velocities:
+      return static_cast<std::uint32_t>(model.velocities.size());
+    case Extent::states:
+      return static_cast<std::uint32_t>(2 * model.velocities.size());
+    case Extent::inputs:
+      return static_cast<std::uint32_t>(model.inputs.size());
+    case Extent::held:
+      return static_cast<std::uint32_t>(held_velocities(model).size());
+    case Extent::user:
+      return static_cast<std::uint32_t>(model.outputs[user].values.size());
+    case Extent::one:
+      break;
+  }
+  return 1;
+}
+
+/// Why the model lacks what the output needs.
+struct Lack {
+  Code code;
+  std::string reason;
+  std::optional<Span> related = {};  ///< what of the model stands in the way
+  std::string related_message = {};
+};
+
+Lack lacking(std::string reason) { return {Code::E603, std::move(reason)}; }
+
+std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
+  const Requirement requirement = output_row(request.kind).requirement;
+  const bool needs_quadratic =
+      requirement == Requirement::quadratic || requirement == Requirement::energies;
+  if (needs_quadratic && !model.quadratic) {
+    return Lack{Code::E505, "needs a Lagrangian at most quadratic in the rates",
+                model.expressions[*model.energies.L].span, "L is given here"};
+  }
+  if (requirement == Requirement::energies && model.energies.L) {
+    return Lack{Code::E603, "needs T and V apart, but the model gives L",
+                model.expressions[*model.energies.L].span, "L is given here"};
+  }
+  if (requirement == Requirement::inputs && model.inputs.empty()) {
+    return lacking("needs inputs, and the model has none");
+  }
+  if (requirement == Requirement::rotations && model.rotations.empty()) {
+    return lacking("needs a rotation; without one dq/dt is v");
+  }
+  if (requirement == Requirement::held && held_velocities(model).empty()) {
+    return lacking("needs `reaction = true` in an entry of `[lock]`");
+  }
+  const Expression* kink = output_row(request.kind).differentiates ? find_kink(model) : nullptr;
+  if (kink != nullptr) {
+    return Lack{Code::E603,
+                "needs forces with derivatives; `abs`, `sign`, `min` and `max` have none, a smooth "
+                "stand-in is tanh(x/width)",
+                kink->span, "one is here"};
+  }
+  if (requirement == Requirement::jacobian && !model.outputs[request.user].jacobian) {
+    return Lack{Code::E603, "needs `jacobian = true` in the output's entry",
+                model.outputs[request.user].span, "declared here"};
+  }
+  return std::nullopt;
+}
+
+/// In the order of the table, each kind of the declared outputs' in the order of their declaration.
+std::vector<OutputRequest> all_requests(const Model& model) {
+  std::vector<OutputRequest> result;
+  for (const OutputRow& row : output_table()) {
+    const std::size_t count = row.of_user ? model.outputs.size() : 1;
+    for (std::uint32_t user = 0; user < count; ++user) {
+      result.push_back(request_of(model, row.kind, user));
+    }
+  }
+  return result;
+}
+
+/// Big ones too: a scene that misspells one is told its name.
+std::vector<std::string> available_names(const Model& model) {
+  std::vector<std::string> names;
+  for (const OutputRequest& request : all_requests(model)) {
+    if (is_available(model, request)) names.push_back(request.name);
+  }
+  return names;
+}
+
+/// Whether it acts on what a lock holds: such a force is in no equation of motion.
+bool is_held(const Model& model, const Force& force) {
+  return std::any_of(model.locks.begin(), model.locks.end(), [&](const Lock& lock) {
+    const std::uint32_t count = lock.values.size() > 1 ? axis_count : 1;
+    return force.on && lock.velocity <= *force.on && *force.on < lock.velocity + count;
+  });
+}
+
+bool fits_in_full(const OutputRequest& request) {
+  return std::uint64_t{request.rows} * request.columns <= entries_in_full;
+}
+
+bool is_kink(const Expression& node) {
+  return node.kind == ExpressionKind::function && is_kinked(node.function);
+}
+
+}  // namespace
+
+OutputRequest request_of(const Model& model, OutputKind kind, std::uint32_t user) {
+  const OutputRow& row = output_row(kind);
+  OutputRequest request;
+  request.kind = kind;
+  request.user = user;
+  request.name =
+      row.of_user ? model.outputs[user].name + std::string(row.suffix) : std::string(row.name);
+  if (!row.fields.empty()) {
+    request.rows = extent(model, row.fields.front().rows, user);
+    request.columns = extent(model, row.fields.front().columns, user);
+  }
+  if (row.of_user && model.outputs[user].frame) {
+    const bool is_pose = kind == OutputKind::user_value;
+    request.rows = is_pose ? 3 : 6;
+    request.columns = is_pose ? model.outputs[user].columns : request.columns;
+  }
+  return request;
+}
+
+const Expression* find_kink(const Model& model) {
+  std::vector<ExpressionId> values;
+  for (const Force& force : model.forces) {
+    if (!is_held(model, force)) values.insert(values.end(), force.value.begin(), force.value.end());
+  }
+  for (const ExpressionId id : reached(model, values)) {
+    if (is_kink(model.expressions[id])) return &model.expressions[id];
+  }
+  return nullptr;
+}
+
+std::optional<OutputRequest> find_request(const Model& model, std::string_view name) {
+  for (OutputRequest& request : all_requests(model)) {
+    if (request.name == name) return std::move(request);
+  }
+  return std::nullopt;
+}
+
+bool is_available(const Model& model, const OutputRequest& request) {
+  return !lack_of(model, request);
+}
+
+std::optional<OutputRequest> require_request(const Model& model, std::string_view name,
+                                             const Span& span, Report& report) {
+  std::optional<OutputRequest> request = find_request(model, name);
+  if (!request) {
+    report.add(Code::E601, span, "unknown output " + quoted(name),
+               suggestion(name, available_names(model)));
+    return std::nullopt;
+  }
+  if (const std::optional<Lack> lack = lack_of(model, *request)) {
+    Diagnostic diagnostic{lack->code, span, quoted(name) + " " + lack->reason};
+    diagnostic.related = lack->related;
+    diagnostic.related_message = lack->related_message;
+    report.add(std::move(diagnostic));
+    return std::nullopt;
+  }
+  request->span = span;
+  return request;
+}
+
+std::vector<OutputRequest> full_requests(const Model& model) {
+  std::vector<OutputRequest> result;
+  for (OutputRequest& request : all_requests(model)) {
+    if (fits_in_full(request) && is_available(model, request)) {
+      result.push_back(std::move(request));
+    }
+  }
+  return result;
+}
+
+std::vector<LeftOut> left_out_of_full(const Model& model) {
+  const Expression* kink = find_kink(model);
+  LeftOut kinked{LeftOutReason::kinked_force, {}, kink == nullptr ? Span{} : kink->span};
+  LeftOut large{LeftOutReason::too_many_entries, {}, model.name_span};
+  for (const OutputRequest& request : all_requests(model)) {
+    if (kink != nullptr && output_row(request.kind).differentiates) {
+      kinked.outputs.push_back(request.name);
+    } else if (!fits_in_full(request) && is_available(model, request)) {
+      large.outputs.push_back(request.name);
+    }
+  }
+  std::vector<LeftOut> all{std::move(large), std::move(kinked)};
+  std::erase_if(all, [](const LeftOut& left_out) { return left_out.outputs.empty(); });
+  return all;
+}
+
+void check_output_names(const Model& model, Report& report) {
+  std::map<std::string, Span> taken;
+  for (std::uint32_t user = 0; user < model.outputs.size(); ++user) {
+    const Span& span = model.outputs[user].span;
+    for (const OutputRow& row : output_table()) {
+      const bool exists =
+          row.of_user && (row.requirement != Requirement::jacobian || model.outputs[user].jacobian);
+      if (!exists) continue;
+      const OutputRequest request = request_of(model, row.kind, user);
+      const bool is_built_in = find_output(request.name) != nullptr;
+      if (is_built_in || !taken.emplace(request.name, span).second) {
+        report.add(Code::E609, span, "another output is already called " + quoted(request.name));
+      }
+    }
+  }
+}
+
+}  // namespace elgen

@@ -1,0 +1,42 @@
+// Requests: which outputs a model has, and their shapes.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "check/names/report.hpp"
+#include "elgen/scene.hpp"
+
+namespace elgen {
+
+/// The request for a name: built-in outputs, and NAME, NAME_jacobian, NAME_bias of declared ones.
+[[nodiscard]] std::optional<OutputRequest> find_request(const Model& model, std::string_view name);
+
+/// As find_request, with E601, E603 or E505 where the name is no output of the
+/// model.
+[[nodiscard]] std::optional<OutputRequest> require_request(const Model& model,
+                                                           std::string_view name, const Span& span,
+                                                           Report& report);
+
+/// Every output the model has, in the order of the output table, big ones left out.
+[[nodiscard]] std::vector<OutputRequest> full_requests(const Model& model);
+
+/// The outputs that full_requests leaves out though a reader may look for them, once per reason.
+[[nodiscard]] std::vector<LeftOut> left_out_of_full(const Model& model);
+
+/// An `abs`, `sign`, `min` or `max` in a force on what moves: only forces may have kinks. Null:
+/// none.
+[[nodiscard]] const Expression* find_kink(const Model& model);
+
+/// The request for a kind with the shape of its first field; `user` numbers declared outputs.
+[[nodiscard]] OutputRequest request_of(const Model& model, OutputKind kind, std::uint32_t user);
+
+/// Whether the model has what the output needs.
+[[nodiscard]] bool is_available(const Model& model, const OutputRequest& request);
+
+/// E609 where declared outputs would share a function name with each other or with the built-in
+/// ones.
+void check_output_names(const Model& model, Report& report);
+
+}  // namespace elgen

@@ -1,0 +1,189 @@
+// Which names a model may not give to its entries: they mean something else in expressions, or
+// would not compile as members of the emitted structs.
+#include "check/names/reserved_names.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "check/names/function_names.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr std::array keywords{"alignas",
+                              "alignof",
+                              "and",
+                              "and_eq",
+                              "asm",
+                              "auto",
+                              "bitand",
+                              "bitor",
+                              "bool",
+                              "break",
+                              "case",
+                              "catch",
+                              "char",
+                              "char16_t",
+                              "char32_t",
+                              "char8_t",
+                              "class",
+                              "co_await",
+                              "co_return",
+                              "co_yield",
+                              "compl",
+                              "concept",
+                              "const",
+                              "const_cast",
+                              "consteval",
+                              "constexpr",
+                              "constinit",
+                              "continue",
+                              "decltype",
+                              "default",
+                              "delete",
+                              "do",
+                              "double",
+                              "dynamic_cast",
+                              "else",
+                              "enum",
+                              "explicit",
+                              "export",
+                              "extern",
+                              "false",
+                              "float",
+                              "for",
+                              "friend",
+                              "goto",
+                              "if",
+                              "inline",
+                              "int",
+                              "long",
+                              "mutable",
+                              "namespace",
+                              "new",
+                              "noexcept",
+                              "not",
+                              "not_eq",
+                              "nullptr",
+                              "operator",
+                              "or",
+                              "or_eq",
+                              "private",
+                              "protected",
+                              "public",
+                              "register",
+                              "reinterpret_cast",
+                              "requires",
+                              "restrict",
+                              "return",
+                              "short",
+                              "signed",
+                              "sizeof",
+                              "static",
+                              "static_assert",
+                              "static_cast",
+                              "struct",
+                              "switch",
+                              "template",
+                              "this",
+                              "thread_local",
+                              "throw",
+                              "true",
+                              "try",
+                              "typedef",
+                              "typeid",
+                              "typename",
+                              "typeof",
+                              "union",
+                              "unsigned",
+                              "using",
+                              "virtual",
+                              "void",
+                              "volatile",
+                              "wchar_t",
+                              "while",
+                              "xor",
+                              "xor_eq"};
+
+/// Of the headers that are installed where elgen is built; sorted.
+constexpr auto library_macros = std::to_array<std::string_view>({
+#include "check/names/library_macros.def"
+});
+
+/// Of other platforms.
+constexpr std::array more_macros{"HUGE",  "OVERFLOW", "UNDERFLOW", "DOMAIN", "SING",
+                                 "PLOSS", "TLOSS",    "imaginary", "i386",   "signgam"};
+
+constexpr std::array macro_prefixes{"M_",   "FP_",   "MATH_", "DBL_",
+                                    "FLT_", "LDBL_", "INT_",  "EIGEN_"};
+
+/// Functions too, but told apart from variables by what they are called with.
+constexpr std::array component_names{"x", "y", "z"};
+
+template <class List>
+bool contains(const List& list, std::string_view name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+bool is_function(std::string_view name) {
+  return contains(function_names(), name) && !contains(component_names, name);
+}
+
+bool has_macro_prefix(std::string_view name) {
+  const auto starts = [&](std::string_view prefix) { return name.starts_with(prefix); };
+  return std::any_of(macro_prefixes.begin(), macro_prefixes.end(), starts);
+}
+
+bool is_macro(std::string_view name) {
+  return std::binary_search(library_macros.begin(), library_macros.end(), name) ||
+         contains(more_macros, name) || has_macro_prefix(name);
+}
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+}  // namespace
+
+std::string_view reserved_reason(std::string_view name) {
+  if (name == "t") {
+    return "it is time";
+  }
+  if (name == "pi") {
+    return "it is the number pi";
+  }
+  if (is_function(name)) {
+    return "it is a function of expressions";
+  }
+  if (contains(keywords, name)) {
+    return "it is a keyword of C++";
+  }
+  if (is_macro(name)) {
+    return "it is a macro of C or C++";
+  }
+  if (name.find("__") != std::string_view::npos) {
+    return "names with two underscores in a row belong to C++";
+  }
+  return {};
+}
+
+bool is_well_formed_name(std::string_view name) {
+  const auto may_follow = [](char c) { return is_letter(c) || is_digit(c) || c == '_'; };
+  return !name.empty() && is_letter(name.front()) &&
+         std::all_of(name.begin(), name.end(), may_follow);
+}
+
+bool check_name(const std::string& name, const Span& span, Report& report) {
+  if (!is_well_formed_name(name)) {
+    report.add(Code::E205, span,
+               quoted(name) + " is not letters, digits and underscores after a letter");
+    return false;
+  }
+  if (const std::string_view reason = reserved_reason(name); !reason.empty()) {
+    report.add(Code::E204, span, quoted(name) + " is reserved: " + std::string(reason));
+    return false;
+  }
+  return true;
+}
+
+}  // namespace elgen

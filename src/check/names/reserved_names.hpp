@@ -1,0 +1,20 @@
+// Which names a model may not give to its entries.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "check/names/report.hpp"
+
+namespace elgen {
+
+/// Why the name is reserved ("a C++ keyword"), or empty.
+[[nodiscard]] std::string_view reserved_reason(std::string_view name);
+
+/// A letter, then letters, digits and underscores.
+[[nodiscard]] bool is_well_formed_name(std::string_view name);
+
+/// False after E205 or E204: a name of the model or of the emitted code must be one, and free.
+bool check_name(const std::string& name, const Span& span, Report& report);
+
+}  // namespace elgen

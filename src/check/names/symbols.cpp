@@ -1,0 +1,172 @@
+// DeclaredNames: the one set of names of a model. Every declaration passes here, so that
+// duplicates, reserved names and names that would become one C++ identifier are found in one place.
+#include "check/names/symbols.hpp"
+
+#include "check/names/reserved_names.hpp"
+
+namespace elgen {
+namespace {
+
+std::string at_line(const Span& span) {
+  if (span.source == nullptr) {
+    return "";
+  }
+  return "line " + std::to_string(line_column(*span.source, span.begin).line);
+}
+
+bool check_spelling(const NewName& name, Report& report) {
+  if (!check_name(name.base, name.span, report)) {
+    return false;
+  }
+  if (name.index.value_or(0) < 0) {
+    report.add(Code::E205, name.span, quoted(name.text()) + " has a negative index");
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string_view noun(SymbolKind kind) {
+  switch (kind) {
+    case SymbolKind::coordinate:
+      return "coordinate";
+    case SymbolKind::rotation:
+      return "rotation";
+    case SymbolKind::quaternion_component:
+      return "component of a rotation";
+    case SymbolKind::parameter:
+      return "parameter";
+    case SymbolKind::definition:
+      return "definition";
+    case SymbolKind::prescribed:
+      return "prescribed function";
+    case SymbolKind::point:
+      return "point";
+    case SymbolKind::frame:
+      return "frame";
+    case SymbolKind::body:
+      return "body";
+    case SymbolKind::input:
+      return "input";
+    case SymbolKind::force:
+      return "force";
+    case SymbolKind::output:
+      return "output";
+    case SymbolKind::size:
+      return "size";
+  }
+  return "name";
+}
+
+std::string with_article(std::string_view word) {
+  const bool vowel = std::string_view("aeiou").find(word.front()) != std::string_view::npos;
+  return (vowel ? "an " : "a ") + std::string(word);
+}
+
+std::string NewName::text() const {
+  return index ? base + "[" + std::to_string(*index) + "]" : base;
+}
+
+std::string NewName::identifier() const {
+  return index ? base + "_" + std::to_string(*index) : base;
+}
+
+std::string elements_of(const std::string& name, const DeclaredName& symbol) {
+  const std::int64_t first = symbol.elements.begin()->first;
+  const std::int64_t last = symbol.elements.rbegin()->first;
+  return quoted(name) + " has the elements " + std::to_string(first) + " to " +
+         std::to_string(last);
+}
+
+bool DeclaredNames::declare(const NewName& name, SymbolKind kind, std::uint32_t target,
+                            Report& report) {
+  if (!check_spelling(name, report)) {
+    mark_failed(name.base);
+    return false;
+  }
+  const auto found = symbols_.find(name.base);
+  if (found != symbols_.end()) {
+    const DeclaredName& first = found->second;
+    const bool joins = first.is_array && name.index && first.kind == kind &&
+                       first.elements.count(*name.index) == 0;
+    if (!joins) {
+      return report_duplicate(name, first, report);
+    }
+  }
+  if (!claim_identifier(name, report)) {
+    return false;
+  }
+  DeclaredName& symbol = found == symbols_.end() ? symbols_[name.base] : found->second;
+  if (found == symbols_.end()) {
+    symbol = {kind, name.index.has_value(), {}, name.span};
+  }
+  symbol.elements[name.index.value_or(0)] = target;
+  return true;
+}
+
+bool DeclaredNames::report_duplicate(const NewName& name, const DeclaredName& first,
+                                     Report& report) const {
+  Diagnostic diagnostic{Code::E203, name.span,
+                        quoted(name.text()) + " is already " + with_article(noun(first.kind))};
+  if (first.span.source != nullptr) {
+    diagnostic.hint = "first at " + at_line(first.span);
+    diagnostic.related = first.span;
+    diagnostic.related_message = "first declared here";
+  }
+  report.add(std::move(diagnostic));
+  return false;
+}
+
+bool DeclaredNames::claim_identifier(const NewName& name, Report& report) {
+  const auto [first, is_new] = identifiers_.emplace(name.identifier(), name);
+  if (is_new) {
+    return true;
+  }
+  Diagnostic diagnostic{Code::E211, name.span,
+                        quoted(name.text()) + " and " + quoted(first->second.text()) +
+                            " both become " + quoted(first->first) + " in code"};
+  diagnostic.related = first->second.span;
+  diagnostic.related_message = quoted(first->second.text()) + " is declared here";
+  report.add(std::move(diagnostic));
+  return false;
+}
+
+const DeclaredName* DeclaredNames::find(std::string_view base) const {
+  const auto found = symbols_.find(base);
+  return found == symbols_.end() ? nullptr : &found->second;
+}
+
+std::vector<std::string> DeclaredNames::names() const {
+  std::vector<std::string> result;
+  for (const auto& [name, symbol] : symbols_) {
+    result.push_back(name);
+  }
+  return result;
+}
+
+std::vector<std::string> DeclaredNames::names(SymbolKind kind) const {
+  std::vector<std::string> result;
+  for (const auto& [name, symbol] : symbols_) {
+    if (symbol.kind == kind) {
+      result.push_back(name);
+    }
+  }
+  return result;
+}
+
+std::string DeclaredNames::suggest(std::string_view word,
+                                   const std::vector<std::string>& among) const {
+  const std::string near = nearest(word, among);
+  const DeclaredName* symbol = near.empty() ? nullptr : find(near);
+  if (symbol == nullptr) {
+    return suggestion(word, among);
+  }
+  std::string where(noun(symbol->kind));
+  if (symbol->span.source != nullptr) {
+    where += ", " + at_line(symbol->span);
+  }
+  return "did you mean `" + near + "`? (" + where + ")";
+}
+
+}  // namespace elgen

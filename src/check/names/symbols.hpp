@@ -1,0 +1,82 @@
+// DeclaredNames: the one set of names of a model, with the elements of repeated names.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "check/names/report.hpp"
+
+namespace elgen {
+
+enum class SymbolKind : std::uint8_t {
+  coordinate,
+  rotation,              ///< elements 1 to 3: its velocities
+  quaternion_component,  ///< of a rotation; a name of q, but of no expression
+  parameter,
+  definition,
+  prescribed,
+  point,
+  frame,
+  body,
+  input,
+  force,
+  output,
+  size,
+};
+
+[[nodiscard]] std::string_view noun(SymbolKind kind);
+
+/// "an input"
+[[nodiscard]] std::string with_article(std::string_view word);
+
+/// A name with one meaning, or (`is_array`) with one per index.
+struct DeclaredName {
+  SymbolKind kind = SymbolKind::parameter;
+  bool is_array = false;
+  std::map<std::int64_t, std::uint32_t> elements = {};  ///< index in the file -> index in the Model
+  Span span = {};
+};
+
+/// A name about to be declared: "q", or "q[3]" from "q[i]".
+struct NewName {
+  std::string base;
+  std::optional<std::int64_t> index = {};
+  Span span = {};
+
+  [[nodiscard]] std::string text() const;        ///< "q[3]"
+  [[nodiscard]] std::string identifier() const;  ///< "q_3"
+};
+
+/// "`q` has the elements 1 to 3"
+[[nodiscard]] std::string elements_of(const std::string& name, const DeclaredName& symbol);
+
+class DeclaredNames {
+ public:
+  /// False after E203, E204, E205 or E211. `target` is the index in the Model.
+  bool declare(const NewName& name, SymbolKind kind, std::uint32_t target, Report& report);
+
+  /// Marks a name whose declaration has an error of its own, so that its uses are not reported too.
+  void mark_failed(const std::string& base) { failed_.insert(base); }
+  [[nodiscard]] bool has_failed(std::string_view base) const { return failed_.count(base) > 0; }
+
+  [[nodiscard]] const DeclaredName* find(std::string_view base) const;
+  [[nodiscard]] std::vector<std::string> names() const;
+  [[nodiscard]] std::vector<std::string> names(SymbolKind kind) const;
+  /// "did you mean `m`? (parameter, line 20)", or nothing.
+  [[nodiscard]] std::string suggest(std::string_view word,
+                                    const std::vector<std::string>& among) const;
+
+ private:
+  bool report_duplicate(const NewName& name, const DeclaredName& first, Report& report) const;
+  bool claim_identifier(const NewName& name, Report& report);
+
+  std::set<std::string, std::less<>> failed_;
+  std::map<std::string, DeclaredName, std::less<>> symbols_;
+  std::map<std::string, NewName, std::less<>> identifiers_;
+};
+
+}  // namespace elgen

@@ -1,0 +1,84 @@
+// Emission: words of the choice table become enumerators, and what does not go together is refused
+// where it is written.
+#include "check/scene/emission.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "check/names/reserved_names.hpp"
+
+namespace elgen {
+
+std::string_view name_of(Storage storage) {
+  return storage == Storage::row_major ? "row-major" : "column-major";
+}
+
+namespace {
+
+const KeySyntax* find(const EntrySyntax* entry, std::string_view name) {
+  return entry == nullptr ? nullptr : entry->find(name);
+}
+
+LanguageId language_named(std::string_view name) {
+  const auto* const row = std::find_if(language_table.begin(), language_table.end(),
+                                       [name](const LanguageRow& r) { return r.name == name; });
+  return row == language_table.end() ? LanguageId::cpp : row->id;
+}
+
+bool fits_one_scalar(const Numerics& numerics) {
+  return numerics.scalars.size() == 1 && numerics.scalars.front() != ScalarKind::long_double;
+}
+
+void check_together(const EmissionEntries& entries, const Emission& emission, const Scene& scene,
+                    Report& report) {
+  const LanguageRow& language = language_row(emission.language);
+  const std::string name = quoted(language.name);
+  const KeySyntax* scalar = find(entries.numeric, "scalar");
+  if (scalar != nullptr && language.scalars == LanguageScalars::one &&
+      !fits_one_scalar(scene.numerics)) {
+    report.add(Code::E610, scalar->value.span,
+               "code in " + name + " is written for one scalar, `float` or `double`");
+  }
+  const KeySyntax* eigen = find(entries.emit, "eigen");
+  if (emission.eigen && emission.language != LanguageId::cpp) {
+    report.add(Code::E611, eigen->key_span, "`eigen` needs C++, and `language` is " + name);
+  }
+}
+
+}  // namespace
+
+Emission read_emission(Context& context, const EmissionEntries& entries, const Scene& scene) {
+  Emission emission;
+  emission.name_space = scene.base_name;
+  emission.name_space_span = context.model.name_span;
+  if (const KeySyntax* key = find(entries.emit, "namespace")) {
+    emission.name_space = key->value.text;
+    emission.name_space_span = key->value.span;
+    (void)check_name(key->value.text, key->value.span, context.report);
+  }
+  if (const KeySyntax* key = find(entries.emit, "language")) {
+    emission.language = language_named(key->value.text);
+  }
+  if (const KeySyntax* key = find(entries.emit, "storage")) {
+    const bool is_column_major = key->value.text == name_of(Storage::column_major);
+    emission.storage = is_column_major ? Storage::column_major : Storage::row_major;
+  }
+  const KeySyntax* eigen = find(entries.emit, "eigen");
+  emission.eigen = eigen != nullptr && eigen->value.boolean;
+  check_together(entries, emission, scene, context.report);
+  return emission;
+}
+
+std::string canonical_text(const Emission& emission, const std::string& base_name) {
+  std::string text;
+  if (emission.name_space != base_name) text += "namespace " + emission.name_space + "\n";
+  if (emission.language != LanguageId::cpp) {
+    text += "language " + std::string(language_row(emission.language).name) + "\n";
+  }
+  if (emission.storage != Storage::row_major) {
+    text += "storage " + std::string(name_of(emission.storage)) + "\n";
+  }
+  if (emission.eigen) text += "eigen\n";
+  return text;
+}
+}  // namespace elgen

@@ -1,0 +1,24 @@
+// Emission: what `[emit]` says of language, names, storage and adaptors, checked against
+// `[numeric] scalar`.
+#pragma once
+
+#include "check/names/context.hpp"
+#include "elgen/scene.hpp"
+
+namespace elgen {
+
+/// The two entries of a scene file this is about; null where the file has none.
+struct EmissionEntries {
+  const EntrySyntax* emit = nullptr;
+  const EntrySyntax* numeric = nullptr;
+};
+
+/// E205, E204 of the namespace; E610 where the language is for one scalar and the scene asks for
+/// others; E611 for what the language does not have.
+[[nodiscard]] Emission read_emission(Context& context, const EmissionEntries& entries,
+                                     const Scene& scene);
+
+/// One line per thing said beyond the defaults, in a fixed order.
+[[nodiscard]] std::string canonical_text(const Emission& emission, const std::string& base_name);
+
+}  // namespace elgen

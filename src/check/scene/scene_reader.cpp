@@ -1,0 +1,330 @@
+// Scene: outputs in the order of the table, fixed parameters, scalars, emission, and the canonical
+// text that is hashed into stamps.
+#include "check/scene/scene_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "base/number_text.hpp"
+#include "check/expressions/options.hpp"
+#include "check/expressions/parameters.hpp"
+#include "check/expressions/syntax_part.hpp"
+#include "check/expressions/values.hpp"
+#include "check/names/requests.hpp"
+#include "check/names/reserved_names.hpp"
+#include "check/scene/emission.hpp"
+#include "check/scene/read_approximate.hpp"
+#include "check/scene/read_dropping.hpp"
+
+namespace elgen {
+namespace {
+
+struct ScalarRow {
+  std::string_view name;
+  ScalarKind kind;
+};
+constexpr std::array<ScalarRow, 3> scalar_table{{
+    {"float", ScalarKind::single_precision},
+    {"double", ScalarKind::double_precision},
+    {"long double", ScalarKind::long_double},
+}};
+
+bool precedes(const OutputRequest& a, const OutputRequest& b) {
+  return std::pair(a.kind, a.user) < std::pair(b.kind, b.user);
+}
+
+class SceneReader {
+ public:
+  SceneReader(Context& context, const SceneInput& input)
+      : context_(context), model_(context.model), input_(input) {}
+
+  Scene read() {
+    read_header();
+    read_outputs();
+    read_fixed();
+    read_numerics();
+    if (const EntrySyntax* approximate = entry("approximate")) {
+      read_dropping(context_, *approximate, scene_);
+    }
+    scene_.emission = read_emission(context_, {entry("emit"), entry("numeric")}, scene_);
+    scene_.has_options = !input_.options.outputs.empty() || !input_.options.fixed.empty() ||
+                         !input_.options.sizes.empty();
+    scene_.canonical = canonical_text();
+    return std::move(scene_);
+  }
+
+ private:
+  [[nodiscard]] const EntrySyntax* entry(std::string_view name) const {
+    return find_entry(input_.scene, name);
+  }
+
+  void read_header() {
+    scene_.base_name = model_.name;
+    if (const EntrySyntax* top = entry("")) {
+      scene_.source = input_.scene->source;
+      scene_.name = text_of(*top, "name");
+      scene_.doc = text_of(*top, "doc");
+      scene_.base_name += "_" + scene_.name;
+    }
+  }
+
+  void read_outputs() {
+    const EntrySyntax* outputs = entry("outputs");
+    if (!input_.options.outputs.empty()) {
+      for (const OptionWord& word : words_of(input_.options.outputs)) {
+        request(word.text, word.span);
+      }
+    } else if (outputs != nullptr) {
+      for (const KeySyntax& key : outputs->keys) {
+        read_output(key);
+      }
+    } else {
+      scene_.outputs = full_requests(model_);
+      scene_.left_out = left_out_of_full(model_);
+      return;
+    }
+    lists_outputs_ = true;
+    request_reaction();
+    std::stable_sort(scene_.outputs.begin(), scene_.outputs.end(), precedes);
+    check_function_names();
+    check_dynamics();
+  }
+
+  /// A lock asks for it.
+  void request_reaction() {
+    if (!held_velocities(model_).empty()) {
+      request(std::string(output_row(OutputKind::reaction).name),
+              model_.unlocked->locks.front().span);
+    }
+  }
+
+  /// `dynamics` has no equations of its own.
+  void check_dynamics() {
+    const auto is_member = [](const OutputRequest& output) { return is_repeated(output.kind); };
+    if (std::any_of(scene_.outputs.begin(), scene_.outputs.end(), is_member)) {
+      return;
+    }
+    for (const OutputRequest& output : scene_.outputs) {
+      if (output_row(output.kind).repeats) {
+        context_.report.add(Code::E603, output.span,
+                            "`dynamics` holds the chosen outputs that take neither a nor u, and "
+                            "none is chosen");
+      }
+    }
+  }
+
+  OutputRequest* request(const std::string& name, const Span& span) {
+    auto found = require_request(model_, name, span, context_.report);
+    if (!found) {
+      return nullptr;
+    }
+    for (OutputRequest& other : scene_.outputs) {
+      if (!precedes(other, *found) && !precedes(*found, other)) {
+        return &other;
+      }
+    }
+    scene_.outputs.push_back(std::move(*found));
+    return &scene_.outputs.back();
+  }
+
+  static std::optional<Form> form_in(const KeySyntax* key) {
+    if (key == nullptr) {
+      return std::nullopt;
+    }
+    return key->value.text == name_of(Form::closed) ? Form::closed : Form::recursive;
+  }
+
+  void read_output(const KeySyntax& key) {
+    if (key.value.kind == ValueKind::boolean && !key.value.boolean) {
+      (void)require_request(model_, key.key, key.key_span, context_.report);
+      return;
+    }
+    OutputRequest* output = request(key.key, key.key_span);
+    const KeySyntax* rename = find_key(key.value, "rename");
+    if (output != nullptr) {
+      output->form = form_in(find_key(key.value, "form"));
+    }
+    if (output != nullptr && rename != nullptr) {
+      output->name = rename->value.text;
+      output->span = rename->value.span;
+      (void)check_name(output->name, output->span, context_.report);
+    }
+  }
+
+  void check_function_names() {
+    std::set<std::string> taken;
+    // A new name gives way to a standard one, whichever stands first.
+    for (const bool renamed : {false, true}) {
+      for (const OutputRequest& output : scene_.outputs) {
+        const bool is_renamed = output.name != standard_name(output);
+        if (is_renamed == renamed && !taken.insert(output.name).second) {
+          context_.report.add(Code::E609, output.span,
+                              "another output is already called " + quoted(output.name));
+        }
+      }
+    }
+  }
+
+  void read_fixed() {
+    const EntrySyntax* parameters = entry("parameters");
+    const KeySyntax* fixed = parameters == nullptr ? nullptr : parameters->find("fixed");
+    if (fixed != nullptr && fixed->value.kind == ValueKind::text) {
+      fix_named(fixed->value.text, fixed->value.span, nullptr);
+    } else if (fixed != nullptr) {
+      for (const KeySyntax& key : fixed->value.entries) {
+        fix_named(key.key, key.key_span, &key.value.expression);
+      }
+    }
+    for (const OptionWord& word : words_of(input_.options.fixed)) {
+      read_fix_option(word);
+    }
+  }
+
+  void read_fix_option(const OptionWord& word) {
+    const Assignment assignment = split_assignment(word);
+    if (assignment.value.begin == assignment.value.end) {
+      const bool lacks_value = word.text.find('=') != std::string::npos;
+      if (lacks_value) {
+        context_.report.add(Code::E606, word.span, quoted(word.text) + " has no value");
+      } else {
+        fix_named(word.text, word.span, nullptr);
+      }
+      return;
+    }
+    const auto value = parse_part(assignment.value, context_.limits, context_.report);
+    if (value) {
+      fix_named(assignment.name.text, assignment.name.span, &*value);
+    }
+  }
+
+  /// NAME fixes all elements, NAME[i] one, "all" every parameter; without a value at the model's.
+  void fix_named(const std::string& name, const Span& span, const ExpressionSyntax* value) {
+    std::vector<std::uint32_t> targets;
+    for (std::uint32_t i = 0; i < model_.parameters.size(); ++i) {
+      const Parameter& parameter = model_.parameters[i];
+      const bool all = value == nullptr && name == "all";
+      if (all || parameter.name == name || model_.parameter_arrays[parameter.array].name == name) {
+        targets.push_back(i);
+      }
+    }
+    const bool fixes_all = name == "all" && value == nullptr;
+    if (targets.empty() && !fixes_all) {
+      const std::vector<std::string> names = context_.symbols.names(SymbolKind::parameter);
+      context_.report.add(Code::E602, span, "unknown parameter " + quoted(name),
+                          name == "all" ? "`all` fixes every parameter at its own value"
+                                        : context_.symbols.suggest(name, names));
+      return;
+    }
+    std::optional<FixedValue> own;
+    if (value != nullptr) {
+      ValueSyntax syntax;
+      syntax.expression = *value;
+      own = ValueReader(context_, Scope(context_.sizes)).constant_with_form(syntax);
+    }
+    for (const std::uint32_t target : targets) {
+      if (own) check_value(context_, target, own->number, value->span);
+      const Parameter& parameter = model_.parameters[target];
+      scene_.specialisation.fixed[target] =
+          own.value_or(FixedValue{parameter.value, parameter.form});
+    }
+  }
+
+  void read_numerics() {
+    const EntrySyntax* numeric = entry("numeric");
+    if (const auto form = form_in(numeric == nullptr ? nullptr : numeric->find("form"))) {
+      for (OutputRequest& output : scene_.outputs) {
+        output.form = output.form.value_or(*form);
+      }
+    }
+    const KeySyntax* scalars = numeric == nullptr ? nullptr : numeric->find("scalar");
+    if (scalars == nullptr) {
+      return;
+    }
+    scene_.numerics.scalars.clear();
+    for (const ScalarRow& row : scalar_table) {
+      const auto named = [&](const ValueSyntax& item) { return item.text == row.name; };
+      const auto& items = scalars->value.items;
+      if (std::any_of(items.begin(), items.end(), named)) {
+        scene_.numerics.scalars.push_back(row.kind);
+      }
+    }
+  }
+
+  /// One line per thing said beyond `full`, in a fixed order.
+  [[nodiscard]] std::string canonical_text() const {
+    std::string text;
+    for (const OutputRequest& output : scene_.outputs) {
+      if (lists_outputs_) {
+        const std::string name = standard_name(output);
+        text += "output " + name + (name == output.name ? "" : " as " + output.name) + "\n";
+      }
+    }
+    for (const OutputRequest& output : scene_.outputs) {
+      if (output.form) {
+        text += "form " + standard_name(output) + " " + std::string(name_of(*output.form)) + "\n";
+      }
+    }
+    for (const auto& [target, value] : scene_.specialisation.fixed) {
+      text += "fixed " + model_.parameters[target].name + " = " + number_text(value.number) + "\n";
+    }
+    text += locks_text();
+    if (model_.approximation) {
+      text += "approximate " + elgen::canonical_text(model_, *model_.approximation) + "\n";
+    }
+    std::map<std::string, std::int64_t> sizes;
+    for (const SizeOverride& size : input_.sizes) {
+      sizes[size.name] = size.value;
+    }
+    for (const auto& [name, value] : sizes) {
+      text += "size " + name + " = " + std::to_string(value) + "\n";
+    }
+    if (scene_.dropping) {
+      text += "drop_below " + number_text(scene_.dropping->below) + "\n";
+    }
+    if (scene_.numerics.scalars != Numerics{}.scalars) {
+      for (const ScalarKind kind : scene_.numerics.scalars) {
+        text += "scalar " + std::string(name_of(kind)) + "\n";
+      }
+    }
+    return text + elgen::canonical_text(scene_.emission, scene_.base_name);
+  }
+
+  [[nodiscard]] std::string locks_text() const {
+    std::string text;
+    if (!model_.unlocked) {
+      return text;
+    }
+    for (const Lock& lock : model_.unlocked->locks) {
+      for (std::uint32_t i = 0; i < lock.values.size(); ++i) {
+        text += "lock " + model_.unlocked->coordinates[lock.coordinate + i].name + " = " +
+                to_string(*model_.unlocked, lock.values[i]) + "\n";
+      }
+      text += lock.reaction ? "with reaction\n" : "";
+    }
+    return text;
+  }
+
+  [[nodiscard]] std::string standard_name(const OutputRequest& output) const {
+    return request_of(model_, output.kind, output.user).name;
+  }
+
+  Context& context_;
+  const Model& model_;
+  const SceneInput& input_;
+  Scene scene_ = {};
+  bool lists_outputs_ = false;
+};
+
+}  // namespace
+
+std::string_view name_of(ScalarKind kind) {
+  return scalar_table[static_cast<std::size_t>(kind)].name;
+}
+
+Scene read_scene(Context& context, const SceneInput& input) {
+  return SceneReader(context, input).read();
+}
+
+}  // namespace elgen

@@ -1,0 +1,101 @@
+// Turning: rotations among coordinates and velocities.
+#include "derive/lagrangian/turning.hpp"
+
+#include "formulate/rotations.hpp"
+
+namespace elgen {
+
+using GiNaC::ex;
+
+Vector along_velocities(Derivation& derivation, const Vector& by_coordinates) {
+  const Symbols& symbols = derivation.symbols;
+  if (symbols.rotations.empty()) return by_coordinates;
+  Vector result(symbols.v.size());
+  for (std::size_t i = 0, j = 0, next = 0; i < symbols.q.size();) {
+    const bool is_rotation =
+        next < symbols.rotations.size() && symbols.rotations[next].first_coordinate == i;
+    if (!is_rotation) {
+      result[j++] = by_coordinates[i++];
+      continue;
+    }
+    const auto n = rate_matrix(symbols, symbols.rotations[next++]);
+    std::array<ex, quaternion_size> slopes;
+    for (ex& slope : slopes) slope = define(derivation.definitions, by_coordinates[i++]);
+    for (std::size_t k = 0; k < axis_count; ++k) {
+      GiNaC::exvector terms;
+      for (std::size_t c = 0; c < quaternion_size; ++c) terms.push_back(n[c][k] * slopes[c]);
+      result[j++] = GiNaC::add(terms);
+    }
+  }
+  return result;
+}
+
+Seeds displacement_seeds(const Symbols& symbols, std::size_t velocity) {
+  Seeds seeds;
+  for (const RotationPlace& rotation : symbols.rotations) {
+    if (velocity < rotation.first_velocity || velocity >= rotation.first_velocity + axis_count) {
+      continue;
+    }
+    const auto n = rate_matrix(symbols, rotation);
+    for (std::size_t c = 0; c < quaternion_size; ++c) {
+      seeds.emplace(symbols.q[rotation.first_coordinate + c],
+                    n[c][velocity - rotation.first_velocity]);
+    }
+    return seeds;
+  }
+  for (std::size_t i = 0; i < symbols.q.size(); ++i) {
+    if (symbols.q_rates[i].is_equal(symbols.v[velocity])) seeds.emplace(symbols.q[i], 1);
+  }
+  return seeds;
+}
+
+Vector turning_force(Derivation& derivation, const Vector& momentum) {
+  Vector result(momentum.size());
+  for (const RotationPlace& rotation : derivation.symbols.rotations) {
+    const std::size_t first = rotation.first_velocity;
+    for (std::size_t k = 0; k < axis_count; ++k) {
+      const std::size_t i = first + (k + 1) % axis_count;
+      const std::size_t j = first + (k + 2) % axis_count;
+      result[first + k] =
+          derivation.symbols.v[i] * momentum[j] - derivation.symbols.v[j] * momentum[i];
+    }
+  }
+  return result;
+}
+
+void add_turning(Derivation& derivation, const Vector& mass, Vector& entries) {
+  const std::size_t n = derivation.size();
+  for (const RotationPlace& rotation : derivation.symbols.rotations) {
+    const std::size_t first = rotation.first_velocity;
+    // M [w]x: column k is m_i w_j - m_j w_i of the columns that follow it round.
+    for (std::size_t k = 0; k < axis_count; ++k) {
+      const std::size_t i = first + (k + 1) % axis_count;
+      const std::size_t j = first + (k + 2) % axis_count;
+      for (std::size_t row = 0; row < n; ++row) {
+        const ex turned = mass[row * n + i] * derivation.symbols.v[j] -
+                          mass[row * n + j] * derivation.symbols.v[i];
+        entries[row * n + first + k] += turned / 2;
+      }
+    }
+  }
+}
+
+Vector coordinate_rates(const Derivation& derivation) { return derivation.symbols.q_rates; }
+
+Vector normalized(Derivation& derivation) {
+  Vector result = derivation.symbols.q;
+  for (const RotationPlace& rotation : derivation.symbols.rotations) {
+    const auto begin = result.begin() + rotation.first_coordinate;
+    GiNaC::exvector squares;
+    for (auto component = begin; component != begin + quaternion_size; ++component) {
+      squares.push_back(*component * *component);
+    }
+    const ex length = define(derivation.definitions, GiNaC::sqrt(GiNaC::add(squares)));
+    for (auto component = begin; component != begin + quaternion_size; ++component) {
+      *component = *component / length;
+    }
+  }
+  return result;
+}
+
+}  // namespace elgen

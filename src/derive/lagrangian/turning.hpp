@@ -1,0 +1,33 @@
+// Turning: what differs where velocities are not the rates of coordinates but angular velocities.
+//
+// With dq/dt = N(q) v, virtual displacements are dq = N w, and Lagrange's equation becomes Hamel's:
+//
+//     d/dt dL/dv + [w]x dL/dw - N^T dL/dq = Q       ([w]x on the velocities of rotations)
+//     C_ij = 1/2 d(C v)_i/dv_j + 1/2 (M [w]x)_ij    so that dM/dt - 2 C is skew
+//
+// Source: Lurie, Analytical Mechanics (2002), sections 2.10 and 7.7.
+#pragma once
+
+#include "derive/lagrangian/derivation.hpp"
+
+namespace elgen {
+
+/// N^T g
+[[nodiscard]] Vector along_velocities(Derivation& derivation, const Vector& by_coordinates);
+
+/// dq of a unit displacement along velocity j.
+[[nodiscard]] Seeds displacement_seeds(const Symbols& symbols, std::size_t velocity);
+
+/// momentum += [w]x momentum on the velocities of rotations, all else 0: what d/dt dL/dv lacks.
+[[nodiscard]] Vector turning_force(Derivation& derivation, const Vector& momentum);
+
+/// Adds 1/2 M [w]x to the columns of rotations; `mass` and `entries` are n x n.
+void add_turning(Derivation& derivation, const Vector& mass, Vector& entries);
+
+/// dq/dt = N v
+[[nodiscard]] Vector coordinate_rates(const Derivation& derivation);
+
+/// q with every quaternion divided by its length.
+[[nodiscard]] Vector normalized(Derivation& derivation);
+
+}  // namespace elgen

@@ -1,0 +1,99 @@
+// Energies, term by term over the definitions.
+#include "derive/outputs/energies.hpp"
+
+#include "derive/tree/tree_gravity.hpp"
+#include "derive/tree/tree_twists.hpp"
+
+namespace elgen {
+
+using GiNaC::ex;
+
+namespace {
+
+void append(GiNaC::exvector& to, const Terms& from, int sign) {
+  for (const ex& term : from) to.push_back(sign * term);
+}
+
+/// 1/2 m |dp/ds|^2 of each mass, and of the bodies in frames, along a direction.
+void append_squares(GiNaC::exvector& terms, Derivation& derivation, Tangent& along, int sign) {
+  for (const PointMass& mass : derivation.lagrangian.masses) {
+    GiNaC::exvector squares;
+    for (const ex& component : mass.position) {
+      const ex velocity = define(derivation.definitions, along(component));
+      squares.push_back(velocity * velocity);
+    }
+    terms.push_back(GiNaC::numeric(sign, 2) * mass.mass * GiNaC::add(squares));
+  }
+  Tree& tree = tree_of(derivation);
+  append(terms, tree_kinetic_energy(tree, along), sign);
+}
+
+/// -m gravity.p of each mass, and of the bodies in frames.
+void append_weights(GiNaC::exvector& terms, Derivation& derivation) {
+  const Lagrangian& lagrangian = derivation.lagrangian;
+  if (!lagrangian.gravity) return;
+  Tree& tree = tree_of(derivation);
+  append(terms, tree_potential_energy(tree), 1);
+  for (const PointMass& mass : lagrangian.masses) {
+    GiNaC::exvector heights;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      heights.push_back((*lagrangian.gravity)[axis] * mass.position[axis]);
+    }
+    terms.push_back(-mass.mass * GiNaC::add(heights));
+  }
+}
+
+GiNaC::exvector kinetic_terms(Derivation& derivation) {
+  GiNaC::exvector terms;
+  append_squares(terms, derivation, derivation.coasting, 1);
+  const bool whole = !derivation.lagrangian.lagrangian.empty();
+  append(terms, whole ? derivation.graded().kinetic2 : derivation.lagrangian.kinetic, 1);
+  return terms;
+}
+
+}  // namespace
+
+ex full_potential_energy(Derivation& derivation) {
+  GiNaC::exvector terms;
+  append_weights(terms, derivation);
+  append(terms, derivation.lagrangian.potential, 1);
+  return GiNaC::add(terms);
+}
+
+ex kinetic_energy(Derivation& derivation) { return GiNaC::add(kinetic_terms(derivation)); }
+
+ex potential_energy(Derivation& derivation) {
+  GiNaC::exvector terms;
+  append_weights(terms, derivation);
+  append(terms, derivation.graded().potential0, 1);
+  return GiNaC::add(terms);
+}
+
+ex total_energy(Derivation& derivation) {
+  GiNaC::exvector terms = kinetic_terms(derivation);
+  append_weights(terms, derivation);
+  append(terms, derivation.graded().potential0, 1);
+  append(terms, derivation.graded().potential1, 1);
+  return GiNaC::add(terms);
+}
+
+ex energy_function(Derivation& derivation) {
+  GiNaC::exvector terms;
+  if (!derivation.lagrangian.quadratic) {
+    const Vector momentum = derivation.by_velocity(derivation.other_lagrangian());
+    for (std::size_t i = 0; i < momentum.size(); ++i) {
+      terms.push_back(derivation.symbols.v[i] * momentum[i]);
+    }
+    append(terms, derivation.lagrangian.lagrangian, -1);
+    return GiNaC::add(terms);
+  }
+  append_squares(terms, derivation, derivation.frozen, 1);
+  append_squares(terms, derivation, derivation.passing, -1);
+  append(terms, derivation.graded().kinetic2, 1);
+  append(terms, derivation.graded().kinetic0, -1);
+  append_weights(terms, derivation);
+  append(terms, derivation.graded().potential0, 1);
+  return GiNaC::add(terms);
+}
+
+}  // namespace elgen

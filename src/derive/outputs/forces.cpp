@@ -1,0 +1,259 @@
+// Generalized forces: one reverse pass over positions and energies each, plus the rates of momenta.
+#include "derive/outputs/forces.hpp"
+
+#include "derive/lagrangian/turning.hpp"
+#include "derive/tree/tree_dynamics.hpp"
+#include "derive/tree/tree_gravity.hpp"
+#include "derive/tree/tree_twists.hpp"
+
+namespace elgen {
+
+using GiNaC::ex;
+
+namespace {
+
+/// Where both sides are derived, the left one is a variable: the order in which definitions are
+/// made must not be the compiler's choice.
+Vector plus(Vector left, const Vector& right) {
+  for (std::size_t i = 0; i < left.size(); ++i) left[i] += right[i];
+  return left;
+}
+
+/// Rate of each entry along a direction.
+Vector rates(const Vector& values, Tangent& along) {
+  Vector result;
+  for (const ex& value : values) result.push_back(along(value));
+  return result;
+}
+
+/// d/dt dL/dv along a motion, as Hamel has it for angular velocities.
+Vector momentum_rates(Derivation& derivation, const Vector& momentum, Tangent& along) {
+  Vector result = rates(momentum, along);
+  const Vector turning = turning_force(derivation, momentum);
+  return plus(std::move(result), turning);
+}
+
+std::array<ex, 3> gravity_vector(const Derivation& derivation) {
+  return derivation.lagrangian.gravity.value_or(std::array<ex, 3>{0, 0, 0});
+}
+
+std::string force_name(const PointMass& mass, const Derivation& derivation, std::size_t axis) {
+  const SymbolPlace* place = nullptr;
+  const auto found = derivation.definitions.places.find(mass.position[axis]);
+  if (found != derivation.definitions.places.end()) place = &found->second;
+  if (place == nullptr || !place->is_definition) return {};
+  const std::string& name = derivation.definitions.list[place->index].name;
+  return name.empty() ? std::string() : "force_" + name;
+}
+
+void add(const TreeForces& forces, Vector& to) {
+  for (const auto& [velocity, force] : forces.on_velocities) to[velocity] += force;
+}
+
+/// m (p'' - gravity) on each mass, p'' by a second pass in `second` over the velocity.
+std::vector<Weighted> inertial_forces_of_masses(Derivation& derivation, Tangent& second) {
+  const std::array<ex, 3> g = gravity_vector(derivation);
+  return derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
+    const ex velocity = define(derivation.definitions, derivation.coasting(mass.position[axis]));
+    const ex acceleration = second(velocity);
+    const ex force = mass.mass * (acceleration - g[axis]);
+    return define(derivation.definitions, force, {force_name(mass, derivation, axis), mass.origin});
+  });
+}
+
+/// -F on each point force, so that it joins the forces of the left side.
+std::vector<Weighted> negative_point_forces(Derivation& derivation, InputForces inputs) {
+  std::vector<Weighted> result;
+  Seeds none;
+  for (const ex& input : derivation.symbols.u) none.emplace(input, 0);
+  Substitution without_inputs(derivation.definitions, none);
+  for (const PointForce& applied : derivation.lagrangian.point_forces) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const ex& force = applied.force[axis];
+      const ex acting = inputs == InputForces::acting ? force : without_inputs(force);
+      result.push_back({applied.position[axis], -acting});
+    }
+  }
+  return result;
+}
+
+Vector direct_forces(Derivation& derivation, InputForces inputs) {
+  if (inputs == InputForces::acting) return derivation.lagrangian.forces;
+  Seeds none;
+  for (const ex& input : derivation.symbols.u) none.emplace(input, 0);
+  Substitution without_inputs(derivation.definitions, none);
+  Vector result;
+  for (const ex& force : derivation.lagrangian.forces) result.push_back(without_inputs(force));
+  return result;
+}
+
+/// The wrenches' components with u = 0, or as they are.
+std::vector<Wrench> acting_wrenches(Derivation& derivation, InputForces inputs) {
+  std::vector<Wrench> result = derivation.lagrangian.tree.wrenches;
+  if (inputs == InputForces::acting) return result;
+  Seeds none;
+  for (const ex& input : derivation.symbols.u) none.emplace(input, 0);
+  Substitution without_inputs(derivation.definitions, none);
+  for (Wrench& wrench : result) {
+    for (ex& component : wrench.force) component = without_inputs(component);
+    for (ex& component : wrench.moment) component = without_inputs(component);
+  }
+  return result;
+}
+
+TreeForces negative(TreeForces forces) {
+  for (Weighted& term : forces.pulled_back) term.weight = -term.weight;
+  for (auto& [velocity, force] : forces.on_velocities) force = -force;
+  return forces;
+}
+
+TreeForces negative_wrenches(Derivation& derivation, InputForces inputs) {
+  const std::vector<Wrench> wrenches = acting_wrenches(derivation, inputs);
+  return negative(tree_of(derivation).wrench_forces(wrenches));
+}
+
+/// Of bodies in frames; gravity is an acceleration of their base.
+TreeForces tree_forces(Derivation& derivation, Tangent& second) {
+  return inertial_forces(tree_of(derivation), {derivation.coasting, second, true});
+}
+
+/// Everything of tau that `second` gives: inertia, gravity, dissipation, forces.
+Vector left_side(Derivation& derivation, Tangent& second, InputForces inputs, Bodies bodies) {
+  std::vector<Weighted> pulled_back = inertial_forces_of_masses(derivation, second);
+  append(pulled_back, negative_point_forces(derivation, inputs));
+  TreeForces inertial;
+  if (bodies == Bodies::all) inertial = tree_forces(derivation, second);
+  const TreeForces wrenches = negative_wrenches(derivation, inputs);
+  append(pulled_back, inertial.pulled_back);
+  append(pulled_back, wrenches.pulled_back);
+  for (const Weighted& term : derivation.other_lagrangian()) {
+    pulled_back.push_back({term.value, -term.weight});
+  }
+  Vector result = derivation.by_position(pulled_back);
+  const Vector momentum = derivation.by_velocity(derivation.other_lagrangian());
+  result = plus(result, momentum_rates(derivation, momentum, second));
+  result = plus(result, dissipation(derivation));
+  add(inertial, result);
+  add(wrenches, result);
+  const Vector direct = direct_forces(derivation, inputs);
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] -= direct[i];
+  return result;
+}
+
+}  // namespace
+
+Vector inverse_dynamics(Derivation& derivation) {
+  return left_side(derivation, derivation.motion, InputForces::absent, Bodies::all);
+}
+
+Vector residual(Derivation& derivation, InputForces inputs, Bodies bodies) {
+  return left_side(derivation, derivation.motion, inputs, bodies);
+}
+
+Vector bias(Derivation& derivation, InputForces inputs) {
+  return left_side(derivation, derivation.coasting, inputs, Bodies::all);
+}
+
+Vector velocity_force(Derivation& derivation, Bodies bodies) {
+  Definitions& definitions = derivation.definitions;
+  std::vector<Weighted> pulled_back =
+      derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
+        const ex velocity = define(definitions, derivation.frozen(mass.position[axis]));
+        return define(definitions, mass.mass * derivation.frozen(velocity));
+      });
+  const Terms& kinetic = derivation.graded().kinetic2;
+  append(pulled_back, weighted(kinetic, -1));
+  TreeForces inertial;
+  if (bodies == Bodies::all) {
+    inertial = inertial_forces(tree_of(derivation), {derivation.frozen, derivation.frozen, false});
+  }
+  append(pulled_back, inertial.pulled_back);
+  const Vector momentum = derivation.by_velocity(weighted(kinetic, 1));
+  Vector result = derivation.by_position(pulled_back);
+  add(inertial, result);
+  return plus(result, momentum_rates(derivation, momentum, derivation.frozen));
+}
+
+Vector drift(Derivation& derivation) {
+  Definitions& definitions = derivation.definitions;
+  // p'' less its part quadratic in v: 2 d/dt(dp/dq v) at fixed q + d2p/dt2 at fixed q.
+  std::vector<Weighted> pulled_back =
+      derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
+        const ex passing = define(definitions, derivation.passing(mass.position[axis]));
+        const ex at_rest = derivation.passing(passing);
+        const ex acceleration = at_rest + 2 * derivation.frozen(passing);
+        return define(definitions, mass.mass * acceleration);
+      });
+  const GradedEnergies& energies = derivation.graded();
+  std::vector<Weighted> linear = weighted(energies.kinetic1, 1);
+  append(linear, weighted(energies.potential1, -1));
+  for (const Weighted& term : linear) pulled_back.push_back({term.value, -term.weight});
+  append(pulled_back, weighted(energies.kinetic0, -1));
+  // Of bodies in frames all inertial forces less those at frozen time.
+  Tree& tree = tree_of(derivation);
+  const TreeForces all = inertial_forces(tree, {derivation.coasting, derivation.coasting, false});
+  const TreeForces frozen =
+      negative(inertial_forces(tree, {derivation.frozen, derivation.frozen, false}));
+  append(pulled_back, all.pulled_back);
+  append(pulled_back, frozen.pulled_back);
+
+  Vector result = derivation.by_position(pulled_back);
+  add(all, result);
+  add(frozen, result);
+  const Vector momentum = derivation.by_velocity(linear);
+  result = plus(result, momentum_rates(derivation, momentum, derivation.coasting));
+  const Vector quadratic = derivation.by_velocity(weighted(energies.kinetic2, 1));
+  return plus(result, rates(quadratic, derivation.passing));
+}
+
+Vector gravity(Derivation& derivation) {
+  const std::array<ex, 3> g = gravity_vector(derivation);
+  std::vector<Weighted> pulled_back =
+      derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
+        return define(derivation.definitions, -mass.mass * g[axis]);
+      });
+  append(pulled_back, weighted(derivation.graded().potential0, 1));
+  Tree& tree = tree_of(derivation);
+  const TreeForces weights = tree_gravity(tree);
+  append(pulled_back, weights.pulled_back);
+  Vector result = derivation.by_position(pulled_back);
+  add(weights, result);
+  return result;
+}
+
+Vector dissipation(Derivation& derivation) {
+  return gradient(derivation.definitions, weighted(derivation.lagrangian.dissipation, 1),
+                  derivation.symbols.v);
+}
+
+Vector applied_force(Derivation& derivation, InputForces inputs) {
+  std::vector<Weighted> pulled_back = negative_point_forces(derivation, inputs);
+  const TreeForces wrenches = negative_wrenches(derivation, inputs);
+  append(pulled_back, wrenches.pulled_back);
+  Vector result = derivation.by_position(pulled_back);
+  add(wrenches, result);
+  const Vector direct = direct_forces(derivation, inputs);
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = direct[i] - result[i];
+  return result;
+}
+
+Vector momentum_of_frames(Derivation& derivation) {
+  const TreeForces of_bodies = tree_momentum(tree_of(derivation));
+  Vector result = derivation.by_position(of_bodies.pulled_back);
+  add(of_bodies, result);
+  return result;
+}
+
+Vector momentum(Derivation& derivation) {
+  const std::vector<Weighted> of_masses =
+      derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
+        const ex velocity =
+            define(derivation.definitions, derivation.coasting(mass.position[axis]));
+        return define(derivation.definitions, mass.mass * velocity);
+      });
+  Vector result = derivation.by_position(of_masses);
+  result = plus(result, momentum_of_frames(derivation));
+  return plus(result, derivation.by_velocity(derivation.other_lagrangian()));
+}
+
+}  // namespace elgen

@@ -1,0 +1,164 @@
+// Matrices: forward passes along unit directions over vectors that are derived once.
+#include "derive/outputs/matrices.hpp"
+
+#include "derive/lagrangian/turning.hpp"
+#include "derive/outputs/forces.hpp"
+#include "derive/tree/tree_matrices.hpp"
+#include "derive/tree/tree_twists.hpp"
+#include "derive/tree/tree_variables.hpp"
+
+namespace elgen {
+
+using GiNaC::ex;
+
+namespace {
+
+Tangent unit_direction(Derivation& derivation, const ex& leaf) {
+  return {derivation.definitions, Seeds{{leaf, 1}}};
+}
+
+void add(const SparseMatrix& matrix, std::size_t n, Vector& entries) {
+  for (const auto& [place, entry] : matrix) entries[place.first * n + place.second] += entry;
+}
+
+/// Wrenches per unit of what a direction moves.
+std::vector<Wrench> rates(Derivation& derivation, Tangent& along) {
+  std::vector<Wrench> result = derivation.lagrangian.tree.wrenches;
+  for (Wrench& wrench : result) {
+    for (ex& component : wrench.force) component = along(component);
+    for (ex& component : wrench.moment) component = along(component);
+  }
+  return result;
+}
+
+bool has_columns(Derivation& derivation) { return tree_variables(tree_of(derivation)).is_complete; }
+
+/// M of everything, or of what is not in frames.
+Vector mass_matrix_of(Derivation& derivation, Bodies bodies) {
+  const std::size_t n = derivation.size();
+  const Vector other = derivation.by_velocity(derivation.lagrangian.quadratic
+                                                  ? weighted(derivation.graded().kinetic2, 1)
+                                                  : derivation.other_lagrangian());
+  const Vector of_frames =
+      bodies == Bodies::without_frames ? Vector(n) : momentum_of_frames(derivation);
+  Vector entries(n * n);
+  for (std::size_t j = 0; j < n; ++j) {
+    Tangent position = derivation.displacement(j);
+    Tangent velocity = derivation.unit_velocity(j);
+    const Vector column =
+        derivation.by_position(derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
+          const ex direction = define(derivation.definitions, position(mass.position[axis]));
+          return define(derivation.definitions, mass.mass * direction);
+        }));
+    for (std::size_t i = j; i < n; ++i) {
+      const ex of_energy = velocity(other[i]);
+      entries[i * n + j] = entries[j * n + i] = column[i] + of_energy + velocity(of_frames[i]);
+    }
+  }
+  return entries;
+}
+
+}  // namespace
+
+Vector mass_matrix(Derivation& derivation) {
+  if (!has_columns(derivation)) return mass_matrix_of(derivation, Bodies::all);
+  Vector entries = mass_matrix_of(derivation, Bodies::without_frames);
+  add(tree_mass_matrix(tree_of(derivation)), derivation.size(), entries);
+  return entries;
+}
+
+Vector coriolis_matrix(Derivation& derivation) {
+  const std::size_t n = derivation.size();
+  const bool by_columns = has_columns(derivation);
+  const Bodies bodies = by_columns ? Bodies::without_frames : Bodies::all;
+  Vector force = velocity_force(derivation, bodies);
+  for (ex& entry : force) entry = define(derivation.definitions, entry);
+  Vector entries(n * n);
+  for (std::size_t j = 0; j < n; ++j) {
+    Tangent velocity = derivation.unit_velocity(j);
+    for (std::size_t i = 0; i < n; ++i) entries[i * n + j] = velocity(force[i]) / 2;
+  }
+  if (!derivation.symbols.rotations.empty()) {
+    const Vector mass = mass_matrix_of(derivation, bodies);
+    add_turning(derivation, mass, entries);
+  }
+  if (by_columns) add(tree_coriolis_matrix(tree_of(derivation)), n, entries);
+  return entries;
+}
+
+Vector input_matrix(Derivation& derivation) {
+  const std::size_t n = derivation.size();
+  const std::size_t inputs = derivation.symbols.u.size();
+  Vector entries(n * inputs);
+  for (std::size_t j = 0; j < inputs; ++j) {
+    Tangent input = unit_direction(derivation, derivation.symbols.u[j]);
+    std::vector<Weighted> forces;
+    for (const PointForce& applied : derivation.lagrangian.point_forces) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        forces.push_back({applied.position[axis], input(applied.force[axis])});
+      }
+    }
+    const TreeForces of_wrenches = tree_of(derivation).wrench_forces(rates(derivation, input));
+    append(forces, of_wrenches.pulled_back);
+    Vector column = derivation.by_position(forces);
+    for (const auto& [velocity, force] : of_wrenches.on_velocities) column[velocity] += force;
+    for (std::size_t i = 0; i < n; ++i) {
+      entries[i * inputs + j] = column[i] + input(derivation.lagrangian.forces[i]);
+    }
+  }
+  return entries;
+}
+
+namespace {
+
+/// Six entries; zeros for the world.
+Vector twist_of(Derivation& derivation, const TwistOutput& output) {
+  if (!output.step) return Vector(6, 0);
+  Tree& tree = tree_of(derivation);
+  const Twist twist = tree_twists(tree, derivation.coasting)[*output.step];
+  const auto axes = output.in_world ? std::optional<std::uint32_t>() : output.step;
+  const ExVector3 spin = tree.turned(twist.spin, output.step, axes);
+  const ExVector3 velocity = tree.turned(twist.velocity, output.step, axes);
+  Vector result(spin.begin(), spin.end());
+  result.insert(result.end(), velocity.begin(), velocity.end());
+  return result;
+}
+
+}  // namespace
+
+Vector twist_jacobian(Derivation& derivation, const TwistOutput& output) {
+  Vector entries;
+  for (const ex& rate : twist_of(derivation, output)) {
+    const Vector row = gradient(derivation.definitions, {{rate, 1}}, derivation.symbols.v);
+    entries.insert(entries.end(), row.begin(), row.end());
+  }
+  return entries;
+}
+
+Vector twist_bias(Derivation& derivation, const TwistOutput& output) {
+  Vector entries;
+  for (const ex& rate : twist_of(derivation, output)) {
+    entries.push_back(derivation.coasting(rate));
+  }
+  return entries;
+}
+
+Vector jacobian(Derivation& derivation, const Terms& values) {
+  Vector entries;
+  for (const ex& value : values) {
+    const Vector row = derivation.by_position({{value, 1}});
+    entries.insert(entries.end(), row.begin(), row.end());
+  }
+  return entries;
+}
+
+Vector second_rate(Derivation& derivation, const Terms& values) {
+  Vector entries;
+  for (const ex& value : values) {
+    const ex rate = define(derivation.definitions, derivation.coasting(value));
+    entries.push_back(derivation.coasting(rate));
+  }
+  return entries;
+}
+
+}  // namespace elgen

@@ -1,0 +1,48 @@
+// Composite inertias: everything a step carries as one rigid body, in the axes after the step and
+// about the origin there.
+//
+//     turn         h_p = R h,          I_p = R I R^T
+//     translation  h_p = h + m p,      I_p = I - [p]x [h]x - [h_p]x [p]x
+//
+// Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 6 (mass, first moment h, inertia I
+// instead of 6 x 6 matrices).
+#pragma once
+
+#include "derive/tree/tree.hpp"
+
+namespace elgen {
+
+/// A symmetric matrix as xx yy zz xy xz yz.
+using Symmetric3 = std::array<GiNaC::ex, 6>;
+
+[[nodiscard]] std::size_t symmetric_index(std::size_t i, std::size_t j);
+
+struct CompositeInertia {
+  GiNaC::ex mass = 0;
+  ExVector3 moment{0, 0, 0};
+  Symmetric3 inertia{0, 0, 0, 0, 0, 0};
+};
+
+/// to += from, both in the same axes.
+void accumulate(VectorAlgebra& algebra, const CompositeInertia& from, CompositeInertia& to);
+
+/// A body alone, about the origin of its step: I_c + c.h 1 - c h^T.
+[[nodiscard]] CompositeInertia about_origin(VectorAlgebra& algebra, const RigidBody& body);
+
+/// S x of a symmetric matrix.
+[[nodiscard]] ExVector3 product(VectorAlgebra& algebra, const Symmetric3& s, const ExVector3& x);
+
+/// R S R^T of a step.
+[[nodiscard]] Symmetric3 to_parent(Tree& tree, std::size_t step, const Symmetric3& s);
+
+/// In the axes before the step, about the origin there.
+[[nodiscard]] CompositeInertia to_parent(Tree& tree, std::size_t step, const CompositeInertia& c);
+
+/// Of every step.
+[[nodiscard]] std::vector<CompositeInertia> composite_inertias(Tree& tree);
+
+/// I (spin; velocity): the momentum about the origin.
+[[nodiscard]] SpatialForce momentum(VectorAlgebra& algebra, const CompositeInertia& inertia,
+                                    const ExVector3& spin, const ExVector3& velocity);
+
+}  // namespace elgen

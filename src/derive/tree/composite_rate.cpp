@@ -1,0 +1,152 @@
+// Composite rates, leaves first.
+#include "derive/tree/composite_rate.hpp"
+
+namespace elgen {
+
+using GiNaC::ex;
+
+namespace {
+
+using Matrix = std::array<ex, 9>;
+
+/// A - (x y^T - (x.y) 1)
+Matrix less_outer(VectorAlgebra& algebra, const Matrix& a, const ExVector3& x, const ExVector3& y) {
+  Matrix result = a;
+  ExVector3 along;
+  for (std::size_t i = 0; i < 3; ++i) along[i] = algebra.define(x[i] * y[i]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    result[3 * i + i] = algebra.define(a[3 * i + i] + along[j] + along[k]);
+    result[3 * i + j] = algebra.define(a[3 * i + j] - x[i] * y[j]);
+    result[3 * i + k] = algebra.define(a[3 * i + k] - x[i] * y[k]);
+  }
+  return result;
+}
+
+/// As for symmetric matrices (composite.cpp), with u = s (A_ii - A_jj) + c (A_ij + A_ji):
+///     A'_ii = A_ii - s u,   A'_jj = A_jj + s u,   A'_ij = c u - A_ji,   A'_ji = c u - A_ij
+Matrix turned_about_axis(VectorAlgebra& algebra, const StepRotation& r, const Matrix& a) {
+  const std::size_t k = r.axis;
+  const std::size_t i = (k + 1) % 3;
+  const std::size_t j = (k + 2) % 3;
+  Matrix result = a;
+  const ex difference = algebra.define(a[3 * i + i] - a[3 * j + j]);
+  const ex sum = algebra.define(a[3 * i + j] + a[3 * j + i]);
+  const ex u = algebra.define(r.sine * difference + r.cosine * sum);
+  const ex shift = algebra.define(r.sine * u);
+  const ex across = algebra.define(r.cosine * u);
+  result[3 * i + i] = algebra.define(a[3 * i + i] - shift);
+  result[3 * j + j] = algebra.define(a[3 * j + j] + shift);
+  result[3 * i + j] = algebra.define(across - a[3 * j + i]);
+  result[3 * j + i] = algebra.define(across - a[3 * i + j]);
+  result[3 * k + i] = algebra.define(r.cosine * a[3 * k + i] - r.sine * a[3 * k + j]);
+  result[3 * k + j] = algebra.define(r.sine * a[3 * k + i] + r.cosine * a[3 * k + j]);
+  result[3 * i + k] = algebra.define(r.cosine * a[3 * i + k] - r.sine * a[3 * j + k]);
+  result[3 * j + k] = algebra.define(r.sine * a[3 * i + k] + r.cosine * a[3 * j + k]);
+  return result;
+}
+
+Matrix product(VectorAlgebra& algebra, const Matrix& a, const Matrix& b) {
+  Matrix result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      result[3 * i + j] =
+          algebra.define(a[3 * i] * b[j] + a[3 * i + 1] * b[3 + j] + a[3 * i + 2] * b[6 + j]);
+    }
+  }
+  return result;
+}
+
+Matrix transposed(const Matrix& a) {
+  return {a[0], a[3], a[6], a[1], a[4], a[7], a[2], a[5], a[8]};
+}
+
+/// R A R^T. Quarter turns permute, which the general product sees by its zeros and ones.
+Matrix turned(Tree& tree, std::size_t step, const Matrix& a) {
+  const StepRotation& r = tree.rotation(step);
+  const bool is_quarter =
+      GiNaC::is_a<GiNaC::numeric>(r.cosine) && GiNaC::is_a<GiNaC::numeric>(r.sine);
+  if (r.kind == StepRotation::Kind::about_axis && !is_quarter) {
+    return turned_about_axis(tree.algebra, r, a);
+  }
+  Matrix rotation = r.entries;
+  if (r.kind == StepRotation::Kind::about_axis) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      ExVector3 unit{0, 0, 0};
+      unit[column] = 1;
+      const ExVector3 turned_unit = tree.to_parent(step, unit);
+      for (std::size_t row = 0; row < 3; ++row) rotation[3 * row + column] = turned_unit[row];
+    }
+  }
+  const Matrix half = product(tree.algebra, rotation, a);
+  return product(tree.algebra, half, transposed(rotation));
+}
+
+/// -[w]x Sigma, Sigma = 1/2 tr(I) 1 - I.
+Matrix spin_part(VectorAlgebra& algebra, const std::vector<ex>& inertia, const ExVector3& w) {
+  const ex half_trace = algebra.define((inertia[0] + inertia[1] + inertia[2]) / 2);
+  Symmetric3 sigma;
+  for (std::size_t i = 0; i < 3; ++i) sigma[i] = algebra.define(half_trace - inertia[i]);
+  for (std::size_t i = 3; i < 6; ++i) sigma[i] = algebra.define(-inertia[i]);
+  Matrix result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    for (std::size_t column = 0; column < 3; ++column) {
+      result[3 * i + column] = algebra.define(w[k] * sigma[symmetric_index(j, column)] -
+                                              w[j] * sigma[symmetric_index(k, column)]);
+    }
+  }
+  return result;
+}
+
+void accumulate(VectorAlgebra& algebra, const CompositeRate& from, CompositeRate& to) {
+  for (std::size_t i = 0; i < 9; ++i) to.a[i] = algebra.define(to.a[i] + from.a[i]);
+  to.momentum = algebra.add(to.momentum, from.momentum);
+}
+
+/// About the origin. An inertia about the com is shifted like a composite.
+CompositeRate own_rate(VectorAlgebra& algebra, const RigidBody& body, const Twist& twist) {
+  CompositeRate rate;
+  if (!body.inertia.empty()) rate.a = spin_part(algebra, body.inertia, twist.spin);
+  if (!has_mass(body)) return rate;
+  rate.momentum = momentum_of(algebra, body, twist);
+  if (body.about_origin) {
+    rate.a = less_outer(algebra, rate.a, twist.velocity, first_moment(algebra, body));
+  } else {
+    rate.a = less_outer(algebra, rate.a, rate.momentum, body.com);
+  }
+  return rate;
+}
+
+}  // namespace
+
+CompositeRate to_parent(Tree& tree, std::size_t step, const CompositeRate& rate) {
+  CompositeRate result = rate;
+  if (tree.step(step).kind == FrameStepKind::translation) {
+    result.a = less_outer(tree.algebra, rate.a, rate.momentum, tree.step(step).vector);
+    return result;
+  }
+  result.a = turned(tree, step, rate.a);
+  result.momentum = tree.to_parent(step, rate.momentum);
+  return result;
+}
+
+std::vector<CompositeRate> composite_rates(Tree& tree, const std::vector<Twist>& twists) {
+  std::vector<CompositeRate> result(tree.size());
+  for (const RigidBody& body : tree.bodies()) {
+    if (!body.step) continue;
+    const CompositeRate own = own_rate(tree.algebra, body, twists[*body.step]);
+    accumulate(tree.algebra, own, result[*body.step]);
+  }
+  for (std::size_t k = tree.size(); k-- > 0;) {
+    const auto& parent = tree.step(k).parent;
+    if (!parent) continue;
+    const CompositeRate carried = to_parent(tree, k, result[k]);
+    accumulate(tree.algebra, carried, result[*parent]);
+  }
+  return result;
+}
+
+}  // namespace elgen

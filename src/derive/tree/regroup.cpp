@@ -1,0 +1,166 @@
+// regroup: base inertial parameters. What a joint cannot tell from a part of the link before it, is
+// made one: of a turn about z the mass, h_z, and an inertia diag(Iyy, Iyy, 0), which look the same
+// however far it is turned; of a slide the inertia, which is the same wherever it is; of what does
+// not move all of it.
+//
+//     before    link 2: m, h = (hx, hy, hz), I = (Ixx, Iyy, Izz, Ixy, Ixz, Iyz)       about z
+//     after     link 2: 0, (hx, hy, 0), (Ixx - Iyy, 0, Izz, Ixy, Ixz, Iyz)
+//               link 1: + m, (0, 0, hz), (Iyy, Iyy, 0, 0, 0, 0)
+//
+// Gautier, Khalil, IEEE Trans. Robotics and Automation 6(3), 1990.
+#include "derive/tree/regroup.hpp"
+
+#include <algorithm>
+
+#include "derive/tree/composite.hpp"
+
+namespace elgen {
+
+namespace {
+
+using GiNaC::ex;
+
+bool is_rational(const ex& value) {
+  return GiNaC::is_a<GiNaC::numeric>(value) && GiNaC::ex_to<GiNaC::numeric>(value).is_rational();
+}
+
+template <class List>
+bool are_rational(const List& values) {
+  return std::all_of(values.begin(), values.end(), [](const ex& x) { return is_rational(x); });
+}
+
+bool is_rational(const RigidBody& body) {
+  return is_rational(body.mass) && are_rational(body.com) && are_rational(body.inertia);
+}
+
+/// What does not move, and by rational numbers: others would not stay one number.
+bool is_rigid(const Tree& tree, std::size_t step) {
+  const StepRotation& r = tree.rotation(step);
+  switch (r.kind) {
+    case StepRotation::Kind::none:
+      return are_rational(tree.step(step).vector);
+    case StepRotation::Kind::about_axis:
+      return is_rational(r.cosine) && is_rational(r.sine);
+    case StepRotation::Kind::matrix:
+      return are_rational(r.entries);
+  }
+  return false;
+}
+
+/// The part of an inertia that the motion of a step leaves as it is.
+CompositeInertia unmoved_part(const Tree& tree, std::size_t step, const CompositeInertia& c) {
+  const StepRotation& r = tree.rotation(step);
+  CompositeInertia part;
+  if (r.kind == StepRotation::Kind::none) {
+    part.inertia = c.inertia;
+    return part;
+  }
+  part.mass = c.mass;
+  if (r.kind == StepRotation::Kind::matrix) return part;
+  const std::size_t k = r.axis;
+  const std::size_t i = (k + 1) % 3;
+  const std::size_t j = (k + 2) % 3;
+  part.moment[k] = c.moment[k];
+  part.inertia[i] = part.inertia[j] = c.inertia[j];
+  return part;
+}
+
+CompositeInertia difference(const CompositeInertia& a, const CompositeInertia& b) {
+  CompositeInertia result = a;
+  result.mass -= b.mass;
+  for (std::size_t i = 0; i < 3; ++i) result.moment[i] -= b.moment[i];
+  for (std::size_t i = 0; i < 6; ++i) result.inertia[i] -= b.inertia[i];
+  return result;
+}
+
+bool is_nothing(const CompositeInertia& c) {
+  return c.mass.is_zero() && is_zero(c.moment) &&
+         std::all_of(c.inertia.begin(), c.inertia.end(), [](const ex& x) { return x.is_zero(); });
+}
+
+RigidBody body_of(const CompositeInertia& c, std::optional<std::uint32_t> step) {
+  RigidBody body;
+  body.step = step;
+  body.mass = c.mass;
+  body.com = {0, 0, 0};
+  body.inertia.assign(c.inertia.begin(), c.inertia.end());
+  body.about_origin = true;
+  body.moment = c.moment;
+  return body;
+}
+
+RigidBody point_mass(const ex& mass, std::optional<std::uint32_t> step) {
+  CompositeInertia point;
+  point.mass = mass;
+  RigidBody body = body_of(point, step);
+  body.inertia.clear();
+  return body;
+}
+
+/// The body of a rotation without its mass.
+RigidBody without_mass(Tree& tree, const RigidBody& body) {
+  CompositeInertia rest = about_origin(tree.algebra, body);
+  rest.mass = 0;
+  RigidBody result = body_of(rest, body.step);
+  result.origin = body.origin;
+  return result;
+}
+
+/// Whether what moves with `step` moves with `base` and by joints of its own.
+bool is_behind(const Tree& tree, std::optional<std::uint32_t> step, std::uint32_t base) {
+  if (step == base) return false;
+  while (step && *step != base) step = tree.step(*step).parent;
+  return step.has_value();
+}
+
+/// Masses taken to before the rotation they move with. R^T R = 1 is used here: 1/2 m v^2 of the
+/// motion of its origin holds no quaternion, so that T, momenta and forces agree with M off the
+/// unit sphere, too. Bodies behind further joints keep theirs, and the origin gets a negative one:
+/// m v^2 in two kinds of axes, one taken off for the other.
+void lift_masses(Tree& tree, std::uint32_t rotation, std::vector<RigidBody>& bodies) {
+  ex own = 0;
+  ex behind = 0;
+  for (RigidBody& body : bodies) {
+    if (body.mass.is_zero()) continue;
+    if (is_behind(tree, body.step, rotation)) behind += body.mass;
+    if (body.step != rotation) continue;
+    own += body.mass;
+    body = without_mass(tree, body);
+  }
+  const ex lifted = own + behind;
+  if (!behind.is_zero()) bodies.push_back(point_mass(-behind, rotation));
+  if (!lifted.is_zero()) bodies.push_back(point_mass(lifted, tree.step(rotation).parent));
+}
+
+}  // namespace
+
+std::vector<RigidBody> regrouped(Tree& tree) {
+  std::vector<RigidBody> bodies;
+  std::vector<CompositeInertia> own(tree.size());
+  CompositeInertia of_world;
+  for (const RigidBody& body : tree.frames().bodies) {
+    if (body.step && is_rational(body)) {
+      accumulate(tree.algebra, about_origin(tree.algebra, body), own[*body.step]);
+    } else {
+      bodies.push_back(body);
+    }
+  }
+  for (std::size_t k = tree.size(); k-- > 0;) {
+    const auto& parent = tree.step(k).parent;
+    const bool rigid = is_rigid(tree, k);
+    const CompositeInertia part = rigid ? own[k] : unmoved_part(tree, k, own[k]);
+    own[k] = difference(own[k], part);
+    const CompositeInertia moved = rigid ? to_parent(tree, k, part) : part;
+    accumulate(tree.algebra, moved, parent ? own[*parent] : of_world);
+  }
+  if (!is_nothing(of_world)) bodies.push_back(body_of(of_world, {}));
+  for (std::uint32_t k = 0; k < tree.size(); ++k) {
+    if (!is_nothing(own[k])) bodies.push_back(body_of(own[k], k));
+  }
+  for (auto k = static_cast<std::uint32_t>(tree.size()); k-- > 0;) {
+    if (tree.step(k).rotation) lift_masses(tree, k, bodies);
+  }
+  return bodies;
+}
+
+}  // namespace elgen

@@ -1,0 +1,247 @@
+// Passing along the tree. Quarter turns have numbers for sine and cosine, so they only permute.
+#include "derive/tree/tree.hpp"
+
+#include <algorithm>
+
+#include "derive/tree/regroup.hpp"
+
+namespace elgen {
+
+using GiNaC::ex;
+
+namespace {
+
+/// The coordinate axis a unit vector lies on, and its sign; none where it lies between.
+std::optional<std::pair<std::size_t, int>> coordinate_axis(const ExVector3& axis) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!axis[(k + 1) % 3].is_zero() || !axis[(k + 2) % 3].is_zero()) continue;
+    if (axis[k].is_equal(1)) return std::pair(k, 1);
+    if (axis[k].is_equal(-1)) return std::pair(k, -1);
+  }
+  return std::nullopt;
+}
+
+/// cos 1 + sin [n]x + (1 - cos) n n^T (Rodrigues)
+std::array<ex, 9> turn_matrix(const ExVector3& n, const ex& cosine, const ex& sine) {
+  const ex versine = 1 - cosine;
+  std::array<ex, 9> r;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    r[3 * i + i] = cosine + versine * n[i] * n[i];
+    r[3 * i + j] = versine * n[i] * n[j] - sine * n[k];
+    r[3 * i + k] = versine * n[i] * n[k] + sine * n[j];
+  }
+  return r;
+}
+
+/// The homogeneous quadratic form of (w, e): (w^2 - e.e) 1 + 2 e e^T + 2 w [e]x.
+std::array<ex, 9> quaternion_matrix(const std::array<ex, 4>& q) {
+  std::array<ex, 9> r;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    r[3 * i + i] = q[0] * q[0] + q[i + 1] * q[i + 1] - q[j + 1] * q[j + 1] - q[k + 1] * q[k + 1];
+    r[3 * i + j] = 2 * (q[i + 1] * q[j + 1] - q[0] * q[k + 1]);
+    r[3 * i + k] = 2 * (q[i + 1] * q[k + 1] + q[0] * q[j + 1]);
+  }
+  return r;
+}
+
+ex squared_length(const std::array<ex, 4>& q) {
+  return q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+}
+
+StepRotation rotation_of(Definitions& definitions, const TreeStep& step) {
+  StepRotation rotation;
+  if (step.kind == FrameStepKind::translation) return rotation;
+  rotation.kind = StepRotation::Kind::matrix;
+  if (step.kind == FrameStepKind::quaternion) {
+    rotation.entries = quaternion_matrix(step.quaternion);
+    const ex scale = step.rotation ? ex(1) : define(definitions, squared_length(step.quaternion));
+    for (ex& entry : rotation.entries) entry = define(definitions, entry / scale);
+    return rotation;
+  }
+  const ex cosine = define(definitions, GiNaC::cos(step.angle));
+  const ex sine = define(definitions, GiNaC::sin(step.angle));
+  if (const auto axis = coordinate_axis(step.vector)) {
+    rotation.kind = StepRotation::Kind::about_axis;
+    rotation.axis = axis->first;
+    rotation.cosine = cosine;
+    rotation.sine = axis->second * sine;
+    return rotation;
+  }
+  rotation.entries = turn_matrix(step.vector, cosine, sine);
+  for (ex& entry : rotation.entries) entry = define(definitions, entry);
+  return rotation;
+}
+
+/// From a step up to, and without, the root; the steps passed.
+std::vector<std::uint32_t> path_to_root(const FrameTree& tree, std::optional<std::uint32_t> step) {
+  std::vector<std::uint32_t> path;
+  for (; step; step = tree.steps[*step].parent) path.push_back(*step);
+  return path;
+}
+
+}  // namespace
+
+Tree& tree_of(Derivation& derivation) {
+  if (!derivation.tree_) derivation.tree_ = std::make_shared<Tree>(derivation);
+  return *derivation.tree_;
+}
+
+Tree::Tree(Derivation& derivation) : algebra(derivation.definitions), derivation_(derivation) {
+  for (const TreeStep& step : frames().steps) {
+    rotations_.push_back(rotation_of(derivation.definitions, step));
+  }
+  bodies_ = regrouped(*this);
+}
+
+ExVector3 first_moment(VectorAlgebra& algebra, const RigidBody& body) {
+  return body.moment ? *body.moment : algebra.scaled(body.mass, body.com);
+}
+
+ExVector3 Tree::to_parent(std::size_t step, const ExVector3& x) {
+  const StepRotation& r = rotations_[step];
+  if (r.kind == StepRotation::Kind::none) return x;
+  ExVector3 result = x;
+  if (r.kind == StepRotation::Kind::about_axis) {
+    const std::size_t i = (r.axis + 1) % 3;
+    const std::size_t j = (r.axis + 2) % 3;
+    result[i] = r.cosine * x[i] - r.sine * x[j];
+    result[j] = r.sine * x[i] + r.cosine * x[j];
+  } else {
+    for (std::size_t i = 0; i < 3; ++i) {
+      result[i] =
+          r.entries[3 * i] * x[0] + r.entries[3 * i + 1] * x[1] + r.entries[3 * i + 2] * x[2];
+    }
+  }
+  return algebra.define(result);
+}
+
+ExVector3 Tree::to_child(std::size_t step, const ExVector3& x) {
+  const StepRotation& r = rotations_[step];
+  if (r.kind == StepRotation::Kind::none) return x;
+  ExVector3 result = x;
+  if (r.kind == StepRotation::Kind::about_axis) {
+    const std::size_t i = (r.axis + 1) % 3;
+    const std::size_t j = (r.axis + 2) % 3;
+    result[i] = r.cosine * x[i] + r.sine * x[j];
+    result[j] = r.cosine * x[j] - r.sine * x[i];
+  } else {
+    for (std::size_t i = 0; i < 3; ++i) {
+      result[i] = r.entries[i] * x[0] + r.entries[3 + i] * x[1] + r.entries[6 + i] * x[2];
+    }
+  }
+  return algebra.define(result);
+}
+
+ExVector3 Tree::turned(const ExVector3& x, std::optional<std::uint32_t> from,
+                       std::optional<std::uint32_t> to) {
+  std::vector<std::uint32_t> up = path_to_root(frames(), from);
+  std::vector<std::uint32_t> down = path_to_root(frames(), to);
+  while (!up.empty() && !down.empty() && up.back() == down.back()) {
+    up.pop_back();
+    down.pop_back();
+  }
+  ExVector3 result = x;
+  for (const std::uint32_t step : up) result = to_parent(step, result);
+  for (auto step = down.rbegin(); step != down.rend(); ++step) result = to_child(*step, result);
+  return result;
+}
+
+ExVector3 Tree::relative_spin(std::size_t index, Tangent& along) {
+  const TreeStep& s = step(index);
+  if (s.kind == FrameStepKind::translation) return {0, 0, 0};
+  if (s.kind == FrameStepKind::turn)
+    return algebra.scaled(algebra.define(along(s.angle)), s.vector);
+  std::array<ex, 4> rate;
+  for (std::size_t i = 0; i < 4; ++i) rate[i] = algebra.define(along(s.quaternion[i]));
+  const ex scale = algebra.define(2 / squared_length(s.quaternion));
+  ExVector3 spin;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3 + 1;
+    const std::size_t k = (i + 2) % 3 + 1;
+    spin[i] = scale * (s.quaternion[0] * rate[i + 1] - rate[0] * s.quaternion[i + 1] -
+                       s.quaternion[j] * rate[k] + s.quaternion[k] * rate[j]);
+  }
+  return algebra.define(spin);
+}
+
+void Tree::weigh(std::size_t index, const SpatialForce& on_step, TreeForces& forces) {
+  const TreeStep& s = step(index);
+  switch (s.kind) {
+    case FrameStepKind::translation:
+      for (std::size_t i = 0; i < 3; ++i)
+        forces.pulled_back.push_back({s.vector[i], on_step.force[i]});
+      return;
+    case FrameStepKind::turn:
+      forces.pulled_back.push_back({s.angle, algebra.dot(s.vector, on_step.moment)});
+      return;
+    case FrameStepKind::quaternion:
+      break;
+  }
+  if (s.rotation) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      forces.on_velocities.emplace_back(*s.rotation + i, on_step.moment[i]);
+    }
+    return;
+  }
+  // d(spin)/d(rate of the quaternion), transposed: n.spin = sum of these times the rates.
+  const std::array<ex, 4>& q = s.quaternion;
+  const ExVector3& n = on_step.moment;
+  const ex scale = algebra.define(2 / squared_length(q));
+  const ex scalar = algebra.define(-(q[1] * n[0] + q[2] * n[1] + q[3] * n[2]));
+  forces.pulled_back.push_back({q[0], algebra.define(scale * scalar)});
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    const ex component = algebra.define(q[0] * n[i] + q[j + 1] * n[k] - q[k + 1] * n[j]);
+    forces.pulled_back.push_back({q[i + 1], algebra.define(scale * component)});
+  }
+}
+
+SpatialForce Tree::before(std::size_t index, const SpatialForce& force) {
+  SpatialForce result;
+  result.force = to_parent(index, force.force);
+  result.moment = to_parent(index, force.moment);
+  if (step(index).kind == FrameStepKind::translation) {
+    const ExVector3 lever = algebra.cross(step(index).vector, result.force);
+    result.moment = algebra.add(result.moment, lever);
+  }
+  return result;
+}
+
+std::vector<SpatialForce> Tree::carried(std::vector<SpatialForce> on_step) {
+  for (std::size_t k = size(); k-- > 0;) {
+    if (!step(k).parent) continue;
+    const SpatialForce passed = before(k, on_step[k]);
+    SpatialForce& parent = on_step[*step(k).parent];
+    parent.force = algebra.add(parent.force, passed.force);
+    parent.moment = algebra.add(parent.moment, passed.moment);
+  }
+  return on_step;
+}
+
+TreeForces Tree::pull_back(std::vector<SpatialForce> on_step) {
+  on_step = carried(std::move(on_step));
+  TreeForces forces;
+  for (std::size_t k = size(); k-- > 0;) weigh(k, on_step[k], forces);
+  return forces;
+}
+
+TreeForces Tree::wrench_forces(const std::vector<Wrench>& wrenches) {
+  std::vector<SpatialForce> on_step(size());
+  for (const Wrench& wrench : wrenches) {
+    if (!wrench.step) continue;
+    const ExVector3 force = turned(wrench.force, wrench.axes, wrench.step);
+    const ExVector3 pure = turned(wrench.moment, wrench.axes, wrench.step);
+    const ExVector3 lever = algebra.cross(wrench.at, force);
+    SpatialForce& total = on_step[*wrench.step];
+    total.force = algebra.add(total.force, force);
+    total.moment = algebra.add(total.moment, algebra.add(pure, lever));
+  }
+  return pull_back(std::move(on_step));
+}
+
+}  // namespace elgen

@@ -1,0 +1,93 @@
+// Tree: how vectors, rates and forces pass along the frames of a Lagrangian.
+//
+// A step takes x_parent = R x + p; either R or p is trivial. Vectors are kept in the axes after
+// their step. Turns about a coordinate axis cost four products, quarter turns none.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "derive/lagrangian/derivation.hpp"
+#include "derive/lagrangian/vector_algebra.hpp"
+
+namespace elgen {
+
+/// The orientation of a step. About coordinate axis `axis` by cosine and sine, or as a matrix.
+struct StepRotation {
+  enum class Kind : unsigned char { none, about_axis, matrix };
+  Kind kind = Kind::none;
+  std::size_t axis = 2;
+  GiNaC::ex cosine = 1;
+  GiNaC::ex sine = 0;
+  std::array<GiNaC::ex, 9> entries;  ///< row-major
+};
+
+/// Force and moment about the origin, in the axes after a step.
+struct SpatialForce {
+  ExVector3 force{0, 0, 0};
+  ExVector3 moment{0, 0, 0};
+};
+
+/// Generalized forces: weights of angles and offsets, to be pulled back to coordinates, and forces
+/// on the velocities of rotations themselves.
+struct TreeForces {
+  std::vector<Weighted> pulled_back = {};
+  std::vector<std::pair<std::uint32_t, GiNaC::ex>> on_velocities = {};
+};
+
+class Tree {
+ public:
+  explicit Tree(Derivation& derivation);
+
+  [[nodiscard]] Derivation& derivation() const { return derivation_; }
+  [[nodiscard]] const FrameTree& frames() const { return derivation_.lagrangian.tree; }
+  [[nodiscard]] std::size_t size() const { return frames().steps.size(); }
+  [[nodiscard]] const TreeStep& step(std::size_t index) const { return frames().steps[index]; }
+  [[nodiscard]] const StepRotation& rotation(std::size_t index) const { return rotations_[index]; }
+
+  /// Those of the Lagrangian, with numbers regrouped (regroup.hpp).
+  [[nodiscard]] const std::vector<RigidBody>& bodies() const { return bodies_; }
+
+  /// R x and R^T x of a step.
+  [[nodiscard]] ExVector3 to_parent(std::size_t step, const ExVector3& x);
+  [[nodiscard]] ExVector3 to_child(std::size_t step, const ExVector3& x);
+
+  /// Components after `from` (none: the world) as components after `to`.
+  [[nodiscard]] ExVector3 turned(const ExVector3& x, std::optional<std::uint32_t> from,
+                                 std::optional<std::uint32_t> to);
+
+  /// Angular velocity of a step relative to its parent, in the axes after it, along a direction of
+  /// motion: axis dangle/ds, or 2 (w de - dw e - e x de)/|q|^2.
+  [[nodiscard]] ExVector3 relative_spin(std::size_t index, Tangent& along);
+
+  /// Moves a force before a step: to the axes and the origin of its parent.
+  [[nodiscard]] SpatialForce before(std::size_t index, const SpatialForce& force);
+
+  /// What acts on everything a step carries, from what acts on each step.
+  [[nodiscard]] std::vector<SpatialForce> carried(std::vector<SpatialForce> on_step);
+
+  /// Weighs every angle and offset by what works on it.
+  [[nodiscard]] TreeForces pull_back(std::vector<SpatialForce> on_step);
+
+  /// The generalized forces of wrenches.
+  [[nodiscard]] TreeForces wrench_forces(const std::vector<Wrench>& wrenches);
+
+  /// The part of pull_back at one step.
+  void weigh(std::size_t index, const SpatialForce& on_step, TreeForces& forces);
+
+  VectorAlgebra algebra;
+
+ private:
+  Derivation& derivation_;
+  std::vector<StepRotation> rotations_;
+  std::vector<RigidBody> bodies_;
+};
+
+/// That of a Derivation, made when it is first asked for.
+[[nodiscard]] Tree& tree_of(Derivation& derivation);
+
+/// h = m c, or what the body was given.
+[[nodiscard]] ExVector3 first_moment(VectorAlgebra& algebra, const RigidBody& body);
+
+}  // namespace elgen

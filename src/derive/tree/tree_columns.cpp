@@ -1,0 +1,221 @@
+// Columns start at home: in the axes before their own step, where the twist of the step is that of
+// its parent and the axis of a turn is the same; those of a rotation, whose axes turn with it, in
+// the axes after.
+#include "derive/tree/tree_columns.hpp"
+
+namespace elgen {
+
+using GiNaC::ex;
+
+TreeColumns::TreeColumns(Tree& tree, const std::vector<TreeVariable>& variables,
+                         const Acceleration& by)
+    : tree_(tree),
+      algebra_(tree.algebra),
+      variables_(variables),
+      by_(by),
+      on_step_(tree.size()),
+      has_below_(tree.size(), false),
+      inertias_(composite_inertias(tree)),
+      homes_(tree.size()) {
+  for (std::size_t i = 0; i < variables.size(); ++i) on_step_[variables[i].step].push_back(i);
+  for (std::size_t k = 0; k < tree.size(); ++k) {
+    const auto& parent = tree.step(k).parent;
+    has_below_[k] = parent && (has_below_[*parent] || !on_step_[*parent].empty());
+  }
+}
+
+void TreeColumns::make_motions() {
+  if (!twists_.empty()) return;
+  twists_ = tree_twists(tree_, by_.first);
+  rates_ = composite_rates(tree_, twists_);
+  motions_ = tree_motions(tree_, by_);
+  carried_ = tree_.carried(inertial_forces_on_steps(tree_, motions_));
+}
+
+TreeColumns::Home TreeColumns::home_after(std::uint32_t step) {
+  Home home;
+  home.inertia = inertias_[step];
+  if (twists_.empty()) return home;
+  home.rate = rates_[step];
+  home.own = twists_[step];
+  home.carried = carried_[step];
+  const auto& parent = tree_.step(step).parent;
+  const StepMotion from = parent ? motions_[*parent] : base_motion(tree_, by_.with_gravity);
+  const Twist below = parent ? twists_[*parent] : Twist{};
+  home.below.spin = tree_.to_child(step, below.spin);
+  home.below.velocity = tree_.to_child(step, below.velocity);
+  home.motion.spin_rate = tree_.to_child(step, from.spin_rate);
+  home.motion.acceleration = tree_.to_child(step, from.acceleration);
+  return home;
+}
+
+TreeColumns::Home TreeColumns::home_before(std::uint32_t step) {
+  Home home;
+  home.inertia = to_parent(tree_, step, inertias_[step]);
+  if (twists_.empty()) return home;
+  home.rate = to_parent(tree_, step, rates_[step]);
+  home.carried = tree_.before(step, carried_[step]);
+  const auto& parent = tree_.step(step).parent;
+  home.motion = parent ? motions_[*parent] : base_motion(tree_, by_.with_gravity);
+  // A turn's own spin is along S, and a shift has none: in products with S they are alike.
+  home.own = home.below = parent ? twists_[*parent] : Twist{};
+  return home;
+}
+
+const TreeColumns::Home& TreeColumns::home(const TreeVariable& variable) {
+  std::optional<Home>& known = homes_[variable.step];
+  if (!known) {
+    known = variable.velocity_index ? home_after(variable.step) : home_before(variable.step);
+  }
+  return *known;
+}
+
+/// (w x s; v x s + w x u) of twist (w; v) and (s; u).
+Twist TreeColumns::crossed(const Twist& twist, const Twist& with) {
+  Twist result;
+  result.spin = algebra_.cross(twist.spin, with.spin);
+  const ExVector3 of_spin = algebra_.cross(twist.velocity, with.spin);
+  const ExVector3 of_velocity = algebra_.cross(twist.spin, with.velocity);
+  result.velocity = algebra_.add(of_spin, of_velocity);
+  return result;
+}
+
+/// a x S + v x (v x S). With the acceleration b of the origin, a = (w'; b - w x v), this is
+/// (w' x s + w x (w x s); b x s + 2 v x (w x s)) for turns, (0; w' x u + w x (w x u)) for shifts.
+Twist TreeColumns::second(const Home& home, const TreeVariable& variable) {
+  const ExVector3& w = home.below.spin;
+  const bool is_shift = is_zero(variable.spin);
+  const ExVector3& s = is_shift ? variable.velocity : variable.spin;
+  const ExVector3 first = algebra_.cross(w, s);
+  const ExVector3 of_rate = algebra_.cross(home.motion.spin_rate, s);
+  const ExVector3 of_square = algebra_.cross(w, first);
+  Twist result;
+  (is_shift ? result.velocity : result.spin) = algebra_.add(of_rate, of_square);
+  if (is_shift) return result;
+  const ExVector3 of_acceleration = algebra_.cross(home.motion.acceleration, s);
+  const ExVector3 of_velocity = algebra_.cross(home.below.velocity, first);
+  result.velocity = algebra_.add(of_acceleration, algebra_.scaled(2, of_velocity));
+  return result;
+}
+
+Twist TreeColumns::motion(UnitKind kind, const TreeVariable& variable) {
+  const Twist unit{variable.spin, variable.velocity};
+  switch (kind) {
+    case UnitKind::unit:
+      return unit;
+    case UnitKind::rate:
+      return crossed(home(variable).own, unit);
+    case UnitKind::first:
+      return crossed(home(variable).below, unit);
+    case UnitKind::second:
+      break;
+  }
+  return second(home(variable), variable);
+}
+
+SpatialForce TreeColumns::add(const SpatialForce& a, const SpatialForce& b) {
+  SpatialForce sum;
+  sum.force = algebra_.add(a.force, b.force);
+  sum.moment = algebra_.add(a.moment, b.moment);
+  return sum;
+}
+
+SpatialForce TreeColumns::of_inertia(const TreeVariable& variable, const Twist& twist) {
+  return momentum(algebra_, home(variable).inertia, twist.spin, twist.velocity);
+}
+
+/// B (s; u) = (A s; s x P)
+SpatialForce TreeColumns::of_rate(const TreeVariable& variable, const Twist& twist) {
+  const CompositeRate& rate = home(variable).rate;
+  const ExVector3& s = twist.spin;
+  SpatialForce result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    result.moment[i] =
+        algebra_.define(rate.a[3 * i] * s[0] + rate.a[3 * i + 1] * s[1] + rate.a[3 * i + 2] * s[2]);
+  }
+  result.force = algebra_.cross(s, rate.momentum);
+  return result;
+}
+
+/// B^T (s; u) = (A^T s + P x u; 0)
+SpatialForce TreeColumns::of_rate_transposed(const TreeVariable& variable) {
+  const CompositeRate& rate = home(variable).rate;
+  const ExVector3& s = variable.spin;
+  SpatialForce result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    result.moment[i] =
+        algebra_.define(rate.a[i] * s[0] + rate.a[3 + i] * s[1] + rate.a[6 + i] * s[2]);
+  }
+  const ExVector3 of_shift = algebra_.cross(rate.momentum, variable.velocity);
+  result.moment = algebra_.add(result.moment, of_shift);
+  return result;
+}
+
+SpatialForce TreeColumns::column(ColumnKind kind, const TreeVariable& variable) {
+  const Twist unit{variable.spin, variable.velocity};
+  if (kind == ColumnKind::inertia) return of_inertia(variable, unit);
+  if (kind == ColumnKind::transposed) return of_rate_transposed(variable);
+  if (kind == ColumnKind::rate) {
+    const SpatialForce carried = of_inertia(variable, motion(UnitKind::rate, variable));
+    return add(carried, of_rate(variable, unit));
+  }
+  const Twist first = motion(UnitKind::first, variable);
+  const Twist& of_b = kind == ColumnKind::by_position ? first : unit;
+  const SpatialForce half = of_rate(variable, of_b);
+  const SpatialForce twice = add(half, half);
+  if (kind == ColumnKind::by_velocity) {
+    const Twist rate = motion(UnitKind::rate, variable);
+    const ExVector3 spin = algebra_.add(first.spin, rate.spin);
+    const ExVector3 velocity = algebra_.add(first.velocity, rate.velocity);
+    return add(of_inertia(variable, {spin, velocity}), twice);
+  }
+  const SpatialForce accelerated = of_inertia(variable, motion(UnitKind::second, variable));
+  // S x* f = (s x n + u x f; s x f)
+  const SpatialForce& f = home(variable).carried;
+  SpatialForce moved;
+  const ExVector3 turned = algebra_.cross(variable.spin, f.moment);
+  const ExVector3 shifted = algebra_.cross(variable.velocity, f.force);
+  moved.moment = algebra_.add(turned, shifted);
+  moved.force = algebra_.cross(variable.spin, f.force);
+  return add(add(accelerated, twice), moved);
+}
+
+void TreeColumns::for_each_pair(const std::vector<ColumnKind>& kinds,
+                                const std::function<void(const ColumnPair&)>& visit) {
+  for (const ColumnKind kind : kinds) {
+    if (kind != ColumnKind::inertia) make_motions();
+  }
+  for (std::size_t upper = 0; upper < variables_.size(); ++upper) {
+    std::vector<SpatialForce> columns;
+    for (const ColumnKind kind : kinds) columns.push_back(column(kind, variables_[upper]));
+    for (const std::size_t other : on_step_[variables_[upper].step]) {
+      visit({upper, other, other != upper, columns});
+    }
+    visit_below(upper, std::move(columns), visit);
+  }
+}
+
+void TreeColumns::visit_below(std::size_t upper, std::vector<SpatialForce> columns,
+                              const std::function<void(const ColumnPair&)>& visit) {
+  const auto pass = [&](std::uint32_t step) {
+    for (SpatialForce& column : columns) column = tree_.before(step, column);
+  };
+  std::uint32_t step = variables_[upper].step;
+  if (!has_below_[step]) return;
+  if (variables_[upper].velocity_index) pass(step);
+  while (has_below_[step]) {
+    step = *tree_.step(step).parent;
+    const bool is_rotation = tree_.step(step).rotation.has_value();
+    if (!is_rotation) pass(step);
+    for (const std::size_t lower : on_step_[step]) visit({upper, lower, false, columns});
+    if (is_rotation) pass(step);
+  }
+}
+
+ex TreeColumns::along(std::size_t variable, UnitKind kind, const SpatialForce& column) {
+  const Twist along = motion(kind, variables_[variable]);
+  const ex turning = algebra_.dot(along.spin, column.moment);
+  return turning + algebra_.dot(along.velocity, column.force);
+}
+
+}  // namespace elgen

@@ -1,0 +1,171 @@
+// Forward over the tree for angular velocities and accelerations, backward for forces.
+#include "derive/tree/tree_dynamics.hpp"
+
+#include "derive/tree/tree_twists.hpp"
+
+namespace elgen {
+
+using GiNaC::ex;
+
+namespace {
+
+/// U = [w']x + w w^T - w.w 1, row-major: acceleration of what is fixed to the step, per unit place.
+std::array<ex, 9> acceleration_gradient(VectorAlgebra& algebra, const ExVector3& w,
+                                        const ExVector3& rate) {
+  std::array<ex, 9> u;
+  std::array<ex, 3> squares;
+  for (std::size_t i = 0; i < 3; ++i) squares[i] = algebra.define(w[i] * w[i]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    const ex product = algebra.define(w[i] * w[j]);
+    u[3 * i + i] = algebra.define(-squares[j] - squares[k]);
+    u[3 * i + j] = algebra.define(product - rate[k]);
+    u[3 * j + i] = algebra.define(product + rate[k]);
+  }
+  return u;
+}
+
+ExVector3 product(VectorAlgebra& algebra, const std::array<ex, 9>& u, const ExVector3& x) {
+  ExVector3 result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    result[i] = u[3 * i] * x[0] + u[3 * i + 1] * x[1] + u[3 * i + 2] * x[2];
+  }
+  return algebra.define(result);
+}
+
+ExVector3 sum(const ExVector3& a, const ExVector3& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+/// I w' + w x I w in the products of U:
+/// x: Ixx w'_x + (Izz - Iyy) w_y w_z - Ixy U_zx + Ixz U_yx + Iyz (U_yy - U_zz), and so on round.
+ExVector3 inertial_moment(VectorAlgebra& algebra, const std::vector<ex>& inertia,
+                          const StepMotion& motion) {
+  static constexpr std::array<std::array<std::size_t, 3>, 3> place{
+      {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}}};
+  const auto entry = [&](std::size_t i, std::size_t j) { return inertia[place[i][j]]; };
+  const auto& u = motion.gradient;
+  ExVector3 moment;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    const ex difference = algebra.define(entry(k, k) - entry(j, j));
+    const ex product = algebra.define(motion.spin[j] * motion.spin[k]);
+    const ex stretch = algebra.define(u[3 * j + j] - u[3 * k + k]);
+    moment[i] = entry(i, i) * motion.spin_rate[i] + difference * product -
+                entry(i, j) * u[3 * k + i] + entry(i, k) * u[3 * j + i] + entry(j, k) * stretch;
+  }
+  return algebra.define(moment);
+}
+
+class MotionRecursion {
+ public:
+  MotionRecursion(Tree& tree, const Acceleration& acceleration)
+      : tree_(tree), algebra_(tree.algebra), by_(acceleration) {}
+
+  std::vector<StepMotion> run() {
+    std::vector<StepMotion> motions;
+    for (std::size_t k = 0; k < tree_.size(); ++k) {
+      const auto& parent = tree_.step(k).parent;
+      const StepMotion from = parent ? motions[*parent] : base_motion(tree_, by_.with_gravity);
+      motions.push_back(tree_.step(k).kind == FrameStepKind::translation ? translated(k, from)
+                                                                         : turned(k, from));
+    }
+    return motions;
+  }
+
+ private:
+  StepMotion translated(std::size_t k, const StepMotion& from) {
+    const ExVector3& p = tree_.step(k).vector;
+    ExVector3 rate;
+    ExVector3 second_rate;
+    for (std::size_t i = 0; i < 3; ++i) {
+      rate[i] = algebra_.define(by_.first(p[i]));
+      second_rate[i] = algebra_.define(by_.second(rate[i]));
+    }
+    StepMotion motion = from;
+    const ExVector3 carried = product(algebra_, from.gradient, p);
+    const ExVector3 coriolis = algebra_.scaled(2, algebra_.cross(from.spin, rate));
+    const ExVector3 own = algebra_.add(coriolis, second_rate);
+    motion.acceleration = algebra_.add(from.acceleration, algebra_.add(carried, own));
+    return motion;
+  }
+
+  StepMotion turned(std::size_t k, const StepMotion& from) {
+    const TreeStep& step = tree_.step(k);
+    const ExVector3 own = own_spin(tree_, k, by_.first);
+    const ExVector3 own_rate = own_spin_rate(own);
+    StepMotion motion;
+    const ExVector3 carried = tree_.to_child(k, from.spin);
+    motion.spin = algebra_.define(sum(carried, own), step.name + "_spin", step.origin);
+    const ExVector3 carried_rate = tree_.to_child(k, from.spin_rate);
+    const ExVector3 across = algebra_.cross(carried, own);
+    const ExVector3 relative = algebra_.add(across, own_rate);
+    motion.spin_rate =
+        algebra_.define(sum(carried_rate, relative), step.name + "_spin_rate", step.origin);
+    motion.acceleration = tree_.to_child(k, from.acceleration);
+    motion.gradient = acceleration_gradient(algebra_, motion.spin, motion.spin_rate);
+    return motion;
+  }
+
+  ExVector3 own_spin_rate(const ExVector3& spin) {
+    ExVector3 rate;
+    for (std::size_t i = 0; i < 3; ++i) rate[i] = algebra_.define(by_.second(spin[i]));
+    return rate;
+  }
+
+  Tree& tree_;
+  VectorAlgebra& algebra_;
+  const Acceleration& by_;
+};
+
+/// F and N about the origin of the step.
+SpatialForce inertial_force(VectorAlgebra& algebra, const RigidBody& body,
+                            const StepMotion& motion) {
+  SpatialForce result;
+  if (!body.inertia.empty()) result.moment = inertial_moment(algebra, body.inertia, motion);
+  if (!has_mass(body)) return result;
+  if (body.about_origin) {
+    const ExVector3 h = first_moment(algebra, body);
+    const ExVector3 own = algebra.scaled(body.mass, motion.acceleration);
+    result.force = algebra.add(own, product(algebra, motion.gradient, h));
+    result.moment = algebra.add(result.moment, algebra.cross(h, motion.acceleration));
+    return result;
+  }
+  const ExVector3 carried = product(algebra, motion.gradient, body.com);
+  result.force = algebra.scaled(body.mass, algebra.add(motion.acceleration, carried));
+  result.moment = algebra.add(result.moment, algebra.cross(body.com, result.force));
+  return result;
+}
+
+}  // namespace
+
+StepMotion base_motion(Tree& tree, bool with_gravity) {
+  StepMotion motion;
+  const auto& g = tree.derivation().lagrangian.gravity;
+  if (with_gravity && g) motion.acceleration = {-(*g)[0], -(*g)[1], -(*g)[2]};
+  return motion;
+}
+
+std::vector<StepMotion> tree_motions(Tree& tree, const Acceleration& acceleration) {
+  return MotionRecursion(tree, acceleration).run();
+}
+
+std::vector<SpatialForce> inertial_forces_on_steps(Tree& tree,
+                                                   const std::vector<StepMotion>& motions) {
+  std::vector<SpatialForce> on_step(tree.size());
+  for (const RigidBody& body : tree.bodies()) {
+    if (!body.step) continue;
+    const SpatialForce force = inertial_force(tree.algebra, body, motions[*body.step]);
+    accumulate(tree.algebra, force, on_step[*body.step]);
+  }
+  return on_step;
+}
+
+TreeForces inertial_forces(Tree& tree, const Acceleration& acceleration) {
+  const std::vector<StepMotion> motions = tree_motions(tree, acceleration);
+  return tree.pull_back(inertial_forces_on_steps(tree, motions));
+}
+
+}  // namespace elgen

@@ -1,0 +1,130 @@
+// Columns at home, then up the tree.
+#include "derive/tree/tree_matrices.hpp"
+
+#include "derive/tree/tree_columns.hpp"
+
+namespace elgen {
+
+using GiNaC::ex;
+
+namespace {
+
+/// Adds a J-weighted entry of a matrix over variables to the matrix over velocities.
+class VelocityProjection {
+ public:
+  VelocityProjection(Tree& tree, const std::vector<TreeVariable>& variables) : tree_(tree) {
+    for (const TreeVariable& variable : variables) rows_.push_back(jacobian_row(tree, variable));
+  }
+
+  /// M_x += entry at (k, l), to J^T M_x J.
+  void add(std::size_t k, std::size_t l, const ex& entry) {
+    if (entry.is_zero()) return;
+    for (const Coefficient& row : rows_[k]) {
+      for (const Coefficient& column : rows_[l]) {
+        terms_[{row.velocity, column.velocity}].push_back(row.value * entry * column.value);
+      }
+    }
+  }
+
+  /// M_x += entry at (k, l), to J^T M_x dJ/dt.
+  void add_rate(std::size_t k, std::size_t l, const ex& entry) {
+    Tangent& frozen = tree_.derivation().frozen;
+    for (const Coefficient& column : rows_[l]) {
+      const ex rate = tree_.algebra.define(frozen(column.value));
+      if (rate.is_zero() || entry.is_zero()) continue;
+      for (const Coefficient& row : rows_[k]) {
+        terms_[{row.velocity, column.velocity}].push_back(row.value * entry * rate);
+      }
+    }
+  }
+
+  SparseMatrix take() {
+    SparseMatrix result;
+    for (const auto& [place, terms] : terms_) result[place] = GiNaC::add(terms);
+    return result;
+  }
+
+ private:
+  Tree& tree_;
+  std::vector<std::vector<Coefficient>> rows_;
+  std::map<std::pair<std::size_t, std::size_t>, GiNaC::exvector> terms_;
+};
+
+}  // namespace
+
+SparseMatrix tree_mass_matrix(Tree& tree) {
+  const std::vector<TreeVariable> variables = tree_variables(tree).list;
+  Tangent& frozen = tree.derivation().frozen;
+  TreeColumns columns(tree, variables, {frozen, frozen, false});
+  VelocityProjection projection(tree, variables);
+  columns.for_each_pair({ColumnKind::inertia}, [&](const ColumnPair& pair) {
+    const ex entry = columns.along(pair.lower, UnitKind::unit, pair.columns[0]);
+    projection.add(pair.upper, pair.lower, entry);
+    if (pair.upper != pair.lower && !pair.is_mutual) {
+      projection.add(pair.lower, pair.upper, entry);
+    }
+  });
+  return projection.take();
+}
+
+SparseMatrix tree_coriolis_matrix(Tree& tree) {
+  const std::vector<TreeVariable> variables = tree_variables(tree).list;
+  Tangent& frozen = tree.derivation().frozen;
+  TreeColumns columns(tree, variables, {frozen, frozen, false});
+  VelocityProjection projection(tree, variables);
+  const std::vector kinds{ColumnKind::rate, ColumnKind::inertia, ColumnKind::transposed};
+  columns.for_each_pair(kinds, [&](const ColumnPair& pair) {
+    const ex below = columns.along(pair.lower, UnitKind::unit, pair.columns[0]);
+    projection.add(pair.lower, pair.upper, below);
+    const ex mass = columns.along(pair.lower, UnitKind::unit, pair.columns[1]);
+    projection.add_rate(pair.lower, pair.upper, mass);
+    if (pair.upper == pair.lower || pair.is_mutual) return;
+    const ex first = columns.along(pair.lower, UnitKind::rate, pair.columns[1]);
+    const ex second = columns.along(pair.lower, UnitKind::unit, pair.columns[2]);
+    projection.add(pair.upper, pair.lower, first + second);
+    projection.add_rate(pair.upper, pair.lower, mass);
+  });
+  return projection.take();
+}
+
+bool has_linear_variables(Tree& tree) {
+  const TreeVariables variables = tree_variables(tree);
+  if (!variables.is_complete) return false;
+  for (const TreeVariable& variable : variables.list) {
+    const std::vector<Coefficient> row = jacobian_row(tree, variable);
+    if (!is_constant(tree.derivation().definitions, row)) return false;
+  }
+  return true;
+}
+
+TreeDerivatives tree_derivatives(Tree& tree, Tangent& second) {
+  const std::vector<TreeVariable> variables = tree_variables(tree).list;
+  TreeColumns columns(tree, variables, {tree.derivation().coasting, second, true});
+  VelocityProjection by_position(tree, variables);
+  VelocityProjection by_velocity(tree, variables);
+  const std::vector kinds{ColumnKind::inertia, ColumnKind::transposed, ColumnKind::by_position,
+                          ColumnKind::by_velocity};
+  columns.for_each_pair(kinds, [&](const ColumnPair& pair) {
+    const SpatialForce& inertia = pair.columns[0];
+    const SpatialForce& transposed = pair.columns[1];
+    const auto along = [&](UnitKind kind, const SpatialForce& column) {
+      return columns.along(pair.lower, kind, column);
+    };
+    const ex of_position = 2 * along(UnitKind::first, transposed);
+    const ex of_second = along(UnitKind::second, inertia);
+    by_position.add(pair.upper, pair.lower, of_position + of_second);
+    const ex of_velocity = 2 * along(UnitKind::unit, transposed);
+    const ex of_first = along(UnitKind::first, inertia);
+    const ex of_rate = along(UnitKind::rate, inertia);
+    by_velocity.add(pair.upper, pair.lower, of_velocity + of_first + of_rate);
+    if (pair.upper == pair.lower || pair.is_mutual) return;
+    by_position.add(pair.lower, pair.upper, along(UnitKind::unit, pair.columns[2]));
+    by_velocity.add(pair.lower, pair.upper, along(UnitKind::unit, pair.columns[3]));
+  });
+  TreeDerivatives result;
+  result.by_position = by_position.take();
+  result.by_velocity = by_velocity.take();
+  return result;
+}
+
+}  // namespace elgen

@@ -1,0 +1,177 @@
+// c99_dialect: the float functions of <math.h> end with f, those of double do not; sign, min and
+// max are helpers of the header that compute what the C++ code computes (fmin would drop a NaN).
+#include "emit/c99/c99_dialect.hpp"
+
+#include <fmt/format.h>
+
+#include "emit/text/emission_input.hpp"
+#include "emit/text/fields.hpp"
+#include "emit/text/layout.hpp"
+#include "emit/text/signature.hpp"
+#include "evaluate/scalar_literal.hpp"
+
+namespace elgen {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+/// "[7]"; C has no arrays of zero elements.
+std::string extent(std::size_t size) { return size == 0 ? "[]" : fmt::format("[{}]", size); }
+
+class C99Dialect final : public Dialect {
+ public:
+  C99Dialect(const Model& model, const Scene& scene, const Program& program)
+      : Dialect(model, program, "->"),
+        scalar_kind_(c99_scalar(scene)),
+        scalar_(scalar_name(scalar_kind_)),
+        prefix_(name_space(scene) + "_") {}
+
+  Formula constant(const Constant& constant) const override {
+    const bool is_negative = cln::minusp(constant.value);
+    return {c99_literal(constant.value, scalar_kind_),
+            is_negative ? Binding::negation : Binding::atom};
+  }
+
+  std::string declaration(const std::string& name) const override {
+    return fmt::format("const {} {}", scalar_, name);
+  }
+
+  std::string target(const Function& function, std::uint32_t at,
+                     std::uint32_t index) const override {
+    const Field& field = function.fields[at];
+    const std::string element = fmt::format("[{}]", index);
+    if (field.name.empty()) return "result" + element;
+    return "result->" + field.name + (is_number(function, field) ? "" : element);
+  }
+
+  std::string returned(const Function& function, const Function& /*ordered*/,
+                       const FieldTexts& entries) const override {
+    if (!gives_number(function)) return "";
+    const Wrapping wrapping{line_width - 10, "      "};
+    const Texts lines = wrap_expression(entries.front().front(), wrapping);
+    return fmt::format("  return {};\n", fmt::join(lines, "\n"));
+  }
+
+  /// "  (void)q;" for each argument that is not used.
+  std::string opening(const Function& function, const UsedNames& used,
+                      bool is_part) const override {
+    std::vector<std::string_view> names = argument_names_of(function);
+    if (is_part) names.emplace_back("w");
+    if (is_part || !gives_number(function)) names.emplace_back("result");
+    std::string lines;
+    for (const std::string_view name : names) {
+      if (used.variables.count(name) == 0) lines += fmt::format("  (void){};\n", name);
+    }
+    return lines;
+  }
+
+  std::string signature(const Function& function, const UsedNames& /*used*/) const override {
+    Texts arguments = declared_arguments(function);
+    const bool is_returned = gives_number(function);
+    if (!is_returned) arguments.push_back(result_argument(function));
+    return elgen::signature(fmt::format("static inline {} {}{}", is_returned ? scalar_ : "void",
+                                        prefix_, function.name),
+                            arguments, "");
+  }
+
+  std::string part_signature(const Function& function, std::size_t part,
+                             const UsedNames& /*used*/) const override {
+    Texts arguments = declared_arguments(function);
+    arguments.push_back(workspace_name(function) + " *w");
+    arguments.push_back(result_argument(function));
+    return elgen::signature("static inline void " + part_name(function, part), arguments, "");
+  }
+
+  std::string calling_body(const Function& function, std::size_t parts) const override {
+    const bool is_returned = gives_number(function);
+    std::string body = is_returned ? fmt::format("  {} result[1];\n", scalar_) : "";
+    body += fmt::format("  {} w;\n", workspace_name(function));
+    for (std::size_t part = 0; part < parts; ++part) {
+      body += fmt::format("  {}({}, &w, result);\n", part_name(function, part),
+                          fmt::join(argument_names_of(function), ", "));
+    }
+    return is_returned ? body + "  return result[0];\n" : body;
+  }
+
+  std::string member(const Function& function, const Field& field) const override {
+    if (field.entries.empty()) return "";
+    return fmt::format("{} {}{};", scalar_, field.name,
+                       is_number(function, field) ? "" : extent(field.entries.size()));
+  }
+
+  std::string struct_name(const Function& function) const override {
+    return prefix_ + function.name + "_result";
+  }
+
+  std::string workspace_name(const Function& function) const override {
+    return prefix_ + function.name + "_workspace";
+  }
+
+ private:
+  /// Every other name of the header begins with the prefix; fabs and what ends in f are <math.h>'s.
+  bool is_reserved(const std::string& name) const override {
+    const bool is_float = name.ends_with('f');
+    const std::string own = is_float ? name.substr(0, name.size() - 1) : name;
+    return name.starts_with(prefix_) || own == "fabs" || (is_float && is_function(own));
+  }
+
+  std::string library_function(std::string_view name) const override {
+    const bool is_float = scalar_kind_ == ScalarKind::single_precision;
+    return fmt::format("{}{}", name == "abs" ? "fabs" : name, is_float ? "f" : "");
+  }
+
+  std::string own_function(std::string_view name) const override {
+    return fmt::format("{}{}", prefix_, name);
+  }
+
+  Texts declared_arguments(const Function& function) const {
+    Texts arguments;
+    for (const Opcode argument : arguments_of(model(), function)) {
+      const std::string_view name = leaf_row(argument).symbol;
+      if (argument == Opcode::parameter) {
+        arguments.push_back(fmt::format("const {}parameters *{}", prefix_, name));
+      } else if (argument == Opcode::time) {
+        arguments.push_back(fmt::format("{} {}", scalar_, name));
+      } else {
+        arguments.push_back(
+            fmt::format("const {} {}{}", scalar_, name, extent(argument_size(model(), argument))));
+      }
+    }
+    return arguments;
+  }
+
+  bool gives_number(const Function& function) const {
+    return !gives_struct(function) && is_number(function, function.fields.front());
+  }
+
+  /// "double result[4]", "cart_pole_dynamics_result *result"
+  std::string result_argument(const Function& function) const {
+    if (gives_struct(function)) return struct_name(function) + " *result";
+    return fmt::format("{} result{}", scalar_, extent(entry_count(function)));
+  }
+
+  std::string part_name(const Function& function, std::size_t part) const {
+    return fmt::format("{}{}_part_{}", prefix_, function.name, part + 1);
+  }
+
+  ScalarKind scalar_kind_;
+  std::string scalar_;  ///< "double"
+  std::string prefix_;  ///< "cart_pole_"
+};
+
+}  // namespace
+
+ScalarKind c99_scalar(const Scene& scene) { return scene.numerics.scalars.front(); }
+
+std::string c99_literal(const cln::cl_R& value, ScalarKind scalar) {
+  const std::string magnitude = scalar_literal(cln::abs(value), scalar);
+  const bool is_float = scalar == ScalarKind::single_precision;
+  return (cln::minusp(value) ? "-" : "") + magnitude + (is_float ? "f" : "");
+}
+
+std::unique_ptr<Dialect> c99_dialect(const Model& model, const Scene& scene,
+                                     const Program& program) {
+  return std::make_unique<C99Dialect>(model, scene, program);
+}
+
+}  // namespace elgen

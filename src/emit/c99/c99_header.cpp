@@ -1,0 +1,88 @@
+// c99_header: the C99 header, as templates/c99/header.h.mustache pictures it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "emit/c99/c99_artifact.hpp"
+#include "emit/c99/c99_dialect.hpp"
+#include "emit/code/header_data.hpp"
+#include "emit/text/layout.hpp"
+#include "emit/text/parameters.hpp"
+#include "emit/text/stamp.hpp"
+#include "evaluate/scalar_literal.hpp"
+
+namespace elgen {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+std::string upper_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
+/// "double l[2];" with what it is.
+std::vector<Member> parameter_members(const EmissionInput& input) {
+  const std::string scalar = scalar_name(c99_scalar(input.scene));
+  std::vector<Member> members;
+  for (const ParameterArray& array : emitted_parameters(input.model, input.program)) {
+    const std::string extent = array.is_array ? fmt::format("[{}]", array.count) : "";
+    members.push_back({fmt::format("{} {}{};", scalar, array.name, extent), parameter_doc(array)});
+  }
+  if (members.empty()) {
+    members.push_back({"char none;", "all parameters are numbers; C has no empty structs"});
+  }
+  return members;
+}
+
+/// "{0.5, 0.5}, /* l */"
+std::string initialiser(const EmissionInput& input, const ParameterArray& array) {
+  Texts values;
+  for (std::uint32_t i = 0; i < array.count; ++i) {
+    const Parameter& parameter = input.model.parameters[array.first + i];
+    values.push_back(c99_literal(parameter.value, c99_scalar(input.scene)));
+  }
+  const std::string list = fmt::format("{}", fmt::join(values, ", "));
+  return fmt::format("{}, /* {} */", array.is_array ? "{" + list + "}" : list, array.name);
+}
+
+/// The lines of a macro: all but the last end with a backslash, in one column.
+Texts continued(Texts lines) {
+  std::size_t width = 0;
+  for (const std::string& line : lines) width = std::max(width, line.size());
+  for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
+    lines[i] = fmt::format("{:<{}} \\", lines[i], width);
+  }
+  return lines;
+}
+
+Texts default_parameters(const EmissionInput& input) {
+  Texts lines = {fmt::format("#define {}_DEFAULT_PARAMETERS", upper_case(name_space(input.scene))),
+                 "  {"};
+  for (const ParameterArray& array : emitted_parameters(input.model, input.program)) {
+    const Wrapping wrapping{line_width - 6, "        "};
+    const Texts wrapped = wrap_expression("    " + initialiser(input, array), wrapping);
+    lines.insert(lines.end(), wrapped.begin(), wrapped.end());
+  }
+  if (lines.size() == 2) lines.emplace_back("    0");
+  lines.emplace_back("  }");
+  return continued(std::move(lines));
+}
+
+}  // namespace
+
+std::string c99_header(const EmissionInput& input) {
+  TemplateData data = header_data(input, *c99_dialect(input.model, input.scene, input.program));
+  data.set("scalar", scalar_name(c99_scalar(input.scene)));
+  data.set("guard", upper_case(input.scene.base_name));
+  data.set("capitals", upper_case(name_space(input.scene)));
+  data.set("kinked", partial("c99/kinked.h.mustache"));
+  data.set("parameters", lines_data(documented_members(parameter_members(input))));
+  data.set("default_parameters", lines_data(default_parameters(input)));
+  data.set("parts_of_function", partial("c99/parts_of_function.h.mustache"));
+  return stamped(fill_template("c99/header.h.mustache", data));
+}
+
+}  // namespace elgen

@@ -1,0 +1,126 @@
+// cpp_constant: decimal literals for built-in types, chunks of six digits for all others. Chunks
+// fit an int wherever int has at least 21 bits, and every scalar type can be made from an int.
+#include "emit/code/cpp_constant.hpp"
+
+#include <cln/integer.h>
+#include <cln/rational.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <vector>
+
+#include "base/number_text.hpp"
+#include "emit/text/stamp.hpp"
+#include "evaluate/scalar_literal.hpp"
+
+namespace elgen {
+namespace {
+
+/// numerator / denominator * 10^exponent
+struct ScaledRatio {
+  cln::cl_I numerator = 0;
+  cln::cl_I denominator = 1;
+  long exponent = 0;
+};
+
+/// Digits of an irrational number that other types than the built-in ones get.
+constexpr int irrational_digits = 66;
+/// Decimal powers up to this one are written into numerator or denominator.
+constexpr long small_exponent = 6;
+
+ScaledRatio fraction_of(const Decimal& decimal) {
+  const cln::cl_I scale = cln::numerator(power_of_ten(std::abs(decimal.exponent)));
+  if (std::abs(decimal.exponent) > small_exponent)
+    return {decimal.significand, 1, decimal.exponent};
+  if (decimal.exponent < 0) return {decimal.significand, scale, 0};
+  return {decimal.significand * scale, 1, 0};
+}
+
+ScaledRatio exact_fraction(const cln::cl_R& value) {
+  if (!is_rational(value)) return fraction_of(rounded_decimal(value, irrational_digits));
+  if (const std::optional<Decimal> decimal = exact_decimal(value)) return fraction_of(*decimal);
+  const cln::cl_RA x = cln::rational(value);
+  return {cln::numerator(x), cln::denominator(x), 0};
+}
+
+/// "{9, 806650}": the integer in base 10^6, most significant chunk first.
+std::string chunks(const cln::cl_I& integer) {
+  std::vector<std::string> reversed;
+  cln::cl_I rest = integer;
+  do {
+    const cln::cl_I_div_t part = cln::truncate2(rest, 1'000'000);
+    reversed.push_back(integer_text(part.remainder));
+    rest = part.quotient;
+  } while (!cln::zerop(rest));
+  return fmt::format("{{{}}}", fmt::join(reversed.rbegin(), reversed.rend(), ", "));
+}
+
+std::string literal(const cln::cl_R& value, ScalarKind scalar, std::string_view suffix) {
+  if (fit(value, scalar) != Fit::fits) return "detail::OutOfRange{}";
+  return scalar_literal(value, scalar) + std::string(suffix);
+}
+
+}  // namespace
+
+std::string cpp_magnitude(const cln::cl_R& value) {
+  const cln::cl_R magnitude = cln::abs(value);
+  if (const std::optional<std::string> exact = exact_in_float(magnitude)) {
+    return fmt::format("constant<Scalar>({})", *exact);
+  }
+  const ScaledRatio fraction = exact_fraction(magnitude);
+  const std::string exponent = fraction.exponent == 0 ? "" : fmt::format(", {}", fraction.exponent);
+  return fmt::format("constant<Scalar>({}, {}, {}, {}, {}{})",
+                     literal(magnitude, ScalarKind::single_precision, "F"),
+                     literal(magnitude, ScalarKind::double_precision, ""),
+                     literal(magnitude, ScalarKind::long_double, "L"), chunks(fraction.numerator),
+                     chunks(fraction.denominator), exponent);
+}
+
+std::string cpp_constant(const cln::cl_R& value) {
+  return (cln::minusp(value) ? "-" : "") + cpp_magnitude(value);
+}
+
+bool is_short_constant(const cln::cl_R& value) {
+  return exact_in_float(cln::abs(value)).has_value();
+}
+
+namespace {
+
+/// Rational numbers, pi, roots of numbers, and products of these: what a name can spell out.
+bool is_spelled_out(const ConstantForm& form) {
+  const auto is_plain = [](const ConstantPart& part) {
+    const ConstantForm& inner = part.form;
+    const bool is_root = inner.kind == ConstantKind::square_root &&
+                         inner.parts.front().weight > 0 &&
+                         inner.parts.front().form.kind == ConstantKind::rational;
+    return is_root || inner.kind == ConstantKind::pi || inner.kind == ConstantKind::rational;
+  };
+  if (form.kind != ConstantKind::product) return is_plain({form, 1});
+  return std::all_of(form.parts.begin(), form.parts.end(),
+                     [&](const ConstantPart& part) { return part.weight == 1 && is_plain(part); });
+}
+
+}  // namespace
+
+std::string constant_name(const Constant& constant) {
+  constexpr std::size_t longest = 40;
+  const cln::cl_R magnitude = cln::abs(constant.value);
+  const bool is_fraction = is_rational(constant);
+  const std::string text = is_fraction ? exact_text(magnitude) : text_of(constant.form);
+  if (text.size() > longest || !is_spelled_out(constant.form)) return "number_" + short_hash(text);
+  std::string name = "number_";
+  for (const char c : text) {
+    const bool is_word = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    if (c == '.') name += 'p';
+    if (is_word) name += c;
+    // Signs of exponents must stay apart from other separators.
+    if (c == '-') name += 'm';
+    if (!is_word && c != '.' && c != '-' && name.back() != '_') name += '_';
+  }
+  if (name.back() == '_') name.pop_back();
+  return name;
+}
+
+}  // namespace elgen

@@ -1,0 +1,164 @@
+// definition: a short function is one body. A long one is cut, because the time of compilers
+// grows faster than the length of a function (9 000 operations: g++ 21 s whole, 4 s in parts):
+//
+//     Dynamics<Scalar> result;
+//     detail::DynamicsWorkspace<Scalar> w;
+//     detail::dynamics_part_1(result, w, p, q, v);
+//     …
+//     return result;
+#include "emit/code/definition.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "emit/code/sections.hpp"
+#include "emit/text/fields.hpp"
+#include "emit/text/layout.hpp"
+
+namespace elgen {
+namespace {
+
+/// Temporaries under names that are unique in the function.
+std::vector<std::string> local_names(const Dialect& dialect, const Program& program,
+                                     const Function& function) {
+  std::vector<std::string> names = temporary_names(program, function);
+  std::set<std::string> taken;
+  for (std::string& name : names) {
+    if (name.empty()) continue;
+    name = dialect.temporary(name);
+    while (!taken.insert(name).second) name += '_';
+  }
+  return names;
+}
+
+void use(const Instruction& instruction, UsedNames& used) {
+  if (is_leaf(instruction.opcode)) used.variables.insert(leaf_row(instruction.opcode).symbol);
+  if (instruction.opcode == Opcode::square_root) used.functions.insert("sqrt");
+  if (instruction.opcode != Opcode::call || !own_name(instruction.function).empty()) return;
+  used.functions.insert(function_row(instruction.function).name);
+}
+
+/// "  target = …;\n", broken before operators.
+std::string assignment(const std::string& target, const std::string& value) {
+  const std::string start = fmt::format("  {} = ", target);
+  const Wrapping wrapping{line_width - start.size() - 1, "      "};
+  return start + fmt::format("{}", fmt::join(wrap_expression(value, wrapping), "\n")) + ";\n";
+}
+
+class DefinitionWriter {
+ public:
+  DefinitionWriter(const Dialect& dialect, const Program& program, const Function& function,
+                   Storage storage)
+      : dialect_(dialect),
+        function_(function),
+        ordered_(stored(function, storage)),
+        names_(local_names(dialect, program, ordered_)),
+        formulas_(program, ordered_, dialect, names_) {}
+
+  FunctionDefinition definition() {
+    const std::vector<Statement> all = statements(ordered_, names_);
+    if (all.size() <= longest_body) return {short_text(all)};
+    const Sections cut = sections(all, section_length);
+    FunctionDefinition result;
+    result.workspace = take_shared(cut.crosses);
+    UsedNames passed_on;
+    for (const LeafRow& leaf : leaf_table) passed_on.variables.insert(leaf.symbol);
+    result.whole = {dialect_.signature(function_, passed_on),
+                    dialect_.calling_body(function_, cut.parts.size())};
+    for (std::size_t part = 0; part < cut.parts.size(); ++part) {
+      result.parts.push_back(part_text(cut, part));
+    }
+    return result;
+  }
+
+ private:
+  [[nodiscard]] DefinitionText short_text(const std::vector<Statement>& all) const {
+    std::string lines;
+    FieldTexts entries(ordered_.fields.size());
+    for (const Statement& statement : all) {
+      const std::uint32_t at = statement.instruction;
+      if (statement.is_entry) {
+        entries[statement.field].push_back(formulas_.entry(at).text());
+      } else {
+        lines += assignment(dialect_.declaration(names_[at]), formulas_.definition(at).text());
+      }
+    }
+    const UsedNames used = used_names(all, {});
+    const std::string returned = dialect_.returned(function_, ordered_, entries);
+    return {dialect_.signature(function_, used),
+            dialect_.opening(function_, used, false) + lines +
+                (returned.empty() ? assignments(dialect_, ordered_, entries) : returned)};
+  }
+
+  /// A value that another part reads is assigned to the workspace, not declared.
+  [[nodiscard]] DefinitionText part_text(const Sections& cut, std::size_t part) const {
+    std::string lines;
+    for (const Statement& statement : cut.parts[part]) {
+      const std::uint32_t at = statement.instruction;
+      const std::string& name = names_[at];
+      if (statement.is_entry) {
+        lines += assignment(dialect_.target(ordered_, statement.field, statement.index),
+                            formulas_.entry(at).text());
+      } else {
+        lines += assignment(cut.crosses[at] ? name : dialect_.declaration(name),
+                            formulas_.definition(at).text());
+      }
+    }
+    const UsedNames used = used_names(cut.parts[part], cut.crosses);
+    return {dialect_.part_signature(function_, part, used),
+            dialect_.opening(function_, used, true) + lines};
+  }
+
+  /// The names of what crosses into other parts; it is spelt as shared from here on.
+  std::vector<std::string> take_shared(const std::vector<bool>& crosses) {
+    std::vector<std::string> shared;
+    for (std::size_t at = 0; at < crosses.size(); ++at) {
+      if (!crosses[at]) continue;
+      shared.push_back(names_[at]);
+      names_[at] = dialect_.shared(names_[at]);
+    }
+    return shared;
+  }
+
+  /// `crosses`: see Sections; empty in a body of one part.
+  [[nodiscard]] UsedNames used_names(const std::vector<Statement>& statements,
+                                     const std::vector<bool>& crosses) const {
+    UsedNames used;
+    const auto is_shared = [&](std::uint32_t at) { return at < crosses.size() && crosses[at]; };
+    for (const Statement& statement : statements) {
+      for (const std::uint32_t at : statement.written) use(ordered_.instructions[at], used);
+      const bool is_written = !statement.is_entry && is_shared(statement.instruction);
+      const bool is_read = std::any_of(statement.uses.begin(), statement.uses.end(), is_shared);
+      if (is_written || is_read) used.variables.insert("w");
+      if (statement.is_entry) used.variables.insert("result");
+    }
+    return used;
+  }
+
+  const Dialect& dialect_;
+  const Function& function_;
+  const Function ordered_;
+  std::vector<std::string> names_;
+  const FunctionFormulas formulas_;
+};
+
+}  // namespace
+
+std::string assignments(const Dialect& dialect, const Function& function,
+                        const FieldTexts& entries) {
+  std::string lines;
+  for (std::uint32_t field = 0; field < entries.size(); ++field) {
+    for (std::uint32_t index = 0; index < entries[field].size(); ++index) {
+      lines += assignment(dialect.target(function, field, index), entries[field][index]);
+    }
+  }
+  return lines;
+}
+
+FunctionDefinition definition(const Dialect& dialect, const Program& program,
+                              const Function& function, Storage storage) {
+  return DefinitionWriter(dialect, program, function, storage).definition();
+}
+
+}  // namespace elgen

@@ -1,0 +1,76 @@
+// dialect: what C and C++ have in common.
+#include "emit/code/dialect.hpp"
+
+#include <algorithm>
+
+#include "emit/text/fields.hpp"
+
+namespace elgen {
+
+std::string_view own_name(FunctionId function) {
+  switch (function) {
+    case FunctionId::sign:
+      return "sign_of";
+    case FunctionId::min:
+      return "smaller";
+    case FunctionId::max:
+      return "larger";
+    default:
+      return {};
+  }
+}
+
+Dialect::Dialect(const Model& model, const Program& program, std::string_view access)
+    : Vocabulary(code_spelling()),
+      model_(model),
+      program_(program),
+      access_(access),
+      parameters_(parameter_members(model, program.leaves)) {}
+
+std::string Dialect::leaf(const Instruction& instruction) const {
+  const bool is_parameter = instruction.opcode == Opcode::parameter;
+  return is_parameter ? "p" + access_ + parameters_[instruction.a] : variable_text(instruction);
+}
+
+Formula Dialect::square_root(const Formula& radicand) const {
+  return called(library_function("sqrt"), {radicand});
+}
+
+Formula Dialect::call(FunctionId function, const std::vector<Formula>& arguments) const {
+  const std::string_view own = own_name(function);
+  return called(own.empty() ? library_function(function_row(function).name) : own_function(own),
+                arguments);
+}
+
+bool Dialect::is_function(std::string_view name) {
+  const auto is_called = [&name](const FunctionRow& row) { return row.name == name; };
+  return name == "sqrt" || std::any_of(function_table.begin(), function_table.end(), is_called);
+}
+
+std::string Dialect::temporary(const std::string& name) const {
+  const bool is_argument = std::any_of(leaf_table.begin(), leaf_table.end(),
+                                       [&](const LeafRow& leaf) { return leaf.symbol == name; });
+  const bool hides =
+      is_argument || name == "w" || name == "result" || is_function(name) || is_reserved(name);
+  return hides ? name + "_" : name;
+}
+
+std::string Dialect::shared(const std::string& name) const { return "w" + access_ + name; }
+
+std::vector<std::string_view> Dialect::argument_names_of(const Function& function) const {
+  std::vector<std::string_view> names;
+  for (const Opcode argument : arguments_of(model_, function)) {
+    names.push_back(leaf_row(argument).symbol);
+  }
+  return names;
+}
+
+OutputKind Dialect::kind_of(const Function& function, const Field& field) const {
+  return kind_of_field(program_, function, field);
+}
+
+bool Dialect::is_number(const Function& function, const Field& field) const {
+  return is_scalar(kind_of(function, field), field);
+}
+
+}  // namespace elgen

@@ -1,0 +1,102 @@
+// dialect: how a C-like language writes a function; definition.hpp puts the pieces together.
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "elgen/program.hpp"
+#include "emit/code/arguments.hpp"
+#include "render/function_formulas.hpp"
+
+namespace elgen {
+
+/// What a body reads, writes and calls.
+struct UsedNames {
+  std::set<std::string_view> variables = {};  ///< "q", "w", "result"
+  std::set<std::string_view> functions = {};  ///< of the library: "sin"
+};
+
+/// The entries of each field, row-major.
+using FieldTexts = std::vector<std::vector<std::string>>;
+
+/// "sign_of", "smaller", "larger": what the header has of its own; empty for what libraries have.
+[[nodiscard]] std::string_view own_name(FunctionId function);
+
+class Dialect : public Vocabulary {
+ public:
+  /// `access`: "." or "->", between a struct and its member.
+  Dialect(const Model& model, const Program& program, std::string_view access);
+
+  [[nodiscard]] std::string leaf(const Instruction& instruction) const override;
+  [[nodiscard]] Formula constant(const Constant& constant) const override = 0;
+  [[nodiscard]] Formula square_root(const Formula& radicand) const override;
+  [[nodiscard]] Formula call(FunctionId function,
+                             const std::vector<Formula>& arguments) const override;
+
+  /// A temporary's name, with an underscore behind where it would hide something.
+  [[nodiscard]] std::string temporary(const std::string& name) const;
+
+  /// A temporary that several parts of a function share, where it is written and read.
+  [[nodiscard]] std::string shared(const std::string& name) const;
+
+  /// "const Scalar x": the declaration of a temporary, without its value.
+  [[nodiscard]] virtual std::string declaration(const std::string& name) const = 0;
+
+  /// "result.gravity[1]": where an entry is written, when it is not returned at once.
+  [[nodiscard]] virtual std::string target(const Function& function, std::uint32_t field,
+                                           std::uint32_t index) const = 0;
+
+  /// The statements that end a function in one piece: a return, or empty where every entry is to
+  /// be assigned to its target. The function says the type of what is returned, `ordered` and the
+  /// entries say the order in which they are stored.
+  [[nodiscard]] virtual std::string returned(const Function& function, const Function& ordered,
+                                             const FieldTexts& entries) const = 0;
+
+  /// What has to stand before the statements of a body: using-declarations, unused arguments.
+  [[nodiscard]] virtual std::string opening(const Function& function, const UsedNames& used,
+                                            bool is_part) const = 0;
+
+  /// Everything before the brace of a function, or of one of its parts.
+  [[nodiscard]] virtual std::string signature(const Function& function,
+                                              const UsedNames& used) const = 0;
+  [[nodiscard]] virtual std::string part_signature(const Function& function, std::size_t part,
+                                                   const UsedNames& used) const = 0;
+
+  /// The body that calls the parts one after another.
+  [[nodiscard]] virtual std::string calling_body(const Function& function,
+                                                 std::size_t parts) const = 0;
+
+  /// "Forces<Scalar> gravity;": a member of the struct a function gives; empty where the language
+  /// has no arrays without elements.
+  [[nodiscard]] virtual std::string member(const Function& function, const Field& field) const = 0;
+
+  /// "ForwardDynamics": the struct a function gives, and the one its parts share values in.
+  [[nodiscard]] virtual std::string struct_name(const Function& function) const = 0;
+  [[nodiscard]] virtual std::string workspace_name(const Function& function) const = 0;
+
+ protected:
+  /// sqrt, or a function of the model language.
+  [[nodiscard]] static bool is_function(std::string_view name);
+  [[nodiscard]] const Model& model() const { return model_; }
+  /// Whether a field is one number, and no array.
+  [[nodiscard]] bool is_number(const Function& function, const Field& field) const;
+  [[nodiscard]] std::vector<std::string_view> argument_names_of(const Function& function) const;
+  [[nodiscard]] OutputKind kind_of(const Function& function, const Field& field) const;
+
+ private:
+  /// Whether the header has the name for itself, beside arguments and functions.
+  [[nodiscard]] virtual bool is_reserved(const std::string& name) const = 0;
+  /// A function of the standard library, by its name for double.
+  [[nodiscard]] virtual std::string library_function(std::string_view name) const = 0;
+  /// A function of the header.
+  [[nodiscard]] virtual std::string own_function(std::string_view name) const = 0;
+
+  const Model& model_;
+  const Program& program_;
+  std::string access_;
+  std::vector<std::string> parameters_;  ///< of each leaf number
+};
+
+}  // namespace elgen

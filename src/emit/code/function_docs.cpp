@@ -1,0 +1,145 @@
+// function_docs: sentence, equation, then the entries as a matrix where they fit, else one a line.
+// Beyond `longest_listing` lines the entries are left to the sidecar.
+#include "emit/code/function_docs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "emit/code/statements.hpp"
+#include "emit/text/entry_units.hpp"
+#include "emit/text/fields.hpp"
+#include "emit/text/layout.hpp"
+#include "render/headings.hpp"
+
+namespace elgen {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+constexpr std::size_t longest_listing = 60;
+constexpr std::size_t listing_width = 88;  // what `///` and the indentation leave of a line
+
+std::string shape_text(const Field& field, Storage storage) {
+  if (field.columns > 1) {
+    return fmt::format("{} x {}, {}", field.rows, field.columns, name_of(storage));
+  }
+  return field.rows > 1 ? fmt::format("{} entries", field.rows) : "Scalar";
+}
+
+std::string equation_text(const OutputRow& row, const Model& model) {
+  const std::string_view equation = equation_of(row, !model.rotations.empty()).text;
+  const bool is_whole = equation.find(" = ") != std::string_view::npos;
+  if (is_whole || equation == row.symbol.text) return std::string(equation);
+  return fmt::format("{} = {}", row.symbol.text, equation);
+}
+
+/// The entries as rows of equal column widths; empty where a row would be too long.
+Lines matrix_lines(const Field& field, const std::vector<std::string>& entries) {
+  std::vector<std::size_t> widths(field.columns, 0);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    std::size_t& width = widths[i % field.columns];
+    width = std::max(width, entries[i].size());
+  }
+  Lines lines;
+  for (std::size_t row = 0; row < field.rows; ++row) {
+    std::string line = "[ ";
+    for (std::size_t column = 0; column < field.columns; ++column) {
+      const bool is_last = column + 1 == field.columns;
+      const std::string entry = entries[row * field.columns + column] + (is_last ? "" : ",");
+      line += fmt::format("{:<{}}", entry, widths[column] + (is_last ? 0 : 2));
+    }
+    lines.push_back(line + " ]");
+    if (lines.back().size() > listing_width) return {};
+  }
+  return lines;
+}
+
+void append(Lines& to, const Lines& from) { to.insert(to.end(), from.begin(), from.end()); }
+
+Lines wrapped(const std::string& line) { return wrap_expression(line, {listing_width, "    "}); }
+
+/// "[0, 1] = l*m*cos(theta)"
+Lines indexed_lines(const Field& field, const std::vector<std::string>& entries) {
+  Lines lines;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const std::string index = field.columns > 1
+                                  ? fmt::format("[{}, {}]", i / field.columns, i % field.columns)
+                                  : fmt::format("[{}]", i);
+    append(lines, wrapped(fmt::format("{} = {}", index, entries[i])));
+  }
+  return lines;
+}
+
+Lines entry_lines(const Field& field, const std::vector<std::string>& entries) {
+  if (entries.size() == 1) return wrapped("= " + entries.front());
+  const Lines matrix = matrix_lines(field, entries);
+  return matrix.empty() ? indexed_lines(field, entries) : matrix;
+}
+
+Lines listing(const FunctionText& text) {
+  Lines lines;
+  for (const EquationLine& line : text.equations.definitions) {
+    append(lines, wrapped(line.name + " = " + line.value));
+    if (lines.size() > longest_listing) return lines;
+  }
+  if (!lines.empty()) lines.emplace_back();
+  for (std::size_t i = 0; i < text.function.fields.size(); ++i) {
+    const Field& field = text.function.fields[i];
+    if (!field.name.empty()) lines.push_back(field.name + ":");
+    append(lines, entry_lines(field, text.equations.entries[i]));
+  }
+  return lines;
+}
+
+std::string too_long_note(const FunctionText& text) {
+  return fmt::format("{} definitions and {} entries: see {}.", text.equations.definitions.size(),
+                     entry_count(text.function), text.sidecar);
+}
+
+Lines shown_equations(const FunctionText& text) {
+  if (output_row(text.function.kind).repeats) return {};
+  const Lines all = listing(text);
+  Lines lines = {equation_text(output_row(text.function.kind), text.model), ""};
+  append(lines, all.size() > longest_listing ? Lines{too_long_note(text)} : all);
+  return lines;
+}
+
+/// Where any type may be the scalar, those with kinks need one that is ordered.
+std::string ordering_note(const FunctionText& text) {
+  if (language_row(text.emission.language).scalars == LanguageScalars::one) return "";
+  const std::set<FunctionId> calls = called_functions(text.function);
+  const bool has_kinks = std::any_of(calls.begin(), calls.end(), is_kinked);
+  return has_kinks ? " Needs an ordered Scalar." : "";
+}
+
+}  // namespace
+
+std::string field_summary(const FunctionText& text, const Field& field) {
+  const OutputKind kind = kind_of_field(text.program, text.function, field);
+  const std::string units = units_text(text.model, kind, field);
+  return shape_text(field, text.emission.storage) + (units.empty() ? "" : " [" + units + "]");
+}
+
+std::string function_heading(const FunctionText& text) {
+  const auto& reduction = text.program.reduction;
+  const bool is_reduced = reduction && find_reduced(*reduction, text.function.kind) != nullptr;
+  const std::string doc = comment_text(output_doc(text.model, text.function)) +
+                          ordering_note(text) + (is_reduced ? " Terms are left out (above)." : "");
+  if (gives_struct(text.function)) return doc;
+  return doc + " " + field_summary(text, text.function.fields.front()) + ".";
+}
+
+std::vector<std::string> function_docs(const FunctionText& text) {
+  Lines lines;
+  for (const std::string& line : wrap_words(function_heading(text), {line_width - 4, ""})) {
+    lines.push_back(" " + line);
+  }
+  const Lines equations = shown_equations(text);
+  if (!equations.empty()) lines.emplace_back();
+  for (const std::string& line : equations) lines.push_back(line.empty() ? "" : "     " + line);
+  return lines;
+}
+
+}  // namespace elgen

@@ -1,0 +1,136 @@
+// header_data: fills the holes in the order of the file.
+#include "emit/code/header_data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "elgen/templates.hpp"
+#include "emit/code/definition.hpp"
+#include "emit/code/function_docs.hpp"
+#include "emit/code/statements.hpp"
+#include "emit/pages/introduction.hpp"
+#include "emit/text/fields.hpp"
+#include "emit/text/layout.hpp"
+#include "emit/text/parameters.hpp"
+#include "emit/text/stamp.hpp"
+
+namespace elgen {
+namespace {
+
+using List = TemplateData::type;
+
+bool has_kinks(const Program& program) {
+  const auto is_own = [](FunctionId function) { return !own_name(function).empty(); };
+  return std::any_of(program.functions.begin(), program.functions.end(), [&](const Function& f) {
+    const std::set<FunctionId> calls = called_functions(f);
+    return std::any_of(calls.begin(), calls.end(), is_own);
+  });
+}
+
+bool has_pivots(const Program& program) {
+  return std::any_of(program.functions.begin(), program.functions.end(),
+                     [](const Function& f) { return output_row(f.kind).gives_pivots; });
+}
+
+TemplateData struct_data(const FunctionText& text, const Dialect& dialect) {
+  std::vector<Member> members;
+  for (const Field& field : text.function.fields) {
+    const std::string declaration = dialect.member(text.function, field);
+    if (!declaration.empty()) members.push_back({declaration, field_summary(text, field)});
+  }
+  TemplateData data;
+  data.set("name", dialect.struct_name(text.function));
+  data.set("doc", fmt::format("What {} returns.", text.function.name));
+  data.set("members", lines_data(documented_members(members)));
+  return data;
+}
+
+TemplateData parts_data(const Function& function, const Dialect& dialect,
+                        const FunctionDefinition& definition) {
+  TemplateData list(List::list);
+  for (const auto& [signature, body] : definition.parts) {
+    TemplateData part;
+    part.set("signature", signature);
+    part.set("body", body);
+    list.push_back(part);
+  }
+  TemplateData data;
+  data.set("function", function.name);
+  data.set("workspace", dialect.workspace_name(function));
+  data.set("values", lines_data(definition.workspace));
+  data.set("part", list);
+  return data;
+}
+
+TemplateData function_data(const EmissionInput& input, const Dialect& dialect, std::size_t index) {
+  const Function& function = input.program.functions[index];
+  const FunctionText text{input.model,
+                          input.program,
+                          function,
+                          input.equations[index],
+                          input.scene.base_name + ".equations.json",
+                          input.scene.emission};
+  TemplateData data;
+  const bool has_struct = gives_struct(function);
+  data.set("struct",
+           section_if(has_struct, has_struct ? struct_data(text, dialect) : TemplateData()));
+  data.set("summary", function_heading(text));
+  data.set("documentation", lines_data(function_docs(text)));
+  const FunctionDefinition written =
+      definition(dialect, input.program, function, input.scene.emission.storage);
+  const bool has_parts = !written.parts.empty();
+  data.set("parts", section_if(has_parts, has_parts ? parts_data(function, dialect, written)
+                                                    : TemplateData()));
+  data.set("signature", written.whole.signature);
+  data.set("body", written.whole.body);
+  return data;
+}
+
+TemplateData functions(const EmissionInput& input, const Dialect& dialect) {
+  TemplateData list(List::list);
+  for (std::size_t i = 0; i < input.program.functions.size(); ++i) {
+    list.push_back(function_data(input, dialect, i));
+  }
+  return list;
+}
+
+TemplateData stamp_data(const EmissionInput& input) {
+  TemplateData data;
+  data.set("generated", input.generated);
+  data.set("model_hash", input.model_hash);
+  data.set("scene_hash", input.scene_hash);
+  data.set("body_hash", std::string(blank_hash()));
+  data.set("namespace", name_space(input.scene));
+  data.set("storage", std::string(name_of(input.scene.emission.storage)));
+  return data;
+}
+
+void set_counts(TemplateData& data, const EmissionInput& input) {
+  const Dimensions size = dimensions(input.model);
+  data.set("coordinate_count", std::to_string(size.coordinates));
+  data.set("velocity_count", std::to_string(size.velocities));
+  data.set("input_count", std::to_string(size.inputs));
+  data.set("parameter_count", std::to_string(emitted_parameter_count(input.model, input.program)));
+}
+
+}  // namespace
+
+TemplateData header_data(const EmissionInput& input, const Dialect& dialect) {
+  TemplateData data = stamp_data(input);
+  set_counts(data, input);
+  data.set("introduction", lines_data(introduction(input.model, input.scene, input.program)));
+  data.set("operation_table", lines_data(operation_table(input.program)));
+  data.set("kinks", section_if(has_kinks(input.program)));
+  data.set("functions", functions(input, dialect));
+  data.set("regular", section_if(has_pivots(input.program)));
+  return data;
+}
+
+std::string partial(std::string_view path) {
+  std::string text(embedded_template(path));
+  if (!text.empty() && text.back() == '\n') text.pop_back();
+  return text;
+}
+
+}  // namespace elgen

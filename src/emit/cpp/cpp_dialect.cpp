@@ -1,0 +1,238 @@
+// cpp_dialect: straight-line code. Nothing is branched, so that packs and AutoDiff numbers pass.
+// sign, min and max are helpers of the header, because the standard library has none that every
+// ordered scalar takes.
+#include "emit/cpp/cpp_dialect.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "emit/code/cpp_constant.hpp"
+#include "emit/code/definition.hpp"
+#include "emit/cpp/cpp_names.hpp"
+#include "emit/cpp/cpp_types.hpp"
+#include "emit/text/fields.hpp"
+#include "emit/text/layout.hpp"
+#include "emit/text/signature.hpp"
+
+namespace elgen {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+std::string joined_lines(const Texts& lines) { return fmt::format("{}", fmt::join(lines, "\n")); }
+
+/// The rows of a matrix, joined by commas, where every row fits a line; else one line per entry.
+Texts entry_lines(const Field& field, const Texts& entries, std::size_t indent) {
+  Texts rows;
+  for (std::size_t row = 0; row < field.rows; ++row) {
+    const auto begin = entries.begin() + static_cast<std::ptrdiff_t>(row * field.columns);
+    rows.push_back(fmt::format("{}", fmt::join(begin, begin + field.columns, ", ")));
+  }
+  const auto fits = [&](const std::string& row) { return indent + row.size() + 1 <= line_width; };
+  if (std::all_of(rows.begin(), rows.end(), fits)) return rows;
+  const Wrapping wrapping{line_width - indent - 1, std::string(indent + 4, ' ')};
+  Texts lines;
+  for (const std::string& entry : entries) {
+    lines.push_back(joined_lines(wrap_expression(entry, wrapping)));
+  }
+  return lines;
+}
+
+/// A field to be written: `is_number` where its type is no array.
+struct WrittenField {
+  const Field& field;
+  const Texts& entries;
+  bool is_number;
+};
+
+/// A scalar as it is, an array in the double braces of std::array.
+std::string field_value(const WrittenField& value, std::size_t indent) {
+  const auto& [field, entries, is_number] = value;
+  const std::string margin(indent, ' ');
+  if (is_number) {
+    return joined_lines(
+        wrap_expression(entries.front(), {line_width - indent - 8, margin + "    "}));
+  }
+  if (entries.empty()) return "{}";
+  const std::string line = fmt::format("{{{{{}}}}}", fmt::join(entries, ", "));
+  if (indent + line.size() + 8 <= line_width) return line;
+  const Texts lines = entry_lines(field, entries, indent + 4);
+  return fmt::format("{{{{\n{0}    {1},\n{0}}}}}", margin,
+                     fmt::join(lines, ",\n" + margin + "    "));
+}
+
+class CppDialect : public Dialect {
+ public:
+  CppDialect(const Model& model, const Program& program) : Dialect(model, program, ".") {}
+
+  Formula constant(const Constant& constant) const override {
+    const bool is_negative = cln::minusp(constant.value);
+    const std::string magnitude = is_short_constant(constant.value)
+                                      ? cpp_magnitude(constant.value)
+                                      : constant_name(constant) + "<Scalar>()";
+    return {(is_negative ? "-" : "") + magnitude, is_negative ? Binding::negation : Binding::atom};
+  }
+
+  std::string declaration(const std::string& name) const override { return "const Scalar " + name; }
+
+  std::string target(const Function& function, std::uint32_t at,
+                     std::uint32_t index) const override {
+    const Field& field = function.fields[at];
+    const std::string member = field.name.empty() ? "" : "." + field.name;
+    return "result" + member + (is_number(function, field) ? "" : element(index));
+  }
+
+  std::string returned(const Function& function, const Function& ordered,
+                       const FieldTexts& entries) const override {
+    if (!is_returned(function)) return "";
+    const bool is_struct = gives_struct(function);
+    Texts values;
+    for (std::size_t i = 0; i < function.fields.size(); ++i) {
+      const bool is_plain = is_number(function, function.fields[i]);
+      values.push_back(field_value({ordered.fields[i], entries[i], is_plain}, is_struct ? 6 : 2));
+    }
+    if (!is_struct) return fmt::format("  return {};\n", values.front());
+    return fmt::format("  return {{\n      {},\n  }};\n", fmt::join(values, ",\n      "));
+  }
+
+  std::string opening(const Function& /*function*/, const UsedNames& used,
+                      bool /*is_part*/) const override {
+    std::string text;
+    for (const std::string_view name : used.functions) {
+      text += fmt::format("  using std::{};\n", name);
+    }
+    return text;
+  }
+
+  std::string signature(const Function& function, const UsedNames& used) const override {
+    Texts arguments = declared_arguments(function, used);
+    const std::string type = result_type(function);
+    if (is_returned(function)) {
+      const std::string start = fmt::format("[[nodiscard]] {} {}", type, function.name);
+      return elgen::signature(start, arguments, " noexcept");
+    }
+    arguments.insert(arguments.begin(), type + "& result");
+    return elgen::signature("void " + function.name, arguments, " noexcept");
+  }
+
+  std::string part_signature(const Function& function, std::size_t part,
+                             const UsedNames& used) const override {
+    Texts arguments = {result_type(function) + "&" + name_if(used, " result"),
+                       workspace_name(function) + "<Scalar>&" + name_if(used, " w")};
+    const Texts own = declared_arguments(function, used);
+    arguments.insert(arguments.end(), own.begin(), own.end());
+    return elgen::signature("void " + part_name(function, part), arguments, " noexcept");
+  }
+
+  std::string calling_body(const Function& function, std::size_t parts) const override {
+    std::string body;
+    if (is_returned(function)) body += fmt::format("  {} result;\n", result_type(function));
+    body += fmt::format("  detail::{}<Scalar> w;\n", workspace_name(function));
+    for (std::size_t part = 0; part < parts; ++part) {
+      body += fmt::format("  detail::{}(result, w, {});\n", part_name(function, part),
+                          fmt::join(argument_names_of(function), ", "));
+    }
+    return is_returned(function) ? body + "  return result;\n" : body;
+  }
+
+  std::string member(const Function& function, const Field& field) const override {
+    return fmt::format("{} {};", type_of_field(kind_of(function, field), field), field.name);
+  }
+
+  std::string struct_name(const Function& function) const override {
+    return cpp_struct_name(function);
+  }
+
+  std::string workspace_name(const Function& function) const override {
+    return cpp_struct_name(function) + "Workspace";
+  }
+
+ protected:
+  /// "Forces<Scalar>", "ForwardDynamics<Scalar>": what the function returns.
+  std::string result_type(const Function& function) const {
+    if (gives_struct(function)) return cpp_struct_name(function) + "<Scalar>";
+    return type_of_field(function.kind, function.fields.front());
+  }
+
+  /// "[2]": after the name of an array.
+  virtual std::string element(std::uint32_t index) const { return fmt::format("[{}]", index); }
+
+  /// "SquareMatrix<Scalar>", "const Coordinates<Scalar>&"
+  virtual std::string type_of_field(OutputKind kind, const Field& field) const {
+    return field_type(kind, field);
+  }
+  virtual std::string type_of_argument(Opcode argument) const { return argument_type(argument); }
+
+  bool is_reserved(const std::string& name) const override { return is_emitted_name(name); }
+
+ private:
+  std::string library_function(std::string_view name) const override { return std::string(name); }
+
+  std::string own_function(std::string_view name) const override {
+    return fmt::format("detail::{}<Scalar>", name);
+  }
+
+  static std::string part_name(const Function& function, std::size_t part) {
+    return fmt::format("{}_part_{}", function.name, part + 1);
+  }
+
+  /// An argument that the body does not use has no name.
+  static std::string name_if(const UsedNames& used, std::string_view blank_and_name) {
+    return std::string(used.variables.count(blank_and_name.substr(1)) > 0 ? blank_and_name : "");
+  }
+
+  Texts declared_arguments(const Function& function, const UsedNames& used) const {
+    Texts texts;
+    for (const Opcode argument : arguments_of(model(), function)) {
+      texts.push_back(type_of_argument(argument) +
+                      name_if(used, fmt::format(" {}", leaf_row(argument).symbol)));
+    }
+    return texts;
+  }
+};
+
+/// Arguments are read where they lie; sizes are numbers, because a model has several of one size.
+class EigenDialect final : public CppDialect {
+ public:
+  using CppDialect::CppDialect;
+
+  /// std::array's braces mean something else to Eigen: every entry is assigned.
+  std::string returned(const Function& function, const Function& ordered,
+                       const FieldTexts& entries) const override {
+    const bool is_plain = !gives_struct(function) && is_number(function, function.fields.front());
+    if (is_plain || !is_returned(function)) return CppDialect::returned(function, ordered, entries);
+    return fmt::format("  {} result;\n{}  return result;\n", result_type(function),
+                       assignments(*this, ordered, entries));
+  }
+
+ private:
+  bool is_reserved(const std::string& name) const override {
+    return is_eigen_name(name) || CppDialect::is_reserved(name);
+  }
+
+  std::string element(std::uint32_t index) const override { return fmt::format("({})", index); }
+
+  std::string type_of_field(OutputKind kind, const Field& field) const override {
+    if (is_scalar(kind, field)) return "Scalar";
+    if (field.columns == 1) return fmt::format("Vector<Scalar, {}>", field.rows);
+    return fmt::format("Matrix<Scalar, {}, {}>", field.rows, field.columns);
+  }
+
+  std::string type_of_argument(Opcode argument) const override {
+    if (!is_vector(argument)) return CppDialect::type_of_argument(argument);
+    return fmt::format("const Argument<Scalar, {}>&", argument_size(model(), argument));
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Dialect> cpp_dialect(const Model& model, const Program& program) {
+  return std::make_unique<CppDialect>(model, program);
+}
+
+std::unique_ptr<Dialect> eigen_dialect(const Model& model, const Program& program) {
+  return std::make_unique<EigenDialect>(model, program);
+}
+
+}  // namespace elgen

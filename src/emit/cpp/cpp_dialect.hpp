@@ -1,0 +1,18 @@
+// cpp_dialect: functions as C++17 writes them, templated on the scalar; or on vectors and matrices
+// of Eigen.
+//
+//     using std::sin;                                  Vector<Scalar, 2> result;
+//     const Scalar sin_theta = sin(q[1]);              result(0) = p.m * sin(q[1]);
+//     return {{p.m * sin_theta, p.g}};                 return result;
+#pragma once
+
+#include <memory>
+
+#include "emit/code/dialect.hpp"
+
+namespace elgen {
+
+[[nodiscard]] std::unique_ptr<Dialect> cpp_dialect(const Model& model, const Program& program);
+[[nodiscard]] std::unique_ptr<Dialect> eigen_dialect(const Model& model, const Program& program);
+
+}  // namespace elgen

@@ -1,0 +1,61 @@
+// introduction: the first screen of a header. Rates are named where some function knows of them.
+#include "emit/pages/introduction.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "elgen/render.hpp"
+#include "emit/pages/dropped_terms.hpp"
+#include "emit/text/layout.hpp"
+
+namespace elgen {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+void add_prose(Lines& lines, const std::string& text) {
+  if (text.empty()) return;
+  for (const std::string& line : wrap_words(text, {line_width - 3, ""}))
+    lines.push_back(" " + line);
+}
+
+}  // namespace
+
+std::vector<std::string> introduction(const Model& model, const Scene& scene,
+                                      const Program& program) {
+  Lines lines;
+  add_prose(lines, comment_text(model.title));
+  add_prose(lines, comment_text(model.description));
+  add_prose(lines, comment_text(model.reference));
+  if (!lines.empty()) lines.emplace_back();
+  lines.push_back("   " + equation_of_motion(model, program).text);
+  lines.emplace_back();
+  for (const std::string& line : variable_lines(model, program)) lines.push_back("   " + line);
+  const Lines notes = scene_notes(model, scene);
+  if (!notes.empty()) lines.emplace_back();
+  for (const std::string& note : notes) add_prose(lines, comment_text(note));
+  const std::string dropped = dropped_summary(program);
+  if (!dropped.empty()) lines.emplace_back();
+  add_prose(lines, dropped);
+  return lines;
+}
+
+std::vector<std::string> operation_table(const Program& program) {
+  std::size_t width = std::string_view("function").size();
+  for (const Function& function : program.functions) width = std::max(width, function.name.size());
+  constexpr std::string_view row = "{:<{}}  {:>6} {:>6} {:>5} {:>5} {:>6} {:>5}  {:>11}  {}";
+  Lines lines = {fmt::format(row, "function", width, "add", "mul", "div", "sqrt", "sincos", "other",
+                             "definitions", "form")};
+  for (const Function& function : program.functions) {
+    const OperationCounts n = count_operations(function);
+    const std::vector<std::string> names = temporary_names(program, function);
+    const auto unnamed = std::count(names.begin(), names.end(), std::string());
+    lines.push_back(fmt::format(row, function.name, width, n.add, n.mul, n.div, n.sqrt, n.sincos,
+                                n.other, names.size() - static_cast<std::size_t>(unnamed),
+                                name_of(function.form)));
+  }
+  return lines;
+}
+
+}  // namespace elgen

@@ -1,0 +1,168 @@
+// sidecar: an object or list is one line where it fits, one element a line where not, so that a
+// one-term change is a one-line diff.
+#include "emit/pages/sidecar.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/number_text.hpp"
+#include "check/judge/output_units.hpp"
+#include "emit/text/fields.hpp"
+#include "emit/text/layout.hpp"
+#include "emit/text/parameters.hpp"
+#include "emit/text/stamp.hpp"
+
+namespace elgen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string printed(const Json& json, std::size_t column, std::size_t indent);
+
+/// "\"key\": value", or the value alone in a list.
+std::string printed_element(const std::string& key, const Json& value, std::size_t indent) {
+  const std::string start = key.empty() ? "" : Json(key).dump() + ": ";
+  return start + printed(value, indent + start.size(), indent);
+}
+
+std::string on_one_line(const Json& json) {
+  if (!json.is_structured()) return json.dump();
+  std::string text;
+  for (const auto& [key, value] : json.items()) {
+    const std::string start = json.is_object() ? Json(key).dump() + ": " : "";
+    text += (text.empty() ? "" : ", ") + start + on_one_line(value);
+  }
+  return json.is_object() ? "{" + text + "}" : "[" + text + "]";
+}
+
+std::string printed(const Json& json, std::size_t column, std::size_t indent) {
+  const std::string line = on_one_line(json);
+  const bool is_nested = indent == 0;
+  if (!json.is_structured() || (!is_nested && column + line.size() < line_width)) return line;
+  const std::string margin(indent + 2, ' ');
+  std::string text;
+  for (const auto& [key, value] : json.items()) {
+    text += text.empty() ? "\n" : ",\n";
+    text += margin + printed_element(json.is_object() ? key : "", value, indent + 2);
+  }
+  const char* const brackets = json.is_object() ? "{}" : "[]";
+  return brackets[0] + text + "\n" + std::string(indent, ' ') + brackets[1];
+}
+
+/// A name and its unit, where it has one.
+Json named(const std::string& name, const std::string& unit) {
+  Json json = {{"name", name}};
+  if (!unit.empty()) json["unit"] = unit;
+  return json;
+}
+
+Json coordinates(const Model& model) {
+  Json list = Json::array();
+  for (const Coordinate& c : model.coordinates) list.push_back(named(c.name, c.unit_text));
+  return list;
+}
+
+Json velocities(const Model& model) {
+  Json list = Json::array();
+  for (const Velocity& v : model.velocities) list.push_back(named(v.name, velocity_unit(model, v)));
+  return list;
+}
+
+Json inputs(const Model& model) {
+  Json list = Json::array();
+  for (const Input& input : model.inputs) list.push_back(named(input.name, input.unit_text));
+  return list;
+}
+
+Json parameters(const Model& model, const Program& program) {
+  Json list = Json::array();
+  for (const ParameterArray& array : emitted_parameters(model, program)) {
+    Json values = Json::array();
+    for (std::uint32_t i = 0; i < array.count; ++i) {
+      values.push_back(exact_text(model.parameters[array.first + i].value));
+    }
+    Json json = named(array.name, array.unit_text);
+    if (array.is_array) json["size"] = array.count;
+    json["value"] = array.is_array ? values : values.front();
+    list.push_back(json);
+  }
+  return list;
+}
+
+Json operations(const Function& function) {
+  const OperationCounts n = count_operations(function);
+  return {{"add", n.add},   {"mul", n.mul},       {"div", n.div},
+          {"sqrt", n.sqrt}, {"sincos", n.sincos}, {"other", n.other}};
+}
+
+Json definitions(const FunctionEquations& equations) {
+  Json list = Json::array();
+  for (const EquationLine& line : equations.definitions) {
+    list.push_back({{"name", line.name}, {"value", line.value}});
+  }
+  return list;
+}
+
+Json field(const Field& field, const std::vector<std::string>& entries) {
+  return {{"shape", {field.rows, field.columns}}, {"entries", entries}};
+}
+
+Json output(const Function& function, const FunctionEquations& equations) {
+  Json json = Json::object();
+  if (!output_row(function.kind).repeats) {
+    if (!equations.definitions.empty()) json["definitions"] = definitions(equations);
+    if (gives_struct(function)) {
+      for (std::size_t i = 0; i < function.fields.size(); ++i) {
+        json["fields"][function.fields[i].name] = field(function.fields[i], equations.entries[i]);
+      }
+    } else {
+      json.update(field(function.fields.front(), equations.entries.front()));
+    }
+  }
+  json["operations"] = operations(function);
+  return json;
+}
+
+Json outputs(const EmissionInput& input) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < input.program.functions.size(); ++i) {
+    const Function& function = input.program.functions[i];
+    json[function.name] = output(function, input.equations[i]);
+  }
+  return json;
+}
+
+/// {"linearization": "too many entries"}
+Json left_out(const Scene& scene) {
+  Json json = Json::object();
+  for (const LeftOut& each : scene.left_out) {
+    for (const std::string& output : each.outputs) json[output] = name_of(each.reason);
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string sidecar(const EmissionInput& input) {
+  Json json = {{"generated", input.generated}, {"format", 1}, {"name", input.scene.base_name}};
+  // Entries are listed row by row; the code is C++17 and stores them likewise unless said here.
+  const Emission& emission = input.scene.emission;
+  if (emission.language != LanguageId::cpp) {
+    json["language"] = language_row(emission.language).name;
+  }
+  if (emission.storage != Storage::row_major) json["storage"] = name_of(emission.storage);
+  json["coordinates"] = coordinates(input.model);
+  // Where nothing rotates, velocities are called as their coordinates.
+  if (!input.model.rotations.empty()) json["velocities"] = velocities(input.model);
+  json["inputs"] = inputs(input.model);
+  json["parameters"] = parameters(input.model, input.program);
+  json["outputs"] = outputs(input);
+  if (!input.scene.left_out.empty()) json["left_out"] = left_out(input.scene);
+  json["hash"] = {{"model", input.model_hash},
+                  {"scene", input.scene_hash},
+                  {"body", std::string(blank_hash())}};
+  return stamped(printed(json, 0, 0) + "\n");
+}
+
+}  // namespace elgen

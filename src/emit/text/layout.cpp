@@ -1,0 +1,153 @@
+// layout: where lines break. Columns are counted in bytes; only user text is ever wider than ASCII.
+#include "emit/text/layout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+
+#include "base/utf8.hpp"
+
+namespace elgen {
+namespace {
+
+bool is_operator(char c) { return c == '+' || c == '-' || c == '*' || c == '/'; }
+
+/// Comments of members stand in one column, except behind declarations longer than this.
+constexpr std::size_t widest_alignment = 72;
+
+/// A space where an expression may break, and how deep it cuts: brackets count most, products some.
+struct Break {
+  std::size_t at = 0;
+  int depth = 0;
+};
+
+std::optional<int> depth_of_break(std::string_view text, std::size_t space, int brackets) {
+  const char before = space > 0 ? text[space - 1] : ' ';
+  if (before == ',' || before == ';') return 3 * brackets;
+  const bool is_binary =
+      space + 2 < text.size() && is_operator(text[space + 1]) && text[space + 2] == ' ';
+  if (!is_binary) return std::nullopt;
+  const bool is_product = text[space + 1] == '*' || text[space + 1] == '/';
+  return 3 * brackets + (is_product ? 2 : 1);
+}
+
+/// The last of the shallowest breaks in the last two thirds of the first `width` columns; where
+/// there is none, the last one of the first third; where there is none either, the first one
+/// beyond.
+std::optional<Break> best_break(std::string_view text, std::size_t width) {
+  std::optional<Break> best;
+  int brackets = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '(' || text[i] == '[' || text[i] == '{') ++brackets;
+    if (text[i] == ')' || text[i] == ']' || text[i] == '}') --brackets;
+    if (text[i] != ' ') continue;
+    const std::optional<int> depth = depth_of_break(text, i, brackets);
+    if (!depth) continue;
+    if (i > width) return best ? best : Break{i, *depth};
+    if (!best || *depth <= best->depth || best->at < width / 3) best = Break{i, *depth};
+  }
+  return best;
+}
+
+/// A line that ends in a backslash, which C99 also writes `??/`, would make the next one part of
+/// the comment; lines may end before every space.
+std::string without_continuations(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool ends_word = i + 1 == text.size() || text[i + 1] == ' ';
+    result += text[i];
+    if (text[i] == '\\' && ends_word) result += '.';
+    if (text.substr(i, 3) == "?\?/") result += ' ';
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::string> wrap_expression(std::string_view text, const Wrapping& wrapping) {
+  std::vector<std::string> lines;
+  std::size_t width = wrapping.first;
+  std::string indent;
+  while (text.size() > width) {
+    const std::optional<Break> at = best_break(text, width);
+    if (!at) break;
+    lines.push_back(indent + std::string(text.substr(0, at->at)));
+    text.remove_prefix(at->at + 1);
+    indent = wrapping.indent;
+    width = line_width - indent.size();
+  }
+  lines.push_back(indent + std::string(text));
+  return lines;
+}
+
+std::vector<std::string> wrap_words(std::string_view text, const Wrapping& wrapping) {
+  std::vector<std::string> lines;
+  std::size_t width = wrapping.first;
+  std::string indent;
+  while (text.size() > width) {
+    std::size_t at = text.rfind(' ', width);
+    if (at == std::string_view::npos) at = text.find(' ', width);
+    if (at == std::string_view::npos) break;
+    lines.push_back(indent + std::string(text.substr(0, at)));
+    text.remove_prefix(at + 1);
+    indent = wrapping.indent;
+    width = line_width - indent.size();
+  }
+  lines.push_back(indent + std::string(text));
+  return lines;
+}
+
+std::string comment_text(std::string_view text) {
+  std::string line;
+  for (const char c : visible_text(text)) {
+    const bool is_blank = static_cast<unsigned char>(c) <= ' ';
+    if (!is_blank) line += c;
+    if (is_blank && !line.empty() && line.back() != ' ') line += ' ';
+  }
+  while (!line.empty() && line.back() == ' ') line.pop_back();
+  return without_continuations(line);
+}
+
+std::string string_literal(std::string_view text) {
+  std::string literal = "\"";
+  for (const char c : comment_text(text)) {
+    if (c == '"' || c == '\\') literal += '\\';
+    literal += c;
+  }
+  return literal + '"';
+}
+
+std::vector<std::string> documented_members(const std::vector<Member>& members) {
+  std::size_t width = 0;
+  for (const Member& member : members) {
+    if (member.declaration.size() <= widest_alignment) {
+      width = std::max(width, member.declaration.size());
+    }
+  }
+  std::vector<std::string> lines;
+  for (const auto& [declaration, doc] : members) {
+    const bool is_aligned = declaration.size() <= width;
+    const std::string padding(is_aligned ? width - declaration.size() : 0, ' ');
+    const std::string line = fmt::format("{}{}  ///< {}", declaration, padding, doc);
+    const bool fits = line.size() + 2 <= line_width;
+    if (!fits) lines.push_back("/// " + doc);
+    lines.push_back(fits ? line : declaration);
+  }
+  return lines;
+}
+
+std::string camel_case(std::string_view name) {
+  std::string result;
+  bool starts_word = true;
+  for (const char c : name) {
+    if (c != '_') {
+      result += starts_word ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    }
+    starts_word = c == '_';
+  }
+  return result;
+}
+
+}  // namespace elgen

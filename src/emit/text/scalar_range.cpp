@@ -1,0 +1,66 @@
+// scalar_range: each value against each scalar, by correct rounding.
+#include "emit/text/scalar_range.hpp"
+
+#include <fmt/format.h>
+
+#include "base/number_text.hpp"
+#include "emit/text/parameters.hpp"
+#include "evaluate/scalar_literal.hpp"
+
+namespace elgen {
+namespace {
+
+/// The value, what it is, and where it was written.
+struct CheckedNumber {
+  const cln::cl_R& value;
+  std::string name;
+  Span span;
+};
+
+void check(const CheckedNumber& candidate, const Scene& scene, Diagnostics& diagnostics) {
+  for (const ScalarKind scalar : scene.numerics.scalars) {
+    const Fit result = fit(candidate.value, scalar);
+    if (result == Fit::fits) continue;
+    const char* const fault = result == Fit::too_large ? "overflows" : "vanishes";
+    diagnostics.push_back(
+        {Code::E702, candidate.span,
+         fmt::format("`{}`{} {} in {}", literal_text(rounded_decimal(candidate.value, 6)),
+                     candidate.name, fault, scalar_name(scalar))});
+  }
+}
+
+/// Where the model has the number, with either sign; nowhere where elgen made it.
+Span place_of(const Model& model, const cln::cl_R& value) {
+  for (const Expression& expression : model.expressions) {
+    const bool is_written = expression.kind == ExpressionKind::number;
+    if (is_written && cln::abs(expression.number) == cln::abs(value)) return expression.span;
+  }
+  return {};
+}
+
+}  // namespace
+
+Diagnostics check_scalar_range(const Model& model, const Scene& scene, const Program& program) {
+  Diagnostics diagnostics;
+  for (const ParameterArray& array : emitted_parameters(model, program)) {
+    for (std::uint32_t i = 0; i < array.count; ++i) {
+      const Parameter& parameter = model.parameters[array.first + i];
+      check({parameter.value, fmt::format(", the value of `{}`,", parameter.name), array.span},
+            scene, diagnostics);
+    }
+  }
+  for (const Constant& constant : executed_constants(program)) {
+    check({constant.value, ", a constant of the equations,", place_of(model, constant.value)},
+          scene, diagnostics);
+  }
+  sort_by_position(diagnostics);
+  return diagnostics;
+}
+
+bool fits(const Model& model, const Program& program, ScalarKind scalar) {
+  Scene scene;
+  scene.numerics.scalars = {scalar};
+  return check_scalar_range(model, scene, program).empty();
+}
+
+}  // namespace elgen

@@ -1,0 +1,158 @@
+// Program against oracle: what the visits to all states say of each field, tallied.
+#include "verify/bounds/accuracy.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <type_traits>
+
+#include "elgen/outputs.hpp"
+#include "verify/states/tally.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr const char* own_reason =
+    "8 u B + N eta (own bound): B run along the program; n u B for n > 8 roundings in an entry";
+constexpr const char* closed_reason =
+    "8 u B + N eta: B of the closed form, own bound where the code underflows; n u B for n > 8 "
+    "roundings in an entry";
+constexpr const char* solution_reason =
+    "8 u B + N eta in the norm of D^1/2 x, D = diag M: B = cond ((n + |D^-1/2 B_M D^-1/2|) |D^1/2 "
+    "x*| + |D^-1/2 B_b|) of M x = b, cond of D^-1/2 M D^-1/2; beyond the ranges the code's own "
+    "bound does too, where it is below a tenth of x; skipped where neither does, u cond or "
+    "8 u cond |D^-1/2 B_M D^-1/2| > 0.1";
+
+/// One field of a function, and what was found of it so far.
+struct FieldRecord {
+  FieldPlace place = {};
+  Tally errors = {};              ///< in u B
+  Tally cancellation = {};        ///< B/|x|: how badly the physics cancels
+  std::vector<double> ulps = {};  ///< at nominal states
+  std::size_t compared = 0;       ///< states
+  std::size_t in_norm = 0;        ///< of them, judged as solutions
+  std::size_t undefined = 0;      ///< states by regime
+  std::size_t overflows = 0;
+  std::size_t ill_conditioned = 0;
+  std::string mistake = {};  ///< the first that is wrong, and where
+  std::string mistake_at = {};
+};
+
+void add(FieldRecord& record, const Finding& finding, const Subject& subject, const State& state) {
+  record.undefined += finding.regime == Regime::undefined ? 1 : 0;
+  record.overflows += finding.regime == Regime::overflow ? 1 : 0;
+  record.ill_conditioned += finding.regime == Regime::ill_conditioned ? 1 : 0;
+  if (record.mistake.empty() && !finding.mistake.empty()) {
+    record.mistake = finding.mistake;
+    record.mistake_at = describe(subject, state);
+  }
+  if (!finding.error) return;
+  ++record.compared;
+  record.in_norm += finding.in_norm ? 1 : 0;
+  record.errors.add(*finding.error, state);
+  record.cancellation.add(finding.cancellation, state);
+  record.ulps.insert(record.ulps.end(), finding.ulps.begin(), finding.ulps.end());
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+std::string figures(const FieldRecord& record) {
+  if (record.compared == 0) return "no state to compare at";
+  return fmt::format("{:.2g} u B; median {:.2g} ulp; cancellation {:.2g}", record.errors.worst(),
+                     median(record.ulps), record.cancellation.worst());
+}
+
+std::vector<SkippedStates> skipped(const FieldRecord& record) {
+  std::vector<SkippedStates> result;
+  for (const SkippedStates& some :
+       {SkippedStates{Obstacle::overflow, record.overflows},
+        SkippedStates{Obstacle::undefined, record.undefined},
+        SkippedStates{Obstacle::ill_conditioned, record.ill_conditioned}}) {
+    if (some.states > 0) result.push_back(some);
+  }
+  return result;
+}
+
+/// By what judged, not by what was to.
+std::string reason(const FieldRecord& record) {
+  if (record.place.judge.is_closed_form) return closed_reason;
+  if (record.in_norm == 0) return own_reason;
+  const std::size_t others = record.compared - record.in_norm;
+  if (others == 0) return solution_reason;
+  return fmt::format("{}; at {} of the states {}", solution_reason, others, own_reason);
+}
+
+CertificateRow row_of(const Subject& subject, const FieldRecord& record, const char* scalar,
+                      const AccuracyOptions& options) {
+  const Field& field = record.place.field();
+  CertificateRow row;
+  row.check = "program vs oracle";
+  row.output = record.place.function->name;
+  row.subject =
+      fmt::format("{}{}{} ({})", row.output, field.name.empty() ? "" : ".", field.name, scalar);
+  row.formula = options.comparison == Comparison::entries
+                    ? "|x - x*| / (u B); x* each entry"
+                    : "|x - x*| / (u B); x* by one random projection";
+  row.samples = record.compared;
+  row.skipped = skipped(record);
+  row.tolerance = reason(record);
+  if (record.compared > 0) row.error = record.errors.worst();
+  row.worst = figures(record);
+  row.where = record.errors.where(subject);
+  row.verdict = record.errors.verdict(promised_bounds);
+  if (!record.mistake.empty()) {
+    row.worst = record.mistake;
+    row.where = record.mistake_at;
+    row.verdict = Verdict::fails;
+  }
+  return row;
+}
+
+/// A derivative of the dynamics costs the oracle as much as all other outputs together, n times: of
+/// more than three velocities every sixteenth state has to do.
+bool is_due(OutputKind kind, std::size_t velocities, std::size_t sample, Comparison comparison) {
+  const bool is_costly = comparison == Comparison::entries && velocities > 3;
+  return !is_costly || !output_row(kind).differentiates || sample % 16 == 0;
+}
+
+}  // namespace
+
+template <class Scalar>
+std::vector<CertificateRow> check_accuracy(const Subject& subject,
+                                           const std::vector<SampledState<Scalar>>& states,
+                                           const AccuracyOptions& options) {
+  const char* scalar = std::is_same_v<Scalar, float> ? "float" : "double";
+  std::vector<FieldRecord> records;
+  for (FieldPlace& place : field_places(subject)) records.push_back({std::move(place)});
+  Random random(1);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (options.on_step) {
+      options.on_step(fmt::format("accuracy in {}, state {} of {}", scalar, i + 1, states.size()));
+    }
+    Visit<Scalar> visit(subject, states[i], options.comparison, options.parts);
+    for (FieldRecord& record : records) {
+      const OutputKind kind = record.place.request.kind;
+      if (!is_due(kind, visit.state().v.size(), i, options.comparison)) continue;
+      add(record, visit.look_at(record.place, random), subject, visit.state());
+    }
+  }
+  std::vector<CertificateRow> rows;
+  for (const FieldRecord& record : records) {
+    rows.push_back(row_of(subject, record, scalar, options));
+  }
+  return rows;
+}
+
+template std::vector<CertificateRow> check_accuracy(const Subject&,
+                                                    const std::vector<SampledState<double>>&,
+                                                    const AccuracyOptions&);
+template std::vector<CertificateRow> check_accuracy(const Subject&,
+                                                    const std::vector<SampledState<float>>&,
+                                                    const AccuracyOptions&);
+
+}  // namespace elgen

@@ -1,0 +1,27 @@
+// Accuracy: a program's values in double and float against the 60-digit oracle, in units of an
+// error bound: that of the closed form a function is emitted in, else the program's own.
+#pragma once
+
+#include <vector>
+
+#include "elgen/certificate.hpp"
+#include "verify/bounds/visit.hpp"
+
+namespace elgen {
+
+/// How check_accuracy goes about it.
+struct AccuracyOptions {
+  Comparison comparison = Comparison::entries;
+  const Program* parts = nullptr;  ///< of SolutionBounds
+  std::function<void(const std::string&)> on_step = {};
+};
+
+/// One row per output and field. A state fails where the exact value of the program is not the
+/// oracle's (to 50 digits of its bound) or, at a nominal state, is undefined where the oracle has
+/// one, and where the rounded value is further off than promised.
+template <class Scalar>
+[[nodiscard]] std::vector<CertificateRow> check_accuracy(
+    const Subject& subject, const std::vector<SampledState<Scalar>>& states,
+    const AccuracyOptions& options = {});
+
+}  // namespace elgen

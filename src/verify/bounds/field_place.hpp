@@ -1,0 +1,30 @@
+// FieldPlace: one field of a function of the program, what judges it, and what it is compared with.
+#pragma once
+
+#include <vector>
+
+#include "verify/bounds/own_bound.hpp"
+#include "verify/states/subject.hpp"
+
+namespace elgen {
+
+struct FieldPlace {
+  const Function* function = nullptr;
+  std::size_t index = 0;  ///< of the field among the function's
+  std::size_t first = 0;  ///< of its entries among the function's
+  Judge judge = {};
+  OutputRequest request = {};     ///< what the oracle is asked for
+  std::size_t request_field = 0;  ///< of the field among the request's
+  std::size_t first_oracle = 0;   ///< of its entries among the oracle's
+
+  [[nodiscard]] const Field& field() const { return function->fields[index]; }
+};
+
+/// Of functions[index], one after another. `dynamics` holds other outputs under their names; every
+/// other function is one output.
+[[nodiscard]] std::vector<FieldPlace> field_places(const Subject& subject, std::size_t index);
+
+/// Of all functions.
+[[nodiscard]] std::vector<FieldPlace> field_places(const Subject& subject);
+
+}  // namespace elgen

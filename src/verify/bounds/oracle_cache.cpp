@@ -1,0 +1,84 @@
+// Values of the oracle, kept per output: `dynamics` and the functions it repeats ask for the same
+// ones.
+#include "verify/bounds/oracle_cache.hpp"
+
+#include "check/names/requests.hpp"
+#include "elgen/oracle.hpp"
+
+namespace elgen {
+namespace {
+
+cln::cl_R largest_of(const std::vector<cln::cl_R>& values) {
+  cln::cl_R largest = 0;
+  for (const cln::cl_R& value : values) largest = cln::max(largest, cln::abs(value));
+  return largest;
+}
+
+}  // namespace
+
+const OracleValues& OracleCache::values(const OutputRequest& request) {
+  const auto key = std::make_pair(request.kind, request.user);
+  const auto known = known_.find(key);
+  if (known != known_.end()) return known->second;
+  return known_[key] = oracle_values(subject_.model, request, state_);
+}
+
+const cln::cl_R& OracleCache::energy() {
+  if (!energy_) energy_ = oracle_energy_magnitude(subject_.model, state_).value_or(0);
+  return *energy_;
+}
+
+cln::cl_R OracleCache::force() {
+  cln::cl_R largest = 0;
+  for (const OutputKind kind :
+       {OutputKind::velocity_force, OutputKind::gravity, OutputKind::bias}) {
+    // Whatever the scene asks for and calls it: the model decides what there is.
+    const OutputRequest request = request_of(subject_.model, kind, 0);
+    if (!is_available(subject_.model, request)) continue;
+    const OracleValues& entries = values(request);
+    if (entries) largest = cln::max(largest, largest_of(*entries));
+  }
+  return largest;
+}
+
+cln::cl_R OracleCache::inertia() {
+  const OracleValues& mass = values({.kind = OutputKind::mass_matrix});
+  if (!mass) return 0;
+  return largest_of(*mass) * (largest_of(state_.v) + largest_of(state_.a));
+}
+
+cln::cl_R OracleCache::motion() const {
+  return cln::square(largest_of(state_.v)) + largest_of(state_.a);
+}
+
+bool OracleCache::solves() {
+  if (!solves_) solves_ = solution_is_known();
+  return *solves_;
+}
+
+bool OracleCache::solution_is_known() {
+  static const cln::cl_R digits = power_of_ten(-95);
+  static const cln::cl_R wanted = power_of_ten(-50);
+  static const cln::cl_R least_pivot = power_of_ten(-40);  // 55 digits are left of itself
+  const OracleValues& solution = values({.kind = OutputKind::forward_dynamics});
+  const OracleValues& mass = values({.kind = OutputKind::mass_matrix});
+  if (!solution || !mass) return false;
+  const std::size_t n = solution->size() / 2;
+  const cln::cl_R largest_force = force();
+  cln::cl_R largest_mass = 0;
+  cln::cl_R largest_acceleration = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    largest_mass = cln::max(largest_mass, cln::abs((*mass)[i * n + i]));
+    largest_acceleration = cln::max(largest_acceleration, cln::abs((*solution)[i]));
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const cln::cl_R pivot = cln::abs((*solution)[n + i] * (*mass)[i * n + i]);
+    if (cln::abs((*solution)[n + i]) < least_pivot || cln::zerop(pivot)) return false;
+    // An acceleration that cancels to 0 is known as well as forces of this size allow.
+    const cln::cl_R scale = cln::max(largest_acceleration, largest_force / largest_mass);
+    if (digits * largest_force > wanted * scale * pivot) return false;
+  }
+  return true;
+}
+
+}  // namespace elgen

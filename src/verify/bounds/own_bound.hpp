@@ -1,0 +1,73 @@
+// Own bound: how far a program may be from the truth by rounding alone, run along the program
+// itself.
+#pragma once
+
+#include <vector>
+
+#include "evaluate/bounded.hpp"
+#include "verify/states/subject.hpp"
+
+namespace elgen {
+
+/// What can be said of a function at one state.
+enum class Regime : std::uint8_t {
+  regular,
+  undefined,        ///< an intermediate has no value (1/0, sqrt(-1))
+  overflow,         ///< an exact intermediate exceeds max/16 of the scalar
+  ill_conditioned,  ///< a divisor or radicand is uncertain by more than a tenth: no first-order
+                    ///< bound
+};
+
+/// An undefined value outweighs an overflow, and that a lost bound.
+[[nodiscard]] Regime worse(Regime x, Regime y);
+
+struct BoundedRun {
+  Regime regime = Regime::regular;
+  std::vector<Bound> entries = {};  ///< of all fields
+  Real largest = {};                ///< magnitude of the largest intermediate
+};
+
+/// Runs exact values and bounds along a function. Scalar: double or float.
+template <class Scalar>
+[[nodiscard]] BoundedRun bounded_run(const Program& program, const Function& function,
+                                     const State& state);
+
+/// The same with accelerations that are not the state's, and may be known to their bounds only.
+template <class Scalar>
+[[nodiscard]] BoundedRun bounded_run(const Program& program, const Function& function,
+                                     const State& state, const std::vector<Bound>& accelerations);
+
+/// What judges an entry: B of the closed form where the function is emitted in it (a bound that
+/// does not depend on the code), else B run along the function itself, the weaker "own bound".
+struct Judge {
+  const Function* function = nullptr;
+  std::size_t first = 0;  ///< of the field's entries among the judge's
+  bool is_closed_form = false;
+};
+
+/// The judge of one field of functions[index], whose entries start at `first`.
+[[nodiscard]] Judge judge_of(const Program& program, std::size_t index, const Field& field,
+                             std::size_t first);
+
+/// The closed form's bound, but the code's own where the code underflows on the way: what is lost
+/// there grows by what multiplies it afterwards, which the closed form does not know.
+[[nodiscard]] const Bound& judging_bound(const Bound& own, const Bound& closed);
+
+/// B, grown to n B/8 where n > 8 roundings meet in the entry, such that 8 u of it cover all of
+/// them.
+[[nodiscard]] Real covering_bound(const Bound& entry);
+
+/// |x - exact| less `operations` times the smallest denormal, which underflow may cost; undefined
+/// where x is not a number. Scalar: double or float.
+template <class Scalar>
+[[nodiscard]] Real excess_error(Scalar x, const Real& exact, std::size_t operations);
+
+/// excess/(u bound): 0 where there is no excess, infinite where it has no value or the bound is 0.
+template <class Scalar>
+[[nodiscard]] double in_bounds(const Real& excess, const Real& bound);
+
+/// |x - exact| / (u B), B the covering bound, less what underflow may cost.
+template <class Scalar>
+[[nodiscard]] double error_in_bounds(Scalar x, const Bound& entry, std::size_t operations);
+
+}  // namespace elgen

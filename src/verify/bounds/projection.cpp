@@ -1,0 +1,239 @@
+// Projections against oracle_contraction. Relative pivots are compared with the oracle's own solve
+// for up to four coordinates, and for more of them with the pivots of the program's mass matrix,
+// which is checked itself.
+#include "verify/bounds/projection.hpp"
+
+#include <fmt/format.h>
+
+#include "elgen/outputs.hpp"
+#include "verify/bounds/agreement.hpp"
+#include "verify/bounds/pivots.hpp"
+#include "verify/bounds/stated_error.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_R;
+using Values = std::vector<cl_R>;
+
+/// Up to so many coordinates the oracle solves by itself.
+constexpr std::size_t directly_solved = 4;
+
+Values random_direction(std::size_t size, Random& random) {
+  Values direction;
+  for (std::size_t i = 0; i < size; ++i) direction.emplace_back(random.rational());
+  return direction;
+}
+
+std::string mismatch(const std::string& what, const Real& value, const cl_R& truth) {
+  return fmt::format("{} is {}, the oracle says {}", what, short_text(value), short_text(truth));
+}
+
+/// One field at one state.
+class Projection {
+ public:
+  Projection(const Subject& subject, const FieldPlace& place, const BoundedRun& run,
+             OracleCache& oracle, Random& random)
+      : subject_(subject), place_(place), run_(run), oracle_(oracle), random_(random) {}
+
+  std::string compare() {
+    const OutputRow& output = output_row(place_.request.kind);
+    if (output.gives_pivots) {
+      return place_.request_field == 0 ? compare_acceleration() : compare_pivots();
+    }
+    return output.solves ? compare_response() : compare_contraction();
+  }
+
+ private:
+  [[nodiscard]] const State& state() const { return oracle_.state(); }
+  [[nodiscard]] const Bound& entry(std::size_t i) const { return run_.entries[place_.first + i]; }
+  [[nodiscard]] const FieldRow& row() const {
+    return output_row(place_.request.kind).fields[place_.request_field];
+  }
+
+  /// As many entries as w and y have.
+  [[nodiscard]] Measured contracted(const Contraction& by) const {
+    Measured sum;
+    const std::size_t columns = by.y.empty() ? 1 : by.y.size();
+    for (std::size_t i = 0; i < by.w.size() * columns; ++i) {
+      const cl_R factor = by.y.empty() ? by.w[i] : by.w[i / columns] * by.y[i % columns];
+      const Real size(cln::abs(factor));
+      const std::size_t whole = place_.first_oracle + i;
+      sum.value = sum.value + entry(i).value * Real(factor);
+      sum.bound = sum.bound + entry(i).bound * size;
+      sum.stated =
+          sum.stated + stated_error(subject_.program, place_.request.kind, whole, state()) * size;
+    }
+    return sum;
+  }
+
+  std::string compare_contraction() {
+    const Field& field = place_.field();
+    if (field.entries.empty()) return {};
+    Contraction by{random_direction(field.rows, random_), {}, place_.request_field};
+    const bool is_matrix = row().columns != Extent::one || field.columns > 1;
+    if (is_matrix) by.y = random_direction(field.columns, random_);
+    return compare_by(by);
+  }
+
+  std::string compare_by(const Contraction& by) {
+    const Measured sum = contracted(by);
+    const auto truth = oracle_contraction(subject_.model, place_.request, state(), by);
+    if (!truth || agrees_with_oracle(sum, *truth, run_.largest, oracle_)) return {};
+    const std::string of_field = place_.field().name.empty() ? "" : " of " + place_.field().name;
+    return mismatch((by.y.empty() ? "w.x" : "w.X y") + of_field, sum.value, *truth);
+  }
+
+  /// An entry is undefined: a mistake where the oracle has a value.
+  std::string compare_undefined(const std::string& what) {
+    const OracleValues& truth = oracle_.values(place_.request);
+    return truth ? mismatch(what, Real::undefined(), truth->front()) : "";
+  }
+
+  /// Both sides of an equation between projected forces, each a number of the oracle's.
+  std::string compare_forces(const std::string& what, const cl_R& left, const cl_R& right) {
+    const Measured sum{Real(left), Real(cln::abs(left) + cln::abs(right)), {}};
+    if (agrees_with_oracle(sum, right, run_.largest, oracle_)) return {};
+    return mismatch(what, sum.value, right);
+  }
+
+  /// w.B y
+  [[nodiscard]] std::optional<cl_R> input_force(const Values& w, const Values& y) const {
+    if (y.empty()) return cl_R(0);
+    return oracle_contraction(subject_.model, {.kind = OutputKind::input_matrix}, state(), {w, y});
+  }
+
+  std::string compare_acceleration() {
+    const std::size_t n = state().v.size();
+    State moving = state();
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!entry(i).value.is_defined()) return compare_undefined("an acceleration");
+      moving.a[i] = entry(i).value.value();
+    }
+    const Values w = random_direction(n, random_);
+    const auto force = oracle_projected_inverse_dynamics(subject_.model, moving, w);
+    const auto driven = input_force(w, state().u);
+    if (!force || !driven) return {};
+    return compare_forces("w.(M a + bias)", *force, *driven);
+  }
+
+  /// M of the program where it has one and the model is big, else the oracle's.
+  std::vector<Real> mass_matrix() {
+    const Function* function = find_function(subject_.program, OutputKind::mass_matrix);
+    const bool is_exact = function != nullptr && !subject_.program.reduction;
+    if (is_exact && state().v.size() > directly_solved) {
+      return evaluate(subject_.program, *function, arguments_at<Real>(state()));
+    }
+    std::vector<Real> m;
+    const OracleValues& values = oracle_.values({.kind = OutputKind::mass_matrix});
+    if (!values) return m;
+    for (const cl_R& value : *values) m.emplace_back(value);
+    return m;
+  }
+
+  std::string compare_pivots() {
+    const std::size_t n = state().v.size();
+    const auto pivots = relative_pivots(mass_matrix(), n, eliminates_last_first(subject_.model));
+    if (!pivots) return {};
+    for (std::size_t i = 0; i < n; ++i) {
+      // A pivot that cancels is known to rounding of 1. An indefinite M has pivots of any size.
+      if (agrees({entry(i).value, abs((*pivots)[i]), {}}, (*pivots)[i], Real(1))) continue;
+      return mismatch("a relative pivot", entry(i).value, (*pivots)[i].value());
+    }
+    return {};
+  }
+
+  /// a of the program where it has them and the model is big, else the oracle's.
+  std::optional<Values> accelerations() {
+    const Function* function = find_function(subject_.program, OutputKind::forward_dynamics);
+    const std::size_t n = state().v.size();
+    Values a;
+    if (function == nullptr || n <= directly_solved) {
+      const OracleValues& truth = oracle_.values({.kind = OutputKind::forward_dynamics});
+      if (!truth) return std::nullopt;
+      a.assign(truth->begin(), truth->begin() + static_cast<std::ptrdiff_t>(n));
+      return a;
+    }
+    const auto values = evaluate(subject_.program, *function, arguments_at<Real>(state()));
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!values[i].is_defined()) return std::nullopt;
+      a.push_back(values[i].value());
+    }
+    return a;
+  }
+
+  /// X y in the rows of accelerations; none where an entry is undefined.
+  [[nodiscard]] std::optional<Values> response(const Values& y) const {
+    const std::size_t n = state().v.size();
+    const std::size_t above = place_.field().rows - n;
+    Values z;
+    for (std::size_t i = 0; i < n; ++i) {
+      Real sum;
+      for (std::size_t k = 0; k < y.size(); ++k) {
+        sum = sum + entry((above + i) * y.size() + k).value * Real(y[k]);
+      }
+      if (!sum.is_defined()) return std::nullopt;
+      z.push_back(sum.value());
+    }
+    return z;
+  }
+
+  /// What M z has to be for unit changes y.
+  std::optional<cl_R> response_force(const Values& w, const Values& y) {
+    if (row().columns == Extent::inputs) return input_force(w, y);
+    const auto a = accelerations();
+    if (!a) return std::nullopt;
+    State moving = state();
+    moving.a = *a;
+    const std::size_t n = w.size();
+    const Values rest(n, cl_R(0));
+    const bool is_of_state = row().columns == Extent::states;
+    const auto middle = y.begin() + static_cast<std::ptrdiff_t>(is_of_state ? n : 0);
+    const bool by_velocity = place_.request_field == 1;
+    const Values x = is_of_state ? Values(y.begin(), middle) : by_velocity ? rest : y;
+    const Values rates = is_of_state ? Values(middle, y.end()) : by_velocity ? y : rest;
+    const auto slope = oracle_residual_slope(subject_.model, moving, w, x, rates);
+    return slope ? std::optional<cl_R>(-*slope) : std::nullopt;
+  }
+
+  std::string compare_response() {
+    const Field& field = place_.field();
+    if (field.entries.empty()) return {};
+    const std::size_t n = state().v.size();
+    const Values w = random_direction(n, random_);
+    const Values y = random_direction(field.columns, random_);
+    const auto z = response(y);
+    if (!z) return compare_undefined("a derivative");
+    const OutputRequest mass{.kind = OutputKind::mass_matrix};
+    const auto left = oracle_contraction(subject_.model, mass, state(), {w, *z});
+    const auto right = response_force(w, y);
+    if (!left || !right) return {};
+    const std::string wrong = compare_forces("w.M (X y) of " + field.name, *left, *right);
+    return wrong.empty() && field.rows > n ? compare_rates() : wrong;
+  }
+
+  /// The rows above those of accelerations, which nothing is solved for.
+  std::string compare_rates() {
+    const Field& field = place_.field();
+    const std::size_t n = state().v.size();
+    Contraction by{random_direction(n, random_), random_direction(field.columns, random_),
+                   place_.request_field};
+    by.w.resize(field.rows, cl_R(0));
+    return compare_by(by);
+  }
+
+  const Subject& subject_;
+  const FieldPlace& place_;
+  const BoundedRun& run_;
+  OracleCache& oracle_;
+  Random& random_;
+};
+
+}  // namespace
+
+std::string compare_projection(const Subject& subject, const FieldPlace& place,
+                               const BoundedRun& run, OracleCache& oracle, Random& random) {
+  return Projection(subject, place, run, oracle, random).compare();
+}
+
+}  // namespace elgen

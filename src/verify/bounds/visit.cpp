@@ -1,0 +1,269 @@
+// Visits: runs of one function after another, each compared and measured once.
+#include "verify/bounds/visit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/more_digits.hpp"
+#include "elgen/outputs.hpp"
+#include "verify/bounds/agreement.hpp"
+#include "verify/bounds/projection.hpp"
+#include "verify/bounds/stated_error.hpp"
+
+namespace elgen {
+namespace {
+
+/// For a second look at values that differ: as many as Real has by itself.
+constexpr unsigned digits_of_second_look = 64;
+
+bool has_values(Regime regime) {
+  return regime == Regime::regular || regime == Regime::ill_conditioned;
+}
+
+template <class Scalar>
+double ulps_apart(Scalar x, const Real& truth) {
+  const Scalar magnitude = std::abs(ScalarTraits<Scalar>::from_real(truth.value()));
+  const Scalar next = std::nextafter(magnitude, std::numeric_limits<Scalar>::infinity());
+  const Real difference = abs(Real(exact_value(static_cast<double>(x))) - truth);
+  return ScalarTraits<double>::from_real(difference.value()) /
+         static_cast<double>(next - magnitude);
+}
+
+double cancellation(const Bound& entry) {
+  if (cln::zerop(entry.value.value())) return 0;
+  return ScalarTraits<double>::from_real((entry.bound / abs(entry.value)).value());
+}
+
+std::string mismatch(std::size_t entry, const Real& value, const Real& truth) {
+  return fmt::format("entry {} is {}, the oracle says {}", entry + 1, short_text(value),
+                     short_text(truth));
+}
+
+std::vector<Bound> slice(const std::vector<Bound>& entries, std::size_t first, std::size_t count) {
+  const auto begin = entries.begin() + static_cast<std::ptrdiff_t>(first);
+  return {begin, begin + static_cast<std::ptrdiff_t>(count)};
+}
+
+/// Solutions that cancel have own bounds which say nothing: more than a tenth of the largest entry.
+bool says_something(const std::vector<Bound>& entries, const Real& roundoff) {
+  Real largest;
+  Real error;
+  for (const Bound& entry : entries) {
+    if (!entry.value.is_defined()) return false;
+    largest = max(largest, abs(entry.value));
+    error = max(error, Real(80) * roundoff * entry.bound);
+  }
+  return error.value() <= largest.value();
+}
+
+}  // namespace
+
+template <class Scalar>
+Visit<Scalar>::Visit(const Subject& subject, const SampledState<Scalar>& sample,
+                     Comparison comparison, const Program* parts)
+    : subject_(subject),
+      sample_(sample),
+      comparison_(comparison),
+      parts_(parts),
+      oracle_(subject, exact_state(subject, sample.values)),
+      solutions_(parts, oracle_.state()) {}
+
+template <class Scalar>
+void Visit<Scalar>::run(const FieldPlace& place) {
+  if (place.function != function_) {
+    function_ = place.function;
+    exact_ = bounded_run<Scalar>(subject_.program, *function_, state());
+    values_ = evaluate(subject_.program, *function_, sample_.values);
+    const bool is_repeated =
+        comparison_ == Comparison::projections && function_->fields.size() == 1;
+    if (is_repeated) known_[function_->name] = exact_.entries;
+  }
+  if (!place.judge.is_closed_form || place.judge.function == judge_) return;
+  judge_ = place.judge.function;
+  judge_run_ = bounded_run<Scalar>(subject_.program, *judge_, state());
+}
+
+template <class Scalar>
+auto Visit<Scalar>::judged(const FieldPlace& place) -> Judged {
+  const std::size_t count = place.field().entries.size();
+  Judged result{exact_.regime, slice(exact_.entries, place.first, count), {}};
+  if (place.judge.is_closed_form) {
+    result.regime = worse(exact_.regime, judge_run_.regime);
+    result.entries = slice(judge_run_.entries, place.judge.first, count);
+    return result;
+  }
+  const bool solves = output_row(place.request.kind).solves;
+  if (!solves || !has_values(result.regime)) return result;
+  result.columns = solutions_.columns(place, result.entries);
+  if (!result.columns.empty()) {
+    result.regime = Regime::regular;
+  } else if (!says_something(result.entries, rounding<Scalar>().roundoff)) {
+    result.regime = Regime::ill_conditioned;
+  }
+  return result;
+}
+
+template <class Scalar>
+std::string Visit<Scalar>::differing_entry(const FieldPlace& place, const Judged& judged,
+                                           Finding& finding) {
+  const OracleValues& truth = oracle_.values(place.request);
+  const bool solves = output_row(place.request.kind).solves;
+  if (!truth || (solves && !oracle_.solves())) {
+    finding.regime = truth ? Regime::ill_conditioned : Regime::undefined;
+    return {};
+  }
+  std::vector<Real> bounds;
+  for (const Bound& entry : judged.entries) bounds.push_back(entry.bound);
+  for (const SolvedColumn& column : judged.columns) {
+    for (std::size_t i = 0; i < column.entries.size(); ++i) {
+      bounds[column.entries[i]] = column.bound / column.weights[i];
+    }
+  }
+  for (std::size_t i = 0; i < judged.entries.size(); ++i) {
+    const Bound& own = exact_.entries[place.first + i];
+    const cln::cl_R& exact = (*truth)[place.first_oracle + i];
+    const Real stated = stated_error(subject_.program, place.request.kind, i, state());
+    const Real own_bound = judged.columns.empty() ? own.bound : bounds[i];
+    for (const Measured& number : {Measured{own.value, own_bound, stated},
+                                   Measured{judged.entries[i].value, bounds[i], stated}}) {
+      if (agrees_with_oracle(number, exact, exact_.largest, oracle_)) continue;
+      return mismatch(i, number.value, Real(exact));
+    }
+  }
+  return {};
+}
+
+template <class Scalar>
+std::string Visit<Scalar>::differing_from(const FieldPlace& place, const std::vector<Bound>& others,
+                                          std::string_view of) const {
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    const Real& own = exact_.entries[place.first + i].value;
+    const Bound& other = others[i];
+    if (!own.is_defined() && !other.value.is_defined()) continue;
+    if (agrees({other.value, other.bound, {}}, own, exact_.largest)) continue;
+    return fmt::format("entry {} is {}, but {} in {}", i + 1, short_text(own),
+                       short_text(other.value), of);
+  }
+  return {};
+}
+
+template <class Scalar>
+std::string Visit<Scalar>::differing_projection(const FieldPlace& place, const Judged& judged,
+                                                Random& random) {
+  const bool repeats = output_row(place.function->kind).repeats;
+  const auto known = repeats ? known_.find(place.field().name) : known_.end();
+  if (known != known_.end())
+    return differing_from(place, known->second, "the function of its name");
+  const std::string differs = place.judge.is_closed_form
+                                  ? differing_from(place, judged.entries, "its closed form")
+                                  : std::string();
+  return differs.empty() ? compare_projection(subject_, place, exact_, oracle_, random) : differs;
+}
+
+template <class Scalar>
+void Visit<Scalar>::add_error(const FieldPlace& place, std::size_t entry, double error,
+                              Finding& finding) const {
+  const double largest = finding.error.value_or(0);
+  const bool is_new = !finding.error || std::isnan(error) || error > largest;
+  if (!is_new || std::isnan(largest)) return;
+  finding.error = error;
+  if (error <= promised_bounds) return;
+  finding.imprecision = fmt::format("{:.17g} instead of {} is {:.2g} times its error bound",
+                                    values_[place.first + entry],
+                                    short_text(exact_.entries[place.first + entry].value), error);
+}
+
+template <class Scalar>
+void Visit<Scalar>::add_entry(const FieldPlace& place, std::size_t entry, const Bound& bound,
+                              Finding& finding) const {
+  const Scalar x = values_[place.first + entry];
+  add_error(place, entry, error_in_bounds(x, bound, place.function->instructions.size()), finding);
+  finding.cancellation = std::max(finding.cancellation, cancellation(bound));
+}
+
+template <class Scalar>
+double Visit<Scalar>::error_in_norm(const FieldPlace& place, const SolvedColumn& column) const {
+  const std::size_t operations = place.function->instructions.size();
+  Real square;
+  for (std::size_t i = 0; i < column.entries.size(); ++i) {
+    const std::size_t at = place.first + column.entries[i];
+    const Real error = excess_error(values_[at], exact_.entries[at].value, operations);
+    const Real weighted = error * column.weights[i];
+    square = square + weighted * weighted;
+  }
+  return in_bounds<Scalar>(sqrt(square), column.bound);
+}
+
+/// None where nothing bounds it: beyond the ranges the code may round more on its way to M and b
+/// than M and b themselves do, and its own bound decides.
+template <class Scalar>
+std::optional<double> Visit<Scalar>::error_of(const FieldPlace& place,
+                                              const SolvedColumn& column) const {
+  const double in_norm = error_in_norm(place, column);
+  std::vector<Bound> own;
+  for (const std::size_t entry : column.entries) own.push_back(exact_.entries[place.first + entry]);
+  const bool keeps = in_norm <= promised_bounds;
+  if (keeps || sample_.region == Region::nominal) return in_norm;
+  const bool has_own =
+      exact_.regime == Regime::regular && says_something(own, rounding<Scalar>().roundoff);
+  if (!has_own) return std::nullopt;
+  double largest = 0;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const Scalar x = values_[place.first + column.entries[i]];
+    largest = std::max(largest, error_in_bounds(x, own[i], place.function->instructions.size()));
+  }
+  return std::min(in_norm, largest);
+}
+
+template <class Scalar>
+void Visit<Scalar>::measure(const FieldPlace& place, const Judged& judged, Finding& finding) const {
+  finding.in_norm = !judged.columns.empty();
+  std::vector<bool> by_norm(judged.entries.size());
+  for (const SolvedColumn& column : judged.columns) {
+    for (const std::size_t entry : column.entries) by_norm[entry] = true;
+    const std::optional<double> error = error_of(place, column);
+    if (!error) {
+      finding = Finding{.regime = Regime::ill_conditioned};
+      return;
+    }
+    add_error(place, column.entries.front(), *error, finding);
+  }
+  for (std::size_t i = 0; i < judged.entries.size(); ++i) {
+    const Bound& own = exact_.entries[place.first + i];
+    if (!by_norm[i]) add_entry(place, i, judging_bound(own, judged.entries[i]), finding);
+    if (sample_.region != Region::nominal || cln::zerop(own.value.value())) continue;
+    finding.ulps.push_back(ulps_apart(values_[place.first + i], own.value));
+  }
+}
+
+template <class Scalar>
+Finding Visit<Scalar>::look_at(const FieldPlace& place, Random& random) {
+  Finding first = found(place, random);
+  if (first.mistake.empty()) return first;
+  const MoreDigits twice(digits_of_second_look);
+  return Visit(subject_, sample_, comparison_, parts_).found(place, random);
+}
+
+template <class Scalar>
+Finding Visit<Scalar>::found(const FieldPlace& place, Random& random) {
+  run(place);
+  const Judged judged = this->judged(place);
+  Finding finding;
+  finding.regime = judged.regime;
+  // At ordinary states the oracle is asked all the same: what has a value there must have one here.
+  if (!has_values(judged.regime) && sample_.region != Region::nominal) return finding;
+  finding.mistake = comparison_ == Comparison::entries
+                        ? differing_entry(place, judged, finding)
+                        : differing_projection(place, judged, random);
+  const bool is_measured = finding.mistake.empty() && finding.regime == Regime::regular;
+  if (is_measured) measure(place, judged, finding);
+  return finding;
+}
+
+template class Visit<double>;
+template class Visit<float>;
+
+}  // namespace elgen

@@ -1,0 +1,97 @@
+// Visit: a program at one state, field by field. Its exact values must be the oracle's (the
+// mathematics is right), and its rounded ones within 8 u B of them (so is the rounding).
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/random.hpp"
+#include "verify/bounds/field_place.hpp"
+#include "verify/bounds/oracle_cache.hpp"
+#include "verify/bounds/solution_bound.hpp"
+#include "verify/states/states.hpp"
+
+namespace elgen {
+
+/// The promise: |x - x*| <= 8 u B + N eta, u half the scalar's epsilon, eta its smallest denormal,
+/// N operations.
+inline constexpr double promised_bounds = 8;
+
+/// How exact values are compared with the oracle's.
+enum class Comparison : std::uint8_t {
+  entries,      ///< each of them
+  projections,  ///< one random contraction of a field, at the cost of a few evaluations of energies
+};
+
+/// What one state says of one field.
+struct Finding {
+  /// Of the program and its judge together; regular too where a norm bounds what they do not.
+  Regime regime = Regime::regular;
+  std::string mistake = {};          ///< an exact value that is not the oracle's
+  std::optional<double> error = {};  ///< largest, in u B; none where nothing bounds it
+  bool in_norm = false;              ///< that of solutions, not of entries
+  std::string imprecision = {};      ///< the entry of an error that breaks the promise
+  double cancellation = 0;           ///< largest B/|x|
+  std::vector<double> ulps = {};     ///< of entries that are not 0
+};
+
+/// Scalar: double or float.
+template <class Scalar>
+class Visit {
+ public:
+  /// `parts` of SolutionBounds may be null. `sample` and `subject` outlive the visit.
+  Visit(const Subject& subject, const SampledState<Scalar>& sample, Comparison comparison,
+        const Program* parts);
+
+  [[nodiscard]] const State& state() const { return oracle_.state(); }
+
+  /// `random` gives the directions of projections. Fields of one function one after another cost
+  /// one run of it.
+  [[nodiscard]] Finding look_at(const FieldPlace& place, Random& random);
+
+ private:
+  /// Bounds of the field's entries by whoever judges them.
+  struct Judged {
+    Regime regime = Regime::regular;
+    std::vector<Bound> entries = {};         ///< of the field
+    std::vector<SolvedColumn> columns = {};  ///< where norms judge
+  };
+
+  [[nodiscard]] Finding found(const FieldPlace& place, Random& random);
+  void run(const FieldPlace& place);
+  [[nodiscard]] Judged judged(const FieldPlace& place);
+  [[nodiscard]] std::string differing(const FieldPlace& place, const Judged& judged,
+                                      Finding& finding, Random& random);
+  [[nodiscard]] std::string differing_entry(const FieldPlace& place, const Judged& judged,
+                                            Finding& finding);
+  [[nodiscard]] std::string differing_projection(const FieldPlace& place, const Judged& judged,
+                                                 Random& random);
+  [[nodiscard]] std::string differing_from(const FieldPlace& place,
+                                           const std::vector<Bound>& others,
+                                           std::string_view of) const;
+  void measure(const FieldPlace& place, const Judged& judged, Finding& finding) const;
+  void add_entry(const FieldPlace& place, std::size_t entry, const Bound& bound,
+                 Finding& finding) const;
+  void add_error(const FieldPlace& place, std::size_t entry, double error, Finding& finding) const;
+  [[nodiscard]] double error_in_norm(const FieldPlace& place, const SolvedColumn& column) const;
+  [[nodiscard]] std::optional<double> error_of(const FieldPlace& place,
+                                               const SolvedColumn& column) const;
+
+  const Subject& subject_;
+  const SampledState<Scalar>& sample_;
+  Comparison comparison_;
+  const Program* parts_;
+  OracleCache oracle_;
+  SolutionBounds<Scalar> solutions_;
+  const Function* function_ = nullptr;  ///< of the following runs
+  BoundedRun exact_ = {};
+  std::vector<Scalar> values_ = {};
+  const Function* judge_ = nullptr;
+  BoundedRun judge_run_ = {};
+  std::map<std::string, std::vector<Bound>> known_ = {};  ///< entries of functions of one field
+};
+
+}  // namespace elgen

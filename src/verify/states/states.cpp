@@ -1,0 +1,250 @@
+// Sampled states. The extremes of float are milder than those of double: its exponents are an
+// eighth as wide.
+#include "verify/states/states.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "base/random.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr double pi = 3.141592653589793;
+
+struct SampledRange {
+  double low;
+  double high;
+};
+
+/// Ranges may reach beyond every scalar. A quarter of the largest number leaves their widths
+/// finite.
+double within_scalar(const cln::cl_R& value) {
+  constexpr double largest = std::numeric_limits<double>::max() / 4;
+  return std::clamp(ScalarTraits<double>::from_real(value), -largest, largest);
+}
+
+SampledRange range_or(const std::optional<Interval>& interval, double otherwise) {
+  if (!interval) return {-otherwise, otherwise};
+  return {within_scalar(interval->low), within_scalar(interval->high)};
+}
+
+/// Quaternions to length 1, each component rounded once; (1, 0, 0, 0) where there is no direction.
+void scale_quaternions(const Model& model, Arguments<double>& values) {
+  for (const Rotation& rotation : model.rotations) {
+    double* e = &values.q[rotation.first_coordinate];
+    Real square;
+    for (std::size_t i = 0; i < quaternion_size; ++i) {
+      square = square + Real(exact_value(e[i])) * Real(exact_value(e[i]));
+    }
+    if (cln::zerop(square.value())) {
+      e[0] = 1;
+      continue;
+    }
+    const Real length = sqrt(square);
+    for (std::size_t i = 0; i < quaternion_size; ++i) {
+      e[i] = ScalarTraits<double>::from_real((Real(exact_value(e[i])) / length).value());
+    }
+  }
+}
+
+struct Ranges {
+  std::vector<SampledRange> q = {};
+  std::vector<SampledRange> v = {};
+  std::vector<SampledRange> u = {};
+};
+
+constexpr double default_rate = 10;  ///< of rates, accelerations, inputs and time
+
+bool is_angle(const Coordinate& coordinate) { return coordinate.unit_text == "rad"; }
+
+Ranges ranges_of(const Model& model) {
+  Ranges ranges;
+  for (const Coordinate& coordinate : model.coordinates) {
+    ranges.q.push_back(range_or(coordinate.range, is_angle(coordinate) ? pi : 1));
+  }
+  for (const Velocity& velocity : model.velocities) {
+    ranges.v.push_back(range_or(velocity.rate_range, default_rate));
+  }
+  for (const Input& input : model.inputs) ranges.u.push_back(range_or(input.limits, default_rate));
+  return ranges;
+}
+
+/// [min, max], or the value.
+std::vector<SampledRange> parameter_ranges(const Model& model, const Arguments<double>& values) {
+  std::vector<SampledRange> ranges;
+  for (std::size_t i = 0; i < model.parameters.size(); ++i) {
+    const double value = values.parameters[i];
+    const auto& range = model.parameter_arrays[model.parameters[i].array].range;
+    ranges.push_back(range ? range_or(range, value) : SampledRange{value, value});
+  }
+  return ranges;
+}
+
+Arguments<double> nominal(const Subject& subject, const Ranges& ranges, Random& random) {
+  Arguments<double> values = arguments_at<double>(nominal_state(subject.model, subject.scene));
+  const auto fill = [&random](std::vector<double>& to, const std::vector<SampledRange>& from) {
+    for (std::size_t i = 0; i < to.size(); ++i) to[i] = random.uniform(from[i].low, from[i].high);
+  };
+  if (subject.scene.dropping) fill(values.parameters, parameter_ranges(subject.model, values));
+  fill(values.q, ranges.q);
+  fill(values.v, ranges.v);
+  for (double& a : values.a) a = random.uniform(-default_rate, default_rate);
+  fill(values.u, ranges.u);
+  values.t = random.uniform(-default_rate, default_rate);
+  return values;
+}
+
+/// Every variable of magnitude 2^low … 2^high.
+Arguments<double> scaled(const Subject& subject, Random& random, int low, int high) {
+  Arguments<double> values = arguments_at<double>(nominal_state(subject.model, subject.scene));
+  for (std::vector<double>* quantity : {&values.q, &values.v, &values.a, &values.u}) {
+    for (double& value : *quantity) value = random.log_uniform(low, high);
+  }
+  values.t = random.log_uniform(low, high);
+  return values;
+}
+
+/// How far a scalar's extremes reach.
+struct Reach {
+  std::vector<double> tiny;
+  std::vector<double> angles;
+  std::vector<double> rates;
+  double parameter_ratio;
+};
+
+template <class Scalar>
+Reach reach() {
+  const double denormal = std::numeric_limits<Scalar>::denorm_min();
+  if constexpr (std::is_same_v<Scalar, float>) {
+    return {{1e-12, 1e-30, 1e-37, denormal}, {1e3, 1e4}, {1e3, 1e7, 1e18}, 1e3};
+  } else {
+    return {{1e-12, 1e-30, 1e-150, 1e-300, denormal},
+            {1e3, 1e8, 1e15},
+            {1e3, 1e30, 1e60, 1e150, 1e300},
+            1e12};
+  }
+}
+
+/// Makes the extremes, each from a fresh nominal state so that only one thing is extreme at a time.
+class Extremes {
+ public:
+  Extremes(const Subject& subject, Random& random)
+      : subject_(subject), ranges_(ranges_of(subject.model)), random_(random) {}
+
+  std::vector<SampledState<double>> make(const Reach& reach) {
+    add("origin") = arguments_at<double>(nominal_state(subject_.model, subject_.scene));
+    ends("low ends of ranges", &SampledRange::low);
+    ends("high ends of ranges", &SampledRange::high);
+    for (const double size : reach.tiny) {
+      set_positions(fmt::format("positions {:g}", size), size, false);
+      set_rates(fmt::format("rates {:g}", size), size);
+    }
+    for (const double size : reach.angles) {
+      set_positions(fmt::format("angles {:g}", size), size, true);
+    }
+    for (const double size : reach.rates) set_rates(fmt::format("rates {:g}", size), size);
+    ratios(reach.parameter_ratio);
+    ratios(1 / reach.parameter_ratio);
+    charts();
+    return std::move(states_);
+  }
+
+ private:
+  Arguments<double>& add(std::string name) {
+    states_.push_back({Region::extreme, std::move(name), nominal(subject_, ranges_, random_)});
+    return states_.back().values;
+  }
+
+  void ends(const char* name, double SampledRange::*end) {
+    Arguments<double>& values = add(name);
+    for (std::size_t i = 0; i < values.q.size(); ++i) values.q[i] = ranges_.q[i].*end;
+    for (std::size_t i = 0; i < values.v.size(); ++i) values.v[i] = ranges_.v[i].*end;
+    for (std::size_t i = 0; i < values.u.size(); ++i) values.u[i] = ranges_.u[i].*end;
+  }
+
+  void set_positions(std::string name, double size, bool angles_only) {
+    Arguments<double>& values = add(std::move(name));
+    for (std::size_t i = 0; i < values.q.size(); ++i) {
+      if (angles_only && !is_angle(subject_.model.coordinates[i])) continue;
+      values.q[i] = random_.uniform(0.5, 1) < 0.75 ? size : -size;
+    }
+  }
+
+  void set_rates(std::string name, double size) {
+    for (double& v : add(std::move(name)).v) v = random_.uniform(0.5, 1) < 0.75 ? size : -size;
+  }
+
+  /// Every second parameter times `ratio`.
+  void ratios(double ratio) {
+    Arguments<double>& values = add(fmt::format("parameter ratios {:g}", ratio));
+    for (std::size_t i = 0; i < values.parameters.size(); i += 2) values.parameters[i] *= ratio;
+  }
+
+  /// Angles one part in 1e15 from where charts break: gimbals, poles, aligned links.
+  void charts() {
+    for (const double angle : {0.0, pi / 2, pi}) {
+      Arguments<double>& values = add(fmt::format("angles 1e-15 from {:.3g}", angle));
+      double distance = 1e-15;
+      for (std::size_t i = 0; i < values.q.size(); ++i, distance = -2 * distance) {
+        if (is_angle(subject_.model.coordinates[i])) values.q[i] = angle + distance;
+      }
+    }
+  }
+
+  const Subject& subject_;
+  Ranges ranges_;
+  Random& random_;
+  std::vector<SampledState<double>> states_;
+};
+
+/// The nearest finite number: what a range reaches in double may be too large for float.
+template <class Scalar>
+Scalar finite(double value) {
+  constexpr double largest = std::numeric_limits<Scalar>::max();
+  return static_cast<Scalar>(std::clamp(value, -largest, largest));
+}
+
+template <class Scalar>
+Arguments<Scalar> rounded(const Arguments<double>& values) {
+  return map_leaves([](double value) { return finite<Scalar>(value); }, values);
+}
+
+}  // namespace
+
+template <class Scalar>
+std::vector<SampledState<Scalar>> sample_states(const Subject& subject, const Sampling& sampling) {
+  Random random(sampling.seed);
+  const Ranges ranges = ranges_of(subject.model);
+  const bool inside = subject.scene.dropping.has_value();
+  std::vector<SampledState<double>> states;
+  for (std::size_t i = 0; i < sampling.count; ++i) {
+    // 2^-40 = 1e-12, 2^-10 = 1e-3, 2^27 = 1e8
+    if (i % 4 < 2 || inside)
+      states.push_back({Region::nominal, {}, nominal(subject, ranges, random)});
+    if (inside) continue;
+    if (i % 4 == 2) states.push_back({Region::small, {}, scaled(subject, random, -40, -11)});
+    if (i % 4 == 3) states.push_back({Region::large, {}, scaled(subject, random, -27, 26)});
+  }
+  if (sampling.extremes && !inside) {
+    for (SampledState<double>& state : Extremes(subject, random).make(reach<Scalar>())) {
+      states.push_back(std::move(state));
+    }
+  }
+  std::vector<SampledState<Scalar>> result;
+  result.reserve(states.size());
+  for (SampledState<double>& state : states) {
+    scale_quaternions(subject.model, state.values);
+    result.push_back({state.region, state.name, rounded<Scalar>(state.values)});
+  }
+  return result;
+}
+
+template std::vector<SampledState<double>> sample_states(const Subject&, const Sampling&);
+template std::vector<SampledState<float>> sample_states(const Subject&, const Sampling&);
+
+}  // namespace elgen

@@ -1,0 +1,102 @@
+// States between views: binary arguments become exact rationals, and text for people.
+#include "verify/states/subject.hpp"
+
+#include <cln/dfloat.h>
+#include <cln/ffloat.h>
+#include <cln/float.h>
+#include <cln/integer.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace elgen {
+namespace {
+
+using cln::cl_R;
+
+std::string list(const char* name, const std::vector<cl_R>& values) {
+  if (values.empty()) return {};
+  std::string text = fmt::format("{} = (", name);
+  const std::size_t shown = std::min<std::size_t>(values.size(), 8);
+  for (std::size_t i = 0; i < shown; ++i) {
+    text += (i == 0 ? "" : ", ") + short_text(values[i]);
+  }
+  return text + (shown < values.size() ? ", …)" : ")");
+}
+
+std::string changed_parameters(const Subject& subject, const State& state) {
+  const std::vector<double> nominal =
+      arguments_at<double>(nominal_state(subject.model, subject.scene)).parameters;
+  const std::vector<double> actual = arguments_at<double>(state).parameters;
+  std::string text;
+  for (std::size_t i = 0; i < actual.size(); ++i) {
+    const double scale = std::max(std::abs(nominal[i]), std::abs(actual[i]));
+    // A float's rounding of the nominal value is no change.
+    if (std::abs(actual[i] - nominal[i]) <= 1e-6 * scale) continue;
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", subject.model.parameters[i].name,
+                        short_text(state.parameters[i]));
+  }
+  return text;
+}
+
+/// Where quaternions are of length 1 only to rounding, the two sides of a comparison may go on
+/// differently off the unit sphere; on it, and by a few roundings from the arguments, they must
+/// not.
+void scale_to_length_one(const Model& model, State& state) {
+  if (model.rotations.empty()) return;
+  const OracleValues scaled = oracle_values(model, {.kind = OutputKind::normalized}, state);
+  if (scaled) state.q = *scaled;
+}
+
+}  // namespace
+
+template <class Scalar>
+State exact_state(const Subject& subject, const Arguments<Scalar>& arguments) {
+  State state = map_leaves(
+      [](Scalar value) -> cl_R { return exact_value(static_cast<double>(value)); }, arguments);
+  const State nominal = nominal_state(subject.model, subject.scene);
+  for (const auto& fixed : subject.scene.specialisation.fixed) {
+    state.parameters[fixed.first] = nominal.parameters[fixed.first];
+  }
+  scale_to_length_one(subject.model, state);
+  return state;
+}
+
+template State exact_state(const Subject&, const Arguments<double>&);
+template State exact_state(const Subject&, const Arguments<float>&);
+
+const Function* find_function(const Program& program, OutputKind kind, std::uint32_t user) {
+  const auto found =
+      std::find_if(program.functions.begin(), program.functions.end(),
+                   [&](const Function& f) { return f.kind == kind && f.user == user; });
+  return found == program.functions.end() ? nullptr : &*found;
+}
+
+std::string describe(const Subject& subject, const State& state) {
+  std::string text = list("q", state.q);
+  for (const std::string& part :
+       {list("v", state.v), list("a", state.a), list("u", state.u),
+        subject.model.uses_time ? "t = " + short_text(state.t) : std::string(),
+        changed_parameters(subject, state)}) {
+    if (!part.empty()) text += ", " + part;
+  }
+  return text;
+}
+
+std::string short_text(const cl_R& value) {
+  if (cln::zerop(value)) return "0";
+  const cln::cl_F number = cln::cl_float(value, cln::float_format(20));
+  const double rounded = ScalarTraits<double>::from_real(value);
+  if (std::isfinite(rounded) && std::abs(rounded) > std::numeric_limits<double>::min()) {
+    return fmt::format("{:.6g}", rounded);
+  }
+  // Beyond double: the leading digit by a power of ten from the binary exponent.
+  const auto exponent = static_cast<long>(cln::float_exponent(number));
+  const long decimal = std::lround(std::floor(static_cast<double>(exponent) * 0.30103));
+  const cl_R scaled = value / power_of_ten(decimal);
+  return fmt::format("{:.3g}e{}", ScalarTraits<double>::from_real(scaled), decimal);
+}
+
+}  // namespace elgen

@@ -1,0 +1,45 @@
+// Tally: the largest of many figures, where it occurred, and how many states had none.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "elgen/certificate.hpp"
+#include "verify/states/subject.hpp"
+
+namespace elgen {
+
+class Tally {
+ public:
+  void add(double figure, const State& state) {
+    ++samples_;
+    // A NaN is the worst there is.
+    if (worst_state_ && (std::isnan(worst_) || figure <= worst_)) return;
+    worst_ = figure;
+    worst_state_ = state;
+  }
+  void skip() { ++skipped_; }
+
+  [[nodiscard]] std::size_t samples() const { return samples_; }
+  [[nodiscard]] std::size_t skipped() const { return skipped_; }
+  [[nodiscard]] double worst() const { return worst_; }
+  /// False for a NaN, too.
+  [[nodiscard]] bool within(double tolerance) const { return worst_ <= tolerance; }
+  [[nodiscard]] std::string where(const Subject& subject) const {
+    return worst_state_ ? describe(subject, *worst_state_) : std::string();
+  }
+  /// Skipped where nothing was sampled.
+  [[nodiscard]] Verdict verdict(double tolerance) const {
+    if (samples_ == 0) return Verdict::skipped;
+    return within(tolerance) ? Verdict::holds : Verdict::fails;
+  }
+
+ private:
+  std::size_t samples_ = 0;
+  std::size_t skipped_ = 0;
+  double worst_ = 0.0;
+  std::optional<State> worst_state_ = {};
+};
+
+}  // namespace elgen

@@ -1,0 +1,107 @@
+// Values and derivatives of a program at one state, in 64 digits.
+#include "verify/structure/exact_values.hpp"
+
+#include "check/names/requests.hpp"
+#include "elgen/outputs.hpp"
+#include "verify/structure/balance.hpp"
+
+namespace elgen {
+namespace {
+
+std::vector<Real> entries_of(const Function& function, const std::vector<Real>& values) {
+  std::vector<Real> entries;
+  for (const Field& field : function.fields) {
+    for (const std::uint32_t entry : field.entries) entries.push_back(values[entry]);
+  }
+  return entries;
+}
+
+std::vector<Real> from_oracle(const Subject& subject, const State& state, OutputKind kind,
+                              std::uint32_t user) {
+  const OutputRequest request = request_of(subject.model, kind, user);
+  const OracleValues exact = oracle_values(subject.model, request, state);
+  const std::size_t entries = std::size_t{request.rows} * request.columns;
+  if (!exact) return std::vector<Real>(entries, Real::undefined());
+  std::vector<Real> values;
+  for (const cln::cl_R& value : *exact) values.emplace_back(value);
+  return values;
+}
+
+}  // namespace
+
+ExactValues::ExactValues(const Subject& subject, State state)
+    : subject_(subject), state_(std::move(state)), arguments_(arguments_at<Real>(state_)) {
+  Real largest;
+  for (const Function& function : subject_.program.functions) {
+    const std::vector<Real> values = evaluate_instructions(subject_.program, function, arguments_);
+    const Real here = largest_magnitude(values);
+    // A function undefined here fails or skips its own rows only.
+    if (here.is_defined()) largest = max(largest, here);
+    values_[{function.kind, function.user}] = entries_of(function, values);
+  }
+  floor_ = largest * Real(power_of_ten(-20));
+}
+
+const std::vector<Real>& ExactValues::value(OutputKind kind, std::uint32_t user) {
+  const auto key = std::make_pair(kind, user);
+  const auto known = values_.find(key);
+  if (known != values_.end()) return known->second;
+  const auto& reduction = subject_.program.reduction;
+  if (const ReducedOutput* reduced = reduction ? find_reduced(*reduction, kind) : nullptr) {
+    // The oracle knows the exact one only.
+    return values_[key] = std::vector<Real>(reduced->errors.size(), Real::undefined());
+  }
+  return values_[key] = from_oracle(subject_, state_, kind, user);
+}
+
+std::vector<Real> ExactValues::value_at(OutputKind kind, const Arguments<Real>& arguments) const {
+  return evaluate(subject_.program, *find_function(subject_.program, kind), arguments);
+}
+
+std::vector<Real> ExactValues::slopes(OutputKind kind, const Arguments<Real>& direction,
+                                      std::uint32_t user) const {
+  const Function& function = *find_function(subject_.program, kind, user);
+  std::vector<Real> result;
+  for (const Dual<Real>& entry :
+       evaluate(subject_.program, function, moving(arguments_, direction))) {
+    result.push_back(entry.slope);
+  }
+  return result;
+}
+
+std::vector<Real> ExactValues::curvatures(OutputKind kind, const Arguments<Real>& direction,
+                                          std::uint32_t user) const {
+  const Function& function = *find_function(subject_.program, kind, user);
+  const auto once = moving(arguments_, direction);
+  const auto twice = moving(once, moving(direction, at_rest()));
+  std::vector<Real> result;
+  for (const Dual<Dual<Real>>& entry : evaluate(subject_.program, function, twice)) {
+    result.push_back(entry.slope.slope);
+  }
+  return result;
+}
+
+std::vector<Real> ExactValues::coordinate_rates(const std::vector<Real>& v) const {
+  State state = state_;
+  for (std::size_t i = 0; i < v.size(); ++i) state.v[i] = v[i].value();
+  return from_oracle(subject_, state, OutputKind::coordinate_rates, 0);
+}
+
+std::vector<Real> ExactValues::coasting_accelerations() const {
+  const Model& model = subject_.model;
+  if (model.rotations.empty()) return std::vector<Real>(state_.q.size());
+  State state = state_;
+  const std::vector<Real> rates = coordinate_rates(arguments_.v);
+  for (std::size_t i = 0; i < rates.size(); ++i) state.q[i] = rates[i].value();
+  std::vector<Real> result = from_oracle(subject_, state, OutputKind::coordinate_rates, 0);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (!model.coordinates[i].rotation) result[i] = Real();
+  }
+  return result;
+}
+
+Arguments<Real> ExactValues::at_rest() const {
+  return map_leaves([](const Real&) { return Real(); }, arguments_);
+}
+
+}  // namespace elgen

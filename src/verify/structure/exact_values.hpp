@@ -1,0 +1,57 @@
+// ExactValues: every function of a program at one state in 64 digits, and derivatives along
+// directions.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "evaluate/dual.hpp"
+#include "verify/states/subject.hpp"
+
+namespace elgen {
+
+class ExactValues {
+ public:
+  ExactValues(const Subject& subject, State state);
+
+  [[nodiscard]] const Subject& subject() const { return subject_; }
+  [[nodiscard]] const State& state() const { return state_; }
+  [[nodiscard]] const Arguments<Real>& arguments() const { return arguments_; }
+  [[nodiscard]] std::size_t size() const { return state_.v.size(); }
+
+  /// The program's entries, or the oracle's where the program has no such function; undefined
+  /// entries where neither has a value.
+  [[nodiscard]] const std::vector<Real>& value(OutputKind kind, std::uint32_t user = 0);
+
+  /// The entries of a function of the program at other arguments.
+  [[nodiscard]] std::vector<Real> value_at(OutputKind kind, const Arguments<Real>& arguments) const;
+
+  /// Derivatives of the program's entries along a direction.
+  [[nodiscard]] std::vector<Real> slopes(OutputKind kind, const Arguments<Real>& direction,
+                                         std::uint32_t user = 0) const;
+
+  /// Second derivatives along a direction.
+  [[nodiscard]] std::vector<Real> curvatures(OutputKind kind, const Arguments<Real>& direction,
+                                             std::uint32_t user = 0) const;
+
+  /// A direction that moves nothing.
+  [[nodiscard]] Arguments<Real> at_rest() const;
+
+  /// dq/dt with these velocities: N(q) v.
+  [[nodiscard]] std::vector<Real> coordinate_rates(const std::vector<Real>& v) const;
+
+  /// d2q/dt2 with the state's velocities, where they do not change: 0 but for quaternions.
+  [[nodiscard]] std::vector<Real> coasting_accelerations() const;
+
+  /// What counts as rounding here: 1e-20 of the largest intermediate of any function.
+  [[nodiscard]] Real floor() const { return floor_; }
+
+ private:
+  Subject subject_;
+  State state_;
+  Arguments<Real> arguments_;
+  std::map<std::pair<OutputKind, std::uint32_t>, std::vector<Real>> values_ = {};
+  Real floor_ = {};
+};
+
+}  // namespace elgen

@@ -1,0 +1,34 @@
+// The tables of identities between the functions of a program.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "verify/structure/balance.hpp"
+#include "verify/structure/exact_values.hpp"
+
+namespace elgen {
+
+struct Identity {
+  std::string_view check;
+  std::string_view formula;
+  std::vector<OutputKind>
+      functions;  ///< which the program must have; the first is the row's subject
+  Balance (*balance)(ExactValues& at);  ///< the left side less the right side
+};
+
+[[nodiscard]] const std::vector<Identity>& identities();
+
+/// What holds between an [[output]] y and a derivative of it. Of a frame y is a pose, and its twist
+/// stands for dy/dt: quaternions must be of norm 1 then.
+struct OutputIdentity {
+  OutputKind derivative;
+  std::string_view check;
+  std::string_view formula;
+  std::string_view formula_of_frame;
+  Balance (*balance)(ExactValues& at, std::uint32_t user);
+};
+
+[[nodiscard]] const std::vector<OutputIdentity>& output_identities();
+
+}  // namespace elgen

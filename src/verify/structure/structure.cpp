@@ -1,0 +1,198 @@
+// The rows of structure: the table of identities, and the two properties of M that are no
+// identities.
+#include "verify/structure/structure.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "check/names/requests.hpp"
+#include "elgen/outputs.hpp"
+#include "verify/bounds/pivots.hpp"
+#include "verify/states/tally.hpp"
+#include "verify/structure/identities.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr double identity_tolerance = 1e-40;
+constexpr const char* identity_reason =
+    "1e-40 of the largest term: 64-digit arithmetic less 24 digits for cancellation";
+
+/// Pivots below this are those of a singular chart (a pole, a gimbal), where no sign is claimed.
+constexpr double singular_pivot = 1e-10;
+
+CertificateRow finish(CertificateRow row, const Tally& tally, const Subject& subject,
+                      double tolerance) {
+  row.samples = tally.samples();
+  row.where = tally.where(subject);
+  row.verdict = tally.verdict(tolerance);
+  if (tally.skipped() > 0) row.skipped = {{Obstacle::undefined, tally.skipped()}};
+  return row;
+}
+
+template <class Compute>
+CertificateRow identity_row(CertificateRow row, std::vector<ExactValues>& points,
+                            const Compute& compute) {
+  Tally tally;
+  for (ExactValues& at : points) {
+    const std::optional<double> figure = compute(at).figure(at.floor());
+    if (figure) {
+      tally.add(*figure, at.state());
+    } else {
+      tally.skip();
+    }
+  }
+  row.worst = fmt::format("{:.1e} relative", tally.worst());
+  row.tolerance = identity_reason;
+  return finish(std::move(row), tally, points.front().subject(), identity_tolerance);
+}
+
+bool has_all(const Program& program, const std::vector<OutputKind>& kinds) {
+  for (const OutputKind kind : kinds) {
+    if (find_function(program, kind) == nullptr) return false;
+  }
+  return true;
+}
+
+void add_identities(std::vector<CertificateRow>& rows, std::vector<ExactValues>& points) {
+  const Program& program = points.front().subject().program;
+  for (const Identity& identity : identities()) {
+    if (!has_all(program, identity.functions)) continue;
+    CertificateRow row;
+    row.check = identity.check;
+    row.output = row.subject = find_function(program, identity.functions.front())->name;
+    row.formula = identity.formula;
+    rows.push_back(identity_row(std::move(row), points, identity.balance));
+  }
+}
+
+std::vector<ExactValues> points_at(const Subject& subject, const std::vector<State>& states) {
+  std::vector<ExactValues> points;
+  points.reserve(states.size());
+  for (const State& state : states) points.emplace_back(subject, state);
+  return points;
+}
+
+/// The states with quaternions of norm 1, which those in double are to 16 digits: R turns there.
+std::vector<State> on_sphere(const Subject& subject, std::vector<State> states) {
+  const OutputRequest request = request_of(subject.model, OutputKind::normalized, 0);
+  for (State& state : states) {
+    if (const OracleValues q = oracle_values(subject.model, request, state)) state.q = *q;
+  }
+  return states;
+}
+
+void add_outputs(std::vector<CertificateRow>& rows, std::vector<ExactValues>& points,
+                 const std::vector<State>& states) {
+  const Subject& subject = points.front().subject();
+  std::vector<ExactValues> points_on_sphere;
+  for (const OutputIdentity& identity : output_identities()) {
+    for (std::uint32_t user = 0; user < subject.model.outputs.size(); ++user) {
+      const Function* function = find_function(subject.program, identity.derivative, user);
+      const bool has_value =
+          find_function(subject.program, OutputKind::user_value, user) != nullptr;
+      if (function == nullptr || !has_value) continue;
+      const bool is_of_frame = subject.model.outputs[user].frame.has_value();
+      const bool turns = is_of_frame && !subject.model.rotations.empty();
+      if (turns && points_on_sphere.empty()) {
+        points_on_sphere = points_at(subject, on_sphere(subject, states));
+      }
+      CertificateRow row;
+      row.check = identity.check;
+      row.output = row.subject = function->name;
+      row.formula = is_of_frame ? identity.formula_of_frame : identity.formula;
+      rows.push_back(identity_row(std::move(row), turns ? points_on_sphere : points,
+                                  [&](ExactValues& at) { return identity.balance(at, user); }));
+    }
+  }
+}
+
+/// Largest |M_ij - M_ji| as the program computes it in double.
+double asymmetry(const std::vector<double>& m, std::size_t n) {
+  double largest = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      largest = std::fmax(largest, std::abs(m[i * n + j] - m[j * n + i]));
+    }
+  }
+  return largest;
+}
+
+CertificateRow symmetry_row(const Subject& subject, const Function& function,
+                            const std::vector<State>& states) {
+  Tally tally;
+  for (const State& state : states) {
+    const std::vector<double> m = evaluate(subject.program, function, arguments_at<double>(state));
+    tally.add(asymmetry(m, state.v.size()), state);
+  }
+  CertificateRow row;
+  row.check = "mass matrix symmetric";
+  row.output = row.subject = function.name;
+  row.formula = "M_ij = M_ji in double";
+  row.worst = fmt::format("{:g} apart", tally.worst());
+  row.tolerance = "exact: both entries are one value";
+  return finish(std::move(row), tally, subject, 0);
+}
+
+/// The smallest D_i / M_ii; -1 where a diagonal entry of M is negative, 0 where M is singular. None
+/// where undefined.
+std::optional<double> smallest_pivot(const std::vector<Real>& m, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!m[i * n + i].is_defined()) return std::nullopt;
+    if (cln::minusp(m[i * n + i].value())) return -1;
+  }
+  const auto pivots = relative_pivots(m, n);
+  if (!pivots) return 0;
+  double smallest = 1;
+  for (const Real& pivot : *pivots) {
+    smallest = std::fmin(smallest, ScalarTraits<double>::from_real(pivot.value()));
+  }
+  return smallest;
+}
+
+CertificateRow definiteness_row(const Function& function, std::vector<ExactValues>& points) {
+  Tally tally;
+  for (ExactValues& at : points) {
+    const std::optional<double> pivot =
+        smallest_pivot(at.value(OutputKind::mass_matrix), at.size());
+    if (!pivot || std::abs(*pivot) < singular_pivot) {
+      tally.skip();
+    } else {
+      tally.add(-*pivot, at.state());
+    }
+  }
+  CertificateRow row;
+  row.check = "mass matrix positive definite";
+  row.output = row.subject = function.name;
+  row.formula = "D_i/M_ii > 0, M = L D L^T";
+  row.worst = tally.samples() == 0 ? "no regular state"
+                                   : fmt::format("smallest pivot {:.2g}", -tally.worst());
+  row.tolerance = fmt::format("> {:g}; smaller ones are singular charts, skipped", singular_pivot);
+  row.samples = tally.samples();
+  row.where = tally.where(points.front().subject());
+  row.verdict = tally.verdict(-singular_pivot);
+  if (tally.skipped() > 0) row.skipped = {{Obstacle::singular, tally.skipped()}};
+  return row;
+}
+
+}  // namespace
+
+std::vector<CertificateRow> check_structure(const Subject& subject,
+                                            const std::vector<State>& states) {
+  std::vector<CertificateRow> rows;
+  if (states.empty()) return rows;
+  std::vector<ExactValues> points = points_at(subject, states);
+  const Function* mass = find_function(subject.program, OutputKind::mass_matrix);
+  if (mass != nullptr) {
+    rows.push_back(symmetry_row(subject, *mass, states));
+    // An expansion of M is positive definite near its point only.
+    if (!subject.model.approximation) rows.push_back(definiteness_row(*mass, points));
+  }
+  add_identities(rows, points);
+  add_outputs(rows, points, states);
+  return rows;
+}
+
+}  // namespace elgen
