@@ -72,7 +72,7 @@ TEST_CASE("inner indices hide nothing that is still needed") {
   CHECK_FALSE(scope.find("k"));
 }
 
-TEST_CASE("repetitions run the last index fastest; later bounds may use earlier indices") {
+TEST_CASE("repetitions run the last index fastest, later bounds may use earlier indices") {
   Scope scope(sizes);
   Report report;
   std::string order;

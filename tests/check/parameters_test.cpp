@@ -13,7 +13,7 @@ std::string model_with(const std::string& parameters) {
          parameters;
 }
 
-TEST_CASE("values are exact; arrays take one number for all, or a list") {
+TEST_CASE("values are exact, arrays take one number for all, or a list") {
   CHECK(dumped(model_with("a = { value = 0.1, unit = \"kg\" }\n"), "parameter") ==
         "parameter a = 1/10 [kg]\n");
   CHECK(dumped(model_with("a = { value = \"1/3\", size = \"n-1\", unit = \"1\" }\n"),

@@ -61,7 +61,7 @@ TEST_CASE("reserved and malformed names fail, and are remembered as failed") {
   CHECK(only_message(second).substr(0, 4) == "E205");
 }
 
-TEST_CASE("a duplicate points at the first declaration; suggestions say what is meant") {
+TEST_CASE("a duplicate points at the first declaration, suggestions say what is meant") {
   const SourcePointer source = make_source("m.toml", "\nmass\nmass");
   DeclaredNames symbols;
   Report report;

@@ -19,7 +19,7 @@ ValueSyntax value_of(const std::string& text) {
   return value;
 }
 
-TEST_CASE("a root is a run of nodes; a failed one is none") {
+TEST_CASE("a root is a run of nodes, a failed one is none") {
   const Limits limits;
   Context context(limits);
   ValueReader values(context, Scope(context.sizes));

@@ -166,7 +166,7 @@ TEST_CASE("--samples is a positive number of states, -v prints the equations") {
 }
 
 TEST_CASE(
-    "there is a line per output; -v says all, -q the verdict alone, --format json everything") {
+    "there is a line per output, -v says all, -q the verdict alone, --format json everything") {
   const Workspace workspace;
   const std::string verify = "elgen verify --quick " + models + "/simple_pendulum.toml ";
   const Outcome lines = shell(verify, workspace.path());

@@ -52,7 +52,7 @@ TEST_CASE("derivatives of inverse dynamics are slopes of its values") {
   }
 }
 
-TEST_CASE("a pendulum linearised: A = [0 1; -cos q -d], B = [0; 1]") {
+TEST_CASE("a pendulum linearised: A = [0 1, -cos q -d], B = [0, 1]") {
   ModelBuilder b;
   b.coordinate("q").T("q_d^2/2").V("-cos(q)").D("q_d^2/6").input("u", 0);
   State state = random_state(b.model, 2);

@@ -44,7 +44,7 @@ Body body_at(ModelBuilder& b, const std::vector<std::string>& com, const std::st
 
 }  // namespace
 
-TEST_CASE("written energies and point masses add up; a point without a mass adds nothing") {
+TEST_CASE("written energies and point masses add up, a point without a mass adds nothing") {
   ModelBuilder b = plane();
   b.T("x_d").V("y").point("P", {"x*y", "y"}, "2").point("Q", {"x", "0"}).gravity({"0", "-10"});
   const Found e = energies_of(b);

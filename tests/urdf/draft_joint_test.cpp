@@ -49,7 +49,7 @@ TEST_CASE("a revolute joint is an angle and a torque, with the limits of the fil
   CHECK(last_frame(draft).rotate.back().angle == "-j");
 }
 
-TEST_CASE("a continuous joint turns all the way round; limits of 0 are none") {
+TEST_CASE("a continuous joint turns all the way round, limits of 0 are none") {
   const urdf::Draft draft = draft_of(
       arm_on("continuous", "<limit lower=\"0\" upper=\"0\" effort=\"0\" velocity=\"0\"/>"));
   CHECK(draft.coordinates[0].wraps);

@@ -46,7 +46,7 @@ TEST_CASE("numbers are counted, and refused at their place") {
   CHECK(said("<e/>", [&](auto& reader) { CHECK_FALSE(reader.vector("v", vector)); }).empty());
 }
 
-TEST_CASE("what nobody took is noted, outermost alone; what is ignored is not") {
+TEST_CASE("what nobody took is noted, outermost alone, what is ignored is not") {
   CHECK(said("<e a='1' b='2' xmlns:c='d'><f/><g><h/></g><f/></e>",
              [](auto& reader) {
                (void)reader.text("a");

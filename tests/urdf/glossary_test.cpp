@@ -21,7 +21,7 @@ urdf::Robot same_names() {
 
 }  // namespace
 
-TEST_CASE("a joint keeps its name before a link; the root link is the world") {
+TEST_CASE("a joint keeps its name before a link, the root link is the world") {
   const urdf::Robot robot = same_names();
   const urdf::Glossary glossary(robot, tree_of(robot));
   CHECK(glossary.joint(0) == "knee");

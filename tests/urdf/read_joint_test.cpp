@@ -35,7 +35,7 @@ TEST_CASE("a joint is read whole") {
   CHECK(joint.mimic->offset.text == "7");
 }
 
-TEST_CASE("without an axis, it is x; without dynamics, nothing brakes") {
+TEST_CASE("without an axis, it is x, without dynamics, nothing brakes") {
   const urdf::Joint joint = robot_of(arm_on("revolute", "")).joints[0];
   CHECK(joint.axis[0].text == "1");
   CHECK(joint.axis[1].is_zero());

@@ -50,7 +50,7 @@ Certificate sample() {
 
 }  // namespace
 
-TEST_CASE("there is a line per output; what fails is printed in full, what is skipped with why") {
+TEST_CASE("there is a line per output, what fails is printed in full, what is skipped with why") {
   CHECK(to_text(sample()) == R"(certificate of cart_pole, scene full, seed 7
 
   holds    [[expect]] gravity  1 check, proved
