@@ -24,7 +24,7 @@ TEST_CASE("a scene's base name is the model's and its own") {
         "./out/cart_pole_balance/cart_pole_balance.md\n");
 }
 
-TEST_CASE("--stdout prints the header and writes nothing") {
+TEST_CASE("option --stdout prints the header and writes nothing") {
   const Workspace workspace;
   const Outcome outcome =
       shell("elgen generate --stdout " + models + "/cart_pole.toml", workspace.path());
@@ -33,7 +33,7 @@ TEST_CASE("--stdout prints the header and writes nothing") {
   CHECK(files_below(workspace.path()).empty());
 }
 
-TEST_CASE("--list-outputs prints the paths and writes nothing") {
+TEST_CASE("option --list-outputs prints the paths and writes nothing") {
   const Workspace workspace;
   const Outcome outcome =
       shell("elgen generate --list-outputs -o out " + models + "/cart_pole.toml", workspace.path());
@@ -44,7 +44,7 @@ TEST_CASE("--list-outputs prints the paths and writes nothing") {
   CHECK(files_below(workspace.path()).empty());
 }
 
-TEST_CASE("--depfile names what the output depends on, in the language of make") {
+TEST_CASE("option --depfile names what the output depends on, in the language of make") {
   const Workspace workspace;
   prepare("cp -r " + models + " models", workspace.path());
   const Outcome outcome =

@@ -21,7 +21,7 @@ TEST_CASE("the model goes to stdout, notes to stderr") {
   CHECK(files_below(workspace.path()).empty());
 }
 
-TEST_CASE("-o writes a file, --force writes it again") {
+TEST_CASE("option -o writes a file, --force writes it again") {
   const Workspace workspace;
   const std::string command = "elgen import " + robot + " -o new/arm.toml";
   const Outcome first = shell(command, workspace.path());

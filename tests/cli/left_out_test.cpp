@@ -46,7 +46,7 @@ TEST_CASE("generate, show and verify say which derivatives a kink takes away, an
   }
 }
 
-TEST_CASE("-q, a choice of outputs and the steps of a derivation have nothing left out") {
+TEST_CASE("option -q, a choice of outputs and the steps of a derivation have nothing left out") {
   for (const char* command : {"generate -q row.toml", "generate --outputs bias row.toml",
                               "show --what bias row.toml", "show --what steps row.toml"}) {
     const Workspace workspace;

@@ -36,7 +36,7 @@ TEST_CASE("colour on request, and never on a pipe without it") {
   CHECK_FALSE(mentions(run("elgen " + command).errors, "\x1b["));
 }
 
-TEST_CASE("-q leaves only errors") {
+TEST_CASE("option -q leaves only errors") {
   const Outcome quiet = run("elgen generate -q " + models + "/cart_pole.toml");
   CHECK(quiet.status == 0);
   CHECK(quiet.output.empty());
@@ -51,7 +51,7 @@ TEST_CASE("timings name every stage") {
   }
 }
 
-TEST_CASE("-q leaves out notes") {
+TEST_CASE("option -q leaves out notes") {
   const std::string robot = std::string(ELGEN_SOURCE_DIR) + "/tests/urdf/robots/gripper.urdf";
   CHECK(mentions(run("elgen import " + robot).errors, "note[E815]"));
   CHECK(run("elgen import -q " + robot).errors.empty());

@@ -126,7 +126,7 @@ TEST_CASE("a model whose numbers do not fit float is verified in double alone") 
   CHECK_FALSE(mentions(outcome.output, "(float)"));
 }
 
-TEST_CASE("-o writes the certificates, and over a file with --force only") {
+TEST_CASE("option -o writes the certificates, and over a file with --force only") {
   const Workspace workspace;
   prepare("cp " + models + "/simple_pendulum.toml a.toml", workspace.path());
   const std::string model = read_text(workspace.path() / "a.toml");
@@ -155,7 +155,7 @@ TEST_CASE("where a certificate is missing no file is written") {
   CHECK(read_text(workspace.path() / "c.txt") == "old\n");
 }
 
-TEST_CASE("--samples is a positive number of states, -v prints the equations") {
+TEST_CASE("option --samples is a positive number of states, -v prints the equations") {
   const Workspace workspace;
   const std::string model = models + "/simple_pendulum.toml";
   CHECK(shell("elgen verify --samples 0 " + model, workspace.path()).status == 2);
@@ -230,7 +230,7 @@ TEST_CASE("the forward dynamics of arms is bounded") {
   }
 }
 
-TEST_CASE("--timings has the times of verify too") {
+TEST_CASE("option --timings has the times of verify too") {
   const Workspace workspace;
   const std::string model = models + "/simple_pendulum.toml";
   const Outcome outcome = shell("elgen verify --samples 2 --timings " + model, workspace.path());

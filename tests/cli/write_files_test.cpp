@@ -69,7 +69,7 @@ TEST_CASE("a dependency file that cannot be written leaves everything as it was"
   CHECK(files_below(workspace.path()) == "./file\n");
 }
 
-TEST_CASE("--depfile replaces rules of files of ours, and nothing else unasked") {
+TEST_CASE("option --depfile replaces rules of files of ours, and nothing else unasked") {
   const Workspace workspace;
   prepare("cp " + models + "/cart_pole.toml .", workspace.path());
   const auto depfile = workspace.path() / "cart_pole.d";
