@@ -184,12 +184,9 @@ struct NamedOutput {
   std::optional<TwistOutput> twist = {};
 };
 
-/// A coordinate, or a rotation, that stands at functions of time.
-struct LockedVariable {
-  std::uint32_t coordinate = 0;  ///< the first one, if of a rotation
-  std::uint32_t velocity = 0;    ///< likewise
+/// What stands at functions of time: s(t), or the four of a unit quaternion.
+struct LockedVariable : Held {
   std::vector<GiNaC::ex> values = {};
-  bool reaction = false;
 };
 
 struct Lagrangian;

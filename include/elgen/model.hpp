@@ -94,6 +94,9 @@ struct Velocity {
   Span span = {};
 };
 
+inline constexpr std::uint32_t quaternion_size = 4;
+inline constexpr std::uint32_t axis_count = 3;
+
 /// A unit quaternion, scalar first, Hamilton, from the axes of the body to those of the parent:
 /// four coordinates, three velocities.
 struct Rotation {
@@ -273,12 +276,21 @@ struct Expectation {
   Span span = {};
 };
 
-/// A coordinate, or a rotation, that a scene holds at a function of time.
-struct Lock {
-  std::uint32_t coordinate = 0;           ///< the first one, if of a rotation
-  std::uint32_t velocity = 0;             ///< likewise
+/// A coordinate, or a rotation, that does not move freely.
+struct Held {
+  std::uint32_t coordinate = 0;  ///< the first one, if of a rotation
+  std::uint32_t velocity = 0;    ///< likewise
+  bool is_rotation = false;
+  bool reaction = false;  ///< the force that holds it is wanted
+
+  [[nodiscard]] std::uint32_t velocity_count() const { return is_rotation ? axis_count : 1; }
+};
+
+/// What a scene holds at a function of time. It is taken out twice, on purpose: of the Model by
+/// check, which is what the oracle sees, and of the Lagrangian by specialise, which is what is
+/// derived from. Each is a check of the other.
+struct Lock : Held {
   std::vector<ExpressionId> values = {};  ///< s(t); of a rotation the four of a unit quaternion
-  bool reaction = false;                  ///< the force that holds it is wanted
   Span span = {};
 };
 
@@ -347,9 +359,6 @@ struct Model {
 
 /// Adds a coordinate with its rate; its index.
 std::uint32_t append_coordinate(Model& model, Coordinate coordinate);
-
-inline constexpr std::uint32_t quaternion_size = 4;
-inline constexpr std::uint32_t axis_count = 3;
 
 /// Adds a rotation with its coordinates NAME_w, NAME_x, NAME_y, NAME_z and its velocities NAME[1],
 /// NAME[2], NAME[3]; its index.

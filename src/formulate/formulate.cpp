@@ -250,7 +250,7 @@ class Formulation {
 
   void add_locks() {
     for (const Lock& lock : model_.locks) {
-      LockedVariable locked{lock.coordinate, lock.velocity, {}, lock.reaction};
+      LockedVariable locked{lock, {}};
       for (std::uint32_t i = 0; i < lock.values.size(); ++i) {
         const Coordinate& coordinate = model_.coordinates[lock.coordinate + i];
         const Entity origin{EntityKind::coordinate, lock.coordinate + i};

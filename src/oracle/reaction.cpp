@@ -47,11 +47,11 @@ State unlocked_state(const Model& model, const State& state) {
       locked_coordinates[lock.coordinate + i] = true;
       const Standing s = standing(unlocked, lock.values[i], whole);
       whole.q[lock.coordinate + i] = s.value;
-      if (lock.values.size() > 1) continue;
+      if (lock.is_rotation) continue;
       whole.v[lock.velocity] = s.rate;
       whole.a[lock.velocity] = s.acceleration;
     }
-    for (std::uint32_t i = 0; i < (lock.values.size() > 1 ? axis_count : 1U); ++i) {
+    for (std::uint32_t i = 0; i < lock.velocity_count(); ++i) {
       locked_velocities[lock.velocity + i] = true;
     }
   }

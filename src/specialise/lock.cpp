@@ -22,14 +22,14 @@ Seeds values_of(Lagrangian& lagrangian) {
   Tangent passing(definitions, {{symbols.t, 1}}, "_dot");
   Seeds values;
   for (const LockedVariable& locked : lagrangian.locked) {
-    const bool is_rotation = locked.values.size() > 1;
     for (std::size_t i = 0; i < locked.values.size(); ++i) {
       values.emplace(symbols.q[locked.coordinate + i], locked.values[i]);
     }
     // A rotation is locked at constants.
-    const ex rate = is_rotation ? ex(0) : define(definitions, passing(locked.values.front()));
+    const ex rate =
+        locked.is_rotation ? ex(0) : define(definitions, passing(locked.values.front()));
     const ex acceleration = define(definitions, passing(rate));
-    for (std::size_t i = 0; i < (is_rotation ? axis_count : 1U); ++i) {
+    for (std::uint32_t i = 0; i < locked.velocity_count(); ++i) {
       values.emplace(symbols.v[locked.velocity + i], rate);
       values.emplace(symbols.a[locked.velocity + i], acceleration);
     }
@@ -41,7 +41,7 @@ std::vector<std::uint32_t> held(const Lagrangian& lagrangian) {
   std::vector<std::uint32_t> velocities;
   for (const LockedVariable& locked : lagrangian.locked) {
     if (!locked.reaction) continue;
-    for (std::uint32_t i = 0; i < (locked.values.size() > 1 ? axis_count : 1U); ++i) {
+    for (std::uint32_t i = 0; i < locked.velocity_count(); ++i) {
       velocities.push_back(locked.velocity + i);
     }
   }
@@ -93,7 +93,7 @@ void remove_variables(Lagrangian& lagrangian) {
   Removal velocities(symbols.v.size());
   for (const LockedVariable& locked : lagrangian.locked) {
     coordinates.mark(locked.coordinate, locked.values.size());
-    velocities.mark(locked.velocity, locked.values.size() > 1 ? axis_count : 1);
+    velocities.mark(locked.velocity, locked.velocity_count());
   }
   for (std::vector<ex>* list : {&symbols.q, &symbols.q_rates}) coordinates(*list);
   for (std::vector<ex>* list : {&symbols.v, &symbols.a, &lagrangian.forces}) velocities(*list);

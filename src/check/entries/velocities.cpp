@@ -55,8 +55,7 @@ std::vector<std::uint32_t> held_velocities(const Model& model) {
   if (!model.unlocked) return result;
   for (const Lock& lock : model.unlocked->locks) {
     if (!lock.reaction) continue;
-    const bool is_rotation = lock.values.size() > 1;
-    for (std::uint32_t i = 0; i < (is_rotation ? axis_count : 1U); ++i) {
+    for (std::uint32_t i = 0; i < lock.velocity_count(); ++i) {
       result.push_back(lock.velocity + i);
     }
   }

@@ -112,8 +112,8 @@ std::vector<std::string> available_names(const Model& model) {
 /// Whether it acts on what a lock holds: such a force is in no equation of motion.
 bool is_held(const Model& model, const Force& force) {
   return std::any_of(model.locks.begin(), model.locks.end(), [&](const Lock& lock) {
-    const std::uint32_t count = lock.values.size() > 1 ? axis_count : 1;
-    return force.on && lock.velocity <= *force.on && *force.on < lock.velocity + count;
+    return force.on && lock.velocity <= *force.on &&
+           *force.on < lock.velocity + lock.velocity_count();
   });
 }
 

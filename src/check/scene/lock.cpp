@@ -39,7 +39,7 @@ NewIndices indices_without(const Model& model) {
     for (std::uint32_t i = 0; i < lock.values.size(); ++i) {
       indices.coordinates[lock.coordinate + i] = std::nullopt;
     }
-    for (std::uint32_t i = 0; i < (rotation ? axis_count : 1U); ++i) {
+    for (std::uint32_t i = 0; i < lock.velocity_count(); ++i) {
       indices.velocities[lock.velocity + i] = std::nullopt;
     }
   }

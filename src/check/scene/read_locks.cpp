@@ -32,6 +32,7 @@ class LockReader {
         rotation != model.rotations.end()) {
       lock.coordinate = rotation->first_coordinate;
       lock.velocity = rotation->first_velocity;
+      lock.is_rotation = true;
       lock.values = quaternion(value->value);
     } else if (const auto coordinate = find_named(model.coordinates, key.key);
                coordinate != model.coordinates.end() && !coordinate->rotation) {
@@ -112,7 +113,7 @@ class LockReader {
 
 std::size_t locked_velocities(const Model& model) {
   std::size_t count = 0;
-  for (const Lock& lock : model.locks) count += lock.values.size() > 1 ? axis_count : 1;
+  for (const Lock& lock : model.locks) count += lock.velocity_count();
   return count;
 }
 
