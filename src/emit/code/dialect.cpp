@@ -43,8 +43,7 @@ Formula Dialect::call(FunctionId function, const std::vector<Formula>& arguments
 }
 
 bool Dialect::is_function(std::string_view name) {
-  const auto is_called = [&name](const FunctionRow& row) { return row.name == name; };
-  return name == "sqrt" || std::any_of(function_table.begin(), function_table.end(), is_called);
+  return name == "sqrt" || find_function(name) != nullptr;
 }
 
 std::string Dialect::temporary(const std::string& name) const {
