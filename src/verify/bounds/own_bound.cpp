@@ -35,9 +35,7 @@ BoundedRun run_of(const Program& program, const Function& function,
     run.regime = worse(run.regime, here);
     if (here != Regime::undefined) run.largest = max(run.largest, abs(value.value));
   }
-  for (const Field& field : function.fields) {
-    for (const std::uint32_t entry : field.entries) run.entries.push_back(values[entry]);
-  }
+  for (const std::uint32_t entry : entries_of(function)) run.entries.push_back(values[entry]);
   return run;
 }
 

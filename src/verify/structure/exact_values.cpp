@@ -8,14 +8,6 @@
 namespace elgen {
 namespace {
 
-std::vector<Real> entries_of(const Function& function, const std::vector<Real>& values) {
-  std::vector<Real> entries;
-  for (const Field& field : function.fields) {
-    for (const std::uint32_t entry : field.entries) entries.push_back(values[entry]);
-  }
-  return entries;
-}
-
 std::vector<Real> from_oracle(const Subject& subject, const State& state, OutputKind kind,
                               std::uint32_t user) {
   const OutputRequest request = request_of(subject.model, kind, user);
