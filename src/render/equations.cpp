@@ -22,8 +22,8 @@ class ModelLanguage final : public Vocabulary {
  public:
   explicit ModelLanguage(const LeafNames& leaves) : Vocabulary(model_spelling()), leaves_(leaves) {}
 
-  [[nodiscard]] std::string leaf(const Instruction& i) const override {
-    return leaf_text(leaves_, i.opcode, i.a);
+  [[nodiscard]] std::string leaf(Opcode kind, std::uint32_t number) const override {
+    return leaf_text(leaves_, kind, number);
   }
 
  private:
@@ -35,18 +35,18 @@ class Latex final : public Vocabulary {
   explicit Latex(const Model& model)
       : Vocabulary(latex_spelling()), symbols_(latex_symbols(model)) {}
 
-  [[nodiscard]] std::string leaf(const Instruction& i) const override {
-    switch (i.opcode) {
+  [[nodiscard]] std::string leaf(Opcode kind, std::uint32_t number) const override {
+    switch (kind) {
       case Opcode::parameter:
-        return symbols_.parameters[i.a].text();
+        return symbols_.parameters[number].text();
       case Opcode::coordinate:
-        return symbols_.coordinates[i.a].text();
+        return symbols_.coordinates[number].text();
       case Opcode::velocity:
-        return dotted(i.a, 1);
+        return dotted(number, 1);
       case Opcode::acceleration:
-        return dotted(i.a, 2);
+        return dotted(number, 2);
       case Opcode::input:
-        return symbols_.inputs[i.a].text();
+        return symbols_.inputs[number].text();
       default:
         return "t";
     }

@@ -1,8 +1,10 @@
-// function_formulas: one walk over the operands, whatever the language.
+// function_formulas: a fold over one instruction, whose operands stand as formulas or by their
+// names.
 #include "render/function_formulas.hpp"
 
 #include <algorithm>
 
+#include "elgen/fold.hpp"
 #include "lower/constant_formula.hpp"
 
 namespace elgen {
@@ -19,81 +21,92 @@ Formula Vocabulary::call(FunctionId function, const std::vector<Formula>& argume
   return elgen::call(spelling_, function, arguments);
 }
 
+/// The rules of fold.hpp, on operands by their numbers.
+class FunctionFormulas::Rules {
+ public:
+  explicit Rules(const FunctionFormulas& all)
+      : all_(all), vocabulary_(all.vocabulary_), spelling_(vocabulary_.spelling()) {}
+
+  [[nodiscard]] std::uint32_t operator[](std::uint32_t operand) const { return operand; }
+
+  [[nodiscard]] Formula constant(const Constant& constant) const {
+    return vocabulary_.constant(constant);
+  }
+  [[nodiscard]] Formula leaf(Opcode kind, std::uint32_t number) const {
+    return {vocabulary_.leaf(kind, number)};
+  }
+  [[nodiscard]] Formula add(std::uint32_t x, std::uint32_t y) const {
+    return sum(spelling_, {{all_.entry(x)}, {all_.entry(y)}});
+  }
+  [[nodiscard]] Formula subtract(std::uint32_t x, std::uint32_t y) const {
+    return sum(spelling_, {{all_.entry(x)}, {all_.entry(y), true}});
+  }
+  [[nodiscard]] Formula divide(std::uint32_t x, std::uint32_t y) const {
+    return quotient(spelling_, all_.entry(x), all_.entry(y));
+  }
+  [[nodiscard]] Formula square_root(std::uint32_t x) const {
+    return vocabulary_.square_root(all_.entry(x));
+  }
+  [[nodiscard]] Formula call(FunctionId function, std::uint32_t x, std::uint32_t y) const {
+    std::vector<Formula> arguments = {all_.entry(x)};
+    if (function_row(function).arity > 1) arguments.push_back(all_.entry(y));
+    return vocabulary_.call(function, arguments);
+  }
+
+  /// As read, the sign of a constant is its own.
+  [[nodiscard]] Formula negate(std::uint32_t x) const {
+    const Instruction& i = all_.function_.instructions[x];
+    const bool is_constant = i.opcode == Opcode::constant && spelling_.has_powers();
+    if (!is_constant) return negated(spelling_, all_.entry(x));
+    const Constant& constant = all_.program_.constants[i.a];
+    return vocabulary_.constant({-constant.value, elgen::negated(constant.form)});
+  }
+
+  [[nodiscard]] Formula multiply(std::uint32_t x, std::uint32_t y) const {
+    if (!spelling_.has_powers()) return product(spelling_, {all_.entry(x), all_.entry(y)});
+    std::vector<std::uint32_t> factors;
+    collect_factors(x, factors);
+    collect_factors(y, factors);
+    return product_of_powers(factors);
+  }
+
+ private:
+  /// The factors of nested products that are written out, left to right.
+  void collect_factors(std::uint32_t at, std::vector<std::uint32_t>& factors) const {
+    const Instruction& i = all_.function_.instructions[at];
+    if (i.opcode != Opcode::multiply || !all_.names_[at].empty()) {
+      factors.push_back(at);
+      return;
+    }
+    collect_factors(i.a, factors);
+    collect_factors(i.b, factors);
+  }
+
+  [[nodiscard]] Formula product_of_powers(const std::vector<std::uint32_t>& all) const {
+    std::vector<Formula> different;
+    for (auto factor = all.begin(); factor != all.end(); ++factor) {
+      if (std::find(all.begin(), factor, *factor) != factor) continue;
+      Formula base = all_.entry(*factor);
+      if (base.binding == Binding::negation) base = at_least(spelling_, base, Binding::product);
+      const long exponent = std::count(all.begin(), all.end(), *factor);
+      different.push_back(exponent == 1 ? base
+                                        : power(spelling_, base, number(spelling_, exponent)));
+    }
+    return product(spelling_, different);
+  }
+
+  const FunctionFormulas& all_;
+  const Vocabulary& vocabulary_;
+  const Spelling& spelling_;
+};
+
 Formula FunctionFormulas::entry(std::uint32_t at) const {
   return names_[at].empty() ? definition(at) : Formula{names_[at]};
 }
 
 Formula FunctionFormulas::definition(std::uint32_t at) const {
-  const Spelling& spelling = vocabulary_.spelling();
-  const Instruction& i = function_.instructions[at];
-  switch (i.opcode) {
-    case Opcode::constant:
-      return vocabulary_.constant(program_.constants[i.a]);
-    case Opcode::negate:
-      return negation(i.a);
-    case Opcode::add:
-    case Opcode::subtract:
-      return sum(spelling, {{entry(i.a)}, {entry(i.b), i.opcode == Opcode::subtract}});
-    case Opcode::multiply:
-      return product_of(i);
-    case Opcode::divide:
-      return quotient(spelling, entry(i.a), entry(i.b));
-    case Opcode::square_root:
-      return vocabulary_.square_root(entry(i.a));
-    case Opcode::call:
-      return call(i);
-    default:
-      return {vocabulary_.leaf(i)};
-  }
-}
-
-/// As read, the sign of a constant is its own.
-Formula FunctionFormulas::negation(std::uint32_t operand) const {
-  const Instruction& i = function_.instructions[operand];
-  const Spelling& spelling = vocabulary_.spelling();
-  const bool is_constant = i.opcode == Opcode::constant && spelling.has_powers();
-  if (!is_constant) return negated(spelling, entry(operand));
-  const Constant& constant = program_.constants[i.a];
-  return vocabulary_.constant({-constant.value, elgen::negated(constant.form)});
-}
-
-/// The factors of nested products that are written out, left to right.
-void FunctionFormulas::collect_factors(std::uint32_t at,
-                                       std::vector<std::uint32_t>& factors) const {
-  const Instruction& i = function_.instructions[at];
-  if (i.opcode != Opcode::multiply || !names_[at].empty()) {
-    factors.push_back(at);
-    return;
-  }
-  collect_factors(i.a, factors);
-  collect_factors(i.b, factors);
-}
-
-Formula FunctionFormulas::product_of(const Instruction& i) const {
-  const Spelling& spelling = vocabulary_.spelling();
-  return spelling.has_powers() ? product_of_powers(i) : product(spelling, {entry(i.a), entry(i.b)});
-}
-
-Formula FunctionFormulas::product_of_powers(const Instruction& i) const {
-  const Spelling& spelling = vocabulary_.spelling();
-  std::vector<std::uint32_t> all;
-  collect_factors(i.a, all);
-  collect_factors(i.b, all);
-  std::vector<Formula> different;
-  for (auto factor = all.begin(); factor != all.end(); ++factor) {
-    if (std::find(all.begin(), factor, *factor) != factor) continue;
-    Formula base = entry(*factor);
-    if (base.binding == Binding::negation) base = at_least(spelling, base, Binding::product);
-    const long exponent = std::count(all.begin(), all.end(), *factor);
-    different.push_back(exponent == 1 ? base : power(spelling, base, number(spelling, exponent)));
-  }
-  return product(spelling, different);
-}
-
-Formula FunctionFormulas::call(const Instruction& i) const {
-  std::vector<Formula> arguments = {entry(i.a)};
-  if (operand_count(i) > 1) arguments.push_back(entry(i.b));
-  return vocabulary_.call(i.function, arguments);
+  const Rules rules(*this);
+  return folded(rules, program_, function_.instructions[at], rules);
 }
 
 }  // namespace elgen

@@ -22,7 +22,7 @@ class Vocabulary {
 
   [[nodiscard]] const Spelling& spelling() const { return spelling_; }
   /// A parameter, coordinate, …, or time.
-  [[nodiscard]] virtual std::string leaf(const Instruction& instruction) const = 0;
+  [[nodiscard]] virtual std::string leaf(Opcode kind, std::uint32_t number) const = 0;
   [[nodiscard]] virtual Formula constant(const Constant& constant) const;
   [[nodiscard]] virtual Formula square_root(const Formula& radicand) const;
   [[nodiscard]] virtual Formula call(FunctionId function,
@@ -45,11 +45,7 @@ class FunctionFormulas {
   [[nodiscard]] Formula entry(std::uint32_t at) const;
 
  private:
-  [[nodiscard]] Formula negation(std::uint32_t operand) const;
-  void collect_factors(std::uint32_t at, std::vector<std::uint32_t>& factors) const;
-  [[nodiscard]] Formula product_of(const Instruction& i) const;
-  [[nodiscard]] Formula product_of_powers(const Instruction& i) const;
-  [[nodiscard]] Formula call(const Instruction& i) const;
+  class Rules;
 
   const Program& program_;
   const Function& function_;

@@ -1,8 +1,8 @@
 // The driver of a C header, for its one scalar.
 #include <fmt/format.h>
 
+#include "elgen/arguments.hpp"
 #include "elgen/artifacts.hpp"
-#include "emit/code/arguments.hpp"
 #include "emit/text/emission_input.hpp"
 #include "emit/text/fields.hpp"
 #include "evaluate/scalar_literal.hpp"

@@ -1,8 +1,8 @@
 // The drivers of C++: of the header on arrays, and of the one on types of Eigen.
 #include <fmt/format.h>
 
+#include "elgen/arguments.hpp"
 #include "elgen/artifacts.hpp"
-#include "emit/code/arguments.hpp"
 #include "emit/cpp/cpp_names.hpp"
 #include "emit/text/emission_input.hpp"
 #include "emit/text/fields.hpp"

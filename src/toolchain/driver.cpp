@@ -9,8 +9,8 @@
 
 #include <set>
 
+#include "elgen/arguments.hpp"
 #include "elgen/artifacts.hpp"
-#include "emit/code/arguments.hpp"
 #include "emit/text/fields.hpp"
 #include "emit/text/parameters.hpp"
 #include "emit/text/scalar_range.hpp"

@@ -24,8 +24,6 @@ std::string body_of(std::size_t function) {
   return body_of(subject, subject.program.functions[function]);
 }
 
-Instruction leaf(Opcode opcode, std::uint32_t index) { return {opcode, FunctionId::sin, index, 0}; }
-
 DefinitionText on_eigen(std::size_t function) {
   const Subject subject = cart_pole();
   const auto dialect = eigen_dialect(subject.model, subject.program);
@@ -100,13 +98,13 @@ TEST_CASE("leaves") {
   elgen::testing::add_parameter_array(subject.model, "k", {1, 2});
   subject.program.leaves.parameters = {"g", "k[2]"};
   const auto dialect = cpp_dialect(subject.model, subject.program);
-  CHECK(dialect->leaf(leaf(Opcode::parameter, 0)) == "p.g");
-  CHECK(dialect->leaf(leaf(Opcode::parameter, 1)) == "p.k[1]");
-  CHECK(dialect->leaf(leaf(Opcode::coordinate, 1)) == "q[1]");
-  CHECK(dialect->leaf(leaf(Opcode::velocity, 0)) == "v[0]");
-  CHECK(dialect->leaf(leaf(Opcode::acceleration, 0)) == "a[0]");
-  CHECK(dialect->leaf(leaf(Opcode::input, 0)) == "u[0]");
-  CHECK(dialect->leaf(leaf(Opcode::time, 0)) == "t");
+  CHECK(dialect->leaf(Opcode::parameter, 0) == "p.g");
+  CHECK(dialect->leaf(Opcode::parameter, 1) == "p.k[1]");
+  CHECK(dialect->leaf(Opcode::coordinate, 1) == "q[1]");
+  CHECK(dialect->leaf(Opcode::velocity, 0) == "v[0]");
+  CHECK(dialect->leaf(Opcode::acceleration, 0) == "a[0]");
+  CHECK(dialect->leaf(Opcode::input, 0) == "u[0]");
+  CHECK(dialect->leaf(Opcode::time, 0) == "t");
 }
 
 TEST_CASE("constants stand where they are used when they are short") {

@@ -8,12 +8,11 @@ using elgen::testing::cart_pole;
 
 TEST_CASE("members of parameters and of the workspace") {
   const auto subject = cart_pole();
-  const Instruction first{Opcode::parameter, FunctionId::sin, 0, 0};
   const std::string name = subject.program.leaves.parameters.front();
   const auto cpp = cpp_dialect(subject.model, subject.program);
   const auto c99 = c99_dialect(subject.model, subject.scene, subject.program);
-  CHECK(cpp->leaf(first) == "p." + name);
-  CHECK(c99->leaf(first) == "p->" + name);
+  CHECK(cpp->leaf(Opcode::parameter, 0) == "p." + name);
+  CHECK(c99->leaf(Opcode::parameter, 0) == "p->" + name);
   CHECK(cpp->shared("sin_theta") == "w.sin_theta");
   CHECK(c99->shared("sin_theta") == "w->sin_theta");
 }

@@ -15,8 +15,8 @@ class Plain final : public Vocabulary {
  public:
   Plain(const Spelling& spelling, const LeafNames& leaves)
       : Vocabulary(spelling), leaves_(leaves) {}
-  std::string leaf(const Instruction& i) const override {
-    return leaf_text(leaves_, i.opcode, i.a);
+  std::string leaf(Opcode kind, std::uint32_t number) const override {
+    return leaf_text(leaves_, kind, number);
   }
   Formula square_root(const Formula& x) const override { return called("sqrt", {x}); }
 

@@ -1,9 +1,12 @@
 // dialect: what C and C++ have in common.
 #include "emit/code/dialect.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "emit/text/fields.hpp"
+#include "emit/text/parameters.hpp"
 
 namespace elgen {
 
@@ -27,9 +30,10 @@ Dialect::Dialect(const Model& model, const Program& program, std::string_view ac
       access_(access),
       parameters_(parameter_members(model, program.leaves)) {}
 
-std::string Dialect::leaf(const Instruction& instruction) const {
-  const bool is_parameter = instruction.opcode == Opcode::parameter;
-  return is_parameter ? "p" + access_ + parameters_[instruction.a] : variable_text(instruction);
+std::string Dialect::leaf(Opcode kind, std::uint32_t number) const {
+  if (kind == Opcode::parameter) return "p" + access_ + parameters_[number];
+  const std::string_view name = leaf_row(kind).symbol;
+  return kind == Opcode::time ? std::string(name) : fmt::format("{}[{}]", name, number);
 }
 
 Formula Dialect::square_root(const Formula& radicand) const {

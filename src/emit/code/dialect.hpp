@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "elgen/arguments.hpp"
 #include "elgen/program.hpp"
-#include "emit/code/arguments.hpp"
 #include "render/function_formulas.hpp"
 
 namespace elgen {
@@ -29,7 +29,7 @@ class Dialect : public Vocabulary {
   /// `access`: "." or "->", between a struct and its member.
   Dialect(const Model& model, const Program& program, std::string_view access);
 
-  [[nodiscard]] std::string leaf(const Instruction& instruction) const override;
+  [[nodiscard]] std::string leaf(Opcode kind, std::uint32_t number) const override;
   [[nodiscard]] Formula constant(const Constant& constant) const override = 0;
   [[nodiscard]] Formula square_root(const Formula& radicand) const override;
   [[nodiscard]] Formula call(FunctionId function,

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "elgen/arguments.hpp"
 #include "elgen/program.hpp"
-#include "emit/code/arguments.hpp"
 
 namespace elgen {
 

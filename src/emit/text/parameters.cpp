@@ -4,11 +4,21 @@
 #include <fmt/format.h>
 
 #include <set>
+#include <string_view>
+#include <unordered_map>
 
 #include "base/number_text.hpp"
 #include "emit/text/layout.hpp"
 
 namespace elgen {
+namespace {
+
+std::string member_text(const Model& model, const Parameter& parameter) {
+  const ParameterArray& array = model.parameter_arrays[parameter.array];
+  return array.is_array ? fmt::format("{}[{}]", array.name, parameter.element) : array.name;
+}
+
+}  // namespace
 
 std::vector<ParameterArray> emitted_parameters(const Model& model, const Program& program) {
   std::set<std::string> names;
@@ -27,6 +37,17 @@ std::vector<ParameterArray> emitted_parameters(const Model& model, const Program
     if (is_read[i]) result.push_back(model.parameter_arrays[i]);
   }
   return result;
+}
+
+std::vector<std::string> parameter_members(const Model& model, const LeafNames& leaves) {
+  std::unordered_map<std::string_view, const Parameter*> known;
+  for (const Parameter& parameter : model.parameters) known.emplace(parameter.name, &parameter);
+  std::vector<std::string> members;
+  for (const std::string& leaf : leaves.parameters) {
+    const auto found = known.find(leaf);
+    members.push_back(found == known.end() ? leaf : member_text(model, *found->second));
+  }
+  return members;
 }
 
 std::size_t emitted_parameter_count(const Model& model, const Program& program) {

@@ -1,4 +1,5 @@
-// parameters: which parameters of a Model the emitted code takes, and what it says of them.
+// parameters: which parameters of a Model the emitted code takes, and what it calls and says of
+// them.
 #pragma once
 
 #include <cstddef>
@@ -14,6 +15,10 @@ namespace elgen {
 /// fixed, or whose terms are not asked for, is no argument.
 [[nodiscard]] std::vector<ParameterArray> emitted_parameters(const Model& model,
                                                              const Program& program);
+
+/// "m", "l[2]": the member of the emitted parameters that each parameter leaf is.
+[[nodiscard]] std::vector<std::string> parameter_members(const Model& model,
+                                                         const LeafNames& leaves);
 
 /// The scalars in them.
 [[nodiscard]] std::size_t emitted_parameter_count(const Model& model, const Program& program);
