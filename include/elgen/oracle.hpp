@@ -84,6 +84,10 @@ struct Contraction {
 [[nodiscard]] std::optional<cln::cl_R> oracle_energy_magnitude(const Model& model,
                                                                const State& state);
 
+/// D_i / M_ii of a symmetric n x n matrix M = L D L^T, eliminated from the first row to the last.
+/// Empty where a pivot is lost.
+[[nodiscard]] OracleValues oracle_relative_pivots(std::vector<cln::cl_R> matrix, std::size_t n);
+
 /// The value of one expression of the model (for [[expect]]); t, q, v, a, u, parameters from the
 /// state.
 [[nodiscard]] std::optional<cln::cl_R> oracle_expression(const Model& model,

@@ -4,6 +4,7 @@
 #include <cln/exception.h>
 
 #include "base/random.hpp"
+#include "oracle/linear_solve.hpp"
 #include "oracle/mechanics.hpp"
 #include "oracle/output_values.hpp"
 #include "oracle/real_functions.hpp"
@@ -104,6 +105,11 @@ std::optional<cl_R> oracle_contraction(const Model& model, const OutputRequest& 
 
 std::optional<cl_R> oracle_energy_magnitude(const Model& model, const State& state) {
   return guarded([&] { return oracle::Mechanics(model, state).energy_magnitude(); });
+}
+
+OracleValues oracle_relative_pivots(std::vector<cl_R> matrix, std::size_t n) {
+  return attempt(
+      [&] { return oracle::solve_symmetric(matrix, std::vector<cl_R>(n)).relative_pivots; });
 }
 
 std::optional<cl_R> oracle_expression(const Model& model, ExpressionId expression,

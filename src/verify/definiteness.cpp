@@ -10,7 +10,6 @@
 #include <cmath>
 
 #include "elgen/certificate.hpp"
-#include "verify/bounds/pivots.hpp"
 #include "verify/states/states.hpp"
 
 namespace elgen {
@@ -20,7 +19,7 @@ constexpr std::size_t sampled_states = 200;  // with 99 % one in any 2.3 % of th
 
 struct DefiniteMass {
   State state;
-  std::vector<Real> matrix;
+  std::vector<cln::cl_R> matrix;
 };
 
 std::vector<DefiniteMass> mass_samples(const Subject& subject) {
@@ -28,11 +27,8 @@ std::vector<DefiniteMass> mass_samples(const Subject& subject) {
   const OutputRequest request{.kind = OutputKind::mass_matrix};
   for (const auto& sample : sample_states<double>(subject, {sampled_states, 1, false})) {
     State state = exact_state(subject, sample.values);
-    const OracleValues values = oracle_values(subject.model, request, state);
-    if (!values) continue;
-    std::vector<Real> matrix;
-    for (const cln::cl_R& value : *values) matrix.emplace_back(value);
-    samples.push_back({std::move(state), std::move(matrix)});
+    OracleValues matrix = oracle_values(subject.model, request, state);
+    if (matrix) samples.push_back({std::move(state), std::move(*matrix)});
   }
   return samples;
 }
@@ -43,7 +39,7 @@ double largest_change(const ReducedOutput& dropped, const std::vector<DefiniteMa
   std::vector<double> least(n, std::numeric_limits<double>::infinity());
   for (const DefiniteMass& sample : samples) {
     for (std::size_t i = 0; i < n; ++i) {
-      const double own = ScalarTraits<double>::from_real(sample.matrix[i * n + i].value());
+      const double own = ScalarTraits<double>::from_real(sample.matrix[i * n + i]);
       least[i] = std::min(least[i], own);
     }
   }
@@ -62,14 +58,14 @@ double largest_change(const ReducedOutput& dropped, const std::vector<DefiniteMa
 }
 
 /// Whether S - 2 r I is positive definite.
-bool stays_definite(std::vector<Real> m, std::size_t n, double change) {
+bool stays_definite(std::vector<cln::cl_R> m, std::size_t n, double change) {
   // In terms of M: M - 2 r D, which has the same signs of pivots.
-  const Real factor(exact_value(1 - 2 * change));
-  for (std::size_t i = 0; i < n; ++i) m[i * n + i] = m[i * n + i] * factor;
   if (!(change < 0.5)) return false;
-  const auto pivots = relative_pivots(m, n);
+  const cln::cl_R factor = exact_value(1 - 2 * change);
+  for (std::size_t i = 0; i < n; ++i) m[i * n + i] = m[i * n + i] * factor;
+  const OracleValues pivots = oracle_relative_pivots(std::move(m), n);
   return pivots && std::all_of(pivots->begin(), pivots->end(),
-                               [](const Real& pivot) { return cln::plusp(pivot.value()); });
+                               [](const cln::cl_R& pivot) { return cln::plusp(pivot); });
 }
 
 }  // namespace

@@ -61,3 +61,8 @@ TEST_CASE("functions are found by kind") {
   CHECK(find_function(system.program, OutputKind::gravity)->name == "gravity");
   CHECK(find_function(system.program, OutputKind::user_value, 1) == nullptr);
 }
+
+TEST_CASE("numbers are there where all of them are defined") {
+  CHECK(defined_values({Real(1), Real(2)})->size() == 2);
+  CHECK(defined_values({Real(1), Real::undefined()}) == std::nullopt);
+}

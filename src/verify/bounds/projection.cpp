@@ -5,9 +5,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "elgen/outputs.hpp"
 #include "verify/bounds/agreement.hpp"
-#include "verify/bounds/pivots.hpp"
 #include "verify/bounds/stated_error.hpp"
 
 namespace elgen {
@@ -118,64 +119,64 @@ class Projection {
   }
 
   /// M of the program where it has one and the model is big, else the oracle's.
-  std::vector<Real> mass_matrix() {
+  OracleValues mass_matrix() {
     const Function* function = find_function(subject_.program, OutputKind::mass_matrix);
     const bool is_exact = function != nullptr && !subject_.program.reduction;
     if (is_exact && state().v.size() > directly_solved) {
-      return evaluate(subject_.program, *function, arguments_at<Real>(state()));
+      return defined_values(evaluate(subject_.program, *function, arguments_at<Real>(state())));
     }
-    std::vector<Real> m;
-    const OracleValues& values = oracle_.values({.kind = OutputKind::mass_matrix});
-    if (!values) return m;
-    for (const cl_R& value : *values) m.emplace_back(value);
-    return m;
+    return oracle_.values({.kind = OutputKind::mass_matrix});
+  }
+
+  /// Of M in the model's order of elimination.
+  OracleValues relative_pivots() {
+    OracleValues m = mass_matrix();
+    if (!m) return std::nullopt;
+    const bool last_first = eliminates_last_first(subject_.model);
+    if (last_first) std::reverse(m->begin(), m->end());
+    OracleValues pivots = oracle_relative_pivots(std::move(*m), state().v.size());
+    if (last_first && pivots) std::reverse(pivots->begin(), pivots->end());
+    return pivots;
   }
 
   std::string compare_pivots() {
-    const std::size_t n = state().v.size();
-    const auto pivots = relative_pivots(mass_matrix(), n, eliminates_last_first(subject_.model));
+    const OracleValues pivots = relative_pivots();
     if (!pivots) return {};
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < pivots->size(); ++i) {
+      const Real truth((*pivots)[i]);
       // A pivot that cancels is known to rounding of 1. An indefinite M has pivots of any size.
-      if (agrees({entry(i).value, abs((*pivots)[i]), {}}, (*pivots)[i], Real(1))) continue;
-      return mismatch("a relative pivot", entry(i).value, (*pivots)[i].value());
+      if (agrees({entry(i).value, abs(truth), {}}, truth, Real(1))) continue;
+      return mismatch("a relative pivot", entry(i).value, (*pivots)[i]);
     }
     return {};
   }
 
   /// a of the program where it has them and the model is big, else the oracle's.
-  std::optional<Values> accelerations() {
+  OracleValues accelerations() {
     const Function* function = find_function(subject_.program, OutputKind::forward_dynamics);
     const std::size_t n = state().v.size();
-    Values a;
     if (function == nullptr || n <= directly_solved) {
-      const OracleValues& truth = oracle_.values({.kind = OutputKind::forward_dynamics});
-      if (!truth) return std::nullopt;
-      a.assign(truth->begin(), truth->begin() + static_cast<std::ptrdiff_t>(n));
-      return a;
+      OracleValues truth = oracle_.values({.kind = OutputKind::forward_dynamics});
+      if (truth) truth->resize(n);
+      return truth;
     }
-    const auto values = evaluate(subject_.program, *function, arguments_at<Real>(state()));
-    for (std::size_t i = 0; i < n; ++i) {
-      if (!values[i].is_defined()) return std::nullopt;
-      a.push_back(values[i].value());
-    }
-    return a;
+    auto values = evaluate(subject_.program, *function, arguments_at<Real>(state()));
+    values.resize(n);
+    return defined_values(values);
   }
 
   /// X y in the rows of accelerations; none where an entry is undefined.
-  [[nodiscard]] std::optional<Values> response(const Values& y) const {
+  [[nodiscard]] OracleValues response(const Values& y) const {
     const std::size_t n = state().v.size();
     const std::size_t above = place_.field().rows - n;
-    Values z;
+    std::vector<Real> z(n);
     for (std::size_t i = 0; i < n; ++i) {
-      Real sum;
+      Real& sum = z[i];
       for (std::size_t k = 0; k < y.size(); ++k) {
         sum = sum + entry((above + i) * y.size() + k).value * Real(y[k]);
       }
-      if (!sum.is_defined()) return std::nullopt;
-      z.push_back(sum.value());
     }
-    return z;
+    return defined_values(z);
   }
 
   /// What M z has to be for unit changes y.

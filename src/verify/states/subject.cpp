@@ -67,6 +67,15 @@ State exact_state(const Subject& subject, const Arguments<Scalar>& arguments) {
 template State exact_state(const Subject&, const Arguments<double>&);
 template State exact_state(const Subject&, const Arguments<float>&);
 
+OracleValues defined_values(const std::vector<Real>& values) {
+  std::vector<cl_R> numbers;
+  for (const Real& value : values) {
+    if (!value.is_defined()) return std::nullopt;
+    numbers.push_back(value.value());
+  }
+  return numbers;
+}
+
 const Function* find_function(const Program& program, OutputKind kind, std::uint32_t user) {
   const auto found =
       std::find_if(program.functions.begin(), program.functions.end(),

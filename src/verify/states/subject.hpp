@@ -31,6 +31,9 @@ template <class Scalar>
                     state);
 }
 
+/// The numbers behind Reals; none where one is undefined.
+[[nodiscard]] OracleValues defined_values(const std::vector<Real>& values);
+
 /// Null where the program has no function of this kind.
 [[nodiscard]] const Function* find_function(const Program& program, OutputKind kind,
                                             std::uint32_t user = 0);

@@ -9,7 +9,6 @@
 
 #include "check/names/requests.hpp"
 #include "elgen/outputs.hpp"
-#include "verify/bounds/pivots.hpp"
 #include "verify/states/tally.hpp"
 #include "verify/structure/identities.hpp"
 
@@ -143,11 +142,12 @@ std::optional<double> smallest_pivot(const std::vector<Real>& m, std::size_t n) 
     if (!m[i * n + i].is_defined()) return std::nullopt;
     if (cln::minusp(m[i * n + i].value())) return -1;
   }
-  const auto pivots = relative_pivots(m, n);
+  const OracleValues defined = defined_values(m);
+  const OracleValues pivots = defined ? oracle_relative_pivots(*defined, n) : std::nullopt;
   if (!pivots) return 0;
   double smallest = 1;
-  for (const Real& pivot : *pivots) {
-    smallest = std::fmin(smallest, ScalarTraits<double>::from_real(pivot.value()));
+  for (const cln::cl_R& pivot : *pivots) {
+    smallest = std::fmin(smallest, ScalarTraits<double>::from_real(pivot));
   }
   return smallest;
 }
