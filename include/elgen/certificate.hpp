@@ -94,11 +94,6 @@ struct Verification {
 [[nodiscard]] Verification verify(const Model& model, const Scene& scene, const Program& program,
                                   const CompiledHeaders& compiled, const VerifyOptions& options);
 
-/// E618 where what was dropped from M may be more than half its smallest eigenvalue, M scaled to a
-/// diagonal of 1, at a state sampled over the ranges: the reduced M could then be indefinite.
-[[nodiscard]] Diagnostics check_definiteness(const Model& model, const Scene& scene,
-                                             const Reduction& reduction);
-
 [[nodiscard]] std::size_t count(const Certificate& certificate, Verdict verdict);
 [[nodiscard]] bool holds(const Certificate& certificate);
 

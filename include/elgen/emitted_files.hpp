@@ -25,9 +25,6 @@ struct EmittedFiles {
 [[nodiscard]] Result<EmittedFiles> emit(const Model& model, const Scene& scene,
                                         const Program& program);
 
-/// Every term that `drop_below` left out with its bound, and what every entry is off by at most.
-[[nodiscard]] std::string dropped_page(const Model& model, const Program& program);
-
 /// The body hash a generated text states, and the one its content has: they differ after a hand
 /// edit.
 struct BodyHash {

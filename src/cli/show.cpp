@@ -9,7 +9,7 @@
 #include "cli/inputs.hpp"
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
-#include "elgen/emitted_files.hpp"
+#include "elgen/drop.hpp"
 #include "elgen/render.hpp"
 
 namespace elgen::cli {

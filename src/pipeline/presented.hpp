@@ -16,7 +16,7 @@ struct Presented {
   std::optional<ReducedForms> reduced = {};
 };
 
-/// Errors of drop_terms() and check_definiteness().
+/// Errors of drop_terms().
 [[nodiscard]] Result<Presented> presented(const Lagrangian& lagrangian, const CheckedModel& checked,
                                           const Program& recursive, const Limits& limits);
 

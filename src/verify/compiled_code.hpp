@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "elgen/certificate.hpp"
-#include "verify/states/states.hpp"
+#include "evaluate/states.hpp"
 
 namespace elgen {
 

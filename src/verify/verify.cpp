@@ -6,10 +6,10 @@
 
 #include "elgen/certificate.hpp"
 #include "emit/text/scalar_range.hpp"
+#include "evaluate/states.hpp"
 #include "verify/bounds/accuracy.hpp"
 #include "verify/bounds/sampled_zeros.hpp"
 #include "verify/compiled_code.hpp"
-#include "verify/states/states.hpp"
 #include "verify/structure/expectations.hpp"
 #include "verify/structure/structure.hpp"
 

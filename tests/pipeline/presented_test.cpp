@@ -7,7 +7,6 @@
 #include <random>
 
 #include "elgen/certificate.hpp"
-#include "elgen/emitted_files.hpp"
 #include "elgen/evaluate.hpp"
 #include "elgen/pipeline.hpp"
 #include "support/shell.hpp"

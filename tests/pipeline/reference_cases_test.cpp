@@ -13,9 +13,9 @@
 #include "elgen/evaluate.hpp"
 #include "elgen/oracle.hpp"
 #include "elgen/pipeline.hpp"
+#include "evaluate/subject.hpp"
 #include "parse/decimal.hpp"
 #include "verify/bounds/own_bound.hpp"
-#include "verify/states/subject.hpp"
 
 using namespace elgen;
 using nlohmann::json;

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "present/term_text.hpp"
+#include "drop/term_text.hpp"
 
 using namespace elgen;
 

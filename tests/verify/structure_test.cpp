@@ -6,8 +6,8 @@
 
 #include "elgen/equations_of_motion.hpp"
 #include "elgen/lower.hpp"
+#include "evaluate/states.hpp"
 #include "support/models.hpp"
-#include "verify/states/states.hpp"
 #include "verify/systems.hpp"
 
 using namespace elgen;

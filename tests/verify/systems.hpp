@@ -5,8 +5,8 @@
 #include <string>
 
 #include "elgen/outputs.hpp"
+#include "evaluate/subject.hpp"
 #include "oracle/samples.hpp"
-#include "verify/states/subject.hpp"
 
 namespace elgen::test {
 

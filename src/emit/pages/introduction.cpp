@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "elgen/drop.hpp"
 #include "elgen/render.hpp"
-#include "emit/pages/dropped_terms.hpp"
 #include "emit/text/layout.hpp"
 
 namespace elgen {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "elgen/emitted_files.hpp"
+#include "elgen/drop.hpp"
 #include "elgen/render.hpp"
 #include "emit/pages/introduction.hpp"
 #include "emit/text/stamp.hpp"

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "evaluate/subject.hpp"
 #include "verify/bounds/own_bound.hpp"
-#include "verify/states/subject.hpp"
 
 namespace elgen {
 

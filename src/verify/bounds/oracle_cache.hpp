@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "verify/states/subject.hpp"
+#include "evaluate/subject.hpp"
 
 namespace elgen {
 

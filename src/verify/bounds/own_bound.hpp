@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "evaluate/bounded.hpp"
-#include "verify/states/subject.hpp"
+#include "evaluate/subject.hpp"
 
 namespace elgen {
 

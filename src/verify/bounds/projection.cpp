@@ -7,9 +7,9 @@
 
 #include <algorithm>
 
+#include "elgen/drop.hpp"
 #include "elgen/outputs.hpp"
 #include "verify/bounds/agreement.hpp"
-#include "verify/bounds/stated_error.hpp"
 
 namespace elgen {
 namespace {

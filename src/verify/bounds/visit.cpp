@@ -8,10 +8,10 @@
 #include <limits>
 
 #include "base/more_digits.hpp"
+#include "elgen/drop.hpp"
 #include "elgen/outputs.hpp"
 #include "verify/bounds/agreement.hpp"
 #include "verify/bounds/projection.hpp"
-#include "verify/bounds/stated_error.hpp"
 
 namespace elgen {
 namespace {

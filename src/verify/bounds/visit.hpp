@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "base/random.hpp"
+#include "evaluate/states.hpp"
 #include "verify/bounds/field_place.hpp"
 #include "verify/bounds/oracle_cache.hpp"
 #include "verify/bounds/solution_bound.hpp"
-#include "verify/states/states.hpp"
 
 namespace elgen {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "elgen/certificate.hpp"
-#include "verify/states/subject.hpp"
+#include "evaluate/subject.hpp"
 
 namespace elgen {
 

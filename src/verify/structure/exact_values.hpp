@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "evaluate/dual.hpp"
-#include "verify/states/subject.hpp"
+#include "evaluate/subject.hpp"
 
 namespace elgen {
 

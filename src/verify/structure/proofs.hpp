@@ -2,7 +2,7 @@
 #pragma once
 
 #include "elgen/closed_forms.hpp"
-#include "verify/states/subject.hpp"
+#include "evaluate/subject.hpp"
 
 namespace elgen {
 

@@ -56,9 +56,12 @@ Dropping dropping_of(const cl_RA& below) {
   return dropping;
 }
 
-Result<ReducedForms> dropped(const cl_RA& below, const Model& model = model_of()) {
+Result<ReducedForms> dropped(const cl_RA& below, const Model& model = model_of(),
+                             const PresentBudget& budget = {}) {
   const Program program = testing::read_program(functions);
-  return drop_terms(program, present(program), model, dropping_of(below));
+  Scene scene;
+  scene.dropping = dropping_of(below);
+  return drop_terms(program, program, present(program, budget), {model, scene});
 }
 
 std::vector<std::string> lines_of(const Reduction& reduction) {
@@ -120,10 +123,7 @@ TEST_CASE("a missing range is an error") {
 }
 
 TEST_CASE("a closed form that was given up is an error") {
-  const Program program = testing::read_program(functions);
-  const Model model = model_of();
-  const auto reduced =
-      drop_terms(program, present(program, {1, 1, 1}), model, dropping_of(cl_RA(1) / 100));
+  const auto reduced = dropped(cl_RA(1) / 100, model_of(), {1, 1, 1});
   REQUIRE_FALSE(reduced);
   CHECK(reduced.diagnostics.at(0).code == Code::E608);
 }

@@ -1,13 +1,13 @@
 // Terms as text. Factors stand as the model declares them: parameters, coordinates, rates, the
 // rest.
-#include "present/term_text.hpp"
+#include "drop/term_text.hpp"
 
 #include <algorithm>
 #include <tuple>
 
 #include "base/formula.hpp"
 #include "base/number_text.hpp"
-#include "present/bounds.hpp"
+#include "drop/bounds.hpp"
 #include "present/polynomial.hpp"
 
 namespace elgen {

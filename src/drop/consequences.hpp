@@ -3,7 +3,10 @@
 //     M loses dM, V0 loses dV     ->     C loses the Christoffel matrix of dM, p loses dM v,
 //                                        T loses 1/2 v.dM v, g loses d(dV)/dq, tau loses dM a + …
 //
-// All of it is linear in what was dropped, so that what remains is the system without it.
+// All of it is linear in what was dropped, so that what remains is the system without it. The
+// derivation has routes of its own to C, g and bias, along the bodies of a Lagrangian; they are not
+// taken here on purpose: no Lagrangian has the reduced M, and the terms of these sums are what is
+// listed and bounded.
 #pragma once
 
 #include <map>
@@ -21,8 +24,7 @@ class Consequences {
  public:
   /// Of a model without rotations; `size` velocities.
   Consequences(Arithmetic& arithmetic, const Algebra& algebra, std::size_t size,
-               const DroppedParts& dropped)
-      : arithmetic_(arithmetic), algebra_(algebra), size_(size), known_(dropped) {}
+               const DroppedParts& dropped);
 
   /// One value per entry of the output, 0 where it loses nothing; empty for outputs that are never
   /// reduced. Each is computed once.

@@ -1,5 +1,5 @@
-// constant + sum_j by_acceleration[j] |a_j|
-#include "verify/bounds/stated_error.hpp"
+// stated_error: constant + sum_j by_acceleration[j] |a_j|
+#include "elgen/drop.hpp"
 
 namespace elgen {
 

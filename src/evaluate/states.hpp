@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/states/subject.hpp"
+#include "evaluate/subject.hpp"
 
 namespace elgen {
 

@@ -1,16 +1,15 @@
-// definiteness: whether M without its small terms stays positive definite.
-//
 // S = D^-1/2 M D^-1/2 has a diagonal of 1, D that of M; what was dropped changes it by at most
 // E_ij/sqrt(d_i d_j), d the least diagonal entries sampled. By Gershgorin no eigenvalue moves by
 // more than the largest row sum r of that. S - 2 r I must be positive definite at every state
 // sampled: half of the smallest eigenvalue is left for states between them.
+#include "drop/definiteness.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "elgen/certificate.hpp"
-#include "verify/states/states.hpp"
+#include "evaluate/states.hpp"
 
 namespace elgen {
 namespace {

@@ -1,6 +1,5 @@
-// One row per output, in the notation of the table of outputs; parts of which nothing was dropped
-// lose nothing.
-#include "present/consequences.hpp"
+// One row per output that is made of parts, in the notation of the table of outputs.
+#include "drop/consequences.hpp"
 
 #include "present/rates.hpp"
 
@@ -10,6 +9,15 @@ using cln::cl_RA;
 
 using K = OutputKind;
 
+/// Parts of which nothing was dropped lose nothing.
+Consequences::Consequences(Arithmetic& arithmetic, const Algebra& algebra, std::size_t size,
+                           const DroppedParts& dropped)
+    : arithmetic_(arithmetic), algebra_(algebra), size_(size), known_(dropped) {
+  known_.try_emplace(K::mass_matrix, zeros(size * size));
+  known_.try_emplace(K::potential_energy, zeros(1));
+  for (const K forces : {K::dissipation, K::applied_force}) known_.try_emplace(forces, zeros(size));
+}
+
 const Values& Consequences::of(OutputKind output) & {
   const auto known = known_.find(output);
   return known != known_.end() ? known->second : known_[output] = found(output);
@@ -18,10 +26,6 @@ const Values& Consequences::of(OutputKind output) & {
 Values Consequences::found(OutputKind output) {
   using Self = Consequences&;
   static const std::map<K, Values (*)(Self)> rules{
-      {K::mass_matrix, [](Self c) { return zeros(c.size_ * c.size_); }},
-      {K::potential_energy, [](Self) { return zeros(1); }},
-      {K::dissipation, [](Self c) { return zeros(c.size_); }},
-      {K::applied_force, [](Self c) { return zeros(c.size_); }},
       {K::coriolis_matrix, [](Self c) { return c.coriolis(); }},
       {K::velocity_force,
        [](Self c) { return c.times(c.of(K::coriolis_matrix), Opcode::velocity); }},

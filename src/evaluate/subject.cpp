@@ -1,5 +1,5 @@
 // States between views: binary arguments become exact rationals, and text for people.
-#include "verify/states/subject.hpp"
+#include "evaluate/subject.hpp"
 
 #include <cln/dfloat.h>
 #include <cln/ffloat.h>

@@ -1,5 +1,5 @@
 // Terms in the model language.
-#include "present/term_text.hpp"
+#include "drop/term_text.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,14 +1,12 @@
 // The report of `drop_below`: every term with its bound, and what every entry is off by at most.
 // Bounds are rounded up to three digits.
-#include "emit/pages/dropped_terms.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "base/number_text.hpp"
 #include "check/judge/output_units.hpp"
-#include "elgen/emitted_files.hpp"
+#include "elgen/drop.hpp"
 
 namespace elgen {
 namespace {

@@ -1,5 +1,5 @@
 // Interval arithmetic that never loses a value.
-#include "present/enclosure.hpp"
+#include "drop/enclosure.hpp"
 
 #include <cln/float.h>
 

@@ -1,9 +1,7 @@
 // The report of what was dropped.
-#include "emit/pages/dropped_terms.hpp"
-
 #include <catch2/catch.hpp>
 
-#include "elgen/emitted_files.hpp"
+#include "elgen/drop.hpp"
 #include "support/models.hpp"
 
 using namespace elgen;

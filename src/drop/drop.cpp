@@ -6,10 +6,11 @@
 
 #include <algorithm>
 
-#include "present/bounds.hpp"
-#include "present/consequences.hpp"
+#include "drop/bounds.hpp"
+#include "drop/consequences.hpp"
+#include "drop/definiteness.hpp"
+#include "drop/term_text.hpp"
 #include "present/rates.hpp"
-#include "present/term_text.hpp"
 
 namespace elgen {
 
@@ -18,6 +19,10 @@ using cln::cl_RA;
 namespace {
 
 using K = OutputKind;
+
+bool are_known(const Values& values) {
+  return std::all_of(values.begin(), values.end(), [](const Value& x) { return x.has_value(); });
+}
 
 class Drop {
  public:
@@ -61,8 +66,7 @@ class Drop {
     for (std::size_t i = 0; i < program_.functions.size(); ++i) {
       if (program_.functions[i].kind != kind) continue;
       const Values& entries = forms_.functions[i].fields.at(0).entries;
-      if (std::all_of(entries.begin(), entries.end(), [](const Value& x) { return x.has_value(); }))
-        return entries;
+      if (are_known(entries)) return entries;
       fail_given_up(program_.functions[i].name);
     }
     return {};
@@ -80,38 +84,39 @@ class Drop {
     if (!dropped.empty()) dropped_[part] = std::move(dropped);
   }
 
-  void note(OutputKind output, std::size_t entry, std::size_t columns, const Fraction& term) {
-    const auto bound = bounds_.all_terms(term);
+  TermBounds bounds_of(const Fraction& x) {
+    const std::optional<TermBounds> bounds = bounds_.of_terms(x);
+    if (!bounds) fail(bounds_.missing());
+    return bounds.value_or(TermBounds{});
+  }
+
+  bool is_small(const Fraction& x, const cl_RA& largest) {
+    return bounds_of(x).together < dropping_.below * largest;
+  }
+
+  /// Those that may be dropped: a single term is its own largest.
+  std::vector<Fraction> several_terms(const Fraction& entry) const {
+    std::vector<Fraction> terms = terms_of(forms_.algebra, entry);
+    if (terms.size() < 2) terms.clear();
+    return terms;
+  }
+
+  void drop(const Fraction& term, Value& dropped, OutputKind output, std::size_t entry,
+            std::size_t columns) {
     reduction_.terms.push_back({output, static_cast<std::uint32_t>(entry / columns),
                                 static_cast<std::uint32_t>(entry % columns),
                                 term_text(forms_.algebra, program_.leaves, term),
-                                bound.value_or(0)});
+                                bounds_of(term).together});
+    dropped = arithmetic_.add(dropped, term);
   }
 
-  /// Whether every term of `x` is below the share of `largest`.
-  bool is_small(const Fraction& x, const cl_RA& largest) {
-    const auto bound = bounds_.all_terms(x);
-    if (!bound) fail(bounds_.missing());
-    return bound && *bound < dropping_.below * largest;
-  }
-
-  cl_RA largest_term(const Fraction& x) {
-    const auto bound = bounds_.largest_term(x);
-    if (!bound) fail(bounds_.missing());
-    return bound.value_or(0);
-  }
-
-  /// One entry; a single term is its own largest.
-  Value small_terms(const Fraction& entry, OutputKind output, std::size_t index,
+  Value small_terms(const Fraction& form, OutputKind output, std::size_t entry,
                     std::size_t columns) {
     Value dropped = Fraction{};
-    const std::vector<Fraction> terms = terms_of(forms_.algebra, entry);
-    if (terms.size() < 2) return dropped;
-    const cl_RA largest = largest_term(entry);
+    const std::vector<Fraction> terms = several_terms(form);
+    const cl_RA largest = terms.empty() ? cl_RA(0) : bounds_of(form).largest;
     for (const Fraction& term : terms) {
-      if (error_ || !is_small(term, largest)) continue;
-      note(output, index, columns, term);
-      dropped = arithmetic_.add(dropped, term);
+      if (is_small(term, largest) && !error_) drop(term, dropped, output, entry, columns);
     }
     return dropped;
   }
@@ -155,15 +160,13 @@ class Drop {
     const Values potential = exact(K::potential_energy);
     const Values gravity = exact(K::gravity);
     if (potential.empty() || gravity.empty()) return {};
-    const std::vector<Fraction> terms = terms_of(forms_.algebra, *potential[0]);
     Value dropped = Fraction{};
-    if (terms.size() < 2) return {dropped};
+    const std::vector<Fraction> terms = several_terms(*potential[0]);
+    if (terms.empty()) return {dropped};
     std::vector<cl_RA> largest;
-    for (const Value& entry : gravity) largest.push_back(largest_term(*entry));
+    for (const Value& entry : gravity) largest.push_back(bounds_of(*entry).largest);
     for (const Fraction& term : terms) {
-      if (error_ || !is_small_in_gravity(term, largest)) continue;
-      note(K::potential_energy, 0, 1, term);
-      dropped = arithmetic_.add(dropped, term);
+      if (is_small_in_gravity(term, largest)) drop(term, dropped, K::potential_energy, 0, 1);
     }
     return {dropped};
   }
@@ -173,9 +176,7 @@ class Drop {
     for (std::size_t i = 0; i < program_.functions.size(); ++i) {
       const Function& function = program_.functions[i];
       const Values& lost = consequences.of(function.kind);
-      if (!std::all_of(lost.begin(), lost.end(), [](const Value& x) { return x.has_value(); })) {
-        fail_given_up(function.name);
-      }
+      if (!are_known(lost)) fail_given_up(function.name);
       const bool loses = std::any_of(lost.begin(), lost.end(), [](const Value& x) {
         return x.has_value() && !x->numerator.empty();
       });
@@ -195,12 +196,6 @@ class Drop {
     }
   }
 
-  cl_RA error_bound(const Value& lost) {
-    const auto bound = bounds_.all_terms(*lost);
-    if (!bound) fail(bounds_.missing());
-    return bound.value_or(0);
-  }
-
   ReducedOutput errors_of(const Function& function, const ClosedField& field,
                           Consequences& consequences) {
     ReducedOutput output{function.kind, function.fields[0].columns, {}};
@@ -209,15 +204,20 @@ class Drop {
         consequences.of(takes_acceleration ? K::bias : function.kind);
     for (std::size_t i = 0; i < without_acceleration.size(); ++i) {
       EntryError error;
-      error.constant = error_bound(without_acceleration[i]);
+      error.constant = bounds_of(*without_acceleration[i]).together;
       const std::size_t n = takes_acceleration ? model_.velocities.size() : 0;
       for (std::size_t j = 0; j < n && dropped_.count(K::mass_matrix) > 0; ++j) {
-        error.by_acceleration.push_back(error_bound(dropped_[K::mass_matrix][i * n + j]));
+        error.by_acceleration.push_back(bounds_of(*dropped_[K::mass_matrix][i * n + j]).together);
       }
-      if (n == 0 && field.entries[i]) error.largest = bounds_.largest_term(*field.entries[i]);
+      if (n == 0 && field.entries[i]) error.largest = largest_if_known(*field.entries[i]);
       output.errors.push_back(std::move(error));
     }
     return output;
+  }
+
+  std::optional<cl_RA> largest_if_known(const Fraction& x) {
+    const std::optional<TermBounds> bounds = bounds_.of_terms(x);
+    return bounds ? std::optional(bounds->largest) : std::nullopt;
   }
 
   const Program& program_;
@@ -232,11 +232,45 @@ class Drop {
   std::optional<Diagnostic> error_;
 };
 
+/// The forms of `program`'s functions out of those of a program that has more.
+std::vector<ClosedFunction> selected(const Program& program, const Program& whole,
+                                     const ClosedForms& forms) {
+  std::vector<ClosedFunction> result;
+  for (const Function& function : program.functions) {
+    ClosedFunction& closed = result.emplace_back();
+    for (std::size_t i = 0; i < whole.functions.size(); ++i) {
+      const Function& known = whole.functions[i];
+      if (known.kind == function.kind && known.user == function.user) closed = forms.functions[i];
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
-Result<ReducedForms> drop_terms(const Program& program, ClosedForms forms, const Model& model,
-                                const Dropping& dropping) {
-  return Drop(program, std::move(forms), model, dropping)();
+std::vector<OutputRequest> with_parts(const Scene& scene) {
+  std::vector<OutputRequest> all;
+  for (const OutputRequest& output : scene.outputs) {
+    if (!output_row(output.kind).repeats) all.push_back(output);
+  }
+  for (const OutputRequest& part : scene.dropping->parts) {
+    const bool is_known = std::any_of(all.begin(), all.end(), [&](const OutputRequest& output) {
+      return output.kind == part.kind;
+    });
+    if (!is_known) all.push_back(part);
+  }
+  return all;
+}
+
+Result<ReducedForms> drop_terms(const Program& program, const Program& whole, ClosedForms forms,
+                                const CheckedModel& checked) {
+  const auto& [model, scene] = checked;
+  Result<ReducedForms> reduced = Drop(whole, std::move(forms), model, *scene.dropping)();
+  if (!reduced) return reduced;
+  Diagnostics refused = check_definiteness(model, scene, reduced->reduction);
+  if (!refused.empty()) return refused;
+  reduced->forms.functions = selected(program, whole, reduced->forms);
+  return reduced;
 }
 
 }  // namespace elgen

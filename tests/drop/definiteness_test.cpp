@@ -1,7 +1,8 @@
 // Whether M without its small terms stays positive definite.
+#include "drop/definiteness.hpp"
+
 #include <catch2/catch.hpp>
 
-#include "elgen/certificate.hpp"
 #include "support/models.hpp"
 
 using namespace elgen;

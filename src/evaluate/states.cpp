@@ -1,6 +1,6 @@
 // Sampled states. The extremes of float are milder than those of double: its exponents are an
 // eighth as wide.
-#include "verify/states/states.hpp"
+#include "evaluate/states.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double pi = 3.141592653589793;
 
-struct SampledRange {
+struct Range {
   double low;
   double high;
 };
@@ -28,7 +28,7 @@ double within_scalar(const cln::cl_R& value) {
   return std::clamp(ScalarTraits<double>::from_real(value), -largest, largest);
 }
 
-SampledRange range_or(const std::optional<Interval>& interval, double otherwise) {
+Range range_or(const std::optional<Interval>& interval, double otherwise) {
   if (!interval) return {-otherwise, otherwise};
   return {within_scalar(interval->low), within_scalar(interval->high)};
 }
@@ -53,9 +53,9 @@ void scale_quaternions(const Model& model, Arguments<double>& values) {
 }
 
 struct Ranges {
-  std::vector<SampledRange> q = {};
-  std::vector<SampledRange> v = {};
-  std::vector<SampledRange> u = {};
+  std::vector<Range> q = {};
+  std::vector<Range> v = {};
+  std::vector<Range> u = {};
 };
 
 constexpr double default_rate = 10;  ///< of rates, accelerations, inputs and time
@@ -75,19 +75,19 @@ Ranges ranges_of(const Model& model) {
 }
 
 /// [min, max], or the value.
-std::vector<SampledRange> parameter_ranges(const Model& model, const Arguments<double>& values) {
-  std::vector<SampledRange> ranges;
+std::vector<Range> parameter_ranges(const Model& model, const Arguments<double>& values) {
+  std::vector<Range> ranges;
   for (std::size_t i = 0; i < model.parameters.size(); ++i) {
     const double value = values.parameters[i];
     const auto& range = model.parameter_arrays[model.parameters[i].array].range;
-    ranges.push_back(range ? range_or(range, value) : SampledRange{value, value});
+    ranges.push_back(range ? range_or(range, value) : Range{value, value});
   }
   return ranges;
 }
 
 Arguments<double> nominal(const Subject& subject, const Ranges& ranges, Random& random) {
   Arguments<double> values = arguments_at<double>(nominal_state(subject.model, subject.scene));
-  const auto fill = [&random](std::vector<double>& to, const std::vector<SampledRange>& from) {
+  const auto fill = [&random](std::vector<double>& to, const std::vector<Range>& from) {
     for (std::size_t i = 0; i < to.size(); ++i) to[i] = random.uniform(from[i].low, from[i].high);
   };
   if (subject.scene.dropping) fill(values.parameters, parameter_ranges(subject.model, values));
@@ -138,8 +138,8 @@ class Extremes {
 
   std::vector<SampledState<double>> make(const Reach& reach) {
     add("origin") = arguments_at<double>(nominal_state(subject_.model, subject_.scene));
-    ends("low ends of ranges", &SampledRange::low);
-    ends("high ends of ranges", &SampledRange::high);
+    ends("low ends of ranges", &Range::low);
+    ends("high ends of ranges", &Range::high);
     for (const double size : reach.tiny) {
       set_positions(fmt::format("positions {:g}", size), size, false);
       set_rates(fmt::format("rates {:g}", size), size);
@@ -160,7 +160,7 @@ class Extremes {
     return states_.back().values;
   }
 
-  void ends(const char* name, double SampledRange::*end) {
+  void ends(const char* name, double Range::*end) {
     Arguments<double>& values = add(name);
     for (std::size_t i = 0; i < values.q.size(); ++i) values.q[i] = ranges_.q[i].*end;
     for (std::size_t i = 0; i < values.v.size(); ++i) values.v[i] = ranges_.v[i].*end;

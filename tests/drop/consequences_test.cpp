@@ -1,9 +1,9 @@
 // What every output loses by a term of M, of V0 and of forces.
-#include "present/consequences.hpp"
+#include "drop/consequences.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "present/term_text.hpp"
+#include "drop/term_text.hpp"
 #include "support/models.hpp"
 
 using namespace elgen;

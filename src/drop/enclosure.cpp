@@ -1,5 +1,5 @@
 // Interval arithmetic on rationals, which need no rounding but for roots.
-#include "present/enclosure.hpp"
+#include "drop/enclosure.hpp"
 
 #include <cln/float.h>
 #include <cln/integer.h>

@@ -8,14 +8,20 @@
 
 #include <map>
 
+#include "drop/enclosure.hpp"
 #include "elgen/closed_forms.hpp"
 #include "elgen/model.hpp"
-#include "present/enclosure.hpp"
 
 namespace elgen {
 
 /// Each pair of conjugate exponentials, and each other monomial, as a fraction of its own.
 [[nodiscard]] std::vector<Fraction> terms_of(const Algebra& algebra, const Fraction& x);
+
+/// What the terms of a closed form are at most.
+struct TermBounds {
+  cln::cl_RA largest = 0;   ///< any one of them
+  cln::cl_RA together = 0;  ///< their sum, whatever their signs
+};
 
 class TermBounds {
  public:
@@ -25,9 +31,7 @@ class TermBounds {
   /// None where there is no bound; missing() then says why.
   [[nodiscard]] std::optional<Enclosure> of(const Fraction& x);
 
-  /// Of the largest term, and of all terms together.
-  [[nodiscard]] std::optional<cln::cl_RA> largest_term(const Fraction& x);
-  [[nodiscard]] std::optional<cln::cl_RA> all_terms(const Fraction& x);
+  [[nodiscard]] std::optional<TermBounds> of_terms(const Fraction& x);
 
   /// E616 of the last bound that there was not.
   [[nodiscard]] const Diagnostic& missing() const { return missing_; }

@@ -1,5 +1,5 @@
 // States between binary arguments, exact numbers and text.
-#include "verify/states/subject.hpp"
+#include "evaluate/subject.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // TermBounds: see bounds.hpp. Every leaf of a term lies in its range by itself, so that bounds hold
 // but need not be reached.
-#include "present/bounds.hpp"
+#include "drop/bounds.hpp"
 
 #include <fmt/format.h>
 
@@ -65,24 +65,15 @@ std::optional<Enclosure> TermBounds::of(const Fraction& x) {
   return result;
 }
 
-std::optional<cl_RA> TermBounds::largest_term(const Fraction& x) {
-  cl_RA largest = 0;
+std::optional<TermBounds> TermBounds::of_terms(const Fraction& x) {
+  TermBounds bounds;
   for (const Fraction& term : terms_of(algebra_, x)) {
     const std::optional<Enclosure> bound = of(term);
     if (!bound) return std::nullopt;
-    largest = cln::max(largest, magnitude(*bound));
+    bounds.largest = cln::max(bounds.largest, magnitude(*bound));
+    bounds.together = bounds.together + magnitude(*bound);
   }
-  return largest;
-}
-
-std::optional<cl_RA> TermBounds::all_terms(const Fraction& x) {
-  cl_RA total = 0;
-  for (const Fraction& term : terms_of(algebra_, x)) {
-    const std::optional<Enclosure> bound = of(term);
-    if (!bound) return std::nullopt;
-    total = total + magnitude(*bound);
-  }
-  return total;
+  return bounds;
 }
 
 /// A pair c z + conj(c z), |z| = r, is at most 2 |c| r.
@@ -174,7 +165,6 @@ std::optional<Enclosure> TermBounds::of_leaf(const Atom& atom) {
 
 std::optional<Enclosure> TermBounds::of_call(const Atom& atom) {
   const cl_RA pi_above = cl_RA(22) / 7;
-  std::vector<Enclosure> arguments;
   switch (atom.function) {
     case FunctionId::tanh:
     case FunctionId::sign:

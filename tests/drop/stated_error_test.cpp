@@ -1,7 +1,7 @@
 // What a reduced output may be off by.
-#include "verify/bounds/stated_error.hpp"
-
 #include <catch2/catch.hpp>
+
+#include "elgen/drop.hpp"
 
 using namespace elgen;
 using cln::cl_RA;
