@@ -45,5 +45,8 @@ TEST_CASE("nothing sampled is skipped, not held") {
   Tally tally;
   tally.skip();
   CHECK(tally.verdict(8) == Verdict::skipped);
-  CHECK(tally.skipped() == 1);
+  CertificateRow row;
+  tally.tell(row, cart_pole_system().subject(), 8, Obstacle::singular);
+  CHECK(row.verdict == Verdict::skipped);
+  CHECK(row.skipped == std::vector<SkippedStates>{{Obstacle::singular, 1}});
 }

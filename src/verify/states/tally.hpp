@@ -22,7 +22,6 @@ class Tally {
   void skip() { ++skipped_; }
 
   [[nodiscard]] std::size_t samples() const { return samples_; }
-  [[nodiscard]] std::size_t skipped() const { return skipped_; }
   [[nodiscard]] double worst() const { return worst_; }
   /// False for a NaN, too.
   [[nodiscard]] bool within(double tolerance) const { return worst_ <= tolerance; }
@@ -33,6 +32,14 @@ class Tally {
   [[nodiscard]] Verdict verdict(double tolerance) const {
     if (samples_ == 0) return Verdict::skipped;
     return within(tolerance) ? Verdict::holds : Verdict::fails;
+  }
+  /// What a row says of its states; `obstacle`: why some were skipped.
+  void tell(CertificateRow& row, const Subject& subject, double tolerance,
+            Obstacle obstacle = Obstacle::undefined) const {
+    row.samples = samples_;
+    row.where = where(subject);
+    row.verdict = verdict(tolerance);
+    if (skipped_ > 0) row.skipped = {{obstacle, skipped_}};
   }
 
  private:

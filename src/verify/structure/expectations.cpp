@@ -46,104 +46,126 @@ double quotient(const cl_R& difference, const cl_R& scale) {
   return ScalarTraits<double>::from_real(cln::abs(difference) / scale);
 }
 
-struct PointOfComparison {
-  State state;
-  std::optional<std::vector<cl_R>> derived;  ///< entries of the output, by the oracle
-  cl_R scale;  ///< of what counts as zero: the largest entry of the output and of M
+/// One entry of an expectation about a system.
+struct Entry {
+  const Expectation& of;
+  std::size_t index;
+  const Subject& subject;
+
+  [[nodiscard]] ExpressionId expression() const { return of.entries[index]; }
+  [[nodiscard]] Span span() const { return index < of.spans.size() ? of.spans[index] : of.span; }
 };
 
-std::vector<PointOfComparison> compare_at(const Model& model, const OutputRequest& request,
-                                          const std::vector<State>& states) {
-  const OutputRequest mass{.kind = OutputKind::mass_matrix};
-  std::vector<PointOfComparison> points;
-  for (const State& state : states) {
-    PointOfComparison point{state, oracle_values(model, request, state), 0};
-    const OracleValues masses = oracle_values(model, mass, state);
-    if (point.derived) point.scale = largest(*point.derived);
-    if (masses) point.scale = cln::max(point.scale, largest(*masses));
-    points.push_back(std::move(point));
-  }
-  return points;
+bool is_rate(const Expectation& expectation) { return expectation.output == "conserved"; }
+
+std::string name_of(const Entry& entry) {
+  const std::size_t columns = std::max<std::size_t>(entry.of.columns, 1);
+  if (entry.of.entries.size() == 1) return entry.of.output;
+  if (columns == 1) return fmt::format("{}[{}]", entry.of.output, entry.index + 1);
+  return fmt::format("{}[{},{}]", entry.of.output, entry.index / columns + 1,
+                     entry.index % columns + 1);
 }
 
-std::string entry_name(const Expectation& expectation, std::size_t entry) {
-  const std::size_t columns = std::max<std::size_t>(expectation.columns, 1);
-  if (expectation.entries.size() == 1) return expectation.output;
-  if (columns == 1) return fmt::format("{}[{}]", expectation.output, entry + 1);
-  return fmt::format("{}[{},{}]", expectation.output, entry / columns + 1, entry % columns + 1);
-}
-
-Span entry_span(const Expectation& expectation, std::size_t entry) {
-  return entry < expectation.spans.size() ? expectation.spans[entry] : expectation.span;
-}
-
-CertificateRow expectation_row(const Expectation& expectation, std::size_t entry,
-                               const Subject& subject) {
+CertificateRow row_of(const Entry& entry) {
   CertificateRow row;
   row.check = "[[expect]]";
-  row.output = row.check + " " + expectation.output;
-  row.subject = entry_name(expectation, entry);
-  row.formula = to_string(subject.model, expectation.entries[entry]);
+  row.output = row.check + " " + entry.of.output;
+  row.subject = name_of(entry);
+  row.formula = to_string(entry.subject.model, entry.expression());
+  if (is_rate(entry.of)) row.formula = fmt::format("d/dt ({}) = 0 at u = 0", row.formula);
   row.tolerance = reason;
   return row;
 }
 
-void finish(CertificateRow& row, const Tally& tally, const Subject& subject) {
-  row.samples = tally.samples();
-  row.worst = fmt::format("{:.1e} relative", tally.worst());
-  if (tally.skipped() > 0) row.skipped = {{Obstacle::undefined, tally.skipped()}};
-  row.where = tally.within(tolerance) ? std::string() : tally.where(subject);
-  // The author expects a value: where there is none, the expectation is not met.
-  row.verdict = tally.samples() == 0 ? Verdict::fails : tally.verdict(tolerance);
+CertificateRow proved_row(const Entry& entry) {
+  CertificateRow row = row_of(entry);
+  row.worst = "equal";
+  row.evidence = Evidence::proof;
+  row.tolerance = is_rate(entry.of) ? proof_of_rate : proof;
+  return row;
 }
 
-Diagnostic nothing_compared(const Expectation& expectation, std::size_t entry) {
-  return {Code::E510, entry_span(expectation, entry),
+/// What stands in the file and what is right at one state, and by what their difference is judged.
+struct Sample {
+  cl_R written;
+  cl_R derived;
+  cl_R scale;
+};
+
+std::string wrong_text(const Entry& entry, const Sample& sample, const State& state) {
+  const std::string where = describe(entry.subject, state);
+  const std::string written = short_text(sample.written);
+  if (is_rate(entry.of)) return fmt::format("its rate is {} instead of 0 at {}", written, where);
+  return fmt::format("{} is {} by this form, {} as derived, {} too much, at {}", name_of(entry),
+                     written, short_text(sample.derived),
+                     short_text(sample.written - sample.derived), where);
+}
+
+Diagnostic nothing_compared(const Entry& entry) {
+  return {Code::E510, entry.span(),
           fmt::format("this form of {} and what is derived have no value in common at {} points",
-                      entry_name(expectation, entry), point_count),
+                      name_of(entry), point_count),
           "declare a `range` inside the domain"};
 }
 
-/// What stands in the file, what is right, and where to see it.
-struct Witness {
-  cl_R written;
-  cl_R derived;
-  State state;
-};
-
-Diagnostic wrong_entry(const Expectation& expectation, std::size_t entry, const Subject& subject,
-                       const Witness& witness) {
-  return {Code::E510, entry_span(expectation, entry),
-          fmt::format("{} is {} by this form, {} as derived, {} too much, at {}",
-                      entry_name(expectation, entry), short_text(witness.written),
-                      short_text(witness.derived), short_text(witness.written - witness.derived),
-                      describe(subject, witness.state))};
+void finish(CertificateRow& row, const Tally& tally, const Subject& subject) {
+  tally.tell(row, subject, tolerance);
+  row.worst = fmt::format("{:.1e} relative", tally.worst());
+  if (tally.within(tolerance)) row.where.clear();
+  // The author expects a value: where there is none, the expectation is not met.
+  if (tally.samples() == 0) row.verdict = Verdict::fails;
 }
 
-/// Compares one entry everywhere; the first point where it is wrong becomes the diagnostic.
-void check_entry(ExpectationReport& report, const Expectation& expectation, std::size_t entry,
-                 const Subject& subject, const std::vector<PointOfComparison>& points) {
+/// Compares one entry at all states; the first where it is wrong becomes the diagnostic.
+/// sample_at(i): none where one side has no value at states[i].
+template <class SampleAt>
+void compare(ExpectationReport& report, const Entry& entry, const std::vector<State>& states,
+             const SampleAt& sample_at) {
   Tally tally;
-  std::optional<Witness> witness;
-  for (const PointOfComparison& point : points) {
-    const auto written = oracle_expression(subject.model, expectation.entries[entry], point.state);
-    if (!written || !point.derived || entry >= point.derived->size()) {
+  std::string wrong;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const std::optional<Sample> sample = sample_at(i);
+    if (!sample) {
       tally.skip();
       continue;
     }
-    const cl_R& derived = (*point.derived)[entry];
-    const double figure = quotient(*written - derived, cln::max(point.scale, cln::abs(*written)));
-    tally.add(figure, point.state);
-    if (!witness && !(figure <= tolerance)) witness = Witness{*written, derived, point.state};
+    const double figure = quotient(sample->written - sample->derived, sample->scale);
+    tally.add(figure, states[i]);
+    if (wrong.empty() && !(figure <= tolerance)) wrong = wrong_text(entry, *sample, states[i]);
   }
-  CertificateRow row = expectation_row(expectation, entry, subject);
-  finish(row, tally, subject);
-  report.rows.push_back(std::move(row));
-  if (witness) {
-    report.diagnostics.push_back(wrong_entry(expectation, entry, subject, *witness));
+  finish(report.rows.emplace_back(row_of(entry)), tally, entry.subject);
+  if (!wrong.empty()) {
+    report.diagnostics.push_back({Code::E510, entry.span(), std::move(wrong)});
   } else if (tally.samples() == 0) {
-    report.diagnostics.push_back(nothing_compared(expectation, entry));
+    report.diagnostics.push_back(nothing_compared(entry));
   }
+}
+
+/// An output at one state, by the oracle.
+struct Derived {
+  OracleValues entries;
+  cl_R scale;  ///< of what counts as zero: the largest entry of the output and of M
+};
+
+std::vector<Derived> derived_at(const Model& model, const OutputRequest& request,
+                                const std::vector<State>& states) {
+  std::vector<Derived> all;
+  for (const State& state : states) {
+    Derived derived{oracle_values(model, request, state), 0};
+    const OracleValues masses = oracle_values(model, {.kind = OutputKind::mass_matrix}, state);
+    if (derived.entries) derived.scale = largest(*derived.entries);
+    if (masses) derived.scale = cln::max(derived.scale, largest(*masses));
+    all.push_back(std::move(derived));
+  }
+  return all;
+}
+
+std::optional<Sample> value_sample(const Entry& entry, const Derived& derived, const State& state) {
+  const auto written = oracle_expression(entry.subject.model, entry.expression(), state);
+  const bool is_there = derived.entries && entry.index < derived.entries->size();
+  if (!written || !is_there) return std::nullopt;
+  return Sample{*written, (*derived.entries)[entry.index],
+                cln::max(derived.scale, cln::abs(*written))};
 }
 
 /// The state at rest of inputs, with the acceleration it then has; none where M is singular.
@@ -155,61 +177,25 @@ std::optional<State> free_motion(const Model& model, State state) {
   return state;
 }
 
-struct Rate {
-  cl_R value;  ///< de/dt along the motion
-  cl_R scale;  ///< of its terms: |e|, the part without a, and the part of each a_i
-};
-
-std::optional<Rate> rate_along(const Model& model, ExpressionId expression, const State& motion) {
-  const auto value = oracle_expression(model, expression, motion);
-  const auto rate = oracle_rate(model, expression, motion);
+/// de/dt along the motion, judged by the size of its terms: |e|, the part without a, and the part
+/// of each a_i.
+std::optional<Sample> rate_sample(const Entry& entry, const State& motion) {
+  const Model& model = entry.subject.model;
+  const auto value = oracle_expression(model, entry.expression(), motion);
+  const auto rate = oracle_rate(model, entry.expression(), motion);
   State part = motion;
   part.a.assign(motion.a.size(), cl_R(0));
-  const auto coasting = oracle_rate(model, expression, part);
+  const auto coasting = oracle_rate(model, entry.expression(), part);
   if (!value || !rate || !coasting) return std::nullopt;
-  Rate result{*rate, cln::abs(*value) + cln::abs(*coasting)};
+  Sample result{*rate, 0, cln::abs(*value) + cln::abs(*coasting)};
   for (std::size_t i = 0; i < motion.a.size(); ++i) {
     part.a[i] = motion.a[i];
-    const auto accelerated = oracle_rate(model, expression, part);
+    const auto accelerated = oracle_rate(model, entry.expression(), part);
     part.a[i] = 0;
     if (!accelerated) return std::nullopt;
     result.scale = result.scale + cln::abs(*accelerated - *coasting);
   }
   return result;
-}
-
-CertificateRow conserved_row(const Expectation& expectation, std::size_t entry,
-                             const Subject& subject) {
-  CertificateRow row = expectation_row(expectation, entry, subject);
-  row.formula = fmt::format("d/dt ({}) = 0 at u = 0", row.formula);
-  return row;
-}
-
-void check_conserved(ExpectationReport& report, const Expectation& expectation, std::size_t entry,
-                     const Subject& subject, const std::vector<State>& motions) {
-  Tally tally;
-  std::optional<Witness> witness;
-  for (const State& motion : motions) {
-    const auto rate = rate_along(subject.model, expectation.entries[entry], motion);
-    if (!rate) {
-      tally.skip();
-      continue;
-    }
-    const double figure = quotient(rate->value, rate->scale);
-    tally.add(figure, motion);
-    if (!witness && !(figure <= tolerance)) witness = Witness{rate->value, 0, motion};
-  }
-  CertificateRow row = conserved_row(expectation, entry, subject);
-  finish(row, tally, subject);
-  report.rows.push_back(std::move(row));
-  if (witness) {
-    report.diagnostics.push_back(
-        {Code::E510, entry_span(expectation, entry),
-         fmt::format("its rate is {} instead of 0 at {}", short_text(witness->written),
-                     describe(subject, witness->state))});
-  } else if (tally.samples() == 0) {
-    report.diagnostics.push_back(nothing_compared(expectation, entry));
-  }
 }
 
 std::vector<State> free_motions(const Model& model, const std::vector<State>& states) {
@@ -222,40 +208,35 @@ std::vector<State> free_motions(const Model& model, const std::vector<State>& st
   return motions;
 }
 
-CertificateRow proved_row(CertificateRow row, const char* how) {
-  row.worst = "equal";
-  row.evidence = Evidence::proof;
-  row.tolerance = how;
-  return row;
-}
-
-/// Entries of one expectation; the points are made for the first that is not proved.
+/// Entries of one expectation; what is derived is computed for the first that is not proved.
 void check_values(ExpectationReport& report, const Expectation& expectation, const Subject& subject,
                   Proofs& proofs, const std::vector<State>& states) {
   const auto request = find_request(subject.model, expectation.output);
-  std::optional<std::vector<PointOfComparison>> points;
-  for (std::size_t entry = 0; entry < expectation.entries.size(); ++entry) {
-    if (proofs.equal(expectation, entry)) {
-      report.rows.push_back(proved_row(expectation_row(expectation, entry, subject), proof));
+  std::vector<Derived> derived;
+  for (std::size_t index = 0; index < expectation.entries.size(); ++index) {
+    const Entry entry{expectation, index, subject};
+    if (proofs.equal(expectation, index)) {
+      report.rows.push_back(proved_row(entry));
       continue;
     }
-    if (!points && request) points = compare_at(subject.model, *request, states);
-    check_entry(report, expectation, entry, subject,
-                points.value_or(std::vector<PointOfComparison>()));
+    if (derived.empty() && request) derived = derived_at(subject.model, *request, states);
+    compare(report, entry, request ? states : std::vector<State>(),
+            [&](std::size_t i) { return value_sample(entry, derived[i], states[i]); });
   }
 }
 
 void check_rates(ExpectationReport& report, const Expectation& expectation, const Subject& subject,
                  Proofs& proofs, const std::vector<State>& states) {
   std::optional<std::vector<State>> motions;
-  for (std::size_t entry = 0; entry < expectation.entries.size(); ++entry) {
-    if (proofs.conserved(expectation, entry)) {
-      CertificateRow row = conserved_row(expectation, entry, subject);
-      report.rows.push_back(proved_row(std::move(row), proof_of_rate));
+  for (std::size_t index = 0; index < expectation.entries.size(); ++index) {
+    const Entry entry{expectation, index, subject};
+    if (proofs.conserved(expectation, index)) {
+      report.rows.push_back(proved_row(entry));
       continue;
     }
     if (!motions) motions = free_motions(subject.model, states);
-    check_conserved(report, expectation, entry, subject, *motions);
+    compare(report, entry, *motions,
+            [&](std::size_t i) { return rate_sample(entry, (*motions)[i]); });
   }
 }
 
@@ -269,8 +250,8 @@ ExpectationReport check_expectations(const Subject& subject, ClosedForms* forms,
   Proofs proofs(subject, forms);
   const std::vector<State> states = random_points(subject.model, seed);
   for (const Expectation& expectation : subject.model.expectations) {
-    const bool is_rate = expectation.output == "conserved";
-    (is_rate ? check_rates : check_values)(report, expectation, subject, proofs, states);
+    const auto check = is_rate(expectation) ? check_rates : check_values;
+    check(report, expectation, subject, proofs, states);
   }
   return report;
 }

@@ -22,15 +22,6 @@ constexpr const char* identity_reason =
 /// Pivots below this are those of a singular chart (a pole, a gimbal), where no sign is claimed.
 constexpr double singular_pivot = 1e-10;
 
-CertificateRow finish(CertificateRow row, const Tally& tally, const Subject& subject,
-                      double tolerance) {
-  row.samples = tally.samples();
-  row.where = tally.where(subject);
-  row.verdict = tally.verdict(tolerance);
-  if (tally.skipped() > 0) row.skipped = {{Obstacle::undefined, tally.skipped()}};
-  return row;
-}
-
 template <class Compute>
 CertificateRow identity_row(CertificateRow row, std::vector<ExactValues>& points,
                             const Compute& compute) {
@@ -45,7 +36,8 @@ CertificateRow identity_row(CertificateRow row, std::vector<ExactValues>& points
   }
   row.worst = fmt::format("{:.1e} relative", tally.worst());
   row.tolerance = identity_reason;
-  return finish(std::move(row), tally, points.front().subject(), identity_tolerance);
+  tally.tell(row, points.front().subject(), identity_tolerance);
+  return row;
 }
 
 bool has_all(const Program& program, const std::vector<OutputKind>& kinds) {
@@ -132,7 +124,8 @@ CertificateRow symmetry_row(const Subject& subject, const Function& function,
   row.formula = "M_ij = M_ji in double";
   row.worst = fmt::format("{:g} apart", tally.worst());
   row.tolerance = "exact: both entries are one value";
-  return finish(std::move(row), tally, subject, 0);
+  tally.tell(row, subject, 0);
+  return row;
 }
 
 /// The smallest D_i / M_ii; -1 where a diagonal entry of M is negative, 0 where M is singular. None
@@ -170,10 +163,7 @@ CertificateRow definiteness_row(const Function& function, std::vector<ExactValue
   row.worst = tally.samples() == 0 ? "no regular state"
                                    : fmt::format("smallest pivot {:.2g}", -tally.worst());
   row.tolerance = fmt::format("> {:g}; smaller ones are singular charts, skipped", singular_pivot);
-  row.samples = tally.samples();
-  row.where = tally.where(points.front().subject());
-  row.verdict = tally.verdict(-singular_pivot);
-  if (tally.skipped() > 0) row.skipped = {{Obstacle::singular, tally.skipped()}};
+  tally.tell(row, points.front().subject(), -singular_pivot, Obstacle::singular);
   return row;
 }
 
