@@ -147,16 +147,22 @@ std::vector<Real> SolutionBounds<Scalar>::driven_bias() {
   return bounds;
 }
 
+/// Of one column: an entry of each row, `width` apart.
+template <class Scalar>
+std::vector<Real> SolutionBounds<Scalar>::bounds_of(const BoundedRun& matrix, std::size_t first,
+                                                    std::size_t width) const {
+  std::vector<Real> bounds;
+  for (std::size_t i = 0; i < state_.v.size(); ++i) {
+    bounds.push_back(covering_bound(matrix.entries[first + i * width]));
+  }
+  return bounds;
+}
+
 template <class Scalar>
 std::vector<Real> SolutionBounds<Scalar>::input_column(std::size_t input) {
   const BoundedRun* matrix = run(OutputKind::input_matrix);
   if (matrix == nullptr || !is_known(*matrix)) return {};
-  std::vector<Real> bounds;
-  const std::size_t inputs = state_.u.size();
-  for (std::size_t i = 0; i < state_.v.size(); ++i) {
-    bounds.push_back(covering_bound(matrix->entries[i * inputs + input]));
-  }
-  return bounds;
+  return bounds_of(*matrix, input, state_.u.size());
 }
 
 /// The derivatives of M a + bias, at accelerations that are known as well as their bound says.
@@ -199,11 +205,7 @@ std::vector<Real> SolutionBounds<Scalar>::state_column(std::size_t first, std::s
   const BoundedRun* derivatives = inverse_derivatives();
   if (derivatives == nullptr || (first == 0 && !inputs_act_everywhere_alike())) return {};
   const std::size_t n = state_.v.size();
-  std::vector<Real> bounds;
-  for (std::size_t i = 0; i < n; ++i) {
-    bounds.push_back(covering_bound(derivatives->entries[(first * n + i) * n + column]));
-  }
-  return bounds;
+  return bounds_of(*derivatives, first * n * n + column, n);
 }
 
 template <class Scalar>

@@ -51,6 +51,8 @@ class SolutionBounds {
   [[nodiscard]] Real bound(const std::vector<Real>& x, const std::vector<Real>& right_side) const;
   [[nodiscard]] SolvedColumn pivot(std::size_t entry, const Bound& value) const;
   std::vector<Real> driven_bias();
+  [[nodiscard]] std::vector<Real> bounds_of(const BoundedRun& matrix, std::size_t first,
+                                            std::size_t width) const;
   std::vector<Real> input_column(std::size_t input);
   const BoundedRun* inverse_derivatives();
   [[nodiscard]] bool inputs_act_everywhere_alike() const;

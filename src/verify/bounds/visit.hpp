@@ -63,8 +63,6 @@ class Visit {
   [[nodiscard]] Finding found(const FieldPlace& place, Random& random);
   void run(const FieldPlace& place);
   [[nodiscard]] Judged judged(const FieldPlace& place);
-  [[nodiscard]] std::string differing(const FieldPlace& place, const Judged& judged,
-                                      Finding& finding, Random& random);
   [[nodiscard]] std::string differing_entry(const FieldPlace& place, const Judged& judged,
                                             Finding& finding);
   [[nodiscard]] std::string differing_projection(const FieldPlace& place, const Judged& judged,

@@ -39,6 +39,14 @@ Arguments<Real> unit_rate(const ExactValues& at, std::size_t i) {
   return direction;
 }
 
+/// balance_i += factor * the derivative of an energy along each direction
+void add_gradient(Balance& balance, const ExactValues& at, K energy,
+                  Arguments<Real> (*direction)(const ExactValues&, std::size_t), int factor) {
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    balance.add(i, at.slopes(energy, direction(at, i))[0] * factor);
+  }
+}
+
 Values acceleration(ExactValues& at) {
   const Values& both = at.value(K::forward_dynamics);
   return {both.begin(), both.begin() + static_cast<std::ptrdiff_t>(at.size())};
@@ -129,28 +137,22 @@ Balance momentum_gradient(ExactValues& at) {
 Balance energy_gradient(ExactValues& at) {
   Balance balance(at.size());
   add_product(balance, at.value(K::mass_matrix), at.arguments().v, 1);
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    balance.add(i, -at.slopes(K::energy_function, unit_rate(at, i))[0]);
-  }
+  add_gradient(balance, at, K::energy_function, unit_rate, -1);
   return balance;
 }
 
 Balance momentum_from_energies(ExactValues& at) {
   Balance balance(at.size());
   add_all(balance, at.value(K::momentum), 1);
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    balance.add(i, at.slopes(K::kinetic_energy, unit_rate(at, i))[0] * -2);
-    balance.add(i, at.slopes(K::total_energy, unit_rate(at, i))[0]);
-  }
+  add_gradient(balance, at, K::kinetic_energy, unit_rate, -2);
+  add_gradient(balance, at, K::total_energy, unit_rate, 1);
   return balance;
 }
 
 Balance gravity_gradient(ExactValues& at) {
   Balance balance(at.size());
   add_all(balance, at.value(K::gravity), 1);
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    balance.add(i, -at.slopes(K::potential_energy, unit_position(at, i))[0]);
-  }
+  add_gradient(balance, at, K::potential_energy, unit_position, -1);
   return balance;
 }
 
