@@ -64,31 +64,16 @@ std::string without_continuations(std::string_view text) {
   return result;
 }
 
-}  // namespace
-
-std::vector<std::string> wrap_expression(std::string_view text, const Wrapping& wrapping) {
+/// Lines broken at the spaces that `space_in` finds in the rest, given the width of the line; npos
+/// where the rest is one line.
+template <class SpaceIn>
+std::vector<std::string> wrapped(std::string_view text, const Wrapping& wrapping,
+                                 const SpaceIn& space_in) {
   std::vector<std::string> lines;
   std::size_t width = wrapping.first;
   std::string indent;
   while (text.size() > width) {
-    const std::optional<Break> at = best_break(text, width);
-    if (!at) break;
-    lines.push_back(indent + std::string(text.substr(0, at->at)));
-    text.remove_prefix(at->at + 1);
-    indent = wrapping.indent;
-    width = line_width - indent.size();
-  }
-  lines.push_back(indent + std::string(text));
-  return lines;
-}
-
-std::vector<std::string> wrap_words(std::string_view text, const Wrapping& wrapping) {
-  std::vector<std::string> lines;
-  std::size_t width = wrapping.first;
-  std::string indent;
-  while (text.size() > width) {
-    std::size_t at = text.rfind(' ', width);
-    if (at == std::string_view::npos) at = text.find(' ', width);
+    const std::size_t at = space_in(text, width);
     if (at == std::string_view::npos) break;
     lines.push_back(indent + std::string(text.substr(0, at)));
     text.remove_prefix(at + 1);
@@ -97,6 +82,22 @@ std::vector<std::string> wrap_words(std::string_view text, const Wrapping& wrapp
   }
   lines.push_back(indent + std::string(text));
   return lines;
+}
+
+}  // namespace
+
+std::vector<std::string> wrap_expression(std::string_view text, const Wrapping& wrapping) {
+  return wrapped(text, wrapping, [](std::string_view rest, std::size_t width) {
+    const std::optional<Break> found = best_break(rest, width);
+    return found ? found->at : std::string_view::npos;
+  });
+}
+
+std::vector<std::string> wrap_words(std::string_view text, const Wrapping& wrapping) {
+  return wrapped(text, wrapping, [](std::string_view rest, std::size_t width) {
+    const std::size_t last = rest.rfind(' ', width);
+    return last == std::string_view::npos ? rest.find(' ', width) : last;
+  });
 }
 
 std::string comment_text(std::string_view text) {
