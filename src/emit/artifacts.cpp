@@ -3,8 +3,7 @@
 
 #include "emit/c99/c99_artifact.hpp"
 #include "emit/cpp/cpp_artifacts.hpp"
-#include "emit/pages/markdown.hpp"
-#include "emit/pages/sidecar.hpp"
+#include "emit/pages/page_artifacts.hpp"
 
 namespace elgen {
 namespace {

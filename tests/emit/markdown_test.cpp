@@ -1,6 +1,5 @@
-#include "emit/pages/markdown.hpp"
-
 #include "elgen/emitted_files.hpp"
+#include "emit/pages/page_artifacts.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;

@@ -1,8 +1,7 @@
 // sidecar: the JSON is valid, has the keys in order, and says what the program does.
-#include "emit/pages/sidecar.hpp"
-
 #include <nlohmann/json.hpp>
 
+#include "emit/pages/page_artifacts.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;

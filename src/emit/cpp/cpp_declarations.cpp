@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 
 #include "check/judge/output_units.hpp"
 #include "emit/code/cpp_constant.hpp"
@@ -47,9 +46,8 @@ std::string interval(const std::optional<Interval>& range) {
                      bound(range->high, "unbounded"));
 }
 
-template <class Element>
-Texts each(const std::vector<Element>& elements,
-           const std::function<std::string(const Element&)>& text) {
+template <class Element, class Text>
+Texts each(const std::vector<Element>& elements, const Text& text) {
   Texts texts;
   std::transform(elements.begin(), elements.end(), std::back_inserter(texts), text);
   return texts;
@@ -82,40 +80,30 @@ std::string member_declaration(const Model& model, const ParameterArray& array) 
 }  // namespace
 
 TemplateData declared_arrays(const Model& model) {
-  using C = Coordinate;
   TemplateData list(TemplateData::type::list);
-  const auto coordinates = [&](const std::function<std::string(const C&)>& text) {
-    return each<C>(model.coordinates, text);
-  };
-  const auto inputs = [&](const std::function<std::string(const Input&)>& text) {
-    return each<Input>(model.inputs, text);
-  };
-  const auto velocities = [&](const std::function<std::string(const Velocity&)>& text) {
-    return each<Velocity>(model.velocities, text);
-  };
+  const std::vector<Coordinate>& coordinates = model.coordinates;
+  const std::vector<Velocity>& velocities = model.velocities;
+  const std::vector<Input>& inputs = model.inputs;
+  const auto name = [](const auto& variable) { return string_literal(variable.name); };
+  const auto unit = [](const auto& variable) { return string_literal(variable.unit_text); };
   const char* const text = "const char*";
-  list << declared(text, "coordinate_names",
-                   coordinates([](const C& c) { return string_literal(c.name); }));
-  list << declared(text, "coordinate_units",
-                   coordinates([](const C& c) { return string_literal(c.unit_text); }));
+  list << declared(text, "coordinate_names", each(coordinates, name));
+  list << declared(text, "coordinate_units", each(coordinates, unit));
   list << declared("Interval", "coordinate_ranges",
-                   coordinates([](const C& c) { return interval(c.range); }));
+                   each(coordinates, [](const Coordinate& c) { return interval(c.range); }));
   // Where nothing rotates, velocities are called as their coordinates.
   if (!model.rotations.empty()) {
-    list << declared(text, "velocity_names",
-                     velocities([](const Velocity& v) { return string_literal(v.name); }));
-    list << declared(text, "velocity_units", velocities([&](const Velocity& v) {
+    list << declared(text, "velocity_names", each(velocities, name));
+    list << declared(text, "velocity_units", each(velocities, [&](const Velocity& v) {
                        return string_literal(velocity_unit(model, v));
                      }));
   }
   list << declared("Interval", "rate_ranges",
-                   velocities([](const Velocity& v) { return interval(v.rate_range); }));
-  list << declared(text, "input_names",
-                   inputs([](const Input& i) { return string_literal(i.name); }));
-  list << declared(text, "input_units",
-                   inputs([](const Input& i) { return string_literal(i.unit_text); }));
+                   each(velocities, [](const Velocity& v) { return interval(v.rate_range); }));
+  list << declared(text, "input_names", each(inputs, name));
+  list << declared(text, "input_units", each(inputs, unit));
   list << declared("Interval", "input_limits",
-                   inputs([](const Input& i) { return interval(i.limits); }));
+                   each(inputs, [](const Input& i) { return interval(i.limits); }));
   return list;
 }
 

@@ -1,10 +1,9 @@
 // markdown: the page of the sheet under a comment that states what made it.
-#include "emit/pages/markdown.hpp"
-
 #include <fmt/format.h>
 
 #include "elgen/drop.hpp"
 #include "elgen/render.hpp"
+#include "emit/pages/page_artifacts.hpp"
 #include "emit/pages/introduction.hpp"
 #include "emit/text/stamp.hpp"
 

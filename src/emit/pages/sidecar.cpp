@@ -1,13 +1,12 @@
 // sidecar: an object or list is one line where it fits, one element a line where not, so that a
 // one-term change is a one-line diff.
-#include "emit/pages/sidecar.hpp"
-
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
 #include "base/number_text.hpp"
 #include "check/judge/output_units.hpp"
+#include "emit/pages/page_artifacts.hpp"
 #include "emit/text/fields.hpp"
 #include "emit/text/layout.hpp"
 #include "emit/text/parameters.hpp"
@@ -57,21 +56,17 @@ Json named(const std::string& name, const std::string& unit) {
   return json;
 }
 
-Json coordinates(const Model& model) {
+/// Coordinates or inputs.
+template <class Variable>
+Json variables(const std::vector<Variable>& all) {
   Json list = Json::array();
-  for (const Coordinate& c : model.coordinates) list.push_back(named(c.name, c.unit_text));
+  for (const Variable& each : all) list.push_back(named(each.name, each.unit_text));
   return list;
 }
 
 Json velocities(const Model& model) {
   Json list = Json::array();
   for (const Velocity& v : model.velocities) list.push_back(named(v.name, velocity_unit(model, v)));
-  return list;
-}
-
-Json inputs(const Model& model) {
-  Json list = Json::array();
-  for (const Input& input : model.inputs) list.push_back(named(input.name, input.unit_text));
   return list;
 }
 
@@ -152,10 +147,10 @@ std::string sidecar(const EmissionInput& input) {
     json["language"] = language_row(emission.language).name;
   }
   if (emission.storage != Storage::row_major) json["storage"] = name_of(emission.storage);
-  json["coordinates"] = coordinates(input.model);
+  json["coordinates"] = variables(input.model.coordinates);
   // Where nothing rotates, velocities are called as their coordinates.
   if (!input.model.rotations.empty()) json["velocities"] = velocities(input.model);
-  json["inputs"] = inputs(input.model);
+  json["inputs"] = variables(input.model.inputs);
   json["parameters"] = parameters(input.model, input.program);
   json["outputs"] = outputs(input);
   if (!input.scene.left_out.empty()) json["left_out"] = left_out(input.scene);
