@@ -34,9 +34,7 @@ constexpr std::array command_table{
 
 /// \sin, \arctan, \ln
 bool is_function_command(std::string_view name) {
-  if (name == "ln" || name.substr(0, 3) == "arc") return true;
-  return std::any_of(function_table.begin(), function_table.end(),
-                     [&](const FunctionRow& row) { return row.name == name; });
+  return name == "ln" || name.substr(0, 3) == "arc" || find_function(name) != nullptr;
 }
 
 /// Parts are moved: copies on every level would cost the square of the depth.
