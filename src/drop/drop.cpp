@@ -32,7 +32,7 @@ class Drop {
         dropping_(dropping),
         forms_(std::move(forms)),
         bounds_(forms_.algebra, model),
-        arithmetic_(forms_.algebra, work_, PresentBudget{}.terms) {
+        arithmetic_(forms_.algebra) {
     reduction_.below = dropping.below;
   }
 
@@ -225,7 +225,6 @@ class Drop {
   const Dropping& dropping_;
   ClosedForms forms_;
   TermBounds bounds_;
-  std::size_t work_ = PresentBudget{}.products;
   Arithmetic arithmetic_;
   DroppedParts dropped_;
   Reduction reduction_;

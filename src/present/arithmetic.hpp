@@ -16,9 +16,13 @@ using Value = std::optional<Fraction>;
 
 class Arithmetic {
  public:
-  /// `work`: term products left; it is lowered as they are made.
-  Arithmetic(Algebra& algebra, std::size_t& work, std::size_t terms)
+  /// Of at most `work` term products, and sums of at most `terms` terms.
+  explicit Arithmetic(Algebra& algebra, std::size_t work = PresentBudget{}.products,
+                      std::size_t terms = PresentBudget{}.terms)
       : algebra_(algebra), work_(work), terms_(terms) {}
+
+  /// Term products left.
+  [[nodiscard]] std::size_t work() const { return work_; }
 
   [[nodiscard]] Value add(const Value& x, const Value& y);
   [[nodiscard]] Value subtract(const Value& x, const Value& y) { return add(x, negate(y)); }
@@ -39,7 +43,6 @@ class Arithmetic {
 
  private:
   Fraction atom(Atom wanted);
-  Value opaque(Atom wanted);
   [[nodiscard]] Value limited(Fraction x) const;
   std::optional<Polynomial> multiplied(const Polynomial& x, const Polynomial& y);
   std::optional<Polynomial> over(const Fraction& x,
@@ -59,7 +62,7 @@ class Arithmetic {
   Value sine_or_cosine(FunctionId function, const Fraction& x);
 
   Algebra& algebra_;
-  std::size_t& work_;
+  std::size_t work_;
   std::size_t terms_;
 };
 

@@ -41,8 +41,6 @@ bool has_negative_lead(const Fraction& x) {
 
 }  // namespace
 
-Value Arithmetic::opaque(Atom wanted) { return atom(std::move(wanted)); }
-
 /// sqrt of a positive integer: squares outside, one root per prime.
 Value Arithmetic::root_of_integer(cl_I value) {
   cl_RA outside = 1;
@@ -74,7 +72,7 @@ Value Arithmetic::root_of_integer(cl_I value) {
 Value Arithmetic::square_root(const Value& x) {
   if (!x) return std::nullopt;
   const auto number = x->denominator.empty() ? rational_value(x->numerator) : std::nullopt;
-  if (!number) return opaque({.kind = AtomKind::root, .arguments = {*x}});
+  if (!number) return atom({.kind = AtomKind::root, .arguments = {*x}});
   if (cln::minusp(*number)) return std::nullopt;
   if (cln::zerop(*number)) return x;
   const cl_I denominator = cln::denominator(*number);
@@ -176,7 +174,7 @@ Value Arithmetic::call(FunctionId function, const Value& x, const Value& y) {
     turned = row.parity == Parity::odd;
   }
   const Value value =
-      opaque({.kind = AtomKind::call, .function = function, .arguments = std::move(values)});
+      atom({.kind = AtomKind::call, .function = function, .arguments = std::move(values)});
   return turned ? negate(value) : value;
 }
 

@@ -137,9 +137,7 @@ class ModelExpressions {
 
 std::optional<Fraction> closed_form(ClosedForms& forms, const Model& model,
                                     const FixedParameters& fixed, ExpressionId expression) {
-  const PresentBudget budget;
-  std::size_t work = budget.products_per_function;
-  Arithmetic arithmetic(forms.algebra, work, budget.terms);
+  Arithmetic arithmetic(forms.algebra, PresentBudget{}.products_per_function);
   return ModelExpressions(arithmetic, model, fixed)(expression);
 }
 

@@ -42,18 +42,15 @@ ClosedForms present(const Program& program, const PresentBudget& budget) {
       continue;
     }
     const std::size_t share = std::min(left, budget_of(function, budget));
-    std::size_t work = share;
-    Arithmetic arithmetic(forms.algebra, work, budget.terms);
+    Arithmetic arithmetic(forms.algebra, share, budget.terms);
     forms.functions.push_back(run(arithmetic, program, function));
-    left -= share - work;
+    left -= share - arithmetic.work();
   }
   return forms;
 }
 
 bool proved_equal(ClosedForms& forms, const Fraction& x, const Fraction& y) {
-  const PresentBudget budget;
-  std::size_t work = budget.products_per_function;
-  Arithmetic arithmetic(forms.algebra, work, budget.terms);
+  Arithmetic arithmetic(forms.algebra, PresentBudget{}.products_per_function);
   const Value difference = arithmetic.subtract(x, y);
   return difference && difference->numerator.empty();
 }

@@ -179,9 +179,7 @@ Value rate(Arithmetic& arithmetic, const Algebra& algebra, const Fraction& x,
 std::vector<Fraction> coordinate_rates(ClosedForms& forms, const Model& model) {
   std::vector<Fraction> rates;
   if (model.rotations.empty()) return rates;
-  const PresentBudget budget;
-  std::size_t work = budget.products;
-  Arithmetic arithmetic(forms.algebra, work, budget.terms);
+  Arithmetic arithmetic(forms.algebra);
   for (std::uint32_t i = 0; i < model.coordinates.size(); ++i) {
     const Coordinate& coordinate = model.coordinates[i];
     const Value rate = coordinate.rotation
@@ -195,9 +193,7 @@ std::vector<Fraction> coordinate_rates(ClosedForms& forms, const Model& model) {
 bool proved_conserved(ClosedForms& forms, const Fraction& x,
                       const std::vector<Fraction>& accelerations,
                       const std::vector<Fraction>& coordinate_rates) {
-  const PresentBudget budget;
-  std::size_t work = budget.products;
-  Arithmetic arithmetic(forms.algebra, work, budget.terms);
+  Arithmetic arithmetic(forms.algebra);
   LeafRates free_motion{coordinate_rates, {}, fraction_of(cl_RA(1))};
   for (const Fraction& acceleration : accelerations) {
     Value free = without_inputs(forms.algebra, acceleration);

@@ -15,8 +15,6 @@ const LeafNames names{{{"e", "k"}, {"x", "y"}, {"x", "y"}, {"x", "y"}, {}, "t"},
 /// Of a system of two coordinates.
 class Loss {
  public:
-  Loss() : arithmetic_(algebra_, work_, 1000) {}
-
   Value parameter(std::uint32_t i) { return arithmetic_.leaf(Opcode::parameter, i); }
   Value coordinate(std::uint32_t i) { return arithmetic_.leaf(Opcode::coordinate, i); }
   Value time() { return arithmetic_.leaf(Opcode::time, 0); }
@@ -35,8 +33,7 @@ class Loss {
 
  private:
   Algebra algebra_ = {};
-  std::size_t work_ = 10'000;
-  Arithmetic arithmetic_;
+  Arithmetic arithmetic_{algebra_};
 };
 
 using Texts = std::vector<std::string>;

@@ -10,8 +10,7 @@ namespace {
 
 struct Leaves {
   Algebra algebra = {};
-  std::size_t work = 100'000;
-  Arithmetic arithmetic{algebra, work, 1000};
+  Arithmetic arithmetic{algebra};
   Value x = arithmetic.leaf(Opcode::coordinate, 0);
   Value y = arithmetic.leaf(Opcode::coordinate, 1);
 

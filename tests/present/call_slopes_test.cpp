@@ -12,8 +12,7 @@ namespace {
 /// The slopes of a function of x, or of x and y.
 std::vector<std::string> slopes_of(FunctionId function) {
   Algebra algebra;
-  std::size_t work = 10'000;
-  Arithmetic arithmetic(algebra, work, 1000);
+  Arithmetic arithmetic(algebra);
   const Value x = arithmetic.leaf(Opcode::coordinate, 0);
   const Value call = arithmetic.call(function, x, arithmetic.leaf(Opcode::coordinate, 1));
   REQUIRE(call);

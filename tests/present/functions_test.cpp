@@ -10,8 +10,7 @@ namespace {
 
 struct Space {
   Algebra algebra = {};
-  std::size_t work = 100'000;
-  Arithmetic arithmetic{algebra, work, 1000};
+  Arithmetic arithmetic{algebra};
   Value x = arithmetic.leaf(Opcode::coordinate, 0);
 
   std::size_t atoms(AtomKind kind) const {
