@@ -30,38 +30,23 @@ struct CircularLess {
 /// A sum of products of sines and cosines.
 using CircularSum = std::map<std::vector<CircularPower>, Gaussian, CircularLess>;
 
-void add_to(CircularSum& sum, const std::vector<CircularPower>& powers, const Gaussian& value) {
-  const auto [at, is_new] = sum.try_emplace(powers, value);
-  if (is_new) return;
-  at->second.real = at->second.real + value.real;
-  at->second.imaginary = at->second.imaginary + value.imaginary;
-  if (is_zero(at->second)) sum.erase(at);
-}
-
 /// Exponents of cos and sin -> coefficient.
 using TwoPowers = std::map<std::pair<std::int32_t, std::int32_t>, Gaussian>;
-
-void add_to(TwoPowers& sum, std::int32_t cosine, std::int32_t sine, const Gaussian& value) {
-  Gaussian& at = sum[{cosine, sine}];
-  at.real = at.real + value.real;
-  at.imaginary = at.imaginary + value.imaginary;
-  if (is_zero(at)) sum.erase({cosine, sine});
-}
 
 /// One step of sin^2 = 1 - cos^2, or cos^2 = 1 - sin^2.
 TwoPowers reduced(const TwoPowers& sum, bool by_sines) {
   TwoPowers result;
   for (const auto& [powers, value] : sum) {
-    auto [cosine, sine] = powers;
+    const auto [cosine, sine] = powers;
     const Gaussian opposite{-value.real, -value.imaginary};
     if (by_sines && cosine >= 2) {
-      add_to(result, cosine - 2, sine, value);
-      add_to(result, cosine - 2, sine + 2, opposite);
+      add_term(result, {cosine - 2, sine}, value);
+      add_term(result, {cosine - 2, sine + 2}, opposite);
     } else if (!by_sines && sine >= 2) {
-      add_to(result, cosine, sine - 2, value);
-      add_to(result, cosine + 2, sine - 2, opposite);
+      add_term(result, {cosine, sine - 2}, value);
+      add_term(result, {cosine + 2, sine - 2}, opposite);
     } else {
-      add_to(result, cosine, sine, value);
+      add_term(result, powers, value);
     }
   }
   return result;
@@ -74,8 +59,8 @@ TwoPowers power_of_exponential(std::int32_t multiple, bool by_sines) {
   for (std::int32_t k = 0; k < std::abs(multiple); ++k) {
     TwoPowers next;
     for (const auto& [powers, value] : result) {
-      add_to(next, powers.first + 1, powers.second, value);
-      add_to(next, powers.first, powers.second + 1, elgen::product(value, i));
+      add_term(next, {powers.first + 1, powers.second}, value);
+      add_term(next, {powers.first, powers.second + 1}, elgen::product(value, i));
     }
     result = reduced(next, by_sines);
   }
@@ -135,7 +120,7 @@ class RealTerms {
     const auto [powers, angle] = split(algebra_, monomial);
     if (!angle.empty() && angle.front().exponent < 0) return;  // its conjugate says the same
     CircularSum& sum = sums_[powers];
-    if (angle.empty()) return add_to(sum, {}, {coefficient.real, 0});
+    if (angle.empty()) return add_term(sum, {}, {coefficient.real, 0});
     if (trigonometry_ == Trigonometry::multiple_angles) {
       add_real(sum, {{angle, 1, 0}}, coefficient.real * 2);
       return add_real(sum, {{angle, 0, 1}}, coefficient.imaginary * -2);
@@ -167,7 +152,7 @@ class RealTerms {
 
   static void add_real(CircularSum& sum, const std::vector<CircularPower>& powers,
                        const cl_RA& value) {
-    if (!cln::zerop(value)) add_to(sum, powers, {value, 0});
+    if (!cln::zerop(value)) add_term(sum, powers, {value, 0});
   }
 
   /// The angle of which all multiples of a direction, or of a unit, are multiples: at most the
@@ -204,7 +189,7 @@ class RealTerms {
         for (const auto& [own, a] : result) {
           std::vector<CircularPower> powers = own;
           powers.insert(powers.end(), more.begin(), more.end());
-          add_to(next, powers, elgen::product(a, b));
+          add_term(next, powers, elgen::product(a, b));
         }
       }
       result = std::move(next);
@@ -216,10 +201,10 @@ class RealTerms {
     CircularSum result;
     for (const auto& [powers, value] : power_of_exponential(multiple, by_sines_)) {
       const bool is_one = powers.first == 0 && powers.second == 0;
-      add_to(result,
-             is_one ? std::vector<CircularPower>()
-                    : std::vector<CircularPower>{{angle, powers.first, powers.second}},
-             value);
+      add_term(result,
+               is_one ? std::vector<CircularPower>()
+                      : std::vector<CircularPower>{{angle, powers.first, powers.second}},
+               value);
     }
     return result;
   }

@@ -132,18 +132,25 @@ std::optional<Polynomial> Arithmetic::multiplied(const Polynomial& x, const Poly
   return product(x, y);
 }
 
+/// x times a power of a denominator factor.
+std::optional<Polynomial> Arithmetic::times_factor(Polynomial x, std::uint32_t factor,
+                                                   std::int32_t exponent) {
+  for (std::int32_t i = 0; i < exponent; ++i) {
+    auto next = multiplied(x, algebra_.factors[factor].shown);
+    if (!next) return std::nullopt;
+    x = std::move(*next);
+  }
+  return x;
+}
+
 /// The numerator of x over a denominator that its own divides.
 std::optional<Polynomial> Arithmetic::over(
     const Fraction& x, const std::map<std::uint32_t, std::int32_t>& denominator) {
-  Polynomial result = x.numerator;
+  std::optional<Polynomial> result = x.numerator;
   for (const auto& [factor, exponent] : denominator) {
     const auto own = x.denominator.find(factor);
     const std::int32_t missing = exponent - (own == x.denominator.end() ? 0 : own->second);
-    for (std::int32_t i = 0; i < missing; ++i) {
-      auto next = multiplied(result, algebra_.factors[factor].shown);
-      if (!next) return std::nullopt;
-      result = std::move(*next);
-    }
+    if (result) result = times_factor(std::move(*result), factor, missing);
   }
   return result;
 }
@@ -178,19 +185,9 @@ Value Arithmetic::multiply(const Value& x, const Value& y) {
   return reduced_roots(std::move(result));
 }
 
-/// Divides out every denominator factor that the numerator has.
 Value Arithmetic::cancelled(Fraction x) {
   if (x.numerator.empty()) return Fraction{};
-  for (auto at = x.denominator.begin(); at != x.denominator.end();) {
-    const Polynomial& factor = algebra_.factors[at->first].shown;
-    while (at->second > 0 && x.numerator.size() > 1) {
-      auto divided = quotient(x.numerator, factor, work_);
-      if (!divided) break;
-      x.numerator = std::move(*divided);
-      --at->second;
-    }
-    at = at->second == 0 ? x.denominator.erase(at) : std::next(at);
-  }
+  divide_out(x, algebra_, work_);
   return limited(std::move(x));
 }
 
@@ -298,11 +295,9 @@ Value Arithmetic::reciprocal(const Fraction& x) {
   const auto& [monomial, coefficient] = *rest.begin();
   result.numerator = Polynomial{{elgen::power(monomial, -1), elgen::reciprocal(coefficient)}};
   for (const auto& [factor, exponent] : x.denominator) {
-    for (std::int32_t i = 0; i < exponent; ++i) {
-      auto next = multiplied(result.numerator, algebra_.factors[factor].shown);
-      if (!next) return std::nullopt;
-      result.numerator = std::move(*next);
-    }
+    auto numerator = times_factor(std::move(result.numerator), factor, exponent);
+    if (!numerator) return std::nullopt;
+    result.numerator = std::move(*numerator);
   }
   return reduced_roots(std::move(result));
 }

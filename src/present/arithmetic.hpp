@@ -45,6 +45,7 @@ class Arithmetic {
   Fraction atom(Atom wanted);
   [[nodiscard]] Value limited(Fraction x) const;
   std::optional<Polynomial> multiplied(const Polynomial& x, const Polynomial& y);
+  std::optional<Polynomial> times_factor(Polynomial x, std::uint32_t factor, std::int32_t exponent);
   std::optional<Polynomial> over(const Fraction& x,
                                  const std::map<std::uint32_t, std::int32_t>& denominator);
   Value cancelled(Fraction x);

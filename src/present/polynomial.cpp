@@ -61,14 +61,6 @@ Gaussian reciprocal(const Gaussian& x) {
 
 bool is_zero(const Gaussian& x) { return cln::zerop(x.real) && cln::zerop(x.imaginary); }
 
-void add_term(Polynomial& to, const Monomial& monomial, const Gaussian& coefficient) {
-  const auto [at, is_new] = to.try_emplace(monomial, coefficient);
-  if (is_new) return;
-  at->second.real = at->second.real + coefficient.real;
-  at->second.imaginary = at->second.imaginary + coefficient.imaginary;
-  if (is_zero(at->second)) to.erase(at);
-}
-
 Polynomial constant(const cl_RA& value) {
   if (cln::zerop(value)) return {};
   return {{Monomial{}, Gaussian{value, 0}}};
@@ -173,6 +165,18 @@ std::optional<Polynomial> quotient(const Polynomial& x, const Polynomial& y, std
     add_term(result, monomial, coefficient);
   }
   return result;
+}
+
+void divide_out(Fraction& x, const Algebra& algebra, std::size_t& work) {
+  for (auto& [factor, exponent] : x.denominator) {
+    while (exponent > 0 && x.numerator.size() > 1) {
+      auto divided = quotient(x.numerator, algebra.factors[factor].shown, work);
+      if (!divided) break;
+      x.numerator = std::move(*divided);
+      --exponent;
+    }
+  }
+  std::erase_if(x.denominator, [](const auto& factor) { return factor.second == 0; });
 }
 
 std::optional<cl_RA> rational_value(const Polynomial& x) {

@@ -13,8 +13,15 @@ namespace elgen {
 [[nodiscard]] Gaussian reciprocal(const Gaussian& x);
 [[nodiscard]] bool is_zero(const Gaussian& x);
 
-/// to += coefficient * monomial
-void add_term(Polynomial& to, const Monomial& monomial, const Gaussian& coefficient);
+/// to += coefficient * monomial, of a polynomial or another sum of products; no coefficient is 0.
+template <class Sum>
+void add_term(Sum& to, const typename Sum::key_type& monomial, const Gaussian& coefficient) {
+  const auto [at, is_new] = to.try_emplace(monomial, coefficient);
+  if (is_new) return;
+  at->second.real = at->second.real + coefficient.real;
+  at->second.imaginary = at->second.imaginary + coefficient.imaginary;
+  if (is_zero(at->second)) to.erase(at);
+}
 
 [[nodiscard]] Polynomial constant(const cln::cl_RA& value);
 [[nodiscard]] Polynomial sum(Polynomial x, const Polynomial& y);
@@ -28,6 +35,9 @@ void add_term(Polynomial& to, const Monomial& monomial, const Gaussian& coeffici
 /// `work` is lowered by the term products; none also where it is used up.
 [[nodiscard]] std::optional<Polynomial> quotient(const Polynomial& x, const Polynomial& y,
                                                  std::size_t& work);
+
+/// Divides every denominator factor that the numerator has out of both; `work` as in quotient().
+void divide_out(Fraction& x, const Algebra& algebra, std::size_t& work);
 
 /// The rational number, where it is one.
 [[nodiscard]] std::optional<cln::cl_RA> rational_value(const Polynomial& x);
