@@ -11,18 +11,17 @@ namespace {
 
 using cln::cl_RA;
 
+/// Thrown where a sum has more terms than it may.
+struct TooLong {};
+
 class ClosedGraph {
  public:
   ClosedGraph(Graph& graph, const Algebra& algebra, Layout layout, std::size_t most)
       : graph_(graph), algebra_(algebra), layout_(layout), most_(most) {}
 
-  std::optional<Ref> fraction(const Fraction& form) {
+  Ref fraction(const Fraction& form) {
     std::vector<Ref> parts;
-    for (const Fraction& part : by_roots(form)) {
-      const std::optional<Ref> value = part_of_fraction(part);
-      if (!value) return std::nullopt;
-      parts.push_back(*value);
-    }
+    for (const Fraction& part : by_roots(form)) parts.push_back(part_of_fraction(part));
     return graph_.sum(parts);
   }
 
@@ -40,43 +39,27 @@ class ClosedGraph {
     }
     std::vector<Fraction> result;
     for (auto& [roots, part] : parts) {
+      std::size_t work = 100'000;
       part.denominator = form.denominator;
-      if (parts.size() > 1) divide_out(part);
+      if (parts.size() > 1) divide_out(part, algebra_, work);
       result.push_back(std::move(part));
     }
     return result;
   }
 
-  void divide_out(Fraction& part) const {
-    std::size_t work = 100'000;
-    for (auto at = part.denominator.begin(); at != part.denominator.end();) {
-      while (at->second > 0 && part.numerator.size() > 1) {
-        auto divided = elgen::quotient(part.numerator, algebra_.factors[at->first].shown, work);
-        if (!divided) break;
-        part.numerator = std::move(*divided);
-        --at->second;
-      }
-      at = at->second == 0 ? part.denominator.erase(at) : std::next(at);
-    }
-  }
-
-  std::optional<Ref> part_of_fraction(Fraction form) {
+  Ref part_of_fraction(Fraction form) {
     std::vector<Power> factors;
-    if (!take_root(form, factors)) return std::nullopt;
-    if (!take_divisors(form, factors)) return std::nullopt;
-    const std::optional<Ref> numerator = sum(form.numerator);
-    if (!numerator) return std::nullopt;
-    factors.push_back({*numerator, 1});
+    take_root(form, factors);
+    take_divisors(form, factors);
+    factors.push_back({sum(form.numerator), 1});
     for (const auto& [factor, exponent] : form.denominator) {
-      const std::optional<Ref> value = sum(algebra_.factors[factor].shown);
-      if (!value) return std::nullopt;
-      factors.push_back({*value, -exponent});
+      factors.push_back({sum(algebra_.factors[factor].shown), -exponent});
     }
     return graph_.product(factors);
   }
 
   /// A divisor of two or more terms divides the whole sum: x/l + y/l^2 = (x l + y)/l^2.
-  bool take_divisors(Fraction& form, std::vector<Power>& factors) {
+  void take_divisors(Fraction& form, std::vector<Power>& factors) {
     struct Divisor {
       std::int32_t exponent = 0;
       std::size_t terms = 0;
@@ -94,12 +77,9 @@ class ClosedGraph {
     for (const auto& [id, divisor] : divisors) {
       if (divisor.terms < 2) continue;
       taken.push_back({id, -divisor.exponent});
-      const std::optional<Ref> value = atom(algebra_.atoms[id]);
-      if (!value) return false;
-      factors.push_back({*value, divisor.exponent});
+      factors.push_back({atom(algebra_.atoms[id]), divisor.exponent});
     }
     if (!taken.empty()) form.numerator = elgen::scaled(form.numerator, {1, 0}, taken);
-    return true;
   }
 
   [[nodiscard]] bool is_exponential(AtomId id) const {
@@ -107,20 +87,16 @@ class ClosedGraph {
   }
 
   /// n sqrt(r) / r^k -> n sqrt(r)^-1 / r^(k-1)
-  [[nodiscard]] bool take_root(Fraction& form, std::vector<Power>& factors) {
+  void take_root(Fraction& form, std::vector<Power>& factors) {
     for (auto& [factor, exponent] : form.denominator) {
       const std::optional<AtomId> root = root_of(algebra_.factors[factor].shown);
       if (!root || exponent == 0 || !divides(*root, form.numerator)) continue;
       form.numerator = elgen::scaled(form.numerator, {1, 0}, Monomial{{*root, -1}});
       --exponent;
-      const std::optional<Ref> radicand = fraction(algebra_.atoms[*root].arguments[0]);
-      if (!radicand) return false;
-      factors.push_back({graph_.square_root(*radicand), -1});
+      const Ref radicand = fraction(algebra_.atoms[*root].arguments[0]);
+      factors.push_back({graph_.square_root(radicand), -1});
     }
-    for (auto at = form.denominator.begin(); at != form.denominator.end();) {
-      at = at->second == 0 ? form.denominator.erase(at) : std::next(at);
-    }
-    return true;
+    std::erase_if(form.denominator, [](const auto& factor) { return factor.second == 0; });
   }
 
   [[nodiscard]] std::optional<AtomId> root_of(const Polynomial& radicand) const {
@@ -150,9 +126,9 @@ class ClosedGraph {
   };
 
   /// The terms of a sum, each part that multiplies one product of rates in its own way.
-  [[nodiscard]] std::optional<std::vector<RealTerm>> terms_of(const Polynomial& polynomial) const {
+  [[nodiscard]] std::vector<RealTerm> terms_of(const Polynomial& polynomial) const {
     if (layout_.trigonometry) {
-      return real_terms(algebra_, polynomial, *layout_.trigonometry, most_);
+      return unless_too_long(real_terms(algebra_, polynomial, *layout_.trigonometry, most_));
     }
     std::map<Monomial, Polynomial, MonomialLess> by_rates;
     for (const auto& [monomial, coefficient] : polynomial) {
@@ -164,22 +140,21 @@ class ClosedGraph {
     }
     std::vector<RealTerm> all;
     for (const auto& [rates, part] : by_rates) {
-      const auto terms = shortest_terms(algebra_, part, most_);
-      if (!terms || all.size() + terms->size() > most_) return std::nullopt;
-      all.insert(all.end(), terms->begin(), terms->end());
+      const auto terms = unless_too_long(shortest_terms(algebra_, part, most_));
+      if (all.size() + terms.size() > most_) throw TooLong();
+      all.insert(all.end(), terms.begin(), terms.end());
     }
     return all;
   }
 
-  std::optional<Ref> sum(const Polynomial& polynomial) {
-    const auto terms = terms_of(polynomial);
-    if (!terms) return std::nullopt;
+  static std::vector<RealTerm> unless_too_long(std::optional<std::vector<RealTerm>> terms) {
+    if (!terms) throw TooLong();
+    return std::move(*terms);
+  }
+
+  Ref sum(const Polynomial& polynomial) {
     std::vector<Factors> factors;
-    for (const RealTerm& term : *terms) {
-      auto of_term = factors_of(term);
-      if (!of_term) return std::nullopt;
-      factors.push_back(std::move(*of_term));
-    }
+    for (const RealTerm& term : terms_of(polynomial)) factors.push_back(factors_of(term));
     if (layout_.grouping == Grouping::none) return sum_of_products(factors);
     return sum_of_groups(factors, &Factors::rates);
   }
@@ -220,50 +195,42 @@ class ClosedGraph {
     return graph_.sum(refs);
   }
 
-  std::optional<Factors> factors_of(const RealTerm& term) {
+  Factors factors_of(const RealTerm& term) {
     Factors factors;
     factors.rest.push_back({graph_.rational(term.coefficient), 1});
     for (const AtomPower& power : term.powers) {
       const Atom& atom = algebra_.atoms[power.atom];
-      const std::optional<Ref> value = this->atom(atom);
-      if (!value) return std::nullopt;
       auto& part = is_rate(atom)        ? factors.rates
                    : is_parameter(atom) ? factors.rest
                                         : factors.coordinates;
-      part.push_back({*value, power.exponent});
+      part.push_back({this->atom(atom), power.exponent});
     }
     for (const CircularPower& power : term.circular) {
-      const std::optional<Ref> value = angle(power.angle);
-      if (!value) return std::nullopt;
-      const Ref cosine = graph_.call(FunctionId::cos, {*value});
-      const Ref sine = graph_.call(FunctionId::sin, {*value});
+      const Ref value = angle(power.angle);
+      const Ref cosine = graph_.call(FunctionId::cos, {value});
+      const Ref sine = graph_.call(FunctionId::sin, {value});
       if (power.cosine != 0) factors.coordinates.push_back({cosine, power.cosine});
       if (power.sine != 0) factors.coordinates.push_back({sine, power.sine});
     }
     return factors;
   }
 
-  std::optional<Ref> angle(const Monomial& parts) {
+  Ref angle(const Monomial& parts) {
     std::vector<Ref> terms;
     for (const AtomPower& part : parts) {
       const Atom& atom = algebra_.atoms[part.atom];
-      const std::optional<Ref> argument = fraction(atom.arguments[0]);
-      if (!argument) return std::nullopt;
+      const Ref argument = fraction(atom.arguments[0]);
       const Ref multiple = graph_.rational(cl_RA(part.exponent) / atom.divisor);
-      terms.push_back(graph_.product({{multiple, 1}, {*argument, 1}}));
+      terms.push_back(graph_.product({{multiple, 1}, {argument, 1}}));
     }
     return graph_.sum(terms);
   }
 
-  std::optional<Ref> atom(const Atom& atom) {
+  Ref atom(const Atom& atom) {
     if (atom.kind == AtomKind::leaf) return graph_.leaf(atom.leaf, atom.index);
     if (atom.kind == AtomKind::pi) return graph_.pi();
     std::vector<Ref> arguments;
-    for (const Fraction& argument : atom.arguments) {
-      const std::optional<Ref> value = fraction(argument);
-      if (!value) return std::nullopt;
-      arguments.push_back(*value);
-    }
+    for (const Fraction& argument : atom.arguments) arguments.push_back(fraction(argument));
     if (atom.kind == AtomKind::root) return graph_.square_root(arguments[0]);
     return graph_.call(atom.function, arguments);
   }
@@ -289,7 +256,11 @@ bool is_parameter(const Atom& atom) {
 
 std::optional<Ref> closed_graph(Graph& graph, const Algebra& algebra, const Fraction& form,
                                 Layout layout, std::size_t most) {
-  return ClosedGraph(graph, algebra, layout, most).fraction(form);
+  try {
+    return ClosedGraph(graph, algebra, layout, most).fraction(form);
+  } catch (const TooLong&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace elgen
