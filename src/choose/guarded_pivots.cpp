@@ -1,7 +1,6 @@
 // guarded_pivots: two instructions per pivot, but where M_ii is a number, or divides already.
 #include "choose/guarded_pivots.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "lower/instructions.hpp"
@@ -20,10 +19,8 @@ Function without_diagonal(Function forward_dynamics) {
   if (!has_diagonal(forward_dynamics)) return forward_dynamics;
   forward_dynamics.fields.pop_back();
   const auto count = static_cast<std::uint32_t>(entry_count(forward_dynamics));
-  std::vector<std::uint32_t>& sampled = forward_dynamics.sampled_zeros;
-  sampled.erase(std::remove_if(sampled.begin(), sampled.end(),
-                               [count](std::uint32_t entry) { return entry >= count; }),
-                sampled.end());
+  std::erase_if(forward_dynamics.sampled_zeros,
+                [count](std::uint32_t entry) { return entry >= count; });
   return pruned(std::move(forward_dynamics));
 }
 

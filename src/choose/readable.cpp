@@ -147,7 +147,7 @@ std::vector<Written> candidates(const Algebra& algebra, const Fraction& form) {
     all.push_back(std::move(*candidate));
   }
   const auto is_long = [&](const Written& way) { return way.length > terms_over_least * least; };
-  all.erase(std::remove_if(all.begin(), all.end(), is_long), all.end());
+  std::erase_if(all, is_long);
   if (form.numerator.size() <= always_compared || all.empty()) return all;
   const auto shorter = [](const Written& x, const Written& y) { return x.length < y.length; };
   return {*std::min_element(all.begin(), all.end(), shorter)};
