@@ -114,12 +114,7 @@ Function without(const Zeros& zeros, const Function& function, Program& program)
   all.insert(all.end(), zeros.sampled.begin(), zeros.sampled.end());
   const Expressions expressions =
       from_program(program, function, entries_of(function), marked(function, all));
-  Function result{function.kind, function.user, function.name};
-  std::uint32_t next = 0;
-  for (const Field& field : function.fields) {
-    Field& copy = result.fields.emplace_back(field);
-    for (std::uint32_t& entry : copy.entries) entry = next++;
-  }
+  Function result = unfilled(function);
   linearise(network_of(expressions, result), program, result);
   result.sampled_zeros = resting_on(function, zeros.sampled);
   return result;

@@ -65,18 +65,6 @@ std::size_t length(const ReadableEntries& entries) {
   return total;
 }
 
-/// The same function without instructions, its entries numbered as values.
-Function unfilled(const Function& function) {
-  Function result{function.kind, function.user, function.name};
-  result.sampled_zeros = function.sampled_zeros;
-  std::uint32_t next = 0;
-  for (const Field& field : function.fields) {
-    Field& copy = result.fields.emplace_back(Field{field.name, field.rows, field.columns, {}});
-    for (std::size_t i = 0; i < field.entries.size(); ++i) copy.entries.push_back(next++);
-  }
-  return result;
-}
-
 Function lowered(const Expressions& together, const Function& shape, Program& program) {
   Function function = unfilled(shape);
   function.form = Form::closed;

@@ -130,6 +130,17 @@ class Linearising {
 
 }  // namespace
 
+Function unfilled(const Function& function) {
+  Function result{function.kind, function.user, function.name};
+  result.sampled_zeros = function.sampled_zeros;
+  std::uint32_t next = 0;
+  for (const Field& field : function.fields) {
+    Field& copy = result.fields.emplace_back(field);
+    for (std::uint32_t& entry : copy.entries) entry = next++;
+  }
+  return result;
+}
+
 void linearise(const Network& network, Program& program, Function& function) {
   Linearising linearising(network, program, function);
   for (Field& field : function.fields) {

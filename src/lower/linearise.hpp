@@ -11,6 +11,9 @@
 
 namespace elgen {
 
+/// The same function without instructions, its entries numbered as values of a network.
+[[nodiscard]] Function unfilled(const Function& function);
+
 /// Sets instructions and names of `function`, and turns the entries of its fields from positions in
 /// `network.values` into instructions. New constants are appended to those of `program`.
 void linearise(const Network& network, Program& program, Function& function);
