@@ -1,9 +1,8 @@
 // parts: picked where they are, derived where not.
 #include "pipeline/parts.hpp"
 
-#include <algorithm>
-
 #include "elgen/certificate.hpp"
+#include "evaluate/subject.hpp"
 #include "pipeline/recursive_program.hpp"
 
 namespace elgen {
@@ -13,10 +12,8 @@ namespace {
 std::optional<Program> selected(const Program& program, const std::vector<OutputRequest>& needed) {
   Program some{program.leaves, program.constants};
   for (const OutputRequest& request : needed) {
-    const auto known = std::find_if(
-        program.functions.begin(), program.functions.end(),
-        [&request](const Function& function) { return function.kind == request.kind; });
-    if (known == program.functions.end()) return std::nullopt;
+    const Function* known = find_function(program, request.kind);
+    if (known == nullptr) return std::nullopt;
     some.functions.push_back(*known);
   }
   return some;
