@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <type_traits>
 
 #include "elgen/outputs.hpp"
@@ -31,17 +32,13 @@ struct FieldRecord {
   std::vector<double> ulps = {};  ///< at nominal states
   std::size_t compared = 0;       ///< states
   std::size_t in_norm = 0;        ///< of them, judged as solutions
-  std::size_t undefined = 0;      ///< states by regime
-  std::size_t overflows = 0;
-  std::size_t ill_conditioned = 0;
+  std::map<Regime, std::size_t> states = {};
   std::string mistake = {};  ///< the first that is wrong, and where
   std::string mistake_at = {};
 };
 
 void add(FieldRecord& record, const Finding& finding, const Subject& subject, const State& state) {
-  record.undefined += finding.regime == Regime::undefined ? 1 : 0;
-  record.overflows += finding.regime == Regime::overflow ? 1 : 0;
-  record.ill_conditioned += finding.regime == Regime::ill_conditioned ? 1 : 0;
+  ++record.states[finding.regime];
   if (record.mistake.empty() && !finding.mistake.empty()) {
     record.mistake = finding.mistake;
     record.mistake_at = describe(subject, state);
@@ -69,11 +66,12 @@ std::string figures(const FieldRecord& record) {
 
 std::vector<SkippedStates> skipped(const FieldRecord& record) {
   std::vector<SkippedStates> result;
-  for (const SkippedStates& some :
-       {SkippedStates{Obstacle::overflow, record.overflows},
-        SkippedStates{Obstacle::undefined, record.undefined},
-        SkippedStates{Obstacle::ill_conditioned, record.ill_conditioned}}) {
-    if (some.states > 0) result.push_back(some);
+  for (const auto& [regime, obstacle] :
+       {std::pair(Regime::overflow, Obstacle::overflow),
+        std::pair(Regime::undefined, Obstacle::undefined),
+        std::pair(Regime::ill_conditioned, Obstacle::ill_conditioned)}) {
+    const auto found = record.states.find(regime);
+    if (found != record.states.end()) result.push_back({obstacle, found->second});
   }
   return result;
 }

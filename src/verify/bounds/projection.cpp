@@ -129,7 +129,7 @@ class Projection {
   }
 
   /// Of M in the model's order of elimination.
-  OracleValues relative_pivots() {
+  OracleValues pivots_of_mass() {
     OracleValues m = mass_matrix();
     if (!m) return std::nullopt;
     const bool last_first = eliminates_last_first(subject_.model);
@@ -140,7 +140,7 @@ class Projection {
   }
 
   std::string compare_pivots() {
-    const OracleValues pivots = relative_pivots();
+    const OracleValues pivots = pivots_of_mass();
     if (!pivots) return {};
     for (std::size_t i = 0; i < pivots->size(); ++i) {
       const Real truth((*pivots)[i]);
