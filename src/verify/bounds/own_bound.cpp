@@ -20,25 +20,6 @@ Regime regime_of(const Bound& x, const Rounding& rounding) {
 /// number is the bound of first order: (x + y)^12 is off by up to 23 u, and B does not count.
 constexpr std::uint32_t covered_roundings = 8;
 
-/// Arguments are made anew where more digits are needed.
-template <class Scalar, class MakeArguments>
-BoundedRun run_of(const Program& program, const Function& function,
-                  const MakeArguments& arguments) {
-  BoundedRun run;
-  RealPrecision precision;
-  std::vector<Bounded<Scalar>> values;
-  do {
-    values = evaluate_instructions(program, function, arguments());
-  } while (precision.grows());
-  for (const Bound& value : values) {
-    const Regime here = regime_of(value, rounding<Scalar>());
-    run.regime = worse(run.regime, here);
-    if (here != Regime::undefined) run.largest = max(run.largest, abs(value.value));
-  }
-  for (const std::uint32_t entry : entries_of(function)) run.entries.push_back(values[entry]);
-  return run;
-}
-
 }  // namespace
 
 Real covering_bound(const Bound& entry) {
@@ -53,22 +34,26 @@ Regime worse(Regime x, Regime y) {
 }
 
 template <class Scalar>
-BoundedRun bounded_run(const Program& program, const Function& function, const State& state) {
-  return run_of<Scalar>(program, function, [&] { return arguments_at<Bounded<Scalar>>(state); });
-}
-
-template <class Scalar>
 BoundedRun bounded_run(const Program& program, const Function& function, const State& state,
                        const std::vector<Bound>& accelerations) {
-  return run_of<Scalar>(program, function, [&] {
+  BoundedRun run;
+  RealPrecision precision;
+  std::vector<Bounded<Scalar>> values;
+  do {
+    // Made anew where more digits are needed.
     auto arguments = arguments_at<Bounded<Scalar>>(state);
     for (std::size_t i = 0; i < accelerations.size(); ++i) arguments.a[i] = {accelerations[i]};
-    return arguments;
-  });
+    values = evaluate_instructions(program, function, arguments);
+  } while (precision.grows());
+  for (const Bound& value : values) {
+    const Regime here = regime_of(value, rounding<Scalar>());
+    run.regime = worse(run.regime, here);
+    if (here != Regime::undefined) run.largest = max(run.largest, abs(value.value));
+  }
+  for (const std::uint32_t entry : entries_of(function)) run.entries.push_back(values[entry]);
+  return run;
 }
 
-template BoundedRun bounded_run<double>(const Program&, const Function&, const State&);
-template BoundedRun bounded_run<float>(const Program&, const Function&, const State&);
 template BoundedRun bounded_run<double>(const Program&, const Function&, const State&,
                                         const std::vector<Bound>&);
 template BoundedRun bounded_run<float>(const Program&, const Function&, const State&,

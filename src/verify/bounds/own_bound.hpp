@@ -27,15 +27,12 @@ struct BoundedRun {
   Real largest = {};                ///< magnitude of the largest intermediate
 };
 
-/// Runs exact values and bounds along a function. Scalar: double or float.
+/// Runs exact values and bounds along a function. `accelerations`, where there are some, take the
+/// place of the state's, and may be known to their bounds only. Scalar: double or float.
 template <class Scalar>
 [[nodiscard]] BoundedRun bounded_run(const Program& program, const Function& function,
-                                     const State& state);
-
-/// The same with accelerations that are not the state's, and may be known to their bounds only.
-template <class Scalar>
-[[nodiscard]] BoundedRun bounded_run(const Program& program, const Function& function,
-                                     const State& state, const std::vector<Bound>& accelerations);
+                                     const State& state,
+                                     const std::vector<Bound>& accelerations = {});
 
 /// What judges an entry: B of the closed form where the function is emitted in it (a bound that
 /// does not depend on the code), else B run along the function itself, the weaker "own bound".
