@@ -53,27 +53,23 @@ std::string text_page(const Model& model, const Scene& scene, const Program& pro
 std::string cost_page(const std::vector<FormCosts>& costs) {
   std::size_t width = std::string_view("function").size();
   for (const FormCosts& row : costs) width = std::max(width, row.function.size());
-  constexpr std::string_view row =
-      "{:<{}}  {:<9}  {:>6} {:>6} {:>5} {:>5} {:>6} {:>5}  {:>6}  {}\n";
-  std::string text = fmt::format(row, "function", width, "form", "add", "mul", "div", "sqrt",
-                                 "sincos", "other", "cost", "");
+  constexpr std::string_view row = "{:<{}}  {:<9}  {:>6} {:>6} {:>5} {:>5} {:>6} {:>5}  {:>6}  {}";
+  std::string text;
+  const auto add_line = [&text](const std::string& line) {
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  };
+  add_line(fmt::format(row, "function", width, "form", "add", "mul", "div", "sqrt", "sincos",
+                       "other", "cost", ""));
   const auto add = [&](const FormCosts& of, Form form, const OperationCounts& n) {
     const char* mark = form != of.chosen ? "" : of.is_asked_for ? "asked for" : "emitted";
-    text += fmt::format(row, of.function, width, name_of(form), n.add, n.mul, n.div, n.sqrt,
-                        n.sincos, n.other, cost(n), mark);
+    add_line(fmt::format(row, of.function, width, name_of(form), n.add, n.mul, n.div, n.sqrt,
+                         n.sincos, n.other, cost(n), mark));
   };
   for (const FormCosts& function : costs) {
     if (function.closed) add(function, Form::closed, *function.closed);
     add(function, Form::recursive, function.recursive);
   }
-  std::string trimmed;
-  for (std::size_t start = 0; start < text.size();) {
-    const std::size_t end = text.find('\n', start);
-    const std::string line = text.substr(start, end - start);
-    trimmed += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-    start = end + 1;
-  }
-  return trimmed;
+  return text;
 }
 
 }  // namespace elgen
