@@ -60,9 +60,9 @@ std::string table(const std::vector<TableRow>& rows) {
   }
   std::string text;
   for (const TableRow& row : rows) {
-    text += row.bound.empty() ? fmt::format("{:<{}}  {}\n", row.name, names, row.value)
-                              : fmt::format("{:<{}}  {:<{}}  {}\n", row.name, names, row.value,
-                                            values, row.bound);
+    const std::string line =
+        fmt::format("{:<{}}  {:<{}}  {}", row.name, names, row.value, values, row.bound);
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
   return text;
 }
@@ -121,28 +121,22 @@ cl_RA largest_relative(const Reduction& reduction) {
   return relative;
 }
 
-bool grows_with_acceleration(const Reduction& reduction) {
-  return find_reduced(reduction, OutputKind::inverse_dynamics) != nullptr;
-}
-
 }  // namespace
 
 std::string dropped_summary(const Program& program) {
   if (!program.reduction) return {};
   const Reduction& reduction = *program.reduction;
   const std::size_t count = reduction.terms.size();
-  const std::string counted = fmt::format("{} {}", count, count == 1 ? "term" : "terms");
+  const bool grows = find_reduced(reduction, OutputKind::inverse_dynamics) != nullptr;
   if (count == 0) {
     return fmt::format("No term is below {} of its entry.", exact_text(reduction.below));
   }
   return fmt::format(
-      "Approximate: {} below {} of the largest of their entry left out. Within the declared ranges "
-      "an "
-      "entry is off by at most {} of what its largest term can be{}.",
-      counted, exact_text(reduction.below), rounded_up(largest_relative(reduction)),
-      grows_with_acceleration(reduction)
-          ? ", and inverse_dynamics by shares of the accelerations as well"
-          : "");
+      "Approximate: {} {} below {} of the largest of their entry left out. Within the declared "
+      "ranges an entry is off by at most {} of what its largest term can be{}.",
+      count, count == 1 ? "term" : "terms", exact_text(reduction.below),
+      rounded_up(largest_relative(reduction)),
+      grows ? ", and inverse_dynamics by shares of the accelerations as well" : "");
 }
 
 std::string dropped_page(const Model& model, const Program& program) {
