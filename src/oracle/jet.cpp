@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/exact_number.hpp"
 #include "oracle/real_functions.hpp"
 
 namespace elgen::oracle {

@@ -6,11 +6,11 @@
 
 #include <cln/integer.h>
 #include <cln/rational.h>
-#include <cln/rational_ring.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "base/exact_number.hpp"
 #include "base/more_digits.hpp"
 
 namespace elgen::oracle {
@@ -157,8 +157,6 @@ bool Precision::grows() {
   more_digits = lost;
   return true;
 }
-
-bool is_rational(const cl_R& x) { return cln:: instanceof (x, cln::cl_RA_ring); }
 
 cl_R as_float(const cl_R& x) {
   return is_rational(x) ? cl_R(cln::cl_float(x, working_format())) : x;

@@ -53,8 +53,6 @@ struct OutsideDomain : std::runtime_error {
 /// `x` itself, or a float where it is a rational too long to compute with.
 [[nodiscard]] cln::cl_R shortened(const cln::cl_R& x);
 
-[[nodiscard]] bool is_rational(const cln::cl_R& x);
-
 /// pi in working precision.
 [[nodiscard]] cln::cl_R real_pi();
 

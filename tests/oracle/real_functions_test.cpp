@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/exact_number.hpp"
 #include "base/more_digits.hpp"
 #include "oracle/samples.hpp"
 
