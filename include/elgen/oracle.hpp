@@ -53,10 +53,6 @@ using OracleValues = std::optional<std::vector<cln::cl_R>>;
 [[nodiscard]] OracleValues oracle_values(const Model& model, const OutputRequest& output,
                                          const State& state);
 
-/// w . (M a + bias), one directional derivative instead of n: for self-checks of large models.
-[[nodiscard]] std::optional<cln::cl_R> oracle_projected_inverse_dynamics(
-    const Model& model, const State& state, const std::vector<cln::cl_R>& w);
-
 /// Slope of w . (M a + bias - B u) where q moves along x and v along y; a and u are the state's and
 /// stay. For a rotation x is its rotation vector in its own axes.
 [[nodiscard]] std::optional<cln::cl_R> oracle_residual_slope(const Model& model, const State& state,

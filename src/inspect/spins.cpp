@@ -46,7 +46,8 @@ bool has_curl(const Inspected& subject, ExpressionId spin) {
   for (unsigned seed = 0; seed < samples; ++seed) {
     const State state = sampled_state(subject, seed);
     const std::vector<cl_R> direction = sampled_state(subject, seed + samples).v;
-    const auto curl = oracle_projected_inverse_dynamics(bare, state, direction);
+    const auto curl =
+        oracle_contraction(bare, {.kind = OutputKind::inverse_dynamics}, state, {direction});
     const auto value = oracle_expression(bare, spin, state);
     if (curl && value && !vanishes(*curl, *value)) return true;
   }

@@ -6,25 +6,15 @@
 //     L = T - V, or [energy].L (+ armatures) where that is given
 #pragma once
 
-#include "elgen/model.hpp"
 #include "oracle/evaluation.hpp"
-#include "oracle/schedule.hpp"
 
 namespace elgen::oracle {
 
-/// Everything an energy is made of, as roots of a schedule.
-[[nodiscard]] std::vector<Root> kinetic_roots(const Model& model);
-[[nodiscard]] std::vector<Root> potential_roots(const Model& model);
-[[nodiscard]] std::vector<Root> lagrangian_roots(const Model& model);
-[[nodiscard]] std::vector<Root> dissipation_roots(const Model& model);
-
-/// Values; the evaluation's schedule must hold the roots above. The motion gives the rates of
-/// armatures.
-[[nodiscard]] Jet kinetic_energy(const Model& model, const Evaluation& at, const Motion& motion);
-[[nodiscard]] Jet potential_energy(const Model& model, const Evaluation& at);
+[[nodiscard]] Jet kinetic_energy(Evaluation& at);
+[[nodiscard]] Jet potential_energy(Evaluation& at);
 /// Its summands without their signs: what V gives as a sum, and m g_i p_i of every mass and axis.
-[[nodiscard]] Jet potential_magnitude(const Model& model, const Evaluation& at);
-[[nodiscard]] Jet lagrangian(const Model& model, const Evaluation& at, const Motion& motion);
-[[nodiscard]] Jet dissipation(const Model& model, const Evaluation& at);
+[[nodiscard]] Jet potential_magnitude(Evaluation& at);
+[[nodiscard]] Jet lagrangian(Evaluation& at);
+[[nodiscard]] Jet dissipation(Evaluation& at);
 
 }  // namespace elgen::oracle

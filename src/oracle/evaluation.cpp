@@ -1,6 +1,8 @@
-// Evaluation: walks the schedule once; every expression is computed from those before it.
+// Evaluation: operands before what is made of them, as often differentiated by time as the most
+// that was asked for.
 #include "oracle/evaluation.hpp"
 
+#include "elgen/references.hpp"
 #include "oracle/rotations.hpp"
 
 namespace elgen::oracle {
@@ -23,32 +25,59 @@ Jet elapsed_time(unsigned order) {
 
 }  // namespace
 
-Evaluation::Evaluation(const Model& model, const Schedule& schedule, const Motion& motion,
-                       JetFunctions& functions)
-    : model_(model), schedule_(schedule), motion_(motion), functions_(functions) {
-  values_.reserve(schedule.order.size());
-  for (std::size_t slot = 0; slot < schedule.order.size(); ++slot) {
-    Jet value = evaluated(model.expressions[schedule.order[slot]], schedule.time_orders[slot]);
-    value.shorten();
-    values_.push_back(std::move(value));
+Evaluation::Evaluation(const Model& model, const Motion& motion,
+                       std::shared_ptr<JetFunctions> functions)
+    : model_(model),
+      motion_(motion),
+      functions_(std::move(functions)),
+      known_(model.expressions.size()) {}
+
+Jet Evaluation::value(ExpressionId expression) { return made(expression, 0); }
+
+Jet Evaluation::rate(ExpressionId expression) {
+  return made(expression, 1).tangent(time_generator(0));
+}
+
+Jet Evaluation::second_rate(ExpressionId expression) {
+  return made(expression, 2).tangent(time_generator(0)).tangent(time_generator(1));
+}
+
+bool Evaluation::knows(ExpressionId id, unsigned time_order) const {
+  return known_[id] && known_[id]->time_order >= time_order;
+}
+
+/// Chains of names may be thousands of links long: nothing here is recursive.
+Jet Evaluation::made(ExpressionId root, unsigned time_order) {
+  struct Wanted {
+    ExpressionId id = 0;
+    unsigned time_order = 0;
+    bool has_operands = false;
+  };
+  std::vector<Wanted> stack{{root, time_order}};
+  while (!stack.empty()) {
+    const auto [id, order, has_operands] = stack.back();
+    const Expression& e = model_.expressions[id];
+    if (has_operands) {
+      known_[id] = {evaluated(e, order), order};
+      known_[id]->value.shorten();
+    }
+    if (knows(id, order)) {
+      stack.pop_back();
+      continue;
+    }
+    stack.back().has_operands = true;
+    const unsigned needed = order + (e.kind == ExpressionKind::time_derivative ? 1U : 0U);
+    for (const ExpressionId reference : references(model_, id)) {
+      if (!knows(reference, needed)) stack.push_back({reference, needed});
+    }
   }
-}
-
-Jet Evaluation::value(ExpressionId expression) const { return operand(expression, 0); }
-
-Jet Evaluation::rate(ExpressionId expression) const {
-  return operand(expression, 1).tangent(time_generator(0));
-}
-
-Jet Evaluation::second_rate(ExpressionId expression) const {
-  return operand(expression, 2).tangent(time_generator(0)).tangent(time_generator(1));
+  return operand(root, time_order);
 }
 
 /// The value with no more time generators than its user wants.
 Jet Evaluation::operand(ExpressionId id, unsigned time_order) const {
-  const std::uint32_t slot = schedule_.slots[id];
-  const Jet& value = values_[slot];
-  return schedule_.time_orders[slot] == time_order ? value : value.without(beyond(time_order));
+  const auto& [value, known_order] = *known_[id];
+  return known_order == time_order ? value : value.without(beyond(time_order));
 }
 
 Jet Evaluation::evaluated(const Expression& e, unsigned time_order) {
@@ -69,7 +98,7 @@ Jet Evaluation::evaluated(const Expression& e, unsigned time_order) {
     case ExpressionKind::divide:
       return operand(e.operands[0], time_order) / operand(e.operands[1], time_order);
     case ExpressionKind::power:
-      return functions_.power(operand(e.operands[0], time_order), e.number);
+      return functions_->power(operand(e.operands[0], time_order), e.number);
     case ExpressionKind::function:
       return function(e, time_order);
     case ExpressionKind::time_derivative:
@@ -133,7 +162,7 @@ Jet Evaluation::folded(const Expression& e, unsigned time_order) const {
 Jet Evaluation::function(const Expression& e, unsigned time_order) {
   const Jet x = operand(e.operands[0], time_order);
   const Jet y = e.operands.size() > 1 ? operand(e.operands[1], time_order) : Jet();
-  return functions_.value(e.function, x, y);
+  return functions_->value(e.function, x, y);
 }
 
 }  // namespace elgen::oracle

@@ -1,4 +1,5 @@
-// Evaluation: the values, and rates along the motion, of scheduled expressions on jets.
+// Evaluation: the values of expressions, and their rates along the motion, on jets; each is
+// computed when it is asked for, with what it is made of.
 //
 // Time is one more set of generators: with s = e_1 + ... + e_k (k the time order of an expression),
 //
@@ -8,13 +9,14 @@
 // so that the coefficient of e_1 is d/dt along the motion and that of e_1 e_2 is d2/dt2.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "elgen/leaves.hpp"
 #include "elgen/model.hpp"
 #include "oracle/jet.hpp"
 #include "oracle/jet_functions.hpp"
-#include "oracle/schedule.hpp"
 
 namespace elgen::oracle {
 
@@ -23,19 +25,30 @@ using Motion = LeafValues<Jet>;
 
 class Evaluation {
  public:
-  /// Cost: one operation on jets per scheduled expression.
-  Evaluation(const Model& model, const Schedule& schedule, const Motion& motion,
-             JetFunctions& functions);
+  /// Evaluations at one state share `functions`, which remember their values.
+  Evaluation(const Model& model, const Motion& motion,
+             std::shared_ptr<JetFunctions> functions = std::make_shared<JetFunctions>());
 
-  [[nodiscard]] Jet value(ExpressionId expression) const;
+  [[nodiscard]] const Model& model() const { return model_; }
+  [[nodiscard]] const Motion& motion() const { return motion_; }
 
-  /// d/dt along the motion; the root's time order must be at least 1.
-  [[nodiscard]] Jet rate(ExpressionId expression) const;
+  [[nodiscard]] Jet value(ExpressionId expression);
 
-  /// d2/dt2 along the motion with constant acceleration; time order at least 2.
-  [[nodiscard]] Jet second_rate(ExpressionId expression) const;
+  /// d/dt along the motion.
+  [[nodiscard]] Jet rate(ExpressionId expression);
+
+  /// d2/dt2 along the motion with constant acceleration.
+  [[nodiscard]] Jet second_rate(ExpressionId expression);
 
  private:
+  /// The value with the first `time_order` generators of time.
+  struct Known {
+    Jet value;
+    unsigned time_order = 0;
+  };
+
+  [[nodiscard]] bool knows(ExpressionId id, unsigned time_order) const;
+  [[nodiscard]] Jet made(ExpressionId root, unsigned time_order);
   Jet evaluated(const Expression& e, unsigned time_order);
   Jet leaf(const Expression& e, unsigned time_order) const;
   [[nodiscard]] Jet position(std::uint32_t index, const Jet& s) const;
@@ -44,10 +57,9 @@ class Evaluation {
   [[nodiscard]] Jet operand(ExpressionId id, unsigned time_order) const;
 
   const Model& model_;
-  const Schedule& schedule_;
   const Motion& motion_;
-  JetFunctions& functions_;
-  std::vector<Jet> values_ = {};
+  std::shared_ptr<JetFunctions> functions_;
+  std::vector<std::optional<Known>> known_;  ///< by expression
 };
 
 }  // namespace elgen::oracle

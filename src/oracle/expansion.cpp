@@ -18,14 +18,8 @@ void scale(std::vector<Jet>& quantity, const Values& about, const Jet& s) {
 /// Evaluates expressions made of parameters.
 Values values_of(const Model& model, const std::vector<std::optional<ExpressionId>>& expressions,
                  const State& state) {
-  std::vector<Root> roots;
-  for (const auto& expression : expressions) {
-    if (expression) roots.push_back({*expression, 0});
-  }
-  const Schedule schedule = make_schedule(model, roots);
   const Motion motion = motion_of(state);
-  JetFunctions functions;
-  const Evaluation at(model, schedule, motion, functions);
+  Evaluation at(model, motion);
   Values values;
   for (const auto& expression : expressions) {
     values.push_back(expression ? std::optional(at.value(*expression).real()) : std::nullopt);

@@ -12,34 +12,6 @@ constexpr Generators first = generator(0);
 constexpr Generators second = generator(1);
 constexpr Generators third = generator(2);
 
-std::vector<Root> force_roots(const Model& model) {
-  std::vector<Root> roots;
-  const auto append_point = [&](std::uint32_t point) {
-    for (const ExpressionId id : model.points[point].at) roots.push_back({id, 0});
-  };
-  for (const Force& force : model.forces) {
-    for (const ExpressionId id : force.value) roots.push_back({id, 0});
-    for (const ExpressionId id : force.reaction) roots.push_back({id, 0});
-    if (force.at) append_point(*force.at);
-    if (force.from) append_point(*force.from);
-  }
-  return roots;
-}
-
-/// Spins of the frames that torques act on.
-std::vector<Root> spin_roots(const Model& model) {
-  std::vector<Root> roots;
-  const auto append_frame = [&](std::optional<std::uint32_t> frame) {
-    if (!frame) return;
-    for (const ExpressionId id : model.frames[*frame].spin) roots.push_back({id, 0});
-  };
-  for (const Force& force : model.forces) {
-    append_frame(force.frame);
-    append_frame(force.from_frame);
-  }
-  return roots;
-}
-
 std::vector<Jet> jets(const std::vector<cl_R>& reals) { return {reals.begin(), reals.end()}; }
 
 }  // namespace
@@ -69,15 +41,7 @@ void displace_position(const Model& model, Motion& motion, const Direction& dire
 }
 
 Mechanics::Mechanics(const Model& model, const State& state)
-    : model_(model),
-      state_(state),
-      point_(expansion_point(model, state)),
-      base_(motion_of(state)),
-      lagrangian_(make_schedule(model, lagrangian_roots(model))),
-      potential_(make_schedule(model, potential_roots(model))),
-      dissipation_(make_schedule(model, dissipation_roots(model))),
-      forces_(make_schedule(model, force_roots(model))),
-      spins_(make_schedule(model, spin_roots(model))) {
+    : model_(model), state_(state), point_(expansion_point(model, state)), base_(motion_of(state)) {
   base_.a.assign(model.velocities.size(), Jet());
   base_.u.assign(model.inputs.size(), Jet());
 }
@@ -94,29 +58,16 @@ Jet Mechanics::expanded(unsigned order, const Motion& motion, const Quantity& qu
   return quantity(towards(*point_, motion, order)).ungraded();
 }
 
-Jet Mechanics::lagrangian_at(const Motion& motion) {
-  return expanded(energy_order(), motion, [this](const Motion& at) {
-    return lagrangian(model_, Evaluation(model_, lagrangian_, at, functions_), at);
-  });
-}
-
-Jet Mechanics::kinetic_energy_at(const Motion& motion) {
-  return expanded(energy_order(), motion, [this](const Motion& at) {
-    return oracle::kinetic_energy(model_, Evaluation(model_, lagrangian_, at, functions_), at);
+Jet Mechanics::energy_at(Energy energy, const Motion& motion) {
+  return expanded(point_ ? point_->order + 1 : 0, motion, [&](const Motion& moved) {
+    Evaluation evaluation(model_, moved, functions_);
+    return energy(evaluation);
   });
 }
 
 Jet Mechanics::potential_at(const Motion& motion) {
-  if (model_.energies.L) return -lagrangian_at(motion);
-  return expanded(energy_order(), motion, [this](const Motion& at) {
-    return oracle::potential_energy(model_, Evaluation(model_, potential_, at, functions_));
-  });
-}
-
-Jet Mechanics::dissipation_at(const Motion& motion) {
-  return expanded(energy_order(), motion, [this](const Motion& at) {
-    return dissipation(model_, Evaluation(model_, dissipation_, at, functions_));
-  });
+  return model_.energies.L ? -energy_at(lagrangian, motion)
+                           : energy_at(oracle::potential_energy, motion);
 }
 
 /// Coefficient of e0 e1 in L(q, v + w e0 + y e1). Where L is quadratic M has no v in it, and rest
@@ -125,7 +76,7 @@ cl_R Mechanics::mass(const Direction& w, const Direction& y) {
   Motion motion = model_.quadratic ? at_rest() : base_;
   displace(motion.v, w, first);
   displace(motion.v, y, second);
-  return lagrangian_at(motion).coefficient(first | second);
+  return energy_at(lagrangian, motion).coefficient(first | second);
 }
 
 cl_R Mechanics::turned_mass(const Direction& w, const Direction& by, const Direction& y) {
@@ -138,13 +89,13 @@ cl_R Mechanics::mass_gradient(const Direction& x, const Direction& w, const Dire
   displace(motion.v, w, first);
   displace(motion.v, y, second);
   displace_position(model_, motion, x, third);
-  return lagrangian_at(motion).coefficient(first | second | third);
+  return energy_at(lagrangian, motion).coefficient(first | second | third);
 }
 
 cl_R Mechanics::momentum(const Direction& w) {
   Motion motion = base_;
   displace(motion.v, w, first);
-  return lagrangian_at(motion).coefficient(first);
+  return energy_at(lagrangian, motion).coefficient(first);
 }
 
 /// d/dt (w.dL/dv) is the coefficient of e0 e1 in L(q + dq/dt e1, v + a e1 + w e0, t + e1).
@@ -161,16 +112,16 @@ Jet Mechanics::residual(const Motion& at, const Direction& w, const Direction& a
   displace_position(model_, displaced, w, first);
   Motion resisted = at;
   displace(resisted.v, w, first);
-  Jet sum = lagrangian_at(moving).tangent(first).tangent(second) -
-            lagrangian_at(displaced).tangent(first) + dissipation_at(resisted).tangent(first) -
-            force_along(at, w);
+  Jet sum = energy_at(lagrangian, moving).tangent(first).tangent(second) -
+            energy_at(lagrangian, displaced).tangent(first) +
+            energy_at(dissipation, resisted).tangent(first) - force_along(at, w);
   if (model_.rotations.empty()) return sum;
   Motion turning = at;
   const std::vector<Jet> across = turned(model_, jets(w), at.v);
   for (std::size_t i = 0; i < across.size(); ++i) {
     turning.v[i] = turning.v[i] + across[i] * Jet(first, 1);
   }
-  return sum + lagrangian_at(turning).tangent(first);
+  return sum + energy_at(lagrangian, turning).tangent(first);
 }
 
 cl_R Mechanics::inverse_dynamics(const Direction& w, const Direction& a) {
@@ -199,7 +150,7 @@ cl_R Mechanics::gravity(const Direction& w) {
 cl_R Mechanics::dissipation_force(const Direction& w) {
   Motion motion = base_;
   displace(motion.v, w, first);
-  return dissipation_at(motion).coefficient(first);
+  return energy_at(dissipation, motion).coefficient(first);
 }
 
 /// Of what is small to the order of the equations, of all else to one more.
@@ -214,41 +165,30 @@ Jet Mechanics::force_along(const Motion& motion, const Direction& w) {
   return along(point_->order, small) + along(point_->order + 1, others);
 }
 
-/// sum Q_i w_i + sum F.(dp/dq w), where e0 displaces along w.
+/// sum Q_i w_i + sum F.(dp/dq w) + sum N.turn, where e0 displaces along w.
 Jet Mechanics::exact_force_along(const Motion& motion, const Direction& w) {
   Motion displaced = motion;
   displace_position(model_, displaced, w, first);
-  const Evaluation at(model_, forces_, displaced, functions_);
-  const auto work = [&](const Force& force, std::uint32_t point) {
+  Evaluation moving(model_, displaced, functions_);
+  // The spin is linear in the rates, so at the rates w it is the rotation per displacement.
+  Motion turned = motion;
+  for (std::size_t i = 0; i < turned.v.size(); ++i) turned.v[i] = Jet(first, w[i]);
+  Evaluation turning(model_, turned, functions_);
+  const auto work = [&](Evaluation& at, const auto& place, const std::vector<ExpressionId>& force) {
     Jet sum;
-    for (std::size_t c = 0; c < force.value.size(); ++c) {
-      const Jet displacement = at.value(model_.points[point].at[c]).tangent(first);
-      sum = sum + at.value(force.value[c]).without(first) * displacement;
+    for (std::size_t c = 0; c < force.size(); ++c) {
+      const Jet displacement = at.value(place[c]).tangent(first);
+      sum = sum + moving.value(force[c]).without(first) * displacement;
     }
     return sum;
   };
-  // The spin is linear in the rates, so at the rates w it is the rotation per displacement.
-  Motion turning = motion;
-  for (std::size_t i = 0; i < turning.v.size(); ++i) turning.v[i] = Jet(first, w[i]);
-  const Evaluation spinning(model_, spins_, turning, functions_);
-  const auto turn = [&](const Force& force) {
-    Jet work_of_torque;
-    const auto add = [&](std::uint32_t frame, const std::vector<ExpressionId>& torque, int sign) {
-      for (std::size_t c = 0; c < torque.size(); ++c) {
-        const Jet rotation = spinning.value(model_.frames[frame].spin[c]).tangent(first);
-        work_of_torque = work_of_torque + Jet(sign) * at.value(torque[c]).without(first) * rotation;
-      }
-    };
-    add(*force.frame, force.value, 1);
-    if (force.from_frame) add(*force.from_frame, force.reaction, -1);
-    return work_of_torque;
-  };
   Jet sum;
-  for (const Force& force : model_.forces) {
-    if (force.on) sum = sum + at.value(force.value[0]).without(first) * Jet(w[*force.on]);
-    if (force.frame) sum = sum + turn(force);
-    if (force.at) sum = sum + work(force, *force.at);
-    if (force.from) sum = sum - work(force, *force.from);
+  for (const Force& f : model_.forces) {
+    if (f.on) sum = sum + moving.value(f.value[0]).without(first) * Jet(w[*f.on]);
+    if (f.frame) sum = sum + work(turning, model_.frames[*f.frame].spin, f.value);
+    if (f.from_frame) sum = sum - work(turning, model_.frames[*f.from_frame].spin, f.reaction);
+    if (f.at) sum = sum + work(moving, model_.points[*f.at].at, f.value);
+    if (f.from) sum = sum - work(moving, model_.points[*f.from].at, f.value);
   }
   for (std::size_t k = 0; k < model_.inputs.size(); ++k) {
     if (model_.inputs[k].on) sum = sum + motion.u[k] * Jet(w[*model_.inputs[k].on]);
@@ -266,7 +206,7 @@ cl_R Mechanics::input_force(const Direction& w, const Direction& y) {
 
 cl_R Mechanics::kinetic_energy() {
   if (model_.energies.L) return mass(state_.v, state_.v) / 2;
-  return kinetic_energy_at(base_).real();
+  return energy_at(oracle::kinetic_energy, base_).real();
 }
 
 cl_R Mechanics::potential_energy() {
@@ -278,15 +218,12 @@ cl_R Mechanics::potential_energy_at_rest() { return potential_at(at_rest()).real
 cl_R Mechanics::energy_function() {
   Motion motion = base_;
   displace(motion.v, state_.v, first);
-  const Jet value = lagrangian_at(motion);
+  const Jet value = energy_at(lagrangian, motion);
   return value.coefficient(first) - value.real();
 }
 
 cl_R Mechanics::energy_magnitude() {
-  const Jet terms = expanded(energy_order(), base_, [this](const Motion& at) {
-    return potential_magnitude(model_, Evaluation(model_, potential_, at, functions_));
-  });
-  return cln::abs(energy_function()) + terms.real();
+  return cln::abs(energy_function()) + energy_at(potential_magnitude, base_).real();
 }
 
 }  // namespace elgen::oracle

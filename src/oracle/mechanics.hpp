@@ -96,14 +96,13 @@ class Mechanics {
   [[nodiscard]] cln::cl_R energy_magnitude();
 
  private:
+  using Energy = Jet (*)(Evaluation& at);
+
   /// What `quantity` is at a motion, or where the scene expands it, its expansion to `order`.
   template <class Quantity>
   Jet expanded(unsigned order, const Motion& motion, const Quantity& quantity) const;
-  [[nodiscard]] unsigned energy_order() const { return point_ ? point_->order + 1 : 0; }
-  Jet lagrangian_at(const Motion& motion);
-  Jet kinetic_energy_at(const Motion& motion);
+  Jet energy_at(Energy energy, const Motion& motion);
   Jet potential_at(const Motion& motion);
-  Jet dissipation_at(const Motion& motion);
   Jet exact_force_along(const Motion& motion, const Direction& w);
   Jet force_along(const Motion& motion, const Direction& w);
   Jet residual(const Motion& at, const Direction& w, const Direction& a);
@@ -113,12 +112,7 @@ class Mechanics {
   const State& state_;
   std::optional<ExpansionPoint> point_;
   Motion base_;  ///< of the state, with a = 0 and u = 0
-  JetFunctions functions_ = {};
-  Schedule lagrangian_;
-  Schedule potential_;
-  Schedule dissipation_;
-  Schedule forces_;
-  Schedule spins_;
+  std::shared_ptr<JetFunctions> functions_ = std::make_shared<JetFunctions>();
 };
 
 }  // namespace elgen::oracle

@@ -85,11 +85,6 @@ OracleValues oracle_values(const Model& model, const OutputRequest& output, cons
   return guarded([&] { return oracle::output_values(model, output, state); });
 }
 
-std::optional<cl_R> oracle_projected_inverse_dynamics(const Model& model, const State& state,
-                                                      const std::vector<cl_R>& w) {
-  return guarded([&] { return oracle::Mechanics(model, state).inverse_dynamics(w, state.a); });
-}
-
 std::optional<cl_R> oracle_residual_slope(const Model& model, const State& state,
                                           const std::vector<cl_R>& w, const std::vector<cl_R>& x,
                                           const std::vector<cl_R>& y) {
@@ -114,21 +109,13 @@ OracleValues oracle_relative_pivots(std::vector<cl_R> matrix, std::size_t n) {
 
 std::optional<cl_R> oracle_expression(const Model& model, ExpressionId expression,
                                       const State& state) {
-  return guarded([&] {
-    const oracle::Schedule schedule = oracle::make_schedule(model, {{expression, 0}});
-    const oracle::Motion motion = oracle::motion_of(state);
-    oracle::JetFunctions functions;
-    return oracle::Evaluation(model, schedule, motion, functions).value(expression).real();
-  });
+  return guarded(
+      [&] { return oracle::Evaluation(model, oracle::motion_of(state)).value(expression).real(); });
 }
 
 std::optional<cl_R> oracle_rate(const Model& model, ExpressionId expression, const State& state) {
-  return guarded([&] {
-    const oracle::Schedule schedule = oracle::make_schedule(model, {{expression, 1}});
-    const oracle::Motion motion = oracle::motion_of(state);
-    oracle::JetFunctions functions;
-    return oracle::Evaluation(model, schedule, motion, functions).rate(expression).real();
-  });
+  return guarded(
+      [&] { return oracle::Evaluation(model, oracle::motion_of(state)).rate(expression).real(); });
 }
 
 }  // namespace elgen

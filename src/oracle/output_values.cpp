@@ -22,6 +22,10 @@ struct Question {
   const State& state;
 
   [[nodiscard]] const UserOutput& of_user() const { return model.outputs[output.user]; }
+  [[nodiscard]] bool is_twist() const { return of_user().frame.has_value(); }
+  [[nodiscard]] const std::vector<ExpressionId>& differentiated() const {
+    return is_twist() ? of_user().twist : of_user().values;
+  }
 };
 
 struct OracleRow {
@@ -72,17 +76,9 @@ Values solved(Mechanics& at) {
   return values;
 }
 
-std::vector<Root> roots_of(const std::vector<ExpressionId>& expressions, unsigned time_order) {
-  std::vector<Root> roots;
-  for (const ExpressionId id : expressions) roots.push_back({id, time_order});
-  return roots;
-}
-
 Values values_of_user(const Question& of) {
-  JetFunctions functions;
-  const Schedule schedule = make_schedule(of.model, roots_of(of.of_user().values, 0));
   const Motion motion = motion_of(of.state);
-  const Evaluation at(of.model, schedule, motion, functions);
+  Evaluation at(of.model, motion);
   Values values;
   for (const ExpressionId id : of.of_user().values) values.push_back(at.value(id).real());
   return values;
@@ -90,18 +86,15 @@ Values values_of_user(const Question& of) {
 
 /// dy/dq; of a frame the twist, which is linear in the rates: its coefficient of each.
 Values jacobian_of_user(const Question& of) {
-  JetFunctions functions;
-  const bool is_twist = of.of_user().frame.has_value();
-  const std::vector<ExpressionId>& ids = is_twist ? of.of_user().twist : of.of_user().values;
-  const Schedule schedule = make_schedule(of.model, roots_of(ids, 0));
+  const std::vector<ExpressionId>& ids = of.differentiated();
   const std::size_t n = of.state.v.size();
   Values values(ids.size() * n);
   for (std::size_t j = 0; j < n; ++j) {
     Motion motion = motion_of(of.state);
     const Direction unit = unit_direction(n, j);
-    if (is_twist) displace(motion.v, unit, generator(0));
-    if (!is_twist) displace_position(of.model, motion, unit, generator(0));
-    const Evaluation at(of.model, schedule, motion, functions);
+    if (of.is_twist()) displace(motion.v, unit, generator(0));
+    if (!of.is_twist()) displace_position(of.model, motion, unit, generator(0));
+    Evaluation at(of.model, motion);
     for (std::size_t i = 0; i < ids.size(); ++i) {
       values[i * n + j] = at.value(ids[i]).coefficient(generator(0));
     }
@@ -111,16 +104,12 @@ Values jacobian_of_user(const Question& of) {
 
 /// d2y/dt2 at a = 0; of a frame d twist/dt.
 Values bias_of_user(const Question& of) {
-  JetFunctions functions;
-  const bool is_twist = of.of_user().frame.has_value();
-  const std::vector<ExpressionId>& ids = is_twist ? of.of_user().twist : of.of_user().values;
-  const Schedule schedule = make_schedule(of.model, roots_of(ids, is_twist ? 1 : 2));
   Motion motion = motion_of(of.state);
   motion.a.assign(of.state.v.size(), Jet());
-  const Evaluation at(of.model, schedule, motion, functions);
+  Evaluation at(of.model, motion);
   Values values;
-  for (const ExpressionId id : ids) {
-    values.push_back((is_twist ? at.rate(id) : at.second_rate(id)).real());
+  for (const ExpressionId id : of.differentiated()) {
+    values.push_back((of.is_twist() ? at.rate(id) : at.second_rate(id)).real());
   }
   return values;
 }

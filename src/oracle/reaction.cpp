@@ -16,10 +16,8 @@ struct Standing {
 };
 
 Standing standing(const Model& unlocked, ExpressionId s, const State& state) {
-  const Schedule schedule = make_schedule(unlocked, {{s, 2}});
   const Motion motion = motion_of(state);
-  JetFunctions functions;
-  const Evaluation at(unlocked, schedule, motion, functions);
+  Evaluation at(unlocked, motion);
   return {at.value(s).real(), at.rate(s).real(), at.second_rate(s).real()};
 }
 

@@ -22,11 +22,9 @@ struct Found {
 /// At x = 2, y = 3, dx/dt = 5, dy/dt = 7.
 Found energies_of(const ModelBuilder& b) {
   const Motion motion{{}, {2, 3}, {5, 7}, {0, 0}, {}, 0};
-  JetFunctions functions;
-  const Schedule schedule = make_schedule(b.model, lagrangian_roots(b.model));
-  const Evaluation at(b.model, schedule, motion, functions);
-  return {kinetic_energy(b.model, at, motion).real(), potential_energy(b.model, at).real(),
-          lagrangian(b.model, at, motion).real(), potential_magnitude(b.model, at).real()};
+  Evaluation at(b.model, motion);
+  return {kinetic_energy(at).real(), potential_energy(at).real(), lagrangian(at).real(),
+          potential_magnitude(at).real()};
 }
 
 ModelBuilder plane() {

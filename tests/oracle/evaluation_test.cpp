@@ -16,14 +16,12 @@ namespace {
 struct Fixture {
   ModelBuilder b;
   Motion motion{{11}, {2}, {3}, {5}, {7}, 13};
-  JetFunctions functions = {};
 
   Fixture() { b.coordinate("x").input("u").parameter("p", "11"); }
 
   cl_R value(const std::string& text, unsigned time_order = 0) {
     const ExpressionId id = b.expression(text);
-    const Schedule schedule = make_schedule(b.model, {{id, time_order}});
-    const Evaluation at(b.model, schedule, motion, functions);
+    Evaluation at(b.model, motion);
     if (time_order == 0) return at.value(id).real();
     return (time_order == 1 ? at.rate(id) : at.second_rate(id)).real();
   }
@@ -66,8 +64,7 @@ TEST_CASE("directions of differentiation pass through time derivatives") {
   Fixture f;
   const ExpressionId id = f.b.expression("ddt(x^3)");  // 3 x^2 v, d/dx = 6 x v
   displace(f.motion.q, {1}, generator(0));
-  const Schedule schedule = make_schedule(f.b.model, {{id, 0}});
-  const Evaluation at(f.b.model, schedule, f.motion, f.functions);
+  Evaluation at(f.b.model, f.motion);
   CHECK(at.value(id).coefficient(generator(0)) == 36);
 }
 
@@ -75,4 +72,28 @@ TEST_CASE("an expression used with and without its rate keeps both apart") {
   Fixture f;
   f.b.definition("c", "x^2");
   CHECK(f.value("c + ddt(c) + c*ddt(c)") == 4 + 12 + 48);
+}
+
+TEST_CASE("what is asked for more often differentiated than before is made again") {
+  Fixture f;
+  const ExpressionId id = f.b.expression("x^2");
+  Evaluation at(f.b.model, f.motion);
+  CHECK(at.value(id).real() == 4);
+  CHECK(at.second_rate(id).real() == 38);
+  CHECK(at.rate(id).real() == 12);
+}
+
+TEST_CASE("only what is asked for is evaluated") {
+  Fixture f;
+  f.b.expression("1/(x - 2)");
+  CHECK(f.value("x + 1") == 3);
+  CHECK_THROWS_AS(f.value("1/(x - 2)"), OutsideDomain);
+}
+
+TEST_CASE("a chain of thousands of links is evaluated without recursion") {
+  const ModelBuilder b = chain(5000);
+  Motion motion = motion_of(nominal_state(b.model, {}));
+  motion.v.assign(motion.v.size(), Jet(1));
+  Evaluation at(b.model, motion);
+  CHECK(at.rate(b.model.points.back().at[0]).real() == 5000 * exact("0.3"));
 }

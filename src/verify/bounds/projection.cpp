@@ -112,7 +112,8 @@ class Projection {
       moving.a[i] = entry(i).value.value();
     }
     const Values w = random_direction(n, random_);
-    const auto force = oracle_projected_inverse_dynamics(subject_.model, moving, w);
+    const auto force =
+        oracle_contraction(subject_.model, {.kind = OutputKind::inverse_dynamics}, moving, {w});
     const auto driven = input_force(w, state().u);
     if (!force || !driven) return {};
     return compare_forces("w.(M a + bias)", *force, *driven);
