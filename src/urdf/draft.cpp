@@ -1,44 +1,116 @@
-// A robot's tree, link by link, into the tables of a model.
+// The text of a model file: what the robot is made of first, then the tables.
 #include "urdf/draft.hpp"
 
 #include <fmt/format.h>
 
-#include "urdf/drafting.hpp"
+#include <algorithm>
+
+#include "urdf/toml_text.hpp"
 
 namespace elgen::urdf {
 
 namespace {
 
-TreeLine tree_line(const Robot& robot, const Branch& branch) {
-  const Joint& joint = robot.joints[branch.joint];
-  std::string text = fmt::format("{}, {}", joint.name.text, word(joint.type));
-  if (branch.mimics) text += " like " + robot.joints[*branch.mimics].name.text;
-  return {branch.depth + 1, robot.links[branch.child].name.text, text};
+constexpr std::string_view legend =
+    "#\n"
+    "# Every link is a frame of its name, every joint that moves a coordinate. Of a joint: x y z "
+    "its\n"
+    "# origin in the axes of the parent. Of a link, in its own axes: m its mass, cx cy cz its "
+    "centre\n"
+    "# of mass, Ixx ... its inertia about that. What the URDF has as 0 is 0, not a parameter.\n";
+
+/// Indented by its depth: a link, and the joint that carries it.
+std::vector<std::string> tree_row(std::size_t depth, const Link& link, const std::string& joint) {
+  constexpr std::size_t deepest_indent = 20;  // a long chain would not fit on any line
+  const std::string indent(2 * std::min(depth, deepest_indent), ' ');
+  return {"  " + indent + link.name.text + "  ", joint};
+}
+
+std::vector<std::vector<std::string>> tree_rows(const Robot& robot, const LinkTree& tree) {
+  std::vector<std::vector<std::string>> rows{tree_row(0, robot.links[tree.root], "the world")};
+  for (const Branch& branch : tree.branches) {
+    const Joint& joint = robot.joints[branch.joint];
+    std::string text = fmt::format("{}, {}", joint.name.text, word(joint.type));
+    if (branch.mimics) text += " like " + robot.joints[*branch.mimics].name.text;
+    rows.push_back(tree_row(branch.depth + 1, robot.links[branch.child], text));
+  }
+  return rows;
+}
+
+std::string head(const Draft& draft, const LinkTree& tree) {
+  const Robot& robot = draft.robot;
+  std::string text = comment(fmt::format("{}, imported from {}.", robot.name, robot.file)) + "#\n" +
+                     comments(aligned(tree_rows(robot, tree)));
+  text += legend;
+  const std::vector<std::string>& renamed = draft.glossary.renamed();
+  return text + (renamed.empty() ? "" : "#\n") + comments(renamed);
+}
+
+std::string model_table(const Robot& robot) {
+  Table table("[model]");
+  table.add("name", toml_string(model_name(robot.name)));
+  table.add("title", toml_string(robot.name));
+  table.add("description",
+            toml_string(
+                fmt::format("Imported from {}; coordinates are those of its joints.", robot.file)));
+  return "format = 1\n\n" + table.text();
+}
+
+std::string parameters_table(const std::vector<ParameterGroup>& groups) {
+  std::string text =
+      "[parameters]\ng = { value = 9.81, unit = \"m/s^2\", min = 0, max = 25, doc = \"gravity\" "
+      "}\n";
+  for (const ParameterGroup& group : groups) {
+    if (group.rows.empty()) continue;
+    text += "\n" + comment(group.title);
+    for (const std::string& line : aligned(group.rows)) text += line + "\n";
+  }
+  return text;
+}
+
+std::string dissipation_table(const std::vector<std::string>& terms) {
+  return fmt::format("[energy]\nD = \"\"\"\n  {}\n\"\"\"\n", fmt::join(terms, "\n  + "));
+}
+
+std::string text_of(const Draft& draft, const LinkTree& tree) {
+  std::vector<std::string> parts{model_table(draft.robot)};
+  const auto append = [&](const std::vector<std::string>& tables) {
+    parts.insert(parts.end(), tables.begin(), tables.end());
+  };
+  append(draft.coordinates);
+  parts.push_back(parameters_table(draft.glossary.groups()));
+  append(draft.links);
+  parts.emplace_back("[gravity]\nvector = [\"0\", \"0\", \"-g\"]\n");
+  if (!draft.dissipation.empty()) parts.push_back(dissipation_table(draft.dissipation));
+  append(draft.forces);
+  append(draft.inputs);
+  return head(draft, tree) + fmt::format("{}", fmt::join(parts, "\n"));
 }
 
 }  // namespace
 
-Draft make_draft(const Robot& robot, const LinkTree& tree) {
-  Draft draft;
-  draft.name = model_name(robot.name);
-  draft.title = robot.name;
-  draft.file = robot.file;
-  Glossary glossary(robot, tree);
-  draft.renamed = glossary.renamed();
-  Drafting drafting{robot, glossary, draft};
-  draft.tree.push_back({0, robot.links[tree.root].name.text, "the world"});
+std::string comments(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += comment(line);
+  return text;
+}
+
+std::string vector_text(const Components& components) {
+  std::vector<std::string> quoted;
+  for (const std::string& component : components) quoted.push_back(toml_string(component));
+  return toml_list(quoted);
+}
+
+std::string model_text(const Robot& robot, const LinkTree& tree) {
+  Draft draft{robot, Glossary(robot, tree)};
   for (const Branch& branch : tree.branches) {
-    draft.tree.push_back(tree_line(robot, branch));
-    glossary.open_group(fmt::format("{}, on {}", robot.links[branch.child].name.text,
-                                    robot.joints[branch.joint].name.text));
-    const JointMotion motion = draft_joint(drafting, branch);
-    LinkDraft link;
-    link.frames = draft_frames(drafting, branch, motion);
-    if (branch.moves) draft_body(drafting, branch.child, link);
-    draft.links.push_back(std::move(link));
+    draft.glossary.open_group(fmt::format("{}, on {}", robot.links[branch.child].name.text,
+                                          robot.joints[branch.joint].name.text));
+    const JointMotion motion = draft_joint(draft, branch);
+    draft_frames(draft, branch, motion);
+    if (branch.moves) draft_body(draft, branch.child);
   }
-  draft.parameters = glossary.take_groups();
-  return draft;
+  return text_of(draft, tree);
 }
 
 }  // namespace elgen::urdf

@@ -1,44 +1,35 @@
-// Draft: a model file before it is spelled, in the order of its text. Values are expressions of the
-// model language, or the digits of numbers; "0" is what is not there.
+// Draft: the tables of a model file, as the joints and links of a robot make them one after
+// another. Values are expressions of the model language, or the digits of numbers; "0" is what is
+// not there.
 #pragma once
 
 #include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "urdf/tree.hpp"
+#include "urdf/glossary.hpp"
+#include "urdf/rotations.hpp"
 
 namespace elgen::urdf {
 
+/// Texts of tables, in the order of the file, and the terms of D.
+struct Draft {
+  const Robot& robot;
+  Glossary glossary;
+  std::vector<std::string> coordinates = {};
+  std::vector<std::string> links = {};  ///< frames and bodies, parents first
+  std::vector<std::string> dissipation = {};
+  std::vector<std::string> forces = {};
+  std::vector<std::string> inputs = {};
+};
+
 using Components = std::array<std::string, 3>;
 
-struct CoordinateDraft {
-  std::string name = {};
-  std::string unit = {};  ///< empty for a rotation
-  std::string doc = {};
-  std::string low = {};  ///< range, as TOML values
-  std::string high = {};
-  std::string rate = {};  ///< greatest rate
-  bool wraps = false;
-};
-
-struct ParameterDraft {
-  std::string name = {};
-  std::string value = {};
-  std::string unit = {};
-  std::string more = {};  ///< `key = value, …`
-};
-
-/// The parameters of one link and of the joint that carries it.
-struct ParameterGroup {
-  std::string title = {};
-  std::vector<ParameterDraft> parameters = {};
-};
-
-struct AxisAngle {
-  Components axis = {};  ///< "x", "y" or "z" and nothing else, or three numbers
-  std::string angle = {};
+/// How a joint moves, in the axes of its origin.
+struct JointMotion {
+  Components translate = {"0", "0", "0"};
+  std::vector<std::string> turn = {};  ///< at most one step
+  std::string attitude = {};           ///< a coordinate of kind rotation
 };
 
 struct FrameDraft {
@@ -46,63 +37,47 @@ struct FrameDraft {
   std::string name = {};
   std::string parent = {};
   Components translate = {"0", "0", "0"};
-  std::vector<AxisAngle> rotate = {};
-  std::string rotation = {};  ///< a coordinate of kind rotation
+  std::vector<std::string> rotate = {};  ///< steps: ["z", "-pi/2"]
+  std::string rotation = {};             ///< a coordinate of kind rotation
 };
 
-struct BodyDraft {
-  std::vector<std::string> comments = {};
-  std::string name = {};
-  std::string frame = {};
-  std::string mass = {};
-  Components com = {"0", "0", "0"};
-  std::vector<std::string> inertia = {};  ///< three, or six, or none
-};
+/// "x" of 0, "y" of 1, "z" of 2.
+[[nodiscard]] std::string axis_letter(std::size_t axis);
 
-/// A link: the frames between it and its parent, the last of which has its name.
-struct LinkDraft {
-  std::vector<FrameDraft> frames = {};
-  std::vector<BodyDraft> bodies = {};  ///< at most one
-};
+/// ["0", "0.1", "l"]
+[[nodiscard]] std::string vector_text(const Components& components);
 
-struct InputDraft {
-  std::string name = {};
-  std::string unit = {};
-  std::string on = {};
-  std::string limit = {};
-  std::string doc = {};
-};
+/// ["z", "-pi/2"], of an axis as a TOML value
+[[nodiscard]] std::string step_text(const std::string& axis, const std::string& angle);
 
-struct ForceDraft {
-  std::string on = {};
-  std::string value = {};
-};
+/// "0 0 1.57": as the file has it.
+[[nodiscard]] std::string listed(const Vector& numbers);
 
-/// A line of the tree in the head of the file.
-struct TreeLine {
-  std::size_t depth = 0;
-  std::string link = {};
-  std::string joint = {};
-};
+/// The components of a place; "c{}_arm" are the names of their parameters.
+[[nodiscard]] Components place_of(Glossary& glossary, std::string_view name, const Vector& xyz);
 
-struct Draft {
-  std::string name = {};
-  std::string title = {};
-  std::string file = {};
-  std::vector<TreeLine> tree = {};
-  std::vector<std::string> renamed = {};
-  std::vector<CoordinateDraft> coordinates = {};
-  std::vector<ParameterGroup> parameters = {};
-  std::vector<LinkDraft> links = {};
-  std::vector<std::string> dissipation = {};  ///< terms of D
-  std::vector<InputDraft> inputs = {};
-  std::vector<ForceDraft> forces = {};
-};
+/// The comments above a table, one a line.
+[[nodiscard]] std::string comments(const std::vector<std::string>& lines);
 
-/// The model of a robot without errors.
-[[nodiscard]] Draft make_draft(const Robot& robot, const LinkTree& tree);
+/// Constant turns, z y x: R = Rz(yaw) Ry(pitch) Rx(roll).
+[[nodiscard]] std::vector<std::string> steps_of(const RollPitchYaw& rotation);
 
-/// The text of the model file.
-[[nodiscard]] std::string print(const Draft& draft);
+/// "rpy in the URDF: 1.57079632679 0 0" where angles were rounded.
+[[nodiscard]] std::vector<std::string> rounding_comment(const RollPitchYaw& rotation,
+                                                        const Vector& rpy);
+
+[[nodiscard]] std::string frame_table(const FrameDraft& frame);
+
+/// Adds the coordinates, inputs, damping and friction of a joint.
+[[nodiscard]] JointMotion draft_joint(Draft& draft, const Branch& branch);
+
+/// Adds the frame of the branch's child, after one for the joint's origin where one does not do.
+void draft_frames(Draft& draft, const Branch& branch, const JointMotion& motion);
+
+/// Adds the body of a link in its frame, after a frame in its principal axes where it needs one.
+void draft_body(Draft& draft, std::size_t link);
+
+/// The text of the model file of a robot without errors.
+[[nodiscard]] std::string model_text(const Robot& robot, const LinkTree& tree);
 
 }  // namespace elgen::urdf

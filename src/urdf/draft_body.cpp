@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "urdf/drafting.hpp"
+#include "urdf/draft.hpp"
+#include "urdf/toml_text.hpp"
 
 namespace elgen::urdf {
 
@@ -25,43 +26,58 @@ std::vector<std::string> inertia_of(Glossary& glossary, const std::string& link,
   return inertia;
 }
 
+/// Six inertias on two lines: first the diagonal.
+std::string inertia_text(const std::vector<std::string>& inertia) {
+  std::string text;
+  for (std::size_t i = 0; i < inertia.size(); ++i) {
+    text += (i == 0 ? "" : i == 3 ? ",\n           " : ", ") + toml_string(inertia[i]);
+  }
+  return "[" + text + "]";
+}
+
+/// Adds a frame in the axes of the inertia; its name.
+std::string add_axes(Draft& draft, const std::string& link, const Inertial& inertial,
+                     const Components& com) {
+  const RollPitchYaw rotation = rotation_of(inertial.origin.rpy);
+  FrameDraft axes;
+  axes.comments = rounding_comment(rotation, inertial.origin.rpy);
+  axes.comments.insert(axes.comments.begin(), "axes of the inertia of " + link);
+  axes.name = draft.glossary.claim(link + "_inertial", "frame");
+  axes.parent = link;
+  axes.translate = com;
+  axes.rotate = steps_of(rotation);
+  draft.links.push_back(frame_table(axes));
+  return axes.name;
+}
+
 }  // namespace
 
-void draft_body(Drafting& drafting, std::size_t link, LinkDraft& to) {
-  const auto& inertial = drafting.robot.links[link].inertial;
+void draft_body(Draft& draft, std::size_t link) {
+  const auto& inertial = draft.robot.links[link].inertial;
   if (!inertial) return;
-  Glossary& glossary = drafting.glossary;
-  BodyDraft body;
-  body.name = glossary.frame(link);
-  body.frame = body.name;
-  body.mass = glossary.parameter("m_" + body.name, inertial->mass, "kg", "assume = \"positive\"");
-  for (std::size_t i = 0; i < 3; ++i) {
-    body.com[i] = glossary.parameter(fmt::format("c{}_{}", axis_letter(i), body.name),
-                                     inertial->origin.xyz[i], "m");
-  }
-  const RollPitchYaw rotation = rotation_of(inertial->origin.rpy);
+  Glossary& glossary = draft.glossary;
+  const std::string& name = glossary.frame(link);
+  const auto& [xyz, rpy] = inertial->origin;
+  const std::string mass =
+      glossary.parameter("m_" + name, inertial->mass, "kg", "assume = \"positive\"");
+  Components com = place_of(glossary, "c{}_" + name, xyz);
+  const RollPitchYaw rotation = rotation_of(rpy);
   const auto turned = rotated(rotation, inertial->inertia);
-  body.inertia = inertia_of(glossary, body.name, turned.value_or(inertial->inertia));
-  if (body.mass == "0" && body.inertia.empty()) return;
-  if (!turned && !body.inertia.empty()) {
-    FrameDraft axes;
-    axes.comments = {fmt::format("axes of the inertia of {}", body.name)};
-    for (std::string& comment : rounding_comment(rotation, inertial->origin.rpy)) {
-      axes.comments.push_back(std::move(comment));
-    }
-    axes.name = glossary.claim(body.name + "_inertial", "frame");
-    axes.parent = body.name;
-    axes.translate = body.com;
-    axes.rotate = steps_of(rotation);
-    body.frame = axes.name;
-    body.com = {"0", "0", "0"};
-    to.frames.push_back(std::move(axes));
-  } else if (!rotation.is_zero() && !body.inertia.empty()) {
-    body.comments = {fmt::format("inertia turned from axes of rpy {} {} {}",
-                                 inertial->origin.rpy[0].text, inertial->origin.rpy[1].text,
-                                 inertial->origin.rpy[2].text)};
+  const auto inertia = inertia_of(glossary, name, turned.value_or(inertial->inertia));
+  if (mass == "0" && inertia.empty()) return;
+  const bool has_axes = !turned && !inertia.empty();
+  Table body("[[body]]");
+  body.add("name", toml_string(name));
+  body.add("frame", toml_string(has_axes ? add_axes(draft, name, *inertial, com) : name));
+  if (has_axes) com = {"0", "0", "0"};
+  if (mass != "0") {
+    body.add("mass", toml_string(mass));
+    body.add("com", vector_text(com));
   }
-  to.bodies.push_back(std::move(body));
+  if (!inertia.empty()) body.add("inertia", inertia_text(inertia));
+  const bool is_turned = turned && !rotation.is_zero() && !inertia.empty();
+  draft.links.push_back(
+      (is_turned ? comment("inertia turned from axes of rpy " + listed(rpy)) : "") + body.text());
 }
 
 }  // namespace elgen::urdf

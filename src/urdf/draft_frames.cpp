@@ -1,15 +1,13 @@
 // A joint's origin and its motion as frames of the model.
 #include <fmt/format.h>
 
-#include "urdf/drafting.hpp"
+#include "urdf/draft.hpp"
+#include "urdf/expressions.hpp"
+#include "urdf/toml_text.hpp"
 
 namespace elgen::urdf {
 
 namespace {
-
-std::string listed(const Vector& numbers) {
-  return fmt::format("{} {} {}", numbers[0].text, numbers[1].text, numbers[2].text);
-}
 
 std::string description(const Joint& joint) {
   const Axis axis = axis_of(joint.axis);
@@ -27,62 +25,77 @@ std::string description(const Joint& joint) {
   return fmt::format("{}: {} {} {}{}", joint.name.text, type, relation, direction, rounded);
 }
 
-Components origin_of(Glossary& glossary, const Joint& joint, const std::string& name) {
+}  // namespace
+
+std::string listed(const Vector& numbers) {
+  return fmt::format("{} {} {}", numbers[0].text, numbers[1].text, numbers[2].text);
+}
+
+Components place_of(Glossary& glossary, std::string_view name, const Vector& xyz) {
   Components result;
   for (std::size_t i = 0; i < 3; ++i) {
-    result[i] = glossary.parameter(axis_letter(i) + "_" + name, joint.origin.xyz[i], "m");
+    const std::string of_axis = fmt::format(fmt::runtime(name), axis_letter(i));
+    result[i] = glossary.parameter(of_axis, xyz[i], "m");
   }
   return result;
 }
 
-}  // namespace
+std::string step_text(const std::string& axis, const std::string& angle) {
+  return toml_list({axis, toml_string(angle)});
+}
 
-std::vector<AxisAngle> steps_of(const RollPitchYaw& rotation) {
-  std::vector<AxisAngle> steps;
+std::vector<std::string> steps_of(const RollPitchYaw& rotation) {
+  std::vector<std::string> steps;
   for (const std::size_t axis : {2U, 1U, 0U}) {
     const Angle& angle = rotation.rpy[axis];
-    if (!angle.is_zero()) steps.push_back({{axis_letter(axis), "", ""}, angle.text});
+    if (angle.is_zero()) continue;
+    steps.push_back(step_text(toml_string(axis_letter(axis)), angle.text));
   }
   return steps;
 }
 
 std::vector<std::string> rounding_comment(const RollPitchYaw& rotation, const Vector& rpy) {
   if (!rotation.is_rounded()) return {};
-  return {fmt::format("rpy in the URDF: {}", listed(rpy))};
+  return {"rpy in the URDF: " + listed(rpy)};
 }
 
-std::vector<FrameDraft> draft_frames(Drafting& drafting, const Branch& branch,
-                                     const JointMotion& motion) {
-  const Joint& joint = drafting.robot.joints[branch.joint];
-  Glossary& glossary = drafting.glossary;
+std::string frame_table(const FrameDraft& frame) {
+  Table table("[[frame]]");
+  table.add("name", toml_string(frame.name));
+  table.add("parent", toml_string(frame.parent));
+  if (frame.translate != Components{"0", "0", "0"}) {
+    table.add("translate", vector_text(frame.translate));
+  }
+  if (!frame.rotate.empty()) table.add("rotate", toml_list(frame.rotate));
+  if (!frame.rotation.empty()) table.add("rotation", toml_string(frame.rotation));
+  return comments(frame.comments) + table.text();
+}
+
+void draft_frames(Draft& draft, const Branch& branch, const JointMotion& motion) {
+  const Joint& joint = draft.robot.joints[branch.joint];
+  Glossary& glossary = draft.glossary;
   const std::string& name = glossary.joint(branch.joint);
   const RollPitchYaw rotation = rotation_of(joint.origin.rpy);
   const bool turns_only = joint.type == JointType::revolute || joint.type == JointType::continuous;
-  const bool needs_origin = !rotation.is_zero() && !turns_only && joint.type != JointType::fixed;
 
-  FrameDraft origin;
-  origin.comments = {description(joint)};
-  for (std::string& comment : rounding_comment(rotation, joint.origin.rpy)) {
-    origin.comments.push_back(std::move(comment));
+  FrameDraft frame;
+  frame.comments = rounding_comment(rotation, joint.origin.rpy);
+  frame.comments.insert(frame.comments.begin(), description(joint));
+  frame.parent = glossary.frame(branch.parent);
+  frame.translate = place_of(glossary, "{}_" + name, joint.origin.xyz);
+  frame.rotate = steps_of(rotation);
+  if (!rotation.is_zero() && !turns_only && joint.type != JointType::fixed) {
+    frame.name = glossary.claim(name + "_origin", "frame");
+    draft.links.push_back(frame_table(frame));
+    frame = {{}, {}, frame.name};
   }
-  origin.parent = glossary.frame(branch.parent);
-  origin.translate = origin_of(glossary, joint, name);
-  origin.rotate = steps_of(rotation);
-  std::vector<FrameDraft> frames{origin};
-  if (needs_origin) {
-    frames.front().name = glossary.claim(name + "_origin", "frame");
-    FrameDraft moving;
-    moving.parent = frames.front().name;
-    frames.push_back(moving);
-  }
-  FrameDraft& last = frames.back();
-  last.name = glossary.frame(branch.child);
+  frame.name = glossary.frame(branch.child);
   for (std::size_t i = 0; i < 3; ++i) {
-    last.translate[i] = sum(last.translate[i], motion.translate[i]);
+    frame.translate[i] = sum(frame.translate[i], motion.translate[i]);
   }
-  for (const AxisAngle& step : motion.turn) last.rotate.push_back(step);
-  last.rotation = motion.attitude;
-  return frames;
+  frame.rotate.insert(frame.rotate.end(), motion.turn.begin(), motion.turn.end());
+  frame.rotation = motion.attitude;
+  draft.links.push_back(frame_table(frame));
 }
 
 }  // namespace elgen::urdf

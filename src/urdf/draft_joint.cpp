@@ -1,7 +1,9 @@
 // A joint: its coordinates, and the forces along them.
 #include <fmt/format.h>
 
-#include "urdf/drafting.hpp"
+#include "urdf/draft.hpp"
+#include "urdf/expressions.hpp"
+#include "urdf/toml_text.hpp"
 
 namespace elgen::urdf {
 
@@ -26,12 +28,20 @@ std::string ratio_unit(JointType type, JointType other) {
   return own == others ? "1" : fmt::format("{}/{}", own, others);
 }
 
+constexpr std::string_view full_turn = "[\"-pi\", \"pi\"]";
+
+/// [-87, 87]; empty where there is no limit.
+std::string symmetric_range(const std::optional<FileNumber>& limit) {
+  if (!limit || limit->is_zero()) return {};
+  return toml_list({toml_number("-" + limit->text), toml_number(limit->text)});
+}
+
 class JointDrafter {
  public:
-  JointDrafter(Drafting& drafting, const Branch& branch)
-      : robot_(drafting.robot),
-        glossary_(drafting.glossary),
-        draft_(drafting.draft),
+  JointDrafter(Draft& draft, const Branch& branch)
+      : robot_(draft.robot),
+        glossary_(draft.glossary),
+        draft_(draft),
         branch_(branch),
         joint_(robot_.joints[branch.joint]),
         name_(glossary_.joint(branch.joint)) {}
@@ -66,7 +76,7 @@ class JointDrafter {
     const Coupling coupling = branch_.mimics ? mimicked() : Coupling{name_};
     if (!branch_.mimics) {
       draft_coordinate();
-      draft_input();
+      add_input(name_, joint_.type != JointType::prismatic, symmetric_range(joint_.limit.effort));
     }
     draft_damping(coupling);
     draft_friction(coupling);
@@ -86,31 +96,42 @@ class JointDrafter {
     return coupling;
   }
 
+  /// `range` and `rates` are lists of TOML, or empty.
+  void add_coordinate(const std::string& name, std::string_view unit, const std::string& range,
+                      const std::string& rates = {}) {
+    Table table("[[coordinate]]");
+    table.add("name", toml_string(name));
+    table.add(unit.empty() ? "kind" : "unit", toml_string(unit.empty() ? "rotation" : unit));
+    if (!range.empty()) table.add("range", range);
+    if (!rates.empty()) table.add("rate_range", rates);
+    if (range == full_turn) table.add("wrap", "true");
+    table.add("doc", toml_string(doc()));
+    draft_.coordinates.push_back(table.text());
+  }
+
   void draft_coordinate() {
-    CoordinateDraft coordinate{name_, std::string(units_of(joint_.type).position), doc()};
     const JointLimit& limit = joint_.limit;
     const FileNumber low = limit.lower.value_or(FileNumber{});
     const FileNumber high = limit.upper.value_or(FileNumber{});
-    coordinate.wraps = joint_.type == JointType::continuous;
-    if (coordinate.wraps) {
-      coordinate.low = "\"-pi\"";
-      coordinate.high = "\"pi\"";
+    std::string range;
+    if (joint_.type == JointType::continuous) {
+      range = full_turn;
     } else if (low.value < high.value) {
-      coordinate.low = low.text;
-      coordinate.high = high.text;
+      range = toml_list({low.text, high.text});
     }
-    if (limit.velocity && !limit.velocity->is_zero()) coordinate.rate = limit.velocity->text;
-    draft_.coordinates.push_back(std::move(coordinate));
+    add_coordinate(name_, units_of(joint_.type).position, range, symmetric_range(limit.velocity));
   }
 
-  void draft_input() {
-    const bool slides = joint_.type == JointType::prismatic;
-    InputDraft input{glossary_.claim((slides ? "f_" : "tau_") + name_, "input"),
-                     std::string(units_of(joint_.type).force), name_};
-    const auto& effort = joint_.limit.effort;
-    if (effort && !effort->is_zero()) input.limit = effort->text;
-    input.doc = fmt::format("{} of {}", slides ? "force" : "torque", joint_.name.text);
-    draft_.inputs.push_back(std::move(input));
+  /// A torque or force on a coordinate.
+  void add_input(const std::string& coordinate, bool turns, const std::string& limits = {}) {
+    Table table("[[input]]");
+    table.add("name", toml_string(glossary_.claim((turns ? "tau_" : "f_") + coordinate, "input")));
+    table.add("unit", toml_string(turns ? "N*m" : "N"));
+    table.add("on", toml_string(coordinate));
+    if (!limits.empty()) table.add("limits", limits);
+    table.add("doc",
+              toml_string(fmt::format("{} of {}", turns ? "torque" : "force", joint_.name.text)));
+    draft_.inputs.push_back(table.text());
   }
 
   void draft_damping(const Coupling& coupling) {
@@ -138,16 +159,21 @@ class JointDrafter {
     const std::string factor = is_plain ? "" : coupling.factor + "*";
     const std::string rate =
         is_plain ? fmt::format("dot({})", coupling.coordinate) : coupling.rate();
-    draft_.forces.push_back({coupling.coordinate, fmt::format("-{}{}*tanh({}/{})", factor, friction,
-                                                              rate, stiction_rate)});
+    Table table("[[force]]");
+    table.add("on", toml_string(coupling.coordinate));
+    table.add("value",
+              toml_string(fmt::format("-{}{}*tanh({}/{})", factor, friction, rate, stiction_rate)));
+    draft_.forces.push_back(table.text());
   }
 
-  [[nodiscard]] AxisAngle turn_by(const std::string& angle) const {
+  [[nodiscard]] std::string turn_by(const std::string& angle) const {
     const Axis axis = axis_of(joint_.axis);
     if (axis.along) {
-      return {{axis_letter(*axis.along), "", ""}, axis.is_reversed ? negated(angle) : angle};
+      return step_text(toml_string(axis_letter(*axis.along)),
+                       axis.is_reversed ? negated(angle) : angle);
     }
-    return {{joint_.axis[0].text, joint_.axis[1].text, joint_.axis[2].text}, angle};
+    const Components oblique{joint_.axis[0].text, joint_.axis[1].text, joint_.axis[2].text};
+    return step_text(vector_text(oblique), angle);
   }
 
   [[nodiscard]] Components slide_by(const std::string& way) const {
@@ -180,14 +206,9 @@ class JointDrafter {
 
   /// A coordinate called NAME_end.
   std::string draft_free(const std::string& end, const std::string& unit) {
-    CoordinateDraft coordinate{glossary_.claim(name_ + "_" + end, "joint"), unit, doc()};
-    if (unit == "rad") {
-      coordinate.low = "\"-pi\"";
-      coordinate.high = "\"pi\"";
-      coordinate.wraps = true;
-    }
-    draft_.coordinates.push_back(coordinate);
-    return coordinate.name;
+    const std::string name = glossary_.claim(name_ + "_" + end, "joint");
+    add_coordinate(name, unit, std::string(unit == "rad" ? full_turn : ""));
+    return name;
   }
 
   JointMotion draft_floating() {
@@ -203,18 +224,10 @@ class JointDrafter {
     for (const std::size_t i : {(normal + 1) % 3, (normal + 2) % 3}) {
       const std::string name = draft_free(axis_letter(i), "m");
       motion.translate[i] = name;
-      draft_.inputs.push_back({glossary_.claim("f_" + name, "input"),
-                               "N",
-                               name,
-                               {},
-                               fmt::format("force of {}", joint_.name.text)});
+      add_input(name, false);
     }
     const std::string angle = draft_free("angle", "rad");
-    draft_.inputs.push_back({glossary_.claim("tau_" + angle, "input"),
-                             "N*m",
-                             angle,
-                             {},
-                             fmt::format("torque of {}", joint_.name.text)});
+    add_input(angle, true);
     motion.turn = {turn_by(angle)};
     return motion;
   }
@@ -231,8 +244,8 @@ class JointDrafter {
 
 std::string axis_letter(std::size_t axis) { return std::string(1, "xyz"[axis]); }
 
-JointMotion draft_joint(Drafting& drafting, const Branch& branch) {
-  return JointDrafter(drafting, branch).draft();
+JointMotion draft_joint(Draft& draft, const Branch& branch) {
+  return JointDrafter(draft, branch).draft();
 }
 
 }  // namespace elgen::urdf

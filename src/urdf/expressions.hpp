@@ -1,7 +1,7 @@
 // Expressions of the model language as text, with what is 0 or 1 left out.
 #pragma once
 
-#include "urdf/draft.hpp"
+#include <string>
 
 namespace elgen::urdf {
 

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "urdf/toml_text.hpp"
+
 namespace elgen::urdf {
 
 Glossary::Glossary(const Robot& robot, const LinkTree& tree)
@@ -39,7 +41,12 @@ std::string Glossary::parameter(const std::string& name, const FileNumber& numbe
   if (number.is_zero()) return "0";
   const std::string claimed = names_.claim(name, "parameter");
   const bool is_negative = number.text.front() == '-';  // then what `more` assumes is not so
-  groups_.back().parameters.push_back({claimed, number.text, unit, is_negative ? "" : more});
+  const bool has_more = !more.empty() && !is_negative;
+  std::vector<std::string> row{
+      claimed, fmt::format(" = {{ value = {}, ", toml_number(number.text)),
+      fmt::format("unit = {}{}", toml_string(unit), has_more ? ", " : " }")};
+  if (has_more) row.push_back(more + " }");
+  groups_.back().rows.push_back(std::move(row));
   return claimed;
 }
 

@@ -1,10 +1,16 @@
 // Glossary: the names of a model being made, and the parameters that its numbers become.
 #pragma once
 
-#include "urdf/draft.hpp"
 #include "urdf/names.hpp"
+#include "urdf/tree.hpp"
 
 namespace elgen::urdf {
+
+/// The parameters of one link and of the joint that carries it, as cells of a table.
+struct ParameterGroup {
+  std::string title = {};
+  std::vector<std::vector<std::string>> rows = {};
+};
 
 class Glossary {
  public:
@@ -24,9 +30,10 @@ class Glossary {
   /// Parameters go into this group from now on.
   void open_group(std::string title);
   /// A parameter of the open group; "0" for the number 0, so that it stays a zero of the equations.
+  /// `more`: `key = value, …`
   std::string parameter(const std::string& name, const FileNumber& number, const std::string& unit,
                         const std::string& more = {});
-  [[nodiscard]] std::vector<ParameterGroup> take_groups() { return std::move(groups_); }
+  [[nodiscard]] const std::vector<ParameterGroup>& groups() const { return groups_; }
 
  private:
   void note_change(const std::string& from, const std::string& to);

@@ -27,7 +27,7 @@ Result<ImportedModel> import_urdf(const SourcePointer& source, const Limits& lim
   if (is_read && tree) append(found, urdf::check_masses(robot, *tree));
   sort_by_position(found);
   if (has_errors(found)) return found;
-  return {{urdf::print(urdf::make_draft(robot, *tree))}, std::move(found)};
+  return {{urdf::model_text(robot, *tree)}, std::move(found)};
 }
 
 }  // namespace elgen

@@ -1,21 +1,14 @@
 // draft_joint: coordinates, inputs, couplings, and what brakes.
 #include <catch2/catch.hpp>
 
-#include "urdf/drafting.hpp"
+#include "urdf/draft.hpp"
 #include "urdf/urdf_testing.hpp"
 
 namespace elgen::test {
 
+using Catch::Contains;
+
 namespace {
-
-urdf::Draft draft_of(const std::string& text) {
-  const urdf::Robot robot = robot_of(text);
-  return urdf::make_draft(robot, tree_of(robot));
-}
-
-const urdf::FrameDraft& last_frame(const urdf::Draft& draft) {
-  return draft.links.back().frames.back();
-}
 
 /// An arm that slides by `a`, and a second one that mimics it.
 std::string mimicking(const std::string& type, const std::string& elements) {
@@ -29,136 +22,128 @@ std::string mimicking(const std::string& type, const std::string& elements) {
 }  // namespace
 
 TEST_CASE("a revolute joint is an angle and a torque, with the limits of the file") {
-  const urdf::Draft draft = draft_of(arm_on(
+  const std::string model = imported(arm_on(
       "revolute",
       "<axis xyz=\"0 0 -1\"/><limit lower=\"-1.5\" upper=\"2\" effort=\"87\" velocity=\"3\"/>"));
-  REQUIRE(draft.coordinates.size() == 1);
-  const urdf::CoordinateDraft& q = draft.coordinates[0];
-  CHECK(q.name == "j");
-  CHECK(q.unit == "rad");
-  CHECK(q.low == "-1.5");
-  CHECK(q.high == "2");
-  CHECK(q.rate == "3");
-  CHECK_FALSE(q.wraps);
-  REQUIRE(draft.inputs.size() == 1);
-  CHECK(draft.inputs[0].name == "tau_j");
-  CHECK(draft.inputs[0].unit == "N*m");
-  CHECK(draft.inputs[0].on == "j");
-  CHECK(draft.inputs[0].limit == "87");
-  CHECK(last_frame(draft).rotate.back().axis[0] == "z");
-  CHECK(last_frame(draft).rotate.back().angle == "-j");
+  CHECK_THAT(model, Contains(R"(
+[[coordinate]]
+name       = "j"
+unit       = "rad"
+range      = [-1.5, 2]
+rate_range = [-3, 3]
+doc        = "revolute joint: base to arm"
+)"));
+  CHECK_THAT(model, Contains(R"(
+[[input]]
+name   = "tau_j"
+unit   = "N*m"
+on     = "j"
+limits = [-87, 87]
+doc    = "torque of j"
+)"));
+  CHECK_THAT(model, Contains("rotate = [[\"z\", \"-j\"]]"));
 }
 
 TEST_CASE("a continuous joint turns all the way round, limits of 0 are none") {
-  const urdf::Draft draft = draft_of(
+  const std::string model = imported(
       arm_on("continuous", "<limit lower=\"0\" upper=\"0\" effort=\"0\" velocity=\"0\"/>"));
-  CHECK(draft.coordinates[0].wraps);
-  CHECK(draft.coordinates[0].low == "\"-pi\"");
-  CHECK(draft.coordinates[0].rate.empty());
-  CHECK(draft.inputs[0].limit.empty());
-  CHECK(draft_of(arm_on("revolute", "<limit effort=\"1\"/>")).coordinates[0].low.empty());
+  CHECK_THAT(model, Contains("range = [\"-pi\", \"pi\"]\nwrap  = true\n"));
+  CHECK_THAT(model, !Contains("rate_range"));
+  CHECK_THAT(model, !Contains("limits"));
+  CHECK_THAT(imported(arm_on("revolute", "<limit effort=\"1\"/>")), !Contains("range"));
 }
 
 TEST_CASE("an oblique axis is three numbers, and of length 1 where something slides along it") {
   const std::string oblique = "<axis xyz=\"0.6 0 -0.8\"/>";
-  CHECK(last_frame(draft_of(arm_on("revolute", oblique))).rotate.back().axis ==
-        urdf::Components{"0.6", "0", "-0.8"});
-  CHECK(last_frame(draft_of(arm_on("prismatic", oblique))).translate ==
-        urdf::Components{"0.6*j", "0", "-0.8*j"});
-  CHECK(last_frame(draft_of(arm_on("prismatic", "<axis xyz=\"0.7 -0.7 0\"/>"))).translate ==
-        urdf::Components{"0.7*j/sqrt(0.7^2 + 0.7^2)", "-0.7*j/sqrt(0.7^2 + 0.7^2)", "0"});
+  CHECK_THAT(imported(arm_on("revolute", oblique)),
+             Contains("rotate = [[[\"0.6\", \"0\", \"-0.8\"], \"j\"]]"));
+  CHECK_THAT(imported(arm_on("prismatic", oblique)),
+             Contains("translate = [\"0.6*j\", \"0\", \"-0.8*j\"]"));
+  CHECK_THAT(imported(arm_on("prismatic", "<axis xyz=\"0.7 -0.7 0\"/>")),
+             Contains("translate = [\"0.7*j/sqrt(0.7^2 + 0.7^2)\", "
+                      "\"-0.7*j/sqrt(0.7^2 + 0.7^2)\", \"0\"]"));
 }
 
 TEST_CASE("all of what slides along an oblique axis is divided by its length") {
-  const urdf::Draft draft =
-      draft_of(mimicking("prismatic", "<axis xyz=\"1 -1 0\"/><mimic joint=\"a\" offset=\"0.5\"/>"));
-  CHECK(last_frame(draft).translate ==
-        urdf::Components{"(a + offset_k)/sqrt(1^2 + 1^2)", "-(a + offset_k)/sqrt(1^2 + 1^2)", "0"});
+  const std::string model =
+      imported(mimicking("prismatic", "<axis xyz=\"1 -1 0\"/><mimic joint=\"a\" offset=\"0.5\"/>"));
+  CHECK_THAT(model, Contains("translate = [\"(a + offset_k)/sqrt(1^2 + 1^2)\", "
+                             "\"-(a + offset_k)/sqrt(1^2 + 1^2)\", \"0\"]"));
 }
 
 TEST_CASE("a floating joint has three lengths and an attitude, and nothing drives it") {
-  const urdf::Draft draft = draft_of(arm_on("floating", ""));
-  REQUIRE(draft.coordinates.size() == 4);
-  CHECK(draft.coordinates[0].name == "j_x");
-  CHECK(draft.coordinates[0].unit == "m");
-  CHECK(draft.coordinates[3].name == "j_attitude");
-  CHECK(draft.coordinates[3].unit.empty());
-  CHECK(draft.inputs.empty());
-  CHECK(last_frame(draft).translate == urdf::Components{"j_x", "j_y", "j_z"});
-  CHECK(last_frame(draft).rotation == "j_attitude");
+  const std::string model = imported(arm_on("floating", ""));
+  CHECK_THAT(model, Contains("name = \"j_x\"\nunit = \"m\"\n"));
+  CHECK_THAT(model, Contains("name = \"j_attitude\"\nkind = \"rotation\"\n"));
+  CHECK_THAT(model, !Contains("[[input]]"));
+  CHECK_THAT(model, Contains("translate = [\"j_x\", \"j_y\", \"j_z\"]\n"
+                             "rotation  = \"j_attitude\"\n"));
 }
 
 TEST_CASE("a planar joint has two lengths in its plane and an angle about its normal") {
-  const urdf::Draft draft = draft_of(arm_on("planar", "<axis xyz=\"0 1 0\"/>"));
-  REQUIRE(draft.coordinates.size() == 3);
-  CHECK(draft.coordinates[0].name == "j_z");
-  CHECK(draft.coordinates[1].name == "j_x");
-  CHECK(draft.coordinates[2].name == "j_angle");
-  CHECK(last_frame(draft).translate == urdf::Components{"j_x", "0", "j_z"});
-  CHECK(last_frame(draft).rotate.back().axis[0] == "y");
-  REQUIRE(draft.inputs.size() == 3);
-  CHECK(draft.inputs[0].name == "f_j_z");
-  CHECK(draft.inputs[2].name == "tau_j_angle");
+  const std::string model = imported(arm_on("planar", "<axis xyz=\"0 1 0\"/>"));
+  CHECK(model.find("name = \"j_z\"") < model.find("name = \"j_x\""));
+  CHECK_THAT(model, Contains("name  = \"j_angle\"\nunit  = \"rad\"\n"
+                             "range = [\"-pi\", \"pi\"]\nwrap  = true\n"));
+  CHECK_THAT(model, Contains("translate = [\"j_x\", \"0\", \"j_z\"]\n"
+                             "rotate    = [[\"y\", \"j_angle\"]]\n"));
+  CHECK_THAT(model, Contains("name = \"f_j_z\"\nunit = \"N\"\non   = \"j_z\"\n"
+                             "doc  = \"force of j\"\n"));
+  CHECK_THAT(model, Contains("name = \"tau_j_angle\"\nunit = \"N*m\"\non   = \"j_angle\"\n"
+                             "doc  = \"torque of j\"\n"));
 }
 
 TEST_CASE("a joint that mimics has no coordinate and no input") {
-  const urdf::Draft draft =
-      draft_of(mimicking("revolute", "<mimic joint=\"a\" multiplier=\"-25\" offset=\"0.5\"/>"));
-  CHECK(draft.coordinates.size() == 1);
-  CHECK(draft.inputs.size() == 1);
-  CHECK(last_frame(draft).rotate.back().angle == "ratio_k*a + offset_k");
-  const auto& parameters = draft.parameters.back().parameters;
-  REQUIRE(parameters.size() == 2);
-  CHECK(parameters[0].unit == "rad/m");
-  CHECK(parameters[1].unit == "rad");
+  const std::string model =
+      imported(mimicking("revolute", "<mimic joint=\"a\" multiplier=\"-25\" offset=\"0.5\"/>"));
+  CHECK(model.find("[[coordinate]]") == model.rfind("[[coordinate]]"));
+  CHECK(model.find("[[input]]") == model.rfind("[[input]]"));
+  CHECK_THAT(model, Contains("\"ratio_k*a + offset_k\"]]"));
+  CHECK(after(model, "ratio_k  = ") == "{ value = -25, unit = \"rad/m\" }");
+  CHECK(after(model, "offset_k = ") == "{ value = 0.5, unit = \"rad\" }");
 }
 
 TEST_CASE("a joint that mimics by 1, -1 or 0 needs no ratio") {
-  const auto way = [](const std::string& multiplier) {
-    return last_frame(draft_of(mimicking("prismatic", "<mimic joint=\"a\" multiplier=\"" +
-                                                          multiplier + "\" offset=\"1\"/>")))
-        .translate[0];
+  const auto model = [](const std::string& multiplier) {
+    return imported(mimicking(
+        "prismatic", "<mimic joint=\"a\" multiplier=\"" + multiplier + "\" offset=\"1\"/>"));
   };
-  CHECK(way("1") == "a + offset_k");
-  CHECK(way("-1.0") == "-a + offset_k");
-  CHECK(way("0") == "offset_k");
+  CHECK_THAT(model("1"), Contains("translate = [\"a + offset_k\", "));
+  CHECK_THAT(model("-1.0"), Contains("translate = [\"-a + offset_k\", "));
+  CHECK_THAT(model("0"), Contains("translate = [\"offset_k\", "));
 }
 
 TEST_CASE("between an angle and a length 1 has a unit, and is a ratio") {
-  const urdf::Draft draft = draft_of(mimicking("revolute", "<mimic joint=\"a\"/>"));
-  CHECK(last_frame(draft).rotate.back().angle == "ratio_k*a");
-  const auto& parameters = draft.parameters.back().parameters;
-  REQUIRE(parameters.size() == 1);
-  CHECK(parameters[0].unit == "rad/m");
+  const std::string model = imported(mimicking("revolute", "<mimic joint=\"a\"/>"));
+  CHECK_THAT(model, Contains("\"ratio_k*a\"]]"));
+  CHECK(after(model, "ratio_k = ") == "{ value = 1, unit = \"rad/m\" }");
 }
 
 TEST_CASE("damping is a term of D, friction a force") {
-  const std::string dynamics = "<dynamics damping=\"2\" friction=\"3\"/>";
-  const urdf::Draft draft = draft_of(arm_on("prismatic", dynamics));
-  CHECK(draft.dissipation == std::vector<std::string>{"1/2*damping_j*dot(j)^2"});
-  REQUIRE(draft.forces.size() == 1);
-  CHECK(draft.forces[0].on == "j");
-  CHECK(draft.forces[0].value == "-friction_j*tanh(dot(j)/j_stiction_rate)");
-  const auto& parameters = draft.parameters.back().parameters;
-  CHECK(parameters[0].unit == "N*s/m");
-  CHECK(parameters[1].unit == "N");
-  CHECK(parameters[2].unit == "m/s");
-  CHECK(parameters[2].value == "0.01");
+  const std::string model =
+      imported(arm_on("prismatic", "<dynamics damping=\"2\" friction=\"3\"/>"));
+  CHECK_THAT(model, Contains("D = \"\"\"\n  1/2*damping_j*dot(j)^2\n\"\"\"\n"));
+  CHECK_THAT(model, Contains("[[force]]\non    = \"j\"\n"
+                             "value = \"-friction_j*tanh(dot(j)/j_stiction_rate)\"\n"));
+  CHECK_THAT(after(model, "damping_j "), Contains("unit = \"N*s/m\""));
+  CHECK_THAT(after(model, "friction_j "), Contains("unit = \"N\""));
+  CHECK_THAT(after(model, "j_stiction_rate "), Contains("value = 0.01, unit = \"m/s\""));
 }
 
 TEST_CASE("what brakes a joint that mimics brakes the coordinate it shares") {
   const std::string dynamics = "<dynamics damping=\"2\" friction=\"3\"/>";
-  const urdf::Draft geared =
-      draft_of(mimicking("revolute", "<mimic joint=\"a\" multiplier=\"2\"/>" + dynamics));
-  CHECK(geared.dissipation == std::vector<std::string>{"1/2*damping_k*(ratio_k*dot(a))^2"});
-  CHECK(geared.forces[0].on == "a");
-  CHECK(geared.forces[0].value == "-ratio_k*friction_k*tanh(ratio_k*dot(a)/k_stiction_rate)");
-  const urdf::Draft opposite =
-      draft_of(mimicking("prismatic", "<mimic joint=\"a\" multiplier=\"-1\"/>" + dynamics));
-  CHECK(opposite.dissipation == std::vector<std::string>{"1/2*damping_k*dot(a)^2"});
-  CHECK(opposite.forces[0].value == "-friction_k*tanh(dot(a)/k_stiction_rate)");
-  CHECK(draft_of(mimicking("prismatic", "<mimic joint=\"a\" multiplier=\"0\"/>" + dynamics))
-            .forces.empty());
+  const std::string geared =
+      imported(mimicking("revolute", "<mimic joint=\"a\" multiplier=\"2\"/>" + dynamics));
+  CHECK_THAT(geared, Contains("\n  1/2*damping_k*(ratio_k*dot(a))^2\n"));
+  CHECK_THAT(geared,
+             Contains("on    = \"a\"\n"
+                      "value = \"-ratio_k*friction_k*tanh(ratio_k*dot(a)/k_stiction_rate)\"\n"));
+  const std::string opposite =
+      imported(mimicking("prismatic", "<mimic joint=\"a\" multiplier=\"-1\"/>" + dynamics));
+  CHECK_THAT(opposite, Contains("\n  1/2*damping_k*dot(a)^2\n"));
+  CHECK_THAT(opposite, Contains("value = \"-friction_k*tanh(dot(a)/k_stiction_rate)\"\n"));
+  CHECK_THAT(imported(mimicking("prismatic", "<mimic joint=\"a\" multiplier=\"0\"/>" + dynamics)),
+             !Contains("[[force]]"));
 }
 
 }  // namespace elgen::test

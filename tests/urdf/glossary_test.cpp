@@ -40,11 +40,11 @@ TEST_CASE("a number is a parameter of the open group, a zero is none") {
   CHECK(glossary.parameter("m", urdf::decimal_of(0), "kg") == "0");
   CHECK(glossary.parameter("g", urdf::decimal_of(2), "kg") == "parameter_g");
   CHECK(glossary.parameter("m", urdf::decimal_of(-2), "kg", "assume") == "m");
-  const auto groups = glossary.take_groups();
+  const auto& groups = glossary.groups();
   REQUIRE(groups.size() == 1);
-  REQUIRE(groups[0].parameters.size() == 2);
-  CHECK(groups[0].parameters[0].value == "2");
-  CHECK(groups[0].parameters[1].more.empty());
+  using Rows = std::vector<std::vector<std::string>>;
+  CHECK(groups[0].rows == Rows{{"parameter_g", " = { value = 2, ", "unit = \"kg\" }"},
+                               {"m", " = { value = -2, ", "unit = \"kg\" }"}});
 }
 
 }  // namespace elgen::test
