@@ -21,40 +21,25 @@ constexpr unsigned largest_inline_size = 10;
 
 ex number(const cln::cl_RA& value) { return GiNaC::numeric(value); }
 
+// Of these GiNaC has no kinked ones.
+ex abs(const ex& x) { return elgen_abs(x); }
+ex sign(const ex& x) { return elgen_sign(x); }
+ex min(const ex& x, const ex& y) { return elgen_min(x, y); }
+ex max(const ex& x, const ex& y) { return elgen_max(x, y); }
+
 ex call(FunctionId function, const ex& x, const ex& y) {
+  using GiNaC::sin, GiNaC::cos, GiNaC::tan, GiNaC::asin, GiNaC::acos, GiNaC::atan, GiNaC::atan2;
+  using GiNaC::sinh, GiNaC::cosh, GiNaC::tanh, GiNaC::exp, GiNaC::log;
   switch (function) {
-    case FunctionId::sin:
-      return GiNaC::sin(x);
-    case FunctionId::cos:
-      return GiNaC::cos(x);
-    case FunctionId::tan:
-      return GiNaC::tan(x);
-    case FunctionId::asin:
-      return GiNaC::asin(x);
-    case FunctionId::acos:
-      return GiNaC::acos(x);
-    case FunctionId::atan:
-      return GiNaC::atan(x);
-    case FunctionId::atan2:
-      return GiNaC::atan2(x, y);
-    case FunctionId::sinh:
-      return GiNaC::sinh(x);
-    case FunctionId::cosh:
-      return GiNaC::cosh(x);
-    case FunctionId::tanh:
-      return GiNaC::tanh(x);
-    case FunctionId::exp:
-      return GiNaC::exp(x);
-    case FunctionId::log:
-      return GiNaC::log(x);
-    case FunctionId::abs:
-      return elgen_abs(x);
-    case FunctionId::sign:
-      return elgen_sign(x);
-    case FunctionId::min:
-      return elgen_min(x, y);
-    case FunctionId::max:
-      return elgen_max(x, y);
+#define ELGEN_CALL_1(name) name(x)
+#define ELGEN_CALL_2(name) name(x, y)
+#define ELGEN_FUNCTION(name, arity, use, parity, first, second) \
+  case FunctionId::name:                                        \
+    return ELGEN_CALL_##arity(name);
+#include "elgen/functions.def"
+#undef ELGEN_FUNCTION
+#undef ELGEN_CALL_1
+#undef ELGEN_CALL_2
   }
   return 0;
 }
@@ -101,6 +86,24 @@ Result<ex> Translation::operator()(ExpressionId value) {
     }
   }
   return translated_[value].value;
+}
+
+ex Translation::value(ExpressionId id) {
+  Result<ex> value = (*this)(id);
+  if (value) return *value;
+  errors_.insert(errors_.end(), value.diagnostics.begin(), value.diagnostics.end());
+  return 0;
+}
+
+ex Translation::named(ExpressionId id, const std::string& name, Entity origin) {
+  return define(lagrangian_.definitions, value(id), {name, origin});
+}
+
+ExVector3 Translation::vector(const Vector3& values, const std::string& name, Entity origin) {
+  static constexpr std::array<const char*, 3> axes{"_x", "_y", "_z"};
+  ExVector3 result;
+  for (std::size_t i = 0; i < 3; ++i) result[i] = named(values[i], name + axes[i], origin);
+  return result;
 }
 
 void Translation::translate(ExpressionId id) {

@@ -24,6 +24,15 @@ class Translation {
   /// GiNaC refused.
   [[nodiscard]] Result<GiNaC::ex> operator()(ExpressionId value);
 
+  /// The same; 0 where it has errors, which are kept.
+  [[nodiscard]] GiNaC::ex value(ExpressionId id);
+  [[nodiscard]] const Diagnostics& errors() const { return errors_; }
+
+  /// One symbol for the value, so that what uses it stays small.
+  [[nodiscard]] GiNaC::ex named(ExpressionId id, const std::string& name, Entity origin);
+  /// name_x, name_y, name_z
+  [[nodiscard]] ExVector3 vector(const Vector3& values, const std::string& name, Entity origin);
+
  private:
   struct Sized {
     GiNaC::ex value;
@@ -50,6 +59,7 @@ class Translation {
   std::vector<Defined> prescribed_;
   std::vector<std::array<Defined, 3>> points_;
   std::vector<std::array<Defined, components_per_frame>> frames_;
+  Diagnostics errors_ = {};
 };
 
 /// A constant expression of the model over no definitions. Exceptions of GiNaC where it has no

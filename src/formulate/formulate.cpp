@@ -63,43 +63,26 @@ class Formulation {
   }
 
   Result<Lagrangian> build() && {
-    errors_ = translation_.define_named();
-    if (errors_.empty()) add_gravity();
-    if (errors_.empty()) add_points();
-    if (errors_.empty()) add_bodies();
-    if (errors_.empty()) add_energies();
-    if (errors_.empty()) add_forces();
-    if (errors_.empty()) add_outputs();
-    if (errors_.empty()) add_locks();
-    if (errors_.empty()) add_expansion();
-    if (errors_.empty()) errors_ = add_frame_tree(model_, translation_, lagrangian_);
-    if (!errors_.empty()) return errors_;
+    const Diagnostics unnamed = translation_.define_named();
+    if (!unnamed.empty()) return unnamed;
+    using F = Formulation;
+    for (void (F::*const add)() :
+         {&F::add_gravity, &F::add_points, &F::add_bodies, &F::add_energies, &F::add_forces,
+          &F::add_outputs, &F::add_locks, &F::add_expansion, &F::add_tree}) {
+      (this->*add)();
+      if (!translation_.errors().empty()) return translation_.errors();
+    }
     return std::move(lagrangian_);
   }
 
  private:
-  ex translated(ExpressionId id) {
-    Result<ex> value = translation_(id);
-    if (value) return *value;
-    errors_.insert(errors_.end(), value.diagnostics.begin(), value.diagnostics.end());
-    return 0;
-  }
-
-  /// One symbol for the value, so that what uses it stays small.
-  ex named(ExpressionId id, std::string name, Entity origin) {
-    return define(lagrangian_.definitions, translated(id), {std::move(name), origin});
-  }
-
-  std::array<ex, 3> position(const std::array<ExpressionId, 3>& at, const std::string& name,
-                             Entity origin) {
-    return {named(at[0], name + "_x", origin), named(at[1], name + "_y", origin),
-            named(at[2], name + "_z", origin)};
-  }
+  void add_tree() { add_frame_tree(model_, translation_, lagrangian_); }
 
   void add_gravity() {
     if (!model_.gravity) return;
     const auto& gravity = *model_.gravity;
-    lagrangian_.gravity = {translated(gravity[0]), translated(gravity[1]), translated(gravity[2])};
+    lagrangian_.gravity = {translation_.value(gravity[0]), translation_.value(gravity[1]),
+                           translation_.value(gravity[2])};
   }
 
   /// Whether the tree of frames takes it.
@@ -113,8 +96,9 @@ class Formulation {
       const Point& point = model_.points[i];
       if (!point.mass || is_in_tree(point)) continue;
       const Entity origin{EntityKind::point, i};
-      const ex mass = named(*point.mass, point.identifier + "_mass", origin);
-      lagrangian_.masses.push_back({mass, position(point.at, point.identifier, origin), origin});
+      const ex mass = translation_.named(*point.mass, point.identifier + "_mass", origin);
+      lagrangian_.masses.push_back(
+          {mass, translation_.vector(point.at, point.identifier, origin), origin});
     }
   }
 
@@ -124,8 +108,9 @@ class Formulation {
       if (is_in_tree(body)) continue;
       const Entity origin{EntityKind::body, i};
       if (body.mass) {
-        const ex mass = named(*body.mass, body.identifier + "_mass", origin);
-        lagrangian_.masses.push_back({mass, position(body.com, body.identifier, origin), origin});
+        const ex mass = translation_.named(*body.mass, body.identifier + "_mass", origin);
+        lagrangian_.masses.push_back(
+            {mass, translation_.vector(body.com, body.identifier, origin), origin});
       }
       add_rotation(body, origin);
     }
@@ -137,11 +122,11 @@ class Formulation {
     static constexpr std::array<const char*, 3> axes{"_x", "_y", "_z"};
     std::vector<ex> inertia;
     for (const ExpressionId id : body.inertia)
-      inertia.push_back(named(id, body.identifier + "_inertia", origin));
+      inertia.push_back(translation_.named(id, body.identifier + "_inertia", origin));
     std::vector<ex> spin;
     for (const ExpressionId id : body.spin) {
       const std::string axis = body.spin.size() == 1 ? "" : axes[spin.size()];
-      spin.push_back(named(id, body.identifier + "_spin" + axis, origin));
+      spin.push_back(translation_.named(id, body.identifier + "_spin" + axis, origin));
     }
     auto& kinetic = lagrangian_.kinetic;
     for (std::size_t i = 0; i < spin.size(); ++i)
@@ -157,10 +142,11 @@ class Formulation {
     if (!energy) return;
     const Expression& expression = model_.expressions[*energy];
     if (expression.kind != ExpressionKind::add) {
-      terms.push_back(translated(*energy));
+      terms.push_back(translation_.value(*energy));
       return;
     }
-    for (const ExpressionId operand : expression.operands) terms.push_back(translated(operand));
+    for (const ExpressionId operand : expression.operands)
+      terms.push_back(translation_.value(operand));
   }
 
   void add_energies() {
@@ -172,7 +158,7 @@ class Formulation {
       if (!coordinate.armature) continue;
       const ex rate = lagrangian_.symbols.v[coordinate.velocity];
       auto& kinetic = lagrangian_.lagrangian.empty() ? lagrangian_.kinetic : lagrangian_.lagrangian;
-      kinetic.push_back(half * translated(*coordinate.armature) * rate * rate);
+      kinetic.push_back(half * translation_.value(*coordinate.armature) * rate * rate);
     }
   }
 
@@ -183,7 +169,7 @@ class Formulation {
     }
     for (const Force& force : model_.forces) {
       if (force.on) {
-        on[*force.on].push_back(translated(force.value.front()));
+        on[*force.on].push_back(translation_.value(force.value.front()));
       } else if (force.at) {
         add_point_force(force);
       } else if (model_.approximation) {
@@ -195,14 +181,15 @@ class Formulation {
 
   void add_point_force(const Force& force) {
     const auto at = [&](std::uint32_t point) {
-      return position(model_.points[point].at, model_.points[point].identifier,
-                      {EntityKind::point, point});
+      return translation_.vector(model_.points[point].at, model_.points[point].identifier,
+                                 {EntityKind::point, point});
     };
     const bool acts_in_world = !is_in_tree(model_.points[*force.at]);
     const bool reacts_in_world = force.from && !is_in_tree(model_.points[*force.from]);
     if (!acts_in_world && !reacts_in_world) return;
-    const std::array<ex, 3> value{translated(force.value[0]), translated(force.value[1]),
-                                  translated(force.value[2])};
+    const std::array<ex, 3> value{translation_.value(force.value[0]),
+                                  translation_.value(force.value[1]),
+                                  translation_.value(force.value[2])};
     if (acts_in_world) lagrangian_.point_forces.push_back({at(*force.at), value});
     if (!reacts_in_world) return;
     lagrangian_.point_forces.push_back({at(*force.from), {-value[0], -value[1], -value[2]}});
@@ -213,8 +200,8 @@ class Formulation {
     std::vector<Weighted> work;
     const auto add = [&](std::uint32_t frame, const std::vector<ExpressionId>& torque, int sign) {
       for (std::size_t i = 0; i < torque.size(); ++i) {
-        const ex spin = translated(model_.frames[frame].spin[i]);
-        work.push_back({spin, sign * translated(torque[i])});
+        const ex spin = translation_.value(model_.frames[frame].spin[i]);
+        work.push_back({spin, sign * translation_.value(torque[i])});
       }
     };
     add(*force.frame, force.value, 1);
@@ -230,12 +217,12 @@ class Formulation {
     Expansion expansion{approximation.order, {}};
     for (std::size_t i = 0; i < symbols.q.size(); ++i) {
       if (!approximation.small[i]) continue;
-      expansion.small.push_back({symbols.q[i], translated(*approximation.coordinates[i])});
+      expansion.small.push_back({symbols.q[i], translation_.value(*approximation.coordinates[i])});
       expansion.small.push_back({symbols.v[model_.coordinates[i].velocity], 0});
     }
     for (std::size_t i = 0; approximation.small_inputs && i < symbols.u.size(); ++i) {
       const std::optional<ExpressionId>& value = approximation.inputs[i];
-      expansion.small.push_back({symbols.u[i], value ? translated(*value) : ex(0)});
+      expansion.small.push_back({symbols.u[i], value ? translation_.value(*value) : ex(0)});
     }
     lagrangian_.expansion = std::move(expansion);
   }
@@ -243,7 +230,7 @@ class Formulation {
   void add_outputs() {
     for (const UserOutput& output : model_.outputs) {
       NamedOutput named{output.name, {}, {}};
-      for (const ExpressionId id : output.values) named.values.push_back(translated(id));
+      for (const ExpressionId id : output.values) named.values.push_back(translation_.value(id));
       lagrangian_.outputs.push_back(std::move(named));
     }
   }
@@ -254,7 +241,7 @@ class Formulation {
       for (std::uint32_t i = 0; i < lock.values.size(); ++i) {
         const Coordinate& coordinate = model_.coordinates[lock.coordinate + i];
         const Entity origin{EntityKind::coordinate, lock.coordinate + i};
-        locked.values.push_back(named(lock.values[i], coordinate.identifier, origin));
+        locked.values.push_back(translation_.named(lock.values[i], coordinate.identifier, origin));
       }
       lagrangian_.locked.push_back(std::move(locked));
     }
@@ -263,7 +250,6 @@ class Formulation {
   const Model& model_;
   Lagrangian lagrangian_;
   Translation translation_;
-  Diagnostics errors_;
 };
 
 }  // namespace

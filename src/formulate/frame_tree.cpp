@@ -136,11 +136,10 @@ class TreeFormulation {
         last_step_(model.frames.size()),
         point_places_(model.points.size()) {}
 
-  Diagnostics build() && {
+  void build() {
     for (const std::uint32_t frame : parents_first(model_, carrying(model_))) add_frame(frame);
     if (!model_.approximation) add_what_is_carried();
     add_twists();
-    return std::move(errors_);
   }
 
  private:
@@ -150,24 +149,6 @@ class TreeFormulation {
     for (std::uint32_t i = 0; i < model_.bodies.size(); ++i) add_body(i);
     for (std::uint32_t i = 0; i < model_.points.size(); ++i) add_mass(i);
     for (const Force& force : model_.forces) add_wrenches(force);
-  }
-
-  ex translated(ExpressionId id) {
-    Result<ex> value = translation_(id);
-    if (value) return *value;
-    errors_.insert(errors_.end(), value.diagnostics.begin(), value.diagnostics.end());
-    return 0;
-  }
-
-  ex named(ExpressionId id, std::string name, Entity origin) {
-    return define(definitions_, translated(id), {std::move(name), origin});
-  }
-
-  ExVector3 vector(const Vector3& ids, const std::string& name, Entity origin) {
-    static constexpr std::array<const char*, 3> axes{"_x", "_y", "_z"};
-    ExVector3 result;
-    for (std::size_t i = 0; i < 3; ++i) result[i] = named(ids[i], name + axes[i], origin);
-    return result;
   }
 
   void add_frame(std::uint32_t index) {
@@ -192,16 +173,17 @@ class TreeFormulation {
     if (step.rotation) result.rotation = model_.rotations[*step.rotation].first_velocity;
     result.name = name;
     result.origin = {EntityKind::frame, index};
-    result.vector = vector(step.vector, name + "_offset", result.origin);
+    result.vector = translation_.vector(step.vector, name + "_offset", result.origin);
     if (step.kind == FrameStepKind::turn) {
-      result.angle = translated(step.angle);
+      result.angle = translation_.value(step.angle);
       // Of a constant the sine is exact only while it is seen to be one.
       if (!symbols_of(definitions_, result.angle).empty()) {
         result.angle = define(definitions_, result.angle, {name + "_angle", result.origin});
       }
     }
     for (std::size_t i = 0; step.kind == FrameStepKind::quaternion && i < 4; ++i) {
-      result.quaternion[i] = named(step.quaternion[i], name + "_quaternion", result.origin);
+      result.quaternion[i] =
+          translation_.named(step.quaternion[i], name + "_quaternion", result.origin);
     }
     return result;
   }
@@ -223,10 +205,10 @@ class TreeFormulation {
     RigidBody rigid;
     rigid.origin = origin;
     rigid.about_origin = body.local->about_origin;
-    if (body.mass) rigid.mass = named(*body.mass, body.identifier + "_mass", origin);
-    rigid.com = vector(body.local->com.at, body.identifier + "_com", origin);
+    if (body.mass) rigid.mass = translation_.named(*body.mass, body.identifier + "_mass", origin);
+    rigid.com = translation_.vector(body.local->com.at, body.identifier + "_com", origin);
     for (const ExpressionId id : body.local->inertia) {
-      rigid.inertia.push_back(named(id, body.identifier + "_inertia", origin));
+      rigid.inertia.push_back(translation_.named(id, body.identifier + "_inertia", origin));
     }
     if (rigid.inertia.size() == 1) rigid.inertia = {0, 0, rigid.inertia.front(), 0, 0, 0};
     append_body(last_step_[body.local->com.frame], std::move(rigid));
@@ -245,7 +227,7 @@ class TreeFormulation {
     const Point& point = model_.points[index];
     const Entity origin{EntityKind::point, index};
     known = PointPlace{last_step_[point.local->frame],
-                       vector(point.local->at, point.identifier, origin)};
+                       translation_.vector(point.local->at, point.identifier, origin)};
     const bool moves = std::any_of(known->at.begin(), known->at.end(), [&](const ex& x) {
       return (dependence(definitions_, x) & (on_coordinates | on_time)) != 0;
     });
@@ -265,7 +247,7 @@ class TreeFormulation {
     const Entity origin{EntityKind::point, index};
     RigidBody rigid;
     rigid.origin = origin;
-    rigid.mass = named(*point.mass, point.identifier + "_mass", origin);
+    rigid.mass = translation_.named(*point.mass, point.identifier + "_mass", origin);
     const PointPlace& place = place_of(index);
     rigid.com = place.at;
     append_body(place.step, std::move(rigid));
@@ -276,7 +258,7 @@ class TreeFormulation {
     const auto translate_components = [&] {
       for (std::size_t i = 0; i < 3; ++i) {
         const bool given = i < force.written.size();
-        components[i] = given ? translated(force.written[i]) : ex(0);
+        components[i] = given ? translation_.value(force.written[i]) : ex(0);
       }
     };
     const Step axes = force.axes ? last_step_[*force.axes] : Step{};
@@ -315,13 +297,12 @@ class TreeFormulation {
   FrameTree& tree_;
   std::vector<Step> last_step_;  ///< of each frame; none where it does not move from the world
   std::vector<std::optional<PointPlace>> point_places_;  ///< of those in frames that carry or bear
-  Diagnostics errors_;
 };
 
 }  // namespace
 
-Diagnostics add_frame_tree(const Model& model, Translation& translation, Lagrangian& lagrangian) {
-  return TreeFormulation(model, translation, lagrangian).build();
+void add_frame_tree(const Model& model, Translation& translation, Lagrangian& lagrangian) {
+  TreeFormulation(model, translation, lagrangian).build();
 }
 
 }  // namespace elgen

@@ -8,8 +8,7 @@ namespace elgen {
 
 /// Fills lagrangian.tree and the twists of its outputs. Steps that move nothing are left out, and
 /// so are frames that carry no body, torque, force or output. Where the energies are expanded the
-/// tree is for outputs only.
-[[nodiscard]] Diagnostics add_frame_tree(const Model& model, Translation& translation,
-                                         Lagrangian& lagrangian);
+/// tree is for outputs only. Errors are those of the translation.
+void add_frame_tree(const Model& model, Translation& translation, Lagrangian& lagrangian);
 
 }  // namespace elgen
