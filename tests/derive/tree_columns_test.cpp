@@ -16,7 +16,7 @@ using Pairs = std::multiset<std::pair<std::size_t, std::size_t>>;
 Pairs visited(Derivation& derivation) {
   Tree& tree = tree_of(derivation);
   const std::vector<TreeVariable> variables = tree_variables(tree).list;
-  TreeColumns columns(tree, variables, {derivation.frozen, derivation.frozen, false});
+  TreeColumns columns(tree, variables, {derivation.frozen, derivation.frozen});
   Pairs pairs;
   columns.for_each_pair({ColumnKind::inertia}, [&](const ColumnPair& pair) {
     CHECK(pair.columns.size() == 1);
@@ -51,7 +51,7 @@ TEST_CASE("a turn carries the inertia about its axis", "[frames]") {
   Tree& tree = tree_of(derivation);
   const std::vector<TreeVariable> variables = tree_variables(tree).list;
   const std::vector<CompositeInertia> inertias = composite_inertias(tree);
-  TreeColumns columns(tree, variables, {derivation.frozen, derivation.frozen, false});
+  TreeColumns columns(tree, variables, {derivation.frozen, derivation.frozen});
   columns.for_each_pair({ColumnKind::inertia}, [&](const ColumnPair& pair) {
     const TreeVariable& variable = variables[pair.upper];
     if (pair.upper != pair.lower || is_zero(variable.spin)) return;

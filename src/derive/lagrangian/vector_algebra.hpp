@@ -2,11 +2,18 @@
 // nothing is ever written out twice.
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "elgen/lagrangian.hpp"
 
 namespace elgen {
+
+using ExMatrix3 = std::array<GiNaC::ex, 9>;  ///< row-major
+
+[[nodiscard]] inline ExMatrix3 transposed(const ExMatrix3& a) {
+  return {a[0], a[3], a[6], a[1], a[4], a[7], a[2], a[5], a[8]};
+}
 
 class VectorAlgebra {
  public:
@@ -41,6 +48,15 @@ class VectorAlgebra {
   [[nodiscard]] ExVector3 cross(const ExVector3& a, const ExVector3& b) {
     return define(
         ExVector3{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]});
+  }
+
+  /// A x of a matrix, row-major.
+  [[nodiscard]] ExVector3 product(const ExMatrix3& a, const ExVector3& x) {
+    ExVector3 result;
+    for (std::size_t i = 0; i < 3; ++i) {
+      result[i] = a[3 * i] * x[0] + a[3 * i + 1] * x[1] + a[3 * i + 2] * x[2];
+    }
+    return define(result);
   }
 
   [[nodiscard]] GiNaC::ex dot(const ExVector3& a, const ExVector3& b) {

@@ -12,10 +12,6 @@ using GiNaC::ex;
 
 namespace {
 
-void add(const SparseMatrix& matrix, std::size_t n, Vector& entries) {
-  for (const auto& [place, entry] : matrix) entries[place.first * n + place.second] += entry;
-}
-
 /// d values/d(direction) for every direction, as columns.
 template <class Direction>
 Vector columns(Derivation& derivation, const Vector& values, const Direction& direction) {
@@ -40,8 +36,8 @@ InverseDerivatives residual_derivatives(Derivation& derivation, InputForces inpu
       columns(derivation, rest, [&](std::size_t j) { return derivation.unit_velocity(j); });
   if (!by_columns) return result;
   const TreeDerivatives of_frames = tree_derivatives(tree_of(derivation), derivation.motion);
-  add(of_frames.by_position, derivation.size(), result.by_position);
-  add(of_frames.by_velocity, derivation.size(), result.by_velocity);
+  add(of_frames.by_position, result.by_position, derivation.size());
+  add(of_frames.by_velocity, result.by_velocity, derivation.size());
   return result;
 }
 

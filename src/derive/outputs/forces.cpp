@@ -46,10 +46,6 @@ std::string force_name(const PointMass& mass, const Derivation& derivation, std:
   return name.empty() ? std::string() : "force_" + name;
 }
 
-void add(const TreeForces& forces, Vector& to) {
-  for (const auto& [velocity, force] : forces.on_velocities) to[velocity] += force;
-}
-
 /// m (p'' - gravity) on each mass, p'' by a second pass in `second` over the velocity.
 std::vector<Weighted> inertial_forces_of_masses(Derivation& derivation, Tangent& second) {
   const std::array<ex, 3> g = gravity_vector(derivation);
@@ -61,43 +57,31 @@ std::vector<Weighted> inertial_forces_of_masses(Derivation& derivation, Tangent&
   });
 }
 
+/// Of forces with u = 0, or as they are.
+Substitution acting(Derivation& derivation, InputForces inputs) {
+  Seeds values;
+  if (inputs == InputForces::absent) {
+    for (const ex& input : derivation.symbols.u) values.emplace(input, 0);
+  }
+  return {derivation.definitions, values};
+}
+
 /// -F on each point force, so that it joins the forces of the left side.
 std::vector<Weighted> negative_point_forces(Derivation& derivation, InputForces inputs) {
   std::vector<Weighted> result;
-  Seeds none;
-  for (const ex& input : derivation.symbols.u) none.emplace(input, 0);
-  Substitution without_inputs(derivation.definitions, none);
+  Substitution force = acting(derivation, inputs);
   for (const PointForce& applied : derivation.lagrangian.point_forces) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const ex& force = applied.force[axis];
-      const ex acting = inputs == InputForces::acting ? force : without_inputs(force);
-      result.push_back({applied.position[axis], -acting});
+      result.push_back({applied.position[axis], -force(applied.force[axis])});
     }
   }
   return result;
 }
 
 Vector direct_forces(Derivation& derivation, InputForces inputs) {
-  if (inputs == InputForces::acting) return derivation.lagrangian.forces;
-  Seeds none;
-  for (const ex& input : derivation.symbols.u) none.emplace(input, 0);
-  Substitution without_inputs(derivation.definitions, none);
-  Vector result;
-  for (const ex& force : derivation.lagrangian.forces) result.push_back(without_inputs(force));
-  return result;
-}
-
-/// The wrenches' components with u = 0, or as they are.
-std::vector<Wrench> acting_wrenches(Derivation& derivation, InputForces inputs) {
-  std::vector<Wrench> result = derivation.lagrangian.tree.wrenches;
-  if (inputs == InputForces::acting) return result;
-  Seeds none;
-  for (const ex& input : derivation.symbols.u) none.emplace(input, 0);
-  Substitution without_inputs(derivation.definitions, none);
-  for (Wrench& wrench : result) {
-    for (ex& component : wrench.force) component = without_inputs(component);
-    for (ex& component : wrench.moment) component = without_inputs(component);
-  }
+  Substitution force = acting(derivation, inputs);
+  Vector result = derivation.lagrangian.forces;
+  for (ex& entry : result) entry = force(entry);
   return result;
 }
 
@@ -108,8 +92,8 @@ TreeForces negative(TreeForces forces) {
 }
 
 TreeForces negative_wrenches(Derivation& derivation, InputForces inputs) {
-  const std::vector<Wrench> wrenches = acting_wrenches(derivation, inputs);
-  return negative(tree_of(derivation).wrench_forces(wrenches));
+  Substitution force = acting(derivation, inputs);
+  return negative(tree_of(derivation).wrench_forces(std::ref(force)));
 }
 
 /// Of bodies in frames; gravity is an acceleration of their base.
@@ -119,22 +103,17 @@ TreeForces tree_forces(Derivation& derivation, Tangent& second) {
 
 /// Everything of tau that `second` gives: inertia, gravity, dissipation, forces.
 Vector left_side(Derivation& derivation, Tangent& second, InputForces inputs, Bodies bodies) {
-  std::vector<Weighted> pulled_back = inertial_forces_of_masses(derivation, second);
-  append(pulled_back, negative_point_forces(derivation, inputs));
-  TreeForces inertial;
-  if (bodies == Bodies::all) inertial = tree_forces(derivation, second);
-  const TreeForces wrenches = negative_wrenches(derivation, inputs);
-  append(pulled_back, inertial.pulled_back);
-  append(pulled_back, wrenches.pulled_back);
+  TreeForces forces{inertial_forces_of_masses(derivation, second)};
+  append(forces.pulled_back, negative_point_forces(derivation, inputs));
+  if (bodies == Bodies::all) append(forces, tree_forces(derivation, second));
+  append(forces, negative_wrenches(derivation, inputs));
   for (const Weighted& term : derivation.other_lagrangian()) {
-    pulled_back.push_back({term.value, -term.weight});
+    forces.pulled_back.push_back({term.value, -term.weight});
   }
-  Vector result = derivation.by_position(pulled_back);
+  Vector result = by_velocities(derivation, forces);
   const Vector momentum = derivation.by_velocity(derivation.other_lagrangian());
   result = plus(result, momentum_rates(derivation, momentum, second));
   result = plus(result, dissipation(derivation));
-  add(inertial, result);
-  add(wrenches, result);
   const Vector direct = direct_forces(derivation, inputs);
   for (std::size_t i = 0; i < result.size(); ++i) result[i] -= direct[i];
   return result;
@@ -156,50 +135,39 @@ Vector bias(Derivation& derivation, InputForces inputs) {
 
 Vector velocity_force(Derivation& derivation, Bodies bodies) {
   Definitions& definitions = derivation.definitions;
-  std::vector<Weighted> pulled_back =
-      derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
-        const ex velocity = define(definitions, derivation.frozen(mass.position[axis]));
-        return define(definitions, mass.mass * derivation.frozen(velocity));
-      });
+  TreeForces forces{derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
+    const ex velocity = define(definitions, derivation.frozen(mass.position[axis]));
+    return define(definitions, mass.mass * derivation.frozen(velocity));
+  })};
   const Terms& kinetic = derivation.graded().kinetic2;
-  append(pulled_back, weighted(kinetic, -1));
-  TreeForces inertial;
+  append(forces.pulled_back, weighted(kinetic, -1));
   if (bodies == Bodies::all) {
-    inertial = inertial_forces(tree_of(derivation), {derivation.frozen, derivation.frozen, false});
+    append(forces, inertial_forces(tree_of(derivation), {derivation.frozen, derivation.frozen}));
   }
-  append(pulled_back, inertial.pulled_back);
   const Vector momentum = derivation.by_velocity(weighted(kinetic, 1));
-  Vector result = derivation.by_position(pulled_back);
-  add(inertial, result);
+  Vector result = by_velocities(derivation, forces);
   return plus(result, momentum_rates(derivation, momentum, derivation.frozen));
 }
 
 Vector drift(Derivation& derivation) {
   Definitions& definitions = derivation.definitions;
   // p'' less its part quadratic in v: 2 d/dt(dp/dq v) at fixed q + d2p/dt2 at fixed q.
-  std::vector<Weighted> pulled_back =
-      derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
-        const ex passing = define(definitions, derivation.passing(mass.position[axis]));
-        const ex at_rest = derivation.passing(passing);
-        const ex acceleration = at_rest + 2 * derivation.frozen(passing);
-        return define(definitions, mass.mass * acceleration);
-      });
+  TreeForces forces{derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
+    const ex passing = define(definitions, derivation.passing(mass.position[axis]));
+    const ex at_rest = derivation.passing(passing);
+    const ex acceleration = at_rest + 2 * derivation.frozen(passing);
+    return define(definitions, mass.mass * acceleration);
+  })};
   const GradedEnergies& energies = derivation.graded();
   std::vector<Weighted> linear = weighted(energies.kinetic1, 1);
   append(linear, weighted(energies.potential1, -1));
-  for (const Weighted& term : linear) pulled_back.push_back({term.value, -term.weight});
-  append(pulled_back, weighted(energies.kinetic0, -1));
+  for (const Weighted& term : linear) forces.pulled_back.push_back({term.value, -term.weight});
+  append(forces.pulled_back, weighted(energies.kinetic0, -1));
   // Of bodies in frames all inertial forces less those at frozen time.
   Tree& tree = tree_of(derivation);
-  const TreeForces all = inertial_forces(tree, {derivation.coasting, derivation.coasting, false});
-  const TreeForces frozen =
-      negative(inertial_forces(tree, {derivation.frozen, derivation.frozen, false}));
-  append(pulled_back, all.pulled_back);
-  append(pulled_back, frozen.pulled_back);
-
-  Vector result = derivation.by_position(pulled_back);
-  add(all, result);
-  add(frozen, result);
+  append(forces, inertial_forces(tree, {derivation.coasting, derivation.coasting}));
+  append(forces, negative(inertial_forces(tree, {derivation.frozen, derivation.frozen})));
+  Vector result = by_velocities(derivation, forces);
   const Vector momentum = derivation.by_velocity(linear);
   result = plus(result, momentum_rates(derivation, momentum, derivation.coasting));
   const Vector quadratic = derivation.by_velocity(weighted(energies.kinetic2, 1));
@@ -208,17 +176,12 @@ Vector drift(Derivation& derivation) {
 
 Vector gravity(Derivation& derivation) {
   const std::array<ex, 3> g = gravity_vector(derivation);
-  std::vector<Weighted> pulled_back =
-      derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
-        return define(derivation.definitions, -mass.mass * g[axis]);
-      });
-  append(pulled_back, weighted(derivation.graded().potential0, 1));
-  Tree& tree = tree_of(derivation);
-  const TreeForces weights = tree_gravity(tree);
-  append(pulled_back, weights.pulled_back);
-  Vector result = derivation.by_position(pulled_back);
-  add(weights, result);
-  return result;
+  TreeForces forces{derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
+    return define(derivation.definitions, -mass.mass * g[axis]);
+  })};
+  append(forces.pulled_back, weighted(derivation.graded().potential0, 1));
+  append(forces, tree_gravity(tree_of(derivation)));
+  return by_velocities(derivation, forces);
 }
 
 Vector dissipation(Derivation& derivation) {
@@ -227,21 +190,16 @@ Vector dissipation(Derivation& derivation) {
 }
 
 Vector applied_force(Derivation& derivation, InputForces inputs) {
-  std::vector<Weighted> pulled_back = negative_point_forces(derivation, inputs);
-  const TreeForces wrenches = negative_wrenches(derivation, inputs);
-  append(pulled_back, wrenches.pulled_back);
-  Vector result = derivation.by_position(pulled_back);
-  add(wrenches, result);
+  TreeForces forces{negative_point_forces(derivation, inputs)};
+  append(forces, negative_wrenches(derivation, inputs));
+  Vector result = by_velocities(derivation, forces);
   const Vector direct = direct_forces(derivation, inputs);
   for (std::size_t i = 0; i < result.size(); ++i) result[i] = direct[i] - result[i];
   return result;
 }
 
 Vector momentum_of_frames(Derivation& derivation) {
-  const TreeForces of_bodies = tree_momentum(tree_of(derivation));
-  Vector result = derivation.by_position(of_bodies.pulled_back);
-  add(of_bodies, result);
-  return result;
+  return by_velocities(derivation, tree_momentum(tree_of(derivation)));
 }
 
 Vector momentum(Derivation& derivation) {

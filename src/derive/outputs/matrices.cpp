@@ -17,20 +17,6 @@ Tangent unit_direction(Derivation& derivation, const ex& leaf) {
   return {derivation.definitions, Seeds{{leaf, 1}}};
 }
 
-void add(const SparseMatrix& matrix, std::size_t n, Vector& entries) {
-  for (const auto& [place, entry] : matrix) entries[place.first * n + place.second] += entry;
-}
-
-/// Wrenches per unit of what a direction moves.
-std::vector<Wrench> rates(Derivation& derivation, Tangent& along) {
-  std::vector<Wrench> result = derivation.lagrangian.tree.wrenches;
-  for (Wrench& wrench : result) {
-    for (ex& component : wrench.force) component = along(component);
-    for (ex& component : wrench.moment) component = along(component);
-  }
-  return result;
-}
-
 bool has_columns(Derivation& derivation) { return tree_variables(tree_of(derivation)).is_complete; }
 
 /// M of everything, or of what is not in frames.
@@ -63,7 +49,7 @@ Vector mass_matrix_of(Derivation& derivation, Bodies bodies) {
 Vector mass_matrix(Derivation& derivation) {
   if (!has_columns(derivation)) return mass_matrix_of(derivation, Bodies::all);
   Vector entries = mass_matrix_of(derivation, Bodies::without_frames);
-  add(tree_mass_matrix(tree_of(derivation)), derivation.size(), entries);
+  add(tree_mass_matrix(tree_of(derivation)), entries, derivation.size());
   return entries;
 }
 
@@ -82,7 +68,7 @@ Vector coriolis_matrix(Derivation& derivation) {
     const Vector mass = mass_matrix_of(derivation, bodies);
     add_turning(derivation, mass, entries);
   }
-  if (by_columns) add(tree_coriolis_matrix(tree_of(derivation)), n, entries);
+  if (by_columns) add(tree_coriolis_matrix(tree_of(derivation)), entries, n);
   return entries;
 }
 
@@ -92,16 +78,14 @@ Vector input_matrix(Derivation& derivation) {
   Vector entries(n * inputs);
   for (std::size_t j = 0; j < inputs; ++j) {
     Tangent input = unit_direction(derivation, derivation.symbols.u[j]);
-    std::vector<Weighted> forces;
+    TreeForces forces;
     for (const PointForce& applied : derivation.lagrangian.point_forces) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        forces.push_back({applied.position[axis], input(applied.force[axis])});
+        forces.pulled_back.push_back({applied.position[axis], input(applied.force[axis])});
       }
     }
-    const TreeForces of_wrenches = tree_of(derivation).wrench_forces(rates(derivation, input));
-    append(forces, of_wrenches.pulled_back);
-    Vector column = derivation.by_position(forces);
-    for (const auto& [velocity, force] : of_wrenches.on_velocities) column[velocity] += force;
+    append(forces, tree_of(derivation).wrench_forces(std::ref(input)));
+    const Vector column = by_velocities(derivation, forces);
     for (std::size_t i = 0; i < n; ++i) {
       entries[i * inputs + j] = column[i] + input(derivation.lagrangian.forces[i]);
     }

@@ -38,8 +38,7 @@ Symmetric3 turned_about_axis(VectorAlgebra& algebra, const StepRotation& r, cons
   return result;
 }
 
-Symmetric3 turned_by_matrix(VectorAlgebra& algebra, const std::array<ex, 9>& r,
-                            const Symmetric3& s) {
+Symmetric3 turned_by_matrix(VectorAlgebra& algebra, const ExMatrix3& r, const Symmetric3& s) {
   std::array<ExVector3, 3> half;  // rows of R S
   for (std::size_t i = 0; i < 3; ++i) {
     half[i] = product(algebra, s, {r[3 * i], r[3 * i + 1], r[3 * i + 2]});

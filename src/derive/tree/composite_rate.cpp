@@ -7,11 +7,10 @@ using GiNaC::ex;
 
 namespace {
 
-using Matrix = std::array<ex, 9>;
-
 /// A - (x y^T - (x.y) 1)
-Matrix less_outer(VectorAlgebra& algebra, const Matrix& a, const ExVector3& x, const ExVector3& y) {
-  Matrix result = a;
+ExMatrix3 less_outer(VectorAlgebra& algebra, const ExMatrix3& a, const ExVector3& x,
+                     const ExVector3& y) {
+  ExMatrix3 result = a;
   ExVector3 along;
   for (std::size_t i = 0; i < 3; ++i) along[i] = algebra.define(x[i] * y[i]);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -26,11 +25,11 @@ Matrix less_outer(VectorAlgebra& algebra, const Matrix& a, const ExVector3& x, c
 
 /// As for symmetric matrices (composite.cpp), with u = s (A_ii - A_jj) + c (A_ij + A_ji):
 ///     A'_ii = A_ii - s u,   A'_jj = A_jj + s u,   A'_ij = c u - A_ji,   A'_ji = c u - A_ij
-Matrix turned_about_axis(VectorAlgebra& algebra, const StepRotation& r, const Matrix& a) {
+ExMatrix3 turned_about_axis(VectorAlgebra& algebra, const StepRotation& r, const ExMatrix3& a) {
   const std::size_t k = r.axis;
   const std::size_t i = (k + 1) % 3;
   const std::size_t j = (k + 2) % 3;
-  Matrix result = a;
+  ExMatrix3 result = a;
   const ex difference = algebra.define(a[3 * i + i] - a[3 * j + j]);
   const ex sum = algebra.define(a[3 * i + j] + a[3 * j + i]);
   const ex u = algebra.define(r.sine * difference + r.cosine * sum);
@@ -47,8 +46,8 @@ Matrix turned_about_axis(VectorAlgebra& algebra, const StepRotation& r, const Ma
   return result;
 }
 
-Matrix product(VectorAlgebra& algebra, const Matrix& a, const Matrix& b) {
-  Matrix result;
+ExMatrix3 product(VectorAlgebra& algebra, const ExMatrix3& a, const ExMatrix3& b) {
+  ExMatrix3 result;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       result[3 * i + j] =
@@ -58,19 +57,15 @@ Matrix product(VectorAlgebra& algebra, const Matrix& a, const Matrix& b) {
   return result;
 }
 
-Matrix transposed(const Matrix& a) {
-  return {a[0], a[3], a[6], a[1], a[4], a[7], a[2], a[5], a[8]};
-}
-
 /// R A R^T. Quarter turns permute, which the general product sees by its zeros and ones.
-Matrix turned(Tree& tree, std::size_t step, const Matrix& a) {
+ExMatrix3 turned(Tree& tree, std::size_t step, const ExMatrix3& a) {
   const StepRotation& r = tree.rotation(step);
   const bool is_quarter =
       GiNaC::is_a<GiNaC::numeric>(r.cosine) && GiNaC::is_a<GiNaC::numeric>(r.sine);
   if (r.kind == StepRotation::Kind::about_axis && !is_quarter) {
     return turned_about_axis(tree.algebra, r, a);
   }
-  Matrix rotation = r.entries;
+  ExMatrix3 rotation = r.entries;
   if (r.kind == StepRotation::Kind::about_axis) {
     for (std::size_t column = 0; column < 3; ++column) {
       ExVector3 unit{0, 0, 0};
@@ -79,17 +74,17 @@ Matrix turned(Tree& tree, std::size_t step, const Matrix& a) {
       for (std::size_t row = 0; row < 3; ++row) rotation[3 * row + column] = turned_unit[row];
     }
   }
-  const Matrix half = product(tree.algebra, rotation, a);
+  const ExMatrix3 half = product(tree.algebra, rotation, a);
   return product(tree.algebra, half, transposed(rotation));
 }
 
 /// -[w]x Sigma, Sigma = 1/2 tr(I) 1 - I.
-Matrix spin_part(VectorAlgebra& algebra, const std::vector<ex>& inertia, const ExVector3& w) {
+ExMatrix3 spin_part(VectorAlgebra& algebra, const std::vector<ex>& inertia, const ExVector3& w) {
   const ex half_trace = algebra.define((inertia[0] + inertia[1] + inertia[2]) / 2);
   Symmetric3 sigma;
   for (std::size_t i = 0; i < 3; ++i) sigma[i] = algebra.define(half_trace - inertia[i]);
   for (std::size_t i = 3; i < 6; ++i) sigma[i] = algebra.define(-inertia[i]);
-  Matrix result;
+  ExMatrix3 result;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     const std::size_t k = (i + 2) % 3;

@@ -13,7 +13,7 @@
 namespace elgen {
 
 struct CompositeRate {
-  std::array<GiNaC::ex, 9> a = {0, 0, 0, 0, 0, 0, 0, 0, 0};  ///< row-major
+  ExMatrix3 a = {0, 0, 0, 0, 0, 0, 0, 0, 0};  ///< row-major
   ExVector3 momentum{0, 0, 0};
 };
 

@@ -22,9 +22,9 @@ std::optional<std::pair<std::size_t, int>> coordinate_axis(const ExVector3& axis
 }
 
 /// cos 1 + sin [n]x + (1 - cos) n n^T (Rodrigues)
-std::array<ex, 9> turn_matrix(const ExVector3& n, const ex& cosine, const ex& sine) {
+ExMatrix3 turn_matrix(const ExVector3& n, const ex& cosine, const ex& sine) {
   const ex versine = 1 - cosine;
-  std::array<ex, 9> r;
+  ExMatrix3 r;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     const std::size_t k = (i + 2) % 3;
@@ -36,8 +36,8 @@ std::array<ex, 9> turn_matrix(const ExVector3& n, const ex& cosine, const ex& si
 }
 
 /// The homogeneous quadratic form of (w, e): (w^2 - e.e) 1 + 2 e e^T + 2 w [e]x.
-std::array<ex, 9> quaternion_matrix(const std::array<ex, 4>& q) {
-  std::array<ex, 9> r;
+ExMatrix3 quaternion_matrix(const std::array<ex, 4>& q) {
+  ExMatrix3 r;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     const std::size_t k = (i + 2) % 3;
@@ -101,38 +101,31 @@ ExVector3 first_moment(VectorAlgebra& algebra, const RigidBody& body) {
   return body.moment ? *body.moment : algebra.scaled(body.mass, body.com);
 }
 
-ExVector3 Tree::to_parent(std::size_t step, const ExVector3& x) {
-  const StepRotation& r = rotations_[step];
-  if (r.kind == StepRotation::Kind::none) return x;
-  ExVector3 result = x;
-  if (r.kind == StepRotation::Kind::about_axis) {
-    const std::size_t i = (r.axis + 1) % 3;
-    const std::size_t j = (r.axis + 2) % 3;
-    result[i] = r.cosine * x[i] - r.sine * x[j];
-    result[j] = r.sine * x[i] + r.cosine * x[j];
-  } else {
-    for (std::size_t i = 0; i < 3; ++i) {
-      result[i] =
-          r.entries[3 * i] * x[0] + r.entries[3 * i + 1] * x[1] + r.entries[3 * i + 2] * x[2];
-    }
-  }
-  return algebra.define(result);
+void accumulate(VectorAlgebra& algebra, const SpatialForce& from, SpatialForce& to) {
+  to.force = algebra.add(to.force, from.force);
+  to.moment = algebra.add(to.moment, from.moment);
 }
 
-ExVector3 Tree::to_child(std::size_t step, const ExVector3& x) {
-  const StepRotation& r = rotations_[step];
+void append(TreeForces& to, const TreeForces& from) {
+  append(to.pulled_back, from.pulled_back);
+  auto& all = to.on_velocities;
+  all.insert(all.end(), from.on_velocities.begin(), from.on_velocities.end());
+}
+
+Vector by_velocities(Derivation& derivation, const TreeForces& forces) {
+  Vector result = derivation.by_position(forces.pulled_back);
+  for (const auto& [velocity, force] : forces.on_velocities) result[velocity] += force;
+  return result;
+}
+
+ExVector3 Tree::rotated(const StepRotation& r, const ExVector3& x) {
   if (r.kind == StepRotation::Kind::none) return x;
+  if (r.kind == StepRotation::Kind::matrix) return algebra.product(r.entries, x);
+  const std::size_t i = (r.axis + 1) % 3;
+  const std::size_t j = (r.axis + 2) % 3;
   ExVector3 result = x;
-  if (r.kind == StepRotation::Kind::about_axis) {
-    const std::size_t i = (r.axis + 1) % 3;
-    const std::size_t j = (r.axis + 2) % 3;
-    result[i] = r.cosine * x[i] + r.sine * x[j];
-    result[j] = r.cosine * x[j] - r.sine * x[i];
-  } else {
-    for (std::size_t i = 0; i < 3; ++i) {
-      result[i] = r.entries[i] * x[0] + r.entries[3 + i] * x[1] + r.entries[6 + i] * x[2];
-    }
-  }
+  result[i] = r.cosine * x[i] - r.sine * x[j];
+  result[j] = r.sine * x[i] + r.cosine * x[j];
   return algebra.define(result);
 }
 
@@ -215,10 +208,7 @@ SpatialForce Tree::before(std::size_t index, const SpatialForce& force) {
 std::vector<SpatialForce> Tree::carried(std::vector<SpatialForce> on_step) {
   for (std::size_t k = size(); k-- > 0;) {
     if (!step(k).parent) continue;
-    const SpatialForce passed = before(k, on_step[k]);
-    SpatialForce& parent = on_step[*step(k).parent];
-    parent.force = algebra.add(parent.force, passed.force);
-    parent.moment = algebra.add(parent.moment, passed.moment);
+    accumulate(algebra, before(k, on_step[k]), on_step[*step(k).parent]);
   }
   return on_step;
 }
@@ -230,7 +220,12 @@ TreeForces Tree::pull_back(std::vector<SpatialForce> on_step) {
   return forces;
 }
 
-TreeForces Tree::wrench_forces(const std::vector<Wrench>& wrenches) {
+TreeForces Tree::wrench_forces(const std::function<ex(const ex&)>& part) {
+  std::vector<Wrench> wrenches = frames().wrenches;
+  for (Wrench& wrench : wrenches) {
+    for (ex& component : wrench.force) component = part(component);
+    for (ex& component : wrench.moment) component = part(component);
+  }
   std::vector<SpatialForce> on_step(size());
   for (const Wrench& wrench : wrenches) {
     if (!wrench.step) continue;

@@ -4,6 +4,7 @@
 // their step. Turns about a coordinate axis cost four products, quarter turns none.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -20,7 +21,12 @@ struct StepRotation {
   std::size_t axis = 2;
   GiNaC::ex cosine = 1;
   GiNaC::ex sine = 0;
-  std::array<GiNaC::ex, 9> entries;  ///< row-major
+  ExMatrix3 entries;
+
+  /// R^T
+  [[nodiscard]] StepRotation reversed() const {
+    return {kind, axis, cosine, -sine, transposed(entries)};
+  }
 };
 
 /// Force and moment about the origin, in the axes after a step.
@@ -29,12 +35,20 @@ struct SpatialForce {
   ExVector3 moment{0, 0, 0};
 };
 
+/// Adds one force on a step to another.
+void accumulate(VectorAlgebra& algebra, const SpatialForce& from, SpatialForce& to);
+
 /// Generalized forces: weights of angles and offsets, to be pulled back to coordinates, and forces
 /// on the velocities of rotations themselves.
 struct TreeForces {
   std::vector<Weighted> pulled_back = {};
   std::vector<std::pair<std::uint32_t, GiNaC::ex>> on_velocities = {};
 };
+
+void append(TreeForces& to, const TreeForces& from);
+
+/// By velocity, pulled back along every one of them.
+[[nodiscard]] Vector by_velocities(Derivation& derivation, const TreeForces& forces);
 
 class Tree {
  public:
@@ -50,8 +64,12 @@ class Tree {
   [[nodiscard]] const std::vector<RigidBody>& bodies() const { return bodies_; }
 
   /// R x and R^T x of a step.
-  [[nodiscard]] ExVector3 to_parent(std::size_t step, const ExVector3& x);
-  [[nodiscard]] ExVector3 to_child(std::size_t step, const ExVector3& x);
+  [[nodiscard]] ExVector3 to_parent(std::size_t step, const ExVector3& x) {
+    return rotated(rotations_[step], x);
+  }
+  [[nodiscard]] ExVector3 to_child(std::size_t step, const ExVector3& x) {
+    return rotated(rotations_[step].reversed(), x);
+  }
 
   /// Components after `from` (none: the world) as components after `to`.
   [[nodiscard]] ExVector3 turned(const ExVector3& x, std::optional<std::uint32_t> from,
@@ -70,8 +88,8 @@ class Tree {
   /// Weighs every angle and offset by what works on it.
   [[nodiscard]] TreeForces pull_back(std::vector<SpatialForce> on_step);
 
-  /// The generalized forces of wrenches.
-  [[nodiscard]] TreeForces wrench_forces(const std::vector<Wrench>& wrenches);
+  /// The generalized forces of a part of every component of the wrenches.
+  [[nodiscard]] TreeForces wrench_forces(const std::function<GiNaC::ex(const GiNaC::ex&)>& part);
 
   /// The part of pull_back at one step.
   void weigh(std::size_t index, const SpatialForce& on_step, TreeForces& forces);
@@ -79,6 +97,8 @@ class Tree {
   VectorAlgebra algebra;
 
  private:
+  [[nodiscard]] ExVector3 rotated(const StepRotation& r, const ExVector3& x);
+
   Derivation& derivation_;
   std::vector<StepRotation> rotations_;
   std::vector<RigidBody> bodies_;

@@ -113,13 +113,6 @@ Twist TreeColumns::motion(UnitKind kind, const TreeVariable& variable) {
   return second(home(variable), variable);
 }
 
-SpatialForce TreeColumns::add(const SpatialForce& a, const SpatialForce& b) {
-  SpatialForce sum;
-  sum.force = algebra_.add(a.force, b.force);
-  sum.moment = algebra_.add(a.moment, b.moment);
-  return sum;
-}
-
 SpatialForce TreeColumns::of_inertia(const TreeVariable& variable, const Twist& twist) {
   return momentum(algebra_, home(variable).inertia, twist.spin, twist.velocity);
 }
@@ -129,10 +122,7 @@ SpatialForce TreeColumns::of_rate(const TreeVariable& variable, const Twist& twi
   const CompositeRate& rate = home(variable).rate;
   const ExVector3& s = twist.spin;
   SpatialForce result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    result.moment[i] =
-        algebra_.define(rate.a[3 * i] * s[0] + rate.a[3 * i + 1] * s[1] + rate.a[3 * i + 2] * s[2]);
-  }
+  result.moment = algebra_.product(rate.a, s);
   result.force = algebra_.cross(s, rate.momentum);
   return result;
 }
@@ -140,12 +130,8 @@ SpatialForce TreeColumns::of_rate(const TreeVariable& variable, const Twist& twi
 /// B^T (s; u) = (A^T s + P x u; 0)
 SpatialForce TreeColumns::of_rate_transposed(const TreeVariable& variable) {
   const CompositeRate& rate = home(variable).rate;
-  const ExVector3& s = variable.spin;
   SpatialForce result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    result.moment[i] =
-        algebra_.define(rate.a[i] * s[0] + rate.a[3 + i] * s[1] + rate.a[6 + i] * s[2]);
-  }
+  result.moment = algebra_.product(transposed(rate.a), variable.spin);
   const ExVector3 of_shift = algebra_.cross(rate.momentum, variable.velocity);
   result.moment = algebra_.add(result.moment, of_shift);
   return result;
@@ -156,20 +142,24 @@ SpatialForce TreeColumns::column(ColumnKind kind, const TreeVariable& variable) 
   if (kind == ColumnKind::inertia) return of_inertia(variable, unit);
   if (kind == ColumnKind::transposed) return of_rate_transposed(variable);
   if (kind == ColumnKind::rate) {
-    const SpatialForce carried = of_inertia(variable, motion(UnitKind::rate, variable));
-    return add(carried, of_rate(variable, unit));
+    SpatialForce sum = of_inertia(variable, motion(UnitKind::rate, variable));
+    accumulate(algebra_, of_rate(variable, unit), sum);
+    return sum;
   }
   const Twist first = motion(UnitKind::first, variable);
   const Twist& of_b = kind == ColumnKind::by_position ? first : unit;
   const SpatialForce half = of_rate(variable, of_b);
-  const SpatialForce twice = add(half, half);
+  SpatialForce twice = half;
+  accumulate(algebra_, half, twice);
   if (kind == ColumnKind::by_velocity) {
     const Twist rate = motion(UnitKind::rate, variable);
     const ExVector3 spin = algebra_.add(first.spin, rate.spin);
     const ExVector3 velocity = algebra_.add(first.velocity, rate.velocity);
-    return add(of_inertia(variable, {spin, velocity}), twice);
+    SpatialForce sum = of_inertia(variable, {spin, velocity});
+    accumulate(algebra_, twice, sum);
+    return sum;
   }
-  const SpatialForce accelerated = of_inertia(variable, motion(UnitKind::second, variable));
+  SpatialForce sum = of_inertia(variable, motion(UnitKind::second, variable));
   // S x* f = (s x n + u x f; s x f)
   const SpatialForce& f = home(variable).carried;
   SpatialForce moved;
@@ -177,7 +167,9 @@ SpatialForce TreeColumns::column(ColumnKind kind, const TreeVariable& variable) 
   const ExVector3 shifted = algebra_.cross(variable.velocity, f.force);
   moved.moment = algebra_.add(turned, shifted);
   moved.force = algebra_.cross(variable.spin, f.force);
-  return add(add(accelerated, twice), moved);
+  accumulate(algebra_, twice, sum);
+  accumulate(algebra_, moved, sum);
+  return sum;
 }
 
 void TreeColumns::for_each_pair(const std::vector<ColumnKind>& kinds,

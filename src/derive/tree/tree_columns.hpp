@@ -75,7 +75,6 @@ class TreeColumns {
   [[nodiscard]] SpatialForce of_inertia(const TreeVariable& variable, const Twist& twist);
   [[nodiscard]] SpatialForce of_rate(const TreeVariable& variable, const Twist& twist);
   [[nodiscard]] SpatialForce of_rate_transposed(const TreeVariable& variable);
-  [[nodiscard]] SpatialForce add(const SpatialForce& a, const SpatialForce& b);
   void visit_below(std::size_t upper, std::vector<SpatialForce> columns,
                    const std::function<void(const ColumnPair&)>& visit);
 

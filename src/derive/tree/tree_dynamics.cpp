@@ -10,9 +10,8 @@ using GiNaC::ex;
 namespace {
 
 /// U = [w']x + w w^T - w.w 1, row-major: acceleration of what is fixed to the step, per unit place.
-std::array<ex, 9> acceleration_gradient(VectorAlgebra& algebra, const ExVector3& w,
-                                        const ExVector3& rate) {
-  std::array<ex, 9> u;
+ExMatrix3 acceleration_gradient(VectorAlgebra& algebra, const ExVector3& w, const ExVector3& rate) {
+  ExMatrix3 u;
   std::array<ex, 3> squares;
   for (std::size_t i = 0; i < 3; ++i) squares[i] = algebra.define(w[i] * w[i]);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -24,14 +23,6 @@ std::array<ex, 9> acceleration_gradient(VectorAlgebra& algebra, const ExVector3&
     u[3 * j + i] = algebra.define(product + rate[k]);
   }
   return u;
-}
-
-ExVector3 product(VectorAlgebra& algebra, const std::array<ex, 9>& u, const ExVector3& x) {
-  ExVector3 result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    result[i] = u[3 * i] * x[0] + u[3 * i + 1] * x[1] + u[3 * i + 2] * x[2];
-  }
-  return algebra.define(result);
 }
 
 ExVector3 sum(const ExVector3& a, const ExVector3& b) {
@@ -85,7 +76,7 @@ class MotionRecursion {
       second_rate[i] = algebra_.define(by_.second(rate[i]));
     }
     StepMotion motion = from;
-    const ExVector3 carried = product(algebra_, from.gradient, p);
+    const ExVector3 carried = algebra_.product(from.gradient, p);
     const ExVector3 coriolis = algebra_.scaled(2, algebra_.cross(from.spin, rate));
     const ExVector3 own = algebra_.add(coriolis, second_rate);
     motion.acceleration = algebra_.add(from.acceleration, algebra_.add(carried, own));
@@ -129,11 +120,11 @@ SpatialForce inertial_force(VectorAlgebra& algebra, const RigidBody& body,
   if (body.about_origin) {
     const ExVector3 h = first_moment(algebra, body);
     const ExVector3 own = algebra.scaled(body.mass, motion.acceleration);
-    result.force = algebra.add(own, product(algebra, motion.gradient, h));
+    result.force = algebra.add(own, algebra.product(motion.gradient, h));
     result.moment = algebra.add(result.moment, algebra.cross(h, motion.acceleration));
     return result;
   }
-  const ExVector3 carried = product(algebra, motion.gradient, body.com);
+  const ExVector3 carried = algebra.product(motion.gradient, body.com);
   result.force = algebra.scaled(body.mass, algebra.add(motion.acceleration, carried));
   result.moment = algebra.add(result.moment, algebra.cross(body.com, result.force));
   return result;

@@ -26,8 +26,8 @@ struct Acceleration {
 struct StepMotion {
   ExVector3 spin{0, 0, 0};
   ExVector3 spin_rate{0, 0, 0};
-  ExVector3 acceleration{0, 0, 0};                                  ///< of the origin, less gravity
-  std::array<GiNaC::ex, 9> gradient = {0, 0, 0, 0, 0, 0, 0, 0, 0};  ///< U, row-major
+  ExVector3 acceleration{0, 0, 0};                   ///< of the origin, less gravity
+  ExMatrix3 gradient = {0, 0, 0, 0, 0, 0, 0, 0, 0};  ///< U, row-major
 };
 [[nodiscard]] std::vector<StepMotion> tree_motions(Tree& tree, const Acceleration& acceleration);
 

@@ -52,10 +52,14 @@ class VelocityProjection {
 
 }  // namespace
 
+void add(const SparseMatrix& matrix, Vector& entries, std::size_t n) {
+  for (const auto& [place, entry] : matrix) entries[place.first * n + place.second] += entry;
+}
+
 SparseMatrix tree_mass_matrix(Tree& tree) {
   const std::vector<TreeVariable> variables = tree_variables(tree).list;
   Tangent& frozen = tree.derivation().frozen;
-  TreeColumns columns(tree, variables, {frozen, frozen, false});
+  TreeColumns columns(tree, variables, {frozen, frozen});
   VelocityProjection projection(tree, variables);
   columns.for_each_pair({ColumnKind::inertia}, [&](const ColumnPair& pair) {
     const ex entry = columns.along(pair.lower, UnitKind::unit, pair.columns[0]);
@@ -70,7 +74,7 @@ SparseMatrix tree_mass_matrix(Tree& tree) {
 SparseMatrix tree_coriolis_matrix(Tree& tree) {
   const std::vector<TreeVariable> variables = tree_variables(tree).list;
   Tangent& frozen = tree.derivation().frozen;
-  TreeColumns columns(tree, variables, {frozen, frozen, false});
+  TreeColumns columns(tree, variables, {frozen, frozen});
   VelocityProjection projection(tree, variables);
   const std::vector kinds{ColumnKind::rate, ColumnKind::inertia, ColumnKind::transposed};
   columns.for_each_pair(kinds, [&](const ColumnPair& pair) {

@@ -27,6 +27,9 @@ namespace elgen {
 /// Entries of an n_v x n_v matrix that may differ from zero, by row and column.
 using SparseMatrix = std::map<std::pair<std::size_t, std::size_t>, GiNaC::ex>;
 
+/// entries += matrix, of n columns.
+void add(const SparseMatrix& matrix, Vector& entries, std::size_t n);
+
 [[nodiscard]] SparseMatrix tree_mass_matrix(Tree& tree);
 [[nodiscard]] SparseMatrix tree_coriolis_matrix(Tree& tree);
 

@@ -36,11 +36,6 @@ bool has_mass(const RigidBody& body) {
   return !body.mass.is_zero() || (body.moment && !is_zero(*body.moment));
 }
 
-void accumulate(VectorAlgebra& algebra, const SpatialForce& from, SpatialForce& to) {
-  to.force = algebra.add(to.force, from.force);
-  to.moment = algebra.add(to.moment, from.moment);
-}
-
 ExVector3 momentum_of(VectorAlgebra& algebra, const RigidBody& body, const Twist& twist) {
   if (body.about_origin) {
     const ExVector3 linear = algebra.scaled(body.mass, twist.velocity);

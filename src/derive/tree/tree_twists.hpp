@@ -36,7 +36,4 @@ struct Twist {
 [[nodiscard]] ExVector3 momentum_of(VectorAlgebra& algebra, const RigidBody& body,
                                     const Twist& twist);
 
-/// Adds one force on a step to another.
-void accumulate(VectorAlgebra& algebra, const SpatialForce& from, SpatialForce& to);
-
 }  // namespace elgen
