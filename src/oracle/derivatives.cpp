@@ -1,4 +1,4 @@
-// Derivatives, column by column.
+// Derivatives, entry by entry.
 #include "oracle/derivatives.hpp"
 
 #include <algorithm>
@@ -11,73 +11,35 @@ namespace {
 using cln::cl_R;
 using Values = std::vector<cl_R>;
 
-/// Columns of n entries as a row-major matrix.
-Values matrix_of(const std::vector<Values>& columns, std::size_t rows) {
-  Values values(rows * columns.size());
-  for (std::size_t j = 0; j < columns.size(); ++j) {
-    for (std::size_t i = 0; i < rows; ++i) values[i * columns.size() + j] = columns[j][i];
+/// A change of positions (the first field of derivatives) or of velocities (the second) along y.
+Displacement displacement(const Mechanics& at, std::size_t field, const Direction& y) {
+  const Direction rest(at.size(), cl_R(0));
+  return field == 0 ? Displacement{y, rest} : Displacement{rest, y};
+}
+
+/// d(M a + bias - B u)/dq, then d/dv.
+Values residual_derivatives(Mechanics& at, const Direction& a, const Direction& u) {
+  const std::size_t n = at.size();
+  Values values;
+  for (std::size_t k = 0; k < 2 * n * n; ++k) {
+    const Displacement along = displacement(at, k / (n * n), at.unit(k % n));
+    values.push_back(at.residual_slope(at.unit(k / n % n), along, a, u));
   }
   return values;
 }
 
-void append(Values& to, const Values& from) { to.insert(to.end(), from.begin(), from.end()); }
-
-/// The state and what the residual is differentiated at.
-struct ResidualPoint {
-  Mechanics& at;
-  Direction a;
-  Direction u;
-};
-
-/// d(M a + bias - B u) along a displacement.
-Values slope(ResidualPoint& point, const Displacement& along) {
-  Values result;
-  for (std::size_t i = 0; i < point.at.size(); ++i) {
-    result.push_back(point.at.residual_slope(point.at.unit(i), along, point.a, point.u));
+/// Replaces a matrix of so many columns, which begins at an entry of `values`, by M^-1 times it.
+void solve_columns(Mechanics& at, const Values& mass, std::size_t columns,
+                   const Values::iterator& begin) {
+  const auto place = [&](std::size_t row, std::size_t column) {
+    return begin + static_cast<std::ptrdiff_t>(row * columns + column);
+  };
+  for (std::size_t j = 0; j < columns; ++j) {
+    Values column;
+    for (std::size_t i = 0; i < at.size(); ++i) column.push_back(*place(i, j));
+    const Values solution = solve_mass(at.model(), mass, column).x;
+    for (std::size_t i = 0; i < at.size(); ++i) *place(i, j) = solution[i];
   }
-  return result;
-}
-
-Direction rest(const Mechanics& at) { return Direction(at.size(), cl_R(0)); }
-
-Displacement by_position(const Mechanics& at, std::size_t j) { return {at.unit(j), rest(at)}; }
-Displacement by_velocity(const Mechanics& at, std::size_t j) { return {rest(at), at.unit(j)}; }
-
-/// The residual's derivatives by q, then by v.
-std::array<std::vector<Values>, 2> residual_columns(ResidualPoint& point) {
-  std::array<std::vector<Values>, 2> columns;
-  for (std::size_t j = 0; j < point.at.size(); ++j) {
-    columns[0].push_back(slope(point, by_position(point.at, j)));
-    columns[1].push_back(slope(point, by_velocity(point.at, j)));
-  }
-  return columns;
-}
-
-Values negative(Values values) {
-  for (cl_R& value : values) value = -value;
-  return values;
-}
-
-/// Columns of da/dq, da/dv and da/du.
-std::array<std::vector<Values>, 3> acceleration_columns(Mechanics& at) {
-  const Values mass = mass_matrix_values(at);
-  ResidualPoint point{at, solved_dynamics(at, mass).x, at.state().u};
-  const auto residual = residual_columns(point);
-  std::array<std::vector<Values>, 3> columns;
-  for (std::size_t part = 0; part < 2; ++part) {
-    for (const Values& column : residual[part]) {
-      columns[part].push_back(solve_mass(at.model(), mass, negative(column)).x);
-    }
-  }
-  const std::size_t inputs = at.state().u.size();
-  for (std::size_t k = 0; k < inputs; ++k) {
-    Values force;
-    for (std::size_t i = 0; i < at.size(); ++i) {
-      force.push_back(at.input_force(at.unit(i), unit_direction(inputs, k)));
-    }
-    columns[2].push_back(solve_mass(at.model(), mass, force).x);
-  }
-  return columns;
 }
 
 /// w.(da/dx) along a displacement: z.(-dr) with M z = w.
@@ -102,59 +64,65 @@ bool is_zero(const Direction& d) {
   return std::all_of(d.begin(), d.end(), [](const cl_R& entry) { return cln::zerop(entry); });
 }
 
-/// The displacement of the first or second field of derivatives along y.
-Displacement displacement(const Mechanics& at, const Contraction& by) {
-  return by.field == 0 ? Displacement{by.y, rest(at)} : Displacement{rest(at), by.y};
-}
-
 }  // namespace
 
-Values inverse_derivatives(Mechanics& at) {
-  ResidualPoint point{at, at.state().a, Direction(at.state().u.size(), cl_R(0))};
-  const auto columns = residual_columns(point);
-  Values values = matrix_of(columns[0], at.size());
-  append(values, matrix_of(columns[1], at.size()));
+/// B_ij = e_i.B e_j
+Values input_entries(Mechanics& at) {
+  const std::size_t inputs = at.state().u.size();
+  Values values;
+  for (std::size_t k = 0; k < at.size() * inputs; ++k) {
+    values.push_back(at.input_force(at.unit(k / inputs), unit_direction(inputs, k % inputs)));
+  }
   return values;
 }
 
+Values inverse_derivatives(Mechanics& at) {
+  return residual_derivatives(at, at.state().a, Direction(at.state().u.size(), cl_R(0)));
+}
+
 cl_R inverse_contraction(Mechanics& at, const Contraction& by) {
-  return at.residual_slope(by.w, displacement(at, by), at.state().a,
+  return at.residual_slope(by.w, displacement(at, by.field, by.y), at.state().a,
                            Direction(at.state().u.size(), cl_R(0)));
 }
 
 Values forward_derivatives(Mechanics& at) {
-  Values values;
-  for (const std::vector<Values>& columns : acceleration_columns(at)) {
-    append(values, matrix_of(columns, at.size()));
+  const Values mass = mass_matrix_values(at);
+  Values values = residual_derivatives(at, solved_dynamics(at, mass).x, at.state().u);
+  for (cl_R& value : values) value = -value;
+  const Values inputs = input_entries(at);
+  values.insert(values.end(), inputs.begin(), inputs.end());
+  const std::size_t n = at.size();
+  auto begin = values.begin();
+  for (const std::size_t columns : {n, n, at.state().u.size()}) {
+    solve_columns(at, mass, columns, begin);
+    begin += static_cast<std::ptrdiff_t>(n * columns);
   }
   return values;
 }
 
 cl_R forward_contraction(Mechanics& at, const Contraction& by) {
   return by.field == 2 ? along_inputs(at, by.w, by.y)
-                       : along_acceleration(at, by.w, displacement(at, by));
+                       : along_acceleration(at, by.w, displacement(at, by.field, by.y));
 }
 
-/// The rates of x = (dq, dv) for unit changes: of a rotation vector dq the rate is dv - w x dq.
+/// A = [-[w]x 1; da/dq da/dv], B = [0; da/du]
 Values state_matrices(Mechanics& at) {
-  const auto parts = acceleration_columns(at);
+  const Values parts = forward_derivatives(at);
   const std::size_t n = at.size();
-  std::vector<Values> of_state;
-  for (std::size_t j = 0; j < 2 * n; ++j) {
-    const bool is_position = j < n;
-    const Direction unit = at.unit(j % n);
-    Values column = is_position ? negative(at.across_velocity(unit)) : unit;
-    append(column, parts[is_position ? 0 : 1][j % n]);
-    of_state.push_back(std::move(column));
+  const std::size_t inputs = at.state().u.size();
+  const std::size_t b = 4 * n * n;  // where B begins
+  Values values(b + 2 * n * inputs, cl_R(0));
+  for (std::size_t j = 0; j < n; ++j) {
+    const Direction across = at.across_velocity(at.unit(j));
+    values[2 * n * j + n + j] = 1;
+    for (std::size_t i = 0; i < n; ++i) {
+      values[2 * n * i + j] = -across[i];
+      values[2 * n * (n + i) + j] = parts[n * i + j];
+      values[2 * n * (n + i) + n + j] = parts[n * n + n * i + j];
+    }
   }
-  std::vector<Values> of_inputs;
-  for (const Values& acceleration : parts[2]) {
-    Values column = rest(at);
-    append(column, acceleration);
-    of_inputs.push_back(std::move(column));
-  }
-  Values values = matrix_of(of_state, 2 * n);
-  append(values, matrix_of(of_inputs, 2 * n));
+  std::copy(parts.begin() + static_cast<std::ptrdiff_t>(2 * n * n), parts.end(),
+            values.begin() + static_cast<std::ptrdiff_t>(b + n * inputs));
   return values;
 }
 

@@ -6,6 +6,9 @@
 
 namespace elgen::oracle {
 
+/// B = dQ/du
+[[nodiscard]] std::vector<cln::cl_R> input_entries(Mechanics& at);
+
 /// d tau/dq, d tau/dv
 [[nodiscard]] std::vector<cln::cl_R> inverse_derivatives(Mechanics& at);
 [[nodiscard]] cln::cl_R inverse_contraction(Mechanics& at, const Contraction& by);

@@ -56,16 +56,6 @@ Values coriolis_entries(Mechanics& at) {
   return c;
 }
 
-/// B_ij = e_i.B e_j
-Values input_entries(Mechanics& at) {
-  const std::size_t inputs = at.state().u.size();
-  Values values;
-  for (std::size_t k = 0; k < at.size() * inputs; ++k) {
-    values.push_back(at.input_force(at.unit(k / inputs), unit_direction(inputs, k % inputs)));
-  }
-  return values;
-}
-
 cl_R total_energy_of(Mechanics& at) { return at.kinetic_energy() + at.potential_energy(); }
 
 /// M a = B u - bias: a, then the relative pivots.

@@ -39,34 +39,6 @@ std::vector<Jet> coordinate_rates(const Model& model, const std::vector<Jet>& q,
   return rates;
 }
 
-namespace {
-
-template <class Number>
-std::vector<Number> turned_numbers(const Model& model, const std::vector<Number>& w,
-                                   const std::vector<Number>& y) {
-  std::vector<Number> result(w.size(), Number(0));
-  for (const Rotation& rotation : model.rotations) {
-    const std::uint32_t first = rotation.first_velocity;
-    for (std::uint32_t k = 0; k < axis_count; ++k) {
-      const std::uint32_t i = first + (k + 1) % axis_count;
-      const std::uint32_t j = first + (k + 2) % axis_count;
-      result[first + k] = w[i] * y[j] - w[j] * y[i];
-    }
-  }
-  return result;
-}
-
-}  // namespace
-
-std::vector<cl_R> turned(const Model& model, const std::vector<cl_R>& w,
-                         const std::vector<cl_R>& y) {
-  return turned_numbers(model, w, y);
-}
-
-std::vector<Jet> turned(const Model& model, const std::vector<Jet>& w, const std::vector<Jet>& y) {
-  return turned_numbers(model, w, y);
-}
-
 std::vector<cl_R> normalized(const Model& model, std::vector<cl_R> q) {
   for (const Rotation& rotation : model.rotations) {
     const std::uint32_t first = rotation.first_coordinate;

@@ -22,10 +22,20 @@ using Spin = std::array<Jet, axis_count>;             ///< in the axes of the bo
                                                 const std::vector<Jet>& v);
 
 /// w x y on the velocities of rotations, all else 0.
-[[nodiscard]] std::vector<cln::cl_R> turned(const Model& model, const std::vector<cln::cl_R>& w,
-                                            const std::vector<cln::cl_R>& y);
-[[nodiscard]] std::vector<Jet> turned(const Model& model, const std::vector<Jet>& w,
-                                      const std::vector<Jet>& y);
+template <class Number>
+[[nodiscard]] std::vector<Number> turned(const Model& model, const std::vector<Number>& w,
+                                         const std::vector<Number>& y) {
+  std::vector<Number> result(w.size(), Number(0));
+  for (const Rotation& rotation : model.rotations) {
+    const std::uint32_t first = rotation.first_velocity;
+    for (std::uint32_t k = 0; k < axis_count; ++k) {
+      const std::uint32_t i = first + (k + 1) % axis_count;
+      const std::uint32_t j = first + (k + 2) % axis_count;
+      result[first + k] = w[i] * y[j] - w[j] * y[i];
+    }
+  }
+  return result;
+}
 
 /// q with every quaternion divided by its length.
 [[nodiscard]] std::vector<cln::cl_R> normalized(const Model& model, std::vector<cln::cl_R> q);
