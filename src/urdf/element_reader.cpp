@@ -89,19 +89,13 @@ bool ElementReader::vector(std::string_view name, Vector& vector) {
   return is_complete;
 }
 
-const Element* ElementReader::child(std::string_view name) {
+const Element* ElementReader::first_child(std::string_view name) {
   const auto& all = element_.children;
   const auto found = std::find_if(all.begin(), all.end(),
                                   [&](const Element& element) { return element.name == name; });
   if (found == all.end()) return nullptr;
   taken_.insert(&*found);
   return &*found;
-}
-
-const Element* ElementReader::required_child(std::string_view name) {
-  const Element* found = child(name);
-  if (found == nullptr) report_missing("element", name);
-  return found;
 }
 
 std::vector<const Element*> ElementReader::children(std::string_view name) {
@@ -136,14 +130,12 @@ void ElementReader::note_the_rest() const {
   }
 }
 
-Pose read_origin(ElementReader& parent, RobotReading& reading) {
+Pose read_origin(ElementReader& parent) {
   Pose pose;
-  const Element* element = parent.child("origin");
-  if (element == nullptr) return pose;
-  ElementReader origin(*element, reading);
-  (void)origin.vector("xyz", pose.xyz);
-  (void)origin.vector("rpy", pose.rpy);
-  origin.note_the_rest();
+  parent.child("origin", [&](ElementReader& origin) {
+    (void)origin.vector("xyz", pose.xyz);
+    (void)origin.vector("rpy", pose.rpy);
+  });
   return pose;
 }
 

@@ -28,10 +28,22 @@ class ElementReader {
   /// Three numbers: E805 where there are not three. False, and unchanged, where they are not there.
   bool vector(std::string_view name, Vector& vector);
 
-  /// The first child of this name, or null.
-  const Element* child(std::string_view name);
+  /// Reads the first child of this name, where there is one, and notes what `read` left of it.
+  template <class Read>
+  void child(std::string_view name, const Read& read) {
+    if (const Element* found = first_child(name)) {
+      ElementReader reader(*found, reading_);
+      read(reader);
+      reader.note_the_rest();
+    }
+  }
   /// The same; E803 where there is none.
-  const Element* required_child(std::string_view name);
+  template <class Read>
+  void required_child(std::string_view name, const Read& read) {
+    if (first_child(name) == nullptr) report_missing("element", name);
+    child(name, read);
+  }
+  [[nodiscard]] const Span& span() const { return element_.span; }
   std::vector<const Element*> children(std::string_view name);
 
   /// Takes what has no part in the motion, silently.
@@ -42,6 +54,7 @@ class ElementReader {
 
  private:
   const Attribute* attribute(std::string_view name);
+  const Element* first_child(std::string_view name);
   void report_missing(std::string_view kind, std::string_view name);
 
   const Element& element_;
@@ -50,6 +63,6 @@ class ElementReader {
 };
 
 /// An `<origin>` among the children, or none.
-[[nodiscard]] Pose read_origin(ElementReader& parent, RobotReading& reading);
+[[nodiscard]] Pose read_origin(ElementReader& parent);
 
 }  // namespace elgen::urdf

@@ -36,12 +36,9 @@ JointType read_type(ElementReader& joint, RobotReading& reading) {
   return JointType::fixed;
 }
 
-Text read_link_name(ElementReader& joint, std::string_view role, RobotReading& reading) {
-  const Element* element = joint.required_child(role);
-  if (element == nullptr) return {};
-  ElementReader reader(*element, reading);
-  Text name = reader.required_text("link");
-  reader.note_the_rest();
+Text read_link_name(ElementReader& joint, std::string_view role) {
+  Text name;
+  joint.required_child(role, [&](ElementReader& link) { name = link.required_text("link"); });
   return name;
 }
 
@@ -49,12 +46,11 @@ Text read_link_name(ElementReader& joint, std::string_view role, RobotReading& r
 void read_axis(ElementReader& reader, Joint& joint, RobotReading& reading) {
   joint.axis = {decimal_of(1), decimal_of(0), decimal_of(0)};
   if (joint.type == JointType::fixed || joint.type == JointType::floating) return;
-  const Element* element = reader.child("axis");
-  if (element == nullptr) return;
-  ElementReader axis(*element, reading);
-  joint.axis_span = axis.required_text("xyz").span;
-  const bool is_read = axis.vector("xyz", joint.axis);
-  axis.note_the_rest();
+  bool is_read = false;
+  reader.child("axis", [&](ElementReader& axis) {
+    joint.axis_span = axis.required_text("xyz").span;
+    is_read = axis.vector("xyz", joint.axis);
+  });
   if (!is_read) return;
   const bool is_zero = std::all_of(joint.axis.begin(), joint.axis.end(),
                                    [](const FileNumber& component) { return component.is_zero(); });
@@ -73,14 +69,12 @@ void refuse_negative(const std::optional<FileNumber>& number, std::string_view n
 }
 
 void read_limit(ElementReader& reader, JointLimit& limit, RobotReading& reading) {
-  const Element* element = reader.child("limit");
-  if (element == nullptr) return;
-  ElementReader numbers(*element, reading);
-  limit.lower = numbers.number("lower");
-  limit.upper = numbers.number("upper");
-  limit.velocity = numbers.number("velocity");
-  limit.effort = numbers.number("effort");
-  numbers.note_the_rest();
+  reader.child("limit", [&](ElementReader& numbers) {
+    limit.lower = numbers.number("lower");
+    limit.upper = numbers.number("upper");
+    limit.velocity = numbers.number("velocity");
+    limit.effort = numbers.number("effort");
+  });
   if (limit.lower && limit.upper && limit.lower->value > limit.upper->value) {
     reading.found.push_back(
         {Code::E814, limit.lower->span,
@@ -90,23 +84,19 @@ void read_limit(ElementReader& reader, JointLimit& limit, RobotReading& reading)
   refuse_negative(limit.effort, "effort", reading.found);
 }
 
-void read_dynamics(ElementReader& reader, Joint& joint, RobotReading& reading) {
-  const Element* element = reader.child("dynamics");
-  if (element == nullptr) return;
-  ElementReader dynamics(*element, reading);
-  joint.damping = dynamics.number("damping").value_or(FileNumber{});
-  joint.friction = dynamics.number("friction").value_or(FileNumber{});
-  dynamics.note_the_rest();
+void read_dynamics(ElementReader& reader, Joint& joint) {
+  reader.child("dynamics", [&](ElementReader& dynamics) {
+    joint.damping = dynamics.number("damping").value_or(FileNumber{});
+    joint.friction = dynamics.number("friction").value_or(FileNumber{});
+  });
 }
 
-void read_mimic(ElementReader& reader, Joint& joint, RobotReading& reading) {
-  const Element* element = reader.child("mimic");
-  if (element == nullptr) return;
-  ElementReader mimic(*element, reading);
-  joint.mimic =
-      Mimic{mimic.required_text("joint"), mimic.number("multiplier").value_or(decimal_of(1)),
-            mimic.number("offset").value_or(FileNumber{})};
-  mimic.note_the_rest();
+void read_mimic(ElementReader& reader, Joint& joint) {
+  reader.child("mimic", [&](ElementReader& mimic) {
+    joint.mimic =
+        Mimic{mimic.required_text("joint"), mimic.number("multiplier").value_or(decimal_of(1)),
+              mimic.number("offset").value_or(FileNumber{})};
+  });
 }
 
 }  // namespace
@@ -127,17 +117,17 @@ Joint read_joint(const Element& element, RobotReading& reading) {
   Joint joint;
   joint.name = reader.required_text("name");
   joint.type = read_type(reader, reading);
-  joint.parent = read_link_name(reader, "parent", reading);
-  joint.child = read_link_name(reader, "child", reading);
-  joint.origin = read_origin(reader, reading);
+  joint.parent = read_link_name(reader, "parent");
+  joint.child = read_link_name(reader, "child");
+  joint.origin = read_origin(reader);
   if (has_one_coordinate(joint.type)) {
     read_limit(reader, joint.limit, reading);
-    read_dynamics(reader, joint, reading);
+    read_dynamics(reader, joint);
   }
   if (joint.type == JointType::fixed) reader.ignore({"axis", "limit", "dynamics"});
   if (joint.type == JointType::floating) reader.ignore({"axis"});
   read_axis(reader, joint, reading);
-  read_mimic(reader, joint, reading);
+  read_mimic(reader, joint);
   reader.ignore({"calibration", "safety_controller"});
   reader.note_the_rest();
   return joint;

@@ -10,26 +10,22 @@ namespace {
 constexpr std::array<std::string_view, 6> inertia_names{"ixx", "iyy", "izz", "ixy", "ixz", "iyz"};
 
 void read_mass(ElementReader& inertial, Inertial& to, RobotReading& reading) {
-  const Element* element = inertial.required_child("mass");
-  if (element == nullptr) return;
-  ElementReader mass(*element, reading);
-  to.mass = mass.required_number("value").value_or(FileNumber{});
-  mass.note_the_rest();
+  inertial.required_child("mass", [&](ElementReader& mass) {
+    to.mass = mass.required_number("value").value_or(FileNumber{});
+  });
   if (cln::minusp(to.mass.value)) {
     reading.found.push_back(
         {Code::E811, to.mass.span, fmt::format("the mass `{}` is negative", to.mass.text)});
   }
 }
 
-void read_inertia(ElementReader& inertial, Inertial& to, RobotReading& reading) {
-  const Element* element = inertial.required_child("inertia");
-  if (element == nullptr) return;
-  to.span = element->span;
-  ElementReader inertia(*element, reading);
-  for (std::size_t i = 0; i < inertia_names.size(); ++i) {
-    to.inertia[i] = inertia.required_number(inertia_names[i]).value_or(FileNumber{});
-  }
-  inertia.note_the_rest();
+void read_inertia(ElementReader& inertial, Inertial& to) {
+  inertial.required_child("inertia", [&](ElementReader& inertia) {
+    to.span = inertia.span();
+    for (std::size_t i = 0; i < inertia_names.size(); ++i) {
+      to.inertia[i] = inertia.required_number(inertia_names[i]).value_or(FileNumber{});
+    }
+  });
 }
 
 }  // namespace
@@ -37,15 +33,12 @@ void read_inertia(ElementReader& inertial, Inertial& to, RobotReading& reading) 
 Link read_link(const Element& element, RobotReading& reading) {
   ElementReader reader(element, reading);
   Link link{reader.required_text("name"), {}};
-  if (const Element* child = reader.child("inertial")) {
-    Inertial inertial;
-    ElementReader parts(*child, reading);
-    inertial.origin = read_origin(parts, reading);
+  reader.child("inertial", [&](ElementReader& parts) {
+    Inertial& inertial = link.inertial.emplace();
+    inertial.origin = read_origin(parts);
     read_mass(parts, inertial, reading);
-    read_inertia(parts, inertial, reading);
-    parts.note_the_rest();
-    link.inertial = inertial;
-  }
+    read_inertia(parts, inertial);
+  });
   reader.ignore({"visual", "collision", "type"});
   reader.note_the_rest();
   return link;

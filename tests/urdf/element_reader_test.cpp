@@ -31,7 +31,7 @@ TEST_CASE("what is required and missing is an error at the element") {
         "E803 1:2 `<e>` has no attribute `name`\n");
   CHECK(said("<e/>", [](auto& reader) { (void)reader.required_number("m"); }) ==
         "E803 1:2 `<e>` has no attribute `m`\n");
-  CHECK(said("<e/>", [](auto& reader) { (void)reader.required_child("f"); }) ==
+  CHECK(said("<e/>", [](auto& reader) { reader.required_child("f", [](auto&) {}); }) ==
         "E803 1:2 `<e>` has no element `f`\n");
 }
 
@@ -50,7 +50,7 @@ TEST_CASE("what nobody took is noted, outermost alone, what is ignored is not") 
   CHECK(said("<e a='1' b='2' xmlns:c='d'><f/><g><h/></g><f/></e>",
              [](auto& reader) {
                (void)reader.text("a");
-               (void)reader.child("f");
+               reader.child("f", [](auto&) {});
              }) ==
         "E815 1:10 attribute `b` of `<e>` is not imported\n"
         "E815 1:33 `<g>` in `<e>` is not imported\n"
@@ -67,7 +67,7 @@ TEST_CASE("an origin is zero where it is not given") {
   const Limits limits;
   urdf::RobotReading reading{limits, found};
   urdf::ElementReader reader(element, reading);
-  const urdf::Pose pose = urdf::read_origin(reader, reading);
+  const urdf::Pose pose = urdf::read_origin(reader);
   CHECK(pose.xyz[2].is_zero());
   CHECK(pose.rpy[2].text == "1");
   CHECK(found.empty());
