@@ -21,26 +21,6 @@ struct Line {
   std::string_view place = {};
 };
 
-/// Splits at commas outside of brackets, and trims.
-std::vector<std::string> split_row(std::string_view row) {
-  std::vector<std::string> entries(1);
-  int brackets = 0;
-  for (const char c : row) {
-    if (c == '(' || c == '[') ++brackets;
-    if (c == ')' || c == ']') --brackets;
-    if (c == ',' && brackets == 0) {
-      entries.emplace_back();
-    } else {
-      entries.back() += c;
-    }
-  }
-  for (std::string& entry : entries) {
-    entry.erase(0, entry.find_first_not_of(' '));
-    entry.erase(entry.find_last_not_of(' ') + 1);
-  }
-  return entries;
-}
-
 class CommentReader {
  public:
   CommentReader(const TokenReader& tokens, EquationReader& equations)
@@ -167,6 +147,25 @@ bool names_shape(const std::string& heading, const Function& function, const Sce
 }
 
 }  // namespace
+
+std::vector<std::string> split_row(std::string_view row) {
+  std::vector<std::string> entries(1);
+  int brackets = 0;
+  for (const char c : row) {
+    if (c == '(' || c == '[') ++brackets;
+    if (c == ')' || c == ']') --brackets;
+    if (c == ',' && brackets == 0) {
+      entries.emplace_back();
+    } else {
+      entries.back() += c;
+    }
+  }
+  for (std::string& entry : entries) {
+    entry.erase(0, entry.find_first_not_of(' '));
+    entry.erase(entry.find_last_not_of(' ') + 1);
+  }
+  return entries;
+}
 
 void read_comment(const std::vector<std::string_view>& comments, const TokenReader& tokens,
                   EquationReader& equations, const Origin& origin) {

@@ -12,6 +12,9 @@
 
 namespace elgen {
 
+/// Splits at commas outside of brackets, and trims.
+[[nodiscard]] std::vector<std::string> split_row(std::string_view row);
+
 /// `comments` are the lines above the function that the equations were started with.
 void read_comment(const std::vector<std::string_view>& comments, const TokenReader& tokens,
                   EquationReader& equations, const Origin& origin);

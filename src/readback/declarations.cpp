@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "check/judge/output_units.hpp"
 #include "elgen/wording.hpp"
@@ -169,12 +168,10 @@ void read_c_parameters(TokenReader& tokens, const Origin& origin, const CodeDial
 }
 
 void read_c_defaults(TokenReader& tokens, const Origin& origin, const CodeDialect& dialect) {
-  std::string capitals = name_space_of(origin.scene);
-  std::transform(capitals.begin(), capitals.end(), capitals.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   const std::vector<ParameterArray> arrays = read_parameters(origin);
   tokens.expect("#");
-  tokens.expect_code(fmt::format("define {}_DEFAULT_PARAMETERS {{", capitals));
+  tokens.expect_code(
+      fmt::format("define {}_DEFAULT_PARAMETERS {{", upper_case(name_space_of(origin.scene))));
   for (const ParameterArray& array : arrays) {
     if (array.is_array) tokens.expect("{");
     bool is_first = true;

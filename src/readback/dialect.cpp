@@ -2,6 +2,7 @@
 #include "readback/dialect.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 #include "evaluate/scalar_literal.hpp"
@@ -20,6 +21,12 @@ CodeDialect dialect_of(Shape shape, const Scene& scene) {
 const std::string& name_space_of(const Scene& scene) {
   const std::string& name = scene.emission.name_space;
   return name.empty() ? scene.base_name : name;
+}
+
+std::string upper_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
 }
 
 std::vector<ParameterArray> read_parameters(const Origin& origin) {

@@ -30,6 +30,8 @@ struct CodeDialect {
 /// "cart_pole": the namespace of C++, the start of every name in C.
 [[nodiscard]] const std::string& name_space_of(const Scene& scene);
 
+[[nodiscard]] std::string upper_case(std::string text);
+
 /// What a file is about.
 struct Origin {
   const Model& model;

@@ -31,9 +31,9 @@ class FunctionReader {
   [[nodiscard]] bool wants_part();
 
   // The holes of the pictures.
-  void struct_name();
+  void struct_name() { same_name(struct_name_); }
   void struct_members();
-  void workspace_name();
+  void workspace_name() { same_name(workspace_name_); }
   void workspace_members();
   void signature();
   void body();
@@ -53,6 +53,8 @@ class FunctionReader {
   [[nodiscard]] std::string name_of_part(std::size_t part) const;
   [[nodiscard]] bool has_parts() const { return !workspace_name_.empty(); }
 
+  /// The first occurrence of a name says it, the others repeat it.
+  void same_name(std::string_view& known);
   WrittenType type();
   WrittenType eigen_type();
   WrittenType array_type();

@@ -7,11 +7,11 @@
 
 namespace elgen {
 
-void FunctionReader::struct_name() {
-  if (struct_name_.empty()) {
-    struct_name_ = tokens_.name();
+void FunctionReader::same_name(std::string_view& known) {
+  if (known.empty()) {
+    known = tokens_.name();
   } else {
-    tokens_.expect(struct_name_);
+    tokens_.expect(known);
   }
 }
 
@@ -39,14 +39,6 @@ void FunctionReader::c_member(Result& result) {
   tokens_.expect("[");
   tokens_.expect_integer(result.entries.size());
   tokens_.expect("]");
-}
-
-void FunctionReader::workspace_name() {
-  if (workspace_name_.empty()) {
-    workspace_name_ = tokens_.name();
-  } else {
-    tokens_.expect(workspace_name_);
-  }
 }
 
 void FunctionReader::workspace_members() {

@@ -2,7 +2,6 @@
 #include "readback/header_reader.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <memory>
 
 #include "evaluate/scalar_literal.hpp"
@@ -17,12 +16,6 @@ namespace elgen {
 namespace {
 
 using Texts = std::map<std::string, std::string>;
-
-std::string upper_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return text;
-}
 
 /// The holes that are the same everywhere in a file.
 Texts known_texts(const Origin& origin, const CodeDialect& dialect) {

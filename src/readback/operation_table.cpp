@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
 
 namespace elgen {
 namespace {
@@ -13,14 +15,8 @@ constexpr std::string_view heading = "function ";
 using Words = std::vector<std::string>;
 
 Words words_of(std::string_view line) {
-  Words words;
-  for (std::size_t at = line.find_first_not_of(' '); at != std::string_view::npos;
-       at = line.find_first_not_of(' ', at)) {
-    const std::size_t end = std::min(line.find(' ', at), line.size());
-    words.emplace_back(line.substr(at, end - at));
-    at = end;
-  }
-  return words;
+  std::istringstream stream{std::string(line)};
+  return {std::istream_iterator<std::string>(stream), {}};
 }
 
 Words expected_words(const Program& program, const Function& function) {

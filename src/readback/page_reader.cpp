@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "elgen/wording.hpp"
+#include "readback/comment_reader.hpp"
 #include "readback/operation_table.hpp"
 #include "readback/token_reader.hpp"
 
@@ -23,18 +24,6 @@ std::vector<std::string_view> lines_of(std::string_view text) {
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return lines;
-}
-
-std::vector<std::string> split(const std::string& list) {
-  std::vector<std::string> parts;
-  std::size_t at = 0;
-  for (std::size_t comma = list.find(", "); comma != std::string::npos;
-       comma = list.find(", ", at)) {
-    parts.push_back(list.substr(at, comma - at));
-    at = comma + 2;
-  }
-  parts.push_back(list.substr(at));
-  return parts;
 }
 
 bool drop_end(std::string& text, std::string_view end) {
@@ -97,7 +86,7 @@ class PageReader {
     }
     if (drop_end(text, " (fixed)") != is_fixed) return "whether it is fixed";
     const bool is_uniform = drop_end(text, " each");
-    std::vector<std::string> parts = split(text);
+    std::vector<std::string> parts = split_row(text);
     if (is_uniform || parts.size() == 1) parts.resize(values.size(), parts.front());
     if (parts.size() != values.size()) return "another number of values";
     for (std::size_t i = 0; i < values.size(); ++i) {

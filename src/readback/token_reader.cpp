@@ -58,11 +58,6 @@ std::string_view TokenReader::name() {
   return advance().text;
 }
 
-std::string_view TokenReader::number() {
-  if (!at(CodeTokenKind::number)) fail_expected("a number");
-  return advance().text;
-}
-
 std::uint32_t TokenReader::integer() {
   const std::string_view text = current().text;
   std::uint32_t value = 0;

@@ -36,7 +36,6 @@ class TokenReader {
   /// Every token of `code`: "const Scalar".
   void expect_code(std::string_view code);
   std::string_view name();
-  std::string_view number();
   /// The value of a decimal integer without sign.
   std::uint32_t integer();
   void expect_integer(std::size_t value);
