@@ -2,6 +2,8 @@
 // and scene files (`coordinate`, `scene.outputs`).
 #include <fmt/format.h>
 
+#include <array>
+
 #include "cli/options.hpp"
 #include "elgen/syntax.hpp"
 #include "elgen/wording.hpp"
@@ -9,47 +11,26 @@
 namespace elgen::cli {
 namespace {
 
-std::string_view kind_text(KeyType type) {
-  switch (type) {
-    case KeyType::expression:
-      return "expression";
-    case KeyType::expression_list:
-      return "[expressions]";
-    case KeyType::expression_or_list:
-      return "expression or list";
-    case KeyType::expression_or_table:
-      return "expression or table";
-    case KeyType::closed_form:
-      return "expression, list, matrix";
-    case KeyType::name:
-      return "name";
-    case KeyType::text:
-      return "text";
-    case KeyType::choice:
-      return "one of";
-    case KeyType::choice_list:
-      return "list of";
-    case KeyType::unit:
-      return "unit";
-    case KeyType::repetition:
-      return "\"i in 1..n\"";
-    case KeyType::integer:
-      return "integer";
-    case KeyType::boolean:
-      return "true or false";
-    case KeyType::range:
-      return "[low, high]";
-    case KeyType::turns:
-      return "[[axis, angle], ...]";
-    case KeyType::table:
-      return "table";
-    case KeyType::boolean_or_table:
-      return "true or table";
-    case KeyType::text_or_table:
-      return "text or table";
-  }
-  return {};
-}
+/// In the order of KeyType.
+constexpr std::array<std::string_view, 18> kinds{"expression",
+                                                 "[expressions]",
+                                                 "expression or list",
+                                                 "expression or table",
+                                                 "expression, list, matrix",
+                                                 "name",
+                                                 "text",
+                                                 "one of",
+                                                 "list of",
+                                                 "unit",
+                                                 "\"i in 1..n\"",
+                                                 "integer",
+                                                 "true or false",
+                                                 "[low, high]",
+                                                 "[[axis, angle], ...]",
+                                                 "table",
+                                                 "true or table",
+                                                 "text or table"};
+static_assert(kinds.size() == static_cast<std::size_t>(KeyType::text_or_table) + 1);
 
 std::string choices_text(const KeyRow& key) {
   std::string text;
@@ -62,8 +43,8 @@ std::string choices_text(const KeyRow& key) {
 
 std::string key_line(const KeyRow& key) {
   const std::string_view name = key.key == "*" ? "NAME" : key.key;
-  return fmt::format("  {:<14} {:<24} {}{}{}{}\n", name, kind_text(key.type), key.doc,
-                     choices_text(key), key.required ? "; required" : "",
+  return fmt::format("  {:<14} {:<24} {}{}{}{}\n", name, kinds[static_cast<std::size_t>(key.type)],
+                     key.doc, choices_text(key), key.required ? "; required" : "",
                      key.supported ? "" : "; not yet supported");
 }
 

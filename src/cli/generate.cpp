@@ -28,18 +28,11 @@ struct Job {
   [[nodiscard]] const Scene& scene() const { return products.checked->scene; }
 };
 
-PipelineOptions pipeline_options(const GlobalOptions& global, const GenerateOptions& options) {
-  PipelineOptions pipeline;
-  pipeline.scene = options.scene;
-  pipeline.limits = global.limits;
-  pipeline.dump_stage = global.dump_stage;
-  if (!global.stop_after.empty()) pipeline.goals = {global.stop_after};
-  if (options.list_outputs) pipeline.goals = {"check"};
-  return pipeline;
-}
-
 /// Reads and runs every input; diagnostics of all of them are reported.
 ExitCode run(const GlobalOptions& global, const GenerateOptions& options, std::vector<Job>& jobs) {
+  PipelineOptions pipeline = pipeline_options(global, {"self-check"});
+  pipeline.scene = options.scene;
+  if (options.list_outputs) pipeline.goals = {"check"};
   ExitCode worst = ExitCode::success;
   for (const std::string& path : options.inputs) {
     Result<Inputs> inputs = read_inputs(path, global.limits);
@@ -48,9 +41,8 @@ ExitCode run(const GlobalOptions& global, const GenerateOptions& options, std::v
       continue;
     }
     renew_time_limit(global.limits);
-    Job job{path, *inputs, run_shown(path, *inputs, pipeline_options(global, options))};
-    worst = std::max(worst, print(global, job.products.dump));
-    worst = std::max(worst, report(global, job.products.diagnostics));
+    Job job{path, *inputs, run_shown(path, *inputs, pipeline)};
+    worst = std::max(worst, report_products(global, job.products));
     tell_times(global, job.products);
     jobs.push_back(std::move(job));
   }

@@ -6,7 +6,7 @@
 #include <string>
 #include <thread>
 
-#include "elgen/pipeline.hpp"
+#include "cli/options.hpp"
 
 namespace elgen::cli {
 
@@ -30,9 +30,16 @@ class Progress {
   std::thread watcher_;
 };
 
+/// Those of every command: `goals`, unless --stop-after names another.
+[[nodiscard]] PipelineOptions pipeline_options(const GlobalOptions& global,
+                                               std::vector<std::string> goals);
+
 /// run_pipeline with its stages shown. The line is gone when this returns, before anything of the
 /// products is printed.
 [[nodiscard]] Products run_shown(const std::string& subject, const Inputs& inputs,
                                  PipelineOptions options);
+
+/// Prints the dump and the diagnostics.
+ExitCode report_products(const GlobalOptions& global, const Products& products);
 
 }  // namespace elgen::cli

@@ -87,7 +87,7 @@ std::string page(const Products& products, ShownSubject subject, const ShowOptio
   if (wanted.as == "mathml") return html_page(sheet_of(products, subject, options));
   if (wanted.as == "markdown") return markdown_page(sheet_of(products, subject, options));
   for (const auto& [path, text] : products.files->files) {
-    if (path.size() > 5 && path.substr(path.size() - 5) == ".json") return text;
+    if (path.ends_with(".json")) return text;
   }
   return {};
 }
@@ -104,16 +104,11 @@ ExitCode show(const GlobalOptions& global, const ShowOptions& options) {
   if (!subject) return report(global, subject.diagnostics);
   const Result<Inputs> inputs = read_inputs(options.input, global.limits);
   if (!inputs) return report(global, inputs.diagnostics);
-  PipelineOptions pipeline;
-  pipeline.scene = options.scene;
-  pipeline.limits = global.limits;
-  pipeline.dump_stage = global.dump_stage;
   const bool shows_steps = *subject == ShownSubject::steps || *subject == ShownSubject::lagrangian;
-  pipeline.goals = {shows_steps ? "steps" : "readback"};
-  if (!global.stop_after.empty()) pipeline.goals = {global.stop_after};
+  PipelineOptions pipeline = pipeline_options(global, {shows_steps ? "steps" : "readback"});
+  pipeline.scene = options.scene;
   const Products products = run_shown(options.input, *inputs, pipeline);
-  const ExitCode dumped = print(global, products.dump);
-  const ExitCode derived = std::max(dumped, report(global, products.diagnostics));
+  const ExitCode derived = report_products(global, products);
   tell_times(global, products);
   if (derived != ExitCode::success || !global.stop_after.empty()) return derived;
   std::string text = page(products, *subject, options);

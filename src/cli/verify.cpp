@@ -29,16 +29,6 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-PipelineOptions pipeline_options(const GlobalOptions& global) {
-  PipelineOptions pipeline;
-  pipeline.limits = global.limits;
-  pipeline.dump_stage = global.dump_stage;
-  pipeline.goals = {"readback", "parts"};
-  if (!global.stop_after.empty()) pipeline.goals = {global.stop_after};
-  pipeline.scene.large_expectations = true;
-  return pipeline;
-}
-
 /// Compiles, unless it is to be quick, and compares. Both steps are timed with those of `products`.
 Result<Verification> compared(const std::string& path, Products& products,
                               const VerifyOptions& options, const Limits& limits) {
@@ -88,9 +78,10 @@ ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& opt
   renew_time_limit(global.limits);
   const Result<Inputs> inputs = read_inputs(path, global.limits);
   if (!inputs) return report(global, inputs.diagnostics);
-  Products products = run_shown(path, *inputs, pipeline_options(global));
-  const ExitCode dumped = print(global, products.dump);
-  const ExitCode generated = std::max(dumped, report(global, products.diagnostics));
+  PipelineOptions pipeline = pipeline_options(global, {"readback", "parts"});
+  pipeline.scene.large_expectations = true;
+  Products products = run_shown(path, *inputs, pipeline);
+  const ExitCode generated = report_products(global, products);
   if (generated != ExitCode::success || !global.stop_after.empty()) {
     tell_times(global, products);
     return generated;
