@@ -65,36 +65,34 @@ void for_each_leaf(const F& f, const LeafValues<First>& first,
 #undef ELGEN_LEAF
 }
 
-/// The leaf of this kind and number.
-template <class T>
-[[nodiscard]] const T& leaf_of(const LeafValues<T>& leaves, Opcode kind, std::uint32_t number) {
+/// What there is of a kind with many leaves; null of time.
+template <class List, class One>
+[[nodiscard]] const List* list_of(const PerLeaf<List, One>& leaves, Opcode kind) {
   switch (kind) {
 #define ELGEN_LEAVES(kind, member, symbol, type, tag, rank) \
   case Opcode::kind:                                        \
-    return leaves.member[number];
+    return &leaves.member;
 #define ELGEN_LEAF(kind, member, symbol, type, tag, rank)
 #include "elgen/leaves.def"
 #undef ELGEN_LEAVES
 #undef ELGEN_LEAF
     default:
-      return leaves.t;
+      return nullptr;
   }
+}
+
+/// The leaf of this kind and number.
+template <class T>
+[[nodiscard]] const T& leaf_of(const LeafValues<T>& leaves, Opcode kind, std::uint32_t number) {
+  const std::vector<T>* const list = list_of(leaves, kind);
+  return list != nullptr ? (*list)[number] : leaves.t;
 }
 
 /// How many there are of a kind.
 template <class T>
 [[nodiscard]] std::size_t leaf_count(const LeafValues<T>& leaves, Opcode kind) {
-  switch (kind) {
-#define ELGEN_LEAVES(kind, member, symbol, type, tag, rank) \
-  case Opcode::kind:                                        \
-    return leaves.member.size();
-#define ELGEN_LEAF(kind, member, symbol, type, tag, rank)
-#include "elgen/leaves.def"
-#undef ELGEN_LEAVES
-#undef ELGEN_LEAF
-    default:
-      return 1;
-  }
+  const std::vector<T>* const list = list_of(leaves, kind);
+  return list != nullptr ? list->size() : 1;
 }
 
 }  // namespace elgen

@@ -22,15 +22,8 @@ std::size_t argument_size(const Model& model, Opcode argument) {
                                                 velocities,
                                                 model.inputs.size(),
                                                 1};
-  switch (argument) {
-#define ELGEN_LEAVES(kind, member, symbol, type, tag, rank) \
-  case Opcode::kind:                                        \
-    return sizes.member;
-#include "elgen/leaves.def"
-#undef ELGEN_LEAVES
-    default:
-      return 0;
-  }
+  const std::size_t* const size = list_of(sizes, argument);
+  return size != nullptr ? *size : sizes.t;
 }
 
 }  // namespace elgen
