@@ -107,8 +107,6 @@ ConstantOutcome outcome_without(NoValue why) {
   return {};
 }
 
-bool is_zero(const EnclosedNumber& x) { return is_exact(x) && cln::zerop(x.value); }
-
 /// To the digits that constants are kept to.
 bool is_known(const EnclosedNumber& x) {
   static const cl_RA share = power_of_ten(-constant_digits);
@@ -124,11 +122,11 @@ bool is_constant_leaf(ExpressionKind kind) {
 ConstantOutcome evaluate_constant(const Expression& node,
                                   const std::vector<EnclosedNumber>& operands, int digits) {
   const bool is_pole = node.kind == ExpressionKind::power && cln::minusp(node.number);
-  if (is_pole && is_zero(operands[0])) return failure(Code::E312, "is zero", 0);
+  if (is_pole && sign_of(operands[0]) == 0) return failure(Code::E312, "is zero", 0);
   const Enclosed result = evaluated(node, operands, EnclosedArithmetic(digits));
   if (!result.number) return outcome_without(result.why);
   const cl_R& value = result.number->value;
-  if (is_exact(*result.number) && cln::zerop(value)) return {EnclosedNumber{}, {}};
+  if (sign_of(*result.number) == 0) return {EnclosedNumber{}, {}};
   if (is_rational(value) && digit_count(cln::the<cl_RA>(value)) > largest_exact_digits) {
     return failure(Code::E914, "has more than 4096 digits");
   }
@@ -143,7 +141,7 @@ std::optional<ConstantFailure> Constants::append(const std::vector<Expression>& 
   const bool all = std::all_of(node.operands.begin(), node.operands.end(), constant);
   const bool divides = node.kind == ExpressionKind::divide && constant(node.operands[1]);
   values_.emplace_back();
-  if (divides && is_zero(*values_[node.operands[1]])) {
+  if (divides && sign_of(*values_[node.operands[1]]) == 0) {
     return ConstantFailure{Code::E312, "is zero", 1};
   }
   if (!all || (node.operands.empty() && !is_constant_leaf(node.kind))) {
