@@ -270,15 +270,4 @@ std::optional<cl_RA> known_value(FunctionId function, const cl_RA& x) {
   }
 }
 
-double decimal_exponent(const cl_R& x) {
-  constexpr double log10_of_2 = 0.30102999566398120;
-  if (cln::zerop(x)) return 0;
-  if (!is_rational(x)) {
-    return static_cast<double>(cln::float_exponent(cln::the<cl_F>(x))) * log10_of_2;
-  }
-  const cl_RA r = cln::the<cl_RA>(x);
-  const auto bits = [](const cl_I& n) { return static_cast<double>(cln::integer_length(n)); };
-  return (bits(cln::numerator(r)) - bits(cln::denominator(r))) * log10_of_2;
-}
-
 }  // namespace elgen

@@ -84,9 +84,6 @@ class EnclosedArithmetic {
 /// f(x), or f(x, y), inside the domain; CLN throws where its exponents end.
 [[nodiscard]] cln::cl_R function_value(FunctionId function, const cln::cl_F& x, const cln::cl_F& y);
 
-/// log10 |x| to within one, of numbers of any size; 0 of 0.
-[[nodiscard]] double decimal_exponent(const cln::cl_R& x);
-
 /// Exponents of ten beyond this one are too large for a constant.
 inline constexpr double largest_decimal_exponent = 10'000;
 

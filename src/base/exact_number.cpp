@@ -1,6 +1,7 @@
 // Significand times a power of the base.
 #include "base/exact_number.hpp"
 
+#include <cln/float.h>
 #include <cln/integer.h>
 #include <cln/rational_ring.h>
 
@@ -11,6 +12,17 @@ namespace elgen {
 bool is_rational(const cln::cl_R& value) { return cln:: instanceof (value, cln::cl_RA_ring); }
 
 cln::cl_RA power_of_ten(long exponent) { return cln::expt(cln::cl_RA(10), cln::cl_I(exponent)); }
+
+double decimal_exponent(const cln::cl_R& x) {
+  constexpr double log10_of_2 = 0.30102999566398120;
+  if (cln::zerop(x)) return 0;
+  if (!is_rational(x)) {
+    return static_cast<double>(cln::float_exponent(cln::the<cln::cl_F>(x))) * log10_of_2;
+  }
+  const auto r = cln::the<cln::cl_RA>(x);
+  const auto bits = [](const cln::cl_I& n) { return static_cast<double>(cln::integer_length(n)); };
+  return (bits(cln::numerator(r)) - bits(cln::denominator(r))) * log10_of_2;
+}
 
 cln::cl_RA exact_value(double value) {
   if (!std::isfinite(value)) return 0;

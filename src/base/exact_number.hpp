@@ -1,4 +1,4 @@
-// Exact numbers: powers of ten, and binary numbers as the rationals they are.
+// Exact numbers: powers of ten, sizes, and binary numbers as the rationals they are.
 #pragma once
 
 #include <cln/rational.h>
@@ -10,6 +10,9 @@ namespace elgen {
 
 /// 10^exponent. (CLN reads decimals as short floats, which underflow.)
 [[nodiscard]] cln::cl_RA power_of_ten(long exponent);
+
+/// log10 |x| to within one, of numbers of any size; 0 of 0.
+[[nodiscard]] double decimal_exponent(const cln::cl_R& x);
 
 /// The rational a binary number is; 0 where it is none.
 [[nodiscard]] cln::cl_RA exact_value(double value);

@@ -35,12 +35,9 @@ long remove_factor(cln::cl_I& n, int factor) {
 }
 
 /// floor(log10 |x|) for x != 0.
-long decimal_exponent(const cln::cl_RA& x) {
+long first_place(const cln::cl_RA& x) {
   const cln::cl_RA magnitude = cln::abs(x);
-  const auto numerator = static_cast<double>(cln::integer_length(cln::numerator(magnitude)));
-  const auto denominator = static_cast<double>(cln::integer_length(cln::denominator(magnitude)));
-  // Within one of the truth, because the bit lengths are.
-  auto exponent = static_cast<long>(std::floor((numerator - denominator) * 0.30103)) - 1;
+  auto exponent = static_cast<long>(std::floor(decimal_exponent(magnitude))) - 1;
   while (magnitude * power_of_ten(-exponent - 1) >= 1) ++exponent;
   return exponent;
 }
@@ -74,7 +71,7 @@ std::optional<Decimal> exact_decimal(const cln::cl_R& value, long most_places) {
 Decimal rounded_decimal(const cln::cl_R& value, int digits) {
   if (cln::zerop(value)) return {};
   const cln::cl_RA x = cln::rational(value);
-  const long exponent = decimal_exponent(x) - digits + 1;
+  const long exponent = first_place(x) - digits + 1;
   return without_trailing_zeros(cln::round1(x * power_of_ten(-exponent)), exponent);
 }
 

@@ -97,11 +97,5 @@ TEST_CASE("a sign is known, or known to be open") {
   CHECK_FALSE(sign_of({2, 3}));
 }
 
-TEST_CASE("decimal exponents of numbers of any size") {
-  CHECK(decimal_exponent(0) == 0);
-  CHECK(decimal_exponent(power_of_ten(5000)) == Approx(5000).margin(1));
-  CHECK(decimal_exponent(few.pi().value) == Approx(0).margin(1));
-}
-
 }  // namespace
 }  // namespace elgen

@@ -22,3 +22,9 @@ TEST_CASE("powers of ten are exact in both directions") {
   CHECK(power_of_ten(3) == 1000);
   CHECK(power_of_ten(-400) * power_of_ten(400) == 1);
 }
+
+TEST_CASE("decimal exponents of numbers of any size") {
+  CHECK(decimal_exponent(0) == 0);
+  CHECK(decimal_exponent(power_of_ten(5000)) == Approx(5000).margin(1));
+  CHECK(decimal_exponent(cln::pi()) == Approx(0).margin(1));
+}
