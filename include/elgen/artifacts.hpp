@@ -34,6 +34,11 @@ inline constexpr std::array artifact_table{
 template <class Row>
 using PerArtifact = std::array<Row, artifact_table.size()>;
 
+template <class Row>
+[[nodiscard]] constexpr const Row& row_of(const PerArtifact<Row>& table, ArtifactId id) {
+  return table[static_cast<std::size_t>(id)];
+}
+
 struct Artifact {
   ArtifactId id = ArtifactId::cpp;
   std::string path = {};  ///< "cart_pole/cart_pole.hpp", relative to the output folder

@@ -6,8 +6,7 @@
 namespace elgen {
 
 std::string path_of(const Scene& scene, ArtifactId id) {
-  const ArtifactRow& row = artifact_table[static_cast<std::size_t>(id)];
-  return fmt::format("{0}/{0}{1}", scene.base_name, row.ending);
+  return fmt::format("{0}/{0}{1}", scene.base_name, row_of(artifact_table, id).ending);
 }
 
 std::vector<Artifact> artifacts_of(const Scene& scene) {

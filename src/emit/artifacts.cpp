@@ -17,6 +17,6 @@ static_assert(writers.back().text != nullptr, "a kind of file has no writer");
 
 }  // namespace
 
-const Writer& writer_of(ArtifactId id) { return writers[static_cast<std::size_t>(id)]; }
+const Writer& writer_of(ArtifactId id) { return row_of(writers, id); }
 
 }  // namespace elgen

@@ -27,13 +27,8 @@ class FilesReader {
   }
 
  private:
-  using Read = void (FilesReader::*)(const SourceText& text);
-  static PerArtifact<Read> readers() {
-    return {{&FilesReader::header, &FilesReader::eigen_header, &FilesReader::header,
-             &FilesReader::sidecar, &FilesReader::page}};
-  }
-
   void read(const Artifact& artifact) {
+    static_assert(readers.back() != nullptr, "a kind of file has no reader");
     const auto found = std::find_if(files_.begin(), files_.end(), [&](const SourcePointer& file) {
       return file->path == artifact.path;
     });
@@ -42,7 +37,7 @@ class FilesReader {
       return;
     }
     try {
-      (this->*readers()[static_cast<std::size_t>(artifact.id)])(**found);
+      (this->*row_of(readers, artifact.id))(**found);
       ++result_.files;
     } catch (const Mistake& mistake) {
       diagnostics_.push_back(mistake.diagnostic);
@@ -65,6 +60,11 @@ class FilesReader {
 
   void sidecar(const SourceText& text) { read_sidecar(text, origin_, equations_); }
   void page(const SourceText& text) { read_page(text, origin_, equations_); }
+
+  using Read = void (FilesReader::*)(const SourceText& text);
+  static constexpr PerArtifact<Read> readers{&FilesReader::header, &FilesReader::eigen_header,
+                                             &FilesReader::header, &FilesReader::sidecar,
+                                             &FilesReader::page};
 
   const std::vector<SourcePointer>& files_;
   Origin origin_;

@@ -86,7 +86,7 @@ std::string appended(const DriverInput& input, const Function& function, std::st
 std::vector<Driver> drivers(const DriverInput& input) {
   std::vector<Driver> result;
   for (const Artifact& artifact : artifacts_of(input.scene)) {
-    const DriverRow& row = driver_table[static_cast<std::size_t>(artifact.id)];
+    const DriverRow& row = row_of(driver_table, artifact.id);
     if (row.text != nullptr) result.push_back({row.types, row.file, row.text(input)});
   }
   return result;
