@@ -318,6 +318,7 @@ inline constexpr std::uint32_t highest_order = 5;
 
 struct Model {
   SourcePointer source = {};
+  std::string canonical = {};       ///< what its file says, for stamps
   SourcePointer scene_source = {};  ///< keeps spans of sizes and options alive
   std::vector<SourcePointer> option_sources = {};
   std::string name;

@@ -100,9 +100,8 @@ struct Scene {
   std::optional<Dropping> dropping = {};
   Numerics numerics = {};
   Emission emission = {};
-  bool has_options = false;  ///< --outputs, --fix or --size changed it
-  std::string canonical =
-      {};  ///< canonical text of what it says beyond `full`; "" for full. Hashed into stamps
+  bool has_options = false;    ///< --outputs, --fix or --size changed it
+  std::string canonical = {};  ///< its file and its options, for stamps; "" for full
 };
 
 /// The request behind a function, or behind a field of `dynamics`; null where the scene has none of

@@ -147,6 +147,8 @@ struct EntryRow {
 [[nodiscard]] Result<ExpressionSyntax> parse_expression(const SourcePointer& source,
                                                         const Limits& limits);
 
+/// Every key with its value, in file order; blanks and comments leave no trace. Stamps are hashes
+/// of this text.
 [[nodiscard]] std::string dump(const ModelSyntax& syntax);
 [[nodiscard]] std::string dump(const SceneSyntax& syntax);
 /// Fully bracketed: `(a + (b * c))`.

@@ -92,6 +92,7 @@ Result<CheckedModel> check(const ModelSyntax& model, const SceneSyntax* scene,
                            const SceneOptions& options, const Limits& limits) {
   Context context(limits);
   keep_sources(context.model, model, scene, options);
+  context.model.canonical = dump(model);
   const std::vector<SizeOverride> sizes = size_overrides(scene, options, context.report);
   apply_sizes(context, model, sizes);
   resolve_entries(context, model);

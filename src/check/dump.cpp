@@ -1,9 +1,7 @@
-// Text of a Model and a Scene, one entry a line, for `--dump check`, for tests, and (of the Model)
-// for the hash in stamps: models that give different code have different texts.
+// Text of a Model and a Scene, one entry a line, for `--dump check` and for tests.
 #include <algorithm>
 
 #include "base/number_text.hpp"
-#include "check/scene/read_approximate.hpp"
 #include "check/scene/scene_reader.hpp"
 #include "elgen/scene.hpp"
 
@@ -175,9 +173,25 @@ class ModelDump {
         line("lock " + lock_text(*model_.unlocked, lock) + (lock.reaction ? ", reaction" : ""));
       }
     }
-    if (model_.approximation) {
-      line("approximate " + canonical_text(model_, *model_.approximation));
+    if (model_.approximation) dump_approximation(*model_.approximation);
+  }
+
+  void dump_approximation(const Approximation& approximation) {
+    std::string point;
+    std::string small;
+    const auto add = [&](const std::string& name, std::optional<ExpressionId> value) {
+      if (value) point += (point.empty() ? "" : ", ") + name + " = " + expression(*value);
+    };
+    for (std::size_t i = 0; i < approximation.coordinates.size(); ++i) {
+      const std::string& name = model_.coordinates[i].name;
+      add(name, approximation.coordinates[i]);
+      if (approximation.small[i]) small += (small.empty() ? "" : ", ") + name;
     }
+    for (std::size_t i = 0; i < approximation.inputs.size(); ++i) {
+      add(model_.inputs[i].name, approximation.inputs[i]);
+    }
+    line("approximate order " + std::to_string(approximation.order) + " about " + point + " with " +
+         small + " small");
   }
 
   static std::string lock_text(const Model& unlocked, const Lock& lock) {

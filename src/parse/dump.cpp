@@ -1,5 +1,5 @@
-// Syntax to readable text, for `--dump parse` and tests: entries in file order with the place of
-// their headers, expressions fully bracketed, so that they parse back to the same tree.
+// Syntax to readable text, for `--dump parse`, tests and stamps: entries in file order, expressions
+// fully bracketed, so that they parse back to the same tree.
 #include <fmt/format.h>
 
 #include "elgen/syntax.hpp"
@@ -76,11 +76,10 @@ std::string dump_keys(const std::vector<KeySyntax>& keys) {
   return fmt::format("{{{}}}", fmt::join(texts, ", "));
 }
 
-std::string dump_entries(const SourceText& source, const std::vector<EntrySyntax>& entries) {
+std::string dump_entries(const std::vector<EntrySyntax>& entries) {
   std::string result;
   for (const EntrySyntax& entry : entries) {
-    const LineColumn place = line_column(source, entry.span.begin);
-    result += fmt::format("{}:{} [{}]\n", place.line, place.column, entry.name);
+    result += fmt::format("[{}]\n", entry.name);
     for (const KeySyntax& key : entry.keys) {
       result += fmt::format("  {} = {}\n", key.key, dump_value(key.value));
     }
@@ -107,8 +106,8 @@ std::string dump(const ExpressionSyntax& expression) {
   }
 }
 
-std::string dump(const ModelSyntax& syntax) { return dump_entries(*syntax.source, syntax.entries); }
+std::string dump(const ModelSyntax& syntax) { return dump_entries(syntax.entries); }
 
-std::string dump(const SceneSyntax& syntax) { return dump_entries(*syntax.source, syntax.entries); }
+std::string dump(const SceneSyntax& syntax) { return dump_entries(syntax.entries); }
 
 }  // namespace elgen

@@ -49,7 +49,7 @@ inertia = "J"
         "body b, mass J, com [cos(q), sin(q)], inertia [J], spin [dot(q)]\n");
 }
 
-TEST_CASE("frames, rotations and torques are dumped: stamps tell models apart by this text") {
+TEST_CASE("frames, rotations and torques are dumped") {
   const std::string model = R"toml(format = 1
 [model]
 name = "a"

@@ -1,4 +1,4 @@
-// [approximate]: names, orders and values, and their canonical text.
+// [approximate]: names, orders and values.
 #include "check/scene/read_approximate.hpp"
 
 #include <catch2/catch.hpp>
@@ -44,20 +44,17 @@ std::string said(const std::string& lines) {
   return text;
 }
 
-std::string canonical(const std::string& lines) {
-  const Model model = checked(two, near(lines)).model;
-  return canonical_text(model, *model.approximation);
-}
+std::string expanded(const std::string& lines) { return dumped(two, "approximate", near(lines)); }
 
 }  // namespace
 
 TEST_CASE("a whole array, an element, a coordinate and an input may be given") {
-  CHECK(canonical("order = 2\nabout = { q = 0, x = \"h/2\", F = 3 }") ==
-        "order 2 about q[1] = 0, q[2] = 0, x = h/2, F = 3 with q[1], q[2], x small");
-  CHECK(canonical("order = 1\nabout = { \"q[2]\" = \"pi\" }") ==
-        "order 1 about q[2] = pi with q[2] small");
-  CHECK(canonical("order = 1\nabout = { x = 0, q = 0 }\nsmall = [\"q[1]\"]") ==
-        "order 1 about q[1] = 0, q[2] = 0, x = 0 with q[1] small");
+  CHECK(expanded("order = 2\nabout = { q = 0, x = \"h/2\", F = 3 }") ==
+        "approximate order 2 about q[1] = 0, q[2] = 0, x = h/2, F = 3 with q[1], q[2], x small\n");
+  CHECK(expanded("order = 1\nabout = { \"q[2]\" = \"pi\" }") ==
+        "approximate order 1 about q[2] = pi with q[2] small\n");
+  CHECK(expanded("order = 1\nabout = { x = 0, q = 0 }\nsmall = [\"q[1]\"]") ==
+        "approximate order 1 about q[1] = 0, q[2] = 0, x = 0 with q[1] small\n");
 }
 
 TEST_CASE("inputs are small where every coordinate is") {

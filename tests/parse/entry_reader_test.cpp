@@ -20,8 +20,8 @@ const std::string head = "format = 1\n[model]\nname = \"m\"\n";
 TEST_CASE("entries come in file order, whatever their names", "[parse]") {
   CHECK(model_answer(head + "[[point]]\nname = \"p\"\nat = [0, 0]\n[[coordinate]]\nname = \"x\"\n"
                             "[[point]]\nname = \"a\"\nat = [0, 0]\n") ==
-        "1:1 []\n  format = 1\n2:1 [model]\n  name = m\n4:1 [point]\n  name = p\n  at = [0, 0]\n"
-        "7:1 [coordinate]\n  name = x\n9:1 [point]\n  name = a\n  at = [0, 0]\n");
+        "[]\n  format = 1\n[model]\n  name = m\n[point]\n  name = p\n  at = [0, 0]\n"
+        "[coordinate]\n  name = x\n[point]\n  name = a\n  at = [0, 0]\n");
 }
 
 TEST_CASE("unknown entries are named, with the nearest one", "[parse]") {
@@ -59,5 +59,5 @@ TEST_CASE("keys of the top level", "[parse]") {
   CHECK(model_answer("titel = \"x\"\n" + head + "[[coordinate]]\nname = \"x\"\n") == "E103 1:1");
   CHECK(scene_answer("format = 1\nname = \"s\"\n") == "E105 1:1");
   CHECK(scene_answer("format = 1\nmodel = \"m\"\nname = \"s\"\noutputs.bias = true\n") ==
-        "1:1 []\n  format = 1\n  model = \"m\"\n  name = s\n4:1 [outputs]\n  bias = true\n");
+        "[]\n  format = 1\n  model = \"m\"\n  name = s\n[outputs]\n  bias = true\n");
 }

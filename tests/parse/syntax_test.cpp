@@ -100,7 +100,7 @@ TEST_CASE("files may be as large as the limit, not one byte more", "[parse]") {
   const std::string text = with_potential("0");
   Limits limits;
   limits.file_bytes = text.size();
-  CHECK(model_answer(text, limits).substr(0, 3) == "1:1");
+  CHECK(model_answer(text, limits).starts_with("[]"));
   limits.file_bytes = text.size() - 1;
   CHECK(model_answer(text, limits) == "E901 1:1");
 }
@@ -111,7 +111,7 @@ TEST_CASE("bytes that are not UTF-8 are refused where they are", "[parse]") {
 }
 
 TEST_CASE("a byte order mark is accepted", "[parse]") {
-  CHECK(model_answer("\xEF\xBB\xBF" + with_potential("1")).substr(0, 3) == "1:1");
+  CHECK(model_answer("\xEF\xBB\xBF" + with_potential("1")).starts_with("[]"));
   CHECK(model_answer("\xEF\xBB\xBF" + with_potential("\"2x\"")) == "E303 6:7");
 }
 

@@ -88,4 +88,17 @@ std::vector<SizeOverride> size_overrides(const SceneSyntax* scene, const SceneOp
   return sizes;
 }
 
+std::string canonical_text(const SceneSyntax* scene, const SceneOptions& options) {
+  std::string text = scene == nullptr ? "" : dump(*scene);
+  for (const auto& [name, list] :
+       {std::pair("outputs", &options.outputs), std::pair("fix", &options.fixed),
+        std::pair("size", &options.sizes)}) {
+    for (OptionWord& word : words_of(*list)) {
+      std::erase(word.text, ' ');
+      text += "--" + std::string(name) + " " + word.text + "\n";
+    }
+  }
+  return text;
+}
+
 }  // namespace elgen

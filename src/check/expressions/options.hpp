@@ -31,4 +31,7 @@ struct Assignment {
 [[nodiscard]] std::vector<SizeOverride> size_overrides(const SceneSyntax* scene,
                                                        const SceneOptions& options, Report& report);
 
+/// What a scene and options say of a model; "" where there is neither.
+[[nodiscard]] std::string canonical_text(const SceneSyntax* scene, const SceneOptions& options);
+
 }  // namespace elgen

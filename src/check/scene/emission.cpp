@@ -68,17 +68,4 @@ Emission read_emission(Context& context, const EmissionEntries& entries, const S
   check_together(entries, emission, scene, context.report);
   return emission;
 }
-
-std::string canonical_text(const Emission& emission, const std::string& base_name) {
-  std::string text;
-  if (emission.name_space != base_name) text += "namespace " + emission.name_space + "\n";
-  if (emission.language != LanguageId::cpp) {
-    text += "language " + std::string(language_row(emission.language).name) + "\n";
-  }
-  if (emission.storage != Storage::row_major) {
-    text += "storage " + std::string(name_of(emission.storage)) + "\n";
-  }
-  if (emission.eigen) text += "eigen\n";
-  return text;
-}
 }  // namespace elgen

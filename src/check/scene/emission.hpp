@@ -18,7 +18,4 @@ struct EmissionEntries {
 [[nodiscard]] Emission read_emission(Context& context, const EmissionEntries& entries,
                                      const Scene& scene);
 
-/// One line per thing said beyond the defaults, in a fixed order.
-[[nodiscard]] std::string canonical_text(const Emission& emission, const std::string& base_name);
-
 }  // namespace elgen

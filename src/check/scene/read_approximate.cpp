@@ -194,22 +194,4 @@ void read_approximation(Context& context, const SceneSyntax* scene) {
   if (expands) ApproximationReader(context, *found).read();
 }
 
-std::string canonical_text(const Model& model, const Approximation& approximation) {
-  std::string point;
-  std::string small;
-  const auto add = [&](const std::string& name, std::optional<ExpressionId> value) {
-    if (value) point += (point.empty() ? "" : ", ") + name + " = " + to_string(model, *value);
-  };
-  for (std::size_t i = 0; i < approximation.coordinates.size(); ++i) {
-    const std::string& name = model.coordinates[i].name;
-    add(name, approximation.coordinates[i]);
-    if (approximation.small[i]) small += (small.empty() ? "" : ", ") + name;
-  }
-  for (std::size_t i = 0; i < approximation.inputs.size(); ++i) {
-    add(model.inputs[i].name, approximation.inputs[i]);
-  }
-  return "order " + std::to_string(approximation.order) + " about " + point + " with " + small +
-         " small";
-}
-
 }  // namespace elgen

@@ -1,13 +1,10 @@
-// Scene: outputs in the order of the table, fixed parameters, scalars, emission, and the canonical
-// text that is hashed into stamps.
+// Scene: outputs in the order of the table, fixed parameters, scalars and emission.
 #include "check/scene/scene_reader.hpp"
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <set>
 
-#include "base/number_text.hpp"
 #include "check/expressions/options.hpp"
 #include "check/expressions/parameters.hpp"
 #include "check/expressions/syntax_part.hpp"
@@ -15,7 +12,6 @@
 #include "check/names/requests.hpp"
 #include "check/names/reserved_names.hpp"
 #include "check/scene/emission.hpp"
-#include "check/scene/read_approximate.hpp"
 #include "check/scene/read_dropping.hpp"
 
 namespace elgen {
@@ -51,7 +47,7 @@ class SceneReader {
     scene_.emission = read_emission(context_, {entry("emit"), entry("numeric")}, scene_);
     scene_.has_options = !input_.options.outputs.empty() || !input_.options.fixed.empty() ||
                          !input_.options.sizes.empty();
-    scene_.canonical = canonical_text();
+    scene_.canonical = canonical_text(input_.scene, input_.options);
     return std::move(scene_);
   }
 
@@ -85,7 +81,6 @@ class SceneReader {
       scene_.left_out = left_out_of_full(model_);
       return;
     }
-    lists_outputs_ = true;
     request_reaction();
     std::stable_sort(scene_.outputs.begin(), scene_.outputs.end(), precedes);
     check_function_names();
@@ -252,60 +247,6 @@ class SceneReader {
     }
   }
 
-  /// One line per thing said beyond `full`, in a fixed order.
-  [[nodiscard]] std::string canonical_text() const {
-    std::string text;
-    for (const OutputRequest& output : scene_.outputs) {
-      if (lists_outputs_) {
-        const std::string name = standard_name(output);
-        text += "output " + name + (name == output.name ? "" : " as " + output.name) + "\n";
-      }
-    }
-    for (const OutputRequest& output : scene_.outputs) {
-      if (output.form) {
-        text += "form " + standard_name(output) + " " + std::string(name_of(*output.form)) + "\n";
-      }
-    }
-    for (const auto& [target, value] : scene_.specialisation.fixed) {
-      text += "fixed " + model_.parameters[target].name + " = " + number_text(value.number) + "\n";
-    }
-    text += locks_text();
-    if (model_.approximation) {
-      text += "approximate " + elgen::canonical_text(model_, *model_.approximation) + "\n";
-    }
-    std::map<std::string, std::int64_t> sizes;
-    for (const SizeOverride& size : input_.sizes) {
-      sizes[size.name] = size.value;
-    }
-    for (const auto& [name, value] : sizes) {
-      text += "size " + name + " = " + std::to_string(value) + "\n";
-    }
-    if (scene_.dropping) {
-      text += "drop_below " + number_text(scene_.dropping->below) + "\n";
-    }
-    if (scene_.numerics.scalars != Numerics{}.scalars) {
-      for (const ScalarKind kind : scene_.numerics.scalars) {
-        text += "scalar " + std::string(name_of(kind)) + "\n";
-      }
-    }
-    return text + elgen::canonical_text(scene_.emission, scene_.base_name);
-  }
-
-  [[nodiscard]] std::string locks_text() const {
-    std::string text;
-    if (!model_.unlocked) {
-      return text;
-    }
-    for (const Lock& lock : model_.unlocked->locks) {
-      for (std::uint32_t i = 0; i < lock.values.size(); ++i) {
-        text += "lock " + model_.unlocked->coordinates[lock.coordinate + i].name + " = " +
-                to_string(*model_.unlocked, lock.values[i]) + "\n";
-      }
-      text += lock.reaction ? "with reaction\n" : "";
-    }
-    return text;
-  }
-
   [[nodiscard]] std::string standard_name(const OutputRequest& output) const {
     return request_of(model_, output.kind, output.user).name;
   }
@@ -314,7 +255,6 @@ class SceneReader {
   const Model& model_;
   const SceneInput& input_;
   Scene scene_ = {};
-  bool lists_outputs_ = false;
 };
 
 }  // namespace

@@ -29,7 +29,7 @@ EmissionInput emission_input(const Model& model, const Scene& scene, const Progr
           program,
           std::move(printed),
           fmt::format("{} from {}. DO NOT EDIT.", generated_marker, file_name(model.source)),
-          content_hash(dump(model)),
+          content_hash(model.canonical),
           scene.canonical.empty() ? "full" : content_hash(scene.canonical)};
 }
 
