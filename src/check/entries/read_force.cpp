@@ -110,7 +110,7 @@ const KeySyntax* place_of(const EntrySyntax& entry, Report& report) {
 
 void read_force(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
   Context& context = values.context();
-  Force force = context.model.forces[target];
+  Force& force = context.model.forces[target];
   const KeySyntax* value = entry.find("value");
   if (value == nullptr) {
     return;
@@ -126,7 +126,6 @@ void read_force(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
   } else {
     read_torque(values, entry, force);
   }
-  context.model.forces[target] = std::move(force);
 }
 
 /// [R p] row by row, and the twist in the axes asked for.
@@ -151,7 +150,7 @@ void read_frame_output(ValueReader& values, const EntrySyntax& entry, UserOutput
 }
 
 void read_output(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
-  UserOutput output = values.context().model.outputs[target];
+  UserOutput& output = values.context().model.outputs[target];
   const Place place{"an output", place::of_configuration};
   const KeySyntax* value = entry.find("value");
   const KeySyntax* frame = entry.find("frame");
@@ -166,7 +165,6 @@ void read_output(ValueReader& values, const EntrySyntax& entry, std::uint32_t ta
     output.jacobian = jacobian->value.boolean;
   }
   output.doc = text_of(entry, "doc");
-  values.context().model.outputs[target] = std::move(output);
 }
 
 }  // namespace

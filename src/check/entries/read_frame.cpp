@@ -42,7 +42,6 @@ class FrameReader {
     if (const KeySyntax* translate = entry_.find("translate")) read_translation(translate->value);
     if (has_one_orientation()) read_orientation();
     write_pose(context_, target_, frame_);
-    context_.model.frames[target_] = std::move(frame_);
   }
 
  private:
@@ -214,7 +213,7 @@ class FrameReader {
   ValueReader values_;
   const EntrySyntax& entry_;
   std::uint32_t target_;
-  Frame frame_;
+  Frame& frame_;
   Report& report_;
 };
 

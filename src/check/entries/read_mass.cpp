@@ -15,7 +15,7 @@ RootRequest mass_request() {
 
 void read_point(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
   Context& context = values.context();
-  Point point = context.model.points[target];
+  Point& point = context.model.points[target];
   point.doc = text_of(entry, "doc");
   const KeySyntax* at = entry.find("at");
   if (at != nullptr && values.is_vector(at->value)) {
@@ -31,7 +31,6 @@ void read_point(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
   if (const KeySyntax* mass = entry.find("mass")) {
     point.mass = values.root(mass->value, mass_request());
   }
-  context.model.points[target] = std::move(point);
 }
 
 class BodyReader {
@@ -168,9 +167,7 @@ void read_mass(Context& context, const Instance& instance) {
   if (instance.entry->name == "point") {
     read_point(values, *instance.entry, instance.target);
   } else if (instance.entry->name == "body") {
-    Body body = context.model.bodies[instance.target];
-    BodyReader(values, *instance.entry, body).read();
-    context.model.bodies[instance.target] = std::move(body);
+    BodyReader(values, *instance.entry, context.model.bodies[instance.target]).read();
   }
 }
 

@@ -39,9 +39,8 @@ void read_start(ValueReader& values, const ValueSyntax& table, Coordinate& coord
 }
 
 void read_rate(ValueReader& values, const EntrySyntax& entry, const Coordinate& coordinate) {
-  std::optional<Interval> range = interval_of(values, entry, "rate_range");
   Velocity& velocity = values.context().model.velocities[coordinate.velocity];
-  velocity.rate_range = std::move(range);
+  velocity.rate_range = interval_of(values, entry, "rate_range");
   if (coordinate.unit) {
     velocity.unit = *coordinate.unit / *find_unit("s");
   }
@@ -58,7 +57,7 @@ std::optional<Unit> armature_unit(const Coordinate& coordinate) {
 
 void read_coordinate(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
   Context& context = values.context();
-  Coordinate coordinate = context.model.coordinates[target];
+  Coordinate& coordinate = context.model.coordinates[target];
   coordinate.unit = unit_of(entry, context.report);
   coordinate.unit_text = text_of(entry, "unit");
   coordinate.range = interval_of(values, entry, "range");
@@ -76,7 +75,6 @@ void read_coordinate(ValueReader& values, const EntrySyntax& entry, std::uint32_
     const Place place{"a singular configuration", place::of_configuration};
     coordinate.singular = values.root(singular->value, {place});
   }
-  context.model.coordinates[target] = std::move(coordinate);
 }
 
 void check_input_unit(Context& context, const Input& input, const ValueSyntax& unit) {
@@ -92,7 +90,7 @@ void check_input_unit(Context& context, const Input& input, const ValueSyntax& u
 
 void read_input(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
   Context& context = values.context();
-  Input input = context.model.inputs[target];
+  Input& input = context.model.inputs[target];
   input.unit = unit_of(entry, context.report);
   input.unit_text = text_of(entry, "unit");
   input.limits = interval_of(values, entry, "limits");
@@ -103,7 +101,6 @@ void read_input(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
   if (const KeySyntax* unit = entry.find("unit"); unit != nullptr && input.on) {
     check_input_unit(context, input, unit->value);
   }
-  context.model.inputs[target] = std::move(input);
 }
 
 void read_prescribed(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
@@ -116,8 +113,7 @@ void read_prescribed(ValueReader& values, const EntrySyntax& entry, std::uint32_
   prescribed.doc = text_of(entry, "doc");
   if (const KeySyntax* value = entry.find("value")) {
     const Place place{"a prescribed function", place::of_time};
-    context.model.prescribed[target].value =
-        values.root(value->value, {place, unit, OwnerKind::prescribed, target});
+    prescribed.value = values.root(value->value, {place, unit, OwnerKind::prescribed, target});
   }
 }
 
