@@ -8,19 +8,32 @@
 namespace elgen {
 namespace {
 
-/// A named thing: definitions first, then prescribed functions, points, and frames.
+/// A named thing, numbered as below.
 using Node = std::uint32_t;
+
+/// What a leaf of the arena refers to: its index counts `parts` of each.
+struct ReferenceRow {
+  ExpressionKind kind;
+  OwnerKind owner;
+  std::uint32_t parts;
+};
+
+constexpr std::array reference_table{
+    ReferenceRow{ExpressionKind::definition, OwnerKind::definition, 1},
+    ReferenceRow{ExpressionKind::prescribed, OwnerKind::prescribed, 1},
+    ReferenceRow{ExpressionKind::point_component, OwnerKind::point, 3},
+    ReferenceRow{ExpressionKind::frame_component, OwnerKind::frame, components_per_frame}};
 
 class DependencyGraph {
  public:
   explicit DependencyGraph(const Context& context) : context_(context) {
     const Model& model = context.model;
-    first_prescribed_ = static_cast<Node>(model.definitions.size());
-    first_point_ = first_prescribed_ + static_cast<Node>(model.prescribed.size());
-    first_frame_ = first_point_ + static_cast<Node>(model.points.size());
-    const std::size_t count = first_frame_ + model.frames.size();
-    roots_.resize(count);
-    uses_.resize(count);
+    add_named(OwnerKind::definition, model.definitions);
+    add_named(OwnerKind::prescribed, model.prescribed);
+    add_named(OwnerKind::point, model.points);
+    add_named(OwnerKind::frame, model.frames);
+    roots_.resize(named_.size());
+    uses_.resize(named_.size());
     for (std::uint32_t i = 0; i < context.roots.size(); ++i) {
       add_root(i);
     }
@@ -29,32 +42,23 @@ class DependencyGraph {
   [[nodiscard]] Node size() const { return static_cast<Node>(uses_.size()); }
   [[nodiscard]] const std::vector<Node>& uses(Node node) const { return uses_[node]; }
   [[nodiscard]] const std::vector<std::uint32_t>& roots(Node node) const { return roots_[node]; }
-
-  [[nodiscard]] std::string name(Node node) const {
-    const Model& model = context_.model;
-    if (node >= first_frame_) {
-      return model.frames[node - first_frame_].name;
-    }
-    if (node >= first_point_) {
-      return model.points[node - first_point_].name;
-    }
-    return node >= first_prescribed_ ? model.prescribed[node - first_prescribed_].name
-                                     : model.definitions[node].name;
-  }
-
-  [[nodiscard]] Span span(Node node) const {
-    const Model& model = context_.model;
-    if (node >= first_frame_) {
-      return model.frames[node - first_frame_].span;
-    }
-    if (node >= first_point_) {
-      return model.points[node - first_point_].span;
-    }
-    return node >= first_prescribed_ ? model.prescribed[node - first_prescribed_].span
-                                     : model.definitions[node].span;
-  }
+  [[nodiscard]] const std::string& name(Node node) const { return *named_[node].name; }
+  [[nodiscard]] const Span& span(Node node) const { return *named_[node].span; }
 
  private:
+  struct Named {
+    const std::string* name;
+    const Span* span;
+  };
+
+  template <class Rows>
+  void add_named(OwnerKind kind, const Rows& rows) {
+    first_[static_cast<std::size_t>(kind)] = static_cast<Node>(named_.size());
+    for (const auto& row : rows) {
+      named_.push_back({&row.name, &row.span});
+    }
+  }
+
   void add_root(std::uint32_t index) {
     const WrittenExpression& root = context_.roots[index];
     if (root.owner == OwnerKind::none) {
@@ -68,41 +72,20 @@ class DependencyGraph {
   }
 
   void add_use(Node user, const Expression& node) {
-    switch (node.kind) {
-      case ExpressionKind::definition:
-        uses_[user].push_back(node_of(OwnerKind::definition, node.index));
-        break;
-      case ExpressionKind::prescribed:
-        uses_[user].push_back(node_of(OwnerKind::prescribed, node.index));
-        break;
-      case ExpressionKind::point_component:
-        uses_[user].push_back(node_of(OwnerKind::point, node.index / 3));
-        break;
-      case ExpressionKind::frame_component:
-        uses_[user].push_back(node_of(OwnerKind::frame, node.index / components_per_frame));
-        break;
-      default:
-        break;
+    for (const auto& [kind, owner, parts] : reference_table) {
+      if (node.kind == kind) {
+        uses_[user].push_back(node_of(owner, node.index / parts));
+      }
     }
   }
 
   [[nodiscard]] Node node_of(OwnerKind kind, std::uint32_t index) const {
-    switch (kind) {
-      case OwnerKind::prescribed:
-        return first_prescribed_ + index;
-      case OwnerKind::point:
-        return first_point_ + index;
-      case OwnerKind::frame:
-        return first_frame_ + index;
-      default:
-        return index;
-    }
+    return first_[static_cast<std::size_t>(kind)] + index;
   }
 
   const Context& context_;
-  Node first_prescribed_ = 0;
-  Node first_point_ = 0;
-  Node first_frame_ = 0;
+  std::array<Node, 5> first_ = {};  ///< by OwnerKind
+  std::vector<Named> named_ = {};
   std::vector<std::vector<std::uint32_t>> roots_;
   std::vector<std::vector<Node>> uses_;
 };
