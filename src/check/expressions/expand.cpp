@@ -183,12 +183,10 @@ void check_indices(Context& context, const EntrySyntax& entry) {
   }
   for (const RangeSyntax& range : read_repetition(repetition->value)) {
     if (const DeclaredName* symbol = context.symbols.find(range.index)) {
-      Diagnostic diagnostic{Code::E203, range.index_span,
-                            "the running index " + quoted(range.index) + " is also " +
-                                with_article(noun(symbol->kind))};
-      diagnostic.related = symbol->span;
-      diagnostic.related_message = "declared here";
-      context.report.add(std::move(diagnostic));
+      context.report.add({Code::E203, range.index_span,
+                          "the running index " + quoted(range.index) + " is also " +
+                              with_article(noun(symbol->kind)),
+                          "", symbol->span, "declared here"});
     }
   }
 }

@@ -177,10 +177,8 @@ std::optional<OutputRequest> require_request(const Model& model, std::string_vie
     return std::nullopt;
   }
   if (const std::optional<Lack> lack = lack_of(model, *request)) {
-    Diagnostic diagnostic{lack->code, span, quoted(name) + " " + lack->reason};
-    diagnostic.related = lack->related;
-    diagnostic.related_message = lack->related_message;
-    report.add(std::move(diagnostic));
+    report.add({lack->code, span, quoted(name) + " " + lack->reason, "", lack->related,
+                lack->related_message});
     return std::nullopt;
   }
   request->span = span;

@@ -2,10 +2,21 @@
 // duplicates, reserved names and names that would become one C++ identifier are found in one place.
 #include "check/names/symbols.hpp"
 
+#include <array>
+
 #include "check/names/reserved_names.hpp"
 
 namespace elgen {
 namespace {
+
+/// In the order of SymbolKind.
+constexpr std::array<std::string_view, 13> nouns{
+    "coordinate", "rotation",   "component of a rotation",
+    "parameter",  "definition", "prescribed function",
+    "point",      "frame",      "body",
+    "input",      "force",      "output",
+    "size"};
+static_assert(nouns[static_cast<std::size_t>(SymbolKind::size)] == "size");
 
 std::string at_line(const Span& span) {
   if (span.source == nullptr) {
@@ -27,37 +38,7 @@ bool check_spelling(const NewName& name, Report& report) {
 
 }  // namespace
 
-std::string_view noun(SymbolKind kind) {
-  switch (kind) {
-    case SymbolKind::coordinate:
-      return "coordinate";
-    case SymbolKind::rotation:
-      return "rotation";
-    case SymbolKind::quaternion_component:
-      return "component of a rotation";
-    case SymbolKind::parameter:
-      return "parameter";
-    case SymbolKind::definition:
-      return "definition";
-    case SymbolKind::prescribed:
-      return "prescribed function";
-    case SymbolKind::point:
-      return "point";
-    case SymbolKind::frame:
-      return "frame";
-    case SymbolKind::body:
-      return "body";
-    case SymbolKind::input:
-      return "input";
-    case SymbolKind::force:
-      return "force";
-    case SymbolKind::output:
-      return "output";
-    case SymbolKind::size:
-      return "size";
-  }
-  return "name";
-}
+std::string_view noun(SymbolKind kind) { return nouns[static_cast<std::size_t>(kind)]; }
 
 std::string with_article(std::string_view word) {
   const bool vowel = std::string_view("aeiou").find(word.front()) != std::string_view::npos;
@@ -123,12 +104,10 @@ bool DeclaredNames::claim_identifier(const NewName& name, Report& report) {
   if (is_new) {
     return true;
   }
-  Diagnostic diagnostic{Code::E211, name.span,
-                        quoted(name.text()) + " and " + quoted(first->second.text()) +
-                            " both become " + quoted(first->first) + " in code"};
-  diagnostic.related = first->second.span;
-  diagnostic.related_message = quoted(first->second.text()) + " is declared here";
-  report.add(std::move(diagnostic));
+  report.add({Code::E211, name.span,
+              quoted(name.text()) + " and " + quoted(first->second.text()) + " both become " +
+                  quoted(first->first) + " in code",
+              "", first->second.span, quoted(first->second.text()) + " is declared here"});
   return false;
 }
 

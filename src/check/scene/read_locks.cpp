@@ -49,10 +49,8 @@ class LockReader {
  private:
   ExpressionId function_of_time(const ValueSyntax& value, const Coordinate& coordinate) {
     if (value.kind == ValueKind::list) {
-      Diagnostic diagnostic{Code::E615, value.span, "a list, but the coordinate is one number"};
-      diagnostic.related = coordinate.span;
-      diagnostic.related_message = quoted(coordinate.name) + " is declared here";
-      context_.report.add(std::move(diagnostic));
+      context_.report.add({Code::E615, value.span, "a list, but the coordinate is one number", "",
+                           coordinate.span, quoted(coordinate.name) + " is declared here"});
       return no_expression;
     }
     const Place place{"the value of a lock", place::of_time};
