@@ -1,10 +1,8 @@
 // Resolver, calls: the functions of functions.def, those of composite_functions.def, and those that
 // are expanded here:
 //
-//     dot(q) -> rate    delta(i, j) -> 0 or 1
+//     dot(q) -> rate    delta(i, j) -> 0 or 1    x(P) y(P) z(P) -> components
 //     sum(i, a, b, e) -> e[a] + … + e[b], 0 where b < a
-//     x(P) y(P) z(P) -> components    v2(P) -> sum of dot(component)^2
-//     dist2(P, Q) -> sum of (component difference)^2
 #include <algorithm>
 #include <array>
 #include <map>
@@ -20,7 +18,8 @@ namespace {
 constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
 
 constexpr std::array composites{
-#define ELGEN_COMPOSITE(name, arity, definition) Resolver::Composite{#name, arity, definition},
+#define ELGEN_COMPOSITE(name, arity, definition, in_space) \
+  Resolver::Composite{#name, arity, definition, in_space},
 #include "check/names/composite_functions.def"
 #undef ELGEN_COMPOSITE
 };
@@ -32,13 +31,12 @@ const Resolver::Composite* find_composite(std::string_view name) {
 }
 
 /// Read once; the table's own text is right.
-const ExpressionSyntax& definition_of(const Resolver::Composite& composite) {
+const ExpressionSyntax& syntax_of(std::string_view definition) {
   static std::map<std::string_view, ExpressionSyntax> read;
-  const auto known = read.find(composite.name);
+  const auto known = read.find(definition);
   if (known != read.end()) return known->second;
-  const SourcePointer source =
-      make_source(std::string(composite.name), std::string(composite.definition));
-  return read.emplace(composite.name, *parse_expression(source, Limits{})).first->second;
+  const SourcePointer source = make_source("definition", std::string(definition));
+  return read.emplace(definition, *parse_expression(source, Limits{})).first->second;
 }
 
 /// The definition with the call's arguments in place of x and y, all of it at the call.
@@ -110,7 +108,25 @@ std::optional<ExpressionId> Resolver::resolve_function(const ExpressionSyntax& c
 std::optional<ExpressionId> Resolver::resolve_composite(const ExpressionSyntax& call,
                                                         const Composite& composite) {
   if (!has_arity(call, composite.arity)) return std::nullopt;
-  return resolve(written_out(definition_of(composite), call));
+  if (composite.in_space.empty())
+    return resolve(written_out(syntax_of(composite.definition), call));
+  const std::optional<std::uint32_t> dimension = common_dimension(call);
+  if (!dimension) return std::nullopt;
+  return resolve(
+      written_out(syntax_of(*dimension == 3 ? composite.in_space : composite.definition), call));
+}
+
+std::optional<std::uint32_t> Resolver::common_dimension(const ExpressionSyntax& call) {
+  std::vector<std::uint32_t> dimensions;
+  for (const ExpressionSyntax& operand : call.operands) {
+    const std::optional<std::uint32_t> point = resolve_point(operand);
+    if (point) dimensions.push_back(context_.model.points[*point].dimension);
+  }
+  if (dimensions.size() < call.operands.size()) return std::nullopt;
+  if (dimensions.front() == dimensions.back()) return dimensions.front();
+  context_.report.add(Code::E516, call.span,
+                      "one of the points of " + quoted(call.span) + " is planar");
+  return std::nullopt;
 }
 
 std::optional<ExpressionId> Resolver::resolve_dot(const ExpressionSyntax& call) {
@@ -159,15 +175,16 @@ std::optional<ExpressionId> Resolver::resolve_sum(const ExpressionSyntax& call) 
   if (!low || !high) {
     return std::nullopt;
   }
-  std::vector<std::optional<ExpressionId>> terms;
-  bool going = true;
-  for (std::int64_t i = *low; going && i <= *high; ++i) {
+  Expression sum{.kind = ExpressionKind::add, .span = call.span};
+  for (std::int64_t i = *low; i <= *high; ++i) {
     scope_.push(index.text, i);
-    terms.push_back(resolve(call.operands[3]));
+    const std::optional<ExpressionId> term = resolve(call.operands[3]);
     scope_.pop();
-    going = terms.back().has_value();
+    if (!term) return std::nullopt;
+    sum.operands.push_back(*term);
   }
-  return push_sum(terms, call.span);
+  if (sum.operands.empty()) return push_number(0, call.span);
+  return sum.operands.size() == 1 ? std::optional(sum.operands.front()) : push(std::move(sum));
 }
 
 std::optional<ExpressionId> Resolver::resolve_delta(const ExpressionSyntax& call) {
@@ -193,11 +210,6 @@ std::optional<std::uint32_t> Resolver::resolve_point(const ExpressionSyntax& nam
   return element(name, *symbol);
 }
 
-std::optional<ExpressionId> Resolver::push_component(std::uint32_t point, std::uint32_t axis,
-                                                     const Span& span) {
-  return push_leaf(ExpressionKind::point_component, 3 * point + axis, span);
-}
-
 std::optional<ExpressionId> Resolver::resolve_component(const ExpressionSyntax& call) {
   if (!has_arity(call, 1)) {
     return std::nullopt;
@@ -213,79 +225,7 @@ std::optional<ExpressionId> Resolver::resolve_component(const ExpressionSyntax& 
                         quoted(call.operands[0].span) + " is planar, so it has no " + call.text);
     return std::nullopt;
   }
-  return push_component(*point, axis, call.span);
-}
-
-std::optional<ExpressionId> Resolver::resolve_squared_speed(const ExpressionSyntax& call) {
-  if (!has_arity(call, 1)) {
-    return std::nullopt;
-  }
-  const std::optional<std::uint32_t> point = resolve_point(call.operands[0]);
-  if (!point) {
-    return std::nullopt;
-  }
-  std::vector<std::optional<ExpressionId>> terms;
-  for (std::uint32_t axis = 0; axis < context_.model.points[*point].dimension; ++axis) {
-    terms.push_back(push_square(push({.kind = ExpressionKind::time_derivative,
-                                      .operands = {*push_component(*point, axis, call.span)},
-                                      .span = call.span}),
-                                call.span));
-  }
-  return push_sum(terms, call.span);
-}
-
-std::optional<ExpressionId> Resolver::resolve_squared_distance(const ExpressionSyntax& call) {
-  if (!has_arity(call, 2)) {
-    return std::nullopt;
-  }
-  const std::optional<std::uint32_t> from = resolve_point(call.operands[0]);
-  const std::optional<std::uint32_t> to = resolve_point(call.operands[1]);
-  if (!from || !to) {
-    return std::nullopt;
-  }
-  const std::uint32_t dimension = context_.model.points[*from].dimension;
-  if (dimension != context_.model.points[*to].dimension) {
-    context_.report.add(Code::E516, call.span,
-                        "one of the points of " + quoted(call.span) + " is planar");
-    return std::nullopt;
-  }
-  std::vector<std::optional<ExpressionId>> terms;
-  for (std::uint32_t axis = 0; axis < dimension; ++axis) {
-    const auto subtracted = push({.kind = ExpressionKind::negate,
-                                  .operands = {*push_component(*from, axis, call.span)},
-                                  .span = call.span});
-    const auto difference = push_sum({push_component(*to, axis, call.span), subtracted}, call.span);
-    terms.push_back(push_square(difference, call.span));
-  }
-  return push_sum(terms, call.span);
-}
-
-std::optional<ExpressionId> Resolver::push_square(std::optional<ExpressionId> base,
-                                                  const Span& span) {
-  if (!base) {
-    return std::nullopt;
-  }
-  return push({.kind = ExpressionKind::power, .number = 2, .operands = {*base}, .span = span});
-}
-
-std::optional<ExpressionId> Resolver::push_sum(
-    const std::vector<std::optional<ExpressionId>>& terms, const Span& span) {
-  Expression node;
-  node.kind = ExpressionKind::add;
-  node.span = span;
-  for (const std::optional<ExpressionId>& term : terms) {
-    if (!term) {
-      return std::nullopt;
-    }
-    node.operands.push_back(*term);
-  }
-  if (node.operands.empty()) {
-    return push_number(0, span);
-  }
-  if (node.operands.size() == 1) {
-    return node.operands.front();
-  }
-  return push(std::move(node));
+  return push_leaf(ExpressionKind::point_component, 3 * *point + axis, call.span);
 }
 
 }  // namespace elgen

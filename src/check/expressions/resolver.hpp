@@ -40,6 +40,7 @@ class Resolver {
     std::string_view name;
     std::size_t arity;
     std::string_view definition;
+    std::string_view in_space;
   };
 
  private:
@@ -70,14 +71,8 @@ class Resolver {
   std::optional<ExpressionId> resolve_sum(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_delta(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_component(const ExpressionSyntax& call);
-  std::optional<ExpressionId> resolve_squared_speed(const ExpressionSyntax& call);
-  std::optional<ExpressionId> resolve_squared_distance(const ExpressionSyntax& call);
   std::optional<std::uint32_t> resolve_point(const ExpressionSyntax& name);
-  std::optional<ExpressionId> push_square(std::optional<ExpressionId> base, const Span& span);
-  std::optional<ExpressionId> push_component(std::uint32_t point, std::uint32_t axis,
-                                             const Span& span);
-  std::optional<ExpressionId> push_sum(const std::vector<std::optional<ExpressionId>>& terms,
-                                       const Span& span);
+  std::optional<std::uint32_t> common_dimension(const ExpressionSyntax& call);
   bool has_arity(const ExpressionSyntax& call, std::size_t arity);
 
   Context& context_;
