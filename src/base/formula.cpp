@@ -4,8 +4,7 @@
 #include <cln/integer.h>
 #include <fmt/format.h>
 
-#include <cctype>
-
+#include "base/ascii.hpp"
 #include "base/number_text.hpp"
 
 namespace elgen {
@@ -44,7 +43,7 @@ bool starts_with(std::string_view text, std::string_view start) {
 
 /// Side by side, factors keep apart where one could be read into the other.
 std::string side_by_side(const Formula& before, const std::string& after) {
-  if (std::isdigit(static_cast<unsigned char>(after.front())) != 0) return " \\cdot ";
+  if (is_digit(after.front())) return " \\cdot ";
   const bool is_word = starts_with(before.head, "\\mathrm") || starts_with(after, "\\mathrm");
   return is_word || !before.tail.empty() ? " \\thinspace " : " ";
 }

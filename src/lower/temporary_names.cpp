@@ -11,11 +11,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdint>
 #include <optional>
 #include <set>
 
+#include "base/ascii.hpp"
 #include "elgen/program.hpp"
 
 namespace elgen {
@@ -33,7 +33,7 @@ constexpr std::array<std::string_view, 12> reserved_names{
 std::string identifier(std::string_view spelling) {
   std::string name;
   for (const char c : spelling) {
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
+    if (is_word_character(c)) {
       name += c;
     } else if (c == '[') {
       name += '_';

@@ -7,14 +7,12 @@
 #include <charconv>
 #include <limits>
 
+#include "base/ascii.hpp"
 #include "base/number_text.hpp"
 
 namespace elgen {
 
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 char at(std::string_view text, std::size_t position) {
   return position < text.size() ? text[position] : '\0';
@@ -27,7 +25,7 @@ std::size_t skip_digits(std::string_view text, std::size_t position) {
 
 /// To the end of what looks like one word of number characters, for the message.
 NumberExtent malformed(std::string_view text, std::size_t position) {
-  const auto belongs = [](char c) { return is_digit(c) || is_letter(c) || c == '.' || c == '_'; };
+  const auto belongs = [](char c) { return is_word_character(c) || c == '.'; };
   while (belongs(at(text, position))) ++position;
   return {position, false};
 }

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <utility>
 
+#include "base/ascii.hpp"
 #include "base/utf8.hpp"
 
 namespace elgen {
@@ -47,7 +48,6 @@ class StringDecoder {
 
  private:
   [[nodiscard]] char here() const { return result_.source->text[position_]; }
-  [[nodiscard]] bool at_line_end() const { return here() == '\n' || here() == '\r'; }
 
   void skip_line_end() {
     if (position_ < end_ && here() == '\r') ++position_;
@@ -67,8 +67,8 @@ class StringDecoder {
   void read_escape() {
     const std::size_t begin = position_++;
     const char letter = here();
-    if (letter == '\n' || letter == '\r' || letter == ' ' || letter == '\t') {
-      while (position_ < end_ && (at_line_end() || here() == ' ' || here() == '\t')) ++position_;
+    if (is_space(letter)) {
+      while (position_ < end_ && is_space(here())) ++position_;
       return;
     }
     ++position_;

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "base/ascii.hpp"
 #include "base/utf8.hpp"
 #include "elgen/wording.hpp"
 #include "parse/characters.hpp"
@@ -13,9 +14,6 @@ namespace elgen {
 
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 bool starts_comparison(char c) { return c == '=' || c == '<' || c == '>'; }
 
 TokenKind symbol_kind(char c) {
@@ -113,7 +111,7 @@ Token Lexer::number() {
 
 Token Lexer::name() {
   std::size_t bytes = 1;
-  while (is_letter(peek(bytes)) || is_digit(peek(bytes)) || peek(bytes) == '_') ++bytes;
+  while (is_word_character(peek(bytes))) ++bytes;
   return take(TokenKind::name, bytes);
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "base/ascii.hpp"
 #include "base/utf8.hpp"
 #include "elgen/wording.hpp"
 
@@ -13,12 +14,7 @@ namespace elgen {
 
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-bool is_token_character(char c) {
-  const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-  return letter || is_digit(c) || c == '_' || c == '.' || c == '+' || c == '-';
-}
+bool is_token_character(char c) { return is_word_character(c) || c == '.' || c == '+' || c == '-'; }
 
 bool contains(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;

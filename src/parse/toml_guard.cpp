@@ -2,14 +2,13 @@
 // nobody writes a hundred words with a point between each two.
 #include "parse/toml_guard.hpp"
 
+#include "base/ascii.hpp"
+
 namespace elgen {
 
 namespace {
 
-bool is_key_character(char c) {
-  const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-  return letter || (c >= '0' && c <= '9') || c == '_' || c == '-';
-}
+bool is_key_character(char c) { return is_word_character(c) || c == '-'; }
 
 /// Just behind the quoted part at `begin`, or behind its quote where it is not closed on its line.
 std::size_t skip_quoted(std::string_view text, std::size_t begin) {

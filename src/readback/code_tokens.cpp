@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "base/ascii.hpp"
+
 namespace elgen {
 namespace {
 
@@ -12,10 +14,6 @@ constexpr std::array<std::string_view, 20> long_signs{"...", "->", "::", "++", "
                                                       "<=",  ">=", "==", "!=", "&&", "||", "+=",
                                                       "-=",  "*=", "/=", "%=", "<:", "<%"};
 constexpr std::string_view short_signs = "+-*/=<>()[]{},;:.&?!#";
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
 class Scanner {
  public:
@@ -85,7 +83,8 @@ class Scanner {
       const std::size_t closed = std::min(text_.find("}}", at_), text_.size() - 2);
       return add(CodeTokenKind::hole, closed + 2 - at_);
     }
-    if (is_letter(peek())) return add(CodeTokenKind::name, name_length());
+    if (is_word_character(peek()) && !is_digit(peek()))
+      return add(CodeTokenKind::name, name_length());
     if (is_digit(peek()) || (peek() == '.' && is_digit(peek(1)))) {
       return add(CodeTokenKind::number, number_length());
     }
@@ -95,7 +94,7 @@ class Scanner {
 
   [[nodiscard]] std::size_t name_length() const {
     std::size_t length = 1;
-    while (is_letter(peek(length)) || is_digit(peek(length))) ++length;
+    while (is_word_character(peek(length))) ++length;
     return length;
   }
 
@@ -107,7 +106,7 @@ class Scanner {
       const char c = peek(length);
       const bool is_sign =
           (c == '+' || c == '-') && exponents.find(peek(length - 1)) != std::string_view::npos;
-      if (!is_letter(c) && !is_digit(c) && c != '.' && !is_sign) return length;
+      if (!is_word_character(c) && c != '.' && !is_sign) return length;
     }
   }
 

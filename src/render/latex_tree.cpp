@@ -3,17 +3,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
+#include "base/ascii.hpp"
 #include "base/utf8.hpp"
 #include "elgen/functions.hpp"
 #include "render/symbols.hpp"
 
 namespace elgen {
 namespace {
-
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 /// Commands that stand for one character, or a space.
 struct CommandRow {

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+
+#include "base/ascii.hpp"
 
 namespace elgen {
 namespace {
@@ -30,9 +31,6 @@ constexpr std::array greek_table{
     GreekRow{"Sigma", "Σ"},    GreekRow{"Upsilon", "Υ"}, GreekRow{"Phi", "Φ"},
     GreekRow{"Psi", "Ψ"},      GreekRow{"Omega", "Ω"},
 };
-
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 /// "theta" -> \theta, "x" -> x, "12" -> 12, "cart" -> \mathrm{cart}
 std::string word(std::string_view text) {

@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <array>
 
+#include "base/ascii.hpp"
 #include "check/names/reserved_names.hpp"
 
 namespace elgen::urdf {
 
 namespace {
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// A parameter is a member of a struct, whose initialisers call these.
 constexpr std::array<std::string_view, 5> names_of_headers{"Parameters", "Scalar", "constant",

@@ -5,14 +5,13 @@
 
 #include <algorithm>
 
+#include "base/ascii.hpp"
 #include "elgen/wording.hpp"
 #include "parse/decimal.hpp"
 
 namespace elgen::urdf {
 
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 std::string take_digits(std::string_view& rest) {
   const auto end = std::find_if_not(rest.begin(), rest.end(), is_digit);

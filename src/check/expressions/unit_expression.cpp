@@ -6,8 +6,9 @@
 //     exponent = integer | "(" integer [ "/" integer ] ")"
 #include "check/expressions/unit_expression.hpp"
 
-#include <cctype>
 #include <charconv>
+
+#include "base/ascii.hpp"
 
 namespace elgen {
 namespace {
@@ -65,7 +66,7 @@ class UnitReader {
     skip_spaces();
     const std::size_t begin = position_;
     while (position_ < text_.size() &&
-           std::isalnum(static_cast<unsigned char>(text_[position_])) != 0) {
+           (is_letter(text_[position_]) || is_digit(text_[position_]))) {
       ++position_;
     }
     const std::string_view name = text_.substr(begin, position_ - begin);

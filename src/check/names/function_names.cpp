@@ -11,7 +11,7 @@ const std::vector<std::string>& function_names() {
 #define ELGEN_EXPANDED(name, rule) #name,
 #include "check/names/expanded_functions.def"
 #undef ELGEN_EXPANDED
-#define ELGEN_COMPOSITE(name, arity, definition) #name,
+#define ELGEN_COMPOSITE(name, arity, definition, in_space) #name,
 #include "check/names/composite_functions.def"
 #undef ELGEN_COMPOSITE
     };

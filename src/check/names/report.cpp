@@ -1,14 +1,13 @@
 // Report: collects the diagnostics of one run, each once.
 #include "check/names/report.hpp"
 
-#include <algorithm>
+#include "base/ascii.hpp"
 
 namespace elgen {
 namespace {
 
 std::string without_digits(std::string text) {
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  text.erase(std::remove_if(text.begin(), text.end(), is_digit), text.end());
+  std::erase_if(text, is_digit);
   return text;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/ascii.hpp"
 #include "check/names/function_names.hpp"
 
 namespace elgen {
@@ -139,10 +140,6 @@ bool is_macro(std::string_view name) {
          contains(more_macros, name) || has_macro_prefix(name);
 }
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 }  // namespace
 
 std::string_view reserved_reason(std::string_view name) {
@@ -168,9 +165,8 @@ std::string_view reserved_reason(std::string_view name) {
 }
 
 bool is_well_formed_name(std::string_view name) {
-  const auto may_follow = [](char c) { return is_letter(c) || is_digit(c) || c == '_'; };
   return !name.empty() && is_letter(name.front()) &&
-         std::all_of(name.begin(), name.end(), may_follow);
+         std::all_of(name.begin(), name.end(), is_word_character);
 }
 
 bool check_name(const std::string& name, const Span& span, Report& report) {

@@ -8,9 +8,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <vector>
 
+#include "base/ascii.hpp"
 #include "base/number_text.hpp"
 #include "emit/text/stamp.hpp"
 #include "evaluate/scalar_literal.hpp"
@@ -112,7 +112,7 @@ std::string constant_name(const Constant& constant) {
   if (text.size() > longest || !is_spelled_out(constant.form)) return "number_" + short_hash(text);
   std::string name = "number_";
   for (const char c : text) {
-    const bool is_word = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    const bool is_word = is_letter(c) || is_digit(c);
     if (c == '.') name += 'p';
     if (is_word) name += c;
     // Signs of exponents must stay apart from other separators.

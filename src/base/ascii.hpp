@@ -1,0 +1,22 @@
+// ASCII: kinds of characters, the same in every locale.
+#pragma once
+
+namespace elgen {
+
+[[nodiscard]] constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+[[nodiscard]] constexpr bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+/// What a name goes on with.
+[[nodiscard]] constexpr bool is_word_character(char c) {
+  return is_letter(c) || is_digit(c) || c == '_';
+}
+
+/// Blanks and line ends.
+[[nodiscard]] constexpr bool is_space(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+
+}  // namespace elgen
