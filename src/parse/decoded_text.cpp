@@ -89,23 +89,10 @@ class StringDecoder {
     position_ += digits;
   }
 
+  /// \" and \\ mean themselves.
   static char plain_escape(char letter) {
-    switch (letter) {
-      case 'b':
-        return '\b';
-      case 't':
-        return '\t';
-      case 'n':
-        return '\n';
-      case 'f':
-        return '\f';
-      case 'r':
-        return '\r';
-      case 'e':
-        return '\x1b';
-      default:
-        return letter;  // \" and \\ mean themselves
-    }
+    const std::size_t at = std::string_view("btnfre").find(letter);
+    return at == std::string_view::npos ? letter : "\b\t\n\f\r\x1b"[at];
   }
 
   DecodedText result_;

@@ -16,31 +16,15 @@ namespace {
 
 bool starts_comparison(char c) { return c == '=' || c == '<' || c == '>'; }
 
+/// In the order of TokenKind, from `plus` on.
+constexpr std::string_view symbols = "+-*/^()[],";
+static_assert(static_cast<std::size_t>(TokenKind::plus) + symbols.size() ==
+              static_cast<std::size_t>(TokenKind::end));
+
 TokenKind symbol_kind(char c) {
-  switch (c) {
-    case '+':
-      return TokenKind::plus;
-    case '-':
-      return TokenKind::minus;
-    case '*':
-      return TokenKind::times;
-    case '/':
-      return TokenKind::divide;
-    case '^':
-      return TokenKind::power;
-    case '(':
-      return TokenKind::open;
-    case ')':
-      return TokenKind::close;
-    case '[':
-      return TokenKind::open_index;
-    case ']':
-      return TokenKind::close_index;
-    case ',':
-      return TokenKind::comma;
-    default:
-      return TokenKind::invalid;
-  }
+  const std::size_t at = symbols.find(c);
+  if (at == std::string_view::npos) return TokenKind::invalid;
+  return static_cast<TokenKind>(static_cast<std::size_t>(TokenKind::plus) + at);
 }
 
 /// For ASCII characters whose meaning elsewhere suggests what was meant.
