@@ -67,7 +67,7 @@ TEST_CASE("a duplicate points at the first declaration, suggestions say what is 
   Report report;
   symbols.declare({"mass", {}, {source.get(), 1, 5}}, SymbolKind::parameter, 0, report);
   CHECK(symbols.suggest("mas", symbols.names()) == "did you mean `mass`? (parameter, line 2)");
-  CHECK(symbols.suggest("mas", symbols.names(SymbolKind::point)).empty());
+  CHECK(symbols.suggest("mas", symbols.names({SymbolKind::point})).empty());
   CHECK(symbols.suggest("pj", {"pi"}) == "did you mean `pi`?");
   symbols.declare({"mass", {}, {source.get(), 6, 10}}, SymbolKind::point, 0, report);
   const Diagnostic error = report.sorted().front();

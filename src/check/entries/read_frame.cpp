@@ -126,7 +126,7 @@ class FrameReader {
       given[i] = value->form ? *value->form : nodes.number(cln::rational(value->number));
     }
     const ExpressionId squared = nodes.dot(given, given);
-    if (context_.constants[squared] && cln::zerop(*context_.constants[squared])) {
+    if (context_.constants[squared] == 0) {
       report_.add(Code::E112, axis.span, "an axis of length 0 has no direction");
       return;
     }
@@ -185,9 +185,7 @@ class FrameReader {
         values_.roots(value, {place, std::nullopt, OwnerKind::frame, target_});
     FrameStep step{FrameStepKind::quaternion};
     std::copy(components.begin(), components.end(), step.quaternion.begin());
-    const auto is_zero = [&](ExpressionId id) {
-      return context_.constants[id] && cln::zerop(*context_.constants[id]);
-    };
+    const auto is_zero = [&](ExpressionId id) { return context_.constants[id] == 0; };
     if (std::all_of(components.begin(), components.end(), is_zero)) {
       report_.add(Code::E112, value.span, "a quaternion of length 0 is no orientation");
       return;

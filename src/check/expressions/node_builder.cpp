@@ -16,15 +16,8 @@ NodeBuilder::NodeBuilder(Context& context, const Span& span)
 
 ExpressionId NodeBuilder::push(Expression node) {
   node.span = span_;
-  std::vector<Expression>& arena = context_.model.expressions;
-  arena.push_back(std::move(node));
-  (void)context_.constants.append(arena);
-  const auto id = static_cast<ExpressionId>(arena.size() - 1);
-  const auto& value = context_.constants[id];
-  if (value && is_rational(*value)) {
-    arena[id] = {.number = cln::the<cln::cl_RA>(*value), .span = span_};
-  }
-  return id;
+  (void)context_.append(std::move(node));
+  return context_.last();
 }
 
 bool NodeBuilder::is_number(ExpressionId id, int value) const {

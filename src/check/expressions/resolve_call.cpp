@@ -202,7 +202,7 @@ std::optional<std::uint32_t> Resolver::resolve_point(const ExpressionSyntax& nam
     return std::nullopt;
   }
   if (name.kind != SyntaxKind::name || symbol == nullptr || symbol->kind != SymbolKind::point) {
-    const std::vector<std::string> points = context_.symbols.names(SymbolKind::point);
+    const std::vector<std::string> points = context_.symbols.names({SymbolKind::point});
     context_.report.add(Code::E201, name.span, "unknown point " + quoted(name.span),
                         context_.symbols.suggest(name.text, points));
     return std::nullopt;

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/exact_number.hpp"
-
 namespace elgen {
 namespace {
 
@@ -80,25 +78,12 @@ std::optional<Resolver::Operands> Resolver::resolve_all(
   return complete ? std::optional(std::move(result)) : std::nullopt;
 }
 
-/// Adds a node; a node whose operands are exact numbers becomes one where its value is exact:
-/// 1/2 + 1/3 -> 5/6, sqrt(4) -> 2.
 std::optional<ExpressionId> Resolver::push(Expression expression) {
-  std::vector<Expression>& arena = context_.model.expressions;
-  arena.push_back(std::move(expression));
-  Expression& node = arena.back();
-  if (const auto failure = context_.constants.append(arena)) {
-    report_failure(*failure, node);
+  if (const auto failure = context_.append(std::move(expression))) {
+    report_failure(*failure, context_.model.expressions.back());
     return std::nullopt;
   }
-  const auto id = static_cast<ExpressionId>(arena.size() - 1);
-  const std::optional<cln::cl_R>& value = context_.constants[id];
-  if (value && is_rational(*value)) {
-    const Span span = node.span;
-    node = Expression{};
-    node.number = cln::the<cln::cl_RA>(*value);
-    node.span = span;
-  }
-  return id;
+  return context_.last();
 }
 
 void Resolver::report_failure(const ConstantFailure& failure, const Expression& node) {
@@ -155,8 +140,7 @@ std::optional<cln::cl_RA> Resolver::resolve_exponent(const ExpressionSyntax& exp
   if (id && arena[*id].kind == ExpressionKind::number) {
     value = arena[*id].number;
   }
-  arena.resize(size);
-  context_.constants.truncate(size);
+  context_.truncate(size);
 
   const Diagnostics errors = inner.sorted();
   const auto is_variable = [](const Diagnostic& error) { return error.code == Code::E311; };

@@ -60,7 +60,7 @@ std::vector<ExpressionId> ValueReader::roots(const ValueSyntax& value, const Roo
 std::optional<cln::cl_R> ValueReader::constant(const ValueSyntax& value) {
   const std::size_t size = context_.model.expressions.size();
   const std::optional<FixedValue> result = constant_with_form(value);
-  truncate(size);
+  context_.truncate(size);
   return result ? std::optional(result->number) : std::nullopt;
 }
 
@@ -70,17 +70,12 @@ std::optional<FixedValue> ValueReader::constant_with_form(const ValueSyntax& val
   const std::optional<ExpressionId> id = Resolver(context_, scope_).resolve(syntax);
   const std::optional<cln::cl_R> result = id ? context_.constants[*id] : std::optional<cln::cl_R>{};
   const bool needs_form = result && !is_rational(*result);
-  if (!needs_form) truncate(size);
+  if (!needs_form) context_.truncate(size);
   if (id && !result) {
     context_.report.add(Code::E319, syntax.span, quoted(syntax.span) + " is not a constant number");
   }
   if (!result) return std::nullopt;
   return FixedValue{rounded(*result), needs_form ? id : std::nullopt};
-}
-
-void ValueReader::truncate(std::size_t size) {
-  context_.model.expressions.resize(size);
-  context_.constants.truncate(size);
 }
 
 std::optional<Interval> ValueReader::interval(const ValueSyntax& value) {
@@ -110,7 +105,7 @@ std::optional<std::uint32_t> ValueReader::reference(const ValueSyntax& value, Sy
     return std::nullopt;
   }
   if (symbol == nullptr || symbol->kind != kind) {
-    std::vector<std::string> names = symbols.names(kind);
+    std::vector<std::string> names = symbols.names({kind});
     if (kind == SymbolKind::frame) names.emplace_back(world);
     context_.report.add(Code::E201, value.span,
                         "unknown " + std::string(noun(kind)) + " " + quoted(name.text),
@@ -127,7 +122,7 @@ std::optional<std::uint32_t> ValueReader::rotation(const ValueSyntax& value) {
     return std::nullopt;
   }
   if (symbol == nullptr || symbol->kind != SymbolKind::rotation || !name.operands.empty()) {
-    const std::vector<std::string> names = context_.symbols.names(SymbolKind::rotation);
+    const std::vector<std::string> names = context_.symbols.names({SymbolKind::rotation});
     context_.report.add(Code::E201, value.span, "unknown rotation " + quoted(value.span),
                         context_.symbols.suggest(name.text, names));
     return std::nullopt;

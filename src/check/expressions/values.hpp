@@ -71,9 +71,6 @@ class ValueReader {
   Context& context() { return context_; }
 
  private:
-  /// Forgets the expressions from `size` on.
-  void truncate(std::size_t size);
-
   Context& context_;
   Scope scope_;
 };

@@ -238,8 +238,7 @@ void read_small(Context& context, const KeySyntax& key) {
   const Report inner = std::exchange(context.report, std::move(outer));
   context.node_limit = limit;
   if (std::exchange(context.beyond_limits, false)) {
-    context.model.expressions.resize(nodes);
-    context.constants.truncate(nodes);
+    context.truncate(nodes);
     context.roots.resize(roots);
   }
   for (const Diagnostic& diagnostic : inner.sorted()) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/exact_number.hpp"
 #include "check/names/constants.hpp"
 #include "check/names/integers.hpp"
 #include "check/names/report.hpp"
@@ -61,9 +62,31 @@ struct ParameterBounds {
 };
 
 struct Context {
-  explicit Context(const Limits& the_limits) : limits(the_limits) {
-    model.expressions.emplace_back();
-    (void)constants.append(model.expressions);
+  explicit Context(const Limits& the_limits) : limits(the_limits) { (void)append({}); }
+
+  /// Adds a node; one whose value is an exact number becomes that: 1/2 + 1/3 -> 5/6, sqrt(4) -> 2.
+  /// The failure of a constant without a value.
+  std::optional<ConstantFailure> append(Expression node) {
+    std::vector<Expression>& arena = model.expressions;
+    const Span span = node.span;
+    arena.push_back(std::move(node));
+    if (const auto failure = constants.append(arena)) return failure;
+    const std::optional<cln::cl_R> value = constants[last()];
+    if (value && is_rational(*value)) {
+      arena.back() = {.number = cln::the<cln::cl_RA>(*value), .span = span};
+    }
+    return std::nullopt;
+  }
+
+  /// The node that was added last.
+  [[nodiscard]] ExpressionId last() const {
+    return static_cast<ExpressionId>(model.expressions.size() - 1);
+  }
+
+  /// Forgets the nodes from `size` on.
+  void truncate(std::size_t size) {
+    model.expressions.resize(size);
+    constants.truncate(size);
   }
 
   const Limits& limits;

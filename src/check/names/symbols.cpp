@@ -124,11 +124,11 @@ std::vector<std::string> DeclaredNames::names() const {
   return result;
 }
 
-std::vector<std::string> DeclaredNames::names(SymbolKind kind) const {
+std::vector<std::string> DeclaredNames::names(const std::vector<SymbolKind>& kinds) const {
   std::vector<std::string> result;
-  for (const auto& [name, symbol] : symbols_) {
-    if (symbol.kind == kind) {
-      result.push_back(name);
+  for (const SymbolKind kind : kinds) {
+    for (const auto& [name, symbol] : symbols_) {
+      if (symbol.kind == kind) result.push_back(name);
     }
   }
   return result;

@@ -65,7 +65,7 @@ class DeclaredNames {
 
   [[nodiscard]] const DeclaredName* find(std::string_view base) const;
   [[nodiscard]] std::vector<std::string> names() const;
-  [[nodiscard]] std::vector<std::string> names(SymbolKind kind) const;
+  [[nodiscard]] std::vector<std::string> names(const std::vector<SymbolKind>& kinds) const;
   /// "did you mean `m`? (parameter, line 20)", or nothing.
   [[nodiscard]] std::string suggest(std::string_view word,
                                     const std::vector<std::string>& among) const;

@@ -108,9 +108,7 @@ class ApproximationReader {
       return false;
     }
     if (!is_unknown) return true;
-    std::vector<std::string> names = context_.symbols.names(SymbolKind::coordinate);
-    const std::vector<std::string> inputs = context_.symbols.names(SymbolKind::input);
-    names.insert(names.end(), inputs.begin(), inputs.end());
+    const auto names = context_.symbols.names({SymbolKind::coordinate, SymbolKind::input});
     context_.report.add(Code::E614, span, quoted(name) + " is no coordinate or input",
                         context_.symbols.suggest(name, names));
     return false;

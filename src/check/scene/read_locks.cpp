@@ -94,11 +94,9 @@ class LockReader {
                           quoted(key.key) + " needs an index: " + elements_of(key.key, *symbol));
       return;
     }
-    std::vector<std::string> names = symbols.names(SymbolKind::coordinate);
-    const std::vector<std::string> rotations = symbols.names(SymbolKind::rotation);
-    names.insert(names.end(), rotations.begin(), rotations.end());
-    context_.report.add(Code::E612, key.key_span, "unknown coordinate " + quoted(key.key),
-                        symbols.suggest(key.key, names));
+    context_.report.add(
+        Code::E612, key.key_span, "unknown coordinate " + quoted(key.key),
+        symbols.suggest(key.key, symbols.names({SymbolKind::coordinate, SymbolKind::rotation})));
   }
 
   void refuse(const Span& span, const std::string& message) {

@@ -206,7 +206,7 @@ class SceneReader {
     }
     const bool fixes_all = name == "all" && value == nullptr;
     if (targets.empty() && !fixes_all) {
-      const std::vector<std::string> names = context_.symbols.names(SymbolKind::parameter);
+      const std::vector<std::string> names = context_.symbols.names({SymbolKind::parameter});
       context_.report.add(Code::E602, span, "unknown parameter " + quoted(name),
                           name == "all" ? "`all` fixes every parameter at its own value"
                                         : context_.symbols.suggest(name, names));
