@@ -15,14 +15,13 @@ class Printer {
     const Expression& node = model_.expressions[id];
     switch (node.kind) {
       case ExpressionKind::number:
-        return as_term(number(spelling_, node.number));
+        return number(spelling_, node.number);
       case ExpressionKind::negate:
-        return as_term(
-            negated(spelling_, at_least(spelling_, print(node.operands[0]), Binding::power)));
+        return negated(spelling_, at_least(spelling_, print(node.operands[0]), Binding::power));
       case ExpressionKind::add:
         return total(node);
       case ExpressionKind::multiply:
-        return product_of(node);
+        return product(spelling_, operands(node));
       case ExpressionKind::divide:
         return quotient(spelling_, print(node.operands[0]), print(node.operands[1]));
       case ExpressionKind::power:
@@ -75,20 +74,6 @@ class Printer {
                  : std::string(1, "xyz"[k - 9]) + "(" + name + ")";
   }
 
-  /// What has a sign is an operand in brackets only …
-  [[nodiscard]] static Formula as_term(Formula formula) {
-    if (formula.binding == Binding::negation) formula.binding = Binding::sum;
-    return formula;
-  }
-
-  /// … but for a negation that begins a product: -a*b.
-  [[nodiscard]] Formula product_of(const Expression& node) const {
-    std::vector<Formula> factors = operands(node);
-    const Expression& first = model_.expressions[node.operands[0]];
-    if (first.kind == ExpressionKind::negate) factors[0].binding = Binding::product;
-    return product(spelling_, factors);
-  }
-
   [[nodiscard]] std::vector<Formula> operands(const Expression& node) const {
     std::vector<Formula> all;
     for (const ExpressionId operand : node.operands) all.push_back(print(operand));
@@ -105,7 +90,7 @@ class Printer {
       } else if (!terms.empty() && is_number) {
         terms.push_back({number(spelling_, -term.number), true});
       } else {
-        terms.push_back({at_least(spelling_, print(operand), Binding::product)});
+        terms.push_back({at_least(spelling_, print(operand), Binding::negation)});
       }
     }
     return sum(spelling_, terms);
