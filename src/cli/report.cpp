@@ -1,7 +1,6 @@
 // Everything that is printed: what was asked for on stdout, everything for people on stderr.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
 
 #include "cli/options.hpp"
@@ -14,11 +13,9 @@ namespace {
 void print_for_people(const std::string& text) { std::fputs(text.c_str(), stderr); }
 
 Diagnostics without_notes(Diagnostics diagnostics) {
-  diagnostics.erase(std::remove_if(diagnostics.begin(), diagnostics.end(),
-                                   [](const Diagnostic& diagnostic) {
-                                     return code_row(diagnostic.code).severity == Severity::note;
-                                   }),
-                    diagnostics.end());
+  std::erase_if(diagnostics, [](const Diagnostic& diagnostic) {
+    return code_row(diagnostic.code).severity == Severity::note;
+  });
   return diagnostics;
 }
 

@@ -56,10 +56,7 @@ Sheet sheet_of(const Products& products, ShownSubject subject, const PageOptions
   if (subject == ShownSubject::outputs) return sheet(model, scene, *products.program, options);
   Sheet steps = steps_sheet(model, scene, *products.steps);
   if (subject == ShownSubject::steps) return steps;
-  steps.outputs.erase(
-      std::remove_if(steps.outputs.begin(), steps.outputs.end(),
-                     [](const SheetOutput& step) { return step.name != energies_title; }),
-      steps.outputs.end());
+  std::erase_if(steps.outputs, [](const SheetOutput& step) { return step.name != energies_title; });
   return steps;
 }
 

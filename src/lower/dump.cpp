@@ -8,8 +8,6 @@
 //       result 1 1 = 1
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "elgen/program.hpp"
 
 namespace elgen {
@@ -22,7 +20,7 @@ std::string list_line(std::string_view word, const std::vector<std::string>& nam
 /// Without spaces, so that it is one word of a line.
 std::string constant_text(const Constant& constant) {
   std::string text = text_of(constant.form);
-  text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+  std::erase(text, ' ');
   return text;
 }
 

@@ -40,9 +40,7 @@ void divide(FactoredTerm& term, NodeId factor) {
   for (Power& power : term.factors) {
     if (power.base.node == factor) --power.exponent;
   }
-  term.factors.erase(std::remove_if(term.factors.begin(), term.factors.end(),
-                                    [](const Power& power) { return power.exponent == 0; }),
-                     term.factors.end());
+  std::erase_if(term.factors, [](const Power& power) { return power.exponent == 0; });
 }
 
 class Factoring {

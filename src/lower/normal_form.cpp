@@ -66,9 +66,7 @@ void Graph::merge_factors(Factors& factors) {
         merged.push_back(power);
       }
     }
-    merged.erase(std::remove_if(merged.begin(), merged.end(),
-                                [](const Operand& power) { return power.weight == 0; }),
-                 merged.end());
+    std::erase_if(merged, [](const Operand& power) { return power.weight == 0; });
     powers.clear();
     for (const Operand& power : merged) {
       const Node& base = node(power.node);
@@ -205,9 +203,7 @@ void Graph::merge_terms(std::vector<Term>& terms) {
       merged.push_back(term);
     }
   }
-  merged.erase(std::remove_if(merged.begin(), merged.end(),
-                              [](const Term& t) { return cln::zerop(t.coefficient); }),
-               merged.end());
+  std::erase_if(merged, [](const Term& t) { return cln::zerop(t.coefficient); });
   terms = std::move(merged);
 }
 

@@ -98,10 +98,7 @@ class Sharing {
     std::vector<NodeId>& users = users_[candidate.pair];
     std::sort(users.begin(), users.end());
     users.erase(std::unique(users.begin(), users.end()), users.end());
-    users.erase(
-        std::remove_if(users.begin(), users.end(),
-                       [&](NodeId id) { return !find(network_.operations[id], candidate.pair); }),
-        users.end());
+    std::erase_if(users, [&](NodeId id) { return !find(network_.operations[id], candidate.pair); });
     if (users.size() < 2) return;
     if (users.size() < candidate.count) {
       queue_.push({users.size(), candidate.pair});
