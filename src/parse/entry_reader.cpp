@@ -13,10 +13,6 @@ namespace elgen {
 
 namespace {
 
-std::string row_name(FileKind kind, std::string_view name) {
-  return kind == FileKind::scene ? fmt::format("scene.{}", name) : std::string(name);
-}
-
 /// The rows of one kind of file, with the name the file uses.
 struct NamedRow {
   std::string name;
@@ -150,7 +146,7 @@ void EntryReader::report_missing(const TomlValue& root) {
 }
 
 void EntryReader::add(const NamedRow& row, const TomlValue& table) {
-  const TableContext context{row_name(kind_, row.name), header_text(row.name, row.row->repeated),
+  const TableContext context{std::string(row.row->entry), header_text(row.name, row.row->repeated),
                              table.span};
   entries_.push_back({row.name, table.span, read_keys(table.entries, context, reading_)});
 }

@@ -3,6 +3,7 @@
 //     "i in 1..n"   to   { index = i, low = 1, high = n }
 #include "parse/repetition.hpp"
 
+#include <array>
 #include <string_view>
 #include <utility>
 
@@ -22,20 +23,18 @@ struct TextRange {
   std::size_t end = 0;
 };
 
-struct RepetitionParts {
-  TextRange index;
-  TextRange low;
-  TextRange high;
-};
+/// The index and the two bounds.
+using Parts = std::array<TextRange, 3>;
+constexpr std::array<const char*, 3> part_names{"index", "low", "high"};
 
-std::optional<RepetitionParts> split(const DecodedText& text) {
+std::optional<Parts> split(const DecodedText& text) {
   const std::size_t dots = text.text.find("..");
   if (dots == std::string::npos) return std::nullopt;
   Lexer lexer(text, 0, dots);
   const Token index = lexer.next();
   const Token in = lexer.next();
   if (index.kind != TokenKind::name || lexer.text(in) != "in") return std::nullopt;
-  return RepetitionParts{{index.begin, index.end}, {in.end, dots}, {dots + 2, text.text.size()}};
+  return Parts{{{index.begin, index.end}, {in.end, dots}, {dots + 2, text.text.size()}}};
 }
 
 KeySyntax part_entry(std::string key, const TextRange& part, const DecodedText& text,
@@ -45,11 +44,8 @@ KeySyntax part_entry(std::string key, const TextRange& part, const DecodedText& 
   result.key_span = result.value.span = text.span(part.begin, part.end);
   result.value.kind = ValueKind::expression;
   result.value.text = text.text.substr(part.begin, part.end - part.begin);
-  Result<ExpressionSyntax> read = read_expression(text, part.begin, part.end, reading.limits);
-  if (read) result.value.expression = std::move(*read);
-  for (Diagnostic& problem : read.diagnostics) {
-    reading.diagnostics.push_back(std::move(problem));
-  }
+  keep(read_expression(text, part.begin, part.end, reading.limits), result.value.expression,
+       reading);
   return result;
 }
 
@@ -59,15 +55,15 @@ ValueSyntax read_one(const TomlValue& value, FileReading& reading) {
     report_wrong_type(value, "a repetition (a string)", reading);
     return result;
   }
-  const std::optional<RepetitionParts> parts = split(value.text);
+  const std::optional<Parts> parts = split(value.text);
   if (!parts) {
     reading.report(Code::E210, value.text.whole, quoted(value.text.text) + " is no repetition",
                    std::string(grammar));
     return result;
   }
-  result.entries.push_back(part_entry("index", parts->index, value.text, reading));
-  result.entries.push_back(part_entry("low", parts->low, value.text, reading));
-  result.entries.push_back(part_entry("high", parts->high, value.text, reading));
+  for (std::size_t i = 0; i < parts->size(); ++i) {
+    result.entries.push_back(part_entry(part_names[i], (*parts)[i], value.text, reading));
+  }
   return result;
 }
 

@@ -55,21 +55,18 @@ std::optional<Diagnostic> format_error(const TomlValue& root) {
                     "this version reads `format = 1`"};
 }
 
-struct ReadFile {
-  std::vector<EntrySyntax> entries = {};
-  Diagnostics diagnostics = {};
-};
-
-ReadFile read_file(const SourceText& source, FileKind kind, const Limits& limits) {
-  if (auto error = size_error(source, limits)) return {{}, {*std::move(error)}};
-  if (auto error = encoding_error(source)) return {{}, {*std::move(error)}};
-  const Result<TomlValue> root = read_toml(source);
-  if (!root) return {{}, root.diagnostics};
-  if (auto error = format_error(*root)) return {{}, {*std::move(error)}};
+template <class Syntax>
+Result<Syntax> read_file(SourcePointer source, FileKind kind, const Limits& limits) {
+  if (auto error = size_error(*source, limits)) return *std::move(error);
+  if (auto error = encoding_error(*source)) return *std::move(error);
+  const Result<TomlValue> root = read_toml(*source);
+  if (!root) return root.diagnostics;
+  if (auto error = format_error(*root)) return *std::move(error);
   FileReading reading{limits};
   std::vector<EntrySyntax> entries = read_entries(*root, kind, reading);
   sort_by_position(reading.diagnostics);
-  return {std::move(entries), std::move(reading.diagnostics)};
+  if (has_errors(reading.diagnostics)) return std::move(reading.diagnostics);
+  return Syntax{std::move(source), std::move(entries)};
 }
 
 }  // namespace
@@ -81,15 +78,11 @@ const KeySyntax* EntrySyntax::find(std::string_view key) const {
 }
 
 Result<ModelSyntax> parse_model(SourcePointer source, const Limits& limits) {
-  ReadFile file = read_file(*source, FileKind::model, limits);
-  if (has_errors(file.diagnostics)) return std::move(file.diagnostics);
-  return ModelSyntax{std::move(source), std::move(file.entries)};
+  return read_file<ModelSyntax>(std::move(source), FileKind::model, limits);
 }
 
 Result<SceneSyntax> parse_scene(SourcePointer source, const Limits& limits) {
-  ReadFile file = read_file(*source, FileKind::scene, limits);
-  if (has_errors(file.diagnostics)) return std::move(file.diagnostics);
-  return SceneSyntax{std::move(source), std::move(file.entries)};
+  return read_file<SceneSyntax>(std::move(source), FileKind::scene, limits);
 }
 
 Result<ExpressionSyntax> parse_expression(const SourcePointer& source, const Limits& limits) {

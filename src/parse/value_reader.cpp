@@ -62,13 +62,6 @@ void read_number(const TomlValue& value, ValueSyntax& result, FileReading& readi
   result.expression.value = negative ? cln::cl_RA(-magnitude) : magnitude;
 }
 
-void keep(Result<ExpressionSyntax> read, ExpressionSyntax& expression, FileReading& reading) {
-  if (read) expression = std::move(*read);
-  for (Diagnostic& problem : read.diagnostics) {
-    reading.diagnostics.push_back(std::move(problem));
-  }
-}
-
 /// Whether the tree is all of the text: `q[i]`, not `(q)` or ` q`.
 bool is_name(const ExpressionSyntax& tree, const DecodedText& text) {
   return tree.kind == SyntaxKind::name && tree.token.begin == text.whole.begin &&
@@ -85,6 +78,13 @@ bool speaks_for_itself(const Result<ExpressionSyntax>& read, const DecodedText& 
 
 void FileReading::report(Code code, const Span& span, std::string message, std::string hint) {
   diagnostics.push_back({code, span, std::move(message), std::move(hint)});
+}
+
+void keep(Result<ExpressionSyntax> read, ExpressionSyntax& expression, FileReading& reading) {
+  if (read) expression = std::move(*read);
+  for (Diagnostic& problem : read.diagnostics) {
+    reading.diagnostics.push_back(std::move(problem));
+  }
 }
 
 ValueSyntax empty_value(const TomlValue& value, ValueKind kind) {

@@ -37,6 +37,9 @@ struct FileReading {
 /// E104: "number `1` where a string is expected"; E109 where no decimal number stands.
 void report_wrong_type(const TomlValue& value, std::string_view expected, FileReading& reading);
 
+/// Keeps the expression that was read, and what was wrong with it.
+void keep(Result<ExpressionSyntax> read, ExpressionSyntax& expression, FileReading& reading);
+
 /// A value of `kind` at the place of `value`: inside the quotes for strings.
 [[nodiscard]] ValueSyntax empty_value(const TomlValue& value, ValueKind kind);
 
