@@ -179,6 +179,11 @@ const EntrySyntax* find_entry(const SceneSyntax* scene, std::string_view name) {
   return found == scene->entries.end() ? nullptr : &*found;
 }
 
+const KeySyntax* find_key(const SceneSyntax* scene, std::string_view entry, std::string_view key) {
+  const EntrySyntax* found = find_entry(scene, entry);
+  return found == nullptr ? nullptr : found->find(key);
+}
+
 std::string text_of(const EntrySyntax& entry, std::string_view key) {
   const KeySyntax* found = entry.find(key);
   return found == nullptr ? "" : found->value.text;

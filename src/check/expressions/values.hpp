@@ -82,7 +82,9 @@ class ValueReader {
 /// The entry of a table value, or null.
 [[nodiscard]] const KeySyntax* find_key(const ValueSyntax& table, std::string_view key);
 
-/// The entry of a scene, or null; `scene` may be null.
+/// The entry of a scene, and a key of it, or null; `scene` may be null.
 [[nodiscard]] const EntrySyntax* find_entry(const SceneSyntax* scene, std::string_view name);
+[[nodiscard]] const KeySyntax* find_key(const SceneSyntax* scene, std::string_view entry,
+                                        std::string_view key);
 
 }  // namespace elgen

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "check/expressions/values.hpp"
 #include "check/names/reserved_names.hpp"
 
 namespace elgen {
@@ -14,10 +15,6 @@ std::string_view name_of(Storage storage) {
 }
 
 namespace {
-
-const KeySyntax* find(const EntrySyntax* entry, std::string_view name) {
-  return entry == nullptr ? nullptr : entry->find(name);
-}
 
 LanguageId language_named(std::string_view name) {
   const auto* const row = std::find_if(language_table.begin(), language_table.end(),
@@ -29,43 +26,43 @@ bool fits_one_scalar(const Numerics& numerics) {
   return numerics.scalars.size() == 1 && numerics.scalars.front() != ScalarKind::long_double;
 }
 
-void check_together(const EmissionEntries& entries, const Emission& emission, const Scene& scene,
+void check_together(const SceneSyntax* syntax, const Emission& emission, const Scene& scene,
                     Report& report) {
   const LanguageRow& language = language_row(emission.language);
   const std::string name = quoted(language.name);
-  const KeySyntax* scalar = find(entries.numeric, "scalar");
+  const KeySyntax* scalar = find_key(syntax, "numeric", "scalar");
   if (scalar != nullptr && language.scalars == LanguageScalars::one &&
       !fits_one_scalar(scene.numerics)) {
     report.add(Code::E610, scalar->value.span,
                "code in " + name + " is written for one scalar, `float` or `double`");
   }
-  const KeySyntax* eigen = find(entries.emit, "eigen");
   if (emission.eigen && emission.language != LanguageId::cpp) {
-    report.add(Code::E611, eigen->key_span, "`eigen` needs C++, and `language` is " + name);
+    report.add(Code::E611, find_key(syntax, "emit", "eigen")->key_span,
+               "`eigen` needs C++, and `language` is " + name);
   }
 }
 
 }  // namespace
 
-Emission read_emission(Context& context, const EmissionEntries& entries, const Scene& scene) {
+Emission read_emission(Context& context, const SceneSyntax* syntax, const Scene& scene) {
   Emission emission;
   emission.name_space = scene.base_name;
   emission.name_space_span = context.model.name_span;
-  if (const KeySyntax* key = find(entries.emit, "namespace")) {
+  if (const KeySyntax* key = find_key(syntax, "emit", "namespace")) {
     emission.name_space = key->value.text;
     emission.name_space_span = key->value.span;
     (void)check_name(key->value.text, key->value.span, context.report);
   }
-  if (const KeySyntax* key = find(entries.emit, "language")) {
+  if (const KeySyntax* key = find_key(syntax, "emit", "language")) {
     emission.language = language_named(key->value.text);
   }
-  if (const KeySyntax* key = find(entries.emit, "storage")) {
+  if (const KeySyntax* key = find_key(syntax, "emit", "storage")) {
     const bool is_column_major = key->value.text == name_of(Storage::column_major);
     emission.storage = is_column_major ? Storage::column_major : Storage::row_major;
   }
-  const KeySyntax* eigen = find(entries.emit, "eigen");
+  const KeySyntax* eigen = find_key(syntax, "emit", "eigen");
   emission.eigen = eigen != nullptr && eigen->value.boolean;
-  check_together(entries, emission, scene, context.report);
+  check_together(syntax, emission, scene, context.report);
   return emission;
 }
 }  // namespace elgen

@@ -7,15 +7,9 @@
 
 namespace elgen {
 
-/// The two entries of a scene file this is about; null where the file has none.
-struct EmissionEntries {
-  const EntrySyntax* emit = nullptr;
-  const EntrySyntax* numeric = nullptr;
-};
-
 /// E205, E204 of the namespace; E610 where the language is for one scalar and the scene asks for
-/// others; E611 for what the language does not have.
-[[nodiscard]] Emission read_emission(Context& context, const EmissionEntries& entries,
+/// others; E611 for what the language does not have. `syntax` may be null.
+[[nodiscard]] Emission read_emission(Context& context, const SceneSyntax* syntax,
                                      const Scene& scene);
 
 }  // namespace elgen

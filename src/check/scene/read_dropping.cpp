@@ -95,8 +95,8 @@ class DroppingReader {
 
 }  // namespace
 
-void read_dropping(Context& context, const EntrySyntax& approximate, Scene& scene) {
-  const KeySyntax* key = approximate.find("drop_below");
+void read_dropping(Context& context, const SceneSyntax* syntax, Scene& scene) {
+  const KeySyntax* key = find_key(syntax, "approximate", "drop_below");
   if (key != nullptr) DroppingReader(context, scene).read(*key);
 }
 

@@ -41,10 +41,8 @@ class SceneReader {
     read_outputs();
     read_fixed();
     read_numerics();
-    if (const EntrySyntax* approximate = entry("approximate")) {
-      read_dropping(context_, *approximate, scene_);
-    }
-    scene_.emission = read_emission(context_, {entry("emit"), entry("numeric")}, scene_);
+    read_dropping(context_, input_.scene, scene_);
+    scene_.emission = read_emission(context_, input_.scene, scene_);
     scene_.has_options = !input_.options.outputs.empty() || !input_.options.fixed.empty() ||
                          !input_.options.sizes.empty();
     scene_.canonical = canonical_text(input_.scene, input_.options);
@@ -163,8 +161,7 @@ class SceneReader {
   }
 
   void read_fixed() {
-    const EntrySyntax* parameters = entry("parameters");
-    const KeySyntax* fixed = parameters == nullptr ? nullptr : parameters->find("fixed");
+    const KeySyntax* fixed = find_key(input_.scene, "parameters", "fixed");
     if (fixed != nullptr && fixed->value.kind == ValueKind::text) {
       fix_named(fixed->value.text, fixed->value.span, nullptr);
     } else if (fixed != nullptr) {
@@ -227,13 +224,12 @@ class SceneReader {
   }
 
   void read_numerics() {
-    const EntrySyntax* numeric = entry("numeric");
-    if (const auto form = form_in(numeric == nullptr ? nullptr : numeric->find("form"))) {
+    if (const auto form = form_in(find_key(input_.scene, "numeric", "form"))) {
       for (OutputRequest& output : scene_.outputs) {
         output.form = output.form.value_or(*form);
       }
     }
-    const KeySyntax* scalars = numeric == nullptr ? nullptr : numeric->find("scalar");
+    const KeySyntax* scalars = find_key(input_.scene, "numeric", "scalar");
     if (scalars == nullptr) {
       return;
     }
