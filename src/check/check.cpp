@@ -104,7 +104,7 @@ Result<CheckedModel> check(const ModelSyntax& model, const SceneSyntax* scene,
   if (context.report.errors() == 0) {
     lock_model(context);
   }
-  Scene checked_scene = read_scene(context, {scene, options, sizes});
+  Scene checked_scene = read_scene(context, scene, options);
   if (context.report.errors() > 0) {
     return context.report.sorted();
   }

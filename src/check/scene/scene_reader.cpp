@@ -33,31 +33,27 @@ bool precedes(const OutputRequest& a, const OutputRequest& b) {
 
 class SceneReader {
  public:
-  SceneReader(Context& context, const SceneInput& input)
-      : context_(context), model_(context.model), input_(input) {}
+  SceneReader(Context& context, const SceneSyntax* syntax, const SceneOptions& options)
+      : context_(context), model_(context.model), syntax_(syntax), options_(options) {}
 
   Scene read() {
     read_header();
     read_outputs();
     read_fixed();
     read_numerics();
-    read_dropping(context_, input_.scene, scene_);
-    scene_.emission = read_emission(context_, input_.scene, scene_);
-    scene_.has_options = !input_.options.outputs.empty() || !input_.options.fixed.empty() ||
-                         !input_.options.sizes.empty();
-    scene_.canonical = canonical_text(input_.scene, input_.options);
+    read_dropping(context_, syntax_, scene_);
+    scene_.emission = read_emission(context_, syntax_, scene_);
+    scene_.has_options =
+        !options_.outputs.empty() || !options_.fixed.empty() || !options_.sizes.empty();
+    scene_.canonical = canonical_text(syntax_, options_);
     return std::move(scene_);
   }
 
  private:
-  [[nodiscard]] const EntrySyntax* entry(std::string_view name) const {
-    return find_entry(input_.scene, name);
-  }
-
   void read_header() {
     scene_.base_name = model_.name;
-    if (const EntrySyntax* top = entry("")) {
-      scene_.source = input_.scene->source;
+    if (const EntrySyntax* top = find_entry(syntax_, "")) {
+      scene_.source = syntax_->source;
       scene_.name = text_of(*top, "name");
       scene_.doc = text_of(*top, "doc");
       scene_.base_name += "_" + scene_.name;
@@ -65,9 +61,9 @@ class SceneReader {
   }
 
   void read_outputs() {
-    const EntrySyntax* outputs = entry("outputs");
-    if (!input_.options.outputs.empty()) {
-      for (const OptionWord& word : words_of(input_.options.outputs)) {
+    const EntrySyntax* outputs = find_entry(syntax_, "outputs");
+    if (!options_.outputs.empty()) {
+      for (const OptionWord& word : words_of(options_.outputs)) {
         request(word.text, word.span);
       }
     } else if (outputs != nullptr) {
@@ -161,7 +157,7 @@ class SceneReader {
   }
 
   void read_fixed() {
-    const KeySyntax* fixed = find_key(input_.scene, "parameters", "fixed");
+    const KeySyntax* fixed = find_key(syntax_, "parameters", "fixed");
     if (fixed != nullptr && fixed->value.kind == ValueKind::text) {
       fix_named(fixed->value.text, fixed->value.span, nullptr);
     } else if (fixed != nullptr) {
@@ -169,7 +165,7 @@ class SceneReader {
         fix_named(key.key, key.key_span, &key.value.expression);
       }
     }
-    for (const OptionWord& word : words_of(input_.options.fixed)) {
+    for (const OptionWord& word : words_of(options_.fixed)) {
       read_fix_option(word);
     }
   }
@@ -224,12 +220,12 @@ class SceneReader {
   }
 
   void read_numerics() {
-    if (const auto form = form_in(find_key(input_.scene, "numeric", "form"))) {
+    if (const auto form = form_in(find_key(syntax_, "numeric", "form"))) {
       for (OutputRequest& output : scene_.outputs) {
         output.form = output.form.value_or(*form);
       }
     }
-    const KeySyntax* scalars = find_key(input_.scene, "numeric", "scalar");
+    const KeySyntax* scalars = find_key(syntax_, "numeric", "scalar");
     if (scalars == nullptr) {
       return;
     }
@@ -249,7 +245,8 @@ class SceneReader {
 
   Context& context_;
   const Model& model_;
-  const SceneInput& input_;
+  const SceneSyntax* syntax_;
+  const SceneOptions& options_;
   Scene scene_ = {};
 };
 
@@ -259,8 +256,8 @@ std::string_view name_of(ScalarKind kind) {
   return scalar_table[static_cast<std::size_t>(kind)].name;
 }
 
-Scene read_scene(Context& context, const SceneInput& input) {
-  return SceneReader(context, input).read();
+Scene read_scene(Context& context, const SceneSyntax* syntax, const SceneOptions& options) {
+  return SceneReader(context, syntax, options).read();
 }
 
 }  // namespace elgen
