@@ -197,22 +197,4 @@ TEST_CASE("C++, C99 and Eigen give the same bits") {
   compare("chain", "double", "[sizes]\nn = 20\n");  // long enough to be cut into parts
 }
 
-TEST_CASE("the README's examples in C and with Eigen compile") {
-  const std::string readme = read_text(std::string(ELGEN_SOURCE_DIR) + "/README.md");
-  const auto block = [&](const std::string& fence) {
-    const std::size_t start = readme.find("\n" + fence) + 1 + fence.size();
-    return readme.substr(start, readme.find("```", start) - start);
-  };
-  const Workspace workspace;
-  write_text(workspace.path() / "example.c",
-             "void hold_still(const float angles[7], float torques[7]);\n" + block("```c\n"));
-  write_text(workspace.path() / "example.cpp", block("```c++\n"));
-  const std::string generated = "-I" + std::string(ELGEN_SOURCE_DIR) + "/generated -c ";
-  CHECK(shell("gcc -std=c99" + warnings + generated + "example.c", workspace.path()).status == 0);
-  CHECK(shell("g++ -std=c++17" + warnings + "-isystem /usr/include/eigen3 " + generated +
-                  "example.cpp",
-              workspace.path())
-            .status == 0);
-}
-
 }  // namespace elgen::test

@@ -3,8 +3,9 @@
 //     d/dt dL/dv - dL/dq = B u + Q - dD/dv      (with [w]x dL/dw where rotations turn, dL/dq along
 //     N)
 //
-// L is evaluated on jets along the motion; M, C, g, … are derivatives and parts of it as README.md
-// defines them. Approximations evaluate L cut at order + 1 in the scale of all that is small.
+// L is evaluated on jets along the motion; M, C, g, … are derivatives and parts of it as
+// models/README.md defines them. Approximations evaluate L cut at order + 1 in the scale of all
+// that is small.
 #pragma once
 
 #include <functional>

@@ -1,0 +1,152 @@
+// generated/README.md is the list of what is committed there, made of the models, the scenes and
+// the sidecars. ELGEN_UPDATE=1 writes it; the difference is then reviewed.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "elgen/syntax.hpp"
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path source = ELGEN_SOURCE_DIR;
+
+constexpr std::string_view introduction = R"(# Generated code of all models and scenes
+
+Each folder has what `elgen generate` writes: a header, a page with the equations, and the same as JSON. A test compares the
+files with what is derived today. [models/README.md](../models/README.md) explains the model files,
+[templates/README.md](../templates/README.md) the headers.
+
+`tests/pages` makes this list of the models; `ELGEN_UPDATE=1 build/release/tests/test_pages` writes it.
+
+)";
+
+/// The files of a folder whose names have this ending, sorted.
+std::vector<fs::path> files_of(const fs::path& folder, const std::string& ending) {
+  std::vector<fs::path> paths;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename();
+    const bool has_ending = name.size() > ending.size() &&
+                            name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
+    if (has_ending) paths.push_back(entry.path());
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+SourcePointer read_source(const fs::path& path) {
+  return make_source(path.filename(), read_text(path));
+}
+
+/// The text of a key of the first entry of that name.
+template <class Syntax>
+std::string text_of(const Syntax& syntax, const std::string& entry, const std::string& key) {
+  for (const EntrySyntax& one : syntax.entries) {
+    if (one.name == entry) return one.find(key)->value.text;
+  }
+  throw std::runtime_error("no [" + entry + "]");
+}
+
+/// "x [m]; theta, phi [rad]": neighbours of one unit share it.
+std::string coordinates_of(const std::string& name) {
+  const auto json =
+      nlohmann::json::parse(read_text(source / "generated" / name / (name + ".equations.json")));
+  std::string text;
+  std::string last;
+  for (const auto& coordinate : json.at("coordinates")) {
+    const std::string unit = coordinate.value("unit", "");
+    const std::string ending = last.empty() ? "" : " [" + last + "]";
+    if (!text.empty()) text += unit == last ? ", " : ending + "; ";
+    text += "`" + coordinate.at("name").get<std::string>() + "`";
+    last = unit;
+  }
+  return text + (last.empty() ? "" : " [" + last + "]");
+}
+
+/// "[header](a/a.hpp), [Eigen](a/a_eigen.hpp), [page](a/a.md)"
+std::string files_links(const std::string& name) {
+  std::string links;
+  for (const auto& [ending, word] :
+       {std::pair(".hpp", "C++"), std::pair("_eigen.hpp", "Eigen"), std::pair(".h", "C"),
+        std::pair(".md", "page"), std::pair(".equations.json", "JSON")}) {
+    const std::string path = name + "/" + name + ending;
+    if (!fs::exists(source / "generated" / path)) continue;
+    links += fmt::format("{}[{}]({})", links.empty() ? "" : ", ", word, path);
+  }
+  return links;
+}
+
+/// The picture in the comment that opens a model: from its first line set in to its last.
+std::string sketch_of(const std::string& text) {
+  std::string sketch;
+  std::string gap;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line) && starts_with(line, "#");) {
+    if (starts_with(line, "#  ")) {
+      sketch += gap + line.substr(3) + "\n";
+      gap.clear();
+    } else if (!sketch.empty()) {
+      gap += line == "#" ? "\n" : "";
+      if (line != "#") break;
+    }
+  }
+  return sketch;
+}
+
+std::string model_rows() {
+  std::string rows = "## Models\n\n| model | | coordinates | files |\n|---|---|---|---|\n";
+  for (const fs::path& path : files_of(source / "models", ".toml")) {
+    const std::string name = path.stem();
+    const Result<ModelSyntax> model = parse_model(read_source(path), Limits{});
+    rows += fmt::format("| [{0}](../models/{0}.toml) | {1} ([sketch](#{0})) | {2} | {3} |\n", name,
+                        text_of(*model, "model", "title"), coordinates_of(name), files_links(name));
+  }
+  return rows;
+}
+
+std::string scene_rows() {
+  std::string rows = "\n## Scenes\n\n| scene | | coordinates | files |\n|---|---|---|---|\n";
+  for (const fs::path& path : files_of(source / "models/scenes", ".scene.toml")) {
+    const Result<SceneSyntax> scene = parse_scene(read_source(path), Limits{});
+    const std::string name =
+        fs::path(text_of(*scene, "", "model")).stem().string() + "_" + text_of(*scene, "", "name");
+    rows += fmt::format("| [{}](../models/scenes/{}) | {} | {} | {} |\n", name,
+                        path.filename().string(), text_of(*scene, "", "doc"), coordinates_of(name),
+                        files_links(name));
+  }
+  return rows;
+}
+
+std::string sketches() {
+  std::string all = "\n## Sketches\n";
+  for (const fs::path& path : files_of(source / "models", ".toml")) {
+    all += fmt::format("\n### {}\n\n```text\n{}```\n", path.stem().string(),
+                       sketch_of(read_text(path)));
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("the sketch is what is set in of the first comment") {
+  CHECK(sketch_of("# A cart.\n#\n#     o-->  x\n#\n#     |\n#\n# Both wheels turn.\n#   x\n") ==
+        "   o-->  x\n\n   |\n");
+}
+
+TEST_CASE("the index of generated code is current") {
+  const std::string index = std::string(introduction) + model_rows() + scene_rows() + sketches();
+  const fs::path path = source / "generated/README.md";
+  if (std::getenv("ELGEN_UPDATE") != nullptr) write_text(path, index);
+  CHECK(read_text(path) == index);
+}
+
+}  // namespace elgen::test

@@ -1,0 +1,127 @@
+// What pages say is true: every command runs, prints what is shown, and reads every file that is
+// shown; every link leads somewhere, and every path that is named is there.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <regex>
+#include <sstream>
+
+#include "pages/page.hpp"
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path source = ELGEN_SOURCE_DIR;
+
+/// Commands run where the project's files are, but none of them can change these.
+void copy_project(const fs::path& folder) {
+  for (const char* part : {"models", "generated", "include", "src", "templates", "tests"}) {
+    fs::copy(source / part, folder / part, fs::copy_options::recursive);
+  }
+}
+
+void run_commands(const Fence& fence, const fs::path& folder) {
+  std::istringstream lines(fence.text);
+  for (std::string line; std::getline(lines, line);) {
+    const Outcome outcome = shell(line, folder);
+    INFO(line << "\n" << outcome.errors);
+    CHECK(outcome.status == 0);
+  }
+}
+
+void run_console(const Fence& fence, const fs::path& folder) {
+  for (const Exchange& exchange : exchanges(fence.text)) {
+    const std::string printed = shell("{ " + exchange.command + "\n} 2>&1", folder).output;
+    INFO("$ " << exchange.command << "\n" << printed << "--- expected\n" << exchange.output);
+    CHECK(agrees(exchange.output, printed));
+  }
+}
+
+/// Whether a command below the file reads it.
+bool is_read(const Page& page, const Fence& file) {
+  return std::any_of(page.fences.begin(), page.fences.end(), [&](const Fence& fence) {
+    const bool runs = fence.kind == FenceKind::commands || fence.kind == FenceKind::console;
+    return runs && fence.line > file.line && mentions(fence.text, file.file);
+  });
+}
+
+void check_excerpt(const Fence& fence, const fs::path& folder) {
+  const std::string text = read_text(folder / fence.file);
+  INFO(fence.text << "--- in\n" << text);
+  CHECK(agrees("…\n" + fence.text + "…\n", text));
+}
+
+void replay(const Page& page) {
+  const Workspace workspace;
+  copy_project(workspace.path());
+  for (const Fence& fence : page.fences) {
+    INFO(page.path << ":" << fence.line << ": " << fence.info);
+    CHECK(fence.kind != FenceKind::unknown);
+    if (fence.kind == FenceKind::commands) run_commands(fence, workspace.path());
+    if (fence.kind == FenceKind::console) run_console(fence, workspace.path());
+    if (fence.kind == FenceKind::excerpt) check_excerpt(fence, workspace.path());
+    if (fence.kind != FenceKind::file) continue;
+    write_text(workspace.path() / fence.file, fence.text);
+    CHECK(is_read(page, fence));
+  }
+}
+
+/// Whether `anchor` is a heading of a page; of other files nothing is known.
+bool has_anchor(const fs::path& path, const std::string& anchor) {
+  const std::vector<std::string> known = anchors(read_page("", read_text(path)).prose);
+  return std::find(known.begin(), known.end(), anchor) != known.end();
+}
+
+bool leads_somewhere(const Page& page, const std::string& link) {
+  if (starts_with(link, "https://")) return true;
+  const std::size_t hash = std::min(link.find('#'), link.size());
+  const fs::path own = source / page.path;
+  const fs::path target = hash == 0 ? own : own.parent_path() / link.substr(0, hash);
+  return fs::exists(target) && (hash == link.size() || has_anchor(target, link.substr(hash + 1)));
+}
+
+/// "src/check/" and the like, unless a part of it is to be replaced: "models/NAME.toml".
+bool is_path(const std::string& code) {
+  static const std::regex path(R"((src|include|tests|models|templates|cmake|\.ci)/[\w./-]*)");
+  static const std::regex placeholder(R"(.*\b(NAME|CODE_\w+|ID)\b.*)");
+  return std::regex_match(code, path) && !std::regex_match(code, placeholder);
+}
+
+}  // namespace
+
+TEST_CASE("every command and example of a page does what the page says") {
+  for (const Page& page : pages()) replay(page);
+}
+
+TEST_CASE("commands stand in fences, where they are run") {
+  const std::regex indented(R"((^|\n)    (\$ |elgen |\./bootstrap|cmake ))");
+  for (const Page& page : pages()) {
+    INFO(page.path);
+    CHECK_FALSE(std::regex_search(page.prose, indented));
+  }
+}
+
+TEST_CASE("every link of a page leads somewhere") {
+  for (const Page& page : pages()) {
+    for (const std::string& link : links(page.prose)) {
+      INFO(page.path << ": " << link);
+      CHECK(leads_somewhere(page, link));
+    }
+  }
+}
+
+TEST_CASE("every path that a page names is there") {
+  for (const Page& page : pages()) {
+    for (const std::string& code : code_spans(page.prose)) {
+      if (!is_path(code)) continue;
+      INFO(page.path << ": " << code);
+      CHECK(fs::exists(source / code));
+    }
+  }
+}
+
+}  // namespace elgen::test

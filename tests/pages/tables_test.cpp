@@ -1,0 +1,105 @@
+// The pages name everything the tables of the code have, so that neither outgrows the other.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cctype>
+#include <sstream>
+
+#include "elgen/functions.hpp"
+#include "elgen/outputs.hpp"
+#include "elgen/syntax.hpp"
+#include "elgen/units.hpp"
+#include "pages/page.hpp"
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+const std::string& language() { return page("models/README.md").prose; }
+
+bool is_part_of_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// Whether a text has a word that is not part of a longer one.
+bool has_word(const std::string& text, const std::string& word) {
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    const bool starts = at == 0 || !is_part_of_word(text[at - 1]);
+    if (starts && (end == text.size() || !is_part_of_word(text[end]))) return true;
+  }
+  return false;
+}
+
+/// The paragraph below a heading.
+std::string section(const std::string& heading) {
+  const std::size_t start = language().find("\n" + heading + "\n");
+  REQUIRE(start != std::string::npos);
+  return language().substr(start, language().find("\n#", start + 1) - start);
+}
+
+/// "-o", "--output-directory" of each line of a help text that explains an option.
+std::vector<std::vector<std::string>> options_of(const std::string& help) {
+  std::vector<std::vector<std::string>> options;
+  std::istringstream lines(help);
+  for (std::string line; std::getline(lines, line);) {
+    if (!starts_with(line, "  -")) continue;
+    options.emplace_back();
+    std::istringstream names(line.substr(2, line.find(' ', 2) - 2));
+    for (std::string name; std::getline(names, name, ',');) options.back().push_back(name);
+  }
+  return options;
+}
+
+/// "[lock]" of "scene.lock", "[[point]]" of "point", as a table of entries begins its rows.
+std::string row_start(const EntryRow& row) {
+  const bool is_scenes = starts_with(std::string(row.entry), "scene.");
+  const std::string name = std::string(row.entry).substr(is_scenes ? 6 : 0);
+  return row.repeated ? "| `[[" + name + "]]` |" : "| `[" + name + "]` |";
+}
+
+}  // namespace
+
+TEST_CASE("the page of the language has every entry of models and of scenes") {
+  const std::string models = section("### The entries of a model");
+  const std::string scenes = section("### The entries of a scene");
+  for (const EntryRow& row : entry_table()) {
+    if (!row.supported || row.entry.empty() || row.entry == "scene") continue;
+    INFO(row.entry);
+    const bool is_scenes = starts_with(std::string(row.entry), "scene.");
+    CHECK(mentions(is_scenes ? scenes : models, row_start(row)));
+  }
+}
+
+TEST_CASE("the page of the language names every function, unit and output") {
+  for (const FunctionRow& row : function_table) {
+    INFO(row.name);
+    CHECK(mentions(language(), "`" + std::string(row.name) + "`"));
+  }
+  for (const OutputRow& row : output_table()) {
+    if (row.of_user) continue;
+    INFO(row.name);
+    CHECK(mentions(language(), "`" + std::string(row.name) + "`"));
+  }
+  const std::string units = section("## Units");
+  for (const UnitRow& row : unit_table()) {
+    INFO(row.name);
+    CHECK(has_word(units, std::string(row.name)));
+  }
+}
+
+TEST_CASE("every option of the command line is on its page") {
+  const Workspace workspace;
+  for (const std::string command : {"", "generate", "show", "verify", "import", "explain"}) {
+    const std::string help = shell("elgen " + command + " --help", workspace.path()).output;
+    REQUIRE(mentions(help, "--help"));
+    for (const std::vector<std::string>& names : options_of(help)) {
+      INFO(command << " " << names.front());
+      CHECK(std::any_of(names.begin(), names.end(), [](const std::string& name) {
+        return has_word(page("src/cli/README.md").prose, "`" + name);
+      }));
+    }
+  }
+}
+
+}  // namespace elgen::test
