@@ -17,12 +17,16 @@ namespace elgen {
 namespace {
 
 /// A closed form whose entries, written out one by one, are this much longer than what the
-/// recursive form executes does not become cheaper by sharing, and is not lowered.
+/// recursive form executes does not become cheaper by sharing, and is not lowered. Ratios from 3 to
+/// 12 give the same code for all of models/; with 2 a cheaper form is missed.
 constexpr std::size_t hopeless_ratio = 6;
+/// Where the recursive form is a few operations, the ratio says nothing: forms up to this length
+/// are lowered whatever it is.
 constexpr std::size_t always_tried = 400;
 
 /// The terms of all entries of a function beyond which its closed form is given up: it is neither
-/// read nor cheaper.
+/// read nor cheaper. Ten times as many, here and of one entry (most_terms), take 1.7 times as long
+/// for the arms and chains of models/, and emit the same code.
 constexpr std::size_t most_terms_together = 3'000;
 
 using ReadableEntries = std::vector<std::optional<ReadableForm>>;  ///< of all fields

@@ -13,7 +13,8 @@
 namespace elgen {
 namespace {
 
-/// Written out over the leaves, an entry as derived may have this many operations.
+/// Written out over the leaves, an entry as derived may have this many operations. Longer ones are
+/// never the shortest way: 1000 gives the same pages for models/; 20 makes some longer.
 constexpr std::size_t longest_derived = 60;
 
 class Lengths {
@@ -63,7 +64,10 @@ class Lengths {
   std::vector<std::size_t> lengths_;
 };
 
-/// What a grouping may cost: lengths are compared in these percent.
+/// What a grouping may cost: lengths are compared in these percent. Terms with one rate in common
+/// are read together, and share more: with 100 instead, half of the pages of models/ change, to
+/// entries 0.6 % longer and code 0.6 % dearer in all; with 95 and with 70 the entries are longer
+/// too.
 constexpr std::size_t weight_of(Grouping grouping) {
   switch (grouping) {
     case Grouping::by_rates:
@@ -91,7 +95,9 @@ Collected collected(const Expressions& expressions, std::size_t terms, Grouping 
   return result;
 }
 
-/// Sums that are much longer than another way to write the same are not collected.
+/// Sums that are much longer than another way to write the same are not collected: ten times longer
+/// ones never come out shortest in models/, and without those up to twice as long five pages
+/// change.
 constexpr std::size_t terms_over_least = 2;
 
 struct Written {
@@ -109,7 +115,9 @@ std::optional<Written> written(const Algebra& algebra, const Fraction& form, Lay
   return result;
 }
 
-/// Longer sums are collected in one way only: the shortest trigonometry, by rates.
+/// Longer sums are collected in one way only, for the time it takes: the shortest trigonometry, by
+/// rates. With 20 the entries of models/ are 1.6 % longer, and code is 0.6 % dearer; with 80 they
+/// are 0.3 % shorter, code is the same, and generation takes 8 % longer.
 constexpr std::size_t always_compared = 40;
 
 /// The groupings that make a difference to a form, from what its terms hold.

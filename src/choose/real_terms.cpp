@@ -159,7 +159,7 @@ class RealTerms {
   /// angle itself.
   void note_angle(const Monomial& angle) {
     if (angle.empty()) return;
-    constexpr std::int32_t whole = 12;
+    constexpr std::int32_t whole = 12;  // the power of e^(i x/12) that is e^(i x)
     for (const AtomPower& part : angle) {
       std::int32_t& base = base_of_unit_.try_emplace(part.atom, whole).first->second;
       base = std::gcd(base, part.exponent);

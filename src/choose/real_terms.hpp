@@ -43,7 +43,8 @@ struct RealTerm {
 };
 
 /// What a call adds to the length of what is written, and what a multiple of an angle does:
-/// sin(2*x)/2 is no shorter than sin(x)*cos(x), whose parts occur elsewhere too.
+/// sin(2*x)/2 is no shorter than sin(x)*cos(x), whose parts occur elsewhere too. Without the second
+/// the code of models/ is 4 % dearer, with 2 for it 2.5 %; with 20 the entries are 3 % longer.
 inline constexpr std::size_t call_length = 2;
 inline constexpr std::size_t multiple_length = 5;
 
