@@ -24,8 +24,8 @@
 
 namespace elgen {
 
-/// A point of evaluation; numbers are exact (rational) where they come from binary or decimal
-/// inputs.
+/// A point of evaluation, each number in the unit that the model declares; exact (rational) where
+/// it comes from a binary or decimal input.
 using State = LeafValues<cln::cl_R>;
 
 /// Parameters at their values (or as fixed by the scene), quaternions at (1, 0, 0, 0), everything
@@ -45,8 +45,8 @@ void draw_parameters(const FixedParameters& fixed, Random& random, State& state)
 /// model need not have values; quaternions of length 1.
 void draw_motion(const Model& model, Random& random, State& state);
 
-/// Values of one field after another, row-major; empty where an intermediate left the domain
-/// (sqrt(-1), 1/0).
+/// Values of one field after another, row-major, of the shape and in the units of the output table;
+/// empty where an intermediate left the domain (sqrt(-1), 1/0).
 using OracleValues = std::optional<std::vector<cln::cl_R>>;
 
 /// All entries of an output. forward_dynamics: the acceleration, then the relative pivots.
@@ -54,14 +54,14 @@ using OracleValues = std::optional<std::vector<cln::cl_R>>;
                                          const State& state);
 
 /// Slope of w . (M a + bias - B u) where q moves along x and v along y; a and u are the state's and
-/// stay. For a rotation x is its rotation vector in its own axes.
+/// stay; w, x, y have one entry per velocity. For a rotation x is its rotation vector in its axes.
 [[nodiscard]] std::optional<cln::cl_R> oracle_residual_slope(const Model& model, const State& state,
                                                              const std::vector<cln::cl_R>& w,
                                                              const std::vector<cln::cl_R>& x,
                                                              const std::vector<cln::cl_R>& y);
 
-/// Directions a field of an output is contracted with: w . x for columns, w . X y for matrices; y
-/// is empty for columns.
+/// Directions a field of an output is contracted with: w . x for columns, w . X y for matrices; w
+/// has one entry per row, y one per column, or none for columns.
 struct Contraction {
   std::vector<cln::cl_R> w = {};
   std::vector<cln::cl_R> y = {};
@@ -76,7 +76,7 @@ struct Contraction {
                                                           const State& state,
                                                           const Contraction& by);
 
-/// |E| and the magnitudes of the terms that V sums, in whose rounding what cancels drowns.
+/// |E| and the magnitudes of the terms that V sums, in J, in whose rounding what cancels drowns.
 [[nodiscard]] std::optional<cln::cl_R> oracle_energy_magnitude(const Model& model,
                                                                const State& state);
 

@@ -6,18 +6,18 @@
 
 namespace elgen::oracle {
 
-/// B = dQ/du
+/// B = dQ/du: n x m for n velocities and m inputs, row-major.
 [[nodiscard]] std::vector<cln::cl_R> input_entries(Mechanics& at);
 
-/// d tau/dq, d tau/dv
+/// d tau/dq, d tau/dv: n x n each for n velocities, row-major.
 [[nodiscard]] std::vector<cln::cl_R> inverse_derivatives(Mechanics& at);
 [[nodiscard]] cln::cl_R inverse_contraction(Mechanics& at, const Contraction& by);
 
-/// da/dq, da/dv, da/du
+/// da/dq, da/dv, da/du: n x n, n x n and n x inputs, row-major.
 [[nodiscard]] std::vector<cln::cl_R> forward_derivatives(Mechanics& at);
 [[nodiscard]] cln::cl_R forward_contraction(Mechanics& at, const Contraction& by);
 
-/// A and B of d(dx)/dt = A dx + B du: the rates of x = (dq, dv) for unit changes. Of a rotation
+/// A, 2n x 2n, and B, 2n x inputs, of d(dx)/dt = A dx + B du with x = (dq, dv). Of a rotation
 /// vector dq the rate is dv - w x dq.
 [[nodiscard]] std::vector<cln::cl_R> state_matrices(Mechanics& at);
 [[nodiscard]] cln::cl_R state_contraction(Mechanics& at, const Contraction& by);
