@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cctype>
+#include <filesystem>
 #include <sstream>
 
 #include "elgen/functions.hpp"
@@ -85,6 +86,15 @@ TEST_CASE("the page of the language names every function, unit and output") {
   for (const UnitRow& row : unit_table()) {
     INFO(row.name);
     CHECK(has_word(units, std::string(row.name)));
+  }
+}
+
+TEST_CASE("the page of the sources has every folder") {
+  for (const auto& entry : std::filesystem::directory_iterator(ELGEN_SOURCE_DIR "/src")) {
+    if (!entry.is_directory()) continue;
+    const std::string folder = entry.path().filename();
+    INFO(folder);
+    CHECK(mentions(page("src/README.md").prose, "| `src/" + folder + "/` |"));
   }
 }
 
