@@ -1,4 +1,4 @@
-// TermBounds: see bounds.hpp. Every leaf of a term lies in its range by itself, so that bounds hold
+// RangeBounds: see bounds.hpp. Every leaf of a term lies in its range by itself, so that bounds hold
 // but need not be reached.
 #include "drop/bounds.hpp"
 
@@ -48,12 +48,12 @@ std::vector<Fraction> terms_of(const Algebra& algebra, const Fraction& x) {
   return terms;
 }
 
-std::nullopt_t TermBounds::miss(const Span& span, std::string message, std::string hint) {
+std::nullopt_t RangeBounds::miss(const Span& span, std::string message, std::string hint) {
   missing_ = {Code::E616, span, std::move(message), std::move(hint)};
   return std::nullopt;
 }
 
-std::optional<Enclosure> TermBounds::of(const Fraction& x) {
+std::optional<Enclosure> RangeBounds::of(const Fraction& x) {
   std::optional<Enclosure> result = of(x.numerator);
   for (const auto& [factor, exponent] : x.denominator) {
     const std::optional<Enclosure> divisor = of(algebra_.factors[factor].shown);
@@ -65,7 +65,7 @@ std::optional<Enclosure> TermBounds::of(const Fraction& x) {
   return result;
 }
 
-std::optional<TermBounds> TermBounds::of_terms(const Fraction& x) {
+std::optional<TermBounds> RangeBounds::of_terms(const Fraction& x) {
   TermBounds bounds;
   for (const Fraction& term : terms_of(algebra_, x)) {
     const std::optional<Enclosure> bound = of(term);
@@ -77,7 +77,7 @@ std::optional<TermBounds> TermBounds::of_terms(const Fraction& x) {
 }
 
 /// A pair c z + conj(c z), |z| = r, is at most 2 |c| r.
-std::optional<Enclosure> TermBounds::of(const Polynomial& sum) {
+std::optional<Enclosure> RangeBounds::of(const Polynomial& sum) {
   Enclosure total;
   for (const auto& [monomial, coefficient] : sum) {
     const AtomPower* angle = exponential(algebra_, monomial);
@@ -96,7 +96,7 @@ std::optional<Enclosure> TermBounds::of(const Polynomial& sum) {
   return total;
 }
 
-std::optional<Enclosure> TermBounds::of(const Monomial& monomial) {
+std::optional<Enclosure> RangeBounds::of(const Monomial& monomial) {
   Enclosure result{1, 1};
   for (const AtomPower& factor : monomial) {
     if (algebra_.atoms[factor.atom].kind == AtomKind::circular) continue;  // of length 1
@@ -109,7 +109,7 @@ std::optional<Enclosure> TermBounds::of(const Monomial& monomial) {
   return result;
 }
 
-std::optional<Enclosure> TermBounds::of_atom(AtomId id) {
+std::optional<Enclosure> RangeBounds::of_atom(AtomId id) {
   if (const auto known = known_.find(id); known != known_.end()) return known->second;
   const Atom& atom = algebra_.atoms[id];
   std::optional<Enclosure> result;
@@ -135,7 +135,7 @@ std::optional<Enclosure> TermBounds::of_atom(AtomId id) {
   return result;
 }
 
-std::optional<Enclosure> TermBounds::of_leaf(const Atom& atom) {
+std::optional<Enclosure> RangeBounds::of_leaf(const Atom& atom) {
   switch (atom.leaf) {
     case Opcode::parameter: {
       const Parameter& parameter = model_.parameters[atom.index];
@@ -163,7 +163,7 @@ std::optional<Enclosure> TermBounds::of_leaf(const Atom& atom) {
   }
 }
 
-std::optional<Enclosure> TermBounds::of_call(const Atom& atom) {
+std::optional<Enclosure> RangeBounds::of_call(const Atom& atom) {
   const cl_RA pi_above = cl_RA(22) / 7;
   switch (atom.function) {
     case FunctionId::tanh:

@@ -1,4 +1,4 @@
-// TermBounds: what closed forms are at most over the ranges a model declares.
+// RangeBounds: what closed forms are at most over the ranges a model declares.
 //
 //     1/4 m x e^(i theta) + its conjugate,  m = 2, x in [-3, 1]     ->     [-3, 3]
 //
@@ -23,10 +23,10 @@ struct TermBounds {
   cln::cl_RA together = 0;  ///< their sum, whatever their signs
 };
 
-class TermBounds {
+class RangeBounds {
  public:
   /// `algebra` may grow while this lives.
-  TermBounds(const Algebra& algebra, const Model& model) : algebra_(algebra), model_(model) {}
+  RangeBounds(const Algebra& algebra, const Model& model) : algebra_(algebra), model_(model) {}
 
   /// None where there is no bound; missing() then says why.
   [[nodiscard]] std::optional<Enclosure> of(const Fraction& x);

@@ -224,7 +224,7 @@ class Drop {
   const Model& model_;
   const Dropping& dropping_;
   ClosedForms forms_;
-  TermBounds bounds_;
+  RangeBounds bounds_;
   Arithmetic arithmetic_;
   DroppedParts dropped_;
   Reduction reduction_;

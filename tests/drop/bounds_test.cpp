@@ -37,10 +37,10 @@ struct Sample {
   Fraction form;
 
   [[nodiscard]] std::optional<Enclosure> bound() const {
-    return TermBounds(forms.algebra, model).of(form);
+    return RangeBounds(forms.algebra, model).of(form);
   }
   [[nodiscard]] std::string missing() const {
-    TermBounds bounds(forms.algebra, model);
+    RangeBounds bounds(forms.algebra, model);
     CHECK_FALSE(bounds.of(form));
     return bounds.missing().message;
   }
@@ -96,7 +96,7 @@ TEST_CASE("what has no range is named") {
 TEST_CASE("conjugate exponentials are one term") {
   const Sample sample("m + k*cos(y)^2 + x*sin(y)");
   CHECK(terms_of(sample.forms.algebra, sample.form).size() == 4);
-  TermBounds bounds(sample.forms.algebra, sample.model);
+  RangeBounds bounds(sample.forms.algebra, sample.model);
   const auto terms = bounds.of_terms(sample.form);
   REQUIRE(terms);
   CHECK(terms->largest == 3);

@@ -102,7 +102,7 @@ TEST_CASE("oblique turns, attitudes and changed names") {
   CHECK(after(model, "\"Izz_left_leg\",\n") == "           \"Ixy_left_leg\", \"0\", \"0\"]");
 }
 
-TEST_CASE("links come with their parents first, each with its parameters; the tree names all") {
+TEST_CASE("links come with their parents first, each with its parameters, the tree names all") {
   const std::string model = imported(with_arm(
       "<link name=\"tool\"/><joint name=\"tool_joint\" type=\"fixed\"><parent link=\"arm\"/><child "
       "link=\"tool\"/></joint><joint name=\"j\" type=\"revolute\"><parent link=\"base\"/><child "

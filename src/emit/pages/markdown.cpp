@@ -3,8 +3,8 @@
 
 #include "elgen/drop.hpp"
 #include "elgen/render.hpp"
-#include "emit/pages/page_artifacts.hpp"
 #include "emit/pages/introduction.hpp"
+#include "emit/pages/page_artifacts.hpp"
 #include "emit/text/stamp.hpp"
 
 namespace elgen {
