@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <cstdlib>
 
@@ -23,9 +22,6 @@ struct RawOptions {
   std::string color = "auto";
   std::string format = "text";
   std::vector<std::string> limits = {};
-  std::vector<std::string> outputs = {};
-  std::vector<std::string> fixed = {};
-  std::vector<std::string> sizes = {};
   bool list_limits = false;
 };
 
@@ -47,90 +43,6 @@ void add_global_options(CLI::App& app, CommandLine& line, RawOptions& raw) {
   app.add_option("--limit", raw.limits, "raise or lower a limit")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
-}
-
-void add_scene_options(CLI::App& command, RawOptions& raw) {
-  command.add_option("--fix", raw.fixed, "make a parameter a number: NAME, NAME=VALUE or all")
-      ->type_name("NAME[=VALUE]")
-      ->allow_extra_args(false);
-  command.add_option("--size", raw.sizes, "override a size of the model")
-      ->type_name("NAME=N")
-      ->allow_extra_args(false);
-}
-
-CLI::App* add_generate(CLI::App& app, CommandLine& line, RawOptions& raw) {
-  CLI::App* command =
-      app.add_subcommand("generate", "derive and write the code of models and scenes");
-  GenerateOptions& options = line.generate;
-  command->add_option("inputs", options.inputs, "NAME.toml, NAME.scene.toml or - (stdin)")
-      ->required();
-  command->add_option("-o,--output-directory", options.output_directory, "where to write")
-      ->type_name("DIR")
-      ->capture_default_str();
-  command->add_option("--outputs", raw.outputs, "only these: mass_matrix,bias,…")
-      ->type_name("LIST")
-      ->allow_extra_args(false);
-  add_scene_options(*command, raw);
-  CLI::Option* check =
-      command->add_flag("--check", options.check, "write nothing; exit 1 if the files differ");
-  command->add_flag("--force", options.force,
-                    "overwrite regular files that elgen did not generate");
-  CLI::Option* list =
-      command->add_flag("--list-outputs", options.list_outputs, "print the paths it would write");
-  CLI::Option* depfile = command
-                             ->add_option("--depfile", options.depfile,
-                                          "write the inputs of each file, for make and ninja")
-                             ->type_name("FILE");
-  CLI::Option* to_stdout =
-      command->add_flag("--stdout", options.to_stdout, "print the header instead of writing files");
-  check->excludes(list)->excludes(to_stdout)->excludes(depfile);
-  list->excludes(to_stdout)->excludes(depfile);
-  to_stdout->excludes(depfile);
-  return command;
-}
-
-CLI::App* add_show(CLI::App& app, CommandLine& line, RawOptions& raw) {
-  CLI::App* command = app.add_subcommand("show", "print the equations of a model or scene");
-  ShowOptions& options = line.show;
-  command->add_option("input", options.input, "NAME.toml, NAME.scene.toml or - (stdin)")
-      ->required();
-  command
-      ->add_option("--what", options.what,
-                   "outputs: mass_matrix,gravity,…; or lagrangian, steps, cost or dropped")
-      ->type_name("LIST");
-  command->add_option("--as", options.as, "text, latex, mathml, markdown or json")
-      ->check(CLI::IsMember({"text", "latex", "mathml", "markdown", "json"}))
-      ->capture_default_str();
-  add_scene_options(*command, raw);
-  return command;
-}
-
-CLI::App* add_verify(CLI::App& app, CommandLine& line) {
-  CLI::App* command = app.add_subcommand("verify", "check models against 60-digit arithmetic");
-  VerifyCommandOptions& options = line.verify;
-  command->add_option("inputs", options.inputs, "NAME.toml, NAME.scene.toml or - (stdin)")
-      ->required();
-  command
-      ->add_option("--samples", options.verify.samples,
-                   "states per output (256, fewer for long programs)")
-      ->check(CLI::PositiveNumber);
-  command->add_flag("--quick", options.verify.quick,
-                    "few states, projections instead of all entries, no compiler");
-  command->add_flag("--strict", options.strict, "exit with 1 where a check is skipped");
-  command->add_option("-o,--output", options.certificate_file, "write the certificates here too")
-      ->type_name("FILE");
-  command->add_flag("--force", options.force, "overwrite FILE");
-  return command;
-}
-
-CLI::App* add_import(CLI::App& app, CommandLine& line) {
-  CLI::App* command = app.add_subcommand("import", "print a robot description as a model file");
-  ImportOptions& options = line.import_options;
-  command->add_option("input", options.input, "NAME.urdf or - (stdin)")->required();
-  command->add_option("-o,--output", options.output, "write the model here instead")
-      ->type_name("FILE");
-  command->add_flag("--force", options.force, "overwrite FILE");
-  return command;
 }
 
 /// A source that shows the command line, with a span on `word`.
@@ -221,12 +133,6 @@ std::string limits_text() {
   return text;
 }
 
-std::vector<SourcePointer> sources(const std::vector<std::string>& values) {
-  std::vector<SourcePointer> result;
-  for (const std::string& value : values) result.push_back(make_source("command line", value));
-  return result;
-}
-
 bool wants_color(const std::string& choice) {
   if (choice != "auto") return choice == "always";
   return std::getenv("NO_COLOR") == nullptr && ::isatty(STDERR_FILENO) != 0;
@@ -248,37 +154,9 @@ std::string value_of(const std::vector<std::string>& words, const std::string& o
   return {};
 }
 
-/// In quotes where a shell would not take it as one word.
-std::string quoted(const std::string& word) {
-  constexpr const char* harmless =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,/:@%";
-  if (!word.empty() && word.find_first_not_of(harmless) == std::string::npos) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
-  return text + "'";
-}
-
-/// The words without --check; what options would change has to be written somewhere they name.
-std::string repair_command(const std::vector<std::string>& words, const GenerateOptions& options) {
-  std::string command = "elgen";
-  for (std::size_t i = 1; i < words.size(); ++i) {
-    if (words[i] != "--check") command += " " + quoted(words[i]);
-  }
-  const SceneOptions& scene = options.scene;
-  const bool changes = !scene.outputs.empty() || !scene.fixed.empty() || !scene.sizes.empty();
-  if (changes && !options.output_directory_given) {
-    command += " -o " + quoted(options.output_directory);
-  }
-  return command;
-}
-
 /// What CLI11 could not convert by itself.
 Diagnostics finish(const RawOptions& raw, CommandLine& line) {
   line.global.style = style_of(raw.color, raw.format);
-  line.generate.scene = {sources(raw.outputs), sources(raw.fixed), sources(raw.sizes)};
-  line.show.scene = {{}, sources(raw.fixed), sources(raw.sizes)};
-  const bool names_outputs = !line.show.what.empty() && !is_subject_of_its_own(line.show.what);
-  if (names_outputs) line.show.scene.outputs = sources({line.show.what});
   Result<Limits> limits = read_limits(raw.limits);
   if (!limits) return limits.diagnostics;
   line.global.limits = *limits;
@@ -299,13 +177,9 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
   app.fallthrough();
   app.get_formatter()->column_width(34);
   add_global_options(app, line, raw);
-  const CLI::App* generate = add_generate(app, line, raw);
-  const CLI::App* show = add_show(app, line, raw);
-  const CLI::App* verify = add_verify(app, line);
-  const CLI::App* import_command = add_import(app, line);
-  CLI::App* explain =
-      app.add_subcommand("explain", "what an error code or an entry of a model means");
-  explain->add_option("name", line.name, "E201, coordinate, scene.outputs")->required();
+#define ELGEN_COMMAND(name) add_##name(app, line.action);
+#include "cli/commands.def"
+#undef ELGEN_COMMAND
   try {
     std::vector<std::string> reversed(words.rbegin(), words.rend() - 1);
     app.parse(reversed);
@@ -325,15 +199,9 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
   if (app.get_subcommands().empty()) {
     return Diagnostic{Code::E913, {}, "no command given", "see `elgen --help`"};
   }
-  line.command = generate->parsed()         ? Command::generate
-                 : show->parsed()           ? Command::show
-                 : verify->parsed()         ? Command::verify
-                 : import_command->parsed() ? Command::import
-                                            : Command::explain;
-  line.generate.output_directory_given = generate->count("-o") > 0;
+  line.global.words = words;
   const Diagnostics errors = finish(raw, line);
   if (!errors.empty()) return errors;
-  line.generate.repair_command = repair_command(words, line.generate);
   return line;
 }
 

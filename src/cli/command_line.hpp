@@ -4,21 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "cli/options.hpp"
+#include "cli/commands.hpp"
 
 namespace elgen::cli {
 
-enum class Command : unsigned char { none, generate, show, verify, import, explain };
-
 struct CommandLine {
-  Command command = Command::none;  ///< none: --help, --version, --limits
-  std::string answer = {};          ///< to these
+  Action action = {};       ///< empty: --help, --version, --limits
+  std::string answer = {};  ///< to these
   GlobalOptions global = {};
-  GenerateOptions generate = {};
-  ShowOptions show = {};
-  VerifyCommandOptions verify = {};
-  ImportOptions import_options = {};
-  std::string name = {};
 };
 
 /// E913: words that are not understood, with what was probably meant.

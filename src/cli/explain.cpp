@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "cli/options.hpp"
+#include "cli/commands.hpp"
 #include "elgen/syntax.hpp"
 #include "elgen/wording.hpp"
 
@@ -83,8 +83,6 @@ std::vector<std::string> known_names() {
   return names;
 }
 
-}  // namespace
-
 ExitCode explain(const GlobalOptions& global, const std::string& name) {
   if (const CodeRow* row = find_code(name)) {
     return print(global, fmt::format("{}: {}\n\n{}\n", row->name, row->title, row->explanation));
@@ -95,6 +93,16 @@ ExitCode explain(const GlobalOptions& global, const std::string& name) {
                           {},
                           fmt::format("`{}` is neither an error code nor an entry", name),
                           suggestion(name, known_names())}});
+}
+
+}  // namespace
+
+void add_explain(CLI::App& app, Action& action) {
+  CLI::App* command =
+      app.add_subcommand("explain", "what an error code or an entry of a model means");
+  const auto name = std::make_shared<std::string>();
+  command->add_option("name", *name, "E201, coordinate, scene.outputs")->required();
+  set_action(*command, action, name, &explain);
 }
 
 }  // namespace elgen::cli

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <map>
 
+#include "cli/commands.hpp"
 #include "cli/inputs.hpp"
-#include "cli/options.hpp"
 #include "cli/output_files.hpp"
 #include "cli/progress.hpp"
 #include "cli/resources.hpp"
@@ -115,6 +115,30 @@ std::vector<OutputFile> output_files(const GenerateOptions& options, const std::
   return files;
 }
 
+/// In quotes where a shell would not take it as one word.
+std::string quoted(const std::string& word) {
+  constexpr const char* harmless =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,/:@%";
+  if (!word.empty() && word.find_first_not_of(harmless) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+  return text + "'";
+}
+
+/// The words without --check; what options would change has to be written somewhere they name.
+std::string repair_command(const GlobalOptions& global, const GenerateOptions& options) {
+  std::string command = "elgen";
+  for (std::size_t i = 1; i < global.words.size(); ++i) {
+    if (global.words[i] != "--check") command += " " + quoted(global.words[i]);
+  }
+  const SceneOptions& scene = options.scene;
+  const bool changes = !scene.outputs.empty() || !scene.fixed.empty() || !scene.sizes.empty();
+  if (changes && !options.output_directory_given) {
+    command += " -o " + quoted(options.output_directory);
+  }
+  return command;
+}
+
 ExitCode check(const GlobalOptions& global, const GenerateOptions& options,
                const std::vector<Job>& jobs) {
   const Differences differences = compare_files(options.output_directory, all_files(jobs));
@@ -123,7 +147,7 @@ ExitCode check(const GlobalOptions& global, const GenerateOptions& options,
     return ExitCode::success;
   }
   const ExitCode printed = print(global, differences.text);
-  if (differences.is_stale) tell(global, "to repair: " + options.repair_command);
+  if (differences.is_stale) tell(global, "to repair: " + repair_command(global, options));
   for (const std::string& path : differences.orphans) tell(global, "to repair: delete " + path);
   return std::max(printed, ExitCode::differs);
 }
@@ -175,8 +199,6 @@ std::string headers(const std::vector<Job>& jobs) {
   return text;
 }
 
-}  // namespace
-
 ExitCode generate(const GlobalOptions& global, const GenerateOptions& options) {
   std::vector<Job> jobs;
   const ExitCode worst = run(global, options, jobs);
@@ -187,6 +209,40 @@ ExitCode generate(const GlobalOptions& global, const GenerateOptions& options) {
   if (options.list_outputs) return print(global, listed(options, jobs));
   if (options.to_stdout) return print(global, headers(jobs));
   return options.check ? check(global, options, jobs) : write(global, options, jobs);
+}
+
+}  // namespace
+
+void add_generate(CLI::App& app, Action& action) {
+  CLI::App* command =
+      app.add_subcommand("generate", "derive and write the code of models and scenes");
+  const auto options = std::make_shared<GenerateOptions>();
+  command->add_option("inputs", options->inputs, "NAME.toml, NAME.scene.toml or - (stdin)")
+      ->required();
+  command->add_option("-o,--output-directory", options->output_directory, "where to write")
+      ->type_name("DIR")
+      ->capture_default_str()
+      ->each([options](const std::string&) { options->output_directory_given = true; });
+  add_sources(*command, "--outputs", options->scene.outputs, "only these: mass_matrix,bias,…")
+      ->type_name("LIST")
+      ->allow_extra_args(false);
+  add_specialisation(*command, options->scene);
+  CLI::Option* check =
+      command->add_flag("--check", options->check, "write nothing; exit 1 if the files differ");
+  command->add_flag("--force", options->force,
+                    "overwrite regular files that elgen did not generate");
+  CLI::Option* list =
+      command->add_flag("--list-outputs", options->list_outputs, "print the paths it would write");
+  CLI::Option* depfile = command
+                             ->add_option("--depfile", options->depfile,
+                                          "write the inputs of each file, for make and ninja")
+                             ->type_name("FILE");
+  CLI::Option* to_stdout = command->add_flag("--stdout", options->to_stdout,
+                                             "print the header instead of writing files");
+  check->excludes(list)->excludes(to_stdout)->excludes(depfile);
+  list->excludes(to_stdout)->excludes(depfile);
+  to_stdout->excludes(depfile);
+  set_action(*command, action, options, &generate);
 }
 
 }  // namespace elgen::cli

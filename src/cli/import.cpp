@@ -1,12 +1,14 @@
 // elgen import: a robot description as a model file, on stdout or where -o says.
 #include <algorithm>
 
+#include "cli/commands.hpp"
 #include "cli/inputs.hpp"
-#include "cli/options.hpp"
 #include "cli/output_files.hpp"
 #include "elgen/urdf.hpp"
 
 namespace elgen::cli {
+
+namespace {
 
 ExitCode import_file(const GlobalOptions& global, const ImportOptions& options) {
   const Result<SourcePointer> source = read_source(options.input, global.limits);
@@ -21,6 +23,18 @@ ExitCode import_file(const GlobalOptions& global, const ImportOptions& options) 
   if (!written) return report(global, written.diagnostics);
   tell(global, "wrote " + options.output);
   return imported;
+}
+
+}  // namespace
+
+void add_import(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("import", "print a robot description as a model file");
+  const auto options = std::make_shared<ImportOptions>();
+  command->add_option("input", options->input, "NAME.urdf or - (stdin)")->required();
+  command->add_option("-o,--output", options->output, "write the model here instead")
+      ->type_name("FILE");
+  command->add_flag("--force", options->force, "overwrite FILE");
+  set_action(*command, action, options, &import_file);
 }
 
 }  // namespace elgen::cli

@@ -4,30 +4,11 @@
 #include <new>
 
 #include "cli/command_line.hpp"
-#include "cli/options.hpp"
 #include "cli/resources.hpp"
 
 namespace elgen::cli {
 
 namespace {
-
-ExitCode run_command(const CommandLine& line) {
-  switch (line.command) {
-    case Command::generate:
-      return generate(line.global, line.generate);
-    case Command::show:
-      return show(line.global, line.show);
-    case Command::verify:
-      return verify_inputs(line.global, line.verify);
-    case Command::import:
-      return import_file(line.global, line.import_options);
-    case Command::explain:
-      return explain(line.global, line.name);
-    case Command::none:
-      return print(line.global, line.answer);
-  }
-  return ExitCode::internal;
-}
 
 /// `global` is what is known of the command line when something is thrown.
 ExitCode run_words(const std::vector<std::string>& words, GlobalOptions& global) {
@@ -38,7 +19,7 @@ ExitCode run_words(const std::vector<std::string>& words, GlobalOptions& global)
   }
   global = line->global;
   set_resource_limits(global.limits, global.style);
-  return run_command(*line);
+  return line->action ? line->action(global) : print(global, line->answer);
 }
 
 ExitCode run(int count, char** words) {

@@ -11,6 +11,7 @@ namespace elgen::cli {
 
 /// Options of every command.
 struct GlobalOptions {
+  std::vector<std::string> words = {};  ///< of the command line, the program's name first
   DiagnosticStyle style = {};
   bool quiet = false;
   bool verbose = false;
@@ -26,7 +27,6 @@ struct GenerateOptions {
   bool output_directory_given = false;
   SceneOptions scene = {};
   bool check = false;
-  std::string repair_command = {};  ///< this command line without --check, for a shell
   bool force = false;
   bool list_outputs = false;
   bool to_stdout = false;
@@ -53,15 +53,6 @@ struct ImportOptions {
   std::string output = {};  ///< empty: stdout
   bool force = false;
 };
-
-[[nodiscard]] ExitCode generate(const GlobalOptions& global, const GenerateOptions& options);
-[[nodiscard]] ExitCode verify_inputs(const GlobalOptions& global,
-                                     const VerifyCommandOptions& options);
-/// Whether a word of --what is no output: lagrangian, steps, cost, dropped.
-[[nodiscard]] bool is_subject_of_its_own(const std::string& what);
-[[nodiscard]] ExitCode show(const GlobalOptions& global, const ShowOptions& options);
-[[nodiscard]] ExitCode import_file(const GlobalOptions& global, const ImportOptions& options);
-[[nodiscard]] ExitCode explain(const GlobalOptions& global, const std::string& name);
 
 /// Prints what was asked for on stdout, at once. E706 where that fails.
 ExitCode print(const GlobalOptions& global, const std::string& text);

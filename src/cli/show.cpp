@@ -5,9 +5,9 @@
 #include <array>
 #include <optional>
 
+#include "cli/commands.hpp"
 #include "cli/costs.hpp"
 #include "cli/inputs.hpp"
-#include "cli/options.hpp"
 #include "cli/progress.hpp"
 #include "elgen/drop.hpp"
 #include "elgen/render.hpp"
@@ -89,13 +89,6 @@ std::string page(const Products& products, ShownSubject subject, const ShowOptio
   return {};
 }
 
-}  // namespace
-
-bool is_subject_of_its_own(const std::string& what) {
-  return std::any_of(subjects.begin(), subjects.end(),
-                     [&](const SubjectRow& row) { return row.word == what; });
-}
-
 ExitCode show(const GlobalOptions& global, const ShowOptions& options) {
   const Result<ShownSubject> subject = subject_of(options);
   if (!subject) return report(global, subject.diagnostics);
@@ -104,6 +97,9 @@ ExitCode show(const GlobalOptions& global, const ShowOptions& options) {
   const bool shows_steps = *subject == ShownSubject::steps || *subject == ShownSubject::lagrangian;
   PipelineOptions pipeline = pipeline_options(global, {shows_steps ? "steps" : "readback"});
   pipeline.scene = options.scene;
+  if (*subject == ShownSubject::outputs && !options.what.empty()) {
+    pipeline.scene.outputs = {make_source("command line", options.what)};
+  }
   const Products products = run_shown(options.input, *inputs, pipeline);
   const ExitCode derived = report_products(global, products);
   tell_times(global, products);
@@ -116,6 +112,24 @@ ExitCode show(const GlobalOptions& global, const ShowOptions& options) {
   }
   if (*subject == ShownSubject::cost) text += "\n" + generation_costs(*inputs, pipeline, products);
   return print(global, text);
+}
+
+}  // namespace
+
+void add_show(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("show", "print the equations of a model or scene");
+  const auto options = std::make_shared<ShowOptions>();
+  command->add_option("input", options->input, "NAME.toml, NAME.scene.toml or - (stdin)")
+      ->required();
+  command
+      ->add_option("--what", options->what,
+                   "outputs: mass_matrix,gravity,…; or lagrangian, steps, cost or dropped")
+      ->type_name("LIST");
+  command->add_option("--as", options->as, "text, latex, mathml, markdown or json")
+      ->check(CLI::IsMember({"text", "latex", "mathml", "markdown", "json"}))
+      ->capture_default_str();
+  add_specialisation(*command, options->scene);
+  set_action(*command, action, options, &show);
 }
 
 }  // namespace elgen::cli

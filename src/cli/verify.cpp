@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "cli/commands.hpp"
 #include "cli/inputs.hpp"
-#include "cli/options.hpp"
 #include "cli/output_files.hpp"
 #include "cli/progress.hpp"
 #include "cli/resources.hpp"
@@ -99,8 +99,6 @@ ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& opt
   return std::max(found, exit_code(certificate, options.strict));
 }
 
-}  // namespace
-
 ExitCode verify_inputs(const GlobalOptions& global, const VerifyCommandOptions& options) {
   const std::string& file = options.certificate_file;
   Diagnostics refused;
@@ -118,6 +116,26 @@ ExitCode verify_inputs(const GlobalOptions& global, const VerifyCommandOptions& 
   const auto written =
       write_files({{file, all, Replaces::nothing}}, {options.force, global.limits.seconds});
   return std::max(worst, report(global, written.diagnostics));
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("verify", "check models against 60-digit arithmetic");
+  const auto options = std::make_shared<VerifyCommandOptions>();
+  command->add_option("inputs", options->inputs, "NAME.toml, NAME.scene.toml or - (stdin)")
+      ->required();
+  command
+      ->add_option("--samples", options->verify.samples,
+                   "states per output (256, fewer for long programs)")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("--quick", options->verify.quick,
+                    "few states, projections instead of all entries, no compiler");
+  command->add_flag("--strict", options->strict, "exit with 1 where a check is skipped");
+  command->add_option("-o,--output", options->certificate_file, "write the certificates here too")
+      ->type_name("FILE");
+  command->add_flag("--force", options->force, "overwrite FILE");
+  set_action(*command, action, options, &verify_inputs);
 }
 
 }  // namespace elgen::cli

@@ -1,0 +1,35 @@
+// Commands: the file of each says its name, its options and what it does.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "cli/options.hpp"
+
+namespace elgen::cli {
+
+/// A command with its options.
+using Action = std::function<ExitCode(const GlobalOptions&)>;
+
+// Each adds its command to `app`; where the words name it, they set `action`.
+#define ELGEN_COMMAND(name) void add_##name(CLI::App& app, Action& action);
+#include "cli/commands.def"
+#undef ELGEN_COMMAND
+
+/// `run` with the options that CLI11 fills while it reads the words.
+template <class Options>
+void set_action(CLI::App& command, Action& action, const std::shared_ptr<Options>& options,
+                ExitCode (*run)(const GlobalOptions&, const Options&)) {
+  command.callback([&action, options, run] {
+    action = [options, run](const GlobalOptions& global) { return run(global, *options); };
+  });
+}
+
+/// An option of which every value is a source that diagnostics point into.
+CLI::Option* add_sources(CLI::App& command, const std::string& name,
+                         std::vector<SourcePointer>& sources, const std::string& doc);
+
+/// --fix and --size
+void add_specialisation(CLI::App& command, SceneOptions& options);
+
+}  // namespace elgen::cli
