@@ -19,6 +19,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+struct GenerateOptions {
+  std::vector<std::string> inputs = {};
+  std::string output_directory = "generated";
+  bool output_directory_given = false;
+  SceneOptions scene = {};
+  bool check = false;
+  bool force = false;
+  bool list_outputs = false;
+  bool to_stdout = false;
+  std::string depfile = {};
+};
+
 /// One input on its way to its files.
 struct Job {
   std::string path;

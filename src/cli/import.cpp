@@ -10,6 +10,12 @@ namespace elgen::cli {
 
 namespace {
 
+struct ImportOptions {
+  std::string input = {};
+  std::string output = {};  ///< empty: stdout
+  bool force = false;
+};
+
 ExitCode import_file(const GlobalOptions& global, const ImportOptions& options) {
   const Result<SourcePointer> source = read_source(options.input, global.limits);
   if (!source) return report(global, source.diagnostics);

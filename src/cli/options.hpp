@@ -21,39 +21,6 @@ struct GlobalOptions {
   Limits limits = {};
 };
 
-struct GenerateOptions {
-  std::vector<std::string> inputs = {};
-  std::string output_directory = "generated";
-  bool output_directory_given = false;
-  SceneOptions scene = {};
-  bool check = false;
-  bool force = false;
-  bool list_outputs = false;
-  bool to_stdout = false;
-  std::string depfile = {};
-};
-
-struct VerifyCommandOptions {
-  std::vector<std::string> inputs = {};
-  VerifyOptions verify = {};
-  bool strict = false;                ///< what is skipped counts as failed
-  std::string certificate_file = {};  ///< empty: none
-  bool force = false;
-};
-
-struct ShowOptions {
-  std::string input = {};
-  std::string what = {};  ///< outputs, or one of the words of show.cpp; empty: all outputs
-  std::string as = "text";
-  SceneOptions scene = {};
-};
-
-struct ImportOptions {
-  std::string input = {};
-  std::string output = {};  ///< empty: stdout
-  bool force = false;
-};
-
 /// Prints what was asked for on stdout, at once. E706 where that fails.
 ExitCode print(const GlobalOptions& global, const std::string& text);
 

@@ -16,6 +16,13 @@ namespace elgen::cli {
 
 namespace {
 
+struct ShowOptions {
+  std::string input = {};
+  std::string what = {};  ///< outputs, or one of the words below; empty: all outputs
+  std::string as = "text";
+  SceneOptions scene = {};
+};
+
 /// What --what may ask for beside outputs; each stands alone.
 enum class ShownSubject : unsigned char { outputs, lagrangian, steps, cost, dropped };
 

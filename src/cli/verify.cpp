@@ -13,6 +13,14 @@ namespace elgen::cli {
 
 namespace {
 
+struct VerifyCommandOptions {
+  std::vector<std::string> inputs = {};
+  VerifyOptions verify = {};
+  bool strict = false;                ///< what is skipped counts as failed
+  std::string certificate_file = {};  ///< empty: none
+  bool force = false;
+};
+
 /// Appends the time since the last call to the stages' times.
 class Stopwatch {
  public:
