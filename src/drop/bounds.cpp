@@ -1,5 +1,5 @@
-// RangeBounds: see bounds.hpp. Every leaf of a term lies in its range by itself, so that bounds hold
-// but need not be reached.
+// RangeBounds: see bounds.hpp. Every leaf of a term lies in its range by itself, so that bounds
+// hold but need not be reached.
 #include "drop/bounds.hpp"
 
 #include <fmt/format.h>
