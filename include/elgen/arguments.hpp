@@ -10,12 +10,8 @@
 
 namespace elgen {
 
-/// Those of the output table, in the order of leaves.def: parameters, q, then v, a, u and t as far
-/// as the function takes them.
+/// Parameters, q and what the output table says, in the order of leaves.def; t where it occurs.
 [[nodiscard]] std::vector<Opcode> arguments_of(const Model& model, const Function& function);
-
-/// How many numbers an argument holds; one for time.
-[[nodiscard]] std::size_t argument_size(const Model& model, Opcode argument);
 
 /// Whether it is an array of numbers, not the struct of parameters or one number.
 [[nodiscard]] constexpr bool is_vector(Opcode argument) {

@@ -51,23 +51,13 @@ struct Entity {
   std::uint32_t index = 0;
 };
 
-/// What an expression depends on, as a set of bits.
-enum Dependence : unsigned {
-  on_parameters = 1,
-  on_time = 2,
-  on_coordinates = 4,
-  on_velocities = 8,
-  on_accelerations = 16,
-  on_inputs = 32,
-};
-
 struct Definition {
   GiNaC::ex symbol;
   GiNaC::ex value;
   std::string name;  ///< C++ identifier for a reader ("bob_x"), or empty
   Entity origin;
   std::vector<std::uint32_t> uses;  ///< indices of the definitions in `value`, ascending
-  unsigned depends = 0;             ///< Dependence, through `uses` too
+  LeafSet depends = {};             ///< through `uses` too
 };
 
 struct ExpressionHash {
@@ -83,7 +73,7 @@ using ExpressionMap = std::unordered_map<GiNaC::ex, Value, ExpressionHash, Expre
 struct SymbolPlace {
   bool is_definition = false;
   std::uint32_t index = 0;  ///< of the definition, or the rank of the leaf
-  unsigned depends = 0;     ///< Dependence of a leaf
+  LeafSet depends = {};     ///< of a definition as there
 };
 
 /// An ordered list of definitions; every value uses earlier ones only. Append by define().
@@ -104,11 +94,11 @@ struct Label {
 /// negative; the symbol of an equal definition where there is one; otherwise a new definition.
 GiNaC::ex define(Definitions& definitions, const GiNaC::ex& value, Label label = {});
 
-/// Registers a leaf; `depends` is one bit of Dependence.
-void add_leaf(Definitions& definitions, const GiNaC::ex& symbol, unsigned depends);
+/// Registers a leaf.
+void add_leaf(Definitions& definitions, const GiNaC::ex& symbol, Opcode kind);
 
 /// What `value` depends on.
-[[nodiscard]] unsigned dependence(const Definitions& definitions, const GiNaC::ex& value);
+[[nodiscard]] LeafSet dependence(const Definitions& definitions, const GiNaC::ex& value);
 
 /// The symbols of `value`, each once, in elgen's order.
 [[nodiscard]] std::vector<GiNaC::ex> symbols_of(const Definitions& definitions,

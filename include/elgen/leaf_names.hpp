@@ -1,6 +1,7 @@
-// LeafNames: what the leaves of every later stage are called, as the model writes them.
+// The leaves of a Model: what they are called, how many there are, the ranges it declares.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,19 @@
 #include "elgen/model.hpp"
 
 namespace elgen {
+
+/// f(kind, entry) of the entry of the model that each leaf belongs to, and `time`.
+template <class T, class F>
+[[nodiscard]] LeafValues<T> leaves_of(const Model& model, const F& f, const T& time) {
+  LeafValues<T> leaves;
+#define ELGEN_LEAVES(kind, member, of, ...) \
+  for (const auto& entry : model.of) leaves.member.push_back(f(Opcode::kind, entry));
+#define ELGEN_LEAF(kind, member, ...) leaves.member = time;
+#include "elgen/leaves.def"
+#undef ELGEN_LEAVES
+#undef ELGEN_LEAF
+  return leaves;
+}
 
 /// "m", "l[2]", "theta", "q[1]"; of rates what dot() is written around.
 struct LeafNames : LeafValues<std::string> {
@@ -18,6 +32,16 @@ struct LeafNames : LeafValues<std::string> {
 
 /// "m", "dot(x)", "t": a leaf as models write it.
 [[nodiscard]] std::string leaf_text(const LeafNames& leaves, Opcode kind, std::uint32_t number);
+
+/// "q[3]" -> "q_3": word characters, and an underscore for an opening bracket.
+[[nodiscard]] std::string identifier_of(std::string_view name);
+
+/// How many there are of a kind.
+[[nodiscard]] std::size_t leaf_count(const Model& model, Opcode kind);
+
+/// The range a model declares for a leaf, if it does.
+[[nodiscard]] std::optional<Interval> declared_range(const Model& model, Opcode kind,
+                                                     std::uint32_t number);
 
 /// draw() for every leaf, in their order, t among them.
 template <class Draw>

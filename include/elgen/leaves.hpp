@@ -11,8 +11,8 @@ namespace elgen {
 /// One thing per kind of leaf: a list where there are many of the kind.
 template <class List, class One>
 struct PerLeaf {
-#define ELGEN_LEAVES(kind, member, symbol, type, tag, rank) List member = {};
-#define ELGEN_LEAF(kind, member, symbol, type, tag, rank) One member = {};
+#define ELGEN_LEAVES(kind, member, ...) List member = {};
+#define ELGEN_LEAF(kind, member, ...) One member = {};
 #include "elgen/leaves.def"
 #undef ELGEN_LEAVES
 #undef ELGEN_LEAF
@@ -29,8 +29,8 @@ template <class Lists, class Ones, class... Leaves>
   using One = decltype(one(each.t...));
   // In this order: what draws numbers gives the same everywhere.
   PerLeaf<List, One> result;
-#define ELGEN_LEAVES(kind, member, symbol, type, tag, rank) result.member = lists(each.member...);
-#define ELGEN_LEAF(kind, member, symbol, type, tag, rank) result.member = one(each.member...);
+#define ELGEN_LEAVES(kind, member, ...) result.member = lists(each.member...);
+#define ELGEN_LEAF(kind, member, ...) result.member = one(each.member...);
 #include "elgen/leaves.def"
 #undef ELGEN_LEAVES
 #undef ELGEN_LEAF
@@ -50,16 +50,25 @@ template <class F, class First, class... Others>
   return map_kinds(list, f, first, others...);
 }
 
-/// f(kind, number, leaf) of every leaf of one or more lists of the same lengths.
+/// f(kind, number, leaf, ...) of every leaf of one or more lists of the same lengths.
 template <class F, class First, class... Others>
-void for_each_leaf(const F& f, const LeafValues<First>& first,
-                   const LeafValues<Others>&... others) {
-#define ELGEN_LEAVES(kind, member, symbol, type, tag, rank)   \
+void for_each_leaf(const F& f, First&& first, Others&&... others) {
+#define ELGEN_LEAVES(kind, member, ...)                       \
   for (std::uint32_t i = 0; i < first.member.size(); ++i) {   \
     f(Opcode::kind, i, first.member[i], others.member[i]...); \
   }
-#define ELGEN_LEAF(kind, member, symbol, type, tag, rank) \
+#define ELGEN_LEAF(kind, member, ...) \
   f(Opcode::kind, std::uint32_t{0}, first.member, others.member...);
+#include "elgen/leaves.def"
+#undef ELGEN_LEAVES
+#undef ELGEN_LEAF
+}
+
+/// f(row, list) of every kind with many leaves.
+template <class F, class Leaves>
+void for_each_list(const F& f, Leaves&& leaves) {
+#define ELGEN_LEAVES(kind, member, ...) f(leaf_row(Opcode::kind), leaves.member);
+#define ELGEN_LEAF(kind, member, ...)
 #include "elgen/leaves.def"
 #undef ELGEN_LEAVES
 #undef ELGEN_LEAF
@@ -69,10 +78,10 @@ void for_each_leaf(const F& f, const LeafValues<First>& first,
 template <class List, class One>
 [[nodiscard]] const List* list_of(const PerLeaf<List, One>& leaves, Opcode kind) {
   switch (kind) {
-#define ELGEN_LEAVES(kind, member, symbol, type, tag, rank) \
-  case Opcode::kind:                                        \
+#define ELGEN_LEAVES(kind, member, ...) \
+  case Opcode::kind:                    \
     return &leaves.member;
-#define ELGEN_LEAF(kind, member, symbol, type, tag, rank)
+#define ELGEN_LEAF(kind, member, ...)
 #include "elgen/leaves.def"
 #undef ELGEN_LEAVES
 #undef ELGEN_LEAF

@@ -365,16 +365,6 @@ std::uint32_t append_coordinate(Model& model, Coordinate coordinate);
 /// NAME[2], NAME[3]; its index.
 std::uint32_t append_rotation(Model& model, Rotation rotation);
 
-/// The dimensions outputs are shaped by.
-struct Dimensions {
-  std::size_t coordinates = 0;  ///< n_q
-  std::size_t velocities = 0;   ///< n_v
-  std::size_t inputs = 0;
-  std::size_t parameters = 0;
-};
-
-[[nodiscard]] Dimensions dimensions(const Model& model);
-
 /// What of the model before locking must be supplied to hold the locks that ask for it: the
 /// velocities, in the order of v, that the output `reaction` has a row for.
 [[nodiscard]] std::vector<std::uint32_t> held_velocities(const Model& model);

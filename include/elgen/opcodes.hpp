@@ -31,19 +31,27 @@ inline constexpr std::array opcode_table{
   return opcode_table[static_cast<std::size_t>(opcode)];
 }
 
+/// What has one leaf of a kind: the whole system, or each entry of a list of a Model.
+enum class LeafOwner : std::uint8_t { system, parameters, coordinates, velocities, inputs };
+
 /// A kind of leaf.
 struct LeafRow {
   Opcode id;
   std::string_view member;  ///< "parameters": of PerLeaf
-  std::string_view symbol;  ///< "q"
-  std::string_view type;    ///< "Coordinates<Scalar>"
-  int rank;
+  LeafOwner of;
+  std::string_view symbol;      ///< "q"
+  std::string_view type;        ///< "Coordinates<Scalar>"
+  int rank;                     ///< of a factor, among those of a product
+  std::string_view text;        ///< "dot({})", of the owner's name
+  std::string_view identifier;  ///< "{}_dot"
+  std::string_view latex;       ///< "\\dot{{{}}}{}", of the base and the scripts of its symbol
+  std::string_view own_latex;   ///< of those of a velocity that has a symbol of its own
 };
 
 /// leaves.def
 inline constexpr std::array leaf_table{
-#define ELGEN_LEAVES(kind, member, symbol, type, tag, rank) \
-  LeafRow{Opcode::kind, #member, symbol, type, rank},
+#define ELGEN_LEAVES(kind, member, of, symbol, type, tag, ...) \
+  LeafRow{Opcode::kind, #member, LeafOwner::of, symbol, type, __VA_ARGS__},
 #include "elgen/leaves.def"
 #undef ELGEN_LEAVES
 };
@@ -57,5 +65,26 @@ inline constexpr std::array leaf_table{
   return leaf_table[static_cast<std::size_t>(leaf) -
                     static_cast<std::size_t>(leaf_table.front().id)];
 }
+
+/// A set of kinds of leaves.
+class LeafSet {
+ public:
+  constexpr LeafSet() = default;
+  constexpr LeafSet(Opcode leaf) : bits_(1U << static_cast<unsigned>(leaf)) {}
+
+  [[nodiscard]] constexpr bool has_any(LeafSet other) const { return (bits_ & other.bits_) != 0; }
+
+  constexpr LeafSet& operator|=(LeafSet other) {
+    bits_ |= other.bits_;
+    return *this;
+  }
+  friend constexpr LeafSet operator|(LeafSet left, LeafSet right) { return left |= right; }
+  friend constexpr bool operator==(LeafSet, LeafSet) = default;
+
+ private:
+  std::uint32_t bits_ = 0;
+};
+
+constexpr LeafSet operator|(Opcode left, Opcode right) { return LeafSet(left) | right; }
 
 }  // namespace elgen

@@ -9,6 +9,8 @@
 #include <span>
 #include <string_view>
 
+#include "elgen/opcodes.hpp"
+
 namespace elgen {
 
 enum class OutputKind : std::uint8_t {
@@ -79,9 +81,7 @@ struct OutputRow {
   OutputKind kind = {};
   std::string_view name = {};  ///< as in scenes, options and emitted code, where it is built in
   Notation symbol = {};
-  bool takes_velocity = false;  ///< arguments beside parameters and q (and t where t occurs)
-  bool takes_acceleration = false;
-  bool takes_input = false;
+  LeafSet takes = {};  ///< arguments beside parameters and q (and t where t occurs)
   std::span<const FieldRow> fields = {};
   Notation equation = {};
   Notation turning_equation = {};  ///< with rotations, where it is another
@@ -102,7 +102,7 @@ struct OutputRow {
 [[nodiscard]] std::span<const OutputRow> output_table();
 [[nodiscard]] const OutputRow& output_row(OutputKind kind);
 
-/// Whether an output that repeats others holds this one: it takes neither a nor u.
+/// Whether an output that repeats others holds this one: it takes nothing beside p, q, v and t.
 [[nodiscard]] bool is_repeated(OutputKind kind);
 
 /// The field of this name, or the first; a single number where the output has no fields.

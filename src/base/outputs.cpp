@@ -37,7 +37,7 @@ constexpr OutputRow mass_matrix{
 constexpr std::array coriolis{FieldRow{"", E::velocities, E::velocities, U::power, square}};
 constexpr OutputRow coriolis_matrix{
     .symbol = {"C", "C"},
-    .takes_velocity = true,
+    .takes = Opcode::velocity,
     .fields = coriolis,
     .equation = {"C_ij = 1/2 sum_k (dM_ij/dq_k + dM_ik/dq_j - dM_jk/dq_i) v_k",
                  R"(C_{ij} = \frac{1}{2} \sum_{k} \left( \frac{\partial M_{ij}}{\partial q_{k}} + )"
@@ -62,7 +62,7 @@ constexpr OutputRow input_matrix{.symbol = {"B", "B"},
 // Forces, and the momentum.
 
 constexpr OutputRow velocity_force{.symbol = {"C v", "C <v>"},
-                                   .takes_velocity = true,
+                                   .takes = Opcode::velocity,
                                    .fields = force,
                                    .equation = {"C(q, v) v", ""},
                                    .doc = "Centrifugal and Coriolis forces.",
@@ -80,7 +80,7 @@ constexpr OutputRow gravity{
 
 constexpr OutputRow drift{
     .symbol = {"drift", R"(\mathrm{drift})"},
-    .takes_velocity = true,
+    .takes = Opcode::velocity,
     .fields = force,
     .equation = {"dM/dt v + (db/dq - (db/dq)^T) v + db/dt - dT0/dq",
                  R"(\mathrm{drift} = \frac{\partial M}{\partial t} <v> + \left( )"
@@ -98,7 +98,7 @@ constexpr OutputRow drift{
     .parts = {.mass = true}};
 
 constexpr OutputRow dissipation{.symbol = {"dD/dv", R"(\frac{\partial D}{\partial <v>})"},
-                                .takes_velocity = true,
+                                .takes = Opcode::velocity,
                                 .fields = force,
                                 .equation = {"dD/dv", ""},
                                 .doc = "Gradient of the Rayleigh function D.",
@@ -106,7 +106,7 @@ constexpr OutputRow dissipation{.symbol = {"dD/dv", R"(\frac{\partial D}{\partia
 
 constexpr OutputRow applied_force{
     .symbol = {"Q", "Q"},
-    .takes_velocity = true,
+    .takes = Opcode::velocity,
     .fields = force,
     .equation = {"Q(q, v) = total generalized force at u = 0", ""},
     .doc = "Non-conservative generalized forces without inputs and without D.",
@@ -114,7 +114,7 @@ constexpr OutputRow applied_force{
 
 constexpr OutputRow bias{
     .symbol = {"bias", R"(\mathrm{bias})"},
-    .takes_velocity = true,
+    .takes = Opcode::velocity,
     .fields = force,
     .equation =
         {"bias = C v + drift + g + dD/dv - Q",
@@ -124,8 +124,7 @@ constexpr OutputRow bias{
 
 constexpr OutputRow inverse_dynamics{
     .symbol = {"tau", R"(\tau)"},
-    .takes_velocity = true,
-    .takes_acceleration = true,
+    .takes = Opcode::velocity | Opcode::acceleration,
     .fields = force,
     .equation = {"tau = M a + bias", R"(\tau = M <a> + \mathrm{bias})"},
     .doc = "Generalized force that gives the acceleration a.",
@@ -134,9 +133,7 @@ constexpr OutputRow inverse_dynamics{
 constexpr std::array held{FieldRow{"", E::held, E::one, U::power, entries}};
 constexpr OutputRow reaction{
     .symbol = {"r", "r"},
-    .takes_velocity = true,
-    .takes_acceleration = true,
-    .takes_input = true,
+    .takes = Opcode::velocity | Opcode::acceleration | Opcode::input,
     .fields = held,
     .equation = {"r = (d/dt dL/dv - dL/dq + dD/dv - Q - B u) of what is locked",
                  R"(r = \left[ \frac{d}{dt} \frac{\partial L}{\partial <v>} - )"
@@ -152,7 +149,7 @@ constexpr OutputRow reaction{
 
 constexpr std::array impulse{FieldRow{"", E::velocities, E::one, U::energy, forces}};
 constexpr OutputRow momentum{.symbol = {"p", "p"},
-                             .takes_velocity = true,
+                             .takes = Opcode::velocity,
                              .fields = impulse,
                              .equation = {"p = dL/dv", R"(p = \frac{\partial L}{\partial <v>})"},
                              .doc = "Generalized momentum.",
@@ -168,7 +165,7 @@ constexpr OutputRow potential_energy{.symbol = {"V0", "V_{0}"},
                                      .parts = {.potential = true}};
 
 constexpr OutputRow kinetic_energy{.symbol = {"T", "T"},
-                                   .takes_velocity = true,
+                                   .takes = Opcode::velocity,
                                    .fields = energy,
                                    .equation = {"T = T2 + b_T.v + T0", ""},
                                    .doc = "Kinetic energy.",
@@ -177,7 +174,7 @@ constexpr OutputRow kinetic_energy{.symbol = {"T", "T"},
 
 constexpr OutputRow total_energy{
     .symbol = {"T + V", "T + V"},
-    .takes_velocity = true,
+    .takes = Opcode::velocity,
     .fields = energy,
     .equation = {"T + V0 + V1.v", R"(T + V = T + V_{0} + V_{1}^{\top} <v>)"},
     .doc = "Kinetic and potential energy.",
@@ -186,7 +183,7 @@ constexpr OutputRow total_energy{
 
 constexpr OutputRow energy_function{
     .symbol = {"E", "E"},
-    .takes_velocity = true,
+    .takes = Opcode::velocity,
     .fields = energy,
     .equation = {"E = v.dL/dv - L", R"(E = <v>^{\top} \frac{\partial L}{\partial <v>} - L)"},
     .doc = "Energy function (Jacobi integral): dE/dt = v.(B u + Q - dD/dv) - dL/dt.",
@@ -201,8 +198,7 @@ constexpr std::array solution{
              "std::array<Scalar, velocity_count>", R"(\frac{D_{i}}{M_{ii}})"}};
 constexpr OutputRow forward_dynamics{
     .symbol = {"a", "<a>"},
-    .takes_velocity = true,
-    .takes_input = true,
+    .takes = Opcode::velocity | Opcode::input,
     .fields = solution,
     .equation = {"M a = B u - bias", R"(M <a> = B u - \mathrm{bias})"},
     .doc =
@@ -218,8 +214,7 @@ constexpr std::array of_states{
              "std::array<Scalar, 2 * velocity_count * input_count>", "B"}};
 constexpr OutputRow linearization{
     .symbol = {"d(dx)/dt", R"(\delta\dot{x})"},
-    .takes_velocity = true,
-    .takes_input = true,
+    .takes = Opcode::velocity | Opcode::input,
     .fields = of_states,
     .equation = {"d(dx)/dt = A dx + B du, x = (q, v)",
                  R"(\delta\dot{x} = A \, \delta x + B \, \delta u)"},
@@ -233,8 +228,7 @@ constexpr std::array of_inverse{FieldRow{"by_position", E::velocities, E::veloci
                                          square, R"(\frac{\partial \tau}{\partial <v>})"}};
 constexpr OutputRow inverse_dynamics_derivatives{
     .symbol = {"d tau", R"(\delta\tau)"},
-    .takes_velocity = true,
-    .takes_acceleration = true,
+    .takes = Opcode::velocity | Opcode::acceleration,
     .fields = of_inverse,
     .equation = {"d tau = (dtau/dq) dq + (dtau/dv) dv + M da",
                  R"(\delta\tau = \frac{\partial \tau}{\partial q} \delta q + )"
@@ -251,8 +245,7 @@ constexpr std::array of_forward{
              R"(\frac{\partial <a>}{\partial u})"}};
 constexpr OutputRow forward_dynamics_derivatives{
     .symbol = {"da", R"(\delta <a>)"},
-    .takes_velocity = true,
-    .takes_input = true,
+    .takes = Opcode::velocity | Opcode::input,
     .fields = of_forward,
     .equation = {"da = (da/dq) dq + (da/dv) dv + (da/du) du",
                  R"(\delta <a> = \frac{\partial <a>}{\partial q} \delta q + )"
@@ -268,7 +261,7 @@ constexpr std::array rate_of_coordinate{
     FieldRow{"", E::coordinates, E::one, U::row_per_second, "Coordinates<Scalar>"}};
 constexpr OutputRow coordinate_rates{
     .symbol = {"dq/dt", R"(\dot{q})"},
-    .takes_velocity = true,
+    .takes = Opcode::velocity,
     .fields = rate_of_coordinate,
     .equation = {"dq/dt = N(q) v", R"(\dot{q} = N(q) v)"},
     .doc = "Rates of the coordinates: of a rotation 1/2 q w, w in the axes of the body.",
@@ -305,7 +298,7 @@ constexpr OutputRow user_jacobian{.symbol = {"J", R"(\frac{\partial <y>}{\partia
 
 constexpr OutputRow user_bias{
     .symbol = {"bias of y", R"(\mathrm{bias}_{<y>})"},
-    .takes_velocity = true,
+    .takes = Opcode::velocity,
     .fields = value,
     .equation = {"d^2 y/dt^2 = J a + bias",
                  R"(<y''> = \frac{\partial <y>}{\partial q}<N> <a> + \mathrm{bias}_{<y>})"},
@@ -316,7 +309,7 @@ constexpr OutputRow user_bias{
 
 constexpr OutputRow dynamics{
     .symbol = {"dynamics", R"(\mathrm{dynamics})"},
-    .takes_velocity = true,
+    .takes = Opcode::velocity,
     .doc = "Every chosen output that takes neither a nor u, computed at once.",
     .repeats = true};
 
@@ -342,7 +335,8 @@ const OutputRow& output_row(OutputKind kind) { return rows::table[static_cast<st
 
 bool is_repeated(OutputKind kind) {
   const OutputRow& row = output_row(kind);
-  return !row.takes_acceleration && !row.takes_input && !row.repeats;
+  const LeafSet repeated = output_row(OutputKind::dynamics).takes;
+  return (repeated | row.takes) == repeated && !row.repeats;
 }
 
 const FieldRow& field_row(OutputKind kind, std::string_view name) {

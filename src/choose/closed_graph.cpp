@@ -244,9 +244,8 @@ class ClosedGraph {
 }  // namespace
 
 bool is_rate(const Atom& atom) {
-  return atom.kind == AtomKind::leaf &&
-         (atom.leaf == Opcode::velocity || atom.leaf == Opcode::acceleration ||
-          atom.leaf == Opcode::input);
+  constexpr LeafSet others = Opcode::parameter | Opcode::coordinate | Opcode::time;
+  return atom.kind == AtomKind::leaf && !others.has_any(atom.leaf);
 }
 
 bool is_parameter(const Atom& atom) {

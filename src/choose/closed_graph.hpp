@@ -22,7 +22,7 @@ struct Layout {
   Grouping grouping = Grouping::none;
 };
 
-/// Velocities, accelerations and inputs.
+/// A leaf that is no parameter, no coordinate and not t: velocities, accelerations and inputs.
 [[nodiscard]] bool is_rate(const Atom& atom);
 /// Parameters and numbers.
 [[nodiscard]] bool is_parameter(const Atom& atom);

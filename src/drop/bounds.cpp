@@ -159,7 +159,8 @@ std::optional<Enclosure> RangeBounds::of_leaf(const Atom& atom) {
                   "declare `rate_range = [low, high]`");
     }
     default:
-      return miss({}, "`drop_below` has no bound of `t` outside sines and cosines");
+      return miss({}, fmt::format("`drop_below` has no bound of `{}` outside sines and cosines",
+                                  leaf_row(atom.leaf).symbol));
   }
 }
 

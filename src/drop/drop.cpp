@@ -199,7 +199,7 @@ class Drop {
   ReducedOutput errors_of(const Function& function, const ClosedField& field,
                           Consequences& consequences) {
     ReducedOutput output{function.kind, function.fields[0].columns, {}};
-    const bool takes_acceleration = output_row(function.kind).takes_acceleration;
+    const bool takes_acceleration = output_row(function.kind).takes.has_any(Opcode::acceleration);
     const Values& without_acceleration =
         consequences.of(takes_acceleration ? K::bias : function.kind);
     for (std::size_t i = 0; i < without_acceleration.size(); ++i) {

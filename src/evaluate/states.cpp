@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "base/random.hpp"
+#include "elgen/leaf_names.hpp"
 
 namespace elgen {
 namespace {
@@ -17,8 +18,8 @@ namespace {
 constexpr double pi = 3.141592653589793;
 
 struct Range {
-  double low;
-  double high;
+  double low = 0;
+  double high = 0;
 };
 
 /// Ranges may reach beyond every scalar. A quarter of the largest number leaves their widths
@@ -52,60 +53,47 @@ void scale_quaternions(const Model& model, Arguments<double>& values) {
   }
 }
 
-struct Ranges {
-  std::vector<Range> q = {};
-  std::vector<Range> v = {};
-  std::vector<Range> u = {};
-};
-
 constexpr double default_rate = 10;  ///< of rates, accelerations, inputs and time
 
 bool is_angle(const Coordinate& coordinate) { return coordinate.unit_text == "rad"; }
 
-Ranges ranges_of(const Model& model) {
-  Ranges ranges;
-  for (const Coordinate& coordinate : model.coordinates) {
-    ranges.q.push_back(range_or(coordinate.range, is_angle(coordinate) ? pi : 1));
-  }
-  for (const Velocity& velocity : model.velocities) {
-    ranges.v.push_back(range_or(velocity.rate_range, default_rate));
-  }
-  for (const Input& input : model.inputs) ranges.u.push_back(range_or(input.limits, default_rate));
+using Ranges = LeafValues<Range>;
+
+/// What the model declares; else the value of a parameter, a turn or a unit of a coordinate, and
+/// `default_rate`.
+Ranges ranges_of(const Subject& subject) {
+  const Model& model = subject.model;
+  const Arguments<double> values = arguments_at<double>(nominal_state(model, subject.scene));
+  Ranges ranges = map_leaves([](double) { return Range{}; }, values);
+  const auto fill = [&](Opcode kind, std::uint32_t number, double value, Range& range) {
+    const std::optional<Interval> declared = declared_range(model, kind, number);
+    double otherwise = default_rate;
+    if (kind == Opcode::coordinate) otherwise = is_angle(model.coordinates[number]) ? pi : 1;
+    range = range_or(declared, otherwise);
+    if (kind == Opcode::parameter && !declared) range = {value, value};
+  };
+  for_each_leaf(fill, values, ranges);
   return ranges;
 }
 
-/// [min, max], or the value.
-std::vector<Range> parameter_ranges(const Model& model, const Arguments<double>& values) {
-  std::vector<Range> ranges;
-  for (std::size_t i = 0; i < model.parameters.size(); ++i) {
-    const double value = values.parameters[i];
-    const auto& range = model.parameter_arrays[model.parameters[i].array].range;
-    ranges.push_back(range ? range_or(range, value) : Range{value, value});
-  }
-  return ranges;
-}
-
+/// Parameters at their values, except where the scene drops terms for their whole ranges.
 Arguments<double> nominal(const Subject& subject, const Ranges& ranges, Random& random) {
   Arguments<double> values = arguments_at<double>(nominal_state(subject.model, subject.scene));
-  const auto fill = [&random](std::vector<double>& to, const std::vector<Range>& from) {
-    for (std::size_t i = 0; i < to.size(); ++i) to[i] = random.uniform(from[i].low, from[i].high);
+  const auto draw = [&](Opcode kind, std::uint32_t, double& value, const Range& range) {
+    if (kind == Opcode::parameter && !subject.scene.dropping) return;
+    value = random.uniform(range.low, range.high);
   };
-  if (subject.scene.dropping) fill(values.parameters, parameter_ranges(subject.model, values));
-  fill(values.q, ranges.q);
-  fill(values.v, ranges.v);
-  for (double& a : values.a) a = random.uniform(-default_rate, default_rate);
-  fill(values.u, ranges.u);
-  values.t = random.uniform(-default_rate, default_rate);
+  for_each_leaf(draw, values, ranges);
   return values;
 }
 
 /// Every variable of magnitude 2^low … 2^high.
 Arguments<double> scaled(const Subject& subject, Random& random, int low, int high) {
   Arguments<double> values = arguments_at<double>(nominal_state(subject.model, subject.scene));
-  for (std::vector<double>* quantity : {&values.q, &values.v, &values.a, &values.u}) {
-    for (double& value : *quantity) value = random.log_uniform(low, high);
-  }
-  values.t = random.log_uniform(low, high);
+  const auto draw = [&](Opcode kind, std::uint32_t, double& value) {
+    if (kind != Opcode::parameter) value = random.log_uniform(low, high);
+  };
+  for_each_leaf(draw, values);
   return values;
 }
 
@@ -134,7 +122,7 @@ Reach reach() {
 class Extremes {
  public:
   Extremes(const Subject& subject, Random& random)
-      : subject_(subject), ranges_(ranges_of(subject.model)), random_(random) {}
+      : subject_(subject), ranges_(ranges_of(subject)), random_(random) {}
 
   std::vector<SampledState<double>> make(const Reach& reach) {
     add("origin") = arguments_at<double>(nominal_state(subject_.model, subject_.scene));
@@ -161,10 +149,10 @@ class Extremes {
   }
 
   void ends(const char* name, double Range::*end) {
-    Arguments<double>& values = add(name);
-    for (std::size_t i = 0; i < values.q.size(); ++i) values.q[i] = ranges_.q[i].*end;
-    for (std::size_t i = 0; i < values.v.size(); ++i) values.v[i] = ranges_.v[i].*end;
-    for (std::size_t i = 0; i < values.u.size(); ++i) values.u[i] = ranges_.u[i].*end;
+    const auto set = [end](Opcode kind, std::uint32_t, double& value, const Range& range) {
+      if (kind != Opcode::parameter) value = range.*end;
+    };
+    for_each_leaf(set, add(name), ranges_);
   }
 
   void set_positions(std::string name, double size, bool angles_only) {
@@ -219,7 +207,7 @@ Arguments<Scalar> rounded(const Arguments<double>& values) {
 template <class Scalar>
 std::vector<SampledState<Scalar>> sample_states(const Subject& subject, const Sampling& sampling) {
   Random random(sampling.seed);
-  const Ranges ranges = ranges_of(subject.model);
+  const Ranges ranges = ranges_of(subject);
   const bool inside = subject.scene.dropping.has_value();
   std::vector<SampledState<double>> states;
   for (std::size_t i = 0; i < sampling.count; ++i) {

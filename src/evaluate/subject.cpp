@@ -16,7 +16,7 @@ namespace {
 
 using cln::cl_R;
 
-std::string list(const char* name, const std::vector<cl_R>& values) {
+std::string list(std::string_view name, const std::vector<cl_R>& values) {
   if (values.empty()) return {};
   std::string text = fmt::format("{} = (", name);
   const std::size_t shown = std::min<std::size_t>(values.size(), 8);
@@ -84,14 +84,18 @@ const Function* find_function(const Program& program, OutputKind kind, std::uint
 }
 
 std::string describe(const Subject& subject, const State& state) {
-  std::string text = list("q", state.q);
-  for (const std::string& part :
-       {list("v", state.v), list("a", state.a), list("u", state.u),
-        subject.model.uses_time ? "t = " + short_text(state.t) : std::string(),
-        changed_parameters(subject, state)}) {
-    if (!part.empty()) text += ", " + part;
-  }
-  return text;
+  std::vector<std::string> parts;
+  const auto add = [&parts](std::string part) {
+    if (!part.empty()) parts.push_back(std::move(part));
+  };
+  for_each_list(
+      [&](const LeafRow& row, const std::vector<cl_R>& values) {
+        if (row.id != Opcode::parameter) add(list(row.symbol, values));
+      },
+      state);
+  if (subject.model.uses_time) add("t = " + short_text(state.t));
+  add(changed_parameters(subject, state));
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 std::string short_text(const cl_R& value) {

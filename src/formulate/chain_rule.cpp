@@ -12,21 +12,16 @@ using GiNaC::ex;
 
 namespace {
 
-unsigned mask_of(const Definitions& definitions, const Seeds& seeds) {
-  unsigned mask = 0;
+LeafSet mask_of(const Definitions& definitions, const Seeds& seeds) {
+  LeafSet mask;
   for (const auto& [leaf, seed] : seeds) mask |= definitions.places.at(leaf).depends;
   return mask;
 }
 
-unsigned dependence_of_symbol(const Definitions& definitions, const ex& symbol) {
-  const SymbolPlace& at = definitions.places.at(symbol);
-  return at.is_definition ? definitions.list[at.index].depends : at.depends;
-}
-
-void append_partials(const Definitions& definitions, const ex& term, unsigned mask,
+void append_partials(const Definitions& definitions, const ex& term, LeafSet mask,
                      std::vector<Partial>& result) {
   for (const ex& symbol : symbols_of(definitions, term)) {
-    if ((dependence_of_symbol(definitions, symbol) & mask) == 0) continue;
+    if (!definitions.places.at(symbol).depends.has_any(mask)) continue;
     const ex partial = term.diff(GiNaC::ex_to<GiNaC::symbol>(symbol));
     if (!partial.is_zero()) result.push_back({symbol, partial});
   }
@@ -36,7 +31,7 @@ bool is_sum(const ex& value) { return GiNaC::is_a<GiNaC::add>(value); }
 
 }  // namespace
 
-std::vector<Partial> partials(const Definitions& definitions, const ex& value, unsigned mask) {
+std::vector<Partial> partials(const Definitions& definitions, const ex& value, LeafSet mask) {
   std::vector<Partial> result;
   if (!is_sum(value)) {
     append_partials(definitions, value, mask, result);
@@ -125,7 +120,7 @@ void accumulate(const Definitions& definitions, const std::vector<Partial>& fact
 std::vector<ex> gradient(Definitions& definitions, const std::vector<Weighted>& sum,
                          const std::vector<ex>& variables) {
   Adjoints adjoints;
-  unsigned mask = 0;
+  LeafSet mask;
   for (const ex& variable : variables) {
     adjoints.of_variables.emplace(variable, GiNaC::exvector());
     mask |= definitions.places.at(variable).depends;

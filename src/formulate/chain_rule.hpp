@@ -21,7 +21,7 @@ struct Partial {
 /// The partial derivatives of `value` by its symbols that depend on anything in `mask`, in elgen's
 /// order. A sum of n terms costs n small derivatives.
 [[nodiscard]] std::vector<Partial> partials(const Definitions& definitions, const GiNaC::ex& value,
-                                            unsigned mask);
+                                            LeafSet mask);
 
 /// Rates of the leaves along a direction; a leaf that is absent stands still.
 using Seeds = ExpressionMap<GiNaC::ex>;
@@ -50,7 +50,7 @@ class Tangent {
   Seeds tangents_;  // of leaves, then of definitions as they are asked for
   std::vector<bool> known_;
   std::string suffix_;
-  unsigned mask_ = 0;
+  LeafSet mask_ = {};
 };
 
 /// An expression with the factor it enters a sum with.
@@ -86,7 +86,7 @@ class Substitution {
   Definitions& definitions_;
   Seeds values_;
   std::vector<bool> known_;
-  unsigned mask_ = 0;
+  LeafSet mask_ = {};
 };
 
 }  // namespace elgen

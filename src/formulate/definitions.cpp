@@ -42,18 +42,17 @@ std::vector<GiNaC::ex> symbols_of(const Definitions& definitions, const GiNaC::e
   return symbols;
 }
 
-unsigned dependence(const Definitions& definitions, const GiNaC::ex& value) {
-  unsigned depends = 0;
+LeafSet dependence(const Definitions& definitions, const GiNaC::ex& value) {
+  LeafSet depends;
   for (const GiNaC::ex& symbol : symbols_of(definitions, value)) {
-    const SymbolPlace& at = place(definitions, symbol);
-    depends |= at.is_definition ? definitions.list[at.index].depends : at.depends;
+    depends |= place(definitions, symbol).depends;
   }
   return depends;
 }
 
-void add_leaf(Definitions& definitions, const GiNaC::ex& symbol, unsigned depends) {
+void add_leaf(Definitions& definitions, const GiNaC::ex& symbol, Opcode kind) {
   const auto rank = static_cast<std::uint32_t>(definitions.places.size());
-  definitions.places.emplace(symbol, SymbolPlace{false, rank, depends});
+  definitions.places.emplace(symbol, SymbolPlace{false, rank, kind});
 }
 
 GiNaC::ex define(Definitions& definitions, const GiNaC::ex& value, Label label) {
@@ -61,14 +60,14 @@ GiNaC::ex define(Definitions& definitions, const GiNaC::ex& value, Label label) 
   const auto known = definitions.known_values.find(value);
   if (known != definitions.known_values.end()) return known->second;
 
-  Definition definition{GiNaC::realsymbol(), value, std::move(label.name), label.origin, {}, 0};
+  Definition definition{GiNaC::realsymbol(), value, std::move(label.name), label.origin, {}, {}};
   for (const GiNaC::ex& symbol : symbols_of(definitions, value)) {
     const SymbolPlace& at = place(definitions, symbol);
     if (at.is_definition) definition.uses.push_back(at.index);
-    definition.depends |= at.is_definition ? definitions.list[at.index].depends : at.depends;
+    definition.depends |= at.depends;
   }
   const auto index = static_cast<std::uint32_t>(definitions.list.size());
-  definitions.places.emplace(definition.symbol, SymbolPlace{true, index, 0});
+  definitions.places.emplace(definition.symbol, SymbolPlace{true, index, definition.depends});
   definitions.known_values.emplace(value, definition.symbol);
   definitions.list.push_back(std::move(definition));
   return definitions.list.back().symbol;

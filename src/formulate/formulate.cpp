@@ -6,6 +6,8 @@
 //
 // What moves with frames goes into their tree, except where a scene expands the energies: an
 // expansion needs them as sums, so everything is then written in the world.
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "elgen/lagrangian.hpp"
@@ -21,34 +23,29 @@ namespace {
 
 const ex half = GiNaC::numeric(1, 2);
 
-ex parameter_symbol(const Parameter& parameter) {
-  if (parameter.assumption == Assumption::positive) return GiNaC::possymbol(parameter.identifier);
-  return GiNaC::realsymbol(parameter.identifier);
+/// A positive symbol lets GiNaC take roots of squares.
+ex symbol_of(const Parameter& parameter, const std::string& name) {
+  if (parameter.assumption == Assumption::positive) return GiNaC::possymbol(name);
+  return GiNaC::realsymbol(name);
+}
+
+template <class Entry>
+ex symbol_of(const Entry& /*entry*/, const std::string& name) {
+  return GiNaC::realsymbol(name);
 }
 
 void add_symbols(const Model& model, Lagrangian& lagrangian) {
-  Symbols& symbols = lagrangian.symbols;
-  const auto add = [&](std::vector<ex>& list, ex symbol, unsigned depends) {
-    add_leaf(lagrangian.definitions, symbol, depends);
-    list.push_back(std::move(symbol));
-  };
-  for (const Parameter& parameter : model.parameters) {
-    add(symbols.parameters, parameter_symbol(parameter), on_parameters);
-  }
-  for (const Coordinate& coordinate : model.coordinates) {
-    add(symbols.q, GiNaC::realsymbol(coordinate.identifier), on_coordinates);
-  }
-  for (const Velocity& velocity : model.velocities) {
-    add(symbols.v, GiNaC::realsymbol(velocity.identifier + "_dot"), on_velocities);
-  }
-  for (const Velocity& velocity : model.velocities) {
-    add(symbols.a, GiNaC::realsymbol(velocity.identifier + "_ddot"), on_accelerations);
-  }
-  for (const Input& input : model.inputs) {
-    add(symbols.u, GiNaC::realsymbol(input.identifier), on_inputs);
-  }
-  symbols.t = GiNaC::realsymbol("t");
-  add_leaf(lagrangian.definitions, symbols.t, on_time);
+  LeafValues<ex>& symbols = lagrangian.symbols;
+  symbols = leaves_of<ex>(
+      model,
+      [](Opcode kind, const auto& entry) {
+        return symbol_of(entry,
+                         fmt::format(fmt::runtime(leaf_row(kind).identifier), entry.identifier));
+      },
+      GiNaC::realsymbol("t"));
+  for_each_leaf([&](Opcode kind, std::uint32_t,
+                    const ex& symbol) { add_leaf(lagrangian.definitions, symbol, kind); },
+                symbols);
   add_coordinate_rates(model, lagrangian);
 }
 

@@ -229,7 +229,7 @@ class TreeFormulation {
     known = PointPlace{last_step_[point.local->frame],
                        translation_.vector(point.local->at, point.identifier, origin)};
     const bool moves = std::any_of(known->at.begin(), known->at.end(), [&](const ex& x) {
-      return (dependence(definitions_, x) & (on_coordinates | on_time)) != 0;
+      return dependence(definitions_, x).has_any(Opcode::coordinate | Opcode::time);
     });
     if (!moves) return *known;
     TreeStep shift;

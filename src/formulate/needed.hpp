@@ -12,12 +12,12 @@ namespace elgen {
 /// Visits the definitions `value` needs, operands first, that depend on `mask` and are not `known`
 /// yet.
 template <class Visit>
-void visit_needed(const Definitions& definitions, const GiNaC::ex& value, unsigned mask,
+void visit_needed(const Definitions& definitions, const GiNaC::ex& value, LeafSet mask,
                   std::vector<bool>& known, const Visit& visit) {
   std::vector<std::pair<std::uint32_t, bool>> stack;
   const auto push = [&](std::uint32_t index) {
     const bool is_known = index < known.size() && known[index];
-    if (!is_known && (definitions.list[index].depends & mask) != 0)
+    if (!is_known && definitions.list[index].depends.has_any(mask))
       stack.emplace_back(index, false);
   };
   for (const GiNaC::ex& symbol : symbols_of(definitions, value)) {

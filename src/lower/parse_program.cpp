@@ -56,10 +56,10 @@ class ProgramReader {
     const std::size_t comment = line.find(';');
     const Words words = split(line.substr(0, comment));
     if (words.empty()) return "";
-    if (words[0] == "parameters") return read_names(words, program_.leaves.parameters);
+    if (words[0] == "parameters") return read_names(words, LeafOwner::parameters);
     if (words[0] == "coordinates") return read_coordinates(words);
-    if (words[0] == "velocities") return read_velocities(words);
-    if (words[0] == "inputs") return read_names(words, program_.leaves.u);
+    if (words[0] == "velocities") return read_names(words, LeafOwner::velocities);
+    if (words[0] == "inputs") return read_names(words, LeafOwner::inputs);
     if (words[0] == "function") return read_heading(words);
     if (words[0] == "time") {
       program_.leaves.uses_time = true;
@@ -72,20 +72,18 @@ class ProgramReader {
     return read_instruction(words, name.empty() ? std::string_view() : name[0]);
   }
 
-  static std::string read_names(const Words& words, std::vector<std::string>& names) {
-    names.assign(words.begin() + 1, words.end());
+  std::string read_names(const Words& words, LeafOwner owner) {
+    const auto assign = [&](const LeafRow& row, std::vector<std::string>& names) {
+      if (row.of == owner) names.assign(words.begin() + 1, words.end());
+    };
+    for_each_list(assign, program_.leaves);
     return "";
   }
 
   /// Velocities are called as coordinates unless a line of their own follows.
   std::string read_coordinates(const Words& words) {
-    read_velocities(words);
-    return read_names(words, program_.leaves.q);
-  }
-
-  std::string read_velocities(const Words& words) {
-    read_names(words, program_.leaves.a);
-    return read_names(words, program_.leaves.v);
+    read_names(words, LeafOwner::velocities);
+    return read_names(words, LeafOwner::coordinates);
   }
 
   std::string read_heading(const Words& words) {

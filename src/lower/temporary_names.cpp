@@ -26,31 +26,20 @@ constexpr std::size_t longest_expression = 12;
 constexpr std::size_t longest_name = 40;
 constexpr int shortest_hash = 5;
 
-/// Names the emitted functions use themselves, beside the functions of the language.
-constexpr std::array<std::string_view, 12> reserved_names{
-    "p", "q", "v", "a", "u", "t", "sqrt", "constant", "result", "parameters", "Scalar", "std"};
-
-std::string identifier(std::string_view spelling) {
-  std::string name;
-  for (const char c : spelling) {
-    if (is_word_character(c)) {
-      name += c;
-    } else if (c == '[') {
-      name += '_';
-    }
-  }
-  return name;
-}
+/// Names the emitted functions use themselves, beside arguments and functions of the language.
+constexpr std::array<std::string_view, 6> reserved_names{"sqrt",       "constant", "result",
+                                                         "parameters", "Scalar",   "std"};
 
 class Naming {
  public:
   Naming(const Program& program, const Function& function)
       : program_(program), function_(function) {
     for (const std::string_view name : reserved_names) taken_.emplace(name);
+    for (const LeafRow& row : leaf_table) taken_.emplace(row.symbol);
     for (const FunctionRow& row : function_table) taken_.emplace(row.name);
-    for_each_leaf(
-        [this](Opcode, std::uint32_t, const std::string& leaf) { taken_.insert(identifier(leaf)); },
-        program.leaves);
+    for_each_leaf([this](Opcode, std::uint32_t,
+                         const std::string& leaf) { taken_.insert(identifier_of(leaf)); },
+                  program.leaves);
     count_uses();
     for (std::size_t at = 0; at < function.instructions.size(); ++at) {
       hash(at);
@@ -109,7 +98,7 @@ class Naming {
   /// "q1_minus_q2", from those of its operands.
   std::optional<std::string> leaf_sum(std::size_t at) const {
     const Instruction& i = function_.instructions[at];
-    if (is_leaf(i.opcode)) return identifier(leaf_of(program_.leaves, i.opcode, i.a));
+    if (is_leaf(i.opcode)) return identifier_of(leaf_of(program_.leaves, i.opcode, i.a));
     if (i.opcode != Opcode::add && i.opcode != Opcode::subtract) return std::nullopt;
     const std::optional<std::string>& left = sums_[i.a];
     const std::optional<std::string>& right = sums_[i.b];

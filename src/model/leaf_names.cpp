@@ -1,36 +1,59 @@
-// LeafNames of a model, and the dimensions outputs are shaped by.
+// The names, numbers and ranges of the leaves of a model.
 #include "elgen/leaf_names.hpp"
 
+#include <fmt/format.h>
+
+#include "base/ascii.hpp"
+
 namespace elgen {
-namespace {
-
-template <class Rows>
-std::vector<std::string> names_of(const Rows& rows) {
-  std::vector<std::string> names;
-  for (const auto& row : rows) {
-    names.push_back(row.name);
-  }
-  return names;
-}
-
-}  // namespace
 
 LeafNames leaf_names(const Model& model) {
-  const std::vector<std::string> velocities = names_of(model.velocities);
-  return {{names_of(model.parameters), names_of(model.coordinates), velocities, velocities,
-           names_of(model.inputs), "t"},
-          model.uses_time};
+  const auto name = [](Opcode, const auto& entry) { return entry.name; };
+  return {leaves_of<std::string>(model, name, "t"), model.uses_time};
 }
 
 std::string leaf_text(const LeafNames& leaves, Opcode kind, std::uint32_t number) {
-  const std::string& name = leaf_of(leaves, kind, number);
-  if (kind == Opcode::acceleration) return "dot(dot(" + name + "))";
-  return kind == Opcode::velocity ? "dot(" + name + ")" : name;
+  return fmt::format(fmt::runtime(leaf_row(kind).text), leaf_of(leaves, kind, number));
 }
 
-Dimensions dimensions(const Model& model) {
-  return {model.coordinates.size(), model.velocities.size(), model.inputs.size(),
-          model.parameters.size()};
+std::string identifier_of(std::string_view name) {
+  std::string identifier;
+  for (const char c : name) {
+    if (is_word_character(c)) identifier += c;
+    if (c == '[') identifier += '_';
+  }
+  return identifier;
+}
+
+std::size_t leaf_count(const Model& model, Opcode kind) {
+  switch (leaf_row(kind).of) {
+    case LeafOwner::system:
+      return 1;
+    case LeafOwner::parameters:
+      return model.parameters.size();
+    case LeafOwner::coordinates:
+      return model.coordinates.size();
+    case LeafOwner::velocities:
+      return model.velocities.size();
+    case LeafOwner::inputs:
+      return model.inputs.size();
+  }
+  return 0;
+}
+
+std::optional<Interval> declared_range(const Model& model, Opcode kind, std::uint32_t number) {
+  switch (kind) {
+    case Opcode::parameter:
+      return model.parameter_arrays[model.parameters[number].array].range;
+    case Opcode::coordinate:
+      return model.coordinates[number].range;
+    case Opcode::velocity:
+      return model.velocities[number].rate_range;
+    case Opcode::input:
+      return model.inputs[number].limits;
+    default:
+      return std::nullopt;
+  }
 }
 
 }  // namespace elgen

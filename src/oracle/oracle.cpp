@@ -4,6 +4,7 @@
 #include <cln/exception.h>
 
 #include "base/random.hpp"
+#include "elgen/leaf_names.hpp"
 #include "oracle/linear_solve.hpp"
 #include "oracle/mechanics.hpp"
 #include "oracle/output_values.hpp"
@@ -43,17 +44,14 @@ cl_R within(const std::optional<Interval>& range, Random& random) {
 }  // namespace
 
 State nominal_state(const Model& model, const Scene& scene) {
-  State state;
+  State state = leaves_of<cl_R>(
+      model, [](Opcode, const auto&) { return cl_R(0); }, 0);
   for (std::uint32_t i = 0; i < model.parameters.size(); ++i) {
     const auto fixed = scene.specialisation.fixed.find(i);
     const bool is_fixed = fixed != scene.specialisation.fixed.end();
-    state.parameters.push_back(is_fixed ? fixed->second.number : model.parameters[i].value);
+    state.parameters[i] = is_fixed ? fixed->second.number : model.parameters[i].value;
   }
-  state.q.assign(model.coordinates.size(), cl_R(0));
   for (const Rotation& rotation : model.rotations) state.q[rotation.first_coordinate] = 1;
-  state.v.assign(model.velocities.size(), cl_R(0));
-  state.a = state.v;
-  state.u.assign(model.inputs.size(), cl_R(0));
   return state;
 }
 
@@ -67,17 +65,10 @@ void draw_parameters(const FixedParameters& fixed, Random& random, State& state)
 }
 
 void draw_motion(const Model& model, Random& random, State& state) {
-  for (std::size_t i = 0; i < state.q.size(); ++i) {
-    state.q[i] = within(model.coordinates[i].range, random);
-  }
-  for (std::size_t i = 0; i < state.v.size(); ++i) {
-    state.v[i] = within(model.velocities[i].rate_range, random);
-  }
-  for (cl_R& a : state.a) a = random.rational();
-  for (std::size_t i = 0; i < state.u.size(); ++i) {
-    state.u[i] = within(model.inputs[i].limits, random);
-  }
-  state.t = random.rational();
+  const auto draw = [&](Opcode kind, std::uint32_t number, cl_R& value) {
+    if (kind != Opcode::parameter) value = within(declared_range(model, kind, number), random);
+  };
+  for_each_leaf(draw, state);
   make_unit_quaternions(model, state);
 }
 

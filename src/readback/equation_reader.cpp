@@ -23,14 +23,14 @@ std::string number_text(const ExpressionSyntax& e) {
   return e.kind == SyntaxKind::number ? exact_text(e.value) : "";
 }
 
-/// "theta", "l[2]", "dot(dot(x))"; empty for what is no name of a leaf.
+/// "theta", "l[2]", "dot(dot(x))"; empty for what cannot be a leaf.
 std::string leaf_name(const ExpressionSyntax& e) {
   if (e.kind == SyntaxKind::name) {
     return e.operands.empty() ? e.text
                               : fmt::format("{}[{}]", e.text, number_text(e.operands.front()));
   }
-  const bool is_rate = e.kind == SyntaxKind::call && e.text == "dot" && e.operands.size() == 1;
-  return is_rate ? fmt::format("dot({})", leaf_name(e.operands.front())) : "";
+  const bool is_wrapped = e.kind == SyntaxKind::call && e.operands.size() == 1;
+  return is_wrapped ? fmt::format("{}({})", e.text, leaf_name(e.operands.front())) : "";
 }
 
 std::unordered_map<std::string, Real> leaves_at(const LeafNames& names,
@@ -206,7 +206,8 @@ Real EquationReader::power(const ExpressionSyntax& e, Evaluated& result) const {
 }
 
 Real EquationReader::call(const ExpressionSyntax& e, Evaluated& result) const {
-  if (e.text == "dot") return named(leaf_name(e), result);
+  const auto leaf = leaves_[state_].find(leaf_name(e));
+  if (leaf != leaves_[state_].end()) return leaf->second;
   const bool is_root = e.text == "sqrt";
   const FunctionRow* row = find_function(e.text);
   const bool is_known = is_root || row != nullptr;

@@ -115,7 +115,7 @@ void ExpressionReader::expect_in_scope(const CodeToken& name) {
 SignedNode ExpressionReader::argument(Opcode argument) {
   if (argument == Opcode::parameter) return parameter();
   if (argument == Opcode::time) return graph_.leaf(Opcode::time, 0);
-  return graph_.leaf(argument, index(argument_size(file_.origin.model, argument)));
+  return graph_.leaf(argument, index(leaf_count(file_.origin.model, argument)));
 }
 
 std::uint32_t ExpressionReader::index(std::size_t size) {

@@ -187,7 +187,7 @@ void FunctionReader::cpp_argument(Opcode argument) {
   const bool is_eigen = file_.dialect.shape == Shape::eigen && is_vector(argument);
   tokens_.expect("const");
   tokens_.expect_code(
-      is_eigen ? fmt::format("Argument<Scalar, {}>", argument_size(file_.origin.model, argument))
+      is_eigen ? fmt::format("Argument<Scalar, {}>", leaf_count(file_.origin.model, argument))
                : std::string(leaf_row(argument).type));
   tokens_.expect("&");
   if (optional_name(leaf_row(argument).symbol)) scope_.arguments.push_back(argument);
@@ -220,7 +220,7 @@ void FunctionReader::c_arguments() {
   const std::string& scalar = file_.dialect.scalar;
   for (std::size_t i = 0; i < arguments_.size(); ++i) {
     const Opcode argument = arguments_[i];
-    const std::size_t size = argument_size(file_.origin.model, argument);
+    const std::size_t size = leaf_count(file_.origin.model, argument);
     const std::string extent = size == 0 ? "" : std::to_string(size);
     if (i > 0) tokens_.expect(",");
     if (argument == Opcode::parameter) {

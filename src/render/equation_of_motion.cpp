@@ -90,8 +90,8 @@ bool is_zero(const Program& program, const Function& function) {
 
 bool knows_motion(const Model& model, const Program& program) {
   const auto knows = [](const Function& function) {
-    const OutputRow& row = output_row(function.kind);
-    return row.takes_velocity || row.takes_acceleration || function.kind == OutputKind::mass_matrix;
+    return function.kind == OutputKind::mass_matrix ||
+           output_row(function.kind).takes.has_any(Opcode::velocity | Opcode::acceleration);
   };
   return !model.quadratic || std::any_of(program.functions.begin(), program.functions.end(), knows);
 }

@@ -32,36 +32,14 @@ class ModelLanguage final : public Vocabulary {
 
 class Latex final : public Vocabulary {
  public:
-  explicit Latex(const Model& model)
-      : Vocabulary(latex_spelling()), symbols_(latex_symbols(model)) {}
+  explicit Latex(const Model& model) : Vocabulary(latex_spelling()), leaves_(latex_leaves(model)) {}
 
   [[nodiscard]] std::string leaf(Opcode kind, std::uint32_t number) const override {
-    switch (kind) {
-      case Opcode::parameter:
-        return symbols_.parameters[number].text();
-      case Opcode::coordinate:
-        return symbols_.coordinates[number].text();
-      case Opcode::velocity:
-        return dotted(number, 1);
-      case Opcode::acceleration:
-        return dotted(number, 2);
-      case Opcode::input:
-        return symbols_.inputs[number].text();
-      default:
-        return "t";
-    }
+    return leaf_of(leaves_, kind, number);
   }
 
  private:
-  /// The derivative of so high an order of a coordinate.
-  [[nodiscard]] std::string dotted(std::uint32_t velocity, int order) const {
-    const SymbolText& symbol = symbols_.velocities[velocity];
-    const int dots = symbols_.are_own[velocity] ? order - 1 : order;
-    if (dots == 0) return symbol.text();
-    return fmt::format("\\{}{{{}}}{}", dots == 1 ? "dot" : "ddot", symbol.base, symbol.scripts);
-  }
-
-  const SymbolTexts symbols_;
+  const LeafValues<std::string> leaves_;
 };
 
 /// Operations of each instruction written out over the leaves alone; counted up to just beyond the

@@ -11,16 +11,16 @@ namespace {
 
 std::vector<SheetVariable> coordinates(const Model& model) {
   std::vector<SheetVariable> list;
-  const SymbolTexts symbols = latex_symbols(model);
+  const LeafValues<std::string> symbols = latex_leaves(model);
   for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
     const Coordinate& c = model.coordinates[i];
     const std::string& doc = c.rotation ? model.rotations[*c.rotation].doc : c.doc;
-    list.push_back({symbols.coordinates[i].text(), c.name, c.unit_text, "", doc});
+    list.push_back({symbols.q[i], c.name, c.unit_text, "", doc});
   }
   for (std::size_t i = 0; i < model.velocities.size(); ++i) {
     const Velocity& v = model.velocities[i];
     if (!v.rotation) continue;
-    list.push_back({symbols.velocities[i].text(), "dot(" + v.name + ")", "rad/s", "",
+    list.push_back({symbols.v[i], "dot(" + v.name + ")", "rad/s", "",
                     "angular velocity in the axes of the body"});
   }
   return list;

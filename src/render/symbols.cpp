@@ -7,6 +7,7 @@
 #include <array>
 
 #include "base/ascii.hpp"
+#include "elgen/leaf_names.hpp"
 
 namespace elgen {
 namespace {
@@ -78,10 +79,22 @@ SymbolText named_symbol(std::string_view name) {
   return {word(name.substr(0, end)), subscripts(parts)};
 }
 
+SymbolText symbol_of(const Model& model, const Parameter& p) {
+  return latex_symbol(p.name, model.parameter_arrays[p.array].latex);
+}
+
+SymbolText symbol_of(const Model& /*model*/, const Input& input) {
+  return latex_symbol(input.name);
+}
+
 /// "e_{w}" of a rotation with `latex = "e"`; empty where it has no key.
 std::string component_key(const Model& model, const Coordinate& component) {
   const std::string& latex = model.rotations[*component.rotation].latex;
   return latex.empty() ? "" : fmt::format("{}_{{{}}}", latex, component.name.back());
+}
+
+SymbolText symbol_of(const Model& model, const Coordinate& c) {
+  return latex_symbol(c.name, c.rotation ? component_key(model, c) : c.latex);
 }
 
 /// "\\omega_{2}", with the name of the rotation where there are several.
@@ -93,6 +106,19 @@ SymbolText spin_symbol(const Model& model, const Velocity& velocity) {
     parts.insert(parts.begin(), latex_symbol(rotation.name, rotation.latex).text());
   }
   return {"\\omega", subscripts(parts)};
+}
+
+SymbolText symbol_of(const Model& model, const Velocity& velocity) {
+  return velocity.rotation ? spin_symbol(model, velocity)
+                           : symbol_of(model, model.coordinates[velocity.coordinate]);
+}
+
+/// Components of angular velocities are not written as rates of something.
+bool has_own_symbol(const Velocity& velocity) { return velocity.rotation.has_value(); }
+
+template <class Entry>
+bool has_own_symbol(const Entry& /*entry*/) {
+  return false;
 }
 
 }  // namespace
@@ -117,22 +143,16 @@ SymbolText latex_symbol(std::string_view name, const std::string& key) {
   return symbol;
 }
 
-SymbolTexts latex_symbols(const Model& model) {
-  SymbolTexts symbols;
-  for (const Parameter& p : model.parameters) {
-    symbols.parameters.push_back(latex_symbol(p.name, model.parameter_arrays[p.array].latex));
-  }
-  for (const Coordinate& c : model.coordinates) {
-    const std::string key = c.rotation ? component_key(model, c) : c.latex;
-    symbols.coordinates.push_back(latex_symbol(c.name, key));
-  }
-  for (const Velocity& velocity : model.velocities) {
-    symbols.velocities.push_back(velocity.rotation ? spin_symbol(model, velocity)
-                                                   : symbols.coordinates[velocity.coordinate]);
-    symbols.are_own.push_back(velocity.rotation.has_value());
-  }
-  for (const Input& input : model.inputs) symbols.inputs.push_back(latex_symbol(input.name));
-  return symbols;
+LeafValues<std::string> latex_leaves(const Model& model) {
+  return leaves_of<std::string>(
+      model,
+      [&](Opcode kind, const auto& entry) {
+        const LeafRow& row = leaf_row(kind);
+        const SymbolText symbol = symbol_of(model, entry);
+        return fmt::format(fmt::runtime(has_own_symbol(entry) ? row.own_latex : row.latex),
+                           symbol.base, symbol.scripts);
+      },
+      "t");
 }
 
 }  // namespace elgen

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "elgen/leaves.hpp"
 #include "elgen/model.hpp"
 
 namespace elgen {
@@ -20,17 +21,8 @@ struct SymbolText {
   [[nodiscard]] std::string text() const { return base + scripts; }
 };
 
-/// What the leaves of a program are called.
-struct SymbolTexts {
-  std::vector<SymbolText> parameters = {};
-  std::vector<SymbolText> coordinates = {};
-  std::vector<SymbolText> velocities = {};  ///< of what they are the rates of, or their own
-  std::vector<bool> are_own = {};           ///< which velocities have a symbol of their own: no dot
-  std::vector<SymbolText> inputs = {};
-};
-
-/// In LaTeX, by the model's `latex` keys where there are some, else by name.
-[[nodiscard]] SymbolTexts latex_symbols(const Model& model);
+/// The leaves of a model in LaTeX, by its `latex` keys where there are some, else by name.
+[[nodiscard]] LeafValues<std::string> latex_leaves(const Model& model);
 
 /// The symbol of a name; of "l[2]" with the key of `l`. An empty key: as the name suggests.
 [[nodiscard]] SymbolText latex_symbol(std::string_view name, const std::string& key = {});

@@ -95,10 +95,14 @@ void remove_variables(Lagrangian& lagrangian) {
     coordinates.mark(locked.coordinate, locked.values.size());
     velocities.mark(locked.velocity, locked.velocity_count());
   }
-  for (std::vector<ex>* list : {&symbols.q, &symbols.q_rates}) coordinates(*list);
-  for (std::vector<ex>* list : {&symbols.v, &symbols.a, &lagrangian.forces}) velocities(*list);
-  coordinates(lagrangian.leaves.q);
-  for (auto* names : {&lagrangian.leaves.v, &lagrangian.leaves.a}) velocities(*names);
+  const auto remove = [&](const LeafRow& row, auto& list) {
+    if (row.of == LeafOwner::coordinates) coordinates(list);
+    if (row.of == LeafOwner::velocities) velocities(list);
+  };
+  for_each_list(remove, symbols);
+  for_each_list(remove, lagrangian.leaves);
+  coordinates(symbols.q_rates);
+  velocities(lagrangian.forces);
   std::vector<RotationPlace> rotations;
   for (const RotationPlace& place : symbols.rotations) {
     if (coordinates.has(place.first_coordinate)) continue;
@@ -117,7 +121,7 @@ void remove_variables(Lagrangian& lagrangian) {
 void lock(Lagrangian& lagrangian) {
   for (const LockedVariable& locked : lagrangian.locked) {
     for (const ex& value : locked.values) {
-      const bool moves = (dependence(lagrangian.definitions, value) & on_time) != 0;
+      const bool moves = dependence(lagrangian.definitions, value).has_any(Opcode::time);
       lagrangian.leaves.uses_time = lagrangian.leaves.uses_time || moves;
     }
   }

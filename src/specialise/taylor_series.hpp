@@ -30,7 +30,7 @@ class TaylorSeries {
 
   Definitions& definitions_;
   unsigned order_;
-  unsigned mask_ = 0;
+  LeafSet mask_ = {};
   GiNaC::symbol s_;
   ExpressionMap<Coefficients> coefficients_;  // of what depends on small leaves
   std::vector<bool> known_;

@@ -77,8 +77,8 @@ class LoadedModel final : public CompiledModel {
     if (found == functions_.end() || (*found).*function == nullptr) return {};
     std::vector<Scalar> result(found->entries);
     ((*found).*function)(
-#define ELGEN_LEAVES(kind, member, symbol, type, tag, rank) arguments.member.data(),
-#define ELGEN_LEAF(kind, member, symbol, type, tag, rank) arguments.member,
+#define ELGEN_LEAVES(kind, member, ...) arguments.member.data(),
+#define ELGEN_LEAF(kind, member, ...) arguments.member,
 #include "elgen/leaves.def"
 #undef ELGEN_LEAVES
 #undef ELGEN_LEAF

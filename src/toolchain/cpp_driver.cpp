@@ -97,7 +97,7 @@ std::string arguments(const Model& model, const Function& function) {
     const std::string_view name = leaf_row(argument).member;
     if (argument == Opcode::time) text += ", t";
     if (!is_vector(argument)) continue;
-    text += fmt::format(",\n      from_flat<Scalar, {}>({})", argument_size(model, argument), name);
+    text += fmt::format(",\n      from_flat<Scalar, {}>({})", leaf_count(model, argument), name);
   }
   return text;
 }

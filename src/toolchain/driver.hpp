@@ -17,8 +17,8 @@ namespace elgen {
 /// not take are ignored.
 template <class Scalar>
 using DriverFunction = void (*)(
-#define ELGEN_LEAVES(kind, member, symbol, type, tag, rank) const Scalar *member,
-#define ELGEN_LEAF(kind, member, symbol, type, tag, rank) Scalar member,
+#define ELGEN_LEAVES(kind, member, ...) const Scalar *member,
+#define ELGEN_LEAF(kind, member, ...) Scalar member,
 #include "elgen/leaves.def"
 #undef ELGEN_LEAVES
 #undef ELGEN_LEAF

@@ -30,12 +30,12 @@ TEST_CASE("names are unique and found") {
 
 TEST_CASE("arguments and shapes follow the equations") {
   const OutputRow& mass = output_row(OutputKind::mass_matrix);
-  CHECK_FALSE(mass.takes_velocity);
+  CHECK(mass.takes == LeafSet());
   CHECK(mass.fields.front().columns == Extent::velocities);
   const OutputRow& inverse = output_row(OutputKind::inverse_dynamics);
-  CHECK((inverse.takes_velocity && inverse.takes_acceleration && !inverse.takes_input));
+  CHECK(inverse.takes == (Opcode::velocity | Opcode::acceleration));
   const OutputRow& forward = output_row(OutputKind::forward_dynamics);
-  CHECK((forward.takes_velocity && !forward.takes_acceleration && forward.takes_input));
+  CHECK(forward.takes == (Opcode::velocity | Opcode::input));
   REQUIRE(forward.fields.size() == 2);
   CHECK(forward.fields[1].name == "relative_pivots");
   CHECK(output_row(OutputKind::input_matrix).fields.front().columns == Extent::inputs);

@@ -12,17 +12,9 @@ using namespace elgen::test;
 namespace {
 
 Arguments<double> somewhere(const Model& model) {
-  Arguments<double> at;
   double next = 0.3;
-  const auto fill = [&](std::vector<double>& values, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) values.push_back(next += 0.17);
-  };
-  const Dimensions n = dimensions(model);
-  fill(at.parameters, n.parameters);
-  fill(at.q, n.coordinates);
-  fill(at.v, n.velocities);
-  fill(at.a, n.velocities);
-  fill(at.u, n.inputs);
+  Arguments<double> at = leaves_of<double>(
+      model, [&next](Opcode, const auto&) { return next += 0.17; }, 0);
   at.t = next;
   return at;
 }

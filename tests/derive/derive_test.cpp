@@ -62,7 +62,7 @@ TEST_CASE("gravity alone builds nothing that moves") {
   const auto equations = derived(checked, {request(checked, OutputKind::gravity)});
   REQUIRE(equations);
   for (const Definition& definition : equations->definitions.list) {
-    CHECK((definition.depends & (on_velocities | on_accelerations)) == 0);
+    CHECK_FALSE(definition.depends.has_any(Opcode::velocity | Opcode::acceleration));
   }
 }
 

@@ -11,9 +11,9 @@ using GiNaC::ex;
 TEST_CASE("grades add up to a quadratic and have their degree") {
   Definitions definitions;
   const GiNaC::realsymbol q("q"), v("v"), w("w"), s("s");
-  add_leaf(definitions, q, on_coordinates);
-  add_leaf(definitions, v, on_velocities);
-  add_leaf(definitions, w, on_velocities);
+  add_leaf(definitions, q, Opcode::coordinate);
+  add_leaf(definitions, v, Opcode::velocity);
+  add_leaf(definitions, w, Opcode::velocity);
   const ex spin = define(definitions, v * cos(q) + 3 * w + q);
   const ex square = define(definitions, spin * spin);
   const ex energy = square * sin(q) + spin * v + 5 * v + q;
@@ -32,8 +32,8 @@ TEST_CASE("grades add up to a quadratic and have their degree") {
 TEST_CASE("what holds no rate is of degree zero") {
   Definitions definitions;
   const GiNaC::realsymbol q("q"), v("v");
-  add_leaf(definitions, q, on_coordinates);
-  add_leaf(definitions, v, on_velocities);
+  add_leaf(definitions, q, Opcode::coordinate);
+  add_leaf(definitions, v, Opcode::velocity);
   const auto parts = RateGrades(definitions, {v})(sin(q));
   CHECK(parts[0].is_equal(sin(q)));
   CHECK(parts[1].is_zero());
@@ -43,7 +43,7 @@ TEST_CASE("what holds no rate is of degree zero") {
 TEST_CASE("an energy without a value at rest is refused") {
   Definitions definitions;
   const GiNaC::realsymbol v("v");
-  add_leaf(definitions, v, on_velocities);
+  add_leaf(definitions, v, Opcode::velocity);
   RateGrades grades(definitions, {v});
   CHECK_THROWS_AS(grades(1 / v), GiNaC::pole_error);
 }

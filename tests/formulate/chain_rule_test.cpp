@@ -17,9 +17,9 @@ struct Fixture {
   ex a, b, c, d;
 
   Fixture() {
-    for (const ex& leaf : std::vector<ex>{x, y}) add_leaf(definitions, leaf, on_coordinates);
-    for (const ex& leaf : std::vector<ex>{v, w}) add_leaf(definitions, leaf, on_velocities);
-    add_leaf(definitions, t, on_time);
+    for (const ex& leaf : std::vector<ex>{x, y}) add_leaf(definitions, leaf, Opcode::coordinate);
+    for (const ex& leaf : std::vector<ex>{v, w}) add_leaf(definitions, leaf, Opcode::velocity);
+    add_leaf(definitions, t, Opcode::time);
     a = define(definitions, x * sin(y), {"a", {}});
     b = define(definitions, a * a + cos(x * t) - y, {"b", {}});
     c = define(definitions, b / (1 + a * a), {"c", {}});
@@ -46,9 +46,9 @@ TEST_CASE("a definition knows what it uses and depends on") {
   const Fixture f;
   CHECK(f.definitions.list[1].uses == std::vector<std::uint32_t>{0});
   CHECK(f.definitions.list[2].uses == std::vector<std::uint32_t>{0, 1});
-  CHECK(f.definitions.list[0].depends == on_coordinates);
-  CHECK(f.definitions.list[1].depends == (on_coordinates | on_time));
-  CHECK(f.definitions.list[3].depends == (on_coordinates | on_time | on_velocities));
+  CHECK(f.definitions.list[0].depends == Opcode::coordinate);
+  CHECK(f.definitions.list[1].depends == (Opcode::coordinate | Opcode::time));
+  CHECK(f.definitions.list[3].depends == (Opcode::coordinate | Opcode::time | Opcode::velocity));
 }
 
 TEST_CASE("a tangent is the derivative along its direction") {
@@ -104,7 +104,8 @@ TEST_CASE("a substitution reaches every definition and keeps the old ones") {
 
 TEST_CASE("partials of a long sum come in elgen's order, each symbol once") {
   Fixture f;
-  const auto found = partials(f.definitions, f.b + f.x * f.y + f.x * f.v + 3, ~0U);
+  const auto found = partials(f.definitions, f.b + f.x * f.y + f.x * f.v + 3,
+                              Opcode::parameter | Opcode::coordinate | Opcode::velocity);
   REQUIRE(found.size() == 4);
   CHECK(found[0].variable.is_equal(f.x));
   CHECK(found[0].value.is_equal(f.y + f.v));

@@ -55,7 +55,7 @@ TEST_CASE("an armature adds 1/2 J v^2, and forces keep their inputs") {
   CHECK(lagrangian->point_forces.size() == 2);
   CHECK(lagrangian->point_forces[0].force[0].is_equal(-lagrangian->point_forces[1].force[0]));
   CHECK(lagrangian->forces[0].is_equal(s.u[1]));
-  CHECK((dependence(lagrangian->definitions, lagrangian->forces[1]) & on_inputs) != 0);
+  CHECK(dependence(lagrangian->definitions, lagrangian->forces[1]).has_any(Opcode::input));
 }
 
 TEST_CASE("a division by zero that only algebra shows is reported where it stands") {

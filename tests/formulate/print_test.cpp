@@ -8,9 +8,9 @@ using namespace elgen;
 TEST_CASE("terms and factors are sorted, powers and functions bracketed") {
   Definitions definitions;
   const GiNaC::realsymbol b("b"), a("a"), x("x");
-  add_leaf(definitions, b, on_parameters);
-  add_leaf(definitions, a, on_parameters);
-  add_leaf(definitions, x, on_coordinates);
+  add_leaf(definitions, b, Opcode::parameter);
+  add_leaf(definitions, a, Opcode::parameter);
+  add_leaf(definitions, x, Opcode::coordinate);
   const GiNaC::ex p = define(definitions, b * sin(x), {"p", {}});
   const ExpressionPrinter print(definitions);
   CHECK(print(x + b + a) == "a + b + x");
@@ -25,7 +25,7 @@ TEST_CASE("signs stand in one place, wherever GiNaC keeps them") {
   Definitions definitions;
   const GiNaC::realsymbol a("a"), b("b"), k("k");
   for (const GiNaC::ex& leaf : std::vector<GiNaC::ex>{a, b, k}) {
-    add_leaf(definitions, leaf, on_coordinates);
+    add_leaf(definitions, leaf, Opcode::coordinate);
   }
   const ExpressionPrinter print(definitions);
   CHECK(print((a - b) * k) == "(a - b)*k");

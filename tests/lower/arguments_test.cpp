@@ -1,4 +1,4 @@
-// arguments: which ones by the table, in their order, and their sizes.
+// arguments: which ones by the table, in their order.
 #include "elgen/arguments.hpp"
 
 #include "emit/fixture.hpp"
@@ -29,12 +29,4 @@ TEST_CASE("arguments in one order, t last") {
   subject.model.uses_time = true;
   subject.model.quadratic = false;
   CHECK(names(subject.model, functions[0]) == "pqvt");
-}
-
-TEST_CASE("sizes of arguments") {
-  const Model model = cart_pole().model;
-  CHECK(argument_size(model, Opcode::coordinate) == 2);
-  CHECK(argument_size(model, Opcode::acceleration) == 2);
-  CHECK(argument_size(model, Opcode::input) == 1);
-  CHECK(argument_size(model, Opcode::time) == 1);
 }

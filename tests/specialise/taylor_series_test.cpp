@@ -19,9 +19,9 @@ struct Leaves {
   ex p = GiNaC::realsymbol("p");
 
   Leaves() {
-    add_leaf(definitions, p, on_parameters);
-    add_leaf(definitions, x, on_coordinates);
-    add_leaf(definitions, y, on_velocities);
+    add_leaf(definitions, p, Opcode::parameter);
+    add_leaf(definitions, x, Opcode::coordinate);
+    add_leaf(definitions, y, Opcode::velocity);
   }
 
   ex expanded(const ex& value, const std::vector<SmallLeaf>& small, unsigned order) {

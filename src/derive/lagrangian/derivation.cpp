@@ -57,9 +57,7 @@ Tangent Derivation::unit_velocity(std::size_t velocity) {
 }
 
 std::string Derivation::velocity_identifier(std::size_t velocity) const {
-  std::string name = GiNaC::ex_to<GiNaC::symbol>(symbols.v[velocity]).get_name();
-  name.resize(name.size() - std::string_view("_dot").size());
-  return name;
+  return identifier_of(lagrangian.leaves.v[velocity]);
 }
 
 const GradedEnergies& Derivation::graded() {

@@ -26,12 +26,12 @@ std::array<ex, 3> RateGrades::from_known(const ex& value) const {
   };
   GiNaC::exvector linear;
   GiNaC::exvector quadratic;
-  for (const Partial& first : partials(definitions_, value, on_velocities)) {
+  for (const Partial& first : partials(definitions_, value, Opcode::velocity)) {
     const std::array<ex, 3>& x = parts_.at(first.variable);
     const ex slope = resting(first.value);
     linear.push_back(slope * x[1]);
     quadratic.push_back(slope * x[2]);
-    for (const Partial& second : partials(definitions_, first.value, on_velocities)) {
+    for (const Partial& second : partials(definitions_, first.value, Opcode::velocity)) {
       const ex curvature = resting(second.value) / 2;
       quadratic.push_back(curvature * x[1] * parts_.at(second.variable)[1]);
     }
@@ -53,7 +53,7 @@ void RateGrades::split(std::uint32_t definition) {
 }
 
 std::array<ex, 3> RateGrades::operator()(const ex& value) {
-  visit_needed(definitions_, value, on_velocities, known_,
+  visit_needed(definitions_, value, Opcode::velocity, known_,
                [this](std::uint32_t definition) { split(definition); });
   return from_known(value);
 }

@@ -10,7 +10,7 @@ using GiNaC::ex;
 namespace {
 
 bool moves(const Tree& tree, const ex& value) {
-  return (dependence(tree.derivation().definitions, value) & on_coordinates) != 0;
+  return dependence(tree.derivation().definitions, value).has_any(Opcode::coordinate);
 }
 
 void append_variables(const Tree& tree, std::uint32_t index, TreeVariables& variables) {
@@ -64,7 +64,7 @@ std::vector<Coefficient> jacobian_row(Tree& tree, const TreeVariable& variable) 
 
 bool is_constant(const Definitions& definitions, const std::vector<Coefficient>& row) {
   return std::all_of(row.begin(), row.end(), [&](const Coefficient& c) {
-    return (dependence(definitions, c.value) & (on_coordinates | on_time)) == 0;
+    return !dependence(definitions, c.value).has_any(Opcode::coordinate | Opcode::time);
   });
 }
 

@@ -134,7 +134,7 @@ class C99Dialect final : public Dialect {
         arguments.push_back(fmt::format("{} {}", scalar_, name));
       } else {
         arguments.push_back(
-            fmt::format("const {} {}{}", scalar_, name, extent(argument_size(model(), argument))));
+            fmt::format("const {} {}{}", scalar_, name, extent(leaf_count(model(), argument))));
       }
     }
     return arguments;

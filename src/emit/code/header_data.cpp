@@ -107,10 +107,9 @@ TemplateData stamp_data(const EmissionInput& input) {
 }
 
 void set_counts(TemplateData& data, const EmissionInput& input) {
-  const Dimensions size = dimensions(input.model);
-  data.set("coordinate_count", std::to_string(size.coordinates));
-  data.set("velocity_count", std::to_string(size.velocities));
-  data.set("input_count", std::to_string(size.inputs));
+  data.set("coordinate_count", std::to_string(input.model.coordinates.size()));
+  data.set("velocity_count", std::to_string(input.model.velocities.size()));
+  data.set("input_count", std::to_string(input.model.inputs.size()));
   data.set("parameter_count", std::to_string(emitted_parameter_count(input.model, input.program)));
 }
 

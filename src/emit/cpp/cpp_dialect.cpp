@@ -221,7 +221,7 @@ class EigenDialect final : public CppDialect {
 
   std::string type_of_argument(Opcode argument) const override {
     if (!is_vector(argument)) return CppDialect::type_of_argument(argument);
-    return fmt::format("const Argument<Scalar, {}>&", argument_size(model(), argument));
+    return fmt::format("const Argument<Scalar, {}>&", leaf_count(model(), argument));
   }
 };
 
