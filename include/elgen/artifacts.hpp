@@ -1,9 +1,7 @@
-// Artifacts: the kinds of files that are written, and which of them a scene wants. What is known of
-// a kind elsewhere is a row by its id: how it is written (src/emit/artifacts.cpp), read back
-// (src/readback/readback.cpp), and compiled (src/toolchain/driver.cpp).
+// Artifacts: the kinds of files that are written (artifacts.def), and which of them a scene wants.
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,32 +10,37 @@
 
 namespace elgen {
 
-/// Headers, then what they are described by.
-enum class ArtifactId : std::uint8_t { cpp, eigen, c99, sidecar, page };
+enum class ArtifactId : std::uint8_t {
+#define ELGEN_ARTIFACT(kind) kind,
+#include "elgen/artifacts.def"
+};
+
+/// A row of every kind, under its name.
+template <class Row>
+struct PerArtifact {
+#define ELGEN_ARTIFACT(kind) Row kind;
+#include "elgen/artifacts.def"
+
+  [[nodiscard]] constexpr const Row& operator[](ArtifactId id) const {
+    constexpr Row PerArtifact::*members[] = {
+#define ELGEN_ARTIFACT(kind) &PerArtifact::kind,
+#include "elgen/artifacts.def"
+    };
+    return this->*members[static_cast<std::size_t>(id)];
+  }
+};
 
 struct ArtifactRow {
-  ArtifactId id;
   std::string_view ending;  ///< of the path
   bool (*is_wanted)(const Emission& emission);
 };
 
-inline constexpr std::array artifact_table{
-    ArtifactRow{ArtifactId::cpp, ".hpp",
-                [](const Emission& e) { return e.language == LanguageId::cpp; }},
-    ArtifactRow{ArtifactId::eigen, "_eigen.hpp", [](const Emission& e) { return e.eigen; }},
-    ArtifactRow{ArtifactId::c99, ".h",
-                [](const Emission& e) { return e.language == LanguageId::c99; }},
-    ArtifactRow{ArtifactId::sidecar, ".equations.json", [](const Emission&) { return true; }},
-    ArtifactRow{ArtifactId::page, ".md", [](const Emission&) { return true; }}};
-
-/// One row of a table by id, which has a row of every kind in their order.
-template <class Row>
-using PerArtifact = std::array<Row, artifact_table.size()>;
-
-template <class Row>
-[[nodiscard]] constexpr const Row& row_of(const PerArtifact<Row>& table, ArtifactId id) {
-  return table[static_cast<std::size_t>(id)];
-}
+inline constexpr PerArtifact<ArtifactRow> artifact_table{
+    .cpp = {".hpp", [](const Emission& e) { return e.language == LanguageId::cpp; }},
+    .eigen = {"_eigen.hpp", [](const Emission& e) { return e.eigen; }},
+    .c99 = {".h", [](const Emission& e) { return e.language == LanguageId::c99; }},
+    .sidecar = {".equations.json", [](const Emission&) { return true; }},
+    .page = {".md", [](const Emission&) { return true; }}};
 
 struct Artifact {
   ArtifactId id = ArtifactId::cpp;

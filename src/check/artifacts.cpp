@@ -6,14 +6,16 @@
 namespace elgen {
 
 std::string path_of(const Scene& scene, ArtifactId id) {
-  return fmt::format("{0}/{0}{1}", scene.base_name, row_of(artifact_table, id).ending);
+  return fmt::format("{0}/{0}{1}", scene.base_name, artifact_table[id].ending);
 }
 
 std::vector<Artifact> artifacts_of(const Scene& scene) {
   std::vector<Artifact> artifacts;
-  for (const ArtifactRow& row : artifact_table) {
-    if (row.is_wanted(scene.emission)) artifacts.push_back({row.id, path_of(scene, row.id)});
+#define ELGEN_ARTIFACT(kind)                                                   \
+  if (artifact_table.kind.is_wanted(scene.emission)) {                         \
+    artifacts.push_back({ArtifactId::kind, path_of(scene, ArtifactId::kind)}); \
   }
+#include "elgen/artifacts.def"
   return artifacts;
 }
 

@@ -8,15 +8,14 @@
 namespace elgen {
 namespace {
 
-constexpr PerArtifact<Writer> writers{{{&cpp_header, &cpp_check_names},
-                                       {&eigen_header, &eigen_check_names},
-                                       {&c99_header, &c99_check_names},
-                                       {&sidecar, nullptr},
-                                       {&markdown, nullptr}}};
-static_assert(writers.back().text != nullptr, "a kind of file has no writer");
+constexpr PerArtifact<Writer> writers{.cpp = {&cpp_header, &cpp_check_names},
+                                      .eigen = {&eigen_header, &eigen_check_names},
+                                      .c99 = {&c99_header, &c99_check_names},
+                                      .sidecar = {&sidecar, nullptr},
+                                      .page = {&markdown, nullptr}};
 
 }  // namespace
 
-const Writer& writer_of(ArtifactId id) { return row_of(writers, id); }
+const Writer& writer_of(ArtifactId id) { return writers[id]; }
 
 }  // namespace elgen

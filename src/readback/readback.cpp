@@ -28,7 +28,6 @@ class FilesReader {
 
  private:
   void read(const Artifact& artifact) {
-    static_assert(readers.back() != nullptr, "a kind of file has no reader");
     const auto found = std::find_if(files_.begin(), files_.end(), [&](const SourcePointer& file) {
       return file->path == artifact.path;
     });
@@ -37,7 +36,7 @@ class FilesReader {
       return;
     }
     try {
-      (this->*row_of(readers, artifact.id))(**found);
+      (this->*readers[artifact.id])(**found);
       ++result_.files;
     } catch (const Mistake& mistake) {
       diagnostics_.push_back(mistake.diagnostic);
@@ -62,9 +61,11 @@ class FilesReader {
   void page(const SourceText& text) { read_page(text, origin_, equations_); }
 
   using Read = void (FilesReader::*)(const SourceText& text);
-  static constexpr PerArtifact<Read> readers{&FilesReader::header, &FilesReader::eigen_header,
-                                             &FilesReader::header, &FilesReader::sidecar,
-                                             &FilesReader::page};
+  static constexpr PerArtifact<Read> readers{.cpp = &FilesReader::header,
+                                             .eigen = &FilesReader::eigen_header,
+                                             .c99 = &FilesReader::header,
+                                             .sidecar = &FilesReader::sidecar,
+                                             .page = &FilesReader::page};
 
   const std::vector<SourcePointer>& files_;
   Origin origin_;

@@ -40,11 +40,12 @@ struct DriverRow {
   std::string (*text)(const DriverInput& input);  ///< null where there is nothing to compile
 };
 
-constexpr PerArtifact<DriverRow> driver_table{{{"", "driver.cpp", &cpp_driver},
-                                               {"Eigen", "eigen_driver.cpp", &eigen_driver},
-                                               {"", "driver.c", &c99_driver},
-                                               {"", "", nullptr},
-                                               {"", "", nullptr}}};
+constexpr DriverRow no_code{"", "", nullptr};
+constexpr PerArtifact<DriverRow> driver_table{.cpp = {"", "driver.cpp", &cpp_driver},
+                                              .eigen = {"Eigen", "eigen_driver.cpp", &eigen_driver},
+                                              .c99 = {"", "driver.c", &c99_driver},
+                                              .sidecar = no_code,
+                                              .page = no_code};
 
 }  // namespace
 
@@ -86,7 +87,7 @@ std::string appended(const DriverInput& input, const Function& function, std::st
 std::vector<Driver> drivers(const DriverInput& input) {
   std::vector<Driver> result;
   for (const Artifact& artifact : artifacts_of(input.scene)) {
-    const DriverRow& row = row_of(driver_table, artifact.id);
+    const DriverRow& row = driver_table[artifact.id];
     if (row.text != nullptr) result.push_back({row.types, row.file, row.text(input)});
   }
   return result;

@@ -18,12 +18,6 @@ std::vector<std::string> paths(const Emission& emission) {
 
 }  // namespace
 
-TEST_CASE("a row stands at its id") {
-  for (std::size_t i = 0; i < artifact_table.size(); ++i) {
-    CHECK(artifact_table[i].id == static_cast<ArtifactId>(i));
-  }
-}
-
 TEST_CASE("files are known without deriving, the header first") {
   Emission emission;
   CHECK(paths(emission) ==
