@@ -6,7 +6,7 @@
 // skipped.
 #include "check/entries/entries.hpp"
 #include "check/entries/plane.hpp"
-#include "check/expressions/dependencies.hpp"
+#include "check/expressions/cycles.hpp"
 #include "check/expressions/expand.hpp"
 #include "check/expressions/options.hpp"
 #include "check/expressions/parameters.hpp"
@@ -67,15 +67,13 @@ void resolve_entries(Context& context, const ModelSyntax& syntax) {
 /// as is the point a scene expands about.
 void judge(Context& context, const ModelSyntax& syntax, const SceneSyntax* scene,
            const SceneOptions& options) {
-  if (const auto order = dependency_order(context)) {
-    check_mechanics(context, find_traits(context, *order));
-  }
+  const bool has_order = check_cycles(context);
+  if (has_order) check_mechanics(context, find_traits(context.model));
   read_expectations(context, syntax, options.large_expectations);
   read_approximation(context, scene);
-  if (const auto order = dependency_order(context)) {
-    check_places(context, find_traits(context, *order));
-    check_units(context, *order);
-  }
+  if (!has_order) return;
+  check_places(context, find_traits(context.model));
+  check_units(context);
 }
 
 /// What the scene wants is asked of the model that is left.

@@ -1,8 +1,13 @@
-// References: one switch over what names stand for, and one depth-first order.
+// References: one switch over what names stand for, and one depth-first search.
 #include "elgen/references.hpp"
+
+#include <algorithm>
+#include <numeric>
 
 namespace elgen {
 namespace {
+
+enum class Visit : std::uint8_t { none, open, done };
 
 /// An expression whose references are being entered.
 struct Entered {
@@ -10,6 +15,69 @@ struct Entered {
   std::vector<ExpressionId> references = {};
   std::size_t next = 0;
 };
+
+struct Found {
+  std::vector<ExpressionId> order = {};  ///< each after what it refers to
+  std::vector<ExpressionId> cycle = {};  ///< the first one met; it ends the search
+};
+
+/// Chains of names may be thousands of links long: nothing here is recursive.
+template <class References>
+Found search(const Model& model, const std::vector<ExpressionId>& roots,
+             const References& references) {
+  Found found;
+  std::vector<Visit> visits(model.expressions.size(), Visit::none);
+  std::vector<Entered> path;
+  const auto enter = [&](ExpressionId id) {
+    if (visits[id] != Visit::none) return;
+    visits[id] = Visit::open;
+    path.push_back({id, references(model, id)});
+  };
+  for (const ExpressionId root : roots) {
+    enter(root);
+    while (!path.empty()) {
+      Entered& top = path.back();
+      if (top.next == top.references.size()) {
+        visits[top.expression] = Visit::done;
+        found.order.push_back(top.expression);
+        path.pop_back();
+        continue;
+      }
+      const ExpressionId next = top.references[top.next++];
+      if (visits[next] == Visit::open) {
+        const auto from = std::find_if(path.begin(), path.end(), [&](const Entered& entered) {
+          return entered.expression == next;
+        });
+        for (auto entered = from; entered != path.end(); ++entered) {
+          found.cycle.push_back(entered->expression);
+        }
+        return found;
+      }
+      enter(next);
+    }
+  }
+  return found;
+}
+
+/// As references(), but all of a point or a frame for one component of it.
+std::vector<ExpressionId> references_by_name(const Model& model, ExpressionId expression) {
+  const Expression& e = model.expressions[expression];
+  if (e.kind == ExpressionKind::point_component) {
+    const Vector3& at = model.points[e.index / 3].at;
+    return {at.begin(), at.end()};
+  }
+  if (e.kind != ExpressionKind::frame_component) return references(model, expression);
+  const Frame& frame = model.frames[e.index / components_per_frame];
+  std::vector<ExpressionId> all(frame.rotation.begin(), frame.rotation.end());
+  all.insert(all.end(), frame.origin.begin(), frame.origin.end());
+  return all;
+}
+
+std::vector<ExpressionId> all_of(const Model& model) {
+  std::vector<ExpressionId> all(model.expressions.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
 
 }  // namespace
 
@@ -30,26 +98,13 @@ std::vector<ExpressionId> references(const Model& model, ExpressionId expression
 }
 
 std::vector<ExpressionId> reached(const Model& model, const std::vector<ExpressionId>& roots) {
-  std::vector<bool> done(model.expressions.size(), false);
-  std::vector<ExpressionId> order;
-  std::vector<Entered> stack;
-  const auto enter = [&](ExpressionId id) {
-    if (!done[id]) stack.push_back({id, references(model, id), 0});
-  };
-  for (const ExpressionId root : roots) {
-    enter(root);
-    while (!stack.empty()) {
-      Entered& top = stack.back();
-      if (top.next < top.references.size()) {
-        enter(top.references[top.next++]);
-        continue;
-      }
-      if (!done[top.expression]) order.push_back(top.expression);
-      done[top.expression] = true;
-      stack.pop_back();
-    }
-  }
-  return order;
+  return search(model, roots, references).order;
+}
+
+std::vector<ExpressionId> in_order(const Model& model) { return reached(model, all_of(model)); }
+
+std::vector<ExpressionId> find_cycle(const Model& model) {
+  return search(model, all_of(model), references_by_name).cycle;
 }
 
 }  // namespace elgen

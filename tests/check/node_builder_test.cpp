@@ -109,19 +109,5 @@ TEST_CASE("vectors and matrices", "[frames]") {
   CHECK(s.text(nodes.dot(along, along)) == "x*x + 1");
 }
 
-TEST_CASE("finished nodes are one root of their owner, which is not judged", "[frames]") {
-  Sheet s;
-  s.nodes.finish(OwnerKind::point, 7);
-  REQUIRE(s.context.roots.size() == 1);
-  CHECK(s.context.roots[0].generated);
-  CHECK(s.context.roots[0].owner == OwnerKind::point);
-  CHECK(s.context.roots[0].owner_index == 7);
-  CHECK(s.context.roots[0].first == 1);
-  CHECK(s.context.roots[0].value == s.context.model.expressions.size() - 1);
-  NodeBuilder nothing(s.context, {});
-  nothing.finish();
-  CHECK(s.context.roots.size() == 1);
-}
-
 }  // namespace
 }  // namespace elgen

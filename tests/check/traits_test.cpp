@@ -29,7 +29,7 @@ Traits traits_of(const std::string& text) {
   const ExpressionId id =
       ValueReader(context, Scope(context.sizes)).root(*expression, RootRequest{});
   REQUIRE(context.report.errors() == 0);
-  return find_traits(context, {0})[id];
+  return find_traits(context.model)[id];
 }
 
 TEST_CASE("degree in the rates") {

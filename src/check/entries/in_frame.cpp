@@ -7,21 +7,6 @@
 namespace elgen {
 namespace {
 
-Vector3 origin_of(NodeBuilder& nodes, std::uint32_t frame) {
-  Vector3 result{};
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    result[k] = nodes.leaf(ExpressionKind::frame_component, components_per_frame * frame + 9 + k);
-  }
-  return result;
-}
-
-Vector3 position(NodeBuilder& nodes, const PlaceInFrame& place) {
-  const Matrix3 rotation = rotation_of(nodes, place.frame);
-  const Vector3 offset = nodes.apply(rotation, place.at);
-  const Vector3 origin = origin_of(nodes, place.frame);
-  return nodes.add(origin, offset);
-}
-
 /// I_com = I_origin - m (c.c 1 - c c^T), as xx yy zz xy xz yz, or zz alone.
 std::vector<ExpressionId> about_com(NodeBuilder& nodes, const BodyInFrame& body,
                                     ExpressionId mass) {
@@ -57,23 +42,30 @@ Matrix3 rotation_of(NodeBuilder& nodes, std::uint32_t frame) {
   return result;
 }
 
-Vector3 world_position(Context& context, const PlaceInFrame& place, const Ownership& owner) {
-  NodeBuilder nodes(context, owner.span);
-  const Vector3 result = position(nodes, place);
-  nodes.finish(owner.kind, owner.index);
+Vector3 origin_of(NodeBuilder& nodes, std::uint32_t frame) {
+  Vector3 result{};
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    result[k] = nodes.leaf(ExpressionKind::frame_component, components_per_frame * frame + 9 + k);
+  }
   return result;
+}
+
+Vector3 world_position(NodeBuilder& nodes, const PlaceInFrame& place) {
+  const Matrix3 rotation = rotation_of(nodes, place.frame);
+  const Vector3 offset = nodes.apply(rotation, place.at);
+  const Vector3 origin = origin_of(nodes, place.frame);
+  return nodes.add(origin, offset);
 }
 
 void put_in_frame(Context& context, BodyInFrame local, Body& body) {
   NodeBuilder nodes(context, body.span);
-  body.com = position(nodes, local.com);
+  body.com = world_position(nodes, local.com);
   if (local.about_origin && body.mass) body.inertia = about_com(nodes, local, *body.mass);
   const bool is_planar = body.dimension == 2;
   const Vector3& spin = context.model.frames[local.com.frame].spin;
   body.spin = is_planar ? std::vector{spin[2]} : std::vector(spin.begin(), spin.end());
   if (body.inertia.empty()) body.spin.clear();
   body.local = std::move(local);
-  nodes.finish();
 }
 
 void write_frame_output(Context& context, UserOutput& output) {
@@ -97,7 +89,6 @@ void write_frame_output(Context& context, UserOutput& output) {
   }
   output.twist.assign(angular.begin(), angular.end());
   output.twist.insert(output.twist.end(), linear.begin(), linear.end());
-  nodes.finish();
 }
 
 Vector3 padded(const std::vector<ExpressionId>& components) {

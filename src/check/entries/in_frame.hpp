@@ -7,16 +7,8 @@
 
 namespace elgen {
 
-/// Whose nodes they are, and where the file says so.
-struct Ownership {
-  Span span = {};
-  OwnerKind kind = OwnerKind::none;
-  std::uint32_t index = 0;
-};
-
 /// R x + origin.
-[[nodiscard]] Vector3 world_position(Context& context, const PlaceInFrame& place,
-                                     const Ownership& owner);
+[[nodiscard]] Vector3 world_position(NodeBuilder& nodes, const PlaceInFrame& place);
 
 /// com and inertia of the body are in the axes of `local`'s frame, and stay so there; com, spin and
 /// inertia about the com follow from it.
@@ -33,7 +25,8 @@ void put_in_frame(Context& context, BodyInFrame local, Body& body);
 /// The pose as values and the twist (angular velocity; velocity of the origin) of a frame's output.
 void write_frame_output(Context& context, UserOutput& output);
 
-/// The nine entries of the frame's rotation, as leaves.
+/// The nine entries of the frame's rotation, and its origin, as leaves.
 [[nodiscard]] Matrix3 rotation_of(NodeBuilder& nodes, std::uint32_t frame);
+[[nodiscard]] Vector3 origin_of(NodeBuilder& nodes, std::uint32_t frame);
 
 }  // namespace elgen

@@ -1,7 +1,7 @@
 // Poses: the steps of a frame multiplied out, and the spin from the rates of the rotation.
 #include "check/entries/pose.hpp"
 
-#include "check/expressions/node_builder.hpp"
+#include "check/entries/in_frame.hpp"
 
 namespace elgen {
 namespace {
@@ -72,28 +72,13 @@ Vector3 spin(NodeBuilder& nodes, const Matrix3& rotation) {
   return result;
 }
 
-/// The pose of the parent: names, not copies.
-void begin_at_parent(NodeBuilder& nodes, const Frame& frame, Matrix3& rotation, Vector3& origin) {
-  if (!frame.parent) {
-    rotation = nodes.identity();
-    return;
-  }
-  const std::uint32_t parent = components_per_frame * *frame.parent;
-  for (std::uint32_t k = 0; k < 9; ++k) {
-    rotation[k] = nodes.leaf(ExpressionKind::frame_component, parent + k);
-  }
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    origin[k] = nodes.leaf(ExpressionKind::frame_component, parent + 9 + k);
-  }
-}
-
 }  // namespace
 
-void write_pose(Context& context, std::uint32_t target, Frame& frame) {
+void write_pose(Context& context, Frame& frame) {
   NodeBuilder nodes(context, frame.span);
-  Matrix3 rotation{};
-  Vector3 origin{};
-  begin_at_parent(nodes, frame, rotation, origin);
+  // The pose of the parent by its names, not as copies.
+  Matrix3 rotation = frame.parent ? rotation_of(nodes, *frame.parent) : nodes.identity();
+  Vector3 origin = frame.parent ? origin_of(nodes, *frame.parent) : Vector3{};
   for (const FrameStep& step : frame.steps) {
     if (step.kind == FrameStepKind::translation) {
       const Vector3 offset = nodes.apply(rotation, step.vector);
@@ -108,7 +93,6 @@ void write_pose(Context& context, std::uint32_t target, Frame& frame) {
   frame.rotation = rotation;
   frame.origin = origin;
   frame.spin = spin(nodes, rotation);
-  nodes.finish(OwnerKind::frame, target);
 }
 
 }  // namespace elgen

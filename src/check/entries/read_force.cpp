@@ -39,7 +39,6 @@ void turn_components(Context& context, std::optional<std::uint32_t> to, Force& f
   force.written = force.value;
   NodeBuilder nodes(context, force.span);
   const Vector3 components = turned(nodes, padded(force.value), force.axes, to);
-  nodes.finish();
   force.value.assign(components.begin(), components.end());
 }
 
@@ -83,7 +82,6 @@ void read_torque(ValueReader& values, const EntrySyntax& entry, Force& force) {
   if (!force.from_frame) return;
   NodeBuilder nodes(context, force.span);
   const Vector3 components = turned(nodes, padded(force.written), force.axes, force.from_frame);
-  nodes.finish();
   force.reaction.assign(components.begin(), components.end());
 }
 

@@ -18,8 +18,8 @@
 namespace elgen {
 namespace {
 
-constexpr Place angle_place{"an angle", place::of_configuration};
-constexpr Place length_place{"a position", place::of_configuration};
+const RootRequest angle_request{{"an angle", place::of_configuration}, find_unit("rad")};
+const RootRequest length_request{{"a position", place::of_configuration}, find_unit("m")};
 constexpr std::array<std::string_view, 5> orientations{"rotate", "rpy", "dh", "quaternion",
                                                        "rotation"};
 
@@ -29,7 +29,6 @@ class FrameReader {
       : context_(context),
         values_(context, instance.scope),
         entry_(*instance.entry),
-        target_(instance.target),
         frame_(context.model.frames[instance.target]),
         report_(context.report) {}
 
@@ -41,7 +40,7 @@ class FrameReader {
     }
     if (const KeySyntax* translate = entry_.find("translate")) read_translation(translate->value);
     if (has_one_orientation()) read_orientation();
-    write_pose(context_, target_, frame_);
+    write_pose(context_, frame_);
   }
 
  private:
@@ -71,17 +70,9 @@ class FrameReader {
     if (!values_.is_vector(value)) {
       return;
     }
-    std::vector<ExpressionId> offset = values_.roots(value, length_request());
+    std::vector<ExpressionId> offset = values_.roots(value, length_request);
     offset.resize(3, no_expression);
     frame_.steps.push_back({FrameStepKind::translation, {offset[0], offset[1], offset[2]}});
-  }
-
-  [[nodiscard]] RootRequest length_request() const {
-    return {length_place, find_unit("m"), OwnerKind::frame, target_};
-  }
-
-  [[nodiscard]] RootRequest angle_request() const {
-    return {angle_place, find_unit("rad"), OwnerKind::frame, target_};
   }
 
   void read_orientation() {
@@ -96,7 +87,6 @@ class FrameReader {
     NodeBuilder nodes(context_, frame_.span);
     FrameStep step{FrameStepKind::turn};
     step.vector[axis] = nodes.number(1);
-    nodes.finish(OwnerKind::frame, target_);
     step.angle = angle;
     frame_.steps.push_back(step);
   }
@@ -104,7 +94,7 @@ class FrameReader {
   void read_turns(const ValueSyntax& turns) {
     for (const ValueSyntax& turn : turns.items) {
       const ValueSyntax& axis = turn.items[0];
-      const ExpressionId angle = values_.root(turn.items[1], angle_request());
+      const ExpressionId angle = values_.root(turn.items[1], angle_request);
       if (axis.kind == ValueKind::list) {
         add_turn_about(axis, angle);
       } else if (axis.text == "x" || axis.text == "y" || axis.text == "z") {
@@ -133,7 +123,6 @@ class FrameReader {
     const ExpressionId scale = nodes.power(squared, cln::cl_RA(-1) / 2);
     FrameStep step{FrameStepKind::turn};
     for (std::size_t i = 0; i < 3; ++i) step.vector[i] = nodes.multiply({given[i], scale});
-    nodes.finish(OwnerKind::frame, target_);
     step.angle = angle;
     frame_.steps.push_back(step);
   }
@@ -148,7 +137,7 @@ class FrameReader {
 
   void read_rpy(const ValueSyntax& value) {
     if (!has_count(value, 3, "`rpy`")) return;
-    const std::vector<ExpressionId> angles = values_.roots(value, angle_request());
+    const std::vector<ExpressionId> angles = values_.roots(value, angle_request);
     for (const std::size_t axis : {2U, 1U, 0U}) add_turn(axis, angles[axis]);
   }
 
@@ -168,10 +157,10 @@ class FrameReader {
   }
 
   void read_dh(const ValueSyntax& table) {
-    const ExpressionId a = dh_value(table, "a", length_request());
-    const ExpressionId alpha = dh_value(table, "alpha", angle_request());
-    const ExpressionId d = dh_value(table, "d", length_request());
-    const ExpressionId theta = dh_value(table, "theta", angle_request());
+    const ExpressionId a = dh_value(table, "a", length_request);
+    const ExpressionId alpha = dh_value(table, "alpha", angle_request);
+    const ExpressionId d = dh_value(table, "d", length_request);
+    const ExpressionId theta = dh_value(table, "theta", angle_request);
     const bool is_modified = text_of(table, "convention") == "modified";
     if (is_modified) add_screw(0, alpha, a);
     add_screw(2, theta, d);
@@ -181,8 +170,7 @@ class FrameReader {
   void read_quaternion(const ValueSyntax& value) {
     if (!has_count(value, 4, "a quaternion")) return;
     const Place place{"a quaternion", place::of_configuration};
-    const std::vector<ExpressionId> components =
-        values_.roots(value, {place, std::nullopt, OwnerKind::frame, target_});
+    const std::vector<ExpressionId> components = values_.roots(value, {place});
     FrameStep step{FrameStepKind::quaternion};
     std::copy(components.begin(), components.end(), step.quaternion.begin());
     const auto is_zero = [&](ExpressionId id) { return context_.constants[id] == 0; };
@@ -202,7 +190,6 @@ class FrameReader {
       const std::uint32_t coordinate = context_.model.rotations[*rotation].first_coordinate + i;
       step.quaternion[i] = nodes.leaf(ExpressionKind::coordinate, coordinate);
     }
-    nodes.finish(OwnerKind::frame, target_);
     step.rotation = rotation;
     frame_.steps.push_back(step);
   }
@@ -210,7 +197,6 @@ class FrameReader {
   Context& context_;
   ValueReader values_;
   const EntrySyntax& entry_;
-  std::uint32_t target_;
   Frame& frame_;
   Report& report_;
 };

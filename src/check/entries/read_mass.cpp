@@ -20,11 +20,12 @@ void read_point(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
   const KeySyntax* at = entry.find("at");
   if (at != nullptr && values.is_vector(at->value)) {
     const Place place{"a position", place::of_configuration};
-    point.at = padded(values.roots(at->value, {place, find_unit("m"), OwnerKind::point, target}));
+    point.at = padded(values.roots(at->value, {place, find_unit("m")}));
     if (const KeySyntax* frame = entry.find("frame")) {
       if (const auto index = values.frame_or_world(frame->value)) {
         point.local = PlaceInFrame{*index, point.at};
-        point.at = world_position(context, *point.local, {point.span, OwnerKind::point, target});
+        NodeBuilder nodes(context, point.span);
+        point.at = world_position(nodes, *point.local);
       }
     }
   }

@@ -44,8 +44,7 @@ void read_definitions(ValueReader& values, const EntrySyntax& entry) {
       continue;
     }
     const std::uint32_t target = symbol->elements.begin()->second;
-    context.model.definitions[target].value =
-        values.root(key.value, {place, std::nullopt, OwnerKind::definition, target});
+    context.model.definitions[target].value = values.root(key.value, {place});
   }
 }
 

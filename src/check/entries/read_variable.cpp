@@ -113,7 +113,7 @@ void read_prescribed(ValueReader& values, const EntrySyntax& entry, std::uint32_
   prescribed.doc = text_of(entry, "doc");
   if (const KeySyntax* value = entry.find("value")) {
     const Place place{"a prescribed function", place::of_time};
-    prescribed.value = values.root(value->value, {place, unit, OwnerKind::prescribed, target});
+    prescribed.value = values.root(value->value, {place, unit});
   }
 }
 

@@ -9,11 +9,6 @@
 
 namespace elgen {
 
-NodeBuilder::NodeBuilder(Context& context, const Span& span)
-    : context_(context),
-      span_(span),
-      first_(static_cast<ExpressionId>(context.model.expressions.size())) {}
-
 ExpressionId NodeBuilder::push(Expression node) {
   node.span = span_;
   (void)context_.append(std::move(node));
@@ -138,18 +133,6 @@ Matrix3 NodeBuilder::identity() {
   return {one,           no_expression, no_expression,
           no_expression, one,           no_expression,
           no_expression, no_expression, one};
-}
-
-void NodeBuilder::finish(OwnerKind owner, std::uint32_t index) {
-  const auto size = static_cast<ExpressionId>(context_.model.expressions.size());
-  if (size == first_) return;
-  WrittenExpression root;
-  root.first = first_;
-  root.value = size - 1;
-  root.owner = owner;
-  root.owner_index = index;
-  root.generated = true;
-  context_.roots.push_back(root);
 }
 
 }  // namespace elgen

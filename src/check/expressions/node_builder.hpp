@@ -16,7 +16,7 @@ using Matrix3 = std::array<ExpressionId, 9>;  ///< row-major
 /// vanishes is never written; sines and cosines of quarter turns are exact.
 class NodeBuilder {
  public:
-  NodeBuilder(Context& context, const Span& span);
+  NodeBuilder(Context& context, const Span& span) : context_(context), span_(span) {}
 
   ExpressionId number(const cln::cl_RA& value);
   ExpressionId leaf(ExpressionKind kind, std::uint32_t index);
@@ -38,16 +38,12 @@ class NodeBuilder {
 
   [[nodiscard]] bool is_one(ExpressionId id) const { return is_number(id, 1); }
 
-  /// Registers what was appended since construction as one generated root.
-  void finish(OwnerKind owner = OwnerKind::none, std::uint32_t index = 0);
-
  private:
   [[nodiscard]] bool is_number(ExpressionId id, int value) const;
   ExpressionId push(Expression node);
 
   Context& context_;
   Span span_;
-  ExpressionId first_;
 };
 
 }  // namespace elgen

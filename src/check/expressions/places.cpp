@@ -96,7 +96,6 @@ void check_rates_of_kinks(Context& context, const std::vector<Traits>& traits,
 
 void check_places(Context& context, const std::vector<Traits>& traits) {
   for (WrittenExpression& root : context.roots) {
-    if (root.generated) continue;
     check_root(context, traits, root);
     check_rates_of_kinks(context, traits, root);
   }

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "elgen/references.hpp"
+
 namespace elgen {
 namespace {
 
@@ -82,22 +84,16 @@ Traits time_derivative(const Traits& argument) {
 
 class TraitFinder {
  public:
-  explicit TraitFinder(const Context& context)
-      : context_(context), traits_(context.model.expressions.size()) {
-    if (!traits_.empty()) traits_[no_expression] = nothing();
-  }
+  explicit TraitFinder(const Model& model) : model_(model), traits_(model.expressions.size()) {}
 
-  void visit(const WrittenExpression& root) {
-    for (ExpressionId id = root.first; id <= root.value; ++id) {
-      traits_[id] = of(context_.model.expressions[id]);
-    }
+  std::vector<Traits> find() && {
+    for (const ExpressionId id : in_order(model_)) traits_[id] = of(id);
+    return std::move(traits_);
   }
-
-  std::vector<Traits> take() { return std::move(traits_); }
 
  private:
-  [[nodiscard]] Traits of(const Expression& node) const {
-    const Model& model = context_.model;
+  [[nodiscard]] Traits of(ExpressionId id) const {
+    const Expression& node = model_.expressions[id];
     switch (node.kind) {
       case ExpressionKind::number:
         return cln::zerop(node.number) ? nothing() : Traits{};
@@ -115,32 +111,27 @@ class TraitFinder {
         return {uses_input, 0, 0, 1, false};
       case ExpressionKind::parameter:
         return leaf(uses_parameter);
-      case ExpressionKind::prescribed:
-        return sum(leaf(uses_time), traits_[model.prescribed[node.index].value]);
-      case ExpressionKind::definition:
-        return traits_[model.definitions[node.index].value];
-      case ExpressionKind::point_component:
-        return traits_[model.points[node.index / 3].at[node.index % 3]];
-      case ExpressionKind::frame_component:
-        return traits_[component_of_frame(model, node.index)];
       default:
-        return of_operation(node);
+        return of_compound(node, references(model_, id));
     }
   }
 
-  [[nodiscard]] Traits of_operation(const Expression& node) const {
-    const Traits& first = traits_[node.operands.front()];
+  [[nodiscard]] Traits of_compound(const Expression& node,
+                                   const std::vector<ExpressionId>& parts) const {
+    const Traits& first = traits_[parts.front()];
     switch (node.kind) {
+      case ExpressionKind::prescribed:
+        return sum(leaf(uses_time), first);
       case ExpressionKind::add:
-        return folded(node, sum);
+        return folded(parts, sum);
       case ExpressionKind::multiply:
-        return folded(node, product);
+        return folded(parts, product);
       case ExpressionKind::divide:
-        return product(first, opaque(traits_[node.operands[1]]));
+        return product(first, opaque(traits_[parts[1]]));
       case ExpressionKind::power:
         return power(first, node.number);
       case ExpressionKind::function:
-        return of_call(node);
+        return sum(leaf(is_kinked(node.function) ? uses_kink : 0), opaque(folded(parts, sum)));
       case ExpressionKind::time_derivative:
         return time_derivative(first);
       default:
@@ -148,33 +139,19 @@ class TraitFinder {
     }
   }
 
-  [[nodiscard]] Traits of_call(const Expression& node) const {
-    Traits result = opaque(folded(node, sum));
-    if (is_kinked(node.function)) result.ingredients |= uses_kink;
-    return result;
-  }
-
   template <class Combine>
-  [[nodiscard]] Traits folded(const Expression& node, Combine combine) const {
-    Traits result = traits_[node.operands.front()];
-    for (std::size_t i = 1; i < node.operands.size(); ++i) {
-      result = combine(result, traits_[node.operands[i]]);
-    }
+  [[nodiscard]] Traits folded(const std::vector<ExpressionId>& parts, Combine combine) const {
+    Traits result = traits_[parts.front()];
+    for (std::size_t i = 1; i < parts.size(); ++i) result = combine(result, traits_[parts[i]]);
     return result;
   }
 
-  const Context& context_;
+  const Model& model_;
   std::vector<Traits> traits_;
 };
 
 }  // namespace
 
-std::vector<Traits> find_traits(const Context& context, const std::vector<std::uint32_t>& order) {
-  TraitFinder finder(context);
-  for (const std::uint32_t root : order) {
-    finder.visit(context.roots[root]);
-  }
-  return finder.take();
-}
+std::vector<Traits> find_traits(const Model& model) { return TraitFinder(model).find(); }
 
 }  // namespace elgen

@@ -20,12 +20,10 @@ struct Traits {
   bool input_times_rate = false;  ///< an input has a coefficient that depends on rates
 };
 
-/// Traits of every node of the arena. `order` lists the roots so that definitions and points come
-/// before what uses them.
+/// Traits of every expression of a model without cycles.
 ///
 ///     m*dot(x)^2 + u*cos(x)   ->   parameter, rate, input, coordinate; rate degree 2, input degree
 ///     1
-[[nodiscard]] std::vector<Traits> find_traits(const Context& context,
-                                              const std::vector<std::uint32_t>& order);
+[[nodiscard]] std::vector<Traits> find_traits(const Model& model);
 
 }  // namespace elgen

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+#include "elgen/references.hpp"
+
 namespace elgen {
 namespace {
 
@@ -39,11 +41,20 @@ class UnitInference {
   explicit UnitInference(Context& context)
       : context_(context), model_(context.model), units_(context.model.expressions.size()) {}
 
-  void visit(const WrittenExpression& root) {
-    if (root.generated || root.plain_numbers) return;
-    for (ExpressionId id = root.first; id <= root.value; ++id) {
-      units_[id] = of(model_.expressions[id]);
+  void run() {
+    std::vector<bool> has_unit(units_.size(), false);
+    for (const WrittenExpression& root : context_.roots) {
+      if (root.plain_numbers) continue;
+      std::fill(has_unit.begin() + root.first, has_unit.begin() + root.value + 1, true);
     }
+    for (const ExpressionId id : in_order(model_)) {
+      if (has_unit[id]) units_[id] = of(id);
+    }
+    for (const WrittenExpression& root : context_.roots) compare_with_place(root);
+  }
+
+ private:
+  void compare_with_place(const WrittenExpression& root) {
     const InferredUnit& inferred = units_[root.value];
     if (root.unit && !root.misplaced && inferred.known == Known::yes &&
         inferred.unit != *root.unit) {
@@ -54,8 +65,8 @@ class UnitInference {
     }
   }
 
- private:
-  InferredUnit of(const Expression& node) {
+  InferredUnit of(ExpressionId id) {
+    const Expression& node = model_.expressions[id];
     switch (node.kind) {
       case ExpressionKind::number:
         return cln::zerop(node.number) ? InferredUnit{Known::any, {}} : known({});
@@ -75,26 +86,24 @@ class UnitInference {
         return declared(model_.parameters[node.index].unit);
       case ExpressionKind::prescribed:
         return of_prescribed(node.index);
-      case ExpressionKind::definition:
-        return units_[model_.definitions[node.index].value];
       case ExpressionKind::point_component:
         return known(*find_unit("m"));
       case ExpressionKind::frame_component:
         return known(node.index % components_per_frame < 9 ? Unit{} : *find_unit("m"));
       default:
-        return of_operation(node);
+        return of_compound(node, references(model_, id));
     }
   }
 
-  InferredUnit of_operation(const Expression& node) {
-    const InferredUnit& first = units_[node.operands.front()];
+  InferredUnit of_compound(const Expression& node, const std::vector<ExpressionId>& parts) {
+    const InferredUnit& first = units_[parts.front()];
     switch (node.kind) {
       case ExpressionKind::add:
         return common(node, "the sum");
       case ExpressionKind::multiply:
         return product(node);
       case ExpressionKind::divide:
-        return quotient(first, units_[node.operands[1]]);
+        return quotient(first, units_[parts[1]]);
       case ExpressionKind::power:
         return first.known == Known::yes ? known(power(first.unit, exponent_of(node.number)))
                                          : first;
@@ -251,11 +260,8 @@ void note_missing_units(Context& context) {
 
 }  // namespace
 
-void check_units(Context& context, const std::vector<std::uint32_t>& order) {
-  UnitInference inference(context);
-  for (const std::uint32_t root : declares_units(context) ? order : std::vector<std::uint32_t>{}) {
-    inference.visit(context.roots[root]);
-  }
+void check_units(Context& context) {
+  if (declares_units(context)) UnitInference(context).run();
   // Beside errors a note would only distract.
   if (context.report.errors() == 0) {
     note_missing_units(context);

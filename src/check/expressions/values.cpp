@@ -24,8 +24,7 @@ ExpressionId ValueReader::root(const ExpressionSyntax& expression, const RootReq
   if (!id) {
     return no_expression;
   }
-  context_.roots.push_back(
-      {first, *id, request.place, request.unit, request.owner, request.owner_index});
+  context_.roots.push_back({first, *id, request.place, request.unit});
   return *id;
 }
 

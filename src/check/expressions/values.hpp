@@ -18,8 +18,6 @@ namespace elgen {
 struct RootRequest {
   Place place = {};
   std::optional<Unit> unit = {};
-  OwnerKind owner = OwnerKind::none;
-  std::uint32_t owner_index = 0;
 };
 
 /// What has no frame of its own.

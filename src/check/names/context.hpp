@@ -35,20 +35,15 @@ struct Place {
   Code otherwise = Code::E319;
 };
 
-/// What depends on other expressions by name.
-enum class OwnerKind : std::uint8_t { none, definition, prescribed, point, frame };
-
-/// One expression of the file in the arena: the nodes [first, value], its place and its unit.
+/// One expression of the file in the arena: the nodes [first, value], its place and its unit. What
+/// check writes itself is in none of them: neither its place nor its units are judged.
 struct WrittenExpression {
   ExpressionId first = 0;
   ExpressionId value = 0;
   Place place = {};
   std::optional<Unit> unit = {};  ///< that the place asks for; none: any
-  OwnerKind owner = OwnerKind::none;
-  std::uint32_t owner_index = 0;
   bool misplaced = false;      ///< made of what its place does not take; its unit is not judged too
   bool plain_numbers = false;  ///< of a scene: its units are those of the place
-  bool generated = false;      ///< by check itself: neither its place nor its units are judged
 };
 
 /// The first node of every arena: the number 0, for what is absent (the z of a planar point) or

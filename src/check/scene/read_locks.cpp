@@ -82,7 +82,6 @@ class LockReader {
     }
     const ExpressionId length = nodes.power(nodes.add(squares), cln::cl_RA(1) / 2);
     for (ExpressionId& component : components) component = nodes.divide(component, length);
-    nodes.finish();
     return components;
   }
 

@@ -1,4 +1,4 @@
-// Dependencies: cycles printed from their first entry, and orders that hold for long chains.
+// Cycles, printed from their first entry, and long chains without one.
 #include <catch2/catch.hpp>
 #include <utility>
 
