@@ -1,12 +1,10 @@
-// Model expressions -> GiNaC over definitions. The arena lists operands before their users, so no
-// recursion is needed: the operands an expression needs are translated in ascending order.
+// Model expressions -> GiNaC over definitions, each when it is asked for, after what it refers to.
 #include "formulate/expressions.hpp"
 
 #include <algorithm>
 #include <stdexcept>
-#include <unordered_set>
 
-#include "formulate/entities.hpp"
+#include "elgen/references.hpp"
 
 namespace elgen {
 
@@ -18,6 +16,8 @@ namespace {
 /// and the products of the chain rule, stay small; large enough that `l*sin(q1 + q2)` stays in one
 /// piece.
 constexpr unsigned largest_inline_size = 10;
+
+constexpr std::array<const char*, 3> axes{"_x", "_y", "_z"};
 
 ex number(const cln::cl_RA& value) { return GiNaC::numeric(value); }
 
@@ -44,55 +44,41 @@ ex call(FunctionId function, const ex& x, const ex& y) {
   return 0;
 }
 
-/// entities_in_order() knows everything that is translated.
-const ex& defined(const std::optional<ex>& value) {
-  if (!value) throw std::logic_error("a named thing of the model is used before it is defined");
-  return *value;
-}
-
 }  // namespace
 
 Translation::Translation(const Model& model, Lagrangian& lagrangian)
-    : model_(model),
-      lagrangian_(lagrangian),
-      translated_(model.expressions.size()),
-      definitions_(model.definitions.size()),
-      prescribed_(model.prescribed.size()),
-      points_(model.points.size()),
-      frames_(model.frames.size()) {}
+    : model_(model), lagrangian_(lagrangian), translated_(model.expressions.size()) {}
 
-Result<ex> Translation::operator()(ExpressionId value) {
-  std::vector<ExpressionId> needed;
-  std::unordered_set<ExpressionId> seen;
-  std::vector<ExpressionId> stack{value};
+/// What an expression refers to comes first; chains are long, so nothing is recursive.
+ex Translation::value(ExpressionId id) {
+  std::vector<ExpressionId> stack{id};
+  const auto is_done = [this](ExpressionId each) { return translated_[each].size != 0; };
   while (!stack.empty()) {
-    const ExpressionId id = stack.back();
+    const ExpressionId next = stack.back();
+    const std::size_t size = stack.size();
+    const std::vector<ExpressionId> parts = references(model_, next);
+    std::remove_copy_if(parts.rbegin(), parts.rend(), std::back_inserter(stack), is_done);
+    if (stack.size() > size) continue;
     stack.pop_back();
-    if (translated_[id].size != 0 || !seen.insert(id).second) continue;
-    needed.push_back(id);
-    const auto& operands = model_.expressions[id].operands;
-    stack.insert(stack.end(), operands.begin(), operands.end());
+    if (!is_done(next) && !translate(next)) return 0;
   }
-  std::sort(needed.begin(), needed.end());
-  for (const ExpressionId id : needed) {
-    try {
-      translate(id);
-    } catch (const GiNaC::pole_error&) {
-      return Diagnostic{Code::E312, model_.expressions[id].span,
-                        "`" + to_string(model_, id) + "` divides by zero, whatever the state is"};
-    } catch (const std::domain_error&) {
-      return Diagnostic{Code::E313, model_.expressions[id].span,
-                        "`" + to_string(model_, id) + "` has no value, whatever the state is"};
-    }
-  }
-  return translated_[value].value;
+  return translated_[id].value;
 }
 
-ex Translation::value(ExpressionId id) {
-  Result<ex> value = (*this)(id);
-  if (value) return *value;
-  errors_.insert(errors_.end(), value.diagnostics.begin(), value.diagnostics.end());
-  return 0;
+bool Translation::translate(ExpressionId id) {
+  const auto refuse = [&](Code code, const std::string& what) {
+    errors_.push_back({code, model_.expressions[id].span,
+                       "`" + to_string(model_, id) + "` " + what + ", whatever the state is"});
+    return false;
+  };
+  try {
+    translated_[id] = small(compose(model_.expressions[id]));
+    return true;
+  } catch (const GiNaC::pole_error&) {
+    return refuse(Code::E312, "divides by zero");
+  } catch (const std::domain_error&) {
+    return refuse(Code::E313, "has no value");
+  }
 }
 
 ex Translation::named(ExpressionId id, const std::string& name, Entity origin) {
@@ -100,15 +86,9 @@ ex Translation::named(ExpressionId id, const std::string& name, Entity origin) {
 }
 
 ExVector3 Translation::vector(const Vector3& values, const std::string& name, Entity origin) {
-  static constexpr std::array<const char*, 3> axes{"_x", "_y", "_z"};
   ExVector3 result;
   for (std::size_t i = 0; i < 3; ++i) result[i] = named(values[i], name + axes[i], origin);
   return result;
-}
-
-void Translation::translate(ExpressionId id) {
-  if (translated_[id].size != 0) return;
-  translated_[id] = small(compose(model_.expressions[id]));
 }
 
 Translation::Sized Translation::small(const Sized& sized) {
@@ -133,18 +113,8 @@ Translation::Sized Translation::leaf(const Expression& expression) const {
       return {symbols.a[expression.index], 1};
     case ExpressionKind::input:
       return {symbols.u[expression.index], 1};
-    case ExpressionKind::parameter:
-      return {symbols.parameters[expression.index], 1};
-    case ExpressionKind::prescribed:
-      return {defined(prescribed_[expression.index]), 1};
-    case ExpressionKind::definition:
-      return {defined(definitions_[expression.index]), 1};
-    case ExpressionKind::frame_component:
-      return {defined(frames_[expression.index / components_per_frame]
-                             [expression.index % components_per_frame]),
-              1};
     default:
-      return {defined(points_[expression.index / 3][expression.index % 3]), 1};
+      return {symbols.parameters[expression.index], 1};
   }
 }
 
@@ -165,6 +135,11 @@ Translation::Sized Translation::compose(const Expression& expression) {
       return function(expression);
     case ExpressionKind::time_derivative:
       return {define(lagrangian_.definitions, (*along_motion_)(operand(0).value)), 1};
+    case ExpressionKind::definition:
+    case ExpressionKind::prescribed:
+    case ExpressionKind::point_component:
+    case ExpressionKind::frame_component:
+      return component(expression);
     default:
       return leaf(expression);
   }
@@ -208,59 +183,56 @@ Translation::Sized Translation::product(const std::vector<ExpressionId>& operand
   return result;
 }
 
-Diagnostics Translation::define_named() {
-  along_motion_.emplace(lagrangian_.definitions, motion_seeds(lagrangian_.symbols), "_dot");
-  for (const Entity& entity : entities_in_order(model_)) {
-    Diagnostics errors = define_entity(entity);
-    if (!errors.empty()) return errors;
-  }
-  return {};
-}
-
-Diagnostics Translation::define_point(std::uint32_t index) {
-  static constexpr std::array<const char*, 3> axes{"_x", "_y", "_z"};
-  const Point& point = model_.points[index];
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Result<ex> value = (*this)(point.at[axis]);
-    if (!value) return value.diagnostics;
-    points_[index][axis] = define(lagrangian_.definitions, *value,
-                                  {point.identifier + axes[axis], {EntityKind::point, index}});
-  }
-  return {};
-}
-
-/// R as link_R11 …, the origin as link_x …
-Diagnostics Translation::define_frame(std::uint32_t index) {
+/// The definition that a name stands for; R of a frame as link_R11 …, its origin as link_x …
+Translation::Sized Translation::component(const Expression& expression) {
   static constexpr std::array<const char*, components_per_frame> suffixes{
       "_R11", "_R12", "_R13", "_R21", "_R22", "_R23", "_R31", "_R32", "_R33", "_x", "_y", "_z"};
-  const std::string& name = model_.frames[index].identifier;
-  for (std::uint32_t k = 0; k < components_per_frame; ++k) {
-    const Result<ex> value = (*this)(component_of_frame(model_, components_per_frame * index + k));
-    if (!value) return value.diagnostics;
-    frames_[index][k] =
-        define(lagrangian_.definitions, *value, {name + suffixes[k], {EntityKind::frame, index}});
+  const auto defined = [&](ExpressionId value, std::string name, Entity origin) {
+    const ex& known = translated_[value].value;
+    return Sized{define(lagrangian_.definitions, known, {std::move(name), origin}), 1};
+  };
+  const std::uint32_t i = expression.index;
+  switch (expression.kind) {
+    case ExpressionKind::definition:
+      return defined(model_.definitions[i].value, model_.definitions[i].identifier,
+                     {EntityKind::definition, i});
+    case ExpressionKind::prescribed:
+      return defined(model_.prescribed[i].value, model_.prescribed[i].identifier,
+                     {EntityKind::prescribed, i});
+    case ExpressionKind::point_component:
+      return defined(model_.points[i / 3].at[i % 3], model_.points[i / 3].identifier + axes[i % 3],
+                     {EntityKind::point, i / 3});
+    default: {
+      const std::uint32_t frame = i / components_per_frame;
+      return defined(component_of_frame(model_, i),
+                     model_.frames[frame].identifier + suffixes[i % components_per_frame],
+                     {EntityKind::frame, frame});
+    }
   }
-  return {};
 }
 
-Diagnostics Translation::define_entity(const Entity& entity) {
-  if (entity.kind == EntityKind::point) return define_point(entity.index);
-  if (entity.kind == EntityKind::frame) return define_frame(entity.index);
-  const bool is_definition = entity.kind == EntityKind::definition;
-  const NamedExpression& named =
-      (is_definition ? model_.definitions : model_.prescribed)[entity.index];
-  const Result<ex> value = (*this)(named.value);
-  if (!value) return value.diagnostics;
-  (is_definition ? definitions_ : prescribed_)[entity.index] =
-      define(lagrangian_.definitions, *value, {named.identifier, entity});
-  return {};
+void Translation::define_named() {
+  along_motion_.emplace(lagrangian_.definitions, motion_seeds(lagrangian_.symbols), "_dot");
+  for (std::uint32_t i = 0; i < model_.definitions.size(); ++i) {
+    const NamedExpression& row = model_.definitions[i];
+    (void)named(row.value, row.identifier, {EntityKind::definition, i});
+  }
+  for (std::uint32_t i = 0; i < model_.prescribed.size(); ++i) {
+    const NamedExpression& row = model_.prescribed[i];
+    (void)named(row.value, row.identifier, {EntityKind::prescribed, i});
+  }
+  for (std::uint32_t i = 0; i < model_.points.size(); ++i) {
+    const Point& point = model_.points[i];
+    if (point.local && !model_.approximation) continue;
+    (void)vector(point.at, point.identifier, {EntityKind::point, i});
+  }
 }
 
 ex constant_value(const Model& model, ExpressionId value) {
   Lagrangian scratch;
-  const Result<ex> translated = Translation(model, scratch)(value);
-  if (!translated) throw std::domain_error("the constant has no value");
-  ex result = *translated;
+  Translation translation(model, scratch);
+  ex result = translation.value(value);
+  if (!translation.errors().empty()) throw std::domain_error("the constant has no value");
   const std::vector<Definition>& parts = scratch.definitions.list;
   for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
     result = result.subs(part->symbol == part->value);

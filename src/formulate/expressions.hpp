@@ -17,14 +17,12 @@ class Translation {
  public:
   Translation(const Model& model, Lagrangian& lagrangian);
 
-  /// Every named thing of the model, in the order in which they need each other.
-  [[nodiscard]] Diagnostics define_named();
+  /// Definitions, prescribed motions and points of the world: under their own names, and with their
+  /// errors, whether something uses them or not.
+  void define_named();
 
-  /// `value` as an expression over definitions; errors (E312, E313) come with the span of what
-  /// GiNaC refused.
-  [[nodiscard]] Result<GiNaC::ex> operator()(ExpressionId value);
-
-  /// The same; 0 where it has errors, which are kept.
+  /// An expression over definitions. 0 where GiNaC refuses a part of it: E312, E313, which are
+  /// kept.
   [[nodiscard]] GiNaC::ex value(ExpressionId id);
   [[nodiscard]] const Diagnostics& errors() const { return errors_; }
 
@@ -39,26 +37,19 @@ class Translation {
     unsigned size = 0;  ///< leaves and operations written out in `value`; 0: not translated yet
   };
 
-  void translate(ExpressionId id);
+  [[nodiscard]] bool translate(ExpressionId id);
   [[nodiscard]] Sized compose(const Expression& expression);
   [[nodiscard]] Sized leaf(const Expression& expression) const;
+  [[nodiscard]] Sized component(const Expression& expression);
   [[nodiscard]] Sized sum(const std::vector<ExpressionId>& operands);
   [[nodiscard]] Sized product(const std::vector<ExpressionId>& operands);
   [[nodiscard]] Sized function(const Expression& expression);
   [[nodiscard]] Sized small(const Sized& sized);
-  [[nodiscard]] Diagnostics define_entity(const Entity& entity);
-  [[nodiscard]] Diagnostics define_point(std::uint32_t index);
-  [[nodiscard]] Diagnostics define_frame(std::uint32_t index);
 
   const Model& model_;
   Lagrangian& lagrangian_;
-  std::optional<Tangent> along_motion_;  // d/dt of dot(…)
+  std::optional<Tangent> along_motion_;  // d/dt of dot(…), of a model with symbols
   std::vector<Sized> translated_;
-  using Defined = std::optional<GiNaC::ex>;  // none until define_named() reaches it
-  std::vector<Defined> definitions_;
-  std::vector<Defined> prescribed_;
-  std::vector<std::array<Defined, 3>> points_;
-  std::vector<std::array<Defined, components_per_frame>> frames_;
   Diagnostics errors_ = {};
 };
 

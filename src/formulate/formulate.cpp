@@ -60,8 +60,8 @@ class Formulation {
   }
 
   Result<Lagrangian> build() && {
-    const Diagnostics unnamed = translation_.define_named();
-    if (!unnamed.empty()) return unnamed;
+    translation_.define_named();
+    if (!translation_.errors().empty()) return translation_.errors().front();
     using F = Formulation;
     for (void (F::*const add)() :
          {&F::add_gravity, &F::add_points, &F::add_bodies, &F::add_energies, &F::add_forces,
