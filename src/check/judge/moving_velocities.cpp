@@ -1,5 +1,5 @@
-// Which velocities move something: a search from every energy down to its rates. Below a time
-// derivative (and in the position of a mass) a coordinate counts as its rate does.
+// Which velocities move something: those that an energy has, and those of every coordinate that is
+// below a time derivative in one or moves a mass.
 #include <algorithm>
 
 #include "check/judge/mechanics.hpp"
@@ -8,107 +8,64 @@
 namespace elgen {
 namespace {
 
-/// Explicit stack: a chain of points is as deep as it is long.
-class RateSearch {
- public:
-  explicit RateSearch(const Model& model)
-      : model_(model),
-        plain_(model.expressions.size()),
-        below_derivative_(model.expressions.size()),
-        moving_(model.velocities.size()) {}
+using Expressions = std::vector<ExpressionId>;
 
-  void visit(ExpressionId id, bool differentiated) {
-    push(id, differentiated);
-    while (!stack_.empty()) {
-      const Visit next = stack_.back();
-      stack_.pop_back();
-      expand(next);
-    }
+template <class Ids>
+void append(Expressions& all, const Ids& ids) {
+  all.insert(all.end(), ids.begin(), ids.end());
+}
+
+/// What kinetic energy is made of, as it stands.
+Expressions in_energies(const Model& model) {
+  Expressions roots;
+  for (const auto& energy : {model.energies.T, model.energies.L}) {
+    if (energy) roots.push_back(*energy);
   }
+  for (const Body& body : model.bodies) append(roots, body.spin);
+  return reached(model, roots);
+}
 
-  std::vector<bool> take() { return std::move(moving_); }
-
- private:
-  struct Visit {
-    ExpressionId id;
-    bool differentiated;
-  };
-
-  void push(ExpressionId id, bool differentiated) {
-    std::vector<bool>& seen = differentiated ? below_derivative_ : plain_;
-    if (!seen[id]) {
-      seen[id] = true;
-      stack_.push_back({id, differentiated});
-    }
+/// What is differentiated there by time, and the places of masses.
+Expressions differentiated(const Model& model, const Expressions& energies) {
+  Expressions roots;
+  std::copy_if(energies.begin(), energies.end(), std::back_inserter(roots), [&](ExpressionId id) {
+    return model.expressions[id].kind == ExpressionKind::time_derivative;
+  });
+  for (const Point& point : model.points) {
+    if (has_energy(point)) append(roots, point.at);
   }
-
-  /// All velocities that move the coordinate.
-  void mark(const Coordinate& coordinate) {
-    const std::uint32_t count = coordinate.rotation ? axis_count : 1;
-    std::fill_n(moving_.begin() + coordinate.velocity, count, true);
+  for (const Body& body : model.bodies) {
+    if (body.mass) append(roots, body.com);
   }
-
-  void expand(const Visit& visit) {
-    const Expression& node = model_.expressions[visit.id];
-    switch (node.kind) {
-      case ExpressionKind::rate:
-      case ExpressionKind::acceleration:  // E502 says what is wrong with that
-        moving_[node.index] = true;
-        return;
-      case ExpressionKind::coordinate:
-        if (visit.differentiated) {
-          mark(model_.coordinates[node.index]);
-        }
-        return;
-      default:
-        break;
-    }
-    const bool below = visit.differentiated || node.kind == ExpressionKind::time_derivative;
-    for (const ExpressionId reference : references(model_, visit.id)) push(reference, below);
-  }
-
-  const Model& model_;
-  std::vector<bool> plain_;
-  std::vector<bool> below_derivative_;
-  std::vector<bool> moving_;
-  std::vector<Visit> stack_ = {};
-};
-
-void visit_body(RateSearch& search, const Body& body) {
-  if (body.mass) {
-    for (const ExpressionId component : body.com) {
-      search.visit(component, true);
-    }
-  }
-  for (const ExpressionId component : body.spin) {
-    search.visit(component, false);
-  }
+  return reached(model, roots);
 }
 
 }  // namespace
 
 std::vector<bool> moving_velocities(const Model& model) {
-  RateSearch search(model);
-  for (const auto& energy : {model.energies.T, model.energies.L}) {
-    if (energy) {
-      search.visit(*energy, false);
+  std::vector<bool> moving(model.velocities.size(), false);
+  const auto mark = [&](const Coordinate& coordinate) {
+    std::fill_n(moving.begin() + coordinate.velocity, coordinate.rotation ? axis_count : 1, true);
+  };
+  const auto mark_rates = [&](const Expressions& all) {
+    for (const ExpressionId id : all) {
+      const Expression& node = model.expressions[id];
+      // E502 says what is wrong with an acceleration.
+      const bool is_rate =
+          node.kind == ExpressionKind::rate || node.kind == ExpressionKind::acceleration;
+      if (is_rate) moving[node.index] = true;
     }
+  };
+  const Expressions energies = in_energies(model);
+  const Expressions moved = differentiated(model, energies);
+  mark_rates(energies);
+  mark_rates(moved);
+  for (const ExpressionId id : moved) {
+    const Expression& node = model.expressions[id];
+    if (node.kind == ExpressionKind::coordinate) mark(model.coordinates[node.index]);
   }
-  for (const Point& point : model.points) {
-    for (const ExpressionId component : point.at) {
-      if (has_energy(point)) {
-        search.visit(component, true);
-      }
-    }
-  }
-  for (const Body& body : model.bodies) {
-    visit_body(search, body);
-  }
-  std::vector<bool> moving = search.take();
   for (const Coordinate& coordinate : model.coordinates) {
-    if (coordinate.armature) {
-      moving[coordinate.velocity] = true;
-    }
+    if (coordinate.armature) mark(coordinate);
   }
   return moving;
 }
