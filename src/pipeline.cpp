@@ -28,12 +28,12 @@ namespace elgen {
 namespace {
 
 Result<Syntaxes> parse(const Inputs& inputs, const Limits& limits) {
-  Result<ModelSyntax> model = parse_model(inputs.model, limits);
+  Result<FileSyntax> model = parse_model(inputs.model, limits);
   if (inputs.scene == nullptr) {
     if (!model) return model.diagnostics;
     return {{std::move(*model), std::nullopt}, std::move(model.diagnostics)};
   }
-  Result<SceneSyntax> scene = parse_scene(inputs.scene, limits);
+  Result<FileSyntax> scene = parse_scene(inputs.scene, limits);
   Diagnostics all = std::move(model.diagnostics);
   all.insert(all.end(), scene.diagnostics.begin(), scene.diagnostics.end());
   if (!model || !scene) return all;

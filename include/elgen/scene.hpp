@@ -126,7 +126,7 @@ struct SceneOptions {
 /// Resolves both syntaxes. `scene` may be null: the built-in scene `full`.
 /// Errors: E2xx names, E3xx domains, E4xx units, E5xx mechanics, E6xx scene, E9xx limits; all of
 /// them in one run.
-[[nodiscard]] Result<CheckedModel> check(const ModelSyntax& model, const SceneSyntax* scene,
+[[nodiscard]] Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
                                          const SceneOptions& options, const Limits& limits);
 
 [[nodiscard]] std::string dump(const Scene& scene);

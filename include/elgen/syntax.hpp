@@ -1,4 +1,4 @@
-// ModelSyntax, SceneSyntax: a file as written, every piece with its span; names are not resolved
+// FileSyntax: a model or a scene as written, every piece with its span; names are not resolved
 // yet.
 //
 // parse() checks what needs no knowledge of other entries: TOML, keys, types of values, the grammar
@@ -8,6 +8,7 @@
 
 #include <cln/rational.h>
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,6 +58,9 @@ struct ValueSyntax {
   ExpressionSyntax expression = {};
   std::vector<ValueSyntax> items = {};  ///< list
   std::vector<KeySyntax> entries;       ///< table, in file order
+
+  /// Null where it has no such key.
+  [[nodiscard]] const KeySyntax* find(std::string_view key) const;
 };
 
 struct KeySyntax {
@@ -74,14 +78,9 @@ struct EntrySyntax {
   [[nodiscard]] const KeySyntax* find(std::string_view key) const;
 };
 
-struct ModelSyntax {
+struct FileSyntax {
   SourcePointer source = {};
   std::vector<EntrySyntax> entries = {};  ///< in file order
-};
-
-struct SceneSyntax {
-  SourcePointer source = {};
-  std::vector<EntrySyntax> entries = {};
 };
 
 /// What a key's value must be, and the ValueSyntax it is read as.
@@ -134,23 +133,24 @@ struct EntryRow {
   std::string_view doc;
 };
 
-[[nodiscard]] const std::vector<KeyRow>& key_table();
-[[nodiscard]] const std::vector<ChoiceRow>& choice_table();
-[[nodiscard]] const std::vector<EntryRow>& entry_table();
+[[nodiscard]] std::span<const KeyRow> key_table();
+[[nodiscard]] std::span<const ChoiceRow> choice_table();
+[[nodiscard]] std::span<const EntryRow> entry_table();
 
 /// Reads a model or a scene file. Errors: E1xx (TOML, keys, types), E3xx (expressions), E9xx
 /// (limits).
-[[nodiscard]] Result<ModelSyntax> parse_model(SourcePointer source, const Limits& limits);
-[[nodiscard]] Result<SceneSyntax> parse_scene(SourcePointer source, const Limits& limits);
+[[nodiscard]] Result<FileSyntax> parse_model(SourcePointer source, const Limits& limits);
+[[nodiscard]] Result<FileSyntax> parse_scene(SourcePointer source, const Limits& limits);
 
-/// Reads one expression of the model language; `source` holds nothing else (options, tests).
+/// Reads one expression of the model language: all of a text, or a part of it that holds nothing
+/// else (options).
+[[nodiscard]] Result<ExpressionSyntax> parse_expression(const Span& text, const Limits& limits);
 [[nodiscard]] Result<ExpressionSyntax> parse_expression(const SourcePointer& source,
                                                         const Limits& limits);
 
 /// Every key with its value, in file order; blanks and comments leave no trace. Stamps are hashes
 /// of this text.
-[[nodiscard]] std::string dump(const ModelSyntax& syntax);
-[[nodiscard]] std::string dump(const SceneSyntax& syntax);
+[[nodiscard]] std::string dump(const FileSyntax& syntax);
 /// Fully bracketed: `(a + (b * c))`.
 [[nodiscard]] std::string dump(const ExpressionSyntax& expression);
 

@@ -1,4 +1,4 @@
-// check: ModelSyntax and SceneSyntax -> Model and Scene.
+// check: the syntax of a model and a scene -> Model and Scene.
 //
 // The order matters and is written here only: sizes, names, then every expression (so that all may
 // refer forward), then what is judged of resolved expressions: cycles, ingredients, degrees, units;
@@ -28,7 +28,7 @@ namespace elgen {
 namespace {
 
 /// Keeps the texts alive that spans of the model point into.
-void keep_sources(Model& model, const ModelSyntax& syntax, const SceneSyntax* scene,
+void keep_sources(Model& model, const FileSyntax& syntax, const FileSyntax* scene,
                   const SceneOptions& options) {
   model.source = syntax.source;
   model.scene_source = scene == nullptr ? nullptr : scene->source;
@@ -37,7 +37,7 @@ void keep_sources(Model& model, const ModelSyntax& syntax, const SceneSyntax* sc
   }
 }
 
-void resolve_entries(Context& context, const ModelSyntax& syntax) {
+void resolve_entries(Context& context, const FileSyntax& syntax) {
   const std::vector<Instance> instances = expand_entries(context, syntax);
   if (context.beyond_limits) {
     return;
@@ -65,7 +65,7 @@ void resolve_entries(Context& context, const ModelSyntax& syntax) {
 
 /// Closed forms are read once it is known which outputs the model has, then judged with the rest,
 /// as is the point a scene expands about.
-void judge(Context& context, const ModelSyntax& syntax, const SceneSyntax* scene,
+void judge(Context& context, const FileSyntax& syntax, const FileSyntax* scene,
            const SceneOptions& options) {
   const bool has_order = check_cycles(context);
   if (has_order) check_mechanics(context, find_traits(context.model));
@@ -86,7 +86,7 @@ void lock_model(Context& context) {
 
 }  // namespace
 
-Result<CheckedModel> check(const ModelSyntax& model, const SceneSyntax* scene,
+Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
                            const SceneOptions& options, const Limits& limits) {
   Context context(limits);
   keep_sources(context.model, model, scene, options);

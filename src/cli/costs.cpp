@@ -25,7 +25,7 @@ double generation(const Products& products) { return seconds(products.times, "pa
 std::vector<SourcePointer> sizes_of(const Inputs& inputs, const PipelineOptions& options) {
   std::vector<SourcePointer> sizes;
   if (inputs.scene != nullptr) {
-    const Result<SceneSyntax> scene = parse_scene(inputs.scene, options.limits);
+    const Result<FileSyntax> scene = parse_scene(inputs.scene, options.limits);
     for (const EntrySyntax& entry : scene->entries) {
       if (entry.name != "sizes") continue;
       for (const KeySyntax& key : entry.keys) {

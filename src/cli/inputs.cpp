@@ -107,7 +107,7 @@ bool is_scene(const SourceText& source) {
          source.path.ends_with(".scene.toml");
 }
 
-const ValueSyntax* model_path(const SceneSyntax& scene) {
+const ValueSyntax* model_path(const FileSyntax& scene) {
   for (const EntrySyntax& entry : scene.entries) {
     if (!entry.name.empty()) continue;
     const KeySyntax* key = entry.find("model");
@@ -129,7 +129,7 @@ Result<Inputs> read_inputs(const std::string& path, const Limits& limits) {
   if (!source) return source.diagnostics;
   if (!is_scene(**source)) return Inputs{*source, nullptr};
 
-  const Result<SceneSyntax> scene = parse_scene(*source, limits);
+  const Result<FileSyntax> scene = parse_scene(*source, limits);
   if (!scene) return scene.diagnostics;
   const ValueSyntax* named = model_path(*scene);
   if (named == nullptr) return scene.diagnostics;  // parse has reported the missing key

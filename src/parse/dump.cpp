@@ -76,17 +76,6 @@ std::string dump_keys(const std::vector<KeySyntax>& keys) {
   return fmt::format("{{{}}}", fmt::join(texts, ", "));
 }
 
-std::string dump_entries(const std::vector<EntrySyntax>& entries) {
-  std::string result;
-  for (const EntrySyntax& entry : entries) {
-    result += fmt::format("[{}]\n", entry.name);
-    for (const KeySyntax& key : entry.keys) {
-      result += fmt::format("  {} = {}\n", key.key, dump_value(key.value));
-    }
-  }
-  return result;
-}
-
 }  // namespace
 
 std::string dump(const ExpressionSyntax& expression) {
@@ -106,8 +95,15 @@ std::string dump(const ExpressionSyntax& expression) {
   }
 }
 
-std::string dump(const ModelSyntax& syntax) { return dump_entries(syntax.entries); }
-
-std::string dump(const SceneSyntax& syntax) { return dump_entries(syntax.entries); }
+std::string dump(const FileSyntax& syntax) {
+  std::string result;
+  for (const EntrySyntax& entry : syntax.entries) {
+    result += fmt::format("[{}]\n", entry.name);
+    for (const KeySyntax& key : entry.keys) {
+      result += fmt::format("  {} = {}\n", key.key, dump_value(key.value));
+    }
+  }
+  return result;
+}
 
 }  // namespace elgen

@@ -13,19 +13,17 @@ namespace elgen {
 
 namespace {
 
-/// The rows of one kind of file, with the name the file uses.
-struct NamedRow {
-  std::string name;
-  const EntryRow* row;
-};
+/// Of entries in the tables, where a scene's are "scene.outputs" and so on.
+constexpr std::string_view scene_prefix = "scene.";
 
-std::vector<NamedRow> rows_of(FileKind kind) {
-  constexpr std::string_view prefix = "scene.";
-  std::vector<NamedRow> result;
-  for (const EntryRow& row : entry_table()) {
-    const bool of_scene = row.entry.substr(0, prefix.size()) == prefix;
+/// The rows of one kind of file, by the names the file uses.
+std::vector<EntryRow> rows_of(FileKind kind) {
+  std::vector<EntryRow> result;
+  for (EntryRow row : entry_table()) {
+    const bool of_scene = row.entry.starts_with(scene_prefix);
     if (of_scene != (kind == FileKind::scene)) continue;
-    result.push_back({std::string(row.entry.substr(of_scene ? prefix.size() : 0)), &row});
+    if (of_scene) row.entry.remove_prefix(scene_prefix.size());
+    result.push_back(row);
   }
   return result;
 }
@@ -53,16 +51,16 @@ class EntryReader {
   std::vector<EntrySyntax> read(const TomlValue& root);
 
  private:
-  [[nodiscard]] const NamedRow* find(std::string_view name) const;
+  [[nodiscard]] const EntryRow* find(std::string_view name) const;
   [[nodiscard]] bool is_unknown_table(const TomlEntry& entry) const;
-  void read_known(const NamedRow& row, const TomlEntry& entry);
-  void report_wrong_kind(const NamedRow& row, const TomlEntry& entry);
+  void read_known(const EntryRow& row, const TomlEntry& entry);
+  void report_wrong_kind(const EntryRow& row, const TomlEntry& entry);
   void report_unknown(const TomlEntry& entry);
   void report_missing(const TomlValue& root);
-  void add(const NamedRow& row, const TomlValue& table);
+  void add(const EntryRow& row, const TomlValue& table);
 
   FileKind kind_;
-  std::vector<NamedRow> rows_;
+  std::vector<EntryRow> rows_;
   FileReading& reading_;
   std::vector<EntrySyntax> entries_ = {};
 };
@@ -70,7 +68,7 @@ class EntryReader {
 std::vector<EntrySyntax> EntryReader::read(const TomlValue& root) {
   std::vector<TomlEntry> keys;
   for (const TomlEntry& entry : root.entries) {
-    if (const NamedRow* row = find(entry.key)) {
+    if (const EntryRow* row = find(entry.key)) {
       read_known(*row, entry);
     } else if (is_unknown_table(entry)) {
       report_unknown(entry);
@@ -87,9 +85,9 @@ std::vector<EntrySyntax> EntryReader::read(const TomlValue& root) {
   return std::move(entries_);
 }
 
-const NamedRow* EntryReader::find(std::string_view name) const {
+const EntryRow* EntryReader::find(std::string_view name) const {
   const auto row =
-      std::find_if(rows_.begin(), rows_.end(), [&](const NamedRow& r) { return r.name == name; });
+      std::find_if(rows_.begin(), rows_.end(), [&](const EntryRow& r) { return r.entry == name; });
   return row == rows_.end() ? nullptr : &*row;
 }
 
@@ -98,57 +96,57 @@ bool EntryReader::is_unknown_table(const TomlEntry& entry) const {
   return entry.value.kind == TomlKind::table || is_array_of_tables(entry.value);
 }
 
-void EntryReader::read_known(const NamedRow& row, const TomlEntry& entry) {
+void EntryReader::read_known(const EntryRow& row, const TomlEntry& entry) {
   const TomlValue& value = entry.value;
-  if (!row.row->supported) {
+  if (!row.supported) {
     reading_.report(Code::E108, header_of(value),
-                    header_text(row.name, row.row->repeated) + " is not yet supported");
-  } else if (row.row->repeated && is_array_of_tables(value)) {
+                    header_text(row.entry, row.repeated) + " is not yet supported");
+  } else if (row.repeated && is_array_of_tables(value)) {
     for (const TomlValue& table : value.items) add(row, table);
-  } else if (!row.row->repeated && value.kind == TomlKind::table) {
+  } else if (!row.repeated && value.kind == TomlKind::table) {
     add(row, value);
   } else {
     report_wrong_kind(row, entry);
   }
 }
 
-void EntryReader::report_wrong_kind(const NamedRow& row, const TomlEntry& entry) {
+void EntryReader::report_wrong_kind(const EntryRow& row, const TomlEntry& entry) {
   const bool is_table = entry.value.kind == TomlKind::table;
   if (!is_table && !is_array_of_tables(entry.value)) {
-    report_wrong_type(entry.value, row.row->repeated ? "an array of tables" : "a table", reading_);
+    report_wrong_type(entry.value, row.repeated ? "an array of tables" : "a table", reading_);
     return;
   }
   reading_.report(Code::E107, header_of(entry.value),
-                  header_text(row.name, !is_table) + " is the wrong kind of table",
-                  "write " + header_text(row.name, row.row->repeated));
+                  header_text(row.entry, !is_table) + " is the wrong kind of table",
+                  "write " + header_text(row.entry, row.repeated));
 }
 
 void EntryReader::report_unknown(const TomlEntry& entry) {
   std::vector<std::string> candidates;
-  for (const NamedRow& row : rows_) {
-    if (row.row->supported) candidates.push_back(row.name);
+  for (const EntryRow& row : rows_) {
+    if (row.supported) candidates.emplace_back(row.entry);
   }
   const std::string near = nearest(entry.key, candidates);
-  const NamedRow* row = find(near);
+  const EntryRow* row = find(near);
   reading_.report(
       Code::E106, header_of(entry.value), "unknown entry " + quoted(entry.key),
-      row == nullptr ? "" : fmt::format("did you mean {}?", header_text(near, row->row->repeated)));
+      row == nullptr ? "" : fmt::format("did you mean {}?", header_text(near, row->repeated)));
 }
 
 void EntryReader::report_missing(const TomlValue& root) {
-  for (const NamedRow& row : rows_) {
-    const bool given = std::any_of(root.entries.begin(), root.entries.end(),
-                                   [&](const TomlEntry& entry) { return entry.key == row.name; });
-    if (given || !row.row->required) continue;
+  for (const EntryRow& row : rows_) {
+    if (!row.required || find_entry(root.entries, row.entry) != nullptr) continue;
     reading_.report(Code::E105, {root.span.source, 0, 0},
-                    "no " + header_text(row.name, row.row->repeated) + " in the file");
+                    "no " + header_text(row.entry, row.repeated) + " in the file");
   }
 }
 
-void EntryReader::add(const NamedRow& row, const TomlValue& table) {
-  const TableContext context{std::string(row.row->entry), header_text(row.name, row.row->repeated),
-                             table.span};
-  entries_.push_back({row.name, table.span, read_keys(table.entries, context, reading_)});
+void EntryReader::add(const EntryRow& row, const TomlValue& table) {
+  const std::string_view prefix = kind_ == FileKind::scene ? scene_prefix : "";
+  const TableContext context{fmt::format("{}{}", prefix, row.entry),
+                             header_text(row.entry, row.repeated), table.span};
+  entries_.push_back(
+      {std::string(row.entry), table.span, read_keys(table.entries, context, reading_)});
 }
 
 }  // namespace

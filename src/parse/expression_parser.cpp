@@ -71,7 +71,7 @@ class ExpressionParser {
   bool too_deep(const Token& token);
   bool fail(Diagnostic problem);
 
-  TokenStream tokens_;
+  Lexer tokens_;
   const Limits& limits_;
   Span whole_;
   std::uint64_t deepest_;

@@ -36,9 +36,7 @@ void report_missing(const std::vector<TomlEntry>& entries, const TableContext& t
                     FileReading& reading) {
   for (const KeyRow& row : key_table()) {
     if (row.entry != table.entry || !row.required) continue;
-    const bool given = std::any_of(entries.begin(), entries.end(),
-                                   [&](const TomlEntry& entry) { return entry.key == row.key; });
-    if (given) continue;
+    if (find_entry(entries, row.key) != nullptr) continue;
     reading.report(Code::E105, table.header, fmt::format("no `{}` in {}", row.key, table.label));
   }
 }

@@ -1,6 +1,6 @@
 // The key table: every entry and key of model and scene files, what its value is, and whether this
 // version reads it. The reader, its messages and the documentation follow these rows.
-#include <vector>
+#include <array>
 
 #include "elgen/syntax.hpp"
 
@@ -12,248 +12,222 @@ constexpr bool optional = false;
 constexpr bool required = true;
 constexpr bool later = false;  ///< of `supported`
 
-/// Keys of a model file: what it names.
-const std::vector<KeyRow>& declaration_rows() {
-  using enum KeyType;
-  static const std::vector<KeyRow> rows{
-      {"", "format", integer, required, true, "version of the file format: 1"},
+using enum KeyType;
 
-      {"model", "name", name, required, true, "lower-case name; becomes the C++ namespace"},
-      {"model", "title", text, optional, true, "one line"},
-      {"model", "description", text, optional, true, "where angles are measured from, …"},
-      {"model", "reference", text, optional, true, "book or paper"},
+constexpr auto key_rows = std::to_array<KeyRow>({
+    // a model file: what it names
+    {"", "format", integer, required, true, "version of the file format: 1"},
 
-      {"coordinate", "name", name, required, true, "name of q_i; its rate is dot(name)"},
-      {"coordinate", "kind", choice, optional, true, "one number, or a unit quaternion"},
-      {"coordinate", "unit", unit, optional, true, "unit of q_i"},
-      {"coordinate", "range", range, optional, true, "[low, high], for sampling and plots"},
-      {"coordinate", "rate_range", range, optional, true, "[low, high] of the rate"},
-      {"coordinate", "start", table, optional, true, "nominal state"},
-      {"coordinate", "wrap", boolean, optional, true, "an angle that may turn all the way round"},
-      {"coordinate", "singular", expression, optional, true, "zero where the chart breaks"},
-      {"coordinate", "armature", expression, optional, true, "J: adds 1/2 J v^2 to T"},
-      {"coordinate", "latex", text, optional, true, "symbol in formulas"},
-      {"coordinate", "doc", text, optional, true, "one line"},
-      {"coordinate", "for", repetition, optional, true, "repeats the entry"},
-      {"coordinate.start", "value", expression_or_list, optional, true, "q_i at the start"},
-      {"coordinate.start", "rate", expression_or_list, optional, true, "v_i at the start"},
+    {"model", "name", name, required, true, "lower-case name; becomes the C++ namespace"},
+    {"model", "title", text, optional, true, "one line"},
+    {"model", "description", text, optional, true, "where angles are measured from, …"},
+    {"model", "reference", text, optional, true, "book or paper"},
 
-      {"parameters", "*", expression_or_table, optional, true, "a constant with its value"},
-      {"parameters.*", "value", expression_or_list, required, true, "number, or one per element"},
-      {"parameters.*", "unit", unit, optional, true, "unit of the value"},
-      {"parameters.*", "min", expression, optional, true, "smallest value, for sampling"},
-      {"parameters.*", "max", expression, optional, true, "largest value, for sampling"},
-      {"parameters.*", "assume", choice, optional, true, "sign of the value"},
-      {"parameters.*", "size", expression, optional, true,
-       "makes it an array NAME[1] … NAME[size]"},
-      {"parameters.*", "latex", text, optional, true, "symbol in formulas"},
-      {"parameters.*", "doc", text, optional, true, "one line"},
+    {"coordinate", "name", name, required, true, "name of q_i; its rate is dot(name)"},
+    {"coordinate", "kind", choice, optional, true, "one number, or a unit quaternion"},
+    {"coordinate", "unit", unit, optional, true, "unit of q_i"},
+    {"coordinate", "range", range, optional, true, "[low, high], for sampling and plots"},
+    {"coordinate", "rate_range", range, optional, true, "[low, high] of the rate"},
+    {"coordinate", "start", table, optional, true, "nominal state"},
+    {"coordinate", "wrap", boolean, optional, true, "an angle that may turn all the way round"},
+    {"coordinate", "singular", expression, optional, true, "zero where the chart breaks"},
+    {"coordinate", "armature", expression, optional, true, "J: adds 1/2 J v^2 to T"},
+    {"coordinate", "latex", text, optional, true, "symbol in formulas"},
+    {"coordinate", "doc", text, optional, true, "one line"},
+    {"coordinate", "for", repetition, optional, true, "repeats the entry"},
+    {"coordinate.start", "value", expression_or_list, optional, true, "q_i at the start"},
+    {"coordinate.start", "rate", expression_or_list, optional, true, "v_i at the start"},
 
-      {"sizes", "*", integer, optional, true, "an integer for repetitions"},
-      {"define", "*", expression, optional, true, "a named expression"},
+    {"parameters", "*", expression_or_table, optional, true, "a constant with its value"},
+    {"parameters.*", "value", expression_or_list, required, true, "number, or one per element"},
+    {"parameters.*", "unit", unit, optional, true, "unit of the value"},
+    {"parameters.*", "min", expression, optional, true, "smallest value, for sampling"},
+    {"parameters.*", "max", expression, optional, true, "largest value, for sampling"},
+    {"parameters.*", "assume", choice, optional, true, "sign of the value"},
+    {"parameters.*", "size", expression, optional, true, "makes it an array NAME[1] … NAME[size]"},
+    {"parameters.*", "latex", text, optional, true, "symbol in formulas"},
+    {"parameters.*", "doc", text, optional, true, "one line"},
 
-      {"prescribed", "name", name, required, true, "a known function of time"},
-      {"prescribed", "value", expression, required, true, "its value as a function of t"},
-      {"prescribed", "unit", unit, optional, true, "unit of the value"},
-      {"prescribed", "latex", text, optional, true, "symbol in formulas"},
-      {"prescribed", "doc", text, optional, true, "one line"},
-      {"prescribed", "for", repetition, optional, true, "repeats the entry"},
-  };
-  return rows;
-}
+    {"sizes", "*", integer, optional, true, "an integer for repetitions"},
+    {"define", "*", expression, optional, true, "a named expression"},
 
-/// Keys of a model file: what moves, pulls and is wanted.
-const std::vector<KeyRow>& mechanics_rows() {
-  using enum KeyType;
-  static const std::vector<KeyRow> rows{
-      {"point", "name", name, required, true, "name of the point"},
-      {"point", "at", expression_list, required, true, "its 2 or 3 coordinates, in the world"},
-      {"point", "mass", expression, optional, true, "adds 1/2 m v^2 to T and its weight to V"},
-      {"point", "frame", name, optional, true, "`at` in the axes of this frame"},
-      {"point", "for", repetition, optional, true, "repeats the entry"},
-      {"point", "doc", text, optional, true, "one line"},
+    {"prescribed", "name", name, required, true, "a known function of time"},
+    {"prescribed", "value", expression, required, true, "its value as a function of t"},
+    {"prescribed", "unit", unit, optional, true, "unit of the value"},
+    {"prescribed", "latex", text, optional, true, "symbol in formulas"},
+    {"prescribed", "doc", text, optional, true, "one line"},
+    {"prescribed", "for", repetition, optional, true, "repeats the entry"},
 
-      {"body", "name", name, required, true, "name of the body"},
-      {"body", "mass", expression, optional, true, "without it, rotation only"},
-      {"body", "com", expression_list, optional, true, "centre of mass, in the world or frame"},
-      {"body", "frame", name, optional, true, "com and inertia in this frame"},
-      {"body", "spin", expression_or_list, optional, true, "angular velocity, axes of inertia"},
-      {"body", "inertia", expression_or_list, optional, true, "1, 3 or 6: xx yy zz xy xz yz"},
-      {"body", "inertia_about", choice, optional, true, "com, or origin: that of its frame"},
-      {"body", "for", repetition, optional, true, "repeats the entry"},
-      {"body", "doc", text, optional, true, "one line"},
+    // coordinate systems that move
+    {"frame", "name", name, required, true, "name of the frame"},
+    {"frame", "parent", name, required, true, "world, or the frame it moves with"},
+    {"frame", "translate", expression_list, optional, true, "its origin, in the parent's axes"},
+    {"frame", "rotate", turns, optional, true, "[axis, angle] one after another, turning axes"},
+    {"frame", "rpy", expression_list, optional, true, "[r, p, y]: Rz(y) Ry(p) Rx(r)"},
+    {"frame", "dh", table, optional, true, "Denavit-Hartenberg parameters"},
+    {"frame", "quaternion", expression_list, optional, true, "[w, x, y, z], of any length"},
+    {"frame", "rotation", name, optional, true, "a coordinate of kind rotation"},
+    {"frame", "for", repetition, optional, true, "repeats the entry"},
+    {"frame", "doc", text, optional, true, "one line"},
+    {"frame.dh", "convention", choice, required, true, "standard, or modified (Craig)"},
+    {"frame.dh", "a", expression, optional, true, "length along x"},
+    {"frame.dh", "alpha", expression, optional, true, "angle about x"},
+    {"frame.dh", "d", expression, optional, true, "length along z"},
+    {"frame.dh", "theta", expression, optional, true, "angle about z"},
 
-      {"gravity", "vector", expression_list, required, true, "acceleration of gravity, m/s^2"},
+    // what moves, pulls and is wanted
+    {"point", "name", name, required, true, "name of the point"},
+    {"point", "at", expression_list, required, true, "its 2 or 3 coordinates, in the world"},
+    {"point", "mass", expression, optional, true, "adds 1/2 m v^2 to T and its weight to V"},
+    {"point", "frame", name, optional, true, "`at` in the axes of this frame"},
+    {"point", "for", repetition, optional, true, "repeats the entry"},
+    {"point", "doc", text, optional, true, "one line"},
 
-      {"energy", "T", expression, optional, true, "kinetic energy beside points and bodies"},
-      {"energy", "V", expression, optional, true, "potential energy beside that of weights"},
-      {"energy", "D", expression, optional, true, "Rayleigh function; force -dD/dv"},
-      {"energy", "L", expression, optional, true, "Lagrangian, instead of T and V"},
+    {"body", "name", name, required, true, "name of the body"},
+    {"body", "mass", expression, optional, true, "without it, rotation only"},
+    {"body", "com", expression_list, optional, true, "centre of mass, in the world or frame"},
+    {"body", "frame", name, optional, true, "com and inertia in this frame"},
+    {"body", "spin", expression_or_list, optional, true, "angular velocity, axes of inertia"},
+    {"body", "inertia", expression_or_list, optional, true, "1, 3 or 6: xx yy zz xy xz yz"},
+    {"body", "inertia_about", choice, optional, true, "com, or origin: that of its frame"},
+    {"body", "for", repetition, optional, true, "repeats the entry"},
+    {"body", "doc", text, optional, true, "one line"},
 
-      {"input", "name", name, required, true, "name of u_k"},
-      {"input", "unit", unit, optional, true, "unit of u_k"},
-      {"input", "on", name, optional, true, "coordinate it acts on"},
-      {"input", "limits", range, optional, true, "[low, high]"},
-      {"input", "doc", text, optional, true, "one line"},
-      {"input", "for", repetition, optional, true, "repeats the entry"},
+    {"gravity", "vector", expression_list, required, true, "acceleration of gravity, m/s^2"},
 
-      {"force", "name", name, optional, true, "name of the force"},
-      {"force", "value", expression_or_list, required, true, "affine in the inputs"},
-      {"force", "on", name, optional, true, "coordinate: a generalized force"},
-      {"force", "at", name, optional, true, "point: a force in N, world axes"},
-      {"force", "from", name, optional, true, "point, or frame, that takes the reaction"},
-      {"force", "frame", name, optional, true, "frame: a torque in N*m, axes of the frame"},
-      {"force", "in", name, optional, true, "frame, or world: axes of the components"},
-      {"force", "for", repetition, optional, true, "repeats the entry"},
+    {"energy", "T", expression, optional, true, "kinetic energy beside points and bodies"},
+    {"energy", "V", expression, optional, true, "potential energy beside that of weights"},
+    {"energy", "D", expression, optional, true, "Rayleigh function; force -dD/dv"},
+    {"energy", "L", expression, optional, true, "Lagrangian, instead of T and V"},
 
-      {"output", "name", name, required, true, "name of the emitted function"},
-      {"output", "value", expression_or_list, optional, true, "what it returns"},
-      {"output", "jacobian", boolean, optional, true, "also emits its Jacobian and bias"},
-      {"output", "frame", name, optional, true, "pose and Jacobian of this frame"},
-      {"output", "axes", name, optional, true, "axes of its Jacobian: world, or the frame"},
-      {"output", "doc", text, optional, true, "one line"},
-      {"output", "for", repetition, optional, true, "repeats the entry"},
+    {"input", "name", name, required, true, "name of u_k"},
+    {"input", "unit", unit, optional, true, "unit of u_k"},
+    {"input", "on", name, optional, true, "coordinate it acts on"},
+    {"input", "limits", range, optional, true, "[low, high]"},
+    {"input", "doc", text, optional, true, "one line"},
+    {"input", "for", repetition, optional, true, "repeats the entry"},
 
-      {"expect", "conserved", expression_list, optional, true, "constant along the motion, u = 0"},
-      {"expect", "*", closed_form, optional, true, "an output's closed form"},
-      {"expect.*", "for", repetition, required, true, "the indices of the entry"},
-      {"expect.*", "value", expression, required, true, "the entry at these indices"},
-  };
-  return rows;
-}
+    {"force", "name", name, optional, true, "name of the force"},
+    {"force", "value", expression_or_list, required, true, "affine in the inputs"},
+    {"force", "on", name, optional, true, "coordinate: a generalized force"},
+    {"force", "at", name, optional, true, "point: a force in N, world axes"},
+    {"force", "from", name, optional, true, "point, or frame, that takes the reaction"},
+    {"force", "frame", name, optional, true, "frame: a torque in N*m, axes of the frame"},
+    {"force", "in", name, optional, true, "frame, or world: axes of the components"},
+    {"force", "for", repetition, optional, true, "repeats the entry"},
 
-/// Keys of a model file: coordinate systems that move.
-const std::vector<KeyRow>& frame_rows() {
-  using enum KeyType;
-  static const std::vector<KeyRow> rows{
-      {"frame", "name", name, required, true, "name of the frame"},
-      {"frame", "parent", name, required, true, "world, or the frame it moves with"},
-      {"frame", "translate", expression_list, optional, true, "its origin, in the parent's axes"},
-      {"frame", "rotate", turns, optional, true, "[axis, angle] one after another, turning axes"},
-      {"frame", "rpy", expression_list, optional, true, "[r, p, y]: Rz(y) Ry(p) Rx(r)"},
-      {"frame", "dh", table, optional, true, "Denavit-Hartenberg parameters"},
-      {"frame", "quaternion", expression_list, optional, true, "[w, x, y, z], of any length"},
-      {"frame", "rotation", name, optional, true, "a coordinate of kind rotation"},
-      {"frame", "for", repetition, optional, true, "repeats the entry"},
-      {"frame", "doc", text, optional, true, "one line"},
-      {"frame.dh", "convention", choice, required, true, "standard, or modified (Craig)"},
-      {"frame.dh", "a", expression, optional, true, "length along x"},
-      {"frame.dh", "alpha", expression, optional, true, "angle about x"},
-      {"frame.dh", "d", expression, optional, true, "length along z"},
-      {"frame.dh", "theta", expression, optional, true, "angle about z"},
-  };
-  return rows;
-}
+    {"output", "name", name, required, true, "name of the emitted function"},
+    {"output", "value", expression_or_list, optional, true, "what it returns"},
+    {"output", "jacobian", boolean, optional, true, "also emits its Jacobian and bias"},
+    {"output", "frame", name, optional, true, "pose and Jacobian of this frame"},
+    {"output", "axes", name, optional, true, "axes of its Jacobian: world, or the frame"},
+    {"output", "doc", text, optional, true, "one line"},
+    {"output", "for", repetition, optional, true, "repeats the entry"},
 
-/// Keys of a scene file.
-const std::vector<KeyRow>& scene_rows() {
-  using enum KeyType;
-  static const std::vector<KeyRow> rows{
-      {"scene", "format", integer, required, true, "version of the file format: 1"},
-      {"scene", "model", text, required, true, "path of the model, relative to the scene"},
-      {"scene", "name", name, required, true, "files and namespace are called MODEL_NAME"},
-      {"scene", "doc", text, optional, true, "one line"},
+    {"expect", "conserved", expression_list, optional, true, "constant along the motion, u = 0"},
+    {"expect", "*", closed_form, optional, true, "an output's closed form"},
+    {"expect.*", "for", repetition, required, true, "the indices of the entry"},
+    {"expect.*", "value", expression, required, true, "the entry at these indices"},
 
-      {"scene.outputs", "*", boolean_or_table, optional, true, "true where it is wanted"},
-      {"scene.outputs.*", "form", choice, optional, true,
-       "closed or recursive, whichever costs less"},
-      {"scene.outputs.*", "rename", name, optional, true, "name of the emitted function"},
+    // a scene file
+    {"scene", "format", integer, required, true, "version of the file format: 1"},
+    {"scene", "model", text, required, true, "path of the model, relative to the scene"},
+    {"scene", "name", name, required, true, "files and namespace are called MODEL_NAME"},
+    {"scene", "doc", text, optional, true, "one line"},
 
-      {"scene.parameters", "fixed", text_or_table, optional, true, "become numbers in the code"},
-      {"scene.parameters.fixed", "*", expression, optional, true, "the parameter's value"},
+    {"scene.outputs", "*", boolean_or_table, optional, true, "true where it is wanted"},
+    {"scene.outputs.*", "form", choice, optional, true,
+     "closed or recursive, whichever costs less"},
+    {"scene.outputs.*", "rename", name, optional, true, "name of the emitted function"},
 
-      {"scene.sizes", "*", integer, optional, true, "instead of the model's"},
+    {"scene.parameters", "fixed", text_or_table, optional, true, "become numbers in the code"},
+    {"scene.parameters.fixed", "*", expression, optional, true, "the parameter's value"},
 
-      {"scene.lock", "*", table, optional, true, "a coordinate held at a function of time"},
-      {"scene.lock.*", "value", expression_or_list, required, true,
-       "of constants, parameters and t; [w, x, y, z] of a rotation"},
-      {"scene.lock.*", "reaction", boolean, optional, true,
-       "adds the force that holds it to the output reaction"},
-      {"scene.approximate", "order", integer, optional, true, "of the equations, 1 to 5"},
-      {"scene.approximate", "about", table, optional, true, "the equilibrium"},
-      {"scene.approximate", "small", expression_list, optional, true, "coordinates that are small"},
-      {"scene.approximate", "drop_below", expression, optional, true,
-       "terms below this share of their entry's largest are left out"},
-      {"scene.approximate.about", "*", expression, optional, true, "a coordinate or input there"},
+    {"scene.sizes", "*", integer, optional, true, "instead of the model's"},
 
-      {"scene.numeric", "scalar", choice_list, optional, true, "scalar types the code is for"},
-      {"scene.numeric", "form", choice, optional, true, "of every output: closed or recursive"},
-      {"scene.numeric", "check", table, optional, later, "ranges and tolerance of the checks"},
-      {"scene.numeric", "trigonometry", table, optional, later, "polynomial sine and cosine"},
-      {"scene.numeric", "batch", integer, optional, later, "states evaluated at once"},
+    {"scene.lock", "*", table, optional, true, "a coordinate held at a function of time"},
+    {"scene.lock.*", "value", expression_or_list, required, true,
+     "of constants, parameters and t; [w, x, y, z] of a rotation"},
+    {"scene.lock.*", "reaction", boolean, optional, true,
+     "adds the force that holds it to the output reaction"},
+    {"scene.approximate", "order", integer, optional, true, "of the equations, 1 to 5"},
+    {"scene.approximate", "about", table, optional, true, "the equilibrium"},
+    {"scene.approximate", "small", expression_list, optional, true, "coordinates that are small"},
+    {"scene.approximate", "drop_below", expression, optional, true,
+     "terms below this share of their entry's largest are left out"},
+    {"scene.approximate.about", "*", expression, optional, true, "a coordinate or input there"},
 
-      {"scene.emit", "language", choice, optional, true, "language of the emitted code"},
-      {"scene.emit", "namespace", text, optional, true,
-       "C++ namespace or prefix in C, instead of the base name"},
-      {"scene.emit", "eigen", boolean, optional, true, "the same functions on Eigen types"},
-      {"scene.emit", "storage", choice, optional, true, "order of matrix entries"},
-  };
-  return rows;
-}
+    {"scene.numeric", "scalar", choice_list, optional, true, "scalar types the code is for"},
+    {"scene.numeric", "form", choice, optional, true, "of every output: closed or recursive"},
+    {"scene.numeric", "check", table, optional, later, "ranges and tolerance of the checks"},
+    {"scene.numeric", "trigonometry", table, optional, later, "polynomial sine and cosine"},
+    {"scene.numeric", "batch", integer, optional, later, "states evaluated at once"},
 
-}  // namespace
+    {"scene.emit", "language", choice, optional, true, "language of the emitted code"},
+    {"scene.emit", "namespace", text, optional, true,
+     "C++ namespace or prefix in C, instead of the base name"},
+    {"scene.emit", "eigen", boolean, optional, true, "the same functions on Eigen types"},
+    {"scene.emit", "storage", choice, optional, true, "order of matrix entries"},
+});
 
-const std::vector<KeyRow>& key_table() {
-  static const std::vector<KeyRow> rows = [] {
-    std::vector<KeyRow> all;
-    for (const auto* part :
-         {&declaration_rows(), &frame_rows(), &mechanics_rows(), &scene_rows()}) {
-      all.insert(all.end(), part->begin(), part->end());
-    }
-    return all;
-  }();
-  return rows;
-}
-
-const std::vector<ChoiceRow>& choice_table() {
-  static const std::vector<ChoiceRow> rows{
-      {"coordinate", "kind", "scalar"},           {"coordinate", "kind", "rotation"},
-      {"frame.dh", "convention", "standard"},     {"frame.dh", "convention", "modified"},
-      {"parameters.*", "assume", "positive"},     {"parameters.*", "assume", "nonnegative"},
-      {"body", "inertia_about", "com"},           {"body", "inertia_about", "origin"},
-      {"scene.numeric", "scalar", "float"},       {"scene.numeric", "scalar", "double"},
-      {"scene.numeric", "scalar", "long double"}, {"scene.numeric", "form", "closed"},
-      {"scene.numeric", "form", "recursive"},     {"scene.outputs.*", "form", "closed"},
-      {"scene.outputs.*", "form", "recursive"},   {"scene.emit", "storage", "row-major"},
-      {"scene.emit", "storage", "column-major"},
+constexpr auto choice_rows = std::to_array<ChoiceRow>({
+    {"coordinate", "kind", "scalar"},
+    {"coordinate", "kind", "rotation"},
+    {"frame.dh", "convention", "standard"},
+    {"frame.dh", "convention", "modified"},
+    {"parameters.*", "assume", "positive"},
+    {"parameters.*", "assume", "nonnegative"},
+    {"body", "inertia_about", "com"},
+    {"body", "inertia_about", "origin"},
+    {"scene.numeric", "scalar", "float"},
+    {"scene.numeric", "scalar", "double"},
+    {"scene.numeric", "scalar", "long double"},
+    {"scene.numeric", "form", "closed"},
+    {"scene.numeric", "form", "recursive"},
+    {"scene.outputs.*", "form", "closed"},
+    {"scene.outputs.*", "form", "recursive"},
+    {"scene.emit", "storage", "row-major"},
+    {"scene.emit", "storage", "column-major"},
 #define ELGEN_LANGUAGE(id, name, scalars) {"scene.emit", "language", name},
 #include "elgen/languages.def"
 #undef ELGEN_LANGUAGE
-  };
-  return rows;
-}
+});
 
-const std::vector<EntryRow>& entry_table() {
-  constexpr bool single = false;
-  constexpr bool repeated = true;
-  static const std::vector<EntryRow> rows{
-      {"model", single, required, true, "what the system is called"},
-      {"coordinate", repeated, required, true, "a generalized coordinate, in this order"},
-      {"parameters", single, optional, true, "constants that stay variables of the code"},
-      {"sizes", single, optional, true, "integers for repetitions"},
-      {"define", single, optional, true, "named expressions, in any order"},
-      {"prescribed", repeated, optional, true, "a known function of time"},
-      {"point", repeated, optional, true, "a place that moves with the coordinates"},
-      {"frame", repeated, optional, true, "a coordinate system that moves"},
-      {"body", repeated, optional, true, "a rigid body"},
-      {"gravity", single, optional, true, "acceleration of gravity"},
-      {"energy", single, optional, true, "energies as expressions"},
-      {"input", repeated, optional, true, "an actuator"},
-      {"force", repeated, optional, true, "a force that no energy gives"},
-      {"output", repeated, optional, true, "a function to emit"},
-      {"constraint", repeated, optional, later, "an equation the motion obeys"},
-      {"function", repeated, optional, later, "a function supplied by the user"},
-      {"expect", repeated, optional, true, "closed forms to be verified"},
-      {"scene.outputs", single, optional, true, "what is derived and emitted"},
-      {"scene.parameters", single, optional, true, "parameters that become numbers"},
-      {"scene.sizes", single, optional, true, "sizes other than the model's"},
-      {"scene.lock", single, optional, true, "coordinates that are known functions of time"},
-      {"scene.approximate", single, optional, true,
-       "expansion about an equilibrium, small terms left out"},
-      {"scene.numeric", single, optional, true, "arithmetic"},
-      {"scene.emit", single, optional, true, "the emitted code"},
-  };
-  return rows;
-}
+constexpr bool single = false;
+constexpr bool repeated = true;
+
+constexpr auto entry_rows = std::to_array<EntryRow>({
+    {"model", single, required, true, "what the system is called"},
+    {"coordinate", repeated, required, true, "a generalized coordinate, in this order"},
+    {"parameters", single, optional, true, "constants that stay variables of the code"},
+    {"sizes", single, optional, true, "integers for repetitions"},
+    {"define", single, optional, true, "named expressions, in any order"},
+    {"prescribed", repeated, optional, true, "a known function of time"},
+    {"point", repeated, optional, true, "a place that moves with the coordinates"},
+    {"frame", repeated, optional, true, "a coordinate system that moves"},
+    {"body", repeated, optional, true, "a rigid body"},
+    {"gravity", single, optional, true, "acceleration of gravity"},
+    {"energy", single, optional, true, "energies as expressions"},
+    {"input", repeated, optional, true, "an actuator"},
+    {"force", repeated, optional, true, "a force that no energy gives"},
+    {"output", repeated, optional, true, "a function to emit"},
+    {"constraint", repeated, optional, later, "an equation the motion obeys"},
+    {"function", repeated, optional, later, "a function supplied by the user"},
+    {"expect", repeated, optional, true, "closed forms to be verified"},
+    {"scene.outputs", single, optional, true, "what is derived and emitted"},
+    {"scene.parameters", single, optional, true, "parameters that become numbers"},
+    {"scene.sizes", single, optional, true, "sizes other than the model's"},
+    {"scene.lock", single, optional, true, "coordinates that are known functions of time"},
+    {"scene.approximate", single, optional, true,
+     "expansion about an equilibrium, small terms left out"},
+    {"scene.numeric", single, optional, true, "arithmetic"},
+    {"scene.emit", single, optional, true, "the emitted code"},
+});
+
+}  // namespace
+
+std::span<const KeyRow> key_table() { return key_rows; }
+std::span<const ChoiceRow> choice_table() { return choice_rows; }
+std::span<const EntryRow> entry_table() { return entry_rows; }
 
 }  // namespace elgen

@@ -46,10 +46,18 @@ std::string ascii_hint(char32_t character) {
 }  // namespace
 
 Lexer::Lexer(const DecodedText& text, std::size_t begin, std::size_t end)
-    : source_(text),
+    : source_(&text),
       bytes_(std::string_view(text.text).substr(0, end)),
       position_(begin),
-      last_end_(begin) {}
+      last_end_(begin),
+      current_(next()) {}
+
+Token Lexer::advance() {
+  previous_ = std::exchange(current_, next());
+  return previous_;
+}
+
+std::string Lexer::shown(const Token& token) const { return quoted(text(token)); }
 
 std::string_view Lexer::text(const Token& token) const {
   return bytes_.substr(token.begin, token.end - token.begin);
@@ -66,7 +74,7 @@ Token Lexer::take(TokenKind kind, std::size_t bytes) {
 }
 
 Token Lexer::invalid(Code code, std::size_t bytes, std::string message, std::string hint) {
-  problem_ = Diagnostic{code, source_.span(position_, position_ + bytes), std::move(message),
+  problem_ = Diagnostic{code, source_->span(position_, position_ + bytes), std::move(message),
                         std::move(hint)};
   return take(TokenKind::invalid, bytes);
 }

@@ -1,8 +1,10 @@
-// Lexer: the text of an expression, one token at a time, so that errors come in reading order.
+// Lexer: the text of an expression, one token at a time, so that errors come in reading order: the
+// token to be read and the one before it, with their places and texts.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "elgen/diagnostic.hpp"
@@ -39,13 +41,25 @@ class Lexer {
   /// Reads bytes [begin, end) of `text`, which must outlive the lexer.
   Lexer(const DecodedText& text, std::size_t begin, std::size_t end);
 
-  [[nodiscard]] Token next();
+  [[nodiscard]] const Token& previous() const { return previous_; }
+  [[nodiscard]] const Token& current() const { return current_; }
+  [[nodiscard]] bool at(TokenKind kind) const { return current_.kind == kind; }
+
+  /// Steps on and returns the token that was current.
+  Token advance();
+
   [[nodiscard]] std::string_view text(const Token& token) const;
-  /// What is wrong with the last token, if it is invalid: E301, E305, E307, E308, E317.
+  [[nodiscard]] Span span(const Token& token) const {
+    return source_->span(token.begin, token.end);
+  }
+  /// The token in back-ticks.
+  [[nodiscard]] std::string shown(const Token& token) const;
+  /// What is wrong with the current token, if it is invalid: E301, E305, E307, E308, E317.
   [[nodiscard]] const std::optional<Diagnostic>& problem() const { return problem_; }
 
  private:
   [[nodiscard]] char peek(std::size_t ahead = 0) const;
+  Token next();
   Token take(TokenKind kind, std::size_t bytes);
   Token number();
   Token name();
@@ -53,11 +67,13 @@ class Lexer {
   Token unknown_character();
   Token invalid(Code code, std::size_t bytes, std::string message, std::string hint);
 
-  const DecodedText& source_;
+  const DecodedText* source_;
   std::string_view bytes_;  ///< up to the end of the expression
   std::size_t position_;
   std::size_t last_end_;
-  std::optional<Diagnostic> problem_;
+  std::optional<Diagnostic> problem_ = {};
+  Token previous_ = {};
+  Token current_;
 };
 
 }  // namespace elgen

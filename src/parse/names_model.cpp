@@ -1,8 +1,6 @@
 // names_model: one look at the top-level keys.
 #include "parse/names_model.hpp"
 
-#include <algorithm>
-
 #include "parse/toml_document.hpp"
 
 namespace elgen {
@@ -10,9 +8,8 @@ namespace elgen {
 bool names_model(const SourceText& source) {
   const Result<TomlValue> root = read_toml(source);
   if (!root) return false;
-  return std::any_of(root->entries.begin(), root->entries.end(), [](const TomlEntry& entry) {
-    return entry.key == "model" && entry.value.kind == TomlKind::string;
-  });
+  const TomlEntry* const model = find_entry(root->entries, "model");
+  return model != nullptr && model->value.kind == TomlKind::string;
 }
 
 }  // namespace elgen

@@ -31,8 +31,8 @@ std::optional<Parts> split(const DecodedText& text) {
   const std::size_t dots = text.text.find("..");
   if (dots == std::string::npos) return std::nullopt;
   Lexer lexer(text, 0, dots);
-  const Token index = lexer.next();
-  const Token in = lexer.next();
+  const Token index = lexer.advance();
+  const Token in = lexer.advance();
   if (index.kind != TokenKind::name || lexer.text(in) != "in") return std::nullopt;
   return Parts{{{index.begin, index.end}, {in.end, dots}, {dots + 2, text.text.size()}}};
 }

@@ -21,13 +21,13 @@ Span all_of(const SourceText& source) {
   return {&source, 0, static_cast<std::uint32_t>(source.text.size())};
 }
 
-std::optional<Diagnostic> encoding_error(const SourceText& source) {
-  const auto invalid = find_invalid_utf8(source.text);
+std::optional<Diagnostic> encoding_error(const Span& text) {
+  const auto invalid = find_invalid_utf8(covered_text(text));
   if (!invalid) return std::nullopt;
-  const auto begin = static_cast<std::uint32_t>(*invalid);
-  const auto byte = static_cast<unsigned char>(source.text[begin]);
+  const std::uint32_t begin = text.begin + static_cast<std::uint32_t>(*invalid);
+  const auto byte = static_cast<unsigned char>(text.source->text[begin]);
   return Diagnostic{Code::E110,
-                    {&source, begin, begin + 1},
+                    {text.source, begin, begin + 1},
                     fmt::format("byte 0x{:02X} is not UTF-8", byte),
                     "save the file as UTF-8"};
 }
@@ -43,10 +43,8 @@ std::optional<Diagnostic> size_error(const SourceText& source, const Limits& lim
 
 /// A file of another format has other keys, so this is the only error it gets.
 std::optional<Diagnostic> format_error(const TomlValue& root) {
-  const auto entry =
-      std::find_if(root.entries.begin(), root.entries.end(),
-                   [](const TomlEntry& candidate) { return candidate.key == "format"; });
-  if (entry == root.entries.end() || entry->value.kind != TomlKind::number) {
+  const TomlEntry* const entry = find_entry(root.entries, "format");
+  if (entry == nullptr || entry->value.kind != TomlKind::number) {
     return std::nullopt;  // missing, or of the wrong type: said with the other keys
   }
   const std::string& text = entry->value.text.text;
@@ -55,10 +53,9 @@ std::optional<Diagnostic> format_error(const TomlValue& root) {
                     "this version reads `format = 1`"};
 }
 
-template <class Syntax>
-Result<Syntax> read_file(SourcePointer source, FileKind kind, const Limits& limits) {
+Result<FileSyntax> read_file(SourcePointer source, FileKind kind, const Limits& limits) {
   if (auto error = size_error(*source, limits)) return *std::move(error);
-  if (auto error = encoding_error(*source)) return *std::move(error);
+  if (auto error = encoding_error(all_of(*source))) return *std::move(error);
   const Result<TomlValue> root = read_toml(*source);
   if (!root) return root.diagnostics;
   if (auto error = format_error(*root)) return *std::move(error);
@@ -66,28 +63,36 @@ Result<Syntax> read_file(SourcePointer source, FileKind kind, const Limits& limi
   std::vector<EntrySyntax> entries = read_entries(*root, kind, reading);
   sort_by_position(reading.diagnostics);
   if (has_errors(reading.diagnostics)) return std::move(reading.diagnostics);
-  return Syntax{std::move(source), std::move(entries)};
+  return FileSyntax{std::move(source), std::move(entries)};
 }
 
-}  // namespace
-
-const KeySyntax* EntrySyntax::find(std::string_view key) const {
+const KeySyntax* find_key(const std::vector<KeySyntax>& keys, std::string_view key) {
   const auto found = std::find_if(keys.begin(), keys.end(),
                                   [&](const KeySyntax& candidate) { return candidate.key == key; });
   return found == keys.end() ? nullptr : &*found;
 }
 
-Result<ModelSyntax> parse_model(SourcePointer source, const Limits& limits) {
-  return read_file<ModelSyntax>(std::move(source), FileKind::model, limits);
+}  // namespace
+
+const KeySyntax* EntrySyntax::find(std::string_view key) const { return find_key(keys, key); }
+
+const KeySyntax* ValueSyntax::find(std::string_view key) const { return find_key(entries, key); }
+
+Result<FileSyntax> parse_model(SourcePointer source, const Limits& limits) {
+  return read_file(std::move(source), FileKind::model, limits);
 }
 
-Result<SceneSyntax> parse_scene(SourcePointer source, const Limits& limits) {
-  return read_file<SceneSyntax>(std::move(source), FileKind::scene, limits);
+Result<FileSyntax> parse_scene(SourcePointer source, const Limits& limits) {
+  return read_file(std::move(source), FileKind::scene, limits);
 }
 
 Result<ExpressionSyntax> parse_expression(const SourcePointer& source, const Limits& limits) {
-  if (auto error = encoding_error(*source)) return *std::move(error);
-  return read_expression(copied_text(all_of(*source)), limits);
+  return parse_expression(all_of(*source), limits);
+}
+
+Result<ExpressionSyntax> parse_expression(const Span& text, const Limits& limits) {
+  if (auto error = encoding_error(text)) return *std::move(error);
+  return read_expression(copied_text(text), limits);
 }
 
 }  // namespace elgen

@@ -8,15 +8,14 @@ namespace elgen {
 
 namespace {
 
-Diagnostic at_current(const TokenStream& tokens, Code code, std::string message,
-                      std::string hint = {}) {
+Diagnostic at_current(const Lexer& tokens, Code code, std::string message, std::string hint = {}) {
   return {code, tokens.span(tokens.current()), std::move(message), std::move(hint)};
 }
 
-Diagnostic misplaced_comma(const TokenStream& tokens) {
+Diagnostic misplaced_comma(const Lexer& tokens) {
   const Token& number = tokens.previous();
   const Token& comma = tokens.current();
-  TokenStream ahead = tokens;
+  Lexer ahead = tokens;
   ahead.advance();
   const bool touches = number.end == comma.begin && comma.end == ahead.current().begin;
   if (touches && number.kind == TokenKind::number && ahead.at(TokenKind::number)) {
@@ -30,7 +29,7 @@ Diagnostic misplaced_comma(const TokenStream& tokens) {
 }
 
 /// `2x`, `x y`, `2(x + y)`, `(x)(y)`.
-Diagnostic missing_operator(const TokenStream& tokens) {
+Diagnostic missing_operator(const Lexer& tokens) {
   const Token& left = tokens.previous();
   const Token& right = tokens.current();
   constexpr std::size_t short_enough = 20;
@@ -46,7 +45,7 @@ Diagnostic missing_operator(const TokenStream& tokens) {
 
 }  // namespace
 
-Diagnostic missing_operand(const TokenStream& tokens) {
+Diagnostic missing_operand(const Lexer& tokens) {
   switch (tokens.current().kind) {
     case TokenKind::invalid:
       return *tokens.problem();
@@ -61,7 +60,7 @@ Diagnostic missing_operand(const TokenStream& tokens) {
   }
 }
 
-Diagnostic misplaced_token(const TokenStream& tokens) {
+Diagnostic misplaced_token(const Lexer& tokens) {
   switch (tokens.current().kind) {
     case TokenKind::invalid:
       return *tokens.problem();
@@ -78,7 +77,7 @@ Diagnostic misplaced_token(const TokenStream& tokens) {
   }
 }
 
-Diagnostic unclosed_bracket(const TokenStream& tokens, const Token& opened) {
+Diagnostic unclosed_bracket(const Lexer& tokens, const Token& opened) {
   const bool ends = tokens.at(TokenKind::end);
   const bool closes = tokens.at(TokenKind::close) || tokens.at(TokenKind::close_index);
   if (!ends && !closes) return misplaced_token(tokens);

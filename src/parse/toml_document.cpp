@@ -69,6 +69,12 @@ std::vector<TomlEntry> DocumentBuilder::entries(const toml::table& table) const 
 
 }  // namespace
 
+const TomlEntry* find_entry(const std::vector<TomlEntry>& entries, std::string_view key) {
+  const auto found = std::find_if(entries.begin(), entries.end(),
+                                  [&](const TomlEntry& entry) { return entry.key == key; });
+  return found == entries.end() ? nullptr : &*found;
+}
+
 Result<TomlValue> read_toml(const SourceText& source) {
   if (const auto endless = find_endless_key(source.text)) {
     const auto begin = static_cast<std::uint32_t>(*endless);

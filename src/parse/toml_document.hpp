@@ -40,6 +40,10 @@ struct TomlEntry {
   TomlValue value = {};
 };
 
+/// Null where no entry has this key.
+[[nodiscard]] const TomlEntry* find_entry(const std::vector<TomlEntry>& entries,
+                                          std::string_view key);
+
 /// The root table. E101 malformed TOML (one error), E109 a number wider than TOML allows.
 [[nodiscard]] Result<TomlValue> read_toml(const SourceText& source);
 

@@ -14,8 +14,8 @@
 namespace elgen {
 
 struct Syntaxes {
-  ModelSyntax model;
-  std::optional<SceneSyntax> scene;
+  FileSyntax model;
+  std::optional<FileSyntax> scene;
 };
 
 /// inspect only reports; its dump is what it found.

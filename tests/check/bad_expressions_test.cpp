@@ -64,7 +64,7 @@ std::vector<Row> rows_of_stage(const std::string& stage) {
 }
 
 /// A model whose only force is still to be filled in.
-ModelSyntax model_with_force(const ExpressionSyntax& value) {
+FileSyntax model_with_force(const ExpressionSyntax& value) {
   std::string text = "format = 1\n[model]\nname = \"hostile\"\n";
   std::string energy;
   for (const char* name : {"x", "y", "z", "q", "a", "b", "c", "d"}) {
@@ -73,7 +73,7 @@ ModelSyntax model_with_force(const ExpressionSyntax& value) {
   }
   text += "[[force]]\non = \"x\"\nvalue = \"0\"\n[energy]\nT = \"" + energy + "\"\n";
   static const SourcePointer source = make_source("hostile.toml", text);
-  ModelSyntax syntax = *parse_model(source, {});
+  FileSyntax syntax = *parse_model(source, {});
   for (EntrySyntax& entry : syntax.entries) {
     for (KeySyntax& key : entry.keys) {
       if (entry.name == "force" && key.key == "value") key.value.expression = value;

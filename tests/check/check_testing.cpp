@@ -32,7 +32,7 @@ Result<CheckedModel> run_check(const std::string& model, const Wanted& wanted) {
   const auto syntax = parse_model(make_source("model.toml", model), wanted.limits);
   INFO(format(syntax.diagnostics));
   REQUIRE(syntax);
-  std::optional<SceneSyntax> scene;
+  std::optional<FileSyntax> scene;
   if (!wanted.scene.empty()) {
     auto scene_syntax = parse_scene(make_source("a.scene.toml", wanted.scene), wanted.limits);
     INFO(format(scene_syntax.diagnostics));

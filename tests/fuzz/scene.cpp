@@ -51,7 +51,7 @@ on = "x"
 value = "u - b*dot(x)"
 )toml";
 
-const ModelSyntax& rig() {
+const FileSyntax& rig() {
   static const SourcePointer source = make_source("rig.toml", model_text);
   static const auto syntax = parse_model(source, Limits{});
   require(static_cast<bool>(syntax), "the model itself is read");

@@ -106,7 +106,7 @@ std::string model_rows() {
   std::string rows = "## Models\n\n| model | | coordinates | files |\n|---|---|---|---|\n";
   for (const fs::path& path : files_of(source / "models", ".toml")) {
     const std::string name = path.stem();
-    const Result<ModelSyntax> model = parse_model(read_source(path), Limits{});
+    const Result<FileSyntax> model = parse_model(read_source(path), Limits{});
     rows += fmt::format("| [{0}](../models/{0}.toml) | {1} ([sketch](#{0})) | {2} | {3} |\n", name,
                         text_of(*model, "model", "title"), coordinates_of(name), files_links(name));
   }
@@ -116,7 +116,7 @@ std::string model_rows() {
 std::string scene_rows() {
   std::string rows = "\n## Scenes\n\n| scene | | coordinates | files |\n|---|---|---|---|\n";
   for (const fs::path& path : files_of(source / "models/scenes", ".scene.toml")) {
-    const Result<SceneSyntax> scene = parse_scene(read_source(path), Limits{});
+    const Result<FileSyntax> scene = parse_scene(read_source(path), Limits{});
     const std::string name =
         fs::path(text_of(*scene, "", "model")).stem().string() + "_" + text_of(*scene, "", "name");
     rows += fmt::format("| [{}](../models/scenes/{}) | {} | {} | {} |\n", name,

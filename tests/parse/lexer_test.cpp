@@ -18,10 +18,8 @@ Lexed lex(const std::string& input) {
   const DecodedText text = copied_text({source.get(), 0, size});
   Lexer lexer(text, 0, input.size());
   Lexed result;
-  while (true) {
-    const Token token = lexer.next();
-    if (token.kind == TokenKind::end || token.kind == TokenKind::invalid) break;
-    result.tokens += "[" + std::string(lexer.text(token)) + "]";
+  while (!lexer.at(TokenKind::end) && !lexer.at(TokenKind::invalid)) {
+    result.tokens += "[" + std::string(lexer.text(lexer.advance())) + "]";
   }
   result.problem = lexer.problem();
   return result;
@@ -41,8 +39,8 @@ TEST_CASE("the end stands just behind the last token", "[parse]") {
   const SourcePointer source = make_source("test", "x   ");
   const DecodedText text = copied_text({source.get(), 0, 4});
   Lexer lexer(text, 0, 4);
-  (void)lexer.next();
-  const Token end = lexer.next();
+  (void)lexer.advance();
+  const Token end = lexer.advance();
   CHECK(end.kind == TokenKind::end);
   CHECK(end.begin == 1);
 }
@@ -80,4 +78,30 @@ TEST_CASE("what is no token is named", "[parse]") {
   CHECK(lexed.problem->span.begin == row.begin);
   CHECK(lexed.problem->message == row.message);
   CHECK(lexed.problem->hint == row.hint);
+}
+
+TEST_CASE("a lexer knows the token it is at and the one before", "[parse]") {
+  const SourcePointer source = make_source("test", "a + 1");
+  const DecodedText text = copied_text({source.get(), 0, 5});
+  Lexer tokens(text, 0, 5);
+  CHECK(tokens.at(TokenKind::name));
+  CHECK(tokens.text(tokens.advance()) == "a");
+  CHECK(tokens.at(TokenKind::plus));
+  CHECK(tokens.shown(tokens.previous()) == "`a`");
+  CHECK(tokens.span(tokens.current()).begin == 2);
+  tokens.advance();
+  tokens.advance();
+  CHECK(tokens.at(TokenKind::end));
+  CHECK(tokens.span(tokens.current()).begin == 5);
+  CHECK_FALSE(tokens.problem());
+}
+
+TEST_CASE("a copy of a lexer looks ahead without moving it", "[parse]") {
+  const SourcePointer source = make_source("test", "1,5");
+  const DecodedText text = copied_text({source.get(), 0, 3});
+  const Lexer tokens(text, 0, 3);
+  Lexer ahead = tokens;
+  ahead.advance();
+  CHECK(ahead.at(TokenKind::comma));
+  CHECK(tokens.at(TokenKind::number));
 }

@@ -140,3 +140,27 @@ TEST_CASE("damaged files are answered with a tree or errors inside them", "[pars
     for (const Diagnostic& d : model.diagnostics) RC_ASSERT(d.span.end <= text.size());
   }));
 }
+
+TEST_CASE("a part of a text keeps its place in the whole") {
+  const SourcePointer source = make_source("command line", "g = 1 + h");
+  const auto expression = parse_expression(Span{source.get(), 4, 9}, {});
+  REQUIRE(expression);
+  CHECK(covered_text(expression->span) == "1 + h");
+  CHECK(covered_text(expression->operands[1].span) == "h");
+  CHECK(covered_text(expression->operands[1].token) == "h");
+}
+
+TEST_CASE("errors of a part point into the whole") {
+  const SourcePointer source = make_source("command line", "g=(1+2");
+  const auto expression = parse_expression(Span{source.get(), 2, 6}, {});
+  REQUIRE(expression.diagnostics.size() == 1);
+  const Diagnostic& error = expression.diagnostics.front();
+  CHECK(error.code == Code::E304);
+  CHECK(error.span.source == source.get());
+  CHECK(error.span.begin == 6);
+  REQUIRE(error.related);
+  CHECK(error.related->source == source.get());
+  CHECK(error.related->begin == 2);
+  const SourcePointer damaged = make_source("command line", "g=\xFF");
+  CHECK(parse_expression(Span{damaged.get(), 2, 3}, {}).diagnostics.front().span.begin == 2);
+}

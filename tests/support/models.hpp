@@ -9,11 +9,11 @@
 namespace elgen::test {
 
 /// parse and check; throws the formatted errors. `scene` may be null.
-inline CheckedModel checked_model(const std::string& text, const SceneSyntax* scene,
+inline CheckedModel checked_model(const std::string& text, const FileSyntax* scene,
                                   const SceneOptions& options) {
   const Limits limits;
   const SourcePointer source = make_source("test.toml", text);
-  Result<ModelSyntax> syntax = parse_model(source, limits);
+  Result<FileSyntax> syntax = parse_model(source, limits);
   if (!syntax) throw std::runtime_error(format(syntax.diagnostics));
   Result<CheckedModel> checked = check(*syntax, scene, options, limits);
   if (!checked) throw std::runtime_error(format(checked.diagnostics));
@@ -28,7 +28,7 @@ inline CheckedModel checked_model(const std::string& text, const SceneOptions& o
 inline CheckedModel checked_scene(const std::string& text, const std::string& rest) {
   const SourcePointer source = make_source(
       "test.scene.toml", "format = 1\nmodel = \"test.toml\"\nname = \"scene\"\n" + rest);
-  Result<SceneSyntax> scene = parse_scene(source, Limits{});
+  Result<FileSyntax> scene = parse_scene(source, Limits{});
   if (!scene) throw std::runtime_error(format(scene.diagnostics));
   return checked_model(text, &*scene, SceneOptions{});
 }

@@ -37,7 +37,7 @@ TEST_CASE("robots become the models that were reviewed") {
 TEST_CASE("an imported model is a model file, in which every number is as written") {
   const std::string model = imported_file("panda_like");
   const SourcePointer source = make_source("panda.toml", model);
-  const Result<ModelSyntax> syntax = parse_model(source, {});
+  const Result<FileSyntax> syntax = parse_model(source, {});
   INFO(format(syntax.diagnostics));
   CHECK(syntax);
   CHECK(after(model, "m_panda_link1 ") ==

@@ -193,7 +193,7 @@ void check_indices(Context& context, const EntrySyntax& entry) {
 
 }  // namespace
 
-std::vector<Instance> expand_entries(Context& context, const ModelSyntax& syntax) {
+std::vector<Instance> expand_entries(Context& context, const FileSyntax& syntax) {
   Expander expander(context);
   for (const EntrySyntax& entry : syntax.entries) {
     for (const KeySyntax& key : entry.keys) {

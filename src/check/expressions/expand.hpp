@@ -27,13 +27,13 @@ struct SizeOverride {
 
 /// Reads `[sizes]`, applies overrides (the scene's, then the options'), and declares the names.
 /// E605.
-void apply_sizes(Context& context, const ModelSyntax& syntax,
+void apply_sizes(Context& context, const FileSyntax& syntax,
                  const std::vector<SizeOverride>& overrides);
 
 /// Declares every name of the model, so that expressions may refer forward, and adds an empty
 /// coordinate, point, … to the Model for each. E2xx, E906, E907.
 ///
 ///     [[point]] for = "i in 1..2", name = "p[i]"   ->   p[1] with i = 1, p[2] with i = 2
-[[nodiscard]] std::vector<Instance> expand_entries(Context& context, const ModelSyntax& syntax);
+[[nodiscard]] std::vector<Instance> expand_entries(Context& context, const FileSyntax& syntax);
 
 }  // namespace elgen

@@ -70,7 +70,7 @@ Assignment split_assignment(const OptionWord& word) {
           trimmed({word.span.source, at + 1, word.span.end})};
 }
 
-std::vector<SizeOverride> size_overrides(const SceneSyntax* scene, const SceneOptions& options,
+std::vector<SizeOverride> size_overrides(const FileSyntax* scene, const SceneOptions& options,
                                          Report& report) {
   std::vector<SizeOverride> sizes;
   if (const EntrySyntax* entry = find_entry(scene, "sizes")) {
@@ -88,7 +88,7 @@ std::vector<SizeOverride> size_overrides(const SceneSyntax* scene, const SceneOp
   return sizes;
 }
 
-std::string canonical_text(const SceneSyntax* scene, const SceneOptions& options) {
+std::string canonical_text(const FileSyntax* scene, const SceneOptions& options) {
   std::string text = scene == nullptr ? "" : dump(*scene);
   for (const auto& [name, list] :
        {std::pair("outputs", &options.outputs), std::pair("fix", &options.fixed),

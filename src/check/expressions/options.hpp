@@ -28,10 +28,10 @@ struct Assignment {
 [[nodiscard]] Assignment split_assignment(const OptionWord& word);
 
 /// Sizes of the scene, then of --size. E606.
-[[nodiscard]] std::vector<SizeOverride> size_overrides(const SceneSyntax* scene,
+[[nodiscard]] std::vector<SizeOverride> size_overrides(const FileSyntax* scene,
                                                        const SceneOptions& options, Report& report);
 
 /// What a scene and options say of a model; "" where there is neither.
-[[nodiscard]] std::string canonical_text(const SceneSyntax* scene, const SceneOptions& options);
+[[nodiscard]] std::string canonical_text(const FileSyntax* scene, const SceneOptions& options);
 
 }  // namespace elgen

@@ -183,7 +183,7 @@ void declare_parameter(Context& context, const KeySyntax& key) {
   add_elements(context, key, count, size != nullptr);
 }
 
-void read_parameters(Context& context, const ModelSyntax& syntax) {
+void read_parameters(Context& context, const FileSyntax& syntax) {
   std::size_t next = 0;
   std::vector<ParameterArray>& arrays = context.model.parameter_arrays;
   context.bounds.resize(arrays.size());

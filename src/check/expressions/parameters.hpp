@@ -16,6 +16,6 @@ void check_value(Context& context, std::uint32_t parameter, const cln::cl_R& val
                  const Span& span);
 
 /// Reads value, unit, assumption and range of every declared parameter. E104, E112, E402, E518.
-void read_parameters(Context& context, const ModelSyntax& syntax);
+void read_parameters(Context& context, const FileSyntax& syntax);
 
 }  // namespace elgen

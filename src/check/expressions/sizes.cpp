@@ -33,7 +33,7 @@ void override_size(Context& context, const SizeOverride& size) {
 
 }  // namespace
 
-void apply_sizes(Context& context, const ModelSyntax& syntax,
+void apply_sizes(Context& context, const FileSyntax& syntax,
                  const std::vector<SizeOverride>& overrides) {
   for (const EntrySyntax& entry : syntax.entries) {
     if (entry.name != "sizes") {

@@ -171,14 +171,14 @@ const KeySyntax* find_key(const ValueSyntax& table, std::string_view key) {
   return nullptr;
 }
 
-const EntrySyntax* find_entry(const SceneSyntax* scene, std::string_view name) {
+const EntrySyntax* find_entry(const FileSyntax* scene, std::string_view name) {
   if (scene == nullptr) return nullptr;
   const auto found = std::find_if(scene->entries.begin(), scene->entries.end(),
                                   [&](const EntrySyntax& entry) { return entry.name == name; });
   return found == scene->entries.end() ? nullptr : &*found;
 }
 
-const KeySyntax* find_key(const SceneSyntax* scene, std::string_view entry, std::string_view key) {
+const KeySyntax* find_key(const FileSyntax* scene, std::string_view entry, std::string_view key) {
   const EntrySyntax* found = find_entry(scene, entry);
   return found == nullptr ? nullptr : found->find(key);
 }

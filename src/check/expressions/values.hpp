@@ -81,8 +81,8 @@ class ValueReader {
 [[nodiscard]] const KeySyntax* find_key(const ValueSyntax& table, std::string_view key);
 
 /// The entry of a scene, and a key of it, or null; `scene` may be null.
-[[nodiscard]] const EntrySyntax* find_entry(const SceneSyntax* scene, std::string_view name);
-[[nodiscard]] const KeySyntax* find_key(const SceneSyntax* scene, std::string_view entry,
+[[nodiscard]] const EntrySyntax* find_entry(const FileSyntax* scene, std::string_view name);
+[[nodiscard]] const KeySyntax* find_key(const FileSyntax* scene, std::string_view entry,
                                         std::string_view key);
 
 }  // namespace elgen

@@ -250,7 +250,7 @@ void read_small(Context& context, const KeySyntax& key) {
 
 }  // namespace
 
-void read_expectations(Context& context, const ModelSyntax& syntax, bool large) {
+void read_expectations(Context& context, const FileSyntax& syntax, bool large) {
   for (const EntrySyntax& entry : syntax.entries) {
     if (entry.name != "expect") {
       continue;

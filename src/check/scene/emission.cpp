@@ -26,7 +26,7 @@ bool fits_one_scalar(const Numerics& numerics) {
   return numerics.scalars.size() == 1 && numerics.scalars.front() != ScalarKind::long_double;
 }
 
-void check_together(const SceneSyntax* syntax, const Emission& emission, const Scene& scene,
+void check_together(const FileSyntax* syntax, const Emission& emission, const Scene& scene,
                     Report& report) {
   const LanguageRow& language = language_row(emission.language);
   const std::string name = quoted(language.name);
@@ -44,7 +44,7 @@ void check_together(const SceneSyntax* syntax, const Emission& emission, const S
 
 }  // namespace
 
-Emission read_emission(Context& context, const SceneSyntax* syntax, const Scene& scene) {
+Emission read_emission(Context& context, const FileSyntax* syntax, const Scene& scene) {
   Emission emission;
   emission.name_space = scene.base_name;
   emission.name_space_span = context.model.name_span;

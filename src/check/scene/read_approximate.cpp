@@ -183,7 +183,7 @@ class ApproximationReader {
 
 }  // namespace
 
-void read_approximation(Context& context, const SceneSyntax* scene) {
+void read_approximation(Context& context, const FileSyntax* scene) {
   const EntrySyntax* found = find_entry(scene, "approximate");
   if (found == nullptr) return;
   // `drop_below` alone expands nothing.

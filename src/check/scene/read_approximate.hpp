@@ -7,6 +7,6 @@
 namespace elgen {
 
 /// Fills Model::approximation; `scene` may be null. E105, E614.
-void read_approximation(Context& context, const SceneSyntax* scene);
+void read_approximation(Context& context, const FileSyntax* scene);
 
 }  // namespace elgen

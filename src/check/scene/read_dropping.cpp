@@ -95,7 +95,7 @@ class DroppingReader {
 
 }  // namespace
 
-void read_dropping(Context& context, const SceneSyntax* syntax, Scene& scene) {
+void read_dropping(Context& context, const FileSyntax* syntax, Scene& scene) {
   const KeySyntax* key = find_key(syntax, "approximate", "drop_below");
   if (key != nullptr) DroppingReader(context, scene).read(*key);
 }

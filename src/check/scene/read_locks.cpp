@@ -114,7 +114,7 @@ std::size_t locked_velocities(const Model& model) {
 
 }  // namespace
 
-void read_locks(Context& context, const SceneSyntax* scene) {
+void read_locks(Context& context, const FileSyntax* scene) {
   const EntrySyntax* entry = find_entry(scene, "lock");
   if (entry == nullptr) return;
   LockReader reader(context);

@@ -8,6 +8,6 @@ namespace elgen {
 
 /// Fills Model::locks, in the order of the coordinates. `scene` may be null. E612, E615, and what
 /// the values' expressions give.
-void read_locks(Context& context, const SceneSyntax* scene);
+void read_locks(Context& context, const FileSyntax* scene);
 
 }  // namespace elgen

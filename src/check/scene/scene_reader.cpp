@@ -33,7 +33,7 @@ bool precedes(const OutputRequest& a, const OutputRequest& b) {
 
 class SceneReader {
  public:
-  SceneReader(Context& context, const SceneSyntax* syntax, const SceneOptions& options)
+  SceneReader(Context& context, const FileSyntax* syntax, const SceneOptions& options)
       : context_(context), model_(context.model), syntax_(syntax), options_(options) {}
 
   Scene read() {
@@ -245,7 +245,7 @@ class SceneReader {
 
   Context& context_;
   const Model& model_;
-  const SceneSyntax* syntax_;
+  const FileSyntax* syntax_;
   const SceneOptions& options_;
   Scene scene_ = {};
 };
@@ -256,7 +256,7 @@ std::string_view name_of(ScalarKind kind) {
   return scalar_table[static_cast<std::size_t>(kind)].name;
 }
 
-Scene read_scene(Context& context, const SceneSyntax* syntax, const SceneOptions& options) {
+Scene read_scene(Context& context, const FileSyntax* syntax, const SceneOptions& options) {
   return SceneReader(context, syntax, options).read();
 }
 

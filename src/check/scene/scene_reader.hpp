@@ -11,7 +11,7 @@ namespace elgen {
 
 /// E112, E518, E601–E611, E617, E505, E108. An option given replaces what the scene says of the
 /// same. `syntax` may be null.
-[[nodiscard]] Scene read_scene(Context& context, const SceneSyntax* syntax,
+[[nodiscard]] Scene read_scene(Context& context, const FileSyntax* syntax,
                                const SceneOptions& options);
 
 }  // namespace elgen
