@@ -91,8 +91,7 @@ Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
   Context context(limits);
   keep_sources(context.model, model, scene, options);
   context.model.canonical = dump(model);
-  const std::vector<SizeOverride> sizes = size_overrides(scene, options, context.report);
-  apply_sizes(context, model, sizes);
+  read_sizes(context, model, scene, options);
   resolve_entries(context, model);
   if (context.beyond_limits) {
     return context.report.sorted();

@@ -31,25 +31,27 @@ TEST_CASE("assignments are split at the first equals sign") {
   CHECK(parts.value.begin == 7);
 }
 
-TEST_CASE("sizes of the option follow those of the scene") {
+TEST_CASE("sizes of the option are set one after another") {
+  const Limits limits;
+  Context context(limits);
+  context.sizes = {{"n", 1}, {"m", 1}};
   SceneOptions options;
-  options.sizes = {make_source("command line", "n=3,m=4")};
-  Report report;
-  const std::vector<SizeOverride> sizes = size_overrides(nullptr, options, report);
-  REQUIRE(sizes.size() == 2);
-  CHECK(sizes[1].name == "m");
-  CHECK(sizes[1].value == 4);
-  CHECK(report.errors() == 0);
+  options.sizes = {make_source("command line", "n=3,m=4,n=5")};
+  read_sizes(context, {}, nullptr, options);
+  CHECK(context.sizes == Sizes{{"m", 4}, {"n", 5}});
+  CHECK(context.report.errors() == 0);
 }
 
 TEST_CASE("sizes are integers that sums and products of two can hold") {
   const auto answer = [](const std::string& option) {
+    const Limits limits;
+    Context context(limits);
+    context.sizes = {{"n", 1}};
     SceneOptions options;
     options.sizes = {make_source("command line", option)};
-    Report report;
-    const std::vector<SizeOverride> sizes = size_overrides(nullptr, options, report);
-    return report.errors() == 0 ? std::to_string(sizes.front().value)
-                                : report.sorted().front().message;
+    read_sizes(context, {}, nullptr, options);
+    return context.report.errors() == 0 ? std::to_string(context.sizes["n"])
+                                        : context.report.sorted().front().message;
   };
   CHECK(answer("n=1000000000") == "1000000000");
   CHECK(answer("n=-1000000000") == "-1000000000");

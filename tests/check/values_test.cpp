@@ -76,8 +76,8 @@ TEST_CASE("all vectors of a model have as many components as the first") {
 TEST_CASE("keys of tables are found by name") {
   ValueSyntax table;
   table.entries.push_back({"doc", {}, value_of("x")});
-  CHECK(find_key(table, "doc") != nullptr);
-  CHECK(find_key(table, "unit") == nullptr);
+  CHECK(table.find("doc") != nullptr);
+  CHECK(table.find("unit") == nullptr);
   CHECK(text_of(table, "doc") == "x");
   CHECK(text_of(table, "unit").empty());
   EntrySyntax entry;

@@ -143,7 +143,7 @@ class FrameReader {
 
   ExpressionId dh_value(const ValueSyntax& table, std::string_view key,
                         const RootRequest& request) {
-    const KeySyntax* value = find_key(table, key);
+    const KeySyntax* value = table.find(key);
     return value == nullptr ? no_expression : values_.root(value->value, request);
   }
 

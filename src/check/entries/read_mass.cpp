@@ -9,9 +9,7 @@
 namespace elgen {
 namespace {
 
-RootRequest mass_request() {
-  return {{"a mass", place::parameters_only, Code::E506}, find_unit("kg")};
-}
+const RootRequest mass_request{{"a mass", place::parameters_only, Code::E506}, find_unit("kg")};
 
 void read_point(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
   Context& context = values.context();
@@ -29,9 +27,7 @@ void read_point(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
       }
     }
   }
-  if (const KeySyntax* mass = entry.find("mass")) {
-    point.mass = values.root(mass->value, mass_request());
-  }
+  point.mass = values.root(entry, "mass", mass_request);
 }
 
 class BodyReader {
@@ -42,9 +38,7 @@ class BodyReader {
   void read() {
     body_.doc = text_of(entry_, "doc");
     read_com();
-    if (const KeySyntax* mass = entry_.find("mass")) {
-      body_.mass = values_.root(mass->value, mass_request());
-    }
+    body_.mass = values_.root(entry_, "mass", mass_request);
     const KeySyntax* frame = entry_.find("frame");
     if (frame == nullptr) {
       read_spin();

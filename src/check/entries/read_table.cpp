@@ -75,15 +75,11 @@ constexpr std::array<EnergyKey, 4> energy_keys{{
 }};
 
 void read_energies(ValueReader& values, const EntrySyntax& entry) {
-  for (const EnergyKey& energy : energy_keys) {
-    if (const KeySyntax* key = entry.find(energy.key)) {
-      const Place place{energy.key, place::of_state};
-      if (energy.key == "L") {
-        values.context().lagrangian_span = key->key_span;
-      }
-      values.context().model.energies.*energy.member =
-          values.root(key->value, {place, find_unit(energy.unit)});
-    }
+  Context& context = values.context();
+  if (const KeySyntax* lagrangian = entry.find("L")) context.lagrangian_span = lagrangian->key_span;
+  for (const auto& [key, member, unit] : energy_keys) {
+    const Place place{key, place::of_state};
+    context.model.energies.*member = values.root(entry, key, {place, find_unit(unit)});
   }
 }
 

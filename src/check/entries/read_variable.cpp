@@ -29,10 +29,10 @@ cln::cl_R start_constant(ValueReader& values, const ValueSyntax& value) {
 }
 
 void read_start(ValueReader& values, const ValueSyntax& table, Coordinate& coordinate) {
-  if (const KeySyntax* value = find_key(table, "value")) {
+  if (const KeySyntax* value = table.find("value")) {
     coordinate.start_value = start_constant(values, value->value);
   }
-  if (const KeySyntax* rate = find_key(table, "rate")) {
+  if (const KeySyntax* rate = table.find("rate")) {
     values.context().model.velocities[coordinate.velocity].start_rate =
         start_constant(values, rate->value);
   }
@@ -67,14 +67,10 @@ void read_coordinate(ValueReader& values, const EntrySyntax& entry, std::uint32_
   if (const KeySyntax* start = entry.find("start")) {
     read_start(values, start->value, coordinate);
   }
-  if (const KeySyntax* armature = entry.find("armature")) {
-    const Place place{"an armature", place::parameters_only, Code::E506};
-    coordinate.armature = values.root(armature->value, {place, armature_unit(coordinate)});
-  }
-  if (const KeySyntax* singular = entry.find("singular")) {
-    const Place place{"a singular configuration", place::of_configuration};
-    coordinate.singular = values.root(singular->value, {place});
-  }
+  const Place armature{"an armature", place::parameters_only, Code::E506};
+  coordinate.armature = values.root(entry, "armature", {armature, armature_unit(coordinate)});
+  const Place singular{"a singular configuration", place::of_configuration};
+  coordinate.singular = values.root(entry, "singular", {singular});
 }
 
 void check_input_unit(Context& context, const Input& input, const ValueSyntax& unit) {
@@ -111,10 +107,8 @@ void read_prescribed(ValueReader& values, const EntrySyntax& entry, std::uint32_
   NamedExpression& prescribed = context.model.prescribed[target];
   prescribed.latex = text_of(entry, "latex");
   prescribed.doc = text_of(entry, "doc");
-  if (const KeySyntax* value = entry.find("value")) {
-    const Place place{"a prescribed function", place::of_time};
-    prescribed.value = values.root(value->value, {place, unit});
-  }
+  const Place place{"a prescribed function", place::of_time};
+  prescribed.value = values.root(entry, "value", {place, unit}).value_or(no_expression);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "check/names/context.hpp"
@@ -17,18 +16,6 @@ struct Instance {
   Scope scope;
   std::uint32_t target = 0;
 };
-
-/// A size that a scene or an option sets.
-struct SizeOverride {
-  std::string name;
-  std::int64_t value = 0;
-  Span span = {};
-};
-
-/// Reads `[sizes]`, applies overrides (the scene's, then the options'), and declares the names.
-/// E605.
-void apply_sizes(Context& context, const FileSyntax& syntax,
-                 const std::vector<SizeOverride>& overrides);
 
 /// Declares every name of the model, so that expressions may refer forward, and adds an empty
 /// coordinate, point, … to the Model for each. E2xx, E906, E907.

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "check/expressions/expand.hpp"
-#include "check/names/report.hpp"
+#include "check/names/context.hpp"
 #include "elgen/scene.hpp"
 #include "elgen/syntax.hpp"
 
@@ -27,9 +26,10 @@ struct Assignment {
 };
 [[nodiscard]] Assignment split_assignment(const OptionWord& word);
 
-/// Sizes of the scene, then of --size. E606.
-[[nodiscard]] std::vector<SizeOverride> size_overrides(const FileSyntax* scene,
-                                                       const SceneOptions& options, Report& report);
+/// Declares the sizes of the model, then sets them as the scene and at last as the options say.
+/// `scene` may be null. E605, E606.
+void read_sizes(Context& context, const FileSyntax& model, const FileSyntax* scene,
+                const SceneOptions& options);
 
 /// What a scene and options say of a model; "" where there is neither.
 [[nodiscard]] std::string canonical_text(const FileSyntax* scene, const SceneOptions& options);

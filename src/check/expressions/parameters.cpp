@@ -59,7 +59,7 @@ class ParameterReader {
       element(i).assumption = assumption;
     }
     read_range(value);
-    if (const KeySyntax* key = find_key(value, "value")) {
+    if (const KeySyntax* key = value.find("value")) {
       read_values(key->value);
     }
   }
@@ -68,7 +68,7 @@ class ParameterReader {
   Parameter& element(std::uint32_t i) { return context_.model.parameters[array_.first + i]; }
 
   void read_unit_of(const ValueSyntax& table) {
-    const KeySyntax* key = find_key(table, "unit");
+    const KeySyntax* key = table.find("unit");
     if (key == nullptr) {
       return;
     }
@@ -81,8 +81,8 @@ class ParameterReader {
 
   /// A missing end lies beyond every number a scalar holds.
   void read_range(const ValueSyntax& table) {
-    const KeySyntax* low = find_key(table, "min");
-    const KeySyntax* high = find_key(table, "max");
+    const KeySyntax* low = table.find("min");
+    const KeySyntax* high = table.find("max");
     const auto end = [&](const KeySyntax* key) {
       return key == nullptr ? std::nullopt : values_.constant(key->value);
     };
@@ -156,8 +156,7 @@ void check_value(Context& context, std::uint32_t parameter, const cln::cl_R& val
 }
 
 void declare_parameter(Context& context, const KeySyntax& key) {
-  const KeySyntax* size =
-      key.value.kind == ValueKind::table ? find_key(key.value, "size") : nullptr;
+  const KeySyntax* size = key.value.kind == ValueKind::table ? key.value.find("size") : nullptr;
   std::int64_t count = 1;
   if (size != nullptr) {
     const auto value = ValueReader(context, Scope(context.sizes)).integer(size->value);
@@ -187,14 +186,9 @@ void read_parameters(Context& context, const FileSyntax& syntax) {
   std::size_t next = 0;
   std::vector<ParameterArray>& arrays = context.model.parameter_arrays;
   context.bounds.resize(arrays.size());
-  for (const EntrySyntax& entry : syntax.entries) {
-    if (entry.name != "parameters") {
-      continue;
-    }
-    for (const KeySyntax& key : entry.keys) {
-      if (next < arrays.size() && arrays[next].name == key.key) {
-        ParameterReader(context, arrays[next++]).read(key.value);
-      }
+  for (const KeySyntax& key : keys_of(&syntax, "parameters")) {
+    if (next < arrays.size() && arrays[next].name == key.key) {
+      ParameterReader(context, arrays[next++]).read(key.value);
     }
   }
 }

@@ -53,15 +53,6 @@ ExpressionSyntax written_out(ExpressionSyntax definition, const ExpressionSyntax
 
 }  // namespace
 
-const std::vector<Resolver::Expansion>& Resolver::expansions() {
-  static const std::vector<Expansion> all{
-#define ELGEN_EXPANDED(name, rule) {#name, &Resolver::rule},
-#include "check/names/expanded_functions.def"
-#undef ELGEN_EXPANDED
-  };
-  return all;
-}
-
 std::optional<ExpressionId> Resolver::resolve_call(const ExpressionSyntax& call) {
   if (const FunctionRow* function = find_function(call.text)) {
     return resolve_function(call, function->id);
@@ -69,11 +60,10 @@ std::optional<ExpressionId> Resolver::resolve_call(const ExpressionSyntax& call)
   if (const Composite* composite = find_composite(call.text)) {
     return resolve_composite(call, *composite);
   }
-  for (const auto& [name, rule] : expansions()) {
-    if (name == call.text) {
-      return (this->*rule)(call);
-    }
-  }
+#define ELGEN_EXPANDED(name, rule) \
+  if (call.text == #name) return rule(call);
+#include "check/names/expanded_functions.def"
+#undef ELGEN_EXPANDED
   context_.report.add(Code::E202, call.span, "unknown function " + quoted(call.text),
                       suggestion(call.text, function_names()));
   return std::nullopt;

@@ -28,14 +28,7 @@ class Resolver {
   /// The index in the Model of `name` or `name[i]`. E207, E208.
   std::optional<std::uint32_t> element(const ExpressionSyntax& name, const DeclaredName& symbol);
 
-  /// A function that is expanded where it is called.
-  struct Expansion {
-    std::string_view name;
-    std::optional<ExpressionId> (Resolver::*rule)(const ExpressionSyntax&);
-  };
-  static const std::vector<Expansion>& expansions();
-
-  /// One that is its definition, in the model language.
+  /// A function that is its definition, in the model language.
   struct Composite {
     std::string_view name;
     std::size_t arity;

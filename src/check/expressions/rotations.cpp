@@ -78,10 +78,10 @@ void read_start_value(ValueReader& values, const ValueSyntax& value, const Rotat
 }
 
 void read_start(ValueReader& values, const ValueSyntax& table, const Rotation& rotation) {
-  if (const KeySyntax* value = find_key(table, "value")) {
+  if (const KeySyntax* value = table.find("value")) {
     read_start_value(values, value->value, rotation);
   }
-  const KeySyntax* rate = find_key(table, "rate");
+  const KeySyntax* rate = table.find("rate");
   const auto rates = rate == nullptr ? std::nullopt : constants(values, rate->value, axis_count);
   for (std::uint32_t i = 0; rates && i < axis_count; ++i) {
     values.context().model.velocities[rotation.first_velocity + i].start_rate = (*rates)[i];

@@ -32,6 +32,12 @@ ExpressionId ValueReader::root(const ValueSyntax& value, const RootRequest& requ
   return root(value.expression, request);
 }
 
+std::optional<ExpressionId> ValueReader::root(const EntrySyntax& entry, std::string_view key,
+                                              const RootRequest& request) {
+  const KeySyntax* found = entry.find(key);
+  return found == nullptr ? std::nullopt : std::optional(root(found->value, request));
+}
+
 ExpressionId ValueReader::scene_value(const ValueSyntax& value, const RootRequest& request) {
   const ExpressionId id = root(value, request);
   if (id == no_expression) return id;
@@ -162,35 +168,22 @@ std::optional<std::uint32_t> ValueReader::frame_or_world(const ValueSyntax& valu
   return reference(value, SymbolKind::frame);
 }
 
-const KeySyntax* find_key(const ValueSyntax& table, std::string_view key) {
-  for (const KeySyntax& entry : table.entries) {
-    if (entry.key == key) {
-      return &entry;
-    }
-  }
-  return nullptr;
-}
-
-const EntrySyntax* find_entry(const FileSyntax* scene, std::string_view name) {
-  if (scene == nullptr) return nullptr;
-  const auto found = std::find_if(scene->entries.begin(), scene->entries.end(),
+const EntrySyntax* find_entry(const FileSyntax* file, std::string_view name) {
+  if (file == nullptr) return nullptr;
+  const auto found = std::find_if(file->entries.begin(), file->entries.end(),
                                   [&](const EntrySyntax& entry) { return entry.name == name; });
-  return found == scene->entries.end() ? nullptr : &*found;
+  return found == file->entries.end() ? nullptr : &*found;
 }
 
-const KeySyntax* find_key(const FileSyntax* scene, std::string_view entry, std::string_view key) {
-  const EntrySyntax* found = find_entry(scene, entry);
+const KeySyntax* find_key(const FileSyntax* file, std::string_view entry, std::string_view key) {
+  const EntrySyntax* found = find_entry(file, entry);
   return found == nullptr ? nullptr : found->find(key);
 }
 
-std::string text_of(const EntrySyntax& entry, std::string_view key) {
-  const KeySyntax* found = entry.find(key);
-  return found == nullptr ? "" : found->value.text;
-}
-
-std::string text_of(const ValueSyntax& table, std::string_view key) {
-  const KeySyntax* found = find_key(table, key);
-  return found == nullptr ? "" : found->value.text;
+const std::vector<KeySyntax>& keys_of(const FileSyntax* file, std::string_view entry) {
+  static const std::vector<KeySyntax> none;
+  const EntrySyntax* found = find_entry(file, entry);
+  return found == nullptr ? none : found->keys;
 }
 
 }  // namespace elgen

@@ -32,6 +32,10 @@ class ValueReader {
   ExpressionId root(const ExpressionSyntax& expression, const RootRequest& request);
   ExpressionId root(const ValueSyntax& value, const RootRequest& request);
 
+  /// The same of a key, where the entry has it.
+  std::optional<ExpressionId> root(const EntrySyntax& entry, std::string_view key,
+                                   const RootRequest& request);
+
   /// A value of a scene: where it names nothing but t and pi, numbers are in the unit of the place,
   /// t in s.
   ExpressionId scene_value(const ValueSyntax& value, const RootRequest& request);
@@ -73,16 +77,17 @@ class ValueReader {
   Scope scope_;
 };
 
-/// Text of an optional key, or nothing.
-[[nodiscard]] std::string text_of(const EntrySyntax& entry, std::string_view key);
-[[nodiscard]] std::string text_of(const ValueSyntax& table, std::string_view key);
+/// Text of an optional key of an entry or table, or nothing.
+template <class Table>
+[[nodiscard]] std::string text_of(const Table& table, std::string_view key) {
+  const KeySyntax* found = table.find(key);
+  return found == nullptr ? "" : found->value.text;
+}
 
-/// The entry of a table value, or null.
-[[nodiscard]] const KeySyntax* find_key(const ValueSyntax& table, std::string_view key);
-
-/// The entry of a scene, and a key of it, or null; `scene` may be null.
-[[nodiscard]] const EntrySyntax* find_entry(const FileSyntax* scene, std::string_view name);
-[[nodiscard]] const KeySyntax* find_key(const FileSyntax* scene, std::string_view entry,
+/// An entry that is not repeated, and a key of it, or null; its keys, or none. `file` may be null.
+[[nodiscard]] const EntrySyntax* find_entry(const FileSyntax* file, std::string_view name);
+[[nodiscard]] const KeySyntax* find_key(const FileSyntax* file, std::string_view entry,
                                         std::string_view key);
+[[nodiscard]] const std::vector<KeySyntax>& keys_of(const FileSyntax* file, std::string_view entry);
 
 }  // namespace elgen

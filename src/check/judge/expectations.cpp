@@ -135,8 +135,8 @@ class ExpectationReader {
       return;
     }
     const auto request = require(name.substr(0, name.size() - entry_suffix.size()), key.key_span);
-    const KeySyntax* repetition = find_key(key.value, "for");
-    const KeySyntax* value = find_key(key.value, "value");
+    const KeySyntax* repetition = key.value.find("for");
+    const KeySyntax* value = key.value.find("value");
     if (!request || repetition == nullptr || value == nullptr) {
       return;
     }

@@ -86,13 +86,18 @@ bool repeat_from(const std::vector<RangeSyntax>& ranges, std::size_t first, Scop
   if (first == ranges.size()) {
     return body();
   }
-  const std::optional<IntegerRange> range = range_value(ranges[first], scope, report);
-  if (!range) {
-    return false;
+  const RangeSyntax& range = ranges[first];
+  const auto low = integer_value(range.low, scope, report);
+  const auto high = integer_value(range.high, scope, report);
+  if (!low || !high) return false;
+  if (*low > *high) {
+    report.add(
+        Code::E209, range.span,
+        "from " + std::to_string(*low) + " to " + std::to_string(*high) + " there is no element");
   }
-  bool going = true;
-  for (std::int64_t i = range->low; going && i <= range->high; ++i) {
-    scope.push(ranges[first].index, i);
+  bool going = *low <= *high;
+  for (std::int64_t i = *low; going && i <= *high; ++i) {
+    scope.push(range.index, i);
     going = repeat_from(ranges, first + 1, scope, report, body);
     scope.pop();
   }
@@ -143,36 +148,12 @@ std::optional<std::int64_t> integer_value(const ExpressionSyntax& expression, co
   return result ? result : not_an_integer(expression, report);
 }
 
-std::optional<IntegerRange> range_value(const RangeSyntax& range, const Scope& scope,
-                                        Report& report) {
-  const auto low = integer_value(range.low, scope, report);
-  const auto high = integer_value(range.high, scope, report);
-  if (!low || !high) {
-    return std::nullopt;
-  }
-  if (*low > *high) {
-    report.add(
-        Code::E209, range.span,
-        "from " + std::to_string(*low) + " to " + std::to_string(*high) + " there is no element");
-    return std::nullopt;
-  }
-  return IntegerRange{*low, *high};
-}
-
 std::vector<RangeSyntax> read_repetition(const ValueSyntax& value) {
   std::vector<RangeSyntax> ranges;
   for (const ValueSyntax& table : value.items) {
-    RangeSyntax range;
-    range.span = table.span;
-    for (const KeySyntax& part : table.entries) {
-      if (part.key == "index") {
-        range.index = part.value.text;
-        range.index_span = part.value.span;
-      } else {
-        (part.key == "low" ? range.low : range.high) = part.value.expression;
-      }
-    }
-    ranges.push_back(std::move(range));
+    const ValueSyntax& index = table.find("index")->value;
+    ranges.push_back({index.text, table.find("low")->value.expression,
+                      table.find("high")->value.expression, index.span, table.span});
   }
   return ranges;
 }

@@ -41,7 +41,7 @@ class Scope {
 [[nodiscard]] std::optional<std::int64_t> integer_value(const ExpressionSyntax& expression,
                                                         const Scope& scope, Report& report);
 
-/// "i in 1..n"
+/// "i in 1..n", both bounds included.
 struct RangeSyntax {
   std::string index;
   ExpressionSyntax low;
@@ -50,21 +50,12 @@ struct RangeSyntax {
   Span span;
 };
 
-/// Both bounds included.
-struct IntegerRange {
-  std::int64_t low = 0;
-  std::int64_t high = 0;
-};
-
-/// The bounds in this scope; E209 where the range has no element.
-[[nodiscard]] std::optional<IntegerRange> range_value(const RangeSyntax& range, const Scope& scope,
-                                                      Report& report);
-
 /// The ranges of a parsed `for`.
 [[nodiscard]] std::vector<RangeSyntax> read_repetition(const ValueSyntax& value);
 
 /// Calls `body` for every combination, the last range fastest; a later range may depend on earlier
-/// indices. Stops early, returning false, at the first error or where `body` returns false.
+/// indices. Stops early, returning false, at the first error or where `body` returns false. E209
+/// where a range has no element.
 bool repeat(const std::vector<RangeSyntax>& ranges, Scope& scope, Report& report,
             const std::function<bool()>& body);
 

@@ -22,8 +22,8 @@ class LockReader {
 
   void read(const KeySyntax& key) {
     const Model& model = context_.model;
-    const KeySyntax* value = find_key(key.value, "value");
-    const KeySyntax* reaction = find_key(key.value, "reaction");
+    const KeySyntax* value = key.value.find("value");
+    const KeySyntax* reaction = key.value.find("reaction");
     if (value == nullptr) return;  // reported when the file was parsed
     Lock lock;
     lock.span = key.key_span;

@@ -7,7 +7,6 @@
 
 #include "check/expressions/options.hpp"
 #include "check/expressions/parameters.hpp"
-#include "check/expressions/syntax_part.hpp"
 #include "check/expressions/values.hpp"
 #include "check/names/requests.hpp"
 #include "check/names/reserved_names.hpp"
@@ -131,9 +130,9 @@ class SceneReader {
       return;
     }
     OutputRequest* output = request(key.key, key.key_span);
-    const KeySyntax* rename = find_key(key.value, "rename");
+    const KeySyntax* rename = key.value.find("rename");
     if (output != nullptr) {
-      output->form = form_in(find_key(key.value, "form"));
+      output->form = form_in(key.value.find("form"));
     }
     if (output != nullptr && rename != nullptr) {
       output->name = rename->value.text;
@@ -181,10 +180,9 @@ class SceneReader {
       }
       return;
     }
-    const auto value = parse_part(assignment.value, context_.limits, context_.report);
-    if (value) {
-      fix_named(assignment.name.text, assignment.name.span, &*value);
-    }
+    const Result<ExpressionSyntax> value = parse_expression(assignment.value, context_.limits);
+    for (const Diagnostic& diagnostic : value.diagnostics) context_.report.add(diagnostic);
+    if (value) fix_named(assignment.name.text, assignment.name.span, &*value);
   }
 
   /// NAME fixes all elements, NAME[i] one, "all" every parameter; without a value at the model's.
