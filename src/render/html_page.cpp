@@ -1,9 +1,8 @@
 // html_page: a Sheet as one page of HTML with MathML Core, translated from the LaTeX.
 #include <fmt/format.h>
 
-#include "elgen/render.hpp"
-#include "render/display.hpp"
 #include "render/latex_tree.hpp"
+#include "render/page_data.hpp"
 
 namespace elgen {
 namespace {
@@ -40,61 +39,15 @@ std::string lines(const Display& display) {
   return fmt::format("<mtable class=\"lines\">\n{}</mtable>", rows);
 }
 
-std::string block(const std::string& mathml) {
-  return fmt::format("<math display=\"block\">{}</math>\n", mathml);
+std::string equation(const Display& display) {
+  return display.columns > 0 ? matrix(display) : lines(display);
 }
-
-std::string table(const std::string& title, const std::vector<SheetVariable>& variables) {
-  if (variables.empty()) return {};
-  std::string text = fmt::format("<table>\n<caption>{}</caption>\n", title);
-  for (const SheetVariable& v : variables) {
-    text += fmt::format(
-        "<tr><td><math>{}</math></td><td><code>{}</code></td><td>{}</td><td>{}</td>"
-        "<td>{}</td></tr>\n",
-        formula(v.symbol), xml_text(v.name), xml_text(v.value), xml_text(v.unit), xml_text(v.doc));
-  }
-  return text + "</table>\n";
-}
-
-std::string section(const SheetOutput& output) {
-  std::string text = fmt::format("<h2>{}</h2>\n", xml_text(output.name));
-  if (!output.doc.empty()) text += fmt::format("<p>{}</p>\n", xml_text(output.doc));
-  if (!output.definition.empty()) text += block(formula(output.definition));
-  for (const SheetEquation& equation : output.equations) {
-    for (const Display& display : displays(equation)) {
-      text += block(display.columns > 0 ? matrix(display) : lines(display));
-    }
-  }
-  return text;
-}
-
-constexpr const char* style =
-    "body { font-family: serif; max-width: 52em; margin: 2em auto; padding: 0 1em; }\n"
-    "h1, h2 { font-weight: normal; }\n"
-    "table { border-collapse: collapse; margin: 1em 0; }\n"
-    "caption { text-align: left; font-style: italic; }\n"
-    "td { padding: 0.1em 0.8em 0.1em 0; }\n"
-    "math[display=block] { margin: 0.8em 0; overflow-x: auto; overflow-y: hidden; }\n"
-    "mtable.lines mtd { text-align: left; }\n";
 
 }  // namespace
 
 std::string html_page(const Sheet& sheet) {
-  const std::string title = xml_text(sheet.title);
-  std::string text = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>{}</title>\n"
-      "<style>\n{}</style>\n</head>\n<body>\n<h1>{}</h1>\n",
-      title, style, title);
-  for (const std::string& paragraph : {sheet.description, sheet.reference}) {
-    if (!paragraph.empty()) text += fmt::format("<p>{}</p>\n", xml_text(paragraph));
-  }
-  for (const std::string& note : sheet.notes) text += fmt::format("<p>{}</p>\n", xml_text(note));
-  text += block(formula(sheet.equation_of_motion));
-  text += table("Coordinates", sheet.coordinates);
-  text += table("Inputs", sheet.inputs);
-  text += table("Parameters", sheet.parameters);
-  for (const SheetOutput& output : sheet.outputs) text += section(output);
-  return text + "</body>\n</html>\n";
+  const PageWords words{xml_text, xml_text, formula, equation};
+  return fill_template("pages/mathml.html.mustache", page_data(sheet, words));
 }
 
 }  // namespace elgen

@@ -1,8 +1,5 @@
 // markdown_page: a Sheet as GitHub Markdown, formulas in blocks of $$.
-#include <fmt/format.h>
-
-#include "elgen/render.hpp"
-#include "render/display.hpp"
+#include "render/page_data.hpp"
 
 namespace elgen {
 namespace {
@@ -17,47 +14,12 @@ std::string plain(const std::string& text) {
   return result;
 }
 
-std::string block(const std::string& latex) { return fmt::format("$$\n{}\n$$\n\n", latex); }
-
-std::string table(const std::string& title, const std::vector<SheetVariable>& variables,
-                  bool have_values) {
-  if (variables.empty()) return {};
-  std::string text = have_values ? "| {} | | value | unit | |\n|---|---|---|---|---|\n"
-                                 : "| {} | | unit | |\n|---|---|---|---|\n";
-  text = fmt::format(fmt::runtime(text), title);
-  for (const SheetVariable& v : variables) {
-    const std::string value = have_values ? fmt::format(" {} |", plain(v.value)) : "";
-    text += fmt::format("| ${}$ | `{}` |{} {} | {} |\n", v.symbol, v.name, value, plain(v.unit),
-                        plain(v.doc));
-  }
-  return text + "\n";
-}
-
-std::string section(const SheetOutput& output) {
-  std::string text = fmt::format("## {}\n\n", output.name);
-  if (!output.doc.empty()) text += plain(output.doc) + "\n\n";
-  if (!output.definition.empty()) text += block(output.definition);
-  for (const SheetEquation& equation : output.equations) {
-    for (const Display& display : displays(equation)) {
-      text += block(latex_block(display));
-    }
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string markdown_page(const Sheet& sheet) {
-  std::string text = fmt::format("# {}\n\n", plain(sheet.title));
-  if (!sheet.description.empty()) text += plain(sheet.description) + "\n\n";
-  if (!sheet.reference.empty()) text += fmt::format("Reference: {}\n\n", plain(sheet.reference));
-  for (const std::string& note : sheet.notes) text += plain(note) + "\n\n";
-  text += block(sheet.equation_of_motion);
-  text += table("coordinate", sheet.coordinates, false);
-  text += table("input", sheet.inputs, false);
-  text += table("parameter", sheet.parameters, true);
-  for (const SheetOutput& output : sheet.outputs) text += section(output);
-  while (text.size() > 1 && text.substr(text.size() - 2) == "\n\n") text.pop_back();
+  const PageWords words{plain, unchanged, unchanged, latex_block};
+  std::string text = fill_template("pages/markdown.md.mustache", page_data(sheet, words));
+  while (text.ends_with("\n\n")) text.pop_back();
   return text;
 }
 

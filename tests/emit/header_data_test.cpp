@@ -19,7 +19,12 @@ TEST_CASE("sections for pivots and kinks, one item per function") {
   CHECK(data.get("storage")->string_value() == "row-major");
 }
 
-TEST_CASE("a partial ends without a line end") {
-  CHECK(partial("cpp/kinked.hpp.mustache").back() != '\n');
-  CHECK(partial("none").empty());
+TEST_CASE("a section that is absent leaves no second blank line") {
+  TemplateData data;
+  data.set("filled", section_if(false));
+  const std::string text = header_text("cpp/constant.hpp.mustache", data);
+  CHECK(text.find("\n\n\n") == std::string::npos);
+  CHECK(text.find("filled") == std::string::npos);
+  data.set("filled", section_if(true));
+  CHECK(header_text("cpp/constant.hpp.mustache", data).find("filled") != std::string::npos);
 }

@@ -9,7 +9,6 @@
 #include "emit/code/header_data.hpp"
 #include "emit/text/layout.hpp"
 #include "emit/text/parameters.hpp"
-#include "emit/text/stamp.hpp"
 #include "evaluate/scalar_literal.hpp"
 
 namespace elgen {
@@ -78,11 +77,9 @@ std::string c99_header(const EmissionInput& input) {
   data.set("scalar", scalar_name(c99_scalar(input.scene)));
   data.set("guard", upper_case(input.scene.base_name));
   data.set("capitals", upper_case(name_space(input.scene)));
-  data.set("kinked", partial("c99/kinked.h.mustache"));
   data.set("parameters", lines_data(documented_members(parameter_members(input))));
   data.set("default_parameters", lines_data(default_parameters(input)));
-  data.set("parts_of_function", partial("c99/parts_of_function.h.mustache"));
-  return stamped(fill_template("c99/header.h.mustache", data));
+  return header_text("c99/header.h.mustache", data);
 }
 
 }  // namespace elgen

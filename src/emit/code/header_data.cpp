@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "elgen/templates.hpp"
 #include "emit/code/definition.hpp"
 #include "emit/code/function_docs.hpp"
 #include "emit/code/statements.hpp"
@@ -113,6 +112,17 @@ void set_counts(TemplateData& data, const EmissionInput& input) {
   data.set("parameter_count", std::to_string(emitted_parameter_count(input.model, input.program)));
 }
 
+/// kainjow leaves an empty line where a section on lines of its own is not rendered.
+std::string without_repeated_blank_lines(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    const bool repeats = c == '\n' && result.size() > 1 && result.back() == '\n' &&
+                         result[result.size() - 2] == '\n';
+    if (!repeats) result += c;
+  }
+  return result;
+}
+
 }  // namespace
 
 TemplateData header_data(const EmissionInput& input, const Dialect& dialect) {
@@ -126,10 +136,8 @@ TemplateData header_data(const EmissionInput& input, const Dialect& dialect) {
   return data;
 }
 
-std::string partial(std::string_view path) {
-  std::string text(embedded_template(path));
-  if (!text.empty() && text.back() == '\n') text.pop_back();
-  return text;
+std::string header_text(std::string_view path, const TemplateData& data) {
+  return stamped(without_repeated_blank_lines(fill_template(path, data)));
 }
 
 }  // namespace elgen

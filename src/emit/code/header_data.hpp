@@ -7,14 +7,14 @@
 
 #include "emit/code/dialect.hpp"
 #include "emit/text/emission_input.hpp"
-#include "emit/text/fill_template.hpp"
+#include "render/fill_template.hpp"
 
 namespace elgen {
 
 /// Sections `kinks` and `regular` are there where sign, min or max, and pivots are.
 [[nodiscard]] TemplateData header_data(const EmissionInput& input, const Dialect& dialect);
 
-/// A template that stands on a line of its own in another one, which ends the line.
-[[nodiscard]] std::string partial(std::string_view path);
+/// The filled template with its body hash; blank lines are never doubled.
+[[nodiscard]] std::string header_text(std::string_view path, const TemplateData& data);
 
 }  // namespace elgen

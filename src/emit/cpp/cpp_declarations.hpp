@@ -3,7 +3,7 @@
 #pragma once
 
 #include "elgen/model.hpp"
-#include "emit/text/fill_template.hpp"
+#include "render/fill_template.hpp"
 #include "emit/text/layout.hpp"
 
 namespace elgen {

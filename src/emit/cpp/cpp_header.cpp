@@ -9,7 +9,6 @@
 #include "emit/cpp/cpp_dialect.hpp"
 #include "emit/text/layout.hpp"
 #include "emit/text/parameters.hpp"
-#include "emit/text/stamp.hpp"
 
 namespace elgen {
 namespace {
@@ -40,14 +39,11 @@ std::string cpp_header(const EmissionInput& input) {
   const std::vector<ParameterArray> parameters = emitted_parameters(input.model, input.program);
   TemplateData data = header_data(input, *cpp_dialect(input.model, input.program));
   data.set("declared", declared_arrays(input.model));
-  data.set("constant", partial("cpp/constant.hpp.mustache"));
   data.set("filled", section_if(has_filled_array(input.model, parameters)));
   data.set("numbers", numbers(input.program));
-  data.set("kinked", partial("cpp/kinked.hpp.mustache"));
   data.set("parameters",
            lines_data(documented_members(declared_parameters(input.model, parameters))));
-  data.set("parts_of_function", partial("cpp/parts_of_function.hpp.mustache"));
-  return stamped(fill_template("cpp/header.hpp.mustache", data));
+  return header_text("cpp/header.hpp.mustache", data);
 }
 
 }  // namespace elgen

@@ -6,7 +6,6 @@
 #include "emit/cpp/cpp_names.hpp"
 #include "emit/text/fields.hpp"
 #include "emit/text/layout.hpp"
-#include "emit/text/stamp.hpp"
 #include "emit/text/taken_name.hpp"
 
 namespace elgen {
@@ -16,8 +15,7 @@ std::string eigen_header(const EmissionInput& input) {
   const bool is_row_major = input.scene.emission.storage == Storage::row_major;
   data.set("header", input.scene.base_name + ".hpp");
   data.set("order", is_row_major ? "RowMajor" : "ColMajor");
-  data.set("parts_of_function", partial("cpp/parts_of_function.hpp.mustache"));
-  return stamped(fill_template("cpp/eigen.hpp.mustache", data));
+  return header_text("cpp/eigen.hpp.mustache", data);
 }
 
 Diagnostics eigen_check_names(const Model& /*model*/, const Scene& scene, const Program& program) {

@@ -1,9 +1,10 @@
 // fill_template: strict Mustache. kainjow's own context answers an unknown name with nothing; this
 // one throws, so that a misspelt hole fails the first test that renders it.
-#include "emit/text/fill_template.hpp"
+#include "render/fill_template.hpp"
 
 #include <fmt/format.h>
 
+#include <map>
 #include <stdexcept>
 
 #include "elgen/templates.hpp"
@@ -11,16 +12,26 @@
 namespace elgen {
 namespace {
 
+std::string_view template_at(std::string_view path) {
+  const std::string_view text = embedded_template(path);
+  if (text.empty()) throw std::logic_error(fmt::format("no template {}", path));
+  return text;
+}
+
 class StrictContext final : public kainjow::mustache::context<std::string> {
  public:
   using Base = kainjow::mustache::context<std::string>;
-  explicit StrictContext(const TemplateData* data) : Base(data) {}
+  StrictContext(const TemplateData* data, std::string_view path) : Base(data), path_(path) {}
 
   [[nodiscard]] const TemplateData* get(const std::string& name) const override {
     return known(Base::get(name), name);
   }
   [[nodiscard]] const TemplateData* get_partial(const std::string& name) const override {
-    return known(Base::get_partial(name), name);
+    const std::string_view folder = path_.substr(0, path_.find('/') + 1);
+    const std::string_view ending = path_.substr(path_.find('.'));
+    std::string text(template_at(fmt::format("{}{}{}", folder, name, ending)));
+    text.pop_back();  // the line it stands on ends in the other template
+    return &partials_.insert_or_assign(name, TemplateData(text)).first->second;
   }
 
  private:
@@ -28,18 +39,10 @@ class StrictContext final : public kainjow::mustache::context<std::string> {
     if (value == nullptr) throw std::logic_error("template hole without a value: " + name);
     return value;
   }
-};
 
-/// kainjow leaves an empty line where a section on lines of its own is not rendered.
-std::string without_repeated_blank_lines(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    const bool repeats = c == '\n' && result.size() > 1 && result.back() == '\n' &&
-                         result[result.size() - 2] == '\n';
-    if (!repeats) result += c;
-  }
-  return result;
-}
+  std::string_view path_;
+  mutable std::map<std::string, TemplateData> partials_ = {};
+};
 
 }  // namespace
 
@@ -56,14 +59,12 @@ TemplateData lines_data(const std::vector<std::string>& lines) {
 }
 
 std::string fill_template(std::string_view path, const TemplateData& data) {
-  const std::string_view text = embedded_template(path);
-  if (text.empty()) throw std::logic_error(fmt::format("no template {}", path));
-  kainjow::mustache::mustache picture{std::string(text)};
+  kainjow::mustache::mustache picture{std::string(template_at(path))};
   picture.set_custom_escape([](const std::string& value) { return value; });
-  StrictContext context(&data);
-  const std::string result = picture.render(context);
+  StrictContext context(&data, path);
+  std::string result = picture.render(context);
   if (!picture.is_valid()) throw std::logic_error(picture.error_message());
-  return without_repeated_blank_lines(result);
+  return result;
 }
 
 }  // namespace elgen

@@ -1,8 +1,8 @@
 // fill_template: a template and the values of its holes -> text.
 //
-// Templates are pictures of the output (Mustache): holes `{{{name}}}`, sections for what repeats or
-// may be absent, no logic. A hole without a value is a mistake in elgen and throws
-// std::logic_error.
+// Templates are pictures of the output (Mustache): holes `{{name}}`, sections for what repeats or
+// may be absent, other pictures of the folder by their names (`{{> kinked}}`), no logic. A hole
+// without a value is a mistake in elgen and throws std::logic_error.
 #pragma once
 
 #include <kainjow/mustache.hpp>
@@ -19,8 +19,7 @@ using TemplateData = kainjow::mustache::data;
 /// One element per line, each with the hole `line`; what a comment block repeats over.
 [[nodiscard]] TemplateData lines_data(const std::vector<std::string>& lines);
 
-/// Fills the embedded template at `path` ("cpp/header.hpp.mustache"). Text is put in unescaped;
-/// blank lines are never doubled.
+/// Fills the embedded template at `path` ("cpp/header.hpp.mustache"). Text is put in unescaped.
 [[nodiscard]] std::string fill_template(std::string_view path, const TemplateData& data);
 
 }  // namespace elgen

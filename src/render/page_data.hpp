@@ -1,0 +1,26 @@
+// page_data: a Sheet -> the values of the holes of templates/pages/, in the words of one language.
+#pragma once
+
+#include <string>
+
+#include "elgen/render.hpp"
+#include "render/display.hpp"
+#include "render/fill_template.hpp"
+
+namespace elgen {
+
+/// How a language of pages writes what a sheet has.
+struct PageWords {
+  std::string (*plain)(const std::string& text);     ///< prose, its markup escaped
+  std::string (*name)(const std::string& name);      ///< what models and programs call it
+  std::string (*formula)(const std::string& latex);  ///< in a line, without what encloses it
+  std::string (*equation)(const Display& display);   ///< on lines of its own
+};
+
+/// What is empty is a section that is absent; a text of one line or more is its `line`.
+[[nodiscard]] TemplateData page_data(const Sheet& sheet, const PageWords& words);
+
+/// A text that a language writes as it is.
+[[nodiscard]] std::string unchanged(const std::string& text);
+
+}  // namespace elgen

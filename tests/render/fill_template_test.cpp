@@ -1,0 +1,49 @@
+// fill_template: strict holes, no escaping; and every template is known by
+// its path.
+#include "render/fill_template.hpp"
+
+#include <catch2/catch.hpp>
+#include <stdexcept>
+
+#include "elgen/templates.hpp"
+
+using namespace elgen;
+
+TEST_CASE("a template without holes is its own text") {
+  CHECK(fill_template("cpp/kinked.hpp.mustache", TemplateData()) ==
+        embedded_template("cpp/kinked.hpp.mustache"));
+}
+
+TEST_CASE("text is not escaped") {
+  CHECK(fill_template("cpp/kinked.hpp.mustache", TemplateData()).find("&lt;") == std::string::npos);
+}
+
+TEST_CASE("a hole without a value and a template that is not there are mistakes of elgen") {
+  CHECK_THROWS_AS(fill_template("cpp/constant.hpp.mustache", TemplateData()), std::logic_error);
+  CHECK_THROWS_AS(fill_template("cpp/none.mustache", TemplateData()), std::logic_error);
+}
+
+TEST_CASE("a picture stands in another one of its folder, without its line end") {
+  TemplateData data;
+  for (const char* const name :
+       {"header", "namespace", "storage", "order", "generated", "model_hash", "scene_hash",
+        "body_hash", "function", "workspace"}) {
+    data.set(name, name);
+  }
+  const TemplateData none = section_if(false);
+  for (const char* const name : {"struct", "values", "part", "regular"}) data.set(name, none);
+  TemplateData function;
+  for (const char* const name : {"summary", "signature", "body"}) function.set(name, name);
+  function.set("parts", section_if(true));
+  data.set("functions", section_if(true, function));
+  const std::string text = fill_template("cpp/eigen.hpp.mustache", data);
+  CHECK(text.find("/// Values that several parts of function use.\n") != std::string::npos);
+  CHECK(text.find("}  // namespace detail\n\n/// summary\n") != std::string::npos);
+}
+
+TEST_CASE("lines and optional sections") {
+  CHECK(lines_data({"a", "b"}).list_value().size() == 2);
+  CHECK(lines_data({"a"}).list_value()[0].get("line")->string_value() == "a");
+  CHECK(section_if(false).is_empty_list());
+  CHECK(section_if(true).is_non_empty_list());
+}
