@@ -1,6 +1,7 @@
 // Turning: rotations among coordinates and velocities.
 #include "derive/lagrangian/turning.hpp"
 
+#include "derive/lagrangian/vector_algebra.hpp"
 #include "formulate/rotations.hpp"
 
 namespace elgen {
@@ -53,11 +54,9 @@ Vector turning_force(Derivation& derivation, const Vector& momentum) {
   Vector result(momentum.size());
   for (const RotationPlace& rotation : derivation.symbols.rotations) {
     const std::size_t first = rotation.first_velocity;
-    for (std::size_t k = 0; k < axis_count; ++k) {
-      const std::size_t i = first + (k + 1) % axis_count;
-      const std::size_t j = first + (k + 2) % axis_count;
-      result[first + k] =
-          derivation.symbols.v[i] * momentum[j] - derivation.symbols.v[j] * momentum[i];
+    for (const auto& [k, i, j] : cyclic_axes) {
+      result[first + k] = derivation.symbols.v[first + i] * momentum[first + j] -
+                          derivation.symbols.v[first + j] * momentum[first + i];
     }
   }
   return result;
@@ -68,12 +67,10 @@ void add_turning(Derivation& derivation, const Vector& mass, Vector& entries) {
   for (const RotationPlace& rotation : derivation.symbols.rotations) {
     const std::size_t first = rotation.first_velocity;
     // M [w]x: column k is m_i w_j - m_j w_i of the columns that follow it round.
-    for (std::size_t k = 0; k < axis_count; ++k) {
-      const std::size_t i = first + (k + 1) % axis_count;
-      const std::size_t j = first + (k + 2) % axis_count;
+    for (const auto& [k, i, j] : cyclic_axes) {
       for (std::size_t row = 0; row < n; ++row) {
-        const ex turned = mass[row * n + i] * derivation.symbols.v[j] -
-                          mass[row * n + j] * derivation.symbols.v[i];
+        const ex turned = mass[row * n + first + i] * derivation.symbols.v[first + j] -
+                          mass[row * n + first + j] * derivation.symbols.v[first + i];
         entries[row * n + first + k] += turned / 2;
       }
     }

@@ -5,11 +5,19 @@
 #include <array>
 #include <string>
 
-#include "elgen/lagrangian.hpp"
+#include "formulate/chain_rule.hpp"
 
 namespace elgen {
 
 using ExMatrix3 = std::array<GiNaC::ex, 9>;  ///< row-major
+
+/// An axis and the two that follow it round.
+struct CyclicAxes {
+  std::size_t i;
+  std::size_t j;
+  std::size_t k;
+};
+inline constexpr std::array<CyclicAxes, 3> cyclic_axes{{{0, 1, 2}, {1, 2, 0}, {2, 0, 1}}};
 
 [[nodiscard]] inline ExMatrix3 transposed(const ExMatrix3& a) {
   return {a[0], a[3], a[6], a[1], a[4], a[7], a[2], a[5], a[8]};
@@ -35,6 +43,11 @@ class VectorAlgebra {
       result[i] = elgen::define(definitions_, value[i], {name + axes[i], origin});
     }
     return result;
+  }
+
+  /// Its derivative along a direction.
+  [[nodiscard]] ExVector3 rate(const ExVector3& x, Tangent& along) {
+    return {define(along(x[0])), define(along(x[1])), define(along(x[2]))};
   }
 
   [[nodiscard]] ExVector3 add(const ExVector3& a, const ExVector3& b) {

@@ -57,12 +57,10 @@ Vector negative_solutions(SymmetricSolve& mass, const Vector& x, std::size_t col
 /// -[w]x in the upper left block of A.
 void add_turning_of_displacement(const Symbols& symbols, const RotationPlace& rotation, Vector& a) {
   const std::size_t columns = 2 * symbols.v.size();
-  for (std::size_t k = 0; k < axis_count; ++k) {
-    const std::size_t row = rotation.first_velocity + k;
-    const std::size_t i = rotation.first_velocity + (k + 1) % axis_count;
-    const std::size_t j = rotation.first_velocity + (k + 2) % axis_count;
-    a[row * columns + i] = symbols.v[j];
-    a[row * columns + j] = -symbols.v[i];
+  const std::size_t first = rotation.first_velocity;
+  for (const auto& [k, i, j] : cyclic_axes) {
+    a[(first + k) * columns + first + i] = symbols.v[first + j];
+    a[(first + k) * columns + first + j] = -symbols.v[first + i];
   }
 }
 

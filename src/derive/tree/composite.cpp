@@ -10,9 +10,7 @@ namespace {
 /// About axis k with i, j the two others; u = s (S_ii - S_jj) + 2 c S_ij:
 ///     S'_ii = S_ii - s u,   S'_jj = S_jj + s u,   S'_ij = c u - S_ij
 Symmetric3 turned_about_axis(VectorAlgebra& algebra, const StepRotation& r, const Symmetric3& s) {
-  const std::size_t k = r.axis;
-  const std::size_t i = (k + 1) % 3;
-  const std::size_t j = (k + 2) % 3;
+  const auto& [k, i, j] = cyclic_axes[r.axis];
   const ex& across = s[symmetric_index(i, j)];
   Symmetric3 result = s;
   if (GiNaC::is_a<GiNaC::numeric>(r.cosine)) {
@@ -61,9 +59,7 @@ CompositeInertia shifted(VectorAlgebra& algebra, const CompositeInertia& c, cons
   const ExVector3 k = algebra.add(c.moment, result.moment);
   ExVector3 along;
   for (std::size_t i = 0; i < 3; ++i) along[i] = algebra.define(p[i] * k[i]);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const std::size_t l = (i + 2) % 3;
+  for (const auto& [i, j, l] : cyclic_axes) {
     result.inertia[i] = algebra.define(c.inertia[i] + along[j] + along[l]);
     // (p_i k_j + p_j k_i)/2 = p_i h_j + p_j h'_i, since h' = h + m p.
     const ex across = p[i] * c.moment[j] + p[j] * result.moment[i];
@@ -91,9 +87,7 @@ CompositeInertia about_origin(VectorAlgebra& algebra, const RigidBody& body) {
   if (body.about_origin) return result;
   ExVector3 squares;
   for (std::size_t i = 0; i < 3; ++i) squares[i] = algebra.define(body.com[i] * result.moment[i]);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const std::size_t l = (i + 2) % 3;
+  for (const auto& [i, j, l] : cyclic_axes) {
     ex& across = result.inertia[symmetric_index(i, j)];
     result.inertia[i] = algebra.define(result.inertia[i] + squares[j] + squares[l]);
     across = algebra.define(across - body.com[i] * result.moment[j]);
@@ -133,19 +127,11 @@ CompositeInertia to_parent(Tree& tree, std::size_t step, const CompositeInertia&
 }
 
 std::vector<CompositeInertia> composite_inertias(Tree& tree) {
-  std::vector<CompositeInertia> result(tree.size());
-  for (const RigidBody& body : tree.bodies()) {
-    if (!body.step) continue;
-    const CompositeInertia own = about_origin(tree.algebra, body);
-    accumulate(tree.algebra, own, result[*body.step]);
-  }
-  for (std::size_t k = tree.size(); k-- > 0;) {
-    const auto& parent = tree.step(k).parent;
-    if (!parent) continue;
-    const CompositeInertia carried = to_parent(tree, k, result[k]);
-    accumulate(tree.algebra, carried, result[*parent]);
-  }
-  return result;
+  const auto own = on_steps<CompositeInertia>(
+      tree, [&](const RigidBody& body) { return about_origin(tree.algebra, body); });
+  return with_carried(tree, own, [&](std::size_t k, const CompositeInertia& inertia) {
+    return to_parent(tree, k, inertia);
+  });
 }
 
 SpatialForce momentum(VectorAlgebra& algebra, const CompositeInertia& inertia,

@@ -13,9 +13,7 @@ ExMatrix3 less_outer(VectorAlgebra& algebra, const ExMatrix3& a, const ExVector3
   ExMatrix3 result = a;
   ExVector3 along;
   for (std::size_t i = 0; i < 3; ++i) along[i] = algebra.define(x[i] * y[i]);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const std::size_t k = (i + 2) % 3;
+  for (const auto& [i, j, k] : cyclic_axes) {
     result[3 * i + i] = algebra.define(a[3 * i + i] + along[j] + along[k]);
     result[3 * i + j] = algebra.define(a[3 * i + j] - x[i] * y[j]);
     result[3 * i + k] = algebra.define(a[3 * i + k] - x[i] * y[k]);
@@ -26,9 +24,7 @@ ExMatrix3 less_outer(VectorAlgebra& algebra, const ExMatrix3& a, const ExVector3
 /// As for symmetric matrices (composite.cpp), with u = s (A_ii - A_jj) + c (A_ij + A_ji):
 ///     A'_ii = A_ii - s u,   A'_jj = A_jj + s u,   A'_ij = c u - A_ji,   A'_ji = c u - A_ij
 ExMatrix3 turned_about_axis(VectorAlgebra& algebra, const StepRotation& r, const ExMatrix3& a) {
-  const std::size_t k = r.axis;
-  const std::size_t i = (k + 1) % 3;
-  const std::size_t j = (k + 2) % 3;
+  const auto& [k, i, j] = cyclic_axes[r.axis];
   ExMatrix3 result = a;
   const ex difference = algebra.define(a[3 * i + i] - a[3 * j + j]);
   const ex sum = algebra.define(a[3 * i + j] + a[3 * j + i]);
@@ -85,20 +81,13 @@ ExMatrix3 spin_part(VectorAlgebra& algebra, const std::vector<ex>& inertia, cons
   for (std::size_t i = 0; i < 3; ++i) sigma[i] = algebra.define(half_trace - inertia[i]);
   for (std::size_t i = 3; i < 6; ++i) sigma[i] = algebra.define(-inertia[i]);
   ExMatrix3 result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const std::size_t k = (i + 2) % 3;
+  for (const auto& [i, j, k] : cyclic_axes) {
     for (std::size_t column = 0; column < 3; ++column) {
       result[3 * i + column] = algebra.define(w[k] * sigma[symmetric_index(j, column)] -
                                               w[j] * sigma[symmetric_index(k, column)]);
     }
   }
   return result;
-}
-
-void accumulate(VectorAlgebra& algebra, const CompositeRate& from, CompositeRate& to) {
-  for (std::size_t i = 0; i < 9; ++i) to.a[i] = algebra.define(to.a[i] + from.a[i]);
-  to.momentum = algebra.add(to.momentum, from.momentum);
 }
 
 /// About the origin. An inertia about the com is shifted like a composite.
@@ -117,6 +106,11 @@ CompositeRate own_rate(VectorAlgebra& algebra, const RigidBody& body, const Twis
 
 }  // namespace
 
+void accumulate(VectorAlgebra& algebra, const CompositeRate& from, CompositeRate& to) {
+  for (std::size_t i = 0; i < 9; ++i) to.a[i] = algebra.define(to.a[i] + from.a[i]);
+  to.momentum = algebra.add(to.momentum, from.momentum);
+}
+
 CompositeRate to_parent(Tree& tree, std::size_t step, const CompositeRate& rate) {
   CompositeRate result = rate;
   if (tree.step(step).kind == FrameStepKind::translation) {
@@ -129,19 +123,12 @@ CompositeRate to_parent(Tree& tree, std::size_t step, const CompositeRate& rate)
 }
 
 std::vector<CompositeRate> composite_rates(Tree& tree, const std::vector<Twist>& twists) {
-  std::vector<CompositeRate> result(tree.size());
-  for (const RigidBody& body : tree.bodies()) {
-    if (!body.step) continue;
-    const CompositeRate own = own_rate(tree.algebra, body, twists[*body.step]);
-    accumulate(tree.algebra, own, result[*body.step]);
-  }
-  for (std::size_t k = tree.size(); k-- > 0;) {
-    const auto& parent = tree.step(k).parent;
-    if (!parent) continue;
-    const CompositeRate carried = to_parent(tree, k, result[k]);
-    accumulate(tree.algebra, carried, result[*parent]);
-  }
-  return result;
+  const auto own = on_steps<CompositeRate>(tree, [&](const RigidBody& body) {
+    return own_rate(tree.algebra, body, twists[*body.step]);
+  });
+  return with_carried(tree, own, [&](std::size_t k, const CompositeRate& rate) {
+    return to_parent(tree, k, rate);
+  });
 }
 
 }  // namespace elgen

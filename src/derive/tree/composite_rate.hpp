@@ -17,6 +17,9 @@ struct CompositeRate {
   ExVector3 momentum{0, 0, 0};
 };
 
+/// to += from, both in the same axes.
+void accumulate(VectorAlgebra& algebra, const CompositeRate& from, CompositeRate& to);
+
 /// Of every step, in the axes after it, for the bodies moving with these twists.
 [[nodiscard]] std::vector<CompositeRate> composite_rates(Tree& tree,
                                                          const std::vector<Twist>& twists);

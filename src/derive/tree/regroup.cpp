@@ -57,9 +57,7 @@ CompositeInertia unmoved_part(const Tree& tree, std::size_t step, const Composit
   }
   part.mass = c.mass;
   if (r.kind == StepRotation::Kind::matrix) return part;
-  const std::size_t k = r.axis;
-  const std::size_t i = (k + 1) % 3;
-  const std::size_t j = (k + 2) % 3;
+  const auto& [k, i, j] = cyclic_axes[r.axis];
   part.moment[k] = c.moment[k];
   part.inertia[i] = part.inertia[j] = c.inertia[j];
   return part;

@@ -13,8 +13,8 @@ namespace {
 
 /// The coordinate axis a unit vector lies on, and its sign; none where it lies between.
 std::optional<std::pair<std::size_t, int>> coordinate_axis(const ExVector3& axis) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (!axis[(k + 1) % 3].is_zero() || !axis[(k + 2) % 3].is_zero()) continue;
+  for (const auto& [k, i, j] : cyclic_axes) {
+    if (!axis[i].is_zero() || !axis[j].is_zero()) continue;
     if (axis[k].is_equal(1)) return std::pair(k, 1);
     if (axis[k].is_equal(-1)) return std::pair(k, -1);
   }
@@ -25,9 +25,7 @@ std::optional<std::pair<std::size_t, int>> coordinate_axis(const ExVector3& axis
 ExMatrix3 turn_matrix(const ExVector3& n, const ex& cosine, const ex& sine) {
   const ex versine = 1 - cosine;
   ExMatrix3 r;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const std::size_t k = (i + 2) % 3;
+  for (const auto& [i, j, k] : cyclic_axes) {
     r[3 * i + i] = cosine + versine * n[i] * n[i];
     r[3 * i + j] = versine * n[i] * n[j] - sine * n[k];
     r[3 * i + k] = versine * n[i] * n[k] + sine * n[j];
@@ -38,9 +36,7 @@ ExMatrix3 turn_matrix(const ExVector3& n, const ex& cosine, const ex& sine) {
 /// The homogeneous quadratic form of (w, e): (w^2 - e.e) 1 + 2 e e^T + 2 w [e]x.
 ExMatrix3 quaternion_matrix(const std::array<ex, 4>& q) {
   ExMatrix3 r;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const std::size_t k = (i + 2) % 3;
+  for (const auto& [i, j, k] : cyclic_axes) {
     r[3 * i + i] = q[0] * q[0] + q[i + 1] * q[i + 1] - q[j + 1] * q[j + 1] - q[k + 1] * q[k + 1];
     r[3 * i + j] = 2 * (q[i + 1] * q[j + 1] - q[0] * q[k + 1]);
     r[3 * i + k] = 2 * (q[i + 1] * q[k + 1] + q[0] * q[j + 1]);
@@ -121,8 +117,7 @@ Vector by_velocities(Derivation& derivation, const TreeForces& forces) {
 ExVector3 Tree::rotated(const StepRotation& r, const ExVector3& x) {
   if (r.kind == StepRotation::Kind::none) return x;
   if (r.kind == StepRotation::Kind::matrix) return algebra.product(r.entries, x);
-  const std::size_t i = (r.axis + 1) % 3;
-  const std::size_t j = (r.axis + 2) % 3;
+  const auto& [axis, i, j] = cyclic_axes[r.axis];
   ExVector3 result = x;
   result[i] = r.cosine * x[i] - r.sine * x[j];
   result[j] = r.sine * x[i] + r.cosine * x[j];
@@ -152,11 +147,9 @@ ExVector3 Tree::relative_spin(std::size_t index, Tangent& along) {
   for (std::size_t i = 0; i < 4; ++i) rate[i] = algebra.define(along(s.quaternion[i]));
   const ex scale = algebra.define(2 / squared_length(s.quaternion));
   ExVector3 spin;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3 + 1;
-    const std::size_t k = (i + 2) % 3 + 1;
+  for (const auto& [i, j, k] : cyclic_axes) {
     spin[i] = scale * (s.quaternion[0] * rate[i + 1] - rate[0] * s.quaternion[i + 1] -
-                       s.quaternion[j] * rate[k] + s.quaternion[k] * rate[j]);
+                       s.quaternion[j + 1] * rate[k + 1] + s.quaternion[k + 1] * rate[j + 1]);
   }
   return algebra.define(spin);
 }
@@ -186,9 +179,7 @@ void Tree::weigh(std::size_t index, const SpatialForce& on_step, TreeForces& for
   const ex scale = algebra.define(2 / squared_length(q));
   const ex scalar = algebra.define(-(q[1] * n[0] + q[2] * n[1] + q[3] * n[2]));
   forces.pulled_back.push_back({q[0], algebra.define(scale * scalar)});
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const std::size_t k = (i + 2) % 3;
+  for (const auto& [i, j, k] : cyclic_axes) {
     const ex component = algebra.define(q[0] * n[i] + q[j + 1] * n[k] - q[k + 1] * n[j]);
     forces.pulled_back.push_back({q[i + 1], algebra.define(scale * component)});
   }
@@ -206,11 +197,9 @@ SpatialForce Tree::before(std::size_t index, const SpatialForce& force) {
 }
 
 std::vector<SpatialForce> Tree::carried(std::vector<SpatialForce> on_step) {
-  for (std::size_t k = size(); k-- > 0;) {
-    if (!step(k).parent) continue;
-    accumulate(algebra, before(k, on_step[k]), on_step[*step(k).parent]);
-  }
-  return on_step;
+  return with_carried(*this, std::move(on_step), [this](std::size_t k, const SpatialForce& force) {
+    return before(k, force);
+  });
 }
 
 TreeForces Tree::pull_back(std::vector<SpatialForce> on_step) {

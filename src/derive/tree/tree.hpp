@@ -107,6 +107,27 @@ class Tree {
 /// That of a Derivation, made when it is first asked for.
 [[nodiscard]] Tree& tree_of(Derivation& derivation);
 
+/// The sum on every step of what `of` makes of its bodies.
+template <class Value, class Of>
+[[nodiscard]] std::vector<Value> on_steps(Tree& tree, const Of& of) {
+  std::vector<Value> result(tree.size());
+  for (const RigidBody& body : tree.bodies()) {
+    if (body.step) accumulate(tree.algebra, of(body), result[*body.step]);
+  }
+  return result;
+}
+
+/// With what every step carries: `before` moves a value before a step, leaves first.
+template <class Value, class Before>
+[[nodiscard]] std::vector<Value> with_carried(Tree& tree, std::vector<Value> values,
+                                              const Before& before) {
+  for (std::size_t k = tree.size(); k-- > 0;) {
+    const auto& parent = tree.step(k).parent;
+    if (parent) accumulate(tree.algebra, before(k, values[k]), values[*parent]);
+  }
+  return values;
+}
+
 /// h = m c, or what the body was given.
 [[nodiscard]] ExVector3 first_moment(VectorAlgebra& algebra, const RigidBody& body);
 

@@ -14,9 +14,7 @@ ExMatrix3 acceleration_gradient(VectorAlgebra& algebra, const ExVector3& w, cons
   ExMatrix3 u;
   std::array<ex, 3> squares;
   for (std::size_t i = 0; i < 3; ++i) squares[i] = algebra.define(w[i] * w[i]);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const std::size_t k = (i + 2) % 3;
+  for (const auto& [i, j, k] : cyclic_axes) {
     const ex product = algebra.define(w[i] * w[j]);
     u[3 * i + i] = algebra.define(-squares[j] - squares[k]);
     u[3 * i + j] = algebra.define(product - rate[k]);
@@ -38,9 +36,7 @@ ExVector3 inertial_moment(VectorAlgebra& algebra, const std::vector<ex>& inertia
   const auto entry = [&](std::size_t i, std::size_t j) { return inertia[place[i][j]]; };
   const auto& u = motion.gradient;
   ExVector3 moment;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const std::size_t k = (i + 2) % 3;
+  for (const auto& [i, j, k] : cyclic_axes) {
     const ex difference = algebra.define(entry(k, k) - entry(j, j));
     const ex product = algebra.define(motion.spin[j] * motion.spin[k]);
     const ex stretch = algebra.define(u[3 * j + j] - u[3 * k + k]);
@@ -69,12 +65,8 @@ class MotionRecursion {
  private:
   StepMotion translated(std::size_t k, const StepMotion& from) {
     const ExVector3& p = tree_.step(k).vector;
-    ExVector3 rate;
-    ExVector3 second_rate;
-    for (std::size_t i = 0; i < 3; ++i) {
-      rate[i] = algebra_.define(by_.first(p[i]));
-      second_rate[i] = algebra_.define(by_.second(rate[i]));
-    }
+    const ExVector3 rate = algebra_.rate(p, by_.first);
+    const ExVector3 second_rate = algebra_.rate(rate, by_.second);
     StepMotion motion = from;
     const ExVector3 carried = algebra_.product(from.gradient, p);
     const ExVector3 coriolis = algebra_.scaled(2, algebra_.cross(from.spin, rate));
@@ -86,7 +78,7 @@ class MotionRecursion {
   StepMotion turned(std::size_t k, const StepMotion& from) {
     const TreeStep& step = tree_.step(k);
     const ExVector3 own = own_spin(tree_, k, by_.first);
-    const ExVector3 own_rate = own_spin_rate(own);
+    const ExVector3 own_rate = algebra_.rate(own, by_.second);
     StepMotion motion;
     const ExVector3 carried = tree_.to_child(k, from.spin);
     motion.spin = algebra_.define(sum(carried, own), step.name + "_spin", step.origin);
@@ -98,12 +90,6 @@ class MotionRecursion {
     motion.acceleration = tree_.to_child(k, from.acceleration);
     motion.gradient = acceleration_gradient(algebra_, motion.spin, motion.spin_rate);
     return motion;
-  }
-
-  ExVector3 own_spin_rate(const ExVector3& spin) {
-    ExVector3 rate;
-    for (std::size_t i = 0; i < 3; ++i) rate[i] = algebra_.define(by_.second(spin[i]));
-    return rate;
   }
 
   Tree& tree_;
@@ -145,13 +131,9 @@ std::vector<StepMotion> tree_motions(Tree& tree, const Acceleration& acceleratio
 
 std::vector<SpatialForce> inertial_forces_on_steps(Tree& tree,
                                                    const std::vector<StepMotion>& motions) {
-  std::vector<SpatialForce> on_step(tree.size());
-  for (const RigidBody& body : tree.bodies()) {
-    if (!body.step) continue;
-    const SpatialForce force = inertial_force(tree.algebra, body, motions[*body.step]);
-    accumulate(tree.algebra, force, on_step[*body.step]);
-  }
-  return on_step;
+  return on_steps<SpatialForce>(tree, [&](const RigidBody& body) {
+    return inertial_force(tree.algebra, body, motions[*body.step]);
+  });
 }
 
 TreeForces inertial_forces(Tree& tree, const Acceleration& acceleration) {

@@ -26,28 +26,28 @@ struct MassMoment {
   ExVector3 moment{0, 0, 0};
 };
 
-std::vector<MassMoment> mass_moments(Tree& tree) {
-  VectorAlgebra& algebra = tree.algebra;
-  std::vector<MassMoment> result(tree.size());
-  for (const RigidBody& body : tree.bodies()) {
-    if (!body.step) continue;
-    MassMoment& total = result[*body.step];
-    total.mass = algebra.define(total.mass + body.mass);
-    total.moment = algebra.add(total.moment, first_moment(algebra, body));
-  }
-  for (std::size_t k = tree.size(); k-- > 0;) {
-    const TreeStep& step = tree.step(k);
-    if (!step.parent) continue;
-    MassMoment& parent = result[*step.parent];
-    ExVector3 moment = tree.to_parent(k, result[k].moment);
-    if (step.kind == FrameStepKind::translation) {
-      const ExVector3 shift = algebra.scaled(result[k].mass, step.vector);
-      moment = algebra.add(moment, shift);
-    }
-    parent.mass = algebra.define(parent.mass + result[k].mass);
-    parent.moment = algebra.add(parent.moment, moment);
+void accumulate(VectorAlgebra& algebra, const MassMoment& from, MassMoment& to) {
+  to.mass = algebra.define(to.mass + from.mass);
+  to.moment = algebra.add(to.moment, from.moment);
+}
+
+/// About the origin before the step, in the axes there.
+MassMoment to_parent(Tree& tree, std::size_t index, const MassMoment& c) {
+  MassMoment result{c.mass, tree.to_parent(index, c.moment)};
+  const TreeStep& step = tree.step(index);
+  if (step.kind == FrameStepKind::translation) {
+    result.moment = tree.algebra.add(result.moment, tree.algebra.scaled(c.mass, step.vector));
   }
   return result;
+}
+
+std::vector<MassMoment> mass_moments(Tree& tree) {
+  const auto own = on_steps<MassMoment>(tree, [&](const RigidBody& body) {
+    return MassMoment{body.mass, first_moment(tree.algebra, body)};
+  });
+  return with_carried(tree, own, [&](std::size_t k, const MassMoment& carried) {
+    return to_parent(tree, k, carried);
+  });
 }
 
 }  // namespace
@@ -79,12 +79,7 @@ Terms tree_potential_energy(Tree& tree) {
   }
   for (std::size_t k = 0; k < tree.size(); ++k) {
     if (tree.step(k).parent) continue;
-    ExVector3 moment = tree.to_parent(k, carried[k].moment);
-    if (tree.step(k).kind == FrameStepKind::translation) {
-      const ExVector3 shift = algebra.scaled(carried[k].mass, tree.step(k).vector);
-      moment = algebra.add(moment, shift);
-    }
-    terms.push_back(-algebra.dot(g, moment));
+    terms.push_back(-algebra.dot(g, to_parent(tree, k, carried[k]).moment));
   }
   return terms;
 }

@@ -54,8 +54,7 @@ std::vector<Twist> tree_twists(Tree& tree, Tangent& along) {
     const Twist from = step.parent ? twists[*step.parent] : Twist{};
     Twist twist = from;
     if (step.kind == FrameStepKind::translation) {
-      ExVector3 rate;
-      for (std::size_t i = 0; i < 3; ++i) rate[i] = algebra.define(along(step.vector[i]));
+      const ExVector3 rate = algebra.rate(step.vector, along);
       const ExVector3 carried = algebra.cross(from.spin, step.vector);
       twist.velocity = algebra.add(from.velocity, algebra.add(carried, rate));
     } else {
@@ -71,20 +70,18 @@ std::vector<Twist> tree_twists(Tree& tree, Tangent& along) {
 TreeForces tree_momentum(Tree& tree) {
   VectorAlgebra& algebra = tree.algebra;
   const std::vector<Twist> twists = tree_twists(tree, tree.derivation().coasting);
-  std::vector<SpatialForce> on_step(tree.size());
-  for (const RigidBody& body : tree.bodies()) {
-    if (!body.step) continue;
+  return tree.pull_back(on_steps<SpatialForce>(tree, [&](const RigidBody& body) {
+    const Twist& twist = twists[*body.step];
     // Momentum about the com, so the inertia has to be about it too.
     SpatialForce momentum;
-    momentum.moment = spin_momentum(algebra, body, twists[*body.step].spin);
-    momentum.force = momentum_of(algebra, body, twists[*body.step]);
-    const ExVector3 lever =
-        body.about_origin ? algebra.cross(first_moment(algebra, body), twists[*body.step].velocity)
-                          : algebra.cross(body.com, momentum.force);
+    momentum.moment = spin_momentum(algebra, body, twist.spin);
+    momentum.force = momentum_of(algebra, body, twist);
+    const ExVector3 lever = body.about_origin
+                                ? algebra.cross(first_moment(algebra, body), twist.velocity)
+                                : algebra.cross(body.com, momentum.force);
     momentum.moment = algebra.add(momentum.moment, lever);
-    accumulate(algebra, momentum, on_step[*body.step]);
-  }
-  return tree.pull_back(std::move(on_step));
+    return momentum;
+  }));
 }
 
 Terms tree_kinetic_energy(Tree& tree, Tangent& along) {
