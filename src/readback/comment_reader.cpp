@@ -27,10 +27,10 @@ class CommentReader {
       : tokens_(tokens), equations_(equations), function_(equations.function()) {}
 
   void read(const std::vector<Line>& listing) {
-    if (is_struct(function_)) field_ = function_.fields.size();
+    if (gives_struct(function_)) field_ = function_.fields.size();
     for (const Line& line : listing) read_line(line);
     if (!listing.empty()) expect_all_entries(listing.back());
-    if (is_struct(function_) && next_field_ < function_.fields.size()) {
+    if (gives_struct(function_) && next_field_ < function_.fields.size()) {
       fail(listing.back(), quoted(function_.fields[next_field_].name) + " is missing");
     }
   }
@@ -56,7 +56,7 @@ class CommentReader {
 
   void start_field(const Line& line) {
     if (field_ < function_.fields.size()) expect_all_entries(line);
-    const bool is_next = is_struct(function_) && next_field_ < function_.fields.size() &&
+    const bool is_next = gives_struct(function_) && next_field_ < function_.fields.size() &&
                          line.text == function_.fields[next_field_].name + ":";
     if (!is_next) fail(line, "another field should follow here");
     field_ = next_field_++;
@@ -140,7 +140,7 @@ bool is_reference(const std::string& text, const Function& function, const Scene
 /// The shape is a part of the heading where there is one field.
 bool names_shape(const std::string& heading, const Function& function, const Scene& scene) {
   const Field& field = function.fields.front();
-  if (is_struct(function) || field.columns == 1) return true;
+  if (gives_struct(function) || field.columns == 1) return true;
   const std::string shape =
       fmt::format(" {} x {}, {}", field.rows, field.columns, name_of(scene.emission.storage));
   return heading.find(shape) != std::string::npos;

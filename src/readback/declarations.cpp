@@ -131,7 +131,7 @@ std::map<std::string, ParameterMember, std::less<>> parameter_members(const Orig
   const std::vector<std::string>& names = origin.program.leaves.parameters;
   for (std::uint32_t i = 0; i < names.size(); ++i) leaves.emplace(names[i], i);
   std::map<std::string, ParameterMember, std::less<>> members;
-  for (const ParameterArray& array : read_parameters(origin)) {
+  for (const ParameterArray& array : emitted_parameters(origin.model, origin.program)) {
     ParameterMember member{array.is_array};
     for (std::uint32_t i = 0; i < array.count; ++i) {
       const auto leaf = leaves.find(origin.model.parameters[array.first + i].name);
@@ -144,7 +144,7 @@ std::map<std::string, ParameterMember, std::less<>> parameter_members(const Orig
 }
 
 void read_cpp_parameters(TokenReader& tokens, const Origin& origin) {
-  for (const ParameterArray& array : read_parameters(origin)) {
+  for (const ParameterArray& array : emitted_parameters(origin.model, origin.program)) {
     const std::vector<cln::cl_R> values = values_of(origin.model, array);
     if (array.is_array) {
       tokens.expect_code(fmt::format("std::array<Scalar, {}> {} =", array.count, array.name));
@@ -158,7 +158,7 @@ void read_cpp_parameters(TokenReader& tokens, const Origin& origin) {
 }
 
 void read_c_parameters(TokenReader& tokens, const Origin& origin, const CodeDialect& dialect) {
-  const std::vector<ParameterArray> arrays = read_parameters(origin);
+  const std::vector<ParameterArray> arrays = emitted_parameters(origin.model, origin.program);
   for (const ParameterArray& array : arrays) {
     tokens.expect_code(fmt::format("{} {}", dialect.scalar, array.name));
     if (array.is_array) tokens.expect_code(fmt::format("[{}]", array.count));
@@ -168,16 +168,16 @@ void read_c_parameters(TokenReader& tokens, const Origin& origin, const CodeDial
 }
 
 void read_c_defaults(TokenReader& tokens, const Origin& origin, const CodeDialect& dialect) {
-  const std::vector<ParameterArray> arrays = read_parameters(origin);
+  const std::vector<ParameterArray> arrays = emitted_parameters(origin.model, origin.program);
   tokens.expect("#");
   tokens.expect_code(
-      fmt::format("define {}_DEFAULT_PARAMETERS {{", upper_case(name_space_of(origin.scene))));
+      fmt::format("define {}_DEFAULT_PARAMETERS {{", capitals(name_space(origin.scene))));
   for (const ParameterArray& array : arrays) {
     if (array.is_array) tokens.expect("{");
     bool is_first = true;
     for (const cln::cl_R& value : values_of(origin.model, array)) {
       if (!is_first) tokens.expect(",");
-      read_c_number(tokens, value, dialect.kind);
+      read_c_number(tokens, value, *dialect.scalar_kind);
       is_first = false;
     }
     if (array.is_array) tokens.expect("}");

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "elgen/model.hpp"
 #include "elgen/program.hpp"
 #include "elgen/scene.hpp"
+#include "lower/code_interface.hpp"
 
 namespace elgen {
 
@@ -21,16 +21,11 @@ struct CodeDialect {
   std::string member = {};  ///< "." or "->"
   std::string open = {};    ///< of the index of a result: "[" or "("
   std::string close = {};
-  std::string prefix = {};                         ///< of the names of C functions
-  ScalarKind kind = ScalarKind::double_precision;  ///< of C
+  std::string prefix = {};                     ///< of the names of C functions
+  std::optional<ScalarKind> scalar_kind = {};  ///< of C; other code is for any scalar
 };
 
 [[nodiscard]] CodeDialect dialect_of(Shape shape, const Scene& scene);
-
-/// "cart_pole": the namespace of C++, the start of every name in C.
-[[nodiscard]] const std::string& name_space_of(const Scene& scene);
-
-[[nodiscard]] std::string upper_case(std::string text);
 
 /// What a file is about.
 struct Origin {
@@ -38,14 +33,5 @@ struct Origin {
   const Scene& scene;
   const Program& program;
 };
-
-/// Those that a function of the program reads, in the order of the model.
-[[nodiscard]] std::vector<ParameterArray> read_parameters(const Origin& origin);
-
-/// Whether a function gives several named arrays.
-[[nodiscard]] bool is_struct(const Function& function);
-
-/// Entries of a field in the order of storage.
-[[nodiscard]] std::vector<std::uint32_t> stored_entries(const Field& field, Storage storage);
 
 }  // namespace elgen

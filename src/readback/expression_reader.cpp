@@ -47,7 +47,7 @@ SignedNode ExpressionReader::unary() {
 
 SignedNode ExpressionReader::primary() {
   if (tokens_.at("(")) return bracketed();
-  if (tokens_.at(CodeTokenKind::number) && file_.dialect.shape == Shape::c99) return literal();
+  if (tokens_.at(CodeTokenKind::number) && is_c()) return literal();
   if (!tokens_.at(CodeTokenKind::name)) tokens_.fail_expected("an operand");
   return named();
 }
@@ -65,12 +65,12 @@ SignedNode ExpressionReader::bracketed() {
 SignedNode ExpressionReader::literal() {
   const CodeToken token = tokens_.advance();
   const std::optional<Literal> literal = read_literal(token.text);
-  const bool is_float = file_.dialect.kind == ScalarKind::single_precision;
+  const bool is_float = file_.dialect.scalar_kind == ScalarKind::single_precision;
   if (!literal || literal->suffix != (is_float ? 'f' : '\0')) {
     tokens_.fail(tokens_.span(token),
                  quoted(token.text) + " is no literal of type " + file_.dialect.scalar);
   }
-  return graph_.constant(rounded(literal->value, file_.dialect.kind));
+  return graph_.constant(rounded(literal->value, *file_.dialect.scalar_kind));
 }
 
 /// constant<Scalar>(0.5): a number that is the same in every scalar.
@@ -95,7 +95,7 @@ SignedNode ExpressionReader::named() {
   const auto local = body_->locals.find(name.text);
   if (local != body_->locals.end()) return local->second;
   if (tokens_.at("(")) return call(name);
-  if (file_.dialect.shape == Shape::c99) expect_in_scope(name);
+  if (is_c()) expect_in_scope(name);
   if (name.text == "constant") return short_constant();
   if (name.text == "detail") return kinked();
   return named_number(name);
@@ -162,50 +162,40 @@ SignedNode ExpressionReader::kinked() {
 }
 
 std::optional<FunctionId> ExpressionReader::kinked_function(std::string_view helper) const {
-  if (helper == "sign_of") return FunctionId::sign;
-  if (helper == "smaller") return FunctionId::min;
-  if (helper == "larger") return FunctionId::max;
+  for (const FunctionRow& row : function_table) {
+    if (own_name(row.id) == helper) return row.id;
+  }
   return std::nullopt;
 }
 
 /// Of C in float: sinf is sin.
 std::string_view ExpressionReader::without_suffix(std::string_view name) const {
-  const CodeDialect& dialect = file_.dialect;
-  if (dialect.shape != Shape::c99 || dialect.kind != ScalarKind::single_precision) return name;
+  if (file_.dialect.scalar_kind != ScalarKind::single_precision) return name;
   return name.ends_with('f') ? name.substr(0, name.size() - 1) : std::string_view();
-}
-
-bool ExpressionReader::is_square_root(std::string_view name) const {
-  return without_suffix(name) == "sqrt";
 }
 
 /// What a call by this name computes, square roots apart.
 std::optional<FunctionId> ExpressionReader::function_named(std::string_view name) const {
-  const bool is_c = file_.dialect.shape == Shape::c99;
   const std::string& prefix = file_.dialect.prefix;
-  if (is_c && name.starts_with(prefix)) return kinked_function(name.substr(prefix.size()));
+  if (is_c() && name.starts_with(prefix)) return kinked_function(name.substr(prefix.size()));
   const std::string_view plain = without_suffix(name);
-  if (is_c && plain == "fabs") return FunctionId::abs;
+  if (is_c() && plain == "fabs") return FunctionId::abs;
   const FunctionRow* row = find_function(plain);
   const bool is_library =
-      row != nullptr && (!is_kinked(row->id) || (!is_c && row->id == FunctionId::abs));
+      row != nullptr && (!is_kinked(row->id) || (!is_c() && row->id == FunctionId::abs));
   return is_library ? std::optional(row->id) : std::nullopt;
 }
 
 SignedNode ExpressionReader::call(const CodeToken& name) {
-  const bool is_root = is_square_root(name.text);
+  const bool is_root = without_suffix(name.text) == "sqrt";
   const std::optional<FunctionId> function = function_named(name.text);
-  const bool is_known = file_.dialect.shape == Shape::c99 || body_->used.count(name.text) > 0;
+  const bool is_known = is_c() || body_->used.count(name.text) > 0;
   if ((!is_root && !function) || !is_known) expect_in_scope(name);
   return is_root ? graph_.square_root(bracketed()) : call_of(*function);
 }
 
 SignedNode ExpressionReader::call_of(FunctionId function) {
-  const bool is_binary = function_row(function).arity > 1;
-  if (!is_binary) {
-    const SignedNode x = bracketed();
-    return graph_.call(function, x, {});
-  }
+  if (function_row(function).arity == 1) return graph_.call(function, bracketed(), {});
   tokens_.expect("(");
   const SignedNode x = sum();
   tokens_.expect(",");

@@ -55,6 +55,7 @@ class ExpressionReader {
   [[nodiscard]] SignedNode read(const BodyScope& body);
 
  private:
+  [[nodiscard]] bool is_c() const { return file_.dialect.shape == Shape::c99; }
   SignedNode sum();
   SignedNode product();
   SignedNode unary();
@@ -70,7 +71,6 @@ class ExpressionReader {
   SignedNode kinked();
   std::optional<FunctionId> kinked_function(std::string_view helper) const;
   std::optional<FunctionId> function_named(std::string_view name) const;
-  bool is_square_root(std::string_view name) const;
   std::string_view without_suffix(std::string_view name) const;
   SignedNode call(const CodeToken& name);
   SignedNode call_of(FunctionId function);

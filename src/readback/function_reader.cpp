@@ -7,7 +7,6 @@
 
 #include "elgen/fold.hpp"
 #include "elgen/wording.hpp"
-#include "readback/literal.hpp"
 
 namespace elgen {
 namespace {
@@ -20,58 +19,31 @@ std::vector<std::uint32_t> named_instructions(const std::vector<std::string>& na
   return named;
 }
 
-/// The rules of what code stands for; constants of C are rounded.
-struct CodeRules {
-  ValueGraph& graph;
-  const CodeDialect& dialect;
-
-  [[nodiscard]] SignedNode constant(const Constant& constant) const {
-    const bool is_c = dialect.shape == Shape::c99;
-    return graph.constant(is_c ? rounded(constant.value, dialect.kind) : constant.value);
-  }
-  [[nodiscard]] SignedNode leaf(Opcode kind, std::uint32_t number) const {
-    return graph.leaf(kind, number);
-  }
-  [[nodiscard]] static SignedNode negate(SignedNode x) { return negated(x); }
-  [[nodiscard]] SignedNode add(SignedNode x, SignedNode y) const {
-    return graph.binary(Opcode::add, x, y);
-  }
-  [[nodiscard]] SignedNode subtract(SignedNode x, SignedNode y) const {
-    return graph.binary(Opcode::subtract, x, y);
-  }
-  [[nodiscard]] SignedNode multiply(SignedNode x, SignedNode y) const {
-    return graph.binary(Opcode::multiply, x, y);
-  }
-  [[nodiscard]] SignedNode divide(SignedNode x, SignedNode y) const {
-    return graph.binary(Opcode::divide, x, y);
-  }
-  [[nodiscard]] SignedNode square_root(SignedNode x) const { return graph.square_root(x); }
-  [[nodiscard]] SignedNode call(FunctionId function, SignedNode x, SignedNode y) const {
-    return graph.call(function, x, y);
-  }
-};
-
 }  // namespace
 
 FunctionReader::FunctionReader(TokenReader& tokens, const FileScope& file, const Function& function)
     : tokens_(tokens),
       file_(file),
       function_(function),
+      graph_(file.dialect.scalar_kind),
       arguments_(arguments_of(file.origin.model, function)),
       expressions_(tokens, graph_, file, workspace_) {
   tokens.set_function(function.name);
   const Program& program = file.origin.program;
-  values_ = fold<SignedNode>(CodeRules{graph_, file.dialect}, program, function);
+  values_ = fold<SignedNode>(graph_, program, function);
   const std::vector<std::string> names = temporary_names(program, function);
   named_ = named_instructions(names);
   for (const std::uint32_t named : named_) graph_.set_name(values_[named], names[named]);
-  for (const Field& field : function.fields) {
-    results_.push_back({field, stored_entries(field, file.origin.scene.emission.storage),
-                        std::vector<bool>(field.entries.size(), false)});
+  const Function ordered = stored(function, file.origin.scene.emission.storage);
+  for (std::size_t i = 0; i < function.fields.size(); ++i) {
+    const Field& field = function.fields[i];
+    results_.push_back({field, ordered.fields[i].entries,
+                        std::vector<bool>(field.entries.size(), false),
+                        is_scalar(program, function, field)});
   }
 }
 
-bool FunctionReader::wants_struct() const { return is_struct(function_) && !has_members_; }
+bool FunctionReader::wants_struct() const { return gives_struct(function_) && !has_members_; }
 
 bool FunctionReader::wants_parts() {
   in_parts_ = !has_parts() && tokens_.at(is_c() ? "typedef" : "namespace");
@@ -150,8 +122,7 @@ void FunctionReader::declaration() {
 /// Vector<Scalar, 2> result;
 void FunctionReader::result_declaration() {
   if (file_.dialect.shape != Shape::eigen || !is_returned_) tokens_.fail_expected("a statement");
-  result_type();
-  tokens_.expect_code("result;");
+  tokens_.expect_code(result_type() + " result;");
   has_result_ = true;
 }
 
@@ -194,7 +165,7 @@ std::size_t FunctionReader::result_named(std::string_view name, const CodeToken&
 void FunctionReader::assignment() {
   const CodeToken start = tokens_.advance();
   std::size_t result = 0;
-  if (is_struct(function_)) {
+  if (gives_struct(function_)) {
     tokens_.expect(file_.dialect.member);
     const CodeToken name = tokens_.current();
     result = result_named(tokens_.name(), name);
@@ -250,11 +221,11 @@ void FunctionReader::returned() {
 
 /// One number, the entries of one array, or those of each field of a struct.
 void FunctionReader::returned_values() {
-  if (!is_struct(function_) && results_.front().is_number) {
+  if (!gives_struct(function_) && results_.front().is_number) {
     return entry(0, 0, tokens_.current());
   }
   if (file_.dialect.shape != Shape::cpp) tokens_.fail_expected("`result`");
-  if (!is_struct(function_)) return array_value(0);
+  if (!gives_struct(function_)) return array_value(0);
   tokens_.expect("{");
   for (std::size_t i = 0; i < results_.size(); ++i) {
     if (i > 0) tokens_.expect(",");
@@ -296,10 +267,7 @@ void FunctionReader::calls_of_parts() {
     if (is_returned_) tokens_.expect_code(file_.dialect.scalar + " result[1];");
     tokens_.expect_code(fmt::format("{} w;", workspace_name_));
   } else {
-    if (is_returned_) {
-      result_type();
-      tokens_.expect_code("result;");
-    }
+    if (is_returned_) tokens_.expect_code(result_type() + " result;");
     tokens_.expect_code(fmt::format("detail::{}<Scalar> w;", workspace_name_));
   }
   for (std::size_t part = 1; part <= parts_; ++part) {

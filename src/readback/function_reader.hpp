@@ -13,14 +13,6 @@
 
 namespace elgen {
 
-/// A type as written: a number, an array of `rows` times `columns`, or the function's struct.
-struct WrittenType {
-  enum class Kind : std::uint8_t { number, array, matrix, structure };
-  Kind kind = Kind::number;
-  std::size_t rows = 1;
-  std::size_t columns = 1;
-};
-
 class FunctionReader {
  public:
   FunctionReader(TokenReader& tokens, const FileScope& file, const Function& function);
@@ -46,7 +38,7 @@ class FunctionReader {
     const Field& field;
     std::vector<std::uint32_t> entries;  ///< instructions, as stored
     std::vector<bool> written;
-    bool is_number = false;
+    bool is_number;
   };
 
   [[nodiscard]] bool is_c() const { return file_.dialect.shape == Shape::c99; }
@@ -55,13 +47,8 @@ class FunctionReader {
 
   /// The first occurrence of a name says it, the others repeat it.
   void same_name(std::string_view& known);
-  WrittenType type();
-  WrittenType eigen_type();
-  WrittenType array_type();
-  std::size_t count();
-  void expect_type(const WrittenType& type, Result& result, const CodeToken& first);
-  void result_type();
-  void c_member(Result& result);
+  [[nodiscard]] std::string type_of(const Result& result) const;
+  [[nodiscard]] std::string result_type() const;
 
   void cpp_signature();
   void cpp_part_signature();
@@ -93,7 +80,7 @@ class FunctionReader {
   TokenReader& tokens_;
   const FileScope& file_;
   const Function& function_;
-  ValueGraph graph_ = {};
+  ValueGraph graph_;
   std::vector<SignedNode> values_ = {};    ///< of every instruction
   std::vector<std::uint32_t> named_ = {};  ///< instructions that are statements
   std::size_t next_statement_ = 0;

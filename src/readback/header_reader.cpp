@@ -1,7 +1,6 @@
 // header_reader: the holes of each picture, and who reads them.
 #include "readback/header_reader.hpp"
 
-#include <algorithm>
 #include <memory>
 
 #include "evaluate/scalar_literal.hpp"
@@ -20,35 +19,17 @@ using Texts = std::map<std::string, std::string>;
 /// The holes that are the same everywhere in a file.
 Texts known_texts(const Origin& origin, const CodeDialect& dialect) {
   const auto& [model, scene, program] = origin;
-  std::size_t parameters = 0;
-  for (const ParameterArray& array : read_parameters(origin)) parameters += array.count;
   const bool is_row_major = scene.emission.storage == Storage::row_major;
-  return {{"namespace", name_space_of(scene)},
-          {"capitals", upper_case(name_space_of(scene))},
-          {"guard", upper_case(scene.base_name)},
+  return {{"namespace", name_space(scene)},
+          {"capitals", capitals(name_space(scene))},
+          {"guard", capitals(scene.base_name)},
           {"header", scene.base_name + ".hpp"},
           {"order", is_row_major ? "RowMajor" : "ColMajor"},
           {"scalar", dialect.scalar},
           {"coordinate_count", std::to_string(model.coordinates.size())},
           {"velocity_count", std::to_string(model.velocities.size())},
           {"input_count", std::to_string(model.inputs.size())},
-          {"parameter_count", std::to_string(parameters)}};
-}
-
-bool has_kinks(const Program& program) {
-  const auto is_kinked = [](const Instruction& i) {
-    return i.opcode == Opcode::call &&
-           (i.function == FunctionId::sign || i.function == FunctionId::min ||
-            i.function == FunctionId::max);
-  };
-  return std::any_of(program.functions.begin(), program.functions.end(), [&](const Function& f) {
-    return std::any_of(f.instructions.begin(), f.instructions.end(), is_kinked);
-  });
-}
-
-bool has_pivots(const Program& program) {
-  return std::any_of(program.functions.begin(), program.functions.end(),
-                     [](const Function& f) { return output_row(f.kind).gives_pivots; });
+          {"parameter_count", std::to_string(emitted_parameter_count(model, program))}};
 }
 
 /// A section that stands there once wherever the picture has it, or nowhere.
@@ -74,8 +55,8 @@ class Functions {
     readers.sections["part"] = [this] { return reader_->wants_part(); };
     readers.sections["members"] = whole(&FunctionReader::struct_members);
     readers.sections["values"] = whole(&FunctionReader::workspace_members);
-    readers.sections["kinks"] = once(has_kinks(program));
-    readers.sections["regular"] = once(has_pivots(program));
+    readers.sections["kinks"] = once(calls_own_functions(program));
+    readers.sections["regular"] = once(gives_pivots(program));
     readers.holes["name"] = [this] { reader_->struct_name(); };
     readers.holes["workspace"] = [this] { reader_->workspace_name(); };
     readers.holes["signature"] = [this] { reader_->signature(); };

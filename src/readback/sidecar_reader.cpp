@@ -108,7 +108,7 @@ class SidecarReader {
   }
 
   void parameters(Json list) {
-    const std::vector<ParameterArray> arrays = read_parameters(origin_);
+    const std::vector<ParameterArray> arrays = emitted_parameters(origin_.model, origin_.program);
     expect_size(list, arrays.size());
     for (std::size_t i = 0; i < arrays.size(); ++i) {
       const ParameterArray& array = arrays[i];
@@ -153,7 +153,7 @@ class SidecarReader {
 
   void equations(Json& output, const Function& function) {
     if (output.contains("definitions")) definitions(take(output, "definitions"));
-    if (!is_struct(function)) return field(output, function.fields.front());
+    if (!gives_struct(function)) return field(output, function.fields.front());
     Json fields = take(output, "fields");
     for (const Field& each : function.fields) {
       Json entries = take(fields, each.name);

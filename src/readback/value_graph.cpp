@@ -6,6 +6,7 @@
 #include <array>
 
 #include "base/number_text.hpp"
+#include "readback/literal.hpp"
 
 namespace elgen {
 namespace {
@@ -46,8 +47,7 @@ SignedNode negated(SignedNode x) {
   return x;
 }
 
-std::size_t ValueGraph::Hash::operator()(const Node& node) const {
-  const Instruction& i = node.instruction;
+std::size_t ValueGraph::Hash::operator()(const Instruction& i) const {
   const auto kind =
       static_cast<std::uint64_t>(i.opcode) * 64 + static_cast<std::uint64_t>(i.function);
   const std::uint64_t operands = (std::uint64_t{i.a} << 32U) | i.b;
@@ -56,9 +56,13 @@ std::size_t ValueGraph::Hash::operator()(const Node& node) const {
 
 SignedNode ValueGraph::node(const Instruction& instruction) {
   const auto next = static_cast<std::uint32_t>(nodes_.size());
-  const auto [known, is_new] = known_.emplace(Node{instruction}, next);
-  if (is_new) nodes_.push_back({instruction});
+  const auto [known, is_new] = known_.emplace(instruction, next);
+  if (is_new) nodes_.push_back(instruction);
   return {known->second, false};
+}
+
+SignedNode ValueGraph::constant(const Constant& constant) {
+  return this->constant(scalar_ ? rounded(constant.value, *scalar_) : constant.value);
 }
 
 SignedNode ValueGraph::constant(const cln::cl_R& value) {
@@ -97,8 +101,8 @@ void ValueGraph::set_name(SignedNode value, const std::string& name) {
 
 std::pair<SignedNode, SignedNode> ValueGraph::difference(SignedNode x, SignedNode y) const {
   for (;;) {
-    const Instruction& i = nodes_[x.node].instruction;
-    const Instruction& j = nodes_[y.node].instruction;
+    const Instruction& i = nodes_[x.node];
+    const Instruction& j = nodes_[y.node];
     const bool is_alike = x.is_negative == y.is_negative && i.opcode == j.opcode &&
                           i.function == j.function && operand_count(i) > 0;
     const bool has_one = (i.a == j.a) != (i.b == j.b) || operand_count(i) == 1;
@@ -111,32 +115,29 @@ std::pair<SignedNode, SignedNode> ValueGraph::difference(SignedNode x, SignedNod
 
 std::string ValueGraph::text(const LeafNames& leaves, SignedNode value) const {
   const int depth = value.is_negative ? 1 : 0;
-  const std::string whole = text(leaves, nodes_[value.node].instruction, depth);
+  const std::string whole = text(leaves, nodes_[value.node], depth);
   return value.is_negative ? "-" + whole : whole;
 }
 
 std::string ValueGraph::text(const LeafNames& leaves, SignedNode value, int depth) const {
   const auto name = names_.find(value.node);
   const std::string whole =
-      name != names_.end() ? name->second : text(leaves, nodes_[value.node].instruction, depth);
+      name != names_.end() ? name->second : text(leaves, nodes_[value.node], depth);
   return value.is_negative ? "-" + whole : whole;
 }
 
 std::string ValueGraph::text(const LeafNames& leaves, const Instruction& i, int depth) const {
-  const bool is_deep = depth >= deepest_text;
   const auto operand = [&](std::uint32_t of) { return text(leaves, unpacked(of), depth + 1); };
   if (is_leaf(i.opcode)) return code_text(leaves, i.opcode, i.a);
+  if (i.opcode == Opcode::constant) return exact_text(constants_[i.a]);
+  if (depth >= deepest_text) return "…";
   switch (i.opcode) {
-    case Opcode::constant:
-      return exact_text(constants_[i.a]);
     case Opcode::square_root:
-      return is_deep ? "…" : fmt::format("sqrt({})", operand(i.a));
+      return fmt::format("sqrt({})", operand(i.a));
     case Opcode::call:
-      if (is_deep) return "…";
       return fmt::format("{}({}{})", function_row(i.function).name, operand(i.a),
                          operand_count(i) > 1 ? ", " + operand(i.b) : "");
     default:
-      if (is_deep) return "…";
       return bracketed(depth > 0,
                        fmt::format("{} {} {}", operand(i.a), sign_of(i.opcode), operand(i.b)));
   }

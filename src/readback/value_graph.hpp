@@ -9,12 +9,14 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "elgen/program.hpp"
+#include "elgen/scene.hpp"
 
 namespace elgen {
 
@@ -27,12 +29,28 @@ struct SignedNode {
 
 [[nodiscard]] SignedNode negated(SignedNode x);
 
+/// A domain of fold.hpp.
 class ValueGraph {
  public:
+  /// Constants of the program are rounded to the one scalar of a file, where it has one.
+  explicit ValueGraph(std::optional<ScalarKind> scalar = {}) : scalar_(scalar) {}
+
+  [[nodiscard]] SignedNode constant(const Constant& constant);
   [[nodiscard]] SignedNode constant(const cln::cl_R& value);
   [[nodiscard]] SignedNode leaf(Opcode opcode, std::uint32_t index);
   /// add, subtract, multiply or divide
   [[nodiscard]] SignedNode binary(Opcode opcode, SignedNode x, SignedNode y);
+  [[nodiscard]] SignedNode add(SignedNode x, SignedNode y) { return binary(Opcode::add, x, y); }
+  [[nodiscard]] SignedNode subtract(SignedNode x, SignedNode y) {
+    return binary(Opcode::subtract, x, y);
+  }
+  [[nodiscard]] SignedNode multiply(SignedNode x, SignedNode y) {
+    return binary(Opcode::multiply, x, y);
+  }
+  [[nodiscard]] SignedNode divide(SignedNode x, SignedNode y) {
+    return binary(Opcode::divide, x, y);
+  }
+  [[nodiscard]] static SignedNode negate(SignedNode x) { return negated(x); }
   [[nodiscard]] SignedNode square_root(SignedNode x);
   /// y is ignored by functions of one argument.
   [[nodiscard]] SignedNode call(FunctionId function, SignedNode x, SignedNode y);
@@ -45,12 +63,8 @@ class ValueGraph {
   [[nodiscard]] std::string text(const LeafNames& leaves, SignedNode value) const;
 
  private:
-  struct Node {
-    Instruction instruction = {};  ///< operands: twice the node, plus 1 for a minus
-    friend bool operator==(const Node&, const Node&) = default;
-  };
   struct Hash {
-    [[nodiscard]] std::size_t operator()(const Node& node) const;
+    [[nodiscard]] std::size_t operator()(const Instruction& node) const;
   };
   struct Less {
     [[nodiscard]] bool operator()(const cln::cl_R& x, const cln::cl_R& y) const { return x < y; }
@@ -60,8 +74,9 @@ class ValueGraph {
   [[nodiscard]] std::string text(const LeafNames& leaves, SignedNode value, int depth) const;
   [[nodiscard]] std::string text(const LeafNames& leaves, const Instruction& i, int depth) const;
 
-  std::vector<Node> nodes_;
-  std::unordered_map<Node, std::uint32_t, Hash> known_;
+  std::optional<ScalarKind> scalar_;
+  std::vector<Instruction> nodes_;  ///< operands: twice the node, plus 1 for a minus
+  std::unordered_map<Instruction, std::uint32_t, Hash> known_;
   std::vector<cln::cl_R> constants_;
   std::map<cln::cl_R, std::uint32_t, Less> known_constants_;
   std::unordered_map<std::uint32_t, std::string> names_;

@@ -4,8 +4,8 @@
 #include "elgen/arguments.hpp"
 #include "elgen/artifacts.hpp"
 #include "emit/text/emission_input.hpp"
-#include "emit/text/fields.hpp"
 #include "evaluate/scalar_literal.hpp"
+#include "lower/code_interface.hpp"
 #include "toolchain/driver_parts.hpp"
 
 namespace elgen {
@@ -56,7 +56,7 @@ std::string call(const DriverInput& input, const Function& function, const std::
   if (gives_struct(function)) {
     return fmt::format("  {0}_result result;\n  {0}({1}, &result);\n{2}", name, given, results);
   }
-  if (scalar_fields(input.program, function).front()) {
+  if (is_scalar(input.program, function, function.fields.front())) {
     return fmt::format("  const {} result = {}({});\n{}", scalar, name, given, results);
   }
   return fmt::format("  {} result[{}];\n  {}({}, result);\n{}", scalar, entry_count(function), name,

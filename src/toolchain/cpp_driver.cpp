@@ -5,8 +5,8 @@
 #include "elgen/artifacts.hpp"
 #include "emit/cpp/cpp_names.hpp"
 #include "emit/text/emission_input.hpp"
-#include "emit/text/fields.hpp"
 #include "evaluate/scalar_literal.hpp"
+#include "lower/code_interface.hpp"
 #include "toolchain/driver_parts.hpp"
 
 namespace elgen {

@@ -11,9 +11,9 @@
 
 #include "elgen/arguments.hpp"
 #include "elgen/artifacts.hpp"
-#include "emit/text/fields.hpp"
 #include "emit/text/parameters.hpp"
 #include "emit/text/scalar_range.hpp"
+#include "lower/code_interface.hpp"
 #include "toolchain/driver_parts.hpp"
 
 namespace elgen {
@@ -72,13 +72,12 @@ std::string parameter_assignments(const DriverInput& input) {
 
 std::string appended(const DriverInput& input, const Function& function, std::string_view to,
                      std::string_view data) {
-  const std::vector<bool> scalars = scalar_fields(input.program, function);
   std::string text;
-  for (std::size_t i = 0; i < function.fields.size(); ++i) {
-    const Field& field = function.fields[i];
+  for (const Field& field : function.fields) {
     if (field.entries.empty()) continue;
     const std::string value = field.name.empty() ? "result" : "result." + field.name;
-    const std::string address = scalars[i] ? "&" + value : value + std::string(data);
+    const std::string address =
+        is_scalar(input.program, function, field) ? "&" + value : value + std::string(data);
     text += fmt::format("  append({}, {}, {}, {});\n", to, address, field.rows, field.columns);
   }
   return text;

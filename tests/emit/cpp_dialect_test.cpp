@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "emit/code/definition.hpp"
-#include "emit/text/fields.hpp"
 #include "fixture.hpp"
+#include "lower/code_interface.hpp"
 
 using namespace elgen;
 using elgen::testing::cart_pole;

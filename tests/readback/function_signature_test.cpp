@@ -14,15 +14,17 @@ using test::expect_refused;
 TEST_CASE("another signature is refused") {
   const std::string h = "wide.hpp";
   for (const Change& change : std::vector<Change>{
-           {cpp(), h, "] SquareMatrix<Scalar> mass", "SquareMatrix", "Forces", "has no place for"},
+           {cpp(), h, "] SquareMatrix<Scalar> mass", "SquareMatrix", "Forces",
+            "`Forces` instead of `SquareMatrix`"},
            {cpp(), h, "] SquareMatrix<Scalar> mass", "mass_matrix", "matrix", "instead of"},
            {cpp(), h, "> inverse_dynamics(", "Accelerations", "Velocities", "instead of"},
            {cpp(), h, "> inverse_dynamics(", " noexcept", "", "instead of `noexcept`"},
-           {cpp(), h, "struct ForwardDynamics", "Accelerations<", "SquareMatrix<", "no place for"},
+           {cpp(), h, "struct ForwardDynamics", "Accelerations<", "SquareMatrix<",
+            "`SquareMatrix` instead of `Accelerations`"},
            {cpp(), h, "struct Dynamics", "Scalar kinetic_energy", "Forces<Scalar> kinetic_energy",
-            "no place for"},
+            "`Forces` instead of `Scalar`"},
            {eigen(), "_eigen.hpp", "struct ForwardDynamics", "Vector<Scalar, 2>",
-            "Vector<Scalar, 3>", "no place for"},
+            "Vector<Scalar, 3>", "`3` instead of `2`"},
            {c99(), "wide_scene.h", "void wide_scene_gravity", "result[2]", "result[1]",
             "`1` instead of `2`"},
            {c99(), "wide_scene.h", "_forward_dynamics_result {", "acceleration[2]",

@@ -122,7 +122,7 @@ TEST_CASE("a header of Eigen that says something else is refused") {
             "entry 3 of the result is missing"},
            {eigen(), h, jacobian, "return result", "return q", "instead of `result`"},
            {eigen(), h, jacobian, "  return result;\n", "", "a return"},
-           {eigen(), h, "Matrix<Scalar, 2, 2> mass_matrix", "2, 2", "2, 3", "no place for"},
+           {eigen(), h, "Matrix<Scalar, 2, 2> mass_matrix", "2, 2", "2, 3", "`3` instead of `2`"},
            {eigen(), h, "> gravity(", "Argument<Scalar, 2>", "Argument<Scalar, 3>",
             "instead of `2`"},
            {eigen(), h, "> gravity(", "sin_theta", "cos_theta", "is not declared here"},

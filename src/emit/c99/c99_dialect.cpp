@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include "emit/text/emission_input.hpp"
-#include "emit/text/fields.hpp"
 #include "emit/text/layout.hpp"
 #include "emit/text/signature.hpp"
 #include "evaluate/scalar_literal.hpp"
+#include "lower/code_interface.hpp"
 
 namespace elgen {
 namespace {

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "emit/c99/c99_artifact.hpp"
 #include "emit/c99/c99_dialect.hpp"
@@ -15,12 +14,6 @@ namespace elgen {
 namespace {
 
 using Texts = std::vector<std::string>;
-
-std::string upper_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return text;
-}
 
 /// "double l[2];" with what it is.
 std::vector<Member> parameter_members(const EmissionInput& input) {
@@ -58,7 +51,7 @@ Texts continued(Texts lines) {
 }
 
 Texts default_parameters(const EmissionInput& input) {
-  Texts lines = {fmt::format("#define {}_DEFAULT_PARAMETERS", upper_case(name_space(input.scene))),
+  Texts lines = {fmt::format("#define {}_DEFAULT_PARAMETERS", capitals(name_space(input.scene))),
                  "  {"};
   for (const ParameterArray& array : emitted_parameters(input.model, input.program)) {
     const Wrapping wrapping{line_width - 6, "        "};
@@ -75,8 +68,8 @@ Texts default_parameters(const EmissionInput& input) {
 std::string c99_header(const EmissionInput& input) {
   TemplateData data = header_data(input, *c99_dialect(input.model, input.scene, input.program));
   data.set("scalar", scalar_name(c99_scalar(input.scene)));
-  data.set("guard", upper_case(input.scene.base_name));
-  data.set("capitals", upper_case(name_space(input.scene)));
+  data.set("guard", capitals(input.scene.base_name));
+  data.set("capitals", capitals(name_space(input.scene)));
   data.set("parameters", lines_data(documented_members(parameter_members(input))));
   data.set("default_parameters", lines_data(default_parameters(input)));
   return header_text("c99/header.h.mustache", data);

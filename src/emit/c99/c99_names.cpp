@@ -5,8 +5,8 @@
 #include <array>
 
 #include "emit/c99/c99_artifact.hpp"
-#include "emit/text/fields.hpp"
 #include "emit/text/taken_name.hpp"
+#include "lower/code_interface.hpp"
 
 namespace elgen {
 namespace {

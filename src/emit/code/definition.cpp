@@ -13,8 +13,8 @@
 #include <algorithm>
 
 #include "emit/code/sections.hpp"
-#include "emit/text/fields.hpp"
 #include "emit/text/layout.hpp"
+#include "lower/code_interface.hpp"
 
 namespace elgen {
 namespace {

@@ -5,23 +5,10 @@
 
 #include <algorithm>
 
-#include "emit/text/fields.hpp"
 #include "emit/text/parameters.hpp"
+#include "lower/code_interface.hpp"
 
 namespace elgen {
-
-std::string_view own_name(FunctionId function) {
-  switch (function) {
-    case FunctionId::sign:
-      return "sign_of";
-    case FunctionId::min:
-      return "smaller";
-    case FunctionId::max:
-      return "larger";
-    default:
-      return {};
-  }
-}
 
 Dialect::Dialect(const Model& model, const Program& program, std::string_view access)
     : Vocabulary(code_spelling()),
@@ -73,7 +60,7 @@ OutputKind Dialect::kind_of(const Function& function, const Field& field) const 
 }
 
 bool Dialect::is_number(const Function& function, const Field& field) const {
-  return is_scalar(kind_of(function, field), field);
+  return is_scalar(program_, function, field);
 }
 
 }  // namespace elgen

@@ -21,9 +21,6 @@ struct UsedNames {
 /// The entries of each field, row-major.
 using FieldTexts = std::vector<std::vector<std::string>>;
 
-/// "sign_of", "smaller", "larger": what the header has of its own; empty for what libraries have.
-[[nodiscard]] std::string_view own_name(FunctionId function);
-
 class Dialect : public Vocabulary {
  public:
   /// `access`: "." or "->", between a struct and its member.

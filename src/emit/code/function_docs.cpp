@@ -9,8 +9,8 @@
 
 #include "emit/code/statements.hpp"
 #include "emit/text/entry_units.hpp"
-#include "emit/text/fields.hpp"
 #include "emit/text/layout.hpp"
+#include "lower/code_interface.hpp"
 #include "render/headings.hpp"
 
 namespace elgen {

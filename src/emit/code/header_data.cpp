@@ -3,34 +3,18 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "emit/code/definition.hpp"
 #include "emit/code/function_docs.hpp"
-#include "emit/code/statements.hpp"
 #include "emit/pages/introduction.hpp"
-#include "emit/text/fields.hpp"
 #include "emit/text/layout.hpp"
 #include "emit/text/parameters.hpp"
 #include "emit/text/stamp.hpp"
+#include "lower/code_interface.hpp"
 
 namespace elgen {
 namespace {
 
 using List = TemplateData::type;
-
-bool has_kinks(const Program& program) {
-  const auto is_own = [](FunctionId function) { return !own_name(function).empty(); };
-  return std::any_of(program.functions.begin(), program.functions.end(), [&](const Function& f) {
-    const std::set<FunctionId> calls = called_functions(f);
-    return std::any_of(calls.begin(), calls.end(), is_own);
-  });
-}
-
-bool has_pivots(const Program& program) {
-  return std::any_of(program.functions.begin(), program.functions.end(),
-                     [](const Function& f) { return output_row(f.kind).gives_pivots; });
-}
 
 TemplateData struct_data(const FunctionText& text, const Dialect& dialect) {
   std::vector<Member> members;
@@ -130,9 +114,9 @@ TemplateData header_data(const EmissionInput& input, const Dialect& dialect) {
   set_counts(data, input);
   data.set("introduction", lines_data(introduction(input.model, input.scene, input.program)));
   data.set("operation_table", lines_data(operation_table(input.program)));
-  data.set("kinks", section_if(has_kinks(input.program)));
+  data.set("kinks", section_if(calls_own_functions(input.program)));
   data.set("functions", functions(input, dialect));
-  data.set("regular", section_if(has_pivots(input.program)));
+  data.set("regular", section_if(gives_pivots(input.program)));
   return data;
 }
 

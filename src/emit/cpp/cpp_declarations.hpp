@@ -3,8 +3,8 @@
 #pragma once
 
 #include "elgen/model.hpp"
-#include "render/fill_template.hpp"
 #include "emit/text/layout.hpp"
+#include "render/fill_template.hpp"
 
 namespace elgen {
 

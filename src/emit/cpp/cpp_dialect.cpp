@@ -10,10 +10,9 @@
 #include "emit/code/cpp_constant.hpp"
 #include "emit/code/definition.hpp"
 #include "emit/cpp/cpp_names.hpp"
-#include "emit/cpp/cpp_types.hpp"
-#include "emit/text/fields.hpp"
 #include "emit/text/layout.hpp"
 #include "emit/text/signature.hpp"
+#include "lower/code_interface.hpp"
 
 namespace elgen {
 namespace {
@@ -162,7 +161,10 @@ class CppDialect : public Dialect {
   virtual std::string type_of_field(OutputKind kind, const Field& field) const {
     return field_type(kind, field);
   }
-  virtual std::string type_of_argument(Opcode argument) const { return argument_type(argument); }
+  virtual std::string type_of_argument(Opcode argument) const {
+    // That of t is not deduced, so that t may be a number of another type.
+    return fmt::format("const {}&", leaf_row(argument).type);
+  }
 
   bool is_reserved(const std::string& name) const override { return is_emitted_name(name); }
 
@@ -214,9 +216,7 @@ class EigenDialect final : public CppDialect {
   std::string element(std::uint32_t index) const override { return fmt::format("({})", index); }
 
   std::string type_of_field(OutputKind kind, const Field& field) const override {
-    if (is_scalar(kind, field)) return "Scalar";
-    if (field.columns == 1) return fmt::format("Vector<Scalar, {}>", field.rows);
-    return fmt::format("Matrix<Scalar, {}, {}>", field.rows, field.columns);
+    return eigen_type(kind, field);
   }
 
   std::string type_of_argument(Opcode argument) const override {

@@ -12,11 +12,11 @@
 #include "emit/code/cpp_constant.hpp"
 #include "emit/cpp/cpp_artifacts.hpp"
 #include "emit/text/emission_input.hpp"
-#include "emit/text/fields.hpp"
 #include "emit/text/layout.hpp"
 #include "emit/text/library_names.hpp"
 #include "emit/text/parameters.hpp"
 #include "emit/text/taken_name.hpp"
+#include "lower/code_interface.hpp"
 
 namespace elgen {
 namespace {

@@ -4,9 +4,9 @@
 #include "emit/cpp/cpp_artifacts.hpp"
 #include "emit/cpp/cpp_dialect.hpp"
 #include "emit/cpp/cpp_names.hpp"
-#include "emit/text/fields.hpp"
 #include "emit/text/layout.hpp"
 #include "emit/text/taken_name.hpp"
+#include "lower/code_interface.hpp"
 
 namespace elgen {
 

@@ -7,10 +7,10 @@
 #include "base/number_text.hpp"
 #include "check/judge/output_units.hpp"
 #include "emit/pages/page_artifacts.hpp"
-#include "emit/text/fields.hpp"
 #include "emit/text/layout.hpp"
 #include "emit/text/parameters.hpp"
 #include "emit/text/stamp.hpp"
+#include "lower/code_interface.hpp"
 
 namespace elgen {
 namespace {
@@ -56,17 +56,11 @@ Json named(const std::string& name, const std::string& unit) {
   return json;
 }
 
-/// Coordinates or inputs.
-template <class Variable>
-Json variables(const std::vector<Variable>& all) {
+/// Coordinates, velocities or inputs.
+template <class Variable, class Unit>
+Json variables(const std::vector<Variable>& all, const Unit& unit) {
   Json list = Json::array();
-  for (const Variable& each : all) list.push_back(named(each.name, each.unit_text));
-  return list;
-}
-
-Json velocities(const Model& model) {
-  Json list = Json::array();
-  for (const Velocity& v : model.velocities) list.push_back(named(v.name, velocity_unit(model, v)));
+  for (const Variable& each : all) list.push_back(named(each.name, unit(each)));
   return list;
 }
 
@@ -147,10 +141,14 @@ std::string sidecar(const EmissionInput& input) {
     json["language"] = language_row(emission.language).name;
   }
   if (emission.storage != Storage::row_major) json["storage"] = name_of(emission.storage);
-  json["coordinates"] = variables(input.model.coordinates);
+  const auto unit = [](const auto& variable) { return variable.unit_text; };
+  json["coordinates"] = variables(input.model.coordinates, unit);
   // Where nothing rotates, velocities are called as their coordinates.
-  if (!input.model.rotations.empty()) json["velocities"] = velocities(input.model);
-  json["inputs"] = variables(input.model.inputs);
+  if (!input.model.rotations.empty()) {
+    json["velocities"] = variables(
+        input.model.velocities, [&](const Velocity& v) { return velocity_unit(input.model, v); });
+  }
+  json["inputs"] = variables(input.model.inputs, unit);
   json["parameters"] = parameters(input.model, input.program);
   json["outputs"] = outputs(input);
   if (!input.scene.left_out.empty()) json["left_out"] = left_out(input.scene);

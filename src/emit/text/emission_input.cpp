@@ -33,9 +33,4 @@ EmissionInput emission_input(const Model& model, const Scene& scene, const Progr
           scene.canonical.empty() ? "full" : content_hash(scene.canonical)};
 }
 
-const std::string& name_space(const Scene& scene) {
-  const std::string& name = scene.emission.name_space;
-  return name.empty() ? scene.base_name : name;
-}
-
 }  // namespace elgen

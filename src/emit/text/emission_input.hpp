@@ -26,8 +26,4 @@ struct EmissionInput {
 [[nodiscard]] EmissionInput emission_input(const Model& model, const Scene& scene,
                                            const Program& program);
 
-/// The namespace of the emitted code, or the prefix of its names: what the scene asks for, or its
-/// base name.
-[[nodiscard]] const std::string& name_space(const Scene& scene);
-
 }  // namespace elgen

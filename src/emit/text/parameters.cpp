@@ -1,9 +1,8 @@
-// parameters: what a program reads, it reads by the names of its leaves.
+// parameters: a leaf is known by its name.
 #include "emit/text/parameters.hpp"
 
 #include <fmt/format.h>
 
-#include <set>
 #include <string_view>
 #include <unordered_map>
 
@@ -20,25 +19,6 @@ std::string member_text(const Model& model, const Parameter& parameter) {
 
 }  // namespace
 
-std::vector<ParameterArray> emitted_parameters(const Model& model, const Program& program) {
-  std::set<std::string> names;
-  for (const Function& function : program.functions) {
-    for (const Instruction& instruction : function.instructions) {
-      const bool is_parameter = instruction.opcode == Opcode::parameter;
-      if (is_parameter) names.insert(program.leaves.parameters[instruction.a]);
-    }
-  }
-  std::vector<bool> is_read(model.parameter_arrays.size(), false);
-  for (const Parameter& parameter : model.parameters) {
-    if (names.count(parameter.name) > 0) is_read[parameter.array] = true;
-  }
-  std::vector<ParameterArray> result;
-  for (std::size_t i = 0; i < is_read.size(); ++i) {
-    if (is_read[i]) result.push_back(model.parameter_arrays[i]);
-  }
-  return result;
-}
-
 std::vector<std::string> parameter_members(const Model& model, const LeafNames& leaves) {
   std::unordered_map<std::string_view, const Parameter*> known;
   for (const Parameter& parameter : model.parameters) known.emplace(parameter.name, &parameter);
@@ -48,12 +28,6 @@ std::vector<std::string> parameter_members(const Model& model, const LeafNames& 
     members.push_back(found == known.end() ? leaf : member_text(model, *found->second));
   }
   return members;
-}
-
-std::size_t emitted_parameter_count(const Model& model, const Program& program) {
-  std::size_t count = 0;
-  for (const ParameterArray& array : emitted_parameters(model, program)) count += array.count;
-  return count;
 }
 
 std::string parameter_doc(const ParameterArray& array) {

@@ -1,0 +1,136 @@
+// code_interface: small questions, answered by the output table and the instructions.
+#include "lower/code_interface.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+namespace elgen {
+namespace {
+
+Field transposed(const Field& field) {
+  Field result{field.name, field.columns, field.rows, {}};
+  for (std::uint32_t column = 0; column < field.columns; ++column) {
+    for (std::uint32_t row = 0; row < field.rows; ++row) {
+      result.entries.push_back(field.entries[row * field.columns + column]);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+const std::string& name_space(const Scene& scene) {
+  const std::string& name = scene.emission.name_space;
+  return name.empty() ? scene.base_name : name;
+}
+
+std::string capitals(std::string_view name) {
+  std::string text(name);
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
+std::vector<ParameterArray> emitted_parameters(const Model& model, const Program& program) {
+  std::set<std::string> names;
+  for (const Function& function : program.functions) {
+    for (const Instruction& instruction : function.instructions) {
+      const bool is_parameter = instruction.opcode == Opcode::parameter;
+      if (is_parameter) names.insert(program.leaves.parameters[instruction.a]);
+    }
+  }
+  std::vector<bool> is_read(model.parameter_arrays.size(), false);
+  for (const Parameter& parameter : model.parameters) {
+    if (names.count(parameter.name) > 0) is_read[parameter.array] = true;
+  }
+  std::vector<ParameterArray> result;
+  for (std::size_t i = 0; i < is_read.size(); ++i) {
+    if (is_read[i]) result.push_back(model.parameter_arrays[i]);
+  }
+  return result;
+}
+
+std::size_t emitted_parameter_count(const Model& model, const Program& program) {
+  std::size_t count = 0;
+  for (const ParameterArray& array : emitted_parameters(model, program)) count += array.count;
+  return count;
+}
+
+std::string_view own_name(FunctionId function) {
+  switch (function) {
+    case FunctionId::sign:
+      return "sign_of";
+    case FunctionId::min:
+      return "smaller";
+    case FunctionId::max:
+      return "larger";
+    default:
+      return {};
+  }
+}
+
+bool calls_own_functions(const Program& program) {
+  const auto is_own = [](const Instruction& i) {
+    return i.opcode == Opcode::call && !own_name(i.function).empty();
+  };
+  return std::any_of(program.functions.begin(), program.functions.end(), [&](const Function& f) {
+    return std::any_of(f.instructions.begin(), f.instructions.end(), is_own);
+  });
+}
+
+bool gives_pivots(const Program& program) {
+  return std::any_of(program.functions.begin(), program.functions.end(),
+                     [](const Function& f) { return output_row(f.kind).gives_pivots; });
+}
+
+bool gives_struct(const Function& function) {
+  return function.fields.size() != 1 || !function.fields.front().name.empty();
+}
+
+OutputKind kind_of_field(const Program& program, const Function& function, const Field& field) {
+  if (!output_row(function.kind).repeats) return function.kind;
+  for (const Function& candidate : program.functions) {
+    if (candidate.name == field.name) return candidate.kind;
+  }
+  const OutputRow* row = find_output(field.name);
+  return row != nullptr ? row->kind : function.kind;
+}
+
+bool is_scalar(OutputKind kind, const Field& field) {
+  const FieldRow& row = field_row(kind, field.name);
+  const bool may_be =
+      row.columns == Extent::one && (row.rows == Extent::one || row.rows == Extent::user);
+  return may_be && field.rows == 1 && field.columns == 1;
+}
+
+bool is_scalar(const Program& program, const Function& function, const Field& field) {
+  return is_scalar(kind_of_field(program, function, field), field);
+}
+
+std::string field_type(OutputKind kind, const Field& field) {
+  if (is_scalar(kind, field)) return "Scalar";
+  const auto type = fmt::runtime(field_row(kind, field.name).type);
+  return fmt::format(type, field.rows, field.rows * field.columns);
+}
+
+std::string eigen_type(OutputKind kind, const Field& field) {
+  if (is_scalar(kind, field)) return "Scalar";
+  if (field.columns == 1) return fmt::format("Vector<Scalar, {}>", field.rows);
+  return fmt::format("Matrix<Scalar, {}, {}>", field.rows, field.columns);
+}
+
+Function stored(const Function& function, Storage storage) {
+  Function result = function;
+  if (storage == Storage::row_major) return result;
+  for (Field& field : result.fields) {
+    if (field.rows > 1 && field.columns > 1) field = transposed(field);
+  }
+  return result;
+}
+
+bool is_returned(const Function& function) { return entry_count(function) <= largest_returned; }
+
+}  // namespace elgen

@@ -1,0 +1,67 @@
+// code_interface: what callers see of emitted code: its name space, the parameters it takes, and
+// what holds the results of a function. What is written and what is read back agree on it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "elgen/model.hpp"
+#include "elgen/program.hpp"
+#include "elgen/scene.hpp"
+
+namespace elgen {
+
+/// The namespace of the emitted code, or the prefix of its names: what the scene asks for, or its
+/// base name.
+[[nodiscard]] const std::string& name_space(const Scene& scene);
+
+/// "CART_POLE": of names that stand for the preprocessor.
+[[nodiscard]] std::string capitals(std::string_view name);
+
+/// The parameters that a function of the program reads, whole arrays of them: a parameter that the
+/// scene has fixed, or whose terms are not asked for, is no argument.
+[[nodiscard]] std::vector<ParameterArray> emitted_parameters(const Model& model,
+                                                             const Program& program);
+
+/// The scalars in them.
+[[nodiscard]] std::size_t emitted_parameter_count(const Model& model, const Program& program);
+
+/// "sign_of", "smaller", "larger": what the code has of its own; empty for what libraries have.
+[[nodiscard]] std::string_view own_name(FunctionId function);
+
+/// Whether some function calls one of these.
+[[nodiscard]] bool calls_own_functions(const Program& program);
+
+/// Whether some function gives the pivots of M.
+[[nodiscard]] bool gives_pivots(const Program& program);
+
+/// True for functions that give a struct: all but those with one field without a name.
+[[nodiscard]] bool gives_struct(const Function& function);
+
+/// The row of the output table a field of `dynamics` is from; the function's own row otherwise.
+[[nodiscard]] OutputKind kind_of_field(const Program& program, const Function& function,
+                                       const Field& field);
+
+/// Whether a field is one number by its nature: an energy, or a user's value of one component. The
+/// gravity of one coordinate is an array of one.
+[[nodiscard]] bool is_scalar(OutputKind kind, const Field& field);
+[[nodiscard]] bool is_scalar(const Program& program, const Function& function, const Field& field);
+
+/// "Forces<Scalar>", "Scalar", "std::array<Scalar, 3>": what holds it in C++.
+[[nodiscard]] std::string field_type(OutputKind kind, const Field& field);
+
+/// "Vector<Scalar, 3>", "Scalar": what holds it with Eigen.
+[[nodiscard]] std::string eigen_type(OutputKind kind, const Field& field);
+
+/// The function with the entries of its matrices in the order of storage; a column-major matrix
+/// becomes its transpose, row by row:
+///
+///     2 x 3: a b c d e f   ->   3 x 2: a d b e c f
+[[nodiscard]] Function stored(const Function& function, Storage storage);
+
+/// Outputs beyond so many entries are not returned: they would not fit a stack.
+inline constexpr std::size_t largest_returned = 4096;
+[[nodiscard]] bool is_returned(const Function& function);
+
+}  // namespace elgen

@@ -1,0 +1,117 @@
+// code_interface: which parameters are emitted, structs and plain results, numbers and arrays of
+// one, storage.
+#include "lower/code_interface.hpp"
+
+#include "emit/fixture.hpp"
+
+using namespace elgen;
+using elgen::testing::cart_pole;
+using elgen::testing::Subject;
+
+namespace {
+
+Program reading(std::uint32_t leaf) {
+  Program program;
+  program.leaves.parameters = {"M", "m", "l", "g", "k[1]", "k[2]"};
+  Function function;
+  function.instructions = {{Opcode::parameter, FunctionId::sin, leaf, 0}};
+  program.functions = {function};
+  return program;
+}
+
+}  // namespace
+
+TEST_CASE("what no function reads is no parameter, and one element brings its array") {
+  Subject subject = cart_pole();
+  elgen::testing::add_parameter_array(subject.model, "k", {1, 2});
+  const auto second = emitted_parameters(subject.model, reading(5));
+  REQUIRE(second.size() == 1);
+  CHECK(second.front().name == "k");
+  CHECK(emitted_parameter_count(subject.model, reading(5)) == 2);
+  CHECK(emitted_parameters(subject.model, reading(3)).front().name == "g");
+  CHECK(emitted_parameters(subject.model, Program()).empty());
+}
+
+TEST_CASE("one unnamed field is no struct") {
+  const Program program = cart_pole().program;
+  CHECK_FALSE(gives_struct(program.functions[0]));
+  CHECK(gives_struct(program.functions[4]));
+}
+
+TEST_CASE("an energy is a number, the force of one coordinate an array of one") {
+  const Field one{"", 1, 1, {0}};
+  CHECK(is_scalar(OutputKind::kinetic_energy, one));
+  CHECK(is_scalar(OutputKind::user_value, one));
+  CHECK_FALSE(is_scalar(OutputKind::gravity, one));
+  CHECK_FALSE(is_scalar(OutputKind::user_jacobian, one));
+  const Program program = cart_pole().program;
+  const Function& function = program.functions[5];
+  CHECK_FALSE(is_scalar(program, function, function.fields[1]));
+  CHECK(is_scalar(program, function, function.fields[2]));
+}
+
+TEST_CASE("column-major matrices are their transposes, vectors stay") {
+  Function function;
+  function.fields = {{"A", 2, 3, {1, 2, 3, 4, 5, 6}}, {"b", 3, 1, {7, 8, 9}}};
+  CHECK(stored(function, Storage::row_major).fields[0].entries == function.fields[0].entries);
+  const Function columns = stored(function, Storage::column_major);
+  CHECK(columns.fields[0].entries == std::vector<std::uint32_t>{1, 4, 2, 5, 3, 6});
+  CHECK(columns.fields[0].rows == 3);
+  CHECK(columns.fields[1].entries == function.fields[1].entries);
+  CHECK(columns.fields[1].rows == 3);
+}
+
+TEST_CASE("what would not fit a stack is not returned") {
+  Function function;
+  function.fields = {{"", 64, 64, std::vector<std::uint32_t>(largest_returned, 0)}};
+  CHECK(is_returned(function));
+  function.fields[0].entries.push_back(0);
+  CHECK_FALSE(is_returned(function));
+}
+
+TEST_CASE("types of fields") {
+  const Field vector{"", 2, 1, {0, 0}};
+  const Field one{"", 1, 1, {0}};
+  CHECK(field_type(OutputKind::coriolis_matrix, {"", 2, 2, {}}) == "SquareMatrix<Scalar>");
+  CHECK(field_type(OutputKind::bias, vector) == "Forces<Scalar>");
+  CHECK(field_type(OutputKind::bias, one) == "Forces<Scalar>");  // of one coordinate
+  CHECK(field_type(OutputKind::total_energy, one) == "Scalar");
+  CHECK(field_type(OutputKind::user_value, vector) == "std::array<Scalar, 2>");
+  CHECK(field_type(OutputKind::user_value, one) == "Scalar");
+  CHECK(field_type(OutputKind::user_jacobian, {"", 3, 2, {}}) ==
+        "std::array<Scalar, 3 * velocity_count>");
+}
+
+TEST_CASE("types of fields with Eigen") {
+  CHECK(eigen_type(OutputKind::coriolis_matrix, {"", 2, 2, {}}) == "Matrix<Scalar, 2, 2>");
+  CHECK(eigen_type(OutputKind::bias, {"", 2, 1, {0, 0}}) == "Vector<Scalar, 2>");
+  CHECK(eigen_type(OutputKind::total_energy, {"", 1, 1, {0}}) == "Scalar");
+}
+
+TEST_CASE("a name space is the base name unless the scene says another") {
+  Scene scene;
+  scene.base_name = "cart_pole";
+  CHECK(name_space(scene) == "cart_pole");
+  CHECK(capitals(name_space(scene)) == "CART_POLE");
+  scene.emission.name_space = "cart2";
+  CHECK(name_space(scene) == "cart2");
+}
+
+TEST_CASE("sign, min and max are the code's own") {
+  Program program;
+  program.functions.emplace_back();
+  CHECK_FALSE(calls_own_functions(program));
+  program.functions[0].instructions = {{Opcode::call, FunctionId::abs, 0, 0}};
+  CHECK_FALSE(calls_own_functions(program));
+  program.functions[0].instructions = {{Opcode::call, FunctionId::sign, 0, 0}};
+  CHECK(calls_own_functions(program));
+  CHECK(own_name(FunctionId::max) == "larger");
+}
+
+TEST_CASE("forward dynamics gives pivots") {
+  Program program;
+  program.functions.emplace_back().kind = OutputKind::bias;
+  CHECK_FALSE(gives_pivots(program));
+  program.functions.emplace_back().kind = OutputKind::forward_dynamics;
+  CHECK(gives_pivots(program));
+}
