@@ -45,9 +45,9 @@ struct Products {
   std::optional<CheckedModel> checked = {};
   std::optional<ClosedForms> closed_forms = {};  ///< with all their terms
   std::optional<Program> program = {};           ///< each function in its chosen form
-  /// What solutions are judged by (VerifyOptions::parts); none where nothing is solved, or where a
-  /// limit was reached.
-  std::optional<Program> parts = {};
+  /// What solutions are judged by (VerifyOptions::parts); no functions where nothing is solved, or
+  /// where a limit was reached.
+  Program parts = {};
   std::vector<FormCosts> costs = {};
   std::optional<ReadableSteps> steps = {};
   std::optional<EmittedFiles> files = {};

@@ -55,7 +55,7 @@ Result<Verification> compared(const std::string& path, Products& products,
   progress.stage("verify");
   VerifyOptions with_products = options;
   with_products.forms = &*products.closed_forms;
-  with_products.parts = products.parts ? &*products.parts : nullptr;
+  with_products.parts = &products.parts;
   with_products.on_step = [&progress](const std::string& step) { progress.stage(step); };
   Verification result = verify(model, scene, *products.program, compiled, with_products);
   watch.add("verify");

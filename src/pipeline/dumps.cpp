@@ -13,8 +13,6 @@ std::string dump(const Inspection& inspection) { return format(inspection.found)
 
 std::string dump(const ReadableSteps& steps) { return dump(steps.program); }
 
-std::string dump(const SolutionParts& parts) { return parts.program ? dump(*parts.program) : ""; }
-
 std::string dump(const Presented& forms) {
   return dump(forms.reduced ? forms.reduced->forms : forms.exact);
 }

@@ -6,34 +6,25 @@
 #include "pipeline/recursive_program.hpp"
 
 namespace elgen {
-namespace {
 
-/// The functions of `program` that are needed; none where one is missing.
-std::optional<Program> selected(const Program& program, const std::vector<OutputRequest>& needed) {
-  Program some{program.leaves, program.constants};
-  for (const OutputRequest& request : needed) {
-    const Function* known = find_function(program, request.kind);
-    if (known == nullptr) return std::nullopt;
+Program known_parts(const CheckedModel& checked, const Program& recursive) {
+  Program some{recursive.leaves, recursive.constants};
+  for (const OutputRequest& request : needed_parts(checked.model, checked.scene)) {
+    const Function* known = find_function(recursive, request.kind);
+    if (known == nullptr) return {};
     some.functions.push_back(*known);
   }
   return some;
 }
 
-}  // namespace
-
-std::optional<Program> known_parts(const CheckedModel& checked, const Program& recursive) {
+Result<Program> parts(const Lagrangian& lagrangian, const CheckedModel& checked,
+                      const Program& recursive, const Limits& limits) {
   const std::vector<OutputRequest> needed = needed_parts(checked.model, checked.scene);
-  return needed.empty() ? std::nullopt : selected(recursive, needed);
-}
-
-Result<SolutionParts> parts(const Lagrangian& lagrangian, const CheckedModel& checked,
-                            const Program& recursive, const Limits& limits) {
-  const std::vector<OutputRequest> needed = needed_parts(checked.model, checked.scene);
-  if (needed.empty()) return SolutionParts{};
-  std::optional<Program> known = selected(recursive, needed);
-  if (known) return SolutionParts{std::move(known)};
+  if (needed.empty()) return Program{};
+  Program known = known_parts(checked, recursive);
+  if (!known.functions.empty()) return known;
   // Where a limit is in the way, solutions are judged by the code's own bound.
-  return SolutionParts{recursive_program(lagrangian, needed, limits).value};
+  return recursive_program(lagrangian, needed, limits).value.value_or(Program{});
 }
 
 }  // namespace elgen

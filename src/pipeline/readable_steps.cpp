@@ -17,7 +17,7 @@ std::string name_of(const Model& model, const Entity& origin) {
 
 }  // namespace
 
-Result<ReadableSteps> readable_steps(const Lagrangian& lagrangian, const Model& model,
+Result<ReadableSteps> readable_steps(const Lagrangian& lagrangian, const CheckedModel& checked,
                                      const Limits& limits) {
   const Result<Steps> derived = derive_steps(lagrangian);
   if (!derived) return derived.diagnostics;
@@ -28,7 +28,7 @@ Result<ReadableSteps> readable_steps(const Lagrangian& lagrangian, const Model& 
   if (!choice) return choice.diagnostics;
   ReadableSteps result{std::move(choice->program), {}};
   for (const Entity& mass : derived->masses) {
-    result.masses.push_back(name_of(model, mass));
+    result.masses.push_back(name_of(checked.model, mass));
   }
   return result;
 }

@@ -3,47 +3,35 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <new>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "elgen/pipeline.hpp"
 
 namespace elgen {
 
-/// A stage's product, once it was asked for.
-template <class T>
-struct Stage {
-  std::optional<T> product = {};
-  bool was_asked_for = false;
-};
-
 /// Runs stages, and keeps what they say of themselves.
 class StageRunner {
  public:
   explicit StageRunner(const PipelineOptions& options) : options_(options) {}
+  StageRunner(const StageRunner&) = delete;
+  StageRunner& operator=(const StageRunner&) = delete;
 
-  /// The stage's product, made from those it needs when it is first asked for; null where it, or
-  /// one that it needs, failed. After an error no stage runs.
-  template <class T, class Make, class... Needs>
-  T* product(const std::string& name, Stage<T>& stage, const Make& make, Needs*... needs) {
-    const bool can_run = !stage.was_asked_for && !has_errors(diagnostics);
-    stage.was_asked_for = true;
-    if (can_run && (... && (needs != nullptr))) {
-      stage.product = timed(name, [&] { return make(*needs...); });
-    }
-    return stage.product ? &*stage.product : nullptr;
-  }
-
+  /// All stages, in the order in which they were declared, and how each is reached.
+  std::vector<std::pair<std::string, std::function<void()>>> stages = {};
   Diagnostics diagnostics = {};
   std::string dumped = {};  ///< the product of options.dump_stage
   std::vector<StageTime> times = {};
 
- private:
-  template <class Make>
-  auto timed(const std::string& name, const Make& make) -> decltype(make().value) {
+  /// None where a product that it needs is null, and after an error.
+  template <class T, class Make, class... Needs>
+  std::optional<T> made(const std::string& name, const Make& make, Needs*... needs) {
+    if (has_errors(diagnostics) || (... || (needs == nullptr))) return std::nullopt;
     const auto start = std::chrono::steady_clock::now();
-    auto result = guarded(name, make);
+    Result<T> result = guarded<T>(name, make, *needs...);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     times.push_back({name, elapsed.count()});
     diagnostics.insert(diagnostics.end(), result.diagnostics.begin(), result.diagnostics.end());
@@ -51,12 +39,17 @@ class StageRunner {
     return std::move(result.value);
   }
 
+ private:
   /// A mistake of ours must not swallow what earlier stages found.
-  template <class Make>
-  auto guarded(const std::string& name, const Make& make) -> decltype(make()) {
+  template <class T, class Make, class... Needs>
+  Result<T> guarded(const std::string& name, const Make& make, Needs&... needs) {
     try {
       if (options_.on_stage) options_.on_stage(name);
-      return make();
+      if constexpr (std::is_invocable_v<Make, Needs&..., const Limits&>) {
+        return make(needs..., options_.limits);
+      } else {
+        return make(needs...);
+      }
     } catch (const std::bad_alloc&) {
       throw;
     } catch (const std::exception& mistake) {
@@ -65,6 +58,44 @@ class StageRunner {
   }
 
   const PipelineOptions& options_;
+};
+
+/// A stage, which makes its product from those of others when it is first asked for.
+template <class T>
+class Stage {
+ public:
+  /// `needs`: std::tie of the other stages. `make` takes their products, and the limits after them
+  /// where it wants them.
+  template <class Needs, class Make>
+  Stage(StageRunner& run, const std::string& name, const Needs& needs, const Make& make)
+      : make_([=, &run] {
+          const auto made = [&](auto&... stages) {
+            return run.made<T>(name, make, stages.get()...);
+          };
+          return std::apply(made, needs);
+        }) {
+    run.stages.emplace_back(name, [this] { get(); });
+  }
+  Stage(const Stage&) = delete;
+  Stage& operator=(const Stage&) = delete;
+
+  /// Null where the stage, or one that it needs, failed.
+  T* get() {
+    if (!std::exchange(was_asked_for_, true)) product = make_();
+    return product ? &*product : nullptr;
+  }
+
+  /// In place of what the stage would make.
+  void set(T known) {
+    was_asked_for_ = true;
+    product = std::move(known);
+  }
+
+  std::optional<T> product = {};
+
+ private:
+  std::function<std::optional<T>()> make_;
+  bool was_asked_for_ = false;
 };
 
 }  // namespace elgen

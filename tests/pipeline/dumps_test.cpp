@@ -20,8 +20,6 @@ TEST_CASE("of forms with and without small terms those without are shown") {
   CHECK(dump(forms) != exact);
 }
 
-TEST_CASE("where nothing is solved there are no parts to show") {
-  CHECK(dump(SolutionParts{}).empty());
-}
+TEST_CASE("where nothing is solved there are no parts to show") { CHECK(dump(Program{}).empty()); }
 
 }  // namespace elgen

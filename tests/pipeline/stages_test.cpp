@@ -22,17 +22,15 @@ TEST_CASE("a stage runs when it is first asked for, and only then") {
   PipelineOptions options;
   options.dump_stage = "second";
   StageRunner run(options);
-  Stage<Number> first;
-  Stage<Number> second;
   int count = 0;
   const auto add = [&count](const Number& number) {
     ++count;
-    return Result<Number>(Number{number.value + 1});
+    return Number{number.value + 1};
   };
-  for (int i = 0; i < 2; ++i) {
-    Number* needed = run.product("first", first, one);
-    REQUIRE(run.product("second", second, add, needed) != nullptr);
-  }
+  Stage<Number> first(run, "first", std::tie(), one);
+  Stage<Number> second(run, "second", std::tie(first), add);
+  CHECK(count == 0);
+  for (int i = 0; i < 2; ++i) REQUIRE(second.get() != nullptr);
   CHECK(second.product->value == 2);
   CHECK(count == 1);
   CHECK(run.dumped == "2");
@@ -40,25 +38,60 @@ TEST_CASE("a stage runs when it is first asked for, and only then") {
   CHECK(run.times[1].stage == "second");
 }
 
+TEST_CASE("stages are reached by their names, in their order") {
+  const PipelineOptions options;
+  StageRunner run(options);
+  Stage<Number> first(run, "first", std::tie(), one);
+  Stage<Number> second(run, "second", std::tie(first), [](const Number& number) { return number; });
+  REQUIRE(run.stages.size() == 2);
+  CHECK(run.stages[0].first == "first");
+  CHECK(run.stages[1].first == "second");
+  run.stages[1].second();
+  CHECK(second.product);
+}
+
+TEST_CASE("a stage whose product is set makes none") {
+  const PipelineOptions options;
+  StageRunner run(options);
+  Stage<Number> first(run, "first", std::tie(), one);
+  first.set({7});
+  REQUIRE(first.get() != nullptr);
+  CHECK(first.get()->value == 7);
+  CHECK(run.times.empty());
+}
+
+TEST_CASE("a stage that wants the limits gets them after what it needs") {
+  PipelineOptions options;
+  options.limits.seconds = 5;
+  StageRunner run(options);
+  Stage<Number> first(run, "first", std::tie(), one);
+  Stage<Number> second(run, "second", std::tie(first),
+                       [](const Number& number, const Limits& limits) {
+                         return Number{number.value + static_cast<int>(limits.seconds)};
+                       });
+  REQUIRE(second.get() != nullptr);
+  CHECK(second.product->value == 6);
+}
+
 TEST_CASE("what a stage throws is said with its name, and ends the run") {
   const PipelineOptions options;
   StageRunner run(options);
-  Stage<Number> thrower;
-  Stage<Number> later;
   const auto fail = []() -> Result<Number> { throw std::logic_error("a wheel came off"); };
-  CHECK(run.product("first", thrower, fail) == nullptr);
+  Stage<Number> thrower(run, "first", std::tie(), fail);
+  Stage<Number> later(run, "later", std::tie(), one);
+  CHECK(thrower.get() == nullptr);
   REQUIRE(run.diagnostics.size() == 1);
   CHECK(run.diagnostics.front().code == Code::E912);
   CHECK(run.diagnostics.front().message == "internal error in `first`: a wheel came off");
-  CHECK(run.product("later", later, one) == nullptr);
+  CHECK(later.get() == nullptr);
 }
 
 TEST_CASE("memory that is used up is not a mistake of ours") {
   const PipelineOptions options;
   StageRunner run(options);
-  Stage<Number> stage;
   const auto fail = []() -> Result<Number> { throw std::bad_alloc(); };
-  CHECK_THROWS_AS(run.product("first", stage, fail), std::bad_alloc);
+  Stage<Number> stage(run, "first", std::tie(), fail);
+  CHECK_THROWS_AS(stage.get(), std::bad_alloc);
 }
 
 }  // namespace elgen
