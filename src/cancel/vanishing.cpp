@@ -13,8 +13,7 @@
 namespace elgen {
 namespace {
 
-using Value = Bounded<double>;
-using Values = std::vector<Value>;
+using Values = std::vector<Bound>;
 
 constexpr std::uint64_t first_seed = 1;
 constexpr std::uint64_t other_seed = 2;
@@ -24,15 +23,14 @@ bool is_below(const Real& x, const Real& y, const Real& share) {
   return abs(x).value() <= (abs(y) * share).value();
 }
 
-bool is_zero(const Value& x) { return x.value.is_defined() && cln::zerop(x.value.value()); }
+bool is_zero(const Bound& x) { return x.value.is_defined() && cln::zerop(x.value.value()); }
+
+Bound drawn(const cln::cl_RA& value) { return leaf_bound(value, rounding<double>()); }
 
 /// Parameters are positive, as most masses and lengths have to be.
-Arguments<Value> random_point(const LeafNames& leaves, Random& random) {
-  Arguments<Value> point =
-      draw_leaves(leaves, [&random] { return ScalarTraits<Value>::from_real(random.rational()); });
-  for (Value& value : point.parameters) {
-    if (cln::minusp(value.value.value())) value = -value;
-  }
+LeafValues<Bound> random_point(const LeafNames& leaves, Random& random) {
+  LeafValues<Bound> point = draw_leaves(leaves, [&] { return drawn(random.rational()); });
+  for (Bound& bound : point.parameters) bound.value = abs(bound.value);
   return point;
 }
 
@@ -40,11 +38,11 @@ bool has_kink(const Instruction& i) { return i.opcode == Opcode::call && is_kink
 
 /// A sum of which one term is so small beside the other that twenty digits of it are gone, or a
 /// function that its argument hardly moves, or moves so much that its own digits are gone.
-bool hides_something(const Instruction& i, const Values& values, const Value& x) {
+bool hides_something(const Instruction& i, const Values& values, const Bound& x) {
   static const Real hidden(power_of_ten(-20));
   if (i.opcode == Opcode::add || i.opcode == Opcode::subtract) {
-    const Value& a = values[i.a];
-    const Value& b = values[i.b];
+    const Bound& a = values[i.a];
+    const Bound& b = values[i.b];
     if (is_zero(a) || is_zero(b)) return false;
     return is_below(a.value, b.value, hidden) || is_below(b.value, a.value, hidden);
   }
@@ -54,24 +52,24 @@ bool hides_something(const Instruction& i, const Values& values, const Value& x)
 }
 
 /// The value at the point: exactly 0 where it vanishes, lost where its digits do not tell.
-Value settled(const Instruction& i, const Values& values, Value x) {
+Bound settled(const Instruction& i, const Values& values, Bound x) {
   static const Real vanished(power_of_ten(-40));
   if (!x.value.is_defined() || operand_count(i) == 0) return x;
   x.lost = x.lost || hides_something(i, values, x);
-  if (!x.lost && is_below(x.value, x.bound, vanished)) return {leaf_bound(Real(), true)};
+  if (!x.lost && is_below(x.value, x.bound, vanished)) return leaf_bound(Real(), true);
   return x;
 }
 
 /// The instructions that are `needed`, at the next random point.
 Values run(const Program& program, const Function& function, const std::vector<bool>& needed,
            Random& random) {
-  const Arguments<Value> point = random_point(program.leaves, random);
-  const interpreter::NumberRules<Value> rules{point};
+  const LeafValues<Bound> point = random_point(program.leaves, random);
+  const BoundRules rules{point, rounding<double>()};
   Values values(function.instructions.size());
   for (std::size_t at = 0; at < values.size(); ++at) {
     if (!needed[at]) continue;
     const Instruction& i = function.instructions[at];
-    values[at] = has_kink(i) ? ScalarTraits<Value>::from_real(cln::abs(random.rational()))
+    values[at] = has_kink(i) ? drawn(cln::abs(random.rational()))
                              : settled(i, values, folded(rules, program, i, values));
   }
   return values;

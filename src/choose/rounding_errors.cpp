@@ -87,7 +87,7 @@ struct RunningErrors {
 
   /// Constants that are not binary are rounded once.
   [[nodiscard]] Running constant(const Constant& constant) const {
-    const Bound bound = ScalarTraits<Bounded<double>>::from_real(constant.value);
+    const Bound bound = leaf_bound(constant.value, rounding<double>());
     return {bound.value, bound.exact ? Real() : abs(bound.value)};
   }
 

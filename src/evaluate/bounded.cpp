@@ -17,7 +17,8 @@ template <class Scalar>
 Rounding rounding_of() {
   using Limits = std::numeric_limits<Scalar>;
   const Real u = real(Limits::epsilon()) / Real(2);
-  return {u, real(Limits::denorm_min()) / u, real(Limits::min()), real(Limits::max()) / Real(16)};
+  return {u, real(Limits::denorm_min()) / u, real(Limits::min()), real(Limits::max()) / Real(16),
+          [](const cln::cl_R& value) { return real(ScalarTraits<Scalar>::from_real(value)); }};
 }
 
 bool is_less(const Real& x, const Real& y) {
@@ -114,17 +115,23 @@ Bound leaf_bound(const Real& value, bool exact) {
   return {value, abs(value), exact, false, exact ? 0U : 1U};
 }
 
-Bound negated(const Bound& x) {
+Bound leaf_bound(const cln::cl_R& value, const Rounding& rounding) {
+  const Real number(value);
+  const Real difference = number - rounding.nearest(value);
+  return leaf_bound(number, difference.is_defined() && cln::zerop(difference.value()));
+}
+
+Bound BoundRules::negate(const Bound& x) const {
   return {-x.value, x.bound, x.exact, x.lost, x.roundings, x.underflows};
 }
 
-Bound sum(const Bound& x, const Bound& y, const Rounding& rounding) {
+Bound BoundRules::add(const Bound& x, const Bound& y) const {
   Bound result = inherit(computed(x.value + y.value, x.bound + y.bound, rounding), x, y);
   ++result.roundings;
   return result;
 }
 
-Bound product(const Bound& x, const Bound& y, const Rounding& rounding) {
+Bound BoundRules::multiply(const Bound& x, const Bound& y) const {
   Bound result = inherit(computed(x.value * y.value, x.bound * y.bound, rounding), x, y);
   constexpr std::uint32_t most = 1'000'000;  // counts saturate: bounds are useless before
   result.roundings = std::min(x.roundings + y.roundings + 1, most);
@@ -133,7 +140,7 @@ Bound product(const Bound& x, const Bound& y, const Rounding& rounding) {
   return result;
 }
 
-Bound quotient(const Bound& x, const Bound& y, const Rounding& rounding) {
+Bound BoundRules::divide(const Bound& x, const Bound& y) const {
   const Real value = x.value / y.value;
   const Real bound = (x.bound + abs(value) * y.bound) / abs(y.value);
   Bound result = inherit(computed(value, bound, rounding), x, y);
@@ -141,7 +148,7 @@ Bound quotient(const Bound& x, const Bound& y, const Rounding& rounding) {
   return result;
 }
 
-Bound root(const Bound& x, const Rounding& rounding) {
+Bound BoundRules::square_root(const Bound& x) const {
   const Real value = sqrt(x.value);
   if (!value.is_defined() || cln::zerop(value.value())) {
     return inherit({value, sqrt(x.bound), false, !x.exact}, x, x);
@@ -155,8 +162,7 @@ Bound root(const Bound& x, const Rounding& rounding) {
   return result;
 }
 
-Bound function_bound(FunctionId function, const Bound& x, const Bound& y,
-                     const Rounding& rounding) {
+Bound BoundRules::call(FunctionId function, const Bound& x, const Bound& y) const {
   if (is_kinked(function)) return kinked(function, x, y);
   if (const auto limit = limit_value(function, x.value, rounding)) {
     return inherit(computed(*limit, abs(*limit), rounding), x, y);

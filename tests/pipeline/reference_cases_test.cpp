@@ -89,11 +89,13 @@ void check_state(const Products& products, const json& given) {
       const auto values = evaluate(*products.program, function, at.arguments);
       const auto index = static_cast<std::size_t>(&function - products.program->functions.data());
       const Judge judge = judge_of(*products.program, index, function.fields.front(), 0);
-      const BoundedRun bounds = bounded_run<double>(*products.program, *judge.function, at.state);
+      const BoundedRun bounds =
+          bounded_run(*products.program, *judge.function, at.state, rounding<double>());
       REQUIRE(bounds.regime == Regime::regular);
       for (std::size_t i = 0; i < decimals.size(); ++i) {
         const double in_ulps = ulps(values[i], exact(decimals[i].get<std::string>()));
-        const double in_bounds = error_in_bounds(values[i], bounds.entries[i], 1000);
+        const double in_bounds =
+            error_in_bounds(values[i], bounds.entries[i], 1000, rounding<double>());
         INFO(given["id"] << " " << name << "[" << i << "]: " << in_ulps << " ulp, " << in_bounds
                          << " u B");
         CHECK((in_ulps <= largest_ulps || in_bounds <= largest_bounds));

@@ -23,7 +23,7 @@ BoundedRun run_at(double x, double y) {
   const Program program = program_of(text);
   State state;
   state.q = {exact_value(x), exact_value(y)};
-  return bounded_run<Scalar>(program, program.functions.front(), state);
+  return bounded_run(program, program.functions.front(), state, rounding<Scalar>());
 }
 
 Bound unit() { return leaf_bound(Real(1), true); }
@@ -46,7 +46,8 @@ TEST_CASE("what leaves every exponent is an overflow too") {
       "coordinates x\nfunction bias\n  0 = coordinate x\n  1 = exp 0\n  result 1 1 = 1\n");
   State state;
   state.q = {exact_value(1e300)};
-  CHECK(bounded_run<double>(program, program.functions.front(), state).regime == Regime::overflow);
+  CHECK(bounded_run(program, program.functions.front(), state, rounding<double>()).regime ==
+        Regime::overflow);
 }
 
 TEST_CASE("entries are exact to 64 digits, and the largest intermediate is known") {
@@ -57,17 +58,17 @@ TEST_CASE("entries are exact to 64 digits, and the largest intermediate is known
 
 TEST_CASE("errors are measured in u B, less what underflow may cost") {
   const double next = std::nextafter(1.0, 2.0);
-  CHECK(error_in_bounds(1.0, unit(), 5) == 0);
-  CHECK(error_in_bounds(next, unit(), 5) == Approx(2));
-  CHECK(error_in_bounds(std::nextafter(1.0F, 2.0F), unit(), 5) == Approx(2));
-  CHECK(error_in_bounds(5e-324, leaf_bound(Real(), true), 1) == 0);
+  CHECK(error_in_bounds(1.0, unit(), 5, rounding<double>()) == 0);
+  CHECK(error_in_bounds(next, unit(), 5, rounding<double>()) == Approx(2));
+  CHECK(error_in_bounds(std::nextafter(1.0F, 2.0F), unit(), 5, rounding<float>()) == Approx(2));
+  CHECK(error_in_bounds(5e-324, leaf_bound(Real(), true), 1, rounding<double>()) == 0);
 }
 
 TEST_CASE("what underflows on the way is judged by the own bound") {
   // x^2/(x - y) of 1e-200: x^2 is lost whole, and the division makes it 1e-200 again.
   const Bound lost = run_at<double>(1e-200, 0).entries.at(0);
   CHECK(lost.underflows);
-  CHECK(error_in_bounds(0.0, lost, 5) <= 8);
+  CHECK(error_in_bounds(0.0, lost, 5, rounding<double>()) <= 8);
   CHECK(&judging_bound(lost, unit()) == &lost);
   const Bound kept = run_at<double>(1e-100, 0).entries.at(0);
   const Bound closed = unit();
@@ -76,16 +77,16 @@ TEST_CASE("what underflows on the way is judged by the own bound") {
 }
 
 TEST_CASE("no number, and a difference where the bound is 0, are infinitely wrong") {
-  CHECK(std::isinf(error_in_bounds(std::nan(""), unit(), 1)));
-  CHECK(std::isinf(error_in_bounds(HUGE_VAL, unit(), 1)));
-  CHECK(std::isinf(error_in_bounds(1e-100, leaf_bound(Real(), true), 1)));
+  CHECK(std::isinf(error_in_bounds(std::nan(""), unit(), 1, rounding<double>())));
+  CHECK(std::isinf(error_in_bounds(HUGE_VAL, unit(), 1, rounding<double>())));
+  CHECK(std::isinf(error_in_bounds(1e-100, leaf_bound(Real(), true), 1, rounding<double>())));
 }
 
 TEST_CASE("a long sum may be off by its roundings") {
   const double next = std::nextafter(1.0, 2.0);
   Bound entry = unit();
   entry.roundings = 8;
-  CHECK(error_in_bounds(next, entry, 5) == Approx(2));
+  CHECK(error_in_bounds(next, entry, 5, rounding<double>()) == Approx(2));
   entry.roundings = 160;
-  CHECK(error_in_bounds(next, entry, 5) == Approx(0.1));
+  CHECK(error_in_bounds(next, entry, 5, rounding<double>()) == Approx(0.1));
 }

@@ -17,7 +17,8 @@ std::string compare(const System& system, OutputKind kind, std::uint32_t user = 
   Random random(1);
   for (const FieldPlace& place : field_places(subject)) {
     if (place.function->kind != kind || place.function->user != user) continue;
-    const BoundedRun run = bounded_run<double>(system.program, *place.function, oracle.state());
+    const BoundedRun run =
+        bounded_run(system.program, *place.function, oracle.state(), rounding<double>());
     REQUIRE(run.regime == Regime::regular);
     const std::string differs = compare_projection(subject, place, run, oracle, random);
     if (!differs.empty()) return differs;

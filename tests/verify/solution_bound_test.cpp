@@ -47,9 +47,9 @@ std::vector<SolvedColumn> columns_at(const System& system, double c) {
   const Subject subject = system.subject();
   const SampledState<double> sample = state_with(system, c);
   const State state = exact_state(subject, sample.values);
-  SolutionBounds<double> bounds(&system.program, state);
+  SolutionBounds bounds(&system.program, state, rounding<double>());
   const FieldPlace place = field_places(subject, 2).front();
-  const BoundedRun run = bounded_run<double>(system.program, *place.function, state);
+  const BoundedRun run = bounded_run(system.program, *place.function, state, rounding<double>());
   return bounds.columns(place, {run.entries[0], run.entries[1]});
 }
 
@@ -130,7 +130,7 @@ TEST_CASE("without the parts there is no such bound") {
   CHECK(own.regime == Regime::regular);
   const Subject subject = system.subject();
   const State state = exact_state(subject, state_with(system, 0.5).values);
-  SolutionBounds<double> none(nullptr, state);
+  SolutionBounds none(nullptr, state, rounding<double>());
   CHECK(none.columns(field_places(subject, 2).front(), {}).empty());
 }
 

@@ -33,31 +33,26 @@ Regime worse(Regime x, Regime y) {
   return x < y ? x : y;
 }
 
-template <class Scalar>
 BoundedRun bounded_run(const Program& program, const Function& function, const State& state,
-                       const std::vector<Bound>& accelerations) {
+                       const Rounding& rounding, const std::vector<Bound>& accelerations) {
   BoundedRun run;
   RealPrecision precision;
-  std::vector<Bounded<Scalar>> values;
+  std::vector<Bound> values;
   do {
     // Made anew where more digits are needed.
-    auto arguments = arguments_at<Bounded<Scalar>>(state);
-    for (std::size_t i = 0; i < accelerations.size(); ++i) arguments.a[i] = {accelerations[i]};
-    values = evaluate_instructions(program, function, arguments);
+    const auto leaf = [&](const cln::cl_R& value) { return leaf_bound(value, rounding); };
+    LeafValues<Bound> leaves = map_leaves(leaf, state);
+    if (!accelerations.empty()) leaves.a = accelerations;
+    values = fold<Bound>(BoundRules{leaves, rounding}, program, function);
   } while (precision.grows());
   for (const Bound& value : values) {
-    const Regime here = regime_of(value, rounding<Scalar>());
+    const Regime here = regime_of(value, rounding);
     run.regime = worse(run.regime, here);
     if (here != Regime::undefined) run.largest = max(run.largest, abs(value.value));
   }
-  for (const std::uint32_t entry : entries_of(function)) run.entries.push_back(values[entry]);
+  run.entries = entries_of(function, values);
   return run;
 }
-
-template BoundedRun bounded_run<double>(const Program&, const Function&, const State&,
-                                        const std::vector<Bound>&);
-template BoundedRun bounded_run<float>(const Program&, const Function&, const State&,
-                                       const std::vector<Bound>&);
 
 Judge judge_of(const Program& program, std::size_t index, const Field& field, std::size_t first) {
   const Function& function = program.functions[index];
@@ -79,34 +74,25 @@ const Bound& judging_bound(const Bound& own, const Bound& closed) {
   return own.underflows ? own : closed;
 }
 
-template <class Scalar>
-Real excess_error(Scalar x, const Real& exact, std::size_t operations) {
+Real excess_error(double x, const Real& exact, std::size_t operations, const Rounding& rounding) {
   if (!std::isfinite(x)) return Real::undefined();
-  const Real computed(exact_value(static_cast<double>(x)));
-  const Rounding& constants = rounding<Scalar>();
-  const Real eta = constants.underflow * constants.roundoff;
-  const Real excess = abs(computed - exact) - eta * Real(cln::cl_R(static_cast<long>(operations)));
+  const Real eta = rounding.underflow * rounding.roundoff;
+  const Real excess =
+      abs(Real(exact_value(x)) - exact) - eta * Real(cln::cl_R(static_cast<long>(operations)));
   return max(excess, Real());
 }
 
-template <class Scalar>
-double in_bounds(const Real& excess, const Real& bound) {
+double in_bounds(const Real& excess, const Real& bound, const Rounding& rounding) {
   if (excess.is_defined() && cln::zerop(excess.value())) return 0;
-  const Real figure = excess / (rounding<Scalar>().roundoff * bound);
+  const Real figure = excess / (rounding.roundoff * bound);
   return figure.is_defined() ? ScalarTraits<double>::from_real(figure.value())
                              : std::numeric_limits<double>::infinity();
 }
 
-template <class Scalar>
-double error_in_bounds(Scalar x, const Bound& entry, std::size_t operations) {
-  return in_bounds<Scalar>(excess_error(x, entry.value, operations), covering_bound(entry));
+double error_in_bounds(double x, const Bound& entry, std::size_t operations,
+                       const Rounding& rounding) {
+  return in_bounds(excess_error(x, entry.value, operations, rounding), covering_bound(entry),
+                   rounding);
 }
-
-template Real excess_error(double, const Real&, std::size_t);
-template Real excess_error(float, const Real&, std::size_t);
-template double in_bounds<double>(const Real&, const Real&);
-template double in_bounds<float>(const Real&, const Real&);
-template double error_in_bounds(double, const Bound&, std::size_t);
-template double error_in_bounds(float, const Bound&, std::size_t);
 
 }  // namespace elgen

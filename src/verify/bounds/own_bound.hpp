@@ -28,10 +28,9 @@ struct BoundedRun {
 };
 
 /// Runs exact values and bounds along a function. `accelerations`, where there are some, take the
-/// place of the state's, and may be known to their bounds only. Scalar: double or float.
-template <class Scalar>
+/// place of the state's, and may be known to their bounds only.
 [[nodiscard]] BoundedRun bounded_run(const Program& program, const Function& function,
-                                     const State& state,
+                                     const State& state, const Rounding& rounding,
                                      const std::vector<Bound>& accelerations = {});
 
 /// What judges an entry: B of the closed form where the function is emitted in it (a bound that
@@ -55,16 +54,15 @@ struct Judge {
 [[nodiscard]] Real covering_bound(const Bound& entry);
 
 /// |x - exact| less `operations` times the smallest denormal, which underflow may cost; undefined
-/// where x is not a number. Scalar: double or float.
-template <class Scalar>
-[[nodiscard]] Real excess_error(Scalar x, const Real& exact, std::size_t operations);
+/// where x is not a number.
+[[nodiscard]] Real excess_error(double x, const Real& exact, std::size_t operations,
+                                const Rounding& rounding);
 
 /// excess/(u bound): 0 where there is no excess, infinite where it has no value or the bound is 0.
-template <class Scalar>
-[[nodiscard]] double in_bounds(const Real& excess, const Real& bound);
+[[nodiscard]] double in_bounds(const Real& excess, const Real& bound, const Rounding& rounding);
 
 /// |x - exact| / (u B), B the covering bound, less what underflow may cost.
-template <class Scalar>
-[[nodiscard]] double error_in_bounds(Scalar x, const Bound& entry, std::size_t operations);
+[[nodiscard]] double error_in_bounds(double x, const Bound& entry, std::size_t operations,
+                                     const Rounding& rounding);
 
 }  // namespace elgen

@@ -68,17 +68,15 @@ std::vector<OutputRequest> needed_parts(const Model& model, const Scene& scene) 
   return needed;
 }
 
-template <class Scalar>
-const BoundedRun* SolutionBounds<Scalar>::run(OutputKind kind) {
+const BoundedRun* SolutionBounds::run(OutputKind kind) {
   const Function* function = parts_ == nullptr ? nullptr : find_function(*parts_, kind);
   if (function == nullptr) return nullptr;
   auto& known = runs_[kind];
-  if (!known) known = bounded_run<Scalar>(*parts_, *function, state_);
+  if (!known) known = bounded_run(*parts_, *function, state_, rounding_);
   return &*known;
 }
 
-template <class Scalar>
-auto SolutionBounds<Scalar>::measured_mass() -> std::optional<Mass> {
+std::optional<SolutionBounds::Mass> SolutionBounds::measured_mass() {
   const BoundedRun* m = run(OutputKind::mass_matrix);
   if (m == nullptr || !is_known(*m)) return std::nullopt;
   const std::size_t n = state_.v.size();
@@ -96,20 +94,17 @@ auto SolutionBounds<Scalar>::measured_mass() -> std::optional<Mass> {
   const auto condition_of_mass = condition(m->entries, mass.weights);
   if (!condition_of_mass) return std::nullopt;
   mass.condition = *condition_of_mass;
-  const Real error = rounding<Scalar>().roundoff * mass.condition;
+  const Real error = rounding_.roundoff * mass.condition;
   if (!is_small(error) || !is_small(error * Real(8) * mass.uncertainty)) return std::nullopt;
   return mass;
 }
 
-template <class Scalar>
-auto SolutionBounds<Scalar>::mass() -> const Mass* {
+const SolutionBounds::Mass* SolutionBounds::mass() {
   if (!mass_) mass_ = measured_mass();
   return *mass_ ? &**mass_ : nullptr;
 }
 
-template <class Scalar>
-Real SolutionBounds<Scalar>::bound(const std::vector<Real>& x,
-                                   const std::vector<Real>& right_side) const {
+Real SolutionBounds::bound(const std::vector<Real>& x, const std::vector<Real>& right_side) const {
   const Mass& m = **mass_;
   std::vector<Real> scaled_x;
   std::vector<Real> scaled_side;
@@ -122,15 +117,13 @@ Real SolutionBounds<Scalar>::bound(const std::vector<Real>& x,
 }
 
 /// d = D_i/M_ii is z.S z for a z with |z|^2 <= d/least eigenvalue, and the largest is at least 1.
-template <class Scalar>
-SolvedColumn SolutionBounds<Scalar>::pivot(std::size_t entry, const Bound& value) const {
+SolvedColumn SolutionBounds::pivot(std::size_t entry, const Bound& value) const {
   const Mass& m = **mass_;
   const Real n(cln::cl_I(static_cast<unsigned long>(m.weights.size())));
   return {{entry}, {Real(1)}, m.condition * (n + m.uncertainty) * abs(value.value)};
 }
 
-template <class Scalar>
-std::vector<Real> SolutionBounds<Scalar>::driven_bias() {
+std::vector<Real> SolutionBounds::driven_bias() {
   const BoundedRun* bias = run(OutputKind::bias);
   const BoundedRun* input = run(OutputKind::input_matrix);
   const std::size_t inputs = state_.u.size();
@@ -148,9 +141,8 @@ std::vector<Real> SolutionBounds<Scalar>::driven_bias() {
 }
 
 /// Of one column: an entry of each row, `width` apart.
-template <class Scalar>
-std::vector<Real> SolutionBounds<Scalar>::bounds_of(const BoundedRun& matrix, std::size_t first,
-                                                    std::size_t width) const {
+std::vector<Real> SolutionBounds::bounds_of(const BoundedRun& matrix, std::size_t first,
+                                            std::size_t width) const {
   std::vector<Real> bounds;
   for (std::size_t i = 0; i < state_.v.size(); ++i) {
     bounds.push_back(covering_bound(matrix.entries[first + i * width]));
@@ -158,16 +150,14 @@ std::vector<Real> SolutionBounds<Scalar>::bounds_of(const BoundedRun& matrix, st
   return bounds;
 }
 
-template <class Scalar>
-std::vector<Real> SolutionBounds<Scalar>::input_column(std::size_t input) {
+std::vector<Real> SolutionBounds::input_column(std::size_t input) {
   const BoundedRun* matrix = run(OutputKind::input_matrix);
   if (matrix == nullptr || !is_known(*matrix)) return {};
   return bounds_of(*matrix, input, state_.u.size());
 }
 
 /// The derivatives of M a + bias, at accelerations that are known as well as their bound says.
-template <class Scalar>
-const BoundedRun* SolutionBounds<Scalar>::inverse_derivatives() {
+const BoundedRun* SolutionBounds::inverse_derivatives() {
   if (inverse_derivatives_) return *inverse_derivatives_ ? &**inverse_derivatives_ : nullptr;
   inverse_derivatives_.emplace();
   const BoundedRun* forward = run(OutputKind::forward_dynamics);
@@ -188,28 +178,25 @@ const BoundedRun* SolutionBounds<Scalar>::inverse_derivatives() {
     accelerations[i] = leaf_bound(values[i], false);
     accelerations[i].bound = max(abs(values[i]), error / mass()->weights[i]);
   }
-  BoundedRun derivatives = bounded_run<Scalar>(*parts_, *function, state_, accelerations);
+  BoundedRun derivatives = bounded_run(*parts_, *function, state_, rounding_, accelerations);
   if (!is_known(derivatives)) return nullptr;
   *inverse_derivatives_ = std::move(derivatives);
   return &**inverse_derivatives_;
 }
 
-template <class Scalar>
-bool SolutionBounds<Scalar>::inputs_act_everywhere_alike() const {
+bool SolutionBounds::inputs_act_everywhere_alike() const {
   const Function* matrix = find_function(*parts_, OutputKind::input_matrix);
   return matrix == nullptr || !depends_on_position(*matrix);
 }
 
-template <class Scalar>
-std::vector<Real> SolutionBounds<Scalar>::state_column(std::size_t first, std::size_t column) {
+std::vector<Real> SolutionBounds::state_column(std::size_t first, std::size_t column) {
   const BoundedRun* derivatives = inverse_derivatives();
   if (derivatives == nullptr || (first == 0 && !inputs_act_everywhere_alike())) return {};
   const std::size_t n = state_.v.size();
   return bounds_of(*derivatives, first * n * n + column, n);
 }
 
-template <class Scalar>
-std::vector<Real> SolutionBounds<Scalar>::right_side(const FieldPlace& place, std::size_t column) {
+std::vector<Real> SolutionBounds::right_side(const FieldPlace& place, std::size_t column) {
   const std::size_t n = state_.v.size();
   const OutputRow& output = output_row(place.request.kind);
   if (!output.differentiates) return driven_bias();
@@ -221,9 +208,8 @@ std::vector<Real> SolutionBounds<Scalar>::right_side(const FieldPlace& place, st
                      : state_column(place.request_field, column);
 }
 
-template <class Scalar>
-std::vector<SolvedColumn> SolutionBounds<Scalar>::columns(const FieldPlace& place,
-                                                          const std::vector<Bound>& entries) {
+std::vector<SolvedColumn> SolutionBounds::columns(const FieldPlace& place,
+                                                  const std::vector<Bound>& entries) {
   if (!output_row(place.request.kind).solves || mass() == nullptr) return {};
   const std::size_t n = state_.v.size();
   std::vector<SolvedColumn> columns;
@@ -248,8 +234,5 @@ std::vector<SolvedColumn> SolutionBounds<Scalar>::columns(const FieldPlace& plac
   }
   return columns;
 }
-
-template class SolutionBounds<double>;
-template class SolutionBounds<float>;
 
 }  // namespace elgen

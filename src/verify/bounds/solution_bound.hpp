@@ -24,13 +24,12 @@ struct SolvedColumn {
   Real bound = {};
 };
 
-/// Scalar: double or float.
-template <class Scalar>
 class SolutionBounds {
  public:
   /// `parts`: a program with M, bias, the input matrix, and where derivatives of accelerations are
   /// judged, forward dynamics and the derivatives of inverse dynamics; null where there is none.
-  SolutionBounds(const Program* parts, const State& state) : parts_(parts), state_(state) {}
+  SolutionBounds(const Program* parts, const State& state, const Rounding& rounding)
+      : parts_(parts), state_(state), rounding_(rounding) {}
 
   /// The columns of a field that solves, whose exact entries are `entries`. Empty where the field
   /// does not solve, where a part is missing, and where u cond is more than a tenth, or an error of
@@ -62,6 +61,7 @@ class SolutionBounds {
 
   const Program* parts_;
   const State& state_;
+  const Rounding& rounding_;
   std::map<OutputKind, std::optional<BoundedRun>> runs_ = {};
   std::optional<std::optional<Mass>> mass_ = {};
   std::optional<std::optional<BoundedRun>> inverse_derivatives_ = {};

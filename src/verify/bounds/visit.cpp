@@ -69,13 +69,13 @@ Visit<Scalar>::Visit(const Subject& subject, const SampledState<Scalar>& sample,
       comparison_(comparison),
       parts_(parts),
       oracle_(subject, exact_state(subject, sample.values)),
-      solutions_(parts, oracle_.state()) {}
+      solutions_(parts, oracle_.state(), rounding<Scalar>()) {}
 
 template <class Scalar>
 void Visit<Scalar>::run(const FieldPlace& place) {
   if (place.function != function_) {
     function_ = place.function;
-    exact_ = bounded_run<Scalar>(subject_.program, *function_, state());
+    exact_ = bounded_run(subject_.program, *function_, state(), rounding<Scalar>());
     values_ = evaluate(subject_.program, *function_, sample_.values);
     const bool is_repeated =
         comparison_ == Comparison::projections && function_->fields.size() == 1;
@@ -83,7 +83,7 @@ void Visit<Scalar>::run(const FieldPlace& place) {
   }
   if (!place.judge.is_closed_form || place.judge.function == judge_) return;
   judge_ = place.judge.function;
-  judge_run_ = bounded_run<Scalar>(subject_.program, *judge_, state());
+  judge_run_ = bounded_run(subject_.program, *judge_, state(), rounding<Scalar>());
 }
 
 template <class Scalar>
@@ -180,7 +180,8 @@ template <class Scalar>
 void Visit<Scalar>::add_entry(const FieldPlace& place, std::size_t entry, const Bound& bound,
                               Finding& finding) const {
   const Scalar x = values_[place.first + entry];
-  add_error(place, entry, error_in_bounds(x, bound, place.function->instructions.size()), finding);
+  const std::size_t operations = place.function->instructions.size();
+  add_error(place, entry, error_in_bounds(x, bound, operations, rounding<Scalar>()), finding);
   finding.cancellation = std::max(finding.cancellation, cancellation(bound));
 }
 
@@ -190,11 +191,12 @@ double Visit<Scalar>::error_in_norm(const FieldPlace& place, const SolvedColumn&
   Real square;
   for (std::size_t i = 0; i < column.entries.size(); ++i) {
     const std::size_t at = place.first + column.entries[i];
-    const Real error = excess_error(values_[at], exact_.entries[at].value, operations);
+    const Real error =
+        excess_error(values_[at], exact_.entries[at].value, operations, rounding<Scalar>());
     const Real weighted = error * column.weights[i];
     square = square + weighted * weighted;
   }
-  return in_bounds<Scalar>(sqrt(square), column.bound);
+  return in_bounds(sqrt(square), column.bound, rounding<Scalar>());
 }
 
 /// None where nothing bounds it: beyond the ranges the code may round more on its way to M and b
@@ -213,7 +215,8 @@ std::optional<double> Visit<Scalar>::error_of(const FieldPlace& place,
   double largest = 0;
   for (std::size_t i = 0; i < own.size(); ++i) {
     const Scalar x = values_[place.first + column.entries[i]];
-    largest = std::max(largest, error_in_bounds(x, own[i], place.function->instructions.size()));
+    const std::size_t operations = place.function->instructions.size();
+    largest = std::max(largest, error_in_bounds(x, own[i], operations, rounding<Scalar>()));
   }
   return std::min(in_norm, largest);
 }

@@ -83,7 +83,7 @@ class Visit {
   Comparison comparison_;
   const Program* parts_;
   OracleCache oracle_;
-  SolutionBounds<Scalar> solutions_;
+  SolutionBounds solutions_;
   const Function* function_ = nullptr;  ///< of the following runs
   BoundedRun exact_ = {};
   std::vector<Scalar> values_ = {};
