@@ -15,8 +15,8 @@
 
 namespace elgen {
 
-/// A float of 64 decimal digits (or more: RealPrecision) that carries "undefined" (a division by
-/// zero, sqrt(-1)) like a NaN.
+/// A float of 64 decimal digits (or more: base/more_digits.hpp) that carries "undefined" (a
+/// division by zero, sqrt(-1)) like a NaN.
 class Real {
  public:
   Real() : Real(cln::cl_R(0)) {}
@@ -46,25 +46,6 @@ class Real {
 #undef ELGEN_FUNCTION
 #undef ELGEN_REAL_2
 #undef ELGEN_REAL_1
-
-/// While it lives, Reals have as many digits more as its user lets them grow by: an angle of 1e100
-/// leaves none of 64 behind the point, for sines to be made of.
-///
-///     RealPrecision precision;
-///     do { computation } while (precision.grows());
-class RealPrecision {
- public:
-  RealPrecision();
-  ~RealPrecision();
-  RealPrecision(const RealPrecision&) = delete;
-  RealPrecision& operator=(const RealPrecision&) = delete;
-
-  /// Whether angles met since then have taken digits that can be given back.
-  [[nodiscard]] bool grows();
-
- private:
-  unsigned outer_;
-};
 
 template <>
 struct ScalarTraits<Real> {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <utility>
 
 #include "base/enclosed_number.hpp"
 #include "base/more_digits.hpp"
@@ -15,14 +14,7 @@ namespace {
 
 constexpr unsigned basic_digits = 64;
 
-/// Agreement is asked for to 50 digits of a bound that knows the slope of a sine: these may go.
-constexpr unsigned spare_digits = 10;
-
-/// Of RealPrecision: digits beyond the basic ones, and those that angles met have before the point.
-thread_local unsigned more_digits = 0;
-thread_local unsigned lost_digits = 0;
-
-unsigned digits() { return basic_digits + MoreDigits::count() + more_digits; }
+unsigned digits() { return basic_digits + MoreDigits::count(); }
 
 const cln::cl_F& number(const Real& x) { return x.value(); }
 
@@ -43,7 +35,7 @@ bool both(const Real& x, const Real& y) { return x.is_defined() && y.is_defined(
 cln::cl_F lengthened(const Real& x) {
   const auto exponent = std::max(std::int64_t{0}, std::int64_t{cln::float_exponent(number(x))});
   const auto before_point = static_cast<unsigned>(exponent / 3);
-  lost_digits = std::max(lost_digits, before_point);
+  MoreDigits::lose(before_point);
   return cln::cl_float(number(x), cln::float_format(digits() + before_point));
 }
 
@@ -86,17 +78,6 @@ Real called(FunctionId function, const Real& x, const Real& y) {
 }  // namespace
 
 cln::float_format_t Real::format() { return cln::float_format(digits()); }
-
-RealPrecision::RealPrecision() : outer_(std::exchange(more_digits, 0)) { lost_digits = 0; }
-
-RealPrecision::~RealPrecision() { more_digits = outer_; }
-
-bool RealPrecision::grows() {
-  const unsigned lost = std::exchange(lost_digits, 0);
-  if (lost <= more_digits + spare_digits) return false;
-  more_digits = lost;
-  return true;
-}
 
 Real Real::undefined() {
   Real result;

@@ -3,6 +3,7 @@
 
 #include <cln/exception.h>
 
+#include "base/more_digits.hpp"
 #include "base/random.hpp"
 #include "elgen/leaf_names.hpp"
 #include "oracle/linear_solve.hpp"
@@ -30,9 +31,9 @@ auto attempt(const Computation& computation) -> std::optional<decltype(computati
 /// To as many digits as its angles ask for: without them a value may seem not to exist.
 template <class Computation>
 auto guarded(const Computation& computation) -> std::optional<decltype(computation())> {
-  oracle::Precision precision;
+  MoreDigits digits;
   auto value = attempt(computation);
-  while (precision.grows()) value = attempt(computation);
+  while (digits.grow()) value = attempt(computation);
   return value;
 }
 

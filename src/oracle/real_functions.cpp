@@ -7,9 +7,6 @@
 #include <cln/integer.h>
 #include <cln/rational.h>
 
-#include <algorithm>
-#include <utility>
-
 #include "base/exact_number.hpp"
 #include "base/more_digits.hpp"
 
@@ -33,14 +30,7 @@ const cl_R tanh_saturation = 200;
 /// An angle beyond 2^20000 has left every built-in scalar long before.
 constexpr long largest_angle_exponent = 20'000;
 
-/// Of Precision: digits beyond the working ones, and those that angles met have before the point.
-thread_local unsigned more_digits = 0;
-thread_local unsigned lost_digits = 0;
-
-/// So many the working precision has to spare: 60 digits are promised.
-constexpr unsigned spare_digits = 10;
-
-unsigned all_digits() { return working_digits + MoreDigits::count() + more_digits; }
+unsigned all_digits() { return working_digits + MoreDigits::count(); }
 
 cln::float_format_t working_format() { return cln::float_format(all_digits()); }
 
@@ -56,7 +46,7 @@ cl_F widened(const cl_R& x) {
   if (bits <= 0) return f;
   if (bits > largest_angle_exponent) throw OutsideDomain("argument too large to reduce");
   const unsigned digits = static_cast<unsigned>(bits) / 3 + 1;
-  lost_digits = std::max(lost_digits, digits);
+  MoreDigits::lose(digits);
   return cln::cl_float(f, cln::float_format(all_digits() + digits));
 }
 
@@ -147,17 +137,6 @@ cl_R computed(FunctionId function, const cl_R& x, const cl_R& y) {
 
 }  // namespace
 
-Precision::Precision() : outer_(std::exchange(more_digits, 0)) { lost_digits = 0; }
-
-Precision::~Precision() { more_digits = outer_; }
-
-bool Precision::grows() {
-  const unsigned lost = std::exchange(lost_digits, 0);
-  if (lost <= more_digits + spare_digits) return false;
-  more_digits = lost;
-  return true;
-}
-
 cl_R as_float(const cl_R& x) {
   return is_rational(x) ? cl_R(cln::cl_float(x, working_format())) : x;
 }
@@ -188,12 +167,6 @@ cl_R real_power(const cl_R& x, const cl_RA& exponent) {
     return cln::expt(root, numerator);
   }
   return cln::exp(cln::ln(as_float(x)) * exponent);
-}
-
-bool RealFunctions::Before::operator()(const Call& left, const Call& right) const {
-  if (std::get<0>(left) != std::get<0>(right)) return std::get<0>(left) < std::get<0>(right);
-  if (std::get<1>(left) != std::get<1>(right)) return std::get<1>(left) < std::get<1>(right);
-  return std::get<2>(left) < std::get<2>(right);
 }
 
 cl_R RealFunctions::value(FunctionId function, const cl_R& x, const cl_R& y) {

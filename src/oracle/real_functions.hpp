@@ -18,28 +18,10 @@
 
 namespace elgen::oracle {
 
-/// 60 digits are promised; the other 35 are what sums may cancel: 1e-8 rad from a singular chart
-/// the textbook expressions lose 16, and 1e-150 rad is a matter of exponents, not of digits.
+/// 60 digits are promised (more while MoreDigits live); the other 35 are what sums may cancel: 1e-8
+/// rad from a singular chart the textbook expressions lose 16, and 1e-150 rad is a matter of
+/// exponents, not of digits.
 inline constexpr unsigned working_digits = 95;
-
-/// While it lives, everything is computed to as many digits more as its user lets it grow by: an
-/// angle that is no rational has lost those before its point, and its sine with them.
-///
-///     Precision precision;
-///     do { computation } while (precision.grows());
-class Precision {
- public:
-  Precision();
-  ~Precision();
-  Precision(const Precision&) = delete;
-  Precision& operator=(const Precision&) = delete;
-
-  /// Whether angles met since then have lost digits that can be given back.
-  [[nodiscard]] bool grows();
-
- private:
-  unsigned outer_;
-};
 
 /// The quantity is undefined at this state: division by zero, a root or logarithm of a negative
 /// number.
@@ -70,12 +52,9 @@ class RealFunctions {
 
  private:
   using Call = std::tuple<FunctionId, cln::cl_R, cln::cl_R>;
-  struct Before {
-    bool operator()(const Call& left, const Call& right) const;
-  };
   cln::cl_R remembered(FunctionId function, const cln::cl_R& x, const cln::cl_R& y);
 
-  std::map<Call, cln::cl_R, Before> known_ = {};
+  std::map<Call, cln::cl_R> known_ = {};
 };
 
 }  // namespace elgen::oracle

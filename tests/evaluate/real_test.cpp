@@ -48,13 +48,13 @@ TEST_CASE("angles that leave no digit behind the point ask for more digits") {
     return Real(cln::sin(cln::cl_float(angle, cln::float_format(180))));
   }();
   CHECK_FALSE(near(sine(), truth));
-  RealPrecision precision;
+  MoreDigits digits;
   CHECK_FALSE(near(sine(), truth));
-  REQUIRE(precision.grows());
+  REQUIRE(digits.grow());
   CHECK(near(sine(), truth));
-  CHECK_FALSE(precision.grows());
+  CHECK_FALSE(digits.grow());
   CHECK(near(sin(real("1000")), sin(Real(1000))));
-  CHECK_FALSE(precision.grows());
+  CHECK_FALSE(digits.grow());
 }
 
 TEST_CASE("large angles keep all digits") {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/more_digits.hpp"
+
 namespace elgen {
 namespace {
 
@@ -36,7 +38,7 @@ Regime worse(Regime x, Regime y) {
 BoundedRun bounded_run(const Program& program, const Function& function, const State& state,
                        const Rounding& rounding, const std::vector<Bound>& accelerations) {
   BoundedRun run;
-  RealPrecision precision;
+  MoreDigits digits;
   std::vector<Bound> values;
   do {
     // Made anew where more digits are needed.
@@ -44,7 +46,7 @@ BoundedRun bounded_run(const Program& program, const Function& function, const S
     LeafValues<Bound> leaves = map_leaves(leaf, state);
     if (!accelerations.empty()) leaves.a = accelerations;
     values = fold<Bound>(BoundRules{leaves, rounding}, program, function);
-  } while (precision.grows());
+  } while (digits.grow());
   for (const Bound& value : values) {
     const Regime here = regime_of(value, rounding);
     run.regime = worse(run.regime, here);
