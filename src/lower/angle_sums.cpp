@@ -139,7 +139,8 @@ std::map<NodeId, Split> splits_of(const Expressions& expressions) {
 /// refers to each of its angles again and again.
 class AngleSums {
  public:
-  explicit AngleSums(std::map<NodeId, Split> splits) : splits_(std::move(splits)) {}
+  AngleSums(std::map<NodeId, Split> splits, std::size_t nodes)
+      : splits_(std::move(splits)), arguments_(nodes), is_built_(nodes) {}
 
   Ref operator()(Graph& graph, const RebuildStep& step) {
     const Node& node = step.old_graph.node(step.old_node);
@@ -152,42 +153,12 @@ class AngleSums {
  private:
   /// An argument in the new graph, built anew: it may come later in the old one.
   Ref argument(Graph& graph, const RebuildStep& step, NodeId id) {
-    const auto known = arguments_.find(id);
-    if (known != arguments_.end()) return known->second;
-    return arguments_[id] = new_argument(graph, step, id);
-  }
-
-  Ref new_argument(Graph& graph, const RebuildStep& step, NodeId id) {
-    const Node& node = step.old_graph.node(id);
-    std::vector<Power> factors;
-    switch (node.kind) {
-      case NodeKind::sum:
-        return graph.sum(terms(graph, step, node));
-      case NodeKind::product:
-        for (const Operand& factor : node.operands) {
-          factors.push_back({argument(graph, step, factor.node), factor.weight});
-        }
-        return graph.product(factors);
-      case NodeKind::rational:
-        return graph.rational(step.old_graph.rational_of(id));
-      case NodeKind::pi:
-        return graph.pi();
-      case NodeKind::leaf:
-        return graph.leaf(node.leaf, node.index);
-      case NodeKind::square_root:
-        return graph.square_root(argument(graph, step, node.operands[0].node));
-      case NodeKind::call:
-        break;
+    if (is_built_[id]) return arguments_[id];
+    for (const Operand& operand : step.old_graph.node(id).operands) {
+      (void)argument(graph, step, operand.node);
     }
-    return graph.call(node.function, terms(graph, step, node));
-  }
-
-  std::vector<Ref> terms(Graph& graph, const RebuildStep& step, const Node& node) {
-    std::vector<Ref> result;
-    for (const Operand& operand : node.operands) {
-      result.push_back(with_sign(argument(graph, step, operand.node), operand.weight < 0));
-    }
-    return result;
+    is_built_[id] = true;
+    return arguments_[id] = copy(graph, {step.old_graph, id, arguments_});
   }
 
   Ref circular(Graph& graph, const RebuildStep& step, FunctionId function, NodeId id) {
@@ -213,7 +184,8 @@ class AngleSums {
   }
 
   std::map<NodeId, Split> splits_;
-  std::map<NodeId, Ref> arguments_;                        ///< in the new graph
+  std::vector<Ref> arguments_;  ///< in the new graph, by old node
+  std::vector<bool> is_built_;
   std::map<std::pair<FunctionId, NodeId>, Ref> circular_;  ///< likewise
 };
 
@@ -222,7 +194,7 @@ class AngleSums {
 std::optional<Expressions> expand_angle_sums(const Expressions& expressions) {
   std::map<NodeId, Split> splits = splits_of(expressions);
   if (splits.empty()) return std::nullopt;
-  return rebuild(expressions, AngleSums(std::move(splits)));
+  return rebuild(expressions, AngleSums(std::move(splits), expressions.graph.size()));
 }
 
 }  // namespace elgen

@@ -125,6 +125,8 @@ class Graph {
   std::optional<Term> scaled_product(NodeId id);
   Term split_coefficient(Ref term);
   [[nodiscard]] std::size_t squared_sine(NodeId id) const;
+  template <class Choice>
+  std::vector<Term*> in_order(std::vector<Term>& terms, const Choice& is_chosen) const;
   bool join_squares(std::vector<Term>& terms);
   bool write_out_opposed(std::vector<Term>& terms);
   static void merge_terms(std::vector<Term>& terms);

@@ -1,19 +1,29 @@
-// Few are added, so that looking through all of them costs nothing.
+// Instructions: value numbers, by what is computed.
 #include "lower/instructions.hpp"
-
-#include <algorithm>
 
 namespace elgen {
 
+std::size_t Instructions::Hash::operator()(const Instruction& i) const {
+  const std::uint64_t operands = (std::uint64_t{i.a} << 32U) | i.b;
+  const auto operation =
+      static_cast<std::uint64_t>(i.opcode) * 64 + static_cast<std::uint64_t>(i.function);
+  return (operands ^ (operation << 48U)) * 0x9E3779B97F4A7C15U;
+}
+
+Instructions::Instructions(Function& function) : function_(function) {
+  for (const Instruction& instruction : function.instructions) {
+    known_.emplace(instruction, static_cast<std::uint32_t>(known_.size()));
+  }
+}
+
 std::uint32_t Instructions::add(const Instruction& instruction) {
-  std::vector<Instruction>& all = function_.instructions;
-  const auto known = std::find(all.begin(), all.end(), instruction);
-  const auto at = static_cast<std::uint32_t>(known - all.begin());
-  if (known == all.end()) {
-    all.push_back(instruction);
+  const auto next = static_cast<std::uint32_t>(function_.instructions.size());
+  const auto [known, is_new] = known_.emplace(instruction, next);
+  if (is_new) {
+    function_.instructions.push_back(instruction);
     function_.names.emplace_back();
   }
-  return at;
+  return known->second;
 }
 
 std::uint32_t Instructions::add(Opcode opcode, std::uint32_t a, std::uint32_t b) {

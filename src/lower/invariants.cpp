@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "elgen/program.hpp"
+#include "lower/prune.hpp"
 
 namespace elgen {
 namespace {
@@ -36,20 +37,6 @@ std::string broken_instruction(const Program& program, const Function& function,
     return "only a call names a function";
   }
   return "";
-}
-
-std::vector<bool> used_instructions(const Function& function) {
-  std::vector<bool> used(function.instructions.size(), false);
-  for (const Field& field : function.fields) {
-    for (const std::uint32_t entry : field.entries) used[entry] = true;
-  }
-  for (std::size_t at = used.size(); at-- > 0;) {
-    if (!used[at]) continue;
-    const Instruction& instruction = function.instructions[at];
-    if (operand_count(instruction) > 0) used[instruction.a] = true;
-    if (operand_count(instruction) > 1) used[instruction.b] = true;
-  }
-  return used;
 }
 
 std::string broken_field(const Function& function) {
@@ -83,7 +70,7 @@ std::string broken_function(const Program& program, const Function& function) {
   }
   const std::string field = broken_field(function);
   if (!field.empty()) return field;
-  const std::vector<bool> used = used_instructions(function);
+  const std::vector<bool> used = needed_for(function, entries_of(function));
   for (std::size_t at = 0; at < used.size(); ++at) {
     if (!used[at]) return fmt::format("instruction {}: dead", at);
   }

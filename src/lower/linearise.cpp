@@ -1,28 +1,22 @@
-// linearise: see linearise.hpp. Value numbering makes sure that nothing is computed twice.
+// linearise: see linearise.hpp. Instructions are value numbers: nothing is computed twice.
 #include "lower/linearise.hpp"
 
 #include <algorithm>
 #include <optional>
-#include <unordered_map>
+
+#include "lower/instructions.hpp"
 
 namespace elgen {
 namespace {
 
-struct InstructionHash {
-  std::size_t operator()(const Instruction& i) const {
-    const std::uint64_t operands = (std::uint64_t{i.a} << 32U) | i.b;
-    const auto operation =
-        static_cast<std::uint64_t>(i.opcode) * 64 + static_cast<std::uint64_t>(i.function);
-    return (operands ^ (operation << 48U)) * 0x9E3779B97F4A7C15U;
-  }
-};
-
 class Linearising {
  public:
   Linearising(const Network& network, Program& program, Function& function)
-      : network_(network), program_(program), function_(function) {
-    done_.resize(network.operations.size());
-  }
+      : network_(network),
+        program_(program),
+        function_(function),
+        done_(network.operations.size()),
+        instructions_(function) {}
 
   std::uint32_t value(Ref ref) {
     std::vector<NodeId> pending = {ref.node};
@@ -49,35 +43,24 @@ class Linearising {
     if (name.empty()) name = operation.name;
   }
 
-  std::uint32_t emit(const Instruction& instruction) {
-    const auto next = static_cast<std::uint32_t>(function_.instructions.size());
-    const auto [it, is_new] = numbers_.emplace(instruction, next);
-    if (is_new) {
-      function_.instructions.push_back(instruction);
-      function_.names.emplace_back();
-    }
-    return it->second;
-  }
-
   std::uint32_t signed_value(Ref ref) {
     const std::uint32_t magnitude = *done_[ref.node];
-    return ref.negative ? emit({.opcode = Opcode::negate, .a = magnitude}) : magnitude;
+    return ref.negative ? instructions_.add(Opcode::negate, magnitude) : magnitude;
   }
 
   std::uint32_t emit_operation(const Operation& operation) {
     switch (operation.kind) {
       case OperationKind::constant:
-        return emit({.opcode = Opcode::constant, .a = constant(operation.index)});
+        return instructions_.add(Opcode::constant, constant(operation.index));
       case OperationKind::leaf:
-        return emit({.opcode = operation.leaf, .a = operation.index});
+        return instructions_.add(operation.leaf, operation.index);
       case OperationKind::product:
         return product(operation);
       case OperationKind::quotient:
-        return emit({.opcode = Opcode::divide,
-                     .a = *done_[operation.operands[0].node],
-                     .b = *done_[operation.operands[1].node]});
+        return instructions_.add(Opcode::divide, *done_[operation.operands[0].node],
+                                 *done_[operation.operands[1].node]);
       case OperationKind::square_root:
-        return emit({.opcode = Opcode::square_root, .a = signed_value(operation.operands[0])});
+        return instructions_.add(Opcode::square_root, signed_value(operation.operands[0]));
       case OperationKind::call:
         return call(operation);
       case OperationKind::sum:
@@ -93,8 +76,7 @@ class Linearising {
   std::uint32_t product(const Operation& operation) {
     std::uint32_t result = *done_[operation.operands[0].node];
     for (std::size_t i = 1; i < operation.operands.size(); ++i) {
-      result =
-          emit({.opcode = Opcode::multiply, .a = result, .b = *done_[operation.operands[i].node]});
+      result = instructions_.add(Opcode::multiply, result, *done_[operation.operands[i].node]);
     }
     return result;
   }
@@ -103,7 +85,7 @@ class Linearising {
     Instruction instruction{.opcode = Opcode::call, .function = operation.function};
     instruction.a = signed_value(operation.operands[0]);
     if (operation.operands.size() > 1) instruction.b = signed_value(operation.operands[1]);
-    return emit(instruction);
+    return instructions_.add(instruction);
   }
 
   /// Starts from the first positive term, so that nothing needs to be negated where there is one.
@@ -114,9 +96,8 @@ class Linearising {
     std::uint32_t result = signed_value(*start);
     for (auto term = terms.begin(); term != terms.end(); ++term) {
       if (term == start) continue;
-      result = emit({.opcode = term->negative ? Opcode::subtract : Opcode::add,
-                     .a = result,
-                     .b = *done_[term->node]});
+      result = instructions_.add(term->negative ? Opcode::subtract : Opcode::add, result,
+                                 *done_[term->node]);
     }
     return result;
   }
@@ -125,7 +106,7 @@ class Linearising {
   Program& program_;
   Function& function_;
   std::vector<std::optional<std::uint32_t>> done_;
-  std::unordered_map<Instruction, std::uint32_t, InstructionHash> numbers_;
+  Instructions instructions_;
 };
 
 }  // namespace

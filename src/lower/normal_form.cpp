@@ -7,6 +7,7 @@
 //     product:  (y - x)*x*(x - y)    -> -x*(x - y)^2 signs pulled out, equal bases merged
 //               2*pi*x/4             -> 1/2*pi*x     rational numbers are one coefficient
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include "lower/graph.hpp"
@@ -56,29 +57,18 @@ void Graph::merge_factors(Factors& factors) {
   std::vector<Operand>& powers = factors.powers;
   for (bool changed = true; changed;) {
     changed = false;
-    std::sort(powers.begin(), powers.end(),
-              [](const Operand& x, const Operand& y) { return x.node < y.node; });
-    std::vector<Operand> merged;
-    for (const Operand& power : powers) {
-      if (!merged.empty() && merged.back().node == power.node) {
-        merged.back().weight += power.weight;
-      } else {
-        merged.push_back(power);
-      }
-    }
-    std::erase_if(merged, [](const Operand& power) { return power.weight == 0; });
+    std::map<NodeId, std::int32_t> merged;
+    for (const Operand& power : powers) merged[power.node] += power.weight;
     powers.clear();
-    for (const Operand& power : merged) {
-      const Node& base = node(power.node);
-      const bool is_squared = base.kind == NodeKind::square_root && std::abs(power.weight) > 1;
-      if (!is_squared) {
-        powers.push_back(power);
-        continue;
-      }
+    for (const auto& [id, exponent] : merged) {
+      const Node& base = node(id);
+      const bool is_squared = base.kind == NodeKind::square_root && std::abs(exponent) > 1;
+      const std::int32_t left = is_squared ? exponent % 2 : exponent;
+      if (left != 0) powers.push_back({id, left});
+      if (!is_squared) continue;
       changed = true;
       const Operand radicand = base.operands[0];
-      if (power.weight % 2 != 0) powers.push_back({power.node, power.weight % 2});
-      collect({{radicand.node, radicand.weight < 0}, power.weight / 2}, factors);
+      collect({{radicand.node, radicand.weight < 0}, exponent / 2}, factors);
     }
   }
 }
@@ -162,16 +152,25 @@ std::size_t Graph::squared_sine(NodeId id) const {
   return static_cast<std::size_t>(it - factors.begin());
 }
 
+/// Some of the terms in the order of the graph.
+template <class Choice>
+std::vector<Graph::Term*> Graph::in_order(std::vector<Term>& terms, const Choice& is_chosen) const {
+  std::vector<Term*> sorted;
+  for (Term& term : terms) {
+    if (is_chosen(term.node)) sorted.push_back(&term);
+  }
+  std::sort(sorted.begin(), sorted.end(),
+            [this](const Term* x, const Term* y) { return less(x->node, y->node); });
+  return sorted;
+}
+
 /// Replaces the first f*sin(x)^2 that has an f*cos(x)^2 beside it by f. First in the order of the
 /// graph, because another pair could leave another sum.
 bool Graph::join_squares(std::vector<Term>& terms) {
-  std::vector<Term*> candidates;
-  for (Term& term : terms) {
-    if (squared_sine(term.node) < node(term.node).operands.size()) candidates.push_back(&term);
-  }
-  std::sort(candidates.begin(), candidates.end(),
-            [this](const Term* x, const Term* y) { return less(x->node, y->node); });
-  for (Term* term : candidates) {
+  const auto has_squared_sine = [this](NodeId id) {
+    return squared_sine(id) < node(id).operands.size();
+  };
+  for (Term* term : in_order(terms, has_squared_sine)) {
     const std::size_t position = squared_sine(term->node);
     const Operand angle = node(node(term->node).operands[position].node).operands[0];
     std::vector<Power> powers;
@@ -193,18 +192,12 @@ bool Graph::join_squares(std::vector<Term>& terms) {
 }
 
 void Graph::merge_terms(std::vector<Term>& terms) {
-  std::sort(terms.begin(), terms.end(),
-            [](const Term& x, const Term& y) { return x.node < y.node; });
-  std::vector<Term> merged;
-  for (const Term& term : terms) {
-    if (!merged.empty() && merged.back().node == term.node) {
-      merged.back().coefficient = merged.back().coefficient + term.coefficient;
-    } else {
-      merged.push_back(term);
-    }
+  std::map<NodeId, cln::cl_RA> merged;
+  for (const Term& term : terms) merged[term.node] = merged[term.node] + term.coefficient;
+  terms.clear();
+  for (const auto& [node, coefficient] : merged) {
+    if (!cln::zerop(coefficient)) terms.push_back({coefficient, node});
   }
-  std::erase_if(merged, [](const Term& t) { return cln::zerop(t.coefficient); });
-  terms = std::move(merged);
 }
 
 /// Writes out the first sum among the terms that holds the opposite of another term: where the two
@@ -215,13 +208,8 @@ bool Graph::write_out_opposed(std::vector<Term>& terms) {
       return term.node == part.node && cln::zerop(term.coefficient + part.coefficient);
     });
   };
-  std::vector<Term*> sums;
-  for (Term& term : terms) {
-    if (node(term.node).kind == NodeKind::sum) sums.push_back(&term);
-  }
-  std::sort(sums.begin(), sums.end(),
-            [this](const Term* x, const Term* y) { return less(x->node, y->node); });
-  for (Term* sum : sums) {
+  const auto is_sum = [this](NodeId id) { return node(id).kind == NodeKind::sum; };
+  for (Term* sum : in_order(terms, is_sum)) {
     const std::vector<Operand> operands = node(sum->node).operands;
     std::vector<Term> parts;
     for (const Operand& operand : operands) {
