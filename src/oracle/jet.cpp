@@ -73,11 +73,10 @@ Generators Jet::lowest_grade() const {
   return lowest;
 }
 
-Jet Jet::part(Generators exactly) const {
+Jet Jet::part(Generators of, Generators exactly) const {
   Jet result;
   for (const auto& [present, value] : terms_) {
-    if ((present & all_generators) == exactly)
-      result.terms_.emplace_back(present & ~exactly, value);
+    if ((present & of) == exactly) result.terms_.emplace_back(present & ~exactly, value);
   }
   return result;
 }
@@ -91,22 +90,6 @@ Jet Jet::ungraded() const {
 Jet Jet::magnitudes() const {
   Jet result = *this;
   for (auto& [present, value] : result.terms_) value = cln::abs(value);
-  return result;
-}
-
-Jet Jet::tangent(Generators one) const {
-  Jet result;
-  for (const auto& [present, value] : terms_) {
-    if ((present & one) != 0) result.terms_.emplace_back(present & ~one, value);
-  }
-  return result;
-}
-
-Jet Jet::without(Generators any) const {
-  Jet result;
-  for (const auto& [present, value] : terms_) {
-    if ((present & any) == 0) result.terms_.emplace_back(present, value);
-  }
   return result;
 }
 

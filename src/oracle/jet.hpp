@@ -51,16 +51,16 @@ class Jet {
   [[nodiscard]] Generators support() const;
 
   /// The factor of a generator: the derivative, itself a jet in the others.
-  [[nodiscard]] Jet tangent(Generators one) const;
+  [[nodiscard]] Jet tangent(Generators one) const { return part(one, one); }
 
   /// Without every term in which one of the generators occurs.
-  [[nodiscard]] Jet without(Generators any) const;
+  [[nodiscard]] Jet without(Generators any) const { return part(any, 0); }
 
   /// The lowest power of s that occurs, by its grade; 0 where none does.
   [[nodiscard]] Generators lowest_grade() const;
 
   /// What is multiplied by exactly these generators.
-  [[nodiscard]] Jet part(Generators exactly) const;
+  [[nodiscard]] Jet part(Generators exactly) const { return part(all_generators, exactly); }
 
   /// The value at s = 1: terms of all grades summed.
   [[nodiscard]] Jet ungraded() const;
@@ -76,6 +76,8 @@ class Jet {
   friend Jet operator*(const Jet& x, const Jet& y);
 
  private:
+  /// What is multiplied by exactly these generators `of` some.
+  [[nodiscard]] Jet part(Generators of, Generators exactly) const;
   void add(Generators generators, const cln::cl_R& coefficient);
 
   std::vector<Term> terms_ = {};  ///< ascending in their generators, no exact zeros

@@ -1,8 +1,6 @@
 // Mechanics: each quantity is the coefficient of its generators in one evaluation of an energy.
 #include "oracle/mechanics.hpp"
 
-#include "oracle/rotations.hpp"
-
 namespace elgen::oracle {
 namespace {
 
@@ -24,20 +22,6 @@ Direction unit_direction(std::size_t n, std::size_t i) {
 
 Motion motion_of(const State& state) {
   return map_leaves([](const cl_R& value) { return Jet(value); }, state);
-}
-
-void displace(std::vector<Jet>& quantity, const Direction& direction, Generators generators) {
-  for (std::size_t i = 0; i < quantity.size(); ++i) {
-    quantity[i] = quantity[i] + Jet(generators, direction[i]);
-  }
-}
-
-void displace_position(const Model& model, Motion& motion, const Direction& direction,
-                       Generators generators) {
-  const std::vector<Jet> rates = coordinate_rates(model, motion.q, jets(direction));
-  for (std::size_t i = 0; i < rates.size(); ++i) {
-    motion.q[i] = motion.q[i] + rates[i] * Jet(generators, 1);
-  }
 }
 
 Mechanics::Mechanics(const Model& model, const State& state)
@@ -101,10 +85,7 @@ cl_R Mechanics::momentum(const Direction& w) {
 /// d/dt (w.dL/dv) is the coefficient of e0 e1 in L(q + dq/dt e1, v + a e1 + w e0, t + e1).
 Jet Mechanics::residual(const Motion& at, const Direction& w, const Direction& a) {
   Motion moving = at;
-  const std::vector<Jet> rates = coordinate_rates(model_, at.q, at.v);
-  for (std::size_t i = 0; i < rates.size(); ++i) {
-    moving.q[i] = moving.q[i] + rates[i] * Jet(second, 1);
-  }
+  displace_position(model_, moving, at.v, second);
   displace(moving.v, a, second);
   displace(moving.v, w, first);
   moving.t = moving.t + Jet(second, 1);
@@ -117,10 +98,7 @@ Jet Mechanics::residual(const Motion& at, const Direction& w, const Direction& a
             energy_at(dissipation, resisted).tangent(first) - force_along(at, w);
   if (model_.rotations.empty()) return sum;
   Motion turning = at;
-  const std::vector<Jet> across = turned(model_, jets(w), at.v);
-  for (std::size_t i = 0; i < across.size(); ++i) {
-    turning.v[i] = turning.v[i] + across[i] * Jet(first, 1);
-  }
+  displace(turning.v, turned(model_, jets(w), at.v), first);
   return sum + energy_at(lagrangian, turning).tangent(first);
 }
 

@@ -11,6 +11,7 @@
 #include "elgen/oracle.hpp"
 #include "oracle/energies.hpp"
 #include "oracle/expansion.hpp"
+#include "oracle/rotations.hpp"
 
 namespace elgen::oracle {
 
@@ -23,11 +24,21 @@ using Direction = std::vector<cln::cl_R>;
 [[nodiscard]] Motion motion_of(const State& state);
 
 /// quantity += direction * generators, entry by entry.
-void displace(std::vector<Jet>& quantity, const Direction& direction, Generators generators);
+template <class Number>
+void displace(std::vector<Jet>& quantity, const std::vector<Number>& direction,
+              Generators generators) {
+  for (std::size_t i = 0; i < quantity.size(); ++i) {
+    quantity[i] = quantity[i] + Jet(direction[i]) * Jet(generators, 1);
+  }
+}
 
 /// q += N(q) direction * generators, to first order, where dq/dt = N(q) v.
-void displace_position(const Model& model, Motion& motion, const Direction& direction,
-                       Generators generators);
+template <class Number>
+void displace_position(const Model& model, Motion& motion, const std::vector<Number>& direction,
+                       Generators generators) {
+  const std::vector<Jet> moving(direction.begin(), direction.end());
+  displace(motion.q, coordinate_rates(model, motion.q, moving), generators);
+}
 
 /// A change of position and velocity.
 struct Displacement {

@@ -63,7 +63,7 @@ TEST_CASE("time derivatives inside expressions, nested and mixed with plain valu
 TEST_CASE("directions of differentiation pass through time derivatives") {
   Fixture f;
   const ExpressionId id = f.b.expression("ddt(x^3)");  // 3 x^2 v, d/dx = 6 x v
-  displace(f.motion.q, {1}, generator(0));
+  displace(f.motion.q, unit_direction(1, 0), generator(0));
   Evaluation at(f.b.model, f.motion);
   CHECK(at.value(id).coefficient(generator(0)) == 36);
 }
