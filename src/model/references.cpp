@@ -7,7 +7,7 @@
 namespace elgen {
 namespace {
 
-enum class Visit : std::uint8_t { none, open, done };
+enum class SearchState : std::uint8_t { unseen, open, done };
 
 /// An expression whose references are being entered.
 struct Entered {
@@ -26,11 +26,11 @@ template <class References>
 Found search(const Model& model, const std::vector<ExpressionId>& roots,
              const References& references) {
   Found found;
-  std::vector<Visit> visits(model.expressions.size(), Visit::none);
+  std::vector<SearchState> states(model.expressions.size(), SearchState::unseen);
   std::vector<Entered> path;
   const auto enter = [&](ExpressionId id) {
-    if (visits[id] != Visit::none) return;
-    visits[id] = Visit::open;
+    if (states[id] != SearchState::unseen) return;
+    states[id] = SearchState::open;
     path.push_back({id, references(model, id)});
   };
   for (const ExpressionId root : roots) {
@@ -38,13 +38,13 @@ Found search(const Model& model, const std::vector<ExpressionId>& roots,
     while (!path.empty()) {
       Entered& top = path.back();
       if (top.next == top.references.size()) {
-        visits[top.expression] = Visit::done;
+        states[top.expression] = SearchState::done;
         found.order.push_back(top.expression);
         path.pop_back();
         continue;
       }
       const ExpressionId next = top.references[top.next++];
-      if (visits[next] == Visit::open) {
+      if (states[next] == SearchState::open) {
         const auto from = std::find_if(path.begin(), path.end(), [&](const Entered& entered) {
           return entered.expression == next;
         });
