@@ -19,6 +19,18 @@ std::vector<std::uint32_t> named_instructions(const std::vector<std::string>& na
   return named;
 }
 
+/// The order in which a field's entries are stored: an own way to say what the writer has done.
+std::vector<std::uint32_t> stored_entries(const Field& field, Storage storage) {
+  if (storage == Storage::row_major) return field.entries;
+  std::vector<std::uint32_t> entries;
+  for (std::size_t column = 0; column < field.columns; ++column) {
+    for (std::size_t row = 0; row < field.rows; ++row) {
+      entries.push_back(field.entries[row * field.columns + column]);
+    }
+  }
+  return entries;
+}
+
 }  // namespace
 
 FunctionReader::FunctionReader(TokenReader& tokens, const FileScope& file, const Function& function)
@@ -34,10 +46,8 @@ FunctionReader::FunctionReader(TokenReader& tokens, const FileScope& file, const
   const std::vector<std::string> names = temporary_names(program, function);
   named_ = named_instructions(names);
   for (const std::uint32_t named : named_) graph_.set_name(values_[named], names[named]);
-  const Function ordered = stored(function, file.origin.scene.emission.storage);
-  for (std::size_t i = 0; i < function.fields.size(); ++i) {
-    const Field& field = function.fields[i];
-    results_.push_back({field, ordered.fields[i].entries,
+  for (const Field& field : function.fields) {
+    results_.push_back({field, stored_entries(field, file.origin.scene.emission.storage),
                         std::vector<bool>(field.entries.size(), false),
                         is_scalar(program, function, field)});
   }
