@@ -14,6 +14,10 @@ namespace elgen {
   return is_letter(c) || is_digit(c) || c == '_';
 }
 
+[[nodiscard]] constexpr char in_lower_case(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+}
+
 /// Blanks and line ends.
 [[nodiscard]] constexpr bool is_space(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';

@@ -20,8 +20,7 @@ const CodeRow& code_row(Code code) { return code_table()[static_cast<std::size_t
 
 const CodeRow* find_code(std::string_view name) {
   const auto& table = code_table();
-  const auto row = std::find_if(table.begin(), table.end(),
-                                [&](const CodeRow& candidate) { return candidate.name == name; });
+  const auto row = std::ranges::find(table, name, &CodeRow::name);
   return row == table.end() ? nullptr : &*row;
 }
 

@@ -34,8 +34,6 @@ std::string position(const Span& span) {
   return fmt::format("{}:{}:{}", span.source->path, at.line, at.column);
 }
 
-bool starts_code_point(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }
-
 std::size_t code_points(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), starts_code_point));
 }

@@ -37,14 +37,10 @@ std::string in_brackets(const Spelling& spelling, const std::string& text) {
   return is_tall ? fmt::format("\\left( {} \\right)", text) : fmt::format("({})", text);
 }
 
-bool starts_with(std::string_view text, std::string_view start) {
-  return text.substr(0, start.size()) == start;
-}
-
 /// Side by side, factors keep apart where one could be read into the other.
 std::string side_by_side(const Formula& before, const std::string& after) {
   if (is_digit(after.front())) return " \\cdot ";
-  const bool is_word = starts_with(before.head, "\\mathrm") || starts_with(after, "\\mathrm");
+  const bool is_word = before.head.starts_with("\\mathrm") || after.starts_with("\\mathrm");
   return is_word || !before.tail.empty() ? " \\thinspace " : " ";
 }
 
@@ -154,7 +150,7 @@ Formula call(const Spelling& spelling, FunctionId function, const std::vector<Fo
   if (function == FunctionId::abs) return {fmt::format("\\left| {} \\right|", list)};
   const Formula& first = arguments.front();
   const bool is_alone = first.binding == Binding::atom && first.tail.empty();
-  const bool is_fraction = first.binding == Binding::power && starts_with(list, "\\frac");
+  const bool is_fraction = first.binding == Binding::power && list.starts_with("\\frac");
   const bool stands_free = arguments.size() == 1 && (is_alone || is_fraction);
   return {latex_head(function), Binding::power,
           stands_free ? " " + list : in_brackets(spelling, list)};

@@ -342,8 +342,7 @@ bool is_repeated(OutputKind kind) {
 const FieldRow& field_row(OutputKind kind, std::string_view name) {
   static constexpr FieldRow number{};
   const std::span<const FieldRow> fields = output_row(kind).fields;
-  const auto found = std::find_if(fields.begin(), fields.end(),
-                                  [&](const FieldRow& field) { return field.name == name; });
+  const auto found = std::ranges::find(fields, name, &FieldRow::name);
   if (found != fields.end()) return *found;
   return fields.empty() ? number : fields.front();
 }

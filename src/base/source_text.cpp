@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/utf8.hpp"
+
 namespace elgen {
 
 namespace {
 
 /// A byte order mark is no character of the first line.
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
-bool starts_code_point(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }
 
 }  // namespace
 

@@ -5,6 +5,8 @@
 // reaches.
 #include "elgen/units.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <numeric>
@@ -59,14 +61,6 @@ std::string spelled_power(std::string_view name, std::int32_t numerator, std::in
   return text;
 }
 
-std::string joined(const std::vector<std::string>& factors) {
-  std::string text;
-  for (const std::string& factor : factors) {
-    text += (text.empty() ? "" : "*") + factor;
-  }
-  return text;
-}
-
 /// Heads the numerator with `derived` ("" for none); kg goes before m, as it is said.
 UnitSpelling spell(std::string_view derived, const Unit& rest) {
   // A derived unit has to save this many base powers to be worth its place: m/s^2 stays, kg*m/s^2
@@ -89,9 +83,10 @@ UnitSpelling spell(std::string_view derived, const Unit& rest) {
     side.push_back(spelled_power(base_names[i], std::abs(numerator), denominator));
     result.cost += std::abs(numerator);
   }
-  result.text = above.empty() ? "1" : joined(above);
+  result.text = above.empty() ? "1" : fmt::format("{}", fmt::join(above, "*"));
   if (!below.empty()) {
-    result.text += below.size() == 1 ? "/" + below.front() : "/(" + joined(below) + ")";
+    result.text +=
+        below.size() == 1 ? "/" + below.front() : fmt::format("/({})", fmt::join(below, "*"));
   }
   return result;
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 
+#include "base/ascii.hpp"
+
 namespace elgen {
 
 namespace {
@@ -84,10 +86,9 @@ std::string visible_text(std::string_view text) {
   std::string visible;
   for (std::size_t i = 0; i < text.size();) {
     const CodePoint point = code_point_at(text, i);
-    const bool is_blank = text[i] == '\t' || text[i] == '\n' || text[i] == '\r';
     if (point.bytes == 0) {
       visible += '?';
-    } else if (is_hidden(point.value) && !is_blank) {
+    } else if (is_hidden(point.value) && !is_space(text[i])) {
       visible += code_point_name(point.value);
     } else {
       visible += text.substr(i, point.bytes);

@@ -16,6 +16,11 @@ struct CodePoint {
 /// The code point at `position`, which lies inside `text`.
 [[nodiscard]] CodePoint code_point_at(std::string_view text, std::size_t position);
 
+/// Of UTF-8 text.
+[[nodiscard]] constexpr bool starts_code_point(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+}
+
 /// The first byte that is not part of UTF-8 text.
 [[nodiscard]] std::optional<std::size_t> find_invalid_utf8(std::string_view text);
 

@@ -1,18 +1,11 @@
 // Wording: user text made fit for a message, counts and suggestions.
 #include "elgen/wording.hpp"
 
+#include "base/ascii.hpp"
 #include "base/utf8.hpp"
 #include "elgen/diagnostic.hpp"
 
 namespace elgen {
-
-namespace {
-
-bool is_blank(char32_t value) {
-  return value == ' ' || value == '\t' || value == '\n' || value == '\r';
-}
-
-}  // namespace
 
 std::string quoted(std::string_view text) {
   constexpr std::size_t longest = 60;
@@ -22,7 +15,7 @@ std::string quoted(std::string_view text) {
   for (std::size_t count = 0; position < text.size();) {
     const CodePoint point = code_point_at(text, position);
     if (count == longest || point.bytes == 0) return shown + "…`";
-    const bool blank = is_blank(point.value);
+    const bool blank = is_space(text[position]);
     if (!blank || !after_blank) {
       const bool control = point.value < 0x20 || (point.value >= 0x7F && point.value < 0xA0);
       shown += blank     ? " "

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 
+#include "base/columns.hpp"
 #include "base/number_text.hpp"
 #include "check/judge/output_units.hpp"
 #include "elgen/drop.hpp"
+#include "elgen/wording.hpp"
 
 namespace elgen {
 namespace {
@@ -45,33 +47,18 @@ std::string entry_name(OutputKind output, std::size_t row, std::size_t column) {
   return fmt::format("{}[{},{}]", known.name, row + 1, column + 1);
 }
 
-struct TableRow {
-  std::string name;
-  std::string value;
-  std::string bound = {};
-};
+/// Cells end with the blanks between columns.
+using TableRows = std::vector<std::vector<std::string>>;
 
-std::string table(const std::vector<TableRow>& rows) {
-  std::size_t names = 0;
-  std::size_t values = 0;
-  for (const TableRow& row : rows) {
-    names = std::max(names, row.name.size());
-    values = std::max(values, row.value.size());
-  }
-  std::string text;
-  for (const TableRow& row : rows) {
-    const std::string line =
-        fmt::format("{:<{}}  {:<{}}  {}", row.name, names, row.value, values, row.bound);
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-  }
-  return text;
+std::string table(const TableRows& rows) {
+  return fmt::format("{}\n", fmt::join(aligned(rows), "\n"));
 }
 
 std::string dropped_table(const Model& model, const Reduction& reduction) {
-  std::vector<TableRow> rows{{"entry", "dropped term", "at most"}};
+  TableRows rows{{"entry  ", "dropped term  ", "at most"}};
   for (const DroppedTerm& term : reduction.terms) {
     const EntryPlace place{term.output, "", term.row, term.column};
-    rows.push_back({entry_name(term.output, term.row, term.column), term.text,
+    rows.push_back({entry_name(term.output, term.row, term.column) + "  ", term.text + "  ",
                     with_unit(rounded_up(term.bound), model, place)});
   }
   return table(rows);
@@ -97,13 +84,13 @@ std::string error_text(const Model& model, const EntryPlace& place, const EntryE
 }
 
 std::string error_table(const Model& model, const Reduction& reduction) {
-  std::vector<TableRow> rows{{"entry", "off by at most"}};
+  TableRows rows{{"entry  ", "off by at most"}};
   for (const ReducedOutput& output : reduction.outputs) {
     for (std::size_t i = 0; i < output.errors.size(); ++i) {
       const EntryPlace place{output.kind, "", i / output.columns, i % output.columns};
       std::string text = error_text(model, place, output.errors[i]);
       if (text.empty()) continue;
-      rows.push_back({entry_name(output.kind, place.row, place.column), std::move(text)});
+      rows.push_back({entry_name(output.kind, place.row, place.column) + "  ", std::move(text)});
     }
   }
   return table(rows);
@@ -132,10 +119,9 @@ std::string dropped_summary(const Program& program) {
     return fmt::format("No term is below {} of its entry.", exact_text(reduction.below));
   }
   return fmt::format(
-      "Approximate: {} {} below {} of the largest of their entry left out. Within the declared "
+      "Approximate: {} below {} of the largest of their entry left out. Within the declared "
       "ranges an entry is off by at most {} of what its largest term can be{}.",
-      count, count == 1 ? "term" : "terms", exact_text(reduction.below),
-      rounded_up(largest_relative(reduction)),
+      counted(count, "term"), exact_text(reduction.below), rounded_up(largest_relative(reduction)),
       grows ? ", and inverse_dynamics by shares of the accelerations as well" : "");
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/columns.hpp"
 #include "urdf/toml_text.hpp"
 
 namespace elgen::urdf {
@@ -62,8 +63,7 @@ std::string parameters_table(const std::vector<ParameterGroup>& groups) {
       "}\n";
   for (const ParameterGroup& group : groups) {
     if (group.rows.empty()) continue;
-    text += "\n" + comment(group.title);
-    for (const std::string& line : aligned(group.rows)) text += line + "\n";
+    text += fmt::format("\n{}{}\n", comment(group.title), fmt::join(aligned(group.rows), "\n"));
   }
   return text;
 }

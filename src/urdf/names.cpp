@@ -49,8 +49,7 @@ std::string Names::claim(std::string_view wanted, std::string_view kind) {
 
 std::string model_name(std::string_view robot) {
   std::string name = well_formed(robot);
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  std::transform(name.begin(), name.end(), name.begin(), in_lower_case);
   return is_reserved(name) ? "robot_" + name : name;
 }
 

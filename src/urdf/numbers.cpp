@@ -60,8 +60,7 @@ std::optional<std::string> spelled(std::string_view rest) {
 }
 
 bool is_not_finite(std::string word) {
-  std::transform(word.begin(), word.end(), word.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  std::transform(word.begin(), word.end(), word.begin(), in_lower_case);
   return word == "nan" || word == "inf" || word == "infinity";
 }
 

@@ -1,10 +1,11 @@
-// Quoting, and columns.
+// Quoting.
 #include "urdf/toml_text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "base/columns.hpp"
 #include "base/utf8.hpp"
 
 namespace elgen::urdf {
@@ -45,33 +46,7 @@ std::string comment(std::string_view text) {
 }
 
 std::string Table::text() const {
-  std::size_t width = 0;
-  for (const auto& [key, value] : rows_) width = std::max(width, key.size());
-  std::string text = header_ + "\n";
-  for (const auto& [key, value] : rows_) {
-    text += fmt::format("{:<{}} = {}\n", key, width, value);
-  }
-  return text;
-}
-
-std::vector<std::string> aligned(const std::vector<std::vector<std::string>>& rows) {
-  std::vector<std::size_t> widths;
-  for (const auto& row : rows) {
-    widths.resize(std::max(widths.size(), row.size()));
-    for (std::size_t i = 0; i + 1 < row.size(); ++i) {
-      widths[i] = std::max(widths[i], row[i].size());
-    }
-  }
-  std::vector<std::string> lines;
-  for (const auto& row : rows) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      line += i + 1 == row.size() ? row[i] : fmt::format("{:<{}}", row[i], widths[i]);
-    }
-    line.erase(line.find_last_not_of(' ') + 1);
-    lines.push_back(std::move(line));
-  }
-  return lines;
+  return fmt::format("{}\n{}\n", header_, fmt::join(aligned(rows_), "\n"));
 }
 
 }  // namespace elgen::urdf

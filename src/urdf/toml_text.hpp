@@ -24,18 +24,14 @@ class Table {
  public:
   explicit Table(std::string header) : header_(std::move(header)) {}
 
-  void add(std::string key, std::string value) {
-    rows_.emplace_back(std::move(key), std::move(value));
+  void add(std::string key, const std::string& value) {
+    rows_.push_back({std::move(key), " = " + value});
   }
   [[nodiscard]] std::string text() const;
 
  private:
   std::string header_;
-  std::vector<std::pair<std::string, std::string>> rows_ = {};
+  std::vector<std::vector<std::string>> rows_ = {};
 };
-
-/// Rows of cells, each column as wide as its widest cell; the last cell of a row is as wide as it
-/// is.
-[[nodiscard]] std::vector<std::string> aligned(const std::vector<std::vector<std::string>>& rows);
 
 }  // namespace elgen::urdf

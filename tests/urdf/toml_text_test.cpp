@@ -1,4 +1,4 @@
-// TOML: quoting, numbers and columns.
+// TOML: quoting, numbers and tables.
 #include "urdf/toml_text.hpp"
 
 #include <catch2/catch.hpp>
@@ -22,13 +22,11 @@ TEST_CASE("a comment is one line") {
   CHECK(urdf::comment("") == "#\n");
 }
 
-TEST_CASE("equals signs and cells stand in columns") {
+TEST_CASE("equals signs stand in a column") {
   urdf::Table table("[[frame]]");
   table.add("name", "\"a\"");
   table.add("parent", "\"b\"");
   CHECK(table.text() == "[[frame]]\nname   = \"a\"\nparent = \"b\"\n");
-  CHECK(urdf::aligned({{"a", " 1"}, {"bcd", " 2"}, {"e", ""}}) ==
-        std::vector<std::string>{"a   1", "bcd 2", "e"});
   CHECK(urdf::toml_list({"1", "2"}) == "[1, 2]");
 }
 
