@@ -62,9 +62,10 @@ struct FrameDraft {
 /// Constant turns, z y x: R = Rz(yaw) Ry(pitch) Rx(roll).
 [[nodiscard]] std::vector<std::string> steps_of(const RollPitchYaw& rotation);
 
-/// "rpy in the URDF: 1.57079632679 0 0" where angles were rounded.
-[[nodiscard]] std::vector<std::string> rounding_comment(const RollPitchYaw& rotation,
-                                                        const Vector& rpy);
+/// The title, and "rpy in the URDF: 1.57079632679 0 0" where angles were rounded.
+[[nodiscard]] std::vector<std::string> frame_comments(const std::string& title,
+                                                      const RollPitchYaw& rotation,
+                                                      const Vector& rpy);
 
 [[nodiscard]] std::string frame_table(const FrameDraft& frame);
 

@@ -40,8 +40,7 @@ std::string add_axes(Draft& draft, const std::string& link, const Inertial& iner
                      const Components& com) {
   const RollPitchYaw rotation = rotation_of(inertial.origin.rpy);
   FrameDraft axes;
-  axes.comments = rounding_comment(rotation, inertial.origin.rpy);
-  axes.comments.insert(axes.comments.begin(), "axes of the inertia of " + link);
+  axes.comments = frame_comments("axes of the inertia of " + link, rotation, inertial.origin.rpy);
   axes.name = draft.glossary.claim(link + "_inertial", "frame");
   axes.parent = link;
   axes.translate = com;

@@ -54,9 +54,10 @@ std::vector<std::string> steps_of(const RollPitchYaw& rotation) {
   return steps;
 }
 
-std::vector<std::string> rounding_comment(const RollPitchYaw& rotation, const Vector& rpy) {
-  if (!rotation.is_rounded()) return {};
-  return {"rpy in the URDF: " + listed(rpy)};
+std::vector<std::string> frame_comments(const std::string& title, const RollPitchYaw& rotation,
+                                        const Vector& rpy) {
+  if (!rotation.is_rounded()) return {title};
+  return {title, "rpy in the URDF: " + listed(rpy)};
 }
 
 std::string frame_table(const FrameDraft& frame) {
@@ -79,8 +80,7 @@ void draft_frames(Draft& draft, const Branch& branch, const JointMotion& motion)
   const bool turns_only = joint.type == JointType::revolute || joint.type == JointType::continuous;
 
   FrameDraft frame;
-  frame.comments = rounding_comment(rotation, joint.origin.rpy);
-  frame.comments.insert(frame.comments.begin(), description(joint));
+  frame.comments = frame_comments(description(joint), rotation, joint.origin.rpy);
   frame.parent = glossary.frame(branch.parent);
   frame.translate = place_of(glossary, "{}_" + name, joint.origin.xyz);
   frame.rotate = steps_of(rotation);

@@ -20,8 +20,7 @@ bool belongs_to_xml(std::string_view name) {
 
 const Attribute* ElementReader::attribute(std::string_view name) {
   const auto& all = element_.attributes;
-  const auto found = std::find_if(
-      all.begin(), all.end(), [&](const Attribute& candidate) { return candidate.name == name; });
+  const auto found = std::ranges::find(all, name, &Attribute::name);
   if (found == all.end()) return nullptr;
   taken_.insert(&*found);
   return &*found;
@@ -44,6 +43,13 @@ Text ElementReader::required_text(std::string_view name) {
   return {};
 }
 
+std::optional<FileNumber> ElementReader::decimal(const Span& word) {
+  Result<FileNumber> number = read_decimal(word, reading_.limits);
+  auto& all = reading_.found;
+  all.insert(all.end(), number.diagnostics.begin(), number.diagnostics.end());
+  return std::move(number.value);
+}
+
 std::optional<FileNumber> ElementReader::number(std::string_view name) {
   const Attribute* found = attribute(name);
   if (found == nullptr) return std::nullopt;
@@ -54,10 +60,7 @@ std::optional<FileNumber> ElementReader::number(std::string_view name) {
          fmt::format("{} numbers, but `{}` is one number", words.size(), name)});
     return std::nullopt;
   }
-  Result<FileNumber> number = read_decimal(words.front(), reading_.limits);
-  auto& all = reading_.found;
-  all.insert(all.end(), number.diagnostics.begin(), number.diagnostics.end());
-  return number.value;
+  return decimal(words.front());
 }
 
 std::optional<FileNumber> ElementReader::required_number(std::string_view name) {
@@ -71,19 +74,17 @@ bool ElementReader::vector(std::string_view name, Vector& vector) {
   if (found == nullptr) return false;
   const std::vector<Span> words = words_of(found->span);
   if (words.size() != vector.size()) {
-    reading_.found.push_back({Code::E805, found->span,
-                              fmt::format("{} number{}, but `{}` has 3", words.size(),
-                                          words.size() == 1 ? "" : "s", name)});
+    reading_.found.push_back(
+        {Code::E805, found->span,
+         fmt::format("{}, but `{}` has 3", counted(words.size(), "number"), name)});
     return false;
   }
   Vector read;
   bool is_complete = true;
   for (std::size_t i = 0; i < read.size(); ++i) {
-    Result<FileNumber> number = read_decimal(words[i], reading_.limits);
-    auto& all = reading_.found;
-    all.insert(all.end(), number.diagnostics.begin(), number.diagnostics.end());
+    const std::optional<FileNumber> number = decimal(words[i]);
     is_complete = is_complete && number;
-    if (number) read[i] = *number;
+    read[i] = number.value_or(FileNumber{});
   }
   if (is_complete) vector = read;
   return is_complete;
@@ -91,8 +92,7 @@ bool ElementReader::vector(std::string_view name, Vector& vector) {
 
 const Element* ElementReader::first_child(std::string_view name) {
   const auto& all = element_.children;
-  const auto found = std::find_if(all.begin(), all.end(),
-                                  [&](const Element& element) { return element.name == name; });
+  const auto found = std::ranges::find(all, name, &Element::name);
   if (found == all.end()) return nullptr;
   taken_.insert(&*found);
   return &*found;

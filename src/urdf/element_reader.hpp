@@ -54,6 +54,7 @@ class ElementReader {
 
  private:
   const Attribute* attribute(std::string_view name);
+  std::optional<FileNumber> decimal(const Span& word);
   const Element* first_child(std::string_view name);
   void report_missing(std::string_view kind, std::string_view name);
 

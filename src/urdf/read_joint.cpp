@@ -24,8 +24,7 @@ constexpr std::array types{
 
 JointType read_type(ElementReader& joint, RobotReading& reading) {
   const Text text = joint.required_text("type");
-  const auto row = std::find_if(types.begin(), types.end(),
-                                [&](const TypeRow& type) { return type.word == text.text; });
+  const auto row = std::ranges::find(types, text.text, &TypeRow::word);
   if (row != types.end()) return row->type;
   if (text.text.empty()) return JointType::fixed;  // E803 was said
   std::vector<std::string> words;
@@ -52,8 +51,7 @@ void read_axis(ElementReader& reader, Joint& joint, RobotReading& reading) {
     is_read = axis.vector("xyz", joint.axis);
   });
   if (!is_read) return;
-  const bool is_zero = std::all_of(joint.axis.begin(), joint.axis.end(),
-                                   [](const FileNumber& component) { return component.is_zero(); });
+  const bool is_zero = std::ranges::all_of(joint.axis, &FileNumber::is_zero);
   if (is_zero) reading.found.push_back({Code::E813, joint.axis_span, "the axis has no direction"});
   if (joint.type == JointType::planar && !is_zero && !axis_of(joint.axis).along) {
     reading.found.push_back({Code::E108, joint.axis_span,
@@ -102,9 +100,7 @@ void read_mimic(ElementReader& reader, Joint& joint) {
 }  // namespace
 
 std::string_view word(JointType type) {
-  const auto row = std::find_if(types.begin(), types.end(),
-                                [&](const TypeRow& candidate) { return candidate.type == type; });
-  return row->word;
+  return std::ranges::find(types, type, &TypeRow::type)->word;
 }
 
 bool has_one_coordinate(JointType type) {

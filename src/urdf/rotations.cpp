@@ -65,14 +65,6 @@ Angle angle_of(const FileNumber& number) {
   return {turns % 4 == 0 ? "0" : multiple_of_right_angle(turns), turns, true};
 }
 
-bool RollPitchYaw::is_zero() const {
-  return std::all_of(rpy.begin(), rpy.end(), [](const Angle& angle) { return angle.is_zero(); });
-}
-
-bool RollPitchYaw::is_rounded() const {
-  return std::any_of(rpy.begin(), rpy.end(), [](const Angle& angle) { return angle.is_rounded; });
-}
-
 RollPitchYaw rotation_of(const Vector& rpy) {
   return {{angle_of(rpy[0]), angle_of(rpy[1]), angle_of(rpy[2])}};
 }

@@ -3,6 +3,7 @@
 // is within 1e-5 rad of a right angle, or of an axis, is taken for it.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -23,8 +24,8 @@ struct Angle {
 struct RollPitchYaw {
   std::array<Angle, 3> rpy = {};  ///< R = Rz(yaw) Ry(pitch) Rx(roll)
 
-  [[nodiscard]] bool is_zero() const;
-  [[nodiscard]] bool is_rounded() const;
+  [[nodiscard]] bool is_zero() const { return std::ranges::all_of(rpy, &Angle::is_zero); }
+  [[nodiscard]] bool is_rounded() const { return std::ranges::any_of(rpy, &Angle::is_rounded); }
 };
 
 [[nodiscard]] RollPitchYaw rotation_of(const Vector& rpy);

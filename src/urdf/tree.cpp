@@ -21,6 +21,11 @@ std::vector<std::string> names_of(const Indices& indices) {
   return names;
 }
 
+/// What there may be one of; the first is shown as well.
+Diagnostic second(Code code, const Span& span, std::string message, const Span& first) {
+  return {code, span, std::move(message), {}, first, "the first is here"};
+}
+
 /// Every element by its name; E807 for the second of one name. Nameless ones were reported.
 template <class Named>
 Indices indices_of(const std::vector<Named>& elements, std::string_view noun, Diagnostics& found) {
@@ -29,11 +34,9 @@ Indices indices_of(const std::vector<Named>& elements, std::string_view noun, Di
     const Text& name = elements[i].name;
     const auto [first, is_new] = indices.emplace(name.text, i);
     if (is_new || name.text.empty()) continue;
-    Diagnostic twice{Code::E807, name.span,
-                     fmt::format("{} names two {}s", quoted(name.text), noun)};
-    twice.related = elements[first->second].name.span;
-    twice.related_message = "the first is here";
-    found.push_back(std::move(twice));
+    found.push_back(second(Code::E807, name.span,
+                           fmt::format("{} names two {}s", quoted(name.text), noun),
+                           elements[first->second].name.span));
   }
   indices.erase("");
   return indices;
@@ -64,11 +67,10 @@ class TreeMaker {
     const auto child = link_of(joint.child);
     if (!parent || !child) return;
     if (const auto& first = joint_above_[*child]) {
-      Diagnostic second{Code::E809, joint.child.span,
-                        fmt::format("{} is the child of two joints", quoted(joint.child.text))};
-      second.related = robot_.joints[*first].child.span;
-      second.related_message = "the first is here";
-      found_.push_back(std::move(second));
+      found_.push_back(
+          second(Code::E809, joint.child.span,
+                 fmt::format("{} is the child of two joints", quoted(joint.child.text)),
+                 robot_.joints[*first].child.span));
       return;
     }
     joint_above_[*child] = index;
@@ -94,12 +96,11 @@ class TreeMaker {
         root = i;
         continue;
       }
-      Diagnostic second{Code::E809, robot_.links[i].name.span,
-                        fmt::format("{} is a second root link: no joint leads to it",
-                                    quoted(robot_.links[i].name.text))};
-      second.related = robot_.links[*root].name.span;
-      second.related_message = "the first is here";
-      found_.push_back(std::move(second));
+      const Text& name = robot_.links[i].name;
+      found_.push_back(
+          second(Code::E809, name.span,
+                 fmt::format("{} is a second root link: no joint leads to it", quoted(name.text)),
+                 robot_.links[*root].name.span));
     }
     tree_.root = root.value_or(0);
     if (robot_.links.empty()) {

@@ -34,8 +34,7 @@ constexpr std::array mistakes{
 };
 
 std::string_view words_of(tinyxml2::XMLError error) {
-  const auto row = std::find_if(mistakes.begin(), mistakes.end(),
-                                [&](const MistakeRow& mistake) { return mistake.error == error; });
+  const auto row = std::ranges::find(mistakes, error, &MistakeRow::error);
   return row == mistakes.end() ? "an element is malformed" : row->words;
 }
 
