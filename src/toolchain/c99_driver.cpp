@@ -67,12 +67,10 @@ std::string call(const DriverInput& input, const Function& function, const std::
 
 std::string c99_driver(const DriverInput& input) {
   const auto& [model, scene, program] = input;
-  const bool is_row_major = scene.emission.storage == Storage::row_major;
   const std::string scalar = scalar_name(scene.numerics.scalars.front());
   std::string text = fmt::format(
       prologue, fmt::arg("header", path_of(scene, ArtifactId::c99)), fmt::arg("scalar", scalar),
-      fmt::arg("position", is_row_major ? "i * columns + j" : "j * rows + i"),
-      fmt::arg("name_space", name_space(scene)),
+      fmt::arg("position", stored_position(scene)), fmt::arg("name_space", name_space(scene)),
       fmt::arg("parameters", parameter_assignments(input)));
   std::string unused;
   for (const LeafRow& leaf : leaf_table) unused += fmt::format("(void){};", leaf.member);

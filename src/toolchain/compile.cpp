@@ -72,8 +72,7 @@ class LoadedModel final : public CompiledModel {
   template <class Scalar>
   std::vector<Scalar> invoke(std::string_view name, const Arguments<Scalar>& arguments,
                              DriverFunction<Scalar> LoadedFunction::*function) const {
-    const auto found = std::find_if(functions_.begin(), functions_.end(),
-                                    [name](const auto& f) { return f.name == name; });
+    const auto found = std::ranges::find(functions_, name, &LoadedFunction::name);
     if (found == functions_.end() || (*found).*function == nullptr) return {};
     std::vector<Scalar> result(found->entries);
     ((*found).*function)(

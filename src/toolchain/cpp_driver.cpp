@@ -12,22 +12,6 @@
 namespace elgen {
 namespace {
 
-/// Results come out row by row, however the header stores them.
-constexpr std::string_view append_row_major = R"(
-template <class Scalar>
-void append(Scalar*& to, const Scalar* stored, std::size_t rows, std::size_t columns) {
-  for (std::size_t i = 0; i < rows * columns; ++i) *to++ = stored[i];
-}
-)";
-constexpr std::string_view append_column_major = R"(
-template <class Scalar>
-void append(Scalar*& to, const Scalar* stored, std::size_t rows, std::size_t columns) {
-  for (std::size_t i = 0; i < rows; ++i) {
-    for (std::size_t j = 0; j < columns; ++j) *to++ = stored[j * rows + i];
-  }
-}
-)";
-
 constexpr std::string_view array_vector = R"(
 template <class Scalar, std::size_t N>
 std::array<Scalar, N> from_flat(const Scalar* values) {
@@ -52,7 +36,14 @@ constexpr std::string_view prologue = R"(#include "{header}"
 namespace {{
 
 namespace emitted = ::{functions};
-{append}{vector}
+
+template <class Scalar>
+void append(Scalar*& to, const Scalar* stored, std::size_t rows, std::size_t columns) {{
+  for (std::size_t i = 0; i < rows; ++i) {{
+    for (std::size_t j = 0; j < columns; ++j) *to++ = stored[{position}];
+  }}
+}}
+{vector}
 template <class Scalar>
 ::{name_space}::Parameters<Scalar> parameters_from([[maybe_unused]] const Scalar* values) {{
   ::{name_space}::Parameters<Scalar> result{{}};
@@ -117,11 +108,10 @@ std::string call(const DriverInput& input, const Types& types, const Function& f
 
 std::string driver_of(const DriverInput& input, const Types& types) {
   const auto& [model, scene, program] = input;
-  const bool is_row_major = scene.emission.storage == Storage::row_major;
   std::string text = fmt::format(
       prologue, fmt::arg("header", types.header), fmt::arg("functions", types.functions),
-      fmt::arg("append", is_row_major ? append_row_major : append_column_major),
-      fmt::arg("vector", types.vector), fmt::arg("name_space", name_space(scene)),
+      fmt::arg("position", stored_position(scene)), fmt::arg("vector", types.vector),
+      fmt::arg("name_space", name_space(scene)),
       fmt::arg("parameters", parameter_assignments(input)));
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     text += fmt::format(call_template, fmt::arg("index", i),

@@ -70,6 +70,11 @@ std::string parameter_assignments(const DriverInput& input) {
   return text;
 }
 
+std::string_view stored_position(const Scene& scene) {
+  const bool is_row_major = scene.emission.storage == Storage::row_major;
+  return is_row_major ? "i * columns + j" : "j * rows + i";
+}
+
 std::string appended(const DriverInput& input, const Function& function, std::string_view to,
                      std::string_view data) {
   std::string text;

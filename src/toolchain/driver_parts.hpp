@@ -8,6 +8,9 @@ namespace elgen {
 /// "  result.l[1] = values[3];" for every run-time parameter, in the order of the program's leaves.
 [[nodiscard]] std::string parameter_assignments(const DriverInput& input);
 
+/// Where the header has entry (i, j) of a result: the driver gives them row by row.
+[[nodiscard]] std::string_view stored_position(const Scene& scene);
+
 /// "  append(to, result.gravity.data(), 2, 1);" for each field; `data` gives the address of one.
 [[nodiscard]] std::string appended(const DriverInput& input, const Function& function,
                                    std::string_view to, std::string_view data);

@@ -22,17 +22,7 @@ std::optional<TemporaryDirectory> TemporaryDirectory::create() {
 TemporaryDirectory::TemporaryDirectory(TemporaryDirectory&& other) noexcept
     : path_(std::exchange(other.path_, {})) {}
 
-TemporaryDirectory& TemporaryDirectory::operator=(TemporaryDirectory&& other) noexcept {
-  if (this != &other) {
-    remove();
-    path_ = std::exchange(other.path_, {});
-  }
-  return *this;
-}
-
-TemporaryDirectory::~TemporaryDirectory() { remove(); }
-
-void TemporaryDirectory::remove() noexcept {
+TemporaryDirectory::~TemporaryDirectory() {
   std::error_code ignored;
   for (int attempt = 0; attempt < 2 && !path_.empty(); ++attempt) {
     try {

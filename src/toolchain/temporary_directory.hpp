@@ -13,7 +13,6 @@ class TemporaryDirectory {
   [[nodiscard]] static std::optional<TemporaryDirectory> create();
 
   TemporaryDirectory(TemporaryDirectory&& other) noexcept;
-  TemporaryDirectory& operator=(TemporaryDirectory&& other) noexcept;
   TemporaryDirectory(const TemporaryDirectory&) = delete;
   TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
   ~TemporaryDirectory();
@@ -22,7 +21,6 @@ class TemporaryDirectory {
 
  private:
   explicit TemporaryDirectory(std::filesystem::path path) : path_(std::move(path)) {}
-  void remove() noexcept;
 
   std::filesystem::path path_;
 };

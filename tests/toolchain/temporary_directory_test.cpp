@@ -36,13 +36,14 @@ TEST_CASE("a moved directory is removed once, by its new owner") {
   auto first = TemporaryDirectory::create();
   auto second = TemporaryDirectory::create();
   REQUIRE((first && second));
-  const auto kept = first->path();
-  const auto replaced = second->path();
-  CHECK(kept != replaced);
-  *second = std::move(*first);
-  first.reset();
-  CHECK(std::filesystem::exists(kept));
-  CHECK_FALSE(std::filesystem::exists(replaced));
+  CHECK(first->path() != second->path());
+  const auto path = first->path();
+  {
+    const TemporaryDirectory owner(std::move(*first));
+    first.reset();
+    CHECK(std::filesystem::exists(path));
+  }
+  CHECK_FALSE(std::filesystem::exists(path));
 }
 
 TEST_CASE("a directory that cannot be made is no directory") {
