@@ -7,6 +7,9 @@
 #include <charconv>
 #include <cstdlib>
 
+#include "base/ascii.hpp"
+#include "elgen/wording.hpp"
+
 namespace elgen::cli {
 
 namespace {
@@ -85,12 +88,11 @@ Diagnostic rejected(const CLI::App& app, const std::vector<std::string>& words,
   const std::vector<std::string> extras = app.remaining(true);
   if (!extras.empty()) {
     const std::string& word = extras.front();
-    const std::string near = nearest(word.substr(0, word.find('=')), known_words(app));
     return pointing_at(words, word, fmt::format("`{}` is not understood", word),
-                       near.empty() ? "" : fmt::format("did you mean `{}`?", near));
+                       suggestion(word.substr(0, word.find('=')), known_words(app)));
   }
   std::string message = error.what();
-  if (!message.empty()) message[0] = static_cast<char>(std::tolower(message[0]));
+  if (!message.empty()) message[0] = in_lower_case(message[0]);
   return {Code::E913, {}, message, "see `elgen --help`"};
 }
 
@@ -99,19 +101,15 @@ Result<Limits> read_limits(const std::vector<std::string>& settings) {
   for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
     const std::string name = setting.substr(0, equals);
-    std::vector<std::string> names;
-    const LimitRow* row = nullptr;
-    for (const LimitRow& candidate : limit_table()) {
-      names.emplace_back(candidate.name);
-      if (candidate.name == name) row = &candidate;
-    }
-    if (row == nullptr) {
-      const std::string near = nearest(name, names);
-      return Diagnostic{
-          Code::E913,
-          {},
-          fmt::format("`{}` is no limit", name),
-          near.empty() ? "see `elgen --limits`" : fmt::format("did you mean `{}`?", near)};
+    const auto row = std::ranges::find(limit_table(), name, &LimitRow::name);
+    if (row == limit_table().end()) {
+      std::vector<std::string> names;
+      for (const LimitRow& known : limit_table()) names.emplace_back(known.name);
+      const std::string hint = suggestion(name, names);
+      return Diagnostic{Code::E913,
+                        {},
+                        fmt::format("`{}` is no limit", name),
+                        hint.empty() ? "see `elgen --limits`" : hint};
     }
     const std::string value = equals == std::string::npos ? "" : setting.substr(equals + 1);
     const char* end = value.data() + value.size();
@@ -154,15 +152,6 @@ std::string value_of(const std::vector<std::string>& words, const std::string& o
   return {};
 }
 
-/// What CLI11 could not convert by itself.
-Diagnostics finish(const RawOptions& raw, CommandLine& line) {
-  line.global.style = style_of(raw.color, raw.format);
-  Result<Limits> limits = read_limits(raw.limits);
-  if (!limits) return limits.diagnostics;
-  line.global.limits = *limits;
-  return {};
-}
-
 }  // namespace
 
 DiagnosticStyle style_of_mistakes(const std::vector<std::string>& words) {
@@ -200,8 +189,10 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
     return Diagnostic{Code::E913, {}, "no command given", "see `elgen --help`"};
   }
   line.global.words = words;
-  const Diagnostics errors = finish(raw, line);
-  if (!errors.empty()) return errors;
+  line.global.style = style_of(raw.color, raw.format);
+  Result<Limits> limits = read_limits(raw.limits);
+  if (!limits) return limits.diagnostics;
+  line.global.limits = *limits;
   return line;
 }
 

@@ -26,8 +26,8 @@ void set_action(CLI::App& command, Action& action, const std::shared_ptr<Options
 }
 
 /// An option of which every value is a source that diagnostics point into.
-CLI::Option* add_sources(CLI::App& command, const std::string& name,
-                         std::vector<SourcePointer>& sources, const std::string& doc);
+void add_sources(CLI::App& command, const std::string& name, const std::string& type,
+                 std::vector<SourcePointer>& sources, const std::string& doc);
 
 /// --fix and --size
 void add_specialisation(CLI::App& command, SceneOptions& options);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "evaluate/subject.hpp"
+
 namespace elgen::cli {
 namespace {
 
@@ -45,23 +47,17 @@ Products full_model(const Inputs& inputs, const PipelineOptions& options) {
   return run_pipeline({inputs.model, nullptr}, full);
 }
 
-const Function* same_output(const Program& program, const OutputRequest& request) {
-  const auto found = std::find_if(
-      program.functions.begin(), program.functions.end(), [&](const Function& function) {
-        return function.kind == request.kind && function.user == request.user;
-      });
-  return found == program.functions.end() ? nullptr : &*found;
-}
-
 std::string percentage(double part, double whole) {
   return whole > 0 ? fmt::format("{:.0f} %", 100 * part / whole) : "";
 }
 
 /// The columns of the cost in the scene and in the full model.
 std::string compared(const OutputRequest& request, const Program& program, const Products* full) {
-  const std::size_t own = cost(count_operations(*same_output(program, request)));
+  const std::size_t own =
+      cost(count_operations(*find_function(program, request.kind, request.user)));
   if (full == nullptr) return fmt::format("{:>8}", own);
-  const Function* same = full->program ? same_output(*full->program, request) : nullptr;
+  const Function* same =
+      full->program ? find_function(*full->program, request.kind, request.user) : nullptr;
   if (same == nullptr) return fmt::format("{:>8}  {:>10}  {:>6}", own, "-", "");
   const std::size_t whole = cost(count_operations(*same));
   return fmt::format("{:>8}  {:>10}  {:>6}", own, whole,

@@ -235,9 +235,8 @@ void add_generate(CLI::App& app, Action& action) {
       ->type_name("DIR")
       ->capture_default_str()
       ->each([options](const std::string&) { options->output_directory_given = true; });
-  add_sources(*command, "--outputs", options->scene.outputs, "only these: mass_matrix,bias,…")
-      ->type_name("LIST")
-      ->allow_extra_args(false);
+  add_sources(*command, "--outputs", "LIST", options->scene.outputs,
+              "only these: mass_matrix,bias,…");
   add_specialisation(*command, options->scene);
   CLI::Option* check =
       command->add_flag("--check", options->check, "write nothing; exit 1 if the files differ");

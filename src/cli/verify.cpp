@@ -21,45 +21,36 @@ struct VerifyCommandOptions {
   bool force = false;
 };
 
-/// Appends the time since the last call to the stages' times.
-class Stopwatch {
- public:
-  explicit Stopwatch(Products& products) : products_(products) {}
+/// A step that is shown, and timed with the stages of `products`.
+template <class Step>
+auto timed(const std::string& name, Products& products, const Progress& progress,
+           const Step& step) {
+  progress.stage(name);
+  const auto start = std::chrono::steady_clock::now();
+  auto result = step();
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  products.times.push_back({name, elapsed.count()});
+  return result;
+}
 
-  void add(const std::string& stage) {
-    const auto now = std::chrono::steady_clock::now();
-    products_.times.push_back({stage, std::chrono::duration<double>(now - last_).count()});
-    last_ = now;
-  }
-
- private:
-  Products& products_;
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
-/// Compiles, unless it is to be quick, and compares. Both steps are timed with those of `products`.
+/// Compiles, unless it is to be quick, and compares.
 Result<Verification> compared(const std::string& path, Products& products,
                               const VerifyOptions& options, const Limits& limits) {
-  const Model& model = products.checked->model;
-  const Scene& scene = products.checked->scene;
+  const auto& [model, scene] = *products.checked;
+  const Program& program = *products.program;
   const Progress progress(path);
-  Stopwatch watch(products);
-  CompiledHeaders compiled;
+  Result<CompiledHeaders> compiled = CompiledHeaders();
   if (!options.quick) {
-    progress.stage("compile");
-    auto result = compile(*products.files, model, scene, *products.program, limits);
-    if (!result) return result.diagnostics;
-    compiled = std::move(*result);
-    watch.add("compile");
+    compiled = timed("compile", products, progress,
+                     [&] { return compile(*products.files, model, scene, program, limits); });
   }
-  progress.stage("verify");
+  if (!compiled) return compiled.diagnostics;
   VerifyOptions with_products = options;
   with_products.forms = &*products.closed_forms;
   with_products.parts = &products.parts;
   with_products.on_step = [&progress](const std::string& step) { progress.stage(step); };
-  Verification result = verify(model, scene, *products.program, compiled, with_products);
-  watch.add("verify");
-  return result;
+  return timed("verify", products, progress,
+               [&] { return verify(model, scene, program, *compiled, with_products); });
 }
 
 /// With every check, as -o gets it.
