@@ -2,14 +2,13 @@
 // they share, sines above all, is evaluated once.
 #include "choose/rounding_errors.hpp"
 
-#include <cln/integer.h>
-
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "base/random.hpp"
 #include "evaluate/bounded.hpp"
+#include "lower/angle_sums.hpp"
 #include "lower/linearise.hpp"
 
 namespace elgen {
@@ -27,17 +26,6 @@ Arguments<double> point(const LeafNames& leaves, int lowest, int highest, Random
   return result;
 }
 
-/// A multiple of a leaf by a power of two keeps its digits.
-bool is_exact(const Graph& graph, NodeId id) {
-  const Node& node = graph.node(id);
-  if (node.kind != NodeKind::product) return node.kind == NodeKind::leaf;
-  if (node.operands.size() != 2 || !graph.is_rational(node.operands[0].node)) return false;
-  const cln::cl_RA& factor = graph.rational_of(node.operands[0].node);
-  const cln::cl_I powers = cln::numerator(factor) * cln::denominator(factor);
-  return node.operands[1].weight == 1 && cln::power2p(powers) > 0 &&
-         is_exact(graph, node.operands[1].node);
-}
-
 using NodeSet = std::set<NodeId>;
 
 /// Of every angle that is rounded before its sine or cosine is taken, the leaves in it: x - y and
@@ -48,7 +36,7 @@ std::set<NodeSet> rounded_angles(const Graph& graph, Ref value) {
     const Node& node = graph.node(id);
     const bool is_wave = node.kind == NodeKind::call &&
                          (node.function == FunctionId::sin || node.function == FunctionId::cos);
-    if (!is_wave || is_exact(graph, node.operands[0].node)) continue;
+    if (!is_wave || is_exact_multiple(graph, node.operands[0].node)) continue;
     NodeSet leaves;
     for (const NodeId part : reachable(graph, {{node.operands[0].node, false}})) {
       if (graph.node(part).kind == NodeKind::leaf) leaves.insert(part);

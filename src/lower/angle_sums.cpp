@@ -110,23 +110,13 @@ std::optional<Split> split_of(const AngleTerms& angle, const std::vector<AngleTe
   return std::nullopt;
 }
 
-/// 2^k x of a leaf x: its sine and cosine are known to all digits, which a difference of squares
-/// loses where it is small.
-bool is_exact(const Graph& graph, const AngleTerms& angle) {
-  if (angle.terms.size() != 1) return false;
-  const auto& [node, coefficient] = *angle.terms.begin();
-  const auto is_power_of_two = [](const cln::cl_I& n) { return cln::power2p(n) > 0; };
-  const cl_RA magnitude = cln::abs(coefficient);
-  return graph.node(node).kind == NodeKind::leaf && is_power_of_two(cln::numerator(magnitude)) &&
-         is_power_of_two(cln::denominator(magnitude));
-}
-
 std::map<NodeId, Split> splits_of(const Expressions& expressions) {
   std::map<NodeId, Split> splits;
   const std::vector<AngleTerms> angles = angles_of(expressions);
   if (angles.size() > most_angles) return splits;
   for (const AngleTerms& angle : angles) {
-    if (is_exact(expressions.graph, angle)) continue;
+    // A difference of squares loses the digits where it is small.
+    if (is_exact_multiple(expressions.graph, angle.argument)) continue;
     std::vector<AngleTerms> simpler;
     std::copy_if(angles.begin(), angles.end(), std::back_inserter(simpler),
                  [&](const AngleTerms& other) { return other.size < angle.size; });
@@ -190,6 +180,16 @@ class AngleSums {
 };
 
 }  // namespace
+
+bool is_exact_multiple(const Graph& graph, NodeId id) {
+  const Node& node = graph.node(id);
+  if (node.kind != NodeKind::product) return node.kind == NodeKind::leaf;
+  if (node.operands.size() != 2 || !graph.is_rational(node.operands[0].node)) return false;
+  const cl_RA& factor = graph.rational_of(node.operands[0].node);
+  const cln::cl_I powers = cln::numerator(factor) * cln::denominator(factor);
+  return node.operands[1].weight == 1 && cln::power2p(powers) > 0 &&
+         is_exact_multiple(graph, node.operands[1].node);
+}
 
 std::optional<Expressions> expand_angle_sums(const Expressions& expressions) {
   std::map<NodeId, Split> splits = splits_of(expressions);

@@ -14,6 +14,9 @@
 
 namespace elgen {
 
+/// 2^k x of a leaf x: its sine and cosine are known to all digits.
+[[nodiscard]] bool is_exact_multiple(const Graph& graph, NodeId id);
+
 /// Nothing where no angle is such a sum.
 [[nodiscard]] std::optional<Expressions> expand_angle_sums(const Expressions& expressions);
 

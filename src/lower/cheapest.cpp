@@ -30,39 +30,26 @@ CostedNetwork candidate(const Expressions& expressions, const Function& unfilled
   return result;
 }
 
-class Cheapest {
- public:
-  explicit Cheapest(const Function& unfilled) : unfilled_(unfilled) {}
-
-  void consider(const Expressions& expressions) {
-    CostedNetwork other = candidate(expressions, unfilled_);
-    if (!best_ || other.cost < best_->cost) best_ = std::move(other);
-  }
-
-  void consider_forms(const Expressions& expressions) {
-    const Expressions flat = flatten(expressions);
-    consider(factored(flat));
-    consider(flat);
-    if (flat.graph.size() > maximal_nodes_written_out) return;
-    consider(factored(flatten(flat, Flattened::all_products)));
-  }
-
-  Network take() { return std::move(best_->network); }
-
- private:
-  const Function& unfilled_;
-  std::optional<CostedNetwork> best_ = {};
-};
-
 }  // namespace
 
 Expressions factored(const Expressions& flat) { return factor(flatten(factor(flat))); }
 
 Network cheapest_network(const Expressions& expressions, const Function& unfilled) {
-  Cheapest cheapest(unfilled);
-  cheapest.consider_forms(expressions);
-  if (const auto expanded = expand_angle_sums(expressions)) cheapest.consider_forms(*expanded);
-  return cheapest.take();
+  std::optional<CostedNetwork> best;
+  const auto consider = [&](const Expressions& form) {
+    CostedNetwork other = candidate(form, unfilled);
+    if (!best || other.cost < best->cost) best = std::move(other);
+  };
+  const auto consider_forms = [&](const Expressions& all) {
+    const Expressions flat = flatten(all);
+    consider(factored(flat));
+    consider(flat);
+    if (flat.graph.size() > maximal_nodes_written_out) return;
+    consider(factored(flatten(flat, Flattened::all_products)));
+  };
+  consider_forms(expressions);
+  if (const auto expanded = expand_angle_sums(expressions)) consider_forms(*expanded);
+  return std::move(best->network);
 }
 
 }  // namespace elgen

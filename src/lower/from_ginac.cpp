@@ -150,20 +150,6 @@ std::vector<bool> needed_definitions(const Definitions& definitions,
   return needed;
 }
 
-std::vector<Field> import_fields(Importer& importer, const OutputEquations& output,
-                                 std::vector<Ref>& values) {
-  std::vector<Field> fields;
-  for (const FieldEquations& equations : output.fields) {
-    Field field{equations.name, equations.rows, equations.columns, {}};
-    for (const GiNaC::ex& entry : equations.entries) {
-      field.entries.push_back(static_cast<std::uint32_t>(values.size()));
-      values.push_back(importer.import(entry));
-    }
-    fields.push_back(std::move(field));
-  }
-  return fields;
-}
-
 /// The equations a request stands for: its own, or all that it repeats.
 std::vector<const OutputEquations*> equations_for(const EquationsOfMotion& equations,
                                                   const OutputRequest& request) {
@@ -178,14 +164,20 @@ std::vector<const OutputEquations*> equations_for(const EquationsOfMotion& equat
   return wanted;
 }
 
-std::vector<Field> import_outputs(Importer& importer, const OutputRequest& request,
-                                  const std::vector<const OutputEquations*>& outputs,
-                                  std::vector<Ref>& values) {
+/// Of what repeats others each field has the name of one.
+std::vector<Field> import_fields(Importer& importer, const OutputRequest& request,
+                                 const std::vector<const OutputEquations*>& outputs,
+                                 std::vector<Ref>& values) {
+  const bool repeats = output_row(request.kind).repeats;
   std::vector<Field> fields;
   for (const OutputEquations* output : outputs) {
-    for (Field& field : import_fields(importer, *output, values)) {
-      if (output_row(request.kind).repeats) field.name = output->request.name;
-      fields.push_back(std::move(field));
+    for (const FieldEquations& equations : output->fields) {
+      Field& field = fields.emplace_back(Field{
+          repeats ? output->request.name : equations.name, equations.rows, equations.columns, {}});
+      for (const GiNaC::ex& entry : equations.entries) {
+        field.entries.push_back(static_cast<std::uint32_t>(values.size()));
+        values.push_back(importer.import(entry));
+      }
     }
   }
   return fields;
@@ -208,7 +200,7 @@ Result<ImportedOutput> from_ginac(const EquationsOfMotion& equations, const Outp
   }
   importer.graph.set_birth(static_cast<std::uint32_t>(needed.size()));
   ImportedOutput imported;
-  imported.fields = import_outputs(importer, request, outputs, imported.values);
+  imported.fields = import_fields(importer, request, outputs, imported.values);
   if (importer.problem) return *importer.problem;
   imported.graph = std::move(importer.graph);
   return imported;

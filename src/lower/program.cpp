@@ -14,8 +14,7 @@ std::size_t operand_count(const Instruction& instruction) {
 }
 
 const ReducedOutput* find_reduced(const Reduction& reduction, OutputKind kind) {
-  const auto found = std::find_if(reduction.outputs.begin(), reduction.outputs.end(),
-                                  [&](const ReducedOutput& output) { return output.kind == kind; });
+  const auto found = std::ranges::find(reduction.outputs, kind, &ReducedOutput::kind);
   return found == reduction.outputs.end() ? nullptr : &*found;
 }
 
