@@ -8,19 +8,6 @@ namespace {
 
 using cln::cl_R;
 
-/// s, ds/dt and d2s/dt2 at a time.
-struct Standing {
-  cl_R value;
-  cl_R rate;
-  cl_R acceleration;
-};
-
-Standing standing(const Model& unlocked, ExpressionId s, const State& state) {
-  const Motion motion = motion_of(state);
-  Evaluation at(unlocked, motion);
-  return {at.value(s).real(), at.rate(s).real(), at.second_rate(s).real()};
-}
-
 /// Puts the entries of `from`, in order, where `to` is not taken.
 void fill_free(std::vector<cl_R>& to, const std::vector<bool>& taken,
                const std::vector<cl_R>& from) {
@@ -43,11 +30,12 @@ State unlocked_state(const Model& model, const State& state) {
   for (const Lock& lock : unlocked.locks) {
     for (std::uint32_t i = 0; i < lock.values.size(); ++i) {
       locked_coordinates[lock.coordinate + i] = true;
-      const Standing s = standing(unlocked, lock.values[i], whole);
-      whole.q[lock.coordinate + i] = s.value;
+      const Motion motion = motion_of(whole);
+      Evaluation at(unlocked, motion);
+      whole.q[lock.coordinate + i] = at.value(lock.values[i]).real();
       if (lock.is_rotation) continue;
-      whole.v[lock.velocity] = s.rate;
-      whole.a[lock.velocity] = s.acceleration;
+      whole.v[lock.velocity] = at.rate(lock.values[i]).real();
+      whole.a[lock.velocity] = at.second_rate(lock.values[i]).real();
     }
     for (std::uint32_t i = 0; i < lock.velocity_count(); ++i) {
       locked_velocities[lock.velocity + i] = true;
