@@ -188,19 +188,18 @@ class Choosing {
     result_.program.functions[index] = finished(function);
     FormCosts costs{function.name, count_operations(result_.program.functions[index])};
     costs.is_asked_for = wish_for(scene_, function).has_value();
+    Function closed;
     if (is_complete(entries)) {
       fill_readable(index, entries);
       if (wants_closed || is_worth_lowering(entries, cost(costs.recursive))) {
-        compare(index, entries, costs);
+        closed = compare(index, entries, costs);
         if (wish) costs.chosen = *wish;
       }
     } else if (wants_closed) {
       return {{Code::E608, place_of(scene_, function),
                fmt::format("the closed form of `{}` was given up", function.name)}};
     }
-    if (costs.chosen == Form::closed) {
-      result_.program.functions[index] = std::move(closed_);
-    }
+    if (costs.chosen == Form::closed) result_.program.functions[index] = std::move(closed);
     result_.costs.push_back(std::move(costs));
     return {};
   }
@@ -227,12 +226,13 @@ class Choosing {
     return cost(count_operations(has_pivots ? without_diagonal(form) : form));
   }
 
-  void compare(std::size_t index, const ReadableEntries& entries, FormCosts& costs) {
+  Function compare(std::size_t index, const ReadableEntries& entries, FormCosts& costs) {
     Function closed = lowered_together(entries, recursive_.functions[index], result_.program);
     const bool is_cheaper = cost_of(closed) <= cost_of(recursive_.functions[index]);
-    closed_ = finished(std::move(closed));
-    costs.closed = count_operations(closed_);
+    closed = finished(std::move(closed));
+    costs.closed = count_operations(closed);
     costs.chosen = is_cheaper ? Form::closed : Form::recursive;
+    return closed;
   }
 
   void fill_readable(std::size_t index, const ReadableEntries& entries) {
@@ -250,7 +250,6 @@ class Choosing {
   std::map<std::string, ReadableEntries> entries_;
   std::set<std::string> reduced_;  ///< names of functions
   std::string normalized_;         ///< name of the function of that kind
-  Function closed_;                ///< of the function being compared
   Choice result_;
 };
 

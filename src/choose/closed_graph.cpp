@@ -79,7 +79,7 @@ class ClosedGraph {
       taken.push_back({id, -divisor.exponent});
       factors.push_back({atom(algebra_.atoms[id]), divisor.exponent});
     }
-    if (!taken.empty()) form.numerator = elgen::scaled(form.numerator, {1, 0}, taken);
+    if (!taken.empty()) form.numerator = scaled(form.numerator, {1, 0}, taken);
   }
 
   [[nodiscard]] bool is_exponential(AtomId id) const {
@@ -91,7 +91,7 @@ class ClosedGraph {
     for (auto& [factor, exponent] : form.denominator) {
       const std::optional<AtomId> root = root_of(algebra_.factors[factor].shown);
       if (!root || exponent == 0 || !divides(*root, form.numerator)) continue;
-      form.numerator = elgen::scaled(form.numerator, {1, 0}, Monomial{{*root, -1}});
+      form.numerator = scaled(form.numerator, {1, 0}, Monomial{{*root, -1}});
       --exponent;
       const Ref radicand = fraction(algebra_.atoms[*root].arguments[0]);
       factors.push_back({graph_.square_root(radicand), -1});
@@ -104,7 +104,7 @@ class ClosedGraph {
       const Atom& atom = algebra_.atoms[id];
       if (atom.kind != AtomKind::root || !atom.arguments[0].denominator.empty()) continue;
       const Polynomial difference =
-          elgen::sum(radicand, elgen::scaled(atom.arguments[0].numerator, {-1, 0}));
+          elgen::sum(radicand, scaled(atom.arguments[0].numerator, {-1, 0}));
       if (difference.empty()) return id;
     }
     return std::nullopt;
@@ -172,17 +172,14 @@ class ClosedGraph {
 
   /// One product per group: what its terms share, times the sum of what is left of them.
   Ref sum_of_groups(const std::vector<Factors>& terms, std::vector<Power> Factors::*key) {
-    std::vector<std::pair<Ref, std::vector<Factors>>> groups;
+    using Group = std::pair<Ref, std::vector<Factors>>;
+    std::vector<Group> groups;
     for (Factors term : terms) {
       const Ref shared = graph_.product(term.*key);
       (term.*key).clear();
-      const auto known = std::find_if(groups.begin(), groups.end(),
-                                      [&](const auto& group) { return group.first == shared; });
-      if (known != groups.end()) {
-        known->second.push_back(std::move(term));
-      } else {
-        groups.push_back({shared, {std::move(term)}});
-      }
+      auto known = std::ranges::find(groups, shared, &Group::first);
+      if (known == groups.end()) known = groups.insert(known, Group{shared, {}});
+      known->second.push_back(std::move(term));
     }
     const bool is_split_again =
         key == &Factors::rates && layout_.grouping == Grouping::by_rates_and_coordinates;

@@ -60,7 +60,7 @@ TwoPowers power_of_exponential(std::int32_t multiple, bool by_sines) {
     TwoPowers next;
     for (const auto& [powers, value] : result) {
       add_term(next, {powers.first + 1, powers.second}, value);
-      add_term(next, {powers.first, powers.second + 1}, elgen::product(value, i));
+      add_term(next, {powers.first, powers.second + 1}, product(value, i));
     }
     result = reduced(next, by_sines);
   }
@@ -126,7 +126,7 @@ class RealTerms {
       return add_real(sum, {{angle, 0, 1}}, coefficient.imaginary * -2);
     }
     for (const auto& [circular, value] : expanded(angle)) {
-      add_real(sum, circular, elgen::product(value, coefficient).real * 2);
+      add_real(sum, circular, product(value, coefficient).real * 2);
     }
   }
 
@@ -179,7 +179,7 @@ class RealTerms {
     if (!by_units()) {
       const Monomial along = direction(angle);
       const std::int32_t base = base_of_direction_.at(along);
-      return factor(elgen::power(along, base), common_divisor(angle) / base);
+      return factor(power(along, base), common_divisor(angle) / base);
     }
     CircularSum result{{{}, Gaussian{1, 0}}};
     for (const AtomPower& part : angle) {
@@ -189,7 +189,7 @@ class RealTerms {
         for (const auto& [own, a] : result) {
           std::vector<CircularPower> powers = own;
           powers.insert(powers.end(), more.begin(), more.end());
-          add_term(next, powers, elgen::product(a, b));
+          add_term(next, powers, product(a, b));
         }
       }
       result = std::move(next);

@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "elgen/model.hpp"
 #include "lower/instructions.hpp"
 #include "lower/prune.hpp"
 
 namespace elgen {
 namespace {
-
-constexpr std::size_t components = 4;
 
 class Scaling {
  public:
@@ -26,7 +25,7 @@ class Scaling {
       }
       const std::vector<std::uint32_t> unit = unit_quaternion(static_cast<std::uint32_t>(i));
       std::copy(unit.begin(), unit.end(), field.entries.begin() + static_cast<std::ptrdiff_t>(i));
-      i += components;
+      i += quaternion_size;
     }
   }
 
@@ -42,7 +41,7 @@ class Scaling {
   std::vector<std::uint32_t> unit_quaternion(std::uint32_t first) {
     std::vector<std::uint32_t> values;
     std::vector<std::uint32_t> magnitudes;
-    for (std::uint32_t i = 0; i < components; ++i) {
+    for (std::uint32_t i = 0; i < quaternion_size; ++i) {
       values.push_back(instructions_.add(Opcode::coordinate, first + i));
       magnitudes.push_back(instructions_.add(
           {.opcode = Opcode::call, .function = FunctionId::abs, .a = values.back()}));
