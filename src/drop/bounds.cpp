@@ -135,6 +135,15 @@ std::optional<Enclosure> RangeBounds::of_atom(AtomId id) {
   return result;
 }
 
+template <class Owner>
+std::optional<Enclosure> RangeBounds::of_range(const Owner& owner,
+                                               std::optional<Interval> Owner::*range,
+                                               std::string_view key, std::string_view reason) {
+  if (const auto& declared = owner.*range) return enclosure_of(declared->low, declared->high);
+  return miss(owner.span, fmt::format("`drop_below` needs the `{}` of `{}`", key, owner.name),
+              fmt::format("{}declare `{} = [low, high]`", reason, key));
+}
+
 std::optional<Enclosure> RangeBounds::of_leaf(const Atom& atom) {
   switch (atom.leaf) {
     case Opcode::parameter: {
@@ -142,22 +151,11 @@ std::optional<Enclosure> RangeBounds::of_leaf(const Atom& atom) {
       const auto& range = model_.parameter_arrays[parameter.array].range;
       return range ? enclosure_of(range->low, range->high) : enclosure_of(parameter.value);
     }
-    case Opcode::coordinate: {
-      const Coordinate& coordinate = model_.coordinates[atom.index];
-      const auto& range = coordinate.range;
-      if (range) return enclosure_of(range->low, range->high);
-      return miss(coordinate.span,
-                  fmt::format("`drop_below` needs the `range` of `{}`", coordinate.name),
-                  "it stands outside sines and cosines: declare `range = [low, high]`");
-    }
-    case Opcode::velocity: {
-      const Velocity& velocity = model_.velocities[atom.index];
-      const auto& range = velocity.rate_range;
-      if (range) return enclosure_of(range->low, range->high);
-      return miss(velocity.span,
-                  fmt::format("`drop_below` needs the `rate_range` of `{}`", velocity.name),
-                  "declare `rate_range = [low, high]`");
-    }
+    case Opcode::coordinate:
+      return of_range(model_.coordinates[atom.index], &Coordinate::range, "range",
+                      "it stands outside sines and cosines: ");
+    case Opcode::velocity:
+      return of_range(model_.velocities[atom.index], &Velocity::rate_range, "rate_range", "");
     default:
       return miss({}, fmt::format("`drop_below` has no bound of `{}` outside sines and cosines",
                                   leaf_row(atom.leaf).symbol));

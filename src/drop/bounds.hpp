@@ -40,6 +40,9 @@ class RangeBounds {
   std::optional<Enclosure> of(const Polynomial& sum);
   std::optional<Enclosure> of(const Monomial& monomial);
   std::optional<Enclosure> of_atom(AtomId id);
+  template <class Owner>
+  std::optional<Enclosure> of_range(const Owner& owner, std::optional<Interval> Owner::*range,
+                                    std::string_view key, std::string_view reason);
   std::optional<Enclosure> of_leaf(const Atom& atom);
   std::optional<Enclosure> of_call(const Atom& atom);
   std::nullopt_t miss(const Span& span, std::string message, std::string hint = {});

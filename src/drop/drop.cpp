@@ -10,6 +10,7 @@
 #include "drop/consequences.hpp"
 #include "drop/definiteness.hpp"
 #include "drop/term_text.hpp"
+#include "evaluate/subject.hpp"
 #include "present/rates.hpp"
 
 namespace elgen {
@@ -22,6 +23,12 @@ using K = OutputKind;
 
 bool are_known(const Values& values) {
   return std::all_of(values.begin(), values.end(), [](const Value& x) { return x.has_value(); });
+}
+
+/// Of one of the program's functions.
+const ClosedFunction& form_of(const Function& function, const Program& program,
+                              const ClosedForms& forms) {
+  return forms.functions[static_cast<std::size_t>(&function - program.functions.data())];
 }
 
 class Drop {
@@ -56,19 +63,17 @@ class Drop {
   }
 
   [[nodiscard]] bool is_part(OutputKind kind) const {
-    return std::any_of(dropping_.parts.begin(), dropping_.parts.end(),
-                       [&](const OutputRequest& part) { return part.kind == kind; });
+    return std::ranges::count(dropping_.parts, kind, &OutputRequest::kind) > 0;
   }
 
   /// The closed entries of a part; empty where it is none, or was given up.
   Values exact(OutputKind kind) {
     if (!is_part(kind)) return {};
-    for (std::size_t i = 0; i < program_.functions.size(); ++i) {
-      if (program_.functions[i].kind != kind) continue;
-      const Values& entries = forms_.functions[i].fields.at(0).entries;
-      if (are_known(entries)) return entries;
-      fail_given_up(program_.functions[i].name);
-    }
+    const Function* function = find_function(program_, kind);
+    if (function == nullptr) return {};
+    const Values& entries = form_of(*function, program_, forms_).fields.at(0).entries;
+    if (are_known(entries)) return entries;
+    fail_given_up(function->name);
     return {};
   }
 
@@ -147,7 +152,7 @@ class Drop {
     bool acts = false;
     const std::size_t n = largest.size();
     for (std::size_t i = 0; i < n; ++i) {
-      const Value force = elgen::rate(arithmetic_, forms_.algebra, term, along_coordinate(i, n));
+      const Value force = rate(arithmetic_, forms_.algebra, term, along_coordinate(i, n));
       if (!force) fail_given_up("gravity");
       if (!force || force->numerator.empty()) continue;
       acts = true;
@@ -209,15 +214,12 @@ class Drop {
       for (std::size_t j = 0; j < n && dropped_.count(K::mass_matrix) > 0; ++j) {
         error.by_acceleration.push_back(bounds_of(*dropped_[K::mass_matrix][i * n + j]).together);
       }
-      if (n == 0 && field.entries[i]) error.largest = largest_if_known(*field.entries[i]);
+      const auto known =
+          n == 0 && field.entries[i] ? bounds_.of_terms(*field.entries[i]) : std::nullopt;
+      if (known) error.largest = known->largest;
       output.errors.push_back(std::move(error));
     }
     return output;
-  }
-
-  std::optional<cl_RA> largest_if_known(const Fraction& x) {
-    const std::optional<TermBounds> bounds = bounds_.of_terms(x);
-    return bounds ? std::optional(bounds->largest) : std::nullopt;
   }
 
   const Program& program_;
@@ -236,11 +238,8 @@ std::vector<ClosedFunction> selected(const Program& program, const Program& whol
                                      const ClosedForms& forms) {
   std::vector<ClosedFunction> result;
   for (const Function& function : program.functions) {
-    ClosedFunction& closed = result.emplace_back();
-    for (std::size_t i = 0; i < whole.functions.size(); ++i) {
-      const Function& known = whole.functions[i];
-      if (known.kind == function.kind && known.user == function.user) closed = forms.functions[i];
-    }
+    const Function* known = find_function(whole, function.kind, function.user);
+    result.push_back(known == nullptr ? ClosedFunction{} : form_of(*known, whole, forms));
   }
   return result;
 }
@@ -253,10 +252,7 @@ std::vector<OutputRequest> with_parts(const Scene& scene) {
     if (!output_row(output.kind).repeats) all.push_back(output);
   }
   for (const OutputRequest& part : scene.dropping->parts) {
-    const bool is_known = std::any_of(all.begin(), all.end(), [&](const OutputRequest& output) {
-      return output.kind == part.kind;
-    });
-    if (!is_known) all.push_back(part);
+    if (std::ranges::count(all, part.kind, &OutputRequest::kind) == 0) all.push_back(part);
   }
   return all;
 }
