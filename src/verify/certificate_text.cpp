@@ -18,12 +18,14 @@
 #include <string_view>
 
 #include "elgen/certificate.hpp"
+#include "elgen/wording.hpp"
 
 namespace elgen {
 namespace {
 
 using Json = nlohmann::ordered_json;
 using Rows = std::vector<const CertificateRow*>;
+using OutputRows = std::pair<std::string, Rows>;
 
 constexpr std::array<std::string_view, 3> verdict_words{"holds", "FAILS", "skipped"};
 constexpr std::array<std::string_view, 3> verdict_names{"holds", "fails", "skipped"};
@@ -37,10 +39,6 @@ constexpr std::array<std::string_view, 3> evidence_names{"states", "proof", "zer
 template <class Enum, std::size_t size>
 std::string_view word(const std::array<std::string_view, size>& words, Enum value) {
   return words[static_cast<std::size_t>(value)];
-}
-
-std::string plural(std::size_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 /// "41 states too ill-conditioned to bound, 1 overflow"
@@ -62,11 +60,11 @@ std::string evidence_text(const CertificateRow& row) {
     case Evidence::proof:
       return "for every state, by proof";
     case Evidence::zeros:
-      return "at " + plural(row.samples, "random point");
+      return "at " + counted(row.samples, "random point");
     case Evidence::states:
       break;
   }
-  return "at " + plural(row.samples, "state");
+  return "at " + counted(row.samples, "state");
 }
 
 void append_details(std::string& text, const CertificateRow& row) {
@@ -78,9 +76,7 @@ void append_details(std::string& text, const CertificateRow& row) {
 }
 
 std::size_t count_of(const Rows& rows, Verdict verdict) {
-  return static_cast<std::size_t>(
-      std::count_if(rows.begin(), rows.end(),
-                    [verdict](const CertificateRow* row) { return row->verdict == verdict; }));
+  return static_cast<std::size_t>(std::ranges::count(rows, verdict, &CertificateRow::verdict));
 }
 
 Verdict verdict_of(const Rows& rows) {
@@ -89,22 +85,18 @@ Verdict verdict_of(const Rows& rows) {
 }
 
 /// Rows of one output, in the order in which outputs come first.
-std::vector<std::pair<std::string, Rows>> by_output(const Certificate& certificate) {
-  std::vector<std::pair<std::string, Rows>> groups;
+std::vector<OutputRows> by_output(const Certificate& certificate) {
+  std::vector<OutputRows> groups;
   for (const CertificateRow& row : certificate.rows) {
-    const auto known = std::find_if(groups.begin(), groups.end(), [&row](const auto& group) {
-      return group.first == row.output;
-    });
-    Rows& rows =
-        known == groups.end() ? groups.emplace_back(row.output, Rows()).second : known->second;
-    rows.push_back(&row);
+    auto known = std::ranges::find(groups, row.output, &OutputRows::first);
+    if (known == groups.end()) known = groups.insert(known, {row.output, {}});
+    known->second.push_back(&row);
   }
   return groups;
 }
 
 bool rests_on(const Rows& rows, Evidence evidence) {
-  return std::any_of(rows.begin(), rows.end(),
-                     [evidence](const CertificateRow* row) { return row->evidence == evidence; });
+  return std::ranges::count(rows, evidence, &CertificateRow::evidence) > 0;
 }
 
 /// The fewest states at which one of the rows was compared: of those with an error in u B, where
@@ -122,8 +114,8 @@ std::optional<std::size_t> fewest_states(const Rows& rows, bool with_error) {
 /// "9 checks, 1.2 u B at 276 states", "4 checks, proved"
 std::string summary(const Rows& rows) {
   const std::size_t failed = count_of(rows, Verdict::fails);
-  if (failed > 0) return fmt::format("{} of {}", failed, plural(rows.size(), "check"));
-  std::string text = plural(rows.size(), "check");
+  if (failed > 0) return fmt::format("{} of {}", failed, counted(rows.size(), "check"));
+  std::string text = counted(rows.size(), "check");
   if (!rests_on(rows, Evidence::states)) return text + ", proved";
   std::optional<double> error;
   for (const CertificateRow* row : rows) {
@@ -131,7 +123,7 @@ std::string summary(const Rows& rows) {
   }
   const auto states = fewest_states(rows, error.has_value());
   if (error) text += fmt::format(", {:.2g} u B", *error);
-  if (states) text += (error ? " at " : ", at ") + plural(*states, "state");
+  if (states) text += (error ? " at " : ", at ") + counted(*states, "state");
   if (rests_on(rows, Evidence::proof)) text += ", some proved";
   if (rests_on(rows, Evidence::zeros)) text += ", rests on zeros that are not proved";
   return text;
@@ -160,7 +152,7 @@ std::string heading(const Certificate& certificate) {
 std::string counts(const Certificate& certificate) {
   const std::size_t held = count(certificate, Verdict::holds);
   const std::size_t failed = count(certificate, Verdict::fails);
-  return fmt::format("{} hold{}, {} fail{}, {} skipped", plural(held, "check"),
+  return fmt::format("{} hold{}, {} fail{}, {} skipped", counted(held, "check"),
                      held == 1 ? "s" : "", failed, failed == 1 ? "s" : "",
                      count(certificate, Verdict::skipped));
 }
@@ -186,8 +178,7 @@ Json json_of(const CertificateRow& row) {
 
 std::size_t count(const Certificate& certificate, Verdict verdict) {
   return static_cast<std::size_t>(
-      std::count_if(certificate.rows.begin(), certificate.rows.end(),
-                    [verdict](const CertificateRow& row) { return row.verdict == verdict; }));
+      std::ranges::count(certificate.rows, verdict, &CertificateRow::verdict));
 }
 
 bool holds(const Certificate& certificate) { return count(certificate, Verdict::fails) == 0; }

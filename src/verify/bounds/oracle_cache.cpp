@@ -6,15 +6,12 @@
 #include "elgen/oracle.hpp"
 
 namespace elgen {
-namespace {
 
 cln::cl_R largest_of(const std::vector<cln::cl_R>& values) {
   cln::cl_R largest = 0;
   for (const cln::cl_R& value : values) largest = cln::max(largest, cln::abs(value));
   return largest;
 }
-
-}  // namespace
 
 const OracleValues& OracleCache::values(const OutputRequest& request) {
   const auto key = std::make_pair(request.kind, request.user);

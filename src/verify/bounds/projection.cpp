@@ -119,19 +119,19 @@ class Projection {
     return compare_forces("w.(M a + bias)", *force, *driven);
   }
 
-  /// M of the program where it has one and the model is big, else the oracle's.
-  OracleValues mass_matrix() {
-    const Function* function = find_function(subject_.program, OutputKind::mass_matrix);
+  /// Those of the program where it has them exactly and the model is big, else the oracle's.
+  OracleValues values_of(OutputKind kind) {
+    const Function* function = find_function(subject_.program, kind);
     const bool is_exact = function != nullptr && !subject_.program.reduction;
     if (is_exact && state().v.size() > directly_solved) {
       return defined_values(evaluate(subject_.program, *function, arguments_at<Real>(state())));
     }
-    return oracle_.values({.kind = OutputKind::mass_matrix});
+    return oracle_.values({.kind = kind});
   }
 
   /// Of M in the model's order of elimination.
   OracleValues pivots_of_mass() {
-    OracleValues m = mass_matrix();
+    OracleValues m = values_of(OutputKind::mass_matrix);
     if (!m) return std::nullopt;
     const bool last_first = eliminates_last_first(subject_.model);
     if (last_first) std::reverse(m->begin(), m->end());
@@ -152,20 +152,6 @@ class Projection {
     return {};
   }
 
-  /// a of the program where it has them and the model is big, else the oracle's.
-  OracleValues accelerations() {
-    const Function* function = find_function(subject_.program, OutputKind::forward_dynamics);
-    const std::size_t n = state().v.size();
-    if (function == nullptr || n <= directly_solved) {
-      OracleValues truth = oracle_.values({.kind = OutputKind::forward_dynamics});
-      if (truth) truth->resize(n);
-      return truth;
-    }
-    auto values = evaluate(subject_.program, *function, arguments_at<Real>(state()));
-    values.resize(n);
-    return defined_values(values);
-  }
-
   /// X y in the rows of accelerations; none where an entry is undefined.
   [[nodiscard]] OracleValues response(const Values& y) const {
     const std::size_t n = state().v.size();
@@ -183,11 +169,11 @@ class Projection {
   /// What M z has to be for unit changes y.
   std::optional<cl_R> response_force(const Values& w, const Values& y) {
     if (row().columns == Extent::inputs) return input_force(w, y);
-    const auto a = accelerations();
-    if (!a) return std::nullopt;
-    State moving = state();
-    moving.a = *a;
+    const auto solution = values_of(OutputKind::forward_dynamics);
+    if (!solution) return std::nullopt;
     const std::size_t n = w.size();
+    State moving = state();
+    std::copy_n(solution->begin(), n, moving.a.begin());
     const Values rest(n, cl_R(0));
     const bool is_of_state = row().columns == Extent::states;
     const auto middle = y.begin() + static_cast<std::ptrdiff_t>(is_of_state ? n : 0);

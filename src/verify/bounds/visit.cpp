@@ -177,15 +177,6 @@ void Visit<Scalar>::add_error(const FieldPlace& place, std::size_t entry, double
 }
 
 template <class Scalar>
-void Visit<Scalar>::add_entry(const FieldPlace& place, std::size_t entry, const Bound& bound,
-                              Finding& finding) const {
-  const Scalar x = values_[place.first + entry];
-  const std::size_t operations = place.function->instructions.size();
-  add_error(place, entry, error_in_bounds(x, bound, operations, rounding<Scalar>()), finding);
-  finding.cancellation = std::max(finding.cancellation, cancellation(bound));
-}
-
-template <class Scalar>
 double Visit<Scalar>::error_in_norm(const FieldPlace& place, const SolvedColumn& column) const {
   const std::size_t operations = place.function->instructions.size();
   Real square;
@@ -223,6 +214,7 @@ std::optional<double> Visit<Scalar>::error_of(const FieldPlace& place,
 
 template <class Scalar>
 void Visit<Scalar>::measure(const FieldPlace& place, const Judged& judged, Finding& finding) const {
+  const std::size_t operations = place.function->instructions.size();
   finding.in_norm = !judged.columns.empty();
   std::vector<bool> by_norm(judged.entries.size());
   for (const SolvedColumn& column : judged.columns) {
@@ -236,9 +228,14 @@ void Visit<Scalar>::measure(const FieldPlace& place, const Judged& judged, Findi
   }
   for (std::size_t i = 0; i < judged.entries.size(); ++i) {
     const Bound& own = exact_.entries[place.first + i];
-    if (!by_norm[i]) add_entry(place, i, judging_bound(own, judged.entries[i]), finding);
+    const Scalar x = values_[place.first + i];
+    if (!by_norm[i]) {
+      const Bound& bound = judging_bound(own, judged.entries[i]);
+      add_error(place, i, error_in_bounds(x, bound, operations, rounding<Scalar>()), finding);
+      finding.cancellation = std::max(finding.cancellation, cancellation(bound));
+    }
     if (sample_.region != Region::nominal || cln::zerop(own.value.value())) continue;
-    finding.ulps.push_back(ulps_apart(values_[place.first + i], own.value));
+    finding.ulps.push_back(ulps_apart(x, own.value));
   }
 }
 

@@ -71,8 +71,6 @@ class Visit {
                                            const std::vector<Bound>& others,
                                            std::string_view of) const;
   void measure(const FieldPlace& place, const Judged& judged, Finding& finding) const;
-  void add_entry(const FieldPlace& place, std::size_t entry, const Bound& bound,
-                 Finding& finding) const;
   void add_error(const FieldPlace& place, std::size_t entry, double error, Finding& finding) const;
   [[nodiscard]] double error_in_norm(const FieldPlace& place, const SolvedColumn& column) const;
   [[nodiscard]] std::optional<double> error_of(const FieldPlace& place,

@@ -23,15 +23,13 @@ class Tally {
 
   [[nodiscard]] std::size_t samples() const { return samples_; }
   [[nodiscard]] double worst() const { return worst_; }
-  /// False for a NaN, too.
-  [[nodiscard]] bool within(double tolerance) const { return worst_ <= tolerance; }
   [[nodiscard]] std::string where(const Subject& subject) const {
     return worst_state_ ? describe(subject, *worst_state_) : std::string();
   }
-  /// Skipped where nothing was sampled.
+  /// Skipped where nothing was sampled; a NaN fails.
   [[nodiscard]] Verdict verdict(double tolerance) const {
     if (samples_ == 0) return Verdict::skipped;
-    return within(tolerance) ? Verdict::holds : Verdict::fails;
+    return worst_ <= tolerance ? Verdict::holds : Verdict::fails;
   }
   /// What a row says of its states; `obstacle`: why some were skipped.
   void tell(CertificateRow& row, const Subject& subject, double tolerance,

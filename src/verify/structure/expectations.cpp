@@ -9,6 +9,7 @@
 
 #include "base/random.hpp"
 #include "check/names/requests.hpp"
+#include "verify/bounds/oracle_cache.hpp"
 #include "verify/states/tally.hpp"
 #include "verify/structure/proofs.hpp"
 
@@ -33,12 +34,6 @@ std::vector<State> random_points(const Model& model, std::uint64_t seed) {
     draw_motion(model, random, points.back());
   }
   return points;
-}
-
-cl_R largest(const std::vector<cl_R>& values) {
-  cl_R result = 0;
-  for (const cl_R& value : values) result = cln::max(result, cln::abs(value));
-  return result;
 }
 
 double quotient(const cl_R& difference, const cl_R& scale) {
@@ -111,57 +106,28 @@ Diagnostic nothing_compared(const Entry& entry) {
 void finish(CertificateRow& row, const Tally& tally, const Subject& subject) {
   tally.tell(row, subject, tolerance);
   row.worst = fmt::format("{:.1e} relative", tally.worst());
-  if (tally.within(tolerance)) row.where.clear();
+  if (row.verdict == Verdict::holds) row.where.clear();
   // The author expects a value: where there is none, the expectation is not met.
   if (tally.samples() == 0) row.verdict = Verdict::fails;
 }
 
-/// Compares one entry at all states; the first where it is wrong becomes the diagnostic.
-/// sample_at(i): none where one side has no value at states[i].
-template <class SampleAt>
-void compare(ExpectationReport& report, const Entry& entry, const std::vector<State>& states,
-             const SampleAt& sample_at) {
-  Tally tally;
-  std::string wrong;
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    const std::optional<Sample> sample = sample_at(i);
-    if (!sample) {
-      tally.skip();
-      continue;
-    }
-    const double figure = quotient(sample->written - sample->derived, sample->scale);
-    tally.add(figure, states[i]);
-    if (wrong.empty() && !(figure <= tolerance)) wrong = wrong_text(entry, *sample, states[i]);
-  }
-  finish(report.rows.emplace_back(row_of(entry)), tally, entry.subject);
-  if (!wrong.empty()) {
-    report.diagnostics.push_back({Code::E510, entry.span(), std::move(wrong)});
-  } else if (tally.samples() == 0) {
-    report.diagnostics.push_back(nothing_compared(entry));
-  }
-}
-
-/// An output at one state, by the oracle.
-struct Derived {
-  OracleValues entries;
-  cl_R scale;  ///< of what counts as zero: the largest entry of the output and of M
+/// A state, and what an output is there by the oracle; of a rate the state alone.
+struct SampledPoint {
+  State state;
+  OracleValues entries = {};
+  cl_R scale = 0;  ///< of what counts as zero: the largest entry of the output and of M
 };
 
-std::vector<Derived> derived_at(const Model& model, const OutputRequest& request,
-                                const std::vector<State>& states) {
-  std::vector<Derived> all;
-  for (const State& state : states) {
-    Derived derived{oracle_values(model, request, state), 0};
-    const OracleValues masses = oracle_values(model, {.kind = OutputKind::mass_matrix}, state);
-    if (derived.entries) derived.scale = largest(*derived.entries);
-    if (masses) derived.scale = cln::max(derived.scale, largest(*masses));
-    all.push_back(std::move(derived));
-  }
-  return all;
+SampledPoint derived_at(const Model& model, const OutputRequest& request, const State& state) {
+  SampledPoint derived{state, oracle_values(model, request, state)};
+  const OracleValues masses = oracle_values(model, {.kind = OutputKind::mass_matrix}, state);
+  if (derived.entries) derived.scale = largest_of(*derived.entries);
+  if (masses) derived.scale = cln::max(derived.scale, largest_of(*masses));
+  return derived;
 }
 
-std::optional<Sample> value_sample(const Entry& entry, const Derived& derived, const State& state) {
-  const auto written = oracle_expression(entry.subject.model, entry.expression(), state);
+std::optional<Sample> value_sample(const Entry& entry, const SampledPoint& derived) {
+  const auto written = oracle_expression(entry.subject.model, entry.expression(), derived.state);
   const bool is_there = derived.entries && entry.index < derived.entries->size();
   if (!written || !is_there) return std::nullopt;
   return Sample{*written, (*derived.entries)[entry.index],
@@ -198,45 +164,56 @@ std::optional<Sample> rate_sample(const Entry& entry, const State& motion) {
   return result;
 }
 
-std::vector<State> free_motions(const Model& model, const std::vector<State>& states) {
-  std::vector<State> motions;
+/// Where one expectation is sampled.
+std::vector<SampledPoint> points_of(const Model& model, const Expectation& expectation,
+                                    const std::vector<State>& states) {
+  const auto request = find_request(model, expectation.output);
+  std::vector<SampledPoint> points;
   for (const State& state : states) {
-    if (std::optional<State> motion = free_motion(model, state)) {
-      motions.push_back(std::move(*motion));
-    }
+    if (request) points.push_back(derived_at(model, *request, state));
+    const auto motion = is_rate(expectation) ? free_motion(model, state) : std::nullopt;
+    if (motion) points.push_back({*motion});
   }
-  return motions;
+  return points;
 }
 
-/// Entries of one expectation; what is derived is computed for the first that is not proved.
-void check_values(ExpectationReport& report, const Expectation& expectation, const Subject& subject,
-                  Proofs& proofs, const std::vector<State>& states) {
-  const auto request = find_request(subject.model, expectation.output);
-  std::vector<Derived> derived;
+/// Compares one entry at all states; the first where it is wrong becomes the diagnostic.
+void compare(ExpectationReport& report, const Entry& entry,
+             const std::vector<SampledPoint>& points) {
+  Tally tally;
+  std::string wrong;
+  for (const SampledPoint& point : points) {
+    const auto sample =
+        is_rate(entry.of) ? rate_sample(entry, point.state) : value_sample(entry, point);
+    if (!sample) {
+      tally.skip();
+      continue;
+    }
+    const double figure = quotient(sample->written - sample->derived, sample->scale);
+    tally.add(figure, point.state);
+    if (wrong.empty() && !(figure <= tolerance)) wrong = wrong_text(entry, *sample, point.state);
+  }
+  finish(report.rows.emplace_back(row_of(entry)), tally, entry.subject);
+  if (!wrong.empty()) {
+    report.diagnostics.push_back({Code::E510, entry.span(), std::move(wrong)});
+  } else if (tally.samples() == 0) {
+    report.diagnostics.push_back(nothing_compared(entry));
+  }
+}
+
+void check(ExpectationReport& report, const Expectation& expectation, const Subject& subject,
+           Proofs& proofs, const std::vector<State>& states) {
+  std::optional<std::vector<SampledPoint>> points;  // for the first entry that is not proved
   for (std::size_t index = 0; index < expectation.entries.size(); ++index) {
     const Entry entry{expectation, index, subject};
-    if (proofs.equal(expectation, index)) {
+    const bool is_proved = is_rate(expectation) ? proofs.conserved(expectation, index)
+                                                : proofs.equal(expectation, index);
+    if (is_proved) {
       report.rows.push_back(proved_row(entry));
       continue;
     }
-    if (derived.empty() && request) derived = derived_at(subject.model, *request, states);
-    compare(report, entry, request ? states : std::vector<State>(),
-            [&](std::size_t i) { return value_sample(entry, derived[i], states[i]); });
-  }
-}
-
-void check_rates(ExpectationReport& report, const Expectation& expectation, const Subject& subject,
-                 Proofs& proofs, const std::vector<State>& states) {
-  std::optional<std::vector<State>> motions;
-  for (std::size_t index = 0; index < expectation.entries.size(); ++index) {
-    const Entry entry{expectation, index, subject};
-    if (proofs.conserved(expectation, index)) {
-      report.rows.push_back(proved_row(entry));
-      continue;
-    }
-    if (!motions) motions = free_motions(subject.model, states);
-    compare(report, entry, *motions,
-            [&](std::size_t i) { return rate_sample(entry, (*motions)[i]); });
+    if (!points) points = points_of(subject.model, expectation, states);
+    compare(report, entry, *points);
   }
 }
 
@@ -250,7 +227,6 @@ ExpectationReport check_expectations(const Subject& subject, ClosedForms* forms,
   Proofs proofs(subject, forms);
   const std::vector<State> states = random_points(subject.model, seed);
   for (const Expectation& expectation : subject.model.expectations) {
-    const auto check = is_rate(expectation) ? check_rates : check_values;
     check(report, expectation, subject, proofs, states);
   }
   return report;

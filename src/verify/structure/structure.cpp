@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -21,6 +22,14 @@ constexpr const char* identity_reason =
 
 /// Pivots below this are those of a singular chart (a pole, a gimbal), where no sign is claimed.
 constexpr double singular_pivot = 1e-10;
+
+CertificateRow row_of(const Function& function, std::string_view check, std::string_view formula) {
+  CertificateRow row;
+  row.check = check;
+  row.output = row.subject = function.name;
+  row.formula = formula;
+  return row;
+}
 
 template <class Compute>
 CertificateRow identity_row(CertificateRow row, std::vector<ExactValues>& points,
@@ -41,21 +50,17 @@ CertificateRow identity_row(CertificateRow row, std::vector<ExactValues>& points
 }
 
 bool has_all(const Program& program, const std::vector<OutputKind>& kinds) {
-  for (const OutputKind kind : kinds) {
-    if (find_function(program, kind) == nullptr) return false;
-  }
-  return true;
+  return std::ranges::all_of(
+      kinds, [&](OutputKind kind) { return find_function(program, kind) != nullptr; });
 }
 
 void add_identities(std::vector<CertificateRow>& rows, std::vector<ExactValues>& points) {
   const Program& program = points.front().subject().program;
   for (const Identity& identity : identities()) {
     if (!has_all(program, identity.functions)) continue;
-    CertificateRow row;
-    row.check = identity.check;
-    row.output = row.subject = find_function(program, identity.functions.front())->name;
-    row.formula = identity.formula;
-    rows.push_back(identity_row(std::move(row), points, identity.balance));
+    const Function& function = *find_function(program, identity.functions.front());
+    rows.push_back(
+        identity_row(row_of(function, identity.check, identity.formula), points, identity.balance));
   }
 }
 
@@ -90,11 +95,9 @@ void add_outputs(std::vector<CertificateRow>& rows, std::vector<ExactValues>& po
       if (turns && points_on_sphere.empty()) {
         points_on_sphere = points_at(subject, on_sphere(subject, states));
       }
-      CertificateRow row;
-      row.check = identity.check;
-      row.output = row.subject = function->name;
-      row.formula = is_of_frame ? identity.formula_of_frame : identity.formula;
-      rows.push_back(identity_row(std::move(row), turns ? points_on_sphere : points,
+      const auto formula = is_of_frame ? identity.formula_of_frame : identity.formula;
+      rows.push_back(identity_row(row_of(*function, identity.check, formula),
+                                  turns ? points_on_sphere : points,
                                   [&](ExactValues& at) { return identity.balance(at, user); }));
     }
   }
@@ -118,10 +121,7 @@ CertificateRow symmetry_row(const Subject& subject, const Function& function,
     const std::vector<double> m = evaluate(subject.program, function, arguments_at<double>(state));
     tally.add(asymmetry(m, state.v.size()), state);
   }
-  CertificateRow row;
-  row.check = "mass matrix symmetric";
-  row.output = row.subject = function.name;
-  row.formula = "M_ij = M_ji in double";
+  CertificateRow row = row_of(function, "mass matrix symmetric", "M_ij = M_ji in double");
   row.worst = fmt::format("{:g} apart", tally.worst());
   row.tolerance = "exact: both entries are one value";
   tally.tell(row, subject, 0);
@@ -156,10 +156,8 @@ CertificateRow definiteness_row(const Function& function, std::vector<ExactValue
       tally.add(-*pivot, at.state());
     }
   }
-  CertificateRow row;
-  row.check = "mass matrix positive definite";
-  row.output = row.subject = function.name;
-  row.formula = "D_i/M_ii > 0, M = L D L^T";
+  CertificateRow row =
+      row_of(function, "mass matrix positive definite", "D_i/M_ii > 0, M = L D L^T");
   row.worst = tally.samples() == 0 ? "no regular state"
                                    : fmt::format("smallest pivot {:.2g}", -tally.worst());
   row.tolerance = fmt::format("> {:g}; smaller ones are singular charts, skipped", singular_pivot);
