@@ -8,32 +8,17 @@ namespace {
 
 /// Text with what LaTeX would read as commands escaped; Unicode is left to inputenc.
 std::string plain(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '\\':
-        result += "\\textbackslash{}";
-        break;
-      case '^':
-        result += "\\textasciicircum{}";
-        break;
-      case '~':
-        result += "\\textasciitilde{}";
-        break;
-      case '#':
-      case '$':
-      case '%':
-      case '&':
-      case '_':
-      case '{':
-      case '}':
-        result += '\\';
-        [[fallthrough]];
-      default:
-        result += c;
-    }
-  }
-  return result;
+  static const Escapes escapes{{'\\', "\\textbackslash{}"},
+                               {'^', "\\textasciicircum{}"},
+                               {'~', "\\textasciitilde{}"},
+                               {'#', "\\#"},
+                               {'$', "\\$"},
+                               {'%', "\\%"},
+                               {'&', "\\&"},
+                               {'_', "\\_"},
+                               {'{', "\\{"},
+                               {'}', "\\}"}};
+  return escaped(text, escapes);
 }
 
 /// Lines that may break across pages; `aligned` may not.

@@ -6,12 +6,10 @@ namespace {
 
 /// One line, without what Markdown would read as markup.
 std::string plain(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (std::string_view("|<*_\\$`").find(c) != std::string_view::npos) result += '\\';
-    result += c == '\n' || c == '\r' || c == '\t' ? ' ' : c;
-  }
-  return result;
+  static const Escapes escapes{{'|', "\\|"}, {'<', "\\<"},   {'*', "\\*"}, {'_', "\\_"},
+                               {'$', "\\$"}, {'\\', "\\\\"}, {'`', "\\`"}, {'\n', " "},
+                               {'\r', " "},  {'\t', " "}};
+  return escaped(text, escapes);
 }
 
 }  // namespace

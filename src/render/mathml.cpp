@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "render/latex_tree.hpp"
+#include "render/page_data.hpp"
 
 namespace elgen {
 namespace {
@@ -61,19 +62,7 @@ std::string sign(const std::string& text) {
 }  // namespace
 
 std::string xml_text(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '<') {
-      result += "&lt;";
-    } else if (c == '>') {
-      result += "&gt;";
-    } else if (c == '&') {
-      result += "&amp;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
+  return escaped(text, {{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}});
 }
 
 std::string mathml(const LatexTree& tree) {

@@ -58,6 +58,15 @@ TemplateData page_data(const Sheet& sheet, const PageWords& words) {
   return data;
 }
 
+std::string escaped(const std::string& text, const Escapes& escapes) {
+  std::string result;
+  for (const char c : text) {
+    const auto found = escapes.find(c);
+    result += found == escapes.end() ? std::string_view(&c, 1) : found->second;
+  }
+  return result;
+}
+
 std::string unchanged(const std::string& text) { return text; }
 
 }  // namespace elgen
