@@ -87,9 +87,9 @@ class ModelExpressions {
       case ExpressionKind::negate:
         return arithmetic_.negate(operand(0));
       case ExpressionKind::add:
-        return sum(e);
+        return joined(e, Fraction{}, &Arithmetic::add);
       case ExpressionKind::multiply:
-        return product(e);
+        return joined(e, fraction_of(cl_RA(1)), &Arithmetic::multiply);
       case ExpressionKind::divide:
         return arithmetic_.divide(operand(0), operand(1));
       case ExpressionKind::power:
@@ -102,15 +102,11 @@ class ModelExpressions {
     return std::nullopt;
   }
 
-  Value sum(const Expression& e) {
-    Value total = Fraction{};
-    for (const ExpressionId id : e.operands) total = arithmetic_.add(total, known_[id].form);
-    return total;
-  }
+  using Join = Value (Arithmetic::*)(const Value&, const Value&);
 
-  Value product(const Expression& e) {
-    Value total = fraction_of(cl_RA(1));
-    for (const ExpressionId id : e.operands) total = arithmetic_.multiply(total, known_[id].form);
+  /// A sum or product, from what it is of no operands.
+  Value joined(const Expression& e, Value total, Join join) {
+    for (const ExpressionId id : e.operands) total = (arithmetic_.*join)(total, known_[id].form);
     return total;
   }
 
