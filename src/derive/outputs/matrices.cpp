@@ -13,10 +13,6 @@ using GiNaC::ex;
 
 namespace {
 
-Tangent unit_direction(Derivation& derivation, const ex& leaf) {
-  return {derivation.definitions, Seeds{{leaf, 1}}};
-}
-
 bool has_columns(Derivation& derivation) { return tree_variables(tree_of(derivation)).is_complete; }
 
 /// M of everything, or of what is not in frames.
@@ -77,7 +73,7 @@ Vector input_matrix(Derivation& derivation) {
   const std::size_t inputs = derivation.symbols.u.size();
   Vector entries(n * inputs);
   for (std::size_t j = 0; j < inputs; ++j) {
-    Tangent input = unit_direction(derivation, derivation.symbols.u[j]);
+    Tangent input(derivation.definitions, Seeds{{derivation.symbols.u[j], 1}});
     TreeForces forces;
     for (const PointForce& applied : derivation.lagrangian.point_forces) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
