@@ -6,6 +6,7 @@
 
 using namespace elgen;
 using elgen::testing::cart_pole;
+using elgen::testing::cart_pole_model;
 using elgen::testing::Subject;
 using Lines = std::vector<std::string>;
 
@@ -81,4 +82,17 @@ TEST_CASE("summary of a field") {
   const FunctionEquations printed;
   CHECK(field_summary({subject.model, subject.program, function, printed, "", {}},
                       function.fields[0]) == "2 entries [m/s^2, 1/s^2]");
+}
+
+TEST_CASE("rows are separated by semicolons, equal units are one") {
+  const Model model = cart_pole_model();
+  CHECK(units_text(model, OutputKind::mass_matrix, {"", 2, 2, {}}) == "kg, kg*m; kg*m, kg*m^2");
+  CHECK(units_text(model, OutputKind::forward_dynamics, {"relative_pivots", 2, 1, {}}) == "1");
+  CHECK(units_text(model, OutputKind::kinetic_energy, {"", 1, 1, {}}) == "J");
+}
+
+TEST_CASE("an unknown unit leaves the rest unsaid") {
+  Model model = cart_pole_model();
+  model.velocities[1].unit.reset();
+  CHECK(units_text(model, OutputKind::mass_matrix, {"", 2, 2, {}}) == "");
 }

@@ -29,10 +29,3 @@ TEST_CASE("a shared value is one statement, before its uses") {
   CHECK(all[2].uses == Numbers{2});
   CHECK(all[2].written.empty());
 }
-
-TEST_CASE("functions called") {
-  const Program program = elgen::testing::read_program(
-      "coordinates x\nfunction gravity\n  0 = coordinate x\n  1 = sin 0\n  2 = square_root 1\n"
-      "  result 1 1 = 2\n");
-  CHECK(called_functions(program.functions.front()) == std::set<FunctionId>{FunctionId::sin});
-}

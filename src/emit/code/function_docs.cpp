@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <set>
 
-#include "emit/code/statements.hpp"
-#include "emit/text/entry_units.hpp"
+#include "check/judge/output_units.hpp"
 #include "emit/text/layout.hpp"
 #include "lower/code_interface.hpp"
 #include "render/headings.hpp"
@@ -19,6 +18,7 @@ namespace {
 using Lines = std::vector<std::string>;
 
 constexpr std::size_t longest_listing = 60;
+constexpr std::size_t longest_units = 60;  // beside the name of a field, on one line
 constexpr std::size_t listing_width = 88;  // what `///` and the indentation leave of a line
 
 std::string shape_text(const Field& field, Storage storage) {
@@ -109,12 +109,31 @@ Lines shown_equations(const FunctionText& text) {
 /// Where any type may be the scalar, those with kinks need one that is ordered.
 std::string ordering_note(const FunctionText& text) {
   if (language_row(text.emission.language).scalars == LanguageScalars::one) return "";
-  const std::set<FunctionId> calls = called_functions(text.function);
-  const bool has_kinks = std::any_of(calls.begin(), calls.end(), is_kinked);
+  const auto& all = text.function.instructions;
+  const bool has_kinks = std::any_of(all.begin(), all.end(), [](const Instruction& i) {
+    return i.opcode == Opcode::call && is_kinked(i.function);
+  });
   return has_kinks ? " Needs an ordered Scalar." : "";
 }
 
 }  // namespace
+
+std::string units_text(const Model& model, OutputKind kind, const Field& field) {
+  std::string list;
+  std::set<std::string> different;
+  for (std::size_t i = 0; i < field.rows; ++i) {
+    for (std::size_t j = 0; j < field.columns; ++j) {
+      const std::optional<Unit> unit = unit_of_entry(model, {kind, field.name, i, j});
+      if (!unit) return "";
+      const std::string text = to_string(*unit);
+      different.insert(text);
+      if (i + j > 0) list += j == 0 && field.columns > 1 ? "; " : ", ";
+      list += text;
+    }
+  }
+  if (different.size() == 1) return *different.begin();
+  return list.size() <= longest_units ? list : "";
+}
 
 std::string field_summary(const FunctionText& text, const Field& field) {
   const OutputKind kind = kind_of_field(text.program, text.function, field);

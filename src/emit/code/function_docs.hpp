@@ -34,6 +34,10 @@ struct FunctionText {
 /// "Mass matrix, symmetric. 2 x 2, row-major [kg].": the first sentences.
 [[nodiscard]] std::string function_heading(const FunctionText& text);
 
+/// "kg, kg*m; kg*m, kg*m^2": rows separated by ";", entries by ","; one unit where all are equal;
+/// empty where one is unknown or the list is too long to help.
+[[nodiscard]] std::string units_text(const Model& model, OutputKind kind, const Field& field);
+
 /// "2 x 2, row-major [kg]": shape and units of one field.
 [[nodiscard]] std::string field_summary(const FunctionText& text, const Field& field);
 

@@ -41,12 +41,4 @@ std::vector<Statement> statements(const Function& function, const std::vector<st
   return all;
 }
 
-std::set<FunctionId> called_functions(const Function& function) {
-  std::set<FunctionId> calls;
-  for (const Instruction& instruction : function.instructions) {
-    if (instruction.opcode == Opcode::call) calls.insert(instruction.function);
-  }
-  return calls;
-}
-
 }  // namespace elgen

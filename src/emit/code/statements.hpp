@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstdint>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -28,8 +27,5 @@ struct Statement {
 /// `names`: of each instruction, empty where it is written out.
 [[nodiscard]] std::vector<Statement> statements(const Function& function,
                                                 const std::vector<std::string>& names);
-
-/// The functions of the language that a function calls, square roots apart.
-[[nodiscard]] std::set<FunctionId> called_functions(const Function& function);
 
 }  // namespace elgen
