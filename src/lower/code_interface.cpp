@@ -7,6 +7,8 @@
 #include <cctype>
 #include <set>
 
+#include "check/judge/output_units.hpp"
+
 namespace elgen {
 namespace {
 
@@ -18,6 +20,22 @@ Field transposed(const Field& field) {
     }
   }
   return result;
+}
+
+template <class Element, class Text>
+DeclaredArray texts(const char* name, const std::vector<Element>& elements, const Text& text) {
+  DeclaredArray array{name};
+  for (const Element& element : elements) array.texts.push_back(text(element));
+  return array;
+}
+
+template <class Element, class Range>
+DeclaredArray intervals(const char* name, const std::vector<Element>& elements,
+                        const Range& range) {
+  DeclaredArray array{name};
+  array.has_texts = false;
+  for (const Element& element : elements) array.intervals.push_back(range(element));
+  return array;
 }
 
 }  // namespace
@@ -57,6 +75,34 @@ std::size_t emitted_parameter_count(const Model& model, const Program& program) 
   std::size_t count = 0;
   for (const ParameterArray& array : emitted_parameters(model, program)) count += array.count;
   return count;
+}
+
+std::vector<cln::cl_R> values_of(const Model& model, const ParameterArray& array) {
+  std::vector<cln::cl_R> values;
+  for (std::uint32_t i = 0; i < array.count; ++i) {
+    values.push_back(model.parameters[array.first + i].value);
+  }
+  return values;
+}
+
+std::vector<DeclaredArray> declared_arrays(const Model& model) {
+  using C = Coordinate;
+  using V = Velocity;
+  std::vector<DeclaredArray> list{
+      texts("coordinate_names", model.coordinates, [](const C& c) { return c.name; }),
+      texts("coordinate_units", model.coordinates, [](const C& c) { return c.unit_text; }),
+      intervals("coordinate_ranges", model.coordinates, [](const C& c) { return c.range; })};
+  if (!model.rotations.empty()) {
+    list.push_back(texts("velocity_names", model.velocities, [](const V& v) { return v.name; }));
+    list.push_back(texts("velocity_units", model.velocities,
+                         [&](const V& v) { return velocity_unit(model, v); }));
+  }
+  list.push_back(
+      intervals("rate_ranges", model.velocities, [](const V& v) { return v.rate_range; }));
+  list.push_back(texts("input_names", model.inputs, [](const Input& i) { return i.name; }));
+  list.push_back(texts("input_units", model.inputs, [](const Input& i) { return i.unit_text; }));
+  list.push_back(intervals("input_limits", model.inputs, [](const Input& i) { return i.limits; }));
+  return list;
 }
 
 std::string_view own_name(FunctionId function) {
@@ -129,6 +175,12 @@ Function stored(const Function& function, Storage storage) {
     if (field.rows > 1 && field.columns > 1) field = transposed(field);
   }
   return result;
+}
+
+std::string index_text(const Field& field, std::size_t entry) {
+  if (field.entries.size() == 1) return {};
+  if (field.columns == 1) return fmt::format("[{}]", entry + 1);
+  return fmt::format("[{},{}]", entry / field.columns + 1, entry % field.columns + 1);
 }
 
 bool is_returned(const Function& function) { return entry_count(function) <= largest_returned; }

@@ -27,6 +27,22 @@ namespace elgen {
 /// The scalars in them.
 [[nodiscard]] std::size_t emitted_parameter_count(const Model& model, const Program& program);
 
+/// The values of its elements in the model.
+[[nodiscard]] std::vector<cln::cl_R> values_of(const Model& model, const ParameterArray& array);
+
+/// One of the arrays at the head of a C++ header: texts, or intervals.
+struct DeclaredArray {
+  std::string name;
+  std::vector<std::string> texts = {};
+  std::vector<std::optional<Interval>> intervals = {};
+  bool has_texts = true;
+
+  [[nodiscard]] std::size_t size() const { return has_texts ? texts.size() : intervals.size(); }
+};
+
+/// Where nothing rotates, velocities are called as their coordinates.
+[[nodiscard]] std::vector<DeclaredArray> declared_arrays(const Model& model);
+
 /// "sign_of", "smaller", "larger": what the code has of its own; empty for what libraries have.
 [[nodiscard]] std::string_view own_name(FunctionId function);
 
@@ -59,6 +75,9 @@ namespace elgen {
 ///
 ///     2 x 3: a b c d e f   ->   3 x 2: a d b e c f
 [[nodiscard]] Function stored(const Function& function, Storage storage);
+
+/// "[1,2]", "[2]", or nothing for one entry alone: how pages number the entries of a field.
+[[nodiscard]] std::string index_text(const Field& field, std::size_t entry);
 
 /// Outputs beyond so many entries are not returned: they would not fit a stack.
 inline constexpr std::size_t largest_returned = 4096;

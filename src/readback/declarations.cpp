@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "check/judge/output_units.hpp"
 #include "elgen/wording.hpp"
 #include "evaluate/scalar_literal.hpp"
 #include "readback/literal.hpp"
@@ -29,22 +28,6 @@ std::string string_literal(std::string_view text) {
   return literal + '"';
 }
 
-template <class Element, class Text>
-DeclaredArray texts(const char* name, const std::vector<Element>& elements, const Text& text) {
-  DeclaredArray array{name};
-  for (const Element& element : elements) array.texts.push_back(text(element));
-  return array;
-}
-
-template <class Element, class Range>
-DeclaredArray intervals(const char* name, const std::vector<Element>& elements,
-                        const Range& range) {
-  DeclaredArray array{name};
-  array.has_texts = false;
-  for (const Element& element : elements) array.intervals.push_back(range(element));
-  return array;
-}
-
 /// An end of an interval; `unbounded` where there is none, or none that double holds.
 void read_bound(TokenReader& tokens, const std::optional<Interval>& interval, bool is_low) {
   const cln::cl_R bound = !interval ? cln::cl_RA(0) : is_low ? interval->low : interval->high;
@@ -61,14 +44,6 @@ void read_element(TokenReader& tokens, const DeclaredArray& array, std::size_t i
   tokens.expect(",");
   read_bound(tokens, array.intervals[index], false);
   tokens.expect("}");
-}
-
-std::vector<cln::cl_R> values_of(const Model& model, const ParameterArray& array) {
-  std::vector<cln::cl_R> values;
-  for (std::uint32_t i = 0; i < array.count; ++i) {
-    values.push_back(model.parameters[array.first + i].value);
-  }
-  return values;
 }
 
 void read_cpp_values(TokenReader& tokens, const std::vector<cln::cl_R>& values) {
@@ -91,26 +66,6 @@ void read_cpp_values(TokenReader& tokens, const std::vector<cln::cl_R>& values) 
 }
 
 }  // namespace
-
-std::vector<DeclaredArray> declared_arrays(const Model& model) {
-  using C = Coordinate;
-  using V = Velocity;
-  std::vector<DeclaredArray> list{
-      texts("coordinate_names", model.coordinates, [](const C& c) { return c.name; }),
-      texts("coordinate_units", model.coordinates, [](const C& c) { return c.unit_text; }),
-      intervals("coordinate_ranges", model.coordinates, [](const C& c) { return c.range; })};
-  if (!model.rotations.empty()) {
-    list.push_back(texts("velocity_names", model.velocities, [](const V& v) { return v.name; }));
-    list.push_back(texts("velocity_units", model.velocities,
-                         [&](const V& v) { return velocity_unit(model, v); }));
-  }
-  list.push_back(
-      intervals("rate_ranges", model.velocities, [](const V& v) { return v.rate_range; }));
-  list.push_back(texts("input_names", model.inputs, [](const Input& i) { return i.name; }));
-  list.push_back(texts("input_units", model.inputs, [](const Input& i) { return i.unit_text; }));
-  list.push_back(intervals("input_limits", model.inputs, [](const Input& i) { return i.limits; }));
-  return list;
-}
 
 void read_declared_values(TokenReader& tokens, const DeclaredArray& array) {
   tokens.expect("{");

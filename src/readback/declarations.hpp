@@ -11,18 +11,6 @@
 
 namespace elgen {
 
-/// One of the arrays at the head of a C++ header: texts, or intervals.
-struct DeclaredArray {
-  std::string name;
-  std::vector<std::string> texts = {};
-  std::vector<std::optional<Interval>> intervals = {};
-  bool has_texts = true;
-
-  [[nodiscard]] std::size_t size() const { return has_texts ? texts.size() : intervals.size(); }
-};
-
-[[nodiscard]] std::vector<DeclaredArray> declared_arrays(const Model& model);
-
 /// {{"x", "theta"}} or {{ {-2.0, 2.0}, {-unbounded, unbounded} }}, or {} of nothing
 void read_declared_values(TokenReader& tokens, const DeclaredArray& array);
 

@@ -1,6 +1,4 @@
 // page_reader: one row of the table for each parameter of the model, fixed ones too.
-#include "readback/page_reader.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include "elgen/wording.hpp"
 #include "readback/comment_reader.hpp"
 #include "readback/operation_table.hpp"
+#include "readback/page_readers.hpp"
 #include "readback/token_reader.hpp"
 
 namespace elgen {

@@ -6,9 +6,7 @@
 #include "elgen/artifacts.hpp"
 #include "elgen/wording.hpp"
 #include "readback/header_reader.hpp"
-#include "readback/page_reader.hpp"
-#include "readback/sidecar_reader.hpp"
-#include "readback/text_reader.hpp"
+#include "readback/page_readers.hpp"
 
 namespace elgen {
 namespace {

@@ -1,12 +1,11 @@
 // sidecar_reader: each object has the keys it should have and no others.
-#include "readback/sidecar_reader.hpp"
-
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
 #include "check/judge/output_units.hpp"
 #include "elgen/wording.hpp"
+#include "readback/page_readers.hpp"
 #include "readback/token_reader.hpp"
 
 namespace elgen {

@@ -1,24 +1,16 @@
 // text_reader: a section is the name of a function behind a blank line, and one equation a line.
-#include "readback/text_reader.hpp"
-
 #include <fmt/format.h>
 
 #include <vector>
 
 #include "elgen/wording.hpp"
+#include "readback/page_readers.hpp"
 #include "readback/token_reader.hpp"
 
 namespace elgen {
 namespace {
 
 constexpr std::string_view margin = "  ";
-
-/// "[1,2]", "[2]", or nothing for one entry alone.
-std::string index_of(const Field& field, std::size_t entry) {
-  if (field.entries.size() == 1) return {};
-  if (field.columns == 1) return fmt::format("[{}]", entry + 1);
-  return fmt::format("[{},{}]", entry / field.columns + 1, entry % field.columns + 1);
-}
 
 class TextReader {
  public:
@@ -65,7 +57,7 @@ class TextReader {
     for (const Field& field : function.fields) {
       const std::string& name = field.name.empty() ? function.name : field.name;
       for (std::size_t i = 0; i < field.entries.size(); ++i) {
-        entry(function, name + index_of(field, i), field.entries[i]);
+        entry(function, name + index_text(field, i), field.entries[i]);
       }
     }
     if (line().starts_with(margin)) fail(function, "one line too many");

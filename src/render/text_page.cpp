@@ -5,15 +5,10 @@
 #include <algorithm>
 
 #include "elgen/render.hpp"
+#include "lower/code_interface.hpp"
 
 namespace elgen {
 namespace {
-
-std::string index_of(const Field& field, std::size_t entry) {
-  if (field.rows * field.columns == 1) return {};
-  if (field.columns == 1) return fmt::format("[{}]", entry + 1);
-  return fmt::format("[{},{}]", entry / field.columns + 1, entry % field.columns + 1);
-}
 
 std::string function_text(const Program& program, std::size_t index) {
   const Function& function = program.functions[index];
@@ -26,7 +21,7 @@ std::string function_text(const Program& program, std::size_t index) {
     const Field& field = function.fields[f];
     const std::string& name = field.name.empty() ? function.name : field.name;
     for (std::size_t i = 0; i < field.entries.size(); ++i) {
-      text += fmt::format("  {}{} = {}\n", name, index_of(field, i), equations.entries[f][i]);
+      text += fmt::format("  {}{} = {}\n", name, index_text(field, i), equations.entries[f][i]);
     }
   }
   return text;

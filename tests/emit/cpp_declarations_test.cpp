@@ -10,7 +10,7 @@ using elgen::testing::cart_pole_model;
 namespace {
 
 std::string value_of(const Model& model, const std::string& name) {
-  const TemplateData arrays = declared_arrays(model);
+  const TemplateData arrays = declarations(model);
   for (const TemplateData& array : arrays.list_value()) {
     if (array.get("name")->string_value() == name) return array.get("value")->string_value();
   }

@@ -32,9 +32,8 @@ std::vector<Member> parameter_members(const EmissionInput& input) {
 /// "{0.5, 0.5}, /* l */"
 std::string initialiser(const EmissionInput& input, const ParameterArray& array) {
   Texts values;
-  for (std::uint32_t i = 0; i < array.count; ++i) {
-    const Parameter& parameter = input.model.parameters[array.first + i];
-    values.push_back(c99_literal(parameter.value, c99_scalar(input.scene)));
+  for (const cln::cl_R& value : values_of(input.model, array)) {
+    values.push_back(c99_literal(value, c99_scalar(input.scene)));
   }
   const std::string list = fmt::format("{}", fmt::join(values, ", "));
   return fmt::format("{}, /* {} */", array.is_array ? "{" + list + "}" : list, array.name);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "check/judge/output_units.hpp"
 #include "emit/code/cpp_constant.hpp"
 #include "emit/text/parameters.hpp"
 #include "evaluate/scalar_literal.hpp"
@@ -23,18 +22,6 @@ std::string braced(const Texts& elements, std::size_t column) {
   return fmt::format("{{{{\n    {},\n}}}}", fmt::join(elements, ",\n    "));
 }
 
-TemplateData declared(const char* type, const char* name, const Texts& elements) {
-  const std::string count = std::to_string(elements.size());
-  const std::size_t column =
-      fmt::format("inline constexpr std::array<{}, {}> {};", type, count, name).size();
-  TemplateData item;
-  item.set("type", type);
-  item.set("count", count);
-  item.set("name", name);
-  item.set("value", braced(elements, column));
-  return item;
-}
-
 std::string bound(const cln::cl_R& value, const char* unbounded) {
   const bool is_finite = fit(value, ScalarKind::double_precision) != Fit::too_large;
   return is_finite ? shortest_literal(value, ScalarKind::double_precision) : unbounded;
@@ -46,19 +33,26 @@ std::string interval(const std::optional<Interval>& range) {
                      bound(range->high, "unbounded"));
 }
 
-template <class Element, class Text>
-Texts each(const std::vector<Element>& elements, const Text& text) {
-  Texts texts;
-  std::transform(elements.begin(), elements.end(), std::back_inserter(texts), text);
-  return texts;
+TemplateData declared(const DeclaredArray& array) {
+  Texts elements;
+  for (const std::string& text : array.texts) elements.push_back(string_literal(text));
+  for (const auto& range : array.intervals) elements.push_back(interval(range));
+  const std::string type = array.has_texts ? "const char*" : "Interval";
+  const std::string count = std::to_string(array.size());
+  const std::size_t column =
+      fmt::format("inline constexpr std::array<{}, {}> {};", type, count, array.name).size();
+  TemplateData item;
+  item.set("type", type);
+  item.set("count", count);
+  item.set("name", array.name);
+  item.set("value", braced(elements, column));
+  return item;
 }
 
 Texts parameter_values(const Model& model, const ParameterArray& array) {
-  Texts values;
-  for (std::uint32_t i = 0; i < array.count; ++i) {
-    values.push_back(cpp_constant(model.parameters[array.first + i].value));
-  }
-  return values;
+  Texts texts;
+  for (const cln::cl_R& value : values_of(model, array)) texts.push_back(cpp_constant(value));
+  return texts;
 }
 
 bool is_filled(const Model& model, const ParameterArray& array) {
@@ -79,31 +73,9 @@ std::string member_declaration(const Model& model, const ParameterArray& array) 
 
 }  // namespace
 
-TemplateData declared_arrays(const Model& model) {
+TemplateData declarations(const Model& model) {
   TemplateData list(TemplateData::type::list);
-  const std::vector<Coordinate>& coordinates = model.coordinates;
-  const std::vector<Velocity>& velocities = model.velocities;
-  const std::vector<Input>& inputs = model.inputs;
-  const auto name = [](const auto& variable) { return string_literal(variable.name); };
-  const auto unit = [](const auto& variable) { return string_literal(variable.unit_text); };
-  const char* const text = "const char*";
-  list << declared(text, "coordinate_names", each(coordinates, name));
-  list << declared(text, "coordinate_units", each(coordinates, unit));
-  list << declared("Interval", "coordinate_ranges",
-                   each(coordinates, [](const Coordinate& c) { return interval(c.range); }));
-  // Where nothing rotates, velocities are called as their coordinates.
-  if (!model.rotations.empty()) {
-    list << declared(text, "velocity_names", each(velocities, name));
-    list << declared(text, "velocity_units", each(velocities, [&](const Velocity& v) {
-                       return string_literal(velocity_unit(model, v));
-                     }));
-  }
-  list << declared("Interval", "rate_ranges",
-                   each(velocities, [](const Velocity& v) { return interval(v.rate_range); }));
-  list << declared(text, "input_names", each(inputs, name));
-  list << declared(text, "input_units", each(inputs, unit));
-  list << declared("Interval", "input_limits",
-                   each(inputs, [](const Input& i) { return interval(i.limits); }));
+  for (const DeclaredArray& array : declared_arrays(model)) list << declared(array);
   return list;
 }
 

@@ -9,7 +9,7 @@
 namespace elgen {
 
 /// Names, units, ranges and limits of coordinates and inputs: type, count, name, value.
-[[nodiscard]] TemplateData declared_arrays(const Model& model);
+[[nodiscard]] TemplateData declarations(const Model& model);
 
 /// Members of Parameters, with their defaults.
 [[nodiscard]] std::vector<Member> declared_parameters(const Model& model,

@@ -38,7 +38,7 @@ TemplateData numbers(const Program& program) {
 std::string cpp_header(const EmissionInput& input) {
   const std::vector<ParameterArray> parameters = emitted_parameters(input.model, input.program);
   TemplateData data = header_data(input, *cpp_dialect(input.model, input.program));
-  data.set("declared", declared_arrays(input.model));
+  data.set("declared", declarations(input.model));
   data.set("filled", section_if(has_filled_array(input.model, parameters)));
   data.set("numbers", numbers(input.program));
   data.set("parameters",

@@ -68,9 +68,7 @@ Json parameters(const Model& model, const Program& program) {
   Json list = Json::array();
   for (const ParameterArray& array : emitted_parameters(model, program)) {
     Json values = Json::array();
-    for (std::uint32_t i = 0; i < array.count; ++i) {
-      values.push_back(exact_text(model.parameters[array.first + i].value));
-    }
+    for (const cln::cl_R& value : values_of(model, array)) values.push_back(exact_text(value));
     Json json = named(array.name, array.unit_text);
     if (array.is_array) json["size"] = array.count;
     json["value"] = array.is_array ? values : values.front();
