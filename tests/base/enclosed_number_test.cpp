@@ -57,6 +57,26 @@ TEST_CASE("errors of arguments go through a function") {
   }
 }
 
+TEST_CASE("errors of operands go through arithmetic") {
+  const cl_RA e = power_of_ten(-20);
+  const cl_RA x = cl_RA(7) / 10;
+  const cl_RA y = cl_RA(-2) / 9;
+  const EnclosedNumber rough_x{x, e};
+  const EnclosedNumber rough_y{y, 3 * e};
+  for (const int sign_x : {-1, 1}) {
+    for (const int sign_y : {-1, 1}) {
+      const EnclosedNumber end_x = exact(x + sign_x * e);
+      const EnclosedNumber end_y = exact(y + sign_y * 3 * e);
+      CHECK(agree(few.sum(rough_x, rough_y), many.sum(end_x, end_y)));
+      CHECK(agree(few.product(rough_x, rough_y), many.product(end_x, end_y)));
+      CHECK(agree(few.reciprocal(rough_y), many.reciprocal(end_y)));
+      CHECK(agree(few.power(rough_x, cl_RA(1) / 2), many.power(end_x, cl_RA(1) / 2)));
+      CHECK(agree(few.power(rough_y, -3), many.power(end_y, -3)));
+      CHECK(agree(few.power(rough_x, cl_RA(1) / 3), many.power(end_x, cl_RA(1) / 3)));
+    }
+  }
+}
+
 TEST_CASE("what is small is known to as many digits") {
   for (const FunctionId function : {FunctionId::exp, FunctionId::tanh, FunctionId::sin}) {
     const Enclosed value =
