@@ -37,28 +37,37 @@ void keep_sources(Model& model, const FileSyntax& syntax, const FileSyntax* scen
   }
 }
 
+struct RowReader {
+  std::string_view entry;
+  void (*read)(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
+};
+
+/// Reads the instances of these entries, in the order of the file.
+void read_entries(Context& context, const std::vector<Instance>& instances,
+                  const std::vector<RowReader>& readers) {
+  for (const auto& [entry, scope, target] : instances) {
+    for (const RowReader& reader : readers) {
+      ValueReader values(context, scope);
+      if (entry->name == reader.entry) reader.read(values, *entry, target);
+    }
+  }
+}
+
+/// Each entry after those that it takes units or axes from.
 void resolve_entries(Context& context, const FileSyntax& syntax) {
   const std::vector<Instance> instances = expand_entries(context, syntax);
   if (context.beyond_limits) {
     return;
   }
   read_parameters(context, syntax);
-  for (const Instance& instance : instances) {
-    read_variable(context, instance);
-  }
-  for (const Instance& instance : instances) {
-    read_frame(context, instance);
-  }
+  read_entries(
+      context, instances,
+      {{"coordinate", read_coordinate}, {"input", read_input}, {"prescribed", read_prescribed}});
+  read_entries(context, instances, {{"frame", read_frame}});
   check_rotations(context);
-  for (const Instance& instance : instances) {
-    read_mass(context, instance);
-  }
-  for (const EntrySyntax& entry : syntax.entries) {
-    read_table(context, entry);
-  }
-  for (const Instance& instance : instances) {
-    read_force_or_output(context, instance);
-  }
+  read_entries(context, instances, {{"point", read_point}, {"body", read_body}});
+  for (const EntrySyntax& entry : syntax.entries) read_table(context, entry);
+  read_entries(context, instances, {{"force", read_force}, {"output", read_output}});
   check_plane(context);
   check_output_names(context.model, context.report);
 }

@@ -1,23 +1,23 @@
-// Entries: reads the keys of one instance of an entry into its row of the Model.
+// Entries: reads the keys of one instance of an entry into its row of the Model, `target`.
 #pragma once
 
-#include "check/expressions/expand.hpp"
-#include "check/names/context.hpp"
-#include "elgen/syntax.hpp"
+#include "check/expressions/values.hpp"
 
 namespace elgen {
 
-/// Coordinates, inputs and prescribed functions: what other entries take units from.
-void read_variable(Context& context, const Instance& instance);
+void read_coordinate(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
+void read_input(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
+void read_prescribed(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
-/// Frames: the steps from the parent, and the pose.
-void read_frame(Context& context, const Instance& instance);
+/// The steps from the parent, and the pose.
+void read_frame(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
-/// Points and bodies.
-void read_mass(Context& context, const Instance& instance);
+void read_point(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
+void read_body(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
-/// Forces and outputs; needs the units of velocities.
-void read_force_or_output(Context& context, const Instance& instance);
+/// Needs the units of velocities.
+void read_force(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
+void read_output(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
 /// [model], [define], [gravity], [energy]: the tables that are not repeated.
 void read_table(Context& context, const EntrySyntax& entry);

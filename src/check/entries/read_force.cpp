@@ -1,5 +1,4 @@
 // Forces on velocities, at points and on frames, and the outputs a model declares.
-#include <algorithm>
 #include <array>
 
 #include "check/entries/entries.hpp"
@@ -89,41 +88,13 @@ constexpr std::array<std::string_view, 3> force_places{"on", "at", "frame"};
 
 /// Exactly one of `on`, `at` and `frame`; null after an error.
 const KeySyntax* place_of(const EntrySyntax& entry, Report& report) {
-  const KeySyntax* place = nullptr;
-  for (const KeySyntax& key : entry.keys) {
-    if (std::find(force_places.begin(), force_places.end(), key.key) == force_places.end()) {
-      continue;
-    }
-    if (place != nullptr) {
-      report.add(Code::E112, key.key_span, "a force has one of `on`, `at` and `frame`");
-      return nullptr;
-    }
-    place = &key;
-  }
-  if (place == nullptr) {
+  const auto [first, second] = first_two(entry, force_places);
+  if (first == nullptr) {
     report.add(Code::E112, entry.span, "none of `on`, `at` and `frame` says where the force acts");
   }
-  return place;
-}
-
-void read_force(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
-  Context& context = values.context();
-  Force& force = context.model.forces[target];
-  const KeySyntax* value = entry.find("value");
-  if (value == nullptr) {
-    return;
-  }
-  const KeySyntax* place = place_of(entry, context.report);
-  if (place == nullptr) {
-    return;
-  }
-  if (place->key == "on") {
-    read_generalized_force(values, *place, *value, force);
-  } else if (place->key == "at") {
-    read_point_force(values, entry, force);
-  } else {
-    read_torque(values, entry, force);
-  }
+  if (second == nullptr) return first;
+  report.add(Code::E112, second->key_span, "a force has one of `on`, `at` and `frame`");
+  return nullptr;
 }
 
 /// [R p] row by row, and the twist in the axes asked for.
@@ -147,6 +118,28 @@ void read_frame_output(ValueReader& values, const EntrySyntax& entry, UserOutput
   write_frame_output(context, output);
 }
 
+}  // namespace
+
+void read_force(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
+  Context& context = values.context();
+  Force& force = context.model.forces[target];
+  const KeySyntax* value = entry.find("value");
+  if (value == nullptr) {
+    return;
+  }
+  const KeySyntax* place = place_of(entry, context.report);
+  if (place == nullptr) {
+    return;
+  }
+  if (place->key == "on") {
+    read_generalized_force(values, *place, *value, force);
+  } else if (place->key == "at") {
+    read_point_force(values, entry, force);
+  } else {
+    read_torque(values, entry, force);
+  }
+}
+
 void read_output(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
   UserOutput& output = values.context().model.outputs[target];
   const Place place{"an output", place::of_configuration};
@@ -163,17 +156,6 @@ void read_output(ValueReader& values, const EntrySyntax& entry, std::uint32_t ta
     output.jacobian = jacobian->value.boolean;
   }
   output.doc = text_of(entry, "doc");
-}
-
-}  // namespace
-
-void read_force_or_output(Context& context, const Instance& instance) {
-  ValueReader values(context, instance.scope);
-  if (instance.entry->name == "force") {
-    read_force(values, *instance.entry, instance.target);
-  } else if (instance.entry->name == "output") {
-    read_output(values, *instance.entry, instance.target);
-  }
 }
 
 }  // namespace elgen

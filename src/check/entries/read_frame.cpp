@@ -25,12 +25,12 @@ constexpr std::array<std::string_view, 5> orientations{"rotate", "rpy", "dh", "q
 
 class FrameReader {
  public:
-  FrameReader(Context& context, const Instance& instance)
-      : context_(context),
-        values_(context, instance.scope),
-        entry_(*instance.entry),
-        frame_(context.model.frames[instance.target]),
-        report_(context.report) {}
+  FrameReader(ValueReader& values, const EntrySyntax& entry, Frame& frame)
+      : context_(values.context()),
+        values_(values),
+        entry_(entry),
+        frame_(frame),
+        report_(context_.report) {}
 
   void read() {
     frame_.doc = text_of(entry_, "doc");
@@ -51,19 +51,12 @@ class FrameReader {
   }
 
   bool has_one_orientation() {
-    const KeySyntax* first = nullptr;
-    for (const KeySyntax& key : entry_.keys) {
-      if (std::find(orientations.begin(), orientations.end(), key.key) == orientations.end()) {
-        continue;
-      }
-      if (first != nullptr) {
-        report_.add(Code::E112, key.key_span,
-                    "a frame is turned by one of `rotate`, `rpy`, `dh`, `quaternion`, `rotation`");
-        return false;
-      }
-      first = &key;
+    const auto [first, second] = first_two(entry_, orientations);
+    if (second != nullptr) {
+      report_.add(Code::E112, second->key_span,
+                  "a frame is turned by one of `rotate`, `rpy`, `dh`, `quaternion`, `rotation`");
     }
-    return first != nullptr;
+    return first != nullptr && second == nullptr;
   }
 
   void read_translation(const ValueSyntax& value) {
@@ -141,26 +134,21 @@ class FrameReader {
     for (const std::size_t axis : {2U, 1U, 0U}) add_turn(axis, angles[axis]);
   }
 
-  ExpressionId dh_value(const ValueSyntax& table, std::string_view key,
-                        const RootRequest& request) {
-    const KeySyntax* value = table.find(key);
-    return value == nullptr ? no_expression : values_.root(value->value, request);
-  }
-
   /// The turn about and the shift along one axis commute.
-  void add_screw(std::size_t axis, ExpressionId angle, ExpressionId length) {
-    if (angle != no_expression) add_turn(axis, angle);
-    if (length == no_expression) return;
+  void add_screw(std::size_t axis, std::optional<ExpressionId> angle,
+                 std::optional<ExpressionId> length) {
+    if (angle) add_turn(axis, *angle);
+    if (!length) return;
     FrameStep step{FrameStepKind::translation};
-    step.vector[axis] = length;
+    step.vector[axis] = *length;
     frame_.steps.push_back(step);
   }
 
   void read_dh(const ValueSyntax& table) {
-    const ExpressionId a = dh_value(table, "a", length_request);
-    const ExpressionId alpha = dh_value(table, "alpha", angle_request);
-    const ExpressionId d = dh_value(table, "d", length_request);
-    const ExpressionId theta = dh_value(table, "theta", angle_request);
+    const auto a = values_.root(table, "a", length_request);
+    const auto alpha = values_.root(table, "alpha", angle_request);
+    const auto d = values_.root(table, "d", length_request);
+    const auto theta = values_.root(table, "theta", angle_request);
     const bool is_modified = text_of(table, "convention") == "modified";
     if (is_modified) add_screw(0, alpha, a);
     add_screw(2, theta, d);
@@ -195,7 +183,7 @@ class FrameReader {
   }
 
   Context& context_;
-  ValueReader values_;
+  ValueReader& values_;
   const EntrySyntax& entry_;
   Frame& frame_;
   Report& report_;
@@ -203,8 +191,8 @@ class FrameReader {
 
 }  // namespace
 
-void read_frame(Context& context, const Instance& instance) {
-  if (instance.entry->name == "frame") FrameReader(context, instance).read();
+void read_frame(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
+  FrameReader(values, entry, values.context().model.frames[target]).read();
 }
 
 }  // namespace elgen

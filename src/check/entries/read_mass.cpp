@@ -11,25 +11,6 @@ namespace {
 
 const RootRequest mass_request{{"a mass", place::parameters_only, Code::E506}, find_unit("kg")};
 
-void read_point(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
-  Context& context = values.context();
-  Point& point = context.model.points[target];
-  point.doc = text_of(entry, "doc");
-  const KeySyntax* at = entry.find("at");
-  if (at != nullptr && values.is_vector(at->value)) {
-    const Place place{"a position", place::of_configuration};
-    point.at = padded(values.roots(at->value, {place, find_unit("m")}));
-    if (const KeySyntax* frame = entry.find("frame")) {
-      if (const auto index = values.frame_or_world(frame->value)) {
-        point.local = PlaceInFrame{*index, point.at};
-        NodeBuilder nodes(context, point.span);
-        point.at = world_position(nodes, *point.local);
-      }
-    }
-  }
-  point.mass = values.root(entry, "mass", mass_request);
-}
-
 class BodyReader {
  public:
   BodyReader(ValueReader& values, const EntrySyntax& entry, Body& body)
@@ -157,13 +138,27 @@ class BodyReader {
 
 }  // namespace
 
-void read_mass(Context& context, const Instance& instance) {
-  ValueReader values(context, instance.scope);
-  if (instance.entry->name == "point") {
-    read_point(values, *instance.entry, instance.target);
-  } else if (instance.entry->name == "body") {
-    BodyReader(values, *instance.entry, context.model.bodies[instance.target]).read();
+void read_point(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
+  Context& context = values.context();
+  Point& point = context.model.points[target];
+  point.doc = text_of(entry, "doc");
+  const KeySyntax* at = entry.find("at");
+  if (at != nullptr && values.is_vector(at->value)) {
+    const Place place{"a position", place::of_configuration};
+    point.at = padded(values.roots(at->value, {place, find_unit("m")}));
+    if (const KeySyntax* frame = entry.find("frame")) {
+      if (const auto index = values.frame_or_world(frame->value)) {
+        point.local = PlaceInFrame{*index, point.at};
+        NodeBuilder nodes(context, point.span);
+        point.at = world_position(nodes, *point.local);
+      }
+    }
   }
+  point.mass = values.root(entry, "mass", mass_request);
+}
+
+void read_body(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
+  BodyReader(values, entry, values.context().model.bodies[target]).read();
 }
 
 }  // namespace elgen

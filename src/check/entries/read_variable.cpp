@@ -55,7 +55,25 @@ std::optional<Unit> armature_unit(const Coordinate& coordinate) {
   return *find_unit("J") / power(rate, {2, 1});
 }
 
+void check_input_unit(Context& context, const Input& input, const ValueSyntax& unit) {
+  const Velocity& velocity = context.model.velocities[*input.on];
+  const std::optional<Unit> expected = force_unit(velocity);
+  if (input.unit && expected && *input.unit != *expected) {
+    context.report.add(Code::E403, unit.span,
+                       quoted(input.name) + " is in " + to_string(*input.unit) +
+                           ", but a force on " + quoted(velocity.name) + " is in " +
+                           to_string(*expected));
+  }
+}
+
+}  // namespace
+
+std::optional<Unit> force_unit(const Velocity& velocity) {
+  return velocity.unit ? std::optional(*find_unit("W") / *velocity.unit) : std::nullopt;
+}
+
 void read_coordinate(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
+  if (is_rotation(entry)) return read_rotation(values, entry, target);
   Context& context = values.context();
   Coordinate& coordinate = context.model.coordinates[target];
   coordinate.unit = unit_of(entry, context.report);
@@ -71,17 +89,6 @@ void read_coordinate(ValueReader& values, const EntrySyntax& entry, std::uint32_
   coordinate.armature = values.root(entry, "armature", {armature, armature_unit(coordinate)});
   const Place singular{"a singular configuration", place::of_configuration};
   coordinate.singular = values.root(entry, "singular", {singular});
-}
-
-void check_input_unit(Context& context, const Input& input, const ValueSyntax& unit) {
-  const Velocity& velocity = context.model.velocities[*input.on];
-  const std::optional<Unit> expected = force_unit(velocity);
-  if (input.unit && expected && *input.unit != *expected) {
-    context.report.add(Code::E403, unit.span,
-                       quoted(input.name) + " is in " + to_string(*input.unit) +
-                           ", but a force on " + quoted(velocity.name) + " is in " +
-                           to_string(*expected));
-  }
 }
 
 void read_input(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
@@ -109,26 +116,6 @@ void read_prescribed(ValueReader& values, const EntrySyntax& entry, std::uint32_
   prescribed.doc = text_of(entry, "doc");
   const Place place{"a prescribed function", place::of_time};
   prescribed.value = values.root(entry, "value", {place, unit}).value_or(no_expression);
-}
-
-}  // namespace
-
-std::optional<Unit> force_unit(const Velocity& velocity) {
-  return velocity.unit ? std::optional(*find_unit("W") / *velocity.unit) : std::nullopt;
-}
-
-void read_variable(Context& context, const Instance& instance) {
-  ValueReader values(context, instance.scope);
-  const EntrySyntax& entry = *instance.entry;
-  if (is_rotation(entry)) {
-    read_rotation(values, entry, instance.target);
-  } else if (entry.name == "coordinate") {
-    read_coordinate(values, entry, instance.target);
-  } else if (entry.name == "input") {
-    read_input(values, entry, instance.target);
-  } else if (entry.name == "prescribed") {
-    read_prescribed(values, entry, instance.target);
-  }
 }
 
 }  // namespace elgen

@@ -187,17 +187,9 @@ std::optional<ExpressionId> Resolver::resolve_delta(const ExpressionSyntax& call
 }
 
 std::optional<std::uint32_t> Resolver::resolve_point(const ExpressionSyntax& name) {
-  const DeclaredName* symbol = context_.symbols.find(name.text);
-  if (symbol == nullptr && context_.symbols.has_failed(name.text)) {
-    return std::nullopt;
-  }
-  if (name.kind != SyntaxKind::name || symbol == nullptr || symbol->kind != SymbolKind::point) {
-    const std::vector<std::string> points = context_.symbols.names({SymbolKind::point});
-    context_.report.add(Code::E201, name.span, "unknown point " + quoted(name.span),
-                        context_.symbols.suggest(name.text, points));
-    return std::nullopt;
-  }
-  return element(name, *symbol);
+  const bool is_name = name.kind == SyntaxKind::name;
+  const DeclaredName* symbol = declared(name, SymbolKind::point, is_name, covered_text(name.span));
+  return symbol == nullptr ? std::nullopt : element(name, *symbol);
 }
 
 std::optional<ExpressionId> Resolver::resolve_component(const ExpressionSyntax& call) {

@@ -74,6 +74,21 @@ std::optional<ExpressionId> Resolver::resolve_symbol(const ExpressionSyntax& nam
   return index ? push_leaf(*kind, *index, name.span) : std::nullopt;
 }
 
+const DeclaredName* Resolver::declared(const ExpressionSyntax& name, SymbolKind kind, bool has_form,
+                                       std::string_view shown) {
+  const bool is_frame = kind == SymbolKind::frame;
+  const DeclaredNames& symbols = is_frame ? context_.frames : context_.symbols;
+  const DeclaredName* symbol = symbols.find(name.text);
+  if (symbol == nullptr && symbols.has_failed(name.text)) return nullptr;
+  if (symbol != nullptr && symbol->kind == kind && has_form) return symbol;
+  std::vector<std::string> names = symbols.names({kind});
+  if (is_frame) names.emplace_back(world);
+  context_.report.add(Code::E201, name.span,
+                      "unknown " + std::string(noun(kind)) + " " + quoted(shown),
+                      symbols.suggest(name.text, names));
+  return nullptr;
+}
+
 std::optional<std::uint32_t> Resolver::element(const ExpressionSyntax& name,
                                                const DeclaredName& symbol) {
   if (symbol.is_array == name.operands.empty()) {

@@ -27,8 +27,6 @@ InferredUnit declared(const std::optional<Unit>& unit) {
   return unit ? known(*unit) : InferredUnit{};
 }
 
-Unit per_second(int times) { return power(*find_unit("s"), Exponent{-times, 1}); }
-
 Exponent exponent_of(const cln::cl_RA& number) {
   const auto integer = [](const cln::cl_I& n) {
     return static_cast<std::int32_t>(cln::cl_I_to_long(n));
@@ -58,10 +56,8 @@ class UnitInference {
     const InferredUnit& inferred = units_[root.value];
     if (root.unit && !root.misplaced && inferred.known == Known::yes &&
         inferred.unit != *root.unit) {
-      const Span& span = model_.expressions[root.value].span;
-      context_.report.add(Code::E403, span,
-                          quoted(span) + " is in " + to_string(inferred.unit) + ", but " +
-                              std::string(root.place.noun) + " is in " + to_string(*root.unit));
+      refuse(Code::E403, model_.expressions[root.value].span, inferred.unit,
+             std::string(root.place.noun) + " is in " + to_string(*root.unit));
     }
   }
 
@@ -79,7 +75,7 @@ class UnitInference {
       case ExpressionKind::rate:
         return declared(model_.velocities[node.index].unit);
       case ExpressionKind::acceleration:
-        return over_time(declared(model_.velocities[node.index].unit), 1);
+        return rate(declared(model_.velocities[node.index].unit));
       case ExpressionKind::input:
         return declared(model_.inputs[node.index].unit);
       case ExpressionKind::parameter:
@@ -110,7 +106,7 @@ class UnitInference {
       case ExpressionKind::function:
         return of_call(node);
       case ExpressionKind::time_derivative:
-        return over_time(first, 1);
+        return rate(first);
       default:
         return first;
     }
@@ -122,8 +118,8 @@ class UnitInference {
     return unit ? known(*unit) : units_[model_.prescribed[index].value];
   }
 
-  static InferredUnit over_time(const InferredUnit& base, int times) {
-    return base.known == Known::yes ? known(base.unit * per_second(times)) : base;
+  static InferredUnit rate(const InferredUnit& base) {
+    return base.known == Known::yes ? known(base.unit / *find_unit("s")) : base;
   }
 
   static InferredUnit quotient(const InferredUnit& a, const InferredUnit& b) {
@@ -158,7 +154,8 @@ class UnitInference {
         result = term;
       }
       if (term.known == Known::yes && term.unit != result.unit) {
-        report_difference(term_span(operand), term.unit, what, result.unit);
+        refuse(Code::E401, term_span(operand), term.unit,
+               std::string(what) + " is in " + to_string(result.unit));
         return {};
       }
     }
@@ -184,10 +181,8 @@ class UnitInference {
   InferredUnit pure(const Expression& node) {
     const InferredUnit& argument = units_[node.operands[0]];
     if (argument.known == Known::yes && argument.unit != Unit{}) {
-      const Span& span = model_.expressions[node.operands[0]].span;
-      context_.report.add(Code::E404, span,
-                          quoted(span) + " is in " + to_string(argument.unit) + ", but " +
-                              quoted(function_row(node.function).name) + " takes a pure number");
+      refuse(Code::E404, model_.expressions[node.operands[0]].span, argument.unit,
+             quoted(function_row(node.function).name) + " takes a pure number");
     }
     return ratio(argument);
   }
@@ -204,11 +199,9 @@ class UnitInference {
                                                : term.span;
   }
 
-  void report_difference(const Span& span, const Unit& observed, std::string_view what,
-                         const Unit& expected) {
-    context_.report.add(Code::E401, span,
-                        quoted(span) + " is in " + to_string(observed) + ", but " +
-                            std::string(what) + " is in " + to_string(expected));
+  void refuse(Code code, const Span& span, const Unit& observed, const std::string& expected) {
+    context_.report.add(code, span,
+                        quoted(span) + " is in " + to_string(observed) + ", but " + expected);
   }
 
   Context& context_;

@@ -32,12 +32,6 @@ ExpressionId ValueReader::root(const ValueSyntax& value, const RootRequest& requ
   return root(value.expression, request);
 }
 
-std::optional<ExpressionId> ValueReader::root(const EntrySyntax& entry, std::string_view key,
-                                              const RootRequest& request) {
-  const KeySyntax* found = entry.find(key);
-  return found == nullptr ? std::nullopt : std::optional(root(found->value, request));
-}
-
 ExpressionId ValueReader::scene_value(const ValueSyntax& value, const RootRequest& request) {
   const ExpressionId id = root(value, request);
   if (id == no_expression) return id;
@@ -104,34 +98,17 @@ std::optional<std::int64_t> ValueReader::integer(const ValueSyntax& value) {
 
 std::optional<std::uint32_t> ValueReader::reference(const ValueSyntax& value, SymbolKind kind) {
   const ExpressionSyntax& name = value.expression;
-  const DeclaredNames& symbols = kind == SymbolKind::frame ? context_.frames : context_.symbols;
-  const DeclaredName* symbol = symbols.find(name.text);
-  if (symbol == nullptr && symbols.has_failed(name.text)) {
-    return std::nullopt;
-  }
-  if (symbol == nullptr || symbol->kind != kind) {
-    std::vector<std::string> names = symbols.names({kind});
-    if (kind == SymbolKind::frame) names.emplace_back(world);
-    context_.report.add(Code::E201, value.span,
-                        "unknown " + std::string(noun(kind)) + " " + quoted(name.text),
-                        symbols.suggest(name.text, names));
-    return std::nullopt;
-  }
-  return Resolver(context_, scope_).element(name, *symbol);
+  Resolver resolver(context_, scope_);
+  const DeclaredName* symbol = resolver.declared(name, kind, true, name.text);
+  return symbol == nullptr ? std::nullopt : resolver.element(name, *symbol);
 }
 
 std::optional<std::uint32_t> ValueReader::rotation(const ValueSyntax& value) {
   const ExpressionSyntax& name = value.expression;
-  const DeclaredName* symbol = context_.symbols.find(name.text);
-  if (symbol == nullptr && context_.symbols.has_failed(name.text)) {
-    return std::nullopt;
-  }
-  if (symbol == nullptr || symbol->kind != SymbolKind::rotation || !name.operands.empty()) {
-    const std::vector<std::string> names = context_.symbols.names({SymbolKind::rotation});
-    context_.report.add(Code::E201, value.span, "unknown rotation " + quoted(value.span),
-                        context_.symbols.suggest(name.text, names));
-    return std::nullopt;
-  }
+  const DeclaredName* symbol =
+      Resolver(context_, scope_)
+          .declared(name, SymbolKind::rotation, name.operands.empty(), covered_text(name.span));
+  if (symbol == nullptr) return std::nullopt;
   return context_.model.velocities[symbol->elements.begin()->second].rotation;
 }
 
@@ -166,6 +143,17 @@ std::optional<std::uint32_t> ValueReader::frame_or_world(const ValueSyntax& valu
   const ExpressionSyntax& name = value.expression;
   if (name.text == world && name.operands.empty()) return std::nullopt;
   return reference(value, SymbolKind::frame);
+}
+
+std::array<const KeySyntax*, 2> first_two(const EntrySyntax& entry,
+                                          std::span<const std::string_view> keys) {
+  std::array<const KeySyntax*, 2> found{};
+  for (const KeySyntax& key : entry.keys) {
+    if (std::find(keys.begin(), keys.end(), key.key) == keys.end()) continue;
+    if (found[0] != nullptr) return {found[0], &key};
+    found[0] = &key;
+  }
+  return found;
 }
 
 const EntrySyntax* find_entry(const FileSyntax* file, std::string_view name) {

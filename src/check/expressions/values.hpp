@@ -3,7 +3,9 @@
 
 #include <cln/real.h>
 
+#include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,9 +22,6 @@ struct RootRequest {
   std::optional<Unit> unit = {};
 };
 
-/// What has no frame of its own.
-inline constexpr std::string_view world = "world";
-
 /// Reads keys for one instance of an entry.
 class ValueReader {
  public:
@@ -32,9 +31,13 @@ class ValueReader {
   ExpressionId root(const ExpressionSyntax& expression, const RootRequest& request);
   ExpressionId root(const ValueSyntax& value, const RootRequest& request);
 
-  /// The same of a key, where the entry has it.
-  std::optional<ExpressionId> root(const EntrySyntax& entry, std::string_view key,
-                                   const RootRequest& request);
+  /// The same of a key, where the entry or table has it.
+  template <class Table>
+  std::optional<ExpressionId> root(const Table& table, std::string_view key,
+                                   const RootRequest& request) {
+    const KeySyntax* found = table.find(key);
+    return found == nullptr ? std::nullopt : std::optional(root(found->value, request));
+  }
 
   /// A value of a scene: where it names nothing but t and pi, numbers are in the unit of the place,
   /// t in s.
@@ -83,6 +86,11 @@ template <class Table>
   const KeySyntax* found = table.find(key);
   return found == nullptr ? "" : found->value.text;
 }
+
+/// The first of some keys that say the same in different ways, and the second, which is one too
+/// many; null where there are fewer.
+[[nodiscard]] std::array<const KeySyntax*, 2> first_two(const EntrySyntax& entry,
+                                                        std::span<const std::string_view> keys);
 
 /// An entry that is not repeated, and a key of it, or null; its keys, or none. `file` may be null.
 [[nodiscard]] const EntrySyntax* find_entry(const FileSyntax* file, std::string_view name);

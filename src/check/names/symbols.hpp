@@ -30,6 +30,9 @@ enum class SymbolKind : std::uint8_t {
 
 [[nodiscard]] std::string_view noun(SymbolKind kind);
 
+/// What has no frame of its own.
+inline constexpr std::string_view world = "world";
+
 /// "an input"
 [[nodiscard]] std::string with_article(std::string_view word);
 
