@@ -7,11 +7,11 @@
 
 #include "cancel/vanishing.hpp"
 #include "elgen/closed_forms.hpp"
-#include "lower/cheapest.hpp"
-#include "lower/from_program.hpp"
-#include "lower/linearise.hpp"
-#include "lower/prune.hpp"
-#include "lower/turn_signs.hpp"
+#include "lower/graph/from_program.hpp"
+#include "lower/graph/prune.hpp"
+#include "lower/network/cheapest.hpp"
+#include "lower/network/linearise.hpp"
+#include "lower/network/turn_signs.hpp"
 
 namespace elgen {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "base/random.hpp"
 #include "evaluate/bounded.hpp"
-#include "lower/prune.hpp"
+#include "lower/graph/prune.hpp"
 
 namespace elgen {
 namespace {

@@ -9,9 +9,9 @@
 #include "choose/guarded_pivots.hpp"
 #include "choose/readable.hpp"
 #include "choose/scaled_length.hpp"
-#include "lower/cheapest.hpp"
-#include "lower/linearise.hpp"
-#include "lower/turn_signs.hpp"
+#include "lower/network/cheapest.hpp"
+#include "lower/network/linearise.hpp"
+#include "lower/network/turn_signs.hpp"
 
 namespace elgen {
 namespace {

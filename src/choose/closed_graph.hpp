@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "choose/real_terms.hpp"
-#include "lower/graph.hpp"
+#include "lower/graph/graph.hpp"
 
 namespace elgen {
 

@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "lower/instructions.hpp"
-#include "lower/prune.hpp"
+#include "lower/graph/prune.hpp"
+#include "lower/network/instructions.hpp"
 
 namespace elgen {
 namespace {

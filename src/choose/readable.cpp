@@ -5,10 +5,10 @@
 #include <numeric>
 
 #include "choose/closed_graph.hpp"
-#include "lower/cheapest.hpp"
-#include "lower/flatten.hpp"
-#include "lower/from_program.hpp"
-#include "lower/prune.hpp"
+#include "lower/graph/flatten.hpp"
+#include "lower/graph/from_program.hpp"
+#include "lower/graph/prune.hpp"
+#include "lower/network/cheapest.hpp"
 
 namespace elgen {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "choose/rounding_errors.hpp"
 #include "elgen/closed_forms.hpp"
-#include "lower/rebuild.hpp"
+#include "lower/graph/rebuild.hpp"
 
 namespace elgen {
 

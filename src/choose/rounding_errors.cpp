@@ -8,8 +8,8 @@
 
 #include "base/random.hpp"
 #include "evaluate/bounded.hpp"
-#include "lower/angle_sums.hpp"
-#include "lower/linearise.hpp"
+#include "lower/graph/angle_sums.hpp"
+#include "lower/network/linearise.hpp"
 
 namespace elgen {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "elgen/evaluate.hpp"
 #include "elgen/leaf_names.hpp"
-#include "lower/rebuild.hpp"
+#include "lower/graph/rebuild.hpp"
 
 namespace elgen {
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "elgen/model.hpp"
-#include "lower/instructions.hpp"
-#include "lower/prune.hpp"
+#include "lower/graph/prune.hpp"
+#include "lower/network/instructions.hpp"
 
 namespace elgen {
 namespace {

@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "elgen/program.hpp"
-#include "lower/prune.hpp"
+#include "lower/graph/prune.hpp"
 
 namespace elgen {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "elgen/outputs.hpp"
 #include "inspect/singular_mass.hpp"
-#include "lower/cheapest.hpp"
 #include "lower/from_ginac.hpp"
-#include "lower/linearise.hpp"
+#include "lower/network/cheapest.hpp"
+#include "lower/network/linearise.hpp"
 
 namespace elgen {
 namespace {

@@ -7,7 +7,7 @@
 #include <charconv>
 
 #include "elgen/program.hpp"
-#include "lower/constant_reader.hpp"
+#include "lower/graph/constant_reader.hpp"
 
 namespace elgen {
 namespace {

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include "elgen/render.hpp"
-#include "lower/linearise.hpp"
-#include "lower/network.hpp"
+#include "lower/network/linearise.hpp"
+#include "lower/network/network.hpp"
 #include "lower/read_program.hpp"
 
 using namespace elgen;

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "choose/chosen.hpp"
-#include "lower/from_program.hpp"
+#include "lower/graph/from_program.hpp"
 #include "support/systems.hpp"
 
 using namespace elgen;

@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "lower/constant_reader.hpp"
+#include "lower/graph/constant_reader.hpp"
 
 using namespace elgen;
 using cln::cl_R;

@@ -1,4 +1,4 @@
-#include "lower/angle_sums.hpp"
+#include "lower/graph/angle_sums.hpp"
 
 #include <catch2/catch.hpp>
 

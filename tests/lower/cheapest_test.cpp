@@ -1,4 +1,4 @@
-#include "lower/cheapest.hpp"
+#include "lower/network/cheapest.hpp"
 
 #include <catch2/catch.hpp>
 

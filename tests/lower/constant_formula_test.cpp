@@ -1,8 +1,8 @@
-#include "lower/constant_formula.hpp"
+#include "lower/constants/constant_formula.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "lower/constant_reader.hpp"
+#include "lower/graph/constant_reader.hpp"
 
 using namespace elgen;
 

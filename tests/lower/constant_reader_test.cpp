@@ -1,4 +1,4 @@
-#include "lower/constant_reader.hpp"
+#include "lower/graph/constant_reader.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "lower/constant_reader.hpp"
+#include "lower/graph/constant_reader.hpp"
 
 using namespace elgen;
 

@@ -1,4 +1,4 @@
-#include "lower/constant_value.hpp"
+#include "lower/constants/constant_value.hpp"
 
 #include <cln/float.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "elgen/evaluate.hpp"
-#include "lower/constant_reader.hpp"
-#include "lower/graph.hpp"
+#include "lower/graph/constant_reader.hpp"
+#include "lower/graph/graph.hpp"
 
 using namespace elgen;
 

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "elgen/program.hpp"
-#include "lower/constant_reader.hpp"
+#include "lower/graph/constant_reader.hpp"
 
 using namespace elgen;
 

@@ -6,8 +6,8 @@
 
 #include "elgen/program.hpp"
 #include "elgen/render.hpp"
-#include "lower/linearise.hpp"
-#include "lower/network.hpp"
+#include "lower/network/linearise.hpp"
+#include "lower/network/network.hpp"
 
 namespace elgen::testing {
 

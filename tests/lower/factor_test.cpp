@@ -1,4 +1,4 @@
-#include "lower/factor.hpp"
+#include "lower/graph/factor.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "lower/flatten.hpp"
+#include "lower/graph/flatten.hpp"
 
 #include <catch2/catch.hpp>
 

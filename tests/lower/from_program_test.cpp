@@ -1,10 +1,10 @@
 // Instructions as sums and products again.
-#include "lower/from_program.hpp"
+#include "lower/graph/from_program.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "lower/linearise.hpp"
-#include "lower/network.hpp"
+#include "lower/network/linearise.hpp"
+#include "lower/network/network.hpp"
 
 using namespace elgen;
 

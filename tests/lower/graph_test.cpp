@@ -1,4 +1,4 @@
-#include "lower/graph.hpp"
+#include "lower/graph/graph.hpp"
 
 #include <catch2/catch.hpp>
 

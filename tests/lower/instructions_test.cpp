@@ -1,5 +1,5 @@
 // Instructions are added once.
-#include "lower/instructions.hpp"
+#include "lower/network/instructions.hpp"
 
 #include <catch2/catch.hpp>
 

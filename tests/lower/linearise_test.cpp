@@ -1,4 +1,4 @@
-#include "lower/linearise.hpp"
+#include "lower/network/linearise.hpp"
 
 #include <catch2/catch.hpp>
 

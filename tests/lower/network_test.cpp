@@ -1,4 +1,4 @@
-#include "lower/network.hpp"
+#include "lower/network/network.hpp"
 
 #include <catch2/catch.hpp>
 

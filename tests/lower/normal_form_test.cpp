@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "lower/graph.hpp"
+#include "lower/graph/graph.hpp"
 
 using namespace elgen;
 

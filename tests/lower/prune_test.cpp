@@ -1,5 +1,5 @@
 // What no entry needs goes.
-#include "lower/prune.hpp"
+#include "lower/graph/prune.hpp"
 
 #include <catch2/catch.hpp>
 

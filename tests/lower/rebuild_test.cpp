@@ -1,4 +1,4 @@
-#include "lower/rebuild.hpp"
+#include "lower/graph/rebuild.hpp"
 
 #include <catch2/catch.hpp>
 

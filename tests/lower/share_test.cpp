@@ -1,4 +1,4 @@
-#include "lower/share.hpp"
+#include "lower/network/share.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "lower/turn_signs.hpp"
+#include "lower/network/turn_signs.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -9,7 +9,7 @@
 // worth it.
 #pragma once
 
-#include "lower/rebuild.hpp"
+#include "lower/graph/rebuild.hpp"
 
 namespace elgen {
 

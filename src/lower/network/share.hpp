@@ -8,7 +8,7 @@
 // comes first in the network.
 #pragma once
 
-#include "lower/network.hpp"
+#include "lower/network/network.hpp"
 
 namespace elgen {
 

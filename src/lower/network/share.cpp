@@ -1,6 +1,6 @@
 // share: see share.hpp. Counts are kept too high rather than exact: a pair is recounted when its
 // turn comes.
-#include "lower/share.hpp"
+#include "lower/network/share.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -1,6 +1,6 @@
 // turn_signs: see turn_signs.hpp. Only where a negation would be executed: at results, in calls and
 // roots.
-#include "lower/turn_signs.hpp"
+#include "lower/network/turn_signs.hpp"
 
 #include <algorithm>
 

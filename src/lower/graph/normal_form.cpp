@@ -10,7 +10,7 @@
 #include <map>
 #include <optional>
 
-#include "lower/graph.hpp"
+#include "lower/graph/graph.hpp"
 
 namespace elgen {
 

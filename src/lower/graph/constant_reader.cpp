@@ -1,9 +1,9 @@
 // read_constant: see constant_reader.hpp. The graph gives the form that it had when it was printed.
-#include "lower/constant_reader.hpp"
+#include "lower/graph/constant_reader.hpp"
 
 #include <cln/integer.h>
 
-#include "lower/graph.hpp"
+#include "lower/graph/graph.hpp"
 #include "parse/expression_parser.hpp"
 
 namespace elgen {

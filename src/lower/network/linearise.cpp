@@ -1,10 +1,10 @@
 // linearise: see linearise.hpp. Instructions are value numbers: nothing is computed twice.
-#include "lower/linearise.hpp"
+#include "lower/network/linearise.hpp"
 
 #include <algorithm>
 #include <optional>
 
-#include "lower/instructions.hpp"
+#include "lower/network/instructions.hpp"
 
 namespace elgen {
 namespace {

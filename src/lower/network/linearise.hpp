@@ -7,7 +7,7 @@
 #pragma once
 
 #include "elgen/program.hpp"
-#include "lower/network.hpp"
+#include "lower/network/network.hpp"
 
 namespace elgen {
 

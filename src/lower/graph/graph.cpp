@@ -1,6 +1,6 @@
 // Graph: interning, leaves, calls, and the order of nodes. Sums and products are in
 // normal_form.cpp.
-#include "lower/graph.hpp"
+#include "lower/graph/graph.hpp"
 
 #include <cln/number.h>
 
@@ -8,7 +8,7 @@
 #include <array>
 #include <compare>
 
-#include "lower/constant_value.hpp"
+#include "lower/constants/constant_value.hpp"
 
 namespace elgen {
 namespace {

@@ -1,8 +1,8 @@
 // from_program: one instruction after another.
-#include "lower/from_program.hpp"
+#include "lower/graph/from_program.hpp"
 
 #include "elgen/fold.hpp"
-#include "lower/prune.hpp"
+#include "lower/graph/prune.hpp"
 
 namespace elgen {
 namespace {

@@ -1,6 +1,6 @@
 // constant_formula: weights are signs, or exponents: those below zero stand below a stacked
 // fraction.
-#include "lower/constant_formula.hpp"
+#include "lower/constants/constant_formula.hpp"
 
 #include <cstdlib>
 

@@ -6,7 +6,7 @@
 // cheapest is kept (the first on a tie).
 #pragma once
 
-#include "lower/network.hpp"
+#include "lower/network/network.hpp"
 
 namespace elgen {
 

@@ -1,6 +1,6 @@
 // make_network: Graph -> Network, numbered depth-first from the values through operands in
 // canonical order.
-#include "lower/network.hpp"
+#include "lower/network/network.hpp"
 
 #include <map>
 #include <optional>

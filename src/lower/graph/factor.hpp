@@ -8,7 +8,7 @@
 // what is left, inside and outside.
 #pragma once
 
-#include "lower/rebuild.hpp"
+#include "lower/graph/rebuild.hpp"
 
 namespace elgen {
 

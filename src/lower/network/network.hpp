@@ -10,7 +10,7 @@
 // ties.
 #pragma once
 
-#include "lower/rebuild.hpp"
+#include "lower/graph/rebuild.hpp"
 
 namespace elgen {
 

@@ -10,7 +10,7 @@
 
 #include <optional>
 
-#include "lower/rebuild.hpp"
+#include "lower/graph/rebuild.hpp"
 
 namespace elgen {
 

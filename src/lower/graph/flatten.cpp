@@ -1,5 +1,5 @@
 // flatten: see flatten.hpp. The normal forms of sums and products then merge what has met.
-#include "lower/flatten.hpp"
+#include "lower/graph/flatten.hpp"
 
 namespace elgen {
 namespace {

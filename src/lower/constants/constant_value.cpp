@@ -1,5 +1,5 @@
 // enclosure_of: where digits cancel, or an angle is large, the form is evaluated again with more.
-#include "lower/constant_value.hpp"
+#include "lower/constants/constant_value.hpp"
 
 #include <array>
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "lower/graph.hpp"
+#include "lower/graph/graph.hpp"
 
 namespace elgen {
 

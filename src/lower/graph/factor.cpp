@@ -1,5 +1,5 @@
 // factor: see factor.hpp.
-#include "lower/factor.hpp"
+#include "lower/graph/factor.hpp"
 
 #include <algorithm>
 #include <map>

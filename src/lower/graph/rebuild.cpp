@@ -1,5 +1,5 @@
 // rebuild: the frame of every pass from Graph to Graph; operands are renewed before their users.
-#include "lower/rebuild.hpp"
+#include "lower/graph/rebuild.hpp"
 
 namespace elgen {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lower/rebuild.hpp"
+#include "lower/graph/rebuild.hpp"
 
 namespace elgen {
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "lower/constant_value.hpp"
+#include "lower/constants/constant_value.hpp"
 
 namespace elgen {
 

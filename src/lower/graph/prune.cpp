@@ -1,5 +1,5 @@
 // prune: backwards over the instructions for what is needed, forwards to renumber it.
-#include "lower/prune.hpp"
+#include "lower/graph/prune.hpp"
 
 #include <utility>
 

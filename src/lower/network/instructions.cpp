@@ -1,5 +1,5 @@
 // Instructions: value numbers, by what is computed.
-#include "lower/instructions.hpp"
+#include "lower/network/instructions.hpp"
 
 namespace elgen {
 

@@ -1,5 +1,5 @@
 // angle_sums: see angle_sums.hpp. Angles are compared as rational combinations of nodes.
-#include "lower/angle_sums.hpp"
+#include "lower/graph/angle_sums.hpp"
 
 #include <cln/integer.h>
 #include <cln/rational.h>

@@ -1,12 +1,12 @@
 // cheapest: see cheapest.hpp.
-#include "lower/cheapest.hpp"
+#include "lower/network/cheapest.hpp"
 
-#include "lower/angle_sums.hpp"
-#include "lower/factor.hpp"
-#include "lower/flatten.hpp"
-#include "lower/linearise.hpp"
-#include "lower/share.hpp"
-#include "lower/turn_signs.hpp"
+#include "lower/graph/angle_sums.hpp"
+#include "lower/graph/factor.hpp"
+#include "lower/graph/flatten.hpp"
+#include "lower/network/linearise.hpp"
+#include "lower/network/share.hpp"
+#include "lower/network/turn_signs.hpp"
 
 namespace elgen {
 namespace {

@@ -5,7 +5,7 @@
 //     after:   s = b - a   result s         p = product(m, b - a)   result p
 #pragma once
 
-#include "lower/network.hpp"
+#include "lower/network/network.hpp"
 
 namespace elgen {
 
