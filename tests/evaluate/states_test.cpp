@@ -84,6 +84,15 @@ TEST_CASE("nominal states keep to the declared ranges, or to the usual ones") {
   CHECK(widest_angle > 3);
 }
 
+TEST_CASE("parameters keep their values at nominal states, whatever range they declare") {
+  System system = cart_pole_system();
+  const double value = cln::double_approx(system.model.parameters[1].value);
+  system.model.parameter_arrays[1].range = Interval{cln::cl_R(2), cln::cl_R(3)};
+  for (const auto& state : sample_states<double>(system.subject(), {16, 1, false})) {
+    CHECK(state.values.parameters[1] == value);
+  }
+}
+
 TEST_CASE("small and large states have the magnitudes they promise") {
   const System system = cart_pole_system();
   for (const auto& state : sample_states<double>(system.subject(), {100, 1, false})) {
