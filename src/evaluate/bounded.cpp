@@ -162,16 +162,17 @@ Bound BoundRules::square_root(const Bound& x) const {
   return result;
 }
 
-Bound BoundRules::call(FunctionId function, const Bound& x, const Bound& y) const {
+/// Those of one argument get as y what stands in a slot that they do not use.
+Bound BoundRules::call(FunctionId function, const Bound& x, const Bound& slot) const {
+  const bool is_binary = function_row(function).arity == 2;
+  const Bound& y = is_binary ? slot : x;
   if (is_kinked(function)) return kinked(function, x, y);
   if (const auto limit = limit_value(function, x.value, rounding)) {
     return inherit(computed(*limit, abs(*limit), rounding), x, y);
   }
   const Real value = interpreter::call(function, x.value, y.value);
   Real bound = abs(value) + argument_part(function, x, y, true, rounding);
-  if (function_row(function).arity == 2) {
-    bound = bound + argument_part(function, x, y, false, rounding);
-  }
+  if (is_binary) bound = bound + argument_part(function, x, y, false, rounding);
   return inherit(computed(value, bound, rounding), x, y);
 }
 

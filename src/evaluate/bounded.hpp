@@ -60,7 +60,7 @@ struct BoundRules {
   [[nodiscard]] Bound multiply(const Bound& x, const Bound& y) const;
   [[nodiscard]] Bound divide(const Bound& x, const Bound& y) const;
   [[nodiscard]] Bound square_root(const Bound& x) const;
-  [[nodiscard]] Bound call(FunctionId function, const Bound& x, const Bound& y) const;
+  [[nodiscard]] Bound call(FunctionId function, const Bound& x, const Bound& slot) const;
 };
 
 }  // namespace elgen

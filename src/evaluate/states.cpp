@@ -149,8 +149,9 @@ class Extremes {
   }
 
   void ends(const char* name, double Range::*end) {
+    static constexpr LeafSet others = Opcode::parameter | Opcode::acceleration | Opcode::time;
     const auto set = [end](Opcode kind, std::uint32_t, double& value, const Range& range) {
-      if (kind != Opcode::parameter) value = range.*end;
+      if (!others.has_any(kind)) value = range.*end;
     };
     for_each_leaf(set, add(name), ranges_);
   }
