@@ -2,10 +2,11 @@
 //
 //     const Scalar t_1 = p.m * p.l;   read as   multiply m l   and compared with the Program's
 //
-// Nothing is compiled and no code is shared with emission but the pictures of templates/. Headers
-// are read token by token: every token is one of the picture, or part of a function, a constant, a
-// default or a declaration that is compared. Operations, their order, operands and literals have to
-// be the Program's.
+// Nothing is compiled, and what is shared with emission are the pictures of templates/ and what
+// callers see of code (src/lower/code_interface.hpp): names, types, parameters, declared arrays.
+// Headers are read token by token: every token is one of the picture, or part of a function, a
+// constant, a default or a declaration that is compared. Operations, their order, operands,
+// literals and the order of storage have to be the Program's.
 #pragma once
 
 #include <cstddef>

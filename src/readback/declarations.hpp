@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "readback/dialect.hpp"
 #include "readback/expression_reader.hpp"

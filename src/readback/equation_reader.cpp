@@ -23,7 +23,7 @@ std::string number_text(const ExpressionSyntax& e) {
   return e.kind == SyntaxKind::number ? exact_text(e.value) : "";
 }
 
-/// "theta", "l[2]", "dot(dot(x))"; empty for what cannot be a leaf.
+/// "theta", "l[2]", "dot(dot(x))": what a leaf of this form is called; empty where none is.
 std::string leaf_name(const ExpressionSyntax& e) {
   if (e.kind == SyntaxKind::name) {
     return e.operands.empty() ? e.text
@@ -206,12 +206,10 @@ Real EquationReader::power(const ExpressionSyntax& e, Evaluated& result) const {
 }
 
 Real EquationReader::call(const ExpressionSyntax& e, Evaluated& result) const {
-  const auto leaf = leaves_[state_].find(leaf_name(e));
-  if (leaf != leaves_[state_].end()) return leaf->second;
   const bool is_root = e.text == "sqrt";
   const FunctionRow* row = find_function(e.text);
-  const bool is_known = is_root || row != nullptr;
-  if (!is_known || e.operands.size() != (is_root ? 1 : row->arity)) {
+  if (!is_root && row == nullptr) return named(leaf_name(e), result);
+  if (e.operands.size() != (is_root ? 1 : row->arity)) {
     result.problem = quoted(e.text) + " is no function of so many arguments";
     return Real::undefined();
   }

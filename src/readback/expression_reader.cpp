@@ -163,7 +163,7 @@ SignedNode ExpressionReader::kinked() {
 
 std::optional<FunctionId> ExpressionReader::kinked_function(std::string_view helper) const {
   for (const FunctionRow& row : function_table) {
-    if (own_name(row.id) == helper) return row.id;
+    if (!helper.empty() && own_name(row.id) == helper) return row.id;
   }
   return std::nullopt;
 }

@@ -159,6 +159,7 @@ TEST_CASE("a C header that says something else is refused") {
            {c99(), h, force, "4.442883f", "4.442884f", "instead of"},
            {c99(), h, force, "fabsf", "fabs", "not declared"},
            {c99(), h, force, "sign_of(v[0])", "sign_of(v[1])", "has `v[1]` instead of `v[0]`"},
+           {c99(), h, force, "sign_of(v[0])", "(v[0])", "is not declared here"},
            {c99(), h, "DEFAULT_PARAMETERS", "9.81f", "9.82f", "`9.82f` is not 9.81"},
            {c99(), h, "DEFAULT_PARAMETERS", "0.7f, 2.0f", "2.0f, 0.7f", "`2.0f` is not 0.7"},
            {c99(), h, "DEFAULT_PARAMETERS", "0.3f, /* b */ ", "/* b */ ", "is not 0.3"},
