@@ -2,6 +2,7 @@
 #include "formulate/expressions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "elgen/references.hpp"
@@ -51,6 +52,7 @@ Translation::Translation(const Model& model, Lagrangian& lagrangian)
 
 /// What an expression refers to comes first; chains are long, so nothing is recursive.
 ex Translation::value(ExpressionId id) {
+  if (!errors_.empty()) return 0;
   std::vector<ExpressionId> stack{id};
   const auto is_done = [this](ExpressionId each) { return translated_[each].size != 0; };
   while (!stack.empty()) {
@@ -187,9 +189,8 @@ Translation::Sized Translation::product(const std::vector<ExpressionId>& operand
 Translation::Sized Translation::component(const Expression& expression) {
   static constexpr std::array<const char*, components_per_frame> suffixes{
       "_R11", "_R12", "_R13", "_R21", "_R22", "_R23", "_R31", "_R32", "_R33", "_x", "_y", "_z"};
-  const auto defined = [&](ExpressionId value, std::string name, Entity origin) {
-    const ex& known = translated_[value].value;
-    return Sized{define(lagrangian_.definitions, known, {std::move(name), origin}), 1};
+  const auto defined = [&](ExpressionId value, const std::string& name, Entity origin) {
+    return Sized{named(value, name, origin), 1};
   };
   const std::uint32_t i = expression.index;
   switch (expression.kind) {
@@ -213,14 +214,13 @@ Translation::Sized Translation::component(const Expression& expression) {
 
 void Translation::define_named() {
   along_motion_.emplace(lagrangian_.definitions, motion_seeds(lagrangian_.symbols), "_dot");
-  for (std::uint32_t i = 0; i < model_.definitions.size(); ++i) {
-    const NamedExpression& row = model_.definitions[i];
-    (void)named(row.value, row.identifier, {EntityKind::definition, i});
-  }
-  for (std::uint32_t i = 0; i < model_.prescribed.size(); ++i) {
-    const NamedExpression& row = model_.prescribed[i];
-    (void)named(row.value, row.identifier, {EntityKind::prescribed, i});
-  }
+  const auto define_rows = [&](const std::vector<NamedExpression>& rows, EntityKind kind) {
+    for (std::uint32_t i = 0; i < rows.size(); ++i) {
+      (void)named(rows[i].value, rows[i].identifier, {kind, i});
+    }
+  };
+  define_rows(model_.definitions, EntityKind::definition);
+  define_rows(model_.prescribed, EntityKind::prescribed);
   for (std::uint32_t i = 0; i < model_.points.size(); ++i) {
     const Point& point = model_.points[i];
     if (point.local && !model_.approximation) continue;

@@ -1,7 +1,6 @@
 // The Model's expressions as GiNaC expressions over definitions.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -21,8 +20,8 @@ class Translation {
   /// errors, whether something uses them or not.
   void define_named();
 
-  /// An expression over definitions. 0 where GiNaC refuses a part of it: E312, E313, which are
-  /// kept.
+  /// An expression over definitions. 0 where GiNaC refuses a part of it, E312 or E313, and after
+  /// that: the first error is kept.
   [[nodiscard]] GiNaC::ex value(ExpressionId id);
   [[nodiscard]] const Diagnostics& errors() const { return errors_; }
 

@@ -1,4 +1,6 @@
 // Energies and forces of a model as terms over definitions.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 
 #include "elgen/lagrangian.hpp"
@@ -56,6 +58,19 @@ TEST_CASE("an armature adds 1/2 J v^2, and forces keep their inputs") {
   CHECK(lagrangian->point_forces[0].force[0].is_equal(-lagrangian->point_forces[1].force[0]));
   CHECK(lagrangian->forces[0].is_equal(s.u[1]));
   CHECK(dependence(lagrangian->definitions, lagrangian->forces[1]).has_any(Opcode::input));
+}
+
+TEST_CASE("a mistake is found once, however many definitions stand on it") {
+  std::string text =
+      "[[coordinate]]\nname = \"x\"\n[energy]\nT = \"dot(x)^2/2\"\n[define]\n"
+      "d0 = \"1/(x + 1 - (x + 1))\"\n";
+  for (int i = 1; i <= 4000; ++i) {
+    text += fmt::format("d{} = \"d{} + 1\"\n", i, i - 1);
+  }
+  const CheckedModel checked = checked_model(model_text("chain", text));
+  const auto lagrangian = formulate(checked.model);
+  REQUIRE(lagrangian.diagnostics.size() == 1);
+  CHECK(lagrangian.diagnostics.front().code == Code::E312);
 }
 
 TEST_CASE("a division by zero that only algebra shows is reported where it stands") {
