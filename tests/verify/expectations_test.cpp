@@ -85,6 +85,13 @@ TEST_CASE("conserved quantities: the energy is one, the angle is not") {
   CHECK(report.diagnostics.front().message.find("its rate is ") == 0);
 }
 
+TEST_CASE("a rate is taken along a free motion, also where an output is called conserved") {
+  System system = expecting(pendulum(), "conserved", 1, {"m*l^2*th_d^2/2 - m*g*l*cos(th)"});
+  system.model.outputs.push_back(
+      {.name = "conserved", .values = {system.model.expectations[0].entries[0]}});
+  check_holds(system);
+}
+
 TEST_CASE("declared damping breaks conservation") {
   ModelBuilder builder = pendulum();
   builder.D("th_d^2/2");

@@ -170,9 +170,11 @@ std::vector<SampledPoint> points_of(const Model& model, const Expectation& expec
   const auto request = find_request(model, expectation.output);
   std::vector<SampledPoint> points;
   for (const State& state : states) {
-    if (request) points.push_back(derived_at(model, *request, state));
-    const auto motion = is_rate(expectation) ? free_motion(model, state) : std::nullopt;
-    if (motion) points.push_back({*motion});
+    if (is_rate(expectation)) {
+      if (const auto motion = free_motion(model, state)) points.push_back({*motion});
+    } else if (request) {
+      points.push_back(derived_at(model, *request, state));
+    }
   }
   return points;
 }
