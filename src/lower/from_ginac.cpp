@@ -206,6 +206,6 @@ Result<ImportedOutput> from_ginac(const EquationsOfMotion& equations, const Outp
   return imported;
 }
 
-LeafNames leaves_of(const EquationsOfMotion& equations) { return equations.leaves; }
+LeafNames leaf_names(const EquationsOfMotion& equations) { return equations.leaves; }
 
 }  // namespace elgen

@@ -24,6 +24,6 @@ struct ImportedOutput {
                                                 const OutputRequest& request,
                                                 std::uint64_t maximum_nodes);
 
-[[nodiscard]] LeafNames leaves_of(const EquationsOfMotion& equations);
+[[nodiscard]] LeafNames leaf_names(const EquationsOfMotion& equations);
 
 }  // namespace elgen

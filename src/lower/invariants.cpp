@@ -9,7 +9,6 @@
 #include <tuple>
 
 #include "elgen/program.hpp"
-#include "lower/graph/prune.hpp"
 
 namespace elgen {
 namespace {
@@ -37,6 +36,17 @@ std::string broken_instruction(const Program& program, const Function& function,
     return "only a call names a function";
   }
   return "";
+}
+
+/// A way of its own to find what pruning leaves.
+std::vector<bool> used_instructions(const Function& function) {
+  std::vector<bool> used(function.instructions.size(), false);
+  for (const std::uint32_t entry : entries_of(function)) used[entry] = true;
+  for (const Instruction& instruction : function.instructions) {
+    if (operand_count(instruction) > 0) used[instruction.a] = true;
+    if (operand_count(instruction) > 1) used[instruction.b] = true;
+  }
+  return used;
 }
 
 std::string broken_field(const Function& function) {
@@ -70,7 +80,7 @@ std::string broken_function(const Program& program, const Function& function) {
   }
   const std::string field = broken_field(function);
   if (!field.empty()) return field;
-  const std::vector<bool> used = needed_for(function, entries_of(function));
+  const std::vector<bool> used = used_instructions(function);
   for (std::size_t at = 0; at < used.size(); ++at) {
     if (!used[at]) return fmt::format("instruction {}: dead", at);
   }

@@ -67,7 +67,7 @@ Diagnostics lower_output(const EquationsOfMotion& equations, const OutputRequest
 Result<Program> lower(const EquationsOfMotion& equations, const std::vector<OutputRequest>& outputs,
                       const Limits& limits) {
   Program program;
-  program.leaves = leaves_of(equations);
+  program.leaves = leaf_names(equations);
   for (const OutputRequest& request : outputs) {
     Diagnostics errors = lower_output(equations, request, limits, program);
     if (!errors.empty()) return errors;

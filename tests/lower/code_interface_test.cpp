@@ -105,6 +105,8 @@ TEST_CASE("sign, min and max are the code's own") {
   CHECK_FALSE(calls_own_functions(program));
   program.functions[0].instructions = {{Opcode::call, FunctionId::sign, 0, 0}};
   CHECK(calls_own_functions(program));
+  CHECK(own_name(FunctionId::sign) == "sign_of");
+  CHECK(own_name(FunctionId::min) == "smaller");
   CHECK(own_name(FunctionId::max) == "larger");
 }
 
@@ -114,4 +116,48 @@ TEST_CASE("forward dynamics gives pivots") {
   CHECK_FALSE(gives_pivots(program));
   program.functions.emplace_back().kind = OutputKind::forward_dynamics;
   CHECK(gives_pivots(program));
+}
+
+TEST_CASE("pages number the entries of a field") {
+  const std::vector<std::uint32_t> six{0, 1, 2, 3, 4, 5};
+  CHECK(index_text({"", 2, 3, six}, 0) == "[1,1]");
+  CHECK(index_text({"", 2, 3, six}, 4) == "[2,2]");
+  CHECK(index_text({"", 6, 1, six}, 4) == "[5]");
+  CHECK(index_text({"", 1, 1, {0}}, 0).empty());
+}
+
+TEST_CASE("a field of `dynamics` is of the function of its name, or of the output") {
+  Program program;
+  Function& renamed = program.functions.emplace_back();
+  renamed.kind = OutputKind::gravity;
+  renamed.name = "weight";
+  Function all;
+  all.kind = OutputKind::dynamics;
+  CHECK(kind_of_field(program, all, {"weight", 2, 1, {}}) == OutputKind::gravity);
+  CHECK(kind_of_field(program, all, {"bias", 2, 1, {}}) == OutputKind::bias);
+  CHECK(kind_of_field(program, renamed, {"bias", 2, 1, {}}) == OutputKind::gravity);
+}
+
+TEST_CASE("a header declares names, units and ranges, each of its own") {
+  Model model = cart_pole().model;
+  model.coordinates[1].range = Interval{-1, 1};
+  model.velocities[1].rate_range = Interval{-2, 2};
+  model.inputs[0].limits = Interval{-3, 3};
+  std::vector<std::string> names;
+  for (const DeclaredArray& array : declared_arrays(model)) {
+    names.push_back(array.name);
+    if (array.name == "coordinate_ranges") CHECK(array.intervals[1]->high == 1);
+    if (array.name == "rate_ranges") CHECK(array.intervals[1]->high == 2);
+    if (array.name == "input_limits") CHECK(array.intervals[0]->high == 3);
+    CHECK(array.size() == (array.name.starts_with("input") ? 1 : 2));
+  }
+  CHECK(names == std::vector<std::string>{"coordinate_names", "coordinate_units",
+                                          "coordinate_ranges", "rate_ranges", "input_names",
+                                          "input_units", "input_limits"});
+}
+
+TEST_CASE("the values of a parameter are those of its elements") {
+  Model model = cart_pole().model;
+  elgen::testing::add_parameter_array(model, "k", {1, 2});
+  CHECK(values_of(model, model.parameter_arrays.back()) == std::vector<cln::cl_R>{1, 2});
 }

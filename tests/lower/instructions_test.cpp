@@ -5,6 +5,18 @@
 
 using namespace elgen;
 
+TEST_CASE("what is found is where it stands first, also where something stands twice") {
+  Function function;
+  const Instruction m{.opcode = Opcode::parameter, .a = 0};
+  const Instruction l{.opcode = Opcode::parameter, .a = 1};
+  function.instructions = {m, m, l};
+  function.names.resize(3);
+  Instructions instructions(function);
+  CHECK(instructions.add(m) == 0);
+  CHECK(instructions.add(l) == 2);
+  CHECK(instructions.add({.opcode = Opcode::parameter, .a = 2}) == 3);
+}
+
 TEST_CASE("what is there already is found, what is not comes last") {
   Program program = *parse_program(make_source("test.program",
                                                "parameters m l\nfunction gravity\n  0 = parameter "

@@ -11,8 +11,8 @@ std::size_t Instructions::Hash::operator()(const Instruction& i) const {
 }
 
 Instructions::Instructions(Function& function) : function_(function) {
-  for (const Instruction& instruction : function.instructions) {
-    known_.emplace(instruction, static_cast<std::uint32_t>(known_.size()));
+  for (std::uint32_t at = 0; at < function.instructions.size(); ++at) {
+    known_.emplace(function.instructions[at], at);
   }
 }
 
