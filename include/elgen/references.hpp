@@ -10,17 +10,17 @@ namespace elgen {
 /// What an expression refers to: its operands, or the expression that its name stands for.
 [[nodiscard]] std::vector<ExpressionId> references(const Model& model, ExpressionId expression);
 
-/// The roots and everything below them, each once, operands before their users. Cost: one visit per
+/// The roots and everything below them, each once, operands before their users, in a model
+/// without cycles. Cost: one visit per
 /// expression.
 [[nodiscard]] std::vector<ExpressionId> reached(const Model& model,
                                                 const std::vector<ExpressionId>& roots);
 
-/// Every expression of the model, each after what it refers to.
+/// Every expression of a model without cycles, each after what it refers to.
 [[nodiscard]] std::vector<ExpressionId> in_order(const Model& model);
 
 /// Expressions of which each refers to the next and the last to the first, where a component stands
-/// for all of its point or frame. Empty where there are none: the other functions here ask for
-/// that.
+/// for all of its point or frame. Empty where there are none.
 [[nodiscard]] std::vector<ExpressionId> find_cycle(const Model& model);
 
 }  // namespace elgen

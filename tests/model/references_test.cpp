@@ -45,6 +45,35 @@ TEST_CASE("points, frames and prescribed functions are followed to what they are
   CHECK(has(ExpressionKind::coordinate));
 }
 
+TEST_CASE("everything comes once, after what it refers to") {
+  const Model model = checked(file_text("models/chain.toml")).model;
+  CHECK(find_cycle(model).empty());
+  const std::vector<ExpressionId> order = in_order(model);
+  REQUIRE(order.size() == model.expressions.size());
+  std::vector<bool> is_known(order.size(), false);
+  for (const ExpressionId id : order) {
+    REQUIRE_FALSE(is_known[id]);
+    is_known[id] = true;
+    for (const ExpressionId other : references(model, id)) REQUIRE(is_known[other]);
+  }
+}
+
+TEST_CASE("a cycle is one through names, link by link") {
+  Model model = checked(
+                    "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n[define]\n"
+                    "a = \"2*x\"\nb = \"3*a\"\n[energy]\nT = \"dot(x)^2\"\nV = \"b\"\n")
+                    .model;
+  const ExpressionId first = model.definitions[0].value;
+  model.definitions[0].value = model.definitions[1].value;  // b = 3*a, a = b
+  CHECK(first != model.definitions[0].value);
+  const std::vector<ExpressionId> cycle = find_cycle(model);
+  REQUIRE_FALSE(cycle.empty());
+  for (std::size_t i = 0; i < cycle.size(); ++i) {
+    const std::vector<ExpressionId> next = references(model, cycle[i]);
+    CHECK(std::count(next.begin(), next.end(), cycle[(i + 1) % cycle.size()]) == 1);
+  }
+}
+
 TEST_CASE("what is reached twice is there once") {
   const Model model = checked(file_text("models/chain.toml")).model;
   auto all = reached(model, {*model.expectations.front().entries.begin(),
