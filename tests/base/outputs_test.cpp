@@ -2,8 +2,12 @@
 // absent.
 #include "elgen/outputs.hpp"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
+#include <map>
 #include <set>
+#include <sstream>
 
 namespace elgen {
 namespace {
@@ -39,6 +43,63 @@ TEST_CASE("arguments and shapes follow the equations") {
   REQUIRE(forward.fields.size() == 2);
   CHECK(forward.fields[1].name == "relative_pivots");
   CHECK(output_row(OutputKind::input_matrix).fields.front().columns == Extent::inputs);
+}
+
+/// Sizes that tell everything apart.
+std::size_t size_of(Extent extent) {
+  switch (extent) {
+    case Extent::one:
+      return 1;
+    case Extent::coordinates:
+      return 7;
+    case Extent::velocities:
+      return 5;
+    case Extent::states:
+      return 10;
+    case Extent::inputs:
+      return 3;
+    case Extent::held:
+      return 11;
+    case Extent::user:
+      return 13;
+  }
+  return 0;
+}
+
+/// The numbers in a type of C++ that stands in the table, by what the header says of its names.
+std::size_t size_of(const std::string& type) {
+  static const std::map<std::string, std::size_t> known{{"Scalar", 1},
+                                                        {"Coordinates<Scalar>", 7},
+                                                        {"Velocities<Scalar>", 5},
+                                                        {"Forces<Scalar>", 5},
+                                                        {"Accelerations<Scalar>", 5},
+                                                        {"Inputs<Scalar>", 3},
+                                                        {"velocity_count", 5},
+                                                        {"coordinate_count", 7},
+                                                        {"input_count", 3},
+                                                        {"SquareMatrix<Scalar>", 25},
+                                                        {"InputMatrix<Scalar>", 15}};
+  const std::string array = "std::array<Scalar, ";
+  if (!type.starts_with(array)) return known.at(type);
+  std::size_t size = 1;
+  std::istringstream factors(type.substr(array.size(), type.size() - array.size() - 1));
+  for (std::string factor; factors >> factor;) {
+    if (factor == "*") continue;
+    size *= known.count(factor) > 0 ? known.at(factor) : std::stoul(factor);
+  }
+  return size;
+}
+
+TEST_CASE("types hold as many numbers as their fields have entries") {
+  for (const OutputRow& output : output_table()) {
+    for (const FieldRow& field : output.fields) {
+      const std::size_t rows = size_of(field.rows);
+      const std::size_t entries = rows * size_of(field.columns);
+      if (entries == 1) continue;
+      INFO(output.name << "." << field.name);
+      CHECK(size_of(fmt::format(fmt::runtime(field.type), rows, entries)) == entries);
+    }
+  }
 }
 
 TEST_CASE("what needs a quadratic Lagrangian says so") {
