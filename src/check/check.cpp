@@ -47,8 +47,9 @@ void read_entries(Context& context, const std::vector<Instance>& instances,
                   const std::vector<RowReader>& readers) {
   for (const auto& [entry, scope, target] : instances) {
     for (const RowReader& reader : readers) {
+      if (entry->name != reader.entry) continue;
       ValueReader values(context, scope);
-      if (entry->name == reader.entry) reader.read(values, *entry, target);
+      reader.read(values, *entry, target);
     }
   }
 }

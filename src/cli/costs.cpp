@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "check/expressions/values.hpp"
 #include "evaluate/subject.hpp"
 
 namespace elgen::cli {
@@ -28,11 +29,8 @@ std::vector<SourcePointer> sizes_of(const Inputs& inputs, const PipelineOptions&
   std::vector<SourcePointer> sizes;
   if (inputs.scene != nullptr) {
     const Result<FileSyntax> scene = parse_scene(inputs.scene, options.limits);
-    for (const EntrySyntax& entry : scene->entries) {
-      if (entry.name != "sizes") continue;
-      for (const KeySyntax& key : entry.keys) {
-        sizes.push_back(make_source("[sizes]", fmt::format("{}={}", key.key, key.value.text)));
-      }
+    for (const KeySyntax& key : keys_of(&*scene, "sizes")) {
+      sizes.push_back(make_source("[sizes]", fmt::format("{}={}", key.key, key.value.text)));
     }
   }
   sizes.insert(sizes.end(), options.scene.sizes.begin(), options.scene.sizes.end());

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/descriptor.hpp"
+#include "check/expressions/values.hpp"
 #include "cli/file_kind.hpp"
 #include "cli/resources.hpp"
 #include "parse/names_model.hpp"
@@ -107,15 +108,6 @@ bool is_scene(const SourceText& source) {
          source.path.ends_with(".scene.toml");
 }
 
-const ValueSyntax* model_path(const FileSyntax& scene) {
-  for (const EntrySyntax& entry : scene.entries) {
-    if (!entry.name.empty()) continue;
-    const KeySyntax* key = entry.find("model");
-    if (key != nullptr) return &key->value;
-  }
-  return nullptr;
-}
-
 }  // namespace
 
 bool is_input(const struct stat& file) { return files_read().count(identity(file)) > 0; }
@@ -131,14 +123,14 @@ Result<Inputs> read_inputs(const std::string& path, const Limits& limits) {
 
   const Result<FileSyntax> scene = parse_scene(*source, limits);
   if (!scene) return scene.diagnostics;
-  const ValueSyntax* named = model_path(*scene);
+  const KeySyntax* named = find_key(&*scene, "", "model");
   if (named == nullptr) return scene.diagnostics;  // parse has reported the missing key
-  const fs::path model = fs::path(path).parent_path() / named->text;
+  const fs::path model = fs::path(path).parent_path() / named->value.text;
   Result<SourcePointer> model_source = read_file(model.lexically_normal().string(), limits);
   if (!model_source) {
     // The mistake is in the scene: point there.
     Diagnostics errors = model_source.diagnostics;
-    errors.front().span = named->span;
+    errors.front().span = named->value.span;
     return errors;
   }
   return Inputs{*model_source, *source};

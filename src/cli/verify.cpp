@@ -36,7 +36,8 @@ auto timed(const std::string& name, Products& products, const Progress& progress
 /// Compiles, unless it is to be quick, and compares.
 Result<Verification> compared(const std::string& path, Products& products,
                               const VerifyOptions& options, const Limits& limits) {
-  const auto& [model, scene] = *products.checked;
+  const Model& model = products.checked->model;
+  const Scene& scene = products.checked->scene;
   const Program& program = *products.program;
   const Progress progress(path);
   Result<CompiledHeaders> compiled = CompiledHeaders();

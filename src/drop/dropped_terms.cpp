@@ -2,8 +2,6 @@
 // Bounds are rounded up to three digits.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "base/columns.hpp"
 #include "base/number_text.hpp"
 #include "check/judge/output_units.hpp"

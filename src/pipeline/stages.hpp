@@ -67,8 +67,8 @@ class Stage {
   /// `needs`: std::tie of the other stages. `make` takes their products, and the limits after them
   /// where it wants them.
   template <class Needs, class Make>
-  Stage(StageRunner& run, const std::string& name, const Needs& needs, const Make& make)
-      : make_([=, &run] {
+  Stage(StageRunner& run, const std::string& name, const Needs& needs, Make make)
+      : make_([=, &run, make = std::move(make)] {
           const auto made = [&](auto&... stages) {
             return run.made<T>(name, make, stages.get()...);
           };

@@ -28,8 +28,10 @@ std::vector<SheetVariable> coordinates(const Model& model) {
 
 std::vector<SheetVariable> inputs(const Model& model) {
   std::vector<SheetVariable> list;
-  for (const Input& input : model.inputs) {
-    list.push_back({latex_symbol(input.name).text(), input.name, input.unit_text, "", input.doc});
+  const std::vector<std::string> symbols = latex_leaves(model).u;
+  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
+    const Input& input = model.inputs[i];
+    list.push_back({symbols[i], input.name, input.unit_text, "", input.doc});
   }
   return list;
 }

@@ -72,11 +72,11 @@ struct Types {
   std::string (*array)(const Function& function);  ///< a result too large to be returned
 };
 
-std::string array_type(const Function& function) {
+std::string array_result(const Function& function) {
   return fmt::format("std::array<Scalar, {}>", entry_count(function));
 }
 
-std::string eigen_type(const Function& function) {
+std::string eigen_result(const Function& function) {
   const Field& field = function.fields.front();
   return fmt::format("emitted::Matrix<Scalar, {}, {}>", field.rows, field.columns);
 }
@@ -137,12 +137,12 @@ std::string driver_of(const DriverInput& input, const Types& types) {
 
 std::string cpp_driver(const DriverInput& input) {
   return driver_of(input, {path_of(input.scene, ArtifactId::cpp), name_space(input.scene),
-                           array_vector, array_type});
+                           array_vector, array_result});
 }
 
 std::string eigen_driver(const DriverInput& input) {
   return driver_of(input, {path_of(input.scene, ArtifactId::eigen),
-                           name_space(input.scene) + "::eigen", eigen_vector, eigen_type});
+                           name_space(input.scene) + "::eigen", eigen_vector, eigen_result});
 }
 
 }  // namespace elgen

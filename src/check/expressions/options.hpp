@@ -1,4 +1,5 @@
-// Options: --outputs, --fix and --size, split into parts that point into the option's text.
+// Options: --outputs, --fix and --size, split into parts that point into the option's text; and the
+// sizes of a model, which options are the last to set.
 #pragma once
 
 #include <string>

@@ -127,9 +127,9 @@ CompositeInertia to_parent(Tree& tree, std::size_t step, const CompositeInertia&
 }
 
 std::vector<CompositeInertia> composite_inertias(Tree& tree) {
-  const auto own = on_steps<CompositeInertia>(
+  auto own = on_steps<CompositeInertia>(
       tree, [&](const RigidBody& body) { return about_origin(tree.algebra, body); });
-  return with_carried(tree, own, [&](std::size_t k, const CompositeInertia& inertia) {
+  return with_carried(tree, std::move(own), [&](std::size_t k, const CompositeInertia& inertia) {
     return to_parent(tree, k, inertia);
   });
 }

@@ -123,10 +123,10 @@ CompositeRate to_parent(Tree& tree, std::size_t step, const CompositeRate& rate)
 }
 
 std::vector<CompositeRate> composite_rates(Tree& tree, const std::vector<Twist>& twists) {
-  const auto own = on_steps<CompositeRate>(tree, [&](const RigidBody& body) {
+  auto own = on_steps<CompositeRate>(tree, [&](const RigidBody& body) {
     return own_rate(tree.algebra, body, twists[*body.step]);
   });
-  return with_carried(tree, own, [&](std::size_t k, const CompositeRate& rate) {
+  return with_carried(tree, std::move(own), [&](std::size_t k, const CompositeRate& rate) {
     return to_parent(tree, k, rate);
   });
 }

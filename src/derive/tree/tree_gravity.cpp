@@ -42,10 +42,10 @@ MassMoment to_parent(Tree& tree, std::size_t index, const MassMoment& c) {
 }
 
 std::vector<MassMoment> mass_moments(Tree& tree) {
-  const auto own = on_steps<MassMoment>(tree, [&](const RigidBody& body) {
+  auto own = on_steps<MassMoment>(tree, [&](const RigidBody& body) {
     return MassMoment{body.mass, first_moment(tree.algebra, body)};
   });
-  return with_carried(tree, own, [&](std::size_t k, const MassMoment& carried) {
+  return with_carried(tree, std::move(own), [&](std::size_t k, const MassMoment& carried) {
     return to_parent(tree, k, carried);
   });
 }
