@@ -21,6 +21,14 @@ struct Found {
   std::vector<ExpressionId> cycle = {};  ///< the first one met; it ends the search
 };
 
+/// What has been entered since `first`, which the last of them refers to again.
+std::vector<ExpressionId> cycle_of(const std::vector<Entered>& path, ExpressionId first) {
+  std::vector<ExpressionId> cycle;
+  auto entered = std::ranges::find(path, first, &Entered::expression);
+  for (; entered != path.end(); ++entered) cycle.push_back(entered->expression);
+  return cycle;
+}
+
 /// Chains of names may be thousands of links long: nothing here is recursive.
 template <class References>
 Found search(const Model& model, const std::vector<ExpressionId>& roots,
@@ -45,12 +53,7 @@ Found search(const Model& model, const std::vector<ExpressionId>& roots,
       }
       const ExpressionId next = top.references[top.next++];
       if (states[next] == SearchState::open) {
-        const auto from = std::find_if(path.begin(), path.end(), [&](const Entered& entered) {
-          return entered.expression == next;
-        });
-        for (auto entered = from; entered != path.end(); ++entered) {
-          found.cycle.push_back(entered->expression);
-        }
+        found.cycle = cycle_of(path, next);
         return found;
       }
       enter(next);

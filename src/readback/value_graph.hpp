@@ -64,7 +64,7 @@ class ValueGraph {
 
  private:
   struct Hash {
-    [[nodiscard]] std::size_t operator()(const Instruction& node) const;
+    [[nodiscard]] std::size_t operator()(const Instruction& i) const;
   };
   struct Less {
     [[nodiscard]] bool operator()(const cln::cl_R& x, const cln::cl_R& y) const { return x < y; }
