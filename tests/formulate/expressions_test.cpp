@@ -137,6 +137,32 @@ translate = ["2*m", "0", "m"]
 )toml") == std::vector<std::string>{"angle", "upper_x", "lower_R11", "tip_x"});
 }
 
+TEST_CASE("the entries of a frame that a force mentions are named for a reader", "[frames]") {
+  const std::string arm = R"toml(
+[[coordinate]]
+name = "q"
+[parameters]
+m = 1
+[[frame]]
+name = "arm"
+parent = "world"
+rotate = [["z", "2*q"]]
+[[point]]
+name = "tip"
+frame = "arm"
+at = ["m", "0", "0"]
+mass = "m"
+)toml";
+  const auto is_named = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::count(names.begin(), names.end(), name) > 0;
+  };
+  CHECK_FALSE(is_named(names_in(arm), "arm_R11"));
+  const std::vector<std::string> names =
+      names_in(arm + "[[force]]\nat = \"tip\"\nin = \"arm\"\nvalue = [\"0\", \"m\", \"0\"]\n");
+  CHECK(is_named(names, "arm_R11"));
+  CHECK(is_named(names, "arm_R21"));
+}
+
 TEST_CASE("a point of a frame is defined where something mentions it", "[frames]") {
   const std::string arm = R"toml(
 [[coordinate]]
