@@ -17,8 +17,8 @@ class Translation {
   Translation(const Model& model, Lagrangian& lagrangian);
 
   /// Definitions, prescribed motions and points of the world: under their own names, and with their
-  /// errors, whether something uses them or not. Entries of the frames that forces mention: the tree
-  /// computes them without asking, and a reader is given their names.
+  /// errors, whether something uses them or not. Entries of the frames that forces mention: the
+  /// tree computes them without asking, and a reader is given their names.
   void define_named();
 
   /// An expression over definitions. 0 where GiNaC refuses a part of it, E312 or E313, and after
