@@ -35,6 +35,11 @@ struct Instruction {
   friend bool operator==(const Instruction&, const Instruction&) = default;
 };
 
+/// For value numbers: what is computed alike is one value.
+struct InstructionHash {
+  [[nodiscard]] std::size_t operator()(const Instruction& i) const;
+};
+
 /// Number of operands that are instructions (0, 1 or 2).
 [[nodiscard]] std::size_t operand_count(const Instruction& instruction);
 

@@ -8,6 +8,13 @@
 
 namespace elgen {
 
+std::size_t InstructionHash::operator()(const Instruction& i) const {
+  const std::uint64_t operands = (std::uint64_t{i.a} << 32U) | i.b;
+  const auto operation =
+      static_cast<std::uint64_t>(i.opcode) * 64 + static_cast<std::uint64_t>(i.function);
+  return (operands ^ (operation << 48U)) * 0x9E3779B97F4A7C15U;
+}
+
 std::size_t operand_count(const Instruction& instruction) {
   if (instruction.opcode == Opcode::call) return function_row(instruction.function).arity;
   return opcode_row(instruction.opcode).operands;

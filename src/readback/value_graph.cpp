@@ -47,13 +47,6 @@ SignedNode negated(SignedNode x) {
   return x;
 }
 
-std::size_t ValueGraph::Hash::operator()(const Instruction& i) const {
-  const auto kind =
-      static_cast<std::uint64_t>(i.opcode) * 64 + static_cast<std::uint64_t>(i.function);
-  const std::uint64_t operands = (std::uint64_t{i.a} << 32U) | i.b;
-  return std::hash<std::uint64_t>()((operands ^ (kind << 57U) ^ kind) * 0x9E3779B97F4A7C15U);
-}
-
 SignedNode ValueGraph::node(const Instruction& instruction) {
   const auto next = static_cast<std::uint32_t>(nodes_.size());
   const auto [known, is_new] = known_.emplace(instruction, next);

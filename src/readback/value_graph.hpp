@@ -63,9 +63,6 @@ class ValueGraph {
   [[nodiscard]] std::string text(const LeafNames& leaves, SignedNode value) const;
 
  private:
-  struct Hash {
-    [[nodiscard]] std::size_t operator()(const Instruction& i) const;
-  };
   struct Less {
     [[nodiscard]] bool operator()(const cln::cl_R& x, const cln::cl_R& y) const { return x < y; }
   };
@@ -76,7 +73,7 @@ class ValueGraph {
 
   std::optional<ScalarKind> scalar_;
   std::vector<Instruction> nodes_;  ///< operands: twice the node, plus 1 for a minus
-  std::unordered_map<Instruction, std::uint32_t, Hash> known_;
+  std::unordered_map<Instruction, std::uint32_t, InstructionHash> known_;
   std::vector<cln::cl_R> constants_;
   std::map<cln::cl_R, std::uint32_t, Less> known_constants_;
   std::unordered_map<std::uint32_t, std::string> names_;

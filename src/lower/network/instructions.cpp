@@ -3,13 +3,6 @@
 
 namespace elgen {
 
-std::size_t Instructions::Hash::operator()(const Instruction& i) const {
-  const std::uint64_t operands = (std::uint64_t{i.a} << 32U) | i.b;
-  const auto operation =
-      static_cast<std::uint64_t>(i.opcode) * 64 + static_cast<std::uint64_t>(i.function);
-  return (operands ^ (operation << 48U)) * 0x9E3779B97F4A7C15U;
-}
-
 Instructions::Instructions(Function& function) : function_(function) {
   for (std::uint32_t at = 0; at < function.instructions.size(); ++at) {
     known_.emplace(function.instructions[at], at);

@@ -16,12 +16,8 @@ class Instructions {
   std::uint32_t add(Opcode opcode, std::uint32_t a, std::uint32_t b = 0);
 
  private:
-  struct Hash {
-    std::size_t operator()(const Instruction& i) const;
-  };
-
   Function& function_;
-  std::unordered_map<Instruction, std::uint32_t, Hash> known_ = {};
+  std::unordered_map<Instruction, std::uint32_t, InstructionHash> known_ = {};
 };
 
 }  // namespace elgen
