@@ -22,32 +22,22 @@ struct PerLeaf {
 template <class T>
 using LeafValues = PerLeaf<std::vector<T>, T>;
 
-/// list(kind) of every kind with many leaves, one(time) of time; `each` are leaves of any type.
-template <class Lists, class Ones, class... Leaves>
-[[nodiscard]] auto map_kinds(const Lists& lists, const Ones& one, const Leaves&... each) {
-  using List = decltype(lists(each.parameters...));
-  using One = decltype(one(each.t...));
-  // In this order: what draws numbers gives the same everywhere.
-  PerLeaf<List, One> result;
-#define ELGEN_LEAVES(kind, member, ...) result.member = lists(each.member...);
-#define ELGEN_LEAF(kind, member, ...) result.member = one(each.member...);
+/// f of every leaf of one or more lists of the same lengths, in their order: what draws numbers
+/// gives the same everywhere.
+template <class F, class First, class... Others>
+[[nodiscard]] auto map_leaves(const F& f, const LeafValues<First>& first,
+                              const LeafValues<Others>&... others) {
+  LeafValues<decltype(f(first.t, others.t...))> result;
+#define ELGEN_LEAVES(kind, member, ...)                               \
+  result.member.reserve(first.member.size());                         \
+  for (std::size_t i = 0; i < first.member.size(); ++i) {             \
+    result.member.push_back(f(first.member[i], others.member[i]...)); \
+  }
+#define ELGEN_LEAF(kind, member, ...) result.member = f(first.member, others.member...);
 #include "elgen/leaves.def"
 #undef ELGEN_LEAVES
 #undef ELGEN_LEAF
   return result;
-}
-
-/// f of every leaf of one or more lists of the same lengths.
-template <class F, class First, class... Others>
-[[nodiscard]] auto map_leaves(const F& f, const LeafValues<First>& first,
-                              const LeafValues<Others>&... others) {
-  const auto list = [&f](const std::vector<First>& values, const std::vector<Others>&... more) {
-    std::vector<decltype(f(values[0], more[0]...))> result;
-    result.reserve(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) result.push_back(f(values[i], more[i]...));
-    return result;
-  };
-  return map_kinds(list, f, first, others...);
 }
 
 /// f(kind, number, leaf, ...) of every leaf of one or more lists of the same lengths.
