@@ -1,19 +1,13 @@
 // picture: sections that hold comments alone are left out, for comments are no tokens.
 #include "readback/picture.hpp"
 
-#include <stdexcept>
-
 #include "elgen/templates.hpp"
 
 namespace elgen {
 namespace {
 
-std::string_view folder_of(std::string_view path) { return path.substr(0, path.find('/') + 1); }
-std::string_view ending_of(std::string_view path) { return path.substr(path.find('.')); }
-
 std::string filled(std::string_view path, const std::map<std::string, std::string>& known) {
-  std::string_view rest = embedded_template(path);
-  if (rest.empty()) throw std::logic_error("no template " + std::string(path));
+  std::string_view rest = template_at(path);
   std::string text;
   for (std::size_t open = rest.find("{{"); open != std::string_view::npos; open = rest.find("{{")) {
     const std::size_t close = rest.find("}}", open);
@@ -21,8 +15,7 @@ std::string filled(std::string_view path, const std::map<std::string, std::strin
     text += rest.substr(0, open);
     const auto found = known.find(name);
     if (name.front() == '>') {
-      const std::string inner = std::string(folder_of(path)) + name.substr(2);
-      text += filled(inner + std::string(ending_of(path)), known);
+      text += filled(template_beside(path, name.substr(2)), known);
     } else {
       text += found == known.end() ? "{{" + name + "}}" : found->second;
     }

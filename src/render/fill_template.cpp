@@ -2,8 +2,6 @@
 // one throws, so that a misspelt hole fails the first test that renders it.
 #include "render/fill_template.hpp"
 
-#include <fmt/format.h>
-
 #include <map>
 #include <stdexcept>
 
@@ -11,12 +9,6 @@
 
 namespace elgen {
 namespace {
-
-std::string_view template_at(std::string_view path) {
-  const std::string_view text = embedded_template(path);
-  if (text.empty()) throw std::logic_error(fmt::format("no template {}", path));
-  return text;
-}
 
 class StrictContext final : public kainjow::mustache::context<std::string> {
  public:
@@ -27,9 +19,7 @@ class StrictContext final : public kainjow::mustache::context<std::string> {
     return known(Base::get(name), name);
   }
   [[nodiscard]] const TemplateData* get_partial(const std::string& name) const override {
-    const std::string_view folder = path_.substr(0, path_.find('/') + 1);
-    const std::string_view ending = path_.substr(path_.find('.'));
-    std::string text(template_at(fmt::format("{}{}{}", folder, name, ending)));
+    std::string text(template_at(template_beside(path_, name)));
     text.pop_back();  // the line it stands on ends in the other template
     return &partials_.insert_or_assign(name, TemplateData(text)).first->second;
   }
