@@ -24,6 +24,12 @@ double decimal_exponent(const cln::cl_R& x) {
   return (bits(cln::numerator(r)) - bits(cln::denominator(r))) * log10_of_2;
 }
 
+cln::cl_R largest_of(const std::vector<cln::cl_R>& values) {
+  cln::cl_R largest = 0;
+  for (const cln::cl_R& value : values) largest = cln::max(largest, cln::abs(value));
+  return largest;
+}
+
 cln::cl_RA exact_value(double value) {
   if (!std::isfinite(value)) return 0;
   // CLN has no denormals, so the exponent is applied to an integer significand.

@@ -4,6 +4,8 @@
 #include <cln/rational.h>
 #include <cln/real.h>
 
+#include <vector>
+
 namespace elgen {
 
 [[nodiscard]] bool is_rational(const cln::cl_R& value);
@@ -13,6 +15,9 @@ namespace elgen {
 
 /// log10 |x| to within one, of numbers of any size; 0 of 0.
 [[nodiscard]] double decimal_exponent(const cln::cl_R& x);
+
+/// The largest magnitude; 0 where there is none.
+[[nodiscard]] cln::cl_R largest_of(const std::vector<cln::cl_R>& values);
 
 /// The rational a binary number is; 0 where it is none.
 [[nodiscard]] cln::cl_RA exact_value(double value);

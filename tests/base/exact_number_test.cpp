@@ -17,6 +17,11 @@ TEST_CASE("binary numbers become the rationals they are, denormals too") {
   CHECK(exact_value(std::numeric_limits<double>::denorm_min()) == smallest);
 }
 
+TEST_CASE("the largest number counts by its magnitude") {
+  CHECK(largest_of({}) == 0);
+  CHECK(largest_of({1, -3, 2}) == 3);
+}
+
 TEST_CASE("powers of ten are exact in both directions") {
   CHECK(power_of_ten(0) == 1);
   CHECK(power_of_ten(3) == 1000);

@@ -2,16 +2,11 @@
 // ones.
 #include "verify/bounds/oracle_cache.hpp"
 
+#include "base/exact_number.hpp"
 #include "check/names/requests.hpp"
 #include "elgen/oracle.hpp"
 
 namespace elgen {
-
-cln::cl_R largest_of(const std::vector<cln::cl_R>& values) {
-  cln::cl_R largest = 0;
-  for (const cln::cl_R& value : values) largest = cln::max(largest, cln::abs(value));
-  return largest;
-}
 
 const OracleValues& OracleCache::values(const OutputRequest& request) {
   const auto key = std::make_pair(request.kind, request.user);

@@ -9,9 +9,6 @@
 
 namespace elgen {
 
-/// The largest magnitude; 0 where there is none.
-[[nodiscard]] cln::cl_R largest_of(const std::vector<cln::cl_R>& values);
-
 class OracleCache {
  public:
   OracleCache(const Subject& subject, State state) : subject_(subject), state_(std::move(state)) {}

@@ -7,9 +7,9 @@
 
 #include <algorithm>
 
+#include "base/exact_number.hpp"
 #include "base/random.hpp"
 #include "check/names/requests.hpp"
-#include "verify/bounds/oracle_cache.hpp"
 #include "verify/states/tally.hpp"
 #include "verify/structure/proofs.hpp"
 
