@@ -86,8 +86,7 @@ std::vector<EntrySyntax> EntryReader::read(const TomlValue& root) {
 }
 
 const EntryRow* EntryReader::find(std::string_view name) const {
-  const auto row =
-      std::find_if(rows_.begin(), rows_.end(), [&](const EntryRow& r) { return r.entry == name; });
+  const auto row = std::ranges::find(rows_, name, &EntryRow::entry);
   return row == rows_.end() ? nullptr : &*row;
 }
 

@@ -67,8 +67,7 @@ Result<FileSyntax> read_file(SourcePointer source, FileKind kind, const Limits& 
 }
 
 const KeySyntax* find_key(const std::vector<KeySyntax>& keys, std::string_view key) {
-  const auto found = std::find_if(keys.begin(), keys.end(),
-                                  [&](const KeySyntax& candidate) { return candidate.key == key; });
+  const auto found = std::ranges::find(keys, key, &KeySyntax::key);
   return found == keys.end() ? nullptr : &*found;
 }
 

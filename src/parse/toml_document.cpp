@@ -70,8 +70,7 @@ std::vector<TomlEntry> DocumentBuilder::entries(const toml::table& table) const 
 }  // namespace
 
 const TomlEntry* find_entry(const std::vector<TomlEntry>& entries, std::string_view key) {
-  const auto found = std::find_if(entries.begin(), entries.end(),
-                                  [&](const TomlEntry& entry) { return entry.key == key; });
+  const auto found = std::ranges::find(entries, key, &TomlEntry::key);
   return found == entries.end() ? nullptr : &*found;
 }
 

@@ -158,8 +158,7 @@ std::array<const KeySyntax*, 2> first_two(const EntrySyntax& entry,
 
 const EntrySyntax* find_entry(const FileSyntax* file, std::string_view name) {
   if (file == nullptr) return nullptr;
-  const auto found = std::find_if(file->entries.begin(), file->entries.end(),
-                                  [&](const EntrySyntax& entry) { return entry.name == name; });
+  const auto found = std::ranges::find(file->entries, name, &EntrySyntax::name);
   return found == file->entries.end() ? nullptr : &*found;
 }
 
