@@ -1,0 +1,68 @@
+// conditioning: every instruction's slopes by its operands once, then one sweep for each value.
+#include "evaluate/conditioning.hpp"
+
+#include <utility>
+
+namespace elgen {
+namespace {
+
+/// Operands, of which one moves.
+struct OneMoves {
+  const std::vector<Real>& values;
+  std::uint32_t moving;
+
+  [[nodiscard]] Dual<Real> operator[](std::uint32_t at) const {
+    return {values[at], Real(at == moving ? 1 : 0)};
+  }
+};
+
+bool is_zero(const Real& x) { return x.is_defined() && cln::zerop(x.value()); }
+
+}  // namespace
+
+Conditioning::Conditioning(const Program& program, const Function& function,
+                           std::vector<Real> values, const Rounding& rounding, Literals literals)
+    : program_(program),
+      function_(function),
+      rounding_(rounding),
+      literals_(literals),
+      values_(std::move(values)) {
+  slopes_.reserve(values_.size());
+  for (const Instruction& i : function.instructions) {
+    const std::size_t operands = operand_count(i);
+    Slopes& slopes = slopes_.emplace_back();
+    if (operands > 0) slopes.by_a = slope(i, i.a);
+    if (operands > 1 && i.b != i.a) slopes.by_b = slope(i, i.b);
+  }
+}
+
+Real Conditioning::slope(const Instruction& i, std::uint32_t operand) const {
+  static const Arguments<Dual<Real>> no_leaves;
+  const interpreter::NumberRules<Dual<Real>> rules{no_leaves};
+  return folded(rules, program_, i, OneMoves{values_, operand}).slope;
+}
+
+bool Conditioning::is_rounded(const Instruction& i) const {
+  if (is_leaf(i.opcode)) return true;
+  if (i.opcode != Opcode::constant) return false;
+  const Bound literal = leaf_bound(program_.constants[i.a].value, rounding_);
+  return literals_ == Literals::all ? !is_power_of_two(literal.value) : !literal.exact;
+}
+
+Real Conditioning::of(std::uint32_t instruction) const {
+  std::vector<Real> adjoints(instruction + 1);
+  adjoints[instruction] = Real(1);
+  Real sum;
+  for (std::size_t at = instruction + 1; at-- > 0;) {
+    const Instruction& i = function_.instructions[at];
+    const Real adjoint = adjoints[at];
+    if (is_zero(adjoint)) continue;
+    if (is_rounded(i)) sum = sum + abs(adjoint * values_[at]);
+    const std::size_t operands = operand_count(i);
+    if (operands > 0) adjoints[i.a] = adjoints[i.a] + adjoint * slopes_[at].by_a;
+    if (operands > 1) adjoints[i.b] = adjoints[i.b] + adjoint * slopes_[at].by_b;
+  }
+  return sum;
+}
+
+}  // namespace elgen
