@@ -102,23 +102,24 @@ struct Reach {
   std::vector<double> tiny;
   std::vector<double> angles;
   std::vector<double> rates;
-  double parameter_ratio;
+  std::vector<double> ratios;  ///< of parameters
 };
 
 template <class Scalar>
 Reach reach() {
   const double denormal = std::numeric_limits<Scalar>::denorm_min();
   if constexpr (std::is_same_v<Scalar, float>) {
-    return {{1e-12, 1e-30, 1e-37, denormal}, {1e3, 1e4}, {1e3, 1e7, 1e18}, 1e3};
+    return {{1e-12, 1e-30, 1e-37, denormal}, {1e3, 1e4}, {1e3, 1e7, 1e18}, {1e3}};
   } else {
     return {{1e-12, 1e-30, 1e-150, 1e-300, denormal},
             {1e3, 1e8, 1e15},
             {1e3, 1e30, 1e60, 1e150, 1e300},
-            1e12};
+            {1e3, 1e6, 1e12}};
   }
 }
 
-/// Makes the extremes, each from a fresh nominal state so that only one thing is extreme at a time.
+/// Makes the extremes, each from a fresh nominal state: one thing at a time, and then what loses
+/// digits together.
 class Extremes {
  public:
   Extremes(const Subject& subject, Random& random)
@@ -136,9 +137,10 @@ class Extremes {
       set_positions(fmt::format("angles {:g}", size), size, true);
     }
     for (const double size : reach.rates) set_rates(fmt::format("rates {:g}", size), size);
-    ratios(reach.parameter_ratio);
-    ratios(1 / reach.parameter_ratio);
+    ratios(reach.ratios.back());
+    ratios(1 / reach.ratios.back());
     charts();
+    combinations(reach.ratios);
     return std::move(states_);
   }
 
@@ -183,6 +185,35 @@ class Extremes {
         if (is_angle(subject_.model.coordinates[i])) values.q[i] = angle + distance;
       }
     }
+  }
+
+  /// Each parameter far from its value, where angles are near multiples of a right one, nearly the
+  /// same, or tiny: sums of masses or lengths that cancel, and quotients of what is left of them.
+  void combinations(const std::vector<double>& ratios) {
+    for (std::size_t i = 0; i < subject_.model.parameters.size(); ++i) {
+      for (const double ratio : ratios) {
+        combination(i, ratio);
+        combination(i, 1 / ratio);
+      }
+    }
+  }
+
+  void combination(std::size_t parameter, double ratio) {
+    const std::string name =
+        fmt::format("{} times {:g}", subject_.model.parameters[parameter].name, ratio);
+    const double common = random_.uniform(-pi, pi);
+    const auto add_with = [&](const char* where, const auto& angle) {
+      Arguments<double>& values = add(fmt::format("{}, angles {}", name, where));
+      values.parameters[parameter] *= ratio;
+      for (std::size_t i = 0; i < values.q.size(); ++i) {
+        if (is_angle(subject_.model.coordinates[i])) values.q[i] = angle();
+      }
+    };
+    const auto sign = [&] { return random_.uniform(-1, 1) < 0 ? -1.0 : 1.0; };
+    add_with("near right ones",
+             [&] { return std::floor(random_.uniform(-2, 3)) * (pi / 2) + sign() * 1e-8; });
+    add_with("nearly equal", [&] { return common + sign() * random_.uniform(0.5, 1) * 1e-3; });
+    add_with("tiny", [&] { return sign() * 1e-8; });
   }
 
   const Subject& subject_;

@@ -13,7 +13,8 @@ enum class Region : std::uint8_t {
   nominal,  ///< uniform over the ranges; parameters at their value
   small,    ///< magnitudes 1e-12 … 1e-3
   large,    ///< magnitudes 1e-8 … 1e8
-  extreme,  ///< ends of ranges, denormals, big angles and rates, parameter ratios, singular charts
+  extreme,  ///< ends of ranges, denormals, big angles and rates, parameter ratios, singular charts,
+            ///< and ratios together with angles at which sums cancel
 };
 
 template <class Scalar>
