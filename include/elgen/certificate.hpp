@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "elgen/choose.hpp"
 #include "elgen/closed_forms.hpp"
 #include "elgen/diagnostic.hpp"
 #include "elgen/emitted_files.hpp"
@@ -18,7 +19,12 @@
 
 namespace elgen {
 
-enum class Verdict : std::uint8_t { holds, fails, skipped };
+enum class Verdict : std::uint8_t {
+  holds,
+  fails,
+  skipped,
+  noted,  ///< digits are lost that no single formula keeps
+};
 
 /// Why nothing is said at a state.
 enum class Obstacle : std::uint8_t {
@@ -80,6 +86,9 @@ struct VerifyOptions {
   ClosedForms* forms = nullptr;
   /// The needed parts in recursive form; without them solutions are judged by the code's own bound.
   const Program* parts = nullptr;
+  /// The ways to write functions that losses are measured by; without them losses are not looked
+  /// at.
+  const std::vector<Way>* ways = nullptr;
   /// Told of each step: "accuracy in double, state 3 of 36".
   std::function<void(const std::string&)> on_step = {};
 };
@@ -97,7 +106,7 @@ struct Verification {
 [[nodiscard]] std::size_t count(const Certificate& certificate, Verdict verdict);
 [[nodiscard]] bool holds(const Certificate& certificate);
 
-/// "cart_pole, scene balance: 41 checks hold, 0 fail, 2 skipped"
+/// "cart_pole, scene balance: 41 checks hold, 0 fail, 2 skipped", and ", 1 noted" where some are
 [[nodiscard]] std::string verdict_line(const Certificate& certificate);
 /// A line per output, what fails or is skipped in full, and the verdict.
 [[nodiscard]] std::string to_text(const Certificate& certificate);

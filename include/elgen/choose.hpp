@@ -27,9 +27,16 @@ struct FormCosts {
   bool is_asked_for = false;  ///< by the scene, whatever it costs
 };
 
+/// One way to write functions, emitted or not: what loses digits in one may keep them in another.
+struct Way {
+  std::string name = {};  ///< "recursive form"
+  Program program = {};
+};
+
 struct Choice {
   Program program = {};               ///< with `readable` filled
   std::vector<FormCosts> costs = {};  ///< parallel to program.functions
+  std::vector<Way> ways = {};         ///< of the exact model
 };
 
 /// `recursive` is the program the closed forms were made of. E608: a closed form is asked for that

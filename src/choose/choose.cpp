@@ -149,6 +149,9 @@ class Choosing {
       Diagnostics errors = choose_form(i);
       if (!errors.empty()) return errors;
     }
+    known_.program.leaves = recursive_.leaves;
+    known_.program.constants = result_.program.constants;
+    result_.ways.push_back(std::move(known_));
     return std::move(result_);
   }
 
@@ -186,6 +189,7 @@ class Choosing {
         is_reduced(function) ? Form::closed : wish_for(scene_, function);
     const bool wants_closed = wish == Form::closed;
     result_.program.functions[index] = finished(function);
+    if (!is_reduced(function)) known_.program.functions.push_back(result_.program.functions[index]);
     FormCosts costs{function.name, count_operations(result_.program.functions[index])};
     costs.is_asked_for = wish_for(scene_, function).has_value();
     Function closed;
@@ -250,6 +254,7 @@ class Choosing {
   std::map<std::string, ReadableEntries> entries_;
   std::set<std::string> reduced_;  ///< names of functions
   std::string normalized_;         ///< name of the function of that kind
+  Way known_{"recursive form", {}};
   Choice result_;
 };
 

@@ -27,8 +27,8 @@ using Json = nlohmann::ordered_json;
 using Rows = std::vector<const CertificateRow*>;
 using OutputRows = std::pair<std::string, Rows>;
 
-constexpr std::array<std::string_view, 3> verdict_words{"holds", "FAILS", "skipped"};
-constexpr std::array<std::string_view, 3> verdict_names{"holds", "fails", "skipped"};
+constexpr std::array<std::string_view, 4> verdict_words{"holds", "FAILS", "skipped", "noted"};
+constexpr std::array<std::string_view, 4> verdict_names{"holds", "fails", "skipped", "noted"};
 constexpr std::array<std::string_view, 4> obstacle_words{
     "overflow", "outside the domain", "too ill-conditioned to bound", "singular"};
 constexpr std::array<std::string_view, 4> obstacle_names{"overflow", "undefined", "ill_conditioned",
@@ -136,11 +136,14 @@ void append_output(std::string& text, const std::string& name, const Rows& rows,
       fmt::format("  {:<8} {:<{}}  {}\n", word(verdict_words, verdict), name, width, summary(rows));
   for (const CertificateRow* row : rows) {
     if (row->verdict == Verdict::holds) continue;
-    const std::string_view prefix = row->verdict == Verdict::skipped ? "skipped: " : "";
-    text += fmt::format("           {}{}, {}\n", prefix, row->check, row->subject);
     const bool fails = row->verdict == Verdict::fails;
-    append_detail(text, fails ? "worst" : "because", fails ? row->worst : skipped_text(*row));
+    const bool is_skipped = row->verdict == Verdict::skipped;
+    const std::string prefix = fails ? "" : fmt::format("{}: ", word(verdict_words, row->verdict));
+    text += fmt::format("           {}{}, {}\n", prefix, row->check, row->subject);
+    append_detail(text, is_skipped ? "because" : "worst",
+                  is_skipped ? skipped_text(*row) : row->worst);
     if (fails) append_details(text, *row);
+    if (row->verdict == Verdict::noted) append_detail(text, "worst at", row->where);
   }
 }
 
@@ -152,9 +155,11 @@ std::string heading(const Certificate& certificate) {
 std::string counts(const Certificate& certificate) {
   const std::size_t held = count(certificate, Verdict::holds);
   const std::size_t failed = count(certificate, Verdict::fails);
-  return fmt::format("{} hold{}, {} fail{}, {} skipped", counted(held, "check"),
+  const std::size_t noted = count(certificate, Verdict::noted);
+  return fmt::format("{} hold{}, {} fail{}, {} skipped{}", counted(held, "check"),
                      held == 1 ? "s" : "", failed, failed == 1 ? "s" : "",
-                     count(certificate, Verdict::skipped));
+                     count(certificate, Verdict::skipped),
+                     noted > 0 ? fmt::format(", {} noted", noted) : "");
 }
 
 Json json_of(const CertificateRow& row) {
@@ -222,6 +227,7 @@ std::string to_json(const Certificate& certificate) {
                   {"holds", count(certificate, Verdict::holds)},
                   {"fails", count(certificate, Verdict::fails)},
                   {"skipped", count(certificate, Verdict::skipped)},
+                  {"noted", count(certificate, Verdict::noted)},
                   {"checks", checks}};
   return json.dump(2) + "\n";
 }

@@ -28,7 +28,7 @@ class SelfChecking {
 
   /// Visits all functions at one state.
   void visit(const SampledState<double>& sample) {
-    Visit<double> visit(subject_, sample, Comparison::projections, parts_);
+    Visit<double> visit(subject_, sample, {Comparison::projections, parts_});
     states_.push_back(visit.state());
     bool is_compared = false;
     bool is_outside = false;

@@ -89,7 +89,8 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
   const Subject subject{model, scene, program};
   const auto doubles = states_for<double>(subject, options);
   const auto floats = states_for<float>(subject, options);
-  const AccuracyOptions accuracy{comparison_for(model, options), options.parts, options.on_step};
+  const AccuracyOptions accuracy{{comparison_for(model, options), options.parts, options.ways},
+                                 options.on_step};
 
   Verification result;
   result.certificate = {model.name, scene.name.empty() ? "full" : scene.name, options.seed, {}};

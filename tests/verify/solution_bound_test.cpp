@@ -56,7 +56,7 @@ std::vector<SolvedColumn> columns_at(const System& system, double c) {
 Finding finding_at(const System& system, double c, const Program* parts) {
   const Subject subject = system.subject();
   const SampledState<double> sample = state_with(system, c);
-  Visit<double> visit(subject, sample, Comparison::entries, parts);
+  Visit<double> visit(subject, sample, {Comparison::entries, parts});
   Random random(1);
   return visit.look_at(field_places(subject, 2).front(), random);
 }
@@ -139,7 +139,7 @@ TEST_CASE("the tolerance names what judged") {
   const std::vector<SampledState<double>> states{state_with(system, 0.5)};
   const auto tolerance = [&](const Program* parts) {
     AccuracyOptions options;
-    options.parts = parts;
+    options.visit.parts = parts;
     for (const CertificateRow& row : check_accuracy(system.subject(), states, options)) {
       if (row.subject == "forward_dynamics.acceleration (double)") return row.tolerance;
     }

@@ -20,7 +20,7 @@ SampledState<double> state_of(const System& system, Region region = Region::nomi
 Finding first_finding(const System& system, Comparison comparison,
                       const SampledState<double>& state) {
   const Subject subject = system.subject();
-  Visit<double> visit(subject, state, comparison, nullptr);
+  Visit<double> visit(subject, state, {comparison});
   Random random(1);
   return visit.look_at(field_places(subject).front(), random);
 }

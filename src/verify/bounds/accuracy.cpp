@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "elgen/outputs.hpp"
+#include "verify/bounds/avoidable_loss.hpp"
 #include "verify/states/tally.hpp"
 
 namespace elgen {
@@ -35,6 +36,7 @@ struct FieldRecord {
   std::map<Regime, std::size_t> states = {};
   std::string mistake = {};  ///< the first that is wrong, and where
   std::string mistake_at = {};
+  LossRecord losses = {};
 };
 
 void add(FieldRecord& record, const Finding& finding, const Subject& subject, const State& state) {
@@ -85,15 +87,19 @@ std::string reason(const FieldRecord& record) {
   return fmt::format("{}; at {} of the states {}", solution_reason, others, own_reason);
 }
 
+/// What is compared, in words: the field, and the scalar.
+std::string subject_of(const FieldPlace& place, const char* scalar) {
+  const std::string& field = place.field().name;
+  return fmt::format("{}{}{} ({})", place.function->name, field.empty() ? "" : ".", field, scalar);
+}
+
 CertificateRow row_of(const Subject& subject, const FieldRecord& record, const char* scalar,
                       const AccuracyOptions& options) {
-  const Field& field = record.place.field();
   CertificateRow row;
   row.check = "program vs oracle";
   row.output = record.place.function->name;
-  row.subject =
-      fmt::format("{}{}{} ({})", row.output, field.name.empty() ? "" : ".", field.name, scalar);
-  row.formula = options.comparison == Comparison::entries
+  row.subject = subject_of(record.place, scalar);
+  row.formula = options.visit.comparison == Comparison::entries
                     ? "|x - x*| / (u B); x* each entry"
                     : "|x - x*| / (u B); x* by one random projection";
   row.samples = record.compared;
@@ -132,16 +138,25 @@ std::vector<CertificateRow> check_accuracy(const Subject& subject,
     if (options.on_step) {
       options.on_step(fmt::format("accuracy in {}, state {} of {}", scalar, i + 1, states.size()));
     }
-    Visit<Scalar> visit(subject, states[i], options.comparison, options.parts);
+    Visit<Scalar> visit(subject, states[i], options.visit);
     for (FieldRecord& record : records) {
       const OutputKind kind = record.place.request.kind;
-      if (!is_due(kind, visit.state().v.size(), i, options.comparison)) continue;
-      add(record, visit.look_at(record.place, random), subject, visit.state());
+      if (!is_due(kind, visit.state().v.size(), i, options.visit.comparison)) continue;
+      const Finding finding = visit.look_at(record.place, random);
+      add(record, finding, subject, visit.state());
+      record.losses.add(record.place, finding, visit, i);
     }
   }
   std::vector<CertificateRow> rows;
   for (const FieldRecord& record : records) {
     rows.push_back(row_of(subject, record, scalar, options));
+  }
+  if (options.visit.ways == nullptr) return rows;
+  for (const FieldRecord& record : records) {
+    CertificateRow row = record.losses.row(record.place, subject, states, options.visit);
+    row.output = record.place.function->name;
+    row.subject = subject_of(record.place, scalar);
+    rows.push_back(std::move(row));
   }
   return rows;
 }

@@ -11,12 +11,12 @@ namespace elgen {
 
 /// How check_accuracy goes about it.
 struct AccuracyOptions {
-  Comparison comparison = Comparison::entries;
-  const Program* parts = nullptr;  ///< of SolutionBounds
+  VisitOptions visit = {};
   std::function<void(const std::string&)> on_step = {};
 };
 
-/// One row per output and field. A state fails where the exact value of the program is not the
+/// One row per output and field, and another of what it loses where options.visit.ways are known. A
+/// state fails where the exact value of the program is not the
 /// oracle's (to 50 digits of its bound) or, at a nominal state, is undefined where the oracle has
 /// one, and where the rounded value is further off than promised.
 template <class Scalar>

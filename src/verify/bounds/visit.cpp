@@ -63,13 +63,13 @@ bool says_something(const std::vector<Bound>& entries, const Real& roundoff) {
 
 template <class Scalar>
 Visit<Scalar>::Visit(const Subject& subject, const SampledState<Scalar>& sample,
-                     Comparison comparison, const Program* parts)
+                     const VisitOptions& options)
     : subject_(subject),
       sample_(sample),
-      comparison_(comparison),
-      parts_(parts),
+      options_(options),
       oracle_(subject, exact_state(subject, sample.values)),
-      solutions_(parts, oracle_.state(), rounding<Scalar>()) {}
+      solutions_(options.parts, oracle_.state(), rounding<Scalar>()),
+      losses_(subject, oracle_.state(), rounding<Scalar>()) {}
 
 template <class Scalar>
 void Visit<Scalar>::run(const FieldPlace& place) {
@@ -78,7 +78,7 @@ void Visit<Scalar>::run(const FieldPlace& place) {
     exact_ = bounded_run(subject_.program, *function_, state(), rounding<Scalar>());
     values_ = evaluate(subject_.program, *function_, sample_.values);
     const bool is_repeated =
-        comparison_ == Comparison::projections && function_->fields.size() == 1;
+        options_.comparison == Comparison::projections && function_->fields.size() == 1;
     if (is_repeated) known_[function_->name] = exact_.entries;
   }
   if (!place.judge.is_closed_form || place.judge.function == judge_) return;
@@ -239,12 +239,44 @@ void Visit<Scalar>::measure(const FieldPlace& place, const Judged& judged, Findi
   }
 }
 
+/// Exact values have 60 digits of the largest of what they are made of: errors that are no larger
+/// than what is left out of them say nothing, nor do those of what underflows on the way.
+template <class Scalar>
+std::optional<Loss> Visit<Scalar>::measured_loss(const FieldPlace& place, const Judged& judged) {
+  static const Real negligible(power_of_ten(-45));
+  const std::size_t operations = place.function->instructions.size();
+  std::vector<Real> errors;
+  std::vector<Real> exact;
+  for (std::size_t i = 0; i < judged.entries.size(); ++i) {
+    const Bound& own = exact_.entries[place.first + i];
+    if (!own.value.is_defined()) return std::nullopt;
+    const Real error =
+        excess_error(values_[place.first + i], own.value, operations, rounding<Scalar>());
+    const bool is_known = error.value() > (own.bound * negligible).value();
+    errors.push_back(is_known && !own.underflows ? error : Real());
+    exact.push_back(own.value);
+  }
+  return losses_.of_field(place, errors, exact, judged.columns);
+}
+
+template <class Scalar>
+std::vector<bool> Visit<Scalar>::keeping_ways(const FieldPlace& place,
+                                              const std::vector<FieldWay>& ways) {
+  run(place);
+  const Judged judged = this->judged(place);
+  std::vector<bool> keep;
+  for (const FieldWay& way : ways) {
+    keep.push_back(!has_values(judged.regime) || losses_.keeps(place, way, judged.columns));
+  }
+  return keep;
+}
+
 template <class Scalar>
 Finding Visit<Scalar>::look_at(const FieldPlace& place, Random& random) {
   Finding first = found(place, random);
   if (first.mistake.empty()) return first;
   const MoreDigits twice(digits_of_second_look);
-  return Visit(subject_, sample_, comparison_, parts_).found(place, random);
+  return Visit(subject_, sample_, options_).found(place, random);
 }
 
 template <class Scalar>
@@ -255,11 +287,13 @@ Finding Visit<Scalar>::found(const FieldPlace& place, Random& random) {
   finding.regime = judged.regime;
   // At ordinary states the oracle is asked all the same: what has a value there must have one here.
   if (!has_values(judged.regime) && sample_.region != Region::nominal) return finding;
-  finding.mistake = comparison_ == Comparison::entries
+  finding.mistake = options_.comparison == Comparison::entries
                         ? differing_entry(place, judged, finding)
                         : differing_projection(place, judged, random);
   const bool is_measured = finding.mistake.empty() && finding.regime == Regime::regular;
   if (is_measured) measure(place, judged, finding);
+  const bool can_lose = finding.mistake.empty() && has_values(judged.regime);
+  if (options_.ways != nullptr && can_lose) finding.loss = measured_loss(place, judged);
   return finding;
 }
 

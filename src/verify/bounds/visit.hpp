@@ -11,6 +11,7 @@
 #include "base/random.hpp"
 #include "evaluate/states.hpp"
 #include "verify/bounds/field_place.hpp"
+#include "verify/bounds/loss.hpp"
 #include "verify/bounds/oracle_cache.hpp"
 #include "verify/bounds/solution_bound.hpp"
 
@@ -36,21 +37,38 @@ struct Finding {
   std::string imprecision = {};      ///< the entry of an error that breaks the promise
   double cancellation = 0;           ///< largest B/|x|
   std::vector<double> ulps = {};     ///< of entries that are not 0
+  std::optional<Loss> loss = {};     ///< none where it is not asked for, or cannot be told
+};
+
+/// How a program is looked at.
+struct VisitOptions {
+  Comparison comparison = Comparison::entries;
+  const Program* parts = nullptr;          ///< of SolutionBounds
+  const std::vector<Way>* ways = nullptr;  ///< of functions; without them losses are not looked at
 };
 
 /// Scalar: double or float.
 template <class Scalar>
 class Visit {
  public:
-  /// `parts` of SolutionBounds may be null. `sample` and `subject` outlive the visit.
-  Visit(const Subject& subject, const SampledState<Scalar>& sample, Comparison comparison,
-        const Program* parts);
+  /// All that is referred to outlives the visit.
+  Visit(const Subject& subject, const SampledState<Scalar>& sample, const VisitOptions& options);
 
   [[nodiscard]] const State& state() const { return oracle_.state(); }
 
   /// `random` gives the directions of projections. Fields of one function one after another cost
   /// one run of it.
   [[nodiscard]] Finding look_at(const FieldPlace& place, Random& random);
+
+  /// The instruction that a loss of the field's entry comes from.
+  [[nodiscard]] std::uint32_t culprit(const FieldPlace& place, std::size_t entry) {
+    return losses_.culprit(place, entry);
+  }
+
+  /// Whether each way to write the field keeps the digits that another does; true where nothing has
+  /// a value.
+  [[nodiscard]] std::vector<bool> keeping_ways(const FieldPlace& place,
+                                               const std::vector<FieldWay>& ways);
 
  private:
   /// Bounds of the field's entries by whoever judges them.
@@ -71,6 +89,7 @@ class Visit {
                                            const std::vector<Bound>& others,
                                            std::string_view of) const;
   void measure(const FieldPlace& place, const Judged& judged, Finding& finding) const;
+  [[nodiscard]] std::optional<Loss> measured_loss(const FieldPlace& place, const Judged& judged);
   void add_error(const FieldPlace& place, std::size_t entry, double error, Finding& finding) const;
   [[nodiscard]] double error_in_norm(const FieldPlace& place, const SolvedColumn& column) const;
   [[nodiscard]] std::optional<double> error_of(const FieldPlace& place,
@@ -78,10 +97,10 @@ class Visit {
 
   const Subject& subject_;
   const SampledState<Scalar>& sample_;
-  Comparison comparison_;
-  const Program* parts_;
+  VisitOptions options_;
   OracleCache oracle_;
   SolutionBounds solutions_;
+  Losses losses_;
   const Function* function_ = nullptr;  ///< of the following runs
   BoundedRun exact_ = {};
   std::vector<Scalar> values_ = {};

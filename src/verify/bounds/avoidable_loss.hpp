@@ -1,0 +1,39 @@
+// avoidable loss: digits that the code of a field loses (loss.hpp), and whether one way to write it
+// keeps them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "elgen/certificate.hpp"
+#include "verify/bounds/visit.hpp"
+#include "verify/states/tally.hpp"
+
+namespace elgen {
+
+/// What the visits to all states say of the losses of one field.
+class LossRecord {
+ public:
+  /// `at` is the number of the state.
+  template <class Scalar>
+  void add(const FieldPlace& place, const Finding& finding, Visit<Scalar>& visit, std::size_t at);
+
+  /// Where the code of the field loses digits.
+  [[nodiscard]] bool has_loss() const { return !lossy_.empty(); }
+
+  /// Fails where one way keeps what is lost, at all those states and at all nominal ones; noted
+  /// where none does. Cost: nothing without a loss, else bounds of all ways at those states.
+  template <class Scalar>
+  [[nodiscard]] CertificateRow row(const FieldPlace& place, const Subject& subject,
+                                   const std::vector<SampledState<Scalar>>& states,
+                                   const VisitOptions& options) const;
+
+ private:
+  Tally figures_ = {};
+  std::size_t entry_ = 0;                ///< of the largest
+  std::uint32_t culprit_ = 0;            ///< its instruction
+  std::size_t worst_at_ = 0;             ///< its state
+  std::vector<std::size_t> lossy_ = {};  ///< states
+};
+
+}  // namespace elgen

@@ -1,0 +1,177 @@
+// loss: bounds of all ways at one state, and the least of them, each computed when asked for.
+#include "verify/bounds/loss.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "lower/graph/prune.hpp"
+
+namespace elgen {
+namespace {
+
+/// The function of this name.
+const Function* find_named(const std::vector<Function>& functions, const std::string& name) {
+  const auto found = std::ranges::find(functions, name, &Function::name);
+  return found == functions.end() || found->fields.empty() ? nullptr : &*found;
+}
+
+bool is_same(const Function& x, const Function& y) {
+  return x.instructions == y.instructions && entries_of(x) == entries_of(y);
+}
+
+/// B/|x|: how badly digits have been lost so far.
+Real lost_digits(const Bound& x) {
+  return x.value.is_defined() && cln::zerop(x.value.value()) ? x.bound : x.bound / abs(x.value);
+}
+
+bool exceeds(const Real& x, const Real& y) {
+  return x.is_defined() && y.is_defined() && x.value() > y.value();
+}
+
+std::vector<bool> entries_in(const std::vector<SolvedColumn>& columns, std::size_t count) {
+  std::vector<bool> is_in(count);
+  for (const SolvedColumn& column : columns) {
+    for (const std::size_t entry : column.entries) is_in[entry] = true;
+  }
+  return is_in;
+}
+
+Real norm(const SolvedColumn& column, const std::vector<Real>& values) {
+  Real square;
+  for (std::size_t i = 0; i < column.entries.size(); ++i) {
+    const Real weighted = values[column.entries[i]] * column.weights[i];
+    square = square + weighted * weighted;
+  }
+  return sqrt(square);
+}
+
+}  // namespace
+
+std::vector<FieldWay> field_ways(const Subject& subject, const FieldPlace& place,
+                                 const std::vector<Way>& ways) {
+  const Program& program = subject.program;
+  std::vector<FieldWay> all{{"as emitted", &program, place.function, place.first}};
+  const auto add = [&all](const FieldWay& way) {
+    const auto same = [&way](const FieldWay& known) {
+      return is_same(*known.function, *way.function);
+    };
+    if (std::ranges::none_of(all, same)) all.push_back(way);
+  };
+  const bool repeats = output_row(place.function->kind).repeats;
+  const std::string& name = repeats ? place.field().name : place.function->name;
+  if (const Function* readable = find_named(program.readable, name)) {
+    add({"closed form", &program, readable, repeats ? 0 : place.first});
+  }
+  for (const Way& way : ways) {
+    const Function* function = find_named(way.program.functions, place.function->name);
+    if (function != nullptr) add({way.name, &way.program, function, place.first});
+  }
+  return all;
+}
+
+const std::vector<Bound>& Losses::bounds(const Program& program, const Function& function) {
+  auto known = bounds_.find(&function);
+  if (known == bounds_.end()) {
+    known = bounds_.emplace(&function, bounded_values(program, function, state_, rounding_)).first;
+  }
+  return known->second;
+}
+
+/// R of an entry.
+Real Losses::reference(const FieldPlace& place, std::size_t entry) {
+  const Function& function = *place.function;
+  const std::vector<Bound>& own = bounds(subject_.program, function);
+  std::unique_ptr<Conditioning>& conditioning = conditioning_[&function];
+  if (conditioning == nullptr) {
+    std::vector<Real> values;
+    for (const Bound& bound : own) values.push_back(bound.value);
+    const bool has_fixed = !subject_.scene.specialisation.fixed.empty();
+    conditioning =
+        std::make_unique<Conditioning>(subject_.program, function, std::move(values), rounding_,
+                                       has_fixed ? Literals::all : Literals::not_binary);
+  }
+  const std::uint32_t at = place.field().entries[entry];
+  return abs(own[at].value) + conditioning->of(at);
+}
+
+Real Losses::norm_of_references(const FieldPlace& place, const SolvedColumn& column) {
+  std::vector<Real> references(place.field().entries.size());
+  for (const std::size_t entry : column.entries) references[entry] = reference(place, entry);
+  return norm(column, references);
+}
+
+Loss Losses::of_field(const FieldPlace& place, const std::vector<Real>& errors,
+                      const std::vector<Real>& exact, const std::vector<SolvedColumn>& columns) {
+  const Real tolerated(cln::cl_RA(static_cast<long>(tolerated_loss)));
+  const Real threshold = tolerated * rounding_.roundoff;
+  Loss worst;
+  const auto take = [&](const Real& error, const Real& reference, std::size_t entry) {
+    const double figure = in_bounds(error, reference, rounding_);
+    if (figure > worst.figure) worst = {figure, entry};
+  };
+  for (const SolvedColumn& column : columns) {
+    const Real error = norm(column, errors);
+    if (!exceeds(error, threshold * norm(column, exact))) continue;
+    take(error, norm_of_references(place, column), column.entries.front());
+  }
+  const std::vector<bool> by_norm = entries_in(columns, errors.size());
+  std::vector<std::pair<double, std::size_t>> most;  // what each may lose, as R >= |x*|
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    if (by_norm[i] || !exceeds(errors[i], threshold * abs(exact[i]))) continue;
+    most.emplace_back(in_bounds(errors[i], abs(exact[i]), rounding_), i);
+  }
+  std::ranges::sort(most, std::ranges::greater());
+  for (const auto& [figure, entry] : most) {
+    if (figure <= worst.figure) break;
+    take(errors[entry], reference(place, entry), entry);
+  }
+  return worst;
+}
+
+bool Losses::keeps(const FieldPlace& place, const FieldWay& way,
+                   const std::vector<SolvedColumn>& columns) {
+  static const Real tolerated(cln::cl_RA(static_cast<long>(tolerated_loss)));
+  const std::size_t count = place.field().entries.size();
+  const std::vector<std::uint32_t> entries = entries_of(*way.function);
+  const std::vector<Bound>& all = bounds(*way.program, *way.function);
+  std::vector<Real> own(count);
+  std::vector<Real> values(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    own[i] = all[entries[way.first + i]].bound;
+    values[i] = abs(all[entries[way.first + i]].value);
+  }
+  for (const SolvedColumn& column : columns) {
+    const Real bound = norm(column, own);
+    // R >= |x*|, which costs nothing.
+    if (!exceeds(bound, tolerated * norm(column, values))) continue;
+    if (exceeds(bound, tolerated * norm_of_references(place, column))) return false;
+  }
+  const std::vector<bool> by_norm = entries_in(columns, count);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (by_norm[i] || !exceeds(own[i], tolerated * values[i])) continue;
+    if (exceeds(own[i], tolerated * reference(place, i))) return false;
+  }
+  return true;
+}
+
+std::uint32_t Losses::culprit(const FieldPlace& place, std::size_t entry) {
+  const Function& function = *place.function;
+  const std::vector<Bound>& values = bounds(subject_.program, function);
+  const std::vector<bool> needed = needed_for(function, {place.field().entries[entry]});
+  std::uint32_t worst = place.field().entries[entry];
+  Real growth;
+  for (std::uint32_t at = 0; at < needed.size(); ++at) {
+    const Instruction& i = function.instructions[at];
+    const std::size_t operands = operand_count(i);
+    if (!needed[at] || operands == 0) continue;
+    Real before = lost_digits(values[i.a]);
+    if (operands > 1) before = max(before, lost_digits(values[i.b]));
+    const Real grown = lost_digits(values[at]) / before;
+    if (!exceeds(grown, growth)) continue;
+    growth = grown;
+    worst = at;
+  }
+  return worst;
+}
+
+}  // namespace elgen

@@ -1,0 +1,77 @@
+// Loss: the digits that a formula loses and another may keep, of one function at one state.
+//
+//     loss = max(0, |x - x*| - N eta) / (u R),     R = |x*| + K
+//
+// K = sum |z dx/dz| (evaluate/conditioning.hpp) is what one rounding of every input would cost, so
+// that an angle of 1e15 rad, which is known to a tenth, excuses what is made of it. A way to write
+// x keeps its digits where its error bound B is no more than 64 R. In solutions of M x = b the norm
+// |D^1/2 x| is taken of errors and of R alike. It is looked at only where |x - x*| > 64 u |x*|;
+// elsewhere it is less.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "elgen/choose.hpp"
+#include "evaluate/conditioning.hpp"
+#include "verify/bounds/field_place.hpp"
+#include "verify/bounds/solution_bound.hpp"
+
+namespace elgen {
+
+/// What rounding and a few operations explain: more is lost to the formula.
+inline constexpr double tolerated_loss = 64;
+
+/// A way to write a field: where its entries are.
+struct FieldWay {
+  std::string_view name = {};
+  const Program* program = nullptr;
+  const Function* function = nullptr;
+  std::size_t first = 0;  ///< of the field's entries among the function's
+};
+
+/// As emitted, as its closed form is read, and in all of `ways` that have the function.
+[[nodiscard]] std::vector<FieldWay> field_ways(const Subject& subject, const FieldPlace& place,
+                                               const std::vector<Way>& ways);
+
+/// What is lost where it is most.
+struct Loss {
+  double figure = 0;
+  std::size_t entry = 0;  ///< of the field
+};
+
+class Losses {
+ public:
+  /// All arguments outlive it.
+  Losses(const Subject& subject, const State& state, const Rounding& rounding)
+      : subject_(subject), state_(state), rounding_(rounding) {}
+
+  /// The field's largest loss, of entries that are off by `errors` (without N eta) from
+  /// `exact`; `columns` are judged by their norms. None where a value or K is undefined.
+  [[nodiscard]] Loss of_field(const FieldPlace& place, const std::vector<Real>& errors,
+                              const std::vector<Real>& exact,
+                              const std::vector<SolvedColumn>& columns);
+
+  /// Whether B <= 64 R of the field, written in one of its ways: that way loses nothing.
+  [[nodiscard]] bool keeps(const FieldPlace& place, const FieldWay& way,
+                           const std::vector<SolvedColumn>& columns);
+
+  /// Of the code of the entry, the instruction at which B/|x| grows most.
+  [[nodiscard]] std::uint32_t culprit(const FieldPlace& place, std::size_t entry);
+
+ private:
+  const std::vector<Bound>& bounds(const Program& program, const Function& function);
+  Real reference(const FieldPlace& place, std::size_t entry);
+  Real norm_of_references(const FieldPlace& place, const SolvedColumn& column);
+
+  const Subject& subject_;
+  const State& state_;
+  const Rounding& rounding_;
+  std::map<const Function*, std::vector<Bound>> bounds_ = {};  ///< of all instructions
+  std::map<const Function*, std::unique_ptr<Conditioning>> conditioning_ = {};
+};
+
+}  // namespace elgen

@@ -1,0 +1,83 @@
+// Loss: bad formulas lose digits that good ones keep, and ill-conditioned values excuse both.
+#include "verify/bounds/loss.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "elgen/render.hpp"
+#include "verify/pendulum_forms.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+using namespace elgen::test::pendulum_forms;
+
+namespace {
+
+State at(double angle) {
+  State state;
+  state.parameters = {1, 1, cln::cl_RA(981) / 100};
+  state.q = {exact_value(angle)};
+  return state;
+}
+
+/// The largest loss of values that are off by `errors` times u.
+Loss loss_of(const System& system, const State& state, double error) {
+  const Subject subject = system.subject();
+  const FieldPlace place = field_places(subject).front();
+  const auto exact = bounded_run(system.program, *place.function, state, rounding<double>());
+  Losses losses(subject, state, rounding<double>());
+  const Real off = Real(exact_value(error)) * rounding<double>().roundoff;
+  return losses.of_field(place, {off}, {exact.entries[0].value}, {});
+}
+
+bool keeps(const std::string& text, double angle) {
+  const System system = written_as(text);
+  const Subject subject = system.subject();
+  const FieldPlace place = field_places(subject).front();
+  const State state = at(angle);
+  Losses losses(subject, state, rounding<double>());
+  return losses.keeps(place, field_ways(subject, place, {}).front(), {});
+}
+
+}  // namespace
+
+TEST_CASE("1 - cos(th) keeps its digits at ordinary angles and none at tiny ones") {
+  CHECK(keeps(cosine, 1));
+  CHECK_FALSE(keeps(cosine, 1e-3));
+  CHECK_FALSE(keeps(cosine, 1e-8));
+  CHECK(keeps(half_angle, 1));
+  CHECK(keeps(half_angle, 1e-8));
+}
+
+TEST_CASE("an angle of 1e15 rad excuses what is made of it") { CHECK(keeps(cosine, 1e15)); }
+
+TEST_CASE("losses are counted in what the inputs' rounding costs") {
+  const System system = written_as(cosine);
+  // x = 9.81 (1 - cos 1); m, l, g and th each cost their share.
+  const double x = 9.81 * (1 - std::cos(1.0));
+  const double reference = 4 * x + 9.81 * std::sin(1.0);
+  CHECK(loss_of(system, at(1), 100 * x).figure == Approx(100 * x / reference));
+  CHECK(loss_of(system, at(1), 60 * x).figure == 0);
+}
+
+TEST_CASE("the instruction where digits are lost is named") {
+  const System system = written_as(cosine);
+  const Subject subject = system.subject();
+  const State state = at(1e-8);
+  Losses losses(subject, state, rounding<double>());
+  const FieldPlace place = field_places(subject).front();
+  CHECK(equation_at(system.program, *place.function, losses.culprit(place, 0)) == "1 - cos_th");
+}
+
+TEST_CASE("ways that say the same are one") {
+  System system = written_as(cosine);
+  const Way same{"recursive form", program_of(cosine)};
+  const Way other{"as written", program_of(half_angle)};
+  const Way without{"nothing", program_of("coordinates th\nfunction gravity\n  0 = coordinate th\n"
+                                          "  result 1 1 = 0\n")};
+  const std::vector<Way> ways{same, other, without};
+  const Subject subject = system.subject();
+  const auto known = field_ways(subject, field_places(subject).front(), ways);
+  REQUIRE(known.size() == 2);
+  CHECK(known[0].name == "as emitted");
+  CHECK(known[1].name == "as written");
+}
