@@ -39,6 +39,14 @@ TEST_CASE("differences and multiples are sums too, but for exact multiples of a 
                                                         "-(sin(a)*sin(2*a) - cos(a)*cos(2*a))"});
 }
 
+TEST_CASE("differences stay whole where they may be small") {
+  testing::ExpressionLeaves l;
+  const Ref difference = l.graph.sum({l.a, -l.b});
+  l.expressions.values = {sine(l, difference), sine(l, l.a), sine(l, l.b)};
+  CHECK(expand_angle_sums(l.expressions, Splits::sums_and_differences));
+  CHECK_FALSE(expand_angle_sums(l.expressions, Splits::sums));
+}
+
 TEST_CASE("an angle is no sum of parts in which something cancels") {
   testing::ExpressionLeaves l;
   const Ref five = l.graph.product({{l.graph.rational(5)}, {l.c}});

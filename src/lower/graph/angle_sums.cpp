@@ -90,9 +90,10 @@ constexpr std::size_t most_angles = 40;
 /// angle = first + second, or first - second, where nothing cancels: q1 + q3 as (q1 + q2) - (q2 -
 /// q3) would have the rounding of a q2 that it does not hold.
 std::optional<Split> split_into(const AngleTerms& angle, const AngleTerms& first,
-                                const AngleTerms& second) {
+                                const AngleTerms& second, Splits which) {
   if (first.size + second.size != angle.size) return std::nullopt;
   for (const int sign : {1, -1}) {
+    if (sign < 0 && which == Splits::sums) continue;
     if (plus(first.terms, second.terms, sign) == angle.terms) {
       return Split{first.argument, second.argument, sign};
     }
@@ -101,16 +102,17 @@ std::optional<Split> split_into(const AngleTerms& angle, const AngleTerms& first
 }
 
 /// The angle as a sum or difference of two of the simpler ones.
-std::optional<Split> split_of(const AngleTerms& angle, const std::vector<AngleTerms>& simpler) {
+std::optional<Split> split_of(const AngleTerms& angle, const std::vector<AngleTerms>& simpler,
+                              Splits which) {
   for (const AngleTerms& first : simpler) {
     for (const AngleTerms& second : simpler) {
-      if (const auto split = split_into(angle, first, second)) return split;
+      if (const auto split = split_into(angle, first, second, which)) return split;
     }
   }
   return std::nullopt;
 }
 
-std::map<NodeId, Split> splits_of(const Expressions& expressions) {
+std::map<NodeId, Split> splits_of(const Expressions& expressions, Splits which) {
   std::map<NodeId, Split> splits;
   const std::vector<AngleTerms> angles = angles_of(expressions);
   if (angles.size() > most_angles) return splits;
@@ -120,7 +122,7 @@ std::map<NodeId, Split> splits_of(const Expressions& expressions) {
     std::vector<AngleTerms> simpler;
     std::copy_if(angles.begin(), angles.end(), std::back_inserter(simpler),
                  [&](const AngleTerms& other) { return other.size < angle.size; });
-    if (const auto split = split_of(angle, simpler)) splits[angle.argument] = *split;
+    if (const auto split = split_of(angle, simpler, which)) splits[angle.argument] = *split;
   }
   return splits;
 }
@@ -191,8 +193,8 @@ bool is_exact_multiple(const Graph& graph, NodeId id) {
          is_exact_multiple(graph, node.operands[1].node);
 }
 
-std::optional<Expressions> expand_angle_sums(const Expressions& expressions) {
-  std::map<NodeId, Split> splits = splits_of(expressions);
+std::optional<Expressions> expand_angle_sums(const Expressions& expressions, Splits which) {
+  std::map<NodeId, Split> splits = splits_of(expressions, which);
   if (splits.empty()) return std::nullopt;
   return rebuild(expressions, AngleSums(std::move(splits), expressions.graph.size()));
 }

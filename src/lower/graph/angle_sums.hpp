@@ -17,7 +17,12 @@ namespace elgen {
 /// 2^k x of a leaf x: its sine and cosine are known to all digits.
 [[nodiscard]] bool is_exact_multiple(const Graph& graph, NodeId id);
 
+/// Which angles are taken apart. The sine of a difference of nearly equal angles has all its
+/// digits, the products have none.
+enum class Splits : std::uint8_t { sums, sums_and_differences };
+
 /// Nothing where no angle is such a sum.
-[[nodiscard]] std::optional<Expressions> expand_angle_sums(const Expressions& expressions);
+[[nodiscard]] std::optional<Expressions> expand_angle_sums(
+    const Expressions& expressions, Splits which = Splits::sums_and_differences);
 
 }  // namespace elgen

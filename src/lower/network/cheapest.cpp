@@ -1,7 +1,6 @@
 // cheapest: see cheapest.hpp.
 #include "lower/network/cheapest.hpp"
 
-#include "lower/graph/angle_sums.hpp"
 #include "lower/graph/factor.hpp"
 #include "lower/graph/flatten.hpp"
 #include "lower/network/linearise.hpp"
@@ -34,7 +33,7 @@ CostedNetwork candidate(const Expressions& expressions, const Function& unfilled
 
 Expressions factored(const Expressions& flat) { return factor(flatten(factor(flat))); }
 
-Network cheapest_network(const Expressions& expressions, const Function& unfilled) {
+Network cheapest_network(const Expressions& expressions, const Function& unfilled, Splits splits) {
   std::optional<CostedNetwork> best;
   const auto consider = [&](const Expressions& form) {
     CostedNetwork other = candidate(form, unfilled);
@@ -48,7 +47,7 @@ Network cheapest_network(const Expressions& expressions, const Function& unfille
     consider(factored(flatten(flat, Flattened::all_products)));
   };
   consider_forms(expressions);
-  if (const auto expanded = expand_angle_sums(expressions)) consider_forms(*expanded);
+  if (const auto expanded = expand_angle_sums(expressions, splits)) consider_forms(*expanded);
   return std::move(best->network);
 }
 

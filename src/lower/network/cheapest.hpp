@@ -6,6 +6,7 @@
 // cheapest is kept (the first on a tie).
 #pragma once
 
+#include "lower/graph/angle_sums.hpp"
 #include "lower/network/network.hpp"
 
 namespace elgen {
@@ -15,6 +16,7 @@ namespace elgen {
 [[nodiscard]] Expressions factored(const Expressions& flat);
 
 /// `unfilled` says which values are the function's entries.
-[[nodiscard]] Network cheapest_network(const Expressions& expressions, const Function& unfilled);
+[[nodiscard]] Network cheapest_network(const Expressions& expressions, const Function& unfilled,
+                                       Splits splits = Splits::sums_and_differences);
 
 }  // namespace elgen
