@@ -138,7 +138,8 @@ inline constexpr std::string_view energies_title = "Energies";
 [[nodiscard]] std::string text_page(const Model& model, const Scene& scene, const Program& program,
                                     const PageOptions& options = {});
 
-/// What one call of every function costs in either form, and which is emitted.
+/// What one call of every function costs in either form, how many digits it may lose where sums
+/// cancel, as far as that was asked, and which is emitted.
 [[nodiscard]] std::string cost_page(const std::vector<FormCosts>& costs);
 
 /// GitHub Markdown with blocks of $$.

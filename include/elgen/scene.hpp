@@ -45,8 +45,15 @@ struct OutputRequest {
 
 enum class ScalarKind : std::uint8_t { single_precision, double_precision, long_double };
 
-/// emit, toolchain: the scalars that code is written and compiled for.
+/// What decides between ways to compute the same.
+enum class Preference : std::uint8_t {
+  accuracy,  ///< of those that keep as many digits the cheapest
+  speed,     ///< the cheapest
+};
+
+/// choose, emit, toolchain: what code is written for, and compiled for.
 struct Numerics {
+  Preference prefer = Preference::accuracy;
   std::vector<ScalarKind> scalars = {ScalarKind::double_precision};
 };
 

@@ -6,12 +6,10 @@
 #include <algorithm>
 #include <set>
 
+#include "choose/closed_pivots.hpp"
 #include "choose/guarded_pivots.hpp"
-#include "choose/readable.hpp"
+#include "choose/lowered_entries.hpp"
 #include "choose/scaled_length.hpp"
-#include "lower/network/cheapest.hpp"
-#include "lower/network/linearise.hpp"
-#include "lower/network/turn_signs.hpp"
 
 namespace elgen {
 namespace {
@@ -20,105 +18,13 @@ namespace {
 /// recursive form executes does not become cheaper by sharing, and is not lowered. Ratios from 3 to
 /// 12 give the same code for all of models/; with 2 a cheaper form is missed.
 constexpr std::size_t hopeless_ratio = 6;
+/// Where what solves loses digits in the recursive form, a closed one that costs several times as
+/// much is better. The longest that keep them in models/, derivatives of the accelerations of two
+/// links, are 12 times as long.
+constexpr std::size_t hopeless_ratio_with_losses = 24;
 /// Where the recursive form is a few operations, the ratio says nothing: forms up to this length
 /// are lowered whatever it is.
 constexpr std::size_t always_tried = 400;
-
-/// The terms of all entries of a function beyond which its closed form is given up: it is neither
-/// read nor cheaper. Ten times as many, here and of one entry (most_terms), take 1.7 times as long
-/// for the arms and chains of models/, and emit the same code.
-constexpr std::size_t most_terms_together = 3'000;
-
-using ReadableEntries = std::vector<std::optional<ReadableForm>>;  ///< of all fields
-
-std::size_t term_count(const ClosedFunction& closed) {
-  std::size_t count = 0;
-  for (const ClosedField& field : closed.fields) {
-    for (const auto& entry : field.entries) count += entry ? entry->numerator.size() : 0;
-  }
-  return count;
-}
-
-ReadableEntries read_entries(const Program& program, const Function& function,
-                             const ClosedForms& forms, const ClosedFunction& closed,
-                             const MixedPoints& points) {
-  ReadableEntries entries;
-  if (term_count(closed) > most_terms_together) return entries;
-  for (std::size_t f = 0; f < closed.fields.size(); ++f) {
-    for (std::size_t e = 0; e < closed.fields[f].entries.size(); ++e) {
-      const std::optional<Fraction>& form = closed.fields[f].entries[e];
-      auto& entry = entries.emplace_back();
-      if (!form) continue;
-      const auto derived = closed.is_reduced
-                               ? std::nullopt
-                               : as_derived(program, function, function.fields[f].entries[e]);
-      entry = shortest(forms.algebra, *form, derived ? &*derived : nullptr, points);
-    }
-  }
-  return entries;
-}
-
-bool is_complete(const ReadableEntries& entries) {
-  return !entries.empty() && std::all_of(entries.begin(), entries.end(),
-                                         [](const auto& entry) { return entry.has_value(); });
-}
-
-std::size_t length(const ReadableEntries& entries) {
-  std::size_t total = 0;
-  for (const auto& entry : entries) total += entry->length;
-  return total;
-}
-
-Function lowered(const Expressions& together, const Function& shape, Program& program) {
-  Function function = unfilled(shape);
-  function.form = Form::closed;
-  linearise(cheapest_network(together, function), program, function);
-  return function;
-}
-
-/// All entries over one graph, as they are read or in their shortest forms, whichever is cheaper.
-Function lowered_together(const ReadableEntries& entries, const Function& shape, Program& program) {
-  Expressions readable;
-  Expressions compact;
-  for (const auto& entry : entries) {
-    readable.values.push_back(copied(readable.graph, entry->readable));
-    compact.values.push_back(copied(compact.graph, entry->compact));
-  }
-  Function first = lowered(readable, shape, program);
-  Function second = lowered(compact, shape, program);
-  const bool is_second = cost(count_operations(second)) < cost(count_operations(first));
-  return is_second ? second : first;
-}
-
-void append_entry(Function& to, Field& field, const Function& one) {
-  const auto offset = static_cast<std::uint32_t>(to.instructions.size());
-  for (Instruction i : one.instructions) {
-    if (operand_count(i) > 0) i.a += offset;
-    if (operand_count(i) > 1) i.b += offset;
-    to.instructions.push_back(i);
-  }
-  to.names.resize(to.instructions.size());
-  field.entries.push_back(one.fields[0].entries[0] + offset);
-}
-
-/// Entry by entry, so that nothing is taken apart for what another entry shares.
-Function lowered_one_by_one(const ReadableEntries& entries, const Function& shape,
-                            Program& program) {
-  Function readable{shape.kind, shape.user, shape.name, Form::closed};
-  std::size_t next = 0;
-  for (const Field& field : shape.fields) {
-    Field& filled = readable.fields.emplace_back(Field{field.name, field.rows, field.columns, {}});
-    for (std::size_t i = 0; i < field.entries.size(); ++i) {
-      Function one;
-      one.fields = {Field{"", 1, 1, {0}}};
-      Network network = make_network(entries[next++]->readable);
-      turn_signs(network);
-      linearise(network, program, one);
-      append_entry(readable, filled, one);
-    }
-  }
-  return readable;
-}
 
 /// The form the scene asks for; none where the cost decides.
 std::optional<Form> wish_for(const Scene& scene, const Function& function) {
@@ -139,7 +45,8 @@ class Choosing {
       : recursive_(recursive),
         forms_(forms),
         scene_(scene),
-        points_(mixed_points(recursive.leaves)) {
+        points_(mixed_points(recursive.leaves)),
+        extremes_(extreme_points(recursive)) {
     result_.program = recursive;
     result_.program.readable.resize(recursive.functions.size());
   }
@@ -157,7 +64,7 @@ class Choosing {
 
  private:
   /// `dynamics` is made of the entries of the others; one that was given up leaves it none.
-  const ReadableEntries& entries_of(std::size_t index) {
+  ReadableEntries& entries_of(std::size_t index) {
     const Function& function = recursive_.functions[index];
     ReadableEntries& entries = entries_[function.name];
     if (!output_row(function.kind).repeats) {
@@ -183,8 +90,8 @@ class Choosing {
   }
 
   Diagnostics choose_form(std::size_t index) {
-    const Function& function = recursive_.functions[index];
-    const ReadableEntries& entries = entries_of(index);
+    const Function function = with_precise_pivots(recursive_.functions[index]);
+    ReadableEntries& entries = entries_of(index);
     const std::optional<Form> wish =
         is_reduced(function) ? Form::closed : wish_for(scene_, function);
     const bool wants_closed = wish == Form::closed;
@@ -194,11 +101,11 @@ class Choosing {
     costs.is_asked_for = wish_for(scene_, function).has_value();
     Function closed;
     if (is_complete(entries)) {
-      fill_readable(index, entries);
-      if (wants_closed || is_worth_lowering(entries, cost(costs.recursive))) {
-        closed = compare(index, entries, costs);
+      if (wants_closed || is_worth_lowering(entries, function)) {
+        closed = compare(index, function, entries, costs);
         if (wish) costs.chosen = *wish;
       }
+      fill_readable(index, entries);
     } else if (wants_closed) {
       return {{Code::E608, place_of(scene_, function),
                fmt::format("the closed form of `{}` was given up", function.name)}};
@@ -219,9 +126,14 @@ class Choosing {
     return with_guarded_pivots(std::move(function), result_.program.constants);
   }
 
-  static bool is_worth_lowering(const ReadableEntries& entries, std::size_t recursive) {
+  [[nodiscard]] bool is_worth_lowering(const ReadableEntries& entries,
+                                       const Function& recursive) const {
     const std::size_t total = length(entries);
-    return total <= always_tried || total <= hopeless_ratio * recursive;
+    const std::size_t known = cost(count_operations(recursive));
+    if (total <= always_tried || total <= hopeless_ratio * known) return true;
+    const bool may_lose = prefers_accuracy() && output_row(recursive.kind).solves;
+    if (!may_lose || total > hopeless_ratio_with_losses * known) return false;
+    return std::ranges::max(possible_losses(result_.program, recursive, extremes_)) > 0;
   }
 
   /// The guards of pivots are not counted: whichever form is chosen gets them.
@@ -230,12 +142,63 @@ class Choosing {
     return cost(count_operations(has_pivots ? without_diagonal(form) : form));
   }
 
-  Function compare(std::size_t index, const ReadableEntries& entries, FormCosts& costs) {
-    Function closed = lowered_together(entries, recursive_.functions[index], result_.program);
-    const bool is_cheaper = cost_of(closed) <= cost_of(recursive_.functions[index]);
+  /// `recursive` with its pivots by their closed forms, where those keep digits that it loses.
+  Function with_precise_pivots(const Function& recursive) {
+    if (!prefers_accuracy() || !output_row(recursive.kind).solves || is_reduced(recursive)) {
+      return recursive;
+    }
+    const auto pivots = std::ranges::find_if(
+        recursive_.functions, [](const Function& f) { return output_row(f.kind).gives_pivots; });
+    if (pivots == recursive_.functions.end()) return recursive;
+    const auto index = static_cast<std::size_t>(pivots - recursive_.functions.begin());
+    if (!closed_pivots_) {
+      closed_pivots_ =
+          closed_pivots(recursive_, *pivots, forms_, forms_.functions[index], extremes_);
+    }
+    return with_closed_pivots(recursive, *pivots, *closed_pivots_, result_.program);
+  }
+
+  [[nodiscard]] bool prefers_accuracy() const {
+    return scene_.numerics.prefer == Preference::accuracy;
+  }
+
+  Function compare(std::size_t index, const Function& recursive, ReadableEntries& entries,
+                   FormCosts& costs) {
+    Function closed = lowered_together(entries, recursive, result_.program, splits_of(recursive));
+    costs.chosen = cost_of(closed) <= cost_of(recursive) ? Form::closed : Form::recursive;
+    if (prefers_accuracy() && !is_reduced(recursive)) {
+      closed = keep_digits(index, recursive, entries, std::move(closed), costs);
+    }
     closed = finished(std::move(closed));
     costs.closed = count_operations(closed);
-    costs.chosen = is_cheaper ? Form::closed : Form::recursive;
+    return closed;
+  }
+
+  /// In what solves, small differences of angles divide what they are made of.
+  [[nodiscard]] Splits splits_of(const Function& function) const {
+    const bool is_whole = prefers_accuracy() && output_row(function.kind).solves;
+    return is_whole ? Splits::sums : Splits::sums_and_differences;
+  }
+
+  /// The closed form with the entries that lose digits written in another way, and the choice
+  /// between the forms where one of them loses more.
+  Function keep_digits(std::size_t index, const Function& recursive, ReadableEntries& entries,
+                       Function closed, FormCosts& costs) {
+    std::vector<double> losses = possible_losses(result_.program, closed, extremes_);
+    // Those of `dynamics` are those of the functions before it.
+    const bool repeats = output_row(recursive.kind).repeats;
+    if (!repeats && rewrite(entries, losses, recursive_, recursive_.functions[index], forms_,
+                            forms_.functions[index], points_, extremes_)) {
+      closed = lowered_together(entries, recursive, result_.program, splits_of(recursive));
+      losses = possible_losses(result_.program, closed, extremes_);
+      costs.chosen = cost_of(closed) <= cost_of(recursive) ? Form::closed : Form::recursive;
+    }
+    costs.closed_loss = std::ranges::max(losses);
+    if (costs.chosen == Form::closed && costs.closed_loss == 0) return closed;
+    costs.recursive_loss =
+        std::ranges::max(possible_losses(result_.program, recursive, extremes_));
+    if (loses_more(*costs.closed_loss, *costs.recursive_loss)) costs.chosen = Form::recursive;
+    if (loses_more(*costs.recursive_loss, *costs.closed_loss)) costs.chosen = Form::closed;
     return closed;
   }
 
@@ -251,9 +214,11 @@ class Choosing {
   const ClosedForms& forms_;
   const Scene& scene_;
   MixedPoints points_;
+  ExtremePoints extremes_;
   std::map<std::string, ReadableEntries> entries_;
   std::set<std::string> reduced_;  ///< names of functions
   std::string normalized_;         ///< name of the function of that kind
+  std::optional<std::vector<ClosedPivot>> closed_pivots_;
   Way known_{"recursive form", {}};
   Choice result_;
 };

@@ -19,21 +19,22 @@ namespace elgen {
 /// One value, twice, each over a graph of its own.
 struct ReadableForm {
   Expressions readable = {};
-  Expressions compact = {};  ///< the shortest that is as precise, however it looks
-  std::size_t length = 0;    ///< of the readable one
+  Expressions compact = {};   ///< the shortest that is as precise, however it looks
+  std::size_t length = 0;     ///< of the readable one
+  bool is_rewritten = false;  ///< code is always the compact one: the other loses digits
 };
 
-/// Beyond this many terms an entry is not written out: nobody reads it. With 1000 the pages of
-/// models/ are the same; with 100 entries of the arms are missing.
-inline constexpr std::size_t most_terms = 400;
-
-/// The shortest candidate; none where all are beyond most_terms. `derived` may be null.
+/// The shortest candidate; none where all are too long. `derived` may be null.
 [[nodiscard]] std::optional<ReadableForm> shortest(const Algebra& algebra, const Fraction& form,
                                                    const Expressions* derived,
                                                    const MixedPoints& points);
 
 /// One entry of a function as it was derived, over the leaves; none where that is long.
-[[nodiscard]] std::optional<Expressions> as_derived(const Program& program,
-                                                    const Function& function, std::uint32_t entry);
+struct DerivedEntry {
+  Expressions as_it_stands = {};
+  Expressions written_out = {};  ///< products in products
+};
+[[nodiscard]] std::optional<DerivedEntry> as_derived(const Program& program,
+                                                     const Function& function, std::uint32_t entry);
 
 }  // namespace elgen

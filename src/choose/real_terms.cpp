@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "choose/homogeneous_terms.hpp"
+#include "choose/monomial_angle.hpp"
 #include "present/polynomial.hpp"
 
 namespace elgen {
@@ -30,9 +32,6 @@ struct CircularLess {
 /// A sum of products of sines and cosines.
 using CircularSum = std::map<std::vector<CircularPower>, Gaussian, CircularLess>;
 
-/// Exponents of cos and sin -> coefficient.
-using TwoPowers = std::map<std::pair<std::int32_t, std::int32_t>, Gaussian>;
-
 /// One step of sin^2 = 1 - cos^2, or cos^2 = 1 - sin^2.
 TwoPowers reduced(const TwoPowers& sum, bool by_sines) {
   TwoPowers result;
@@ -54,42 +53,11 @@ TwoPowers reduced(const TwoPowers& sum, bool by_sines) {
 
 /// (cos + i sin)^multiple
 TwoPowers power_of_exponential(std::int32_t multiple, bool by_sines) {
-  const Gaussian i{0, multiple < 0 ? -1 : 1};
   TwoPowers result{{{0, 0}, Gaussian{1, 0}}};
   for (std::int32_t k = 0; k < std::abs(multiple); ++k) {
-    TwoPowers next;
-    for (const auto& [powers, value] : result) {
-      add_term(next, {powers.first + 1, powers.second}, value);
-      add_term(next, {powers.first, powers.second + 1}, product(value, i));
-    }
-    result = reduced(next, by_sines);
+    result = reduced(times_exponential(result, multiple < 0 ? -1 : 1), by_sines);
   }
   return result;
-}
-
-struct SplitMonomial {
-  Monomial powers;
-  Monomial angle;
-};
-
-SplitMonomial split(const Algebra& algebra, const Monomial& monomial) {
-  SplitMonomial result;
-  for (const AtomPower& factor : monomial) {
-    const bool is_circular = algebra.atoms[factor.atom].kind == AtomKind::circular;
-    (is_circular ? result.angle : result.powers).push_back(factor);
-  }
-  return result;
-}
-
-std::int32_t common_divisor(const Monomial& angle) {
-  std::int32_t result = 0;
-  for (const AtomPower& part : angle) result = std::gcd(result, part.exponent);
-  return result;
-}
-
-Monomial divided(Monomial angle, std::int32_t divisor) {
-  for (AtomPower& part : angle) part.exponent /= divisor;
-  return angle;
 }
 
 /// cos(24 x) is a sum of 13 powers: longer by far than the call, and the work grows with the cube.
@@ -159,20 +127,14 @@ class RealTerms {
   /// angle itself.
   void note_angle(const Monomial& angle) {
     if (angle.empty()) return;
-    constexpr std::int32_t whole = 12;  // the power of e^(i x/12) that is e^(i x)
     for (const AtomPower& part : angle) {
-      std::int32_t& base = base_of_unit_.try_emplace(part.atom, whole).first->second;
+      std::int32_t& base = base_of_unit_.try_emplace(part.atom, whole_angle).first->second;
       base = std::gcd(base, part.exponent);
     }
     const std::int32_t multiple = common_divisor(angle);
-    std::int32_t& base = base_of_direction_.try_emplace(direction(angle), whole).first->second;
+    std::int32_t& base =
+        base_of_direction_.try_emplace(direction(angle), whole_angle).first->second;
     base = std::gcd(base, multiple);
-  }
-
-  /// Without common divisor; the first part positive.
-  static Monomial direction(const Monomial& angle) {
-    const std::int32_t divisor = common_divisor(angle);
-    return divided(angle, angle.front().exponent < 0 ? -divisor : divisor);
   }
 
   [[nodiscard]] CircularSum expanded(const Monomial& angle) const {
@@ -221,6 +183,7 @@ class RealTerms {
 
 std::optional<std::vector<RealTerm>> real_terms(const Algebra& algebra, const Polynomial& sum,
                                                 Trigonometry trigonometry, std::size_t most) {
+  if (trigonometry == Trigonometry::homogeneous) return homogeneous_terms(algebra, sum, most);
   RealTerms terms(algebra, sum, trigonometry);
   for (const auto& [monomial, coefficient] : sum) {
     if (terms.highest_power(monomial) > most_powers) return std::nullopt;

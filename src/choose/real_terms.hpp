@@ -4,6 +4,11 @@
 //       multiple_angles   1/2 m - 1/2 m cos(2 theta)
 //       by_cosines        m - m cos(theta)^2
 //       by_sines          m sin(theta)^2
+//       homogeneous       m sin(theta)^2
+//
+// Homogeneous terms hold as many sines and cosines as the others with the same factors, so that
+// A + (C - A) cos(theta)^2 is A sin(theta)^2 + C cos(theta)^2, and 1 - cos(theta) is
+// 2 sin(theta/2)^2: nothing cancels where one of them is 1.
 //
 // Of "directions", q1 + q2 is an angle like any other; of "units" it is taken apart into q1 and q2.
 #pragma once
@@ -21,8 +26,10 @@ enum class Trigonometry : std::uint8_t {
   directions_by_sines,
   units_by_cosines,
   units_by_sines,
+  homogeneous,
 };
 
+/// Those that people write.
 inline constexpr std::array trigonometries{
     Trigonometry::multiple_angles, Trigonometry::directions_by_sines,
     Trigonometry::directions_by_cosines, Trigonometry::units_by_sines,

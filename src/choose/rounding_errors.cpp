@@ -7,7 +7,7 @@
 #include <set>
 
 #include "base/random.hpp"
-#include "evaluate/bounded.hpp"
+#include "evaluate/running_errors.hpp"
 #include "lower/graph/angle_sums.hpp"
 #include "lower/network/linearise.hpp"
 
@@ -62,76 +62,6 @@ bool rounds_more_angles(const Expressions& way, const Expressions& reference) {
   return !std::all_of(own_angles.begin(), own_angles.end(), is_known);
 }
 
-/// A value in 64 digits with the running error of its rounding.
-struct Running {
-  Real value = {};
-  Real error = {};  ///< in u; undefined where the value is
-};
-
-/// The rules of fold.hpp at one point.
-struct RunningErrors {
-  const Arguments<double>& point;
-  Leaves leaves;
-
-  /// Constants that are not binary are rounded once.
-  [[nodiscard]] Running constant(const Constant& constant) const {
-    const Bound bound = leaf_bound(constant.value, rounding<double>());
-    return {bound.value, bound.exact ? Real() : abs(bound.value)};
-  }
-
-  [[nodiscard]] Running leaf(Opcode kind, std::uint32_t number) const {
-    const Real value(exact_value(leaf_of(point, kind, number)));
-    return {value, leaves == Leaves::rounded ? abs(value) : Real()};
-  }
-
-  [[nodiscard]] Running negate(const Running& x) const { return {-x.value, x.error}; }
-
-  [[nodiscard]] Running add(const Running& x, const Running& y) const {
-    const Real value = x.value + y.value;
-    return {value, x.error + y.error + abs(value)};
-  }
-
-  [[nodiscard]] Running subtract(const Running& x, const Running& y) const {
-    return add(x, negate(y));
-  }
-
-  [[nodiscard]] Running multiply(const Running& x, const Running& y) const {
-    const Real value = x.value * y.value;
-    const bool is_scaled = is_power_of_two(x.value) || is_power_of_two(y.value);
-    const Real rounding = is_scaled ? Real() : abs(value);
-    return {value, x.error * abs(y.value) + y.error * abs(x.value) + rounding};
-  }
-
-  [[nodiscard]] Running divide(const Running& x, const Running& y) const {
-    const Real value = x.value / y.value;
-    return {value, (x.error + abs(value) * y.error) / abs(y.value) + abs(value)};
-  }
-
-  [[nodiscard]] Running square_root(const Running& x) const {
-    const Real value = sqrt(x.value);
-    return {value, x.error / (value + value) + value};
-  }
-
-  /// Kinked functions pass an operand on. Those of one argument ignore y.
-  [[nodiscard]] Running call(FunctionId function, const Running& x, const Running& y) const {
-    const FunctionRow& row = function_row(function);
-    const Real value = interpreter::call(function, x.value, y.value);
-    const Running& second = row.arity == 2 ? y : x;
-    if (is_kinked(function)) return {value, max(x.error, second.error)};
-    Real error = abs(value) + slope(function, x, y, true) * x.error;
-    if (row.arity == 2) error = error + slope(function, x, y, false) * y.error;
-    return {value, error};
-  }
-
-  /// Magnitude of the derivative by one argument.
-  [[nodiscard]] static Real slope(FunctionId function, const Running& x, const Running& y,
-                                  bool by_first) {
-    const Dual<Real> first{x.value, Real(by_first ? 1 : 0)};
-    const Dual<Real> second{y.value, Real(by_first ? 0 : 1)};
-    return abs(interpreter::call(function, first, second).slope);
-  }
-};
-
 /// The error that may take the place of x's.
 Real admitted_error(const Running& x) {
   static const Real recounted(3);
@@ -173,8 +103,9 @@ bool is_as_precise(const Expressions& way, const Expressions& reference, const M
   const BothWays both = both_ways(way, reference);
   bool is_compared = false;
   for (const Arguments<double>& point : points) {
-    const std::vector<Running> entries = entries_of(
-        both.function, fold<Running>(RunningErrors{point, leaves}, both.program, both.function));
+    const std::vector<Running> entries =
+        entries_of(both.function, fold<Running>(RunningErrorRules{running_leaves(point, leaves)},
+                                                both.program, both.function));
     const Real& own = entries[0].error;
     const Real admitted = admitted_error(entries[1]);
     if (!admitted.is_defined()) continue;

@@ -10,8 +10,8 @@
 
 #include <vector>
 
-#include "elgen/evaluate.hpp"
 #include "elgen/leaf_names.hpp"
+#include "evaluate/running_errors.hpp"
 #include "lower/graph/rebuild.hpp"
 
 namespace elgen {
@@ -23,10 +23,6 @@ using MixedPoints = std::vector<Arguments<double>>;
 /// wide as what programs are checked at. Parameters are positive, as most masses and lengths have
 /// to be.
 [[nodiscard]] MixedPoints mixed_points(const LeafNames& leaves);
-
-/// What the leaves are: given exactly, or each rounded once, so that at an angle of 1e6 both
-/// cos(q + 1) and cos(q)*cos(1) - sin(q)*sin(1) have as few digits as the angle itself.
-enum class Leaves : std::uint8_t { exact, rounded };
 
 /// Whether, wherever `reference` has a value x, the error of `way` is at most three times that of
 /// `reference`, or at most 8 |x|, which no judge refuses; false where it has none at any point. One

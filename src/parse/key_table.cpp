@@ -159,6 +159,8 @@ constexpr auto key_rows = std::to_array<KeyRow>({
 
     {"scene.numeric", "scalar", choice_list, optional, true, "scalar types the code is for"},
     {"scene.numeric", "form", choice, optional, true, "of every output: closed or recursive"},
+    {"scene.numeric", "prefer", choice, optional, true,
+     "of formulas: those that keep their digits, or the fastest"},
     {"scene.numeric", "check", table, optional, later, "ranges and tolerance of the checks"},
     {"scene.numeric", "trigonometry", table, optional, later, "polynomial sine and cosine"},
     {"scene.numeric", "batch", integer, optional, later, "states evaluated at once"},
@@ -184,6 +186,8 @@ constexpr auto choice_rows = std::to_array<ChoiceRow>({
     {"scene.numeric", "scalar", "long double"},
     {"scene.numeric", "form", "closed"},
     {"scene.numeric", "form", "recursive"},
+    {"scene.numeric", "prefer", "accuracy"},
+    {"scene.numeric", "prefer", "speed"},
     {"scene.outputs.*", "form", "closed"},
     {"scene.outputs.*", "form", "recursive"},
     {"scene.emit", "storage", "row-major"},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "elgen/render.hpp"
 #include "lower/code_interface.hpp"
@@ -45,24 +46,36 @@ std::string text_page(const Model& model, const Scene& scene, const Program& pro
   return text;
 }
 
+namespace {
+
+/// "3.1"; "0" where nothing is lost, nothing where it was not asked.
+std::string digits_text(const std::optional<double>& loss) {
+  if (!loss) return {};
+  if (std::isinf(*loss)) return "all";
+  return *loss > 1 ? fmt::format("{:.1f}", std::log10(*loss)) : "0";
+}
+
+}  // namespace
+
 std::string cost_page(const std::vector<FormCosts>& costs) {
   std::size_t width = std::string_view("function").size();
   for (const FormCosts& row : costs) width = std::max(width, row.function.size());
-  constexpr std::string_view row = "{:<{}}  {:<9}  {:>6} {:>6} {:>5} {:>5} {:>6} {:>5}  {:>6}  {}";
+  constexpr std::string_view row = "{:<{}}  {:<9}  {:>6} {:>6} {:>5} {:>5} {:>6} {:>5}  {:>6}  {:>6}  {}";
   std::string text;
   const auto add_line = [&text](const std::string& line) {
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   };
   add_line(fmt::format(row, "function", width, "form", "add", "mul", "div", "sqrt", "sincos",
-                       "other", "cost", ""));
-  const auto add = [&](const FormCosts& of, Form form, const OperationCounts& n) {
+                       "other", "cost", "digits", ""));
+  const auto add = [&](const FormCosts& of, Form form, const OperationCounts& n,
+                       const std::optional<double>& loss) {
     const char* mark = form != of.chosen ? "" : of.is_asked_for ? "asked for" : "emitted";
     add_line(fmt::format(row, of.function, width, name_of(form), n.add, n.mul, n.div, n.sqrt,
-                         n.sincos, n.other, cost(n), mark));
+                         n.sincos, n.other, cost(n), digits_text(loss), mark));
   };
   for (const FormCosts& function : costs) {
-    if (function.closed) add(function, Form::closed, *function.closed);
-    add(function, Form::recursive, function.recursive);
+    if (function.closed) add(function, Form::closed, *function.closed, function.closed_loss);
+    add(function, Form::recursive, function.recursive, function.recursive_loss);
   }
   return text;
 }

@@ -1,8 +1,10 @@
 #include "elgen/choose.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "choose/chosen.hpp"
+#include "choose/precision.hpp"
 #include "elgen/evaluate.hpp"
 #include "support/systems.hpp"
 
@@ -32,10 +34,10 @@ Chosen with_form(const std::string& text, Form form) {
 
 }  // namespace
 
-TEST_CASE("the cheaper form is chosen, the closed one on a tie") {
+TEST_CASE("for speed the cheaper form is chosen, the closed one on a tie") {
   for (const auto& [name, text] : systems()) {
     INFO(name);
-    const Chosen c = chosen(text);
+    const Chosen c = chosen(text, {}, Preference::speed);
     REQUIRE(c.choice.costs.size() == c.choice.program.functions.size());
     for (std::size_t i = 0; i < c.choice.costs.size(); ++i) {
       const FormCosts& costs = c.choice.costs[i];
@@ -50,6 +52,27 @@ TEST_CASE("the cheaper form is chosen, the closed one on a tie") {
       CHECK(emitted == (is_closed ? *costs.closed : costs.recursive));
     }
     CHECK(check_invariants(c.choice.program).empty());
+  }
+}
+
+TEST_CASE("for accuracy no form is chosen that loses more digits than the other") {
+  for (const auto& [name, text] : systems()) {
+    INFO(name);
+    const Chosen c = chosen(text);
+    const ExtremePoints points = extreme_points(c.choice.program);
+    const auto worst = [&points](const Program& program, const Function& function) {
+      const std::vector<double> losses = possible_losses(program, function, points);
+      return losses.empty() ? 0 : *std::max_element(losses.begin(), losses.end());
+    };
+    REQUIRE(c.choice.ways.size() == 1);
+    const Way& recursive = c.choice.ways[0];
+    for (const Function& function : c.choice.program.functions) {
+      const auto other =
+          std::ranges::find(recursive.program.functions, function.name, &Function::name);
+      REQUIRE(other != recursive.program.functions.end());
+      INFO(function.name);
+      CHECK_FALSE(loses_more(worst(c.choice.program, function), worst(recursive.program, *other)));
+    }
   }
 }
 

@@ -18,8 +18,10 @@ struct Chosen {
   Choice choice;
 };
 
-inline Chosen chosen(const std::string& text, const SceneOptions& options = {}) {
+inline Chosen chosen(const std::string& text, const SceneOptions& options = {},
+                     Preference prefer = Preference::accuracy) {
   Chosen result{checked_model(text, options), {}, {}};
+  result.checked.scene.numerics.prefer = prefer;
   const Result<Lagrangian> lagrangian = formulate(result.checked.model);
   const auto equations = derive(*lagrangian, result.checked.scene.outputs, {});
   const Program recursive = cancel(*lower(*equations, result.checked.scene.outputs, {}));

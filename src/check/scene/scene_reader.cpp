@@ -223,6 +223,10 @@ class SceneReader {
         output.form = output.form.value_or(*form);
       }
     }
+    if (const KeySyntax* prefer = find_key(syntax_, "numeric", "prefer")) {
+      const bool is_speed = prefer->value.text == "speed";
+      scene_.numerics.prefer = is_speed ? Preference::speed : Preference::accuracy;
+    }
     const KeySyntax* scalars = find_key(syntax_, "numeric", "scalar");
     if (scalars == nullptr) {
       return;

@@ -1,0 +1,93 @@
+// entries: all entries of a function, in the order of its fields.
+#include "choose/entries.hpp"
+
+#include <algorithm>
+
+#include "choose/precise.hpp"
+
+namespace elgen {
+namespace {
+
+/// The terms of all entries of a function beyond which its closed form is given up: it is neither
+/// read nor cheaper. Ten times as many, here and of one entry (most_terms), take 1.7 times as long
+/// for the arms and chains of models/, and emit the same code.
+constexpr std::size_t most_terms_together = 3'000;
+
+std::size_t term_count(const ClosedFunction& closed) {
+  std::size_t count = 0;
+  for (const ClosedField& field : closed.fields) {
+    for (const auto& entry : field.entries) count += entry ? entry->numerator.size() : 0;
+  }
+  return count;
+}
+
+std::vector<const std::optional<Fraction>*> forms_of(const ClosedFunction& closed) {
+  std::vector<const std::optional<Fraction>*> forms;
+  for (const ClosedField& field : closed.fields) {
+    for (const std::optional<Fraction>& form : field.entries) forms.push_back(&form);
+  }
+  return forms;
+}
+
+}  // namespace
+
+ReadableEntries read_entries(const Program& program, const Function& function,
+                             const ClosedForms& forms, const ClosedFunction& closed,
+                             const MixedPoints& points) {
+  ReadableEntries entries;
+  if (term_count(closed) > most_terms_together) return entries;
+  for (std::size_t f = 0; f < closed.fields.size(); ++f) {
+    for (std::size_t e = 0; e < closed.fields[f].entries.size(); ++e) {
+      const std::optional<Fraction>& form = closed.fields[f].entries[e];
+      auto& entry = entries.emplace_back();
+      if (!form) continue;
+      const auto derived = closed.is_reduced
+                               ? std::nullopt
+                               : as_derived(program, function, function.fields[f].entries[e]);
+      entry = shortest(forms.algebra, *form, derived ? &derived->written_out : nullptr, points);
+    }
+  }
+  return entries;
+}
+
+bool is_complete(const ReadableEntries& entries) {
+  return !entries.empty() && std::all_of(entries.begin(), entries.end(),
+                                         [](const auto& entry) { return entry.has_value(); });
+}
+
+std::size_t length(const ReadableEntries& entries) {
+  std::size_t total = 0;
+  for (const auto& entry : entries) total += entry->length;
+  return total;
+}
+
+bool rewrite(ReadableEntries& entries, const std::vector<double>& losses, const Program& program,
+             const Function& function, const ClosedForms& forms, const ClosedFunction& closed,
+             const MixedPoints& points, const ExtremePoints& extremes) {
+  const std::vector<const std::optional<Fraction>*> all = forms_of(closed);
+  const std::vector<std::uint32_t> instructions = entries_of(function);
+  const bool solves = output_row(function.kind).solves;
+  const auto better = [&](std::size_t i) -> std::optional<Expressions> {
+    if (losses[i] > negligible_loss) {
+      const auto derived = as_derived(program, function, instructions[i]);
+      return more_precise(forms.algebra, **all[i], derived ? &*derived : nullptr, losses[i],
+                          extremes);
+    }
+    if (!solves) return std::nullopt;
+    return shorter_precise(forms.algebra, **all[i], entries[i]->compact, extremes);
+  };
+  bool is_rewritten = false;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    std::optional<Expressions> way = entries[i] ? better(i) : std::nullopt;
+    if (!way) continue;
+    is_rewritten = true;
+    entries[i]->is_rewritten = true;
+    entries[i]->compact = std::move(*way);
+    // The code is judged by the readable form.
+    if (is_as_precise(entries[i]->compact, entries[i]->readable, points, Leaves::exact)) continue;
+    entries[i]->readable = entries[i]->compact;
+  }
+  return is_rewritten;
+}
+
+}  // namespace elgen

@@ -1,0 +1,32 @@
+// entries: how each entry of a function is written.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "choose/precision.hpp"
+#include "choose/readable.hpp"
+
+namespace elgen {
+
+using ReadableEntries = std::vector<std::optional<ReadableForm>>;  ///< of all fields
+
+/// Of one function, whose closed forms are `closed`; none where they are too long together.
+[[nodiscard]] ReadableEntries read_entries(const Program& program, const Function& function,
+                                           const ClosedForms& forms, const ClosedFunction& closed,
+                                           const MixedPoints& points);
+
+/// Whether there are entries, and each has a form.
+[[nodiscard]] bool is_complete(const ReadableEntries& entries);
+
+/// Signs and calls of all of them together, where they are complete.
+[[nodiscard]] std::size_t length(const ReadableEntries& entries);
+
+/// Writes the entries that lose digits in ways that do not; whether there is one. `losses` are
+/// those of the code, entry by entry.
+[[nodiscard]] bool rewrite(ReadableEntries& entries, const std::vector<double>& losses,
+                           const Program& program, const Function& function,
+                           const ClosedForms& forms, const ClosedFunction& closed,
+                           const MixedPoints& points, const ExtremePoints& extremes);
+
+}  // namespace elgen

@@ -1,0 +1,70 @@
+// precise: all ways in the order of their lengths.
+#include "choose/precise.hpp"
+
+#include <algorithm>
+
+#include "choose/conjugates.hpp"
+#include "choose/ways.hpp"
+#include "lower/network/linearise.hpp"
+
+namespace elgen {
+namespace {
+
+void append(std::vector<Expressions>& ways, std::vector<Collected> more) {
+  for (Collected& way : more) ways.push_back(std::move(way.expressions));
+}
+
+std::vector<Expressions> all_ways(const Algebra& algebra, const Fraction& form,
+                                  const DerivedEntry* derived) {
+  std::vector<Expressions> ways;
+  append(ways, collected_ways(algebra, form));
+  append(ways, precise_ways(algebra, form));
+  if (derived != nullptr) {
+    ways.push_back(derived_way(derived->written_out).expressions);
+    ways.push_back(derived->as_it_stands);
+  }
+  for (std::size_t i = ways.size(); i-- > 0;) {
+    if (auto conjugate = with_conjugates(ways[i])) ways.push_back(std::move(*conjugate));
+  }
+  std::ranges::stable_sort(ways, {}, written_length);
+  return ways;
+}
+
+double loss_of(const Expressions& way, const ExtremePoints& points) {
+  Program program;
+  Function function;
+  function.fields = {Field{"", 1, 1, {0}}};
+  linearise(make_network(way), program, function);
+  return possible_losses(program, function, points).front();
+}
+
+}  // namespace
+
+std::optional<Expressions> more_precise(const Algebra& algebra, const Fraction& form,
+                                        const DerivedEntry* derived, double loss,
+                                        const ExtremePoints& points) {
+  std::optional<Expressions> best;
+  double least = loss;
+  for (Expressions& way : all_ways(algebra, form, derived)) {
+    const double own = loss_of(way, points);
+    if (own >= least) continue;
+    least = own;
+    best = std::move(way);
+    if (least <= negligible_loss) return best;
+  }
+  if (!loses_more(loss, least)) return std::nullopt;
+  return best;
+}
+
+std::optional<Expressions> shorter_precise(const Algebra& algebra, const Fraction& form,
+                                           const Expressions& known, const ExtremePoints& points) {
+  for (Collected& way : precise_ways(algebra, form)) {
+    const bool is_shorter = way.length < written_length(known);
+    if (is_shorter && loss_of(way.expressions, points) <= negligible_loss) {
+      return std::move(way.expressions);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace elgen

@@ -1,0 +1,28 @@
+// precise: the way to write an entry that keeps its digits.
+//
+// Besides the ways that people write there are sums that do not cancel near right angles, the entry
+// as it was derived, and differences with roots by their conjugates. Of those that lose nothing the
+// shortest is taken, else the one that loses least.
+#pragma once
+
+#include <optional>
+
+#include "choose/precision.hpp"
+#include "choose/readable.hpp"
+
+namespace elgen {
+
+/// None where every way loses about as much as `loss`. `derived` may be null. Cost: the possible
+/// losses of each way, up to the first that has none.
+[[nodiscard]] std::optional<Expressions> more_precise(const Algebra& algebra, const Fraction& form,
+                                                      const DerivedEntry* derived, double loss,
+                                                      const ExtremePoints& points);
+
+/// A sum that does not cancel and is shorter than `known`, where there is one that loses nothing:
+/// differences of angles that inputs' own rounding would excuse have all digits in it.
+[[nodiscard]] std::optional<Expressions> shorter_precise(const Algebra& algebra,
+                                                         const Fraction& form,
+                                                         const Expressions& known,
+                                                         const ExtremePoints& points);
+
+}  // namespace elgen

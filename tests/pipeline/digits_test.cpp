@@ -1,0 +1,184 @@
+// Digits that models keep in code, however their energies were written.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "elgen/pipeline.hpp"
+#include "evaluate/subject.hpp"
+
+namespace elgen {
+
+namespace {
+
+struct Generated {
+  Products products = {};
+
+  [[nodiscard]] const Model& model() const { return products.checked->model; }
+  [[nodiscard]] const Program& program() const { return *products.program; }
+  [[nodiscard]] const Function& function(OutputKind kind) const {
+    const Function* const found = find_function(program(), kind);
+    REQUIRE(found != nullptr);
+    return *found;
+  }
+};
+
+/// The rows of losses that do not hold.
+std::vector<CertificateRow> losses(const Generated& g) {
+  VerifyOptions options;
+  options.quick = true;
+  options.ways = &g.products.ways;
+  options.parts = &g.products.parts;
+  std::vector<CertificateRow> rows =
+      verify(g.model(), g.products.checked->scene, g.program(), {}, options).certificate.rows;
+  std::erase_if(rows, [](const CertificateRow& row) {
+    return row.check != "avoidable loss" || row.verdict == Verdict::holds;
+  });
+  return rows;
+}
+
+Generated generated(const std::string& text) {
+  PipelineOptions options;
+  options.goals = {"choose", "parts"};
+  Generated result{run_pipeline({make_source("model.toml", text), nullptr}, options)};
+  INFO(format(result.products.diagnostics));
+  REQUIRE(result.products.program);
+  return result;
+}
+
+/// The largest error of a function's first entries, by the true values, in units of `epsilon/2`.
+template <class Scalar>
+double worst_ulps(const Generated& g, OutputKind kind, const Arguments<Scalar>& at,
+                  std::size_t entries) {
+  const Function& function = g.function(kind);
+  const std::vector<Scalar> values = evaluate(g.program(), function, at);
+  const auto exact = [](Scalar x) { return Real(exact_value(static_cast<double>(x))); };
+  const std::vector<Real> truth = evaluate(g.program(), function, map_leaves(exact, at));
+  double worst = 0;
+  for (std::size_t i = 0; i < entries; ++i) {
+    const Real error = abs((exact(values[i]) - truth[i]) / truth[i]);
+    worst = std::max(worst, ScalarTraits<double>::from_real(error.value()));
+  }
+  return worst / static_cast<double>(std::numeric_limits<Scalar>::epsilon());
+}
+
+std::string one_coordinate(const std::string& potential) {
+  return "format = 1\n[model]\nname = \"written\"\n[[coordinate]]\nname = \"x\"\n"
+         "[parameters]\nm = { value = 2, assume = \"positive\" }\n"
+         "g = { value = 9.81, assume = \"positive\" }\nk = { value = 30, assume = \"positive\" }\n"
+         "l = { value = 0.75, assume = \"positive\" }\n"
+         "[energy]\nT = \"1/2*m*dot(x)^2\"\nV = \"" +
+         potential + "\"\n";
+}
+
+Arguments<double> at_position(const Generated& g, double x) {
+  Arguments<double> at = leaves_of<double>(
+      g.model(), [](Opcode, const auto&) { return 1.5; }, 0.0);
+  at.parameters = {2, 9.81, 30, 0.75};
+  at.q = {x};
+  return at;
+}
+
+constexpr const char* double_pendulum = R"toml(format = 1
+[model]
+name = "pair"
+[[coordinate]]
+name = "q1"
+unit = "rad"
+[[coordinate]]
+name = "q2"
+unit = "rad"
+[parameters]
+m1 = { value = 1, unit = "kg", assume = "positive" }
+m2 = { value = 1000, unit = "kg", assume = "positive" }
+l1 = { value = 1, unit = "m", assume = "positive" }
+l2 = { value = 1, unit = "m", assume = "positive" }
+g = { value = 9.81, unit = "m/s^2", assume = "positive" }
+[[point]]
+name = "elbow"
+mass = "m1"
+at = ["l1*sin(q1)", "-l1*cos(q1)"]
+[[point]]
+name = "bob"
+mass = "m2"
+at = ["x(elbow) + l2*sin(q2)", "y(elbow) - l2*cos(q2)"]
+[gravity]
+vector = ["0", "-g"]
+)toml";
+
+}  // namespace
+
+TEST_CASE("m g l (1 - cos(x)) keeps its digits at all angles, written in either way") {
+  for (const char* potential : {"m*g*l*(1 - cos(x))", "2*m*g*l*sin(x/2)^2"}) {
+    INFO(potential);
+    const Generated g = generated(one_coordinate(potential));
+    for (double x = 3.1415; x > 1e-150; x *= 0.83) {
+      REQUIRE(worst_ulps(g, OutputKind::potential_energy, at_position(g, x), 1) <= 6.5);
+      REQUIRE(worst_ulps(g, OutputKind::potential_energy, at_position(g, -x), 1) <= 6.5);
+    }
+  }
+}
+
+TEST_CASE("a spring's extension keeps its digits where the spring hardly extends") {
+  const Generated g = generated(one_coordinate("k/2*(sqrt(l^2 + x^2) - l)^2"));
+  for (double x = 0.75e8; x > 0.75e-75; x *= 0.37) {
+    INFO(x);
+    REQUIRE(worst_ulps(g, OutputKind::potential_energy, at_position(g, x), 1) <= 32);
+  }
+}
+
+TEST_CASE("accelerations of two nearly aligned links keep their digits where one is heavy") {
+  const Generated g = generated(double_pendulum);
+  Arguments<float> at = leaves_of<float>(
+      g.model(), [](Opcode, const auto&) { return 0.F; }, 0.F);
+  at.parameters = {1, 1000, 1, 1, 9.81F};
+  for (float angle = 0.3F; angle < 1.4F; angle += 0.1F) {
+    at.q = {angle, angle + 1e-3F};
+    at.v = {0.7F, -1.1F};
+    const double ulps = worst_ulps(g, OutputKind::forward_dynamics, at, 2);
+    CHECK(ulps * std::numeric_limits<float>::epsilon() <= 1e-6);
+  }
+}
+
+TEST_CASE("a Schur complement in place of the pivot's closed form fails") {
+  Generated g = generated(double_pendulum);
+  CHECK(losses(g).empty());
+  const std::vector<Function>& recursive = g.products.ways.at(0).program.functions;
+  for (Function& function : g.products.program->functions) {
+    if (function.kind != OutputKind::forward_dynamics) continue;
+    function = *std::ranges::find(recursive, function.name, &Function::name);
+  }
+  g.products.program->constants = g.products.ways.at(0).program.constants;
+  bool fails = false;
+  for (const CertificateRow& row : losses(g)) fails = fails || row.verdict == Verdict::fails;
+  CHECK(fails);
+}
+
+TEST_CASE("1 - cos(x) in place of its half angle fails") {
+  Generated g = generated(one_coordinate("m*g*l*(1 - cos(x))"));
+  CHECK(losses(g).empty());
+  const std::vector<Function>& readable = g.program().readable;
+  for (Function& function : g.products.program->functions) {
+    if (function.kind != OutputKind::potential_energy) continue;
+    function.instructions =
+        std::ranges::find(readable, function.name, &Function::name)->instructions;
+    function.fields = std::ranges::find(readable, function.name, &Function::name)->fields;
+    function.names.assign(function.instructions.size(), "");
+  }
+  g.products.ways.push_back(
+      {"as written", generated(one_coordinate("2*m*g*l*sin(x/2)^2")).program()});
+  bool fails = false;
+  for (const CertificateRow& row : losses(g)) fails = fails || row.verdict == Verdict::fails;
+  CHECK(fails);
+}
+
+TEST_CASE("sqrt(x^2 + l^2) - x has no way for both signs of x, and is noted") {
+  const Generated g = generated(one_coordinate("k*l*(sqrt(x^2 + l^2) - x)"));
+  for (const CertificateRow& row : losses(g)) {
+    INFO(row.subject << ": " << row.worst);
+    CHECK(row.verdict == Verdict::noted);
+  }
+  CHECK_FALSE(losses(g).empty());
+}
+
+}  // namespace elgen
