@@ -49,6 +49,7 @@ Result<Verification> compared(const std::string& path, Products& products,
   VerifyOptions with_products = options;
   with_products.forms = &*products.closed_forms;
   with_products.parts = &products.parts;
+  with_products.ways = &products.ways;
   with_products.on_step = [&progress](const std::string& step) { progress.stage(step); };
   return timed("verify", products, progress,
                [&] { return verify(model, scene, program, *compiled, with_products); });

@@ -50,6 +50,16 @@ TEST_CASE("1 - cos(th) keeps its digits at ordinary angles and none at tiny ones
 
 TEST_CASE("an angle of 1e15 rad excuses what is made of it") { CHECK(keeps(cosine, 1e15)); }
 
+TEST_CASE("an angle that is not known to 1/1000 rad tells nothing") {
+  const System system = written_as(cosine);
+  const Subject subject = system.subject();
+  const State far = at(1e14);
+  const State near = at(1e10);
+  CHECK_FALSE(Losses(subject, far, rounding<double>()).knows_angles());
+  CHECK(Losses(subject, near, rounding<double>()).knows_angles());
+  CHECK_FALSE(Losses(subject, near, rounding<float>()).knows_angles());
+}
+
 TEST_CASE("losses are counted in what the inputs' rounding costs") {
   const System system = written_as(cosine);
   // x = 9.81 (1 - cos 1); m, l, g and th each cost their share.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* loss_reason =
     "64 u R, R = |x*| + K, K = sum |z dx/dz| over inputs, parameters and literals: what their own "
-    "rounding costs; fails where one way (B <= 64 R) keeps the digits at all nominal states";
+    "rounding costs; fails where one way keeps the digits at all nominal states";
 
 /// The ways that keep all digits at the states of a list, out of those that are left.
 template <class Scalar>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/more_digits.hpp"
 #include "lower/graph/prune.hpp"
 
 namespace elgen {
@@ -19,9 +20,9 @@ bool is_same(const Function& x, const Function& y) {
   return x.instructions == y.instructions && entries_of(x) == entries_of(y);
 }
 
-/// B/|x|: how badly digits have been lost so far.
-Real lost_digits(const Bound& x) {
-  return x.value.is_defined() && cln::zerop(x.value.value()) ? x.bound : x.bound / abs(x.value);
+/// How badly digits have been lost so far: the error by |x|.
+Real lost_digits(const Running& x) {
+  return x.value.is_defined() && cln::zerop(x.value.value()) ? x.error : x.error / abs(x.value);
 }
 
 bool exceeds(const Real& x, const Real& y) {
@@ -69,22 +70,30 @@ std::vector<FieldWay> field_ways(const Subject& subject, const FieldPlace& place
   return all;
 }
 
-const std::vector<Bound>& Losses::bounds(const Program& program, const Function& function) {
-  auto known = bounds_.find(&function);
-  if (known == bounds_.end()) {
-    known = bounds_.emplace(&function, bounded_values(program, function, state_, rounding_)).first;
-  }
-  return known->second;
+const std::vector<Running>& Losses::errors(const Program& program, const Function& function) {
+  auto known = errors_.find(&function);
+  if (known != errors_.end()) return known->second;
+  MoreDigits digits;
+  std::vector<Running> values;
+  do {
+    const auto leaf = [&](const cln::cl_R& value) {
+      const Bound bound = leaf_bound(value, rounding_);
+      return Running{bound.value, bound.exact ? Real() : abs(bound.value)};
+    };
+    values =
+        fold<Running>(RunningErrorRules{map_leaves(leaf, state_), rounding_}, program, function);
+  } while (digits.grow());
+  return errors_.emplace(&function, std::move(values)).first->second;
 }
 
 /// R of an entry.
 Real Losses::reference(const FieldPlace& place, std::size_t entry) {
   const Function& function = *place.function;
-  const std::vector<Bound>& own = bounds(subject_.program, function);
+  const std::vector<Running>& own = errors(subject_.program, function);
   std::unique_ptr<Conditioning>& conditioning = conditioning_[&function];
   if (conditioning == nullptr) {
     std::vector<Real> values;
-    for (const Bound& bound : own) values.push_back(bound.value);
+    for (const Running& x : own) values.push_back(x.value);
     const bool has_fixed = !subject_.scene.specialisation.fixed.empty();
     conditioning =
         std::make_unique<Conditioning>(subject_.program, function, std::move(values), rounding_,
@@ -92,6 +101,15 @@ Real Losses::reference(const FieldPlace& place, std::size_t entry) {
   }
   const std::uint32_t at = place.field().entries[entry];
   return abs(own[at].value) + conditioning->of(at);
+}
+
+bool Losses::knows_angles() const {
+  static const Real known(cln::cl_RA(1) / 1000);
+  for (std::size_t i = 0; i < state_.q.size(); ++i) {
+    const bool is_angle = subject_.model.coordinates[i].unit_text == "rad";
+    if (is_angle && exceeds(abs(Real(state_.q[i])) * rounding_.roundoff, known)) return false;
+  }
+  return true;
 }
 
 Real Losses::norm_of_references(const FieldPlace& place, const SolvedColumn& column) {
@@ -133,18 +151,18 @@ bool Losses::keeps(const FieldPlace& place, const FieldWay& way,
   static const Real tolerated(cln::cl_RA(static_cast<long>(tolerated_loss)));
   const std::size_t count = place.field().entries.size();
   const std::vector<std::uint32_t> entries = entries_of(*way.function);
-  const std::vector<Bound>& all = bounds(*way.program, *way.function);
+  const std::vector<Running>& all = errors(*way.program, *way.function);
   std::vector<Real> own(count);
   std::vector<Real> values(count);
   for (std::size_t i = 0; i < count; ++i) {
-    own[i] = all[entries[way.first + i]].bound;
+    own[i] = all[entries[way.first + i]].error;
     values[i] = abs(all[entries[way.first + i]].value);
   }
   for (const SolvedColumn& column : columns) {
-    const Real bound = norm(column, own);
+    const Real error = norm(column, own);
     // R >= |x*|, which costs nothing.
-    if (!exceeds(bound, tolerated * norm(column, values))) continue;
-    if (exceeds(bound, tolerated * norm_of_references(place, column))) return false;
+    if (!exceeds(error, tolerated * norm(column, values))) continue;
+    if (exceeds(error, tolerated * norm_of_references(place, column))) return false;
   }
   const std::vector<bool> by_norm = entries_in(columns, count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -156,7 +174,7 @@ bool Losses::keeps(const FieldPlace& place, const FieldWay& way,
 
 std::uint32_t Losses::culprit(const FieldPlace& place, std::size_t entry) {
   const Function& function = *place.function;
-  const std::vector<Bound>& values = bounds(subject_.program, function);
+  const std::vector<Running>& values = errors(subject_.program, function);
   const std::vector<bool> needed = needed_for(function, {place.field().entries[entry]});
   std::uint32_t worst = place.field().entries[entry];
   Real growth;

@@ -17,6 +17,7 @@
 
 #include "elgen/choose.hpp"
 #include "evaluate/conditioning.hpp"
+#include "evaluate/running_errors.hpp"
 #include "verify/bounds/field_place.hpp"
 #include "verify/bounds/solution_bound.hpp"
 
@@ -49,28 +50,32 @@ class Losses {
   Losses(const Subject& subject, const State& state, const Rounding& rounding)
       : subject_(subject), state_(state), rounding_(rounding) {}
 
+  /// Whether angles are known well enough for K, which is of first order: to 1/1000 rad.
+  [[nodiscard]] bool knows_angles() const;
+
   /// The field's largest loss, of entries that are off by `errors` (without N eta) from
   /// `exact`; `columns` are judged by their norms. None where a value or K is undefined.
   [[nodiscard]] Loss of_field(const FieldPlace& place, const std::vector<Real>& errors,
                               const std::vector<Real>& exact,
                               const std::vector<SolvedColumn>& columns);
 
-  /// Whether B <= 64 R of the field, written in one of its ways: that way loses nothing.
+  /// Whether the running errors of the field, written in one of its ways, are within 64 u R: that
+  /// way loses nothing.
   [[nodiscard]] bool keeps(const FieldPlace& place, const FieldWay& way,
                            const std::vector<SolvedColumn>& columns);
 
-  /// Of the code of the entry, the instruction at which B/|x| grows most.
+  /// Of the code of the entry, the instruction at which errors grow most.
   [[nodiscard]] std::uint32_t culprit(const FieldPlace& place, std::size_t entry);
 
  private:
-  const std::vector<Bound>& bounds(const Program& program, const Function& function);
+  const std::vector<Running>& errors(const Program& program, const Function& function);
   Real reference(const FieldPlace& place, std::size_t entry);
   Real norm_of_references(const FieldPlace& place, const SolvedColumn& column);
 
   const Subject& subject_;
   const State& state_;
   const Rounding& rounding_;
-  std::map<const Function*, std::vector<Bound>> bounds_ = {};  ///< of all instructions
+  std::map<const Function*, std::vector<Running>> errors_ = {};  ///< of all instructions
   std::map<const Function*, std::unique_ptr<Conditioning>> conditioning_ = {};
 };
 

@@ -35,9 +35,9 @@ Regime worse(Regime x, Regime y) {
   return x < y ? x : y;
 }
 
-std::vector<Bound> bounded_values(const Program& program, const Function& function,
-                                  const State& state, const Rounding& rounding,
-                                  const std::vector<Bound>& accelerations) {
+BoundedRun bounded_run(const Program& program, const Function& function, const State& state,
+                       const Rounding& rounding, const std::vector<Bound>& accelerations) {
+  BoundedRun run;
   MoreDigits digits;
   std::vector<Bound> values;
   do {
@@ -47,14 +47,6 @@ std::vector<Bound> bounded_values(const Program& program, const Function& functi
     if (!accelerations.empty()) leaves.a = accelerations;
     values = fold<Bound>(BoundRules{leaves, rounding}, program, function);
   } while (digits.grow());
-  return values;
-}
-
-BoundedRun bounded_run(const Program& program, const Function& function, const State& state,
-                       const Rounding& rounding, const std::vector<Bound>& accelerations) {
-  BoundedRun run;
-  const std::vector<Bound> values =
-      bounded_values(program, function, state, rounding, accelerations);
   for (const Bound& value : values) {
     const Regime here = regime_of(value, rounding);
     run.regime = worse(run.regime, here);

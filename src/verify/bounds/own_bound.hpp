@@ -27,13 +27,8 @@ struct BoundedRun {
   Real largest = {};                ///< magnitude of the largest intermediate
 };
 
-/// Exact values and bounds of all instructions. `accelerations`, where there are some, take the
+/// Runs exact values and bounds along a function. `accelerations`, where there are some, take the
 /// place of the state's, and may be known to their bounds only.
-[[nodiscard]] std::vector<Bound> bounded_values(const Program& program, const Function& function,
-                                                const State& state, const Rounding& rounding,
-                                                const std::vector<Bound>& accelerations = {});
-
-/// Those of the entries.
 [[nodiscard]] BoundedRun bounded_run(const Program& program, const Function& function,
                                      const State& state, const Rounding& rounding,
                                      const std::vector<Bound>& accelerations = {});

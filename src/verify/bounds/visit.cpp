@@ -266,7 +266,8 @@ std::vector<bool> Visit<Scalar>::keeping_ways(const FieldPlace& place,
   const Judged judged = this->judged(place);
   std::vector<bool> keep;
   for (const FieldWay& way : ways) {
-    keep.push_back(!has_values(judged.regime) || losses_.keeps(place, way, judged.columns));
+    const bool is_judged = has_values(judged.regime) && losses_.knows_angles();
+    keep.push_back(!is_judged || losses_.keeps(place, way, judged.columns));
   }
   return keep;
 }
@@ -292,7 +293,8 @@ Finding Visit<Scalar>::found(const FieldPlace& place, Random& random) {
                         : differing_projection(place, judged, random);
   const bool is_measured = finding.mistake.empty() && finding.regime == Regime::regular;
   if (is_measured) measure(place, judged, finding);
-  const bool can_lose = finding.mistake.empty() && has_values(judged.regime);
+  const bool can_lose =
+      finding.mistake.empty() && has_values(judged.regime) && losses_.knows_angles();
   if (options_.ways != nullptr && can_lose) finding.loss = measured_loss(place, judged);
   return finding;
 }
