@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <limits>
 
 #include "choose/chosen.hpp"
 #include "render/small_sheet.hpp"
@@ -20,9 +21,15 @@ TEST_CASE("the page in the model language") {
 }
 
 TEST_CASE("costs of both forms, the emitted one marked") {
-  FormCosts row{"bias", {.add = 2}, OperationCounts{.mul = 1}, Form::closed, false};
+  FormCosts row{.function = "bias", .recursive = {.add = 2}, .closed = OperationCounts{.mul = 1}};
+  row.chosen = Form::closed;
+  row.closed_loss = 0;
+  row.recursive_loss = 1e3;
   CHECK(has(cost_page({row}),
-            "bias      closed          0      1     0     0      0     0       1  emitted\n"));
+            "bias      closed          0      1     0     0      0     0       1       0  emitted\n"
+            "bias      recursive       2      0     0     0      0     0       2     3.0\n"));
+  row.recursive_loss = std::numeric_limits<double>::infinity();
+  CHECK(has(cost_page({row}), "     all\n"));
   row.is_asked_for = true;
   CHECK(has(cost_page({row}), "  asked for\n"));
 }
