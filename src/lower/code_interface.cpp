@@ -127,6 +127,23 @@ bool calls_own_functions(const Program& program) {
   });
 }
 
+bool is_sine_with_cosine(const Function& function, std::size_t at) {
+  if (at + 1 >= function.instructions.size()) return false;
+  const Instruction& sine = function.instructions[at];
+  Instruction cosine = sine;
+  cosine.function = FunctionId::cos;
+  return sine.opcode == Opcode::call && sine.function == FunctionId::sin &&
+         function.instructions[at + 1] == cosine;
+}
+
+bool has_sine_with_cosine(const Program& program) {
+  return std::any_of(program.functions.begin(), program.functions.end(), [](const Function& f) {
+    std::size_t at = 0;
+    while (at < f.instructions.size() && !is_sine_with_cosine(f, at)) ++at;
+    return at < f.instructions.size();
+  });
+}
+
 bool gives_pivots(const Program& program) {
   return std::any_of(program.functions.begin(), program.functions.end(),
                      [](const Function& f) { return output_row(f.kind).gives_pivots; });

@@ -50,6 +50,13 @@ struct DeclaredArray {
 /// Whether some function calls one of these.
 [[nodiscard]] bool calls_own_functions(const Program& program);
 
+/// Whether the instruction is the sine of an angle whose cosine comes next: one call computes both,
+/// where the language has it.
+[[nodiscard]] bool is_sine_with_cosine(const Function& function, std::size_t at);
+
+/// Whether some function has such a pair.
+[[nodiscard]] bool has_sine_with_cosine(const Program& program);
+
 /// Whether some function gives the pivots of M.
 [[nodiscard]] bool gives_pivots(const Program& program);
 

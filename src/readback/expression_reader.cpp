@@ -19,6 +19,12 @@ SignedNode ExpressionReader::read(const BodyScope& body) {
   return sum();
 }
 
+SignedNode ExpressionReader::read_sine_cosine(const BodyScope& body) {
+  body_ = &body;
+  tokens_.expect_code("detail::SineCosine<Scalar>::of");
+  return bracketed();
+}
+
 SignedNode ExpressionReader::sum() {
   SignedNode value = product();
   while (tokens_.at("+") || tokens_.at("-")) {

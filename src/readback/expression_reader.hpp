@@ -53,6 +53,8 @@ class ExpressionReader {
       : tokens_(tokens), graph_(graph), file_(file), workspace_(workspace) {}
 
   [[nodiscard]] SignedNode read(const BodyScope& body);
+  /// The angle of `detail::SineCosine<Scalar>::of(angle)`.
+  [[nodiscard]] SignedNode read_sine_cosine(const BodyScope& body);
 
  private:
   [[nodiscard]] bool is_c() const { return file_.dialect.shape == Shape::c99; }

@@ -86,7 +86,9 @@ void FunctionReader::statement() {
   if (has_returned_) tokens_.fail_expected("the end of the function");
   if (tokens_.at("using")) return using_declaration();
   if (tokens_.at("(")) return unused_argument();
+  if (tokens_.begins_code("const auto")) return declared_pair();
   if (tokens_.at("const")) return declaration();
+  if (tokens_.at("std") && scope_.has_workspace) return shared_pair();
   if (tokens_.at("return")) return returned();
   if (tokens_.at("result") && has_result_) return assignment();
   if (tokens_.at("w") && scope_.has_workspace) return shared_assignment();
@@ -122,10 +124,26 @@ void FunctionReader::declaration() {
   tokens_.expect(file_.dialect.scalar);
   const CodeToken name = tokens_.current();
   tokens_.name();
-  tokens_.expect("=");
-  const std::size_t statement = next_statement_;
-  named_value(name);
-  const bool is_new = scope_.locals.emplace(name.text, values_[named_[statement]]).second;
+  declare(name, named_value(name));
+}
+
+/// const auto [sin_x, cos_x] = detail::SineCosine<Scalar>::of(x);
+void FunctionReader::declared_pair() {
+  if (is_c()) tokens_.fail_expected("a statement of C");
+  tokens_.expect_code("const auto [");
+  const CodeToken sine = tokens_.current();
+  tokens_.name();
+  tokens_.expect(",");
+  const CodeToken cosine = tokens_.current();
+  tokens_.name();
+  tokens_.expect("]");
+  const auto [of_sine, of_cosine] = pair_values(sine, cosine);
+  declare(sine, of_sine);
+  declare(cosine, of_cosine);
+}
+
+void FunctionReader::declare(const CodeToken& name, SignedNode value) {
+  const bool is_new = scope_.locals.emplace(name.text, value).second;
   if (!is_new) tokens_.fail(tokens_.span(name), quoted(name.text) + " is declared twice");
 }
 
@@ -137,31 +155,68 @@ void FunctionReader::result_declaration() {
 }
 
 void FunctionReader::shared_assignment() {
+  const CodeToken name = shared_name();
+  share(name, named_value(name));
+}
+
+/// std::tie(w.sin_x, w.cos_x) = detail::SineCosine<Scalar>::of(x);
+void FunctionReader::shared_pair() {
+  if (is_c()) tokens_.fail_expected("a statement of C");
+  tokens_.expect_code("std::tie(");
+  const CodeToken sine = shared_name();
+  tokens_.expect(",");
+  const CodeToken cosine = shared_name();
+  tokens_.expect(")");
+  const auto [of_sine, of_cosine] = pair_values(sine, cosine);
+  share(sine, of_sine);
+  share(cosine, of_cosine);
+}
+
+/// w.t_1, a name that the workspace declares
+CodeToken FunctionReader::shared_name() {
   tokens_.expect("w");
   tokens_.expect(file_.dialect.member);
   const CodeToken name = tokens_.current();
-  const auto known = workspace_.find(tokens_.name());
-  if (known == workspace_.end() || known->second) {
-    tokens_.fail(tokens_.span(name),
-                 quoted(name.text) +
-                     (known == workspace_.end() ? " is not declared here" : " is written twice"));
-  }
-  tokens_.expect("=");
-  const std::size_t statement = next_statement_;
-  named_value(name);
-  known->second = values_[named_[statement]];
+  const bool is_declared = workspace_.count(tokens_.name()) > 0;
+  if (!is_declared) tokens_.fail(tokens_.span(name), quoted(name.text) + " is not declared here");
+  return name;
+}
+
+void FunctionReader::share(const CodeToken& name, SignedNode value) {
+  std::optional<SignedNode>& shared = workspace_.at(name.text);
+  if (shared) tokens_.fail(tokens_.span(name), quoted(name.text) + " is written twice");
+  shared = value;
 }
 
 /// The next named instruction, up to the semicolon.
-void FunctionReader::named_value(const CodeToken& name) {
+SignedNode FunctionReader::named_value(const CodeToken& name) {
+  tokens_.expect("=");
+  const CodeToken first = tokens_.current();
+  const SignedNode value = next_value(name, expressions_.read(scope_), first);
+  tokens_.expect(";");
+  return value;
+}
+
+/// The next two: the sine and the cosine of what is written.
+FunctionReader::Pair FunctionReader::pair_values(const CodeToken& sine, const CodeToken& cosine) {
+  tokens_.expect("=");
+  const CodeToken first = tokens_.current();
+  const SignedNode angle = expressions_.read_sine_cosine(scope_);
+  const SignedNode of_sine = next_value(sine, graph_.call(FunctionId::sin, angle, {}), first);
+  const SignedNode of_cosine = next_value(cosine, graph_.call(FunctionId::cos, angle, {}), first);
+  tokens_.expect(";");
+  return {of_sine, of_cosine};
+}
+
+/// What the program has for it, which is what is written.
+SignedNode FunctionReader::next_value(const CodeToken& name, SignedNode written,
+                                      const CodeToken& first) {
   if (next_statement_ == named_.size()) {
     tokens_.fail(tokens_.span(name), quoted(name.text) + " is one statement too many");
   }
-  const CodeToken first = tokens_.current();
-  const SignedNode written = expressions_.read(scope_);
-  compare(written, values_[named_[next_statement_]], first, quoted(name.text));
-  ++next_statement_;
-  tokens_.expect(";");
+  const SignedNode derived = values_[named_[next_statement_++]];
+  compare(written, derived, first, quoted(name.text));
+  return derived;
 }
 
 std::size_t FunctionReader::result_named(std::string_view name, const CodeToken& token) {

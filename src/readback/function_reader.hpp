@@ -7,6 +7,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "readback/expression_reader.hpp"
@@ -41,6 +42,9 @@ class FunctionReader {
     bool is_number;
   };
 
+  /// Of a sine and a cosine.
+  using Pair = std::pair<SignedNode, SignedNode>;
+
   [[nodiscard]] bool is_c() const { return file_.dialect.shape == Shape::c99; }
   [[nodiscard]] std::string name_of_part(std::size_t part) const;
   [[nodiscard]] bool has_parts() const { return !workspace_name_.empty(); }
@@ -63,15 +67,22 @@ class FunctionReader {
   void using_declaration();
   void unused_argument();
   void declaration();
+  void declared_pair();
   void result_declaration();
   void shared_assignment();
+  void shared_pair();
   void assignment();
   void returned();
   void returned_values();
   void calls_of_parts();
   void array_value(std::size_t result);
   void entry(std::size_t result, std::size_t index, const CodeToken& first);
-  void named_value(const CodeToken& name);
+  void declare(const CodeToken& name, SignedNode value);
+  void share(const CodeToken& name, SignedNode value);
+  CodeToken shared_name();
+  SignedNode named_value(const CodeToken& name);
+  Pair pair_values(const CodeToken& sine, const CodeToken& cosine);
+  SignedNode next_value(const CodeToken& name, SignedNode written, const CodeToken& first);
   void compare(SignedNode written, SignedNode derived, const CodeToken& first,
                const std::string& what);
   void expect_complete();

@@ -56,6 +56,7 @@ class Functions {
     readers.sections["members"] = whole(&FunctionReader::struct_members);
     readers.sections["values"] = whole(&FunctionReader::workspace_members);
     readers.sections["kinks"] = once(calls_own_functions(program));
+    readers.sections["sine_cosine"] = once(has_sine_with_cosine(program));
     readers.sections["regular"] = once(gives_pivots(program));
     readers.holes["name"] = [this] { reader_->struct_name(); };
     readers.holes["workspace"] = [this] { reader_->workspace_name(); };

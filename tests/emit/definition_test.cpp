@@ -13,14 +13,15 @@ using elgen::testing::Subject;
 
 namespace {
 
-/// A chain of statements: each named value is used by the next two.
-Subject long_function(std::size_t statements) {
+/// A chain of statements: each named value is used by the next two; the last entry is `entry`.
+Subject long_function(std::size_t statements, std::size_t entry = 1) {
   Subject subject = cart_pole();
-  std::string text = "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  1 = sin 0\n";
-  for (std::size_t i = 2; i < statements + 2; ++i) {
+  std::string text =
+      "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  1 = sin 0\n  2 = cos 0\n";
+  for (std::size_t i = 3; i < statements + 3; ++i) {
     text += fmt::format("  {} = add {} {}  ; s{}\n", i, i - 1, i - 2, i);
   }
-  text += fmt::format("  result 2 1 = {} 1\n", statements + 1);
+  text += fmt::format("  result 2 1 = {} {}\n", statements + 2, entry);
   subject.program = elgen::testing::read_program(text);
   return subject;
 }
@@ -54,6 +55,26 @@ TEST_CASE("a long function calls its parts in order") {
   const std::string shared = "w." + function.workspace.front();
   CHECK(function.parts[0].body.find("\n  " + shared + " = ") != std::string::npos);
   CHECK(function.parts[1].body.find(shared) != std::string::npos);
+}
+
+TEST_CASE("one call computes the sine and the cosine of an angle") {
+  const FunctionDefinition whole = function_of(long_function(20));
+  CHECK(whole.whole.body.find(
+            "  const auto [sin_x, cos_x] = detail::SineCosine<Scalar>::of(q[0]);\n") == 0);
+}
+
+TEST_CASE("one call writes the sine and the cosine that parts share") {
+  const std::size_t sine = 1;
+  const FunctionDefinition parts = function_of(long_function(longest_body, sine));
+  REQUIRE(parts.parts.size() == 3);
+  // The sine is an entry of the first part; nothing behind needs the two.
+  CHECK(parts.parts[0].body.find("  const auto [sin_x, cos_x] = ") == 0);
+  Subject subject = long_function(longest_body);
+  Function& gravity = subject.program.functions.front();
+  gravity.instructions.back().b = sine;
+  const FunctionDefinition shared = function_of(subject);
+  CHECK(shared.parts[0].body.find(
+            "  std::tie(w.sin_x, w.cos_x) = detail::SineCosine<Scalar>::of(q[0]);\n") == 0);
 }
 
 TEST_CASE("parts name the arguments they mention") {

@@ -48,6 +48,14 @@ TEST_CASE("an entry stands behind the last statement it uses") {
   CHECK(cut.crosses == std::vector<bool>{false, true, false});
 }
 
+TEST_CASE("a sine and a cosine of one statement cross together") {
+  Statement pair = named(0, {});
+  pair.cosine = 1;
+  const Sections cut = sections({pair, named(2, {0}), named(3, {1})}, 2);
+  REQUIRE(cut.parts.size() == 2);
+  CHECK(cut.crosses == std::vector<bool>{true, true, false, false});
+}
+
 TEST_CASE("parts are in order, full, and share exactly what crosses") {
   CHECK(rc::check("laws of sections", [] {
     const std::vector<Statement> body = random_body();

@@ -59,7 +59,18 @@ TEST_CASE("a sum of leaves too long to spell has a hash") {
   const auto names = names_of(coordinates + "\nfunction bias\n" + sums +
                               "  17 = sin 16\n  18 = cos 16\n  result 1 2 = 17 18\n");
   CHECK(names[16].substr(0, 2) == "t_");
-  CHECK(names[17].empty());
+  CHECK(names[17].substr(0, 2) == "t_");  // no sum to be named after
+}
+
+TEST_CASE("a sine and a cosine of one angle have names, for one call computes both") {
+  const std::string head =
+      "coordinates x y\nfunction bias\n  0 = coordinate x\n  1 = coordinate y\n";
+  const auto both =
+      names_of(head + "  2 = multiply 0 1\n  3 = sin 2\n  4 = cos 2\n  result 1 2 = 3 4\n");
+  CHECK(both[3].substr(0, 2) == "t_");
+  CHECK(both[4].substr(0, 2) == "t_");
+  const auto one = names_of(head + "  2 = multiply 0 1\n  3 = sin 2\n  result 1 1 = 3\n");
+  CHECK(one[3].empty());
 }
 
 TEST_CASE("a name of its own is kept unless something else is called so") {

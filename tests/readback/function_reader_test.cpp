@@ -99,6 +99,24 @@ TEST_CASE("a shared value that is written twice is refused") {
   CHECK_FALSE(draft.refusal().empty());
 }
 
+TEST_CASE("a sine and a cosine that parts share are compared") {
+  const std::string pair = "std::tie(w.sin_q2, w.cos_q2) = detail::SineCosine<Scalar>::of(q[1]);";
+  const auto refusal_of = [&](const std::string& other) {
+    Draft draft{cpp(), "cut.hpp"};
+    draft.replace(first_part, pair, other);
+    return draft.refusal();
+  };
+  CHECK_THAT(refusal_of("std::tie(w.sin_q2, w.cos_q2) = detail::SineCosine<Scalar>::of(q[2]);"),
+             Catch::Contains("`q[2]` instead of `q[1]`"));
+  CHECK_THAT(refusal_of("std::tie(w.sin_q2, w.sin_q2) = detail::SineCosine<Scalar>::of(q[1]);"),
+             Catch::Contains("is written twice"));
+  CHECK_THAT(refusal_of("std::tie(w.sin_q2, w.other) = detail::SineCosine<Scalar>::of(q[1]);"),
+             Catch::Contains("is not declared here"));
+  // Each has a value then, though not its own.
+  CHECK_FALSE(
+      refusal_of("std::tie(w.cos_q2, w.sin_q2) = detail::SineCosine<Scalar>::of(q[1]);").empty());
+}
+
 TEST_CASE("the workspace declares what is shared, each once") {
   Draft missing{cpp(), "cut.hpp"};
   (void)missing.take_line("Workspace {", "Scalar ");

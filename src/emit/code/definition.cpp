@@ -57,7 +57,8 @@ class DefinitionWriter {
         formulas_(program, ordered_, dialect, names_) {}
 
   FunctionDefinition definition() {
-    const std::vector<Statement> all = statements(ordered_, names_);
+    const std::vector<Statement> all = statements(
+        ordered_, names_, dialect_.sine_cosine().empty() ? Pairing::separate : Pairing::joint);
     if (all.size() <= longest_body) return {short_text(all)};
     const Sections cut = sections(all, section_length);
     FunctionDefinition result;
@@ -77,11 +78,10 @@ class DefinitionWriter {
     std::string lines;
     FieldTexts entries(ordered_.fields.size());
     for (const Statement& statement : all) {
-      const std::uint32_t at = statement.instruction;
       if (statement.is_entry) {
-        entries[statement.field].push_back(formulas_.entry(at).text());
+        entries[statement.field].push_back(formulas_.entry(statement.instruction).text());
       } else {
-        lines += assignment(dialect_.declaration(names_[at]), formulas_.definition(at).text());
+        lines += named_value(statement, true);
       }
     }
     const UsedNames used = used_names(all, {});
@@ -95,19 +95,28 @@ class DefinitionWriter {
   [[nodiscard]] DefinitionText part_text(const Sections& cut, std::size_t part) const {
     std::string lines;
     for (const Statement& statement : cut.parts[part]) {
-      const std::uint32_t at = statement.instruction;
-      const std::string& name = names_[at];
       if (statement.is_entry) {
         lines += assignment(dialect_.target(ordered_, statement.field, statement.index),
-                            formulas_.entry(at).text());
+                            formulas_.entry(statement.instruction).text());
       } else {
-        lines += assignment(cut.crosses[at] ? name : dialect_.declaration(name),
-                            formulas_.definition(at).text());
+        lines += named_value(statement, !cut.crosses[statement.instruction]);
       }
     }
     const UsedNames used = used_names(cut.parts[part], cut.crosses);
     return {dialect_.part_signature(function_, part, used),
             dialect_.opening(function_, used, true) + lines};
+  }
+
+  [[nodiscard]] std::string named_value(const Statement& statement, bool is_declared) const {
+    const std::uint32_t at = statement.instruction;
+    const std::string& name = names_[at];
+    if (!statement.cosine) {
+      return assignment(is_declared ? dialect_.declaration(name) : name,
+                        formulas_.definition(at).text());
+    }
+    const Formula angle = formulas_.entry(ordered_.instructions[at].a);
+    return assignment(dialect_.pair(name, names_[*statement.cosine], is_declared),
+                      called(dialect_.sine_cosine(), {angle}).text());
   }
 
   /// The names of what crosses into other parts; it is spelt as shared from here on.

@@ -38,6 +38,16 @@ class Dialect : public Vocabulary {
   /// A temporary that several parts of a function share, where it is written and read.
   [[nodiscard]] std::string shared(const std::string& name) const;
 
+  /// What gives the sine and the cosine of an angle by one call; empty where the language has none.
+  [[nodiscard]] virtual std::string sine_cosine() const { return {}; }
+
+  /// "const auto [sin_x, cos_x]", "std::tie(w.sin_x, w.cos_x)": what takes its result, declared
+  /// here or not.
+  [[nodiscard]] virtual std::string pair(const std::string& /*sine*/, const std::string& /*cosine*/,
+                                         bool /*is_declared*/) const {
+    return {};
+  }
+
   /// "const Scalar x": the declaration of a temporary, without its value.
   [[nodiscard]] virtual std::string declaration(const std::string& name) const = 0;
 

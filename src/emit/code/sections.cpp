@@ -19,6 +19,17 @@ std::vector<Statement> ordered(std::vector<Statement> statements) {
   return statements;
 }
 
+/// One statement writes both of a sine and a cosine to the same place.
+void cross_together(const Sections& cut, std::vector<bool>& crosses) {
+  for (const std::vector<Statement>& part : cut.parts) {
+    for (const Statement& statement : part) {
+      if (!statement.cosine) continue;
+      const bool is_shared = crosses[statement.instruction] || crosses[*statement.cosine];
+      crosses[statement.instruction] = crosses[*statement.cosine] = is_shared;
+    }
+  }
+}
+
 std::vector<bool> crossing(const Sections& cut) {
   std::vector<std::size_t> part_of;
   std::vector<bool> crosses;
@@ -28,11 +39,13 @@ std::vector<bool> crossing(const Sections& cut) {
         if (part_of[used] != part) crosses[used] = true;
       }
       if (statement.is_entry) continue;
-      part_of.resize(statement.instruction + 1);
-      crosses.resize(statement.instruction + 1);
-      part_of.back() = part;
+      const std::uint32_t last = statement.cosine.value_or(statement.instruction);
+      part_of.resize(last + 1);
+      crosses.resize(last + 1);
+      part_of[statement.instruction] = part_of[last] = part;
     }
   }
+  cross_together(cut, crosses);
   return crosses;
 }
 

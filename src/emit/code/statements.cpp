@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "lower/code_interface.hpp"
+
 namespace elgen {
 namespace {
 
@@ -16,9 +18,11 @@ void collect(const Function& function, const std::vector<std::string>& names, st
   if (operand_count(i) > 1) collect(function, names, i.b, statement);
 }
 
+/// Of a sine and a cosine, their angle is what is written out.
 Statement completed(const Function& function, const std::vector<std::string>& names,
                     Statement statement) {
-  collect(function, names, statement.instruction, statement);
+  const std::uint32_t at = statement.instruction;
+  collect(function, names, statement.cosine ? function.instructions[at].a : at, statement);
   std::vector<std::uint32_t>& uses = statement.uses;
   std::sort(uses.begin(), uses.end());
   uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
@@ -27,10 +31,16 @@ Statement completed(const Function& function, const std::vector<std::string>& na
 
 }  // namespace
 
-std::vector<Statement> statements(const Function& function, const std::vector<std::string>& names) {
+std::vector<Statement> statements(const Function& function, const std::vector<std::string>& names,
+                                  Pairing pairing) {
   std::vector<Statement> all;
   for (std::uint32_t at = 0; at < names.size(); ++at) {
-    if (!names[at].empty()) all.push_back(completed(function, names, {.instruction = at}));
+    if (names[at].empty()) continue;
+    Statement statement{.instruction = at};
+    if (pairing == Pairing::joint && is_sine_with_cosine(function, at)) {
+      statement.cosine = ++at;
+    }
+    all.push_back(completed(function, names, std::move(statement)));
   }
   for (std::uint32_t field = 0; field < function.fields.size(); ++field) {
     const std::vector<std::uint32_t>& entries = function.fields[field].entries;

@@ -75,6 +75,14 @@ class CppDialect : public Dialect {
 
   std::string declaration(const std::string& name) const override { return "const Scalar " + name; }
 
+  std::string sine_cosine() const override { return "detail::SineCosine<Scalar>::of"; }
+
+  std::string pair(const std::string& sine, const std::string& cosine,
+                   bool is_declared) const override {
+    return is_declared ? fmt::format("const auto [{}, {}]", sine, cosine)
+                       : fmt::format("std::tie({}, {})", sine, cosine);
+  }
+
   std::string target(const Function& function, std::uint32_t at,
                      std::uint32_t index) const override {
     const Field& field = function.fields[at];

@@ -9,6 +9,7 @@
 #include "emit/cpp/cpp_dialect.hpp"
 #include "emit/text/layout.hpp"
 #include "emit/text/parameters.hpp"
+#include "lower/code_interface.hpp"
 
 namespace elgen {
 namespace {
@@ -41,6 +42,7 @@ std::string cpp_header(const EmissionInput& input) {
   data.set("declared", declarations(input.model));
   data.set("filled", section_if(has_filled_array(input.model, parameters)));
   data.set("numbers", numbers(input.program));
+  data.set("sine_cosine", section_if(has_sine_with_cosine(input.program)));
   data.set("parameters",
            lines_data(documented_members(declared_parameters(input.model, parameters))));
   return header_text("cpp/header.hpp.mustache", data);

@@ -3,7 +3,8 @@
 //     sin of a leaf, or of a sum of leaves       sin_theta, cos_q1_q2, sin_q1_minus_q2
 //     an instruction that has a name             that name
 //     a sum of leaves used more than once        sum_q1_q2
-//     used more than once, or too long to read   t_4f2a9: a hash of what it computes
+//     used more than once, too long to read,     t_4f2a9: a hash of what it computes
+//     or beside the cosine (sine) of its angle
 //
 // The hash covers leaves, constants and operations, not positions, so a change elsewhere leaves it
 // alone.
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -41,6 +43,7 @@ class Naming {
                          const std::string& leaf) { taken_.insert(identifier_of(leaf)); },
                   program.leaves);
     count_uses();
+    find_angles();
     for (std::size_t at = 0; at < function.instructions.size(); ++at) {
       hash(at);
       sums_.push_back(leaf_sum(at));
@@ -75,21 +78,36 @@ class Naming {
     }
   }
 
+  void find_angles() {
+    for (const Instruction& i : function_.instructions) {
+      if (is_trigonometric(i)) angles_[i.a].insert(i.function);
+    }
+  }
+
+  static bool is_trigonometric(const Instruction& i) {
+    return i.opcode == Opcode::call &&
+           (i.function == FunctionId::sin || i.function == FunctionId::cos);
+  }
+
+  /// One call computes both.
+  bool has_sine_and_cosine(const Instruction& i) const {
+    return is_trigonometric(i) && angles_.at(i.a).size() == 2;
+  }
+
   std::string name(std::size_t at, std::size_t size) {
     const Instruction& i = function_.instructions[at];
     if (i.opcode == Opcode::negate) return "";
     if (const auto angle = angle_name(i)) return unique(*angle);
     if (!function_.names[at].empty()) return unique(function_.names[at]);
-    if (uses_[at] <= 1 && size <= longest_expression) return "";
+    const bool is_short = uses_[at] <= 1 && size <= longest_expression;
+    if (is_short && !has_sine_and_cosine(i)) return "";
     return sums_[at] ? unique("sum_" + *sums_[at]) : hash_name(hashes_[at]);
   }
 
   /// "sin_theta", "cos_q1_minus_q2"; nothing where the argument is no short sum of
   /// leaves.
   std::optional<std::string> angle_name(const Instruction& i) const {
-    const bool is_angle = i.opcode == Opcode::call &&
-                          (i.function == FunctionId::sin || i.function == FunctionId::cos);
-    if (!is_angle) return std::nullopt;
+    if (!is_trigonometric(i)) return std::nullopt;
     const std::optional<std::string>& argument = sums_[i.a];
     if (!argument) return std::nullopt;
     return fmt::format("{}_{}", function_row(i.function).name, *argument);
@@ -146,6 +164,7 @@ class Naming {
   const Function& function_;
   std::set<std::string, std::less<>> taken_;
   std::vector<std::size_t> uses_;
+  std::map<std::uint32_t, std::set<FunctionId>> angles_;  ///< what is computed of each
   std::vector<std::uint64_t> hashes_;
   std::vector<std::optional<std::string>> sums_;  ///< names of short sums of leaves
 };

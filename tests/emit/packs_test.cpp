@@ -1,0 +1,35 @@
+// Programs of tests/emit/compiled/ around an emitted header, built by both compilers and run.
+#include <catch2/catch.hpp>
+
+#include "support/shell.hpp"
+
+using namespace elgen;
+
+namespace {
+
+test::Outcome build(const std::string& compiler, const std::string& program,
+                    const test::Workspace& workspace, const std::string& flags = "") {
+  const std::string source = ELGEN_SOURCE_DIR;
+  return test::shell(compiler +
+                         " -std=c++17 -O2 -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion "
+                         "-Wshadow -Werror " +
+                         flags + " -I" + source + "/generated " + source + "/tests/emit/compiled/" +
+                         program + " -o program",
+                     workspace.path());
+}
+
+/// Builds and runs.
+void expect_success(const std::string& program, const std::string& flags = "") {
+  const std::string compiler = GENERATE("g++", "clang++");
+  const test::Workspace workspace;
+  const test::Outcome built = build(compiler, program, workspace, flags);
+  INFO(compiler << "\n" << built.errors);
+  REQUIRE(built.status == 0);
+  const test::Outcome run = test::shell("./program", workspace.path());
+  INFO(run.output);
+  CHECK(run.status == 0);
+}
+
+}  // namespace
+
+TEST_CASE("one call for sine and cosine gives the bits of two") { expect_success("angles.cpp"); }
