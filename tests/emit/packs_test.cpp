@@ -33,3 +33,16 @@ void expect_success(const std::string& program, const std::string& flags = "") {
 }  // namespace
 
 TEST_CASE("one call for sine and cosine gives the bits of two") { expect_success("angles.cpp"); }
+
+TEST_CASE("packs pass unmodified, every lane as the scalar") {
+  expect_success("packs.cpp", "-Wno-psabi -Wno-ignored-attributes");
+}
+
+TEST_CASE("a pack has to declare the type of its elements") {
+  expect_success("unnamed_element.cpp", "-Wno-psabi -DVALUE_TYPE");
+  const std::string compiler = GENERATE("g++", "clang++");
+  const test::Workspace workspace;
+  const test::Outcome built = build(compiler, "unnamed_element.cpp", workspace, "-Wno-psabi");
+  CHECK(built.status != 0);
+  CHECK(test::mentions(built.errors, "using value_type = double;"));
+}

@@ -95,6 +95,13 @@ struct Component<Scalar, std::void_t<typename Scalar::Scalar>> {
   using type = typename Scalar::Scalar;
 };
 
+/// Whether the type has elements and does not say of which type.
+template <class Scalar, class = void>
+struct HidesComponent : std::false_type {};
+template <class Scalar>
+struct HidesComponent<Scalar, std::void_t<decltype(std::declval<Scalar&>()[0])>>
+    : std::is_same<Scalar, typename Component<Scalar>::type> {};
+
 template <class Scalar, class Number>
 [[nodiscard]] Scalar broadcast(const Number& number) {
   Scalar result;
@@ -149,6 +156,8 @@ template <class Scalar, class Float, class Double, class LongDouble>
     static_assert(std::is_same_v<LongDouble, long double>, "out of the range of long double");
     return in_long_double;
   } else if constexpr (std::is_same_v<Scalar, Component>) {
+    static_assert(!detail::HidesComponent<Scalar>::value,
+                  "a pack declares the type of its elements: using value_type = double;");
     const Scalar fraction =
         detail::integer<Scalar>(numerator) / detail::integer<Scalar>(denominator);
     if (exponent < 0) return fraction / detail::power_of_ten<Scalar>(-exponent);
