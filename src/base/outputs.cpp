@@ -155,6 +155,19 @@ constexpr OutputRow momentum{.symbol = {"p", "p"},
                              .doc = "Generalized momentum.",
                              .parts = {.mass = true}};
 
+constexpr OutputRow position_gradient{
+    .symbol = {"dL/dq", R"(\frac{\partial L}{\partial q})"},
+    .takes = Opcode::velocity,
+    .fields = force,
+    .equation = {"dL/dq = dp/dt + dD/dv - Q - B u",
+                 R"(\frac{\partial L}{\partial q} = \frac{d p}{d t} + )"
+                 R"(\frac{\partial D}{\partial <v>} - Q - B u)"},
+    .turning_equation = {"N^T dL/dq = dp/dt + [w]x p + dD/dv - Q - B u",
+                         R"(N^{\top} \frac{\partial L}{\partial q} = \frac{d p}{d t} + )"
+                         R"([\omega]_{\times} p + \frac{\partial D}{\partial v} - Q - B u)"},
+    .doc = "Gradient of the Lagrangian by the coordinates.",
+    .parts = {.mass = true, .potential = true}};
+
 // Energies.
 
 constexpr OutputRow potential_energy{.symbol = {"V0", "V_{0}"},

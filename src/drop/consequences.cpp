@@ -33,6 +33,7 @@ Values Consequences::found(OutputKind output) {
       {K::drift, [](Self c) { return c.drift(); }},
       {K::bias, [](Self c) { return c.bias(); }},
       {K::momentum, [](Self c) { return c.times(c.of(K::mass_matrix), Opcode::velocity); }},
+      {K::position_gradient, [](Self c) { return c.position_gradient(); }},
       {K::kinetic_energy, [](Self c) { return c.kinetic_energy(); }},
       {K::total_energy, [](Self c) { return c.energy(); }},
       {K::energy_function, [](Self c) { return c.energy(); }},
@@ -91,6 +92,14 @@ Values Consequences::gravity() {
   const Value potential = of(K::potential_energy)[0];
   for (std::size_t i = 0; i < size_; ++i) result.push_back(slope(potential, i));
   return result;
+}
+
+/// d(T - V0)/dq
+Values Consequences::position_gradient() {
+  Values result;
+  const Value kinetic = of(K::kinetic_energy)[0];
+  for (std::size_t i = 0; i < size_; ++i) result.push_back(slope(kinetic, i));
+  return sum(std::move(result), of(K::gravity), -1);
 }
 
 /// Of drift only (dM/dt) v holds M.

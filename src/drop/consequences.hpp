@@ -40,6 +40,7 @@ class Consequences {
   Values coriolis();
   Values gravity();
   Values drift();
+  Values position_gradient();
   Values bias();
   Values inverse_dynamics();
   Values energy();

@@ -82,6 +82,12 @@ cl_R Mechanics::momentum(const Direction& w) {
   return energy_at(lagrangian, motion).coefficient(first);
 }
 
+cl_R Mechanics::position_gradient(const Direction& w) {
+  Motion motion = base_;
+  displace_position(model_, motion, w, first);
+  return energy_at(lagrangian, motion).coefficient(first);
+}
+
 /// d/dt (w.dL/dv) is the coefficient of e0 e1 in L(q + dq/dt e1, v + a e1 + w e0, t + e1).
 Jet Mechanics::residual(const Motion& at, const Direction& w, const Direction& a) {
   Motion moving = at;

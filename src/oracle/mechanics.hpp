@@ -70,6 +70,9 @@ class Mechanics {
   /// w.dL/dv
   [[nodiscard]] cln::cl_R momentum(const Direction& w);
 
+  /// w.dL/dq, along the rotation vector where rotations turn
+  [[nodiscard]] cln::cl_R position_gradient(const Direction& w);
+
   /// w.(d/dt dL/dv + [w]x dL/dw - dL/dq + dD/dv - Q), the second term for angular velocities, with
   /// acceleration a: w.(M a + bias)
   [[nodiscard]] cln::cl_R inverse_dynamics(const Direction& w, const Direction& a);

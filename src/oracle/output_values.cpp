@@ -161,6 +161,7 @@ constexpr OracleRow applied_force = column<&Mechanics::applied_force>;
 constexpr OracleRow bias = column<oracle::bias>;
 constexpr OracleRow inverse_dynamics = column<oracle::inverse_dynamics>;
 constexpr OracleRow momentum = column<&Mechanics::momentum>;
+constexpr OracleRow position_gradient = column<&Mechanics::position_gradient>;
 constexpr OracleRow reaction{
     [](const Question& of) { return oracle::reaction(of.model, of.state); }};
 

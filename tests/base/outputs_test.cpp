@@ -108,7 +108,7 @@ TEST_CASE("what needs a quadratic Lagrangian says so") {
     CHECK(output_row(kind).requirement == Requirement::quadratic);
   }
   for (const OutputKind kind : {OutputKind::mass_matrix, OutputKind::bias, OutputKind::momentum,
-                                OutputKind::energy_function}) {
+                                OutputKind::position_gradient, OutputKind::energy_function}) {
     CHECK(output_row(kind).requirement == Requirement::nothing);
   }
 }

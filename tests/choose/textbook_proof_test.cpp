@@ -53,6 +53,9 @@ std::vector<ex> textbook_entries(const Textbook& book, OutputKind kind, std::siz
     case OutputKind::momentum:
       each([&](std::size_t i) { return book.momentum(i); });
       break;
+    case OutputKind::position_gradient:
+      each([&](std::size_t i) { return book.position_gradient(i); });
+      break;
     case OutputKind::inverse_dynamics:
       each([&](std::size_t i) { return book.inverse_dynamics(i); });
       break;

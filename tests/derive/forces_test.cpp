@@ -21,7 +21,7 @@ void check_entries(const Derived& system, const Vector& derived, const Expected&
 
 }  // namespace
 
-TEST_CASE("inverse dynamics, bias and momentum of every system") {
+TEST_CASE("inverse dynamics, bias, momentum and dL/dq of every system") {
   for (const auto& [name, text] : systems()) {
     INFO(name);
     Derived s(text);
@@ -30,6 +30,8 @@ TEST_CASE("inverse dynamics, bias and momentum of every system") {
     check_entries(s, bias(s.derivation, InputForces::absent),
                   [&](std::size_t i) { return s.textbook.bias(i); });
     check_entries(s, momentum(s.derivation), [&](std::size_t i) { return s.textbook.momentum(i); });
+    check_entries(s, position_gradient(s.derivation),
+                  [&](std::size_t i) { return s.textbook.position_gradient(i); });
   }
 }
 

@@ -59,9 +59,13 @@ class Textbook {
 
   [[nodiscard]] GiNaC::ex momentum(std::size_t i) const { return by(lagrangian_, s_.v[i]); }
 
+  [[nodiscard]] GiNaC::ex position_gradient(std::size_t i) const {
+    return by(lagrangian_, s_.q[i]);
+  }
+
   [[nodiscard]] GiNaC::ex inverse_dynamics(std::size_t i) const {
-    return rate(momentum(i)) - by(lagrangian_, s_.q[i]) +
-           by(out(sum(source_.dissipation)), s_.v[i]) - without_inputs(force(i));
+    return rate(momentum(i)) - position_gradient(i) + by(out(sum(source_.dissipation)), s_.v[i]) -
+           without_inputs(force(i));
   }
 
   [[nodiscard]] GiNaC::ex bias(std::size_t i) const { return coasting(inverse_dynamics(i)); }

@@ -11,7 +11,8 @@ using namespace elgen::test;
 TEST_CASE("momenta and kinetic energies of frames", "[frames]") {
   for (const auto& [name, text] : frame_systems()) {
     Framed system(text);
-    for (const char* output : {"momentum", "kinetic_energy", "energy_function"}) {
+    for (const char* output :
+         {"momentum", "position_gradient", "kinetic_energy", "energy_function"}) {
       INFO(name << " " << output);
       CHECK(system.agrees(output));
     }

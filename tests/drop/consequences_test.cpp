@@ -49,6 +49,7 @@ TEST_CASE("a term of M_11") {
         Texts{"0.5*e*dot(y)", "0.5*e*dot(x)", "-0.5*e*dot(x)", "0"});
   CHECK(loss.of(OutputKind::velocity_force) == Texts{"e*dot(x)*dot(y)", "-0.5*e*dot(x)^2"});
   CHECK(loss.of(OutputKind::momentum) == Texts{"e*y*dot(x)", "0"});
+  CHECK(loss.of(OutputKind::position_gradient) == Texts{"0", "0.5*e*dot(x)^2"});
   CHECK(loss.of(OutputKind::kinetic_energy) == Texts{"0.5*e*y*dot(x)^2"});
   CHECK(loss.of(OutputKind::drift) == Texts{"0", "0"});
   CHECK(loss.of(OutputKind::gravity) == Texts{"0", "0"});
@@ -68,6 +69,7 @@ TEST_CASE("a term of V0, and of forces") {
   loss.parts[OutputKind::dissipation] = {loss.parameter(0), Fraction{}};
   loss.parts[OutputKind::applied_force] = {Fraction{}, loss.parameter(0)};
   CHECK(loss.of(OutputKind::gravity) == Texts{"2*k*x", "0"});
+  CHECK(loss.of(OutputKind::position_gradient) == Texts{"-2*k*x", "0"});
   CHECK(loss.of(OutputKind::total_energy) == Texts{"k*x^2"});
   CHECK(loss.of(OutputKind::bias) == Texts{"e + 2*k*x", "-e"});
   CHECK(loss.of(OutputKind::inverse_dynamics) == Texts{"e + 2*k*x", "-e"});

@@ -92,4 +92,6 @@ TEST_CASE("energies and the gradient of a potential with a part linear in the ra
   CHECK(at.energy_magnitude() == kinetic + 12 + 12 + 60);
   CHECK(at.gravity(along_x) == 12);
   CHECK(at.gravity(along_y) == 4);
+  CHECK(at.position_gradient(along_x) == 5 * 7 - 12);
+  CHECK(at.position_gradient(along_y) == 7 * 7 - 4 - 4 * 5);
 }

@@ -50,6 +50,7 @@ TEST_CASE("every output of a particle in polar coordinates, by hand") {
   CHECK(value(OutputKind::applied_force) == Values{0, -3});
   CHECK(value(OutputKind::bias) == Values{-196 + 2 + 10, 280 + 3});
   CHECK(value(OutputKind::momentum) == Values{10, 56});
+  CHECK(value(OutputKind::position_gradient) == Values{194, 0});
   CHECK(value(OutputKind::kinetic_energy) == Values{221});
   CHECK(value(OutputKind::total_energy) == Values{225});
   CHECK(value(OutputKind::energy_function) == Values{225});

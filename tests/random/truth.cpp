@@ -311,6 +311,12 @@ void Truth::add_energies() {
   const Vector p = of_free(momentum(layout_, state_));
   const Vector v = of_free(state_.v);
   keep("momentum", p);
+  Vector gradient;
+  for (const std::size_t j : free_) {
+    gradient.push_back(
+        lagrangian(layout_, displaced(layout_, state_, j, direction)).along(direction));
+  }
+  keep("position_gradient", gradient);
   keep("energy_function", Vector{dot(p, v) - lagrangian(layout_, state_)});
   if (system_.model.L) return;
   const Jet T = energy(state_, &Energies::T);

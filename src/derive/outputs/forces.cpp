@@ -214,4 +214,21 @@ Vector momentum(Derivation& derivation) {
   return plus(result, derivation.by_velocity(derivation.other_lagrangian()));
 }
 
+Vector position_gradient(Derivation& derivation) {
+  const std::array<ex, 3> g = gravity_vector(derivation);
+  std::vector<Weighted> sum;
+  for (const PointMass& mass : derivation.lagrangian.masses) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const ex velocity = define(derivation.definitions, derivation.coasting(mass.position[axis]));
+      sum.push_back({velocity, define(derivation.definitions, mass.mass * velocity)});
+      sum.push_back({mass.position[axis], define(derivation.definitions, mass.mass * g[axis])});
+    }
+  }
+  Tree& tree = tree_of(derivation);
+  append(sum, weighted(tree_kinetic_energy(tree, derivation.coasting), 1));
+  append(sum, weighted(tree_potential_energy(tree), -1));
+  append(sum, derivation.other_lagrangian());
+  return derivation.by_position(sum);
+}
+
 }  // namespace elgen

@@ -40,4 +40,7 @@ enum class Bodies : unsigned char { all, without_frames };
 /// dL/dv = M v + b.
 [[nodiscard]] Vector momentum(Derivation& derivation);
 
+/// dL/dq; along the rotation vector, N^T dL/dq, where rotations turn.
+[[nodiscard]] Vector position_gradient(Derivation& derivation);
+
 }  // namespace elgen
