@@ -44,6 +44,7 @@ template <class Base>
 }
 template <class Base>
 [[nodiscard]] Dual<Base> sqrt(const Dual<Base>& x) {
+  using std::sqrt;
   const Base root = sqrt(x.value);
   return {root, x.slope / (root + root)};
 }
@@ -55,9 +56,15 @@ template <class Base>
   return {x.value * factor, x.slope * factor};
 }
 
+/// Where Base is a built-in float.
+#define ELGEN_OF_FLOATS                                                                      \
+  using std::abs, std::sin, std::cos, std::tan, std::asin, std::acos, std::atan, std::atan2; \
+  using std::sinh, std::cosh, std::tanh, std::exp, std::log, std::sqrt;                      \
+  using interpreter::sign, interpreter::min, interpreter::max;
 #define ELGEN_DUAL_1(name, first, second)                               \
   template <class Base>                                                 \
   [[nodiscard]] Dual<Base> name(const Dual<Base>& argument) {           \
+    ELGEN_OF_FLOATS                                                     \
     const Base& x = argument.value;                                     \
     const Base f = name(x);                                             \
     [[maybe_unused]] const Base one = ScalarTraits<Base>::from_real(1); \
@@ -66,6 +73,7 @@ template <class Base>
 #define ELGEN_DUAL_2(name, first, second)                                          \
   template <class Base>                                                            \
   [[nodiscard]] Dual<Base> name(const Dual<Base>& left, const Dual<Base>& right) { \
+    ELGEN_OF_FLOATS                                                                \
     const Base& x = left.value;                                                    \
     const Base& y = right.value;                                                   \
     const Base f = name(x, y);                                                     \
@@ -78,6 +86,7 @@ template <class Base>
 #undef ELGEN_FUNCTION
 #undef ELGEN_DUAL_2
 #undef ELGEN_DUAL_1
+#undef ELGEN_OF_FLOATS
 
 /// A point that moves with epsilon: values at `point`, slopes from `direction`.
 template <class Base>

@@ -34,6 +34,22 @@ TEST_CASE("the slope of every smooth function is its derivative") {
   }
 }
 
+TEST_CASE("numbers of double have slopes too, of kinked functions none") {
+  for (const FunctionRow& row : function_table) {
+    INFO(row.name);
+    const Dual<double> dual = interpreter::call<Dual<double>>(row.id, {0.4, 1}, {1.25, 0});
+    CHECK(dual.value == interpreter::call(row.id, 0.4, 1.25));
+    if (row.use == FunctionUse::forces) {
+      CHECK(dual.slope == 0);
+      continue;
+    }
+    const Real exact =
+        interpreter::call<Dual<Real>>(row.id, {real("2/5"), Real(1)}, {real("5/4"), Real()}).slope;
+    CHECK(dual.slope == Approx(ScalarTraits<double>::from_real(exact.value())));
+  }
+  CHECK(sqrt(Dual<double>{4, 1}).slope == 0.25);
+}
+
 TEST_CASE("atan2 has a slope in its second argument") {
   // d/dx atan2(y, x) = -y / (x^2 + y^2) at (3, 4)
   const Dual<Real> angle = atan2(Dual<Real>{real("3"), Real()}, Dual<Real>{real("4"), Real(1)});
