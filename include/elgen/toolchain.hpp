@@ -12,10 +12,24 @@
 
 namespace elgen {
 
+/// What every compiled function looks like: all leaves, then the result. Arguments a function does
+/// not take are ignored.
+template <class Scalar>
+using DriverFunction = void (*)(
+#define ELGEN_LEAVES(kind, member, ...) const Scalar *member,
+#define ELGEN_LEAF(kind, member, ...) Scalar member,
+#include "elgen/leaves.def"
+#undef ELGEN_LEAVES
+#undef ELGEN_LEAF
+    Scalar* result);
+
 /// The functions of one emitted header, instantiated for one built-in scalar.
 class CompiledModel {
  public:
   virtual ~CompiledModel() = default;
+  /// The function itself, while the CompiledModel lives; null where it is not there for double. Its
+  /// result has the entries of all fields, in the order of Function::fields.
+  [[nodiscard]] virtual DriverFunction<double> find(std::string_view function) const = 0;
   /// All entries of all fields of an output, in the order of Function::fields.
   [[nodiscard]] virtual std::vector<double> call(std::string_view function,
                                                  const Arguments<double>& arguments) const = 0;

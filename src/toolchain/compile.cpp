@@ -54,6 +54,10 @@ class LoadedModel final : public CompiledModel {
   LoadedModel(Library library, std::vector<LoadedFunction> functions)
       : library_(std::move(library)), functions_(std::move(functions)) {}
 
+  [[nodiscard]] DriverFunction<double> find(std::string_view function) const override {
+    const auto found = std::ranges::find(functions_, function, &LoadedFunction::name);
+    return found == functions_.end() ? nullptr : found->in_double;
+  }
   [[nodiscard]] std::vector<double> call(std::string_view function,
                                          const Arguments<double>& arguments) const override {
     return invoke(function, arguments, &LoadedFunction::in_double);

@@ -13,17 +13,6 @@
 
 namespace elgen {
 
-/// What every driver function looks like: all leaves, then the result. Arguments a function does
-/// not take are ignored.
-template <class Scalar>
-using DriverFunction = void (*)(
-#define ELGEN_LEAVES(kind, member, ...) const Scalar *member,
-#define ELGEN_LEAF(kind, member, ...) Scalar member,
-#include "elgen/leaves.def"
-#undef ELGEN_LEAVES
-#undef ELGEN_LEAF
-    Scalar* result);
-
 /// What drivers are made from.
 struct DriverInput {
   const Model& model;

@@ -33,6 +33,21 @@ TEST_CASE("compiled functions return the fields one after another, in double and
   CHECK(model.call("gravity", arguments<double>()).empty());
 }
 
+TEST_CASE("a compiled function is there to be called on numbers where they are") {
+  const auto compiled = compile_header(sample::header());
+  REQUIRE(compiled);
+  const elgen::CompiledModel& model = *compiled->front().functions;
+  const auto given = arguments<double>();
+  double result[2] = {0, 0};
+  const auto function = model.find("forward_dynamics");
+  REQUIRE(function != nullptr);
+  function(given.parameters.data(), given.q.data(), given.v.data(), nullptr, given.u.data(),
+           given.t, result);
+  CHECK(result[0] == 32);
+  CHECK(result[1] == 2);
+  CHECK(model.find("gravity") == nullptr);
+}
+
 TEST_CASE("the temporary directory is gone afterwards, and its name may have spaces") {
   const auto scratch = elgen::TemporaryDirectory::create();
   REQUIRE(scratch);

@@ -18,6 +18,7 @@ class Changed final : public CompiledModel {
   Changed(const Program& program, std::string function, std::function<double(double)> change)
       : program_(program), function_(std::move(function)), change_(std::move(change)) {}
 
+  [[nodiscard]] DriverFunction<double> find(std::string_view) const override { return nullptr; }
   [[nodiscard]] std::vector<double> call(std::string_view function,
                                          const Arguments<double>& arguments) const override {
     return changed(function, arguments);
