@@ -72,6 +72,7 @@ struct Coordinate {
   std::string unit_text = {};     ///< as written
   std::optional<Interval> range = {};
   cln::cl_R start_value = 0;
+  bool wrap = false;           ///< an angle that may turn all the way round
   std::uint32_t velocity = 0;  ///< of its rate in Model::velocities; the first one of its rotation
   std::optional<std::uint32_t> rotation = {};  ///< whose component it is, in Model::rotations
   std::optional<ExpressionId> armature = {};   ///< adds 1/2 J v^2 to T
@@ -227,6 +228,7 @@ struct Input {
   std::optional<Interval> limits = {};
   std::optional<Unit> unit = {};
   std::string unit_text = {};
+  std::optional<ExpressionId> law = {};  ///< what options make it, a function of q, v and t
   std::string doc = {};
   Span span = {};
 };

@@ -120,11 +120,15 @@ struct CheckedModel {
   Scene scene;
 };
 
-/// --outputs, --fix, --size as given, each a source of its own so that errors can point into it.
+/// --outputs, --fix, --size and the like as given, each a source of its own so that errors can
+/// point into it.
 struct SceneOptions {
   std::vector<SourcePointer> outputs = {};  ///< "mass_matrix,bias"
   std::vector<SourcePointer> fixed = {};    ///< "NAME", "NAME=VALUE" or "all"
   std::vector<SourcePointer> sizes = {};    ///< "n=20"
+  std::vector<SourcePointer> values = {};   ///< "m=2": of parameters that stay parameters
+  std::vector<SourcePointer> starts = {};   ///< "theta=1,dot(theta)=0,attitude=[1,0,0,0]"
+  std::vector<SourcePointer> laws = {};     ///< "u=-3*theta"
   /// Keep closed forms of more than 4096 nodes too: `verify` needs them. Without it they are read
   /// until there, so that mistakes in them are reported, and dropped.
   bool large_expectations = false;

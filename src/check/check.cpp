@@ -21,6 +21,7 @@
 #include "check/scene/lock.hpp"
 #include "check/scene/read_approximate.hpp"
 #include "check/scene/read_locks.hpp"
+#include "check/scene/read_run.hpp"
 #include "check/scene/scene_reader.hpp"
 #include "elgen/scene.hpp"
 
@@ -32,7 +33,8 @@ void keep_sources(Model& model, const FileSyntax& syntax, const FileSyntax* scen
                   const SceneOptions& options) {
   model.source = syntax.source;
   model.scene_source = scene == nullptr ? nullptr : scene->source;
-  for (const auto* list : {&options.outputs, &options.fixed, &options.sizes}) {
+  for (const auto* list : {&options.outputs, &options.fixed, &options.sizes, &options.values,
+                           &options.starts, &options.laws}) {
     model.option_sources.insert(model.option_sources.end(), list->begin(), list->end());
   }
 }
@@ -81,6 +83,8 @@ void judge(Context& context, const FileSyntax& syntax, const FileSyntax* scene,
   if (has_order) check_mechanics(context, find_traits(context.model));
   read_expectations(context, syntax, options.large_expectations);
   read_approximation(context, scene);
+  read_starts(context, options);
+  read_laws(context, options);
   if (!has_order) return;
   check_places(context, find_traits(context.model));
   check_units(context);
@@ -112,6 +116,7 @@ Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
     lock_model(context);
   }
   Scene checked_scene = read_scene(context, scene, options);
+  read_values(context, checked_scene, options);
   if (context.report.errors() > 0) {
     return context.report.sorted();
   }

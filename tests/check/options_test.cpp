@@ -19,6 +19,15 @@ TEST_CASE("words are split at commas and keep their places") {
   CHECK(words_of({}).empty());
 }
 
+TEST_CASE("commas in brackets split nothing") {
+  const SourcePointer source = make_source("command line", "e=[1, 0], x=max(1, (2)),y");
+  const std::vector<OptionWord> words = words_of({source});
+  REQUIRE(words.size() == 3);
+  CHECK(words[0].text == "e=[1, 0]");
+  CHECK(words[1].text == "x=max(1, (2))");
+  CHECK(words[2].span.begin == 24);
+}
+
 TEST_CASE("assignments are split at the first equals sign") {
   const SourcePointer source = make_source("command line", "g, m = 1/2 ");
   const std::vector<OptionWord> words = words_of({source});

@@ -38,6 +38,11 @@ void read_start(ValueReader& values, const ValueSyntax& table, Coordinate& coord
   }
 }
 
+bool is_set(const EntrySyntax& entry, std::string_view name) {
+  const KeySyntax* key = entry.find(name);
+  return key != nullptr && key->value.boolean;
+}
+
 void read_rate(ValueReader& values, const EntrySyntax& entry, const Coordinate& coordinate) {
   Velocity& velocity = values.context().model.velocities[coordinate.velocity];
   velocity.rate_range = interval_of(values, entry, "rate_range");
@@ -79,6 +84,7 @@ void read_coordinate(ValueReader& values, const EntrySyntax& entry, std::uint32_
   coordinate.unit = unit_of(entry, context.report);
   coordinate.unit_text = text_of(entry, "unit");
   coordinate.range = interval_of(values, entry, "range");
+  coordinate.wrap = is_set(entry, "wrap");
   read_rate(values, entry, coordinate);
   coordinate.latex = text_of(entry, "latex");
   coordinate.doc = text_of(entry, "doc");

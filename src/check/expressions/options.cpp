@@ -16,23 +16,31 @@ OptionWord word_at(const Span& span) {
   return {std::string(covered_text(inner)), inner};
 }
 
-void split_at_commas(const SourceText& source, std::vector<OptionWord>& words) {
-  const auto size = static_cast<std::uint32_t>(source.text.size());
-  std::uint32_t begin = 0;
-  while (begin <= size) {
-    const std::size_t comma = source.text.find(',', begin);
-    const auto end = comma == std::string::npos ? size : static_cast<std::uint32_t>(comma);
-    words.push_back(word_at({&source, begin, end}));
-    begin = end + 1;
-  }
-}
-
 }  // namespace
+
+std::vector<OptionWord> split_at_commas(const Span& text) {
+  std::vector<OptionWord> words;
+  int depth = 0;
+  std::uint32_t begin = text.begin;
+  for (std::uint32_t i = text.begin; i < text.end; ++i) {
+    const char letter = text.source->text[i];
+    if (letter == '(' || letter == '[') ++depth;
+    if (letter == ')' || letter == ']') --depth;
+    if (letter != ',' || depth > 0) continue;
+    words.push_back(word_at({text.source, begin, i}));
+    begin = i + 1;
+  }
+  words.push_back(word_at({text.source, begin, text.end}));
+  return words;
+}
 
 std::vector<OptionWord> words_of(const std::vector<SourcePointer>& options) {
   std::vector<OptionWord> words;
   for (const SourcePointer& option : options) {
-    split_at_commas(*option, words);
+    const auto size = static_cast<std::uint32_t>(option->text.size());
+    for (OptionWord& word : split_at_commas({option.get(), 0, size})) {
+      words.push_back(std::move(word));
+    }
   }
   return words;
 }

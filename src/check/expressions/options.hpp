@@ -17,7 +17,8 @@ struct OptionWord {
   Span span;
 };
 
-/// "a,b" split at commas, spaces trimmed.
+/// "a,[b,c]" split at commas outside of brackets, spaces trimmed.
+[[nodiscard]] std::vector<OptionWord> split_at_commas(const Span& text);
 [[nodiscard]] std::vector<OptionWord> words_of(const std::vector<SourcePointer>& options);
 
 /// "NAME=VALUE"; without "=" the value's span is empty.

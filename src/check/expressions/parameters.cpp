@@ -182,6 +182,24 @@ void declare_parameter(Context& context, const KeySyntax& key) {
   add_elements(context, key, count, size != nullptr);
 }
 
+std::vector<std::uint32_t> named_parameters(Context& context, const std::string& name,
+                                            const Span& span, const std::string& hint) {
+  const Model& model = context.model;
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t i = 0; i < model.parameters.size(); ++i) {
+    const Parameter& parameter = model.parameters[i];
+    if (parameter.name == name || model.parameter_arrays[parameter.array].name == name) {
+      found.push_back(i);
+    }
+  }
+  if (found.empty()) {
+    const std::vector<std::string> names = context.symbols.names({SymbolKind::parameter});
+    context.report.add(Code::E602, span, "unknown parameter " + quoted(name),
+                       hint.empty() ? context.symbols.suggest(name, names) : hint);
+  }
+  return found;
+}
+
 void read_parameters(Context& context, const FileSyntax& syntax) {
   std::size_t next = 0;
   std::vector<ParameterArray>& arrays = context.model.parameter_arrays;

@@ -9,6 +9,11 @@ namespace elgen {
 /// Declares the name and adds the elements, without values.
 void declare_parameter(Context& context, const KeySyntax& key);
 
+/// The parameters that NAME (all elements) or NAME[i] stands for; none after E602.
+[[nodiscard]] std::vector<std::uint32_t> named_parameters(Context& context, const std::string& name,
+                                                          const Span& span,
+                                                          const std::string& hint = {});
+
 /// Holds a value of a parameter, the model's own or that of a scene, against what the model says
 /// of it: E112 where `assume` denies it, since the algebra relies on that; E518, a warning, where
 /// it is beyond `min` or `max`.

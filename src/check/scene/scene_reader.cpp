@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <set>
 
 #include "check/expressions/options.hpp"
@@ -187,22 +188,14 @@ class SceneReader {
 
   /// NAME fixes all elements, NAME[i] one, "all" every parameter; without a value at the model's.
   void fix_named(const std::string& name, const Span& span, const ExpressionSyntax* value) {
-    std::vector<std::uint32_t> targets;
-    for (std::uint32_t i = 0; i < model_.parameters.size(); ++i) {
-      const Parameter& parameter = model_.parameters[i];
-      const bool all = value == nullptr && name == "all";
-      if (all || parameter.name == name || model_.parameter_arrays[parameter.array].name == name) {
-        targets.push_back(i);
-      }
-    }
     const bool fixes_all = name == "all" && value == nullptr;
-    if (targets.empty() && !fixes_all) {
-      const std::vector<std::string> names = context_.symbols.names({SymbolKind::parameter});
-      context_.report.add(Code::E602, span, "unknown parameter " + quoted(name),
-                          name == "all" ? "`all` fixes every parameter at its own value"
-                                        : context_.symbols.suggest(name, names));
-      return;
+    std::vector<std::uint32_t> targets(model_.parameters.size());
+    std::iota(targets.begin(), targets.end(), 0U);
+    if (!fixes_all) {
+      const char* const hint = name == "all" ? "`all` fixes every parameter at its own value" : "";
+      targets = named_parameters(context_, name, span, hint);
     }
+    if (targets.empty()) return;
     std::optional<FixedValue> own;
     if (value != nullptr) {
       ValueSyntax syntax;

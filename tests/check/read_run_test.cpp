@@ -1,0 +1,140 @@
+// What a run starts from: starts, laws of inputs and values of parameters, as options give them.
+#include "check/scene/read_run.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "check_testing.hpp"
+#include "support/models.hpp"
+
+namespace elgen::test {
+namespace {
+
+const std::string flying = model_text("flying", R"toml([[coordinate]]
+name = "x"
+start = { value = 1, rate = 2 }
+[[coordinate]]
+name = "q[i]"
+for = "i in 1..2"
+[[coordinate]]
+name = "attitude"
+kind = "rotation"
+[parameters]
+m = { value = 1, assume = "positive" }
+l = { value = 2, size = 3 }
+[[frame]]
+name = "hull"
+parent = "world"
+translate = ["x", "q[1]", "q[2]"]
+rotation = "attitude"
+[[body]]
+name = "hull"
+frame = "hull"
+mass = "m"
+inertia = ["l[1]", "l[2]", "l[3]"]
+[[input]]
+name = "u"
+on = "x"
+)toml");
+
+SceneOptions options(const std::string& starts, const std::string& laws = {},
+                     const std::string& values = {}) {
+  SceneOptions result;
+  if (!starts.empty()) result.starts = {make_source("command line", starts)};
+  if (!laws.empty()) result.laws = {make_source("command line", laws)};
+  if (!values.empty()) result.values = {make_source("command line", values)};
+  return result;
+}
+
+/// "E612 12 unknown coordinate `y` | did you mean `x`?", with the column.
+std::string answer(const SceneOptions& given) {
+  const Limits limits;
+  const Result<FileSyntax> syntax = parse_model(make_source("m.toml", flying), limits);
+  const Result<CheckedModel> result = check(*syntax, nullptr, given, limits);
+  if (result) return "";
+  const auto is_error = [](const Diagnostic& diagnostic) {
+    return code_row(diagnostic.code).severity == Severity::error;
+  };
+  const Diagnostic& first = *std::ranges::find_if(result.diagnostics, is_error);
+  const std::size_t column = line_column(*first.span.source, first.span.begin).column;
+  return std::string(code_row(first.code).name) + " " + std::to_string(column) + " " +
+         first.message + (first.hint.empty() ? "" : " | " + first.hint);
+}
+
+}  // namespace
+
+TEST_CASE("a start names coordinates, rates, rotations and angular velocities") {
+  const Model model =
+      checked_model(
+          flying,
+          options("x = 1/2, dot(x)=-3, q[2]=pi, attitude=[0,0.6,0,0.8], dot(attitude[2])=5"))
+          .model;
+  CHECK(model.coordinates[0].start_value == cln::cl_RA(1) / 2);
+  CHECK(model.velocities[0].start_rate == -3);
+  CHECK(model.coordinates[1].start_value == 0);
+  CHECK(cln::double_approx(model.coordinates[2].start_value) == Approx(3.141592653589793));
+  CHECK(model.coordinates[3].start_value == 0);
+  CHECK(model.coordinates[6].start_value == cln::cl_RA(4) / 5);
+  CHECK(model.velocities[4].start_rate == 5);
+}
+
+TEST_CASE("what a start does not name stays as the model says") {
+  const Model model = checked_model(flying, options("q[1]=7")).model;
+  CHECK(model.coordinates[0].start_value == 1);
+  CHECK(model.velocities[0].start_rate == 2);
+  CHECK(model.coordinates[3].start_value == 1);
+}
+
+TEST_CASE("mistakes in a start are answered where they stand") {
+  CHECK(answer(options("x=1,y=2")) == "E612 5 unknown coordinate `y`");
+  CHECK(answer(options("x")) == "E606 1 `x` has no value");
+  CHECK(answer(options("x=m")) == "E319 3 `m` is not a constant number");
+  CHECK(answer(options("x=[1,2]")) == "E606 3 `x` takes 1 number");
+  CHECK(answer(options("attitude=[1,0,0]")) == "E606 10 `attitude` takes 4 numbers");
+  CHECK(answer(options("attitude=[0,0,0,0]")) == "E606 10 a quaternion of length 0 is no rotation");
+}
+
+TEST_CASE("a law is made of the state, of time and of parameters; its units are not judged") {
+  const Model model = checked_model(flying, options("", "u=-m*x - 2*dot(x) + max(t, 0)")).model;
+  REQUIRE(model.inputs[0].law);
+  CHECK(to_string(model, *model.inputs[0].law) == "-m*x - 2*dot(x) + max(t, 0)");
+  CHECK(checked_model(block("[[input]]\nname = \"u\"\nunit = \"N\"\non = \"x\"\n"),
+                      options("", "u=-3*x - dot(x)"))
+            .model.inputs[0]
+            .law);
+}
+
+TEST_CASE("mistakes in a law are answered where they stand") {
+  CHECK(answer(options("", "w=1")) == "E201 1 unknown input `w`");
+  CHECK(answer(options("", "u=-3*xx")) ==
+        "E201 6 unknown name `xx` | did you mean `x`? (coordinate, line 5)");
+  CHECK(answer(options("", "u=u")).starts_with("E319 3 "));
+  CHECK(answer(options("", "u=dot(dot(x))")).starts_with("E"));
+  CHECK(answer(options("", "u=dot(v2(hull))")).starts_with("E"));
+}
+
+TEST_CASE("values are those of parameters that stay parameters") {
+  const Model model = checked_model(flying, options("", "", "m=3,l=1/2,l[2]=5")).model;
+  CHECK(model.parameters[0].value == 3);
+  CHECK(model.parameters[1].value == cln::cl_RA(1) / 2);
+  CHECK(model.parameters[2].value == 5);
+  CHECK(answer(options("", "", "k=3")) == "E602 1 unknown parameter `k`");
+  CHECK(answer(options("", "", "m=-3")).starts_with("E112 "));
+  SceneOptions fixed = options("", "", "m=3");
+  fixed.fixed = {make_source("command line", "m=2")};
+  CHECK(answer(fixed) == "E606 1 `m` is fixed, so it is no parameter");
+}
+
+TEST_CASE("what a scene locks has no start") {
+  const Limits limits;
+  const Result<FileSyntax> scene = parse_scene(
+      make_source("s.scene.toml",
+                  "format = 1\nmodel = \"m.toml\"\nname = \"s\"\n[lock]\nx = { value = 0 }\n"),
+      limits);
+  const Result<FileSyntax> syntax = parse_model(make_source("m.toml", flying), limits);
+  const Result<CheckedModel> result = check(*syntax, &*scene, options("x=1"), limits);
+  REQUIRE_FALSE(result);
+  CHECK(result.diagnostics.front().message == "`x` is locked by the scene");
+}
+
+}  // namespace elgen::test
