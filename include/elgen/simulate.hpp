@@ -1,0 +1,78 @@
+// Trajectory: a run of a system in time, by the functions that were emitted and compiled for it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "elgen/program.hpp"
+#include "elgen/scene.hpp"
+#include "elgen/toolchain.hpp"
+
+namespace elgen {
+
+/// Times in s. Of step and tolerance at most one is given: a method of fixed step takes a step, the
+/// others choose theirs to an error of `tolerance` absolute and relative.
+struct SimulationOptions {
+  std::string method = "dopri5";  ///< of simulate/steps/methods.def
+  double from = 0;
+  double time = 0;                       ///< how long
+  std::optional<double> step = {};       ///< the longest one; a whole number fill every interval
+  std::optional<double> tolerance = {};  ///< 1e-9 where neither is given
+  std::optional<double> every = {};      ///< between rows; none: no rows
+  std::optional<double> hold = {};       ///< inputs keep their values so long; none: continuous
+};
+
+/// How far what should stay has gone from where it was, relative to `scale`.
+struct Drift {
+  std::string name = {};
+  std::string measure = {};  ///< what the scale is the largest value of: "|T| + |V|"
+  double worst = 0;          ///< the largest magnitude
+  double secular = 0;        ///< its mean over the last tenth of the run less that over the first
+  double scale = 1;
+};
+
+/// A number of every row.
+struct TrajectoryColumn {
+  std::string name = {};   ///< as in models: "theta", "dot(theta)"
+  std::string unit = {};   ///< "" where none is given
+  std::string panel = {};  ///< of the picture that shows it; "" where none does
+};
+
+struct Trajectory {
+  std::string model = {};
+  std::string method = {};
+  double from = 0;
+  std::vector<TrajectoryColumn> columns = {};  ///< t, q, v, u with laws, E
+  std::vector<std::vector<double>> rows = {};
+  std::vector<double> last = {};  ///< the row of the end
+  /// E - E0, relative to the largest |T| + |V| (of an L given whole |v.p| + |L|); where forces or
+  /// time act, less the work they did: E - E0 - int v.(B u + Q - dD/dv) dt + int dL/dt dt.
+  Drift energy = {};
+  std::vector<Drift> momenta = {};  ///< of coordinates that are cyclic and free of forces
+  std::uint64_t steps = 0;
+  double nanoseconds = 0;  ///< per step
+};
+
+/// What is wrong with a run before anything is derived: E620, E621.
+[[nodiscard]] Diagnostics refuse_run(const SimulationOptions& options);
+
+/// What a run calls of a model, as --outputs has it.
+[[nodiscard]] std::string outputs_of_run(const Model& model);
+
+/// Runs from the model's start. E620 to E624. Cost: one to a dozen calls of the equations of motion
+/// per step, and of the energies for each.
+[[nodiscard]] Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
+                                          const CompiledModel& compiled,
+                                          const SimulationOptions& options);
+
+/// The last state, the drifts and the cost of a step, for people.
+[[nodiscard]] std::string to_text(const Trajectory& trajectory);
+/// The rows, each number in the fewest digits that read back as it.
+[[nodiscard]] std::string to_csv(const Trajectory& trajectory);
+[[nodiscard]] std::string to_json(const Trajectory& trajectory);
+/// Coordinates, inputs and E over time, each in a panel of its own; rates are their slopes.
+[[nodiscard]] std::string to_svg(const Trajectory& trajectory);
+
+}  // namespace elgen

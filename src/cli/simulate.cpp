@@ -1,0 +1,148 @@
+// elgen simulate: a run of one model or scene from its start; its last state and drifts on stdout,
+// its rows where -o says.
+#include "elgen/simulate.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "cli/commands.hpp"
+#include "cli/inputs.hpp"
+#include "cli/output_files.hpp"
+#include "cli/progress.hpp"
+#include "cli/resources.hpp"
+#include "elgen/wording.hpp"
+
+namespace elgen::cli {
+
+namespace {
+
+struct SimulateOptions {
+  std::string input = {};
+  SceneOptions scene = {};
+  SimulationOptions run = {};
+  std::string file = {};  ///< of the rows; empty: none
+  bool force = false;
+};
+
+struct TrajectoryFormat {
+  std::string_view ending;
+  std::string (*text)(const Trajectory&);
+};
+
+constexpr std::array formats{TrajectoryFormat{".csv", to_csv}, TrajectoryFormat{".json", to_json},
+                             TrajectoryFormat{".svg", to_svg}};
+
+/// Rows of a file whose distance is not given.
+constexpr double default_rows = 1000;
+
+Result<TrajectoryFormat> format_of(const std::string& file) {
+  for (const TrajectoryFormat& format : formats) {
+    if (file.ends_with(format.ending)) return format;
+  }
+  return Diagnostic{Code::E913,
+                    {},
+                    fmt::format("`{}` ends in none of .csv, .json and .svg", file),
+                    "the ending says what is written"};
+}
+
+/// The model alone, to know which outputs it has.
+Products checked(const Inputs& inputs, const PipelineOptions& options) {
+  PipelineOptions first = options;
+  first.goals = {"check"};
+  return run_pipeline(inputs, first);
+}
+
+/// Compiled for double in C++, whatever the scene emits.
+Result<CompiledHeaders> compiled(const CheckedModel& checked, const Program& program,
+                                 const Limits& limits) {
+  Scene plain = checked.scene;
+  plain.emission = {.name_space = checked.scene.emission.name_space};
+  plain.numerics = {};
+  const Result<EmittedFiles> files = emit(checked.model, plain, program);
+  if (!files) return files.diagnostics;
+  return compile(*files, checked.model, plain, program, limits);
+}
+
+Result<Trajectory> trajectory_of(const GlobalOptions& global, const SimulateOptions& options,
+                                 const Products& products) {
+  const Progress progress(options.input);
+  progress.stage("compile");
+  const Result<CompiledHeaders> headers =
+      compiled(*products.checked, *products.program, global.limits);
+  if (!headers) return headers.diagnostics;
+  progress.stage("simulate");
+  renew_time_limit(global.limits);
+  SimulationOptions run = options.run;
+  if (!options.file.empty() && !run.every) run.every = run.time / default_rows;
+  return simulate(*products.checked, *products.program, *headers->front().functions, run);
+}
+
+ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& options) {
+  Diagnostics refused = refuse_run(options.run);
+  if (!refused.empty()) return report(global, refused);
+  Result<TrajectoryFormat> format;
+  if (!options.file.empty()) {
+    format = format_of(options.file);
+    if (!format) return report(global, format.diagnostics);
+    refused = refuse_places({{options.file, "", Replaces::nothing}}, options.force);
+    if (!refused.empty()) return report(global, refused);
+  }
+  const Result<Inputs> inputs = read_inputs(options.input, global.limits);
+  if (!inputs) return report(global, inputs.diagnostics);
+  PipelineOptions pipeline = pipeline_options(global, {"choose"});
+  pipeline.scene = options.scene;
+  Products products = checked(*inputs, pipeline);
+  if (!products.checked) return report_products(global, products);
+  pipeline.scene.outputs = {
+      make_source("outputs of a run", outputs_of_run(products.checked->model))};
+  products = run_shown(options.input, *inputs, pipeline);
+  const ExitCode derived = report_products(global, products);
+  tell_times(global, products);
+  if (derived != ExitCode::success || !global.stop_after.empty()) return derived;
+  const Result<Trajectory> trajectory = trajectory_of(global, options, products);
+  if (!trajectory) return report(global, trajectory.diagnostics);
+  const ExitCode printed = print(global, to_text(*trajectory));
+  if (options.file.empty()) return printed;
+  const auto written = write_files({{options.file, (*format).text(*trajectory), Replaces::nothing}},
+                                   {options.force, global.limits.seconds});
+  return std::max(printed, report(global, written.diagnostics));
+}
+
+void add_numbers(CLI::App& command, SimulationOptions& run) {
+  command.add_option("--time", run.time, "how long, in s")->required();
+  command.add_option("--from", run.from, "time at the start")->capture_default_str();
+  command.add_option("--method", run.method, "euler, verlet, midpoint, rk4, dopri5 or fehlberg78")
+      ->capture_default_str();
+  const auto number = [&command](const char* name, std::optional<double>& value, const char* doc) {
+    return command.add_option_function<double>(
+        name, [&value](double given) { value = given; }, doc);
+  };
+  number("--step", run.step, "length of a step, at most");
+  number("--tolerance", run.tolerance, "error of a step that chooses its length (1e-9)");
+  number("--every", run.every, "time between rows of FILE (a thousandth of --time)");
+  number("--hold", run.hold, "inputs keep their values so long");
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("simulate", "run a model or scene in time");
+  const auto options = std::make_shared<SimulateOptions>();
+  command->add_option("input", options->input, "NAME.toml, NAME.scene.toml or - (stdin)")
+      ->required();
+  add_numbers(*command, options->run);
+  add_sources(*command, "--state", "NAME=VALUE,…", options->scene.starts,
+              "start: theta=1, dot(theta)=0, attitude=[1,0,0,0]");
+  add_sources(*command, "--set", "NAME=VALUE", options->scene.values, "value of a parameter");
+  add_sources(*command, "--input", "NAME=LAW", options->scene.laws,
+              "what an input is: u=-3*theta - dot(theta)");
+  command->add_option("-o,--output", options->file, "write the rows: .csv, .json or .svg")
+      ->type_name("FILE");
+  command->add_flag("--force", options->force, "overwrite FILE");
+  command->get_option("--every")->needs("--output");
+  add_specialisation(*command, options->scene);
+  set_action(*command, action, options, &simulate_input);
+}
+
+}  // namespace elgen::cli

@@ -1,0 +1,121 @@
+// Rows and drifts, sample by sample.
+#include "simulate/recorder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace elgen {
+namespace {
+
+bool is_finite(const Numbers& values) {
+  return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
+/// In (-pi, pi].
+double wrapped(double angle) {
+  const double turn = 2 * std::numbers::pi;
+  const double rest = std::remainder(angle, turn);
+  return rest <= -std::numbers::pi ? rest + turn : rest;
+}
+
+constexpr std::size_t most_shown = 8;
+
+/// "theta = 1, dot(theta) = 2", each of the first few.
+std::string state_text(const LeafNames& leaves, const Numbers& state) {
+  std::vector<std::string> parts;
+  const auto add = [&](Opcode kind, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      parts.push_back(fmt::format("{} = {:.6g}",
+                                  leaf_text(leaves, kind, static_cast<std::uint32_t>(i)),
+                                  state[parts.size()]));
+    }
+  };
+  add(Opcode::coordinate, leaves.q.size());
+  add(Opcode::velocity, leaves.v.size());
+  const bool is_long = parts.size() > most_shown;
+  parts.resize(std::min(parts.size(), most_shown));
+  return fmt::format("{}{}", fmt::join(parts, ", "), is_long ? ", …" : "");
+}
+
+}  // namespace
+
+Recorder::Recorder(System& system, const SimulationOptions& options, const TrajectorySample& start)
+    : system_(system),
+      options_(options),
+      momenta_at_start_(system.velocities()),
+      momenta_(system.velocities()),
+      of_momenta_(system.cyclic().size()),
+      last_(start) {
+  const double* const q = start.state.data();
+  energy_at_start_ = system.energy(q, system.v_of(start.state), start.t);
+  system.momentum(q, system.v_of(start.state), start.t, momenta_at_start_.data());
+}
+
+Diagnostics Recorder::add(const TrajectorySample& sample) {
+  const double* const q = sample.state.data();
+  const double* const v = system_.v_of(sample.state);
+  const double energy = system_.energy(q, v, sample.t);
+  if (!is_finite(sample.state) || !std::isfinite(energy)) {
+    return {ended("the numbers are no longer finite")};
+  }
+  const double part = (sample.t - options_.from) / options_.time;
+  const double deviation = energy - energy_at_start_ - sample.state.back();
+  energy_.add(part, sample.after, deviation, system_.magnitude(q, v, sample.t));
+  if (!of_momenta_.empty()) add_momenta(sample, part);
+  if (sample.is_row) rows_.push_back(row(sample, energy));
+  last_ = sample;
+  return {};
+}
+
+Diagnostic Recorder::ended(std::string_view why) const {
+  return {Code::E624,
+          {},
+          fmt::format("{} after t = {:.6g}, where {}", why, last_.t,
+                      state_text(system_.leaves(), last_.state)),
+          "a shorter step, or a smaller tolerance, shows whether the method is to blame"};
+}
+
+void Recorder::finish(Trajectory& trajectory) && {
+  const double* const q = last_.state.data();
+  trajectory.last = row(last_, system_.energy(q, system_.v_of(last_.state), last_.t));
+  trajectory.rows = std::move(rows_);
+  trajectory.energy = energy_.drift(system_.does_work() ? "E - E0 - work" : "E - E0",
+                                    system_.has_energies() ? "|T| + |V|" : "|v.p| + |L|");
+  for (std::size_t i = 0; i < of_momenta_.size(); ++i) {
+    const std::string& name = system_.leaves().v[system_.cyclic()[i]];
+    trajectory.momenta.push_back(of_momenta_[i].drift(name, "sum |M v|"));
+  }
+}
+
+std::vector<double> Recorder::row(const TrajectorySample& sample, double energy) const {
+  std::vector<double> values{sample.t};
+  values.insert(values.end(), sample.state.begin(), sample.state.end() - 1);
+  const auto& coordinates = system_.model().coordinates;
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    if (coordinates[i].wrap) values[1 + i] = wrapped(values[1 + i]);
+  }
+  const auto& inputs = system_.model().inputs;
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    if (inputs[k].law) values.push_back(sample.inputs[k]);
+  }
+  values.push_back(energy);
+  return values;
+}
+
+void Recorder::add_momenta(const TrajectorySample& sample, double part) {
+  const double* const q = sample.state.data();
+  const double* const v = system_.v_of(sample.state);
+  system_.momentum(q, v, sample.t, momenta_.data());
+  const Numbers& scales = system_.momentum_scales(q, v, sample.t);
+  for (std::size_t i = 0; i < of_momenta_.size(); ++i) {
+    const std::uint32_t place = system_.cyclic()[i];
+    of_momenta_[i].add(part, sample.after, momenta_[place] - momenta_at_start_[place],
+                       std::max(std::abs(momenta_[place]), scales[place]));
+  }
+}
+
+}  // namespace elgen

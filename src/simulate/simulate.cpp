@@ -1,0 +1,199 @@
+// A run: from row to row, and where inputs are held from one of their instants to the next; steps
+// are timed in blocks, between which what they reached is looked at.
+#include "elgen/simulate.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "evaluate/subject.hpp"
+#include "simulate/method_choice.hpp"
+#include "simulate/recorder.hpp"
+#include "simulate/singular_start.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr std::size_t block_size = 256;
+
+/// The instants of one period, from `begin` on; none: the end alone.
+class Instants {
+ public:
+  Instants(double begin, double end, std::optional<double> period)
+      : begin_(begin), end_(end), period_(period.value_or(end - begin)) {}
+
+  /// The first one that was not passed; what rounding parts from the end is the end.
+  [[nodiscard]] double next() const {
+    const double instant = begin_ + static_cast<double>(passed_ + 1) * period_;
+    return instant > end_ - 1e-9 * period_ ? end_ : instant;
+  }
+  void pass() { ++passed_; }
+
+ private:
+  double begin_;
+  double end_;
+  double period_;
+  std::uint64_t passed_ = 0;
+};
+
+class Run {
+ public:
+  Run(System& system, Stepper& stepper, const SimulationOptions& options)
+      : system_(system),
+        stepper_(stepper),
+        options_(options),
+        end_(options.from + options.time),
+        rows_(options.from, end_, options.every),
+        holds_(options.from, end_, options.hold),
+        current_(started(system, options)),
+        recorder_(system, options, current_) {
+    block_.reserve(block_size);
+  }
+
+  Result<Trajectory> operator()() && {
+    Diagnostics wrong = recorder_.add(current_);
+    if (!wrong.empty()) return wrong;
+    stepper_.to_own(current_.state, current_.t);
+    resume();
+    while (wrong.empty() && current_.t < end_) wrong = advance();
+    if (!wrong.empty()) return wrong;
+    Trajectory trajectory;
+    trajectory.steps = steps_;
+    trajectory.nanoseconds = elapsed_.count() * 1e9 / static_cast<double>(steps_);
+    std::move(recorder_).finish(trajectory);
+    return trajectory;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  static TrajectorySample started(System& system, const SimulationOptions& options) {
+    TrajectorySample start{options.from, 0, options.every.has_value(), system.start(), {}};
+    const double* const q = start.state.data();
+    if (options.hold) system.hold(q, system.v_of(start.state), start.t);
+    start.inputs = system.inputs(q, system.v_of(start.state), start.t);
+    return start;
+  }
+
+  /// To the next instant at which something happens. All until then is looked at before it does.
+  Diagnostics advance() {
+    const double row = rows_.next();
+    const double hold = holds_.next();
+    const double target = std::min(row, hold);
+    stepper_.aim(current_.state, current_.t, target);
+    while (current_.t < target) {
+      const std::optional<double> reached = stepper_.step(current_.state);
+      if (!reached) {
+        Diagnostics wrong = flush();
+        return wrong.empty() ? Diagnostics{recorder_.ended(stepper_.obstacle())} : wrong;
+      }
+      ++steps_;
+      current_.after = *reached - current_.t;
+      current_.t = *reached;
+      current_.is_row = options_.every && current_.t >= row;
+      block_.push_back(current_);
+      if (block_.size() < block_size && current_.t < target) continue;
+      if (Diagnostics wrong = flush(); !wrong.empty()) return wrong;
+    }
+    if (row <= target) rows_.pass();
+    if (hold <= target) hold_again();
+    return {};
+  }
+
+  void hold_again() {
+    holds_.pass();
+    if (!options_.hold) return;
+    Numbers plain = current_.state;
+    stepper_.to_plain(plain, current_.t);
+    system_.hold(plain.data(), system_.v_of(plain), current_.t);
+  }
+
+  /// The clock stands while samples are looked at.
+  Diagnostics flush() {
+    elapsed_ += Clock::now() - resumed_;
+    Diagnostics wrong;
+    for (TrajectorySample& sample : block_) {
+      stepper_.to_plain(sample.state, sample.t);
+      sample.inputs = system_.inputs(sample.state.data(), system_.v_of(sample.state), sample.t);
+      wrong = recorder_.add(sample);
+      if (!wrong.empty()) break;
+    }
+    block_.clear();
+    resume();
+    return wrong;
+  }
+
+  void resume() { resumed_ = Clock::now(); }
+
+  System& system_;
+  Stepper& stepper_;
+  const SimulationOptions& options_;
+  double end_;
+  Instants rows_;
+  Instants holds_;
+  TrajectorySample current_;
+  Recorder recorder_;
+  std::vector<TrajectorySample> block_ = {};
+  std::uint64_t steps_ = 0;
+  Clock::time_point resumed_ = {};
+  std::chrono::duration<double> elapsed_ = {};
+};
+
+std::vector<TrajectoryColumn> columns_of(const Model& model, const LeafNames& leaves) {
+  std::vector<TrajectoryColumn> columns{{"t", "s", ""}};
+  const auto name = [&](Opcode kind, std::size_t i) {
+    return leaf_text(leaves, kind, static_cast<std::uint32_t>(i));
+  };
+  for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
+    const Coordinate& coordinate = model.coordinates[i];
+    const std::string own = name(Opcode::coordinate, i);
+    columns.push_back({own, coordinate.unit_text,
+                       coordinate.rotation ? model.rotations[*coordinate.rotation].name : own});
+  }
+  for (std::size_t i = 0; i < model.velocities.size(); ++i) {
+    const Velocity& velocity = model.velocities[i];
+    const std::string& unit = model.coordinates[velocity.coordinate].unit_text;
+    const std::string rate = unit.empty() ? "" : unit + "/s";
+    columns.push_back({name(Opcode::velocity, i), velocity.rotation ? "rad/s" : rate, ""});
+  }
+  for (const Input& input : model.inputs) {
+    if (input.law) columns.push_back({input.name, input.unit_text, input.name});
+  }
+  columns.push_back({"E", "", "E"});
+  return columns;
+}
+
+}  // namespace
+
+std::string outputs_of_run(const Model& model) {
+  std::string names =
+      "mass_matrix,dissipation,applied_force,bias,momentum,position_gradient,energy_function,"
+      "forward_dynamics";
+  if (!model.energies.L) names += ",kinetic_energy,total_energy";
+  if (!model.inputs.empty()) names += ",input_matrix";
+  if (!model.rotations.empty()) names += ",coordinate_rates,normalized";
+  return names;
+}
+
+Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
+                            const CompiledModel& compiled, const SimulationOptions& options) {
+  const Result<MethodRow> method = find_method(options.method);
+  if (!method) return method.diagnostics;
+  const Result<StepRule> rule = step_rule(*method, options);
+  if (!rule) return rule.diagnostics;
+  Diagnostics refused = refuse_method(*method, checked, program, options);
+  if (!refused.empty()) return refused;
+  System system(checked, program, compiled);
+  refused = refuse_start(system, system.start(), options.from);
+  if (!refused.empty()) return refused;
+  const std::unique_ptr<Stepper> stepper = method->make(system, *rule);
+  Result<Trajectory> trajectory = Run(system, *stepper, options)();
+  if (!trajectory) return trajectory;
+  trajectory->model = checked.scene.base_name;
+  trajectory->method = options.method;
+  trajectory->from = options.from;
+  trajectory->columns = columns_of(checked.model, program.leaves);
+  return trajectory;
+}
+
+}  // namespace elgen

@@ -1,0 +1,41 @@
+// StateFunction: an expression of the model as a function of q, v and t, in double.
+#pragma once
+
+#include <vector>
+
+#include "elgen/model.hpp"
+#include "evaluate/dual.hpp"
+
+namespace elgen {
+
+class StateFunction {
+ public:
+  /// `parameters` are their values; the expression holds no acceleration and no input.
+  StateFunction(const Model& model, ExpressionId root, std::vector<double> parameters);
+
+  /// Cost: one operation on a number and its rate for each node.
+  [[nodiscard]] double operator()(const double* q, const double* v, double t);
+
+  /// Whether a rate of the model is among what it is made of.
+  [[nodiscard]] bool depends_on_rates() const;
+
+ private:
+  /// A value with its rate along the motion; that of a velocity is not known.
+  using Rated = Dual<double>;
+
+  [[nodiscard]] Rated value_of(const Expression& node, ExpressionId id) const;
+  [[nodiscard]] Rated leaf(const Expression& node) const;
+  [[nodiscard]] Rated coordinate(std::uint32_t index) const;
+  [[nodiscard]] Rated power(const Rated& base, double exponent) const;
+
+  const Model& model_;
+  std::vector<double> parameters_;
+  std::vector<ExpressionId> order_;  ///< what is computed, operands before their users
+  std::vector<Rated> known_;         ///< by expression
+  ExpressionId result_ = 0;
+  const double* q_ = nullptr;
+  const double* v_ = nullptr;
+  double t_ = 0;
+};
+
+}  // namespace elgen

@@ -1,0 +1,223 @@
+// The compiled functions of a system, and what follows from which of their entries are zero.
+#include "simulate/steps/system.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "evaluate/subject.hpp"
+
+namespace elgen {
+namespace {
+
+bool reads_time(const Function* function) {
+  return function != nullptr &&
+         std::ranges::any_of(function->instructions, [](const Instruction& instruction) {
+           return instruction.opcode == Opcode::time;
+         });
+}
+
+/// [-inf, inf] where the model declares no limits.
+std::vector<InputLaw> laws_of(const Model& model, const Numbers& parameters) {
+  std::vector<InputLaw> laws(model.inputs.size());
+  for (std::size_t k = 0; k < laws.size(); ++k) {
+    const Input& input = model.inputs[k];
+    if (input.law) laws[k].law.emplace(model, *input.law, parameters);
+    if (!input.limits) continue;
+    laws[k].low = ScalarTraits<double>::from_real(input.limits->low);
+    laws[k].high = ScalarTraits<double>::from_real(input.limits->high);
+  }
+  return laws;
+}
+
+}  // namespace
+
+System::System(const CheckedModel& checked, const Program& program, const CompiledModel& compiled)
+    : model_(checked.model),
+      program_(program),
+      compiled_(compiled),
+      nominal_(arguments_at<double>(nominal_state(checked.model, checked.scene))),
+      laws_(laws_of(model_, nominal_.parameters)),
+      mass_matrix_(compiled_function(OutputKind::mass_matrix)),
+      acceleration_(compiled_function(OutputKind::forward_dynamics)),
+      coordinate_rates_(compiled_function(OutputKind::coordinate_rates)),
+      input_matrix_(compiled_function(OutputKind::input_matrix)),
+      applied_force_(compiled_function(OutputKind::applied_force)),
+      dissipation_(compiled_function(OutputKind::dissipation)),
+      momentum_(compiled_function(OutputKind::momentum)),
+      position_gradient_(compiled_function(OutputKind::position_gradient)),
+      energy_(compiled_function(OutputKind::energy_function)),
+      kinetic_energy_(compiled_function(OutputKind::kinetic_energy)),
+      total_energy_(compiled_function(OutputKind::total_energy)),
+      normalized_(compiled_function(OutputKind::normalized)),
+      u_(model_.inputs.size()),
+      solution_(2 * velocities()),
+      force_(velocities()),
+      more_force_(velocities()),
+      matrix_(velocities() * model_.inputs.size()),
+      mass_(velocities() * velocities()),
+      scales_(velocities()) {
+  has_explicit_time_ = reads_time(find_function(program, OutputKind::energy_function)) ||
+                       reads_time(find_function(program, OutputKind::momentum));
+  for (std::uint32_t i = 0; i < velocities(); ++i) {
+    is_forced_ = is_forced_ || is_forced(i);
+    const bool is_cyclic = vanishes(OutputKind::position_gradient, i) && !is_forced(i);
+    if (is_cyclic && !model_.velocities[i].rotation) cyclic_.push_back(i);
+  }
+  does_work_ = is_forced_ || has_explicit_time_;
+}
+
+System::Call System::compiled_function(OutputKind kind) const {
+  const Function* const found = find_function(program_, kind);
+  return found == nullptr ? nullptr : compiled_.find(found->name);
+}
+
+/// Whether all entries of a row are the number 0.
+bool System::vanishes(OutputKind kind, std::size_t row) const {
+  const Function* const function = find_function(program_, kind);
+  if (function == nullptr) return true;
+  const Field& field = function->fields.front();
+  const auto begin = field.entries.begin() + static_cast<std::ptrdiff_t>(row * field.columns);
+  return std::all_of(begin, begin + field.columns, [&](std::uint32_t entry) {
+    const Instruction& instruction = function->instructions[entry];
+    return instruction.opcode == Opcode::constant &&
+           cln::zerop(program_.constants[instruction.a].value);
+  });
+}
+
+bool System::is_forced(std::size_t velocity) const {
+  const bool is_driven =
+      std::ranges::any_of(laws_, [](const InputLaw& law) { return law.law.has_value(); });
+  return !vanishes(OutputKind::applied_force, velocity) ||
+         !vanishes(OutputKind::dissipation, velocity) ||
+         (is_driven && !vanishes(OutputKind::input_matrix, velocity));
+}
+
+Numbers System::start() {
+  Numbers state;
+  for (const Coordinate& coordinate : model_.coordinates) {
+    state.push_back(ScalarTraits<double>::from_real(coordinate.start_value));
+  }
+  for (const Velocity& velocity : model_.velocities) {
+    state.push_back(ScalarTraits<double>::from_real(velocity.start_rate));
+  }
+  state.push_back(0);
+  normalize(state.data());
+  return state;
+}
+
+void System::hold(const double* q, const double* v, double t) {
+  is_held_ = false;
+  (void)inputs(q, v, t);
+  is_held_ = true;
+}
+
+const Numbers& System::inputs(const double* q, const double* v, double t) {
+  if (is_held_) return u_;
+  for (std::size_t k = 0; k < u_.size(); ++k) {
+    if (!laws_[k].law) continue;
+    const double value = (*laws_[k].law)(q, v, t);
+    // A NaN stays one.
+    u_[k] = value < laws_[k].low ? laws_[k].low : value > laws_[k].high ? laws_[k].high : value;
+  }
+  return u_;
+}
+
+void System::call(Call function, const double* q, const double* v, double t, double* result) {
+  function(nominal_.parameters.data(), q, v, nullptr, u_.data(), t, result);
+}
+
+void System::acceleration(const double* q, const double* v, double t, double* a) {
+  (void)inputs(q, v, t);
+  call(acceleration_, q, v, t, solution_.data());
+  std::copy_n(solution_.begin(), velocities(), a);
+}
+
+void System::coordinate_rates(const double* q, const double* v, double* rates) {
+  if (coordinate_rates_ == nullptr) {
+    std::copy_n(v, velocities(), rates);
+  } else {
+    call(coordinate_rates_, q, v, 0, rates);
+  }
+}
+
+void System::force(const double* q, const double* v, double t, double* result) {
+  std::fill_n(result, velocities(), 0.0);
+  if (!is_forced_) return;
+  call(applied_force_, q, v, t, result);
+  call(dissipation_, q, v, t, more_force_.data());
+  for (std::size_t i = 0; i < velocities(); ++i) result[i] -= more_force_[i];
+  if (input_matrix_ == nullptr) return;
+  (void)inputs(q, v, t);
+  call(input_matrix_, q, v, t, matrix_.data());
+  for (std::size_t i = 0; i < velocities(); ++i) {
+    for (std::size_t k = 0; k < u_.size(); ++k) result[i] += matrix_[i * u_.size() + k] * u_[k];
+  }
+}
+
+double System::power(const double* q, const double* v, double t) {
+  if (!does_work_) return 0;
+  double sum = has_explicit_time_ ? explicit_power(q, v, t) : 0;
+  force(q, v, t, force_.data());
+  for (std::size_t i = 0; i < velocities(); ++i) sum += v[i] * force_[i];
+  return sum;
+}
+
+/// -dL/dt = dE/dt - v.dp/dt, both at rest, since L = v.p - E. No output has it: the program is
+/// evaluated on numbers that move with time.
+double System::explicit_power(const double* q, const double* v, double t) const {
+  Arguments<Dual<double>> at = map_leaves([](double x) { return Dual<double>{x, 0}; }, nominal_);
+  for (std::size_t i = 0; i < positions(); ++i) at.q[i].value = q[i];
+  for (std::size_t i = 0; i < velocities(); ++i) at.v[i].value = v[i];
+  at.t = {t, 1};
+  const auto slopes = [&](OutputKind kind) {
+    return evaluate(program_, *find_function(program_, kind), at);
+  };
+  double result = slopes(OutputKind::energy_function).front().slope;
+  const std::vector<Dual<double>> momentum = slopes(OutputKind::momentum);
+  for (std::size_t i = 0; i < velocities(); ++i) result -= v[i] * momentum[i].slope;
+  return result;
+}
+
+void System::momentum(const double* q, const double* v, double t, double* result) {
+  call(momentum_, q, v, t, result);
+}
+
+const Numbers& System::momentum_scales(const double* q, const double* v, double t) {
+  const std::size_t n = velocities();
+  call(mass_matrix_, q, v, t, mass_.data());
+  for (std::size_t i = 0; i < n; ++i) {
+    scales_[i] = 0;
+    for (std::size_t j = 0; j < n; ++j) scales_[i] += std::abs(mass_[i * n + j] * v[j]);
+  }
+  return scales_;
+}
+
+void System::position_gradient(const double* q, const double* v, double t, double* result) {
+  call(position_gradient_, q, v, t, result);
+}
+
+double System::energy(const double* q, const double* v, double t) {
+  double result = 0;
+  call(energy_, q, v, t, &result);
+  return result;
+}
+
+double System::magnitude(const double* q, const double* v, double t) {
+  double whole = 0;
+  double part = 0;
+  if (has_energies()) {
+    call(total_energy_, q, v, t, &whole);
+    call(kinetic_energy_, q, v, t, &part);
+  } else {
+    whole = energy(q, v, t);
+    momentum(q, v, t, force_.data());
+    for (std::size_t i = 0; i < velocities(); ++i) part += v[i] * force_[i];
+  }
+  return std::abs(part) + std::abs(whole - part);
+}
+
+void System::normalize(double* q) {
+  if (normalized_ != nullptr) call(normalized_, q, nullptr, 0, q);
+}
+
+}  // namespace elgen

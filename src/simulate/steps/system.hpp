@@ -1,0 +1,112 @@
+// System: what steps in time ask of a model, by its compiled functions, on flat numbers.
+//
+// A state lies in one list: q, then v (or momenta, where a method has them), then the work that
+// forces and time have done, with
+//
+//     dq/dt = N v,   M dv/dt = B u - bias,   dW/dt = v.F - dL/dt,   F = B u + Q - dD/dv
+//
+// so that E - W is constant along the motion. W stays 0 where nothing does work.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "elgen/program.hpp"
+#include "elgen/scene.hpp"
+#include "elgen/toolchain.hpp"
+#include "simulate/steps/state_function.hpp"
+
+namespace elgen {
+
+using Numbers = std::vector<double>;
+
+/// What an input is, and where it is cut off.
+struct InputLaw {
+  std::optional<StateFunction> law = {};
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+};
+
+class System {
+ public:
+  System(const CheckedModel& checked, const Program& program, const CompiledModel& compiled);
+  System(const System&) = delete;
+  System& operator=(const System&) = delete;
+
+  [[nodiscard]] const Model& model() const { return model_; }
+  [[nodiscard]] const LeafNames& leaves() const { return program_.leaves; }
+  [[nodiscard]] std::size_t positions() const { return model_.coordinates.size(); }
+  [[nodiscard]] std::size_t velocities() const { return model_.velocities.size(); }
+
+  /// Where the parts of a list begin.
+  [[nodiscard]] double* v_of(Numbers& state) const { return state.data() + positions(); }
+  [[nodiscard]] const double* v_of(const Numbers& state) const {
+    return state.data() + positions();
+  }
+  [[nodiscard]] static double& work_of(Numbers& state) { return state.back(); }
+
+  /// The model's own start, quaternions scaled to length 1.
+  [[nodiscard]] Numbers start();
+
+  /// Inputs keep what their laws are here, until held again.
+  void hold(const double* q, const double* v, double t);
+  /// By the laws, inside `limits`; 0 where there is no law.
+  [[nodiscard]] const Numbers& inputs(const double* q, const double* v, double t);
+
+  /// Of an expression of the model without inputs.
+  [[nodiscard]] double value(ExpressionId expression, const double* q, const double* v,
+                             double t) const {
+    return StateFunction(model_, expression, nominal_.parameters)(q, v, t);
+  }
+
+  void acceleration(const double* q, const double* v, double t, double* a);
+  /// D_i / M_ii of M = L D L^T, as the acceleration was last made.
+  [[nodiscard]] const double* relative_pivots() const { return solution_.data() + velocities(); }
+  void coordinate_rates(const double* q, const double* v, double* rates);
+  /// F = B u + Q - dD/dv
+  void force(const double* q, const double* v, double t, double* result);
+  /// v.F - dL/dt; 0 where no work is done.
+  [[nodiscard]] double power(const double* q, const double* v, double t);
+  void momentum(const double* q, const double* v, double t, double* result);
+  /// sum_j |M_ij v_j| of every i: what p_i is the sum of, but for what is linear in v.
+  [[nodiscard]] const Numbers& momentum_scales(const double* q, const double* v, double t);
+  void position_gradient(const double* q, const double* v, double t, double* result);
+  [[nodiscard]] double energy(const double* q, const double* v, double t);
+  /// Whether T and V are known apart.
+  [[nodiscard]] bool has_energies() const { return kinetic_energy_ != nullptr; }
+  /// |T| + |V|; |v.p| + |L| where only L is known.
+  [[nodiscard]] double magnitude(const double* q, const double* v, double t);
+  /// Quaternions to length 1.
+  void normalize(double* q);
+
+  /// Whether forces or time do work.
+  [[nodiscard]] bool does_work() const { return does_work_; }
+  /// The coordinates' velocities whose momentum nothing changes.
+  [[nodiscard]] const std::vector<std::uint32_t>& cyclic() const { return cyclic_; }
+
+ private:
+  using Call = DriverFunction<double>;
+
+  [[nodiscard]] Call compiled_function(OutputKind kind) const;
+  void call(Call function, const double* q, const double* v, double t, double* result);
+  [[nodiscard]] bool vanishes(OutputKind kind, std::size_t row) const;
+  [[nodiscard]] bool is_forced(std::size_t velocity) const;
+  [[nodiscard]] double explicit_power(const double* q, const double* v, double t) const;
+
+  const Model& model_;
+  const Program& program_;
+  const CompiledModel& compiled_;
+  Arguments<double> nominal_;
+  std::vector<InputLaw> laws_;
+  Call mass_matrix_, acceleration_, coordinate_rates_, input_matrix_, applied_force_, dissipation_,
+      momentum_, position_gradient_, energy_, kinetic_energy_, total_energy_, normalized_;
+  bool is_held_ = false;
+  bool has_explicit_time_ = false;
+  bool is_forced_ = false;
+  bool does_work_ = false;
+  std::vector<std::uint32_t> cyclic_ = {};
+  Numbers u_, solution_, force_, more_force_, matrix_, mass_, scales_;
+};
+
+}  // namespace elgen

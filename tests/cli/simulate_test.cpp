@@ -1,0 +1,91 @@
+// elgen simulate: what it prints and writes.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
+
+}  // namespace
+
+TEST_CASE("a run prints its last state and its drifts") {
+  const Workspace workspace;
+  const Outcome outcome =
+      shell("elgen simulate -q --time 2 --method midpoint --step 0.01 --state theta=1 " + models +
+                "/simple_pendulum.toml",
+            workspace.path());
+  INFO(outcome.errors);
+  CHECK(outcome.status == 0);
+  CHECK(starts_with(outcome.output, "simple_pendulum by midpoint: 200 steps to t = 2\n  theta  "));
+  CHECK(mentions(outcome.output, "\n  E - E0: worst "));
+  CHECK(mentions(outcome.output, " ns per step\n"));
+}
+
+TEST_CASE("rows are written as the ending of the file says, and nothing is overwritten unasked") {
+  const Workspace workspace;
+  const auto run = [&](const std::string& rest) {
+    return shell("elgen simulate -q --time 1 " + rest + " " + models + "/cart_pole.toml",
+                 workspace.path());
+  };
+  REQUIRE(run("--every 0.5 --input 'u=-3*theta' -o x.csv").status == 0);
+  const std::string table = read_text(workspace.path() / "x.csv");
+  CHECK(starts_with(table, "t,x,theta,dot(x),dot(theta),u,E\n0,"));
+  CHECK(std::count(table.begin(), table.end(), '\n') == 4);
+  CHECK(run("-o x.csv").status == 4);
+  CHECK(run("--force -o x.csv").status == 0);
+  REQUIRE(run("-o x.json").status == 0);
+  const auto object = nlohmann::json::parse(read_text(workspace.path() / "x.json"));
+  CHECK(object["rows"].size() == 1001);
+  CHECK(object["model"] == "cart_pole");
+  REQUIRE(run("-o x.svg").status == 0);
+  CHECK(starts_with(read_text(workspace.path() / "x.svg"), "<svg "));
+}
+
+TEST_CASE("a run that ends early writes nothing and exits with 1") {
+  const Workspace workspace;
+  write_text(workspace.path() / "runaway.toml", R"toml(format = 1
+[model]
+name = "runaway"
+[[coordinate]]
+name = "x"
+start = { value = 1, rate = 0 }
+[energy]
+T = "dot(x)^2"
+V = "-x^4"
+)toml");
+  const Outcome outcome = shell(
+      "elgen simulate -q --time 9 --method rk4 --step 0.1 -o x.csv runaway.toml", workspace.path());
+  CHECK(outcome.status == 1);
+  CHECK(mentions(outcome.errors, "[E624]"));
+  CHECK(files_below(workspace.path()) == "./runaway.toml\n");
+}
+
+TEST_CASE("scenes run whatever code they ask for, with what they lock and fix") {
+  const Workspace workspace;
+  write_text(workspace.path() / "held.scene.toml",
+             "format = 1\nmodel = \"" + models + "/two_link_arm.toml\"\nname = \"held\"\n" +
+                 "[outputs]\nbias = { rename = \"forward_dynamics\" }\n"
+                 "[lock]\nq2 = { value = \"1/2\" }\n[numeric]\nscalar = [\"float\"]\n"
+                 "[emit]\nlanguage = \"c99\"\n");
+  const Outcome outcome = shell("elgen simulate -q --time 1 held.scene.toml", workspace.path());
+  INFO(outcome.errors);
+  CHECK(outcome.status == 0);
+  CHECK(starts_with(outcome.output, "two_link_arm_held by dopri5: "));
+  CHECK_FALSE(mentions(outcome.output, "q2"));
+}
+
+TEST_CASE("every model runs from its own start") {
+  const Workspace workspace;
+  const Outcome outcome =
+      shell("for m in " + models + "/*.toml; do elgen simulate -q --time 0.1 $m || echo $m; done",
+            workspace.path());
+  INFO(outcome.output + outcome.errors);
+  CHECK_FALSE(mentions(outcome.errors, "error["));
+  CHECK_FALSE(mentions(outcome.output, "\n/"));
+}
+
+}  // namespace elgen::test

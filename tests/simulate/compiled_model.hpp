@@ -1,0 +1,95 @@
+// Model texts -> compiled systems, and runs of them.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "elgen/pipeline.hpp"
+#include "elgen/simulate.hpp"
+#include "support/models.hpp"
+
+namespace elgen::test {
+
+/// Options as on the command line: --state, --input, --set.
+inline SceneOptions start_options(const std::string& starts, const std::string& laws = {},
+                                  const std::string& values = {}) {
+  SceneOptions options;
+  if (!starts.empty()) options.starts = {make_source("command line", starts)};
+  if (!laws.empty()) options.laws = {make_source("command line", laws)};
+  if (!values.empty()) options.values = {make_source("command line", values)};
+  return options;
+}
+
+/// Derived and compiled as `elgen simulate` does; throws what is wrong.
+class CompiledSystem {
+ public:
+  explicit CompiledSystem(const std::string& text, const SceneOptions& given = {}) {
+    PipelineOptions options;
+    options.scene = given;
+    const Model model = checked_model(text, given).model;
+    options.scene.outputs = {make_source("outputs", outputs_of_run(model))};
+    options.goals = {"emit"};
+    products_ = run_pipeline({make_source("test.toml", text), nullptr}, options);
+    if (!products_.files) throw std::runtime_error(format(products_.diagnostics));
+    Result<CompiledHeaders> headers =
+        compile(*products_.files, checked().model, checked().scene, program(), Limits{});
+    if (!headers) throw std::runtime_error(format(headers.diagnostics));
+    headers_ = std::move(*headers);
+  }
+
+  [[nodiscard]] const CheckedModel& checked() const { return *products_.checked; }
+  [[nodiscard]] const Program& program() const { return *products_.program; }
+  [[nodiscard]] const CompiledModel& functions() const { return *headers_.front().functions; }
+
+  [[nodiscard]] Result<Trajectory> run(const SimulationOptions& options) const {
+    return simulate(checked(), program(), functions(), options);
+  }
+  /// The same, of a run that succeeds.
+  [[nodiscard]] Trajectory trajectory(const SimulationOptions& options) const {
+    Result<Trajectory> result = run(options);
+    if (!result) throw std::runtime_error(format(result.diagnostics));
+    return *result;
+  }
+
+ private:
+  Products products_;
+  CompiledHeaders headers_;
+};
+
+/// By one method in steps of a length.
+inline SimulationOptions steps_of(const std::string& method, double step, double time) {
+  return {.method = method, .time = time, .step = step};
+}
+
+/// q'' = -sin q from 1 rad at rest.
+inline std::string pendulum_text() {
+  return model_text("pendulum", R"toml([[coordinate]]
+name = "q"
+start = { value = 1, rate = 0 }
+[energy]
+T = "1/2*dot(q)^2"
+V = "1 - cos(q)"
+)toml");
+}
+
+/// 2 pi / agm(1, cos(1/2)).
+inline constexpr double pendulum_period = 6.69997566437;
+
+/// x'' = u - k x from x = 1 at rest, k = 4.
+inline std::string spring_text() {
+  return model_text("spring", R"toml([[coordinate]]
+name = "x"
+start = { value = 1, rate = 0 }
+[parameters]
+k = 4
+[energy]
+T = "1/2*dot(x)^2"
+V = "1/2*k*x^2"
+[[input]]
+name = "u"
+on = "x"
+limits = [-1, 1]
+)toml");
+}
+
+}  // namespace elgen::test

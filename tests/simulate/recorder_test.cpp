@@ -1,0 +1,64 @@
+// What is kept of samples.
+#include "simulate/recorder.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "simulate/compiled_model.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+const std::string wheel = model_text("wheel", R"toml([[coordinate]]
+name = "turn"
+unit = "rad"
+wrap = true
+[[coordinate]]
+name = "x"
+unit = "m"
+[parameters]
+J = { value = 2, unit = "kg*m^2" }
+m = { value = 1, unit = "kg" }
+[energy]
+T = "1/2*J*dot(turn)^2 + 1/2*m*dot(x)^2"
+)toml");
+
+}  // namespace
+
+TEST_CASE("rows have wrapped angles, and momenta are those of cyclic coordinates") {
+  const CompiledSystem compiled(wheel, start_options("dot(turn)=3"));
+  System system(compiled.checked(), compiled.program(), compiled.functions());
+  const SimulationOptions options{.time = 1, .every = 1};
+  const TrajectorySample start{0, 0, true, system.start(), {}};
+  Recorder recorder(system, options, start);
+  CHECK(recorder.add(start).empty());
+  CHECK(recorder.add({0.5, 0.5, false, {4, 1, 3, 0, 0}, {}}).empty());
+  CHECK(recorder.add({1, 0.5, true, {-4, 1, 3.5, 0, 0}, {}}).empty());
+  Trajectory trajectory;
+  std::move(recorder).finish(trajectory);
+  REQUIRE(trajectory.rows.size() == 2);
+  CHECK(trajectory.rows[1][1] == Approx(2 * M_PI - 4));
+  CHECK(trajectory.last == trajectory.rows[1]);
+  CHECK(trajectory.last.back() == 12.25);
+  REQUIRE(trajectory.momenta.size() == 2);
+  CHECK(trajectory.momenta[0].worst == Approx(1.0 / 7));
+  CHECK(trajectory.energy.worst == Approx(3.25 / 12.25));
+  CHECK(trajectory.energy.name == "E - E0");
+}
+
+TEST_CASE("a number that is not finite ends the run, with the last state that was") {
+  const CompiledSystem compiled(wheel, start_options("dot(turn)=3"));
+  System system(compiled.checked(), compiled.program(), compiled.functions());
+  const SimulationOptions options{.time = 1};
+  const TrajectorySample start{0, 0, false, system.start(), {}};
+  Recorder recorder(system, options, start);
+  CHECK(recorder.add(start).empty());
+  const Diagnostics ended = recorder.add({0.5, 0.5, false, {INFINITY, 1, 3, 0, 0}, {}});
+  REQUIRE(ended.size() == 1);
+  CHECK(ended.front().code == Code::E624);
+  CHECK(ended.front().message ==
+        "the numbers are no longer finite after t = 0, where turn = 0, x = 0, dot(turn) = 3, "
+        "dot(x) = 0");
+}

@@ -1,0 +1,107 @@
+// What steps ask of a system, by hand.
+#include "simulate/steps/system.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "simulate/compiled_model.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+/// A pendulum on a cart that is pushed, dragged and moved up and down.
+const std::string cart = model_text("cart", R"toml([[coordinate]]
+name = "x"
+start = { value = 2, rate = 3 }
+[[coordinate]]
+name = "y"
+[parameters]
+m = 2
+[energy]
+T = "1/2*m*dot(x)^2 + 1/2*dot(y)^2"
+V = "cos(t)*y^2"
+D = "1/4*dot(y)^2"
+[[force]]
+on = "y"
+value = "5*x"
+[[input]]
+name = "u"
+on = "y"
+limits = [-1, 1]
+)toml");
+
+}  // namespace
+
+TEST_CASE("a system starts where the model says") {
+  const CompiledSystem compiled(cart, start_options("y=1/4,dot(y)=-1"));
+  System system(compiled.checked(), compiled.program(), compiled.functions());
+  CHECK(system.start() == Numbers{2, 0.25, 3, -1, 0});
+}
+
+TEST_CASE("forces, momenta, energies and the power of forces and of time") {
+  const CompiledSystem compiled(cart, start_options("", "u=dot(x)/6"));
+  System system(compiled.checked(), compiled.program(), compiled.functions());
+  const Numbers state{2, 0.25, 3, -1, 0};
+  const double* const q = state.data();
+  const double* const v = system.v_of(state);
+  const double t = 0.5;
+  Numbers values(2);
+  system.force(q, v, t, values.data());
+  CHECK(values == Numbers{0, 5 * 2 + 0.5 * 1 + 0.5});
+  system.momentum(q, v, t, values.data());
+  CHECK(values == Numbers{6, -1});
+  system.position_gradient(q, v, t, values.data());
+  CHECK(values[0] == 0);
+  CHECK(values[1] == Approx(-2 * std::cos(t) * 0.25));
+  CHECK(system.energy(q, v, t) == Approx(9 + 0.5 + std::cos(t) / 16));
+  CHECK(system.magnitude(q, v, t) == Approx(9 + 0.5 + std::cos(t) / 16));
+  // -dL/dt = dV/dt = -sin(t) y^2
+  CHECK(system.power(q, v, t) == Approx(-1 * 11 - std::sin(t) / 16));
+  system.acceleration(q, v, t, values.data());
+  CHECK(values[1] == Approx(11 - 2 * std::cos(t) * 0.25));
+  CHECK(system.relative_pivots()[0] == 1);
+  CHECK(system.does_work());
+}
+
+TEST_CASE("momenta of cyclic coordinates that no force acts on are conserved") {
+  const CompiledSystem compiled(cart);
+  const System system(compiled.checked(), compiled.program(), compiled.functions());
+  CHECK(system.cyclic() == std::vector<std::uint32_t>{0});
+  const CompiledSystem pushed(model_text("cart", R"toml([[coordinate]]
+name = "x"
+[energy]
+T = "dot(x)^2"
+[[input]]
+name = "u"
+on = "x"
+)toml"),
+                              start_options("", "u=1"));
+  CHECK(System(pushed.checked(), pushed.program(), pushed.functions()).cyclic().empty());
+}
+
+TEST_CASE("inputs stay inside their limits, and where they are held") {
+  const CompiledSystem compiled(cart, start_options("", "u=3*x + t"));
+  System system(compiled.checked(), compiled.program(), compiled.functions());
+  const double q[] = {0.1, 0};
+  const double far[] = {2, 0};
+  const double v[] = {0, 0};
+  CHECK(system.inputs(q, v, 0.2).front() == Approx(0.5));
+  CHECK(system.inputs(far, v, 0).front() == 1);
+  system.hold(q, v, 0.2);
+  CHECK(system.inputs(far, v, 0).front() == Approx(0.5));
+}
+
+TEST_CASE("of an L given whole the magnitude is that of v.p and of L") {
+  const CompiledSystem compiled(model_text("particle", R"toml([[coordinate]]
+name = "x"
+[energy]
+L = "-sqrt(1 - dot(x)^2) - x"
+)toml"));
+  System system(compiled.checked(), compiled.program(), compiled.functions());
+  const double q[] = {2};
+  const double v[] = {0.6};
+  CHECK_FALSE(system.has_energies());
+  CHECK(system.magnitude(q, v, 0) == Approx(0.6 * 0.75 + 2.8));
+}
