@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <type_traits>
 
 #include "base/random.hpp"
@@ -125,7 +127,7 @@ class Extremes {
   Extremes(const Subject& subject, Random& random)
       : subject_(subject), ranges_(ranges_of(subject)), random_(random) {}
 
-  std::vector<SampledState<double>> make(const Reach& reach) {
+  std::vector<SampledState<double>> make(const Reach& reach, std::size_t most_combinations) {
     add("origin") = arguments_at<double>(nominal_state(subject_.model, subject_.scene));
     ends("low ends of ranges", &Range::low);
     ends("high ends of ranges", &Range::high);
@@ -140,7 +142,7 @@ class Extremes {
     ratios(reach.ratios.back());
     ratios(1 / reach.ratios.back());
     charts();
-    combinations(reach.ratios);
+    combinations(reach.ratios, most_combinations);
     return std::move(states_);
   }
 
@@ -189,31 +191,37 @@ class Extremes {
 
   /// Each parameter far from its value, where angles are near multiples of a right one, nearly the
   /// same, or tiny: sums of masses or lengths that cancel, and quotients of what is left of them.
-  void combinations(const std::vector<double>& ratios) {
-    for (std::size_t i = 0; i < subject_.model.parameters.size(); ++i) {
-      for (const double ratio : ratios) {
-        combination(i, ratio);
-        combination(i, 1 / ratio);
-      }
+  void combinations(const std::vector<double>& sizes, std::size_t most) {
+    const std::size_t per_parameter = 2 * sizes.size() * places.size();
+    const std::size_t all = subject_.model.parameters.size() * per_parameter;
+    const std::size_t step = all > most ? golden_step(all) : 1;
+    for (std::size_t i = 0; i < std::min(all, most); ++i) {
+      const std::size_t which = i * step % all;
+      const double size = sizes[which / places.size() / 2 % sizes.size()];
+      const bool is_small = which / places.size() % 2 != 0;
+      combination(which / per_parameter, is_small ? 1 / size : size, places[which % places.size()]);
     }
   }
 
-  void combination(std::size_t parameter, double ratio) {
-    const std::string name =
-        fmt::format("{} times {:g}", subject_.model.parameters[parameter].name, ratio);
+  enum class Place : std::uint8_t { right, equal, tiny };
+  static constexpr std::array places{Place::right, Place::equal, Place::tiny};
+
+  void combination(std::size_t parameter, double ratio, Place place) {
+    constexpr std::array<const char*, 3> words{"near right ones", "nearly equal", "tiny"};
+    Arguments<double>& values =
+        add(fmt::format("{} times {:g}, angles {}", subject_.model.parameters[parameter].name,
+                        ratio, words[static_cast<std::size_t>(place)]));
+    values.parameters[parameter] *= ratio;
     const double common = random_.uniform(-pi, pi);
-    const auto add_with = [&](const char* where, const auto& angle) {
-      Arguments<double>& values = add(fmt::format("{}, angles {}", name, where));
-      values.parameters[parameter] *= ratio;
-      for (std::size_t i = 0; i < values.q.size(); ++i) {
-        if (is_angle(subject_.model.coordinates[i])) values.q[i] = angle();
-      }
-    };
-    const auto sign = [&] { return random_.uniform(-1, 1) < 0 ? -1.0 : 1.0; };
-    add_with("near right ones",
-             [&] { return std::floor(random_.uniform(-2, 3)) * (pi / 2) + sign() * 1e-8; });
-    add_with("nearly equal", [&] { return common + sign() * random_.uniform(0.5, 1) * 1e-3; });
-    add_with("tiny", [&] { return sign() * 1e-8; });
+    for (std::size_t i = 0; i < values.q.size(); ++i) {
+      const double sign = random_.uniform(-1, 1) < 0 ? -1 : 1;
+      const double share = random_.uniform(0.5, 1);
+      const double right = std::floor(random_.uniform(-2, 3)) * (pi / 2);
+      if (!is_angle(subject_.model.coordinates[i])) continue;
+      if (place == Place::right) values.q[i] = right + sign * 1e-8;
+      if (place == Place::equal) values.q[i] = common + sign * share * 1e-3;
+      if (place == Place::tiny) values.q[i] = sign * 1e-8;
+    }
   }
 
   const Subject& subject_;
@@ -236,6 +244,12 @@ Arguments<Scalar> rounded(const Arguments<double>& values) {
 
 }  // namespace
 
+std::size_t golden_step(std::size_t count) {
+  std::size_t step = count * 618 / 1000 + 1;
+  while (std::gcd(step, count) != 1) ++step;
+  return step;
+}
+
 template <class Scalar>
 std::vector<SampledState<Scalar>> sample_states(const Subject& subject, const Sampling& sampling) {
   Random random(sampling.seed);
@@ -251,7 +265,8 @@ std::vector<SampledState<Scalar>> sample_states(const Subject& subject, const Sa
     if (i % 4 == 3) states.push_back({Region::large, {}, scaled(subject, random, -27, 26)});
   }
   if (sampling.extremes && !inside) {
-    for (SampledState<double>& state : Extremes(subject, random).make(reach<Scalar>())) {
+    for (SampledState<double>& state :
+         Extremes(subject, random).make(reach<Scalar>(), sampling.count)) {
       states.push_back(std::move(state));
     }
   }

@@ -24,8 +24,14 @@ struct SampledState {
   Arguments<Scalar> values = {};
 };
 
+/// About 0.618 of `count` and without a divisor in common with it: taken again and again it meets
+/// all regions, which take turns, and the extremes, which come last. The first state is ordinary.
+[[nodiscard]] std::size_t golden_step(std::size_t count);
+
 struct Sampling {
-  std::size_t count = 256;  ///< of random states: half nominal, a quarter small, a quarter large
+  /// Of random states: half nominal, a quarter small, a quarter large. There are at most as many
+  /// extremes of parameters together with angles.
+  std::size_t count = 256;
   std::uint64_t seed = 1;
   bool extremes = true;
 };

@@ -1,7 +1,6 @@
 // verify: oracle, program and compiled code of one scene, compared row by row. Each kind of check
 // lives in a file of its own; here is only the order of the certificate.
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "elgen/certificate.hpp"
@@ -50,14 +49,6 @@ std::size_t instructions_of(const Program& program) {
   std::size_t length = 1;
   for (const Function& function : program.functions) length += function.instructions.size();
   return length;
-}
-
-/// About 0.618 of `count` and without a divisor in common with it: taken again and again it meets
-/// all regions, which take turns, and the extremes, which come last. The first state is ordinary.
-std::size_t golden_step(std::size_t count) {
-  std::size_t step = count * 618 / 1000 + 1;
-  while (std::gcd(step, count) != 1) ++step;
-  return step;
 }
 
 template <class Scalar>

@@ -223,9 +223,9 @@ TEST_CASE("the forward dynamics of arms is bounded") {
         continue;
       INFO(row.dump(2));
       CHECK(row.at("error_in_bounds") > 0);
-      // Extremes may be: angles of 1e4 in float.
-      CHECK(row.at("skipped_states").value("ill_conditioned", 0) <= 1);
-      CHECK(row.at("samples") >= 8);
+      // Extremes may be: angles of 1e4 in float, a mass 1e12 times its value.
+      CHECK(row.at("skipped_states").value("ill_conditioned", 0) <= 2);
+      CHECK(row.at("samples") >= 7);
     }
   }
 }

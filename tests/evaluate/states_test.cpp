@@ -147,7 +147,7 @@ TEST_CASE("a scene that drops terms is sampled where its bounds hold") {
 
 TEST_CASE("each parameter is far from its value where sums of angles cancel") {
   const System system = cart_pole_system();
-  const auto states = sample_states<double>(system.subject(), {1, 1, true});
+  const auto states = sample_states<double>(system.subject(), {100, 1, true});
   const auto& tiny = named(states, "l times 1e+12, angles tiny");
   CHECK(std::abs(tiny.values.q[1]) == 1e-8);
   CHECK(tiny.values.parameters[2] / named(states, "origin").values.parameters[2] == Approx(1e12));
@@ -157,4 +157,6 @@ TEST_CASE("each parameter is far from its value where sums of angles cancel") {
   CHECK(std::abs(right - turns * 1.5707963267948966) == Approx(1e-8).epsilon(1e-6));
   const auto is_combined = [](const auto& s) { return s.name.find(", angles") != s.name.npos; };
   CHECK(std::count_if(states.begin(), states.end(), is_combined) == 5 * 6 * 3);
+  const auto few = sample_states<double>(system.subject(), {16, 1, true});
+  CHECK(std::count_if(few.begin(), few.end(), is_combined) == 16);
 }
