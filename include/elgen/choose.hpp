@@ -7,7 +7,8 @@
 // digits where sums cancel are written in other ways, and a form that loses more than the other is
 // not taken (choose/precision.hpp), unless the scene prefers speed; else the cheaper is kept, the
 // closed one on a tie, unless the scene asks for one. What is added to either so that
-// it holds at states that algebra passes over (scaled_length.hpp, guarded_pivots.hpp) comes last.
+// it holds at states that algebra passes over (scaled_length.hpp, guarded_pivots.hpp) comes last,
+// and then the order in which all is evaluated (trigonometry_first.hpp).
 #pragma once
 
 #include <optional>

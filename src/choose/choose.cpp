@@ -10,6 +10,7 @@
 #include "choose/guarded_pivots.hpp"
 #include "choose/lowered_entries.hpp"
 #include "choose/scaled_length.hpp"
+#include "choose/trigonometry_first.hpp"
 
 namespace elgen {
 namespace {
@@ -56,9 +57,11 @@ class Choosing {
       Diagnostics errors = choose_form(i);
       if (!errors.empty()) return errors;
     }
-    known_.program.leaves = recursive_.leaves;
-    known_.program.constants = result_.program.constants;
-    result_.ways.push_back(std::move(known_));
+    for (Way* way : {&known_, &mended_}) {
+      way->program.leaves = recursive_.leaves;
+      way->program.constants = result_.program.constants;
+      if (!way->program.functions.empty()) result_.ways.push_back(std::move(*way));
+    }
     return std::move(result_);
   }
 
@@ -96,7 +99,7 @@ class Choosing {
         is_reduced(function) ? Form::closed : wish_for(scene_, function);
     const bool wants_closed = wish == Form::closed;
     result_.program.functions[index] = finished(function);
-    if (!is_reduced(function)) known_.program.functions.push_back(result_.program.functions[index]);
+    add_ways(recursive_.functions[index], result_.program.functions[index]);
     FormCosts costs{function.name, count_operations(result_.program.functions[index])};
     costs.is_asked_for = wish_for(scene_, function).has_value();
     Function closed;
@@ -140,6 +143,13 @@ class Choosing {
   static std::size_t cost_of(const Function& form) {
     const bool has_pivots = output_row(form.kind).gives_pivots;
     return cost(count_operations(has_pivots ? without_diagonal(form) : form));
+  }
+
+  void add_ways(const Function& recursive, const Function& mended) {
+    if (is_reduced(recursive)) return;
+    known_.program.functions.push_back(finished(recursive));
+    const bool is_mended = known_.program.functions.back().instructions != mended.instructions;
+    if (is_mended) mended_.program.functions.push_back(mended);
   }
 
   /// `recursive` with its pivots by their closed forms, where those keep digits that it loses.
@@ -195,8 +205,7 @@ class Choosing {
     }
     costs.closed_loss = std::ranges::max(losses);
     if (costs.chosen == Form::closed && costs.closed_loss == 0) return closed;
-    costs.recursive_loss =
-        std::ranges::max(possible_losses(result_.program, recursive, extremes_));
+    costs.recursive_loss = std::ranges::max(possible_losses(result_.program, recursive, extremes_));
     if (loses_more(*costs.closed_loss, *costs.recursive_loss)) costs.chosen = Form::recursive;
     if (loses_more(*costs.recursive_loss, *costs.closed_loss)) costs.chosen = Form::closed;
     return closed;
@@ -220,6 +229,7 @@ class Choosing {
   std::string normalized_;         ///< name of the function of that kind
   std::optional<std::vector<ClosedPivot>> closed_pivots_;
   Way known_{"recursive form", {}};
+  Way mended_{"recursive form with closed pivots", {}};
   Choice result_;
 };
 
@@ -231,7 +241,10 @@ std::string counts_text(const OperationCounts& n) {
 }  // namespace
 
 Result<Choice> choose(const Program& recursive, const ClosedForms& forms, const Scene& scene) {
-  return Choosing(recursive, forms, scene)();
+  Result<Choice> choice = Choosing(recursive, forms, scene)();
+  if (!choice) return choice;
+  for (Function& function : choice->program.functions) function = trigonometry_first(function);
+  return choice;
 }
 
 std::string dump(const Choice& choice) {

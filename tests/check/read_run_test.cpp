@@ -94,7 +94,7 @@ TEST_CASE("mistakes in a start are answered where they stand") {
   CHECK(answer(options("attitude=[0,0,0,0]")) == "E606 10 a quaternion of length 0 is no rotation");
 }
 
-TEST_CASE("a law is made of the state, of time and of parameters; its units are not judged") {
+TEST_CASE("a law is made of the state, of time and of parameters, and its units are not judged") {
   const Model model = checked_model(flying, options("", "u=-m*x - 2*dot(x) + max(t, 0)")).model;
   REQUIRE(model.inputs[0].law);
   CHECK(to_string(model, *model.inputs[0].law) == "-m*x - 2*dot(x) + max(t, 0)");

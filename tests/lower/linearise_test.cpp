@@ -68,33 +68,3 @@ TEST_CASE("constants of a program are one list without repeats") {
                           l.graph.sum({l.graph.rational(3), l.b})};
   CHECK(testing::program_of(make_network(l.expressions)).constants.size() == 1);
 }
-
-TEST_CASE("sines and cosines come first, with what they need, the two of an angle together") {
-  testing::ExpressionLeaves l;
-  const Ref angle = l.product({l.a, l.b});
-  const Ref sine = l.graph.call(FunctionId::sin, {angle});
-  const Ref cosine = l.graph.call(FunctionId::cos, {angle});
-  l.expressions.values = {l.product({l.c, l.d}), l.product({cosine, l.c}),
-                          l.graph.call(FunctionId::sin, {cosine}), sine};
-  CHECK(dump(testing::program_of(make_network(l.expressions))) ==
-        "coordinates a b c d e\n"
-        "function bias\n"
-        "  0 = coordinate a\n"
-        "  1 = coordinate b\n"
-        "  2 = multiply 0 1\n"
-        "  3 = sin 2\n"
-        "  4 = cos 2\n"
-        "  5 = sin 4\n"
-        "  6 = coordinate c\n"
-        "  7 = coordinate d\n"
-        "  8 = multiply 6 7\n"
-        "  9 = multiply 6 4\n"
-        "  result 1 4 = 8 9 5 3\n");
-}
-
-TEST_CASE("sines that no value needs are not computed") {
-  testing::ExpressionLeaves l;
-  l.graph.call(FunctionId::sin, {l.a});
-  l.expressions.values = {l.graph.call(FunctionId::cos, {l.a})};
-  CHECK(testing::program_of(make_network(l.expressions)).functions[0].instructions.size() == 2);
-}

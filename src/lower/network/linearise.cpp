@@ -2,10 +2,7 @@
 #include "lower/network/linearise.hpp"
 
 #include <algorithm>
-#include <array>
-#include <map>
 #include <optional>
-#include <utility>
 
 #include "lower/network/instructions.hpp"
 
@@ -22,67 +19,22 @@ class Linearising {
         instructions_(function) {}
 
   std::uint32_t value(Ref ref) {
-    visit(
-        ref.node, [this](NodeId id) { return done_[id].has_value(); },
-        [this](NodeId id) { finish(id); });
-    return signed_value(ref);
-  }
-
-  /// The sines and cosines that the values need, the two of an angle together. A call keeps no
-  /// floating-point register, so what is computed before it has to be stored and loaded again.
-  void trigonometry() {
-    std::vector<NodeId> calls;
-    std::map<std::pair<NodeId, bool>, SineAndCosine> of_angle;
-    std::vector<bool> is_seen(network_.operations.size(), false);
-    const auto see = [&](NodeId id) {
-      is_seen[id] = true;
-      if (!is_trigonometric(id)) return;
-      calls.push_back(id);
-      const Operation& call = network_.operations[id];
-      of_angle[angle_of(id)][call.function == FunctionId::sin ? 0 : 1] = id;
-    };
-    for (const Ref value : network_.values) {
-      visit(
-          value.node, [&](NodeId id) { return is_seen[id]; }, see);
-    }
-    for (const NodeId id : calls) {
-      for (const std::optional<NodeId>& call : of_angle[angle_of(id)]) {
-        if (call) value({*call});
-      }
-    }
-  }
-
- private:
-  using SineAndCosine = std::array<std::optional<NodeId>, 2>;
-
-  /// Finishes what the operation needs and what is not done, operands first, left to right.
-  template <class IsDone, class Finish>
-  void visit(NodeId start, const IsDone& is_done, const Finish& finish) const {
-    std::vector<NodeId> pending = {start};
+    std::vector<NodeId> pending = {ref.node};
     while (!pending.empty()) {
       const NodeId id = pending.back();
       const std::size_t before = pending.size();
       const std::vector<Ref>& operands = network_.operations[id].operands;
       for (std::size_t i = operands.size(); i-- > 0;) {
-        if (!is_done(operands[i].node)) pending.push_back(operands[i].node);
+        if (!done_[operands[i].node]) pending.push_back(operands[i].node);
       }
       if (pending.size() > before) continue;
       pending.pop_back();
-      if (!is_done(id)) finish(id);
+      if (!done_[id]) finish(id);
     }
+    return signed_value(ref);
   }
 
-  [[nodiscard]] bool is_trigonometric(NodeId id) const {
-    const Operation& operation = network_.operations[id];
-    return operation.kind == OperationKind::call &&
-           (operation.function == FunctionId::sin || operation.function == FunctionId::cos);
-  }
-
-  [[nodiscard]] std::pair<NodeId, bool> angle_of(NodeId call) const {
-    const Ref angle = network_.operations[call].operands.front();
-    return {angle.node, angle.negative};
-  }
-
+ private:
   void finish(NodeId id) {
     const Operation& operation = network_.operations[id];
     const std::uint32_t result = emit_operation(operation);
@@ -172,7 +124,6 @@ Function unfilled(const Function& function) {
 
 void linearise(const Network& network, Program& program, Function& function) {
   Linearising linearising(network, program, function);
-  linearising.trigonometry();
   for (Field& field : function.fields) {
     for (std::uint32_t& entry : field.entries) entry = linearising.value(network.values[entry]);
   }

@@ -3,8 +3,7 @@
 //     sum(a, -b, product(m, x))  ->  0 = a   1 = b   2 = subtract 0 1   3 = m   4 = x   5 =
 //     multiply 3 4   6 = add 2 5
 //
-// Sines and cosines first, with what they need; then depth-first from the entries in their order;
-// operands left to right; only what the entries need.
+// Depth-first from the entries in their order; operands left to right; only what the entries need.
 #pragma once
 
 #include "elgen/program.hpp"

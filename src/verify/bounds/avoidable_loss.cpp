@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* loss_reason =
     "64 u R, R = |x*| + K, K = sum |z dx/dz| over inputs, parameters and literals: what their own "
-    "rounding costs; fails where one way keeps the digits at all nominal states";
+    "rounding costs; fails where one way keeps the digits at all states";
 
 /// The ways that keep all digits at the states of a list, out of those that are left.
 template <class Scalar>
@@ -88,9 +88,7 @@ CertificateRow LossRecord::row(const FieldPlace& place, const Subject& subject,
   ways.ask(worst_at_);
   const std::string there = ways.left().empty() ? "" : std::string(ways.left().front().name);
   for (const std::size_t at : lossy_) ways.ask(at);
-  for (std::size_t at = 0; at < states.size(); ++at) {
-    if (states[at].region == Region::nominal) ways.ask(at);
-  }
+  for (std::size_t at = 0; at < states.size(); ++at) ways.ask(at);
   row.verdict = ways.left().empty() ? Verdict::noted : Verdict::fails;
   row.worst = fmt::format("{} of entry {}, most of it in {}", figure_text(figures_.worst()),
                           entry_ + 1, equation_at(subject.program, *place.function, culprit_));

@@ -21,8 +21,9 @@ class LossRecord {
   /// Where the code of the field loses digits.
   [[nodiscard]] bool has_loss() const { return !lossy_.empty(); }
 
-  /// Fails where one way keeps what is lost, at all those states and at all nominal ones; noted
-  /// where none does. Cost: nothing without a loss, else bounds of all ways at those states.
+  /// Fails where one way keeps what is lost, at those states and at all others; noted where none
+  /// does: in sqrt(x^2 + l^2) - x either way loses digits, for one sign of x. Cost: nothing without
+  /// a loss, else bounds of all ways at those states.
   template <class Scalar>
   [[nodiscard]] CertificateRow row(const FieldPlace& place, const Subject& subject,
                                    const std::vector<SampledState<Scalar>>& states,
