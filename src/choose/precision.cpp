@@ -18,7 +18,7 @@ constexpr double right_angle = 1.5707963267948966;
 
 /// Where the coordinates are that sines are taken of; others are of ordinary magnitude, or small
 /// where those are tiny.
-enum class Place : std::uint8_t {
+enum class Neighbourhood : std::uint8_t {
   anywhere,
   right,
   straight,
@@ -63,30 +63,31 @@ class Points {
   }
 
   void add_extremes(std::size_t parameter, int ratio) {
-    for (const Place place : {Place::right, Place::straight, Place::nearly_equal, Place::tiny}) {
+    for (const Neighbourhood place : {Neighbourhood::right, Neighbourhood::straight,
+                                      Neighbourhood::nearly_equal, Neighbourhood::tiny}) {
       Arguments<double> point = drawn(ordinary);
       point.parameters[parameter] = std::ldexp(point.parameters[parameter], ratio);
       add(place, std::move(point));
     }
   }
 
-  void add(Place place, Arguments<double> point) {
+  void add(Neighbourhood place, Arguments<double> point) {
     const double common = random_.uniform(-3, 3);
     for (std::size_t i = 0; i < point.q.size(); ++i) {
       const double length = random_.log_uniform(-wide, -ordinary);
       if (is_angle_[i]) point.q[i] = angle(place, common);
-      if (!is_angle_[i] && place == Place::tiny) point.q[i] = length;
+      if (!is_angle_[i] && place == Neighbourhood::tiny) point.q[i] = length;
     }
     points_.push_back(std::move(point));
   }
 
-  double angle(Place place, double common) {
+  double angle(Neighbourhood place, double common) {
     const double sign = random_.uniform(-1, 1) < 0 ? -1 : 1;
     const double share = sign * random_.uniform(0.5, 1);
     const double turns = std::floor(random_.uniform(-1, 2));
-    if (place == Place::nearly_equal) return common + share * 1e-3;
-    if (place == Place::tiny) return share * 1e-8;
-    if (place == Place::right) return (2 * turns + 1) * right_angle + share * 1e-8;
+    if (place == Neighbourhood::nearly_equal) return common + share * 1e-3;
+    if (place == Neighbourhood::tiny) return share * 1e-8;
+    if (place == Neighbourhood::right) return (2 * turns + 1) * right_angle + share * 1e-8;
     return 2 * turns * right_angle + share * 1e-8;
   }
 
