@@ -201,10 +201,10 @@ class Choosing {
     if (!repeats && rewrite(entries, losses, recursive_, recursive_.functions[index], forms_,
                             forms_.functions[index], points_, extremes_)) {
       closed = lowered_together(entries, recursive, result_.program, splits_of(recursive));
-      judge_by_code(entries, closed);
       losses = possible_losses(result_.program, closed, extremes_);
       costs.chosen = cost_of(closed) <= cost_of(recursive) ? Form::closed : Form::recursive;
     }
+    judge_by_code(entries, closed);
     costs.closed_loss = std::ranges::max(losses);
     if (costs.chosen == Form::closed && costs.closed_loss == 0) return closed;
     costs.recursive_loss = std::ranges::max(possible_losses(result_.program, recursive, extremes_));
