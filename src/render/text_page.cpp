@@ -60,7 +60,8 @@ std::string digits_text(const std::optional<double>& loss) {
 std::string cost_page(const std::vector<FormCosts>& costs) {
   std::size_t width = std::string_view("function").size();
   for (const FormCosts& row : costs) width = std::max(width, row.function.size());
-  constexpr std::string_view row = "{:<{}}  {:<9}  {:>6} {:>6} {:>5} {:>5} {:>6} {:>5}  {:>6}  {:>6}  {}";
+  constexpr std::string_view row =
+      "{:<{}}  {:<9}  {:>6} {:>6} {:>5} {:>5} {:>6} {:>5}  {:>6}  {:>6}  {}";
   std::string text;
   const auto add_line = [&text](const std::string& line) {
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";

@@ -35,8 +35,7 @@ TEST_CASE("a sine and a cosine of one angle are one statement, where the languag
       "coordinates x y\nfunction gravity\n  0 = coordinate x\n  1 = coordinate y\n"
       "  2 = add 0 1\n  3 = sin 2\n  4 = cos 2\n  5 = sin 0\n  result 3 1 = 3 4 5\n");
   const std::vector<std::string> names = {"", "", "sum", "sine", "cosine", "other"};
-  const std::vector<Statement> joint =
-      statements(program.functions.front(), names, Pairing::joint);
+  const std::vector<Statement> joint = statements(program.functions.front(), names, Pairing::joint);
   REQUIRE(joint.size() == 3 + 3);
   CHECK(joint[1].instruction == 3);
   CHECK(joint[1].cosine == 4);
