@@ -89,6 +89,8 @@ struct VerifyOptions {
   /// The ways to write functions that losses are measured by; without them losses are not looked
   /// at.
   const std::vector<Way>* ways = nullptr;
+  /// The code as users compile it (Build::as_users), held to the same bounds; perhaps null.
+  const CompiledModel* as_users = nullptr;
   /// Told of each step: "accuracy in double, state 3 of 36".
   std::function<void(const std::string&)> on_step = {};
 };

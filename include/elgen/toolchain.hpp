@@ -46,12 +46,18 @@ struct CompiledHeader {
 };
 using CompiledHeaders = std::vector<CompiledHeader>;
 
-/// $CXX where it is set, else c++, g++, clang++, whichever is there. Strict flags
-/// (-ffp-contract=off). E704 without a compiler, E706 without room for its files, E909 where it
-/// takes longer than `limits.seconds` by the clock; with the compiler's words, E705 where it
-/// refuses what was emitted, E709 where it cannot work.
+/// How headers are compiled.
+enum class Build : std::uint8_t {
+  as_written,  ///< strict flags, no contraction: the bits of the arithmetic that is written
+  as_users,    ///< -O3 -march=native, contraction on; without the header on types of Eigen
+};
+
+/// $CXX where it is set, else c++, g++, clang++, whichever is there. E704 without a compiler, E706
+/// without room for its files, E909 where it takes longer than `limits.seconds` by the clock; with
+/// the compiler's words, E705 where it refuses what was emitted, E709 where it cannot work.
 [[nodiscard]] Result<CompiledHeaders> compile(const EmittedFiles& files, const Model& model,
                                               const Scene& scene, const Program& program,
-                                              const Limits& limits);
+                                              const Limits& limits,
+                                              Build build = Build::as_written);
 
 }  // namespace elgen

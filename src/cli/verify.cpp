@@ -40,16 +40,20 @@ Result<Verification> compared(const std::string& path, Products& products,
   const Scene& scene = products.checked->scene;
   const Program& program = *products.program;
   const Progress progress(path);
-  Result<CompiledHeaders> compiled = CompiledHeaders();
-  if (!options.quick) {
-    compiled = timed("compile", products, progress,
-                     [&] { return compile(*products.files, model, scene, program, limits); });
-  }
+  const auto compiled_by = [&](Build build) -> Result<CompiledHeaders> {
+    if (options.quick) return CompiledHeaders();
+    return timed("compile", products, progress,
+                 [&] { return compile(*products.files, model, scene, program, limits, build); });
+  };
+  const Result<CompiledHeaders> compiled = compiled_by(Build::as_written);
   if (!compiled) return compiled.diagnostics;
+  const Result<CompiledHeaders> as_users = compiled_by(Build::as_users);
+  if (!as_users) return as_users.diagnostics;
   VerifyOptions with_products = options;
   with_products.forms = &*products.closed_forms;
   with_products.parts = &products.parts;
   with_products.ways = &products.ways;
+  if (!as_users->empty()) with_products.as_users = as_users->front().functions.get();
   with_products.on_step = [&progress](const std::string& step) { progress.stage(step); };
   return timed("verify", products, progress,
                [&] { return verify(model, scene, program, *compiled, with_products); });

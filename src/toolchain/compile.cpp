@@ -132,11 +132,11 @@ std::vector<LoadedFunction> load(const Library& library, const DriverInput& inpu
 Diagnostic nowhere(Code code, std::string message) { return {code, {}, std::move(message)}; }
 
 /// What becomes of one driver.
-Result<CompiledHeader> compile_one(const Driver& driver, const Compiler& compiler,
+Result<CompiledHeader> compile_one(const Driver& driver, const Compiler& compiler, Build build,
                                    const std::filesystem::path& directory,
                                    const DriverInput& input) {
   const std::filesystem::path object = directory / (driver.file + ".so");
-  const ProcessResult compiled = compile_shared(compiler, directory / driver.file, object);
+  const ProcessResult compiled = compile_shared(compiler, build, directory / driver.file, object);
   if (!compiled.succeeded()) return why_refused(compiler, compiled, directory, driver);
   Library library(object);
   if (!library.loaded()) {
@@ -154,7 +154,7 @@ Result<CompiledHeader> compile_one(const Driver& driver, const Compiler& compile
 }  // namespace
 
 Result<CompiledHeaders> compile(const EmittedFiles& files, const Model& model, const Scene& scene,
-                                const Program& program, const Limits& limits) {
+                                const Program& program, const Limits& limits, Build build) {
   const DriverInput input{model, scene, program};
   const std::vector<Driver> sources = drivers(input);
   const NoInterrupts until_removed;
@@ -166,7 +166,8 @@ Result<CompiledHeaders> compile(const EmittedFiles& files, const Model& model, c
   if (!compiler) return compiler.diagnostics;
   CompiledHeaders headers;
   for (const Driver& driver : sources) {
-    Result<CompiledHeader> header = compile_one(driver, *compiler, directory->path(), input);
+    if (build == Build::as_users && !driver.types.empty()) continue;
+    Result<CompiledHeader> header = compile_one(driver, *compiler, build, directory->path(), input);
     if (!header) return header.diagnostics;
     headers.push_back(std::move(*header));
   }

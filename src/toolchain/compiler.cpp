@@ -14,10 +14,14 @@
 namespace elgen {
 namespace {
 
-constexpr const char* flags[] = {
-    "-O2",           "-ffp-contract=off",  "-fPIC",        "-shared",  "-Wall",
-    "-Wextra",       "-Wpedantic",         "-Wconversion", "-Wshadow", "-Wsign-conversion",
-    "-Wfloat-equal", "-Wdouble-promotion", "-Werror"};
+CompilerCommand flags_of(Build build) {
+  if (build == Build::as_users) {
+    return {"-O3", "-march=native", "-ffp-contract=fast", "-fPIC", "-shared"};
+  }
+  return {"-O2",           "-ffp-contract=off",  "-fPIC",        "-shared",  "-Wall",
+          "-Wextra",       "-Wpedantic",         "-Wconversion", "-Wshadow", "-Wsign-conversion",
+          "-Wfloat-equal", "-Wdouble-promotion", "-Werror"};
+}
 
 /// Where Debian and others keep Eigen; elsewhere $CPATH says it.
 constexpr const char* eigen_folder = "/usr/include/eigen3";
@@ -91,7 +95,7 @@ bool takes_probe(const Compiler& compiler, const std::filesystem::path& director
                  const Driver& driver) {
   const std::filesystem::path probe = directory / ("probe_" + driver.file);
   std::ofstream(probe, std::ios::binary) << probe_text(driver);
-  return compile_shared(compiler, probe, directory / "probe.so").succeeded();
+  return compile_shared(compiler, Build::as_written, probe, directory / "probe.so").succeeded();
 }
 
 }  // namespace
@@ -117,10 +121,12 @@ Result<Compiler> find_compiler(std::uint64_t seconds) {
   return no_compiler(answer);
 }
 
-ProcessResult compile_shared(const Compiler& compiler, const std::filesystem::path& source,
+ProcessResult compile_shared(const Compiler& compiler, Build build,
+                             const std::filesystem::path& source,
                              const std::filesystem::path& object) {
   std::vector<std::string> command = compiler.command;
-  command.insert(command.end(), std::begin(flags), std::end(flags));
+  const CompilerCommand flags = flags_of(build);
+  command.insert(command.end(), flags.begin(), flags.end());
   const std::vector<std::string> of_language = language_flags(source);
   command.insert(command.end(), of_language.begin(), of_language.end());
   command.insert(command.end(), {source.string(), "-o", object.string()});

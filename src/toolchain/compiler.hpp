@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "elgen/diagnostic.hpp"
+#include "elgen/toolchain.hpp"
 #include "toolchain/driver.hpp"
 #include "toolchain/process.hpp"
 
@@ -28,10 +29,9 @@ struct Compiler {
 /// The first candidate that answers `--version`. E704 where none does.
 [[nodiscard]] Result<Compiler> find_compiler(std::uint64_t seconds);
 
-/// Compiles `source` as C++17, a `.c` as C99, with the warnings users are promised to be spared,
-/// all of them errors. No contraction: error bounds and bit comparisons hold for the arithmetic
-/// that is written.
-[[nodiscard]] ProcessResult compile_shared(const Compiler& compiler,
+/// Compiles `source` as C++17, a `.c` as C99. As written: with the warnings users are promised to
+/// be spared, all of them errors, and without contraction, so that bits can be compared.
+[[nodiscard]] ProcessResult compile_shared(const Compiler& compiler, Build build,
                                            const std::filesystem::path& source,
                                            const std::filesystem::path& object);
 

@@ -80,17 +80,22 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
   const Subject subject{model, scene, program};
   const auto doubles = states_for<double>(subject, options);
   const auto floats = states_for<float>(subject, options);
-  const AccuracyOptions accuracy{{comparison_for(model, options), options.parts, options.ways},
-                                 options.on_step};
+  const auto accuracy = [&](ScalarKind scalar) {
+    const bool has = options.as_users != nullptr && options.as_users->has(scalar);
+    const VisitOptions visit{comparison_for(model, options), options.parts, options.ways,
+                             has ? options.as_users : nullptr};
+    return AccuracyOptions{visit, options.on_step};
+  };
 
   Verification result;
   result.certificate = {model.name, scene.name.empty() ? "full" : scene.name, options.seed, {}};
   std::vector<CertificateRow>& rows = result.certificate.rows;
   ExpectationReport expected = check_expectations(subject, options.forms, options.seed);
   append(rows, expected.rows);
-  append(rows, check_accuracy(subject, doubles, accuracy));
+  append(rows, check_accuracy(subject, doubles, accuracy(ScalarKind::double_precision)));
   const bool fits_float = fits(model, program, ScalarKind::single_precision);
-  if (fits_float) append(rows, check_accuracy(subject, floats, accuracy));
+  if (fits_float)
+    append(rows, check_accuracy(subject, floats, accuracy(ScalarKind::single_precision)));
   for (const CompiledHeader& header : compiled) {
     const bool has_doubles = header.functions->has(ScalarKind::double_precision);
     const bool has_floats = header.functions->has(ScalarKind::single_precision);

@@ -11,12 +11,13 @@ using elgen::compiler_candidates;
 
 namespace {
 
-elgen::ProcessResult compile_text(const std::string& text) {
+elgen::ProcessResult compile_text(const std::string& text,
+                                  elgen::Build build = elgen::Build::as_written) {
   const auto directory = elgen::TemporaryDirectory::create();
   REQUIRE(directory);
   const auto source = directory->path() / "a b.cpp";
   std::ofstream(source) << text;
-  return elgen::compile_shared({{"c++"}, 60}, source, directory->path() / "a b.so");
+  return elgen::compile_shared({{"c++"}, 60}, build, source, directory->path() / "a b.so");
 }
 
 }  // namespace
@@ -79,4 +80,12 @@ TEST_CASE("each promised warning is an error") {
     CAPTURE(body);
     CHECK(compile_text(declaration + body).status != 0);
   }
+}
+
+TEST_CASE("as users compile: optimised, and warnings are theirs to ask for") {
+  const std::string text = "int f(double x); int f(double x) { return x; }\n";
+  const auto result = compile_text("#ifndef __OPTIMIZE__\n#error not optimised\n#endif\n" + text,
+                                   elgen::Build::as_users);
+  INFO(result.output);
+  CHECK(result.succeeded());
 }

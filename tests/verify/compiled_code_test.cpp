@@ -3,48 +3,14 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <functional>
 
+#include "verify/changed_code.hpp"
 #include "verify/systems.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
 
 namespace {
-
-/// The interpreter in the place of compiled code, with one function's first entry changed.
-class Changed final : public CompiledModel {
- public:
-  Changed(const Program& program, std::string function, std::function<double(double)> change)
-      : program_(program), function_(std::move(function)), change_(std::move(change)) {}
-
-  [[nodiscard]] DriverFunction<double> find(std::string_view) const override { return nullptr; }
-  [[nodiscard]] std::vector<double> call(std::string_view function,
-                                         const Arguments<double>& arguments) const override {
-    return changed(function, arguments);
-  }
-  [[nodiscard]] std::vector<float> call(std::string_view function,
-                                        const Arguments<float>& arguments) const override {
-    return changed(function, arguments);
-  }
-  [[nodiscard]] bool has(ScalarKind /*scalar*/) const override { return true; }
-
- private:
-  template <class Scalar>
-  std::vector<Scalar> changed(std::string_view name, const Arguments<Scalar>& arguments) const {
-    for (const Function& function : program_.functions) {
-      if (function.name != name) continue;
-      std::vector<Scalar> values = evaluate(program_, function, arguments);
-      if (name == function_) values[0] = static_cast<Scalar>(change_(values[0]));
-      return values;
-    }
-    return {};
-  }
-
-  const Program& program_;
-  std::string function_;
-  std::function<double(double)> change_;
-};
 
 template <class Scalar>
 std::vector<CertificateRow> rows_of(const System& system, const Changed& compiled,

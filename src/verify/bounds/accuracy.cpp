@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "elgen/outputs.hpp"
+#include "verify/bounds/as_users.hpp"
 #include "verify/bounds/avoidable_loss.hpp"
 #include "verify/states/tally.hpp"
 
@@ -133,6 +134,7 @@ std::vector<CertificateRow> check_accuracy(const Subject& subject,
   const char* scalar = std::is_same_v<Scalar, float> ? "float" : "double";
   std::vector<FieldRecord> records;
   for (FieldPlace& place : field_places(subject)) records.push_back({std::move(place)});
+  AsUsersRecord as_users;
   Random random(1);
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (options.on_step) {
@@ -145,12 +147,14 @@ std::vector<CertificateRow> check_accuracy(const Subject& subject,
       const Finding finding = visit.look_at(record.place, random);
       add(record, finding, subject, visit.state());
       record.losses.add(record.place, finding, visit, i);
+      as_users.add(subject_of(record.place, scalar), finding, visit.state(), i);
     }
   }
   std::vector<CertificateRow> rows;
   for (const FieldRecord& record : records) {
     rows.push_back(row_of(subject, record, scalar, options));
   }
+  if (options.visit.as_users != nullptr) rows.push_back(as_users.row(subject, scalar));
   if (options.visit.ways == nullptr) return rows;
   for (const FieldRecord& record : records) {
     CertificateRow row = record.losses.row(record.place, subject, states, options.visit);

@@ -77,6 +77,9 @@ void Visit<Scalar>::run(const FieldPlace& place) {
     function_ = place.function;
     exact_ = bounded_run(subject_.program, *function_, state(), rounding<Scalar>());
     values_ = evaluate(subject_.program, *function_, sample_.values);
+    if (options_.as_users != nullptr) {
+      users_values_ = options_.as_users->call(function_->name, sample_.values);
+    }
     const bool is_repeated =
         options_.comparison == Comparison::projections && function_->fields.size() == 1;
     if (is_repeated) known_[function_->name] = exact_.entries;
@@ -239,6 +242,16 @@ void Visit<Scalar>::measure(const FieldPlace& place, const Judged& judged, Findi
   }
 }
 
+template <class Scalar>
+void Visit<Scalar>::measure_users(const FieldPlace& place, const Judged& judged, Finding& finding) {
+  Finding users;
+  std::swap(values_, users_values_);
+  measure(place, judged, users);
+  std::swap(values_, users_values_);
+  finding.users_error = users.error;
+  finding.users_imprecision = std::move(users.imprecision);
+}
+
 /// Exact values have 60 digits of the largest of what they are made of: errors that are no larger
 /// than what is left out of them say nothing, nor do those of what underflows on the way.
 template <class Scalar>
@@ -293,6 +306,7 @@ Finding Visit<Scalar>::found(const FieldPlace& place, Random& random) {
                         : differing_projection(place, judged, random);
   const bool is_measured = finding.mistake.empty() && finding.regime == Regime::regular;
   if (is_measured) measure(place, judged, finding);
+  if (is_measured && options_.as_users != nullptr) measure_users(place, judged, finding);
   const bool can_lose =
       finding.mistake.empty() && has_values(judged.regime) && losses_.knows_angles();
   if (options_.ways != nullptr && can_lose) finding.loss = measured_loss(place, judged);

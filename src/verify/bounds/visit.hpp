@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/random.hpp"
+#include "elgen/toolchain.hpp"
 #include "evaluate/states.hpp"
 #include "verify/bounds/field_place.hpp"
 #include "verify/bounds/loss.hpp"
@@ -31,20 +32,23 @@ enum class Comparison : std::uint8_t {
 struct Finding {
   /// Of the program and its judge together; regular too where a norm bounds what they do not.
   Regime regime = Regime::regular;
-  std::string mistake = {};          ///< an exact value that is not the oracle's
-  std::optional<double> error = {};  ///< largest, in u B; none where nothing bounds it
-  bool in_norm = false;              ///< that of solutions, not of entries
-  std::string imprecision = {};      ///< the entry of an error that breaks the promise
-  double cancellation = 0;           ///< largest B/|x|
-  std::vector<double> ulps = {};     ///< of entries that are not 0
-  std::optional<Loss> loss = {};     ///< none where it is not asked for, or cannot be told
+  std::string mistake = {};                ///< an exact value that is not the oracle's
+  std::optional<double> error = {};        ///< largest, in u B; none where nothing bounds it
+  bool in_norm = false;                    ///< that of solutions, not of entries
+  std::string imprecision = {};            ///< the entry of an error that breaks the promise
+  double cancellation = 0;                 ///< largest B/|x|
+  std::vector<double> ulps = {};           ///< of entries that are not 0
+  std::optional<Loss> loss = {};           ///< none where it is not asked for, or cannot be told
+  std::optional<double> users_error = {};  ///< of the code as users compile it, where there is one
+  std::string users_imprecision = {};
 };
 
 /// How a program is looked at.
 struct VisitOptions {
   Comparison comparison = Comparison::entries;
-  const Program* parts = nullptr;          ///< of SolutionBounds
-  const std::vector<Way>* ways = nullptr;  ///< of functions; without them losses are not looked at
+  const Program* parts = nullptr;           ///< of SolutionBounds
+  const std::vector<Way>* ways = nullptr;   ///< of functions; without them losses are not looked at
+  const CompiledModel* as_users = nullptr;  ///< held to the same bounds; has the scalar
 };
 
 /// Scalar: double or float.
@@ -89,6 +93,7 @@ class Visit {
                                            const std::vector<Bound>& others,
                                            std::string_view of) const;
   void measure(const FieldPlace& place, const Judged& judged, Finding& finding) const;
+  void measure_users(const FieldPlace& place, const Judged& judged, Finding& finding);
   [[nodiscard]] std::optional<Loss> measured_loss(const FieldPlace& place, const Judged& judged);
   void add_error(const FieldPlace& place, std::size_t entry, double error, Finding& finding) const;
   [[nodiscard]] double error_in_norm(const FieldPlace& place, const SolvedColumn& column) const;
@@ -104,6 +109,7 @@ class Visit {
   const Function* function_ = nullptr;  ///< of the following runs
   BoundedRun exact_ = {};
   std::vector<Scalar> values_ = {};
+  std::vector<Scalar> users_values_ = {};  ///< of the code as users compile it
   const Function* judge_ = nullptr;
   BoundedRun judge_run_ = {};
   std::map<std::string, std::vector<Bound>> known_ = {};  ///< entries of functions of one field
