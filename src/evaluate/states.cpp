@@ -19,11 +19,6 @@ namespace {
 
 constexpr double pi = 3.141592653589793;
 
-struct Range {
-  double low = 0;
-  double high = 0;
-};
-
 /// Ranges may reach beyond every scalar. A quarter of the largest number leaves their widths
 /// finite.
 double within_scalar(const cln::cl_R& value) {
@@ -61,11 +56,15 @@ bool is_angle(const Coordinate& coordinate) { return coordinate.unit_text == "ra
 
 using Ranges = LeafValues<Range>;
 
+Arguments<double> values_of(const Subject& subject) {
+  return arguments_at<double>(nominal_state(subject.model, subject.scene));
+}
+
 /// What the model declares; else the value of a parameter, a turn or a unit of a coordinate, and
 /// `default_rate`.
 Ranges ranges_of(const Subject& subject) {
   const Model& model = subject.model;
-  const Arguments<double> values = arguments_at<double>(nominal_state(model, subject.scene));
+  const Arguments<double> values = values_of(subject);
   Ranges ranges = map_leaves([](double) { return Range{}; }, values);
   const auto fill = [&](Opcode kind, std::uint32_t number, double value, Range& range) {
     const std::optional<Interval> declared = declared_range(model, kind, number);
@@ -78,9 +77,9 @@ Ranges ranges_of(const Subject& subject) {
   return ranges;
 }
 
-/// Parameters at their values, except where the scene drops terms for their whole ranges.
-Arguments<double> nominal(const Subject& subject, const Ranges& ranges, Random& random) {
-  Arguments<double> values = arguments_at<double>(nominal_state(subject.model, subject.scene));
+/// From `values`: parameters stay, except where the scene drops terms for their whole ranges.
+Arguments<double> nominal(const Subject& subject, const Ranges& ranges, Arguments<double> values,
+                          Random& random) {
   const auto draw = [&](Opcode kind, std::uint32_t, double& value, const Range& range) {
     if (kind == Opcode::parameter && !subject.scene.dropping) return;
     value = random.uniform(range.low, range.high);
@@ -90,8 +89,7 @@ Arguments<double> nominal(const Subject& subject, const Ranges& ranges, Random& 
 }
 
 /// Every variable of magnitude 2^low … 2^high.
-Arguments<double> scaled(const Subject& subject, Random& random, int low, int high) {
-  Arguments<double> values = arguments_at<double>(nominal_state(subject.model, subject.scene));
+Arguments<double> scaled(Arguments<double> values, Random& random, int low, int high) {
   const auto draw = [&](Opcode kind, std::uint32_t, double& value) {
     if (kind != Opcode::parameter) value = random.log_uniform(low, high);
   };
@@ -125,10 +123,13 @@ Reach reach() {
 class Extremes {
  public:
   Extremes(const Subject& subject, Random& random)
-      : subject_(subject), ranges_(ranges_of(subject)), random_(random) {}
+      : subject_(subject),
+        at_value_(values_of(subject)),
+        ranges_(ranges_of(subject)),
+        random_(random) {}
 
   std::vector<SampledState<double>> make(const Reach& reach, std::size_t most_combinations) {
-    add("origin") = arguments_at<double>(nominal_state(subject_.model, subject_.scene));
+    add("origin") = at_value_;
     ends("low ends of ranges", &Range::low);
     ends("high ends of ranges", &Range::high);
     for (const double size : reach.tiny) {
@@ -148,7 +149,8 @@ class Extremes {
 
  private:
   Arguments<double>& add(std::string name) {
-    states_.push_back({Region::extreme, std::move(name), nominal(subject_, ranges_, random_)});
+    states_.push_back(
+        {Region::extreme, std::move(name), nominal(subject_, ranges_, at_value_, random_)});
     return states_.back().values;
   }
 
@@ -225,6 +227,7 @@ class Extremes {
   }
 
   const Subject& subject_;
+  Arguments<double> at_value_;
   Ranges ranges_;
   Random& random_;
   std::vector<SampledState<double>> states_;
@@ -251,34 +254,52 @@ std::size_t golden_step(std::size_t count) {
 }
 
 template <class Scalar>
-std::vector<SampledState<Scalar>> sample_states(const Subject& subject, const Sampling& sampling) {
-  Random random(sampling.seed);
-  const Ranges ranges = ranges_of(subject);
-  const bool inside = subject.scene.dropping.has_value();
-  std::vector<SampledState<double>> states;
-  for (std::size_t i = 0; i < sampling.count; ++i) {
-    // 2^-40 = 1e-12, 2^-10 = 1e-3, 2^27 = 1e8
-    if (i % 4 < 2 || inside)
-      states.push_back({Region::nominal, {}, nominal(subject, ranges, random)});
-    if (inside) continue;
-    if (i % 4 == 2) states.push_back({Region::small, {}, scaled(subject, random, -40, -11)});
-    if (i % 4 == 3) states.push_back({Region::large, {}, scaled(subject, random, -27, 26)});
+StateSequence<Scalar>::StateSequence(const Subject& subject, const Sampling& sampling)
+    : subject_(subject),
+      sampling_(sampling),
+      random_(sampling.seed),
+      at_value_(values_of(subject)),
+      ranges_(ranges_of(subject)) {}
+
+template <class Scalar>
+SampledState<double> StateSequence<Scalar>::drawn_state(std::size_t number) {
+  // 2^-40 = 1e-12, 2^-10 = 1e-3, 2^27 = 1e8
+  if (number % 4 < 2 || subject_.scene.dropping) {
+    return {Region::nominal, {}, nominal(subject_, ranges_, at_value_, random_)};
   }
-  if (sampling.extremes && !inside) {
-    for (SampledState<double>& state :
-         Extremes(subject, random).make(reach<Scalar>(), sampling.count)) {
-      states.push_back(std::move(state));
-    }
-  }
-  std::vector<SampledState<Scalar>> result;
-  result.reserve(states.size());
-  for (SampledState<double>& state : states) {
-    scale_quaternions(subject.model, state.values);
-    result.push_back({state.region, state.name, rounded<Scalar>(state.values)});
-  }
-  return result;
+  if (number % 4 == 2) return {Region::small, {}, scaled(at_value_, random_, -40, -11)};
+  return {Region::large, {}, scaled(at_value_, random_, -27, 26)};
 }
 
+template <class Scalar>
+std::optional<SampledState<double>> StateSequence<Scalar>::draw() {
+  const std::size_t number = drawn_++;
+  if (number < sampling_.count) return drawn_state(number);
+  if (!sampling_.extremes || subject_.scene.dropping) return std::nullopt;
+  if (!extremes_) extremes_ = Extremes(subject_, random_).make(reach<Scalar>(), sampling_.count);
+  const std::size_t extreme = number - sampling_.count;
+  if (extreme >= extremes_->size()) return std::nullopt;
+  return (*extremes_)[extreme];
+}
+
+template <class Scalar>
+std::optional<SampledState<Scalar>> StateSequence<Scalar>::next() {
+  std::optional<SampledState<double>> state = draw();
+  if (!state) return std::nullopt;
+  scale_quaternions(subject_.model, state->values);
+  return SampledState<Scalar>{state->region, state->name, rounded<Scalar>(state->values)};
+}
+
+template <class Scalar>
+std::vector<SampledState<Scalar>> sample_states(const Subject& subject, const Sampling& sampling) {
+  StateSequence<Scalar> sequence(subject, sampling);
+  std::vector<SampledState<Scalar>> states;
+  while (auto state = sequence.next()) states.push_back(std::move(*state));
+  return states;
+}
+
+template class StateSequence<double>;
+template class StateSequence<float>;
 template std::vector<SampledState<double>> sample_states(const Subject&, const Sampling&);
 template std::vector<SampledState<float>> sample_states(const Subject&, const Sampling&);
 

@@ -2,9 +2,11 @@
 // a fixed list of extremes. Deterministic for a seed.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/random.hpp"
 #include "evaluate/subject.hpp"
 
 namespace elgen {
@@ -34,6 +36,37 @@ struct Sampling {
   std::size_t count = 256;
   std::uint64_t seed = 1;
   bool extremes = true;
+};
+
+/// What a leaf is drawn from.
+struct Range {
+  double low = 0;
+  double high = 0;
+};
+
+/// The states of sample_states one after another, where there are too many to keep.
+template <class Scalar>
+class StateSequence {
+ public:
+  /// `subject` outlives it.
+  StateSequence(const Subject& subject, const Sampling& sampling);
+
+  /// None where all have been given.
+  [[nodiscard]] std::optional<SampledState<Scalar>> next();
+  /// Leaves one out, in a fraction of the time; false where none is left.
+  bool skip() { return draw().has_value(); }
+
+ private:
+  [[nodiscard]] std::optional<SampledState<double>> draw();
+  [[nodiscard]] SampledState<double> drawn_state(std::size_t number);
+
+  const Subject& subject_;
+  Sampling sampling_;
+  Random random_;
+  Arguments<double> at_value_;
+  LeafValues<Range> ranges_;
+  std::size_t drawn_ = 0;
+  std::optional<std::vector<SampledState<double>>> extremes_ = {};  ///< once it is their turn
 };
 
 /// A scene that drops terms is sampled inside the ranges only, parameters too: elsewhere it
