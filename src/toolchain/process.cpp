@@ -6,8 +6,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
-#include <sys/signalfd.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <array>
@@ -17,6 +15,7 @@
 
 #include "base/descriptor.hpp"
 #include "base/no_interrupts.hpp"
+#include "toolchain/child.hpp"
 
 namespace elgen {
 namespace {
@@ -24,30 +23,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t most_output = 1U << 14U;
-
-/// While this lives, the end of a child is a signal that can be waited for.
-class ChildSignal {
- public:
-  ChildSignal() {
-    struct sigaction standard {};
-    standard.sa_handler = SIG_DFL;
-    sigaction(SIGCHLD, &standard, &action_);
-    sigset_t set{};
-    sigemptyset(&set);
-    sigaddset(&set, SIGCHLD);
-    pthread_sigmask(SIG_BLOCK, &set, &mask_);
-  }
-  ChildSignal(const ChildSignal&) = delete;
-  ChildSignal& operator=(const ChildSignal&) = delete;
-  ~ChildSignal() {
-    pthread_sigmask(SIG_SETMASK, &mask_, nullptr);
-    sigaction(SIGCHLD, &action_, nullptr);
-  }
-
- private:
-  struct sigaction action_ {};
-  sigset_t mask_{};
-};
 
 /// As the system wants them, with a null at the end.
 std::vector<char*> pointers(std::vector<std::string>& texts) {
@@ -108,37 +83,6 @@ class Circumstances {
   posix_spawnattr_t attributes_{};
 };
 
-/// A running child, ended with its owner if it has not ended by itself.
-class Child {
- public:
-  explicit Child(pid_t id) : id_(id) {}
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-  ~Child() {
-    if (has_ended_) return;
-    (void)::kill(-id_, SIGKILL);
-    while (::waitpid(id_, &state_, 0) < 0 && errno == EINTR) {
-    }
-  }
-
-  [[nodiscard]] bool has_ended() {
-    has_ended_ = has_ended_ || ::waitpid(id_, &state_, WNOHANG) == id_;
-    return has_ended_;
-  }
-  [[nodiscard]] Ending ending() const {
-    return WIFEXITED(state_) ? Ending::exited : Ending::signalled;
-  }
-  [[nodiscard]] int status() const {
-    if (!has_ended_) return -1;
-    return WIFEXITED(state_) ? WEXITSTATUS(state_) : 128 + WTERMSIG(state_);
-  }
-
- private:
-  pid_t id_;
-  int state_ = 0;
-  bool has_ended_ = false;
-};
-
 /// Reads what is there, and keeps the first part of it.
 void drain(const Descriptor& pipe, std::string& output) {
   std::array<char, 4096> part{};
@@ -149,20 +93,6 @@ void drain(const Descriptor& pipe, std::string& output) {
     const std::size_t space = most_output - output.size();
     output.append(part.data(), std::min(static_cast<std::size_t>(count), space));
   }
-}
-
-Descriptor signals_to_wait_for() {
-  sigset_t set = ending_signals();
-  sigaddset(&set, SIGCHLD);
-  return Descriptor(::signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK));
-}
-
-/// Takes one signal; an ending one is sent again, to be there when nothing is half done any more.
-bool take_interrupt(const Descriptor& signals) {
-  signalfd_siginfo taken{};
-  if (::read(signals.number(), &taken, sizeof taken) != sizeof taken) return false;
-  const auto signal = static_cast<int>(taken.ssi_signo);
-  return signal != SIGCHLD && ::raise(signal) == 0;
 }
 
 int milliseconds_until(Clock::time_point deadline) {

@@ -1,0 +1,88 @@
+// run_forked: fork without exec, so that children have all that was loaded and computed. They end
+// with this process, whatever ends it.
+#include "toolchain/forked.hpp"
+
+#include <poll.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <list>
+#include <optional>
+
+#include "base/no_interrupts.hpp"
+#include "toolchain/child.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr int milliseconds_between_looks = 200;
+constexpr int status_of_exception = 70;
+
+/// Signals mean to a child what they mean to any process: its parent says what has happened.
+void forget_handlers() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGALRM, SIGCHLD, SIGSEGV, SIGABRT,
+                           SIGBUS, SIGFPE, SIGILL}) {
+    (void)std::signal(signal, SIG_DFL);
+  }
+  sigset_t none{};
+  sigemptyset(&none);
+  pthread_sigmask(SIG_SETMASK, &none, nullptr);
+}
+
+[[noreturn]] void be_child(pid_t parent, std::size_t number,
+                           const std::function<void(std::size_t)>& work) {
+  (void)::setpgid(0, 0);
+  forget_handlers();
+  (void)::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) ::_exit(status_of_exception);
+  try {
+    work(number);
+  } catch (...) {
+    ::_exit(status_of_exception);
+  }
+  ::_exit(0);
+}
+
+/// The first that has failed, where one has; how many still run.
+std::optional<ForkedEnding> failure(std::list<Child>& children, std::size_t& running) {
+  running = 0;
+  for (Child& child : children) {
+    if (!child.has_ended()) {
+      ++running;
+    } else if (child.status() != 0) {
+      const bool is_late = child.status() == 128 + SIGXCPU;
+      return ForkedEnding{is_late ? Ending::out_of_time : child.ending(), child.status()};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+ForkedEnding run_forked(std::size_t count, const std::function<void(std::size_t)>& work,
+                        const std::function<void()>& on_wait) {
+  const NoInterrupts taken_in_turn;
+  const ChildSignal end_of_child;
+  const Descriptor signals = signals_to_wait_for();
+  if (!signals.is_open()) return {Ending::not_started, -1};
+  const pid_t parent = ::getpid();
+  std::list<Child> children;
+  for (std::size_t i = 0; i < count; ++i) {
+    const pid_t id = ::fork();
+    if (id == 0) be_child(parent, i, work);
+    if (id < 0) return {Ending::not_started, -1};
+    (void)::setpgid(id, id);  // whichever of the two comes first
+    children.emplace_back(id);
+  }
+  pollfd event{signals.number(), POLLIN, 0};
+  for (std::size_t running = count; running > 0;) {
+    (void)::poll(&event, 1, milliseconds_between_looks);
+    if (take_interrupt(signals)) return {Ending::interrupted, -1};
+    if (const auto failed = failure(children, running)) return *failed;
+    on_wait();
+  }
+  return {};
+}
+
+}  // namespace elgen

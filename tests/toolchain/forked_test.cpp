@@ -1,0 +1,96 @@
+// Forked work: all of it is done, what fails is told, nothing is left running.
+#include "toolchain/forked.hpp"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <stdexcept>
+
+#include "toolchain/shared_array.hpp"
+
+using elgen::Ending;
+
+namespace {
+
+void nothing() {}
+
+/// Processor time without end.
+void compute() {
+  for (;;) (void)::getppid();
+}
+
+}  // namespace
+
+TEST_CASE("every part is done in a process of its own, and found in shared memory") {
+  elgen::SharedArray<int> found(3);
+  elgen::SharedArray<pid_t> process(3);
+  const auto ending = elgen::run_forked(
+      3,
+      [&](std::size_t i) {
+        found[i] = static_cast<int>(10 + i);
+        process[i] = ::getpid();
+      },
+      nothing);
+  CHECK(ending.succeeded());
+  for (std::size_t i = 0; i < found.size(); ++i) CHECK(found[i] == static_cast<int>(10 + i));
+  CHECK(process[0] != ::getpid());
+  CHECK(process[0] != process[1]);
+}
+
+TEST_CASE("what fails is told, and the others are ended") {
+  const auto with = [](const std::function<void()>& fail) {
+    elgen::SharedArray<pid_t> waiting(1);
+    const auto ending = elgen::run_forked(
+        2,
+        [&](std::size_t i) {
+          waiting[0] = i == 0 ? ::getpid() : waiting[0];
+          if (i == 0) ::sleep(100);
+          while (waiting[0] == 0) ::usleep(1'000);
+          fail();
+        },
+        nothing);
+    CHECK_FALSE(ending.succeeded());
+    CHECK(::kill(waiting[0], 0) != 0);
+    return ending;
+  };
+  const auto thrown = with([] { throw std::runtime_error("no"); });
+  CHECK(thrown.ending == Ending::exited);
+  CHECK(thrown.status == 70);
+  const auto crashed = with([] { (void)::raise(SIGSEGV); });
+  CHECK(crashed.ending == Ending::signalled);
+  CHECK(crashed.status == 128 + SIGSEGV);
+  const auto late = with([] {
+    const rlimit second{1, 2};
+    (void)::setrlimit(RLIMIT_CPU, &second);
+    compute();
+  });
+  CHECK(late.ending == Ending::out_of_time);
+}
+
+TEST_CASE("while they run there is somebody to ask") {
+  std::size_t asked = 0;
+  const auto ending = elgen::run_forked(
+      1, [](std::size_t) { ::usleep(500'000); }, [&asked] { ++asked; });
+  CHECK(ending.succeeded());
+  CHECK(asked >= 2);
+}
+
+TEST_CASE("an interrupt ends all of them, and then arrives") {
+  static volatile std::sig_atomic_t arrived = 0;
+  const auto before = ::signal(SIGTERM, [](int) { arrived = arrived + 1; });
+  elgen::SharedArray<pid_t> child(1);
+  const auto ending = elgen::run_forked(
+      1,
+      [&](std::size_t) {
+        child[0] = ::getpid();
+        (void)::kill(::getppid(), SIGTERM);
+        ::sleep(100);
+      },
+      nothing);
+  (void)::signal(SIGTERM, before);
+  CHECK(ending.ending == Ending::interrupted);
+  CHECK(arrived == 1);
+  CHECK(::kill(child[0], 0) != 0);
+}
