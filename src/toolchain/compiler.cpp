@@ -26,7 +26,7 @@ CompilerCommand flags_of(Build build) {
 /// Where Debian and others keep Eigen; elsewhere $CPATH says it.
 constexpr const char* eigen_folder = "/usr/include/eigen3";
 
-std::vector<std::string> language_flags(const std::filesystem::path& source) {
+CompilerCommand language_flags(const std::filesystem::path& source) {
   if (source.extension() == ".c") return {"-std=c99", "-x", "c"};
   return {"-std=c++17", "-isystem", eigen_folder};
 }
@@ -37,6 +37,8 @@ CompilerCommand split(const std::string& text) {
   for (std::string word; stream >> word;) words.push_back(word);
   return words;
 }
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 std::string chosen_compiler() {
   const char* const chosen = std::getenv("CXX");
@@ -74,7 +76,7 @@ Diagnostic no_compiler(const ProcessResult& last) {
 /// What every driver needs: a language, its library, and room to compile, in one line.
 std::string probe_text(const Driver& driver) {
   std::string headers = "#include <math.h>\n";
-  if (!driver.types.empty()) headers = fmt::format("#include <{}/Core>\n", driver.types);
+  if (!driver.needs.empty()) headers = fmt::format("#include <{}>\n", driver.needs);
   return headers + "int elgen_probe(void);\nint elgen_probe(void) { return 0; }\n";
 }
 
@@ -114,21 +116,26 @@ Result<Compiler> find_compiler(std::uint64_t seconds) {
     CompilerCommand question = candidate;
     question.emplace_back("--version");
     answer = run(question, seconds);
-    if (answer.succeeded()) return Compiler{candidate, seconds};
+    if (answer.succeeded()) return Compiler{candidate, seconds, first_line(answer.output)};
     if (answer.ending == Ending::out_of_time) return out_of_time(question, seconds);
     if (answer.ending == Ending::interrupted) break;
   }
   return no_compiler(answer);
 }
 
+CompilerCommand command_for(const Compiler& compiler, Build build,
+                            const std::filesystem::path& source) {
+  CompilerCommand command = compiler.command;
+  for (const CompilerCommand& flags : {flags_of(build), language_flags(source)}) {
+    command.insert(command.end(), flags.begin(), flags.end());
+  }
+  return command;
+}
+
 ProcessResult compile_shared(const Compiler& compiler, Build build,
                              const std::filesystem::path& source,
                              const std::filesystem::path& object) {
-  std::vector<std::string> command = compiler.command;
-  const CompilerCommand flags = flags_of(build);
-  command.insert(command.end(), flags.begin(), flags.end());
-  const std::vector<std::string> of_language = language_flags(source);
-  command.insert(command.end(), of_language.begin(), of_language.end());
+  CompilerCommand command = command_for(compiler, build, source);
   command.insert(command.end(), {source.string(), "-o", object.string()});
   return run(command, compiler.seconds, object.parent_path().string());
 }

@@ -20,6 +20,7 @@ using CompilerCommand = std::vector<std::string>;
 struct Compiler {
   CompilerCommand command = {};
   std::uint64_t seconds = 0;  ///< for one source
+  std::string version = {};   ///< the first line of what `--version` answers
 };
 
 /// The commands tried, in order: $CXX as one path and split at spaces; where it is not set, c++,
@@ -28,6 +29,10 @@ struct Compiler {
 
 /// The first candidate that answers `--version`. E704 where none does.
 [[nodiscard]] Result<Compiler> find_compiler(std::uint64_t seconds);
+
+/// The command but for its source and object.
+[[nodiscard]] CompilerCommand command_for(const Compiler& compiler, Build build,
+                                          const std::filesystem::path& source);
 
 /// Compiles `source` as C++17, a `.c` as C99. As written: with the warnings users are promised to
 /// be spared, all of them errors, and without contraction, so that bits can be compared.

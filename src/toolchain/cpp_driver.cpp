@@ -46,7 +46,8 @@ void append(Scalar*& to, const Scalar* stored, std::size_t rows, std::size_t col
 {vector}
 template <class Scalar>
 ::{name_space}::Parameters<Scalar> parameters_from([[maybe_unused]] const Scalar* values) {{
-  ::{name_space}::Parameters<Scalar> result{{}};
+  static const ::{name_space}::Parameters<Scalar> of_model{{}};
+  ::{name_space}::Parameters<Scalar> result = of_model;
 {parameters}  return result;
 }}
 )";
@@ -106,7 +107,7 @@ std::string call(const DriverInput& input, const Types& types, const Function& f
                      results);
 }
 
-std::string driver_of(const DriverInput& input, const Types& types) {
+std::string calls_of(const DriverInput& input, const Types& types) {
   const auto& [model, scene, program] = input;
   std::string text = fmt::format(
       prologue, fmt::arg("header", types.header), fmt::arg("functions", types.functions),
@@ -118,7 +119,12 @@ std::string driver_of(const DriverInput& input, const Types& types) {
                         fmt::arg("leaves", declared_leaves("Scalar", "[[maybe_unused]] ")),
                         fmt::arg("body", call(input, types, program.functions[i])));
   }
-  text += "\n}  // namespace\n";
+  return text + "\n}  // namespace\n";
+}
+
+std::string driver_of(const DriverInput& input, const Types& types) {
+  std::string text = calls_of(input, types);
+  const Program& program = input.program;
   std::vector<std::string_view> names;
   for (const LeafRow& leaf : leaf_table) names.push_back(leaf.member);
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
@@ -133,11 +139,18 @@ std::string driver_of(const DriverInput& input, const Types& types) {
   return text;
 }
 
+Types array_types(const Scene& scene) {
+  return {path_of(scene, ArtifactId::cpp), name_space(scene), array_vector, array_result};
+}
+
 }  // namespace
 
+std::string cpp_calls(const DriverInput& input) {
+  return calls_of(input, array_types(input.scene));
+}
+
 std::string cpp_driver(const DriverInput& input) {
-  return driver_of(input, {path_of(input.scene, ArtifactId::cpp), name_space(input.scene),
-                           array_vector, array_result});
+  return driver_of(input, array_types(input.scene));
 }
 
 std::string eigen_driver(const DriverInput& input) {

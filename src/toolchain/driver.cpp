@@ -36,16 +36,18 @@ bool is_generic(const Scene& scene) {
 
 struct DriverRow {
   const char* types;
+  const char* needs;
   const char* file;
   std::string (*text)(const DriverInput& input);  ///< null where there is nothing to compile
 };
 
-constexpr DriverRow no_code{"", "", nullptr};
-constexpr PerArtifact<DriverRow> driver_table{.cpp = {"", "driver.cpp", &cpp_driver},
-                                              .eigen = {"Eigen", "eigen_driver.cpp", &eigen_driver},
-                                              .c99 = {"", "driver.c", &c99_driver},
-                                              .sidecar = no_code,
-                                              .page = no_code};
+constexpr DriverRow no_code{"", "", "", nullptr};
+constexpr PerArtifact<DriverRow> driver_table{
+    .cpp = {"", "", "driver.cpp", &cpp_driver},
+    .eigen = {"Eigen", "Eigen/Core", "eigen_driver.cpp", &eigen_driver},
+    .c99 = {"", "", "driver.c", &c99_driver},
+    .sidecar = no_code,
+    .page = no_code};
 
 }  // namespace
 
@@ -92,7 +94,7 @@ std::vector<Driver> drivers(const DriverInput& input) {
   std::vector<Driver> result;
   for (const Artifact& artifact : artifacts_of(input.scene)) {
     const DriverRow& row = driver_table[artifact.id];
-    if (row.text != nullptr) result.push_back({row.types, row.file, row.text(input)});
+    if (row.text != nullptr) result.push_back({row.types, row.file, row.text(input), row.needs});
   }
   return result;
 }

@@ -27,6 +27,7 @@ struct Driver {
   std::string types = {};  ///< "Eigen"; empty for those of the language itself
   std::string file = {};
   std::string text = {};
+  std::string needs = {};  ///< "Eigen/Core": a header that is no part of the language
 };
 
 /// One for every header among the emitted files.

@@ -1,0 +1,63 @@
+// Files are written below the temporary directory as they would be below the output folder.
+#include "toolchain/workshop.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+namespace elgen {
+namespace {
+
+bool write(const std::filesystem::path& path, const std::string& text) {
+  std::error_code error;
+  std::filesystem::create_directories(path.parent_path(), error);
+  std::ofstream stream(path, std::ios::binary);
+  stream << text;
+  stream.close();
+  return stream.good();
+}
+
+bool write_all(const std::filesystem::path& directory, const EmittedFiles& files,
+               const std::vector<Driver>& drivers) {
+  const bool headers = std::all_of(
+      files.files.begin(), files.files.end(),
+      [&directory](const auto& file) { return write(directory / file.first, file.second); });
+  return headers && std::all_of(drivers.begin(), drivers.end(), [&directory](const Driver& driver) {
+           return write(directory / driver.file, driver.text);
+         });
+}
+
+Diagnostic nowhere(Code code, std::string message) { return {code, {}, std::move(message)}; }
+
+}  // namespace
+
+Result<Workshop> Workshop::open(const EmittedFiles& files, const std::vector<Driver>& drivers,
+                                const Limits& limits) {
+  std::optional<TemporaryDirectory> directory = TemporaryDirectory::create();
+  if (!directory || !write_all(directory->path(), files, drivers)) {
+    return nowhere(Code::E706, "no temporary directory could be written; $TMPDIR names another");
+  }
+  Result<Compiler> compiler = find_compiler(limits.seconds);
+  if (!compiler) return compiler.diagnostics;
+  return Workshop(std::move(*directory), std::move(*compiler));
+}
+
+Result<Library> Workshop::build(const Driver& driver, Build build) const {
+  const std::filesystem::path& directory = directory_.path();
+  const std::filesystem::path object = directory / (driver.file + ".so");
+  const ProcessResult compiled = compile_shared(compiler_, build, directory / driver.file, object);
+  if (!compiled.succeeded()) return why_refused(compiler_, compiled, directory, driver);
+  Library library(object);
+  if (!library.loaded()) {
+    return nowhere(Code::E709, fmt::format("what `{}` made could not be loaded: {}",
+                                           fmt::join(compiler_.command, " "), dlerror()));
+  }
+  return library;
+}
+
+Diagnostic missing_function() {
+  return nowhere(Code::E705, "a compiled function is missing from the loaded object");
+}
+
+}  // namespace elgen

@@ -1,0 +1,58 @@
+// A workshop builds drivers beside the headers they include, and leaves nothing.
+#include "toolchain/workshop.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "toolchain/environment.hpp"
+
+using elgen::Workshop;
+
+namespace {
+
+const elgen::Driver driver{"", "driver.cpp", "#include \"a/a.hpp\"\n"};
+
+elgen::EmittedFiles header() {
+  return {{{"a/a.hpp", "extern \"C\" int answer(); extern \"C\" int answer() { return 42; }\n"}}};
+}
+
+}  // namespace
+
+TEST_CASE("what is built stays loaded, and its files are gone") {
+  const auto scratch = elgen::TemporaryDirectory::create();
+  REQUIRE(scratch);
+  const ScopedVariable variable("TMPDIR", scratch->path().string());
+  auto library = [] {
+    const auto workshop = Workshop::open(header(), {driver}, {});
+    REQUIRE(workshop);
+    return workshop->build(driver, elgen::Build::as_users);
+  }();
+  REQUIRE(library);
+  CHECK(std::filesystem::is_empty(scratch->path()));
+  const auto answer = library->find<int (*)()>("answer");
+  REQUIRE(answer != nullptr);
+  CHECK(answer() == 42);
+  CHECK(library->find<int (*)()>("question") == nullptr);
+}
+
+TEST_CASE("without room there is E706, without a compiler E704") {
+  const auto code_of = [] {
+    const auto workshop = Workshop::open(header(), {driver}, {});
+    REQUIRE_FALSE(workshop);
+    return workshop.diagnostics.front().code;
+  };
+  {
+    const ScopedVariable variable("TMPDIR", "/nonexistent/elgen");
+    CHECK(code_of() == elgen::Code::E706);
+  }
+  const ScopedVariable variable("CXX", "/nonexistent/c++");
+  CHECK(code_of() == elgen::Code::E704);
+}
+
+TEST_CASE("a driver whose library is not installed is no fault of the emitted code") {
+  elgen::Driver lacking{"", "lacking.cpp", "#include <elgen/no/such.hpp>\n", "elgen/no/such.hpp"};
+  const auto workshop = Workshop::open(header(), {lacking}, {});
+  REQUIRE(workshop);
+  const auto library = workshop->build(lacking, elgen::Build::as_written);
+  REQUIRE_FALSE(library);
+  CHECK(library.diagnostics.front().code == elgen::Code::E709);
+}
