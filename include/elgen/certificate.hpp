@@ -15,6 +15,7 @@
 #include "elgen/model.hpp"
 #include "elgen/program.hpp"
 #include "elgen/scene.hpp"
+#include "elgen/screening.hpp"
 #include "elgen/toolchain.hpp"
 
 namespace elgen {
@@ -62,11 +63,19 @@ struct CertificateRow {
   Verdict verdict = Verdict::holds;
 };
 
+/// How many states were screened in a scalar, and how many of them visited.
+struct ScreenedCount {
+  ScalarKind scalar = ScalarKind::double_precision;
+  std::uint64_t states = 0;
+  std::size_t visited = 0;
+};
+
 struct Certificate {
   std::string model;
   std::string scene;
   std::uint64_t seed = 0;
   std::vector<CertificateRow> rows = {};
+  std::vector<ScreenedCount> screened = {};  ///< empty where all states were visited
 };
 
 /// What solutions M x = b of the scene's outputs are judged by: M, bias, the input matrix, and
@@ -91,6 +100,8 @@ struct VerifyOptions {
   const std::vector<Way>* ways = nullptr;
   /// The code as users compile it (Build::as_users), held to the same bounds; perhaps null.
   const CompiledModel* as_users = nullptr;
+  /// Of the same samples and seed: only the states to visit of it are visited.
+  const Screening* screening = nullptr;
   /// Told of each step: "accuracy in double, state 3 of 36".
   std::function<void(const std::string&)> on_step = {};
 };

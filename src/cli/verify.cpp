@@ -1,12 +1,16 @@
 // elgen verify: a certificate per input, on stdout and where -o says.
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <chrono>
+#include <thread>
 
 #include "cli/commands.hpp"
+#include "cli/comparison.hpp"
 #include "cli/inputs.hpp"
 #include "cli/output_files.hpp"
 #include "cli/progress.hpp"
 #include "cli/resources.hpp"
+#include "cli/shards.hpp"
 #include "elgen/render.hpp"
 
 namespace elgen::cli {
@@ -15,49 +19,13 @@ namespace {
 
 struct VerifyCommandOptions {
   std::vector<std::string> inputs = {};
-  VerifyOptions verify = {};
-  bool strict = false;                ///< what is skipped counts as failed
-  std::string certificate_file = {};  ///< empty: none
+  ComparisonOptions comparison = {};
+  std::optional<Shard> shard = {};  ///< to be screened alone
+  bool merge = false;               ///< inputs are files of shards
+  bool strict = false;              ///< what is skipped counts as failed
+  std::string output_file = {};     ///< of certificates or of the shard; empty: none
   bool force = false;
 };
-
-/// A step that is shown, and timed with the stages of `products`.
-template <class Step>
-auto timed(const std::string& name, Products& products, const Progress& progress,
-           const Step& step) {
-  progress.stage(name);
-  const auto start = std::chrono::steady_clock::now();
-  auto result = step();
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  products.times.push_back({name, elapsed.count()});
-  return result;
-}
-
-/// Compiles, unless it is to be quick, and compares.
-Result<Verification> compared(const std::string& path, Products& products,
-                              const VerifyOptions& options, const Limits& limits) {
-  const Model& model = products.checked->model;
-  const Scene& scene = products.checked->scene;
-  const Program& program = *products.program;
-  const Progress progress(path);
-  const auto compiled_by = [&](Build build) -> Result<CompiledHeaders> {
-    if (options.quick) return CompiledHeaders();
-    return timed("compile", products, progress,
-                 [&] { return compile(*products.files, model, scene, program, limits, build); });
-  };
-  const Result<CompiledHeaders> compiled = compiled_by(Build::as_written);
-  if (!compiled) return compiled.diagnostics;
-  const Result<CompiledHeaders> as_users = compiled_by(Build::as_users);
-  if (!as_users) return as_users.diagnostics;
-  VerifyOptions with_products = options;
-  with_products.forms = &*products.closed_forms;
-  with_products.parts = &products.parts;
-  with_products.ways = &products.ways;
-  if (!as_users->empty()) with_products.as_users = as_users->front().functions.get();
-  with_products.on_step = [&progress](const std::string& step) { progress.stage(step); };
-  return timed("verify", products, progress,
-               [&] { return verify(model, scene, program, *compiled, with_products); });
-}
 
 /// With every check, as -o gets it.
 std::string full_text(const GlobalOptions& global, const Certificate& certificate) {
@@ -77,24 +45,32 @@ ExitCode exit_code(const Certificate& certificate, bool strict) {
   return holds(certificate) && is_decided ? ExitCode::success : ExitCode::differs;
 }
 
-/// Appends the input's certificate in full; none where it could not be generated.
-ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& options,
-                    const std::string& path, std::vector<std::string>& certificates) {
-  renew_time_limit(global.limits);
-  const Result<Inputs> inputs = read_inputs(path, global.limits);
-  if (!inputs) return report(global, inputs.diagnostics);
+/// The stages that all comparisons need.
+Products derived(const GlobalOptions& global, const std::string& path, const Inputs& inputs) {
   PipelineOptions pipeline = pipeline_options(global, {"readback", "parts"});
   pipeline.scene.large_expectations = true;
-  Products products = run_shown(path, *inputs, pipeline);
+  return run_shown(path, inputs, pipeline);
+}
+
+bool is_derived(const GlobalOptions& global, ExitCode generated) {
+  return generated == ExitCode::success && global.stop_after.empty();
+}
+
+/// Appends the input's certificate in full; none where it could not be generated.
+ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& options,
+                    const Inputs& inputs, const Screening* screening,
+                    std::vector<std::string>& certificates) {
+  const std::string& path = (inputs.scene != nullptr ? inputs.scene : inputs.model)->path;
+  Products products = derived(global, path, inputs);
   const ExitCode generated = report_products(global, products);
-  if (generated != ExitCode::success || !global.stop_after.empty()) {
+  if (!is_derived(global, generated)) {
     tell_times(global, products);
     return generated;
   }
   if (global.verbose) {
     tell(global, text_page(products.checked->model, products.checked->scene, *products.program));
   }
-  const auto verification = compared(path, products, options.verify, global.limits);
+  const auto verification = compared(path, products, options.comparison, global.limits, screening);
   tell_times(global, products);
   if (!verification) return report(global, verification.diagnostics);
   const Certificate& certificate = verification->certificate;
@@ -104,23 +80,137 @@ ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& opt
   return std::max(found, exit_code(certificate, options.strict));
 }
 
-ExitCode verify_inputs(const GlobalOptions& global, const VerifyCommandOptions& options) {
-  const std::string& file = options.certificate_file;
-  Diagnostics refused;
-  if (!file.empty()) refused = refuse_places({{file, "", Replaces::nothing}}, options.force);
-  if (!refused.empty()) return report(global, refused);
+ExitCode write_output(const GlobalOptions& global, const VerifyCommandOptions& options,
+                      const std::string& text) {
+  const auto written = write_files({{options.output_file, text, Replaces::nothing}},
+                                   {options.force, global.limits.seconds});
+  return report(global, written.diagnostics);
+}
+
+ExitCode verify_each(const GlobalOptions& global, const VerifyCommandOptions& options) {
   ExitCode worst = ExitCode::success;
   std::vector<std::string> certificates;
   for (const std::string& path : options.inputs) {
-    worst = std::max(worst, verify_one(global, options, path, certificates));
+    renew_time_limit(global.limits);
+    const Result<Inputs> inputs = read_inputs(path, global.limits);
+    const ExitCode found = inputs ? verify_one(global, options, *inputs, nullptr, certificates)
+                                  : report(global, inputs.diagnostics);
+    worst = std::max(worst, found);
   }
   // A file with some certificates missing would look like all of them.
-  if (file.empty() || certificates.size() != options.inputs.size()) return worst;
+  if (options.output_file.empty() || certificates.size() != options.inputs.size()) return worst;
   std::string all;
   for (const std::string& certificate : certificates) all += certificate;
-  const auto written =
-      write_files({{file, all, Replaces::nothing}}, {options.force, global.limits.seconds});
-  return std::max(worst, report(global, written.diagnostics));
+  return std::max(worst, write_output(global, options, all));
+}
+
+/// Screens the shard's states of one input, and writes what is found.
+ExitCode screen_shard(const GlobalOptions& global, const VerifyCommandOptions& options) {
+  const std::string& path = options.inputs.front();
+  const Result<Inputs> inputs = read_inputs(path, global.limits);
+  if (!inputs) return report(global, inputs.diagnostics);
+  Products products = derived(global, path, *inputs);
+  const ExitCode generated = report_products(global, products);
+  if (!is_derived(global, generated)) return generated;
+  const Result<Machine> machine = this_machine(global.limits);
+  if (!machine) return report(global, machine.diagnostics);
+  const auto screening =
+      screened(path, products, options.comparison, *options.shard, global.limits);
+  tell_times(global, products);
+  if (!screening) return report(global, screening.diagnostics);
+  const VerifyOptions& verify = options.comparison.verify;
+  return write_output(
+      global, options,
+      to_json({options.output_file, ELGEN_VERSION, limits_text(global.limits), *inputs,
+               *verify.samples, verify.seed, *options.shard, *machine, *screening}));
+}
+
+/// Verifies as one process that has screened all states.
+ExitCode merge_shards(const GlobalOptions& global, const VerifyCommandOptions& options) {
+  std::vector<ShardFile> files;
+  Diagnostics unread;
+  for (const std::string& path : options.inputs) {
+    Result<ShardFile> file = read_shard(path, global.limits);
+    unread.insert(unread.end(), file.diagnostics.begin(), file.diagnostics.end());
+    if (file) files.push_back(std::move(*file));
+  }
+  if (!unread.empty()) return report(global, unread);
+  const Result<Machine> here = this_machine(global.limits);
+  if (!here) return report(global, here.diagnostics);
+  const Diagnostics misfit = misfits(files, global.limits, *here);
+  if (!misfit.empty()) return report(global, misfit);
+  std::vector<Screening> shards;
+  for (const ShardFile& file : files) shards.push_back(file.screening);
+  const Screening all = joined(shards);
+  VerifyCommandOptions of_shards = options;
+  of_shards.comparison.verify.samples = files.front().samples;
+  of_shards.comparison.verify.seed = files.front().seed;
+  std::vector<std::string> certificates;
+  const ExitCode found = verify_one(global, of_shards, files.front().inputs, &all, certificates);
+  if (options.output_file.empty() || certificates.empty()) return found;
+  return std::max(found, write_output(global, options, certificates.front()));
+}
+
+/// E913: what was asked for excludes itself.
+Diagnostics contradictions(const VerifyCommandOptions& options) {
+  const bool is_many = is_screened(options.comparison.verify);
+  Diagnostics found;
+  const auto refuse = [&found](std::string message) {
+    found.push_back({Code::E913, {}, std::move(message)});
+  };
+  if (options.comparison.verify.quick && is_many) {
+    refuse(fmt::format("--quick has no compiler, which more than {} samples are screened with",
+                       most_visited_samples));
+  }
+  if (!options.shard) return found;
+  if (!is_many) {
+    refuse(fmt::format("--shard shares out what is screened: --samples of more than {}",
+                       most_visited_samples));
+  }
+  if (options.inputs.size() != 1) refuse("--shard takes one input");
+  if (options.output_file.empty()) refuse("--shard writes a file: `-o FILE`");
+  return found;
+}
+
+ExitCode run_verify(const GlobalOptions& global, const VerifyCommandOptions& options) {
+  if (const Diagnostics found = contradictions(options); !found.empty()) {
+    return report(global, found);
+  }
+  const std::string& file = options.output_file;
+  Diagnostics refused;
+  if (!file.empty()) refused = refuse_places({{file, "", Replaces::nothing}}, options.force);
+  if (!refused.empty()) return report(global, refused);
+  if (options.merge) return merge_shards(global, options);
+  return options.shard ? screen_shard(global, options) : verify_each(global, options);
+}
+
+/// How many states, which, and by whom.
+void add_screening(CLI::App& command, const std::shared_ptr<VerifyCommandOptions>& options) {
+  VerifyOptions& verify = options->comparison.verify;
+  options->comparison.jobs = std::max(1U, std::thread::hardware_concurrency());
+  CLI::Option* const samples =
+      command
+          .add_option("--samples", verify.samples,
+                      "states per output (256, fewer for long programs); more than 2000 are "
+                      "screened in 50 digits, and the worst 1000 visited")
+          ->check(CLI::PositiveNumber);
+  CLI::Option* const seed = command.add_option("--seed", verify.seed, "of the states (1)");
+  command
+      .add_option("--jobs", options->comparison.jobs, "processes that screen (as many as cores)")
+      ->check(CLI::Range(1, 1024));
+  const auto read_shard_number = [options](const std::string& text) {
+    options->shard = parse_shard(text);
+    if (!options->shard) throw CLI::ValidationError("--shard", "not i/N with 1 <= i <= N: " + text);
+  };
+  CLI::Option* const shard =
+      command
+          .add_option_function<std::string>("--shard", read_shard_number,
+                                            "screen one of N parts, for -o FILE")
+          ->type_name("i/N");
+  command.add_flag("--merge", options->merge, "inputs are shards: visit, certify")
+      ->excludes(samples)
+      ->excludes(seed)
+      ->excludes(shard);
 }
 
 }  // namespace
@@ -128,19 +218,22 @@ ExitCode verify_inputs(const GlobalOptions& global, const VerifyCommandOptions& 
 void add_verify(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("verify", "check models against 60-digit arithmetic");
   const auto options = std::make_shared<VerifyCommandOptions>();
-  command->add_option("inputs", options->inputs, "NAME.toml, NAME.scene.toml or - (stdin)")
-      ->required();
   command
-      ->add_option("--samples", options->verify.samples,
-                   "states per output (256, fewer for long programs)")
-      ->check(CLI::PositiveNumber);
-  command->add_flag("--quick", options->verify.quick,
-                    "few states, projections instead of all entries, no compiler");
+      ->add_option("inputs", options->inputs,
+                   "NAME.toml, NAME.scene.toml or - (stdin); with --merge files of shards")
+      ->required();
+  add_screening(*command, options);
+  command
+      ->add_flag("--quick", options->comparison.verify.quick,
+                 "few states, projections instead of all entries, no compiler")
+      ->excludes(command->get_option("--merge"));
   command->add_flag("--strict", options->strict, "exit with 1 where a check is skipped");
-  command->add_option("-o,--output", options->certificate_file, "write the certificates here too")
+  command
+      ->add_option("-o,--output", options->output_file,
+                   "write the certificates, or the shard, here too")
       ->type_name("FILE");
   command->add_flag("--force", options->force, "overwrite FILE");
-  set_action(*command, action, options, &verify_inputs);
+  set_action(*command, action, options, &run_verify);
 }
 
 }  // namespace elgen::cli

@@ -1,6 +1,7 @@
 // Certificates as people and programs read them:
 //
 //     certificate of cart_pole, scene full, seed 1
+//     screened 1000334 states in double, of which 1000 visited     where there are so many
 //
 //       holds    mass_matrix        9 checks, 1.2 u B at 276 states
 //       FAILS    gravity            1 of 8 checks
@@ -147,9 +148,19 @@ void append_output(std::string& text, const std::string& name, const Rows& rows,
   }
 }
 
+/// "double", "float"
+std::string_view scalar_word(const ScreenedCount& screened) {
+  return screened.scalar == ScalarKind::single_precision ? "float" : "double";
+}
+
 std::string heading(const Certificate& certificate) {
-  return fmt::format("certificate of {}, scene {}, seed {}\n\n", certificate.model,
-                     certificate.scene, certificate.seed);
+  std::string text = fmt::format("certificate of {}, scene {}, seed {}\n", certificate.model,
+                                 certificate.scene, certificate.seed);
+  for (const ScreenedCount& screened : certificate.screened) {
+    text += fmt::format("screened {} in {}, of which {} visited\n",
+                        counted(screened.states, "state"), scalar_word(screened), screened.visited);
+  }
+  return text + "\n";
 }
 
 std::string counts(const Certificate& certificate) {
@@ -221,9 +232,14 @@ std::string to_full_text(const Certificate& certificate) {
 std::string to_json(const Certificate& certificate) {
   Json checks = Json::array();
   for (const CertificateRow& row : certificate.rows) checks.push_back(json_of(row));
+  Json screened = Json::object();
+  for (const ScreenedCount& some : certificate.screened) {
+    screened[std::string(scalar_word(some))] = {{"states", some.states}, {"visited", some.visited}};
+  }
   const Json json{{"model", certificate.model},
                   {"scene", certificate.scene},
                   {"seed", certificate.seed},
+                  {"screened", screened},
                   {"holds", count(certificate, Verdict::holds)},
                   {"fails", count(certificate, Verdict::fails)},
                   {"skipped", count(certificate, Verdict::skipped)},

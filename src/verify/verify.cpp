@@ -1,6 +1,7 @@
 // verify: oracle, program and compiled code of one scene, compared row by row. Each kind of check
 // lives in a file of its own; here is only the order of the certificate.
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 #include "elgen/certificate.hpp"
@@ -51,11 +52,39 @@ std::size_t instructions_of(const Program& program) {
   return length;
 }
 
+/// Null where all states are visited.
+const ScreenedStates* find_screened(const VerifyOptions& options, ScalarKind scalar) {
+  if (options.screening == nullptr) return nullptr;
+  const auto found = std::ranges::find(*options.screening, scalar, &ScreenedStates::scalar);
+  return found == options.screening->end() ? nullptr : &*found;
+}
+
+/// Those of these numbers, ascending.
+template <class Scalar>
+std::vector<SampledState<Scalar>> states_at(const Subject& subject, const Sampling& sampling,
+                                            const std::vector<std::uint64_t>& numbers) {
+  StateSequence<Scalar> sequence(subject, sampling);
+  std::vector<SampledState<Scalar>> states;
+  std::uint64_t at = 0;
+  for (const std::uint64_t number : numbers) {
+    for (; at < number; ++at) (void)sequence.skip();
+    if (auto state = sequence.next()) states.push_back(std::move(*state));
+    ++at;
+  }
+  return states;
+}
+
 template <class Scalar>
 std::vector<SampledState<Scalar>> states_for(const Subject& subject, const VerifyOptions& options) {
   const Effort& effort = options.quick ? quick : thorough;
   const std::size_t count = options.samples.value_or(effort.samples);
-  auto states = sample_states<Scalar>(subject, {count, options.seed, true});
+  const Sampling sampling{count, options.seed, true};
+  constexpr ScalarKind scalar =
+      std::is_same_v<Scalar, float> ? ScalarKind::single_precision : ScalarKind::double_precision;
+  if (const ScreenedStates* const screened = find_screened(options, scalar)) {
+    return states_at<Scalar>(subject, sampling, states_to_visit(*screened));
+  }
+  auto states = sample_states<Scalar>(subject, sampling);
   if (options.samples) return states;
   const std::size_t affordable =
       std::max<std::size_t>(effort.work / instructions_of(subject.program), 1);
@@ -65,6 +94,15 @@ std::vector<SampledState<Scalar>> states_for(const Subject& subject, const Verif
     some.push_back(states[i * golden_step(states.size()) % states.size()]);
   }
   return some;
+}
+
+std::vector<ScreenedCount> counts(const VerifyOptions& options) {
+  std::vector<ScreenedCount> counts;
+  if (options.screening == nullptr) return counts;
+  for (const ScreenedStates& screened : *options.screening) {
+    counts.push_back({screened.scalar, screened.states, states_to_visit(screened).size()});
+  }
+  return counts;
 }
 
 /// Few states, or many velocities: the time goes where it tells most.
@@ -88,7 +126,8 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
   };
 
   Verification result;
-  result.certificate = {model.name, scene.name.empty() ? "full" : scene.name, options.seed, {}};
+  result.certificate = {
+      model.name, scene.name.empty() ? "full" : scene.name, options.seed, {}, counts(options)};
   std::vector<CertificateRow>& rows = result.certificate.rows;
   ExpectationReport expected = check_expectations(subject, options.forms, options.seed);
   append(rows, expected.rows);
