@@ -55,7 +55,8 @@ struct ScreeningOptions {
 };
 
 /// In double, and in float where the model fits it. The same whatever the number of jobs. E710: a
-/// process failed; E909: one took longer than it may. Cost: 0.1 to 10 ms a state.
+/// process failed; E909: one took longer than it may. Cost: a double pendulum in all
+/// its outputs takes about 1 ms a state.
 [[nodiscard]] Result<Screening> screen(const Model& model, const Scene& scene,
                                        const Program& program, const ScreeningCode& code,
                                        const ScreeningOptions& options);

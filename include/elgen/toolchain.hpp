@@ -75,8 +75,8 @@ enum class Build : std::uint8_t {
                                               const Limits& limits,
                                               Build build = Build::as_written);
 
-/// As written, of a scene in C++; errors as of compile, E709 where Boost is not installed. Cost: 10
-/// to 60 s of the compiler.
+/// As written, of a scene in C++; errors as of compile, E709 where Boost is not installed. Cost: 6
+/// s of the compiler, more for long programs.
 [[nodiscard]] Result<std::unique_ptr<ScreeningCode>> compile_screening(const EmittedFiles& files,
                                                                        const Model& model,
                                                                        const Scene& scene,
