@@ -38,6 +38,7 @@ struct ArtifactRow {
 inline constexpr PerArtifact<ArtifactRow> artifact_table{
     .cpp = {".hpp", [](const Emission& e) { return e.language == LanguageId::cpp; }},
     .eigen = {"_eigen.hpp", [](const Emission& e) { return e.eigen; }},
+    .batch = {"_batch.hpp", [](const Emission& e) { return e.batch; }},
     .c99 = {".h", [](const Emission& e) { return e.language == LanguageId::c99; }},
     .sidecar = {".equations.json", [](const Emission&) { return true; }},
     .page = {".md", [](const Emission&) { return true; }}};

@@ -55,7 +55,11 @@ enum class Preference : std::uint8_t {
 struct Numerics {
   Preference prefer = Preference::accuracy;
   std::vector<ScalarKind> scalars = {ScalarKind::double_precision};
+  std::optional<cln::cl_RA> trigonometry_error = {};  ///< of sines and cosines in batches, at most
 };
+
+/// What the scene asks for, or the least that the scalar can give: 2^-52, 2^-23 in float.
+[[nodiscard]] cln::cl_RA trigonometry_error(const Numerics& numerics, ScalarKind scalar);
 
 /// Order in which the entries of a matrix lie in an array.
 enum class Storage : std::uint8_t { row_major, column_major };
@@ -69,6 +73,7 @@ struct Emission {
   Span name_space_span = {};    ///< of what gives it that name
   Storage storage = Storage::row_major;
   bool eigen = false;  ///< C++: a second header, of the same functions on Eigen types
+  bool batch = false;  ///< C++: another one, of the same functions on arrays of states
 };
 
 /// present: terms of closed forms that are left out (`drop_below`).

@@ -217,7 +217,7 @@ std::string dump(const Scene& scene) {
   text += "namespace " + scene.emission.name_space + "\n";
   text += "language " + std::string(language_row(scene.emission.language).name) + ", " +
           std::string(name_of(scene.emission.storage)) + (scene.emission.eigen ? ", eigen" : "") +
-          "\n";
+          (scene.emission.batch ? ", batch" : "") + "\n";
   for (const auto& [parameter, value] : scene.specialisation.fixed) {
     text +=
         "fixed parameter " + std::to_string(parameter) + " = " + number_text(value.number) + "\n";

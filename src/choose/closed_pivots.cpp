@@ -19,17 +19,12 @@ namespace {
 /// D_i by the place of its form, and the instruction that computes it.
 using Places = std::map<std::uint32_t, std::size_t>;
 
-constexpr int points = 3;
-
-std::vector<Real> values_at(const Program& program, const Function& function,
-                            const Arguments<Real>& point) {
-  return evaluate_instructions(program, function, point);
-}
+constexpr std::size_t random_points = 3;
 
 /// The pivots at a point.
 std::vector<Real> pivots_at(const Program& program, const Function& forward_dynamics,
                             const std::vector<ClosedPivot>& pivots, const Arguments<Real>& point) {
-  const std::vector<Real> values = values_at(program, forward_dynamics, point);
+  const std::vector<Real> values = evaluate_instructions(program, forward_dynamics, point);
   const std::vector<Field>& fields = forward_dynamics.fields;
   std::vector<Real> result;
   for (const ClosedPivot& pivot : pivots) {
@@ -50,16 +45,16 @@ Places places_of(const Program& program, const Function& function, const Functio
   Random random(1);
   std::vector<std::vector<Real>> values;
   std::vector<std::vector<Real>> wanted;
-  for (int i = 0; i < points; ++i) {
+  for (std::size_t i = 0; i < random_points; ++i) {
     const auto point = draw_leaves(program.leaves, [&] { return Real(abs(random.rational())); });
-    values.push_back(values_at(program, function, point));
+    values.push_back(evaluate_instructions(program, function, point));
     wanted.push_back(pivots_at(program, forward_dynamics, pivots, point));
   }
   Places places;
   for (std::size_t pivot = 0; pivot < pivots.size(); ++pivot) {
     for (std::uint32_t at = 0; at < function.instructions.size(); ++at) {
       bool is_here = true;
-      for (int i = 0; i < points; ++i)
+      for (std::size_t i = 0; i < random_points; ++i)
         is_here = is_here && is_same(values[i][at], wanted[i][pivot]);
       if (!is_here) continue;
       places.emplace(at, pivot);

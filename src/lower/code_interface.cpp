@@ -118,13 +118,41 @@ std::string_view own_name(FunctionId function) {
   }
 }
 
+bool needs_order(const Function& function) {
+  return std::any_of(function.instructions.begin(), function.instructions.end(),
+                     [](const Instruction& i) {
+                       return i.opcode == Opcode::call && !own_name(i.function).empty();
+                     });
+}
+
 bool calls_own_functions(const Program& program) {
-  const auto is_own = [](const Instruction& i) {
-    return i.opcode == Opcode::call && !own_name(i.function).empty();
+  return std::any_of(program.functions.begin(), program.functions.end(), needs_order);
+}
+
+bool calls(const Program& program, FunctionId function) {
+  const auto is_call = [function](const Instruction& i) {
+    return i.opcode == Opcode::call && i.function == function;
   };
   return std::any_of(program.functions.begin(), program.functions.end(), [&](const Function& f) {
-    return std::any_of(f.instructions.begin(), f.instructions.end(), is_own);
+    return std::any_of(f.instructions.begin(), f.instructions.end(), is_call);
   });
+}
+
+std::vector<std::string_view> library_calls(const Program& program) {
+  std::vector<std::string_view> names;
+  for (const FunctionRow& row : function_table) {
+    const bool is_own = row.id == FunctionId::sin || row.id == FunctionId::cos ||
+                        !own_name(row.id).empty() || row.arity != 1;
+    if (!is_own && calls(program, row.id)) names.push_back(row.name);
+  }
+  const auto is_root = [](const Instruction& i) { return i.opcode == Opcode::square_root; };
+  for (const Function& function : program.functions) {
+    const auto& all = function.instructions;
+    if (std::none_of(all.begin(), all.end(), is_root)) continue;
+    names.emplace_back("sqrt");
+    break;
+  }
+  return names;
 }
 
 bool is_sine_with_cosine(const Function& function, std::size_t at) {

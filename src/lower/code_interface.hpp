@@ -57,6 +57,16 @@ struct DeclaredArray {
 /// Whether some function has such a pair.
 [[nodiscard]] bool has_sine_with_cosine(const Program& program);
 
+/// Whether the function calls one of what the code has of its own, which compares numbers.
+[[nodiscard]] bool needs_order(const Function& function);
+
+/// The functions of one argument that a Program calls, square roots among them; sines and cosines
+/// aside, and what the code has of its own.
+[[nodiscard]] std::vector<std::string_view> library_calls(const Program& program);
+
+/// Whether some function calls it.
+[[nodiscard]] bool calls(const Program& program, FunctionId function);
+
 /// Whether some function gives the pivots of M.
 [[nodiscard]] bool gives_pivots(const Program& program);
 

@@ -162,13 +162,15 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"scene.numeric", "prefer", choice, optional, true,
      "of formulas: those that keep their digits, or the fastest"},
     {"scene.numeric", "check", table, optional, later, "ranges and tolerance of the checks"},
-    {"scene.numeric", "trigonometry", table, optional, later, "polynomial sine and cosine"},
-    {"scene.numeric", "batch", integer, optional, later, "states evaluated at once"},
+    {"scene.numeric", "trigonometry", table, optional, true, "sines and cosines of batches"},
+    {"scene.numeric.trigonometry", "max_error", expression, required, true,
+     "absolute, rounding included; from 2^-52, float 2^-23"},
 
     {"scene.emit", "language", choice, optional, true, "language of the emitted code"},
     {"scene.emit", "namespace", text, optional, true,
      "C++ namespace or prefix in C, instead of the base name"},
     {"scene.emit", "eigen", boolean, optional, true, "the same functions on Eigen types"},
+    {"scene.emit", "batch", boolean, optional, true, "the same functions on arrays of states"},
     {"scene.emit", "storage", choice, optional, true, "order of matrix entries"},
 });
 

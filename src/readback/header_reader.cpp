@@ -32,14 +32,6 @@ Texts known_texts(const Origin& origin, const CodeDialect& dialect) {
           {"parameter_count", std::to_string(emitted_parameter_count(model, program))}};
 }
 
-/// A section that stands there once wherever the picture has it, or nowhere.
-std::function<bool()> once(bool is_there) {
-  return [is_there, is_read = false]() mutable {
-    is_read = is_there && !is_read;
-    return is_read;
-  };
-}
-
 /// The sections and holes of functions, which all languages have.
 class Functions {
  public:

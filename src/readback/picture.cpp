@@ -82,6 +82,13 @@ Picture::Picture(std::string_view path, const std::map<std::string, std::string>
   elements_ = elements_of(code.tokens, at);
 }
 
+std::function<bool()> once(bool is_there) {
+  return [is_there, is_read = false]() mutable {
+    is_read = is_there && !is_read;
+    return is_read;
+  };
+}
+
 void read_picture(const Picture& picture, const HoleReaders& readers, TokenReader& tokens) {
   read(picture.elements(), readers, tokens);
   tokens.expect_end();

@@ -42,6 +42,9 @@ struct HoleReaders {
   std::map<std::string, std::function<bool()>> sections = {};
 };
 
+/// The question of a section that stands there once wherever the picture has it, or nowhere.
+[[nodiscard]] std::function<bool()> once(bool is_there);
+
 /// Reads what the picture shows, token by token. Comments are no tokens.
 void read_picture(const Picture& picture, const HoleReaders& readers, TokenReader& tokens);
 

@@ -5,6 +5,7 @@
 
 #include "elgen/artifacts.hpp"
 #include "elgen/wording.hpp"
+#include "readback/batch_reader.hpp"
 #include "readback/header_reader.hpp"
 #include "readback/page_readers.hpp"
 
@@ -55,12 +56,18 @@ class FilesReader {
     result_.functions += origin_.program.functions.size();
   }
 
+  void batch_header(const SourceText& text) {
+    TokenReader tokens(text);
+    read_batch_header(tokens, origin_);
+  }
+
   void sidecar(const SourceText& text) { read_sidecar(text, origin_, equations_); }
   void page(const SourceText& text) { read_page(text, origin_, equations_); }
 
   using Read = void (FilesReader::*)(const SourceText& text);
   static constexpr PerArtifact<Read> readers{.cpp = &FilesReader::header,
                                              .eigen = &FilesReader::eigen_header,
+                                             .batch = &FilesReader::batch_header,
                                              .c99 = &FilesReader::header,
                                              .sidecar = &FilesReader::sidecar,
                                              .page = &FilesReader::page};

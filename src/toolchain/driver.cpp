@@ -45,6 +45,7 @@ constexpr DriverRow no_code{"", "", "", nullptr};
 constexpr PerArtifact<DriverRow> driver_table{
     .cpp = {"", "", "driver.cpp", &cpp_driver},
     .eigen = {"Eigen", "Eigen/Core", "eigen_driver.cpp", &eigen_driver},
+    .batch = no_code,
     .c99 = {"", "", "driver.c", &c99_driver},
     .sidecar = no_code,
     .page = no_code};

@@ -46,3 +46,16 @@ TEST_CASE("a pack has to declare the type of its elements") {
   CHECK(built.status != 0);
   CHECK(test::mentions(built.errors, "using value_type = double;"));
 }
+
+TEST_CASE("batches give what the functions of one state give") {
+  expect_success("batch.cpp", GENERATE("", "-march=native", "-march=x86-64-v3"));
+}
+
+TEST_CASE("batches are refused under fast-math, whatever is defined") {
+  const std::string compiler = GENERATE("g++", "clang++");
+  const test::Workspace workspace;
+  const test::Outcome built =
+      build(compiler, "batch.cpp", workspace, "-ffast-math -DELGEN_ALLOW_FAST_MATH");
+  CHECK(built.status != 0);
+  CHECK(test::mentions(built.errors, "fast-math takes apart how angles are reduced"));
+}

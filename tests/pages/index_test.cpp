@@ -76,8 +76,9 @@ std::string coordinates_of(const std::string& name) {
 std::string files_links(const std::string& name) {
   std::string links;
   for (const auto& [ending, word] :
-       {std::pair(".hpp", "C++"), std::pair("_eigen.hpp", "Eigen"), std::pair(".h", "C"),
-        std::pair(".md", "page"), std::pair(".equations.json", "JSON")}) {
+       {std::pair(".hpp", "C++"), std::pair("_eigen.hpp", "Eigen"),
+        std::pair("_batch.hpp", "batch"), std::pair(".h", "C"), std::pair(".md", "page"),
+        std::pair(".equations.json", "JSON")}) {
     const std::string path = name + "/" + name + ending;
     if (!fs::exists(source / "generated" / path)) continue;
     links += fmt::format("{}[{}]({})", links.empty() ? "" : ", ", word, path);

@@ -47,7 +47,7 @@ TEST_CASE("entries that come later say so", "[parse]") {
   CHECK(model_answer(base + "[[constraint]]\nname = \"F\"\n[[constraint]]\n") == "E108 6:1");
   CHECK(model_answer(base + "[[constraint]]\n[[function]]\n") == "E108 6:1\nE108 7:1");
   const std::string scene = "format = 1\nmodel = \"m\"\nname = \"s\"\n";
-  CHECK(scene_answer(scene + "[numeric]\nbatch = 4\n") == "E108 5:1");
+  CHECK(scene_answer(scene + "[numeric]\ncheck = {}\n") == "E108 5:1");
 }
 
 TEST_CASE("a model without a name or coordinates is told so", "[parse]") {

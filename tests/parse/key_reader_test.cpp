@@ -150,7 +150,7 @@ TEST_CASE("a missing key is reported at the header", "[parse]") {
 }
 
 TEST_CASE("keys that come later say so, and nothing they would replace is missed", "[parse]") {
-  CHECK(scene_answer(scene("[numeric]\nform = \"closed\"\nbatch = 4\n")) == "E108 6:1");
+  CHECK(scene_answer(scene("[numeric]\nform = \"closed\"\ncheck = {}\n")) == "E108 6:1");
   CHECK(scene_answer(scene("[outputs]\nbias = {form = \"shut\"}\n")) == "E104 5:17");
 }
 

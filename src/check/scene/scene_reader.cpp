@@ -12,6 +12,7 @@
 #include "check/names/requests.hpp"
 #include "check/names/reserved_names.hpp"
 #include "check/scene/emission.hpp"
+#include "check/scene/read_batch.hpp"
 #include "check/scene/read_dropping.hpp"
 
 namespace elgen {
@@ -43,6 +44,7 @@ class SceneReader {
     read_numerics();
     read_dropping(context_, syntax_, scene_);
     scene_.emission = read_emission(context_, syntax_, scene_);
+    read_batch(context_, syntax_, scene_);
     scene_.has_options =
         !options_.outputs.empty() || !options_.fixed.empty() || !options_.sizes.empty();
     scene_.canonical = canonical_text(syntax_, options_);

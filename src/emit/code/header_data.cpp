@@ -78,17 +78,6 @@ TemplateData functions(const EmissionInput& input, const Dialect& dialect) {
   return list;
 }
 
-TemplateData stamp_data(const EmissionInput& input) {
-  TemplateData data;
-  data.set("generated", input.generated);
-  data.set("model_hash", input.model_hash);
-  data.set("scene_hash", input.scene_hash);
-  data.set("body_hash", std::string(blank_hash()));
-  data.set("namespace", name_space(input.scene));
-  data.set("storage", std::string(name_of(input.scene.emission.storage)));
-  return data;
-}
-
 void set_counts(TemplateData& data, const EmissionInput& input) {
   data.set("coordinate_count", std::to_string(input.model.coordinates.size()));
   data.set("velocity_count", std::to_string(input.model.velocities.size()));
@@ -108,6 +97,17 @@ std::string without_repeated_blank_lines(const std::string& text) {
 }
 
 }  // namespace
+
+TemplateData stamp_data(const EmissionInput& input) {
+  TemplateData data;
+  data.set("generated", input.generated);
+  data.set("model_hash", input.model_hash);
+  data.set("scene_hash", input.scene_hash);
+  data.set("body_hash", std::string(blank_hash()));
+  data.set("namespace", name_space(input.scene));
+  data.set("storage", std::string(name_of(input.scene.emission.storage)));
+  return data;
+}
 
 TemplateData header_data(const EmissionInput& input, const Dialect& dialect) {
   TemplateData data = stamp_data(input);

@@ -11,6 +11,9 @@
 
 namespace elgen {
 
+/// Who made the file from what, its namespace and storage.
+[[nodiscard]] TemplateData stamp_data(const EmissionInput& input);
+
 /// Sections `kinks` and `regular` are there where sign, min or max, and pivots are.
 [[nodiscard]] TemplateData header_data(const EmissionInput& input, const Dialect& dialect);
 

@@ -1,0 +1,205 @@
+// batch_header: the functions of the other header on arrays of states, as
+// templates/cpp/batch.hpp.mustache pictures it. Each loads packs, calls the other header, stores.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/exact_number.hpp"
+#include "elgen/arguments.hpp"
+#include "emit/code/function_docs.hpp"
+#include "emit/code/header_data.hpp"
+#include "emit/cpp/cpp_artifacts.hpp"
+#include "emit/text/layout.hpp"
+#include "emit/text/signature.hpp"
+#include "emit/text/taken_name.hpp"
+#include "evaluate/scalar_literal.hpp"
+#include "evaluate/sine_polynomials.hpp"
+#include "lower/code_interface.hpp"
+
+namespace elgen {
+namespace {
+
+using List = TemplateData::type;
+using Texts = std::vector<std::string>;
+
+constexpr std::array<std::string_view, 2> own_names{"Pack", "batch"};
+
+std::string literal(double value, ScalarKind scalar) {
+  const bool is_float = scalar == ScalarKind::single_precision;
+  return shortest_literal(exact_value(value), scalar) + (is_float ? "F" : "");
+}
+
+TemplateData number(const char* name, const std::string& text) {
+  TemplateData item;
+  item.set("constant", name);
+  item.set("number", text);
+  return item;
+}
+
+std::string coefficients(const SinePolynomial& polynomial, ScalarKind scalar) {
+  Texts texts;
+  for (const double value : polynomial.coefficients) texts.push_back(literal(value, scalar));
+  return fmt::format("{{\n      {},\n  }}", fmt::join(texts, ",\n      "));
+}
+
+TemplateData element(const Numerics& numerics, ScalarKind scalar) {
+  const AngleReduction& known = angle_reduction(scalar);
+  const cln::cl_RA error = trigonometry_error(numerics, scalar);
+  TemplateData reduction(List::list);
+  reduction << number("domain", literal(known.domain, scalar))
+            << number("high", literal(known.high, scalar))
+            << number("low", literal(known.low, scalar))
+            << number("inverse", literal(known.inverse, scalar))
+            << number("shift", literal(known.shift, scalar));
+  TemplateData data;
+  data.set("element", scalar_name(scalar));
+  data.set("integer", scalar == ScalarKind::single_precision ? "std::int32_t" : "std::int64_t");
+  data.set("reduction", reduction);
+  data.set("sine", coefficients(cheapest(sine_polynomials(), error, scalar), scalar));
+  data.set("cosine", coefficients(cheapest(cosine_polynomials(), error, scalar), scalar));
+  return data;
+}
+
+TemplateData elements(const Numerics& numerics) {
+  TemplateData list(List::list);
+  for (const ScalarKind scalar : numerics.scalars) list << element(numerics, scalar);
+  return list;
+}
+
+Texts notes(const EmissionInput& input) {
+  Texts lines;
+  for (const ScalarKind scalar : input.scene.numerics.scalars) {
+    const double error = cln::double_approx(trigonometry_error(input.scene.numerics, scalar));
+    lines.push_back(
+        fmt::format(" In {}, sines and cosines are off by at most {:.3g} for angles up to {:g}, "
+                    "beyond which they are NaN.",
+                    scalar_name(scalar), error, angle_reduction(scalar).domain));
+  }
+  for (const Function& function : input.program.functions) {
+    if (!is_returned(function)) {
+      lines.push_back(fmt::format(" {} is left out: it has more than {} entries.", function.name,
+                                  largest_returned));
+    } else if (needs_order(function)) {
+      lines.push_back(
+          fmt::format(" {} compares numbers and takes one state after another.", function.name));
+    }
+  }
+  Texts wrapped;
+  for (const std::string& line : lines) {
+    for (const std::string& part : wrap_words(line, {line_width - 2, " "})) wrapped.push_back(part);
+  }
+  return wrapped;
+}
+
+Texts parameters(const EmissionInput& input) {
+  Texts lines;
+  for (const ParameterArray& array : emitted_parameters(input.model, input.program)) {
+    lines.push_back(
+        array.is_array
+            ? fmt::format("for (std::size_t i = 0; i < {0}; ++i) result.{1}[i] = p.{1}[i];",
+                          array.count, array.name)
+            : fmt::format("result.{0} = p.{0};", array.name));
+  }
+  return lines;
+}
+
+std::string batch_signature(const Model& model, const Function& function) {
+  Texts arguments{"const Parameters<T>& p", "std::size_t count"};
+  for (const Opcode argument : arguments_of(model, function)) {
+    if (argument != Opcode::parameter) {
+      arguments.push_back(fmt::format("const T* {}", leaf_row(argument).symbol));
+    }
+  }
+  arguments.emplace_back("T* result");
+  return signature("void " + function.name, arguments, "");
+}
+
+std::string loaded(Opcode argument) {
+  const LeafRow& leaf = leaf_row(argument);
+  if (argument == Opcode::parameter) return "constants";
+  if (argument == Opcode::time) {
+    return fmt::format("detail::loaded<std::array<Scalar, 1>>({}, at)[0]", leaf.symbol);
+  }
+  return fmt::format("detail::loaded<{}>({}, at)", leaf.type, leaf.symbol);
+}
+
+/// One statement for each field.
+std::string stores(const Function& function) {
+  std::string lines;
+  std::size_t before = 0;
+  for (const Field& field : function.fields) {
+    const std::string value = field.name.empty() ? "values" : "values." + field.name;
+    const std::string to = before == 0 ? "result" : fmt::format("result + {} * count", before);
+    lines += fmt::format("    detail::store({}, at, {});\n", value, to);
+    before += field.entries.size();
+  }
+  return lines;
+}
+
+std::string body(const EmissionInput& input, const Function& function) {
+  Texts arguments;
+  for (const Opcode argument : arguments_of(input.model, function)) {
+    arguments.push_back(loaded(argument));
+  }
+  return fmt::format(
+      "  using Scalar = {};\n"
+      "  const auto constants = detail::repeated<Scalar>(p);\n"
+      "  detail::for_each_pack<Scalar>(count, [&](const detail::Place& at) {{\n"
+      "    const auto values = {}::{}<Scalar>(\n        {});\n{}  }});\n",
+      needs_order(function) ? "T" : "Pack<T>", name_space(input.scene), function.name,
+      fmt::join(arguments, ",\n        "), stores(function));
+}
+
+TemplateData functions(const EmissionInput& input) {
+  TemplateData list(List::list);
+  for (std::size_t i = 0; i < input.program.functions.size(); ++i) {
+    const Function& function = input.program.functions[i];
+    if (!is_returned(function)) continue;
+    const FunctionText text{input.model, input.program,       function, input.equations[i],
+                            {},          input.scene.emission};
+    TemplateData data;
+    data.set("summary", function_heading(text));
+    data.set("signature", batch_signature(input.model, function));
+    data.set("body", body(input, function));
+    list << data;
+  }
+  return list;
+}
+
+TemplateData calls_data(const Program& program) {
+  TemplateData list(List::list);
+  for (const std::string_view name : library_calls(program)) {
+    TemplateData item;
+    item.set("call", std::string(name));
+    list << item;
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string batch_header(const EmissionInput& input) {
+  TemplateData data = stamp_data(input);
+  data.set("header", input.scene.base_name + ".hpp");
+  data.set("notes", lines_data(notes(input)));
+  data.set("elements", elements(input.scene.numerics));
+  data.set("calls", calls_data(input.program));
+  data.set("atan2", section_if(calls(input.program, FunctionId::atan2)));
+  data.set("sine_cosine", section_if(has_sine_with_cosine(input.program)));
+  data.set("parameters", lines_data(parameters(input)));
+  data.set("functions", functions(input));
+  return header_text("cpp/batch.hpp.mustache", data);
+}
+
+Diagnostics batch_check_names(const Model& /*model*/, const Scene& scene, const Program& program) {
+  Diagnostics diagnostics;
+  for (const Function& function : program.functions) {
+    const bool is_taken = std::ranges::count(own_names, function.name) > 0 ||
+                          (gives_struct(function) && camel_case(function.name) == own_names[0]);
+    if (is_taken) diagnostics.push_back(taken_name(scene, function));
+  }
+  return diagnostics;
+}
+
+}  // namespace elgen

@@ -1,0 +1,90 @@
+// Batches against the functions of one state: any count, and how far both scalars are off.
+#include <cstdio>
+#include <limits>
+#include <vector>
+
+#include "panda7_rollouts/panda7_rollouts_batch.hpp"
+
+namespace {
+
+namespace arm = panda7_rollouts;
+using Exact = long double;
+
+double number(std::size_t i) { return 3.0 * std::sin(1.7 * static_cast<double>(i)); }
+
+template <class T>
+std::vector<T> numbers(std::size_t size, std::size_t start) {
+  std::vector<T> result(size);
+  for (std::size_t i = 0; i < size; ++i) result[i] = static_cast<T>(number(i + start));
+  return result;
+}
+
+template <class T>
+std::array<Exact, 7> state(const std::vector<T>& numbers, std::size_t count, std::size_t i) {
+  std::array<Exact, 7> result{};
+  for (std::size_t k = 0; k < 7; ++k) result[k] = numbers[k * count + i];
+  return result;
+}
+
+/// The worst error of torques relative to the largest; 1 where what is behind them was written to.
+template <class T>
+double worst_error(std::size_t count) {
+  const std::vector<T> q = numbers<T>(7 * count, 0);
+  const std::vector<T> v = numbers<T>(7 * count, 1000);
+  const std::vector<T> a = numbers<T>(7 * count, 2000);
+  std::vector<T> torques(7 * count + 1, T(77));
+  arm::batch::inverse_dynamics<T>({}, count, q.data(), v.data(), a.data(), torques.data());
+  if (torques.back() < T(77) || torques.back() > T(77)) return 1;
+  Exact largest = 0;
+  Exact error = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto exact = arm::inverse_dynamics<Exact>({}, state(q, count, i), state(v, count, i),
+                                                    state(a, count, i));
+    for (std::size_t k = 0; k < 7; ++k) {
+      largest = std::max(largest, std::abs(exact[k]));
+      error = std::max(error, std::abs(exact[k] - static_cast<Exact>(torques[k * count + i])));
+    }
+  }
+  return count == 0 ? 0.0 : static_cast<double>(error / largest);
+}
+
+template <class T>
+double worst_trigonometry(T domain) {
+  Exact error = 0;
+  for (int i = 0; i < 400'000; ++i) {
+    const T scale = i % 2 == 0 ? domain : T(10);
+    const T x = scale * static_cast<T>(std::sin(0.7 * i));
+    const auto [sine, cosine] = arm::detail::SineCosine<arm::batch::Pack<T>>::of(x);
+    error = std::max(error, std::abs(std::sin(Exact(x)) - Exact(sine.native[0])));
+    error = std::max(error, std::abs(std::cos(Exact(x)) - Exact(cosine.native[0])));
+  }
+  return static_cast<double>(error);
+}
+
+template <class T>
+bool is_outside(T angle) {
+  const arm::batch::Pack<T> x(angle);
+  return std::isnan(sin(x).native[0]) && std::isnan(cos(x).native[0]);
+}
+
+bool within(const char* what, double error, double most) {
+  if (error <= most) return true;
+  std::printf("%s: %g > %g\n", what, error, most);
+  return false;
+}
+
+}  // namespace
+
+int main() {
+  bool is_right = true;
+  for (const std::size_t count : {0U, 1U, 2U, 3U, 7U, 8U, 9U, 15U, 16U, 17U, 100U}) {
+    is_right &= within("torques in double", worst_error<double>(count), 2e-15);
+    is_right &= within("torques in float", worst_error<float>(count), 2e-6);
+  }
+  is_right &= within("sines in double", worst_trigonometry(1e5), 0x1p-52);
+  is_right &= within("sines in float", worst_trigonometry(1e3F), 0x1p-23);
+  const bool is_nan = is_outside(1.0001e5) && is_outside(-1.0001e5) && is_outside(1.001e3F) &&
+                      is_outside(std::numeric_limits<double>::infinity());
+  if (!is_nan) std::puts("a sine beyond the domain");
+  return is_right && is_nan ? 0 : 1;
+}
