@@ -163,7 +163,7 @@ constexpr auto key_rows = std::to_array<KeyRow>({
      "of formulas: those that keep their digits, or the fastest"},
     {"scene.numeric", "check", table, optional, later, "ranges and tolerance of the checks"},
     {"scene.numeric", "trigonometry", table, optional, true, "sines and cosines of batches"},
-    {"scene.numeric.trigonometry", "max_error", expression, required, true,
+    {"scene.numeric.trigonometry", "max_error", expression, optional, true,
      "absolute, rounding included; from 2^-52, float 2^-23"},
 
     {"scene.emit", "language", choice, optional, true, "language of the emitted code"},
