@@ -49,6 +49,7 @@ TEST_CASE("an entry is shown with its tables, kinds of values and choices") {
   language       one of                   language of the emitted code ("c++17", "c99")
   namespace      text                     C++ namespace or prefix in C, instead of the base name
   eigen          true or false            the same functions on Eigen types
+  batch          true or false            the same functions on arrays of states
   storage        one of                   order of matrix entries ("row-major", "column-major")
 )text");
   const Outcome unknown = run("elgen explain coordinat");
