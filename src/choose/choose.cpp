@@ -11,7 +11,6 @@
 #include "choose/lowered_entries.hpp"
 #include "choose/scaled_length.hpp"
 #include "choose/trigonometry_first.hpp"
-#include "lower/graph/from_program.hpp"
 
 namespace elgen {
 namespace {
@@ -204,23 +203,12 @@ class Choosing {
       losses = possible_losses(result_.program, closed, extremes_);
       costs.chosen = cost_of(closed) <= cost_of(recursive) ? Form::closed : Form::recursive;
     }
-    judge_by_code(entries, closed);
     costs.closed_loss = std::ranges::max(losses);
     if (costs.chosen == Form::closed && costs.closed_loss == 0) return closed;
     costs.recursive_loss = std::ranges::max(possible_losses(result_.program, recursive, extremes_));
     if (loses_more(*costs.closed_loss, *costs.recursive_loss)) costs.chosen = Form::recursive;
     if (loses_more(*costs.recursive_loss, *costs.closed_loss)) costs.chosen = Form::closed;
     return closed;
-  }
-
-  /// Code is judged by what is read: where that is more precise, what is read is the code.
-  void judge_by_code(ReadableEntries& entries, const Function& closed) const {
-    const std::vector<std::uint32_t> instructions = elgen::entries_of(closed);
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-      Expressions code = from_program(result_.program, closed, {instructions[i]});
-      if (is_as_precise(code, entries[i]->readable, points_, Leaves::exact)) continue;
-      entries[i]->readable = std::move(code);
-    }
   }
 
   void fill_readable(std::size_t index, const ReadableEntries& entries) {
