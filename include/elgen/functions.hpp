@@ -42,6 +42,11 @@ inline constexpr std::array function_table{
   return function_row(id).use == FunctionUse::forces;
 }
 
+/// Sine or cosine: bounded with all derivatives, and computed as a pair.
+[[nodiscard]] constexpr bool is_circular(FunctionId id) {
+  return id == FunctionId::sin || id == FunctionId::cos;
+}
+
 /// Null where no function has that name.
 [[nodiscard]] constexpr const FunctionRow* find_function(std::string_view name) {
   for (const FunctionRow& row : function_table) {

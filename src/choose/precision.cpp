@@ -103,9 +103,7 @@ std::vector<bool> angles_of(const Program& program) {
   for (const Function& function : program.functions) {
     std::vector<std::uint32_t> arguments;
     for (const Instruction& i : function.instructions) {
-      const bool is_circular = i.opcode == Opcode::call &&
-                               (i.function == FunctionId::sin || i.function == FunctionId::cos);
-      if (is_circular) arguments.push_back(i.a);
+      if (i.opcode == Opcode::call && is_circular(i.function)) arguments.push_back(i.a);
     }
     const std::vector<bool> needed = needed_for(function, arguments);
     for (std::size_t at = 0; at < needed.size(); ++at) {
@@ -155,9 +153,8 @@ struct RoughRules {
   }
   /// Slopes of sines are at most 1; of other functions nothing is told.
   [[nodiscard]] RoughError call(FunctionId function, const RoughError& x, const RoughError&) const {
-    const bool is_sine = function == FunctionId::sin;
-    if (!is_sine && function != FunctionId::cos) return {};
-    const double value = is_sine ? std::sin(x.value) : std::cos(x.value);
+    if (!is_circular(function)) return {};
+    const double value = function == FunctionId::sin ? std::sin(x.value) : std::cos(x.value);
     return {value, x.error + std::abs(value)};
   }
 };

@@ -62,8 +62,7 @@ Real argument_part(FunctionId function, const Bound& x, const Bound& y, bool in_
   const Bound& argument = in_first ? x : y;
   if (argument.exact) return {};
   const Dual<Dual<Real>> f = with_derivatives(function, x, y, in_first);
-  const bool is_wave = function == FunctionId::sin || function == FunctionId::cos;
-  const Real curvature = is_wave ? Real(1) : abs(f.slope.slope);
+  const Real curvature = is_circular(function) ? Real(1) : abs(f.slope.slope);
   const Real& a = argument.bound;
   return abs(f.value.slope) * a + rounding.roundoff * curvature * a * a / Real(2);
 }

@@ -68,10 +68,9 @@ Real called(FunctionId function, const Real& x, const Real& y) {
   if (!both(x, y)) return Real::undefined();
   const bool is_origin = cln::zerop(number(x)) && cln::zerop(number(y));
   if (function == FunctionId::atan2 && is_origin) return Real();  // as the C library has it
-  const bool is_wave =
-      function == FunctionId::sin || function == FunctionId::cos || function == FunctionId::tan;
+  const bool is_periodic = is_circular(function) || function == FunctionId::tan;
   return guarded(in_domain(function, number(x)), [&] {
-    return function_value(function, is_wave ? lengthened(x) : number(x), number(y));
+    return function_value(function, is_periodic ? lengthened(x) : number(x), number(y));
   });
 }
 

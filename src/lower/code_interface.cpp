@@ -141,8 +141,7 @@ bool calls(const Program& program, FunctionId function) {
 std::vector<std::string_view> library_calls(const Program& program) {
   std::vector<std::string_view> names;
   for (const FunctionRow& row : function_table) {
-    const bool is_own = row.id == FunctionId::sin || row.id == FunctionId::cos ||
-                        !own_name(row.id).empty() || row.arity != 1;
+    const bool is_own = is_circular(row.id) || !own_name(row.id).empty() || row.arity != 1;
     if (!is_own && calls(program, row.id)) names.push_back(row.name);
   }
   const auto is_root = [](const Instruction& i) { return i.opcode == Opcode::square_root; };

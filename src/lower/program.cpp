@@ -73,7 +73,7 @@ OperationCounts count_operations(const Function& function) {
         ++counts.sqrt;
         break;
       case Opcode::call:
-        if (called == FunctionId::sin || called == FunctionId::cos) {
+        if (is_circular(called)) {
           angles.insert(instruction.a);
         } else {
           ++counts.other;

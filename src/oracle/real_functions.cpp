@@ -178,7 +178,7 @@ cl_R RealFunctions::value(FunctionId function, const cl_R& x, const cl_R& y) {
 
 /// Sines and cosines are computed together: a derivative of one asks for the other next.
 cl_R RealFunctions::remembered(FunctionId function, const cl_R& x, const cl_R& y) {
-  if (function != FunctionId::sin && function != FunctionId::cos) {
+  if (!is_circular(function)) {
     return known_[Call{function, x, y}] = rounded(computed(function, x, y));
   }
   const cln::cos_sin_t both = cln::cos_sin(widened(x));

@@ -161,7 +161,7 @@ Value Arithmetic::call(FunctionId function, const Value& x, const Value& y) {
   if (!x || (row.arity > 1 && !y)) return std::nullopt;
   std::vector<Fraction> values{*x};
   if (row.arity > 1) values.push_back(*y);
-  if (function == FunctionId::sin || function == FunctionId::cos) {
+  if (is_circular(function)) {
     return sine_or_cosine(function, values[0]);
   }
   if (function == FunctionId::tan) {

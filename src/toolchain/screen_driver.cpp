@@ -66,12 +66,11 @@ std::string functions_of(const Program& program) {
   std::string text;
   for (const FunctionId id : called) {
     const FunctionRow& row = function_row(id);
-    const bool is_wave = id == FunctionId::sin || id == FunctionId::cos;
     const DerivativeRow& derivative = derivatives[static_cast<std::size_t>(id)];
-    text +=
-        fmt::format(fmt::runtime(row.arity == 1 ? of_one_argument : of_two_arguments),
-                    fmt::arg("name", row.name), fmt::arg("first", derivative.first),
-                    fmt::arg("second", derivative.second), fmt::arg("curvature", is_wave ? 1 : 0));
+    text += fmt::format(fmt::runtime(row.arity == 1 ? of_one_argument : of_two_arguments),
+                        fmt::arg("name", row.name), fmt::arg("first", derivative.first),
+                        fmt::arg("second", derivative.second),
+                        fmt::arg("curvature", is_circular(id) ? 1 : 0));
   }
   return fmt::format("\nnamespace elgen_screen {{\n{}\n}}  // namespace elgen_screen\n\n", text);
 }

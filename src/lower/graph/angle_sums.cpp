@@ -62,8 +62,7 @@ struct Split {
 };
 
 bool is_circular(const Node& node) {
-  return node.kind == NodeKind::call &&
-         (node.function == FunctionId::sin || node.function == FunctionId::cos);
+  return node.kind == NodeKind::call && is_circular(node.function);
 }
 
 std::vector<AngleTerms> angles_of(const Expressions& expressions) {

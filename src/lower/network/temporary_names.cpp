@@ -85,8 +85,7 @@ class Naming {
   }
 
   static bool is_trigonometric(const Instruction& i) {
-    return i.opcode == Opcode::call &&
-           (i.function == FunctionId::sin || i.function == FunctionId::cos);
+    return i.opcode == Opcode::call && is_circular(i.function);
   }
 
   /// One call computes both.
