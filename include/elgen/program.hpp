@@ -82,6 +82,9 @@ struct Program {
   std::optional<Reduction> reduction = {};  ///< where it is not the exact model's
 };
 
+/// Whether an instruction loads the number 0.
+[[nodiscard]] bool loads_zero(const Program& program, const Instruction& instruction);
+
 /// The constants that functions load, in their order; those of `readable` alone are not among them.
 [[nodiscard]] std::vector<Constant> executed_constants(const Program& program);
 

@@ -16,11 +16,6 @@
 namespace elgen {
 namespace {
 
-bool is_zero(const Program& program, const Function& function, std::uint32_t entry) {
-  const Instruction& value = function.instructions[entry];
-  return value.opcode == Opcode::constant && cln::zerop(program.constants[value.a].value);
-}
-
 /// An output that solves divides by the pivots of M: the message names the rate whose M_ii is 0.
 Diagnostic zero_denominator(const Program& program, const OutputRequest& request) {
   if (!output_row(request.kind).solves) {
@@ -31,7 +26,8 @@ Diagnostic zero_denominator(const Program& program, const OutputRequest& request
     if (known.kind != OutputKind::mass_matrix) continue;
     const std::size_t n = known.fields[0].rows;
     for (std::size_t i = 0; i < n; ++i) {
-      if (is_zero(program, known, known.fields[0].entries[i * n + i])) {
+      const std::uint32_t entry = known.fields[0].entries[i * n + i];
+      if (loads_zero(program, known.instructions[entry])) {
         return no_kinetic_energy(request, program.leaves.v[i]);
       }
     }

@@ -53,6 +53,11 @@ std::vector<std::uint32_t> entries_of(const Function& function) {
   return entries;
 }
 
+bool loads_zero(const Program& program, const Instruction& instruction) {
+  return instruction.opcode == Opcode::constant &&
+         cln::zerop(program.constants[instruction.a].value);
+}
+
 OperationCounts count_operations(const Function& function) {
   OperationCounts counts;
   std::set<std::uint32_t> angles;

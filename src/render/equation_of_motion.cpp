@@ -29,12 +29,6 @@ constexpr Term dissipation_at_rest{"dD/dv(q,0{})",
                                    "\\frac{{\\partial D}}{{\\partial <v>}}(q, 0{})"};
 constexpr Term force_at_rest{"Q(q,0{})", "Q(q, 0{})"};
 
-bool is_constant_zero(const Program& program, const Function& function, std::uint32_t entry) {
-  const Instruction& instruction = function.instructions[entry];
-  return instruction.opcode == Opcode::constant &&
-         cln::zerop(program.constants[instruction.a].value);
-}
-
 /// False where the program has the output and every entry of it is 0.
 bool may_be_nonzero(const Program& program, OutputKind kind) {
   for (const Function& function : program.functions) {
@@ -81,10 +75,8 @@ std::string joined(const std::vector<Term>& terms, std::string_view Term::*notat
 }  // namespace
 
 bool is_zero(const Program& program, const Function& function) {
-  return std::all_of(function.fields.begin(), function.fields.end(), [&](const Field& field) {
-    return std::all_of(field.entries.begin(), field.entries.end(), [&](std::uint32_t entry) {
-      return is_constant_zero(program, function, entry);
-    });
+  return std::ranges::all_of(entries_of(function), [&](std::uint32_t entry) {
+    return loads_zero(program, function.instructions[entry]);
   });
 }
 

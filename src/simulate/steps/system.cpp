@@ -78,9 +78,7 @@ bool System::vanishes(OutputKind kind, std::size_t row) const {
   const Field& field = function->fields.front();
   const auto begin = field.entries.begin() + static_cast<std::ptrdiff_t>(row * field.columns);
   return std::all_of(begin, begin + field.columns, [&](std::uint32_t entry) {
-    const Instruction& instruction = function->instructions[entry];
-    return instruction.opcode == Opcode::constant &&
-           cln::zerop(program_.constants[instruction.a].value);
+    return loads_zero(program_, function->instructions[entry]);
   });
 }
 
