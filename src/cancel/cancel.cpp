@@ -43,7 +43,7 @@ Places outermost(const Function& function, const Places& zeros) {
 /// The instructions that `wanted` needs, with `wanted` as the entries of one field.
 Function extract(Function function, const Places& wanted) {
   function.fields = {{"", static_cast<std::uint32_t>(wanted.size()), 1, wanted}};
-  return pruned(std::move(function));
+  return pruned(function);
 }
 
 /// Zeros of a function that nothing but zeros are made of, by what is known of them.

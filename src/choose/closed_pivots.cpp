@@ -121,7 +121,7 @@ std::vector<ClosedPivot> closed_pivots(const Program& program, const Function& f
   Function relative_pivots = forward_dynamics;
   relative_pivots.fields = {forward_dynamics.fields[1]};
   const std::vector<double> losses =
-      possible_losses(program, pruned(std::move(relative_pivots)), points);
+      possible_losses(program, pruned(relative_pivots), points);
   for (std::size_t i = 0; i < relative.size(); ++i) {
     if (losses[i] <= negligible_loss || !relative[i] || !diagonal[i]) continue;
     auto way = more_precise(forms.algebra, *relative[i], nullptr, losses[i], points);
@@ -149,7 +149,7 @@ Function with_closed_pivots(const Function& function, const Function& forward_dy
   for (Field& field : result.fields) {
     for (std::uint32_t& entry : field.entries) entry = moved[entry];
   }
-  return pruned(std::move(result));
+  return pruned(result);
 }
 
 }  // namespace elgen

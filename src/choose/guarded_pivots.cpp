@@ -21,7 +21,7 @@ Function without_diagonal(Function forward_dynamics) {
   const auto count = static_cast<std::uint32_t>(entry_count(forward_dynamics));
   std::erase_if(forward_dynamics.sampled_zeros,
                 [count](std::uint32_t entry) { return entry >= count; });
-  return pruned(std::move(forward_dynamics));
+  return pruned(forward_dynamics);
 }
 
 Function with_guarded_pivots(Function forward_dynamics, std::vector<Constant>& constants) {

@@ -68,7 +68,7 @@ Function with_scaled_lengths(Function function, const std::string& name) {
     const bool is_normalized = function.kind == OutputKind::normalized || field.name == name;
     if (is_normalized) Scaling(function).scale(field);
   }
-  return pruned(std::move(function));
+  return pruned(function);
 }
 
 }  // namespace elgen

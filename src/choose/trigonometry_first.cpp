@@ -1,4 +1,4 @@
-// trigonometry_first: the new order is found first, then everything is renumbered.
+// trigonometry_first: angles and their pairs of calls, then all else as it stood.
 #include "choose/trigonometry_first.hpp"
 
 #include <array>
@@ -65,21 +65,7 @@ class Order {
 }  // namespace
 
 Function trigonometry_first(const Function& function) {
-  Function result = function;
-  std::vector<std::uint32_t> renumbered(function.instructions.size());
-  std::uint32_t next = 0;
-  for (const std::uint32_t at : Order(function).places) {
-    Instruction i = function.instructions[at];
-    if (operand_count(i) > 0) i.a = renumbered[i.a];
-    if (operand_count(i) > 1) i.b = renumbered[i.b];
-    result.instructions[next] = i;
-    result.names[next] = function.names[at];
-    renumbered[at] = next++;
-  }
-  for (Field& field : result.fields) {
-    for (std::uint32_t& entry : field.entries) entry = renumbered[entry];
-  }
-  return result;
+  return reordered(function, Order(function).places);
 }
 
 }  // namespace elgen

@@ -1,8 +1,6 @@
 // prune: backwards over the instructions for what is needed, forwards to renumber it.
 #include "lower/graph/prune.hpp"
 
-#include <utility>
-
 namespace elgen {
 
 std::vector<bool> needed_for(const Function& function, const std::vector<std::uint32_t>& wanted) {
@@ -17,25 +15,32 @@ std::vector<bool> needed_for(const Function& function, const std::vector<std::ui
   return needed;
 }
 
-Function pruned(Function function) {
-  const std::vector<bool> needed = needed_for(function, entries_of(function));
-  std::vector<std::uint32_t> renumbered(needed.size());
-  std::uint32_t next = 0;
-  for (std::size_t at = 0; at < needed.size(); ++at) {
-    if (!needed[at]) continue;
+Function reordered(const Function& function, const std::vector<std::uint32_t>& order) {
+  Function result = function;
+  result.instructions.clear();
+  result.names.clear();
+  std::vector<std::uint32_t> renumbered(function.instructions.size());
+  for (const std::uint32_t at : order) {
     Instruction i = function.instructions[at];
     if (operand_count(i) > 0) i.a = renumbered[i.a];
     if (operand_count(i) > 1) i.b = renumbered[i.b];
-    function.instructions[next] = i;
-    function.names[next] = std::move(function.names[at]);
-    renumbered[at] = next++;
+    renumbered[at] = static_cast<std::uint32_t>(result.instructions.size());
+    result.instructions.push_back(i);
+    result.names.push_back(function.names[at]);
   }
-  function.instructions.resize(next);
-  function.names.resize(next);
-  for (Field& field : function.fields) {
+  for (Field& field : result.fields) {
     for (std::uint32_t& entry : field.entries) entry = renumbered[entry];
   }
-  return function;
+  return result;
+}
+
+Function pruned(const Function& function) {
+  const std::vector<bool> needed = needed_for(function, entries_of(function));
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t at = 0; at < needed.size(); ++at) {
+    if (needed[at]) order.push_back(at);
+  }
+  return reordered(function, order);
 }
 
 }  // namespace elgen

@@ -12,6 +12,10 @@ namespace elgen {
 [[nodiscard]] std::vector<bool> needed_for(const Function& function,
                                            const std::vector<std::uint32_t>& wanted);
 
-[[nodiscard]] Function pruned(Function function);
+/// The instructions `order`, by their old numbers, and nothing else. Operands stand before what
+/// they go into, and every entry is there.
+[[nodiscard]] Function reordered(const Function& function, const std::vector<std::uint32_t>& order);
+
+[[nodiscard]] Function pruned(const Function& function);
 
 }  // namespace elgen
