@@ -120,10 +120,9 @@ std::vector<ClosedPivot> closed_pivots(const Program& program, const Function& f
   const std::vector<std::optional<Fraction>>& diagonal = closed.fields.back().entries;
   Function relative_pivots = forward_dynamics;
   relative_pivots.fields = {forward_dynamics.fields[1]};
-  const std::vector<double> losses =
-      possible_losses(program, pruned(relative_pivots), points);
+  const std::vector<double> losses = possible_losses(program, pruned(relative_pivots), points);
   for (std::size_t i = 0; i < relative.size(); ++i) {
-    if (losses[i] <= negligible_loss || !relative[i] || !diagonal[i]) continue;
+    if (losses[i] <= tolerated_loss || !relative[i] || !diagonal[i]) continue;
     auto way = more_precise(forms.algebra, *relative[i], nullptr, losses[i], points);
     const auto of_diagonal = collected_ways(forms.algebra, *diagonal[i]);
     if (!way || of_diagonal.empty()) continue;

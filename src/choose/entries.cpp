@@ -68,7 +68,7 @@ bool rewrite(ReadableEntries& entries, const std::vector<double>& losses, const 
   const std::vector<std::uint32_t> instructions = entries_of(function);
   const bool solves = output_row(function.kind).solves;
   const auto better = [&](std::size_t i) -> std::optional<Expressions> {
-    if (losses[i] > negligible_loss) {
+    if (losses[i] > tolerated_loss) {
       const auto derived = as_derived(program, function, instructions[i]);
       return more_precise(forms.algebra, **all[i], derived ? &*derived : nullptr, losses[i],
                           extremes);

@@ -50,7 +50,7 @@ std::optional<Expressions> more_precise(const Algebra& algebra, const Fraction& 
     if (own >= least) continue;
     least = own;
     best = std::move(way);
-    if (least <= negligible_loss) return best;
+    if (least <= tolerated_loss) return best;
   }
   if (!loses_more(loss, least)) return std::nullopt;
   return best;
@@ -60,7 +60,7 @@ std::optional<Expressions> shorter_precise(const Algebra& algebra, const Fractio
                                            const Expressions& known, const ExtremePoints& points) {
   for (Collected& way : precise_ways(algebra, form)) {
     const bool is_shorter = way.length < written_length(known);
-    if (is_shorter && loss_of(way.expressions, points) <= negligible_loss) {
+    if (is_shorter && loss_of(way.expressions, points) <= tolerated_loss) {
       return std::move(way.expressions);
     }
   }

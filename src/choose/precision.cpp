@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "base/random.hpp"
-#include "evaluate/conditioning.hpp"
 #include "evaluate/running_errors.hpp"
 #include "lower/graph/prune.hpp"
 
@@ -18,14 +17,7 @@ constexpr double right_angle = 1.5707963267948966;
 
 /// Where the coordinates are that sines are taken of; others are of ordinary magnitude, or small
 /// where those are tiny.
-enum class Neighbourhood : std::uint8_t {
-  anywhere,
-  right,
-  straight,
-  right_or_straight,
-  nearly_equal,
-  tiny
-};
+enum class Neighbourhood : std::uint8_t { right, straight, nearly_equal, tiny };
 
 /// The binary logarithms of magnitudes, and of what one parameter after another is multiplied by.
 constexpr int wide = 26;
@@ -165,7 +157,7 @@ bool keeps_all(const Program& program, const Function& function,
                const std::vector<std::uint32_t>& entries, const Arguments<double>& point) {
   const std::vector<RoughError> values = fold<RoughError>(RoughRules{point}, program, function);
   return std::ranges::all_of(entries, [&](std::uint32_t at) {
-    return values[at].error <= negligible_loss / 2 * std::abs(values[at].value);
+    return values[at].error <= tolerated_loss / 2 * std::abs(values[at].value);
   });
 }
 
@@ -182,21 +174,19 @@ class PointLosses {
   [[nodiscard]] double of(std::uint32_t at) {
     const Running& x = values_[at];
     if (!x.error.is_defined()) return 0;
-    const Real negligible = abs(x.value) * Real(cln::cl_RA(static_cast<long>(negligible_loss)));
+    const Real negligible = abs(x.value) * Real(cln::cl_RA(static_cast<long>(tolerated_loss)));
     if (x.error.value() <= negligible.value()) return 0;
-    const Real reference = abs(x.value) + conditioning().of(at);
+    const Real reference = conditioning().reference(at);
     if (!reference.is_defined()) return 0;
     if (cln::zerop(reference.value())) return std::numeric_limits<double>::infinity();
     const double loss = ScalarTraits<double>::from_real((x.error / reference).value());
-    return loss <= negligible_loss ? 0 : loss;
+    return loss <= tolerated_loss ? 0 : loss;
   }
 
  private:
   const Conditioning& conditioning() {
     if (conditioning_) return *conditioning_;
-    std::vector<Real> values;
-    for (const Running& x : values_) values.push_back(x.value);
-    return conditioning_.emplace(program_, function_, std::move(values), rounding<double>(),
+    return conditioning_.emplace(program_, function_, values_of(values_), rounding<double>(),
                                  Literals::not_binary);
   }
 
@@ -227,7 +217,7 @@ std::vector<double> possible_losses(const Program& program, const Function& func
 }
 
 bool loses_more(double loss, double other) {
-  return loss > std::max(negligible_loss, similar_losses * other);
+  return loss > std::max(tolerated_loss, similar_losses * other);
 }
 
 }  // namespace elgen

@@ -10,11 +10,10 @@
 
 #include "elgen/evaluate.hpp"
 #include "elgen/program.hpp"
+#include "evaluate/conditioning.hpp"
 
 namespace elgen {
 
-/// What rounding and a few operations explain.
-inline constexpr double negligible_loss = 64;
 /// Losses that differ by less are alike: the cheaper way is taken.
 inline constexpr double similar_losses = 8;
 
@@ -26,7 +25,7 @@ using ExtremePoints = std::vector<Arguments<double>>;
 [[nodiscard]] ExtremePoints extreme_points(const Program& program);
 
 /// Of each entry the largest e/(|x| + K) over all points where it has a value; 0 where it is at
-/// most negligible_loss. Cost: an error per instruction and point; where digits are lost,
+/// most tolerated_loss. Cost: an error per instruction and point; where digits are lost,
 /// derivatives too.
 [[nodiscard]] std::vector<double> possible_losses(const Program& program, const Function& function,
                                                   const ExtremePoints& points);

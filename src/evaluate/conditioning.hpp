@@ -10,6 +10,10 @@
 
 namespace elgen {
 
+/// Errors of so many u (|x| + K) are what rounding and a few operations explain: more is lost to
+/// the formula.
+inline constexpr double tolerated_loss = 64;
+
 /// The literals that count as rounded.
 enum class Literals : std::uint8_t {
   not_binary,  ///< in the scalar
@@ -27,6 +31,11 @@ class Conditioning {
   /// K of an instruction; undefined where a derivative is. Cost: two operations of Real for each
   /// instruction before it.
   [[nodiscard]] Real of(std::uint32_t instruction) const;
+
+  /// |x| + K, which errors are compared with.
+  [[nodiscard]] Real reference(std::uint32_t instruction) const {
+    return abs(values_[instruction]) + of(instruction);
+  }
 
  private:
   [[nodiscard]] Real slope(const Instruction& i, std::uint32_t operand) const;

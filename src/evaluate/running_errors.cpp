@@ -13,6 +13,13 @@ Real slope(FunctionId function, const Running& x, const Running& y, bool by_firs
 
 }  // namespace
 
+std::vector<Real> values_of(const std::vector<Running>& all) {
+  std::vector<Real> values;
+  values.reserve(all.size());
+  for (const Running& x : all) values.push_back(x.value);
+  return values;
+}
+
 LeafValues<Running> running_leaves(const Arguments<double>& point, Leaves leaves) {
   const auto leaf = [leaves](double x) {
     const Real value(exact_value(x));

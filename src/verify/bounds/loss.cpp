@@ -1,8 +1,7 @@
-// loss: bounds of all ways at one state, and the least of them, each computed when asked for.
+// loss: running errors of all ways at one state, and R, each computed when asked for.
 #include "verify/bounds/loss.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "base/more_digits.hpp"
 #include "lower/graph/prune.hpp"
@@ -92,15 +91,12 @@ Real Losses::reference(const FieldPlace& place, std::size_t entry) {
   const std::vector<Running>& own = errors(subject_.program, function);
   std::unique_ptr<Conditioning>& conditioning = conditioning_[&function];
   if (conditioning == nullptr) {
-    std::vector<Real> values;
-    for (const Running& x : own) values.push_back(x.value);
     const bool has_fixed = !subject_.scene.specialisation.fixed.empty();
     conditioning =
-        std::make_unique<Conditioning>(subject_.program, function, std::move(values), rounding_,
+        std::make_unique<Conditioning>(subject_.program, function, values_of(own), rounding_,
                                        has_fixed ? Literals::all : Literals::not_binary);
   }
-  const std::uint32_t at = place.field().entries[entry];
-  return abs(own[at].value) + conditioning->of(at);
+  return conditioning->reference(place.field().entries[entry]);
 }
 
 bool Losses::knows_angles() const {

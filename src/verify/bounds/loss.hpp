@@ -23,9 +23,6 @@
 
 namespace elgen {
 
-/// What rounding and a few operations explain: more is lost to the formula.
-inline constexpr double tolerated_loss = 64;
-
 /// A way to write a field: where its entries are.
 struct FieldWay {
   std::string_view name = {};
