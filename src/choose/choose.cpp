@@ -71,7 +71,7 @@ class Choosing {
     const Function& function = recursive_.functions[index];
     ReadableEntries& entries = entries_[function.name];
     if (!output_row(function.kind).repeats) {
-      entries = read_entries(recursive_, function, forms_, forms_.functions[index], points_);
+      entries = read_entries(both_forms(index), points_);
       if (forms_.functions[index].is_reduced) reduced_.insert(function.name);
       return entries;
     }
@@ -83,6 +83,10 @@ class Choosing {
       entries.insert(entries.end(), member->second.begin(), member->second.end());
     }
     return entries;
+  }
+
+  [[nodiscard]] BothForms both_forms(std::size_t index) const {
+    return {recursive_, recursive_.functions[index], forms_, forms_.functions[index]};
   }
 
   /// Whether terms were dropped from it: the recursive form has them all.
@@ -129,14 +133,22 @@ class Choosing {
     return with_guarded_pivots(std::move(function), result_.program.constants);
   }
 
-  [[nodiscard]] bool is_worth_lowering(const ReadableEntries& entries,
-                                       const Function& recursive) const {
+  [[nodiscard]] bool is_worth_lowering(const ReadableEntries& entries, const Function& recursive) {
     const std::size_t total = length(entries);
     const std::size_t known = cost(count_operations(recursive));
     if (total <= always_tried || total <= hopeless_ratio * known) return true;
     const bool may_lose = prefers_accuracy() && output_row(recursive.kind).solves;
     if (!may_lose || total > hopeless_ratio_with_losses * known) return false;
-    return std::ranges::max(possible_losses(result_.program, recursive, extremes_)) > 0;
+    return recursive_loss(recursive) > 0;
+  }
+
+  /// Of the function that is being chosen, once.
+  double recursive_loss(const Function& recursive) {
+    const auto known = recursive_losses_.find(recursive.name);
+    if (known != recursive_losses_.end()) return known->second;
+    const double loss = std::ranges::max(possible_losses(result_.program, recursive, extremes_));
+    recursive_losses_[recursive.name] = loss;
+    return loss;
   }
 
   /// The guards of pivots are not counted: whichever form is chosen gets them.
@@ -197,15 +209,14 @@ class Choosing {
     std::vector<double> losses = possible_losses(result_.program, closed, extremes_);
     // Those of `dynamics` are those of the functions before it.
     const bool repeats = output_row(recursive.kind).repeats;
-    if (!repeats && rewrite(entries, losses, recursive_, recursive_.functions[index], forms_,
-                            forms_.functions[index], points_, extremes_)) {
+    if (!repeats && rewrite(entries, losses, both_forms(index), points_, extremes_)) {
       closed = lowered_together(entries, recursive, result_.program, splits_of(recursive));
       losses = possible_losses(result_.program, closed, extremes_);
       costs.chosen = cost_of(closed) <= cost_of(recursive) ? Form::closed : Form::recursive;
     }
     costs.closed_loss = std::ranges::max(losses);
     if (costs.chosen == Form::closed && costs.closed_loss == 0) return closed;
-    costs.recursive_loss = std::ranges::max(possible_losses(result_.program, recursive, extremes_));
+    costs.recursive_loss = recursive_loss(recursive);
     if (loses_more(*costs.closed_loss, *costs.recursive_loss)) costs.chosen = Form::recursive;
     if (loses_more(*costs.recursive_loss, *costs.closed_loss)) costs.chosen = Form::closed;
     return closed;
@@ -228,6 +239,7 @@ class Choosing {
   std::set<std::string> reduced_;  ///< names of functions
   std::string normalized_;         ///< name of the function of that kind
   std::optional<std::vector<ClosedPivot>> closed_pivots_;
+  std::map<std::string, double> recursive_losses_;
   Way known_{"recursive form", {}};
   Way mended_{"recursive form with closed pivots", {}};
   Choice result_;

@@ -31,9 +31,8 @@ std::vector<const std::optional<Fraction>*> forms_of(const ClosedFunction& close
 
 }  // namespace
 
-ReadableEntries read_entries(const Program& program, const Function& function,
-                             const ClosedForms& forms, const ClosedFunction& closed,
-                             const MixedPoints& points) {
+ReadableEntries read_entries(const BothForms& both, const MixedPoints& points) {
+  const auto& [program, function, forms, closed] = both;
   ReadableEntries entries;
   if (term_count(closed) > most_terms_together) return entries;
   for (std::size_t f = 0; f < closed.fields.size(); ++f) {
@@ -61,20 +60,19 @@ std::size_t length(const ReadableEntries& entries) {
   return total;
 }
 
-bool rewrite(ReadableEntries& entries, const std::vector<double>& losses, const Program& program,
-             const Function& function, const ClosedForms& forms, const ClosedFunction& closed,
+bool rewrite(ReadableEntries& entries, const std::vector<double>& losses, const BothForms& both,
              const MixedPoints& points, const ExtremePoints& extremes) {
-  const std::vector<const std::optional<Fraction>*> all = forms_of(closed);
-  const std::vector<std::uint32_t> instructions = entries_of(function);
-  const bool solves = output_row(function.kind).solves;
+  const Algebra& algebra = both.forms.algebra;
+  const std::vector<const std::optional<Fraction>*> all = forms_of(both.closed);
+  const std::vector<std::uint32_t> instructions = entries_of(both.function);
+  const bool solves = output_row(both.function.kind).solves;
   const auto better = [&](std::size_t i) -> std::optional<Expressions> {
     if (losses[i] > tolerated_loss) {
-      const auto derived = as_derived(program, function, instructions[i]);
-      return more_precise(forms.algebra, **all[i], derived ? &*derived : nullptr, losses[i],
-                          extremes);
+      const auto derived = as_derived(both.program, both.function, instructions[i]);
+      return more_precise(algebra, **all[i], derived ? &*derived : nullptr, losses[i], extremes);
     }
     if (!solves) return std::nullopt;
-    return shorter_precise(forms.algebra, **all[i], entries[i]->compact, extremes);
+    return shorter_precise(algebra, **all[i], entries[i]->compact, extremes);
   };
   bool is_rewritten = false;
   for (std::size_t i = 0; i < entries.size(); ++i) {

@@ -11,10 +11,16 @@ namespace elgen {
 
 using ReadableEntries = std::vector<std::optional<ReadableForm>>;  ///< of all fields
 
-/// Of one function, whose closed forms are `closed`; none where they are too long together.
-[[nodiscard]] ReadableEntries read_entries(const Program& program, const Function& function,
-                                           const ClosedForms& forms, const ClosedFunction& closed,
-                                           const MixedPoints& points);
+/// One function in both forms.
+struct BothForms {
+  const Program& program;    ///< of the recursive form
+  const Function& function;  ///< the recursive form
+  const ClosedForms& forms;
+  const ClosedFunction& closed;
+};
+
+/// None where the closed forms are too long together.
+[[nodiscard]] ReadableEntries read_entries(const BothForms& both, const MixedPoints& points);
 
 /// Whether there are entries, and each has a form.
 [[nodiscard]] bool is_complete(const ReadableEntries& entries);
@@ -25,8 +31,7 @@ using ReadableEntries = std::vector<std::optional<ReadableForm>>;  ///< of all f
 /// Writes the entries that lose digits in ways that do not; whether there is one. `losses` are
 /// those of the code, entry by entry.
 [[nodiscard]] bool rewrite(ReadableEntries& entries, const std::vector<double>& losses,
-                           const Program& program, const Function& function,
-                           const ClosedForms& forms, const ClosedFunction& closed,
-                           const MixedPoints& points, const ExtremePoints& extremes);
+                           const BothForms& both, const MixedPoints& points,
+                           const ExtremePoints& extremes);
 
 }  // namespace elgen
