@@ -65,7 +65,7 @@ void LossRecord::add(const FieldPlace& place, const Finding& finding, Visit<Scal
   const bool is_worst = figures_.samples() == 0 || figure > figures_.worst();
   figures_.add(figure, visit.state());
   if (figure <= tolerated_loss) return;
-  lossy_.push_back(at);
+  has_loss_ = true;
   if (!is_worst) return;
   entry_ = finding.loss->entry;
   culprit_ = visit.culprit(place, entry_);
@@ -87,7 +87,6 @@ CertificateRow LossRecord::row(const FieldPlace& place, const Subject& subject,
   KeepingWays<Scalar> ways(place, subject, states, options);
   ways.ask(worst_at_);
   const std::string there = ways.left().empty() ? "" : std::string(ways.left().front().name);
-  for (const std::size_t at : lossy_) ways.ask(at);
   for (std::size_t at = 0; at < states.size(); ++at) ways.ask(at);
   row.verdict = ways.left().empty() ? Verdict::noted : Verdict::fails;
   row.worst = fmt::format("{} of entry {}, most of it in {}", figure_text(figures_.worst()),

@@ -19,11 +19,11 @@ class LossRecord {
   void add(const FieldPlace& place, const Finding& finding, Visit<Scalar>& visit, std::size_t at);
 
   /// Where the code of the field loses digits.
-  [[nodiscard]] bool has_loss() const { return !lossy_.empty(); }
+  [[nodiscard]] bool has_loss() const { return has_loss_; }
 
-  /// Fails where one way keeps what is lost, at those states and at all others; noted where none
+  /// Fails where one way keeps what is lost, and all else, at every state; noted where none
   /// does: in sqrt(x^2 + l^2) - x either way loses digits, for one sign of x. Cost: nothing without
-  /// a loss, else bounds of all ways at those states.
+  /// a loss, else errors of all ways at all states, of each up to the first that it fails at.
   template <class Scalar>
   [[nodiscard]] CertificateRow row(const FieldPlace& place, const Subject& subject,
                                    const std::vector<SampledState<Scalar>>& states,
@@ -31,10 +31,10 @@ class LossRecord {
 
  private:
   Tally figures_ = {};
-  std::size_t entry_ = 0;                ///< of the largest
-  std::uint32_t culprit_ = 0;            ///< its instruction
-  std::size_t worst_at_ = 0;             ///< its state
-  std::vector<std::size_t> lossy_ = {};  ///< states
+  bool has_loss_ = false;
+  std::size_t entry_ = 0;      ///< of the largest
+  std::uint32_t culprit_ = 0;  ///< its instruction
+  std::size_t worst_at_ = 0;   ///< its state
 };
 
 }  // namespace elgen
