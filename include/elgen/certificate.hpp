@@ -57,6 +57,7 @@ struct CertificateRow {
   std::size_t samples = 0;                  ///< states at which it was compared
   std::vector<SkippedStates> skipped = {};  ///< and at which it could not be
   std::optional<double> error = {};         ///< largest, in u B
+  std::optional<double> loss = {};          ///< largest, of an avoidable loss, in u R
   std::string worst = {};                   ///< the figure, with its unit: "2.1 u B"
   std::string where = {};      ///< the state of the worst value, empty where nothing was sampled
   std::string tolerance = {};  ///< the bound and its reason

@@ -62,6 +62,9 @@ struct Function {
   /// Entries, numbered over all fields, that rest on a zero which was not proved but found at
   /// `zero_points` random points.
   std::vector<std::uint32_t> sampled_zeros = {};
+  /// Entries, numbered alike, that are computed otherwise than they are read: what is read loses
+  /// digits where sums cancel.
+  std::vector<std::uint32_t> rewritten = {};
 };
 
 /// Where a value is asked for before it is taken for zero.

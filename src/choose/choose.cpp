@@ -117,7 +117,10 @@ class Choosing {
       return {{Code::E608, place_of(scene_, function),
                fmt::format("the closed form of `{}` was given up", function.name)}};
     }
-    if (costs.chosen == Form::closed) result_.program.functions[index] = std::move(closed);
+    if (costs.chosen == Form::closed) {
+      closed.rewritten = rewritten_entries(entries, entry_count(closed));
+      result_.program.functions[index] = std::move(closed);
+    }
     result_.costs.push_back(std::move(costs));
     return {};
   }

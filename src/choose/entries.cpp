@@ -60,6 +60,14 @@ std::size_t length(const ReadableEntries& entries) {
   return total;
 }
 
+std::vector<std::uint32_t> rewritten_entries(const ReadableEntries& entries, std::size_t count) {
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (entries[i]->is_rewritten) numbers.push_back(i);
+  }
+  return numbers;
+}
+
 bool rewrite(ReadableEntries& entries, const std::vector<double>& losses, const BothForms& both,
              const MixedPoints& points, const ExtremePoints& extremes) {
   const Algebra& algebra = both.forms.algebra;

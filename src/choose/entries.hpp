@@ -28,6 +28,11 @@ struct BothForms {
 /// Signs and calls of all of them together, where they are complete.
 [[nodiscard]] std::size_t length(const ReadableEntries& entries);
 
+/// The numbers of those that rewrite() has written, out of the first `count`: pivots of M are not
+/// emitted with the others.
+[[nodiscard]] std::vector<std::uint32_t> rewritten_entries(const ReadableEntries& entries,
+                                                           std::size_t count);
+
 /// Writes the entries that lose digits in ways that do not; whether there is one. `losses` are
 /// those of the code, entry by entry.
 [[nodiscard]] bool rewrite(ReadableEntries& entries, const std::vector<double>& losses,

@@ -11,6 +11,8 @@ namespace elgen {
 namespace {
 
 constexpr std::string_view heading = "function ";
+constexpr std::string_view heading_of_rewritten =
+    "entries that are computed otherwise than shown, to keep digits";
 
 using Words = std::vector<std::string>;
 
@@ -19,7 +21,7 @@ Words words_of(std::string_view line) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-Words expected_words(const Program& program, const Function& function) {
+Words words_of_operations(const Program& program, const Function& function) {
   const OperationCounts n = count_operations(function);
   const std::vector<std::string> names = temporary_names(program, function);
   const auto unnamed = std::count(names.begin(), names.end(), std::string());
@@ -29,6 +31,12 @@ Words expected_words(const Program& program, const Function& function) {
     words.push_back(std::to_string(count));
   }
   words.emplace_back(name_of(function.form));
+  return words;
+}
+
+Words words_of_rewritten(const Function& function) {
+  Words words{function.name};
+  for (const std::uint32_t entry : function.rewritten) words.push_back(std::to_string(entry));
   return words;
 }
 
@@ -43,11 +51,20 @@ WrongLine wrong_operations(const Program& program, const std::vector<std::string
   });
   if (line == lines.end()) return {lines.empty() ? "" : lines.front(), "no table of operations"};
   const std::size_t margin = line->find(heading);
+  std::vector<Words> expected;
+  std::vector<Words> rewritten;
   for (const Function& function : program.functions) {
-    if (++line == lines.end()) return {lines.back(), "no row of `" + function.name + "`"};
-    const Words expected = expected_words(program, function);
-    const bool is_right = line->size() > margin && words_of(line->substr(margin)) == expected;
-    if (!is_right) return {*line, fmt::format("the row should be `{}`", fmt::join(expected, " "))};
+    expected.push_back(words_of_operations(program, function));
+    if (!function.rewritten.empty()) rewritten.push_back(words_of_rewritten(function));
+  }
+  if (!rewritten.empty()) {
+    expected.push_back(words_of(heading_of_rewritten));
+    expected.insert(expected.end(), rewritten.begin(), rewritten.end());
+  }
+  for (const Words& row : expected) {
+    if (++line == lines.end()) return {lines.back(), "no row of `" + row.front() + "`"};
+    const bool is_right = words_of(line->substr(std::min(margin, line->size()))) == row;
+    if (!is_right) return {*line, fmt::format("the row should be `{}`", fmt::join(row, " "))};
   }
   return {};
 }

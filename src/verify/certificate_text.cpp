@@ -182,8 +182,9 @@ Json json_of(const CertificateRow& row) {
             {"subject", row.subject}, {"verdict", word(verdict_names, row.verdict)},
             {"formula", row.formula}, {"evidence", word(evidence_names, row.evidence)},
             {"samples", row.samples}, {"skipped_states", skipped}};
-  // JSON has no infinity, which a value that is no number is off by.
+  // JSON has no infinity, which a value that is no number is off by, and one whose R is 0.
   if (row.error && std::isfinite(*row.error)) json["error_in_bounds"] = *row.error;
+  if (row.loss && std::isfinite(*row.loss)) json["loss"] = *row.loss;
   json["worst"] = row.worst;
   json["worst_at"] = row.where;
   json["tolerance"] = row.tolerance;

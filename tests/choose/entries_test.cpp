@@ -20,8 +20,8 @@ const char* text =
 TEST_CASE("all entries of a function have a form") {
   const Program program = testing::read_program(text);
   const ClosedForms forms = present(program);
-  const ReadableEntries entries = read_entries(program, program.functions[0], forms,
-                                               forms.functions[0], mixed_points(program.leaves));
+  const ReadableEntries entries = read_entries(
+      {program, program.functions[0], forms, forms.functions[0]}, mixed_points(program.leaves));
   REQUIRE(is_complete(entries));
   CHECK(length(entries) == entries[0]->length + entries[1]->length);
   CHECK_FALSE(is_complete({}));
@@ -30,18 +30,20 @@ TEST_CASE("all entries of a function have a form") {
 
 TEST_CASE("code is rewritten where it loses digits, what people read stays") {
   const Program program = testing::read_program(text);
-  const Function& function = program.functions[0];
   const ClosedForms forms = present(program);
+  const BothForms both{program, program.functions[0], forms, forms.functions[0]};
   const MixedPoints points = mixed_points(program.leaves);
   const ExtremePoints extremes = extreme_points(program);
-  ReadableEntries entries = read_entries(program, function, forms, forms.functions[0], points);
+  ReadableEntries entries = read_entries(both, points);
   const auto with_losses = [&](const std::vector<double>& losses) {
-    return rewrite(entries, losses, program, function, forms, forms.functions[0], points, extremes);
+    return rewrite(entries, losses, both, points, extremes);
   };
   CHECK_FALSE(with_losses({0, 0}));
   REQUIRE(with_losses({1e15, 0}));
   CHECK(entries[0]->is_rewritten);
   CHECK_FALSE(entries[1]->is_rewritten);
+  CHECK(rewritten_entries(entries, 2) == std::vector<std::uint32_t>{0});
+  CHECK(rewritten_entries(entries, 0).empty());
   CHECK(testing::texts_of(entries[0]->readable).at(0) == "1 - cos(a)");
   CHECK(testing::texts_of(entries[0]->compact).at(0) == "2*sin(1/2*a)^2");
 }

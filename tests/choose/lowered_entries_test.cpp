@@ -21,7 +21,7 @@ struct Lowered {
   Function shape = program.functions[0];
   ClosedForms forms = present(program);
   ReadableEntries entries =
-      read_entries(program, shape, forms, forms.functions[0], mixed_points(program.leaves));
+      read_entries({program, shape, forms, forms.functions[0]}, mixed_points(program.leaves));
 };
 
 }  // namespace

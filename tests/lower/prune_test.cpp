@@ -32,3 +32,22 @@ TEST_CASE("instructions that nothing needs are gone, the others renumbered") {
   CHECK(dump(program) ==
         dump(program_of("  0 = parameter m\n  1 = multiply 0 0  ; square\n  result 1 1 = 1\n")));
 }
+
+TEST_CASE("names stay with their instructions, moved or not") {
+  Program program = program_of(
+      "  0 = parameter m\n  1 = multiply 0 0  ; square\n  2 = parameter l\n"
+      "  3 = multiply 1 0  ; cube\n  result 1 1 = 3\n");
+  program.functions[0] = pruned(program.functions[0]);
+  CHECK(program.functions[0].names == std::vector<std::string>{"", "square", "cube"});
+}
+
+TEST_CASE("another order computes the same") {
+  Program program = program_of(
+      "  0 = parameter m\n  1 = multiply 0 0  ; square\n  2 = parameter l\n  3 = add 1 2\n"
+      "  result 1 1 = 3\n");
+  program.functions[0] = reordered(program.functions[0], {2, 0, 1, 3});
+  CHECK(check_invariants(program).empty());
+  CHECK(dump(program) == dump(program_of("  0 = parameter l\n  1 = parameter m\n"
+                                         "  2 = multiply 1 1  ; square\n  3 = add 2 0\n"
+                                         "  result 1 1 = 3\n")));
+}

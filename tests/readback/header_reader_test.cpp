@@ -76,8 +76,8 @@ TEST_CASE("a C++ header that says something else is refused") {
            {cpp(), h, mass, "  const Scalar cos_theta = cos(q[1]);\n",
             "  const Scalar cos_theta = cos(q[1]);\n  const Scalar cos_theta = cos(q[0]);\n",
             "`cos_theta` is `cos(q[0])`"},
-           {cpp(), h, solved, "{{t_af1de * t_742a5 - t_719d7 * t_a22d1, t_a22d1}}",
-            "{{t_a22d1, t_af1de * t_742a5 - t_719d7 * t_a22d1}}", "entry 0 of `acceleration`"},
+           {cpp(), h, solved, "{{acceleration_x, acceleration_theta}}",
+            "{{acceleration_theta, acceleration_x}}", "entry 0 of `acceleration`"},
            {cpp(), h, "struct ForwardDynamics", "acceleration", "relative_pivots",
             "instead of `acceleration`"},
            // literals: of float, double, long double, and of every other type

@@ -32,4 +32,16 @@ TEST_CASE("a row says what a function executes") {
   CHECK(wrong_operations(program, Lines{}).problem == "no table of operations");
 }
 
+TEST_CASE("below them entries are listed that are computed otherwise than shown") {
+  Program program = mass_alone();
+  program.functions[0].rewritten = {0, 3};
+  constexpr std::string_view row = "mass_matrix 1 3 0 0 1 0 3 closed";
+  constexpr std::string_view otherwise =
+      "entries that are computed otherwise than shown, to keep digits";
+  CHECK(wrong_operations(program, {heading, row, otherwise, "mass_matrix 0 3"}).problem.empty());
+  CHECK(wrong_operations(program, {heading, row, otherwise, "mass_matrix 0"}).problem ==
+        "the row should be `mass_matrix 0 3`");
+  CHECK(wrong_operations(program, {heading, row}).problem == "no row of `entries`");
+}
+
 }  // namespace elgen

@@ -35,6 +35,7 @@ TEST_CASE("1 - cos(th) fails beside 2 sin(th/2)^2") {
   const CertificateRow row = row_of(cosine, half_angle);
   CHECK(row.verdict == Verdict::fails);
   CHECK(row.subject == "potential_energy (double)");
+  CHECK(row.loss.value_or(0) > 1e6);
   CHECK(mentions(row.worst, "most of it in 1 - cos_th; the other form keeps them"));
 }
 
@@ -42,6 +43,7 @@ TEST_CASE("what loses nothing holds, whatever the other ways lose") {
   const CertificateRow row = row_of(half_angle, cosine);
   CHECK(row.verdict == Verdict::holds);
   CHECK(row.samples > 30);
+  CHECK(row.loss.value_or(100) <= tolerated_loss);
 }
 
 TEST_CASE("a loss that no way avoids is noted") {

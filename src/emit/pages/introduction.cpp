@@ -47,6 +47,7 @@ std::vector<std::string> operation_table(const Program& program) {
   constexpr std::string_view row = "{:<{}}  {:>6} {:>6} {:>5} {:>5} {:>6} {:>5}  {:>11}  {}";
   Lines lines = {fmt::format(row, "function", width, "add", "mul", "div", "sqrt", "sincos", "other",
                              "definitions", "form")};
+  Lines rewritten;
   for (const Function& function : program.functions) {
     const OperationCounts n = count_operations(function);
     const std::vector<std::string> names = temporary_names(program, function);
@@ -54,7 +55,13 @@ std::vector<std::string> operation_table(const Program& program) {
     lines.push_back(fmt::format(row, function.name, width, n.add, n.mul, n.div, n.sqrt, n.sincos,
                                 n.other, names.size() - static_cast<std::size_t>(unnamed),
                                 name_of(function.form)));
+    if (function.rewritten.empty()) continue;
+    rewritten.push_back(
+        fmt::format("{:<{}}  {}", function.name, width, fmt::join(function.rewritten, " ")));
   }
+  if (rewritten.empty()) return lines;
+  lines.emplace_back("entries that are computed otherwise than shown, to keep digits");
+  lines.insert(lines.end(), rewritten.begin(), rewritten.end());
   return lines;
 }
 

@@ -83,6 +83,7 @@ CertificateRow LossRecord::row(const FieldPlace& place, const Subject& subject,
   row.tolerance = loss_reason;
   row.worst = figures_.samples() == 0 ? "no state to compare at"
                                       : fmt::format("loss {:.2g}", figures_.worst());
+  if (figures_.samples() > 0) row.loss = figures_.worst();
   if (!has_loss()) return row;
   KeepingWays<Scalar> ways(place, subject, states, options);
   ways.ask(worst_at_);
