@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/svg.hpp"
 #include "elgen/simulate.hpp"
 
 namespace elgen {
@@ -50,14 +51,6 @@ std::vector<double> ticks(const AxisRange& range) {
   return result;
 }
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char letter : text) {
-    result += letter == '&' ? "&amp;" : letter == '<' ? "&lt;" : std::string(1, letter);
-  }
-  return result;
-}
-
 /// Columns that share axes.
 struct PicturePanel {
   std::string name;
@@ -75,11 +68,8 @@ class TrajectoryPicture {
 
   [[nodiscard]] std::string text() const {
     const double panels = panel_distance * static_cast<double>(panels_.size());
-    std::string svg = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
-        "viewBox=\"0 0 {0} {1}\" font-family=\"sans-serif\" font-size=\"12\">\n"
-        "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
-        left + panel_width + right, top + panels - panel_distance + panel_height + bottom);
+    std::string svg = svg_start(left + panel_width + right,
+                                top + panels - panel_distance + panel_height + bottom);
     double y = top;
     for (const PicturePanel& panel : panels_) {
       svg += drawn(panel, y);
@@ -135,13 +125,12 @@ class TrajectoryPicture {
     const auto y_of = [&](double value) {
       return y + panel_height * (range.high - value) / (range.high - range.low);
     };
-    std::string svg = fmt::format("<text x=\"{}\" y=\"{}\" font-weight=\"bold\">{}</text>\n", left,
-                                  y - 7, escaped(title(panel)));
+    std::string svg = svg_title(left, y - 7, title(panel));
     for (const double value : ticks(range)) {
-      svg += grid_line(left, y_of(value), left + panel_width, y_of(value));
-      svg += label(left - 6, y_of(value) + 4, "end", fmt::format("{:.6g}", value));
+      svg += svg_grid_line(left, y_of(value), left + panel_width, y_of(value));
+      svg += svg_label(left - 6, y_of(value) + 4, "end", fmt::format("{:.6g}", value));
     }
-    for (const double t : ticks(time_)) svg += grid_line(x_of(t), y, x_of(t), y + panel_height);
+    for (const double t : ticks(time_)) svg += svg_grid_line(x_of(t), y, x_of(t), y + panel_height);
     svg += fmt::format(
         "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#888\"/>\n",
         left, y, panel_width, panel_height);
@@ -170,22 +159,11 @@ class TrajectoryPicture {
   }
 
   [[nodiscard]] std::string time_axis(double y) const {
-    std::string svg = label(left + panel_width / 2, y + 34, "middle", "t [s]");
+    std::string svg = svg_label(left + panel_width / 2, y + 34, "middle", "t [s]");
     for (const double t : ticks(time_)) {
-      svg += label(x_of(t), y + 16, "middle", fmt::format("{:.6g}", t));
+      svg += svg_label(x_of(t), y + 16, "middle", fmt::format("{:.6g}", t));
     }
     return svg;
-  }
-
-  static std::string grid_line(double x1, double y1, double x2, double y2) {
-    return fmt::format(
-        "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"#ddd\"/>\n", x1, y1,
-        x2, y2);
-  }
-
-  static std::string label(double x, double y, const char* anchor, const std::string& text) {
-    return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y,
-                       anchor, text);
   }
 
   const Trajectory& trajectory_;

@@ -1,0 +1,20 @@
+// SVG: the elements that pictures are made of, in black and grey on white, positions in pixels.
+#pragma once
+
+#include <string>
+
+namespace elgen {
+
+/// The opening tag and a white ground.
+[[nodiscard]] std::string svg_start(double width, double height);
+
+[[nodiscard]] std::string svg_grid_line(double x1, double y1, double x2, double y2);
+
+/// `anchor`: what of the text is at x: "start", "middle" or "end".
+[[nodiscard]] std::string svg_label(double x, double y, const char* anchor,
+                                    const std::string& text);
+
+/// In bold, from x on.
+[[nodiscard]] std::string svg_title(double x, double y, const std::string& text);
+
+}  // namespace elgen

@@ -1,0 +1,20 @@
+// Elements of pictures.
+#include "base/svg.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace elgen;
+
+TEST_CASE("a picture starts with its size and a white ground") {
+  CHECK(svg_start(300, 200).starts_with(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"300\" height=\"200\" "
+      "viewBox=\"0 0 300 200\""));
+}
+
+TEST_CASE("texts are escaped, positions have a tenth of a pixel") {
+  CHECK(svg_label(1.04, 2, "end", "a<b & c") ==
+        "<text x=\"1.0\" y=\"2.0\" text-anchor=\"end\">a&lt;b &amp; c</text>\n");
+  CHECK(svg_title(1, 2, "a<b") == "<text x=\"1\" y=\"2\" font-weight=\"bold\">a&lt;b</text>\n");
+  CHECK(svg_grid_line(0, 1, 2, 3.26) ==
+        "<line x1=\"0.0\" y1=\"1.0\" x2=\"2.0\" y2=\"3.3\" stroke=\"#ddd\"/>\n");
+}
