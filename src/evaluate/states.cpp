@@ -60,23 +60,6 @@ Arguments<double> values_of(const Subject& subject) {
   return arguments_at<double>(nominal_state(subject.model, subject.scene));
 }
 
-/// What the model declares; else the value of a parameter, a turn or a unit of a coordinate, and
-/// `default_rate`.
-Ranges ranges_of(const Subject& subject) {
-  const Model& model = subject.model;
-  const Arguments<double> values = values_of(subject);
-  Ranges ranges = map_leaves([](double) { return Range{}; }, values);
-  const auto fill = [&](Opcode kind, std::uint32_t number, double value, Range& range) {
-    const std::optional<Interval> declared = declared_range(model, kind, number);
-    double otherwise = default_rate;
-    if (kind == Opcode::coordinate) otherwise = is_angle(model.coordinates[number]) ? pi : 1;
-    range = range_or(declared, otherwise);
-    if (kind == Opcode::parameter && !declared) range = {value, value};
-  };
-  for_each_leaf(fill, values, ranges);
-  return ranges;
-}
-
 /// From `values`: parameters stay, except where the scene drops terms for their whole ranges.
 Arguments<double> nominal(const Subject& subject, const Ranges& ranges, Arguments<double> values,
                           Random& random) {
@@ -246,6 +229,28 @@ Arguments<Scalar> rounded(const Arguments<double>& values) {
 }
 
 }  // namespace
+
+LeafValues<Range> ranges_of(const Subject& subject) {
+  const Model& model = subject.model;
+  const Arguments<double> values = values_of(subject);
+  Ranges ranges = map_leaves([](double) { return Range{}; }, values);
+  const auto fill = [&](Opcode kind, std::uint32_t number, double value, Range& range) {
+    const std::optional<Interval> declared = declared_range(model, kind, number);
+    double otherwise = default_rate;
+    if (kind == Opcode::coordinate) otherwise = is_angle(model.coordinates[number]) ? pi : 1;
+    range = range_or(declared, otherwise);
+    if (kind == Opcode::parameter && !declared) range = {value, value};
+  };
+  for_each_leaf(fill, values, ranges);
+  return ranges;
+}
+
+Arguments<double> drawn_within(const Subject& subject, const LeafValues<Range>& ranges,
+                               Random& random) {
+  Arguments<double> values = nominal(subject, ranges, values_of(subject), random);
+  scale_quaternions(subject.model, values);
+  return values;
+}
 
 std::size_t golden_step(std::size_t count) {
   std::size_t step = count * 618 / 1000 + 1;

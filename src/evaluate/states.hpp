@@ -44,6 +44,15 @@ struct Range {
   double high = 0;
 };
 
+/// What the model declares; else the value of a parameter, a turn or a unit of a coordinate, and 10
+/// of rates, accelerations, inputs and time.
+[[nodiscard]] LeafValues<Range> ranges_of(const Subject& subject);
+
+/// Uniform inside these ranges, parameters at their values (inside theirs in a scene that drops
+/// terms); quaternions of length 1.
+[[nodiscard]] Arguments<double> drawn_within(const Subject& subject,
+                                             const LeafValues<Range>& ranges, Random& random);
+
 /// The states of sample_states one after another, where there are too many to keep.
 template <class Scalar>
 class StateSequence {
