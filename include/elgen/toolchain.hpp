@@ -65,6 +65,8 @@ class ScreeningCode {
 enum class Build : std::uint8_t {
   as_written,  ///< strict flags, no contraction: the bits of the arithmetic that is written
   as_users,    ///< -O3 -march=native, contraction on; without the header on types of Eigen
+  to_time,     ///< -O2 -march=native, no contraction
+  to_time_contracted,
 };
 
 /// $CXX where it is set, else c++, g++, clang++, whichever is there. E704 without a compiler, E706

@@ -14,14 +14,20 @@
 namespace elgen {
 namespace {
 
-CompilerCommand flags_of(Build build) {
-  if (build == Build::as_users) {
-    return {"-O3", "-march=native", "-ffp-contract=fast", "-fPIC", "-shared"};
-  }
-  return {"-O2",           "-ffp-contract=off",  "-fPIC",        "-shared",  "-Wall",
-          "-Wextra",       "-Wpedantic",         "-Wconversion", "-Wshadow", "-Wsign-conversion",
-          "-Wfloat-equal", "-Wdouble-promotion", "-Werror"};
+CompilerCommand split(const std::string& text) {
+  std::istringstream stream(text);
+  CompilerCommand words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
 }
+
+/// In the order of Build.
+constexpr std::array<const char*, 4> flags_of_builds{
+    "-O2 -ffp-contract=off -fPIC -shared -Wall -Wextra -Wpedantic -Wconversion -Wshadow "
+    "-Wsign-conversion -Wfloat-equal -Wdouble-promotion -Werror",
+    "-O3 -march=native -ffp-contract=fast -fPIC -shared",
+    "-O2 -march=native -ffp-contract=off -fPIC -shared",
+    "-O2 -march=native -ffp-contract=fast -fPIC -shared"};
 
 /// Where Debian and others keep Eigen; elsewhere $CPATH says it.
 constexpr const char* eigen_folder = "/usr/include/eigen3";
@@ -29,13 +35,6 @@ constexpr const char* eigen_folder = "/usr/include/eigen3";
 CompilerCommand language_flags(const std::filesystem::path& source) {
   if (source.extension() == ".c") return {"-std=c99", "-x", "c"};
   return {"-std=c++17", "-isystem", eigen_folder};
-}
-
-CompilerCommand split(const std::string& text) {
-  std::istringstream stream(text);
-  CompilerCommand words;
-  for (std::string word; stream >> word;) words.push_back(word);
-  return words;
 }
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
@@ -126,7 +125,8 @@ Result<Compiler> find_compiler(std::uint64_t seconds) {
 CompilerCommand command_for(const Compiler& compiler, Build build,
                             const std::filesystem::path& source) {
   CompilerCommand command = compiler.command;
-  for (const CompilerCommand& flags : {flags_of(build), language_flags(source)}) {
+  const char* const flags_of_build = flags_of_builds[static_cast<std::size_t>(build)];
+  for (const CompilerCommand& flags : {split(flags_of_build), language_flags(source)}) {
     command.insert(command.end(), flags.begin(), flags.end());
   }
   return command;

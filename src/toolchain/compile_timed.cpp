@@ -1,0 +1,107 @@
+// compile_timed: the timing driver, compiled and loaded, with the states that it goes through.
+#include <utility>
+
+#include "base/no_interrupts.hpp"
+#include "elgen/timing.hpp"
+#include "toolchain/timing_driver.hpp"
+#include "toolchain/workshop.hpp"
+
+namespace elgen {
+namespace {
+
+/// Of each leaf its value in every state.
+template <class Scalar>
+using StateArrays = PerLeaf<std::vector<Scalar>, std::vector<Scalar>>;
+
+template <class Scalar>
+StateArrays<Scalar> arrays_of(const std::vector<Arguments<float>>& states) {
+  StateArrays<Scalar> arrays;
+  const auto append = [&states](std::vector<Scalar>& array, const auto& value_in) {
+    for (const Arguments<float>& state : states) {
+      array.push_back(static_cast<Scalar>(value_in(state)));
+    }
+  };
+#define ELGEN_LEAVES(kind, member, ...)                                                    \
+  for (std::size_t k = 0; k < states.front().member.size(); ++k) {                         \
+    append(arrays.member, [k](const Arguments<float>& state) { return state.member[k]; }); \
+  }
+#define ELGEN_LEAF(kind, member, ...) \
+  append(arrays.member, [](const Arguments<float>& state) { return state.member; });
+#include "elgen/leaves.def"
+#undef ELGEN_LEAVES
+#undef ELGEN_LEAF
+  return arrays;
+}
+
+template <class Scalar>
+class LoadedTiming final : public TimedFunction {
+ public:
+  LoadedTiming(std::shared_ptr<const Library> library, TimingDriverFunction<Scalar> function,
+               const std::vector<Arguments<float>>& states, std::size_t entries)
+      : library_(std::move(library)),
+        function_(function),
+        count_(states.size()),
+        arrays_(arrays_of<Scalar>(states)),
+        results_(entries * states.size()) {}
+
+  void run() override {
+    function_(count_,
+#define ELGEN_LEAVES(kind, member, ...) arrays_.member.data(),
+#include "elgen/leaves.def"
+#undef ELGEN_LEAVES
+              results_.data());
+  }
+
+  [[nodiscard]] std::vector<long double> results() const override {
+    return {results_.begin(), results_.end()};
+  }
+
+ private:
+  std::shared_ptr<const Library> library_;
+  TimingDriverFunction<Scalar> function_;
+  std::size_t count_;
+  StateArrays<Scalar> arrays_;
+  std::vector<Scalar> results_;
+};
+
+/// Null where the symbol is missing.
+template <class Scalar>
+std::unique_ptr<TimedFunction> loaded(const std::shared_ptr<const Library>& library,
+                                      const std::string& symbol,
+                                      const std::vector<Arguments<float>>& states,
+                                      std::size_t entries) {
+  const auto function = library->find<TimingDriverFunction<Scalar>>(symbol);
+  if (function == nullptr) return nullptr;
+  return std::make_unique<LoadedTiming<Scalar>>(library, function, states, entries);
+}
+
+using Loader = std::unique_ptr<TimedFunction> (*)(const std::shared_ptr<const Library>&,
+                                                  const std::string&,
+                                                  const std::vector<Arguments<float>>&,
+                                                  std::size_t);
+/// In the order of ScalarKind.
+constexpr Loader loaders[] = {&loaded<float>, &loaded<double>, &loaded<long double>};
+
+}  // namespace
+
+Result<TimedFunctions> compile_timed(const EmittedFiles& files, const Model& model,
+                                     const Scene& scene, const Program& program,
+                                     const TimingOptions& options, const Limits& limits) {
+  const Driver driver = timing_driver({model, scene, program}, options.variants);
+  const NoInterrupts until_removed;
+  const Result<Workshop> workshop = Workshop::open(files, {driver}, limits);
+  if (!workshop) return workshop.diagnostics;
+  Result<Library> built = workshop->build(driver, options.build);
+  if (!built) return built.diagnostics;
+  const auto library = std::make_shared<const Library>(std::move(*built));
+  const std::size_t entries = entry_count(program.functions.front());
+  TimedFunctions functions;
+  for (std::size_t i = 0; i < options.variants.size(); ++i) {
+    const Loader load = loaders[static_cast<std::size_t>(options.variants[i].scalar)];
+    functions.push_back(load(library, timed_symbol(i), options.states, entries));
+    if (functions.back() == nullptr) return missing_function();
+  }
+  return Result<TimedFunctions>(std::move(functions));
+}
+
+}  // namespace elgen

@@ -1,0 +1,157 @@
+// The text of the driver. For inverse_dynamics(q, v, a), one state after another:
+//
+//     template <class Scalar>
+//     void one_by_one(std::size_t count, ..., const Scalar* q, ..., Scalar* result) {
+//       const auto& p = model_parameters<Scalar>();
+//       for (std::size_t i = 0; i < count; ++i) {
+//         const auto values = emitted::inverse_dynamics<Scalar>(
+//             p, gathered<emitted::Coordinates<Scalar>>(q, i, count), ...);
+//         scatter(values, i, count, result);
+//       }
+//     }
+#include "toolchain/timing_driver.hpp"
+
+#include <fmt/format.h>
+
+#include "elgen/arguments.hpp"
+#include "elgen/artifacts.hpp"
+#include "evaluate/scalar_literal.hpp"
+#include "lower/code_interface.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr std::string_view prologue = R"(#include "{header}"
+#include <array>
+#include <cstddef>
+
+namespace {{
+
+namespace emitted = ::{name_space};
+
+/// The compiler must take them for arguments that it does not know.
+template <class Scalar>
+const emitted::Parameters<Scalar>& model_parameters() {{
+  static emitted::Parameters<Scalar> values{{}};
+  asm volatile("" : : "r"(&values) : "memory");
+  return values;
+}}
+
+template <class Array, class Scalar>
+Array gathered(const Scalar* from, std::size_t i, std::size_t count) {{
+  Array result;
+  for (std::size_t k = 0; k < result.size(); ++k) result[k] = from[k * count + i];
+  return result;
+}}
+
+template <class Scalar>
+void scatter(const Scalar& value, std::size_t i, std::size_t, Scalar* to) {{
+  to[i] = value;
+}}
+template <class Scalar, std::size_t Size>
+void scatter(const std::array<Scalar, Size>& values, std::size_t i, std::size_t count, Scalar* to) {{
+  for (std::size_t k = 0; k < Size; ++k) to[k * count + i] = values[k];
+}}
+
+)";
+
+constexpr std::string_view one_by_one = R"(template <class Scalar>
+void one_by_one(std::size_t count, {leaves}Scalar* result) {{
+  const auto& p = model_parameters<Scalar>();
+  for (std::size_t i = 0; i < count; ++i) {{
+    const auto values = emitted::{function}<Scalar>({arguments});
+{stores}  }}
+}}
+
+)";
+
+constexpr std::string_view in_packs = R"(template <class Scalar>
+void in_packs(std::size_t count, {leaves}Scalar* result) {{
+  emitted::batch::{function}<Scalar>({arguments}, result);
+}}
+
+)";
+
+constexpr std::string_view entry = R"(
+extern "C" void {symbol}(std::size_t count, {leaves}{scalar}* result);
+extern "C" void {symbol}(std::size_t count, {leaves}{scalar}* result) {{
+  {call}<{scalar}>(count, {names}, result);
+}}
+)";
+
+/// "const double* parameters, const double* q, …, const double* t, "
+std::string declared(std::string_view scalar, std::string_view attribute = "") {
+  std::string text;
+  for (const LeafRow& leaf : leaf_table) {
+    text += fmt::format("{}const {}* {}, ", attribute, scalar, leaf.member);
+  }
+  return text;
+}
+
+std::string gathered(Opcode argument) {
+  const LeafRow& leaf = leaf_row(argument);
+  if (argument == Opcode::parameter) return "p";
+  if (argument == Opcode::time) return fmt::format("{}[i]", leaf.member);
+  return fmt::format("gathered<emitted::{}>({}, i, count)", leaf.type, leaf.member);
+}
+
+std::string stores(const Function& function) {
+  std::string lines;
+  std::size_t before = 0;
+  for (const Field& field : function.fields) {
+    lines += fmt::format("    scatter(values{}{}, i, count, result + {} * count);\n",
+                         field.name.empty() ? "" : ".", field.name, before);
+    before += field.entries.size();
+  }
+  return lines;
+}
+
+std::string state_by_state(const DriverInput& input, const Function& function) {
+  std::vector<std::string> arguments;
+  for (const Opcode argument : arguments_of(input.model, function)) {
+    arguments.push_back(gathered(argument));
+  }
+  return fmt::format(one_by_one, fmt::arg("leaves", declared("Scalar", "[[maybe_unused]] ")),
+                     fmt::arg("function", function.name),
+                     fmt::arg("arguments", fmt::join(arguments, ",\n        ")),
+                     fmt::arg("stores", stores(function)));
+}
+
+std::string pack_by_pack(const DriverInput& input, const Function& function) {
+  std::vector<std::string_view> arguments{"model_parameters<Scalar>()", "count"};
+  for (const Opcode argument : arguments_of(input.model, function)) {
+    if (argument != Opcode::parameter) arguments.push_back(leaf_row(argument).member);
+  }
+  return fmt::format(in_packs, fmt::arg("leaves", declared("Scalar", "[[maybe_unused]] ")),
+                     fmt::arg("function", function.name),
+                     fmt::arg("arguments", fmt::join(arguments, ", ")));
+}
+
+std::string entry_of(const TimedVariant& variant, std::size_t number) {
+  std::vector<std::string_view> names;
+  for (const LeafRow& leaf : leaf_table) names.push_back(leaf.member);
+  const std::string scalar = scalar_name(variant.scalar);
+  return fmt::format(entry, fmt::arg("symbol", timed_symbol(number)), fmt::arg("scalar", scalar),
+                     fmt::arg("leaves", declared(scalar)),
+                     fmt::arg("call", variant.in_packs ? "in_packs" : "one_by_one"),
+                     fmt::arg("names", fmt::join(names, ", ")));
+}
+
+}  // namespace
+
+Driver timing_driver(const DriverInput& input, const std::vector<TimedVariant>& variants) {
+  const auto& [model, scene, program] = input;
+  const Function& function = program.functions.front();
+  const ArtifactId header = scene.emission.batch ? ArtifactId::batch : ArtifactId::cpp;
+  std::string text = fmt::format(prologue, fmt::arg("header", path_of(scene, header)),
+                                 fmt::arg("name_space", name_space(scene)));
+  text += state_by_state(input, function);
+  if (scene.emission.batch) text += pack_by_pack(input, function);
+  text += "}  // namespace\n";
+  for (std::size_t i = 0; i < variants.size(); ++i) text += entry_of(variants[i], i);
+  return {"", "timing_driver.cpp", text, ""};
+}
+
+std::string timed_symbol(std::size_t variant) { return fmt::format("elgen_timed_{}", variant); }
+
+}  // namespace elgen

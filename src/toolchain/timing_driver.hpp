@@ -1,0 +1,25 @@
+// The driver that times: an emitted function on arrays of states, one by one or in packs.
+#pragma once
+
+#include "elgen/timing.hpp"
+#include "toolchain/driver.hpp"
+
+namespace elgen {
+
+/// Number k of state i stands at [k * count + i] of every array.
+template <class Scalar>
+using TimingDriverFunction = void (*)(std::size_t count,
+#define ELGEN_LEAVES(kind, member, ...) const Scalar *member,
+#include "elgen/leaves.def"
+#undef ELGEN_LEAVES
+                                      Scalar* result);
+
+/// Of a scene in C++, with its header of batches where a variant is in packs; the first function of
+/// the program.
+[[nodiscard]] Driver timing_driver(const DriverInput& input,
+                                   const std::vector<TimedVariant>& variants);
+
+/// "elgen_timed_3" of variants[3].
+[[nodiscard]] std::string timed_symbol(std::size_t variant);
+
+}  // namespace elgen
