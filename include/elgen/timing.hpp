@@ -30,7 +30,7 @@ using TimedFunctions = std::vector<std::unique_ptr<TimedFunction>>;
 
 struct TimingOptions {
   std::vector<TimedVariant> variants = {};
-  Build build = Build::to_time;  ///< or contracted
+  Build build = Build::to_time_contracted;  ///< or Build::to_time
   std::vector<Arguments<float>> states = {};
 };
 

@@ -1,0 +1,147 @@
+// TradeoffTable: what the designs of one output cost and how far they are off.
+//
+// A design is a scene and a way to compile it. plan() lists designs; the pipeline and the compiler
+// run on each; measured() and errors_of() look at what came out, and judged() makes the table.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "elgen/program.hpp"
+#include "elgen/scene.hpp"
+#include "elgen/syntax.hpp"
+#include "elgen/timing.hpp"
+
+namespace elgen {
+
+/// What designs start from.
+struct DesignBase {
+  const CheckedModel& checked;        ///< with the output as the first one
+  const FileSyntax* scene = nullptr;  ///< null: the model alone
+};
+
+/// What is chosen in each dimension; "" or none where the choice of the scene stands.
+struct Design {
+  ScalarKind scalar = ScalarKind::double_precision;
+  bool in_packs = false;
+  std::string trigonometry = {};  ///< max_error of polynomials; "": as accurate as the scalar
+  bool is_fixed = false;          ///< every parameter is a number
+  std::optional<Form> form = {};
+  bool is_contracted = true;  ///< as compilers do where they are not told
+  std::string order = {};       ///< of an expansion about the start, or "exact"
+  std::string drop_below = {};  ///< or "none"
+};
+
+/// What is exactly as the model says.
+inline const Design exact_design{.order = "exact", .drop_below = "none"};
+
+struct PlannedDesign {
+  std::vector<std::string> values = {};  ///< of the dimensions, in their order
+  Design design = {};
+};
+
+struct TradeoffPlan {
+  std::vector<std::string> dimensions = {};  ///< those with two values or more
+  std::vector<PlannedDesign> designs = {};
+};
+
+/// The scalars, batches, sines and parameters that the first function of `program` takes, in all
+/// combinations that there are; `more` adds dimensions by name. E631.
+[[nodiscard]] Result<TradeoffPlan> plan(const CheckedModel& checked, const Program& program,
+                                        const std::vector<std::string>& more);
+
+/// The design as a scene file of a model at `model_path`.
+[[nodiscard]] std::string scene_text(const DesignBase& base, const Design& design,
+                                     const std::string& model_path);
+
+/// What designs have in common that are derived alike: all but scalar, packs, their sines and
+/// contraction.
+[[nodiscard]] Design derivation_of(const Design& design);
+
+/// A number to 32 digits or more: high + low.
+struct ExactNumber {
+  long double high = 0;
+  long double low = 0;
+};
+
+/// States at which errors are looked at, with the exact value of every entry at each.
+struct TradeoffStates {
+  std::vector<Arguments<float>> states = {};  ///< numbers of float are numbers of every scalar
+  std::vector<std::size_t> field_sizes = {};
+  std::vector<ExactNumber> exact = {};  ///< entry k of state i at [k * states.size() + i]
+};
+
+/// `count` states inside the ranges of the model, narrowed by `ranges` ("theta=-0.1..0.1"), and the
+/// values that the first function of the program has there, by numbers of 60 digits, with the exact
+/// parameters. E630; E521 where it has none. Cost: one operation of Real per instruction and state.
+[[nodiscard]] Result<TradeoffStates> tradeoff_states(const CheckedModel& exact,
+                                                     const Program& program,
+                                                     const std::vector<SourcePointer>& ranges,
+                                                     std::size_t count);
+
+/// Median and quartiles.
+struct Spread {
+  double median = 0;
+  double low = 0;
+  double high = 0;
+};
+
+/// Over states: the largest |x - x*| of the entries of a field / the largest |x*| of that field at
+/// any state. Infinite where x is no number.
+struct DesignErrors {
+  double worst = 0;
+  double median = 0;
+};
+
+/// By results as TimedFunction gives them.
+[[nodiscard]] DesignErrors errors_of(const std::vector<long double>& results,
+                                     const TradeoffStates& states);
+
+/// Processor time in ns of each, by turns, so that all meet the same machine: as many rounds as
+/// `seconds` allow, 9 at least and 1001 at most.
+[[nodiscard]] std::vector<Spread> measured(const std::vector<std::function<void()>>& alternatives,
+                                           double seconds);
+
+/// Of at least one number.
+[[nodiscard]] Spread spread_of(std::vector<double> numbers);
+
+struct TradeoffRow {
+  std::vector<std::string> values = {};  ///< of the dimensions
+  Spread cost = {};
+  DesignErrors error = {};
+  std::string failure = {};  ///< why there is neither cost nor error; "": there is
+  bool is_on_front = false;  ///< nothing is as cheap and more accurate, or as accurate and cheaper
+};
+
+struct TradeoffTable {
+  std::string model = {};
+  std::string subject = {};  ///< "inverse_dynamics"
+  std::string cost = {};     ///< what it is: "ns per state"
+  std::string error = {};    ///< likewise
+  std::vector<std::string> dimensions = {};
+  std::vector<TradeoffRow> rows = {};       ///< cheapest first, failed ones last
+  std::vector<std::string> sentences = {};  ///< one per dimension: how much it matters
+  Machine machine = {};
+};
+
+/// Sorts the rows, marks the front, adds the sentences.
+[[nodiscard]] TradeoffTable judged(TradeoffTable table);
+
+/// "float, packs, full, fixed"
+[[nodiscard]] std::string name_of(const TradeoffRow& row);
+
+/// The cheapest row whose worst error is at most this; null where there is none.
+[[nodiscard]] const TradeoffRow* cheapest_within(const TradeoffTable& table, double max_error);
+/// The row of the smallest worst error, the cheapest of them; null where all failed.
+[[nodiscard]] const TradeoffRow* most_accurate(const TradeoffTable& table);
+
+/// For people.
+[[nodiscard]] std::string to_text(const TradeoffTable& table);
+[[nodiscard]] std::string to_csv(const TradeoffTable& table);
+[[nodiscard]] std::string to_json(const TradeoffTable& table);
+/// Worst errors over costs, both logarithmic; the front is joined.
+[[nodiscard]] std::string to_svg(const TradeoffTable& table);
+
+}  // namespace elgen

@@ -1,0 +1,270 @@
+// Designs that are derived alike share a run of the pipeline, and those that are also compiled
+// alike a library.
+#include "cli/designs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "cli/progress.hpp"
+#include "cli/resources.hpp"
+#include "elgen/wording.hpp"
+#include "lower/code_interface.hpp"
+
+namespace elgen::cli {
+
+namespace {
+
+/// States that each design goes through in a turn: they fit a cache, in which their arrays do not
+/// lie at the same places, as those of 1024 would; and the largest error of more is hardly larger.
+constexpr std::size_t state_count = 1000;
+constexpr double seconds_of_timing = 1.5;
+
+/// The output that a table is about where none is named.
+std::string default_output(const Scene& scene) {
+  const auto is_usual = [](const OutputRequest& output) {
+    return output.kind == OutputKind::inverse_dynamics;
+  };
+  const auto usual = std::ranges::find_if(scene.outputs, is_usual);
+  return usual != scene.outputs.end() ? usual->name : scene.outputs.front().name;
+}
+
+/// Leaves the output alone of what was derived; a lock may have asked for its reaction too.
+void keep_only(const std::string& output, Products& products) {
+  const auto is_other = [&output](const auto& named) { return named.name != output; };
+  std::erase_if(products.checked->scene.outputs, is_other);
+  if (!products.program) return;
+  Program& program = *products.program;
+  std::erase_if(program.functions, is_other);
+  std::erase_if(program.readable, is_other);
+}
+
+std::string first_line(const Diagnostics& diagnostics) {
+  const auto error = std::ranges::find_if(diagnostics, [](const Diagnostic& diagnostic) {
+    return code_row(diagnostic.code).severity == Severity::error;
+  });
+  std::string message = error->message.substr(0, error->message.find('\n'));
+  if (message.ends_with(':')) message.pop_back();
+  return fmt::format("{}: {}", code_row(error->code).name, message);
+}
+
+/// Designs of one library.
+struct Workpiece {
+  std::vector<std::size_t> designs = {};
+  TimedFunctions functions = {};  ///< of each; none where it could not be made
+};
+
+class DesignBench {
+ public:
+  DesignBench(const DesignRequest& request, const Limits& limits,
+              std::vector<SourcePointer>& sources)
+      : request_(request), limits_(limits), sources_(sources), progress_(request.path) {}
+
+  Result<MeasuredDesigns> measure() {
+    const Result<Machine> machine = this_machine(limits_);
+    if (!machine) return machine.diagnostics;
+    result_.table.machine = *machine;
+    Diagnostics found = read_base();
+    if (has_errors(found)) return found;
+    const Products& exact = derived(exact_design);
+    if (!exact.program) return exact.diagnostics;
+    if (!is_returned(exact.program->functions.front())) return too_large();
+    if (Diagnostics wrong = prepare(exact); !wrong.empty()) return wrong;
+    for (Workpiece& workpiece : workpieces()) make(std::move(workpiece));
+    time_all();
+    result_.table = judged(std::move(result_.table));
+    return {std::move(result_), std::move(found)};
+  }
+
+ private:
+  const SourcePointer& kept(const char* path, const std::string& text) {
+    return sources_.emplace_back(make_source(path, text));
+  }
+
+  /// What designs start from: the model, or its scene, with one output.
+  Diagnostics read_base() {
+    PipelineOptions options;
+    options.limits = limits_;
+    options.goals = {"check"};
+    Diagnostics found;
+    std::string output = request_.output;
+    if (output.empty()) {
+      const Products whole = run_pipeline(request_.inputs, options);
+      if (!whole.checked) return whole.diagnostics;
+      found = whole.diagnostics;
+      output = default_output(whole.checked->scene);
+    }
+    options.scene.outputs = {kept("command line", output)};
+    Products one = run_pipeline(request_.inputs, options);
+    if (!one.checked) return one.diagnostics;
+    keep_only(output, one);
+    if (one.checked->scene.outputs.empty()) {
+      return {{Code::E601, {}, quoted(output) + " is not one output"}};
+    }
+    result_.checked = std::move(*one.checked);
+    if (request_.inputs.scene != nullptr) {
+      result_.scene = parse_scene(request_.inputs.scene, limits_).value;
+    }
+    result_.table.model = result_.checked.scene.base_name;
+    result_.table.subject = output;
+    result_.table.cost = fmt::format("ns per state of {}", state_count);
+    result_.table.error = "errors relative to the largest value of a field";
+    return found;
+  }
+
+  [[nodiscard]] Diagnostics too_large() const {
+    return {{Code::E603,
+             {},
+             fmt::format("{} has more than {} entries, and is not measured",
+                         quoted(result_.table.subject), largest_returned)}};
+  }
+
+  [[nodiscard]] std::string text_of(const Design& design) const {
+    const DesignBase base{result_.checked, result_.scene ? &*result_.scene : nullptr};
+    return scene_text(base, design, request_.inputs.model->path);
+  }
+
+  Products run(const Design& design, const char* goal) {
+    renew_time_limit(limits_);
+    PipelineOptions options;
+    options.limits = limits_;
+    options.goals = {goal};
+    Products products =
+        run_pipeline({request_.inputs.model, kept("design.scene.toml", text_of(design))}, options);
+    if (products.checked) keep_only(result_.table.subject, products);
+    return products;
+  }
+
+  /// Runs the pipeline where no design before was derived alike.
+  const Products& derived(const Design& design) {
+    const Design derivation = derivation_of(design);
+    const auto [at, is_new] = derived_.try_emplace(text_of(derivation));
+    if (is_new) {
+      progress_.stage("derive");
+      at->second = run(derivation, "choose");
+    }
+    return at->second;
+  }
+
+  /// The designs, the states, and what is exact there.
+  Diagnostics prepare(const Products& exact) {
+    Result<TradeoffPlan> planned = plan(*exact.checked, *exact.program, request_.dimensions);
+    if (!planned) return planned.diagnostics;
+    progress_.stage("states");
+    Result<TradeoffStates> states =
+        tradeoff_states(*exact.checked, *exact.program, request_.ranges, state_count);
+    if (!states) return states.diagnostics;
+    states_ = std::move(*states);
+    result_.table.dimensions = planned->dimensions;
+    result_.designs = std::move(planned->designs);
+    for (const PlannedDesign& design : result_.designs) {
+      result_.table.rows.push_back({.values = design.values});
+    }
+    return {};
+  }
+
+  [[nodiscard]] std::vector<Workpiece> workpieces() const {
+    std::map<std::string, Workpiece> pieces;
+    for (std::size_t i = 0; i < result_.designs.size(); ++i) {
+      const Design& design = result_.designs[i].design;
+      const std::string key = fmt::format("{}{}\n{}", text_of(derivation_of(design)),
+                                          design.trigonometry, design.is_contracted);
+      pieces[key].designs.push_back(i);
+    }
+    std::vector<Workpiece> result;
+    for (auto& [key, piece] : pieces) result.push_back(std::move(piece));
+    return result;
+  }
+
+  void make(Workpiece piece) {
+    const Design& first = result_.designs[piece.designs.front()].design;
+    const Products& products = derived(first);
+    if (!products.program) return fail(piece, first_line(products.diagnostics));
+    progress_.stage(fmt::format("compile {}", name_of(result_.table.rows[piece.designs.front()])));
+    Result<TimedFunctions> made = compiled(piece, products);
+    if (!made) {
+      fail(piece, first_line(made.diagnostics));
+      Diagnostics& all = result_.not_compiled;
+      all.insert(all.end(), made.diagnostics.begin(), made.diagnostics.end());
+      return;
+    }
+    piece.functions = std::move(*made);
+    made_.push_back(std::move(piece));
+  }
+
+  void fail(const Workpiece& piece, const std::string& why) {
+    for (const std::size_t i : piece.designs) result_.table.rows[i].failure = why;
+  }
+
+  Result<TimedFunctions> compiled(const Workpiece& piece, const Products& products) {
+    TimingOptions timing{.states = states_.states};
+    Scene scene = products.checked->scene;
+    scene.emission = {};
+    scene.numerics.scalars.clear();
+    for (const std::size_t i : piece.designs) {
+      const Design& design = result_.designs[i].design;
+      timing.variants.push_back({design.scalar, design.in_packs});
+      timing.build = design.is_contracted ? Build::to_time_contracted : Build::to_time;
+      if (design.in_packs) scene.numerics = numerics_of(design, std::move(scene.numerics.scalars));
+      scene.emission.batch = scene.emission.batch || design.in_packs;
+    }
+    if (scene.numerics.scalars.empty()) scene.numerics.scalars = {timing.variants.front().scalar};
+    const Model& model = products.checked->model;
+    const Result<EmittedFiles> files = emit(model, scene, *products.program);
+    if (!files) return files.diagnostics;
+    return compile_timed(*files, model, scene, *products.program, timing, limits_);
+  }
+
+  /// What its own scene says, for one more scalar.
+  Numerics numerics_of(const Design& design, std::vector<ScalarKind> scalars) {
+    Numerics numerics = run(design, "check").checked->scene.numerics;
+    scalars.push_back(design.scalar);
+    numerics.scalars = std::move(scalars);
+    return numerics;
+  }
+
+  void time_all() {
+    progress_.stage("time");
+    renew_time_limit(limits_);
+    std::vector<std::function<void()>> alternatives;
+    std::vector<TradeoffRow*> rows;
+    for (const Workpiece& piece : made_) {
+      for (std::size_t k = 0; k < piece.designs.size(); ++k) {
+        TimedFunction* const function = piece.functions[k].get();
+        rows.push_back(&result_.table.rows[piece.designs[k]]);
+        alternatives.emplace_back([function] { function->run(); });
+        function->run();
+        rows.back()->error = errors_of(function->results(), states_);
+      }
+    }
+    const std::vector<Spread> costs = measured(alternatives, seconds_of_timing);
+    const auto per_state = [](double ns) { return ns / static_cast<double>(state_count); };
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const auto& [median, low, high] = costs[i];
+      rows[i]->cost = {per_state(median), per_state(low), per_state(high)};
+    }
+  }
+
+  const DesignRequest& request_;
+  const Limits& limits_;
+  std::vector<SourcePointer>& sources_;
+  Progress progress_;
+  std::map<std::string, Products> derived_ = {};
+  TradeoffStates states_ = {};
+  std::vector<Workpiece> made_ = {};
+  MeasuredDesigns result_ = {};
+};
+
+}  // namespace
+
+Result<MeasuredDesigns> measured_designs(const DesignRequest& request, const Limits& limits,
+                                         std::vector<SourcePointer>& sources) {
+  return DesignBench(request, limits, sources).measure();
+}
+
+const Design& design_of(const MeasuredDesigns& measured, const TradeoffRow& row) {
+  return std::ranges::find(measured.designs, row.values, &PlannedDesign::values)->design;
+}
+
+}  // namespace elgen::cli

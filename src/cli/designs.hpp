@@ -1,0 +1,34 @@
+// The designs of one output: derived, compiled, timed, and compared with what is exact.
+#pragma once
+
+#include "cli/options.hpp"
+#include "elgen/tradeoff.hpp"
+
+namespace elgen::cli {
+
+struct DesignRequest {
+  std::string path = {};  ///< as the command line has it
+  Inputs inputs = {};
+  std::string output = {};  ///< "": inverse_dynamics, or the first one there is
+  std::vector<std::string> dimensions = {};
+  std::vector<SourcePointer> ranges = {};
+};
+
+struct MeasuredDesigns {
+  TradeoffTable table = {};
+  std::vector<PlannedDesign> designs = {};
+  CheckedModel checked = {};             ///< what they start from, with
+  std::optional<FileSyntax> scene = {};  ///< its scene
+  Diagnostics not_compiled = {};         ///< of designs that fail in the table
+};
+
+/// Warnings of the model are among the diagnostics, which point into texts that `sources` gets.
+/// E601, E603, E630, E631, E704, and what its stages say of a model.
+[[nodiscard]] Result<MeasuredDesigns> measured_designs(const DesignRequest& request,
+                                                       const Limits& limits,
+                                                       std::vector<SourcePointer>& sources);
+
+/// The design of a row.
+[[nodiscard]] const Design& design_of(const MeasuredDesigns& measured, const TradeoffRow& row);
+
+}  // namespace elgen::cli

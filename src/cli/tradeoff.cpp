@@ -1,0 +1,183 @@
+// elgen tradeoff: a table of the designs of one output on stdout, a picture or data where -o says.
+#include "elgen/tradeoff.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <functional>
+
+#include "cli/commands.hpp"
+#include "cli/designs.hpp"
+#include "cli/inputs.hpp"
+#include "cli/output_files.hpp"
+
+namespace elgen::cli {
+
+namespace {
+
+struct TradeoffOptions {
+  std::string input = {};
+  std::string output = {};
+  std::vector<std::string> dimensions = {};
+  std::vector<SourcePointer> ranges = {};
+  std::optional<double> max_error = {};
+  std::string scene_file = {};  ///< of the cheapest within max_error; empty: none
+  std::string format = "text";
+  std::string file = {};  ///< of the table; empty: none
+  bool force = false;
+};
+
+struct TableFormat {
+  std::string_view name;
+  std::string (*text)(const TradeoffTable&);
+};
+
+/// Of files and, but for pictures, of what is printed.
+constexpr std::array table_formats{TableFormat{"csv", to_csv}, TableFormat{"json", to_json},
+                                   TableFormat{"svg", to_svg}};
+
+/// Null where the file ends in none of their names.
+const TableFormat* format_of(const std::string& file) {
+  for (const TableFormat& format : table_formats) {
+    if (file.ends_with(fmt::format(".{}", format.name))) return &format;
+  }
+  return nullptr;
+}
+
+/// E913, and what stands in the place of a file.
+Diagnostics refused(const TradeoffOptions& options) {
+  if (!options.file.empty() && format_of(options.file) == nullptr) {
+    return {{Code::E913,
+             {},
+             fmt::format("`{}` ends in none of .csv, .json and .svg", options.file),
+             "the ending says what is written"}};
+  }
+  std::vector<OutputFile> files;
+  for (const std::string& path : {options.file, options.scene_file}) {
+    if (!path.empty()) files.push_back({path, "", Replaces::nothing});
+  }
+  return refuse_places(files, options.force);
+}
+
+/// From the folder of the scene.
+std::string model_path(const Inputs& inputs, const std::string& scene_file) {
+  namespace fs = std::filesystem;
+  const auto from_root = [](const fs::path& path) { return fs::absolute(path).lexically_normal(); };
+  return from_root(inputs.model->path)
+      .lexically_proximate(from_root(scene_file).parent_path())
+      .generic_string();
+}
+
+std::string scene_of(const MeasuredDesigns& measured, const TradeoffRow& row, const Inputs& inputs,
+                     const std::string& scene_file) {
+  const DesignBase base{measured.checked, measured.scene ? &*measured.scene : nullptr};
+  return scene_text(base, design_of(measured, row), model_path(inputs, scene_file));
+}
+
+Diagnostics none_within(const TradeoffTable& table, double max_error) {
+  const TradeoffRow* const nearest = most_accurate(table);
+  return {{Code::E632,
+           {},
+           fmt::format("no design is within {}", max_error),
+           nearest == nullptr ? ""
+                              : fmt::format("`{}` is nearest, its worst error is {:.1e}",
+                                            name_of(*nearest), nearest->error.worst)}};
+}
+
+/// Writes the scene of a row.
+using SceneOf = std::function<std::string(const TradeoffRow&)>;
+
+/// The row that --max-error asks for; its scene joins `files`.
+ExitCode choose_row(const GlobalOptions& global, const TradeoffOptions& options,
+                    const TradeoffTable& table, const SceneOf& scene_of_row,
+                    std::vector<OutputFile>& files) {
+  const TradeoffRow* const row = cheapest_within(table, *options.max_error);
+  if (row == nullptr) return report(global, none_within(table, *options.max_error));
+  tell(global, fmt::format("cheapest within {}: {}, {:.4g} ns, error {:.1e}", *options.max_error,
+                           name_of(*row), row->cost.median, row->error.worst));
+  if (!options.scene_file.empty()) {
+    files.push_back({options.scene_file, scene_of_row(*row), Replaces::nothing});
+  }
+  return ExitCode::success;
+}
+
+ExitCode finish(const GlobalOptions& global, const TradeoffOptions& options,
+                const TradeoffTable& table, const SceneOf& scene_of_row) {
+  const TableFormat* const printed = format_of("." + options.format);
+  ExitCode worst = print(global, printed == nullptr ? to_text(table) : printed->text(table));
+  std::vector<OutputFile> files;
+  if (!options.file.empty()) {
+    files.push_back({options.file, format_of(options.file)->text(table), Replaces::nothing});
+  }
+  if (options.max_error) {
+    worst = std::max(worst, choose_row(global, options, table, scene_of_row, files));
+  }
+  const auto written = write_files(files, {options.force, global.limits.seconds});
+  return std::max(worst, report(global, written.diagnostics));
+}
+
+ExitCode tabulate_designs(const GlobalOptions& global, const TradeoffOptions& options,
+                          const Inputs& inputs) {
+  std::vector<SourcePointer> sources;
+  const Result<MeasuredDesigns> measured =
+      measured_designs({options.input, inputs, options.output, options.dimensions, options.ranges},
+                       global.limits, sources);
+  ExitCode worst = report(global, measured.diagnostics);
+  if (!measured) return worst;
+  if (!measured->not_compiled.empty()) {
+    // The others are measured all the same, so it is no mistake of elgen's alone.
+    report(global, measured->not_compiled);
+    worst = ExitCode::inaccessible;
+  }
+  const auto scene_of_row = [&](const TradeoffRow& row) {
+    return scene_of(*measured, row, inputs, options.scene_file);
+  };
+  return std::max(worst, finish(global, options, measured->table, scene_of_row));
+}
+
+ExitCode tradeoff_input(const GlobalOptions& given, const TradeoffOptions& options) {
+  GlobalOptions global = given;
+  if (options.format == "json") global.style.format = DiagnosticFormat::json;
+  const Diagnostics wrong = refused(options);
+  if (!wrong.empty()) return report(global, wrong);
+  const Result<Inputs> inputs = read_inputs(options.input, global.limits);
+  if (!inputs) return report(global, inputs.diagnostics);
+  if (!options.scene_file.empty() && inputs->model->path == stdin_name) {
+    return report(global, {{Code::E913, {}, "a scene cannot name a model on standard input"}});
+  }
+  return tabulate_designs(global, options, *inputs);
+}
+
+}  // namespace
+
+void add_tradeoff(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("tradeoff", "measure speed against accuracy");
+  const auto options = std::make_shared<TradeoffOptions>();
+  command->add_option("input", options->input, "NAME.toml, NAME.scene.toml or - (stdin)")
+      ->required();
+  command->add_option("--of", options->output, "which output (inverse_dynamics)")
+      ->type_name("OUTPUT");
+  command
+      ->add_option("--dimensions", options->dimensions,
+                   "tried beside the usual ones: form, contraction, order, drop_below, long_double")
+      ->type_name("LIST")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  add_sources(*command, "--range", "NAME=LOW..HIGH", options->ranges,
+              "where errors are looked at: theta=-0.1..0.1");
+  CLI::Option* const max_error = command->add_option_function<double>(
+      "--max-error", [options](double given) { options->max_error = given; },
+      "name the cheapest design whose worst error is at most this");
+  command->add_option("--write-scene", options->scene_file, "write that design as a scene")
+      ->type_name("FILE")
+      ->needs(max_error);
+  command->add_option("--format", options->format, "of the table: text, json or csv")
+      ->check(CLI::IsMember({"text", "json", "csv"}));
+  command->add_option("-o,--output", options->file, "write the table: .svg, .json or .csv")
+      ->type_name("FILE");
+  command->add_flag("--force", options->force, "overwrite FILE");
+  set_action(*command, action, options, &tradeoff_input);
+}
+
+}  // namespace elgen::cli

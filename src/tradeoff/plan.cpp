@@ -1,0 +1,155 @@
+// plan: all combinations of the rows of a table, without those that do not exist. For a function of
+// parameters and sines, in double and float:
+//
+//     scalar double, float   batch 1, packs   trigonometry full, 1e-7   parameters arguments, fixed
+//     ->   10 designs: sines of 1e-7 are in packs of double alone
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "elgen/tradeoff.hpp"
+#include "elgen/wording.hpp"
+#include "emit/text/scalar_range.hpp"
+#include "lower/code_interface.hpp"
+
+namespace elgen {
+namespace {
+
+/// A value of a dimension.
+struct DimensionRow {
+  std::string_view dimension;
+  std::string_view value;
+  std::string_view asked_by;  ///< the word that adds it; "": it is there without one
+  void (*choose)(Design&);
+};
+
+constexpr std::array dimension_rows{
+    DimensionRow{"scalar", "double", "",
+                 [](Design& d) { d.scalar = ScalarKind::double_precision; }},
+    DimensionRow{"scalar", "float", "", [](Design& d) { d.scalar = ScalarKind::single_precision; }},
+    DimensionRow{"scalar", "long double", "long_double",
+                 [](Design& d) { d.scalar = ScalarKind::long_double; }},
+    DimensionRow{"batch", "1", "", [](Design& d) { d.in_packs = false; }},
+    DimensionRow{"batch", "packs", "", [](Design& d) { d.in_packs = true; }},
+    DimensionRow{"trigonometry", "full", "", [](Design& d) { d.trigonometry = ""; }},
+    DimensionRow{"trigonometry", "1e-7", "", [](Design& d) { d.trigonometry = "1e-7"; }},
+    DimensionRow{"parameters", "arguments", "", [](Design& d) { d.is_fixed = false; }},
+    DimensionRow{"parameters", "fixed", "", [](Design& d) { d.is_fixed = true; }},
+    DimensionRow{"form", "recursive", "form", [](Design& d) { d.form = Form::recursive; }},
+    DimensionRow{"form", "closed", "form", [](Design& d) { d.form = Form::closed; }},
+    DimensionRow{"contraction", "on", "contraction", [](Design& d) { d.is_contracted = true; }},
+    DimensionRow{"contraction", "off", "contraction", [](Design& d) { d.is_contracted = false; }},
+    DimensionRow{"order", "exact", "order", [](Design& d) { d.order = "exact"; }},
+    DimensionRow{"order", "3", "order", [](Design& d) { d.order = "3"; }},
+    DimensionRow{"order", "1", "order", [](Design& d) { d.order = "1"; }},
+    DimensionRow{"drop_below", "none", "drop_below", [](Design& d) { d.drop_below = "none"; }},
+    DimensionRow{"drop_below", "1e-6", "drop_below", [](Design& d) { d.drop_below = "1e-6"; }},
+    DimensionRow{"drop_below", "1e-3", "drop_below", [](Design& d) { d.drop_below = "1e-3"; }},
+};
+
+/// E631. Dimensions that are always there may be named too.
+Diagnostics unknown_dimensions(const std::vector<std::string>& more) {
+  std::vector<std::string> known;
+  for (const DimensionRow& row : dimension_rows) {
+    const std::string_view word = row.asked_by.empty() ? row.dimension : row.asked_by;
+    if (std::ranges::find(known, word) == known.end()) known.emplace_back(word);
+  }
+  Diagnostics found;
+  for (const std::string& word : more) {
+    if (std::ranges::find(known, word) != known.end()) continue;
+    const std::string hint = suggestion(word, known);
+    found.push_back({Code::E631,
+                     {},
+                     fmt::format("unknown dimension {}", quoted(word)),
+                     hint.empty() ? fmt::format("one of {}", fmt::join(known, ", ")) : hint});
+  }
+  return found;
+}
+
+/// What decides which combinations exist.
+class ExistingDesigns {
+ public:
+  ExistingDesigns(const CheckedModel& checked, const Program& program)
+      : has_parameters_(emitted_parameter_count(checked.model, program) > 0),
+        has_sines_(calls(program, FunctionId::sin) || calls(program, FunctionId::cos)),
+        fits_float_(fits(checked.model, program, ScalarKind::single_precision)) {}
+
+  [[nodiscard]] bool contain(const Design& design) const {
+    const bool is_float = design.scalar == ScalarKind::single_precision;
+    const bool is_double = design.scalar == ScalarKind::double_precision;
+    if (is_float && !fits_float_) return false;
+    if (design.is_fixed && !has_parameters_) return false;
+    if (design.in_packs && !(is_float || is_double)) return false;
+    // A float cannot be as good as 1e-7; and outside of packs there are no polynomials.
+    return design.trigonometry.empty() || (design.in_packs && is_double && has_sines_);
+  }
+
+ private:
+  bool has_parameters_;
+  bool has_sines_;
+  bool fits_float_;
+};
+
+/// Every design by every value of one more dimension.
+std::vector<PlannedDesign> multiplied(const std::vector<PlannedDesign>& designs,
+                                      const std::vector<DimensionRow>& values) {
+  std::vector<PlannedDesign> result;
+  for (const PlannedDesign& planned : designs) {
+    for (const DimensionRow& row : values) {
+      PlannedDesign more = planned;
+      more.values.emplace_back(row.value);
+      row.choose(more.design);
+      result.push_back(std::move(more));
+    }
+  }
+  return result;
+}
+
+/// Columns in which all designs are alike go.
+void leave_out_constant_dimensions(TradeoffPlan& plan) {
+  for (std::size_t i = plan.dimensions.size(); i-- > 0;) {
+    const auto is_first = [&](const PlannedDesign& design) {
+      return design.values[i] == plan.designs.front().values[i];
+    };
+    if (!std::ranges::all_of(plan.designs, is_first)) continue;
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    plan.dimensions.erase(plan.dimensions.begin() + at);
+    for (PlannedDesign& design : plan.designs) design.values.erase(design.values.begin() + at);
+  }
+}
+
+}  // namespace
+
+Result<TradeoffPlan> plan(const CheckedModel& checked, const Program& program,
+                          const std::vector<std::string>& more) {
+  const Diagnostics unknown = unknown_dimensions(more);
+  if (!unknown.empty()) return unknown;
+  TradeoffPlan plan{{}, {PlannedDesign{}}};
+  for (std::size_t i = 0; i < dimension_rows.size();) {
+    const std::string_view dimension = dimension_rows[i].dimension;
+    std::vector<DimensionRow> values;
+    for (; i < dimension_rows.size() && dimension_rows[i].dimension == dimension; ++i) {
+      const std::string_view word = dimension_rows[i].asked_by;
+      const bool is_asked = word.empty() || std::ranges::find(more, word) != more.end();
+      if (is_asked) values.push_back(dimension_rows[i]);
+    }
+    if (values.empty()) continue;
+    plan.dimensions.emplace_back(dimension);
+    plan.designs = multiplied(plan.designs, values);
+  }
+  const ExistingDesigns existing(checked, program);
+  std::erase_if(plan.designs,
+                [&](const PlannedDesign& planned) { return !existing.contain(planned.design); });
+  leave_out_constant_dimensions(plan);
+  return plan;
+}
+
+Design derivation_of(const Design& design) {
+  return {.is_fixed = design.is_fixed,
+          .form = design.form,
+          .order = design.order,
+          .drop_below = design.drop_below};
+}
+
+}  // namespace elgen

@@ -1,0 +1,205 @@
+// scene_text: what a scene says, as TOML, with the choices of a design in the place of its own.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/ascii.hpp"
+#include "base/number_text.hpp"
+#include "check/expressions/values.hpp"
+#include "elgen/tradeoff.hpp"
+#include "evaluate/scalar_literal.hpp"
+
+namespace elgen {
+namespace {
+
+std::string string_text(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c == '\n' ? "\\n" : std::string(1, c);
+  }
+  return result + '"';
+}
+
+/// What is not an integer of TOML is a string.
+std::string expression_text(const std::string& text) {
+  constexpr std::size_t most_digits = 18;
+  const bool is_integer = !text.empty() && text.size() <= most_digits &&
+                          std::ranges::all_of(text, [](char c) { return '0' <= c && c <= '9'; }) &&
+                          (text.size() == 1 || text.front() != '0');
+  return is_integer ? text : string_text(text);
+}
+
+std::string key_text(const std::string& key) {
+  return std::ranges::all_of(key, is_word_character) ? key : string_text(key);
+}
+
+std::string value_text(const ValueSyntax& value) {
+  std::vector<std::string> parts;
+  switch (value.kind) {
+    case ValueKind::expression:
+      return expression_text(value.text);
+    case ValueKind::text:
+      return string_text(value.text);
+    case ValueKind::boolean:
+      return value.boolean ? "true" : "false";
+    case ValueKind::list:
+      for (const ValueSyntax& item : value.items) parts.push_back(value_text(item));
+      return fmt::format("[{}]", fmt::join(parts, ", "));
+    case ValueKind::table:
+      for (const KeySyntax& key : value.entries) {
+        parts.push_back(fmt::format("{} = {}", key_text(key.key), value_text(key.value)));
+      }
+      return fmt::format("{{ {} }}", fmt::join(parts, ", "));
+  }
+  return {};
+}
+
+/// "long double" as a part of a name: its word characters.
+std::string word_of(std::string_view text) {
+  std::string word;
+  for (const char c : text) {
+    if (c == ' ') word += '_';
+    if (is_word_character(c)) word += c;
+  }
+  return word;
+}
+
+class DesignText {
+ public:
+  DesignText(const DesignBase& base, const Design& design) : base_(base), design_(design) {}
+
+  [[nodiscard]] std::string text(const std::string& model_path) const {
+    const std::string uncontracted =
+        design_.is_contracted ? "" : "# To be compiled with -ffp-contract=off.\n";
+    return uncontracted +
+           fmt::format("format = 1\nmodel = {}\nname = \"{}\"\n", string_text(model_path), name()) +
+           section("outputs", {line(output(), output_value())}) +
+           section("parameters", {line("fixed", fixed())}) + section("sizes", own("sizes")) +
+           section("lock", own("lock")) + section("approximate", approximation()) +
+           section("numeric", numeric()) +
+           section("emit", {line("batch", design_.in_packs ? "true" : "")});
+  }
+
+ private:
+  using Lines = std::vector<std::string>;
+
+  /// Nothing where there is no value.
+  static std::string line(const std::string& key, const std::string& value) {
+    return value.empty() ? "" : fmt::format("{} = {}\n", key_text(key), value);
+  }
+
+  static std::string section(const char* title, const Lines& lines) {
+    const std::string text = fmt::format("{}", fmt::join(lines, ""));
+    return text.empty() ? "" : fmt::format("\n[{}]\n{}", title, text);
+  }
+
+  /// What the scene says of a key; "" where it says nothing.
+  [[nodiscard]] std::string own(const char* entry, const char* key) const {
+    const KeySyntax* const found = find_key(base_.scene, entry, key);
+    return found == nullptr ? "" : value_text(found->value);
+  }
+
+  [[nodiscard]] Lines own(const char* entry) const {
+    Lines lines;
+    const EntrySyntax* const found = find_entry(base_.scene, entry);
+    if (found == nullptr) return lines;
+    for (const KeySyntax& key : found->keys) lines.push_back(line(key.key, value_text(key.value)));
+    return lines;
+  }
+
+  [[nodiscard]] std::string name() const {
+    std::string text = base_.checked.scene.name;
+    const auto add = [&text](const std::string& word) {
+      if (!word.empty()) text += (text.empty() ? "" : "_") + word;
+    };
+    add(word_of(scalar_name(design_.scalar)));
+    add(design_.in_packs ? "packs" : "");
+    add(word_of(design_.trigonometry));
+    add(design_.is_fixed ? "fixed" : "");
+    add(design_.form ? std::string(name_of(*design_.form)) : "");
+    add(design_.is_contracted ? "" : "uncontracted");
+    if (!design_.order.empty()) add("order_" + design_.order);
+    if (!design_.drop_below.empty()) add("drop_" + word_of(design_.drop_below));
+    return text;
+  }
+
+  [[nodiscard]] const std::string& output() const {
+    return base_.checked.scene.outputs.front().name;
+  }
+
+  [[nodiscard]] std::string output_value() const {
+    if (design_.form) return fmt::format("{{ form = \"{}\" }}", name_of(*design_.form));
+    const KeySyntax* const key = find_key(base_.scene, "outputs", output());
+    const KeySyntax* const form = key == nullptr ? nullptr : key->value.find("form");
+    return form == nullptr ? "true" : fmt::format("{{ form = {} }}", value_text(form->value));
+  }
+
+  /// What a scene has fixed stays at its value.
+  [[nodiscard]] std::string fixed() const {
+    const std::string own_value = own("parameters", "fixed");
+    if (!design_.is_fixed) return own_value;
+    const auto& known = base_.checked.scene.specialisation.fixed;
+    if (known.empty()) return "\"all\"";
+    Lines values;
+    const Model& model = base_.checked.model;
+    for (std::uint32_t i = 0; i < model.parameters.size(); ++i) {
+      const Parameter& parameter = model.parameters[i];
+      const auto found = known.find(i);
+      const FixedValue value =
+          found == known.end() ? FixedValue{parameter.value, parameter.form} : found->second;
+      const std::string text =
+          value.form ? to_string(model, *value.form) : exact_text(value.number);
+      values.push_back(fmt::format("{} = {}", key_text(parameter.name), expression_text(text)));
+    }
+    return fmt::format("{{ {} }}", fmt::join(values, ", "));
+  }
+
+  [[nodiscard]] Lines approximation() const {
+    const bool is_exact = design_.order == "exact";
+    const bool is_expanded = !design_.order.empty() && !is_exact;
+    const std::string dropped = design_.drop_below.empty()     ? own("approximate", "drop_below")
+                                : design_.drop_below == "none" ? ""
+                                                               : string_text(design_.drop_below);
+    const std::string about = own("approximate", "about");
+    return {line("order", is_expanded ? design_.order
+                          : is_exact  ? ""
+                                      : own("approximate", "order")),
+            line("about", is_exact                       ? ""
+                          : is_expanded && about.empty() ? start()
+                                                         : about),
+            line("small", is_exact ? "" : own("approximate", "small")),
+            line("drop_below", dropped)};
+  }
+
+  /// Where a run starts, as a point to expand about; rotations stay as they are.
+  [[nodiscard]] std::string start() const {
+    Lines values;
+    for (const Coordinate& coordinate : base_.checked.model.coordinates) {
+      if (coordinate.rotation) continue;
+      values.push_back(fmt::format("{} = {}", key_text(coordinate.name),
+                                   expression_text(exact_text(coordinate.start_value))));
+    }
+    return fmt::format("{{ {} }}", fmt::join(values, ", "));
+  }
+
+  [[nodiscard]] Lines numeric() const {
+    const std::string& error = design_.trigonometry;
+    return {
+        line("scalar", fmt::format("[\"{}\"]", scalar_name(design_.scalar))),
+        line("form", own("numeric", "form")), line("prefer", own("numeric", "prefer")),
+        line("trigonometry", error.empty() ? "" : fmt::format("{{ max_error = \"{}\" }}", error))};
+  }
+
+  const DesignBase& base_;
+  const Design& design_;
+};
+
+}  // namespace
+
+std::string scene_text(const DesignBase& base, const Design& design,
+                       const std::string& model_path) {
+  return DesignText(base, design).text(model_path);
+}
+
+}  // namespace elgen

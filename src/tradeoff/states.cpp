@@ -1,0 +1,144 @@
+// tradeoff_states: random states inside the ranges, and what is exact there.
+#include "evaluate/states.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "elgen/leaf_names.hpp"
+#include "elgen/tradeoff.hpp"
+#include "elgen/wording.hpp"
+
+namespace elgen {
+namespace {
+
+/// "theta=-0.1..0.1"
+struct NamedRange {
+  std::string name;
+  Range range;
+};
+
+std::optional<double> number(std::string_view text) {
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, value);
+  if (read.ec != std::errc() || read.ptr != end || text.empty()) return std::nullopt;
+  return value;
+}
+
+Diagnostic refused(const Span& span, std::string message, std::string hint = {}) {
+  return {Code::E630, span, std::move(message), std::move(hint)};
+}
+
+Result<NamedRange> read_range(const SourceText& source) {
+  const std::string_view text = source.text;
+  const Span all{&source, 0, static_cast<std::uint32_t>(text.size())};
+  const std::size_t equals = text.rfind('=');
+  const std::size_t dots = text.find("..", equals == std::string_view::npos ? 0 : equals);
+  if (equals == std::string_view::npos || dots == std::string_view::npos) {
+    return refused(all, quoted(text) + " is no range", "write NAME=LOW..HIGH");
+  }
+  const std::optional<double> low = number(text.substr(equals + 1, dots - equals - 1));
+  const std::optional<double> high = number(text.substr(dots + 2));
+  const Span numbers{&source, static_cast<std::uint32_t>(equals + 1), all.end};
+  if (!low || !high) return refused(numbers, quoted(numbers) + " are no two numbers");
+  if (!(*low <= *high))
+    return refused(numbers, fmt::format("the range {} is empty", quoted(numbers)));
+  return NamedRange{std::string(text.substr(0, equals)), {*low, *high}};
+}
+
+/// Narrows the range of what it names; E630 where that is nothing that varies.
+Diagnostics narrow(const Model& model, const SourceText& source, LeafValues<Range>& ranges) {
+  const Result<NamedRange> narrowed = read_range(source);
+  if (!narrowed) return narrowed.diagnostics;
+  const LeafNames leaves = leaf_names(model);
+  std::vector<std::string> names;
+  bool is_known = false;
+  const auto visit = [&](Opcode kind, std::uint32_t i, Range& range) {
+    if (kind == Opcode::parameter) return;
+    names.push_back(leaf_text(leaves, kind, i));
+    if (names.back() != narrowed->name) return;
+    range = narrowed->range;
+    is_known = true;
+  };
+  for_each_leaf(visit, ranges);
+  if (is_known) return {};
+  const Span name{&source, 0, static_cast<std::uint32_t>(narrowed->name.size())};
+  return {refused(name, quoted(narrowed->name) + " is no coordinate, rate or input",
+                  suggestion(narrowed->name, names))};
+}
+
+ExactNumber exact_number(const cln::cl_R& value) {
+  const auto high = ScalarTraits<long double>::from_real(value);
+  const auto half = static_cast<double>(high);
+  const cln::cl_RA rounded =
+      exact_value(half) + exact_value(static_cast<double>(high - static_cast<long double>(half)));
+  return {high, ScalarTraits<long double>::from_real(value - rounded)};
+}
+
+/// At numbers of float and the exact parameters; none where some entry has no value.
+std::optional<std::vector<ExactNumber>> exact_entries(const CheckedModel& checked,
+                                                      const Program& program,
+                                                      const Arguments<float>& state) {
+  Arguments<Real> arguments =
+      map_leaves([](float x) { return Real(exact_value(static_cast<double>(x))); }, state);
+  const State nominal = nominal_state(checked.model, checked.scene);
+  for (std::size_t i = 0; i < arguments.parameters.size(); ++i) {
+    arguments.parameters[i] = Real(nominal.parameters[i]);
+  }
+  std::vector<ExactNumber> entries;
+  for (const Real& value : evaluate(program, program.functions.front(), arguments)) {
+    if (!value.is_defined()) return std::nullopt;
+    entries.push_back(exact_number(value.value()));
+  }
+  return entries;
+}
+
+/// State by state -> entry by entry.
+std::vector<ExactNumber> transposed(
+    const std::vector<std::vector<ExactNumber>>& entries_of_states) {
+  std::vector<ExactNumber> result;
+  for (std::size_t k = 0; k < entries_of_states.front().size(); ++k) {
+    for (const auto& entries : entries_of_states) result.push_back(entries[k]);
+  }
+  return result;
+}
+
+}  // namespace
+
+Result<TradeoffStates> tradeoff_states(const CheckedModel& exact, const Program& program,
+                                       const std::vector<SourcePointer>& ranges,
+                                       std::size_t count) {
+  const Subject subject{exact.model, exact.scene, program};
+  LeafValues<Range> within = ranges_of(subject);
+  for (const SourcePointer& source : ranges) {
+    const Diagnostics wrong = narrow(exact.model, *source, within);
+    if (!wrong.empty()) return wrong;
+  }
+  Random random(1);
+  TradeoffStates result;
+  std::vector<std::vector<ExactNumber>> values;
+  for (std::size_t tried = 0; result.states.size() < count && tried < 2 * count; ++tried) {
+    const Arguments<float> state = map_leaves([](double x) { return static_cast<float>(x); },
+                                              drawn_within(subject, within, random));
+    auto entries = exact_entries(exact, program, state);
+    if (!entries) continue;
+    result.states.push_back(state);
+    values.push_back(std::move(*entries));
+  }
+  if (result.states.size() < count) {
+    return Diagnostic{Code::E521,
+                      {},
+                      fmt::format("{} has no value at most states inside the ranges",
+                                  quoted(program.functions.front().name)),
+                      "`--range NAME=LOW..HIGH` narrows them"};
+  }
+  for (const Field& field : program.functions.front().fields) {
+    result.field_sizes.push_back(field.entries.size());
+  }
+  result.exact = transposed(values);
+  return result;
+}
+
+}  // namespace elgen

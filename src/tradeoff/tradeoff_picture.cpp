@@ -1,0 +1,174 @@
+// A table as SVG: worst errors over costs, both logarithmic. Shapes say the value of the first
+// dimension, numbers which design it is; the front is filled and joined.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/svg.hpp"
+#include "elgen/tradeoff.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr double left = 70;
+constexpr double top = 40;
+constexpr double plot_width = 520;
+constexpr double plot_height = 420;
+constexpr double bottom = 50;
+constexpr double legend_left = left + plot_width + 30;
+constexpr double legend_width = 330;
+constexpr double line_height = 18;
+constexpr double radius = 5;
+
+/// Outlines around (0, 0), in the order of the values of the first dimension.
+constexpr std::array outlines{"M-5 0A5 5 0 1 0 5 0A5 5 0 1 0 -5 0Z",
+                              "M-4.5 -4.5H4.5V4.5H-4.5Z",
+                              "M0 -5.5L5.5 4.5H-5.5Z",
+                              "M0 -6L6 0L0 6L-6 0Z",
+                              "M0 5.5L5.5 -4.5H-5.5Z",
+                              "M-2 -6H2V6H-2Z"};
+
+/// Whole powers of ten around numbers.
+struct Decades {
+  int low = 0;
+  int high = 1;
+
+  [[nodiscard]] double share(double decimal_logarithm) const {
+    return (std::clamp(decimal_logarithm, double(low), double(high)) - low) / (high - low);
+  }
+};
+
+/// Numbers that have no logarithm are at the ends, and do not move them.
+Decades decades_around(const std::vector<double>& numbers) {
+  double low = INFINITY;
+  double high = -INFINITY;
+  for (const double number : numbers) {
+    if (!(number > 0 && std::isfinite(number))) continue;
+    low = std::min(low, std::log10(number));
+    high = std::max(high, std::log10(number));
+  }
+  if (low > high) return {};
+  const Decades decades{static_cast<int>(std::floor(low)), static_cast<int>(std::ceil(high))};
+  return decades.low < decades.high ? decades : Decades{decades.low, decades.low + 1};
+}
+
+class TradeoffPicture {
+ public:
+  explicit TradeoffPicture(const TradeoffTable& table) : table_(table) {
+    for (const TradeoffRow& row : table.rows) {
+      if (row.failure.empty()) rows_.push_back(&row);
+    }
+    std::vector<double> costs;
+    std::vector<double> errors;
+    for (const TradeoffRow* row : rows_) {
+      costs.push_back(row->cost.median);
+      errors.push_back(row->error.worst);
+    }
+    costs_ = decades_around(costs);
+    errors_ = decades_around(errors);
+  }
+
+  [[nodiscard]] std::string text() const {
+    const double legend = top + line_height * static_cast<double>(rows_.size());
+    std::string svg = svg_start(legend_left + legend_width,
+                                std::max(top + plot_height + bottom, legend + line_height));
+    svg +=
+        svg_title(left, top - 14,
+                  fmt::format("{}, {}: {}, the worst", table_.model, table_.subject, table_.error));
+    svg += grid() + front();
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const TradeoffRow& row = *rows_[i];
+      svg += symbol(row, x_of(row), y_of(row)) + number(i) + legend_line(i);
+    }
+    return svg + "</svg>\n";
+  }
+
+ private:
+  [[nodiscard]] double x_at(double decimal_logarithm) const {
+    return left + plot_width * costs_.share(decimal_logarithm);
+  }
+  [[nodiscard]] double y_at(double decimal_logarithm) const {
+    return top + plot_height * (1 - errors_.share(decimal_logarithm));
+  }
+  [[nodiscard]] double x_of(const TradeoffRow& row) const {
+    return x_at(std::log10(row.cost.median));
+  }
+  /// An error of 0 is at the bottom.
+  [[nodiscard]] double y_of(const TradeoffRow& row) const {
+    return y_at(std::log10(row.error.worst));
+  }
+
+  [[nodiscard]] std::string grid() const {
+    std::string svg;
+    for (int k = costs_.low; k <= costs_.high; ++k) {
+      for (const int factor : {1, 2, 5}) {
+        const double x = x_at(k + std::log10(factor));
+        if (k == costs_.high && factor > 1) break;
+        svg += svg_grid_line(x, top, x, top + plot_height);
+        svg += svg_label(x, top + plot_height + 16, "middle",
+                         fmt::format("{:g}", factor * std::pow(10.0, k)));
+      }
+    }
+    const int distance = 1 + (errors_.high - errors_.low) / 12;
+    for (int k = errors_.low; k <= errors_.high; k += distance) {
+      svg += svg_grid_line(left, y_at(k), left + plot_width, y_at(k));
+      svg += svg_label(left - 6, y_at(k) + 4, "end", fmt::format("1e{}", k));
+    }
+    return svg + svg_label(left + plot_width / 2, top + plot_height + 36, "middle", table_.cost);
+  }
+
+  /// Rows are in the order of their costs.
+  [[nodiscard]] std::string front() const {
+    std::string path;
+    for (const TradeoffRow* row : rows_) {
+      if (!row->is_on_front) continue;
+      path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x_of(*row), y_of(*row));
+    }
+    return fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"#888\"/>\n", path);
+  }
+
+  [[nodiscard]] std::string symbol(const TradeoffRow& row, double x, double y) const {
+    return fmt::format(
+        "<path d=\"{}\" transform=\"translate({:.1f} {:.1f})\" fill=\"{}\" stroke=\"black\"/>\n",
+        outline_of(row), x, y, row.is_on_front ? "black" : "white");
+  }
+
+  [[nodiscard]] const char* outline_of(const TradeoffRow& row) const {
+    if (row.values.empty()) return outlines.front();
+    std::vector<std::string> values;
+    for (const TradeoffRow* other : rows_) {
+      const std::string& value = other->values.front();
+      if (std::ranges::find(values, value) == values.end()) values.push_back(value);
+    }
+    std::ranges::sort(values);
+    const auto at = std::ranges::find(values, row.values.front()) - values.begin();
+    return outlines[static_cast<std::size_t>(at) % outlines.size()];
+  }
+
+  /// Neighbours in cost are often close: their numbers are on different sides.
+  [[nodiscard]] std::string number(std::size_t i) const {
+    const bool is_left = i % 2 == 0;
+    return svg_label(x_of(*rows_[i]) + (is_left ? -radius - 3 : radius + 3), y_of(*rows_[i]) + 4,
+                     is_left ? "end" : "start", std::to_string(i + 1));
+  }
+
+  [[nodiscard]] std::string legend_line(std::size_t i) const {
+    const double y = top + line_height * (static_cast<double>(i) + 0.5);
+    return symbol(*rows_[i], legend_left, y) +
+           svg_label(legend_left + 14, y + 4, "start",
+                     fmt::format("{}  {}", i + 1, name_of(*rows_[i])));
+  }
+
+  const TradeoffTable& table_;
+  std::vector<const TradeoffRow*> rows_ = {};
+  Decades costs_ = {};
+  Decades errors_ = {};
+};
+
+}  // namespace
+
+std::string to_svg(const TradeoffTable& table) { return TradeoffPicture(table).text(); }
+
+}  // namespace elgen

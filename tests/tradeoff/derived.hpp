@@ -1,0 +1,50 @@
+// Model texts -> what designs are planned from.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "elgen/pipeline.hpp"
+#include "elgen/tradeoff.hpp"
+#include "support/models.hpp"
+
+namespace elgen::test {
+
+/// One output of the model, derived; throws what is wrong. `scene` is what follows its name.
+inline Products derived(const std::string& text, const std::string& output,
+                        const std::string& scene = {}) {
+  PipelineOptions options;
+  options.goals = {"choose"};
+  options.scene.outputs = {make_source("command line", output)};
+  Inputs inputs{make_source("test.toml", text)};
+  if (!scene.empty()) {
+    inputs.scene = make_source("test.scene.toml",
+                               "format = 1\nmodel = \"test.toml\"\nname = \"given\"\n" + scene);
+  }
+  Products products = run_pipeline(inputs, options);
+  if (!products.program) throw std::runtime_error(format(products.diagnostics));
+  return products;
+}
+
+/// m l^2 a + m g l sin q + k t q
+inline std::string pendulum_text() {
+  return model_text("pendulum", R"toml([[coordinate]]
+name = "q"
+unit = "rad"
+start = { value = "1/2", rate = 0 }
+[parameters]
+m = 2
+l = "sqrt(2)"
+g = 9.81
+k = 1
+[energy]
+T = "1/2*m*l^2*dot(q)^2"
+V = "-m*g*l*cos(q)"
+[[force]]
+name = "push"
+on = "q"
+value = "-k*t*q"
+)toml");
+}
+
+}  // namespace elgen::test

@@ -1,0 +1,89 @@
+// Plans: which designs there are.
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "tradeoff/derived.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+using Texts = std::vector<std::string>;
+
+TradeoffPlan planned(const std::string& text, const std::string& output, const Texts& more = {}) {
+  const Products products = derived(text, output);
+  const Result<TradeoffPlan> result = plan(*products.checked, *products.program, more);
+  REQUIRE(result);
+  return *result;
+}
+
+bool has(const TradeoffPlan& plan, const Texts& values) {
+  return std::ranges::find(plan.designs, values, &PlannedDesign::values) != plan.designs.end();
+}
+
+/// One mass on an axis, whose momentum has no sine.
+const std::string mass = model_text("mass", R"toml([[coordinate]]
+name = "x"
+[parameters]
+m = 1e-60
+[energy]
+T = "m*dot(x)^2"
+)toml");
+
+}  // namespace
+
+TEST_CASE("polynomials of 1e-7 are in packs of double, and nowhere else") {
+  const TradeoffPlan plan = planned(pendulum_text(), "inverse_dynamics");
+  CHECK(plan.dimensions == Texts{"scalar", "batch", "trigonometry", "parameters"});
+  CHECK(plan.designs.size() == 10);
+  CHECK(has(plan, {"double", "packs", "1e-7", "fixed"}));
+  CHECK(has(plan, {"float", "packs", "full", "arguments"}));
+  CHECK_FALSE(has(plan, {"float", "packs", "1e-7", "fixed"}));
+  CHECK_FALSE(has(plan, {"double", "1", "1e-7", "fixed"}));
+}
+
+TEST_CASE("dimensions in which all designs are alike are left out") {
+  const TradeoffPlan plan = planned(mass, "momentum");
+  CHECK(plan.dimensions == Texts{"batch", "parameters"});
+  CHECK(plan.designs.size() == 4);
+}
+
+TEST_CASE("more dimensions multiply the designs; packs have no long double") {
+  const TradeoffPlan plan =
+      planned(pendulum_text(), "gravity", {"form", "long_double", "order", "contraction"});
+  CHECK(plan.dimensions ==
+        Texts{"scalar", "batch", "trigonometry", "parameters", "form", "contraction", "order"});
+  CHECK(plan.designs.size() == 12 * 2 * 2 * 3);
+  CHECK(has(plan, {"long double", "1", "full", "fixed", "closed", "on", "3"}));
+  CHECK_FALSE(has(plan, {"long double", "packs", "full", "fixed", "closed", "on", "3"}));
+}
+
+TEST_CASE("E631: a dimension that nobody knows") {
+  const Products products = derived(mass, "momentum");
+  const auto refused = plan(*products.checked, *products.program, {"forn", "scalar"});
+  REQUIRE_FALSE(refused);
+  REQUIRE(refused.diagnostics.size() == 1);
+  CHECK(refused.diagnostics.front().message == "unknown dimension `forn`");
+  CHECK(refused.diagnostics.front().hint == "did you mean `form`?");
+}
+
+TEST_CASE("designs that differ in the scalar or in how they are compiled are derived alike") {
+  const Design design{.scalar = ScalarKind::single_precision,
+                      .in_packs = true,
+                      .trigonometry = "1e-7",
+                      .is_fixed = true,
+                      .form = Form::closed,
+                      .is_contracted = false,
+                      .order = "3",
+                      .drop_below = "1e-6"};
+  const Design derivation = derivation_of(design);
+  CHECK(derivation.scalar == ScalarKind::double_precision);
+  CHECK_FALSE(derivation.in_packs);
+  CHECK(derivation.trigonometry.empty());
+  CHECK(derivation.is_contracted);
+  CHECK(derivation.is_fixed);
+  CHECK(derivation.form == Form::closed);
+  CHECK(derivation.order == "3");
+  CHECK(derivation.drop_below == "1e-6");
+}

@@ -1,0 +1,74 @@
+// States of a trade-off, and what is exact there.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "tradeoff/derived.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+Result<TradeoffStates> states_in(const std::vector<std::string>& ranges, std::size_t count = 50) {
+  static const Products products = derived(pendulum_text(), "inverse_dynamics");
+  static std::vector<SourcePointer> sources;
+  const std::size_t before = sources.size();
+  for (const std::string& range : ranges) sources.push_back(make_source("command line", range));
+  return tradeoff_states(*products.checked, *products.program,
+                         {sources.begin() + static_cast<std::ptrdiff_t>(before), sources.end()},
+                         count);
+}
+
+std::string refusal(const std::string& range) {
+  const Result<TradeoffStates> states = states_in({range});
+  REQUIRE_FALSE(states);
+  const Diagnostic& found = states.diagnostics.front();
+  CHECK(found.code == Code::E630);
+  return found.message + (found.hint.empty() ? "" : "; " + found.hint);
+}
+
+}  // namespace
+
+TEST_CASE("states are inside the ranges, and exact values go beyond long double") {
+  const Result<TradeoffStates> states = states_in({"q=-0.1..0.1", "dot(dot(q))=1..1", "t=0..0"});
+  REQUIRE(states);
+  CHECK(states->field_sizes == std::vector<std::size_t>{1});
+  REQUIRE(states->states.size() == 50);
+  bool differ = false;
+  for (std::size_t i = 0; i < 50; ++i) {
+    const float q = states->states[i].q[0];
+    CHECK(std::abs(q) <= 0.1F);
+    CHECK(states->states[i].a[0] == 1);
+    differ = differ || q != states->states[0].q[0];
+    const long double expected =
+        4 + 19.62L * std::sqrt(2.0L) * std::sin(static_cast<long double>(q));
+    CHECK(std::abs(states->exact[i].high - expected) < 1e-17L);
+    CHECK(std::abs(states->exact[i].low) <= 1e-18L);
+    CHECK(states->exact[i].low != 0);
+  }
+  CHECK(differ);
+}
+
+TEST_CASE("E630: ranges that say nothing") {
+  CHECK(refusal("q=1..-1") == "the range `1..-1` is empty");
+  CHECK(refusal("q=a..1") == "`a..1` are no two numbers");
+  CHECK(refusal("q") == "`q` is no range; write NAME=LOW..HIGH");
+  CHECK(refusal("dot(w)=0..1") ==
+        "`dot(w)` is no coordinate, rate or input; did you mean `dot(q)`?");
+  CHECK(refusal("m=0..1") == "`m` is no coordinate, rate or input");
+}
+
+TEST_CASE("E521: an output without a value at most states") {
+  const Products products = derived(model_text("root", R"toml([[coordinate]]
+name = "x"
+range = [-1, 1]
+[energy]
+T = "dot(x)^2"
+V = "sqrt(x - 9/10)"
+)toml"),
+                                    "potential_energy");
+  const auto states = tradeoff_states(*products.checked, *products.program, {}, 50);
+  REQUIRE_FALSE(states);
+  CHECK(states.diagnostics.front().code == Code::E521);
+}
