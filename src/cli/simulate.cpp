@@ -7,6 +7,7 @@
 #include <array>
 
 #include "cli/commands.hpp"
+#include "cli/compiled_run.hpp"
 #include "cli/inputs.hpp"
 #include "cli/output_files.hpp"
 #include "cli/progress.hpp"
@@ -46,30 +47,11 @@ Result<TrajectoryFormat> format_of(const std::string& file) {
                     "the ending says what is written"};
 }
 
-/// The model alone, to know which outputs it has.
-Products checked(const Inputs& inputs, const PipelineOptions& options) {
-  PipelineOptions first = options;
-  first.goals = {"check"};
-  return run_pipeline(inputs, first);
-}
-
-/// Compiled for double in C++, whatever the scene emits.
-Result<CompiledHeaders> compiled(const CheckedModel& checked, const Program& program,
-                                 const Limits& limits) {
-  Scene plain = checked.scene;
-  plain.emission = {.name_space = checked.scene.emission.name_space};
-  plain.numerics = {};
-  const Result<EmittedFiles> files = emit(checked.model, plain, program);
-  if (!files) return files.diagnostics;
-  return compile(*files, checked.model, plain, program, limits);
-}
-
 Result<Trajectory> trajectory_of(const GlobalOptions& global, const SimulateOptions& options,
                                  const Products& products) {
   const Progress progress(options.input);
   progress.stage("compile");
-  const Result<CompiledHeaders> headers =
-      compiled(*products.checked, *products.program, global.limits);
+  const Result<CompiledHeaders> headers = compiled_for_run(products, global.limits);
   if (!headers) return headers.diagnostics;
   progress.stage("simulate");
   renew_time_limit(global.limits);
@@ -92,11 +74,7 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& opti
   if (!inputs) return report(global, inputs.diagnostics);
   PipelineOptions pipeline = pipeline_options(global, {"choose"});
   pipeline.scene = options.scene;
-  Products products = checked(*inputs, pipeline);
-  if (!products.checked) return report_products(global, products);
-  pipeline.scene.outputs = {
-      make_source("outputs of a run", outputs_of_run(products.checked->model))};
-  products = run_shown(options.input, *inputs, pipeline);
+  const Products products = derived_for_run(options.input, *inputs, pipeline);
   const ExitCode derived = report_products(global, products);
   tell_times(global, products);
   if (derived != ExitCode::success || !global.stop_after.empty()) return derived;

@@ -1,0 +1,20 @@
+// What runs call is derived and compiled, whatever a scene asks for.
+#include <catch2/catch.hpp>
+
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+TEST_CASE("commands that run a system take scenes of C and of float") {
+  const Workspace workspace;
+  write_text(workspace.path() / "c.scene.toml",
+             "format = 1\nmodel = \"" ELGEN_SOURCE_DIR
+             "/models/simple_pendulum.toml\"\n"
+             "name = \"c\"\n[outputs]\ngravity = true\n"
+             "[numeric]\nscalar = [\"float\"]\n[emit]\nlanguage = \"c99\"\n");
+  const Outcome outcome = shell("elgen simulate -q --time 0.1 c.scene.toml", workspace.path());
+  INFO(outcome.errors);
+  CHECK(outcome.status == 0);
+}
+
+}  // namespace elgen::test
