@@ -1,4 +1,4 @@
-// TradeoffTable: what the designs of one output cost and how far they are off.
+// TradeoffTable: what the designs of one output, or of one run, cost and how far they are off.
 //
 // A design is a scene and a way to compile it. plan() lists designs; the pipeline and the compiler
 // run on each; measured() and errors_of() look at what came out, and judged() makes the table.
@@ -11,6 +11,7 @@
 
 #include "elgen/program.hpp"
 #include "elgen/scene.hpp"
+#include "elgen/simulate.hpp"
 #include "elgen/syntax.hpp"
 #include "elgen/timing.hpp"
 
@@ -106,6 +107,24 @@ struct DesignErrors {
 
 /// Of at least one number.
 [[nodiscard]] Spread spread_of(std::vector<double> numbers);
+
+/// A run by one method, in steps of one length or to one tolerance.
+struct PlannedRun {
+  std::vector<std::string> values = {};  ///< method, step
+  SimulationOptions options = {};
+};
+
+/// All methods, each in a few lengths of steps or to a few tolerances.
+[[nodiscard]] std::vector<PlannedRun> planned_runs(double time);
+
+/// What errors of runs are measured from: a method of order 8 at a tolerance of 1e-12, with rows.
+[[nodiscard]] SimulationOptions reference_run(double time);
+
+/// Of coordinates and rates at the end: the distance from the reference / the largest magnitude of
+/// that number in the reference; the largest and the median one. Angles that wrap are near each
+/// other across the jump.
+[[nodiscard]] DesignErrors errors_of(const Trajectory& run, const Trajectory& reference,
+                                     const Model& model);
 
 struct TradeoffRow {
   std::vector<std::string> values = {};  ///< of the dimensions

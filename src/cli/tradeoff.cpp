@@ -11,6 +11,7 @@
 #include "cli/designs.hpp"
 #include "cli/inputs.hpp"
 #include "cli/output_files.hpp"
+#include "cli/runs.hpp"
 
 namespace elgen::cli {
 
@@ -19,6 +20,7 @@ namespace {
 struct TradeoffOptions {
   std::string input = {};
   std::string output = {};
+  std::optional<double> time = {};  ///< of runs, in the place of an output
   std::vector<std::string> dimensions = {};
   std::vector<SourcePointer> ranges = {};
   std::optional<double> max_error = {};
@@ -136,6 +138,14 @@ ExitCode tabulate_designs(const GlobalOptions& global, const TradeoffOptions& op
   return std::max(worst, finish(global, options, measured->table, scene_of_row));
 }
 
+ExitCode tabulate_runs(const GlobalOptions& global, const TradeoffOptions& options,
+                       const Inputs& inputs) {
+  const Result<TradeoffTable> table =
+      measured_runs({options.input, inputs, *options.time}, global.limits);
+  const ExitCode found = report(global, table.diagnostics);
+  return table ? std::max(found, finish(global, options, *table, {})) : found;
+}
+
 ExitCode tradeoff_input(const GlobalOptions& given, const TradeoffOptions& options) {
   GlobalOptions global = given;
   if (options.format == "json") global.style.format = DiagnosticFormat::json;
@@ -146,7 +156,22 @@ ExitCode tradeoff_input(const GlobalOptions& given, const TradeoffOptions& optio
   if (!options.scene_file.empty() && inputs->model->path == stdin_name) {
     return report(global, {{Code::E913, {}, "a scene cannot name a model on standard input"}});
   }
-  return tabulate_designs(global, options, *inputs);
+  return options.time ? tabulate_runs(global, options, *inputs)
+                      : tabulate_designs(global, options, *inputs);
+}
+
+/// Of what designs there are, and where they are looked at.
+void add_subject(CLI::App& command, const std::shared_ptr<TradeoffOptions>& options) {
+  command.add_option("--of", options->output, "which output (inverse_dynamics)")
+      ->type_name("OUTPUT");
+  command
+      .add_option("--dimensions", options->dimensions,
+                  "tried beside the usual ones: form, contraction, order, drop_below, long_double")
+      ->type_name("LIST")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  add_sources(command, "--range", "NAME=LOW..HIGH", options->ranges,
+              "where errors are looked at: theta=-0.1..0.1");
 }
 
 }  // namespace
@@ -156,22 +181,24 @@ void add_tradeoff(CLI::App& app, Action& action) {
   const auto options = std::make_shared<TradeoffOptions>();
   command->add_option("input", options->input, "NAME.toml, NAME.scene.toml or - (stdin)")
       ->required();
-  command->add_option("--of", options->output, "which output (inverse_dynamics)")
-      ->type_name("OUTPUT");
-  command
-      ->add_option("--dimensions", options->dimensions,
-                   "tried beside the usual ones: form, contraction, order, drop_below, long_double")
-      ->type_name("LIST")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  add_sources(*command, "--range", "NAME=LOW..HIGH", options->ranges,
-              "where errors are looked at: theta=-0.1..0.1");
-  CLI::Option* const max_error = command->add_option_function<double>(
-      "--max-error", [options](double given) { options->max_error = given; },
-      "name the cheapest design whose worst error is at most this");
-  command->add_option("--write-scene", options->scene_file, "write that design as a scene")
-      ->type_name("FILE")
-      ->needs(max_error);
+  add_subject(*command, options);
+  const auto number = [command](const char* name, std::optional<double>& value, const char* doc) {
+    return command->add_option_function<double>(
+        name, [&value](double given) { value = given; }, doc);
+  };
+  CLI::Option* const max_error =
+      number("--max-error", options->max_error,
+             "name the cheapest design whose worst error is at most this");
+  CLI::Option* const scene =
+      command->add_option("--write-scene", options->scene_file, "write that design as a scene")
+          ->type_name("FILE")
+          ->needs(max_error);
+  CLI::Option* const time = number("--trajectory", options->time,
+                                   "runs of so many s by all methods, instead of an output");
+  for (const char* name : {"--of", "--dimensions", "--range"}) {
+    time->excludes(command->get_option(name));
+  }
+  time->excludes(scene);
   command->add_option("--format", options->format, "of the table: text, json or csv")
       ->check(CLI::IsMember({"text", "json", "csv"}));
   command->add_option("-o,--output", options->file, "write the table: .svg, .json or .csv")

@@ -102,10 +102,11 @@ class TradeoffPicture {
 
   [[nodiscard]] std::string grid() const {
     std::string svg;
+    const bool is_narrow = costs_.high - costs_.low <= 2;
     for (int k = costs_.low; k <= costs_.high; ++k) {
       for (const int factor : {1, 2, 5}) {
         const double x = x_at(k + std::log10(factor));
-        if (k == costs_.high && factor > 1) break;
+        if (factor > 1 && (k == costs_.high || !is_narrow)) break;
         svg += svg_grid_line(x, top, x, top + plot_height);
         svg += svg_label(x, top + plot_height + 16, "middle",
                          fmt::format("{:g}", factor * std::pow(10.0, k)));

@@ -1,0 +1,119 @@
+// Runs take turns, like designs, so that all meet the same machine.
+#include "cli/runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <set>
+
+#include "cli/compiled_run.hpp"
+#include "cli/progress.hpp"
+#include "cli/resources.hpp"
+
+namespace elgen::cli {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double seconds_of_runs = 3;
+constexpr std::size_t fewest_turns = 3;
+constexpr std::size_t most_turns = 101;
+
+class RunBench {
+ public:
+  RunBench(const Products& products, const CompiledModel& compiled, TradeoffTable& table)
+      : products_(products), compiled_(compiled), table_(table) {}
+
+  Diagnostics measure(double time) {
+    const Result<Trajectory> reference = run(reference_run(time));
+    if (!reference) return reference.diagnostics;
+    for (const PlannedRun& planned : planned_runs(time)) add(planned, *reference);
+    const Clock::time_point end =
+        Clock::now() + std::chrono::milliseconds(static_cast<int>(1e3 * seconds_of_runs));
+    for (std::size_t turn = 1; turn < most_turns; ++turn) {
+      if (turn >= fewest_turns && Clock::now() >= end) break;
+      for (std::size_t i = 0; i < runs_.size(); ++i) costs_[i].push_back(cost(*run(runs_[i])));
+    }
+    std::size_t done = 0;
+    for (TradeoffRow& row : table_.rows) {
+      if (row.failure.empty()) row.cost = spread_of(costs_[done++]);
+    }
+    return {};
+  }
+
+  /// "verlet: not for this system: M depends on `theta`"
+  [[nodiscard]] const std::set<std::string>& refusals() const { return refusals_; }
+
+ private:
+  [[nodiscard]] Result<Trajectory> run(const SimulationOptions& options) const {
+    return simulate(*products_.checked, *products_.program, compiled_, options);
+  }
+
+  static double cost(const Trajectory& trajectory) {
+    return trajectory.nanoseconds * static_cast<double>(trajectory.steps);
+  }
+
+  /// A run that ends early has a row that says why; a method that is refused has none.
+  void add(const PlannedRun& planned, const Trajectory& reference) {
+    const Result<Trajectory> first = run(planned.options);
+    if (!first && first.diagnostics.front().code == Code::E622) {
+      refusals_.insert(first.diagnostics.front().message);
+      return;
+    }
+    TradeoffRow row{.values = planned.values};
+    if (first) {
+      row.error = errors_of(*first, reference, products_.checked->model);
+      runs_.push_back(planned.options);
+      costs_.push_back({cost(*first)});
+    } else {
+      row.failure = first.diagnostics.front().message;
+    }
+    table_.rows.push_back(std::move(row));
+  }
+
+  const Products& products_;
+  const CompiledModel& compiled_;
+  TradeoffTable& table_;
+  std::vector<SimulationOptions> runs_ = {};     ///< of the rows that have not failed
+  std::vector<std::vector<double>> costs_ = {};  ///< of each, in turn
+  std::set<std::string> refusals_ = {};
+};
+
+}  // namespace
+
+Result<TradeoffTable> measured_runs(const RunRequest& request, const Limits& limits) {
+  if (!(request.time > 0 && std::isfinite(request.time))) {
+    return Diagnostic{
+        Code::E621, {}, fmt::format("`--trajectory {}` is not a positive number", request.time)};
+  }
+  const Result<Machine> machine = this_machine(limits);
+  if (!machine) return machine.diagnostics;
+  PipelineOptions options;
+  options.limits = limits;
+  options.goals = {"choose"};
+  const Products products = derived_for_run(request.path, request.inputs, options);
+  if (!products.program) return products.diagnostics;
+  const Progress progress(request.path);
+  progress.stage("compile");
+  const Result<CompiledHeaders> headers = compiled_for_run(products, limits);
+  if (!headers) return headers.diagnostics;
+  progress.stage("run");
+  renew_time_limit(limits);
+  TradeoffTable table{.model = products.checked->scene.base_name,
+                      .subject = fmt::format("{:g} s in time", request.time),
+                      .cost = "ns per run",
+                      .error = "errors at the end relative to the largest value on the way",
+                      .dimensions = {"method", "step"},
+                      .machine = *machine};
+  RunBench bench(products, *headers->front().functions, table);
+  const Diagnostics wrong = bench.measure(request.time);
+  if (!wrong.empty()) return wrong;
+  table = judged(std::move(table));
+  table.sentences.insert(table.sentences.end(), bench.refusals().begin(), bench.refusals().end());
+  return {std::move(table), products.diagnostics};
+}
+
+}  // namespace elgen::cli
