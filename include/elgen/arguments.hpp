@@ -15,7 +15,7 @@ namespace elgen {
 
 /// Whether it is an array of numbers, not the struct of parameters or one number.
 [[nodiscard]] constexpr bool is_vector(Opcode argument) {
-  return argument != Opcode::parameter && argument != Opcode::time;
+  return argument != Opcode::parameter && !is_single(argument);
 }
 
 }  // namespace elgen

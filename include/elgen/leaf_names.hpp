@@ -10,20 +10,21 @@
 
 namespace elgen {
 
-/// f(kind, entry) of the entry of the model that each leaf belongs to, and `time`.
-template <class T, class F>
-[[nodiscard]] LeafValues<T> leaves_of(const Model& model, const F& f, const T& time) {
+/// f(kind, entry) of the entry of the model that each leaf belongs to; single(kind) of t and h.
+template <class T, class F, class Single>
+[[nodiscard]] LeafValues<T> leaves_of(const Model& model, const F& f, const Single& single) {
   LeafValues<T> leaves;
 #define ELGEN_LEAVES(kind, member, of, ...) \
   for (const auto& entry : model.of) leaves.member.push_back(f(Opcode::kind, entry));
-#define ELGEN_LEAF(kind, member, ...) leaves.member = time;
+#define ELGEN_LEAF(kind, member, ...) leaves.member = single(Opcode::kind);
 #include "elgen/leaves.def"
 #undef ELGEN_LEAVES
 #undef ELGEN_LEAF
   return leaves;
 }
 
-/// "m", "l[2]", "theta", "q[1]"; of rates what dot() is written around.
+/// "m", "l[2]", "theta", "q[1]"; of rates what dot() is written around. h has a name in programs
+/// with functions that take it.
 struct LeafNames : LeafValues<std::string> {
   bool uses_time = false;
 };
@@ -43,10 +44,12 @@ struct LeafNames : LeafValues<std::string> {
 [[nodiscard]] std::optional<Interval> declared_range(const Model& model, Opcode kind,
                                                      std::uint32_t number);
 
-/// draw() for every leaf, in their order, t among them.
+/// draw() for every leaf that has a name, in their order, t among them.
 template <class Draw>
 [[nodiscard]] auto draw_leaves(const LeafNames& leaves, const Draw& draw) {
-  return map_leaves([&draw](const std::string&) { return draw(); }, leaves);
+  return map_leaves(
+      [&draw](const std::string& name) { return name.empty() ? decltype(draw()){} : draw(); },
+      leaves);
 }
 
 }  // namespace elgen

@@ -64,7 +64,7 @@ void for_each_list(const F& f, Leaves&& leaves) {
 #undef ELGEN_LEAF
 }
 
-/// What there is of a kind with many leaves; null of time.
+/// What there is of a kind with many leaves; null of what is single.
 template <class List, class One>
 [[nodiscard]] const List* list_of(const PerLeaf<List, One>& leaves, Opcode kind) {
   switch (kind) {
@@ -83,8 +83,19 @@ template <class List, class One>
 /// The leaf of this kind and number.
 template <class T>
 [[nodiscard]] const T& leaf_of(const LeafValues<T>& leaves, Opcode kind, std::uint32_t number) {
-  const std::vector<T>* const list = list_of(leaves, kind);
-  return list != nullptr ? (*list)[number] : leaves.t;
+  switch (kind) {
+#define ELGEN_LEAVES(kind, member, ...) \
+  case Opcode::kind:                    \
+    return leaves.member[number];
+#define ELGEN_LEAF(kind, member, ...) \
+  case Opcode::kind:                  \
+    return leaves.member;
+#include "elgen/leaves.def"
+#undef ELGEN_LEAVES
+#undef ELGEN_LEAF
+    default:
+      return leaves.t;
+  }
 }
 
 /// How many there are of a kind.

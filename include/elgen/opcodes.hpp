@@ -66,6 +66,11 @@ inline constexpr std::array leaf_table{
                     static_cast<std::size_t>(leaf_table.front().id)];
 }
 
+/// Whether a system has one leaf of the kind, not a list of them.
+[[nodiscard]] constexpr bool is_single(Opcode leaf) {
+  return leaf_row(leaf).of == LeafOwner::system;
+}
+
 /// A set of kinds of leaves.
 class LeafSet {
  public:

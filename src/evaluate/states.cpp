@@ -51,6 +51,7 @@ void scale_quaternions(const Model& model, Arguments<double>& values) {
 }
 
 constexpr double default_rate = 10;  ///< of rates, accelerations, inputs and time
+constexpr Range steps{0, 0.1};       ///< in s: a rate of 10 moves by 1 in the longest one
 
 bool is_angle(const Coordinate& coordinate) { return coordinate.unit_text == "rad"; }
 
@@ -60,11 +61,15 @@ Arguments<double> values_of(const Subject& subject) {
   return arguments_at<double>(nominal_state(subject.model, subject.scene));
 }
 
+/// Whether a function takes h: where none does, none is drawn.
+bool has_step(const Subject& subject) { return !subject.program.leaves.h.empty(); }
+
 /// From `values`: parameters stay, except where the scene drops terms for their whole ranges.
 Arguments<double> nominal(const Subject& subject, const Ranges& ranges, Arguments<double> values,
                           Random& random) {
   const auto draw = [&](Opcode kind, std::uint32_t, double& value, const Range& range) {
     if (kind == Opcode::parameter && !subject.scene.dropping) return;
+    if (kind == Opcode::step && !has_step(subject)) return;
     value = random.uniform(range.low, range.high);
   };
   for_each_leaf(draw, values, ranges);
@@ -72,8 +77,10 @@ Arguments<double> nominal(const Subject& subject, const Ranges& ranges, Argument
 }
 
 /// Every variable of magnitude 2^low … 2^high.
-Arguments<double> scaled(Arguments<double> values, Random& random, int low, int high) {
+Arguments<double> scaled(const Subject& subject, Arguments<double> values, Random& random, int low,
+                         int high) {
   const auto draw = [&](Opcode kind, std::uint32_t, double& value) {
+    if (kind == Opcode::step && !has_step(subject)) return;
     if (kind != Opcode::parameter) value = random.log_uniform(low, high);
   };
   for_each_leaf(draw, values);
@@ -238,7 +245,7 @@ LeafValues<Range> ranges_of(const Subject& subject) {
     const std::optional<Interval> declared = declared_range(model, kind, number);
     double otherwise = default_rate;
     if (kind == Opcode::coordinate) otherwise = is_angle(model.coordinates[number]) ? pi : 1;
-    range = range_or(declared, otherwise);
+    range = kind == Opcode::step ? steps : range_or(declared, otherwise);
     if (kind == Opcode::parameter && !declared) range = {value, value};
   };
   for_each_leaf(fill, values, ranges);
@@ -272,8 +279,8 @@ SampledState<double> StateSequence<Scalar>::drawn_state(std::size_t number) {
   if (number % 4 < 2 || subject_.scene.dropping) {
     return {Region::nominal, {}, nominal(subject_, ranges_, at_value_, random_)};
   }
-  if (number % 4 == 2) return {Region::small, {}, scaled(at_value_, random_, -40, -11)};
-  return {Region::large, {}, scaled(at_value_, random_, -27, 26)};
+  if (number % 4 == 2) return {Region::small, {}, scaled(subject_, at_value_, random_, -40, -11)};
+  return {Region::large, {}, scaled(subject_, at_value_, random_, -27, 26)};
 }
 
 template <class Scalar>

@@ -94,6 +94,7 @@ std::string describe(const Subject& subject, const State& state) {
       },
       state);
   if (subject.model.uses_time) add("t = " + short_text(state.t));
+  if (!subject.program.leaves.h.empty()) add("h = " + short_text(state.h));
   add(changed_parameters(subject, state));
   return fmt::format("{}", fmt::join(parts, ", "));
 }

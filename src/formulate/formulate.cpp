@@ -42,7 +42,7 @@ void add_symbols(const Model& model, Lagrangian& lagrangian) {
         return symbol_of(entry,
                          fmt::format(fmt::runtime(leaf_row(kind).identifier), entry.identifier));
       },
-      GiNaC::realsymbol("t"));
+      [](Opcode kind) { return GiNaC::realsymbol(std::string(leaf_row(kind).symbol)); });
   for_each_leaf([&](Opcode kind, std::uint32_t,
                     const ex& symbol) { add_leaf(lagrangian.definitions, symbol, kind); },
                 symbols);

@@ -66,6 +66,10 @@ class ProgramReader {
       program_.leaves.t = "t";
       return "";
     }
+    if (words[0] == "step") {
+      program_.leaves.h = "h";
+      return "";
+    }
     if (program_.functions.empty()) return fmt::format("`{}` outside of a function", words[0]);
     if (words[0] == "result") return read_result(words);
     const Words name = split(comment == std::string_view::npos ? "" : line.substr(comment + 1));
@@ -169,7 +173,7 @@ class ProgramReader {
   }
 
   bool read_leaf(const Words& words, Instruction& instruction) {
-    if (instruction.opcode == Opcode::time) return words.empty();
+    if (is_leaf(instruction.opcode) && is_single(instruction.opcode)) return words.empty();
     if (words.size() != 1) return false;
     const auto index = is_leaf(instruction.opcode) ? leaf_index(instruction.opcode, words[0])
                                                    : constant_index(words[0]);

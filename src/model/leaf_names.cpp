@@ -9,7 +9,8 @@ namespace elgen {
 
 LeafNames leaf_names(const Model& model) {
   const auto name = [](Opcode, const auto& entry) { return entry.name; };
-  return {leaves_of<std::string>(model, name, "t"), model.uses_time};
+  const auto single = [](Opcode kind) { return kind == Opcode::time ? "t" : ""; };
+  return {leaves_of<std::string>(model, name, single), model.uses_time};
 }
 
 std::string leaf_text(const LeafNames& leaves, Opcode kind, std::uint32_t number) {

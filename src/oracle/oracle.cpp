@@ -46,7 +46,7 @@ cl_R within(const std::optional<Interval>& range, Random& random) {
 
 State nominal_state(const Model& model, const Scene& scene) {
   State state = leaves_of<cl_R>(
-      model, [](Opcode, const auto&) { return cl_R(0); }, 0);
+      model, [](Opcode, const auto&) { return cl_R(0); }, [](Opcode) { return cl_R(0); });
   for (std::uint32_t i = 0; i < model.parameters.size(); ++i) {
     const auto fixed = scene.specialisation.fixed.find(i);
     const bool is_fixed = fixed != scene.specialisation.fixed.end();
@@ -67,7 +67,8 @@ void draw_parameters(const FixedParameters& fixed, Random& random, State& state)
 
 void draw_motion(const Model& model, Random& random, State& state) {
   const auto draw = [&](Opcode kind, std::uint32_t number, cl_R& value) {
-    if (kind != Opcode::parameter) value = within(declared_range(model, kind, number), random);
+    if (kind == Opcode::parameter || kind == Opcode::step) return;
+    value = within(declared_range(model, kind, number), random);
   };
   for_each_leaf(draw, state);
   make_unit_quaternions(model, state);

@@ -145,10 +145,10 @@ class BatchHeaderReader {
   void loaded(Opcode argument) {
     const LeafRow& leaf = leaf_row(argument);
     if (argument == Opcode::parameter) return tokens_.expect("constants");
-    const bool is_time = argument == Opcode::time;
+    const bool is_number = is_single(argument);
     tokens_.expect_code(fmt::format("detail::loaded<{}>({}, at){}",
-                                    is_time ? "std::array<Scalar, 1>" : leaf.type, leaf.symbol,
-                                    is_time ? "[0]" : ""));
+                                    is_number ? "std::array<Scalar, 1>" : leaf.type, leaf.symbol,
+                                    is_number ? "[0]" : ""));
   }
 
   /// Every field behind the entries of those before it.

@@ -120,7 +120,7 @@ void ExpressionReader::expect_in_scope(const CodeToken& name) {
 
 SignedNode ExpressionReader::argument(Opcode argument) {
   if (argument == Opcode::parameter) return parameter();
-  if (argument == Opcode::time) return graph_.leaf(Opcode::time, 0);
+  if (is_single(argument)) return graph_.leaf(argument, 0);
   return graph_.leaf(argument, index(leaf_count(file_.origin.model, argument)));
 }
 

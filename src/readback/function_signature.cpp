@@ -136,8 +136,8 @@ void FunctionReader::c_arguments() {
     if (i > 0) tokens_.expect(",");
     if (argument == Opcode::parameter) {
       tokens_.expect_code(fmt::format("const {}parameters *p", file_.dialect.prefix));
-    } else if (argument == Opcode::time) {
-      tokens_.expect_code(scalar + " t");
+    } else if (is_single(argument)) {
+      tokens_.expect_code(fmt::format("{} {}", scalar, leaf_row(argument).symbol));
     } else {
       tokens_.expect_code(
           fmt::format("const {} {}[{}]", scalar, leaf_row(argument).symbol, extent));

@@ -33,7 +33,7 @@ char sign_of(Opcode opcode) {
 std::string code_text(const LeafNames& leaves, Opcode kind, std::uint32_t number) {
   if (kind == Opcode::parameter) return leaves.parameters[number];
   const std::string_view symbol = leaf_row(kind).symbol;
-  return kind == Opcode::time ? std::string(symbol) : fmt::format("{}[{}]", symbol, number);
+  return is_single(kind) ? std::string(symbol) : fmt::format("{}[{}]", symbol, number);
 }
 
 std::string bracketed(bool is_operand, const std::string& text) {

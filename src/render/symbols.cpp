@@ -152,7 +152,7 @@ LeafValues<std::string> latex_leaves(const Model& model) {
         return fmt::format(fmt::runtime(has_own_symbol(entry) ? row.own_latex : row.latex),
                            symbol.base, symbol.scripts);
       },
-      "t");
+      [](Opcode kind) { return std::string(leaf_row(kind).symbol); });
 }
 
 }  // namespace elgen

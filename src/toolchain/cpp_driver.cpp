@@ -87,7 +87,7 @@ std::string arguments(const Model& model, const Function& function) {
   std::string text = "parameters_from<Scalar>(parameters)";
   for (const Opcode argument : arguments_of(model, function)) {
     const std::string_view name = leaf_row(argument).member;
-    if (argument == Opcode::time) text += ", t";
+    if (is_single(argument)) text += fmt::format(", {}", name);
     if (!is_vector(argument)) continue;
     text += fmt::format(",\n      from_flat<Scalar, {}>({})", leaf_count(model, argument), name);
   }

@@ -2,7 +2,8 @@
 // inverse_dynamics(q, v, a) of two coordinates:
 //
 //     void elgen_driver_double_0(const double* p, const double* q, const double* v,
-//                                const double* a, const double* u, double t, double* result);
+//                                const double* a, const double* u, double t, double h,
+//                                double* result);
 #include "toolchain/driver.hpp"
 
 #include <fmt/format.h>
@@ -55,7 +56,7 @@ constexpr PerArtifact<DriverRow> driver_table{
 std::string declared_leaves(std::string_view scalar, std::string_view attribute) {
   std::string text;
   for (const LeafRow& leaf : leaf_table) {
-    const char* const pattern = leaf.id != Opcode::time ? "{}const {}* {}, " : "{}{} {}, ";
+    const char* const pattern = is_single(leaf.id) ? "{}{} {}, " : "{}const {}* {}, ";
     text += fmt::format(fmt::runtime(pattern), attribute, scalar, leaf.member);
   }
   return text;

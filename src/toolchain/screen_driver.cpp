@@ -1,7 +1,7 @@
 // The text of the driver. For a model with a function of one field, mass_matrix(q):
 //
 //     extern "C" void elgen_screen_double(const double* parameters, const double* q, ...,
-//                                         double t, double* figures);
+//                                         double t, double h, double* figures);
 #include "toolchain/screen_driver.hpp"
 
 #include <fmt/format.h>
@@ -75,11 +75,11 @@ std::string functions_of(const Program& program) {
   return fmt::format("\nnamespace elgen_screen {{\n{}\n}}  // namespace elgen_screen\n\n", text);
 }
 
-/// "parameters, q, ..., t", or with `pattern` "wide_{0}.data()" its like.
-std::string leaf_list(const char* vector_pattern, const char* time_pattern) {
+/// "parameters, q, ..., h", or with `pattern` "wide_{0}.data()" its like.
+std::string leaf_list(const char* vector_pattern, const char* single_pattern) {
   std::string text;
   for (const LeafRow& leaf : leaf_table) {
-    const char* const pattern = leaf.id == Opcode::time ? time_pattern : vector_pattern;
+    const char* const pattern = is_single(leaf.id) ? single_pattern : vector_pattern;
     text += (text.empty() ? "" : ", ") + fmt::format(fmt::runtime(pattern), leaf.member);
   }
   return text;
@@ -89,9 +89,9 @@ std::string leaf_list(const char* vector_pattern, const char* time_pattern) {
 std::string wide_leaves(const DriverInput& input) {
   std::string text;
   for (const LeafRow& leaf : leaf_table) {
-    text += fmt::format("  const auto wide_{0} = elgen_screen::inputs({1}{0}, {2}, signs);\n",
-                        leaf.member, leaf.id == Opcode::time ? "&" : "",
-                        leaf.id == Opcode::time ? 1 : leaf_count(input.model, leaf.id));
+    text +=
+        fmt::format("  const auto wide_{0} = elgen_screen::inputs({1}{0}, {2}, signs);\n",
+                    leaf.member, is_single(leaf.id) ? "&" : "", leaf_count(input.model, leaf.id));
   }
   return text;
 }

@@ -16,7 +16,7 @@ namespace {
 Arguments<double> somewhere(const Model& model) {
   double next = 0.3;
   Arguments<double> at = leaves_of<double>(
-      model, [&next](Opcode, const auto&) { return next += 0.17; }, 0);
+      model, [&next](Opcode, const auto&) { return next += 0.17; }, [](Opcode) { return 0.0; });
   at.t = next;
   return at;
 }

@@ -57,7 +57,7 @@ TEST_CASE("states are finite, however far a range reaches") {
   system.model.inputs[0].limits = Interval{far / 10, far};
   const auto all_finite = [](const auto& states) {
     return std::all_of(states.begin(), states.end(), [](const auto& state) {
-      const auto& [parameters, q, v, a, u, t] = state.values;
+      const auto& [parameters, q, v, a, u, t, h] = state.values;
       const auto finite = [](auto x) { return std::isfinite(x); };
       return std::all_of(q.begin(), q.end(), finite) && std::all_of(v.begin(), v.end(), finite) &&
              std::all_of(u.begin(), u.end(), finite);
@@ -65,6 +65,18 @@ TEST_CASE("states are finite, however far a range reaches") {
   };
   CHECK(all_finite(sample_states<double>(system.subject(), {32, 1, true})));
   CHECK(all_finite(sample_states<float>(system.subject(), {32, 1, true})));
+}
+
+TEST_CASE("the length of a step is drawn where a function takes one") {
+  System system = cart_pole_system();
+  for (const auto& state : sample_states<double>(system.subject(), {16, 1, true})) {
+    if (state.region != Region::extreme) CHECK(state.values.h == 0);
+  }
+  system.program.leaves.h = "h";
+  for (const auto& state : sample_states<double>(system.subject(), {16, 1, false})) {
+    CHECK(state.values.h != 0);
+    if (state.region == Region::nominal) CHECK((state.values.h > 0 && state.values.h <= 0.1));
+  }
 }
 
 TEST_CASE("nominal states keep to the declared ranges, or to the usual ones") {

@@ -25,6 +25,7 @@ TEST_CASE("leaves are written as models and as C++ write them") {
   CHECK(leaf_text(leaves, Opcode::velocity, 0) == "dot(q[1])");
   CHECK(leaf_text(leaves, Opcode::acceleration, 4) == "dot(dot(q[5]))");
   CHECK(leaf_text(leaves, Opcode::time, 0) == "t");
+  CHECK(leaves.h.empty());  // until a function takes it
   CHECK(identifier_of("q[5]") == "q_5");
   CHECK(identifier_of("x_cart") == "x_cart");
 }

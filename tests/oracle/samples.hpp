@@ -25,6 +25,7 @@ inline State random_state(const Model& model, unsigned seed) {
     for (auto& entry : *entries) entry = fraction();
   }
   state.t = fraction();
+  state.h = cln::cl_RA(1) / 9;
   return state;
 }
 

@@ -73,7 +73,7 @@ std::string one_coordinate(const std::string& potential) {
 
 Arguments<double> at_position(const Generated& g, double x) {
   Arguments<double> at = leaves_of<double>(
-      g.model(), [](Opcode, const auto&) { return 1.5; }, 0.0);
+      g.model(), [](Opcode, const auto&) { return 1.5; }, [](Opcode) { return 0.0; });
   at.parameters = {2, 9.81, 30, 0.75};
   at.q = {x};
   return at;
@@ -130,7 +130,7 @@ TEST_CASE("a spring's extension keeps its digits where the spring hardly extends
 TEST_CASE("accelerations of two nearly aligned links keep their digits where one is heavy") {
   const Generated g = generated(double_pendulum);
   Arguments<float> at = leaves_of<float>(
-      g.model(), [](Opcode, const auto&) { return 0.F; }, 0.F);
+      g.model(), [](Opcode, const auto&) { return 0.F; }, [](Opcode) { return 0.F; });
   at.parameters = {1, 1000, 1, 1, 9.81F};
   for (float angle = 0.3F; angle < 1.4F; angle += 0.1F) {
     at.q = {angle, angle + 1e-3F};

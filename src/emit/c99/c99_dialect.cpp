@@ -130,7 +130,7 @@ class C99Dialect final : public Dialect {
       const std::string_view name = leaf_row(argument).symbol;
       if (argument == Opcode::parameter) {
         arguments.push_back(fmt::format("const {}parameters *{}", prefix_, name));
-      } else if (argument == Opcode::time) {
+      } else if (is_single(argument)) {
         arguments.push_back(fmt::format("{} {}", scalar_, name));
       } else {
         arguments.push_back(

@@ -20,7 +20,7 @@ Dialect::Dialect(const Model& model, const Program& program, std::string_view ac
 std::string Dialect::leaf(Opcode kind, std::uint32_t number) const {
   if (kind == Opcode::parameter) return "p" + access_ + parameters_[number];
   const std::string_view name = leaf_row(kind).symbol;
-  return kind == Opcode::time ? std::string(name) : fmt::format("{}[{}]", name, number);
+  return is_single(kind) ? std::string(name) : fmt::format("{}[{}]", name, number);
 }
 
 Formula Dialect::square_root(const Formula& radicand) const {

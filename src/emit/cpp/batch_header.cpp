@@ -118,7 +118,7 @@ std::string batch_signature(const Model& model, const Function& function) {
 std::string loaded(Opcode argument) {
   const LeafRow& leaf = leaf_row(argument);
   if (argument == Opcode::parameter) return "constants";
-  if (argument == Opcode::time) {
+  if (is_single(argument)) {
     return fmt::format("detail::loaded<std::array<Scalar, 1>>({}, at)[0]", leaf.symbol);
   }
   return fmt::format("detail::loaded<{}>({}, at)", leaf.type, leaf.symbol);

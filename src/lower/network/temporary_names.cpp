@@ -148,7 +148,7 @@ class Naming {
         fmt::format("{} {} ", opcode_row(i.opcode).tag,
                     i.opcode == Opcode::call ? function_row(i.function).name : "");
     if (i.opcode == Opcode::constant) content += text_of(program_.constants[i.a].form);
-    const bool is_listed = is_leaf(i.opcode) && i.opcode != Opcode::time;
+    const bool is_listed = is_leaf(i.opcode) && !is_single(i.opcode);
     if (is_listed) content += leaf_of(program_.leaves, i.opcode, i.a);
     if (operand_count(i) > 0) content += fmt::format("{:x} ", hashes_[i.a]);
     if (operand_count(i) > 1) content += fmt::format("{:x} ", hashes_[i.b]);

@@ -121,7 +121,7 @@ const Numbers& System::inputs(const double* q, const double* v, double t) {
 }
 
 void System::call(Call function, const double* q, const double* v, double t, double* result) {
-  function(nominal_.parameters.data(), q, v, nullptr, u_.data(), t, result);
+  function(nominal_.parameters.data(), q, v, nullptr, u_.data(), t, nominal_.h, result);
 }
 
 void System::acceleration(const double* q, const double* v, double t, double* a) {
