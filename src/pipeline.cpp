@@ -17,6 +17,7 @@
 #include "elgen/lagrangian.hpp"
 #include "elgen/lower.hpp"
 #include "elgen/specialise.hpp"
+#include "pipeline/chosen.hpp"
 #include "pipeline/dumps.hpp"
 #include "pipeline/parts.hpp"
 #include "pipeline/presented.hpp"
@@ -55,16 +56,6 @@ Result<SelfCheck> checked(const CheckedModel& checked, const Program& program, c
                       "declare a `range` inside the domain"};
   }
   return Diagnostic{Code::E911, {}, "self-check failed: " + check.failure};
-}
-
-/// The reduction goes with the program whose closed forms it changed.
-Result<Choice> chosen(const Program& recursive, const Presented& forms,
-                      const CheckedModel& checked) {
-  const bool is_reduced = forms.reduced.has_value();
-  Result<Choice> choice =
-      choose(recursive, is_reduced ? forms.reduced->forms : forms.exact, checked.scene);
-  if (choice && is_reduced) choice->program.reduction = forms.reduced->reduction;
-  return choice;
 }
 
 /// The stages in their order, each with what it makes and what it needs for that.
@@ -158,7 +149,8 @@ class Compilation {
 
   Stage<Presented> forms_{run_, "present", std::tie(lagrangian_, checked_, recursive_), presented};
 
-  Stage<Choice> choice_{run_, "choose", std::tie(recursive_, forms_, checked_), chosen};
+  Stage<Choice> choice_{run_, "choose", std::tie(lagrangian_, recursive_, forms_, checked_),
+                        chosen};
 
   Stage<EmittedFiles> files_{run_, "emit", std::tie(checked_, choice_),
                              [](const CheckedModel& c, const Choice& chosen) {

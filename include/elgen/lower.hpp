@@ -17,8 +17,8 @@ namespace elgen {
 
 struct EquationsOfMotion;
 
-/// One Function per requested output; `dynamics`, where requested, has one field per output that
-/// takes neither a nor u. E908: more than limits.derived_nodes nodes.
+/// One Function per requested output but `step`; `dynamics`, where requested, has one field per
+/// output that takes neither a nor u. E908: more than limits.derived_nodes nodes.
 [[nodiscard]] Result<Program> lower(const EquationsOfMotion& equations,
                                     const std::vector<OutputRequest>& outputs,
                                     const Limits& limits);

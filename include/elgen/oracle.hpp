@@ -41,15 +41,16 @@ class Random;
 /// to 1.
 void draw_parameters(const FixedParameters& fixed, Random& random, State& state);
 
-/// Everything but parameters somewhere: in the declared range, else in [-1, 1], outside of which a
-/// model need not have values; quaternions of length 1.
+/// Everything but parameters and h somewhere: in the declared range, else in [-1, 1], outside of
+/// which a model need not have values; quaternions of length 1.
 void draw_motion(const Model& model, Random& random, State& state);
 
 /// Values of one field after another, row-major, of the shape and in the units of the output table;
 /// empty where an intermediate left the domain (sqrt(-1), 1/0).
 using OracleValues = std::optional<std::vector<cln::cl_R>>;
 
-/// All entries of an output. forward_dynamics: the acceleration, then the relative pivots.
+/// All entries of an output. forward_dynamics: the acceleration, then the relative pivots; step: q,
+/// then v.
 [[nodiscard]] OracleValues oracle_values(const Model& model, const OutputRequest& output,
                                          const State& state);
 

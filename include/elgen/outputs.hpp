@@ -94,7 +94,13 @@ struct OutputRow {
   bool of_user = false;          ///< one for every [[output]] of a model
   std::string_view suffix = {};  ///< its name is that of the [[output]] and this
   bool repeats = false;          ///< every chosen output that takes neither a nor u
+  bool steps = false;            ///< by a method that the scene names, not derived
 };
+
+/// Whether it has equations to be read, and is not made of other outputs.
+[[nodiscard]] constexpr bool has_equations(const OutputRow& output) {
+  return !output.repeats && !output.steps;
+}
 
 /// The equation that holds in a model with or without rotations.
 [[nodiscard]] const Notation& equation_of(const OutputRow& output, bool has_rotations);

@@ -52,7 +52,7 @@ struct Field {
 
 struct Function {
   OutputKind kind = {};
-  std::uint32_t user = 0;  ///< which user output, for the user_* kinds
+  std::uint32_t user = 0;  ///< which user output, for the user_* kinds; of `step` its method
   std::string name = {};
   Form form = Form::recursive;
   std::vector<Instruction> instructions = {};
@@ -78,7 +78,7 @@ inline constexpr std::size_t zero_points = 64;
 struct Program {
   LeafNames leaves = {};
   std::vector<Constant> constants = {};
-  std::vector<Function> functions = {};  ///< in the order of the output table; `dynamics` last
+  std::vector<Function> functions = {};  ///< in the order of the output table
   /// Parallel to functions, where filled: the closed form of every entry as it is written for a
   /// reader, nothing shared between entries. Without fields where there is none.
   std::vector<Function> readable = {};

@@ -35,7 +35,7 @@ struct Specialisation {
 /// One wanted output, in the order of the output table.
 struct OutputRequest {
   OutputKind kind = {};
-  std::uint32_t user = 0;  ///< which Model::outputs, for the user_* kinds
+  std::uint32_t user = 0;  ///< which Model::outputs, for the user_* kinds; which StepMethod
   std::string name = {};   ///< of the emitted function: renamed, or the standard one
   std::uint32_t rows = 1;  ///< of the (single or first) field
   std::uint32_t columns = 1;

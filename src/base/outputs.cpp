@@ -326,6 +326,16 @@ constexpr OutputRow dynamics{
     .doc = "Every chosen output that takes neither a nor u, computed at once.",
     .repeats = true};
 
+constexpr std::array next_state{
+    FieldRow{"coordinates", E::coordinates, E::one, U::row, "Coordinates<Scalar>", "q"},
+    FieldRow{"rates", E::velocities, E::one, U::row, "Velocities<Scalar>", "<v>"}};
+constexpr OutputRow step{.symbol = {"(q, v)(t + h)", "(q, <v>)(t + h)"},
+                         .takes = Opcode::velocity | Opcode::input | Opcode::step,
+                         .fields = next_state,
+                         .equation = {"(q, v)(t + h), u stays", ""},
+                         .doc = "One step of length h with inputs that stay:",
+                         .steps = true};
+
 constexpr OutputRow named(OutputKind kind, std::string_view name, OutputRow row) {
   row.kind = kind;
   row.name = name;

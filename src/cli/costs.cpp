@@ -78,7 +78,7 @@ std::string generation_costs(const Inputs& inputs, const PipelineOptions& option
       "{:<{}}  {:>8}{}  {:>12}\n", "output", width, "cost",
       full == nullptr ? "" : fmt::format("  {:>10}  {:>6}", "full model", "share"), "alone");
   for (std::size_t i = 0; i < requests.size(); ++i) {
-    if (output_row(requests[i].kind).repeats) continue;  // made of the others
+    if (!has_equations(output_row(requests[i].kind))) continue;  // made of the others
     text += fmt::format(
         "{:<{}}  {}  {:>9.1f} ms\n", requests[i].name, width,
         compared(requests[i], *products.program, full),

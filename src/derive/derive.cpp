@@ -75,7 +75,7 @@ Vector user_bias(Derivation& derivation, const NamedOutput& output) {
                       : second_rate(derivation, output.values);
 }
 
-/// The function of each output, in the order of the table; what repeats others has none.
+/// The function of each output, in the order of the table; what is made of others has none.
 constexpr Fields (*derivations[])(Derivation&, const OutputRequest&) = {
 #define ELGEN_OUTPUT(name) \
   [](Derivation& d, const OutputRequest& request) { return fields(d, request, name(d)); },
@@ -83,7 +83,8 @@ constexpr Fields (*derivations[])(Derivation&, const OutputRequest&) = {
   [](Derivation& d, const OutputRequest& request) {                         \
     return fields(d, request, name(d, d.lagrangian.outputs[request.user])); \
   },
-#define ELGEN_SUMMARY(name) nullptr
+#define ELGEN_SUMMARY(name) nullptr,
+#define ELGEN_STEP(name) nullptr
 #include "elgen/outputs.def"
 };
 
@@ -112,7 +113,7 @@ Result<EquationsOfMotion> derive(const Lagrangian& lagrangian,
   Derivation derivation(lagrangian);
   EquationsOfMotion equations;
   for (const OutputRequest& request : outputs) {
-    if (output_row(request.kind).repeats) continue;
+    if (!has_equations(output_row(request.kind))) continue;
     try {
       OutputEquations output{request, derived(derivation, request)};
       define_entries(derivation, output.fields);

@@ -95,7 +95,8 @@ std::vector<std::size_t> without_energy(const MassSample& sample,
 /// Of a regular matrix only what is solved for needs that it is positive definite.
 Diagnostics not_definite(const Inspected& subject, const std::vector<std::size_t>& rates) {
   for (const OutputRequest& output : subject.scene.outputs) {
-    if (!output_row(output.kind).solves || rates.empty()) continue;
+    const OutputRow& row = output_row(output.kind);
+    if (!(row.solves || row.steps) || rates.empty()) continue;
     return {no_kinetic_energy(output, subject.model.velocities[rates.front()].name)};
   }
   return {};

@@ -37,14 +37,14 @@ std::string operation_text(const Program& program, const Instruction& instructio
   if (instruction.opcode == Opcode::constant) {
     text += " " + constant_text(program.constants[instruction.a]);
   }
-  const bool is_listed = is_leaf(instruction.opcode) && instruction.opcode != Opcode::time;
+  const bool is_listed = is_leaf(instruction.opcode) && !is_single(instruction.opcode);
   if (is_listed) text += " " + leaf_of(program.leaves, instruction.opcode, instruction.a);
   return text;
 }
 
 std::string heading(const Function& function) {
   const OutputRow& row = output_row(function.kind);
-  if (row.of_user)
+  if (row.of_user || row.steps)
     return fmt::format("function {} = {} {}\n", function.name, row.name, function.user);
   if (row.name == function.name) return fmt::format("function {}\n", row.name);
   return fmt::format("function {} = {}\n", function.name, row.name);
@@ -75,6 +75,7 @@ std::string dump(const Program& program) {
   }
   text += list_line("inputs", program.leaves.u);
   if (program.leaves.uses_time) text += "time\n";
+  if (!program.leaves.h.empty()) text += "step\n";
   for (const Function& function : program.functions) text += function_text(program, function);
   return text;
 }

@@ -65,6 +65,7 @@ Result<Program> lower(const EquationsOfMotion& equations, const std::vector<Outp
   Program program;
   program.leaves = leaf_names(equations);
   for (const OutputRequest& request : outputs) {
+    if (output_row(request.kind).steps) continue;
     Diagnostics errors = lower_output(equations, request, limits, program);
     if (!errors.empty()) return errors;
   }

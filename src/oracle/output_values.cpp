@@ -8,6 +8,7 @@
 #include "oracle/reaction.hpp"
 #include "oracle/rotations.hpp"
 #include "oracle/solved_dynamics.hpp"
+#include "oracle/step.hpp"
 
 namespace elgen::oracle {
 namespace {
@@ -184,6 +185,18 @@ constexpr OracleRow normalized{
 constexpr OracleRow user_value{values_of_user};
 constexpr OracleRow user_jacobian{jacobian_of_user};
 constexpr OracleRow user_bias{bias_of_user};
+
+constexpr OracleRow step{
+    [](const Question& of) { return oracle::step(of.model, of.output, of.state); },
+    [](const Question& of, const Contraction& by) {
+      const Values values = oracle::step(of.model, of.output, of.state);
+      const std::size_t first = by.field == 0 ? 0 : of.state.q.size();
+      cl_R sum = 0;
+      for (std::size_t i = 0; i < by.w.size(); ++i) {
+        sum = sum + by.w[i] * values[first + i];
+      }
+      return sum;
+    }};
 
 constexpr OracleRow of_others{[](const Question&) { return Values(); }};
 

@@ -178,7 +178,7 @@ void read_comment(const std::vector<std::string_view>& comments, const TokenRead
     const Span span = lines.empty() ? tokens.span(tokens.current()) : tokens.span(lines.front());
     tokens.fail(span, "the heading should say the shape of the result");
   }
-  if (output_row(function.kind).repeats) return;
+  if (!has_equations(output_row(function.kind))) return;
   const auto equation_end =
       heading_end == lines.end() ? lines.end() : std::find(heading_end + 1, lines.end(), "");
   if (equation_end == lines.end()) tokens.fail(tokens.span(lines.back()), "no equations follow");

@@ -133,7 +133,7 @@ class SidecarReader {
       Json output = take(all, function.name);
       function_ = function.name;
       equations_.start(i);
-      if (!output_row(function.kind).repeats) equations(output, function);
+      if (has_equations(output_row(function.kind))) equations(output, function);
       operations(take(output, "operations"), function);
       expect_empty(output);
       function_.clear();

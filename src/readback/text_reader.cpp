@@ -20,7 +20,7 @@ class TextReader {
   void read() {
     for (std::size_t i = 0; i < origin_.program.functions.size(); ++i) {
       const Function& function = origin_.program.functions[i];
-      if (output_row(function.kind).repeats) continue;
+      if (!has_equations(output_row(function.kind))) continue;
       equations_.start(i);
       const std::size_t behind = at_ == 0 ? 0 : at_ - 1;  // the end of the line before
       const std::size_t heading = source_.text.find(fmt::format("\n\n{}\n", function.name), behind);

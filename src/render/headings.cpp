@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "elgen/step_methods.hpp"
 #include "render/symbols.hpp"
 
 namespace elgen {
@@ -49,6 +50,7 @@ std::string field_symbol(const Model& model, OutputKind kind, const Field& field
 
 std::string output_doc(const Model& model, const Function& function) {
   const OutputRow& row = output_row(function.kind);
+  if (row.steps) return fmt::format("{} {}.", row.doc, step_methods[function.user].doc);
   if (!row.of_user) return std::string(row.doc);
   const UserOutput& output = model.outputs[function.user];
   return sentence(

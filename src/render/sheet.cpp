@@ -97,7 +97,9 @@ Sheet sheet(const Model& model, const Scene& scene, const Program& program,
   result.parameters = parameters(model, scene);
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     const Function& function = program.functions[i];
-    if (output_row(function.kind).repeats) continue;
+    const OutputRow& row = output_row(function.kind);
+    if (row.steps) result.outputs.push_back({function.name, output_doc(model, function), {}});
+    if (!has_equations(row)) continue;
     if (!options.zeros && is_zero(program, function)) continue;
     if (entry_count(function) <= options.most_entries) {
       result.outputs.push_back(output(model, program, i));

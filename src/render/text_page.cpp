@@ -7,6 +7,7 @@
 
 #include "elgen/render.hpp"
 #include "lower/code_interface.hpp"
+#include "render/headings.hpp"
 
 namespace elgen {
 namespace {
@@ -39,7 +40,9 @@ std::string text_page(const Model& model, const Scene& scene, const Program& pro
   for (const std::string& line : variable_lines(model, program)) text += "  " + line + "\n";
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     const Function& function = program.functions[i];
-    if (output_row(function.kind).repeats) continue;
+    const OutputRow& row = output_row(function.kind);
+    if (row.steps) text += fmt::format("\n{}\n  {}\n", function.name, output_doc(model, function));
+    if (!has_equations(row)) continue;
     if (!options.zeros && is_zero(program, function)) continue;
     text += fmt::format("\n{}\n{}", function.name, function_text(program, i));
   }

@@ -1,4 +1,4 @@
-// What methods need is read off the program: what an output does not depend on it does not read.
+// Which methods there are for a system; what is separable is integrate's affair.
 #include "simulate/method_choice.hpp"
 
 #include <fmt/format.h>
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "elgen/integrate.hpp"
 #include "elgen/wording.hpp"
-#include "evaluate/subject.hpp"
 
 namespace elgen {
 namespace {
@@ -18,30 +18,6 @@ constexpr double default_tolerance = 1e-9;
 
 Diagnostic impossible(std::string message, std::string hint = {}) {
   return {Code::E621, {}, std::move(message), std::move(hint)};
-}
-
-/// "theta", "dot(x)" or "t": the first leaf of one of these kinds that the output reads; "" where
-/// it reads none.
-std::string leaf_read(const Program& program, OutputKind kind,
-                      std::initializer_list<Opcode> kinds) {
-  const Function* const function = find_function(program, kind);
-  if (function == nullptr) return {};
-  for (const Instruction& instruction : function->instructions) {
-    if (std::ranges::find(kinds, instruction.opcode) != kinds.end()) {
-      return leaf_text(program.leaves, instruction.opcode, instruction.a);
-    }
-  }
-  return {};
-}
-
-/// Whether p is more than M v, for an M that is constant.
-bool has_linear_terms(const CheckedModel& checked, const Program& program) {
-  constexpr OutputKind momentum = OutputKind::momentum;
-  if (!leaf_read(program, momentum, {Opcode::coordinate, Opcode::time}).empty()) return true;
-  const State resting = nominal_state(checked.model, checked.scene);
-  const auto at_rest =
-      evaluate(program, *find_function(program, momentum), arguments_at<double>(resting));
-  return std::ranges::any_of(at_rest, [](double p) { return p != 0; });
 }
 
 /// The first input whose law depends on rates all the time.
@@ -54,17 +30,12 @@ const Input* damping_input(const CheckedModel& checked, const SimulationOptions&
   return found == model.inputs.end() ? nullptr : &*found;
 }
 
-/// What keeps kick, drift, kick from being symplectic; "" where nothing does.
-std::string not_separable(const CheckedModel& checked, const Program& program,
-                          const SimulationOptions& options) {
-  const std::string of_mass = leaf_read(program, OutputKind::mass_matrix,
-                                        {Opcode::coordinate, Opcode::time, Opcode::velocity});
-  if (!of_mass.empty()) return fmt::format("M depends on `{}`", of_mass);
-  if (has_linear_terms(checked, program)) return "L has terms linear in the rates";
-  const std::string of_bias = leaf_read(program, OutputKind::bias, {Opcode::velocity});
-  if (!of_bias.empty()) return fmt::format("a force depends on `{}`", of_bias);
-  const Input* const input = damping_input(checked, options);
-  return input == nullptr ? "" : fmt::format("the law of `{}` depends on rates", input->name);
+/// What keeps kick, drift, kick from being symplectic here; "" where nothing does.
+std::string inseparable_run(const CheckedModel& checked, const Program& program,
+                            const SimulationOptions& options) {
+  const std::string reason = not_separable(checked, program);
+  const Input* const input = reason.empty() ? damping_input(checked, options) : nullptr;
+  return input == nullptr ? reason : fmt::format("the law of `{}` depends on rates", input->name);
 }
 
 Diagnostic refused(const MethodRow& method, const std::string& reason, const char* hint) {
@@ -133,7 +104,7 @@ Diagnostics refuse_method(const MethodRow& method, const CheckedModel& checked,
                     "`rk4`, `dopri5` and `fehlberg78` take rotations")};
   }
   if (method.domain == MethodDomain::unturned) return {};
-  const std::string reason = not_separable(checked, program, options);
+  const std::string reason = inseparable_run(checked, program, options);
   if (reason.empty()) return {};
   return {refused(method, reason, "`midpoint` is symplectic there too")};
 }

@@ -13,7 +13,7 @@ namespace elgen {
 namespace {
 
 TEST_CASE("rows stand in the order of the enumeration") {
-  REQUIRE(output_table().size() == static_cast<std::size_t>(OutputKind::dynamics) + 1);
+  REQUIRE(output_table().size() == static_cast<std::size_t>(OutputKind::step) + 1);
   for (std::size_t i = 0; i < output_table().size(); ++i) {
     CHECK(static_cast<std::size_t>(output_table()[i].kind) == i);
   }

@@ -188,7 +188,8 @@ std::optional<OutputRequest> require_request(const Model& model, std::string_vie
 std::vector<OutputRequest> full_requests(const Model& model) {
   std::vector<OutputRequest> result;
   for (OutputRequest& request : all_requests(model)) {
-    if (fits_in_full(request) && is_available(model, request)) {
+    const bool is_told_how = !output_row(request.kind).steps;  // only a scene says how to step
+    if (is_told_how && fits_in_full(request) && is_available(model, request)) {
       result.push_back(std::move(request));
     }
   }

@@ -51,7 +51,7 @@ class DroppingReader {
     const OutputRow& row = output_row(output.kind);
     const auto& [mass, potential, forces, inputs] = row.parts;
     const bool is_reduced = mass || potential || forces || inputs || row.repeats;
-    if (row.solves || row.differentiates) {
+    if (row.solves || row.differentiates || row.steps) {
       refuse(place,
              quoted(output.name) +
                  " solves or differentiates the equations of motion, "

@@ -14,6 +14,7 @@
 #include "check/scene/emission.hpp"
 #include "check/scene/read_batch.hpp"
 #include "check/scene/read_dropping.hpp"
+#include "check/scene/read_step.hpp"
 
 namespace elgen {
 namespace {
@@ -66,7 +67,8 @@ class SceneReader {
     const EntrySyntax* outputs = find_entry(syntax_, "outputs");
     if (!options_.outputs.empty()) {
       for (const OptionWord& word : words_of(options_.outputs)) {
-        request(word.text, word.span);
+        OutputRequest* output = request(word.text, word.span);
+        if (output != nullptr) read_step_method(nullptr, *output, context_.report);
       }
     } else if (outputs != nullptr) {
       for (const KeySyntax& key : outputs->keys) {
@@ -136,6 +138,7 @@ class SceneReader {
     const KeySyntax* rename = key.value.find("rename");
     if (output != nullptr) {
       output->form = form_in(key.value.find("form"));
+      read_step_method(key.value.find("method"), *output, context_.report);
     }
     if (output != nullptr && rename != nullptr) {
       output->name = rename->value.text;

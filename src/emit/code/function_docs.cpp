@@ -8,6 +8,7 @@
 #include <set>
 
 #include "check/judge/output_units.hpp"
+#include "elgen/step_methods.hpp"
 #include "emit/text/layout.hpp"
 #include "lower/code_interface.hpp"
 #include "render/headings.hpp"
@@ -99,9 +100,11 @@ std::string too_long_note(const FunctionText& text) {
 }
 
 Lines shown_equations(const FunctionText& text) {
-  if (output_row(text.function.kind).repeats) return {};
+  const OutputRow& row = output_row(text.function.kind);
+  if (row.repeats) return {};
+  if (row.steps) return wrapped(std::string(step_methods[text.function.user].equation));
   const Lines all = listing(text);
-  Lines lines = {equation_text(output_row(text.function.kind), text.model), ""};
+  Lines lines = {equation_text(row, text.model), ""};
   append(lines, all.size() > longest_listing ? Lines{too_long_note(text)} : all);
   return lines;
 }

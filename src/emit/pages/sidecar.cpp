@@ -97,7 +97,7 @@ Json field(const Field& field, const std::vector<std::string>& entries) {
 
 Json output(const Function& function, const FunctionEquations& equations) {
   Json json = Json::object();
-  if (!output_row(function.kind).repeats) {
+  if (has_equations(output_row(function.kind))) {
     if (!equations.definitions.empty()) json["definitions"] = definitions(equations);
     if (gives_struct(function)) {
       for (std::size_t i = 0; i < function.fields.size(); ++i) {

@@ -30,7 +30,7 @@ const std::optional<Fraction>* entry_of(const ClosedFunction& function, std::siz
 
 const ClosedFunction* Proofs::derived(OutputKind kind, std::uint32_t user) const {
   const std::vector<Function>& functions = subject_.program.functions;
-  for (std::size_t i = 0; forms_ != nullptr && i < functions.size(); ++i) {
+  for (std::size_t i = 0; forms_ != nullptr && i < forms_->functions.size(); ++i) {
     if (functions[i].kind == kind && functions[i].user == user) return &forms_->functions[i];
   }
   return nullptr;

@@ -1,0 +1,56 @@
+// Composition: a function that is made of calls of others, each copied with its leaves replaced.
+//
+//     a(q, u) = q*u   called at   q + h v   ->   0 = q   1 = h   2 = v   3 = multiply 1 2
+//                                                4 = add 0 3   5 = u   6 = multiply 4 5
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "elgen/program.hpp"
+#include "lower/network/instructions.hpp"
+
+namespace elgen {
+
+/// Numbers of instructions.
+using Places = std::vector<std::uint32_t>;
+
+/// Where a function is called: what stands for q, v and t. Parameters and u are the caller's.
+struct CallPoint {
+  Places q = {};
+  Places v = {};
+  std::uint32_t t = 0;
+  std::uint32_t number = 1;  ///< of the call: part of the names from the second on
+};
+
+class Composition {
+ public:
+  /// Instructions are added to `function`, constants to `program`.
+  Composition(Program& program, Function& function)
+      : program_(program), function_(function), instructions_(function) {}
+
+  [[nodiscard]] std::uint32_t leaf(Opcode kind, std::uint32_t number = 0);
+  /// All `count` leaves of a kind.
+  [[nodiscard]] Places leaves(Opcode kind, std::size_t count);
+  [[nodiscard]] std::uint32_t number(const cln::cl_RA& value);
+  [[nodiscard]] std::uint32_t add(Opcode opcode, std::uint32_t a, std::uint32_t b = 0);
+
+  /// x + c y
+  [[nodiscard]] Places moved(const Places& x, std::uint32_t c, const Places& y);
+
+  /// The entries of the first field of `callee`, a function of `from`, at a point.
+  [[nodiscard]] Places call(const Program& from, const Function& callee, const CallPoint& at);
+
+  /// Calls values "theta_2" that are computed and have no name yet.
+  void name(const Places& values, Opcode kind, std::uint32_t number);
+
+ private:
+  [[nodiscard]] std::uint32_t leaf_at(const Instruction& leaf, const CallPoint& at);
+
+  Program& program_;
+  Function& function_;
+  Instructions instructions_;
+};
+
+}  // namespace elgen

@@ -1,0 +1,91 @@
+// step: states are moved as vectors x = (q, v), and put on the unit sphere where they are read.
+#include "oracle/step.hpp"
+
+#include "elgen/step_methods.hpp"
+#include "oracle/rotations.hpp"
+#include "oracle/solved_dynamics.hpp"
+
+namespace elgen::oracle {
+namespace {
+
+using cln::cl_R;
+using Values = std::vector<cl_R>;
+
+/// What may move of a state.
+struct Moved {
+  Values q;
+  Values v;
+};
+
+Values sum(const Values& x, const cl_R& factor, const Values& y) {
+  Values result;
+  for (std::size_t i = 0; i < x.size(); ++i) result.push_back(x[i] + factor * y[i]);
+  return result;
+}
+
+Moved sum(const Moved& x, const cl_R& factor, const Moved& y) {
+  return {sum(x.q, factor, y.q), sum(x.v, factor, y.v)};
+}
+
+class Stepping {
+ public:
+  Stepping(const Model& model, const State& start) : model_(model), start_(start) {}
+
+  /// x + h/6 (k1 + 2 k2 + 2 k3 + k4)
+  Moved rk4() {
+    const cl_R& h = start_.h;
+    const Moved x{start_.q, start_.v};
+    const Moved k1 = rates(x, 0);
+    const Moved k2 = rates(sum(x, h / 2, k1), h / 2);
+    const Moved k3 = rates(sum(x, h / 2, k2), h / 2);
+    const Moved k4 = rates(sum(x, h, k3), h);
+    return sum(sum(sum(sum(x, h / 6, k1), h / 3, k2), h / 3, k3), h / 6, k4);
+  }
+
+  /// Kick, drift, kick.
+  Moved verlet() {
+    const cl_R& h = start_.h;
+    Moved x{start_.q, start_.v};
+    x.v = sum(x.v, h / 2, rates(x, 0).v);
+    x.q = sum(x.q, h, x.v);
+    x.v = sum(x.v, h / 2, rates(x, h).v);
+    return x;
+  }
+
+ private:
+  /// dx/dt at the time t + `later`.
+  [[nodiscard]] Moved rates(const Moved& x, const cl_R& later) const {
+    State state = start_;
+    state.q = normalized(model_, x.q);
+    state.v = x.v;
+    state.t = state.t + later;
+    Mechanics at(model_, state);
+    const Motion motion = motion_of(state);
+    Moved rates;
+    for (const Jet& rate : coordinate_rates(model_, motion.q, motion.v)) {
+      rates.q.push_back(rate.real());
+    }
+    rates.v = solved_dynamics(at, mass_matrix_values(at)).x;
+    return rates;
+  }
+
+  const Model& model_;
+  const State& start_;
+};
+
+constexpr Moved (Stepping::*methods[])() = {
+#define ELGEN_STEP_METHOD(name, domain, doc, equation) &Stepping::name,
+#include "elgen/step_methods.def"
+#undef ELGEN_STEP_METHOD
+};
+
+}  // namespace
+
+Values step(const Model& model, const OutputRequest& output, const State& state) {
+  const Moved end = (Stepping(model, state).*methods[output.user])();
+  Values values = normalized(model, end.q);
+  values.insert(values.end(), end.v.begin(), end.v.end());
+  return values;
+}
+
+}  // namespace elgen::oracle

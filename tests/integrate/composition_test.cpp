@@ -1,0 +1,74 @@
+// Calls as copies with other leaves: a(q, u) = q*u at q + h v.
+#include "integrate/composition.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "lower/read_program.hpp"
+
+namespace elgen::testing {
+namespace {
+
+const std::string callee = R"(parameters k
+coordinates q
+inputs u
+function bias
+  0 = coordinate q
+  1 = input u
+  2 = multiply 0 1  ; work
+  3 = parameter k
+  4 = add 2 3
+  5 = multiply 3 3
+  result 2 1 = 4 2
+)";
+
+}  // namespace
+
+TEST_CASE("a call copies what its entries need, with its leaves replaced") {
+  const Program from = read_program(callee);
+  Program program{from.leaves};
+  program.leaves.h = "h";
+  Function function;
+  Composition compose(program, function);
+  const std::uint32_t h = compose.leaf(Opcode::step);
+  const Places q = compose.leaves(Opcode::coordinate, 1);
+  const Places v = compose.leaves(Opcode::velocity, 1);
+  const Places moved = compose.moved(q, h, v);
+  compose.name(moved, Opcode::coordinate, 2);
+  compose.name(q, Opcode::coordinate, 1);  // a leaf has its own name
+  Places entries = compose.call(from, from.functions[0], {.q = moved, .v = v, .number = 2});
+  function.kind = OutputKind::bias;
+  function.name = "bias";
+  function.fields = {{"", 2, 1, std::move(entries)}};
+  program.functions.push_back(std::move(function));
+  CHECK(check_invariants(program).empty());
+  CHECK(dump(program) == R"(parameters k
+coordinates q
+inputs u
+step
+function bias
+  0 = step
+  1 = coordinate q
+  2 = velocity q
+  3 = multiply 0 2
+  4 = add 1 3  ; q_2
+  5 = input u
+  6 = multiply 4 5  ; work_2
+  7 = parameter k
+  8 = add 6 7
+  result 2 1 = 8 6
+)");
+}
+
+TEST_CASE("two calls at one point are one") {
+  const Program from = read_program(callee);
+  Program program{from.leaves};
+  Function function;
+  Composition compose(program, function);
+  const Places q = compose.leaves(Opcode::coordinate, 1);
+  const Places once = compose.call(from, from.functions[0], {.q = q});
+  const std::size_t size = function.instructions.size();
+  CHECK(compose.call(from, from.functions[0], {.q = q, .number = 2}) == once);
+  CHECK(function.instructions.size() == size);
+}
+
+}  // namespace elgen::testing

@@ -1,0 +1,73 @@
+// Steps where their values are known in closed form.
+#include "oracle/step.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "elgen/step_methods.hpp"
+#include "oracle/samples.hpp"
+
+namespace elgen::test {
+namespace {
+
+using Values = std::vector<cln::cl_R>;
+
+Values step_of(const ModelBuilder& b, StepMethod method, const State& state) {
+  const OutputRequest request{.kind = OutputKind::step, .user = static_cast<std::uint32_t>(method)};
+  return oracle::step(b.model, request, state);
+}
+
+/// x'' = -x from x = 1 at rest, h = 1/2.
+ModelBuilder spring() {
+  ModelBuilder b;
+  b.coordinate("x").T("x_d^2/2").V("x^2/2");
+  return b;
+}
+
+State at_one(const ModelBuilder& b) {
+  State state = nominal_state(b.model, {});
+  state.q = {1};
+  state.h = exact("1/2");
+  return state;
+}
+
+}  // namespace
+
+TEST_CASE("rk4 of a linear system is its Taylor polynomial of degree 4") {
+  const ModelBuilder b = spring();
+  // 1 - h^2/2 + h^4/24, -h + h^3/6
+  const Values expected{exact("337/384"), exact("-23/48")};
+  CHECK(step_of(b, StepMethod::rk4, at_one(b)) == expected);
+}
+
+TEST_CASE("verlet kicks, drifts and kicks") {
+  const ModelBuilder b = spring();
+  // v = -1/4, x = 7/8, v = -1/4 - 7/32
+  const Values expected{exact("7/8"), exact("-15/32")};
+  CHECK(step_of(b, StepMethod::verlet, at_one(b)) == expected);
+}
+
+TEST_CASE("time moves with the step, inputs stay") {
+  ModelBuilder b;
+  b.coordinate("x").input("u").T("x_d^2/2").V("-t^2*x").force_on(0, "u");
+  State state = nominal_state(b.model, {});
+  state.u = {3};
+  state.t = 1;
+  state.h = 2;
+  // x'' = t^2 + 3, exactly: int_1^3 (t^2 + 3) dt and int_1^3 (3 - t) (t^2 + 3) dt
+  CHECK(step_of(b, StepMethod::rk4, state) == Values{12, exact("44/3")});
+}
+
+TEST_CASE("a body that spins about one axis turns by half the angle, to fourth order") {
+  ModelBuilder b;
+  b.rotation("e").T("(e1_d^2 + e2_d^2 + e3_d^2)/2");
+  State state = nominal_state(b.model, {});
+  state.v = {0, 0, 1};
+  state.h = exact("1e-3");
+  const Values next = step_of(b, StepMethod::rk4, state);
+  CHECK(agree(next[0] * next[0] + next[3] * next[3], 1, 80));
+  CHECK(
+      agree(next[3] / next[0], cln::tan(cln::cl_float(exact("5e-4"), cln::float_format(60))), 12));
+  CHECK(next[6] == 1);
+}
+
+}  // namespace elgen::test
