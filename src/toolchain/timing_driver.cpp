@@ -91,7 +91,7 @@ std::string declared(std::string_view scalar, std::string_view attribute = "") {
 std::string gathered(Opcode argument) {
   const LeafRow& leaf = leaf_row(argument);
   if (argument == Opcode::parameter) return "p";
-  if (argument == Opcode::time) return fmt::format("{}[i]", leaf.member);
+  if (is_single(argument)) return fmt::format("{}[i]", leaf.member);
   return fmt::format("gathered<emitted::{}>({}, i, count)", leaf.type, leaf.member);
 }
 
