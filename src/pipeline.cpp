@@ -5,6 +5,7 @@
 //
 //     specialise -> steps    the derivation as a student writes it
 //     cancel -> parts        what solutions are judged by
+//     specialise -> choose   what `step` calls, derived in its own name
 #include "elgen/pipeline.hpp"
 
 #include <algorithm>

@@ -46,6 +46,7 @@ Places Composition::call(const Program& from, const Function& callee, const Call
   const Places& wanted = callee.fields.front().entries;
   const std::vector<bool> needed = needed_for(callee, wanted);
   const std::vector<std::string> names = temporary_names(from, callee);
+  const std::string suffix = at.number > 1 ? fmt::format("_{}", at.number) : "";
   Places places(callee.instructions.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!needed[i]) continue;
@@ -61,10 +62,9 @@ Places Composition::call(const Program& from, const Function& callee, const Call
     if (operand_count(instruction) > 1) instruction.b = places[instruction.b];
     places[i] = instructions_.add(instruction);
     // A hash says of what a value is computed, which is another one here.
-    std::string& name = function_.names[places[i]];
     const bool is_told = !names[i].empty() && !names[i].starts_with("t_");
-    if (name.empty() && is_told && at.number > 1) name = fmt::format("{}_{}", names[i], at.number);
-    if (name.empty() && is_told && at.number == 1) name = names[i];
+    std::string& name = function_.names[places[i]];
+    if (is_told && name.empty()) name = names[i] + suffix;
   }
   Places result;
   for (const std::uint32_t entry : wanted) result.push_back(places[entry]);

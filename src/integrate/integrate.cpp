@@ -169,8 +169,8 @@ std::vector<OutputRequest> needed_for_step(const Model& model, const OutputReque
   for (const OutputKind kind : kinds) {
     needed.push_back(request_of(model, kind, 0));
     needed.back().span = step.span;
+    if (kind == OutputKind::forward_dynamics) needed.back().form = step.form;
   }
-  needed[kinds.size() - (model.rotations.empty() ? 1 : 2)].form = step.form;
   return needed;
 }
 

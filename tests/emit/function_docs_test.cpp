@@ -62,6 +62,18 @@ TEST_CASE("what needs an order says so") {
   CHECK(docs(subject, 0).front().find("Needs an ordered Scalar.") != std::string::npos);
 }
 
+TEST_CASE("a step says its method, not what it computes") {
+  Subject subject = cart_pole();
+  subject.program = elgen::testing::read_program(
+      "coordinates x\nstep\nfunction advance = step 1\n  0 = coordinate x\n  1 = step\n"
+      "  result coordinates 1 1 = 0\n  result rates 1 1 = 1\n");
+  CHECK(
+      docs(subject, 0) ==
+      Lines{" One step of length h with inputs that stay: Verlet's method (kick, drift, kick), of "
+            "order 2 and",
+            " symplectic.", "", "     v += h/2 a(q, t), q += h v, v += h/2 a(q, t + h)"});
+}
+
 TEST_CASE("long rows become indexed lines, long listings a pointer to the sidecar") {
   Subject subject = cart_pole();
   FunctionEquations printed;

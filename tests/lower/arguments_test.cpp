@@ -17,7 +17,7 @@ std::string names(const Model& model, const Function& function) {
 
 }  // namespace
 
-TEST_CASE("arguments in one order, t last") {
+TEST_CASE("arguments in one order, t and h last") {
   Subject subject = cart_pole();
   const std::vector<Function>& functions = subject.program.functions;
   CHECK(names(subject.model, functions[0]) == "pq");    // mass_matrix
@@ -26,7 +26,11 @@ TEST_CASE("arguments in one order, t last") {
   Function inverse_dynamics;
   inverse_dynamics.kind = OutputKind::inverse_dynamics;
   CHECK(names(subject.model, inverse_dynamics) == "pqva");
+  Function step;
+  step.kind = OutputKind::step;
+  CHECK(names(subject.model, step) == "pqvuh");
   subject.model.uses_time = true;
+  CHECK(names(subject.model, step) == "pqvuth");
   subject.model.quadratic = false;
   CHECK(names(subject.model, functions[0]) == "pqvt");
 }

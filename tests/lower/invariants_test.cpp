@@ -34,6 +34,10 @@ TEST_CASE("every invariant is watched, and names function and instruction") {
     function.instructions[0].opcode = Opcode::time;
     broken = "function `bias`: instruction 0: there is no leaf 0";
   }
+  SECTION("a step where the program has none") {
+    function.instructions[0].opcode = Opcode::step;
+    broken = "function `bias`: instruction 0: there is no leaf 0";
+  }
   SECTION("first operand after its user") {
     function.instructions[1].a = 2;
     broken = "function `bias`: instruction 1: operand 2 is not computed before";

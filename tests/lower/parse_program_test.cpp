@@ -11,6 +11,7 @@ TEST_CASE("a program reads back as it was printed") {
       "coordinates theta\n"
       "inputs u\n"
       "time\n"
+      "step\n"
       "function mass_matrix\n"
       "  0 = parameter l[2]\n"
       "  1 = constant 1/2\n"
@@ -25,11 +26,18 @@ TEST_CASE("a program reads back as it was printed") {
       "  1 = velocity theta\n"
       "  2 = divide 1 0\n"
       "  result bias 1 1 = 2\n"
-      "  result gravity 1 1 = 0\n";
+      "  result gravity 1 1 = 0\n"
+      "function advance = step 1\n"
+      "  0 = step\n"
+      "  1 = velocity theta\n"
+      "  result coordinates 1 1 = 0\n"
+      "  result rates 1 1 = 1\n";
   const Program program = testing::read_program(text);
   CHECK(dump(program) == text);
   CHECK(program.constants.size() == 2);
   CHECK(program.functions.at(1).kind == OutputKind::dynamics);
+  CHECK(program.functions.at(2).kind == OutputKind::step);
+  CHECK(program.functions.at(2).user == 1);
 }
 
 TEST_CASE("comments and empty lines are passed over, names are kept") {
