@@ -188,7 +188,7 @@ Diagnostics add_step(const CheckedModel& checked, const OutputRequest& step, con
   const std::span<const FieldRow> rows = output_row(step.kind).fields;
   function.fields = {column(rows[0].name, std::move(q)), column(rows[1].name, std::move(v))};
   function.sampled_zeros = sampled_zeros(calls, function);
-  program.functions.push_back(pruned(std::move(function)));
+  program.functions.push_back(pruned(function));
   assert(check_invariants(program).empty());
   return {};
 }
