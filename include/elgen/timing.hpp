@@ -32,6 +32,7 @@ struct TimingOptions {
   std::vector<TimedVariant> variants = {};
   Build build = Build::to_time_contracted;  ///< or Build::to_time
   std::vector<Arguments<float>> states = {};
+  Limits limits = {};
 };
 
 /// The first function of the program, by each variant, in one library; parameters have their values
@@ -39,7 +40,6 @@ struct TimingOptions {
 /// programs.
 [[nodiscard]] Result<TimedFunctions> compile_timed(const EmittedFiles& files, const Model& model,
                                                    const Scene& scene, const Program& program,
-                                                   const TimingOptions& options,
-                                                   const Limits& limits);
+                                                   const TimingOptions& options);
 
 }  // namespace elgen

@@ -198,7 +198,7 @@ class DesignBench {
   }
 
   Result<TimedFunctions> compiled(const Workpiece& piece, const Products& products) {
-    TimingOptions timing{.states = states_.states};
+    TimingOptions timing{.states = states_.states, .limits = limits_};
     Scene scene = products.checked->scene;
     scene.emission = {};
     scene.numerics.scalars.clear();
@@ -213,7 +213,7 @@ class DesignBench {
     const Model& model = products.checked->model;
     const Result<EmittedFiles> files = emit(model, scene, *products.program);
     if (!files) return files.diagnostics;
-    return compile_timed(*files, model, scene, *products.program, timing, limits_);
+    return compile_timed(*files, model, scene, *products.program, timing);
   }
 
   /// What its own scene says, for one more scalar.

@@ -86,10 +86,10 @@ constexpr Loader loaders[] = {&loaded<float>, &loaded<double>, &loaded<long doub
 
 Result<TimedFunctions> compile_timed(const EmittedFiles& files, const Model& model,
                                      const Scene& scene, const Program& program,
-                                     const TimingOptions& options, const Limits& limits) {
+                                     const TimingOptions& options) {
   const Driver driver = timing_driver({model, scene, program}, options.variants);
   const NoInterrupts until_removed;
-  const Result<Workshop> workshop = Workshop::open(files, {driver}, limits);
+  const Result<Workshop> workshop = Workshop::open(files, {driver}, options.limits);
   if (!workshop) return workshop.diagnostics;
   Result<Library> built = workshop->build(driver, options.build);
   if (!built) return built.diagnostics;

@@ -9,12 +9,12 @@ using namespace elgen;
 namespace {
 
 Result<TimedFunctions> compiled(const std::string& text, const std::vector<ScalarKind>& scalars) {
-  TimingOptions options;
+  TimingOptions options{.limits = {.seconds = 600}};
   for (const ScalarKind scalar : scalars) options.variants.push_back({scalar, false});
   options.states = {{.parameters = {1, 1, 1}, .q = {7}, .v = {11}, .a = {13}},
                     {.parameters = {1, 1, 1}, .q = {0}, .v = {1}, .a = {0.5F}}};
   return compile_timed(sample::files(text), sample::model(), sample::scene(), sample::program(),
-                       options, {.seconds = 600});
+                       options);
 }
 
 /// Parameters are the header's own: 2, 3 and 5.
