@@ -63,7 +63,7 @@ TEST_CASE("dimensions that are asked for are tried, expansions about the point o
   CHECK(expanded > 0);
 }
 
-TEST_CASE("a scene keeps what it locks and fixes; files are not overwritten unasked") {
+TEST_CASE("a scene keeps what it locks and fixes, and files are not overwritten unasked") {
   const Workspace workspace;
   const std::string command =
       "elgen tradeoff -q --format csv -o x.csv " + models + "/scenes/balance.scene.toml";

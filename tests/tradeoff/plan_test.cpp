@@ -49,7 +49,7 @@ TEST_CASE("dimensions in which all designs are alike are left out") {
   CHECK(plan.designs.size() == 4);
 }
 
-TEST_CASE("more dimensions multiply the designs; packs have no long double") {
+TEST_CASE("more dimensions multiply the designs, and packs have no long double") {
   const TradeoffPlan plan =
       planned(pendulum_text(), "gravity", {"form", "long_double", "order", "contraction"});
   CHECK(plan.dimensions ==
