@@ -69,13 +69,17 @@ enum class Build : std::uint8_t {
   to_time_contracted,
 };
 
+struct CompileOptions {
+  Limits limits = {};
+  Build build = Build::as_written;
+};
+
 /// $CXX where it is set, else c++, g++, clang++, whichever is there. E704 without a compiler, E706
 /// without room for its files, E909 where it takes longer than `limits.seconds` by the clock; with
 /// the compiler's words, E705 where it refuses what was emitted, E709 where it cannot work.
 [[nodiscard]] Result<CompiledHeaders> compile(const EmittedFiles& files, const Model& model,
                                               const Scene& scene, const Program& program,
-                                              const Limits& limits,
-                                              Build build = Build::as_written);
+                                              const CompileOptions& options);
 
 /// As written, of a scene in C++; errors as of compile, E709 where Boost is not installed. Cost: 6
 /// s of the compiler, more for long programs.

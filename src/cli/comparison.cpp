@@ -26,7 +26,7 @@ Result<CompiledHeaders> compiled_by(Build build, Products& products, const Verif
   if (options.quick) return CompiledHeaders();
   const auto& [model, scene] = *products.checked;
   return timed("compile", products, progress, [&, &model = model, &scene = scene] {
-    return compile(*products.files, model, scene, *products.program, limits, build);
+    return compile(*products.files, model, scene, *products.program, {limits, build});
   });
 }
 

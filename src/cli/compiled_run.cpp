@@ -22,7 +22,7 @@ Result<CompiledHeaders> compiled_for_run(const Products& products, const Limits&
   plain.numerics = {};
   const Result<EmittedFiles> files = emit(model, plain, *products.program);
   if (!files) return files.diagnostics;
-  return compile(*files, model, plain, *products.program, limits);
+  return compile(*files, model, plain, *products.program, {limits});
 }
 
 }  // namespace elgen::cli

@@ -92,16 +92,16 @@ Result<CompiledHeader> compile_one(const Driver& driver, Build build, const Work
 }  // namespace
 
 Result<CompiledHeaders> compile(const EmittedFiles& files, const Model& model, const Scene& scene,
-                                const Program& program, const Limits& limits, Build build) {
+                                const Program& program, const CompileOptions& options) {
   const DriverInput input{model, scene, program};
   const std::vector<Driver> sources = drivers(input);
   const NoInterrupts until_removed;
-  const Result<Workshop> workshop = Workshop::open(files, sources, limits);
+  const Result<Workshop> workshop = Workshop::open(files, sources, options.limits);
   if (!workshop) return workshop.diagnostics;
   CompiledHeaders headers;
   for (const Driver& driver : sources) {
-    if (build == Build::as_users && !driver.types.empty()) continue;
-    Result<CompiledHeader> header = compile_one(driver, build, *workshop, input);
+    if (options.build == Build::as_users && !driver.types.empty()) continue;
+    Result<CompiledHeader> header = compile_one(driver, options.build, *workshop, input);
     if (!header) return header.diagnostics;
     headers.push_back(std::move(*header));
   }

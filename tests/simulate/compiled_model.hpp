@@ -32,7 +32,7 @@ class CompiledSystem {
     products_ = run_pipeline({make_source("test.toml", text), nullptr}, options);
     if (!products_.files) throw std::runtime_error(format(products_.diagnostics));
     Result<CompiledHeaders> headers =
-        compile(*products_.files, checked().model, checked().scene, program(), Limits{});
+        compile(*products_.files, checked().model, checked().scene, program(), {});
     if (!headers) throw std::runtime_error(format(headers.diagnostics));
     headers_ = std::move(*headers);
   }

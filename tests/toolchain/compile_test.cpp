@@ -98,8 +98,8 @@ Forward<Scalar> forward_dynamics(const Parameters<Scalar>& p, const Vector<Scala
 )";
   elgen::Scene scene = sample::scene();
   scene.emission.eigen = true;
-  const auto as_users =
-      elgen::compile(files, sample::model(), scene, sample::program(), {}, elgen::Build::as_users);
+  const auto as_users = elgen::compile(files, sample::model(), scene, sample::program(),
+                                       {.build = elgen::Build::as_users});
   REQUIRE(as_users);
   CHECK(as_users->size() == 1);  // the bounds are those of the arithmetic, whatever its types
   const auto compiled = elgen::compile(files, sample::model(), scene, sample::program(), {});

@@ -102,13 +102,13 @@ CertificateRow LossRecord::row(const FieldPlace& place, const Subject& subject,
   return row;
 }
 
-#define ELGEN_INSTANTIATE(Scalar)                                                                \
-  template void LossRecord::add(const FieldPlace&, const Finding&, Visit<Scalar>&, std::size_t); \
-  template CertificateRow LossRecord::row(const FieldPlace&, const Subject&,                     \
-                                          const std::vector<SampledState<Scalar>>&,              \
-                                          const VisitOptions&) const;
-ELGEN_INSTANTIATE(double)
-ELGEN_INSTANTIATE(float)
-#undef ELGEN_INSTANTIATE
+template void LossRecord::add(const FieldPlace&, const Finding&, Visit<double>&, std::size_t);
+template void LossRecord::add(const FieldPlace&, const Finding&, Visit<float>&, std::size_t);
+template CertificateRow LossRecord::row(const FieldPlace&, const Subject&,
+                                        const std::vector<SampledState<double>>&,
+                                        const VisitOptions&) const;
+template CertificateRow LossRecord::row(const FieldPlace&, const Subject&,
+                                        const std::vector<SampledState<float>>&,
+                                        const VisitOptions&) const;
 
 }  // namespace elgen
