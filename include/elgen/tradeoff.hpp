@@ -30,7 +30,7 @@ struct Design {
   std::string trigonometry = {};  ///< max_error of polynomials; "": as accurate as the scalar
   bool is_fixed = false;          ///< every parameter is a number
   std::optional<Form> form = {};
-  bool is_contracted = true;  ///< as compilers do where they are not told
+  bool is_contracted = true;    ///< as compilers do where they are not told
   std::string order = {};       ///< of an expansion about the start, or "exact"
   std::string drop_below = {};  ///< or "none"
 };

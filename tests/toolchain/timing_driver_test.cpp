@@ -35,7 +35,8 @@ TEST_CASE("in packs, the header of batches does all of it") {
   scene.emission.batch = true;
   const std::string text = driver(scene, {{}, {ScalarKind::double_precision, true}});
   CHECK_THAT(text, Contains("#include \"sample/sample_batch.hpp\""));
-  CHECK_THAT(text, Contains("emitted::batch::inverse_dynamics<Scalar>(model_parameters<Scalar>(), count, "
-                            "q, v, a, result);"));
+  CHECK_THAT(text,
+             Contains("emitted::batch::inverse_dynamics<Scalar>(model_parameters<Scalar>(), count, "
+                      "q, v, a, result);"));
   CHECK_THAT(text, Contains("in_packs<double>(count, parameters, q, v, a, u, t, h, result);"));
 }
