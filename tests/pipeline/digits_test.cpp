@@ -37,10 +37,10 @@ std::vector<CertificateRow> losses(const Generated& g) {
   return rows;
 }
 
-Generated generated(const std::string& text) {
+Generated generated(const std::string& text, const SourcePointer& scene = nullptr) {
   PipelineOptions options;
   options.goals = {"choose", "parts"};
-  Generated result{run_pipeline({make_source("model.toml", text), nullptr}, options)};
+  Generated result{run_pipeline({make_source("model.toml", text), scene}, options)};
   INFO(format(result.products.diagnostics));
   REQUIRE(result.products.program);
   return result;
@@ -152,6 +152,21 @@ TEST_CASE("a Schur complement in place of the pivot's closed form fails") {
   bool fails = false;
   for (const CertificateRow& row : losses(g)) fails = fails || row.verdict == Verdict::fails;
   CHECK(fails);
+}
+
+TEST_CASE("sines of a difference of angles taken apart are seen beside whole ones") {
+  Generated apart = generated(double_pendulum, make_source("apart.scene.toml", R"toml(format = 1
+model = "model.toml"
+name = "apart"
+[numeric]
+form = "closed"
+prefer = "speed"
+)toml"));
+  apart.products.ways.push_back({"whole", generated(double_pendulum).program()});
+  const std::vector<CertificateRow> rows = losses(apart);
+  CHECK(std::ranges::any_of(rows, [](const CertificateRow& row) {
+    return row.worst.find("the whole keeps them there") != std::string::npos;
+  }));
 }
 
 TEST_CASE("1 - cos(x) in place of its half angle fails") {

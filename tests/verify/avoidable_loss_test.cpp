@@ -39,6 +39,10 @@ TEST_CASE("1 - cos(th) fails beside 2 sin(th/2)^2") {
   CHECK(mentions(row.worst, "most of it in 1 - cos_th; the other form keeps them"));
 }
 
+TEST_CASE("terms that cancel fail beside the form without them") {
+  CHECK(row_of(uncancelled, half_angle).verdict == Verdict::fails);
+}
+
 TEST_CASE("what loses nothing holds, whatever the other ways lose") {
   const CertificateRow row = row_of(half_angle, cosine);
   CHECK(row.verdict == Verdict::holds);

@@ -18,6 +18,12 @@ inline const std::string half_angle =
     head +
     "  6 = constant 1/2\n  7 = multiply 6 3\n  8 = sin 7\n  9 = multiply 8 8\n"
     "  10 = add 9 9\n  11 = multiply 5 10\n  result 1 1 = 11\n";
+/// With m added and taken off again: terms that cancel.
+inline const std::string uncancelled =
+    head +
+    "  6 = constant 1/2\n  7 = multiply 6 3\n  8 = sin 7\n  9 = multiply 8 8\n"
+    "  10 = add 9 9\n  11 = multiply 5 10\n  12 = add 11 0\n  13 = subtract 12 0\n"
+    "  result 1 1 = 13\n";
 /// (1 - cos(th)^2)/(1 + cos(th)): as bad at 0, and infinite at pi.
 inline const std::string quotient =
     head +
