@@ -120,6 +120,7 @@ Loss Losses::of_field(const FieldPlace& place, const std::vector<Real>& errors,
   const Real threshold = tolerated * rounding_.roundoff;
   Loss worst;
   const auto take = [&](const Real& error, const Real& reference, std::size_t entry) {
+    if (!reference.is_defined()) return;
     const double figure = in_bounds(error, reference, rounding_);
     if (figure > worst.figure) worst = {figure, entry};
   };
