@@ -19,10 +19,14 @@ namespace {
 /// recursive form executes does not become cheaper by sharing, and is not lowered. Ratios from 3 to
 /// 12 give the same code for all of models/; with 2 a cheaper form is missed.
 constexpr std::size_t hopeless_ratio = 6;
-/// Where what solves loses digits in the recursive form, a closed one that costs several times as
-/// much is better. The longest that keep them in models/, derivatives of the accelerations of two
+/// Where the recursive form loses digits, a closed one that costs several times as much may be
+/// better. The longest that keep them in models/, derivatives of the accelerations of two
 /// links, are 12 times as long.
 constexpr std::size_t hopeless_ratio_with_losses = 24;
+/// Digits of what solves are worth any cost; those of other outputs, whose recursive form may leave
+/// the noise of rounding in entries that vanish on paper, so many times its own: the mass
+/// matrix of ur5 would cost 4.6 times as much, the derivatives of two_body_plane cost 1.4 times.
+constexpr std::size_t most_for_digits = 4;
 /// Where the recursive form is a few operations, the ratio says nothing: forms up to this length
 /// are lowered whatever it is.
 constexpr std::size_t always_tried = 400;
@@ -85,6 +89,11 @@ class Choosing {
     return entries;
   }
 
+  /// What is not emitted need not be read in a way that keeps its digits.
+  static void restore_readable(const ReadableEntries& before, ReadableEntries& entries) {
+    for (std::size_t i = 0; i < entries.size(); ++i) entries[i]->readable = before[i]->readable;
+  }
+
   [[nodiscard]] BothForms both_forms(std::size_t index) const {
     return {recursive_, recursive_.functions[index], forms_, forms_.functions[index]};
   }
@@ -109,8 +118,10 @@ class Choosing {
     Function closed;
     if (is_complete(entries)) {
       if (wants_closed || is_worth_lowering(entries, function)) {
+        const ReadableEntries before = entries;
         closed = compare(index, function, entries, costs);
         if (wish) costs.chosen = *wish;
+        if (costs.chosen == Form::recursive) restore_readable(before, entries);
       }
       fill_readable(index, entries);
     } else if (wants_closed) {
@@ -140,8 +151,7 @@ class Choosing {
     const std::size_t total = length(entries);
     const std::size_t known = cost(count_operations(recursive));
     if (total <= always_tried || total <= hopeless_ratio * known) return true;
-    const bool may_lose = prefers_accuracy() && output_row(recursive.kind).solves;
-    if (!may_lose || total > hopeless_ratio_with_losses * known) return false;
+    if (!prefers_accuracy() || total > hopeless_ratio_with_losses * known) return false;
     return recursive_loss(recursive) > 0;
   }
 
@@ -221,7 +231,11 @@ class Choosing {
     if (costs.chosen == Form::closed && costs.closed_loss == 0) return closed;
     costs.recursive_loss = recursive_loss(recursive);
     if (loses_more(*costs.closed_loss, *costs.recursive_loss)) costs.chosen = Form::recursive;
-    if (loses_more(*costs.recursive_loss, *costs.closed_loss)) costs.chosen = Form::closed;
+    const bool is_worth_it = output_row(recursive.kind).solves ||
+                             cost_of(closed) <= most_for_digits * cost_of(recursive);
+    if (is_worth_it && loses_more(*costs.recursive_loss, *costs.closed_loss)) {
+      costs.chosen = Form::closed;
+    }
     return closed;
   }
 
