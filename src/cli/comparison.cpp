@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "cli/progress.hpp"
+#include "cli/process/progress.hpp"
 
 namespace elgen::cli {
 

@@ -1,7 +1,7 @@
 // The model is checked once before, to know which outputs it has.
 #include "cli/compiled_run.hpp"
 
-#include "cli/progress.hpp"
+#include "cli/shown_pipeline.hpp"
 
 namespace elgen::cli {
 

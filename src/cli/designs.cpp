@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <map>
 
-#include "cli/progress.hpp"
-#include "cli/resources.hpp"
+#include "cli/process/progress.hpp"
+#include "cli/process/resources.hpp"
 #include "elgen/wording.hpp"
 #include "lower/code_interface.hpp"
 

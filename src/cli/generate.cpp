@@ -6,10 +6,10 @@
 #include <map>
 
 #include "cli/commands.hpp"
-#include "cli/inputs.hpp"
-#include "cli/output_files.hpp"
-#include "cli/progress.hpp"
-#include "cli/resources.hpp"
+#include "cli/files/inputs.hpp"
+#include "cli/files/output_files.hpp"
+#include "cli/process/resources.hpp"
+#include "cli/shown_pipeline.hpp"
 #include "elgen/artifacts.hpp"
 #include "elgen/render.hpp"
 

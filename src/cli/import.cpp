@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "cli/commands.hpp"
-#include "cli/inputs.hpp"
-#include "cli/output_files.hpp"
+#include "cli/files/inputs.hpp"
+#include "cli/files/output_files.hpp"
 #include "elgen/urdf.hpp"
 
 namespace elgen::cli {

@@ -4,7 +4,7 @@
 #include <new>
 
 #include "cli/command_line.hpp"
-#include "cli/resources.hpp"
+#include "cli/process/resources.hpp"
 
 namespace elgen::cli {
 

@@ -9,8 +9,8 @@
 #include <set>
 
 #include "cli/compiled_run.hpp"
-#include "cli/progress.hpp"
-#include "cli/resources.hpp"
+#include "cli/process/progress.hpp"
+#include "cli/process/resources.hpp"
 
 namespace elgen::cli {
 

@@ -8,7 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "cli/inputs.hpp"
+#include "cli/files/inputs.hpp"
 
 namespace elgen::cli {
 

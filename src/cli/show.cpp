@@ -7,8 +7,8 @@
 
 #include "cli/commands.hpp"
 #include "cli/costs.hpp"
-#include "cli/inputs.hpp"
-#include "cli/progress.hpp"
+#include "cli/files/inputs.hpp"
+#include "cli/shown_pipeline.hpp"
 #include "elgen/drop.hpp"
 #include "elgen/render.hpp"
 

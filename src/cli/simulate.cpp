@@ -8,10 +8,11 @@
 
 #include "cli/commands.hpp"
 #include "cli/compiled_run.hpp"
-#include "cli/inputs.hpp"
-#include "cli/output_files.hpp"
-#include "cli/progress.hpp"
-#include "cli/resources.hpp"
+#include "cli/files/inputs.hpp"
+#include "cli/files/output_files.hpp"
+#include "cli/process/progress.hpp"
+#include "cli/process/resources.hpp"
+#include "cli/shown_pipeline.hpp"
 #include "elgen/wording.hpp"
 
 namespace elgen::cli {

@@ -9,8 +9,8 @@
 
 #include "cli/commands.hpp"
 #include "cli/designs.hpp"
-#include "cli/inputs.hpp"
-#include "cli/output_files.hpp"
+#include "cli/files/inputs.hpp"
+#include "cli/files/output_files.hpp"
 #include "cli/runs.hpp"
 
 namespace elgen::cli {

@@ -6,11 +6,11 @@
 
 #include "cli/commands.hpp"
 #include "cli/comparison.hpp"
-#include "cli/inputs.hpp"
-#include "cli/output_files.hpp"
-#include "cli/progress.hpp"
-#include "cli/resources.hpp"
+#include "cli/files/inputs.hpp"
+#include "cli/files/output_files.hpp"
+#include "cli/process/resources.hpp"
 #include "cli/shards.hpp"
+#include "cli/shown_pipeline.hpp"
 #include "elgen/render.hpp"
 
 namespace elgen::cli {

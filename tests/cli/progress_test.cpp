@@ -38,10 +38,4 @@ TEST_CASE("a pipe is shown no progress") {
   CHECK(outcome.output.empty());
 }
 
-TEST_CASE("the line is gone before anything else is printed") {
-  const std::string seen =
-      on_terminal("elgen generate -q --timings --size n=40 -o out " + models + "/chain.toml");
-  CHECK(mentions(seen, clear_line + "       parse"));
-}
-
 }  // namespace elgen::test

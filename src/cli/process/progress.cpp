@@ -1,10 +1,9 @@
 // A watching thread rewrites one line of the terminal, and clears it at the end.
-#include "cli/progress.hpp"
+#include "cli/process/progress.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <utility>
@@ -50,26 +49,6 @@ void Progress::watch() {
   } while (!changed_.wait_for(lock, refresh, is_done));
   fmt::print(stderr, "\r\x1b[K");
   std::fflush(stderr);
-}
-
-PipelineOptions pipeline_options(const GlobalOptions& global, std::vector<std::string> goals) {
-  PipelineOptions pipeline;
-  pipeline.limits = global.limits;
-  pipeline.dump_stage = global.dump_stage;
-  pipeline.goals = std::move(goals);
-  if (!global.stop_after.empty()) pipeline.goals = {global.stop_after};
-  return pipeline;
-}
-
-Products run_shown(const std::string& subject, const Inputs& inputs, PipelineOptions options) {
-  const Progress progress(subject);
-  options.on_stage = [&](const std::string& stage) { progress.stage(stage); };
-  return run_pipeline(inputs, options);
-}
-
-ExitCode report_products(const GlobalOptions& global, const Products& products) {
-  const ExitCode dumped = print(global, products.dump);
-  return std::max(dumped, report(global, products.diagnostics));
 }
 
 }  // namespace elgen::cli

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/no_interrupts.hpp"
-#include "cli/output_files.hpp"
+#include "cli/files/output_files.hpp"
 
 namespace elgen::cli {
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "cli/output_files.hpp"
+#include "cli/files/output_files.hpp"
 
 namespace elgen::cli {
 

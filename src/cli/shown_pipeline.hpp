@@ -1,34 +1,12 @@
-// Progress on long work: on stderr, only on a terminal, only after half a second, naming the stage.
+// The pipeline as every command runs it: its stages are shown while it works, then what it says.
 #pragma once
 
-#include <condition_variable>
-#include <mutex>
 #include <string>
-#include <thread>
+#include <vector>
 
 #include "cli/options.hpp"
 
 namespace elgen::cli {
-
-class Progress {
- public:
-  explicit Progress(std::string subject);
-  ~Progress();
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-
-  void stage(const std::string& name) const;
-
- private:
-  void watch();
-
-  std::string subject_;
-  mutable std::mutex mutex_;
-  mutable std::condition_variable changed_;
-  mutable std::string stage_;
-  bool done_ = false;
-  std::thread watcher_;
-};
 
 /// Those of every command: `goals`, unless --stop-after names another.
 [[nodiscard]] PipelineOptions pipeline_options(const GlobalOptions& global,

@@ -1,5 +1,5 @@
 // setrlimit and signal handlers; handlers only write a prepared text and leave.
-#include "cli/resources.hpp"
+#include "cli/process/resources.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>

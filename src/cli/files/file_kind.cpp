@@ -1,5 +1,5 @@
 // file_kind: a row for every kind of file that is not simply read and replaced.
-#include "cli/file_kind.hpp"
+#include "cli/files/file_kind.hpp"
 
 namespace elgen::cli {
 

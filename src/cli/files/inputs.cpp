@@ -1,5 +1,5 @@
 // Reads the files a command names. A scene's model is found through the scene's own text.
-#include "cli/inputs.hpp"
+#include "cli/files/inputs.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -13,8 +13,8 @@
 
 #include "base/descriptor.hpp"
 #include "check/expressions/values.hpp"
-#include "cli/file_kind.hpp"
-#include "cli/resources.hpp"
+#include "cli/files/file_kind.hpp"
+#include "cli/process/resources.hpp"
 #include "parse/names_model.hpp"
 
 namespace elgen::cli {

@@ -9,10 +9,10 @@
 #include <set>
 #include <system_error>
 
-#include "cli/file_kind.hpp"
-#include "cli/inputs.hpp"
-#include "cli/output_files.hpp"
-#include "cli/transaction.hpp"
+#include "cli/files/file_kind.hpp"
+#include "cli/files/inputs.hpp"
+#include "cli/files/output_files.hpp"
+#include "cli/files/transaction.hpp"
 
 namespace elgen::cli {
 

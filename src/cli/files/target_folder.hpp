@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/descriptor.hpp"
-#include "cli/transaction.hpp"
+#include "cli/files/transaction.hpp"
 
 namespace elgen::cli {
 

@@ -1,6 +1,6 @@
 // transaction: folders are created, opened, locked in one order for all processes, and looked at
 // again: a process that fails removes the folders it made, perhaps under the hands of another.
-#include "cli/transaction.hpp"
+#include "cli/files/transaction.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "cli/target_folder.hpp"
+#include "cli/files/target_folder.hpp"
 
 namespace elgen::cli {
 

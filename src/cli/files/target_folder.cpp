@@ -1,6 +1,6 @@
 // target_folder: the stage bears a name of our own, so that what a killed process left is known and
 // removed by the next one, under the lock.
-#include "cli/target_folder.hpp"
+#include "cli/files/target_folder.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,0 +1,25 @@
+// A command's pipeline: its progress is gone before its products are printed.
+#include <catch2/catch.hpp>
+
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
+const std::string clear_line = "\r\x1b[K";
+
+}  // namespace
+
+TEST_CASE("the line of progress is gone before anything else is printed") {
+  const Workspace workspace;
+  const std::string seen =
+      shell("script -q -e -c \"elgen generate -q --timings --size n=40 -o out " + models +
+                "/chain.toml\" /dev/null",
+            workspace.path())
+          .output;
+  CHECK(mentions(seen, clear_line + "       parse"));
+}
+
+}  // namespace elgen::test
