@@ -14,9 +14,6 @@
 
 namespace elgen {
 
-/// Losses that differ by less are alike: the cheaper way is taken.
-inline constexpr double similar_losses = 8;
-
 using ExtremePoints = std::vector<Arguments<double>>;
 
 /// The same on every machine: ordinary magnitudes; wide ones; and parameters of wide ratios, or one

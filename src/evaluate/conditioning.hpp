@@ -14,6 +14,9 @@ namespace elgen {
 /// the formula.
 inline constexpr double tolerated_loss = 64;
 
+/// Losses that differ by less are alike: the cheaper way is taken.
+inline constexpr double similar_losses = 8;
+
 /// The literals that count as rounded.
 enum class Literals : std::uint8_t {
   not_binary,  ///< in the scalar

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "elgen/render.hpp"
 
@@ -13,63 +14,80 @@ namespace {
 
 constexpr const char* loss_reason =
     "64 u R, R = |x*| + K, K = sum |z dx/dz| over inputs, parameters and literals: what their own "
-    "rounding costs; fails where one way keeps the digits at all states";
+    "rounding costs; fails where one way keeps the digits there, and loses no more elsewhere than "
+    "is tolerated or 8 times what the code loses";
 
-/// The ways that keep all digits at the states of a list, out of those that are left.
-template <class Scalar>
-class KeepingWays {
- public:
-  KeepingWays(const FieldPlace& place, const Subject& subject,
-              const std::vector<SampledState<Scalar>>& states, const VisitOptions& options)
-      : place_(place),
-        subject_(subject),
-        states_(states),
-        options_(options),
-        left_(field_ways(subject, place, *options.ways)) {
-    left_.erase(left_.begin());  // the code itself
-  }
-
-  [[nodiscard]] const std::vector<FieldWay>& left() const { return left_; }
-
-  void ask(std::size_t at) {
-    if (left_.empty()) return;
-    Visit<Scalar> visit(subject_, states_[at], options_);
-    const std::vector<bool> keep = visit.keeping_ways(place_, left_);
-    std::vector<FieldWay> some;
-    for (std::size_t i = 0; i < keep.size(); ++i) {
-      if (keep[i]) some.push_back(left_[i]);
-    }
-    left_ = std::move(some);
-  }
-
- private:
-  const FieldPlace& place_;
-  const Subject& subject_;
-  const std::vector<SampledState<Scalar>>& states_;
-  const VisitOptions& options_;
-  std::vector<FieldWay> left_;
+/// An entry that loses digits, and the ways that may be better.
+struct LossyEntry {
+  std::size_t entry = 0;
+  double figure = 0;            ///< where it is largest
+  std::size_t at = 0;           ///< that state
+  std::vector<FieldWay> ways;   ///< that are left
+  std::string_view there = {};  ///< one of those that keep the digits at that state
 };
+
+template <class Scalar>
+using LossOfWay = typename Visit<Scalar>::LossOfWay;
+
+/// Drops the ways that lose more than so much of the entry.
+template <class Scalar>
+void drop_losing(LossyEntry& lossy, const LossOfWay<Scalar>& loss, double most) {
+  std::erase_if(lossy.ways, [&](const FieldWay& way) { return loss(way, lossy.entry) > most; });
+}
+
+/// Leaves to every entry the ways that are better.
+template <class Scalar>
+void compare_ways(const FieldPlace& place, const Subject& subject,
+                  const std::vector<SampledState<Scalar>>& states, const VisitOptions& options,
+                  std::vector<LossyEntry>& entries) {
+  std::vector<FieldWay> others = field_ways(subject, place, *options.ways);
+  const FieldWay code = others.front();
+  others.erase(others.begin());
+  const auto has_ways = [](const LossyEntry& lossy) { return !lossy.ways.empty(); };
+  for (LossyEntry& lossy : entries) {
+    lossy.ways = others;
+    Visit<Scalar> visit(subject, states[lossy.at], options);
+    drop_losing<Scalar>(lossy, visit.losses_of_ways(place), tolerated_loss);
+    if (has_ways(lossy)) lossy.there = lossy.ways.front().name;
+  }
+  for (const SampledState<Scalar>& state : states) {
+    if (std::ranges::none_of(entries, has_ways)) return;
+    Visit<Scalar> visit(subject, state, options);
+    const auto loss = visit.losses_of_ways(place);
+    for (LossyEntry& lossy : entries) {
+      if (!has_ways(lossy)) continue;
+      const double alike = similar_losses * loss(code, lossy.entry);
+      drop_losing<Scalar>(lossy, loss, std::max(tolerated_loss, alike));
+    }
+  }
+}
 
 std::string figure_text(double figure) {
   if (!std::isfinite(figure)) return "all digits";
   return fmt::format("loss {:.2g}, {:.1f} digits", figure, std::log10(figure));
 }
 
+/// What may be done about it.
+std::string remedy(const LossyEntry& lossy) {
+  if (!lossy.ways.empty()) return fmt::format("the {} keeps them", lossy.ways.front().name);
+  if (lossy.there.empty()) return "no known way keeps them there";
+  return fmt::format("the {} keeps them there, but loses others elsewhere", lossy.there);
+}
+
+/// Entries that a way would improve come before those that none does.
+bool is_worse(const LossyEntry& x, const LossyEntry& y) {
+  return std::pair(!x.ways.empty(), x.figure) > std::pair(!y.ways.empty(), y.figure);
+}
+
 }  // namespace
 
-template <class Scalar>
-void LossRecord::add(const FieldPlace& place, const Finding& finding, Visit<Scalar>& visit,
-                     std::size_t at) {
+void LossRecord::add(const Finding& finding, const State& state, std::size_t at) {
   if (!finding.loss) return;
-  const double figure = finding.loss->figure;
-  const bool is_worst = figures_.samples() == 0 || figure > figures_.worst();
-  figures_.add(figure, visit.state());
+  const auto [figure, entry] = *finding.loss;
+  figures_.add(figure, state);
   if (figure <= tolerated_loss) return;
-  has_loss_ = true;
-  if (!is_worst) return;
-  entry_ = finding.loss->entry;
-  culprit_ = visit.culprit(place, entry_);
-  worst_at_ = at;
+  Lost& lost = lossy_[entry];
+  if (figure > lost.figure) lost = {figure, at};
 }
 
 template <class Scalar>
@@ -84,26 +102,23 @@ CertificateRow LossRecord::row(const FieldPlace& place, const Subject& subject,
   row.worst = figures_.samples() == 0 ? "no state to compare at"
                                       : fmt::format("loss {:.2g}", figures_.worst());
   if (figures_.samples() > 0) row.loss = figures_.worst();
-  if (!has_loss()) return row;
-  KeepingWays<Scalar> ways(place, subject, states, options);
-  ways.ask(worst_at_);
-  const std::string there = ways.left().empty() ? "" : std::string(ways.left().front().name);
-  for (std::size_t at = 0; at < states.size(); ++at) ways.ask(at);
-  row.verdict = ways.left().empty() ? Verdict::noted : Verdict::fails;
-  row.worst = fmt::format("{} of entry {}, most of it in {}", figure_text(figures_.worst()),
-                          entry_ + 1, equation_at(subject.program, *place.function, culprit_));
-  if (!ways.left().empty()) {
-    row.worst += fmt::format("; the {} keeps them", ways.left().front().name);
-  } else if (there.empty()) {
-    row.worst += "; no known way keeps them there";
-  } else {
-    row.worst += fmt::format("; the {} keeps them there, but not everywhere", there);
-  }
+  if (lossy_.empty()) return row;
+  std::vector<LossyEntry> entries;
+  for (const auto& [entry, lost] : lossy_) entries.push_back({entry, lost.figure, lost.at, {}});
+  compare_ways(place, subject, states, options, entries);
+  const LossyEntry& worst = *std::ranges::min_element(entries, is_worse);
+  Visit<Scalar> there(subject, states[worst.at], options);
+  const std::uint32_t culprit = there.culprit(place, worst.entry);
+  const bool is_chosen = subject.scene.numerics.prefer == Preference::speed;
+  row.verdict = worst.ways.empty() || is_chosen ? Verdict::noted : Verdict::fails;
+  row.where = describe(subject, there.state());
+  row.worst = fmt::format("{} of entry {}, most of it in {}; {}", figure_text(worst.figure),
+                          worst.entry + 1, equation_at(subject.program, *place.function, culprit),
+                          remedy(worst));
+  if (is_chosen) row.worst += "; the scene prefers speed";
   return row;
 }
 
-template void LossRecord::add(const FieldPlace&, const Finding&, Visit<double>&, std::size_t);
-template void LossRecord::add(const FieldPlace&, const Finding&, Visit<float>&, std::size_t);
 template CertificateRow LossRecord::row(const FieldPlace&, const Subject&,
                                         const std::vector<SampledState<double>>&,
                                         const VisitOptions&) const;

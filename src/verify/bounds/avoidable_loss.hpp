@@ -2,7 +2,7 @@
 // keeps them.
 #pragma once
 
-#include <string>
+#include <map>
 #include <vector>
 
 #include "elgen/certificate.hpp"
@@ -15,26 +15,26 @@ namespace elgen {
 class LossRecord {
  public:
   /// `at` is the number of the state.
-  template <class Scalar>
-  void add(const FieldPlace& place, const Finding& finding, Visit<Scalar>& visit, std::size_t at);
+  void add(const Finding& finding, const State& state, std::size_t at);
 
-  /// Where the code of the field loses digits.
-  [[nodiscard]] bool has_loss() const { return has_loss_; }
-
-  /// Fails where one way keeps what is lost, and all else, at every state; noted where none
-  /// does: in sqrt(x^2 + l^2) - x either way loses digits, for one sign of x. Cost: nothing without
-  /// a loss, else errors of all ways at all states, of each up to the first that it fails at.
+  /// Fails where one way keeps the digits of an entry where the code loses most of them, and loses
+  /// nowhere else more than the code: it is better. Noted where none is: in sqrt(x^2 + l^2) - x
+  /// either way loses digits, for one sign of x; and where the scene prefers speed. Cost: nothing
+  /// without a loss, else a run of all ways at all states, of each up to the first that it loses
+  /// at.
   template <class Scalar>
   [[nodiscard]] CertificateRow row(const FieldPlace& place, const Subject& subject,
                                    const std::vector<SampledState<Scalar>>& states,
                                    const VisitOptions& options) const;
 
  private:
+  struct Lost {
+    double figure = 0;   ///< of the entry, where it is largest
+    std::size_t at = 0;  ///< that state
+  };
+
   Tally figures_ = {};
-  bool has_loss_ = false;
-  std::size_t entry_ = 0;      ///< of the largest
-  std::uint32_t culprit_ = 0;  ///< its instruction
-  std::size_t worst_at_ = 0;   ///< its state
+  std::map<std::size_t, Lost> lossy_ = {};  ///< entries, each the worst one of a state
 };
 
 }  // namespace elgen

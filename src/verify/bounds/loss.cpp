@@ -69,7 +69,7 @@ std::vector<FieldWay> field_ways(const Subject& subject, const FieldPlace& place
   return all;
 }
 
-const std::vector<Running>& Losses::errors(const Program& program, const Function& function) {
+const std::vector<Running>& Losses::errors(const Function& function) {
   auto known = errors_.find(&function);
   if (known != errors_.end()) return known->second;
   MoreDigits digits;
@@ -79,8 +79,8 @@ const std::vector<Running>& Losses::errors(const Program& program, const Functio
       const Bound bound = leaf_bound(value, rounding_);
       return Running{bound.value, bound.exact ? Real() : abs(bound.value)};
     };
-    values =
-        fold<Running>(RunningErrorRules{map_leaves(leaf, state_), rounding_}, program, function);
+    values = fold<Running>(RunningErrorRules{map_leaves(leaf, state_), rounding_}, subject_.program,
+                           function);
   } while (digits.grow());
   return errors_.emplace(&function, std::move(values)).first->second;
 }
@@ -88,7 +88,7 @@ const std::vector<Running>& Losses::errors(const Program& program, const Functio
 /// R of an entry.
 Real Losses::reference(const FieldPlace& place, std::size_t entry) {
   const Function& function = *place.function;
-  const std::vector<Running>& own = errors(subject_.program, function);
+  const std::vector<Running>& own = errors(function);
   std::unique_ptr<Conditioning>& conditioning = conditioning_[&function];
   if (conditioning == nullptr) {
     const bool has_fixed = !subject_.scene.specialisation.fixed.empty();
@@ -114,64 +114,47 @@ Real Losses::norm_of_references(const FieldPlace& place, const SolvedColumn& col
   return norm(column, references);
 }
 
+double Losses::of_entry(const FieldPlace& place, std::size_t entry, const std::vector<Real>& errors,
+                        const std::vector<Real>& exact, const std::vector<SolvedColumn>& columns) {
+  static const Real tolerated(cln::cl_RA(static_cast<long>(tolerated_loss)));
+  const Real threshold = tolerated * rounding_.roundoff;
+  const auto has_entry = [entry](const SolvedColumn& column) {
+    return std::ranges::count(column.entries, entry) > 0;
+  };
+  const auto column = std::ranges::find_if(columns, has_entry);
+  const bool by_norm = column != columns.end();
+  const Real error = by_norm ? norm(*column, errors) : errors[entry];
+  const Real value = by_norm ? norm(*column, exact) : abs(exact[entry]);
+  if (!exceeds(error, threshold * value)) return 0;  // R >= |x*|, which costs nothing
+  const Real reference =
+      by_norm ? norm_of_references(place, *column) : this->reference(place, entry);
+  return reference.is_defined() ? in_bounds(error, reference, rounding_) : 0;
+}
+
 Loss Losses::of_field(const FieldPlace& place, const std::vector<Real>& errors,
                       const std::vector<Real>& exact, const std::vector<SolvedColumn>& columns) {
-  const Real tolerated(cln::cl_RA(static_cast<long>(tolerated_loss)));
-  const Real threshold = tolerated * rounding_.roundoff;
   Loss worst;
-  const auto take = [&](const Real& error, const Real& reference, std::size_t entry) {
-    if (!reference.is_defined()) return;
-    const double figure = in_bounds(error, reference, rounding_);
+  const auto look_at = [&](std::size_t entry) {
+    const double figure = of_entry(place, entry, errors, exact, columns);
     if (figure > worst.figure) worst = {figure, entry};
   };
-  for (const SolvedColumn& column : columns) {
-    const Real error = norm(column, errors);
-    if (!exceeds(error, threshold * norm(column, exact))) continue;
-    take(error, norm_of_references(place, column), column.entries.front());
-  }
+  for (const SolvedColumn& column : columns) look_at(column.entries.front());
   const std::vector<bool> by_norm = entries_in(columns, errors.size());
   std::vector<std::pair<double, std::size_t>> most;  // what each may lose, as R >= |x*|
   for (std::size_t i = 0; i < errors.size(); ++i) {
-    if (by_norm[i] || !exceeds(errors[i], threshold * abs(exact[i]))) continue;
-    most.emplace_back(in_bounds(errors[i], abs(exact[i]), rounding_), i);
+    if (!by_norm[i]) most.emplace_back(in_bounds(errors[i], abs(exact[i]), rounding_), i);
   }
   std::ranges::sort(most, std::ranges::greater());
   for (const auto& [figure, entry] : most) {
-    if (figure <= worst.figure) break;
-    take(errors[entry], reference(place, entry), entry);
+    if (figure <= std::max(worst.figure, tolerated_loss)) break;
+    look_at(entry);
   }
   return worst;
 }
 
-bool Losses::keeps(const FieldPlace& place, const FieldWay& way,
-                   const std::vector<SolvedColumn>& columns) {
-  static const Real tolerated(cln::cl_RA(static_cast<long>(tolerated_loss)));
-  const std::size_t count = place.field().entries.size();
-  const std::vector<std::uint32_t> entries = entries_of(*way.function);
-  const std::vector<Running>& all = errors(*way.program, *way.function);
-  std::vector<Real> own(count);
-  std::vector<Real> values(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    own[i] = all[entries[way.first + i]].error;
-    values[i] = abs(all[entries[way.first + i]].value);
-  }
-  for (const SolvedColumn& column : columns) {
-    const Real error = norm(column, own);
-    // R >= |x*|, which costs nothing.
-    if (!exceeds(error, tolerated * norm(column, values))) continue;
-    if (exceeds(error, tolerated * norm_of_references(place, column))) return false;
-  }
-  const std::vector<bool> by_norm = entries_in(columns, count);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (by_norm[i] || !exceeds(own[i], tolerated * values[i])) continue;
-    if (exceeds(own[i], tolerated * reference(place, i))) return false;
-  }
-  return true;
-}
-
 std::uint32_t Losses::culprit(const FieldPlace& place, std::size_t entry) {
   const Function& function = *place.function;
-  const std::vector<Running>& values = errors(subject_.program, function);
+  const std::vector<Running>& values = errors(function);
   const std::vector<bool> needed = needed_for(function, {place.field().entries[entry]});
   std::uint32_t worst = place.field().entries[entry];
   Real growth;

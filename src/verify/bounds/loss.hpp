@@ -3,10 +3,9 @@
 //     loss = max(0, |x - x*| - N eta) / (u R),     R = |x*| + K
 //
 // K = sum |z dx/dz| (evaluate/conditioning.hpp) is what one rounding of every input would cost, so
-// that an angle of 1e15 rad, which is known to a tenth, excuses what is made of it. A way to write
-// x keeps its digits where its error bound B is no more than 64 R. In solutions of M x = b the norm
-// |D^1/2 x| is taken of errors and of R alike. It is looked at only where |x - x*| > 64 u |x*|;
-// elsewhere it is less.
+// that an angle of 1e15 rad, which is known to a tenth, excuses what is made of it. In solutions of
+// M x = b the norm |D^1/2 x| is taken of errors and of R alike. It is looked at only where |x - x*|
+// > 64 u |x*|; elsewhere it is less.
 #pragma once
 
 #include <map>
@@ -50,22 +49,22 @@ class Losses {
   /// Whether angles are known well enough for K, which is of first order: to 1/1000 rad.
   [[nodiscard]] bool knows_angles() const;
 
-  /// The field's largest loss, of entries that are off by `errors` (without N eta) from
-  /// `exact`; `columns` are judged by their norms. None where a value or K is undefined.
+  /// What an entry that is off by `errors` (without N eta) from `exact` loses, or its column of
+  /// `columns`, which are judged by their norms. 0 where K has no value.
+  [[nodiscard]] double of_entry(const FieldPlace& place, std::size_t entry,
+                                const std::vector<Real>& errors, const std::vector<Real>& exact,
+                                const std::vector<SolvedColumn>& columns);
+
+  /// The largest of all entries.
   [[nodiscard]] Loss of_field(const FieldPlace& place, const std::vector<Real>& errors,
                               const std::vector<Real>& exact,
                               const std::vector<SolvedColumn>& columns);
-
-  /// Whether the running errors of the field, written in one of its ways, are within 64 u R: that
-  /// way loses nothing.
-  [[nodiscard]] bool keeps(const FieldPlace& place, const FieldWay& way,
-                           const std::vector<SolvedColumn>& columns);
 
   /// Of the code of the entry, the instruction at which errors grow most.
   [[nodiscard]] std::uint32_t culprit(const FieldPlace& place, std::size_t entry);
 
  private:
-  const std::vector<Running>& errors(const Program& program, const Function& function);
+  const std::vector<Running>& errors(const Function& function);
   Real reference(const FieldPlace& place, std::size_t entry);
   Real norm_of_references(const FieldPlace& place, const SolvedColumn& column);
 

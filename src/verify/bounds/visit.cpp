@@ -255,34 +255,46 @@ void Visit<Scalar>::measure_users(const FieldPlace& place, const Judged& judged,
 /// Exact values have 60 digits of the largest of what they are made of: errors that are no larger
 /// than what is left out of them say nothing, nor do those of what underflows on the way.
 template <class Scalar>
-std::optional<Loss> Visit<Scalar>::measured_loss(const FieldPlace& place, const Judged& judged) {
+auto Visit<Scalar>::deviations(const FieldPlace& place, const Judged& judged,
+                               std::span<const Scalar> values, std::size_t operations) const
+    -> std::optional<Deviations> {
   static const Real negligible(power_of_ten(-45));
-  const std::size_t operations = place.function->instructions.size();
-  std::vector<Real> errors;
-  std::vector<Real> exact;
+  Deviations result;
   for (std::size_t i = 0; i < judged.entries.size(); ++i) {
     const Bound& own = exact_.entries[place.first + i];
     if (!own.value.is_defined()) return std::nullopt;
-    const Real error =
-        excess_error(values_[place.first + i], own.value, operations, rounding<Scalar>());
+    const Real error = excess_error(values[i], own.value, operations, rounding<Scalar>());
     const bool is_known = error.value() > (own.bound * negligible).value();
-    errors.push_back(is_known && !own.underflows ? error : Real());
-    exact.push_back(own.value);
+    result.errors.push_back(is_known && !own.underflows ? error : Real());
+    result.exact.push_back(own.value);
   }
-  return losses_.of_field(place, errors, exact, judged.columns);
+  return result;
 }
 
 template <class Scalar>
-std::vector<bool> Visit<Scalar>::keeping_ways(const FieldPlace& place,
-                                              const std::vector<FieldWay>& ways) {
+std::optional<Loss> Visit<Scalar>::measured_loss(const FieldPlace& place, const Judged& judged) {
+  const std::span<const Scalar> values(&values_[place.first], judged.entries.size());
+  const auto found = deviations(place, judged, values, place.function->instructions.size());
+  if (!found) return std::nullopt;
+  return losses_.of_field(place, found->errors, found->exact, judged.columns);
+}
+
+template <class Scalar>
+auto Visit<Scalar>::losses_of_ways(const FieldPlace& place) -> LossOfWay {
   run(place);
   const Judged judged = this->judged(place);
-  std::vector<bool> keep;
-  for (const FieldWay& way : ways) {
-    const bool is_judged = has_values(judged.regime) && losses_.knows_angles();
-    keep.push_back(!is_judged || losses_.keeps(place, way, judged.columns));
+  if (!has_values(judged.regime) || !losses_.knows_angles()) {
+    return [](const FieldWay&, std::size_t) { return 0.0; };
   }
-  return keep;
+  return [this, &place, judged](const FieldWay& way, std::size_t entry) {
+    const std::vector<Scalar> all = evaluate(*way.program, *way.function, sample_.values);
+    const std::span<const Scalar> values(&all[way.first], judged.entries.size());
+    const auto is_finite = [](Scalar x) { return std::isfinite(x); };
+    if (!std::ranges::all_of(values, is_finite)) return std::numeric_limits<double>::infinity();
+    const auto found = deviations(place, judged, values, way.function->instructions.size());
+    if (!found) return 0.0;
+    return losses_.of_entry(place, entry, found->errors, found->exact, judged.columns);
+  };
 }
 
 template <class Scalar>

@@ -2,8 +2,10 @@
 // mathematics is right), and its rounded ones within 8 u B of them (so is the rounding).
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -69,10 +71,10 @@ class Visit {
     return losses_.culprit(place, entry);
   }
 
-  /// Whether each way to write the field keeps the digits that another does; true where nothing has
-  /// a value.
-  [[nodiscard]] std::vector<bool> keeping_ways(const FieldPlace& place,
-                                               const std::vector<FieldWay>& ways);
+  /// What an entry loses in a way to write the field; 0 where it has no value, infinite where the
+  /// way alone has none. Outlived by the visit and the place. Cost: a run of the way for each.
+  using LossOfWay = std::function<double(const FieldWay&, std::size_t entry)>;
+  [[nodiscard]] LossOfWay losses_of_ways(const FieldPlace& place);
 
  private:
   /// Bounds of the field's entries by whoever judges them.
@@ -94,6 +96,15 @@ class Visit {
                                            std::string_view of) const;
   void measure(const FieldPlace& place, const Judged& judged, Finding& finding) const;
   void measure_users(const FieldPlace& place, const Judged& judged, Finding& finding);
+  /// Errors of a field, without N eta, and its exact entries.
+  struct Deviations {
+    std::vector<Real> errors = {};
+    std::vector<Real> exact = {};
+  };
+  /// None where an entry has no exact value.
+  [[nodiscard]] std::optional<Deviations> deviations(const FieldPlace& place, const Judged& judged,
+                                                     std::span<const Scalar> values,
+                                                     std::size_t operations) const;
   [[nodiscard]] std::optional<Loss> measured_loss(const FieldPlace& place, const Judged& judged);
   void add_error(const FieldPlace& place, std::size_t entry, double error, Finding& finding) const;
   [[nodiscard]] double error_in_norm(const FieldPlace& place, const SolvedColumn& column) const;
