@@ -89,11 +89,6 @@ class Choosing {
     return entries;
   }
 
-  /// What is not emitted need not be read in a way that keeps its digits.
-  static void restore_readable(const ReadableEntries& before, ReadableEntries& entries) {
-    for (std::size_t i = 0; i < entries.size(); ++i) entries[i]->readable = before[i]->readable;
-  }
-
   [[nodiscard]] BothForms both_forms(std::size_t index) const {
     return {recursive_, recursive_.functions[index], forms_, forms_.functions[index]};
   }
@@ -118,10 +113,9 @@ class Choosing {
     Function closed;
     if (is_complete(entries)) {
       if (wants_closed || is_worth_lowering(entries, function)) {
-        const ReadableEntries before = entries;
         closed = compare(index, function, entries, costs);
         if (wish) costs.chosen = *wish;
-        if (costs.chosen == Form::recursive) restore_readable(before, entries);
+        if (costs.chosen == Form::closed) read_as_precisely(entries, points_);
       }
       fill_readable(index, entries);
     } else if (wants_closed) {
@@ -222,7 +216,7 @@ class Choosing {
     std::vector<double> losses = possible_losses(result_.program, closed, extremes_);
     // Those of `dynamics` are those of the functions before it.
     const bool repeats = output_row(recursive.kind).repeats;
-    if (!repeats && rewrite(entries, losses, both_forms(index), points_, extremes_)) {
+    if (!repeats && rewrite(entries, losses, both_forms(index), extremes_)) {
       closed = lowered_together(entries, recursive, result_.program, splits_of(recursive));
       losses = possible_losses(result_.program, closed, extremes_);
       costs.chosen = cost_of(closed) <= cost_of(recursive) ? Form::closed : Form::recursive;

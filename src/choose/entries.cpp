@@ -69,7 +69,7 @@ std::vector<std::uint32_t> rewritten_entries(const ReadableEntries& entries, std
 }
 
 bool rewrite(ReadableEntries& entries, const std::vector<double>& losses, const BothForms& both,
-             const MixedPoints& points, const ExtremePoints& extremes) {
+             const ExtremePoints& extremes) {
   const Algebra& algebra = both.forms.algebra;
   const std::vector<const std::optional<Fraction>*> all = forms_of(both.closed);
   const std::vector<std::uint32_t> instructions = entries_of(both.function);
@@ -89,11 +89,16 @@ bool rewrite(ReadableEntries& entries, const std::vector<double>& losses, const 
     is_rewritten = true;
     entries[i]->is_rewritten = true;
     entries[i]->compact = std::move(*way);
-    // The code is judged by the readable form.
-    if (is_as_precise(entries[i]->compact, entries[i]->readable, points, Leaves::exact)) continue;
-    entries[i]->readable = entries[i]->compact;
   }
   return is_rewritten;
+}
+
+void read_as_precisely(ReadableEntries& entries, const MixedPoints& points) {
+  for (auto& entry : entries) {
+    if (!entry->is_rewritten) continue;
+    if (is_as_precise(entry->compact, entry->readable, points, Leaves::exact)) continue;
+    entry->readable = entry->compact;
+  }
 }
 
 }  // namespace elgen

@@ -36,7 +36,10 @@ struct BothForms {
 /// Writes the entries that lose digits in ways that do not; whether there is one. `losses` are
 /// those of the code, entry by entry.
 [[nodiscard]] bool rewrite(ReadableEntries& entries, const std::vector<double>& losses,
-                           const BothForms& both, const MixedPoints& points,
-                           const ExtremePoints& extremes);
+                           const BothForms& both, const ExtremePoints& extremes);
+
+/// Shows those that rewrite() has written as they are computed where they would be shown in a way
+/// that is less precise, which would judge the code.
+void read_as_precisely(ReadableEntries& entries, const MixedPoints& points);
 
 }  // namespace elgen
