@@ -87,6 +87,10 @@ T = "1/2*m*dot(x)^2"
 )" + more;
 }
 
+std::string scene_of_block(const std::string& more) {
+  return "format = 1\nmodel = \"block.toml\"\nname = \"fast\"\n" + more;
+}
+
 std::string dumped(const std::string& model, const std::string& word, const Wanted& wanted) {
   std::istringstream lines(dump(checked(model, wanted).model));
   std::string text;

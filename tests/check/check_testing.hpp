@@ -18,6 +18,9 @@ struct Wanted {
   bool large_expectations = false;
 };
 
+/// A scene of the model `block`, named `fast`; `more` starts on line 4.
+[[nodiscard]] std::string scene_of_block(const std::string& more);
+
 /// Parses and checks; the texts must be free of syntax errors.
 [[nodiscard]] Result<CheckedModel> run_check(const std::string& model, const Wanted& wanted = {});
 

@@ -8,18 +8,12 @@
 namespace elgen::test {
 namespace {
 
-const std::string head = "format = 1\nmodel = \"block.toml\"\nname = \"fast\"\n";
-
 Scene scene_of(const std::string& more) {
-  Wanted wanted;
-  wanted.scene = head + more;
-  return checked(block(""), wanted).scene;
+  return checked(block(), {.scene = scene_of_block(more)}).scene;
 }
 
 std::string scene_messages(const std::string& more) {
-  Wanted wanted;
-  wanted.scene = head + more;
-  return messages(block(""), wanted);
+  return messages(block(), {.scene = scene_of_block(more)});
 }
 
 TEST_CASE("without [emit] the code is C++, row-major, without Eigen") {

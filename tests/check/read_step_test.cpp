@@ -9,9 +9,7 @@ namespace elgen::test {
 namespace {
 
 Wanted outputs(const std::string& lines) {
-  Wanted wanted;
-  wanted.scene = "format = 1\nmodel = \"block.toml\"\nname = \"next\"\n[outputs]\n" + lines + "\n";
-  return wanted;
+  return {.scene = scene_of_block("[outputs]\n" + lines + "\n")};
 }
 
 std::string said_of(const std::string& lines) { return messages(block(""), outputs(lines)); }

@@ -11,17 +11,14 @@ namespace elgen::test {
 namespace {
 
 const std::string arrays = block("[parameters.l]\nvalue = [1, 2]\nsize = 2\nunit = \"m\"\n");
-const std::string head = "format = 1\nmodel = \"block.toml\"\nname = \"fast\"\n";
 
 Scene scene_of(const std::string& more, Wanted wanted = {}) {
-  wanted.scene = head + more;
+  wanted.scene = scene_of_block(more);
   return checked(arrays, wanted).scene;
 }
 
 std::string scene_messages(const std::string& more) {
-  Wanted wanted;
-  wanted.scene = head + more;
-  return messages(arrays, wanted);
+  return messages(arrays, {.scene = scene_of_block(more)});
 }
 
 std::string output_names(const Scene& scene) {
@@ -143,7 +140,7 @@ TEST_CASE("what stamps are made of is the file of the scene and the options, wit
   wanted.sizes = {"n=4"};
   CHECK(checked(sized, wanted).scene.canonical ==
         "--outputs bias\n--outputs drift\n--fix k=pi/4\n--size n=4\n");
-  wanted.scene = head;
+  wanted.scene = scene_of_block("");
   CHECK(checked(sized, wanted).scene.canonical ==
         "[]\n  format = 1\n  model = \"block.toml\"\n  name = fast\n"
         "--outputs bias\n--outputs drift\n--fix k=pi/4\n--size n=4\n");
@@ -152,7 +149,7 @@ TEST_CASE("what stamps are made of is the file of the scene and the options, wit
 TEST_CASE("what stamps are made of is the file of the model, whatever a scene makes of it") {
   Wanted wanted;
   wanted.fixed = {"k"};
-  wanted.scene = head + "[lock]\nx = { value = 0 }\n";
+  wanted.scene = scene_of_block("[lock]\nx = { value = 0 }\n");
   const std::string two = arrays + "[[coordinate]]\nname = \"y\"\nunit = \"m\"\narmature = \"m\"\n";
   CHECK(checked(two, wanted).model.canonical == checked(two).model.canonical);
   CHECK(checked(two).model.canonical != checked(arrays).model.canonical);
@@ -160,7 +157,7 @@ TEST_CASE("what stamps are made of is the file of the model, whatever a scene ma
 
 TEST_CASE("errors of model and scene are told together, each at its place") {
   Wanted wanted;
-  wanted.scene = head + "[outputs]\nbiass = true\n";
+  wanted.scene = scene_of_block("[outputs]\nbiass = true\n");
   const std::string text = messages(block("V = \"kk*x^2\"\n"), wanted);
   CHECK(text.find("E201 12:6 unknown name `kk`") != std::string::npos);
   CHECK(text.find("E601 5:1 unknown output `biass` | did you mean `bias`?") != std::string::npos);

@@ -8,6 +8,7 @@
 #include "support/shell.hpp"
 
 using namespace elgen;
+using elgen::test::count;
 using elgen::test::mentions;
 
 namespace {
@@ -22,14 +23,6 @@ Trajectory sample() {
     trajectory.rows.push_back({t, std::remainder(t, 2 * M_PI), 1, 0, 1, t * t, 3});
   }
   return trajectory;
-}
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
-    ++found;
-  }
-  return found;
 }
 
 }  // namespace

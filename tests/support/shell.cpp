@@ -40,6 +40,14 @@ void prepare(const std::string& command, const std::filesystem::path& folder) {
   if (outcome.status != 0) throw std::runtime_error(command + ": " + outcome.errors);
 }
 
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++found;
+  }
+  return found;
+}
+
 bool mentions(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }

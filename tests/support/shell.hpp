@@ -20,6 +20,7 @@ struct Outcome {
 void prepare(const std::string& command, const std::filesystem::path& folder);
 
 [[nodiscard]] bool mentions(const std::string& text, const std::string& part);
+[[nodiscard]] std::size_t count(const std::string& text, const std::string& part);
 [[nodiscard]] bool starts_with(const std::string& text, const std::string& start);
 
 /// Every file below the folder ("./a/b.txt"), one a line, sorted.

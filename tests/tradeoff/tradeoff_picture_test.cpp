@@ -10,18 +10,6 @@
 using namespace elgen;
 using namespace elgen::test;
 
-namespace {
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
-    ++found;
-  }
-  return found;
-}
-
-}  // namespace
-
 TEST_CASE("a picture is XML with every design that has numbers, and the front joined") {
   const std::string svg = to_svg(judged(sample_table()));
   tinyxml2::XMLDocument document;
