@@ -23,10 +23,6 @@ constexpr std::size_t hopeless_ratio = 6;
 /// better. The longest that keep them in models/, derivatives of the accelerations of two
 /// links, are 12 times as long.
 constexpr std::size_t hopeless_ratio_with_losses = 24;
-/// Digits of what solves are worth any cost; those of other outputs, whose recursive form may leave
-/// the noise of rounding in entries that vanish on paper, so many times its own: the mass
-/// matrix of ur5 would cost 4.6 times as much, the derivatives of two_body_plane cost 1.4 times.
-constexpr std::size_t most_for_digits = 4;
 /// Where the recursive form is a few operations, the ratio says nothing: forms up to this length
 /// are lowered whatever it is.
 constexpr std::size_t always_tried = 400;
@@ -225,9 +221,8 @@ class Choosing {
     if (costs.chosen == Form::closed && costs.closed_loss == 0) return closed;
     costs.recursive_loss = recursive_loss(recursive);
     if (loses_more(*costs.closed_loss, *costs.recursive_loss)) costs.chosen = Form::recursive;
-    const bool is_worth_it = output_row(recursive.kind).solves ||
-                             cost_of(closed) <= most_for_digits * cost_of(recursive);
-    if (is_worth_it && loses_more(*costs.recursive_loss, *costs.closed_loss)) {
+    if (is_worth_its_digits(recursive.kind, cost_of(closed), cost_of(recursive)) &&
+        loses_more(*costs.recursive_loss, *costs.closed_loss)) {
       costs.chosen = Form::closed;
     }
     return closed;
@@ -262,6 +257,10 @@ std::string counts_text(const OperationCounts& n) {
 }
 
 }  // namespace
+
+bool is_worth_its_digits(OutputKind kind, std::size_t cost, std::size_t other) {
+  return output_row(kind).solves || cost <= most_for_digits * other;
+}
 
 Result<Choice> choose(const Program& recursive, const ClosedForms& forms, const Scene& scene) {
   Result<Choice> choice = Choosing(recursive, forms, scene)();

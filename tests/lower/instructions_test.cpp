@@ -29,3 +29,18 @@ TEST_CASE("what is there already is found, what is not comes last") {
   program.functions[0].fields[0].entries = {3};
   CHECK(check_invariants(program).empty());
 }
+
+TEST_CASE("what two entries compute alike is computed once") {
+  const Program program = *parse_program(
+      make_source("test.program",
+                  "parameters m l\nfunction gravity\n  0 = parameter m\n  1 = parameter l\n"
+                  "  2 = multiply 0 1\n  3 = add 2 0\n  result 2 1 = 2 3\n"));
+  Function twice = program.functions[0];
+  twice.instructions.push_back({.opcode = Opcode::multiply, .a = 0, .b = 1});
+  twice.instructions.push_back({.opcode = Opcode::add, .a = 4, .b = 0});
+  twice.names.resize(6);
+  twice.fields[0].entries = {4, 5};
+  const Function once = without_repeats(twice);
+  CHECK(once.instructions == program.functions[0].instructions);
+  CHECK(once.fields[0].entries == program.functions[0].fields[0].entries);
+}

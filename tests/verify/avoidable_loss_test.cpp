@@ -56,6 +56,12 @@ TEST_CASE("a loss that no way avoids is noted") {
   CHECK(mentions(row.worst, "no known way keeps them there"));
 }
 
+TEST_CASE("a better way that costs more than digits are worth is noted") {
+  const CertificateRow row = row_of(cosine, costly);
+  CHECK(row.verdict == Verdict::noted);
+  CHECK(mentions(row.worst, "the other form keeps them at 5.5 times the cost"));
+}
+
 TEST_CASE("nothing is said of losses where no ways are known") {
   const System system = written_as(cosine);
   const auto samples = sample_states<double>(system.subject(), {4, 1, false});

@@ -30,6 +30,14 @@ inline const std::string quotient =
     "  6 = cos 3\n  7 = constant 1\n  8 = multiply 6 6\n  9 = subtract 7 8\n"
     "  10 = add 7 6\n  11 = divide 9 10\n  12 = multiply 5 11\n  result 1 1 = 12\n";
 
+/// half_angle times x/x, x = cosh(tanh(... cosh(tanh(th/2)) ...)): precise, and dear.
+inline const std::string costly =
+    head +
+    "  6 = constant 1/2\n  7 = multiply 6 3\n  8 = sin 7\n  9 = multiply 8 8\n"
+    "  10 = add 9 9\n  11 = multiply 5 10\n  12 = tanh 7\n  13 = cosh 12\n  14 = tanh 13\n"
+    "  15 = cosh 14\n  16 = tanh 15\n  17 = cosh 16\n  18 = tanh 17\n  19 = cosh 18\n"
+    "  20 = divide 19 19\n  21 = multiply 11 20\n  result 1 1 = 21\n";
+
 /// Whose one output is the potential energy, as `text` writes it.
 inline System written_as(const std::string& text) {
   ModelBuilder builder;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "elgen/render.hpp"
+#include "lower/network/instructions.hpp"
 
 namespace elgen {
 namespace {
@@ -24,6 +25,7 @@ struct LossyEntry {
   std::size_t at = 0;           ///< that state
   std::vector<FieldWay> ways;   ///< that are left
   std::string_view there = {};  ///< one of those that keep the digits at that state
+  double cost = 0;              ///< of one that is better and costs too much, by that of the code
 };
 
 template <class Scalar>
@@ -62,6 +64,26 @@ void compare_ways(const FieldPlace& place, const Subject& subject,
   }
 }
 
+/// What the field costs as a function of its own, where there is one.
+std::size_t cost_alone(const FieldPlace& place, const Program& program) {
+  const auto alone = std::ranges::find(program.functions, place.field().name, &Function::name);
+  const bool is_repeated = output_row(place.function->kind).repeats;
+  const bool is_there = is_repeated && alone != program.functions.end();
+  return cost(count_operations(is_there ? *alone : *place.function));
+}
+
+/// Leaves the ways that `choose` would pay for.
+void drop_costly(LossyEntry& lossy, const FieldPlace& place, const Program& program) {
+  const std::size_t known = cost_alone(place, program);
+  std::erase_if(lossy.ways, [&](const FieldWay& way) {
+    const std::size_t own = cost(count_operations(without_repeats(*way.function)));
+    if (is_worth_its_digits(place.request.kind, own, known)) return false;
+    lossy.cost = static_cast<double>(own) / static_cast<double>(known);
+    lossy.there = way.name;
+    return true;
+  });
+}
+
 std::string figure_text(double figure) {
   if (!std::isfinite(figure)) return "all digits";
   return fmt::format("loss {:.2g}, {:.1f} digits", figure, std::log10(figure));
@@ -71,6 +93,9 @@ std::string figure_text(double figure) {
 std::string remedy(const LossyEntry& lossy) {
   if (!lossy.ways.empty()) return fmt::format("the {} keeps them", lossy.ways.front().name);
   if (lossy.there.empty()) return "no known way keeps them there";
+  if (lossy.cost > 0) {
+    return fmt::format("the {} keeps them at {:.2g} times the cost", lossy.there, lossy.cost);
+  }
   return fmt::format("the {} keeps them there, but loses others elsewhere", lossy.there);
 }
 
@@ -106,6 +131,7 @@ CertificateRow LossRecord::row(const FieldPlace& place, const Subject& subject,
   std::vector<LossyEntry> entries;
   for (const auto& [entry, lost] : lossy_) entries.push_back({entry, lost.figure, lost.at, {}});
   compare_ways(place, subject, states, options, entries);
+  for (LossyEntry& lossy : entries) drop_costly(lossy, place, subject.program);
   const LossyEntry& worst = *std::ranges::min_element(entries, is_worse);
   Visit<Scalar> there(subject, states[worst.at], options);
   const std::uint32_t culprit = there.culprit(place, worst.entry);

@@ -19,9 +19,9 @@ class LossRecord {
 
   /// Fails where one way keeps the digits of an entry where the code loses most of them, and loses
   /// nowhere else more than the code: it is better. Noted where none is: in sqrt(x^2 + l^2) - x
-  /// either way loses digits, for one sign of x; and where the scene prefers speed. Cost: nothing
-  /// without a loss, else a run of all ways at all states, of each up to the first that it loses
-  /// at.
+  /// either way loses digits, for one sign of x; where a better one costs more than digits are
+  /// worth; and where the scene prefers speed. Cost: nothing without a loss, else a run of all ways
+  /// at all states, of each up to the first that it loses at.
   template <class Scalar>
   [[nodiscard]] CertificateRow row(const FieldPlace& place, const Subject& subject,
                                    const std::vector<SampledState<Scalar>>& states,
