@@ -4,10 +4,9 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 #include "cli/commands.hpp"
 #include "cli/compiled_run.hpp"
+#include "cli/files/data_formats.hpp"
 #include "cli/files/inputs.hpp"
 #include "cli/files/output_files.hpp"
 #include "cli/process/progress.hpp"
@@ -27,26 +26,8 @@ struct SimulateOptions {
   bool force = false;
 };
 
-struct TrajectoryFormat {
-  std::string_view ending;
-  std::string (*text)(const Trajectory&);
-};
-
-constexpr std::array formats{TrajectoryFormat{".csv", to_csv}, TrajectoryFormat{".json", to_json},
-                             TrajectoryFormat{".svg", to_svg}};
-
 /// Rows of a file whose distance is not given.
 constexpr double default_rows = 1000;
-
-Result<TrajectoryFormat> format_of(const std::string& file) {
-  for (const TrajectoryFormat& format : formats) {
-    if (file.ends_with(format.ending)) return format;
-  }
-  return Diagnostic{Code::E913,
-                    {},
-                    fmt::format("`{}` ends in none of .csv, .json and .svg", file),
-                    "the ending says what is written"};
-}
 
 Result<Trajectory> trajectory_of(const GlobalOptions& global, const SimulateOptions& options,
                                  const Products& products) {
@@ -64,9 +45,9 @@ Result<Trajectory> trajectory_of(const GlobalOptions& global, const SimulateOpti
 ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& options) {
   Diagnostics refused = refuse_run(options.run);
   if (!refused.empty()) return report(global, refused);
-  Result<TrajectoryFormat> format;
+  Result<DataFormat<Trajectory>> format;
   if (!options.file.empty()) {
-    format = format_of(options.file);
+    format = format_of<Trajectory>(options.file);
     if (!format) return report(global, format.diagnostics);
     refused = refuse_places({{options.file, "", Replaces::nothing}}, options.force);
     if (!refused.empty()) return report(global, refused);

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <filesystem>
 #include <functional>
 
 #include "cli/commands.hpp"
 #include "cli/designs.hpp"
+#include "cli/files/data_formats.hpp"
 #include "cli/files/inputs.hpp"
 #include "cli/files/output_files.hpp"
 #include "cli/runs.hpp"
@@ -30,30 +30,11 @@ struct TradeoffOptions {
   bool force = false;
 };
 
-struct TableFormat {
-  std::string_view name;
-  std::string (*text)(const TradeoffTable&);
-};
-
-/// Of files and, but for pictures, of what is printed.
-constexpr std::array table_formats{TableFormat{"csv", to_csv}, TableFormat{"json", to_json},
-                                   TableFormat{"svg", to_svg}};
-
-/// Null where the file ends in none of their names.
-const TableFormat* format_of(const std::string& file) {
-  for (const TableFormat& format : table_formats) {
-    if (file.ends_with(fmt::format(".{}", format.name))) return &format;
-  }
-  return nullptr;
-}
-
 /// E913, and what stands in the place of a file.
 Diagnostics refused(const TradeoffOptions& options) {
-  if (!options.file.empty() && format_of(options.file) == nullptr) {
-    return {{Code::E913,
-             {},
-             fmt::format("`{}` ends in none of .csv, .json and .svg", options.file),
-             "the ending says what is written"}};
+  if (!options.file.empty()) {
+    const auto format = format_of<TradeoffTable>(options.file);
+    if (!format) return format.diagnostics;
   }
   std::vector<OutputFile> files;
   for (const std::string& path : {options.file, options.scene_file}) {
@@ -106,11 +87,12 @@ ExitCode choose_row(const GlobalOptions& global, const TradeoffOptions& options,
 
 ExitCode finish(const GlobalOptions& global, const TradeoffOptions& options,
                 const TradeoffTable& table, const SceneOf& scene_of_row) {
-  const TableFormat* const printed = format_of("." + options.format);
-  ExitCode worst = print(global, printed == nullptr ? to_text(table) : printed->text(table));
+  const auto printed = format_of<TradeoffTable>("." + options.format);
+  ExitCode worst = print(global, printed ? printed->text(table) : to_text(table));
   std::vector<OutputFile> files;
   if (!options.file.empty()) {
-    files.push_back({options.file, format_of(options.file)->text(table), Replaces::nothing});
+    const auto format = format_of<TradeoffTable>(options.file);
+    files.push_back({options.file, format->text(table), Replaces::nothing});
   }
   if (options.max_error) {
     worst = std::max(worst, choose_row(global, options, table, scene_of_row, files));

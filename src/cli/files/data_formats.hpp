@@ -1,0 +1,39 @@
+// data_formats: how tables and rows are written, by the name of the format or the ending of a file.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "elgen/diagnostic.hpp"
+
+namespace elgen::cli {
+
+template <class Data>
+struct DataFormat {
+  std::string_view name;
+  std::string (*text)(const Data&);
+};
+
+/// Of what has to_csv, to_json and to_svg.
+template <class Data>
+inline constexpr std::array data_formats{
+    DataFormat<Data>{"csv", [](const Data& data) { return to_csv(data); }},
+    DataFormat<Data>{"json", [](const Data& data) { return to_json(data); }},
+    DataFormat<Data>{"svg", [](const Data& data) { return to_svg(data); }}};
+
+/// By the ending of its name; E913 where that says nothing.
+template <class Data>
+[[nodiscard]] Result<DataFormat<Data>> format_of(const std::string& file) {
+  for (const DataFormat<Data>& format : data_formats<Data>) {
+    if (file.ends_with(fmt::format(".{}", format.name))) return format;
+  }
+  return Diagnostic{Code::E913,
+                    {},
+                    fmt::format("`{}` ends in none of .csv, .json and .svg", file),
+                    "the ending says what is written"};
+}
+
+}  // namespace elgen::cli
