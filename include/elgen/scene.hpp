@@ -14,6 +14,7 @@
 #include "elgen/languages.hpp"
 #include "elgen/model.hpp"
 #include "elgen/outputs.hpp"
+#include "elgen/scalars.hpp"
 #include "elgen/syntax.hpp"
 
 namespace elgen {
@@ -42,8 +43,6 @@ struct OutputRequest {
   Span span = {};                 ///< where it was asked for
   std::optional<Form> form = {};  ///< asked for; otherwise the cheaper one
 };
-
-enum class ScalarKind : std::uint8_t { single_precision, double_precision, long_double };
 
 /// What decides between ways to compute the same.
 enum class Preference : std::uint8_t {

@@ -37,16 +37,17 @@ Json json_of(const ScreenedStates& screened) {
     for (const auto& [state, figure] : worst) list.push_back({state, figure});
     lists.push_back(std::move(list));
   }
-  const bool is_float = screened.scalar == ScalarKind::single_precision;
-  return {{"scalar", is_float ? "float" : "double"},
+  return {{"scalar", name_of(screened.scalar)},
           {"states", screened.states},
           {"worst", std::move(lists)}};
 }
 
 ScreenedStates screened_from(const Json& json) {
   ScreenedStates screened;
-  const bool is_float = json.at("scalar") == "float";
-  screened.scalar = is_float ? ScalarKind::single_precision : ScalarKind::double_precision;
+  const std::string scalar = json.at("scalar");
+  const auto row = std::ranges::find(scalar_table, scalar, &ScalarRow::name);
+  if (row == scalar_table.end()) throw std::invalid_argument("scalar");
+  screened.scalar = row->kind;
   screened.states = json.at("states");
   for (const Json& list : json.at("worst")) {
     std::vector<ScreenedFigure>& worst = screened.worst.emplace_back();

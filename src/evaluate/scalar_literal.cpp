@@ -52,18 +52,6 @@ Fit fit(const cln::cl_R& value, ScalarKind scalar) {
   return Fit::fits;
 }
 
-std::string scalar_name(ScalarKind scalar) {
-  switch (scalar) {
-    case ScalarKind::single_precision:
-      return "float";
-    case ScalarKind::double_precision:
-      return "double";
-    case ScalarKind::long_double:
-      return "long double";
-  }
-  return "";
-}
-
 std::string shortest_literal(const cln::cl_R& value, ScalarKind scalar) {
   switch (scalar) {
     case ScalarKind::single_precision:

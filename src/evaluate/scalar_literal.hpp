@@ -18,9 +18,6 @@ enum class Fit : std::uint8_t { fits, too_large, too_small };
 
 [[nodiscard]] Fit fit(const cln::cl_R& value, ScalarKind scalar);
 
-/// "float", "double", "long double"
-[[nodiscard]] std::string scalar_name(ScalarKind scalar);
-
 /// The shortest decimal that the scalar reads back as its nearest value; the value must fit.
 [[nodiscard]] std::string shortest_literal(const cln::cl_R& value, ScalarKind scalar);
 

@@ -6,7 +6,6 @@
 #include "base/exact_number.hpp"
 #include "elgen/arguments.hpp"
 #include "elgen/wording.hpp"
-#include "evaluate/scalar_literal.hpp"
 #include "evaluate/sine_polynomials.hpp"
 #include "readback/literal.hpp"
 #include "readback/picture.hpp"
@@ -41,7 +40,7 @@ class BatchHeaderReader {
     readers.sections["elements"] = [this] {
       return element_++ < origin_.scene.numerics.scalars.size();
     };
-    readers.holes["element"] = [this] { tokens_.expect(scalar_name(scalar())); };
+    readers.holes["element"] = [this] { tokens_.expect(name_of(scalar())); };
     readers.holes["integer"] = [this] {
       const bool is_single = scalar() == ScalarKind::single_precision;
       tokens_.expect_code(is_single ? "std::int32_t" : "std::int64_t");
@@ -59,7 +58,7 @@ class BatchHeaderReader {
   void reduction() {
     const AngleReduction& known = angle_reduction(scalar());
     const auto constant = [this](const char* name, double value) {
-      tokens_.expect_code(fmt::format("static constexpr {} {} =", scalar_name(scalar()), name));
+      tokens_.expect_code(fmt::format("static constexpr {} {} =", name_of(scalar()), name));
       number(value);
       tokens_.expect(";");
     };

@@ -1,8 +1,6 @@
 // dialect: the words of each shape.
 #include "readback/dialect.hpp"
 
-#include "evaluate/scalar_literal.hpp"
-
 namespace elgen {
 
 CodeDialect dialect_of(Shape shape, const Scene& scene) {
@@ -11,7 +9,7 @@ CodeDialect dialect_of(Shape shape, const Scene& scene) {
     return {shape, "Scalar", ".", is_eigen ? "(" : "[", is_eigen ? ")" : "]"};
   }
   const ScalarKind kind = scene.numerics.scalars.front();
-  return {shape, scalar_name(kind), "->", "[", "]", name_space(scene) + "_", kind};
+  return {shape, std::string(name_of(kind)), "->", "[", "]", name_space(scene) + "_", kind};
 }
 
 }  // namespace elgen

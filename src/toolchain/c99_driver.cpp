@@ -4,7 +4,6 @@
 #include "elgen/arguments.hpp"
 #include "elgen/artifacts.hpp"
 #include "emit/text/emission_input.hpp"
-#include "evaluate/scalar_literal.hpp"
 #include "lower/code_interface.hpp"
 #include "toolchain/driver_parts.hpp"
 
@@ -67,7 +66,7 @@ std::string call(const DriverInput& input, const Function& function, const std::
 
 std::string c99_driver(const DriverInput& input) {
   const auto& [model, scene, program] = input;
-  const std::string scalar = scalar_name(scene.numerics.scalars.front());
+  const std::string scalar(name_of(scene.numerics.scalars.front()));
   std::string text = fmt::format(
       prologue, fmt::arg("header", path_of(scene, ArtifactId::c99)), fmt::arg("scalar", scalar),
       fmt::arg("position", stored_position(scene)), fmt::arg("name_space", name_space(scene)),

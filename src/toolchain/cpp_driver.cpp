@@ -5,7 +5,6 @@
 #include "elgen/artifacts.hpp"
 #include "emit/cpp/cpp_names.hpp"
 #include "emit/text/emission_input.hpp"
-#include "evaluate/scalar_literal.hpp"
 #include "lower/code_interface.hpp"
 #include "toolchain/driver_parts.hpp"
 
@@ -129,7 +128,7 @@ std::string driver_of(const DriverInput& input, const Types& types) {
   for (const LeafRow& leaf : leaf_table) names.push_back(leaf.member);
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     for (const ScalarKind kind : driver_scalars(input)) {
-      const std::string scalar = scalar_name(kind);
+      const std::string scalar(name_of(kind));
       text += fmt::format(wrapper_template, fmt::arg("symbol", driver_symbol(scalar, i)),
                           fmt::arg("scalar", scalar), fmt::arg("index", i),
                           fmt::arg("leaves", declared_leaves(scalar)),

@@ -11,7 +11,6 @@
 #include "elgen/functions.hpp"
 #include "elgen/templates.hpp"
 #include "elgen/toolchain.hpp"
-#include "evaluate/scalar_literal.hpp"
 #include "toolchain/driver_parts.hpp"
 
 namespace elgen {
@@ -137,7 +136,7 @@ Driver screen_driver(const DriverInput& input) {
   std::string text{template_at("screen/number.hpp.mustache")};
   text += functions_of(input.program) + cpp_calls(input) + screening(input);
   for (const ScalarKind kind : driver_scalars(input)) {
-    const std::string scalar = scalar_name(kind);
+    const std::string scalar(name_of(kind));
     const std::string signature = fmt::format("extern \"C\" void {}({}double* figures)",
                                               screen_symbol(scalar), declared_leaves(scalar));
     text += fmt::format("\n{0};\n{0} {{\n  screen({1}, figures);\n}}\n", signature,

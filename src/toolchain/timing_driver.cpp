@@ -15,7 +15,6 @@
 
 #include "elgen/arguments.hpp"
 #include "elgen/artifacts.hpp"
-#include "evaluate/scalar_literal.hpp"
 #include "lower/code_interface.hpp"
 
 namespace elgen {
@@ -130,7 +129,7 @@ std::string pack_by_pack(const DriverInput& input, const Function& function) {
 std::string entry_of(const TimedVariant& variant, std::size_t number) {
   std::vector<std::string_view> names;
   for (const LeafRow& leaf : leaf_table) names.push_back(leaf.member);
-  const std::string scalar = scalar_name(variant.scalar);
+  const std::string scalar(name_of(variant.scalar));
   return fmt::format(entry, fmt::arg("symbol", timed_symbol(number)), fmt::arg("scalar", scalar),
                      fmt::arg("leaves", declared(scalar)),
                      fmt::arg("call", variant.in_packs ? "in_packs" : "one_by_one"),

@@ -7,7 +7,6 @@
 #include "base/number_text.hpp"
 #include "check/expressions/values.hpp"
 #include "elgen/tradeoff.hpp"
-#include "evaluate/scalar_literal.hpp"
 
 namespace elgen {
 namespace {
@@ -113,7 +112,7 @@ class DesignText {
     const auto add = [&text](const std::string& word) {
       if (!word.empty()) text += (text.empty() ? "" : "_") + word;
     };
-    add(word_of(scalar_name(design_.scalar)));
+    add(word_of(name_of(design_.scalar)));
     add(design_.in_packs ? "packs" : "");
     add(word_of(design_.trigonometry));
     add(design_.is_fixed ? "fixed" : "");
@@ -186,7 +185,7 @@ class DesignText {
   [[nodiscard]] Lines numeric() const {
     const std::string& error = design_.trigonometry;
     return {
-        line("scalar", fmt::format("[\"{}\"]", scalar_name(design_.scalar))),
+        line("scalar", fmt::format("[\"{}\"]", name_of(design_.scalar))),
         line("form", own("numeric", "form")), line("prefer", own("numeric", "prefer")),
         line("trigonometry", error.empty() ? "" : fmt::format("{{ max_error = \"{}\" }}", error))};
   }

@@ -148,17 +148,13 @@ void append_output(std::string& text, const std::string& name, const Rows& rows,
   }
 }
 
-/// "double", "float"
-std::string_view scalar_word(const ScreenedCount& screened) {
-  return screened.scalar == ScalarKind::single_precision ? "float" : "double";
-}
-
 std::string heading(const Certificate& certificate) {
   std::string text = fmt::format("certificate of {}, scene {}, seed {}\n", certificate.model,
                                  certificate.scene, certificate.seed);
   for (const ScreenedCount& screened : certificate.screened) {
-    text += fmt::format("screened {} in {}, of which {} visited\n",
-                        counted(screened.states, "state"), scalar_word(screened), screened.visited);
+    text +=
+        fmt::format("screened {} in {}, of which {} visited\n", counted(screened.states, "state"),
+                    name_of(screened.scalar), screened.visited);
   }
   return text + "\n";
 }
@@ -235,7 +231,8 @@ std::string to_json(const Certificate& certificate) {
   for (const CertificateRow& row : certificate.rows) checks.push_back(json_of(row));
   Json screened = Json::object();
   for (const ScreenedCount& some : certificate.screened) {
-    screened[std::string(scalar_word(some))] = {{"states", some.states}, {"visited", some.visited}};
+    screened[std::string(name_of(some.scalar))] = {{"states", some.states},
+                                                   {"visited", some.visited}};
   }
   const Json json{{"model", certificate.model},
                   {"scene", certificate.scene},

@@ -42,9 +42,8 @@ CertificateRow compiled_row(const Subject& subject, const CompiledHeader& compil
   CertificateRow row;
   row.check = "compiled code vs program";
   row.output = function.name;
-  row.subject =
-      fmt::format("{} ({}{}{})", function.name, std::is_same_v<Scalar, float> ? "float" : "double",
-                  compiled.types.empty() ? "" : ", ", compiled.types);
+  row.subject = fmt::format("{} ({}{}{})", function.name, name_of(scalar_kind<Scalar>),
+                            compiled.types.empty() ? "" : ", ", compiled.types);
   row.formula = "same bits";
   row.samples = states.size();
   row.worst = fmt::format("{} of {} entries differ", wrong, entries);

@@ -79,9 +79,7 @@ std::vector<SampledState<Scalar>> states_for(const Subject& subject, const Verif
   const Effort& effort = options.quick ? quick : thorough;
   const std::size_t count = options.samples.value_or(effort.samples);
   const Sampling sampling{count, options.seed, true};
-  constexpr ScalarKind scalar =
-      std::is_same_v<Scalar, float> ? ScalarKind::single_precision : ScalarKind::double_precision;
-  if (const ScreenedStates* const screened = find_screened(options, scalar)) {
+  if (const ScreenedStates* const screened = find_screened(options, scalar_kind<Scalar>)) {
     return states_at<Scalar>(subject, sampling, states_to_visit(*screened));
   }
   auto states = sample_states<Scalar>(subject, sampling);

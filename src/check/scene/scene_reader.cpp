@@ -19,16 +19,6 @@
 namespace elgen {
 namespace {
 
-struct ScalarRow {
-  std::string_view name;
-  ScalarKind kind;
-};
-constexpr std::array<ScalarRow, 3> scalar_table{{
-    {"float", ScalarKind::single_precision},
-    {"double", ScalarKind::double_precision},
-    {"long double", ScalarKind::long_double},
-}};
-
 bool precedes(const OutputRequest& a, const OutputRequest& b) {
   return std::pair(a.kind, a.user) < std::pair(b.kind, b.user);
 }
@@ -251,10 +241,6 @@ class SceneReader {
 };
 
 }  // namespace
-
-std::string_view name_of(ScalarKind kind) {
-  return scalar_table[static_cast<std::size_t>(kind)].name;
-}
 
 Scene read_scene(Context& context, const FileSyntax* syntax, const SceneOptions& options) {
   return SceneReader(context, syntax, options).read();

@@ -6,9 +6,6 @@
 
 namespace elgen {
 
-/// "double"
-[[nodiscard]] std::string_view name_of(ScalarKind kind);
-
 /// E103, E105, E112, E518, E601–E611, E617, E620, E505, E108. An option given replaces what the
 /// scene says of the same. `syntax` may be null.
 [[nodiscard]] Scene read_scene(Context& context, const FileSyntax* syntax,

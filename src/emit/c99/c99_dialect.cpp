@@ -23,7 +23,7 @@ class C99Dialect final : public Dialect {
   C99Dialect(const Model& model, const Scene& scene, const Program& program)
       : Dialect(model, program, "->"),
         scalar_kind_(c99_scalar(scene)),
-        scalar_(scalar_name(scalar_kind_)),
+        scalar_(name_of(scalar_kind_)),
         prefix_(name_space(scene) + "_") {}
 
   Formula constant(const Constant& constant) const override {

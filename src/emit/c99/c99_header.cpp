@@ -8,7 +8,6 @@
 #include "emit/code/header_data.hpp"
 #include "emit/text/layout.hpp"
 #include "emit/text/parameters.hpp"
-#include "evaluate/scalar_literal.hpp"
 
 namespace elgen {
 namespace {
@@ -17,7 +16,7 @@ using Texts = std::vector<std::string>;
 
 /// "double l[2];" with what it is.
 std::vector<Member> parameter_members(const EmissionInput& input) {
-  const std::string scalar = scalar_name(c99_scalar(input.scene));
+  const std::string scalar(name_of(c99_scalar(input.scene)));
   std::vector<Member> members;
   for (const ParameterArray& array : emitted_parameters(input.model, input.program)) {
     const std::string extent = array.is_array ? fmt::format("[{}]", array.count) : "";
@@ -66,7 +65,7 @@ Texts default_parameters(const EmissionInput& input) {
 
 std::string c99_header(const EmissionInput& input) {
   TemplateData data = header_data(input, *c99_dialect(input.model, input.scene, input.program));
-  data.set("scalar", scalar_name(c99_scalar(input.scene)));
+  data.set("scalar", std::string(name_of(c99_scalar(input.scene))));
   data.set("guard", capitals(input.scene.base_name));
   data.set("capitals", capitals(name_space(input.scene)));
   data.set("parameters", lines_data(documented_members(parameter_members(input))));

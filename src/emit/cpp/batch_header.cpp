@@ -53,7 +53,7 @@ TemplateData element(const Numerics& numerics, ScalarKind scalar) {
             << number("inverse", literal(known.inverse, scalar))
             << number("shift", literal(known.shift, scalar));
   TemplateData data;
-  data.set("element", scalar_name(scalar));
+  data.set("element", std::string(name_of(scalar)));
   data.set("integer", scalar == ScalarKind::single_precision ? "std::int32_t" : "std::int64_t");
   data.set("reduction", reduction);
   data.set("sine", coefficients(cheapest(sine_polynomials(), error, scalar), scalar));
@@ -74,7 +74,7 @@ Texts notes(const EmissionInput& input) {
     lines.push_back(
         fmt::format(" In {}, sines and cosines are off by at most {:.3g} for angles up to {:g}, "
                     "beyond which they are NaN.",
-                    scalar_name(scalar), error, angle_reduction(scalar).domain));
+                    name_of(scalar), error, angle_reduction(scalar).domain));
   }
   for (const Function& function : input.program.functions) {
     if (!is_returned(function)) {

@@ -25,7 +25,7 @@ void check(const CheckedNumber& candidate, const Scene& scene, Diagnostics& diag
     diagnostics.push_back(
         {Code::E702, candidate.span,
          fmt::format("`{}`{} {} in {}", literal_text(rounded_decimal(candidate.value, 6)),
-                     candidate.name, fault, scalar_name(scalar))});
+                     candidate.name, fault, name_of(scalar))});
   }
 }
 

@@ -89,12 +89,12 @@ std::string reason(const FieldRecord& record) {
 }
 
 /// What is compared, in words: the field, and the scalar.
-std::string subject_of(const FieldPlace& place, const char* scalar) {
+std::string subject_of(const FieldPlace& place, std::string_view scalar) {
   const std::string& field = place.field().name;
   return fmt::format("{}{}{} ({})", place.function->name, field.empty() ? "" : ".", field, scalar);
 }
 
-CertificateRow row_of(const Subject& subject, const FieldRecord& record, const char* scalar,
+CertificateRow row_of(const Subject& subject, const FieldRecord& record, std::string_view scalar,
                       const AccuracyOptions& options) {
   CertificateRow row;
   row.check = "program vs oracle";
@@ -131,7 +131,7 @@ template <class Scalar>
 std::vector<CertificateRow> check_accuracy(const Subject& subject,
                                            const std::vector<SampledState<Scalar>>& states,
                                            const AccuracyOptions& options) {
-  const char* scalar = std::is_same_v<Scalar, float> ? "float" : "double";
+  constexpr std::string_view scalar = name_of(scalar_kind<Scalar>);
   std::vector<FieldRecord> records;
   for (FieldPlace& place : field_places(subject)) records.push_back({std::move(place)});
   AsUsersRecord as_users;

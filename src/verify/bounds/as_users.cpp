@@ -19,7 +19,7 @@ void AsUsersRecord::add(const std::string& field, const Finding& finding, const 
   imprecision_ = finding.users_imprecision;
 }
 
-CertificateRow AsUsersRecord::row(const Subject& subject, const char* scalar) const {
+CertificateRow AsUsersRecord::row(const Subject& subject, std::string_view scalar) const {
   CertificateRow row;
   row.check = "as users compile";
   row.output = row.check;

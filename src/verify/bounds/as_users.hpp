@@ -20,7 +20,7 @@ class AsUsersRecord {
   void add(const std::string& field, const Finding& finding, const State& state, std::size_t at);
 
   /// One row for all fields of a scalar.
-  [[nodiscard]] CertificateRow row(const Subject& subject, const char* scalar) const;
+  [[nodiscard]] CertificateRow row(const Subject& subject, std::string_view scalar) const;
 
  private:
   Tally errors_ = {};  ///< in u B

@@ -56,8 +56,6 @@ class Screener {
   }
 
  private:
-  static constexpr bool is_float = std::is_same_v<Scalar, float>;
-
   void judge_share(std::size_t job) {
     StateSequence<Scalar> sequence(subject_, {options_.samples, options_.seed, true});
     const std::uint64_t step = options_.shard.count * options_.jobs;
@@ -89,9 +87,7 @@ class Screener {
   }
 
   [[nodiscard]] ScreenedStates part(std::size_t job) const {
-    ScreenedStates states{is_float ? ScalarKind::single_precision : ScalarKind::double_precision,
-                          found_.judged[job],
-                          {}};
+    ScreenedStates states{scalar_kind<Scalar>, found_.judged[job], {}};
     for (std::size_t list = job * figures_; list < (job + 1) * figures_; ++list) {
       const ScreenedFigure* const first = &found_.worst[list * visits_after_screening];
       states.worst.emplace_back(first, first + found_.kept[list]);
@@ -105,9 +101,8 @@ class Screener {
     for (std::size_t job = 0; job < options_.jobs; ++job) {
       least = std::min<std::uint64_t>(least, found_.done[job]);
     }
-    options_.on_step(fmt::format("screening in {}, {} % of {} states",
-                                 is_float ? "float" : "double", 100 * least / options_.samples,
-                                 options_.samples));
+    options_.on_step(fmt::format("screening in {}, {} % of {} states", name_of(scalar_kind<Scalar>),
+                                 100 * least / options_.samples, options_.samples));
   }
 
   [[nodiscard]] Diagnostic failure(const ForkedEnding& ending) const {
