@@ -5,20 +5,12 @@
 
 #include "base/ascii.hpp"
 #include "base/number_text.hpp"
+#include "base/toml_text.hpp"
 #include "check/expressions/values.hpp"
 #include "elgen/tradeoff.hpp"
 
 namespace elgen {
 namespace {
-
-std::string string_text(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c == '\n' ? "\\n" : std::string(1, c);
-  }
-  return result + '"';
-}
 
 /// What is not an integer of TOML is a string.
 std::string expression_text(const std::string& text) {
@@ -26,11 +18,7 @@ std::string expression_text(const std::string& text) {
   const bool is_integer = !text.empty() && text.size() <= most_digits &&
                           std::ranges::all_of(text, [](char c) { return '0' <= c && c <= '9'; }) &&
                           (text.size() == 1 || text.front() != '0');
-  return is_integer ? text : string_text(text);
-}
-
-std::string key_text(const std::string& key) {
-  return std::ranges::all_of(key, is_word_character) ? key : string_text(key);
+  return is_integer ? text : toml_string(text);
 }
 
 std::string value_text(const ValueSyntax& value) {
@@ -39,17 +27,17 @@ std::string value_text(const ValueSyntax& value) {
     case ValueKind::expression:
       return expression_text(value.text);
     case ValueKind::text:
-      return string_text(value.text);
+      return toml_string(value.text);
     case ValueKind::boolean:
       return value.boolean ? "true" : "false";
     case ValueKind::list:
       for (const ValueSyntax& item : value.items) parts.push_back(value_text(item));
-      return fmt::format("[{}]", fmt::join(parts, ", "));
+      return toml_list(parts);
     case ValueKind::table:
       for (const KeySyntax& key : value.entries) {
-        parts.push_back(fmt::format("{} = {}", key_text(key.key), value_text(key.value)));
+        parts.push_back(fmt::format("{} = {}", toml_key(key.key), value_text(key.value)));
       }
-      return fmt::format("{{ {} }}", fmt::join(parts, ", "));
+      return toml_inline_table(parts);
   }
   return {};
 }
@@ -72,7 +60,7 @@ class DesignText {
     const std::string uncontracted =
         design_.is_contracted ? "" : "# To be compiled with -ffp-contract=off.\n";
     return uncontracted +
-           fmt::format("format = 1\nmodel = {}\nname = \"{}\"\n", string_text(model_path), name()) +
+           fmt::format("format = 1\nmodel = {}\nname = \"{}\"\n", toml_string(model_path), name()) +
            section("outputs", {line(output(), output_value())}) +
            section("parameters", {line("fixed", fixed())}) + section("sizes", own("sizes")) +
            section("lock", own("lock")) + section("approximate", approximation()) +
@@ -85,7 +73,7 @@ class DesignText {
 
   /// Nothing where there is no value.
   static std::string line(const std::string& key, const std::string& value) {
-    return value.empty() ? "" : fmt::format("{} = {}\n", key_text(key), value);
+    return value.empty() ? "" : fmt::format("{} = {}\n", toml_key(key), value);
   }
 
   static std::string section(const char* title, const Lines& lines) {
@@ -149,9 +137,9 @@ class DesignText {
           found == known.end() ? FixedValue{parameter.value, parameter.form} : found->second;
       const std::string text =
           value.form ? to_string(model, *value.form) : exact_text(value.number);
-      values.push_back(fmt::format("{} = {}", key_text(parameter.name), expression_text(text)));
+      values.push_back(fmt::format("{} = {}", toml_key(parameter.name), expression_text(text)));
     }
-    return fmt::format("{{ {} }}", fmt::join(values, ", "));
+    return toml_inline_table(values);
   }
 
   [[nodiscard]] Lines approximation() const {
@@ -159,7 +147,7 @@ class DesignText {
     const bool is_expanded = !design_.order.empty() && !is_exact;
     const std::string dropped = design_.drop_below.empty()     ? own("approximate", "drop_below")
                                 : design_.drop_below == "none" ? ""
-                                                               : string_text(design_.drop_below);
+                                                               : toml_string(design_.drop_below);
     const std::string about = own("approximate", "about");
     return {line("order", is_expanded ? design_.order
                           : is_exact  ? ""
@@ -176,10 +164,10 @@ class DesignText {
     Lines values;
     for (const Coordinate& coordinate : base_.checked.model.coordinates) {
       if (coordinate.rotation) continue;
-      values.push_back(fmt::format("{} = {}", key_text(coordinate.name),
+      values.push_back(fmt::format("{} = {}", toml_key(coordinate.name),
                                    expression_text(exact_text(coordinate.start_value))));
     }
-    return fmt::format("{{ {} }}", fmt::join(values, ", "));
+    return toml_inline_table(values);
   }
 
   [[nodiscard]] Lines numeric() const {

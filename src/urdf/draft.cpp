@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "base/columns.hpp"
-#include "urdf/toml_text.hpp"
+#include "base/toml_text.hpp"
 
 namespace elgen::urdf {
 
@@ -40,15 +40,15 @@ std::vector<std::vector<std::string>> tree_rows(const Robot& robot, const LinkTr
 
 std::string head(const Draft& draft, const LinkTree& tree) {
   const Robot& robot = draft.robot;
-  std::string text = comment(fmt::format("{}, imported from {}.", robot.name, robot.file)) + "#\n" +
-                     comments(aligned(tree_rows(robot, tree)));
+  std::string text = toml_comment(fmt::format("{}, imported from {}.", robot.name, robot.file)) +
+                     "#\n" + comments(aligned(tree_rows(robot, tree)));
   text += legend;
   const std::vector<std::string>& renamed = draft.glossary.renamed();
   return text + (renamed.empty() ? "" : "#\n") + comments(renamed);
 }
 
 std::string model_table(const Robot& robot) {
-  Table table("[model]");
+  TomlTable table("[model]");
   table.add("name", toml_string(model_name(robot.name)));
   table.add("title", toml_string(robot.name));
   table.add("description",
@@ -63,7 +63,8 @@ std::string parameters_table(const std::vector<ParameterGroup>& groups) {
       "}\n";
   for (const ParameterGroup& group : groups) {
     if (group.rows.empty()) continue;
-    text += fmt::format("\n{}{}\n", comment(group.title), fmt::join(aligned(group.rows), "\n"));
+    text +=
+        fmt::format("\n{}{}\n", toml_comment(group.title), fmt::join(aligned(group.rows), "\n"));
   }
   return text;
 }
@@ -91,7 +92,7 @@ std::string text_of(const Draft& draft, const LinkTree& tree) {
 
 std::string comments(const std::vector<std::string>& lines) {
   std::string text;
-  for (const std::string& line : lines) text += comment(line);
+  for (const std::string& line : lines) text += toml_comment(line);
   return text;
 }
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "base/toml_text.hpp"
 #include "urdf/draft.hpp"
-#include "urdf/toml_text.hpp"
 
 namespace elgen::urdf {
 
@@ -65,7 +65,7 @@ void draft_body(Draft& draft, std::size_t link) {
   const auto inertia = inertia_of(glossary, name, turned.value_or(inertial->inertia));
   if (mass == "0" && inertia.empty()) return;
   const bool has_axes = !turned && !inertia.empty();
-  Table body("[[body]]");
+  TomlTable body("[[body]]");
   body.add("name", toml_string(name));
   body.add("frame", toml_string(has_axes ? add_axes(draft, name, *inertial, com) : name));
   if (has_axes) com = {"0", "0", "0"};
@@ -76,7 +76,8 @@ void draft_body(Draft& draft, std::size_t link) {
   if (!inertia.empty()) body.add("inertia", inertia_text(inertia));
   const bool is_turned = turned && !rotation.is_zero() && !inertia.empty();
   draft.links.push_back(
-      (is_turned ? comment("inertia turned from axes of rpy " + listed(rpy)) : "") + body.text());
+      (is_turned ? toml_comment("inertia turned from axes of rpy " + listed(rpy)) : "") +
+      body.text());
 }
 
 }  // namespace elgen::urdf

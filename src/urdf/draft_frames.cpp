@@ -1,9 +1,9 @@
 // A joint's origin and its motion as frames of the model.
 #include <fmt/format.h>
 
+#include "base/toml_text.hpp"
 #include "urdf/draft.hpp"
 #include "urdf/expressions.hpp"
-#include "urdf/toml_text.hpp"
 
 namespace elgen::urdf {
 
@@ -61,7 +61,7 @@ std::vector<std::string> frame_comments(const std::string& title, const RollPitc
 }
 
 std::string frame_table(const FrameDraft& frame) {
-  Table table("[[frame]]");
+  TomlTable table("[[frame]]");
   table.add("name", toml_string(frame.name));
   table.add("parent", toml_string(frame.parent));
   if (frame.translate != Components{"0", "0", "0"}) {

@@ -1,9 +1,9 @@
 // A joint: its coordinates, and the forces along them.
 #include <fmt/format.h>
 
+#include "base/toml_text.hpp"
 #include "urdf/draft.hpp"
 #include "urdf/expressions.hpp"
-#include "urdf/toml_text.hpp"
 
 namespace elgen::urdf {
 
@@ -99,7 +99,7 @@ class JointDrafter {
   /// `range` and `rates` are lists of TOML, or empty.
   void add_coordinate(const std::string& name, std::string_view unit, const std::string& range,
                       const std::string& rates = {}) {
-    Table table("[[coordinate]]");
+    TomlTable table("[[coordinate]]");
     table.add("name", toml_string(name));
     table.add(unit.empty() ? "kind" : "unit", toml_string(unit.empty() ? "rotation" : unit));
     if (!range.empty()) table.add("range", range);
@@ -124,7 +124,7 @@ class JointDrafter {
 
   /// A torque or force on a coordinate.
   void add_input(const std::string& coordinate, bool turns, const std::string& limits = {}) {
-    Table table("[[input]]");
+    TomlTable table("[[input]]");
     table.add("name", toml_string(glossary_.claim((turns ? "tau_" : "f_") + coordinate, "input")));
     table.add("unit", toml_string(turns ? "N*m" : "N"));
     table.add("on", toml_string(coordinate));
@@ -159,7 +159,7 @@ class JointDrafter {
     const std::string factor = is_plain ? "" : coupling.factor + "*";
     const std::string rate =
         is_plain ? fmt::format("dot({})", coupling.coordinate) : coupling.rate();
-    Table table("[[force]]");
+    TomlTable table("[[force]]");
     table.add("on", toml_string(coupling.coordinate));
     table.add("value",
               toml_string(fmt::format("-{}{}*tanh({}/{})", factor, friction, rate, stiction_rate)));

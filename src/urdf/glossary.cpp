@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "urdf/toml_text.hpp"
+#include "base/toml_text.hpp"
 
 namespace elgen::urdf {
 

@@ -95,3 +95,9 @@ TEST_CASE("contraction is a flag of the compiler, which a scene can only name") 
   CHECK(text_of({.is_contracted = false})
             .starts_with("# To be compiled with -ffp-contract=off.\nformat = 1\n"));
 }
+
+TEST_CASE("the path of a model is escaped as TOML wants it") {
+  const Products products = derived(pendulum_text(), "inverse_dynamics");
+  CHECK(mentions(scene_text({*products.checked}, {}, "a\t\"b\".toml"),
+                 R"(model = "a\u0009\"b\".toml")"));
+}

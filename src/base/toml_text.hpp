@@ -6,23 +6,30 @@
 #include <utility>
 #include <vector>
 
-namespace elgen::urdf {
+namespace elgen {
 
-/// In quotes, with what TOML escapes.
+/// In quotes, with what TOML escapes; hidden characters as their names.
 [[nodiscard]] std::string toml_string(std::string_view text);
 
 /// The digits of a number; in quotes where TOML would not hold so wide an integer.
 [[nodiscard]] std::string toml_number(std::string_view digits);
 
+/// As it is where TOML takes it bare, else in quotes.
+[[nodiscard]] std::string toml_key(std::string_view key);
+
+/// "[1, 2]"
 [[nodiscard]] std::string toml_list(const std::vector<std::string>& values);
 
-/// One line, whatever a name of the file contains.
-[[nodiscard]] std::string comment(std::string_view text);
+/// Of entries "a = 1": "{ a = 1, b = 2 }"
+[[nodiscard]] std::string toml_inline_table(const std::vector<std::string>& entries);
+
+/// One line, whatever the text contains.
+[[nodiscard]] std::string toml_comment(std::string_view text);
 
 /// `[[header]]` and its keys, their equals signs in one column.
-class Table {
+class TomlTable {
  public:
-  explicit Table(std::string header) : header_(std::move(header)) {}
+  explicit TomlTable(std::string header) : header_(std::move(header)) {}
 
   void add(std::string key, const std::string& value) {
     rows_.push_back({std::move(key), " = " + value});
@@ -34,4 +41,4 @@ class Table {
   std::vector<std::vector<std::string>> rows_ = {};
 };
 
-}  // namespace elgen::urdf
+}  // namespace elgen

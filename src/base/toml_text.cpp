@@ -1,14 +1,15 @@
 // Quoting.
-#include "urdf/toml_text.hpp"
+#include "base/toml_text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "base/ascii.hpp"
 #include "base/columns.hpp"
 #include "base/utf8.hpp"
 
-namespace elgen::urdf {
+namespace elgen {
 
 namespace {
 
@@ -35,18 +36,27 @@ std::string toml_number(std::string_view digits) {
   return is_integer && digits.size() > widest_integer ? toml_string(digits) : std::string(digits);
 }
 
+std::string toml_key(std::string_view key) {
+  const bool is_bare = !key.empty() && std::ranges::all_of(key, is_word_character);
+  return is_bare ? std::string(key) : toml_string(key);
+}
+
 std::string toml_list(const std::vector<std::string>& values) {
   return fmt::format("[{}]", fmt::join(values, ", "));
 }
 
-std::string comment(std::string_view text) {
+std::string toml_inline_table(const std::vector<std::string>& entries) {
+  return fmt::format("{{ {} }}", fmt::join(entries, ", "));
+}
+
+std::string toml_comment(std::string_view text) {
   std::string line = visible_text(text);
   std::replace_if(line.begin(), line.end(), is_control, '?');
   return line.empty() ? "#\n" : "# " + line + "\n";
 }
 
-std::string Table::text() const {
+std::string TomlTable::text() const {
   return fmt::format("{}\n{}\n", header_, fmt::join(aligned(rows_), "\n"));
 }
 
-}  // namespace elgen::urdf
+}  // namespace elgen
