@@ -100,8 +100,20 @@ struct DesignErrors {
 [[nodiscard]] DesignErrors errors_of(const std::vector<long double>& results,
                                      const TradeoffStates& states);
 
-/// Processor time in ns of each, by turns, so that all meet the same machine: as many rounds as
-/// `seconds` allow, 9 at least and 1001 at most.
+/// How many rounds there are: as many as `seconds` allow, but so few at least and so many at most.
+struct Rounds {
+  double seconds = 0;
+  std::size_t fewest = 1;
+  std::size_t most = 1;
+};
+
+/// Appends figure(i) to figures[i] of each i in turn, so that all meet the same machine, until each
+/// has as many as there are rounds; what is there already counts.
+void by_turns(std::vector<std::vector<double>>& figures, const Rounds& rounds,
+              const std::function<double(std::size_t)>& figure);
+
+/// Processor time in ns of each, by turns: as many rounds as `seconds` allow, 9 at least and 1001
+/// at most.
 [[nodiscard]] std::vector<Spread> measured(const std::vector<std::function<void()>>& alternatives,
                                            double seconds);
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <set>
 
@@ -16,11 +15,7 @@ namespace elgen::cli {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-constexpr double seconds_of_runs = 3;
-constexpr std::size_t fewest_turns = 3;
-constexpr std::size_t most_turns = 101;
+constexpr Rounds rounds_of_runs{.seconds = 3, .fewest = 3, .most = 101};
 
 class RunBench {
  public:
@@ -31,12 +26,7 @@ class RunBench {
     const Result<Trajectory> reference = run(reference_run(time));
     if (!reference) return reference.diagnostics;
     for (const PlannedRun& planned : planned_runs(time)) add(planned, *reference);
-    const Clock::time_point end =
-        Clock::now() + std::chrono::milliseconds(static_cast<int>(1e3 * seconds_of_runs));
-    for (std::size_t turn = 1; turn < most_turns; ++turn) {
-      if (turn >= fewest_turns && Clock::now() >= end) break;
-      for (std::size_t i = 0; i < runs_.size(); ++i) costs_[i].push_back(cost(*run(runs_[i])));
-    }
+    by_turns(costs_, rounds_of_runs, [this](std::size_t i) { return cost(*run(runs_[i])); });
     std::size_t done = 0;
     for (TradeoffRow& row : table_.rows) {
       if (row.failure.empty()) row.cost = spread_of(costs_[done++]);

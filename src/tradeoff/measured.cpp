@@ -12,8 +12,6 @@ using Clock = std::chrono::steady_clock;
 using Work = std::function<void()>;
 
 constexpr double shortest_turn = 2e4;  ///< ns; the clock is read in 30
-constexpr std::size_t fewest_rounds = 9;
-constexpr std::size_t most_rounds = 1001;
 
 /// ns of one call, in the mean of `calls`.
 double duration(const Work& work, std::size_t calls) {
@@ -42,14 +40,8 @@ std::vector<Spread> measured(const std::vector<Work>& alternatives, double secon
   std::vector<std::size_t> calls;
   for (const Work& work : alternatives) calls.push_back(calls_of_turn(work));
   std::vector<std::vector<double>> times(alternatives.size());
-  const Clock::time_point end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                                   std::chrono::duration<double>(seconds));
-  for (std::size_t round = 0; round < most_rounds; ++round) {
-    if (round >= fewest_rounds && Clock::now() >= end) break;
-    for (std::size_t i = 0; i < alternatives.size(); ++i) {
-      times[i].push_back(duration(alternatives[i], calls[i]));
-    }
-  }
+  by_turns(times, {.seconds = seconds, .fewest = 9, .most = 1001},
+           [&](std::size_t i) { return duration(alternatives[i], calls[i]); });
   std::vector<Spread> spreads;
   for (std::vector<double>& of_one : times) spreads.push_back(spread_of(std::move(of_one)));
   return spreads;
