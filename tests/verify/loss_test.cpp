@@ -73,6 +73,13 @@ TEST_CASE("losses are counted in what the inputs' rounding costs") {
   CHECK(loss_of(system, at(1), 60 * x).figure == 0);
 }
 
+TEST_CASE("where K has no value nothing is said of a loss") {
+  const System system = written_as(friction);
+  // Beyond 2^29 no exponential is a number of 60 digits; the bounds know that tanh is 1.
+  CHECK(loss_of(system, at(1e8), 1e6).figure > 1e4);
+  CHECK(loss_of(system, at(1e9), 1e6).figure == 0);
+}
+
 TEST_CASE("the instruction where digits are lost is named") {
   const System system = written_as(cosine);
   const Subject subject = system.subject();

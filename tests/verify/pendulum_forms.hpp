@@ -38,6 +38,9 @@ inline const std::string costly =
     "  15 = cosh 14\n  16 = tanh 15\n  17 = cosh 16\n  18 = tanh 17\n  19 = cosh 18\n"
     "  20 = divide 19 19\n  21 = multiply 11 20\n  result 1 1 = 21\n";
 
+/// m l g tanh(th), as friction goes with a rate.
+inline const std::string friction = head + "  6 = tanh 3\n  7 = multiply 5 6\n  result 1 1 = 7\n";
+
 /// Whose one output is the potential energy, as `text` writes it.
 inline System written_as(const std::string& text) {
   ModelBuilder builder;
