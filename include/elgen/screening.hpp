@@ -11,6 +11,7 @@
 #include "elgen/model.hpp"
 #include "elgen/program.hpp"
 #include "elgen/scene.hpp"
+#include "elgen/shard.hpp"
 #include "elgen/toolchain.hpp"
 
 namespace elgen {
@@ -37,17 +38,10 @@ struct ScreenedStates {
 };
 using Screening = std::vector<ScreenedStates>;
 
-/// One of `count` parts of all states: every count-th, from `number` (1 ... count) on.
-struct Shard {
-  std::uint64_t number = 1;
-  std::uint64_t count = 1;
-  friend bool operator==(const Shard&, const Shard&) = default;
-};
-
 struct ScreeningOptions {
   std::size_t samples = 0;  ///< random states; the extremes are screened too
   std::uint64_t seed = 1;
-  Shard shard = {};
+  Shard shard = {};           ///< every count-th state, from its number on
   std::size_t jobs = 1;       ///< processes
   std::uint64_t seconds = 0;  ///< of processor time that each may use: what a message says of it
   /// Told of each step: "screening in double, 12 % of 1000334 states".

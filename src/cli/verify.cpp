@@ -9,7 +9,7 @@
 #include "cli/files/inputs.hpp"
 #include "cli/files/output_files.hpp"
 #include "cli/process/resources.hpp"
-#include "cli/shards.hpp"
+#include "cli/shards/screening_shard.hpp"
 #include "cli/shown_pipeline.hpp"
 #include "elgen/render.hpp"
 
@@ -121,32 +121,20 @@ ExitCode screen_shard(const GlobalOptions& global, const VerifyCommandOptions& o
   const VerifyOptions& verify = options.comparison.verify;
   return write_output(
       global, options,
-      to_json({options.output_file, ELGEN_VERSION, limits_text(global.limits), *inputs,
-               *verify.samples, verify.seed, *options.shard, *machine, *screening}));
+      to_json({head_here(ShardJob::verify, *inputs, *options.shard, *machine, global.limits),
+               *verify.samples, verify.seed, *screening}));
 }
 
 /// Verifies as one process that has screened all states.
 ExitCode merge_shards(const GlobalOptions& global, const VerifyCommandOptions& options) {
-  std::vector<ShardFile> files;
-  Diagnostics unread;
-  for (const std::string& path : options.inputs) {
-    Result<ShardFile> file = read_shard(path, global.limits);
-    unread.insert(unread.end(), file.diagnostics.begin(), file.diagnostics.end());
-    if (file) files.push_back(std::move(*file));
-  }
-  if (!unread.empty()) return report(global, unread);
-  const Result<Machine> here = this_machine(global.limits);
-  if (!here) return report(global, here.diagnostics);
-  const Diagnostics misfit = misfits(files, global.limits, *here);
-  if (!misfit.empty()) return report(global, misfit);
-  std::vector<Screening> shards;
-  for (const ShardFile& file : files) shards.push_back(file.screening);
-  const Screening all = joined(shards);
+  const Result<ScreeningShard> merged = merged_screening(options.inputs, global.limits);
+  if (!merged) return report(global, merged.diagnostics);
   VerifyCommandOptions of_shards = options;
-  of_shards.comparison.verify.samples = files.front().samples;
-  of_shards.comparison.verify.seed = files.front().seed;
+  of_shards.comparison.verify.samples = merged->samples;
+  of_shards.comparison.verify.seed = merged->seed;
   std::vector<std::string> certificates;
-  const ExitCode found = verify_one(global, of_shards, files.front().inputs, &all, certificates);
+  const ExitCode found =
+      verify_one(global, of_shards, merged->head.inputs, &merged->screening, certificates);
   if (options.output_file.empty() || certificates.empty()) return found;
   return std::max(found, write_output(global, options, certificates.front()));
 }
@@ -198,15 +186,8 @@ void add_screening(CLI::App& command, const std::shared_ptr<VerifyCommandOptions
   command
       .add_option("--jobs", options->comparison.jobs, "processes that screen (as many as cores)")
       ->check(CLI::Range(1, 1024));
-  const auto read_shard_number = [options](const std::string& text) {
-    options->shard = parse_shard(text);
-    if (!options->shard) throw CLI::ValidationError("--shard", "not i/N with 1 <= i <= N: " + text);
-  };
   CLI::Option* const shard =
-      command
-          .add_option_function<std::string>("--shard", read_shard_number,
-                                            "screen one of N parts, for -o FILE")
-          ->type_name("i/N");
+      add_shard(command, options->shard, "screen one of N parts, for -o FILE");
   command.add_flag("--merge", options->merge, "inputs are shards: visit, certify")
       ->excludes(samples)
       ->excludes(seed)
