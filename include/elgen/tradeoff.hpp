@@ -33,6 +33,7 @@ struct Design {
   bool is_contracted = true;    ///< as compilers do where they are not told
   std::string order = {};       ///< of an expansion about the start, or "exact"
   std::string drop_below = {};  ///< or "none"
+  friend bool operator==(const Design&, const Design&) = default;
 };
 
 /// What is exactly as the model says.
@@ -139,6 +140,7 @@ struct PlannedRun {
                                      const Model& model);
 
 struct TradeoffRow {
+  std::size_t number = 0;                ///< among all that are planned
   std::vector<std::string> values = {};  ///< of the dimensions
   Spread cost = {};
   DesignErrors error = {};
@@ -153,12 +155,19 @@ struct TradeoffTable {
   std::string error = {};    ///< likewise
   std::vector<std::string> dimensions = {};
   std::vector<TradeoffRow> rows = {};       ///< cheapest first, failed ones last
-  std::vector<std::string> sentences = {};  ///< one per dimension: how much it matters
+  std::vector<std::string> sentences = {};  ///< what to say of them: how much a dimension matters
   Machine machine = {};
 };
 
-/// Sorts the rows, marks the front, adds the sentences.
+/// Of tables that several processes made of parts of one plan: the rows in the order of their
+/// numbers, and each sentence once; all else is the first one's.
+[[nodiscard]] TradeoffTable joined(const std::vector<TradeoffTable>& parts);
+
+/// Sorts the rows, marks the front, and puts a sentence for each dimension before those there are.
 [[nodiscard]] TradeoffTable judged(TradeoffTable table);
+
+/// What was planned as this row of a table of designs.
+[[nodiscard]] Design design_of(const TradeoffTable& table, const TradeoffRow& row);
 
 /// "float, packs, full, fixed"
 [[nodiscard]] std::string name_of(const TradeoffRow& row);

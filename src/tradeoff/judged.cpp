@@ -18,7 +18,8 @@ bool is_better(const TradeoffRow& x, const TradeoffRow& y) {
 }  // namespace
 
 TradeoffTable judged(TradeoffTable table) {
-  table.sentences = sentences_of(table);
+  const std::vector<std::string> sentences = sentences_of(table);
+  table.sentences.insert(table.sentences.begin(), sentences.begin(), sentences.end());
   const auto key = [](const TradeoffRow& row) {
     return std::tuple(!row.failure.empty(), row.cost.median);
   };

@@ -87,3 +87,14 @@ TEST_CASE("designs that differ in the scalar or in how they are compiled are der
   CHECK(derivation.order == "3");
   CHECK(derivation.drop_below == "1e-6");
 }
+
+TEST_CASE("a row of the table says what was planned") {
+  const TradeoffPlan plan = planned(pendulum_text(), "gravity",
+                                    {"form", "long_double", "order", "contraction", "drop_below"});
+  const TradeoffTable table{.dimensions = plan.dimensions};
+  for (const PlannedDesign& planned : plan.designs) {
+    const Design design = design_of(table, {.values = planned.values});
+    INFO(name_of({.values = planned.values}));
+    CHECK(design == planned.design);
+  }
+}
