@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 
+#include "cli/design_base.hpp"
 #include "cli/process/progress.hpp"
 #include "cli/process/resources.hpp"
 #include "elgen/wording.hpp"
@@ -20,25 +21,6 @@ namespace {
 /// lie at the same places, as those of 1024 would; and the largest error of more is hardly larger.
 constexpr std::size_t state_count = 1000;
 constexpr double seconds_of_timing = 1.5;
-
-/// The output that a table is about where none is named.
-std::string default_output(const Scene& scene) {
-  const auto is_usual = [](const OutputRequest& output) {
-    return output.kind == OutputKind::inverse_dynamics;
-  };
-  const auto usual = std::ranges::find_if(scene.outputs, is_usual);
-  return usual != scene.outputs.end() ? usual->name : scene.outputs.front().name;
-}
-
-/// Leaves the output alone of what was derived; a lock may have asked for its reaction too.
-void keep_only(const std::string& output, Products& products) {
-  const auto is_other = [&output](const auto& named) { return named.name != output; };
-  std::erase_if(products.checked->scene.outputs, is_other);
-  if (!products.program) return;
-  Program& program = *products.program;
-  std::erase_if(program.functions, is_other);
-  std::erase_if(program.readable, is_other);
-}
 
 std::string first_line(const Diagnostics& diagnostics) {
   const auto error = std::ranges::find_if(diagnostics, [](const Diagnostic& diagnostic) {
@@ -65,52 +47,26 @@ class DesignBench {
     const Result<Machine> machine = this_machine(limits_);
     if (!machine) return machine.diagnostics;
     result_.table.machine = *machine;
-    Diagnostics found = read_base();
-    if (has_errors(found)) return found;
+    Result<OutputBase> base = output_base(request_.inputs, request_.output, limits_, sources_);
+    if (!base) return base.diagnostics;
+    base_ = std::move(*base);
+    describe();
     const Products& exact = derived(exact_design);
     if (!exact.program) return exact.diagnostics;
     if (!is_returned(exact.program->functions.front())) return too_large();
     if (Diagnostics wrong = prepare(exact); !wrong.empty()) return wrong;
-    for (Workpiece& workpiece : workpieces()) make(std::move(workpiece));
+    for (Workpiece& workpiece : workpieces_of_shard()) make(std::move(workpiece));
     time_all();
-    result_.table = judged(std::move(result_.table));
-    return {std::move(result_), std::move(found)};
+    for (auto& [number, row] : rows_) result_.table.rows.push_back(std::move(row));
+    return {std::move(result_), std::move(base.diagnostics)};
   }
 
  private:
-  const SourcePointer& kept(const char* path, const std::string& text) {
-    return sources_.emplace_back(make_source(path, text));
-  }
-
-  /// What designs start from: the model, or its scene, with one output.
-  Diagnostics read_base() {
-    PipelineOptions options;
-    options.limits = limits_;
-    options.goals = {"check"};
-    Diagnostics found;
-    std::string output = request_.output;
-    if (output.empty()) {
-      const Products whole = run_pipeline(request_.inputs, options);
-      if (!whole.checked) return whole.diagnostics;
-      found = whole.diagnostics;
-      output = default_output(whole.checked->scene);
-    }
-    options.scene.outputs = {kept("command line", output)};
-    Products one = run_pipeline(request_.inputs, options);
-    if (!one.checked) return one.diagnostics;
-    keep_only(output, one);
-    if (one.checked->scene.outputs.empty()) {
-      return {{Code::E601, {}, quoted(output) + " is not one output"}};
-    }
-    result_.checked = std::move(*one.checked);
-    if (request_.inputs.scene != nullptr) {
-      result_.scene = parse_scene(request_.inputs.scene, limits_).value;
-    }
-    result_.table.model = result_.checked.scene.base_name;
-    result_.table.subject = output;
+  void describe() {
+    result_.table.model = base_.checked.scene.base_name;
+    result_.table.subject = base_.checked.scene.outputs.front().name;
     result_.table.cost = fmt::format("ns per state of {}", state_count);
     result_.table.error = "errors relative to the largest value of a field";
-    return found;
   }
 
   [[nodiscard]] Diagnostics too_large() const {
@@ -121,8 +77,7 @@ class DesignBench {
   }
 
   [[nodiscard]] std::string text_of(const Design& design) const {
-    const DesignBase base{result_.checked, result_.scene ? &*result_.scene : nullptr};
-    return scene_text(base, design, request_.inputs.model->path);
+    return scene_text(base_.base(), design, request_.inputs.model->path);
   }
 
   Products run(const Design& design, const char* goal) {
@@ -130,8 +85,9 @@ class DesignBench {
     PipelineOptions options;
     options.limits = limits_;
     options.goals = {goal};
-    Products products =
-        run_pipeline({request_.inputs.model, kept("design.scene.toml", text_of(design))}, options);
+    const SourcePointer& scene =
+        sources_.emplace_back(make_source("design.scene.toml", text_of(design)));
+    Products products = run_pipeline({request_.inputs.model, scene}, options);
     if (products.checked) keep_only(result_.table.subject, products);
     return products;
   }
@@ -157,31 +113,35 @@ class DesignBench {
     if (!states) return states.diagnostics;
     states_ = std::move(*states);
     result_.table.dimensions = planned->dimensions;
-    result_.designs = std::move(planned->designs);
-    for (const PlannedDesign& design : result_.designs) {
-      result_.table.rows.push_back({.values = design.values});
-    }
+    designs_ = std::move(planned->designs);
     return {};
   }
 
-  [[nodiscard]] std::vector<Workpiece> workpieces() const {
+  /// Those derived alike follow each other. Their designs get rows.
+  std::vector<Workpiece> workpieces_of_shard() {
     std::map<std::string, Workpiece> pieces;
-    for (std::size_t i = 0; i < result_.designs.size(); ++i) {
-      const Design& design = result_.designs[i].design;
+    for (std::size_t i = 0; i < designs_.size(); ++i) {
+      const Design& design = designs_[i].design;
       const std::string key = fmt::format("{}{}\n{}", text_of(derivation_of(design)),
                                           design.trigonometry, design.is_contracted);
       pieces[key].designs.push_back(i);
     }
-    std::vector<Workpiece> result;
-    for (auto& [key, piece] : pieces) result.push_back(std::move(piece));
-    return result;
+    std::vector<Workpiece> all;
+    for (auto& [key, piece] : pieces) all.push_back(std::move(piece));
+    const auto [begin, end] = share_of(request_.shard, all.size());
+    std::vector<Workpiece> own;
+    for (std::size_t k = begin; k < end; ++k) {
+      for (const std::size_t i : all[k].designs) rows_[i] = {i, designs_[i].values};
+      own.push_back(std::move(all[k]));
+    }
+    return own;
   }
 
   void make(Workpiece piece) {
-    const Design& first = result_.designs[piece.designs.front()].design;
+    const Design& first = designs_[piece.designs.front()].design;
     const Products& products = derived(first);
     if (!products.program) return fail(piece, first_line(products.diagnostics));
-    progress_.stage(fmt::format("compile {}", name_of(result_.table.rows[piece.designs.front()])));
+    progress_.stage(fmt::format("compile {}", name_of(rows_[piece.designs.front()])));
     Result<TimedFunctions> made = compiled(piece, products);
     if (!made) {
       fail(piece, first_line(made.diagnostics));
@@ -194,7 +154,7 @@ class DesignBench {
   }
 
   void fail(const Workpiece& piece, const std::string& why) {
-    for (const std::size_t i : piece.designs) result_.table.rows[i].failure = why;
+    for (const std::size_t i : piece.designs) rows_[i].failure = why;
   }
 
   Result<TimedFunctions> compiled(const Workpiece& piece, const Products& products) {
@@ -203,7 +163,7 @@ class DesignBench {
     scene.emission = {};
     scene.numerics.scalars.clear();
     for (const std::size_t i : piece.designs) {
-      const Design& design = result_.designs[i].design;
+      const Design& design = designs_[i].design;
       timing.variants.push_back({design.scalar, design.in_packs});
       timing.build = design.is_contracted ? Build::to_time_contracted : Build::to_time;
       if (design.in_packs) scene.numerics = numerics_of(design, std::move(scene.numerics.scalars));
@@ -232,7 +192,7 @@ class DesignBench {
     for (const Workpiece& piece : made_) {
       for (std::size_t k = 0; k < piece.designs.size(); ++k) {
         TimedFunction* const function = piece.functions[k].get();
-        rows.push_back(&result_.table.rows[piece.designs[k]]);
+        rows.push_back(&rows_[piece.designs[k]]);
         alternatives.emplace_back([function] { function->run(); });
         function->run();
         rows.back()->error = errors_of(function->results(), states_);
@@ -251,6 +211,9 @@ class DesignBench {
   std::vector<SourcePointer>& sources_;
   Progress progress_;
   std::map<std::string, Products> derived_ = {};
+  OutputBase base_ = {};
+  std::vector<PlannedDesign> designs_ = {};
+  std::map<std::size_t, TradeoffRow> rows_ = {};  ///< of the shard's designs
   TradeoffStates states_ = {};
   std::vector<Workpiece> made_ = {};
   MeasuredDesigns result_ = {};
@@ -261,10 +224,6 @@ class DesignBench {
 Result<MeasuredDesigns> measured_designs(const DesignRequest& request, const Limits& limits,
                                          std::vector<SourcePointer>& sources) {
   return DesignBench(request, limits, sources).measure();
-}
-
-const Design& design_of(const MeasuredDesigns& measured, const TradeoffRow& row) {
-  return std::ranges::find(measured.designs, row.values, &PlannedDesign::values)->design;
 }
 
 }  // namespace elgen::cli

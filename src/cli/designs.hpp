@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/options.hpp"
+#include "elgen/shard.hpp"
 #include "elgen/tradeoff.hpp"
 
 namespace elgen::cli {
@@ -12,14 +13,12 @@ struct DesignRequest {
   std::string output = {};  ///< "": inverse_dynamics, or the first one there is
   std::vector<std::string> dimensions = {};
   std::vector<SourcePointer> ranges = {};
+  Shard shard = {};  ///< of the libraries that designs are compiled to
 };
 
 struct MeasuredDesigns {
-  TradeoffTable table = {};
-  std::vector<PlannedDesign> designs = {};
-  CheckedModel checked = {};             ///< what they start from, with
-  std::optional<FileSyntax> scene = {};  ///< its scene
-  Diagnostics not_compiled = {};         ///< of designs that fail in the table
+  TradeoffTable table = {};       ///< of the shard, not judged
+  Diagnostics not_compiled = {};  ///< of designs that fail in the table
 };
 
 /// Warnings of the model are among the diagnostics, which point into texts that `sources` gets.
@@ -27,8 +26,5 @@ struct MeasuredDesigns {
 [[nodiscard]] Result<MeasuredDesigns> measured_designs(const DesignRequest& request,
                                                        const Limits& limits,
                                                        std::vector<SourcePointer>& sources);
-
-/// The design of a row.
-[[nodiscard]] const Design& design_of(const MeasuredDesigns& measured, const TradeoffRow& row);
 
 }  // namespace elgen::cli

@@ -22,20 +22,20 @@ class RunBench {
   RunBench(const Products& products, const CompiledModel& compiled, TradeoffTable& table)
       : products_(products), compiled_(compiled), table_(table) {}
 
-  Diagnostics measure(double time) {
-    const Result<Trajectory> reference = run(reference_run(time));
+  Diagnostics measure(const RunRequest& request) {
+    const Result<Trajectory> reference = run(reference_run(request.time));
     if (!reference) return reference.diagnostics;
-    for (const PlannedRun& planned : planned_runs(time)) add(planned, *reference);
+    const std::vector<PlannedRun> planned = planned_runs(request.time);
+    const auto [begin, end] = share_of(request.shard, planned.size());
+    for (std::size_t i = begin; i < end; ++i) add(i, planned[i], *reference);
     by_turns(costs_, rounds_of_runs, [this](std::size_t i) { return cost(*run(runs_[i])); });
     std::size_t done = 0;
     for (TradeoffRow& row : table_.rows) {
       if (row.failure.empty()) row.cost = spread_of(costs_[done++]);
     }
+    table_.sentences.assign(refusals_.begin(), refusals_.end());
     return {};
   }
-
-  /// "verlet: not for this system: M depends on `theta`"
-  [[nodiscard]] const std::set<std::string>& refusals() const { return refusals_; }
 
  private:
   [[nodiscard]] Result<Trajectory> run(const SimulationOptions& options) const {
@@ -47,13 +47,13 @@ class RunBench {
   }
 
   /// A run that ends early has a row that says why; a method that is refused has none.
-  void add(const PlannedRun& planned, const Trajectory& reference) {
+  void add(std::size_t number, const PlannedRun& planned, const Trajectory& reference) {
     const Result<Trajectory> first = run(planned.options);
     if (!first && first.diagnostics.front().code == Code::E622) {
       refusals_.insert(first.diagnostics.front().message);
       return;
     }
-    TradeoffRow row{.values = planned.values};
+    TradeoffRow row{.number = number, .values = planned.values};
     if (first) {
       row.error = errors_of(*first, reference, products_.checked->model);
       runs_.push_back(planned.options);
@@ -69,7 +69,7 @@ class RunBench {
   TradeoffTable& table_;
   std::vector<SimulationOptions> runs_ = {};     ///< of the rows that have not failed
   std::vector<std::vector<double>> costs_ = {};  ///< of each, in turn
-  std::set<std::string> refusals_ = {};
+  std::set<std::string> refusals_ = {};          ///< "`verlet` is not for this system: ..."
 };
 
 }  // namespace
@@ -99,10 +99,8 @@ Result<TradeoffTable> measured_runs(const RunRequest& request, const Limits& lim
                       .dimensions = {"method", "step"},
                       .machine = *machine};
   RunBench bench(products, *headers->front().functions, table);
-  const Diagnostics wrong = bench.measure(request.time);
+  const Diagnostics wrong = bench.measure(request);
   if (!wrong.empty()) return wrong;
-  table = judged(std::move(table));
-  table.sentences.insert(table.sentences.end(), bench.refusals().begin(), bench.refusals().end());
   return {std::move(table), products.diagnostics};
 }
 

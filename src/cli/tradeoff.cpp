@@ -1,159 +1,174 @@
-// elgen tradeoff: a table of the designs of one output on stdout, a picture or data where -o says.
+// elgen tradeoff: the designs of one output, or runs, measured here or by several jobs, as a table.
 #include "elgen/tradeoff.hpp"
 
-#include <fmt/format.h>
-
-#include <filesystem>
-#include <functional>
+#include <algorithm>
 
 #include "cli/commands.hpp"
 #include "cli/designs.hpp"
-#include "cli/files/data_formats.hpp"
 #include "cli/files/inputs.hpp"
 #include "cli/files/output_files.hpp"
 #include "cli/runs.hpp"
+#include "cli/shards/tradeoff_shard.hpp"
+#include "cli/tradeoff_output.hpp"
 
 namespace elgen::cli {
 
 namespace {
 
 struct TradeoffOptions {
-  std::string input = {};
-  std::string output = {};
+  std::vector<std::string> inputs = {};
+  std::string of = {};              ///< which output
   std::optional<double> time = {};  ///< of runs, in the place of an output
   std::vector<std::string> dimensions = {};
   std::vector<SourcePointer> ranges = {};
-  std::optional<double> max_error = {};
-  std::string scene_file = {};  ///< of the cheapest within max_error; empty: none
-  std::string format = "text";
-  std::string file = {};  ///< of the table; empty: none
-  bool force = false;
+  std::optional<Shard> shard = {};  ///< to be measured alone, for a file
+  bool merge = false;               ///< inputs are files of shards
+  TradeoffOutput output = {};
 };
 
-/// E913, and what stands in the place of a file.
-Diagnostics refused(const TradeoffOptions& options) {
-  if (!options.file.empty()) {
-    const auto format = format_of<TradeoffTable>(options.file);
-    if (!format) return format.diagnostics;
-  }
-  std::vector<OutputFile> files;
-  for (const std::string& path : {options.file, options.scene_file}) {
-    if (!path.empty()) files.push_back({path, "", Replaces::nothing});
-  }
-  return refuse_places(files, options.force);
-}
+/// A part of a table, and the exit code of what was said of it.
+struct MeasuredHere {
+  ExitCode found = ExitCode::success;
+  std::optional<TradeoffTable> table = {};
+};
 
-/// From the folder of the scene.
-std::string model_path(const Inputs& inputs, const std::string& scene_file) {
-  namespace fs = std::filesystem;
-  const auto from_root = [](const fs::path& path) { return fs::absolute(path).lexically_normal(); };
-  return from_root(inputs.model->path)
-      .lexically_proximate(from_root(scene_file).parent_path())
-      .generic_string();
-}
-
-std::string scene_of(const MeasuredDesigns& measured, const TradeoffRow& row, const Inputs& inputs,
-                     const std::string& scene_file) {
-  const DesignBase base{measured.checked, measured.scene ? &*measured.scene : nullptr};
-  return scene_text(base, design_of(measured, row), model_path(inputs, scene_file));
-}
-
-Diagnostics none_within(const TradeoffTable& table, double max_error) {
-  const TradeoffRow* const nearest = most_accurate(table);
-  return {{Code::E632,
-           {},
-           fmt::format("no design is within {}", max_error),
-           nearest == nullptr ? ""
-                              : fmt::format("`{}` is nearest, its worst error is {:.1e}",
-                                            name_of(*nearest), nearest->error.worst)}};
-}
-
-/// Writes the scene of a row.
-using SceneOf = std::function<std::string(const TradeoffRow&)>;
-
-/// The row that --max-error asks for; its scene joins `files`.
-ExitCode choose_row(const GlobalOptions& global, const TradeoffOptions& options,
-                    const TradeoffTable& table, const SceneOf& scene_of_row,
-                    std::vector<OutputFile>& files) {
-  const TradeoffRow* const row = cheapest_within(table, *options.max_error);
-  if (row == nullptr) return report(global, none_within(table, *options.max_error));
-  tell(global, fmt::format("cheapest within {}: {}, {:.4g} ns, error {:.1e}", *options.max_error,
-                           name_of(*row), row->cost.median, row->error.worst));
-  if (!options.scene_file.empty()) {
-    files.push_back({options.scene_file, scene_of_row(*row), Replaces::nothing});
-  }
-  return ExitCode::success;
-}
-
-ExitCode finish(const GlobalOptions& global, const TradeoffOptions& options,
-                const TradeoffTable& table, const SceneOf& scene_of_row) {
-  const auto printed = format_of<TradeoffTable>("." + options.format);
-  ExitCode worst = print(global, printed ? printed->text(table) : to_text(table));
-  std::vector<OutputFile> files;
-  if (!options.file.empty()) {
-    const auto format = format_of<TradeoffTable>(options.file);
-    files.push_back({options.file, format->text(table), Replaces::nothing});
-  }
-  if (options.max_error) {
-    worst = std::max(worst, choose_row(global, options, table, scene_of_row, files));
-  }
-  const auto written = write_files(files, {options.force, global.limits.seconds});
-  return std::max(worst, report(global, written.diagnostics));
-}
-
-ExitCode tabulate_designs(const GlobalOptions& global, const TradeoffOptions& options,
-                          const Inputs& inputs) {
+MeasuredHere measure_designs(const GlobalOptions& global, const TradeoffOptions& options,
+                             const Inputs& inputs, const Shard& shard) {
   std::vector<SourcePointer> sources;
-  const Result<MeasuredDesigns> measured =
-      measured_designs({options.input, inputs, options.output, options.dimensions, options.ranges},
-                       global.limits, sources);
-  ExitCode worst = report(global, measured.diagnostics);
-  if (!measured) return worst;
-  if (!measured->not_compiled.empty()) {
-    // The others are measured all the same, so it is no mistake of elgen's alone.
-    report(global, measured->not_compiled);
-    worst = ExitCode::inaccessible;
-  }
-  const auto scene_of_row = [&](const TradeoffRow& row) {
-    return scene_of(*measured, row, inputs, options.scene_file);
-  };
-  return std::max(worst, finish(global, options, measured->table, scene_of_row));
+  const Result<MeasuredDesigns> measured = measured_designs(
+      {options.inputs.front(), inputs, options.of, options.dimensions, options.ranges, shard},
+      global.limits, sources);
+  const ExitCode found = report(global, measured.diagnostics);
+  if (!measured) return {found};
+  if (measured->not_compiled.empty()) return {found, measured->table};
+  // The others are measured all the same, so it is no mistake of elgen's alone.
+  report(global, measured->not_compiled);
+  return {ExitCode::inaccessible, measured->table};
 }
 
-ExitCode tabulate_runs(const GlobalOptions& global, const TradeoffOptions& options,
-                       const Inputs& inputs) {
+MeasuredHere measure_runs(const GlobalOptions& global, const TradeoffOptions& options,
+                          const Inputs& inputs, const Shard& shard) {
   const Result<TradeoffTable> table =
-      measured_runs({options.input, inputs, *options.time}, global.limits);
+      measured_runs({options.inputs.front(), inputs, *options.time, shard}, global.limits);
   const ExitCode found = report(global, table.diagnostics);
-  return table ? std::max(found, finish(global, options, *table, {})) : found;
+  return table ? MeasuredHere{found, *table} : MeasuredHere{found};
 }
 
-ExitCode tradeoff_input(const GlobalOptions& given, const TradeoffOptions& options) {
-  GlobalOptions global = given;
-  if (options.format == "json") global.style.format = DiagnosticFormat::json;
-  const Diagnostics wrong = refused(options);
-  if (!wrong.empty()) return report(global, wrong);
-  const Result<Inputs> inputs = read_inputs(options.input, global.limits);
+ExitCode write_shard(const GlobalOptions& global, const TradeoffOptions& options,
+                     const Inputs& inputs, const TradeoffTable& table) {
+  TradeoffShard shard{
+      .head = head_here(ShardJob::tradeoff, inputs, *options.shard, table.machine, global.limits),
+      .dimensions = options.dimensions,
+      .time = options.time,
+      .table = table};
+  for (const SourcePointer& range : options.ranges) shard.ranges.push_back(range->text);
+  const auto written = write_files({{options.output.file, to_json(shard), Replaces::nothing}},
+                                   {options.output.force, global.limits.seconds});
+  return report(global, written.diagnostics);
+}
+
+/// A scene names the file of its model.
+Diagnostics refuse_scene(const TradeoffOptions& options, const Inputs& inputs) {
+  if (options.output.scene_file.empty() || inputs.model->path != stdin_name) return {};
+  return {{Code::E913, {}, "a scene cannot name a model on standard input"}};
+}
+
+ExitCode measure_input(const GlobalOptions& global, const TradeoffOptions& options) {
+  const Result<Inputs> inputs = read_inputs(options.inputs.front(), global.limits);
   if (!inputs) return report(global, inputs.diagnostics);
-  if (!options.scene_file.empty() && inputs->model->path == stdin_name) {
-    return report(global, {{Code::E913, {}, "a scene cannot name a model on standard input"}});
-  }
-  return options.time ? tabulate_runs(global, options, *inputs)
-                      : tabulate_designs(global, options, *inputs);
+  const Diagnostics refused = refuse_scene(options, *inputs);
+  if (!refused.empty()) return report(global, refused);
+  const auto measure = options.time ? measure_runs : measure_designs;
+  const auto [found, table] = measure(global, options, *inputs, options.shard.value_or(Shard()));
+  if (!table) return found;
+  return std::max(found, options.shard ? write_shard(global, options, *inputs, *table)
+                                       : deliver(global, options.output, *inputs, judged(*table)));
 }
 
-/// Of what designs there are, and where they are looked at.
-void add_subject(CLI::App& command, const std::shared_ptr<TradeoffOptions>& options) {
-  command.add_option("--of", options->output, "which output (inverse_dynamics)")
-      ->type_name("OUTPUT");
+/// As one process that has measured all.
+ExitCode merge_shards(const GlobalOptions& global, const TradeoffOptions& options) {
+  const Result<TradeoffShard> merged = merged_tradeoff(options.inputs, global.limits);
+  if (!merged) return report(global, merged.diagnostics);
+  Diagnostics refused = refuse_scene(options, merged->head.inputs);
+  if (merged->time && !options.output.scene_file.empty()) {
+    refused = {{Code::E913, {}, "shards of runs have no designs to write as scenes"}};
+  }
+  if (!refused.empty()) return report(global, refused);
+  return deliver(global, options.output, merged->head.inputs, judged(merged->table));
+}
+
+/// E913, and what stands in the place of a file.
+Diagnostics contradictions(const TradeoffOptions& options) {
+  const TradeoffOutput& output = options.output;
+  if (!options.merge && options.inputs.size() != 1) {
+    return {{Code::E913, {}, "tradeoff takes one input, or with --merge shards"}};
+  }
+  if (!options.shard) return refuse_output(output);
+  if (output.file.empty()) return {{Code::E913, {}, "--shard writes a file: `-o FILE`"}};
+  return refuse_places({{output.file, "", Replaces::nothing}}, output.force);
+}
+
+ExitCode run_tradeoff(const GlobalOptions& given, const TradeoffOptions& options) {
+  GlobalOptions global = given;
+  if (options.output.format == "json") global.style.format = DiagnosticFormat::json;
+  const Diagnostics wrong = contradictions(options);
+  if (!wrong.empty()) return report(global, wrong);
+  return options.merge ? merge_shards(global, options) : measure_input(global, options);
+}
+
+CLI::Option* add_number(CLI::App& command, const char* name, std::optional<double>& value,
+                        const char* doc) {
+  return command.add_option_function<double>(
+      name, [&value](double given) { value = given; }, doc);
+}
+
+/// Of what designs there are, and where they are looked at; or of which runs.
+void add_subject(CLI::App& command, TradeoffOptions& options) {
+  CLI::Option* const time = add_number(command, "--trajectory", options.time,
+                                       "runs of so many s by all methods, instead of an output");
+  command.add_option("--of", options.of, "which output (inverse_dynamics)")
+      ->type_name("OUTPUT")
+      ->excludes(time);
   command
-      .add_option("--dimensions", options->dimensions,
+      .add_option("--dimensions", options.dimensions,
                   "tried beside the usual ones: form, contraction, order, drop_below, long_double")
       ->type_name("LIST")
       ->delimiter(',')
-      ->allow_extra_args(false);
-  add_sources(command, "--range", "NAME=LOW..HIGH", options->ranges,
+      ->allow_extra_args(false)
+      ->excludes(time);
+  add_sources(command, "--range", "NAME=LOW..HIGH", options.ranges,
               "where errors are looked at: theta=-0.1..0.1");
+  command.get_option("--range")->excludes(time);
+}
+
+/// What becomes of the table.
+void add_output(CLI::App& command, TradeoffOutput& output) {
+  CLI::Option* const max_error =
+      add_number(command, "--max-error", output.max_error,
+                 "name the cheapest design whose worst error is at most this");
+  command.add_option("--write-scene", output.scene_file, "write that design as a scene")
+      ->type_name("FILE")
+      ->needs(max_error)
+      ->excludes(command.get_option("--trajectory"));
+  command.add_option("--format", output.format, "of the table: text, json or csv")
+      ->check(CLI::IsMember({"text", "json", "csv"}));
+  command
+      .add_option("-o,--output", output.file, "write the table (.svg, .json or .csv) or the shard")
+      ->type_name("FILE");
+  command.add_flag("--force", output.force, "overwrite FILE");
+}
+
+/// Who measures.
+void add_sharing(CLI::App& command, TradeoffOptions& options) {
+  CLI::Option* const shard =
+      add_shard(command, options.shard, "measure one of N parts, for -o FILE");
+  for (const char* name : {"--max-error", "--format"}) shard->excludes(command.get_option(name));
+  CLI::Option* const merge =
+      command.add_flag("--merge", options.merge, "inputs are shards: one table of all");
+  merge->excludes(shard);
+  for (const char* name : {"--of", "--dimensions", "--range", "--trajectory"}) {
+    merge->excludes(command.get_option(name));
+  }
 }
 
 }  // namespace
@@ -161,32 +176,14 @@ void add_subject(CLI::App& command, const std::shared_ptr<TradeoffOptions>& opti
 void add_tradeoff(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("tradeoff", "measure speed against accuracy");
   const auto options = std::make_shared<TradeoffOptions>();
-  command->add_option("input", options->input, "NAME.toml, NAME.scene.toml or - (stdin)")
+  command
+      ->add_option("inputs", options->inputs,
+                   "NAME.toml, NAME.scene.toml or - (stdin); with --merge files of shards")
       ->required();
-  add_subject(*command, options);
-  const auto number = [command](const char* name, std::optional<double>& value, const char* doc) {
-    return command->add_option_function<double>(
-        name, [&value](double given) { value = given; }, doc);
-  };
-  CLI::Option* const max_error =
-      number("--max-error", options->max_error,
-             "name the cheapest design whose worst error is at most this");
-  CLI::Option* const scene =
-      command->add_option("--write-scene", options->scene_file, "write that design as a scene")
-          ->type_name("FILE")
-          ->needs(max_error);
-  CLI::Option* const time = number("--trajectory", options->time,
-                                   "runs of so many s by all methods, instead of an output");
-  for (const char* name : {"--of", "--dimensions", "--range"}) {
-    time->excludes(command->get_option(name));
-  }
-  time->excludes(scene);
-  command->add_option("--format", options->format, "of the table: text, json or csv")
-      ->check(CLI::IsMember({"text", "json", "csv"}));
-  command->add_option("-o,--output", options->file, "write the table: .svg, .json or .csv")
-      ->type_name("FILE");
-  command->add_flag("--force", options->force, "overwrite FILE");
-  set_action(*command, action, options, &tradeoff_input);
+  add_subject(*command, *options);
+  add_output(*command, options->output);
+  add_sharing(*command, *options);
+  set_action(*command, action, options, &run_tradeoff);
 }
 
 }  // namespace elgen::cli

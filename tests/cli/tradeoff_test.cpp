@@ -63,18 +63,4 @@ TEST_CASE("dimensions that are asked for are tried, expansions about the point o
   CHECK(expanded > 0);
 }
 
-TEST_CASE("a scene keeps what it locks and fixes, and files are not overwritten unasked") {
-  const Workspace workspace;
-  const std::string command =
-      "elgen tradeoff -q --format csv -o x.csv " + models + "/scenes/balance.scene.toml";
-  const Outcome outcome = shell(command, workspace.path());
-  INFO(outcome.errors);
-  CHECK(outcome.status == 0);
-  CHECK(starts_with(outcome.output, "scalar,batch,"));
-  CHECK(outcome.output == read_text(workspace.path() / "x.csv"));
-  CHECK(shell(command, workspace.path()).status == 4);
-  CHECK(shell("elgen tradeoff -o x.pdf " + models + "/cart_pole.toml", workspace.path()).status ==
-        2);
-}
-
 }  // namespace elgen::test
