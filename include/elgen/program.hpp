@@ -122,4 +122,7 @@ struct OperationCounts {
 [[nodiscard]] std::vector<std::string> temporary_names(const Program& program,
                                                        const Function& function);
 
+/// Those of them that say what an instruction is; "" where only a hash of its content would.
+[[nodiscard]] std::vector<std::string> told_names(const Program& program, const Function& function);
+
 }  // namespace elgen

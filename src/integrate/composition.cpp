@@ -45,7 +45,8 @@ std::uint32_t Composition::leaf_at(const Instruction& leaf, const CallPoint& at)
 Places Composition::call(const Program& from, const Function& callee, const CallPoint& at) {
   const Places& wanted = callee.fields.front().entries;
   const std::vector<bool> needed = needed_for(callee, wanted);
-  const std::vector<std::string> names = temporary_names(from, callee);
+  // A hash says of what a value is computed, which is another one here.
+  const std::vector<std::string> names = told_names(from, callee);
   const std::string suffix = at.number > 1 ? fmt::format("_{}", at.number) : "";
   Places places(callee.instructions.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -61,10 +62,8 @@ Places Composition::call(const Program& from, const Function& callee, const Call
     if (operand_count(instruction) > 0) instruction.a = places[instruction.a];
     if (operand_count(instruction) > 1) instruction.b = places[instruction.b];
     places[i] = instructions_.add(instruction);
-    // A hash says of what a value is computed, which is another one here.
-    const bool is_told = !names[i].empty() && !names[i].starts_with("t_");
     std::string& name = function_.names[places[i]];
-    if (is_told && name.empty()) name = names[i] + suffix;
+    if (!names[i].empty() && name.empty()) name = names[i] + suffix;
   }
   Places result;
   for (const std::uint32_t entry : wanted) result.push_back(places[entry]);

@@ -14,7 +14,7 @@ inputs u
 function bias
   0 = coordinate q
   1 = input u
-  2 = multiply 0 1  ; work
+  2 = multiply 0 1  ; t_work
   3 = parameter k
   4 = add 2 3
   5 = multiply 3 3
@@ -52,7 +52,7 @@ function bias
   3 = multiply 0 2
   4 = add 1 3  ; q_2
   5 = input u
-  6 = multiply 4 5  ; work_2
+  6 = multiply 4 5  ; t_work_2
   7 = parameter k
   8 = add 6 7
   result 2 1 = 8 6

@@ -73,6 +73,17 @@ TEST_CASE("a sine and a cosine of one angle have names, for one call computes bo
   CHECK(one[3].empty());
 }
 
+TEST_CASE("told names are those that are no hash, however they begin") {
+  const Program program = testing::read_program(
+      "coordinates x y\nfunction bias\n  0 = coordinate x\n  1 = coordinate y\n"
+      "  2 = multiply 0 1\n  3 = sin 2\n  4 = cos 2\n  5 = multiply 3 4  ; t_work\n"
+      "  result 1 1 = 5\n");
+  const std::vector<std::string> told = told_names(program, program.functions[0]);
+  CHECK(temporary_names(program, program.functions[0])[3].starts_with("t_"));
+  CHECK(told[3].empty());
+  CHECK(told[5] == "t_work");
+}
+
 TEST_CASE("a name of its own is kept unless something else is called so") {
   const std::string head = "parameters m\ncoordinates bob\nfunction bias\n  0 = coordinate bob\n";
   CHECK(names_of(head + "  1 = tan 0  ; bob_x\n  result 1 1 = 1\n").back() == "bob_x");

@@ -7,7 +7,7 @@
 //     or beside the cosine (sine) of its angle
 //
 // The hash covers leaves, constants and operations, not positions, so a change elsewhere leaves it
-// alone.
+// alone. told_names leaves it out.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -64,6 +64,12 @@ class Naming {
     return names;
   }
 
+  std::vector<std::string> told_names() {
+    std::vector<std::string> told = names();
+    for (const std::size_t at : hashed_) told[at].clear();
+    return told;
+  }
+
  private:
   /// A negation is written out wherever it is used, so its uses are its operand's.
   void count_uses() {
@@ -100,7 +106,9 @@ class Naming {
     if (!function_.names[at].empty()) return unique(function_.names[at]);
     const bool is_short = uses_[at] <= 1 && size <= longest_expression;
     if (is_short && !has_sine_and_cosine(i)) return "";
-    return sums_[at] ? unique("sum_" + *sums_[at]) : hash_name(hashes_[at]);
+    if (sums_[at]) return unique("sum_" + *sums_[at]);
+    hashed_.push_back(at);
+    return hash_name(hashes_[at]);
   }
 
   /// "sin_theta", "cos_q1_minus_q2"; nothing where the argument is no short sum of
@@ -165,6 +173,7 @@ class Naming {
   std::vector<std::size_t> uses_;
   std::map<std::uint32_t, std::set<FunctionId>> angles_;  ///< what is computed of each
   std::vector<std::uint64_t> hashes_;
+  std::vector<std::size_t> hashed_;               ///< instructions that are called by their hash
   std::vector<std::optional<std::string>> sums_;  ///< names of short sums of leaves
 };
 
@@ -172,6 +181,10 @@ class Naming {
 
 std::vector<std::string> temporary_names(const Program& program, const Function& function) {
   return Naming(program, function).names();
+}
+
+std::vector<std::string> told_names(const Program& program, const Function& function) {
+  return Naming(program, function).told_names();
 }
 
 }  // namespace elgen
