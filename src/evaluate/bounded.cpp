@@ -41,6 +41,13 @@ Bound inherit(Bound result, const Bound& x, const Bound& y) {
   return result;
 }
 
+/// The same where B has all roundings, so that none is counted.
+Bound inherit_all(Bound result, const Bound& x, const Bound& y) {
+  result = inherit(std::move(result), x, y);
+  result.roundings = 0;
+  return result;
+}
+
 /// Known to within a tenth, with the promised 8 u B.
 bool is_certain(const Bound& x, const Rounding& rounding) {
   return x.exact || is_less(x.bound * rounding.roundoff * Real(80), abs(x.value));
@@ -158,6 +165,25 @@ Bound BoundRules::square_root(const Bound& x) const {
   const Real bound = value + slope * a + rounding.roundoff * curvature * a * a / Real(2);
   Bound result = inherit(computed(value, bound, rounding), x, x);
   result.lost = result.lost || !is_certain(x, rounding);
+  return result;
+}
+
+Bound RunningBoundRules::add(const Bound& x, const Bound& y) const {
+  const Real value = x.value + y.value;
+  return inherit_all(computed(value, x.bound + y.bound + abs(value), rounding), x, y);
+}
+
+Bound RunningBoundRules::multiply(const Bound& x, const Bound& y) const {
+  const Real value = x.value * y.value;
+  const Real of_operands = abs(x.value) * y.bound + abs(y.value) * x.bound;
+  const Real bound = of_operands + rounding.roundoff * x.bound * y.bound + abs(value);
+  return inherit_all(computed(value, bound, rounding), x, y);
+}
+
+Bound RunningBoundRules::divide(const Bound& x, const Bound& y) const {
+  Bound result = BoundRules::divide(x, y);
+  result.bound = result.bound + abs(result.value);
+  result.roundings = 0;
   return result;
 }
 

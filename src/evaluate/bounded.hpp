@@ -63,4 +63,15 @@ struct BoundRules {
   [[nodiscard]] Bound call(FunctionId function, const Bound& x, const Bound& slot) const;
 };
 
+/// The rules of fold.hpp along what repeats itself, as steps do. B has every rounding, and no
+/// roundings are counted: x + y: Bx + By + |x + y|; x y: |x| By + |y| Bx + u Bx By + |x y|; x / y:
+/// |x/y| more than above. Where an iteration takes errors away this B stays, and every product
+/// raises the one above to a power.
+struct RunningBoundRules : BoundRules {
+  [[nodiscard]] Bound add(const Bound& x, const Bound& y) const;
+  [[nodiscard]] Bound subtract(const Bound& x, const Bound& y) const { return add(x, negate(y)); }
+  [[nodiscard]] Bound multiply(const Bound& x, const Bound& y) const;
+  [[nodiscard]] Bound divide(const Bound& x, const Bound& y) const;
+};
+
 }  // namespace elgen

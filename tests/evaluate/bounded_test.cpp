@@ -125,3 +125,26 @@ TEST_CASE("a bound beyond all numbers is lost") {
   CHECK(product.lost);
   CHECK(product.bound.is_defined());
 }
+
+TEST_CASE("along what repeats itself B has every rounding, of first order") {
+  const RunningBoundRules running{rules};
+  const Bound x = leaf("3");
+  const Bound y = leaf("-4");
+  CHECK(bound(running.add(x, y)) == 3 + 4 + 1);
+  CHECK(bound(running.subtract(x, y)) == 3 + 4 + 7);
+  CHECK(bound(running.multiply(x, y)) == Approx(3 * 4 + 4 * 3 + 12));
+  CHECK(bound(running.divide(x, y)) == Approx((3 + 0.75 * 4) / 4 + 0.75));
+  CHECK(running.multiply(running.add(x, y), y).roundings == 0);
+}
+
+TEST_CASE("where an iteration takes errors away, B stays") {
+  const RunningBoundRules running{rules};
+  Bound x = leaf("21") - leaf("20");
+  Bound outgrown = x;
+  for (int i = 0; i < 20; ++i) {
+    x = running.add(leaf("1"), running.divide(running.multiply(x, x), leaf("8")));
+    outgrown = leaf("1") + outgrown * outgrown / leaf("8");
+  }
+  CHECK(bound(x) < 10);
+  CHECK(bound(outgrown) > 1e100);
+}

@@ -17,6 +17,8 @@ namespace {
 
 constexpr const char* own_reason =
     "8 u B + N eta (own bound): B run along the program; n u B for n > 8 roundings in an entry";
+constexpr const char* step_reason =
+    "8 u B + N eta (own bound): B, every rounding of first order, run along the program";
 constexpr const char* closed_reason =
     "8 u B + N eta: B of the closed form, own bound where the code underflows; n u B for n > 8 "
     "roundings in an entry";
@@ -82,6 +84,7 @@ std::vector<SkippedStates> skipped(const FieldRecord& record) {
 /// By what judged, not by what was to.
 std::string reason(const FieldRecord& record) {
   if (record.place.judge.is_closed_form) return closed_reason;
+  if (output_row(record.place.request.kind).steps) return step_reason;
   if (record.in_norm == 0) return own_reason;
   const std::size_t others = record.compared - record.in_norm;
   if (others == 0) return solution_reason;

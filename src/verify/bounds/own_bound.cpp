@@ -45,7 +45,10 @@ BoundedRun bounded_run(const Program& program, const Function& function, const S
     const auto leaf = [&](const cln::cl_R& value) { return leaf_bound(value, rounding); };
     LeafValues<Bound> leaves = map_leaves(leaf, state);
     if (!accelerations.empty()) leaves.a = accelerations;
-    values = fold<Bound>(BoundRules{leaves, rounding}, program, function);
+    const BoundRules rules{leaves, rounding};
+    values = output_row(function.kind).steps
+                 ? fold<Bound>(RunningBoundRules{rules}, program, function)
+                 : fold<Bound>(rules, program, function);
   } while (digits.grow());
   for (const Bound& value : values) {
     const Regime here = regime_of(value, rounding);

@@ -27,8 +27,9 @@ struct BoundedRun {
   Real largest = {};                ///< magnitude of the largest intermediate
 };
 
-/// Runs exact values and bounds along a function. `accelerations`, where there are some, take the
-/// place of the state's, and may be known to their bounds only.
+/// Runs exact values and bounds along a function; along a step by RunningBoundRules.
+/// `accelerations`, where there are some, take the place of the state's, and may be known to their
+/// bounds only.
 [[nodiscard]] BoundedRun bounded_run(const Program& program, const Function& function,
                                      const State& state, const Rounding& rounding,
                                      const std::vector<Bound>& accelerations = {});
