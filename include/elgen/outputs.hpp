@@ -67,6 +67,9 @@ struct FieldRow {
   /// What holds it in C++: `{0}` are its rows, `{1}` its entries. A single number is a Scalar.
   std::string_view type = "Scalar";
   std::string_view latex = {};  ///< its symbol, where it has a name
+  /// What an iteration leaves: its terms cancel, and it is known to their rounding. Of methods that
+  /// iterate alone.
+  bool is_remainder = false;
 };
 
 /// Which terms an output has: those of M, of V0, of dissipation and applied forces, and of B.

@@ -42,6 +42,7 @@ struct OutputRequest {
   std::uint32_t columns = 1;
   Span span = {};                 ///< where it was asked for
   std::optional<Form> form = {};  ///< asked for; otherwise the cheaper one
+  std::uint32_t iterations = 0;   ///< of a `step` whose method is implicit
 };
 
 /// What decides between ways to compute the same.

@@ -328,7 +328,13 @@ constexpr OutputRow dynamics{
 
 constexpr std::array next_state{
     FieldRow{"coordinates", E::coordinates, E::one, U::row, "Coordinates<Scalar>", "q"},
-    FieldRow{"rates", E::velocities, E::one, U::row, "Velocities<Scalar>", "<v>"}};
+    FieldRow{"rates", E::velocities, E::one, U::row, "Velocities<Scalar>", "<v>"},
+    FieldRow{.name = "residual",
+             .rows = E::velocities,
+             .unit = U::energy,
+             .type = forces,
+             .latex = "r",
+             .is_remainder = true}};
 constexpr OutputRow step{.symbol = {"(q, v)(t + h)", "(q, <v>)(t + h)"},
                          .takes = Opcode::velocity | Opcode::input | Opcode::step,
                          .fields = next_state,

@@ -46,7 +46,8 @@ Function lowered_together(const ReadableEntries& entries, const Function& shape,
 
 Function lowered_one_by_one(const ReadableEntries& entries, const Function& shape,
                             Program& program) {
-  Function readable{shape.kind, shape.user, shape.name, Form::closed};
+  Function readable{
+      .kind = shape.kind, .user = shape.user, .name = shape.name, .form = Form::closed};
   std::size_t next = 0;
   for (const Field& field : shape.fields) {
     Field& filled = readable.fields.emplace_back(Field{field.name, field.rows, field.columns, {}});

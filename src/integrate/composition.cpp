@@ -23,8 +23,49 @@ std::uint32_t Composition::number(const cln::cl_RA& value) {
   return instructions_.add(Instruction{.opcode = Opcode::constant, .a = constant});
 }
 
+bool Composition::is_zero(std::uint32_t place) const {
+  return loads_zero(program_, function_.instructions[place]);
+}
+
+bool Composition::is_one(std::uint32_t place) const {
+  const Instruction& i = function_.instructions[place];
+  return i.opcode == Opcode::constant && program_.constants[i.a].value == 1;
+}
+
+/// A value that is there already, or 0 or a change of sign.
+std::optional<std::uint32_t> Composition::trivial(const Instruction& i) {
+  switch (i.opcode) {
+    case Opcode::add:
+      if (is_zero(i.a)) return i.b;
+      return is_zero(i.b) ? std::optional(i.a) : std::nullopt;
+    case Opcode::subtract:
+      if (is_zero(i.b)) return i.a;
+      return is_zero(i.a) ? std::optional(add(Opcode::negate, i.b)) : std::nullopt;
+    case Opcode::multiply:
+      if (is_zero(i.a) || is_one(i.b)) return i.a;
+      return is_zero(i.b) || is_one(i.a) ? std::optional(i.b) : std::nullopt;
+    case Opcode::divide:
+      return is_zero(i.a) || is_one(i.b) ? std::optional(i.a) : std::nullopt;
+    case Opcode::negate:
+      return is_zero(i.a) ? std::optional(i.a) : std::nullopt;
+    default:
+      return std::nullopt;
+  }
+}
+
+std::uint32_t Composition::add(const Instruction& instruction) {
+  const std::optional<std::uint32_t> known = trivial(instruction);
+  return known ? *known : instructions_.add(instruction);
+}
+
 std::uint32_t Composition::add(Opcode opcode, std::uint32_t a, std::uint32_t b) {
-  return instructions_.add(opcode, a, b);
+  return add(Instruction{.opcode = opcode, .a = a, .b = b});
+}
+
+Places Composition::add(Opcode opcode, const Places& x, const Places& y) {
+  Places result;
+  for (std::size_t i = 0; i < x.size(); ++i) result.push_back(add(opcode, x[i], y[i]));
+  return result;
 }
 
 Places Composition::moved(const Places& x, std::uint32_t c, const Places& y) {
@@ -42,9 +83,9 @@ std::uint32_t Composition::leaf_at(const Instruction& leaf, const CallPoint& at)
   return instructions_.add(leaf);
 }
 
-Places Composition::call(const Program& from, const Function& callee, const CallPoint& at) {
-  const Places& wanted = callee.fields.front().entries;
-  const std::vector<bool> needed = needed_for(callee, wanted);
+Places Composition::call(const Program& from, const Function& callee, const Field& field,
+                         const CallPoint& at) {
+  const std::vector<bool> needed = needed_for(callee, field.entries);
   // A hash says of what a value is computed, which is another one here.
   const std::vector<std::string> names = told_names(from, callee);
   const std::string suffix = at.number > 1 ? fmt::format("_{}", at.number) : "";
@@ -61,12 +102,13 @@ Places Composition::call(const Program& from, const Function& callee, const Call
     }
     if (operand_count(instruction) > 0) instruction.a = places[instruction.a];
     if (operand_count(instruction) > 1) instruction.b = places[instruction.b];
-    places[i] = instructions_.add(instruction);
+    places[i] = add(instruction);
+    const bool is_computed = operand_count(function_.instructions[places[i]]) > 0;
     std::string& name = function_.names[places[i]];
-    if (!names[i].empty() && name.empty()) name = names[i] + suffix;
+    if (is_computed && !names[i].empty() && name.empty()) name = names[i] + suffix;
   }
   Places result;
-  for (const std::uint32_t entry : wanted) result.push_back(places[entry]);
+  for (const std::uint32_t entry : field.entries) result.push_back(places[entry]);
   return result;
 }
 

@@ -1,10 +1,12 @@
 // Composition: a function that is made of calls of others, each copied with its leaves replaced.
+// What is 0 once they are replaced, adds 0, or multiplies or divides by 1 is not computed.
 //
 //     a(q, u) = q*u   called at   q + h v   ->   0 = q   1 = h   2 = v   3 = multiply 1 2
 //                                                4 = add 0 3   5 = u   6 = multiply 4 5
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,17 +38,24 @@ class Composition {
   [[nodiscard]] std::uint32_t number(const cln::cl_RA& value);
   [[nodiscard]] std::uint32_t add(Opcode opcode, std::uint32_t a, std::uint32_t b = 0);
 
+  /// The same of entries: x + y, x - y.
+  [[nodiscard]] Places add(Opcode opcode, const Places& x, const Places& y);
   /// x + c y
   [[nodiscard]] Places moved(const Places& x, std::uint32_t c, const Places& y);
 
-  /// The entries of the first field of `callee`, a function of `from`, at a point.
-  [[nodiscard]] Places call(const Program& from, const Function& callee, const CallPoint& at);
+  /// The entries of a field of `callee`, a function of `from`, at a point.
+  [[nodiscard]] Places call(const Program& from, const Function& callee, const Field& field,
+                            const CallPoint& at);
 
   /// Calls values "theta_2" that are computed and have no name yet.
   void name(const Places& values, Opcode kind, std::uint32_t number);
 
  private:
   [[nodiscard]] std::uint32_t leaf_at(const Instruction& leaf, const CallPoint& at);
+  [[nodiscard]] std::optional<std::uint32_t> trivial(const Instruction& instruction);
+  [[nodiscard]] bool is_zero(std::uint32_t place) const;
+  [[nodiscard]] bool is_one(std::uint32_t place) const;
+  [[nodiscard]] std::uint32_t add(const Instruction& instruction);
 
   Program& program_;
   Function& function_;

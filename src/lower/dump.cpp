@@ -44,8 +44,12 @@ std::string operation_text(const Program& program, const Instruction& instructio
 
 std::string heading(const Function& function) {
   const OutputRow& row = output_row(function.kind);
-  if (row.of_user || row.steps)
-    return fmt::format("function {} = {} {}\n", function.name, row.name, function.user);
+  if (row.of_user || row.steps) {
+    const std::string iterations =
+        function.iterations > 0 ? fmt::format(" {}", function.iterations) : "";
+    return fmt::format("function {} = {} {}{}\n", function.name, row.name, function.user,
+                       iterations);
+  }
   if (row.name == function.name) return fmt::format("function {}\n", row.name);
   return fmt::format("function {} = {}\n", function.name, row.name);
 }

@@ -92,7 +92,8 @@ class ProgramReader {
 
   std::string read_heading(const Words& words) {
     const bool renamed = words.size() > 3 && words[2] == "=";
-    if (words.size() != 2 && !renamed) return "expected `function NAME [= KIND [NUMBER]]`";
+    if (words.size() != 2 && !renamed)
+      return "expected `function NAME [= KIND [NUMBER [ITERATIONS]]]`";
     Function function;
     function.name = std::string(words[1]);
     const OutputRow* kind = nullptr;
@@ -101,10 +102,11 @@ class ProgramReader {
     }
     if (kind == nullptr) return fmt::format("`{}` is no output", words[renamed ? 3 : 1]);
     function.kind = kind->kind;
-    if (words.size() > 4) {
-      const auto user = number(words[4]);
-      if (!user) return fmt::format("`{}` is not a number", words[4]);
-      function.user = *user;
+    std::uint32_t* const numbers[] = {&function.user, &function.iterations};
+    for (std::size_t i = 4; i < std::min(words.size(), std::size_t{6}); ++i) {
+      const auto value = number(words[i]);
+      if (!value) return fmt::format("`{}` is not a number", words[i]);
+      *numbers[i - 4] = *value;
     }
     program_.functions.push_back(std::move(function));
     return "";

@@ -190,7 +190,8 @@ constexpr OracleRow step{
     [](const Question& of) { return oracle::step(of.model, of.output, of.state); },
     [](const Question& of, const Contraction& by) {
       const Values values = oracle::step(of.model, of.output, of.state);
-      const std::size_t first = by.field == 0 ? 0 : of.state.q.size();
+      const std::size_t n = of.state.v.size();
+      const std::size_t first = by.field == 0 ? 0 : of.state.q.size() + (by.field - 1) * n;
       cl_R sum = 0;
       for (std::size_t i = 0; i < by.w.size(); ++i) {
         sum = sum + by.w[i] * values[first + i];

@@ -11,10 +11,11 @@ namespace {
 using cln::cl_R;
 using Values = std::vector<cl_R>;
 
-/// What may move of a state.
+/// What may move of a state, and what an implicit method leaves of its equation.
 struct Moved {
   Values q;
   Values v;
+  Values residual = {};
 };
 
 Values sum(const Values& x, const cl_R& factor, const Values& y) {
@@ -29,7 +30,8 @@ Moved sum(const Moved& x, const cl_R& factor, const Moved& y) {
 
 class Stepping {
  public:
-  Stepping(const Model& model, const State& start) : model_(model), start_(start) {}
+  Stepping(const Model& model, const State& start, std::uint32_t iterations)
+      : model_(model), start_(start), iterations_(iterations) {}
 
   /// x + h/6 (k1 + 2 k2 + 2 k3 + k4)
   Moved rk4() {
@@ -52,13 +54,63 @@ class Stepping {
     return x;
   }
 
+  /// M w = p + h/2 dp/dt - b at (q + h/2 w, w, t + h/2), substituted as often as is asked for.
+  Moved midpoint() {
+    const cl_R& h = start_.h;
+    const Values p = entries(start_, &Mechanics::momentum);
+    Values w = start_.v;
+    const auto middle = [&] { return state_of({sum(start_.q, h / 2, w), w}, h / 2); };
+    for (std::uint32_t i = 0; i < iterations_; ++i) {
+      w = velocities(middle(), sum(p, h / 2, momentum_rate(middle())));
+    }
+    const Values rate = momentum_rate(middle());
+    const Values expected = sum(p, h / 2, rate);
+    const Values q = sum(start_.q, h, w);
+    return {q, velocities(state_of({q, w}, h), sum(p, h, rate)),
+            sum(entries(middle(), &Mechanics::momentum), -1, expected)};
+  }
+
  private:
-  /// dx/dt at the time t + `later`.
-  [[nodiscard]] Moved rates(const Moved& x, const cl_R& later) const {
+  [[nodiscard]] State state_of(const Moved& x, const cl_R& later) const {
     State state = start_;
     state.q = normalized(model_, x.q);
     state.v = x.v;
     state.t = state.t + later;
+    return state;
+  }
+
+  /// x_i = e_i.x
+  [[nodiscard]] Values entries(const State& state,
+                               cl_R (Mechanics::*product)(const Direction&)) const {
+    Mechanics at(model_, state);
+    Values values;
+    for (std::size_t i = 0; i < at.size(); ++i) values.push_back((at.*product)(at.unit(i)));
+    return values;
+  }
+
+  /// dL/dq + B u + Q - dD/dv
+  [[nodiscard]] Values momentum_rate(const State& state) const {
+    Mechanics at(model_, state);
+    Values values;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const Direction w = at.unit(i);
+      values.push_back(at.position_gradient(w) + at.input_force(w, state.u) + at.applied_force(w) -
+                       at.dissipation_force(w));
+    }
+    return values;
+  }
+
+  /// M^-1 (p - b), b = dL/dv at rest.
+  [[nodiscard]] Values velocities(State state, const Values& p) const {
+    state.v.assign(p.size(), 0);
+    Mechanics at(model_, state);
+    const Values b = entries(state, &Mechanics::momentum);
+    return solve_mass(model_, mass_matrix_values(at), sum(p, -1, b)).x;
+  }
+
+  /// dx/dt at the time t + `later`.
+  [[nodiscard]] Moved rates(const Moved& x, const cl_R& later) const {
+    const State state = state_of(x, later);
     Mechanics at(model_, state);
     const Motion motion = motion_of(state);
     Moved rates;
@@ -71,10 +123,11 @@ class Stepping {
 
   const Model& model_;
   const State& start_;
+  std::uint32_t iterations_;
 };
 
 constexpr Moved (Stepping::*methods[])() = {
-#define ELGEN_STEP_METHOD(name, domain, doc, equation) &Stepping::name,
+#define ELGEN_STEP_METHOD(name, domain, iterations, doc, equation) &Stepping::name,
 #include "elgen/step_methods.def"
 #undef ELGEN_STEP_METHOD
 };
@@ -82,9 +135,10 @@ constexpr Moved (Stepping::*methods[])() = {
 }  // namespace
 
 Values step(const Model& model, const OutputRequest& output, const State& state) {
-  const Moved end = (Stepping(model, state).*methods[output.user])();
+  const Moved end = (Stepping(model, state, output.iterations).*methods[output.user])();
   Values values = normalized(model, end.q);
   values.insert(values.end(), end.v.begin(), end.v.end());
+  values.insert(values.end(), end.residual.begin(), end.residual.end());
   return values;
 }
 

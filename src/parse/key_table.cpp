@@ -139,7 +139,9 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"scene.outputs.*", "form", choice, optional, true,
      "closed or recursive, whichever costs less"},
     {"scene.outputs.*", "rename", name, optional, true, "name of the emitted function"},
-    {"scene.outputs.*", "method", text, optional, true, "of `step`, which needs one: rk4, verlet"},
+    {"scene.outputs.*", "method", text, optional, true,
+     "of `step`, which needs one: rk4, verlet, midpoint"},
+    {"scene.outputs.*", "iterations", integer, optional, true, "of midpoint, 1 to 20"},
 
     {"scene.parameters", "fixed", text_or_table, optional, true, "become numbers in the code"},
     {"scene.parameters.fixed", "*", expression, optional, true, "the parameter's value"},

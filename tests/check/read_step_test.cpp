@@ -29,6 +29,27 @@ TEST_CASE("a step has the number of its method") {
   CHECK(renamed.outputs[0].name == "advance");
 }
 
+TEST_CASE("an implicit method iterates as often as it says, or as is asked for") {
+  const auto iterations = [](const std::string& entry) {
+    return checked(block(""), outputs("step = " + entry)).scene.outputs[0].iterations;
+  };
+  CHECK(iterations("{ method = \"midpoint\" }") == 8);
+  CHECK(iterations("{ method = \"midpoint\", iterations = 1 }") == 1);
+  CHECK(iterations("{ method = \"midpoint\", iterations = 20 }") == 20);
+  CHECK(iterations("{ method = \"rk4\" }") == 0);
+}
+
+TEST_CASE("iterations out of range, or of an explicit method, are E626") {
+  CHECK(said_of("step = { method = \"midpoint\", iterations = 0 }") ==
+        "E626 5:44 `iterations` `0` is not one of 1 to 20\n");
+  CHECK(said_of("step = { method = \"midpoint\", iterations = 21 }") ==
+        "E626 5:44 `iterations` `21` is not one of 1 to 20\n");
+  CHECK(said_of("step = { method = \"verlet\", iterations = 2 }") ==
+        "E626 5:29 `verlet` is explicit: it iterates nothing\n");
+  CHECK_THAT(said_of("bias = { iterations = 2 }"),
+             Catch::StartsWith("E103 5:10 `bias` has no `iterations`"));
+}
+
 TEST_CASE("a model alone has no step") {
   for (const OutputRequest& output : checked(block("")).scene.outputs) {
     CHECK(output.kind != OutputKind::step);
@@ -50,9 +71,9 @@ TEST_CASE("a step without a method is E105, a method of anything else E103") {
 TEST_CASE("an unknown method is E620, with those there are") {
   CHECK(said_of("step = { method = \"rk5\" }") ==
         "E620 5:20 `step` has no method `rk5` | did you mean `rk4`?\n");
-  CHECK(said_of("step = { method = \"midpoint\" }") ==
-        "E620 5:20 `step` has no method `midpoint` | one of rk4, verlet: explicit methods, which "
-        "are straight-line code\n");
+  CHECK(said_of("step = { method = \"dopri5\" }") ==
+        "E620 5:20 `step` has no method `dopri5` | one of rk4, verlet, midpoint, which are "
+        "straight-line code\n");
 }
 
 }  // namespace elgen::test

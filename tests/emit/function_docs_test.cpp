@@ -74,6 +74,20 @@ TEST_CASE("a step says its method, not what it computes") {
             " symplectic.", "", "     v += h/2 a(q, t), q += h v, v += h/2 a(q, t + h)"});
 }
 
+TEST_CASE("a step that iterates says how often, and what its residual is") {
+  Subject subject = cart_pole();
+  subject.program = elgen::testing::read_program(
+      "coordinates x\nstep\nfunction step = step 2 5\n  0 = coordinate x\n  1 = step\n"
+      "  result coordinates 1 1 = 0\n  result rates 1 1 = 1\n  result residual 1 1 = 1\n");
+  const Lines lines = docs(subject, 0);
+  REQUIRE(lines.size() > 4);
+  CHECK_THAT(lines[1] + lines[2], Catch::Contains("The residual is what the iterations leave"));
+  CHECK_THAT(lines.end()[-2],
+             Catch::StartsWith("     5 times: M w = p + h/2 (dL/dq + F) - b, all at ("));
+  CHECK(field_summary({subject.model, subject.program, subject.program.functions[0], {}, "", {}},
+                      subject.program.functions[0].fields[2]) == "Scalar [kg*m/s]");
+}
+
 TEST_CASE("long rows become indexed lines, long listings a pointer to the sidecar") {
   Subject subject = cart_pole();
   FunctionEquations printed;

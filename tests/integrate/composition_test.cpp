@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "lower/graph/prune.hpp"
 #include "lower/read_program.hpp"
 
 namespace elgen::testing {
@@ -35,7 +36,8 @@ TEST_CASE("a call copies what its entries need, with its leaves replaced") {
   const Places moved = compose.moved(q, h, v);
   compose.name(moved, Opcode::coordinate, 2);
   compose.name(q, Opcode::coordinate, 1);  // a leaf has its own name
-  Places entries = compose.call(from, from.functions[0], {.q = moved, .v = v, .number = 2});
+  Places entries = compose.call(from, from.functions[0], from.functions[0].fields[0],
+                                {.q = moved, .v = v, .number = 2});
   function.kind = OutputKind::bias;
   function.name = "bias";
   function.fields = {{"", 2, 1, std::move(entries)}};
@@ -65,10 +67,48 @@ TEST_CASE("two calls at one point are one") {
   Function function;
   Composition compose(program, function);
   const Places q = compose.leaves(Opcode::coordinate, 1);
-  const Places once = compose.call(from, from.functions[0], {.q = q});
+  const Places once = compose.call(from, from.functions[0], from.functions[0].fields[0], {.q = q});
   const std::size_t size = function.instructions.size();
-  CHECK(compose.call(from, from.functions[0], {.q = q, .number = 2}) == once);
+  CHECK(compose.call(from, from.functions[0], from.functions[0].fields[0], {.q = q, .number = 2}) ==
+        once);
   CHECK(function.instructions.size() == size);
+}
+
+TEST_CASE("what is 0 where it is called is not computed, nor what adds 0 or multiplies by 1") {
+  const Program from = read_program(R"(parameters k m
+coordinates q
+function momentum
+  0 = coordinate q
+  1 = velocity q
+  2 = parameter k
+  3 = parameter m
+  4 = multiply 0 1
+  5 = multiply 4 2
+  6 = add 5 3
+  7 = multiply 6 2
+  8 = subtract 4 2
+  9 = divide 4 2
+  result 3 1 = 7 8 9
+)");
+  Program program{from.leaves};
+  Function function{.kind = OutputKind::momentum, .name = "momentum"};
+  Composition compose(program, function);
+  const std::uint32_t zero = compose.number(0);
+  const CallPoint at_rest{.q = compose.leaves(Opcode::coordinate, 1), .v = {zero}};
+  Places entries = compose.call(from, from.functions[0], from.functions[0].fields[0], at_rest);
+  entries.push_back(compose.add(Opcode::multiply, compose.number(1), entries[0]));
+  function.fields = {{"", 4, 1, std::move(entries)}};
+  program.functions.push_back(pruned(function));
+  CHECK(dump(program) == R"(parameters k m
+coordinates q
+function momentum
+  0 = constant 0
+  1 = parameter k
+  2 = parameter m
+  3 = multiply 2 1
+  4 = negate 1
+  result 4 1 = 3 4 0 3
+)");
 }
 
 }  // namespace elgen::testing

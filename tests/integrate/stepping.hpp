@@ -12,24 +12,34 @@
 #include "elgen/pipeline.hpp"
 #include "evaluate/subject.hpp"
 #include "support/models.hpp"
+#include "support/shell.hpp"
 
 namespace elgen::test {
 
-/// A scene whose one output is a step by the method.
-inline Products stepped(const std::string& model, const std::string& method) {
+/// A scene with a step.
+struct StepScene {
+  std::string model;
+  std::string method;
+  std::string more = {};     ///< of its entry, beginning with a comma
+  std::string outputs = {};  ///< lines of others
+  std::string goal = "choose";
+};
+
+inline Products stepped(const StepScene& wanted) {
   const std::string scene =
       "format = 1\nmodel = \"test.toml\"\nname = \"next\"\n[outputs]\nstep = { method = \"" +
-      method + "\" }\n";
+      wanted.method + "\"" + wanted.more + " }\n" + wanted.outputs;
   PipelineOptions options;
-  options.goals = {"choose"};
-  return run_pipeline({make_source("test.toml", model), make_source("next.scene.toml", scene)},
-                      options);
+  options.goals = {wanted.goal};
+  return run_pipeline(
+      {make_source("test.toml", wanted.model), make_source("next.scene.toml", scene)}, options);
 }
 
 /// The step as a function of states; throws what is wrong.
 class Stepped {
  public:
-  Stepped(const std::string& model, const std::string& method) : products_(stepped(model, method)) {
+  Stepped(const std::string& model, const std::string& method, const std::string& more = {})
+      : products_(stepped({model, method, more})) {
     if (!products_.program) throw std::runtime_error(format(products_.diagnostics));
   }
 
@@ -39,7 +49,7 @@ class Stepped {
   /// Parameters at their values, the rest 0.
   [[nodiscard]] State origin() const { return nominal_state(model(), products_.checked->scene); }
 
-  /// q, then v.
+  /// q, v, and the residual of an implicit method.
   template <class Scalar>
   [[nodiscard]] std::vector<Scalar> values(const State& state) const {
     return evaluate(program(), function(), arguments_at<Scalar>(state));
@@ -53,7 +63,7 @@ class Stepped {
       const std::vector<cln::cl_R> next = *defined_values(values<Real>(state));
       const auto middle = next.begin() + static_cast<std::ptrdiff_t>(state.q.size());
       state.q.assign(next.begin(), middle);
-      state.v.assign(middle, next.end());
+      state.v.assign(middle, middle + static_cast<std::ptrdiff_t>(state.v.size()));
       state.t = state.t + state.h;
     }
     state.h = whole;
@@ -63,6 +73,37 @@ class Stepped {
  private:
   Products products_;
 };
+
+inline std::string model_file(const std::string& name) {
+  return read_text(std::string(ELGEN_SOURCE_DIR) + "/models/" + name + ".toml");
+}
+
+/// Two masses on a spring and a pivot that is shaken, and pushed.
+inline const std::string shaken = model_text("shaken", R"toml([[coordinate]]
+name = "x"
+[[coordinate]]
+name = "y"
+[parameters]
+k = 4
+[energy]
+T = "1/2*dot(x)^2 + 1/2*dot(y)^2"
+V = "1 - cos(x - 1/2*sin(3*t)) + k*x*y^2"
+[[input]]
+name = "u"
+on = "y"
+)toml");
+
+/// Somewhere, in motion, pushed, at t = 2/7.
+inline State somewhere(const Stepped& step) {
+  State state = step.origin();
+  const cln::cl_RA part = cln::cl_RA(1) / 7;
+  for (std::size_t i = 0; i < state.q.size(); ++i) state.q[i] = state.q[i] + part * (1 + i);
+  for (std::size_t i = 0; i < state.v.size(); ++i) state.v[i] = 1 - part * (3 * i);
+  for (std::size_t i = 0; i < state.u.size(); ++i) state.u[i] = part * (5 + i);
+  state.t = part * 2;
+  make_unit_quaternions(step.model(), state);
+  return state;
+}
 
 /// By how many powers of 2 the error of one step falls where the step is halved: its order plus 1.
 inline double local_order(const Stepped& step, State state, const cln::cl_RA& h) {

@@ -22,7 +22,7 @@ std::string again(const std::vector<std::uint32_t>& wanted, const std::vector<bo
   Program result = program();
   const Function function = result.functions[0];
   const Expressions expressions = from_program(result, function, wanted, zeros);
-  Function renewed{function.kind, function.user, function.name};
+  Function renewed{.kind = function.kind, .user = function.user, .name = function.name};
   Field field{"", static_cast<std::uint32_t>(wanted.size()), 1, {}};
   for (std::uint32_t i = 0; i < wanted.size(); ++i) field.entries.push_back(i);
   renewed.fields = {field};

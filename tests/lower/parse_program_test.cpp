@@ -31,13 +31,19 @@ TEST_CASE("a program reads back as it was printed") {
       "  0 = step\n"
       "  1 = velocity theta\n"
       "  result coordinates 1 1 = 0\n"
-      "  result rates 1 1 = 1\n";
+      "  result rates 1 1 = 1\n"
+      "function implicit = step 2 8\n"
+      "  0 = velocity theta\n"
+      "  result rates 1 1 = 0\n";
   const Program program = testing::read_program(text);
   CHECK(dump(program) == text);
   CHECK(program.constants.size() == 2);
   CHECK(program.functions.at(1).kind == OutputKind::dynamics);
   CHECK(program.functions.at(2).kind == OutputKind::step);
   CHECK(program.functions.at(2).user == 1);
+  CHECK(program.functions.at(2).iterations == 0);
+  CHECK(program.functions.at(3).user == 2);
+  CHECK(program.functions.at(3).iterations == 8);
 }
 
 TEST_CASE("comments and empty lines are passed over, names are kept") {
@@ -63,7 +69,7 @@ TEST_CASE("mistakes are reported with the span of their line") {
       {"  result 1 1", "expected `result [NAME] ROWS COLUMNS = ENTRIES`"},
       {"  result 1 1 = a", "`a` is not a number"},
       {"function nothing", "`nothing` is no output"},
-      {"function", "expected `function NAME [= KIND [NUMBER]]`"},
+      {"function", "expected `function NAME [= KIND [NUMBER [ITERATIONS]]]`"},
   }));
   const std::string head = "coordinates x\nfunction bias\n  0 = coordinate x\n";
   const SourcePointer source = make_source("program", head + row.line + "\n");

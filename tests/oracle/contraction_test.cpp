@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "elgen/step_methods.hpp"
 #include "oracle/samples.hpp"
 
 using namespace elgen;
@@ -36,6 +37,10 @@ void check(OutputKind kind, std::size_t first, const Contraction& by) {
   const State state = random_state(b.model, 3);
   OutputRequest request;
   request.kind = kind;
+  if (output_row(kind).steps) {  // the method with all fields
+    request.user = static_cast<std::uint32_t>(StepMethod::midpoint);
+    request.iterations = 2;
+  }
   const auto values = oracle_values(b.model, request, state);
   const auto number = oracle_contraction(b.model, request, state, by);
   CAPTURE(static_cast<int>(kind), by.field);

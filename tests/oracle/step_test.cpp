@@ -11,8 +11,11 @@ namespace {
 
 using Values = std::vector<cln::cl_R>;
 
-Values step_of(const ModelBuilder& b, StepMethod method, const State& state) {
-  const OutputRequest request{.kind = OutputKind::step, .user = static_cast<std::uint32_t>(method)};
+Values step_of(const ModelBuilder& b, StepMethod method, const State& state,
+               std::uint32_t iterations = 0) {
+  const OutputRequest request{.kind = OutputKind::step,
+                              .user = static_cast<std::uint32_t>(method),
+                              .iterations = iterations};
   return oracle::step(b.model, request, state);
 }
 
@@ -44,6 +47,35 @@ TEST_CASE("verlet kicks, drifts and kicks") {
   // v = -1/4, x = 7/8, v = -1/4 - 7/32
   const Values expected{exact("7/8"), exact("-15/32")};
   CHECK(step_of(b, StepMethod::verlet, at_one(b)) == expected);
+}
+
+TEST_CASE("midpoint substitutes as often as is asked for, and says what is left") {
+  const ModelBuilder b = spring();
+  // w = 0, -1/4, -15/64; x in the middle 241/256; w + 1/4 241/256
+  const Values expected{exact("113/128"), exact("-241/512"), exact("1/1024")};
+  CHECK(step_of(b, StepMethod::midpoint, at_one(b), 2) == expected);
+}
+
+TEST_CASE("midpoint keeps quadratic energies, with terms linear in the rates") {
+  ModelBuilder b;
+  b.coordinate("x").coordinate("y").T("x_d^2/2 + y_d^2/2").V("-x*y_d");
+  State state = nominal_state(b.model, {});
+  state.v = {3, 4};
+  state.h = exact("1/10");
+  const Values next = step_of(b, StepMethod::midpoint, state, 20);
+  CHECK(agree(next[2] * next[2] + next[3] * next[3], 25, 20));
+  CHECK(agree(next[4], 0, 20, 1));
+}
+
+TEST_CASE("midpoint has forces, dampers and time in the middle of the step") {
+  ModelBuilder b;
+  b.coordinate("x").input("u").T("x_d^2/2").V("-t^2*x").D("x_d^2/2").force_on(0, "u");
+  State state = nominal_state(b.model, {});
+  state.u = {3};
+  state.t = 1;
+  state.h = 2;
+  // w = 1/2 2 (t_m^2 + u - w), w = 0 before: 7, then 0; x = 0, p = 2 (7 - 0), w - (7 - w) = -7
+  CHECK(step_of(b, StepMethod::midpoint, state, 2) == Values{0, 14, -7});
 }
 
 TEST_CASE("time moves with the step, inputs stay") {

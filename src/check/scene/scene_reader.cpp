@@ -58,7 +58,7 @@ class SceneReader {
     if (!options_.outputs.empty()) {
       for (const OptionWord& word : words_of(options_.outputs)) {
         OutputRequest* output = request(word.text, word.span);
-        if (output != nullptr) read_step_method(nullptr, *output, context_.report);
+        if (output != nullptr) read_step({}, *output, context_.report);
       }
     } else if (outputs != nullptr) {
       for (const KeySyntax& key : outputs->keys) {
@@ -128,7 +128,7 @@ class SceneReader {
     const KeySyntax* rename = key.value.find("rename");
     if (output != nullptr) {
       output->form = form_in(key.value.find("form"));
-      read_step_method(key.value.find("method"), *output, context_.report);
+      read_step(key.value, *output, context_.report);
     }
     if (output != nullptr && rename != nullptr) {
       output->name = rename->value.text;

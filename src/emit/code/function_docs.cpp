@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 
 #include "check/judge/output_units.hpp"
 #include "elgen/step_methods.hpp"
@@ -99,10 +100,18 @@ std::string too_long_note(const FunctionText& text) {
                      entry_count(text.function), text.sidecar);
 }
 
+Lines step_lines(const Function& step) {
+  const auto equation = fmt::runtime(step_methods[step.user].equation);
+  std::istringstream text(fmt::format(equation, step.iterations));
+  Lines lines;
+  for (std::string line; std::getline(text, line);) append(lines, wrapped(line));
+  return lines;
+}
+
 Lines shown_equations(const FunctionText& text) {
   const OutputRow& row = output_row(text.function.kind);
   if (row.repeats) return {};
-  if (row.steps) return wrapped(std::string(step_methods[text.function.user].equation));
+  if (row.steps) return step_lines(text.function);
   const Lines all = listing(text);
   Lines lines = {equation_text(row, text.model), ""};
   append(lines, all.size() > longest_listing ? Lines{too_long_note(text)} : all);

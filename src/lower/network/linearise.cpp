@@ -112,7 +112,7 @@ class Linearising {
 }  // namespace
 
 Function unfilled(const Function& function) {
-  Function result{function.kind, function.user, function.name};
+  Function result{.kind = function.kind, .user = function.user, .name = function.name};
   result.sampled_zeros = function.sampled_zeros;
   std::uint32_t next = 0;
   for (const Field& field : function.fields) {

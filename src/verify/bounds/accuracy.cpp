@@ -160,6 +160,7 @@ std::vector<CertificateRow> check_accuracy(const Subject& subject,
   if (options.visit.as_users != nullptr) rows.push_back(as_users.row(subject, scalar));
   if (options.visit.ways == nullptr) return rows;
   for (const FieldRecord& record : records) {
+    if (record.place.is_remainder()) continue;
     CertificateRow row = record.losses.row(record.place, subject, states, options.visit);
     row.output = record.place.function->name;
     row.subject = subject_of(record.place, scalar);

@@ -6,7 +6,8 @@ namespace {
 
 /// What the oracle is asked for.
 OutputRequest request_of(const Subject& subject, const Function& function, const Field& field) {
-  const OutputRequest request{.kind = function.kind, .user = function.user};
+  const OutputRequest request{
+      .kind = function.kind, .user = function.user, .iterations = function.iterations};
   if (!output_row(function.kind).repeats) return request;
   const OutputRequest* member = find_request(subject.scene, field.name);
   return member != nullptr ? *member : request;

@@ -18,6 +18,10 @@ struct FieldPlace {
   std::size_t first_oracle = 0;   ///< of its entries among the oracle's
 
   [[nodiscard]] const Field& field() const { return function->fields[index]; }
+  /// Whether all that is left of its terms is their rounding, so that it has no digits to lose.
+  [[nodiscard]] bool is_remainder() const {
+    return field_row(request.kind, field().name).is_remainder;
+  }
 };
 
 /// Of functions[index], one after another. `dynamics` holds other outputs under their names; every

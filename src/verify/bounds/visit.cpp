@@ -319,8 +319,8 @@ Finding Visit<Scalar>::found(const FieldPlace& place, Random& random) {
   const bool is_measured = finding.mistake.empty() && finding.regime == Regime::regular;
   if (is_measured) measure(place, judged, finding);
   if (is_measured && options_.as_users != nullptr) measure_users(place, judged, finding);
-  const bool can_lose =
-      finding.mistake.empty() && has_values(judged.regime) && losses_.knows_angles();
+  const bool can_lose = finding.mistake.empty() && has_values(judged.regime) &&
+                        !place.is_remainder() && losses_.knows_angles();
   if (options_.ways != nullptr && can_lose) finding.loss = measured_loss(place, judged);
   return finding;
 }

@@ -1,0 +1,41 @@
+// The methods of step_methods.def, each composed as its textbook has it.
+#pragma once
+
+#include "elgen/scene.hpp"
+#include "integrate/composition.hpp"
+
+namespace elgen {
+
+/// Where a step is composed, and from what.
+struct StepContext {
+  /// `calls` has what needed_for_step says of `request`. All arguments outlive it.
+  StepContext(const Model& model, const OutputRequest& request, const Program& calls,
+              Composition& compose);
+
+  /// t + c; of no meaning where the model does not know t.
+  [[nodiscard]] std::uint32_t time_after(std::uint32_t c) const;
+  /// Calls what was computed of q and v by the number of the point.
+  void name(const CallPoint& at) const;
+
+  const Model& model;
+  const Program& calls;
+  Composition& compose;
+  std::uint32_t iterations;  ///< of an implicit method
+  std::uint32_t h;
+  CallPoint start;
+  std::uint32_t half;  ///< h/2
+};
+
+/// What a step makes of q and v.
+struct NextState {
+  Places q = {};
+  Places v = {};
+  Places residual = {};  ///< of an implicit method
+};
+
+#define ELGEN_STEP_METHOD(name, domain, iterations, doc, equation) \
+  [[nodiscard]] NextState compose_##name(const StepContext& step);
+#include "elgen/step_methods.def"
+#undef ELGEN_STEP_METHOD
+
+}  // namespace elgen

@@ -1,0 +1,93 @@
+// The implicit midpoint rule on q and p = M v + b, by successive substitution: at
+// m = (q + h/2 w, w, t + h/2), from w = v on,
+//
+//     M(m) w = p + h/2 dp/dt(m) - b(m)        dp/dt = dL/dq + F,   F = B u + Q - dD/dv
+//
+// and with the last w of all   q += h w,   p += h dp/dt(m).
+//
+// Where no force acts on a cyclic coordinate its momentum stays, however often w is substituted.
+// Every substitution takes the error of w times about h/2 |M^-1 (dp/dq - d2L/dv dq)|. A Jacobian
+// with these terms would do with half as many, each with a Coriolis matrix and an unsymmetric
+// elimination more. M is that of each point, for the bound of rounding: along w -= M^-1 r(w) it
+// would grow by 1 + cond M each time, here it shrinks as the error does.
+//
+// Hairer, Lubich, Wanner, Geometric Numerical Integration, 2nd ed., sec. VIII.6;
+// simulate/steps/midpoint.cpp solves the same equations by Newton's method.
+#include <algorithm>
+
+#include "evaluate/subject.hpp"
+#include "integrate/factorised.hpp"
+#include "integrate/methods.hpp"
+
+namespace elgen {
+namespace {
+
+class Midpoint {
+ public:
+  explicit Midpoint(const StepContext& step) : step_(step), compose_(step.compose) {}
+
+  NextState operator()() {
+    const Places p = part(OutputKind::momentum, step_.start);
+    CallPoint at = middle(step_.start.v, 2);
+    for (std::uint32_t i = 0; i < step_.iterations; ++i) {
+      const Places w = velocities(at, compose_.moved(p, step_.half, rate_of_momentum(at)));
+      at = middle(w, at.number + 1);
+    }
+    const Places rate = rate_of_momentum(at);
+    const Places expected = compose_.moved(p, step_.half, rate);
+    CallPoint end{.q = compose_.moved(step_.start.q, step_.h, at.v)};
+    end.t = step_.time_after(step_.h);
+    end.number = at.number + 1;
+    step_.name(end);
+    return {end.q, velocities(end, compose_.moved(p, step_.h, rate)),
+            compose_.add(Opcode::subtract, part(OutputKind::momentum, at), expected)};
+  }
+
+ private:
+  /// One of the outputs that `dynamics` computes together.
+  Places part(OutputKind kind, const CallPoint& at) {
+    const Function& all = *find_function(step_.calls, OutputKind::dynamics);
+    const auto field = std::ranges::find(all.fields, output_row(kind).name, &Field::name);
+    return compose_.call(step_.calls, all, *field, at);
+  }
+
+  /// dL/dq + B u + Q - dD/dv
+  Places rate_of_momentum(const CallPoint& at) {
+    Places sum = compose_.add(Opcode::add, part(OutputKind::position_gradient, at),
+                              part(OutputKind::applied_force, at));
+    sum = compose_.add(Opcode::subtract, sum, part(OutputKind::dissipation, at));
+    const std::size_t inputs = step_.model.inputs.size();
+    if (inputs == 0) return sum;
+    const Places u = compose_.leaves(Opcode::input, inputs);
+    const Places b = part(OutputKind::input_matrix, at);
+    for (std::size_t i = 0; i < b.size(); ++i) {
+      std::uint32_t& entry = sum[i / inputs];
+      entry = compose_.add(Opcode::add, entry, compose_.add(Opcode::multiply, b[i], u[i % inputs]));
+    }
+    return sum;
+  }
+
+  /// M^-1 (p - b) at a point, whatever its v.
+  Places velocities(CallPoint at, const Places& p) {
+    Factorised mass(compose_, step_.model, part(OutputKind::mass_matrix, at));
+    at.v.assign(p.size(), compose_.number(0));
+    return mass.solve(compose_.add(Opcode::subtract, p, part(OutputKind::momentum, at)));
+  }
+
+  CallPoint middle(const Places& w, std::uint32_t number) {
+    CallPoint at{.q = compose_.moved(step_.start.q, step_.half, w), .v = w};
+    at.t = step_.time_after(step_.half);
+    at.number = number;
+    step_.name(at);
+    return at;
+  }
+
+  const StepContext& step_;
+  Composition& compose_;
+};
+
+}  // namespace
+
+NextState compose_midpoint(const StepContext& step) { return Midpoint(step)(); }
+
+}  // namespace elgen

@@ -1,0 +1,70 @@
+// rk4 and verlet: their order, their values beside runs of the same methods.
+#include <catch2/catch.hpp>
+
+#include "integrate/stepping.hpp"
+#include "simulate/compiled_model.hpp"
+
+namespace elgen::test {
+
+TEST_CASE("one step of rk4 is off by h^5, of verlet by h^3") {
+  const cln::cl_RA h = cln::cl_RA(1) / 100;
+  for (const char* const name : {"cart_pole", "two_link_arm", "furuta_pendulum", "free_body"}) {
+    INFO(name);
+    const Stepped step(model_file(name), "rk4");
+    CHECK(local_order(step, somewhere(step), h) == Approx(5).margin(0.15));
+  }
+  const Stepped rk4(shaken, "rk4");
+  CHECK(local_order(rk4, somewhere(rk4), h) == Approx(5).margin(0.15));
+  const Stepped verlet(shaken, "verlet");
+  CHECK(local_order(verlet, somewhere(verlet), h) == Approx(3).margin(0.15));
+}
+
+TEST_CASE("a step is that of a run by the same method, but for rounding") {
+  const CompiledSystem compiled(shaken, start_options("x=0.3,y=-0.2,dot(x)=1,dot(y)=2", "u=0.5"));
+  for (const char* const method : {"rk4", "verlet"}) {
+    INFO(method);
+    SimulationOptions options = steps_of(method, 0.05, 0.05);
+    options.from = 0.25;
+    const std::vector<double> last = compiled.trajectory(options).last;
+    const Stepped step(shaken, method);
+    Arguments<double> at = arguments_at<double>(step.origin());
+    at.q = {0.3, -0.2};
+    at.v = {1, 2};
+    at.u = {0.5};
+    at.t = 0.25;
+    at.h = 0.05;
+    const std::vector<double> next = evaluate(step.program(), step.function(), at);
+    for (std::size_t i = 0; i < next.size(); ++i) {
+      CHECK(next[i] == Approx(last[i + 1]).epsilon(1e-14));  // behind t
+    }
+  }
+}
+
+TEST_CASE("verlet calls the accelerations twice, rk4 four times, and knows what they share") {
+  const OperationCounts once = count_operations(Stepped(shaken, "verlet").function());
+  const OperationCounts all = count_operations(Stepped(shaken, "rk4").function());
+  // sin(3 t) in the middle is computed once.
+  CHECK(once.sincos == 4);
+  CHECK(all.sincos == 7);
+}
+
+TEST_CASE("quaternions stay of length 1, whatever the step is") {
+  const Stepped step(model_file("quadrotor"), "rk4");
+  State state = somewhere(step);
+  state.h = 2;
+  const std::vector<double> next = step.values<double>(state);
+  double square = 0;
+  for (std::size_t i = 3; i < 7; ++i) square += next[i] * next[i];
+  CHECK(square == Approx(1).epsilon(1e-15));
+}
+
+TEST_CASE("a step of no length changes nothing") {
+  const Stepped step(model_file("two_link_arm"), "rk4");
+  const State state = somewhere(step);
+  const std::vector<double> next = step.values<double>(state);
+  const Arguments<double> at = arguments_at<double>(state);
+  CHECK(std::vector<double>(next.begin(), next.begin() + 2) == at.q);
+  CHECK(std::vector<double>(next.begin() + 2, next.end()) == at.v);
+}
+
+}  // namespace elgen::test
