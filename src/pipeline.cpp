@@ -81,6 +81,9 @@ class Compilation {
   Products products() && {
     Products out;
     out.checked = std::move(checked_.product);
+    if (options_.goals == std::vector<std::string>{"lower"}) {
+      out.lowered = std::move(lowered_.product);
+    }
     if (forms_.product) out.closed_forms = std::move(forms_.product->exact);
     if (choice_.product) out.program = std::move(choice_.product->program);
     if (choice_.product) out.costs = std::move(choice_.product->costs);

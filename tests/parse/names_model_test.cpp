@@ -13,3 +13,11 @@ TEST_CASE("a scene is told from a model by its key `model`") {
   CHECK_FALSE(names("[outputs]\nmodel = \"a.toml\"\n"));
   CHECK_FALSE(names("model = \n"));
 }
+
+TEST_CASE("a model is TOML with a table of that name, files of other programs are none") {
+  CHECK(
+      elgen::declares_model(*elgen::make_source("a.toml", "format = 1\n[model]\nname = \"a\"\n")));
+  CHECK_FALSE(elgen::declares_model(*elgen::make_source("a.toml", "model = \"b.toml\"\n")));
+  CHECK_FALSE(elgen::declares_model(*elgen::make_source("a.toml", "# [model]\n[tool]\n")));
+  CHECK_FALSE(elgen::declares_model(*elgen::make_source("a.toml", "[model\n")));
+}

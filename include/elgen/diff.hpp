@@ -1,0 +1,164 @@
+// diff: what changed between two versions of a model or a scene, as mathematics.
+//
+//     keys of the files      the causes, by their place in the parsed trees
+//     entries of outputs     what follows: equal (proved, or sampled), or different
+//     the interface          what callers of the code rely on
+//
+// Both versions are lowered, and the entries of an output are written over the leaves of both,
+// which meet by their names. What is computed alike is equal; of the rest the difference is proved
+// to be zero by its closed form, or found to be at 64 random points, or it is a difference.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "elgen/program.hpp"
+#include "elgen/scene.hpp"
+#include "elgen/syntax.hpp"
+
+namespace elgen {
+
+/// In the order of what it costs those who use the code.
+enum class Impact : std::uint8_t {
+#define ELGEN_IMPACT(name, word, doc) name,
+#include "elgen/impacts.def"
+#undef ELGEN_IMPACT
+};
+
+struct ImpactRow {
+  std::string_view word;
+  std::string_view doc;
+};
+
+[[nodiscard]] const ImpactRow& impact_row(Impact impact);
+
+/// None where no impact has this word.
+[[nodiscard]] std::optional<Impact> find_impact(std::string_view word);
+
+/// Names that were given to the same things, old -> new.
+using Renames = std::map<std::string, std::string>;
+
+/// One step towards a value: a key, or an item of a list.
+struct KeyStep {
+  std::string key = {};
+  std::size_t item = 0;  ///< from 1; 0: a key
+  friend bool operator==(const KeyStep&, const KeyStep&) = default;
+};
+
+/// "vector[2]", "start.value"
+[[nodiscard]] std::string text_of(const std::vector<KeyStep>& path);
+
+/// One key that differs. Spans point into what there is.
+struct KeyChange {
+  std::string table = {};          ///< "gravity", "point"; "" of the file's own keys
+  std::string entry = {};          ///< the same with its name: "[gravity]", "[[point]] bob"
+  std::vector<KeyStep> path = {};  ///< empty: the whole entry
+  bool is_order = false;           ///< of entries, or of keys that are names
+  std::string before = {};         ///< as written; "" where it is new
+  std::string after = {};          ///< "" where it is gone
+  Span old_at = {};
+  Span new_at = {};
+};
+
+/// Entries are matched by `name` (else `on`, `at`, `frame`, else by their number), keys by name,
+/// items of lists by number. An entry that is new or gone is one change. In the order of `after`,
+/// what is gone last. Cost: linear.
+[[nodiscard]] std::vector<KeyChange> changed_keys(const FileSyntax& before, const FileSyntax& after,
+                                                  const Renames& renames = {});
+
+enum class EntryVerdict : std::uint8_t {
+  identical,  ///< computed alike
+  equal,      ///< written differently
+  different,
+  added,
+  removed,
+};
+
+/// A state at which the versions differ, its numbers rounded to three digits.
+struct Witness {
+  std::string at = {};  ///< "theta = 0.3, dot(x) = -1.2": what the entry depends on
+  double before = 0;
+  double after = 0;
+};
+
+struct EntryChange {
+  std::string output = {};  ///< name of the function
+  std::string place = {};   ///< "gravity[2]", "linearization.A[1,2]"
+  std::string unit = {};    ///< of the entry; "" where it is not known
+  EntryVerdict verdict = EntryVerdict::identical;
+  bool is_proved = false;       ///< equal: by the closed form of the difference
+  std::string before = {};      ///< closed forms; "" where there is none
+  std::string after = {};       ///< that is short enough to read
+  std::string difference = {};  ///< after - before
+  double share = 0;             ///< largest change, of the entry's largest magnitude at the samples
+  std::optional<Witness> witness = {};
+};
+
+/// One output of either version.
+struct OutputChange {
+  std::string name = {};
+  std::size_t entry_count = 0;            ///< of the newer version, or what was removed
+  std::vector<EntryChange> entries = {};  ///< those that are not identical
+};
+
+struct InterfaceChange {
+  Impact impact = Impact::none;
+  std::string text = {};  ///< "coordinates are in another order: x, theta -> theta, x"
+};
+
+/// One version of what is compared; all of it outlives the comparison.
+struct Version {
+  const FileSyntax& model;
+  const FileSyntax* scene = nullptr;  ///< null: the built-in scene `full`
+  const CheckedModel& checked;
+  const Program& lowered;       ///< before forms are chosen
+  const Diagnostics& warnings;  ///< of the model
+};
+
+/// What callers of the emitted code rely on: coordinates, inputs, parameters, outputs, the target.
+[[nodiscard]] std::vector<InterfaceChange> interface_changes(const CheckedModel& before,
+                                                             const CheckedModel& after,
+                                                             const Renames& renames = {});
+
+/// What changed of each output, in the order of the newer version; removed ones last.
+[[nodiscard]] std::vector<OutputChange> output_changes(const Version& before, const Version& after,
+                                                       const Renames& renames = {});
+
+struct SystemChange {
+  std::string name = {};  ///< base name of the newer version
+  Impact impact = Impact::none;
+  std::vector<KeyChange> keys = {};
+  std::vector<OutputChange> outputs = {};
+  std::vector<InterfaceChange> interface = {};
+  /// Where `extended`: the values of new parameters at which all entries are the old ones.
+  std::string extension = {};
+  /// Names that may have been given to the same things: with them all entries are equal.
+  Renames proposal = {};
+  /// Entries of [[expect]] that held, and hold no longer: "gravity[2,1]".
+  std::vector<std::string> broken_expectations = {};
+  Diagnostics warnings = {};  ///< that are new
+};
+
+[[nodiscard]] SystemChange compare(const Version& before, const Version& after,
+                                   const Renames& renames = {});
+
+/// Models and scenes that were compared together, each with its own.
+struct DiffReport {
+  std::vector<SystemChange> systems = {};
+  std::vector<std::string> added = {};    ///< paths that only the newer side has
+  std::vector<std::string> removed = {};  ///< or the older one
+};
+
+/// The worst of all; `extended` where something was added, `incompatible` where it was removed.
+[[nodiscard]] Impact impact_of(const DiffReport& report);
+
+/// A dozen lines for people; with `lists_all` every key and every entry.
+[[nodiscard]] std::string to_text(const DiffReport& report, bool lists_all);
+
+/// For programs. Every change has an id that stays: its place in the file, or of the entry.
+[[nodiscard]] std::string to_json(const DiffReport& report);
+
+}  // namespace elgen

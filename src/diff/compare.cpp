@@ -1,0 +1,212 @@
+// compare: what changed, and what it amounts to.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <set>
+
+#include "diff/output_changes.hpp"
+#include "elgen/diff.hpp"
+#include "lower/code_interface.hpp"
+#include "verify/structure/expectations.hpp"
+
+namespace elgen {
+namespace {
+
+/// Keys that no equation depends on, whatever they belong to.
+constexpr std::array described{"doc",    "latex",  "title", "description", "reference",
+                               "range",  "limits", "min",   "rate_range",  "max",
+                               "assume", "wrap",   "start", "singular"};
+
+bool is_described(const KeyStep& step) { return std::ranges::count(described, step.key) > 0; }
+
+/// `m`, `m.value`, `fixed.m`: what a parameter is.
+bool is_value(const KeyChange& change) {
+  const bool is_both = !change.before.empty() && !change.after.empty();
+  if (change.table != "parameters" || change.is_order || !is_both) return false;
+  const std::vector<KeyStep>& path = change.path;
+  return path.size() == 1 || path.front().key == "fixed" || path[1].key == "value";
+}
+
+/// What a changed key can mean at most before the equations are looked at.
+Impact impact_of(const KeyChange& change) {
+  if (change.table == "expect") return Impact::assumptions;
+  if (is_value(change)) return Impact::values;
+  return std::ranges::any_of(change.path, is_described) ? Impact::assumptions : Impact::equal;
+}
+
+bool has_verdict(const std::vector<OutputChange>& outputs, EntryVerdict verdict) {
+  return std::ranges::any_of(outputs, [verdict](const OutputChange& output) {
+    return std::ranges::count(output.entries, verdict, &EntryChange::verdict) > 0;
+  });
+}
+
+Impact impact_of(const std::vector<KeyChange>& keys) {
+  Impact worst = Impact::none;
+  for (const KeyChange& key : keys) worst = std::max(worst, impact_of(key));
+  return worst;
+}
+
+bool may_change_equations(const KeyChange& key) { return impact_of(key) == Impact::equal; }
+
+std::string text_of(const SourcePointer& source) { return source ? source->text : ""; }
+
+bool same_texts(const Version& before, const Version& after) {
+  const auto scene = [](const Version& version) {
+    return version.scene == nullptr ? "" : text_of(version.scene->source);
+  };
+  return text_of(before.model.source) == text_of(after.model.source) &&
+         scene(before) == scene(after);
+}
+
+/// Parameters that only the newer version has, at 0.
+ParameterValues new_parameters(const Version& before, const Version& after,
+                               const Renames& renames) {
+  ParameterValues values;
+  for (const Parameter& now : after.checked.model.parameters) {
+    const auto is_it = [&](const Parameter& old) {
+      const auto renamed = renames.find(old.name);
+      return (renamed == renames.end() ? old.name : renamed->second) == now.name;
+    };
+    if (std::ranges::any_of(before.checked.model.parameters, is_it)) continue;
+    values.emplace(now.name, rational_constant(0));
+  }
+  return values;
+}
+
+/// "at mt = 0 all entries are the old ones (proved)"; "" where they are not.
+std::string extension(const Version& before, const Version& after, const Renames& renames) {
+  const ParameterValues values = new_parameters(before, after, renames);
+  if (values.empty()) return {};
+  bool is_proved = true;
+  for (const OutputChange& output : output_changes_at(before, after, renames, values)) {
+    for (const EntryChange& entry : output.entries) {
+      const bool is_old =
+          entry.verdict == EntryVerdict::equal || entry.verdict == EntryVerdict::added;
+      if (!is_old) return {};
+      is_proved = is_proved && (entry.is_proved || entry.verdict == EntryVerdict::added);
+    }
+  }
+  std::string names;
+  for (const auto& [name, value] : values) names += fmt::format("{} = ", name);
+  return fmt::format("at {}0 all entries are the old ones ({})", names,
+                     is_proved ? "proved" : "at 64 random points");
+}
+
+/// Entries of [[expect]] that do not hold.
+std::set<std::string> wrong_expectations(const Version& version) {
+  const Subject subject{version.checked.model, version.checked.scene, version.lowered};
+  std::set<std::string> wrong;
+  for (const CertificateRow& row : check_expectations(subject, nullptr, 1).rows) {
+    if (row.verdict == Verdict::fails) wrong.insert(row.subject);
+  }
+  return wrong;
+}
+
+std::vector<std::string> broken_expectations(const Version& before, const Version& after) {
+  if (after.checked.model.expectations.empty()) return {};
+  const std::set<std::string> now = wrong_expectations(after);
+  if (now.empty()) return {};
+  const std::set<std::string> old = wrong_expectations(before);
+  std::vector<std::string> broken;
+  std::ranges::set_difference(now, old, std::back_inserter(broken));
+  return broken;
+}
+
+Diagnostics new_warnings(const Version& before, const Version& after) {
+  Diagnostics found = after.warnings;
+  std::erase_if(found, [&before](const Diagnostic& now) {
+    return std::ranges::any_of(before.warnings, [&now](const Diagnostic& old) {
+      return old.code == now.code && old.message == now.message;
+    });
+  });
+  return found;
+}
+
+/// One thing that has a name, a unit and a value.
+struct Nameable {
+  std::string name = {};
+  std::string unit = {};
+  std::vector<cln::cl_R> values = {};
+};
+
+std::vector<Nameable> named(const Model& model, bool parameters) {
+  std::vector<Nameable> all;
+  if (parameters) {
+    for (const ParameterArray& array : model.parameter_arrays) {
+      all.push_back({array.name, array.unit_text, values_of(model, array)});
+    }
+    return all;
+  }
+  for (const Coordinate& q : model.coordinates) all.push_back({q.name, q.unit_text, {}});
+  for (const Input& u : model.inputs) all.push_back({u.name, u.unit_text, {}});
+  return all;
+}
+
+/// What is gone and what is new, where unit and value agree, in their order.
+void propose(std::vector<Nameable> olds, std::vector<Nameable> news, Renames& renames) {
+  const auto drop = [](std::vector<Nameable>& some, const std::vector<Nameable>& others) {
+    std::erase_if(some, [&others](const Nameable& one) {
+      return std::ranges::count(others, one.name, &Nameable::name) > 0;
+    });
+  };
+  const std::vector<Nameable> all_olds = olds;
+  drop(olds, news);
+  drop(news, all_olds);
+  for (const Nameable& old : olds) {
+    const auto same = std::ranges::find_if(news, [&old](const Nameable& now) {
+      return old.unit == now.unit && old.values == now.values;
+    });
+    if (same == news.end()) continue;
+    renames.emplace(old.name, same->name);
+    news.erase(same);
+  }
+}
+
+/// Names that were given to the same things, if all entries are equal with them.
+Renames proposal(const Version& before, const Version& after) {
+  Renames renames;
+  for (const bool parameters : {true, false}) {
+    propose(named(before.checked.model, parameters), named(after.checked.model, parameters),
+            renames);
+  }
+  if (renames.empty()) return {};
+  for (const OutputChange& output : output_changes(before, after, renames)) {
+    for (const EntryChange& entry : output.entries) {
+      if (entry.verdict != EntryVerdict::equal) return {};
+    }
+  }
+  return renames;
+}
+
+}  // namespace
+
+SystemChange compare(const Version& before, const Version& after, const Renames& renames) {
+  SystemChange result{.name = after.checked.scene.base_name};
+  result.keys = changed_keys(before.model, after.model, renames);
+  if (before.scene != nullptr && after.scene != nullptr) {
+    const auto more = changed_keys(*before.scene, *after.scene, renames);
+    result.keys.insert(result.keys.end(), more.begin(), more.end());
+  }
+  if (same_texts(before, after)) return result;
+  result.impact = std::max(Impact::text, impact_of(result.keys));
+  if (result.keys.empty() && renames.empty()) return result;
+  result.outputs = output_changes(before, after, renames);
+  result.interface = interface_changes(before.checked, after.checked, renames);
+  result.warnings = new_warnings(before, after);
+  result.broken_expectations = broken_expectations(before, after);
+  if (renames.empty()) result.proposal = proposal(before, after);
+  if (has_verdict(result.outputs, EntryVerdict::different)) {
+    const bool are_values = std::ranges::none_of(result.keys, may_change_equations);
+    if (!are_values) result.extension = extension(before, after, renames);
+    const Impact equations = result.extension.empty() ? Impact::different : Impact::extended;
+    result.impact = std::max(result.impact, are_values ? Impact::values : equations);
+  }
+  for (const InterfaceChange& change : result.interface) {
+    result.impact = std::max(result.impact, change.impact);
+  }
+  return result;
+}
+
+}  // namespace elgen

@@ -1,0 +1,104 @@
+// diff_data: a report for programs.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "elgen/diff.hpp"
+
+namespace elgen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Span& span) {
+  if (span.source == nullptr) return nullptr;
+  const LineColumn at = line_column(*span.source, span.begin);
+  return {{"path", span.source->path}, {"line", at.line}, {"column", at.column}};
+}
+
+Json json_of(const KeyChange& change) {
+  return {{"id", change.entry + "/" + (change.is_order ? "order" : text_of(change.path))},
+          {"before", change.before},
+          {"after", change.after},
+          {"old_place", json_of(change.old_at)},
+          {"new_place", json_of(change.new_at)}};
+}
+
+const char* name_of(EntryVerdict verdict) {
+  switch (verdict) {
+    case EntryVerdict::identical:
+      return "identical";
+    case EntryVerdict::equal:
+      return "equal";
+    case EntryVerdict::different:
+      return "different";
+    case EntryVerdict::added:
+      return "added";
+    case EntryVerdict::removed:
+      return "removed";
+  }
+  return "";
+}
+
+Json json_of(const EntryChange& entry) {
+  Json json{{"id", entry.place}, {"verdict", name_of(entry.verdict)}};
+  if (entry.verdict == EntryVerdict::equal) json["proved"] = entry.is_proved;
+  if (entry.verdict != EntryVerdict::different) return json;
+  json["unit"] = entry.unit;
+  for (const auto& [key, text] : {std::pair("before", &entry.before),
+                                  {"after", &entry.after},
+                                  {"difference", &entry.difference}}) {
+    json[key] = text->empty() ? Json(nullptr) : Json(*text);
+  }
+  json["share"] = entry.share;
+  if (entry.witness) {
+    const auto& [at, before, after] = *entry.witness;
+    json["witness"] = {{"at", at}, {"before", before}, {"after", after}};
+  }
+  return json;
+}
+
+Json json_of(const OutputChange& output) {
+  Json entries = Json::array();
+  for (const EntryChange& entry : output.entries) entries.push_back(json_of(entry));
+  return {{"name", output.name}, {"entries", output.entry_count}, {"changes", std::move(entries)}};
+}
+
+Json json_of(const InterfaceChange& change) {
+  return {{"impact", impact_row(change.impact).word}, {"text", change.text}};
+}
+
+template <class List>
+Json list_of(const List& list) {
+  Json json = Json::array();
+  for (const auto& one : list) json.push_back(json_of(one));
+  return json;
+}
+
+Json json_of(const SystemChange& system) {
+  Json outputs = Json::array();
+  for (const OutputChange& output : system.outputs) {
+    if (!output.entries.empty()) outputs.push_back(json_of(output));
+  }
+  Json json{{"name", system.name},
+            {"impact", impact_row(system.impact).word},
+            {"keys", list_of(system.keys)},
+            {"outputs", std::move(outputs)},
+            {"interface", list_of(system.interface)}};
+  if (!system.extension.empty()) json["extension"] = system.extension;
+  return json;
+}
+
+}  // namespace
+
+std::string to_json(const DiffReport& report) {
+  Json systems = Json::array();
+  for (const SystemChange& system : report.systems) systems.push_back(json_of(system));
+  const Json json{{"format", "elgen diff 1"},
+                  {"impact", impact_row(impact_of(report)).word},
+                  {"systems", std::move(systems)},
+                  {"added", report.added},
+                  {"removed", report.removed}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace elgen

@@ -1,0 +1,218 @@
+// interface_changes: what callers name, count, order and scale.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "elgen/diff.hpp"
+#include "elgen/wording.hpp"
+#include "lower/code_interface.hpp"
+
+namespace elgen {
+namespace {
+
+/// One thing that callers know by its name or by its place.
+struct KnownName {
+  std::string name = {};
+  std::string unit = {};
+  std::size_t size = 1;
+};
+
+using Names = std::vector<KnownName>;
+
+template <class List>
+Names members(const List& list, const Renames& renames) {
+  Names all;
+  for (const auto& entry : list) {
+    const auto renamed = renames.find(entry.name);
+    all.push_back({renamed == renames.end() ? entry.name : renamed->second, entry.unit_text});
+    if constexpr (requires { entry.count; }) all.back().size = entry.count;
+  }
+  return all;
+}
+
+std::string listed(const Names& members) {
+  std::string text;
+  for (const KnownName& member : members) text += (text.empty() ? "" : ", ") + member.name;
+  return text;
+}
+
+const KnownName* find(const Names& members, const std::string& name) {
+  const auto found = std::ranges::find(members, name, &KnownName::name);
+  return found == members.end() ? nullptr : &*found;
+}
+
+class InterfaceComparison {
+ public:
+  InterfaceComparison(const CheckedModel& before, const CheckedModel& after, const Renames& renames)
+      : before_(before), after_(after), renames_(renames) {}
+
+  std::vector<InterfaceChange> operator()() {
+    const Model& old = before_.model;
+    const Model& now = after_.model;
+    compare_names(old);
+    compare_lists("coordinate", members(old.coordinates, renames_), members(now.coordinates, {}));
+    compare_lists("input", members(old.inputs, renames_), members(now.inputs, {}));
+    compare_parameters();
+    if (old.uses_time != now.uses_time) {
+      add(Impact::incompatible,
+          now.uses_time ? "every function takes t now" : "no function takes t any more");
+    }
+    compare_outputs();
+    compare_target();
+    return std::move(changes_);
+  }
+
+ private:
+  void add(Impact impact, std::string text) { changes_.push_back({impact, std::move(text)}); }
+
+  void compare_names(const Model& old) {
+    for (const auto& [from, to] : renames_) {
+      const auto is_parameter = [&from](const ParameterArray& p) { return p.name == from; };
+      const bool is_member = std::ranges::any_of(old.parameter_arrays, is_parameter);
+      add(is_member ? Impact::incompatible : Impact::assumptions,
+          fmt::format("{} is called {} now", quoted(from), quoted(to)));
+    }
+    if (before_.scene.base_name != after_.scene.base_name) {
+      add(Impact::incompatible,
+          fmt::format("files are called {} now, which were {}", quoted(after_.scene.base_name),
+                      quoted(before_.scene.base_name)));
+    }
+  }
+
+  /// Of what stands in arrays, by its place.
+  void compare_lists(const std::string& what, const Names& olds, const Names& news) {
+    if (olds.size() != news.size()) {
+      add(Impact::incompatible,
+          fmt::format("{} where there were {}: {}", counted(news.size(), what), olds.size(),
+                      fmt::format("{} -> {}", listed(olds), listed(news))));
+    } else if (listed(olds) != listed(news)) {
+      add(Impact::misleading, fmt::format("{}s are other ones, or in another order: {} -> {}", what,
+                                          listed(olds), listed(news)));
+    }
+    compare_units(what, olds, news);
+  }
+
+  void compare_units(const std::string& what, const Names& olds, const Names& news) {
+    for (const KnownName& now : news) {
+      const KnownName* const old = find(olds, now.name);
+      if (old == nullptr || old->unit == now.unit) continue;
+      add(Impact::misleading, fmt::format("the unit of {} {} is {} where it was {}", what,
+                                          quoted(now.name), unit(now), unit(*old)));
+    }
+  }
+
+  static std::string unit(const KnownName& member) {
+    return member.unit.empty() ? "not declared" : member.unit;
+  }
+
+  /// Names of a struct, with names and places.
+  void compare_parameters() {
+    const Names olds = members(before_.model.parameter_arrays, renames_);
+    const Names news = members(after_.model.parameter_arrays, {});
+    for (const KnownName& old : olds) {
+      const KnownName* const now = find(news, old.name);
+      if (now == nullptr) {
+        add(Impact::incompatible,
+            fmt::format("there is no parameter {} any more", quoted(old.name)));
+      } else if (now->size != old.size) {
+        add(Impact::incompatible,
+            fmt::format("parameter {} has {} where it had {}", quoted(old.name),
+                        counted(now->size, "element"), old.size));
+      }
+    }
+    Names kept = news;
+    std::erase_if(kept, [&olds](const KnownName& now) { return find(olds, now.name) == nullptr; });
+    Names stayed = olds;
+    std::erase_if(stayed,
+                  [&news](const KnownName& old) { return find(news, old.name) == nullptr; });
+    if (listed(kept) != listed(stayed)) {
+      add(Impact::misleading, fmt::format("members of Parameters are in another order: {} -> {}",
+                                          listed(stayed), listed(kept)));
+    } else if (kept.size() < news.size()) {
+      Names added = news;
+      std::erase_if(added,
+                    [&olds](const KnownName& now) { return find(olds, now.name) != nullptr; });
+      const bool are_last =
+          find(added, news[kept.size()].name) != nullptr &&
+          listed(Names(news.begin(), news.begin() + static_cast<std::ptrdiff_t>(kept.size()))) ==
+              listed(kept);
+      // Where others are gone, callers do not compile.
+      const bool are_harmless = are_last || kept.size() < olds.size();
+      add(are_harmless ? Impact::extended : Impact::misleading,
+          fmt::format("Parameters has new members{}: {}",
+                      are_harmless ? "" : ", not all of them behind the others", listed(added)));
+    }
+    compare_units("parameter", olds, news);
+    compare_values();
+  }
+
+  void compare_values() {
+    for (const Parameter& now : after_.model.parameters) {
+      const auto old = std::ranges::find_if(before_.model.parameters, [&](const Parameter& p) {
+        const auto renamed = renames_.find(p.name);
+        return (renamed == renames_.end() ? p.name : renamed->second) == now.name;
+      });
+      if (old == before_.model.parameters.end() || old->value == now.value) continue;
+      add(Impact::values, fmt::format("the value of {} differs", quoted(now.name)));
+    }
+  }
+
+  void compare_outputs() {
+    for (const OutputRequest& old : before_.scene.outputs) {
+      const OutputRequest* const now = find_request(after_.scene, old.name);
+      if (now == nullptr) {
+        add(Impact::incompatible,
+            fmt::format("there is no function {} any more", quoted(old.name)));
+      } else if (now->kind != old.kind) {
+        add(Impact::misleading, fmt::format("the function {} is another output", quoted(old.name)));
+      }
+    }
+    for (const OutputRequest& now : after_.scene.outputs) {
+      if (find_request(before_.scene, now.name) != nullptr) continue;
+      add(Impact::extended, fmt::format("there is a new function {}", quoted(now.name)));
+    }
+  }
+
+  void compare_target() {
+    const Emission& old = before_.scene.emission;
+    const Emission& now = after_.scene.emission;
+    if (old.language != now.language) add(Impact::incompatible, "the language of the code differs");
+    if (name_space(before_.scene) != name_space(after_.scene) &&
+        before_.scene.base_name == after_.scene.base_name) {
+      add(Impact::incompatible,
+          fmt::format("the namespace is {} where it was {}", quoted(name_space(after_.scene)),
+                      quoted(name_space(before_.scene))));
+    }
+    if (old.storage != now.storage) {
+      add(Impact::misleading, fmt::format("matrices are stored {} where they were {}",
+                                          name_of(now.storage), name_of(old.storage)));
+    }
+    compare_header("_eigen", old.eigen, now.eigen);
+    compare_header("_batch", old.batch, now.batch);
+    if (before_.scene.numerics.scalars != after_.scene.numerics.scalars) {
+      const bool is_in_types = now.language == LanguageId::c99;
+      add(is_in_types ? Impact::incompatible : Impact::assumptions,
+          "the scalars that code is for differ");
+    }
+  }
+
+  void compare_header(const char* suffix, bool was_there, bool is_there) {
+    if (was_there == is_there) return;
+    add(is_there ? Impact::extended : Impact::incompatible,
+        fmt::format("there is {} header NAME{}.hpp", is_there ? "a new" : "no longer a", suffix));
+  }
+
+  const CheckedModel& before_;
+  const CheckedModel& after_;
+  const Renames& renames_;
+  std::vector<InterfaceChange> changes_ = {};
+};
+
+}  // namespace
+
+std::vector<InterfaceChange> interface_changes(const CheckedModel& before,
+                                               const CheckedModel& after, const Renames& renames) {
+  return InterfaceComparison(before, after, renames)();
+}
+
+}  // namespace elgen

@@ -1,0 +1,135 @@
+// matched_entries: rows and columns have the names of what the output table says they stand for.
+#include "diff/matched_entries.hpp"
+
+#include <fmt/format.h>
+
+#include "check/judge/output_units.hpp"
+#include "lower/code_interface.hpp"
+
+namespace elgen {
+namespace {
+
+/// What a row or column stands for.
+struct Label {
+  std::string name = {};
+  bool is_rate = false;
+  friend auto operator<=>(const Label&, const Label&) = default;
+};
+using Labels = std::vector<Label>;
+
+std::string renamed(const std::string& name, const Renames& renames) {
+  const auto found = renames.find(name);
+  return found == renames.end() ? name : found->second;
+}
+
+/// Labels of models, with the names of the newer version.
+class Labelling {
+ public:
+  Labelling(const Model& model, const Renames& renames) : model_(model), renames_(renames) {}
+
+  /// Numbers where rows or columns are no coordinates or inputs.
+  [[nodiscard]] Labels operator()(Extent extent, std::uint32_t count) const {
+    Labels labels;
+    if (extent == Extent::coordinates) add(model_.coordinates, false, labels);
+    if (extent == Extent::inputs) add(model_.inputs, false, labels);
+    if (extent == Extent::velocities) add(model_.velocities, false, labels);
+    if (extent == Extent::states) {
+      add(model_.velocities, false, labels);
+      add(model_.velocities, true, labels);
+    }
+    while (labels.size() < count) labels.push_back({std::to_string(labels.size() + 1)});
+    return labels;
+  }
+
+ private:
+  template <class List>
+  void add(const List& list, bool is_rate, Labels& labels) const {
+    for (const auto& entry : list) labels.push_back({renamed(entry.name, renames_), is_rate});
+  }
+
+  const Model& model_;
+  const Renames& renames_;
+};
+
+/// What tells an entry from the others.
+struct EntryKey {
+  std::string field = {};
+  Label row = {};
+  Label column = {};
+  friend auto operator<=>(const EntryKey&, const EntryKey&) = default;
+};
+
+struct Labelled {
+  EntryKey key = {};
+  std::string place = {};
+  std::string unit = {};
+};
+
+/// The pivots of M depend on the order in which it is eliminated.
+bool same_order(const Model& before, const Model& after, const Renames& renames) {
+  const auto count = static_cast<std::uint32_t>(before.velocities.size());
+  return Labelling(before, renames)(Extent::velocities, count) ==
+         Labelling(after, {})(Extent::velocities, count);
+}
+
+std::vector<Labelled> labelled(const Model& model, const Function& function,
+                               const Renames& renames) {
+  const Labelling labels(model, renames);
+  std::vector<Labelled> all;
+  for (const Field& field : function.fields) {
+    const FieldRow& row = field_row(function.kind, field.name);
+    const Labels rows = labels(row.rows, field.rows);
+    const Labels columns = labels(row.columns, field.columns);
+    const std::string name = field.name.empty() ? function.name : function.name + "." + field.name;
+    for (std::size_t i = 0; i < field.entries.size(); ++i) {
+      const std::size_t r = i / field.columns;
+      const std::size_t c = i % field.columns;
+      const auto unit = unit_of_entry(model, {function.kind, field.name, r, c});
+      all.push_back({{field.name, rows[r], columns[c]},
+                     name + index_text(field, i),
+                     unit ? to_string(*unit) : ""});
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<MatchedEntry> matched_entries(const Model& old_model, const Function& before,
+                                          const Model& new_model, const Function& after,
+                                          const Renames& renames) {
+  std::vector<Labelled> olds = labelled(old_model, before, renames);
+  std::vector<Labelled> news = labelled(new_model, after, {});
+  if (output_row(after.kind).gives_pivots && !same_order(old_model, new_model, renames)) {
+    olds.resize(olds.size() - old_model.velocities.size());
+    news.resize(news.size() - new_model.velocities.size());
+  }
+  std::map<EntryKey, std::size_t> known;
+  for (std::size_t i = 0; i < olds.size(); ++i) known.emplace(olds[i].key, i);
+  std::vector<MatchedEntry> matched;
+  for (std::size_t i = 0; i < news.size(); ++i) {
+    MatchedEntry entry{{}, i, news[i].place, news[i].unit};
+    if (const auto old = known.find(news[i].key); old != known.end()) {
+      entry.before = old->second;
+      known.erase(old);
+    }
+    matched.push_back(std::move(entry));
+  }
+  for (std::size_t i = 0; i < olds.size(); ++i) {
+    if (known.count(olds[i].key) > 0) matched.push_back({i, {}, olds[i].place, olds[i].unit});
+  }
+  return matched;
+}
+
+std::vector<MatchedEntry> unmatched_entries(const Model& model, const Function& function,
+                                            bool is_new) {
+  std::vector<MatchedEntry> all;
+  std::size_t number = 0;
+  for (const Labelled& entry : labelled(model, function, {})) {
+    MatchedEntry& one = all.emplace_back(MatchedEntry{{}, {}, entry.place, entry.unit});
+    (is_new ? one.after : one.before) = number++;
+  }
+  return all;
+}
+
+}  // namespace elgen

@@ -1,0 +1,58 @@
+// renamed: the key table says where names are.
+#include "diff/renamed.hpp"
+
+#include <algorithm>
+
+namespace elgen {
+namespace {
+
+void rename(std::string& name, const Renames& renames) {
+  const auto found = renames.find(name);
+  if (found != renames.end()) name = found->second;
+}
+
+void rename(ExpressionSyntax& expression, const Renames& renames) {
+  if (expression.kind == SyntaxKind::name) rename(expression.text, renames);
+  for (ExpressionSyntax& operand : expression.operands) rename(operand, renames);
+}
+
+void rename(ValueSyntax& value, const std::string& table, const Renames& renames);
+
+/// Whether the user chooses the keys of a table.
+bool has_names_for_keys(std::string_view table) {
+  return std::ranges::any_of(
+      key_table(), [table](const KeyRow& row) { return row.entry == table && row.key == "*"; });
+}
+
+void rename(std::vector<KeySyntax>& keys, const std::string& table, const Renames& renames) {
+  const bool are_names = has_names_for_keys(table);
+  for (KeySyntax& key : keys) {
+    if (are_names) rename(key.key, renames);
+    rename(key.value, table + "." + (are_names ? "*" : key.key), renames);
+  }
+}
+
+/// `table` is its place in the key table, if it is one.
+void rename(ValueSyntax& value, const std::string& table, const Renames& renames) {
+  // A name alone is its own text, which tells entries apart.
+  const bool is_name = value.kind == ValueKind::expression &&
+                       value.expression.kind == SyntaxKind::name &&
+                       value.expression.operands.empty();
+  if (is_name) rename(value.text, renames);
+  rename(value.expression, renames);
+  for (ValueSyntax& item : value.items) rename(item, table, renames);
+  rename(value.entries, table, renames);
+}
+
+}  // namespace
+
+FileSyntax renamed(FileSyntax file, const Renames& renames) {
+  // A scene names its model, and has rows of its own.
+  const bool is_scene = !file.entries.empty() && file.entries.front().name.empty() &&
+                        file.entries.front().find("model") != nullptr;
+  const std::string prefix = is_scene ? "scene." : "";
+  for (EntrySyntax& entry : file.entries) rename(entry.keys, prefix + entry.name, renames);
+  return file;
+}
+
+}  // namespace elgen

@@ -1,0 +1,113 @@
+// elgen diff: what is compared, what it exits with, what is refused.
+#include <catch2/catch.hpp>
+
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
+
+/// A folder with the cart and its scene, and with gravity turned round in `new`.
+class TwoFolders : public Workspace {
+ public:
+  TwoFolders() {
+    prepare("mkdir -p old/scenes && cp " + models + "/cart_pole.toml " + models +
+                "/simple_pendulum.toml old && cp " + models +
+                "/scenes/balance.scene.toml old/scenes "
+                "&& cp -r old new && sed -i 's/\"-g\"/\"g\"/' new/cart_pole.toml",
+            path());
+  }
+  [[nodiscard]] Outcome diff(const std::string& words) const {
+    return shell("elgen diff " + words, path());
+  }
+};
+
+}  // namespace
+
+TEST_CASE("two files are compared, a difference exits with 1") {
+  const TwoFolders folders;
+  const Outcome outcome = folders.diff("old/cart_pole.toml new/cart_pole.toml");
+  CHECK(outcome.status == 1);
+  CHECK(starts_with(outcome.output,
+                    "changed    new/cart_pole.toml:55:17  [gravity] vector[2]: -g -> g\n"));
+  CHECK(outcome.errors.empty());
+  CHECK(folders.diff("old/cart_pole.toml old/cart_pole.toml").status == 0);
+}
+
+TEST_CASE("scenes bring their models along") {
+  const TwoFolders folders;
+  const Outcome outcome =
+      folders.diff("old/scenes/balance.scene.toml new/scenes/balance.scene.toml");
+  CHECK(outcome.status == 1);
+  CHECK(mentions(outcome.output, "new/cart_pole.toml:55:17"));
+}
+
+TEST_CASE("files of folders match by their paths") {
+  const TwoFolders folders;
+  const Outcome outcome = folders.diff("old new");
+  CHECK(mentions(outcome.output, "cart_pole 14 of 74, cart_pole_balance 3 of "));
+  CHECK_FALSE(mentions(outcome.output, "simple_pendulum"));
+  prepare("mv new/simple_pendulum.toml new/pendulum.toml", folders.path());
+  const Outcome moved = folders.diff("old new");
+  CHECK(mentions(moved.output, "added      new/pendulum.toml\n"));
+  CHECK(mentions(moved.output, "removed    simple_pendulum.toml\n"));
+}
+
+TEST_CASE("--allow sets what exits with 0") {
+  const TwoFolders folders;
+  const std::string pair = "old/cart_pole.toml new/cart_pole.toml ";
+  CHECK(folders.diff(pair + "--allow extended").status == 1);
+  CHECK(folders.diff(pair + "--allow different").status == 0);
+  CHECK(folders.diff(pair + "--allow all").status == 0);
+  CHECK(folders.diff(pair + "--allow most").status == 2);
+}
+
+TEST_CASE("a revision of git is compared with what is there") {
+  const TwoFolders folders;
+  prepare(
+      "mv old/* . && rmdir old && rm -r new && git init -q && git add . && "
+      "git -c user.name=a -c user.email=a@b commit -q -m first && "
+      "sed -i 's/\"-g\"/\"g\"/' cart_pole.toml",
+      folders.path());
+  const Outcome outcome = folders.diff("--against HEAD");
+  CHECK(outcome.status == 1);
+  CHECK(mentions(outcome.output, "cart_pole.toml:55:17  [gravity] vector[2]: -g -> g\n"));
+  CHECK(folders.diff("--against HEAD simple_pendulum.toml").status == 0);
+  const Outcome inside =
+      shell("cd scenes && elgen diff --against HEAD balance.scene.toml", folders.path());
+  CHECK(mentions(inside.output, "[gravity] vector[2]"));
+  const Outcome unknown = folders.diff("--against nothing");
+  CHECK(unknown.status == 4);
+  CHECK(mentions(unknown.errors, "error[E713]: `nothing` was not read"));
+}
+
+TEST_CASE("what has no errors in one version is not compared with what has") {
+  const TwoFolders folders;
+  prepare("sed -i 's/cos(theta)/cos(thet)/' new/cart_pole.toml", folders.path());
+  const Outcome outcome = folders.diff("old new");
+  CHECK(outcome.status == 2);
+  CHECK(outcome.output.empty());
+  CHECK(mentions(outcome.errors, "new/cart_pole.toml:51:36: error[E201]: unknown name `thet`"));
+}
+
+TEST_CASE("a rename is OLD=NEW, and two inputs are compared") {
+  const TwoFolders folders;
+  CHECK(folders.diff("--rename l=len old/cart_pole.toml new/cart_pole.toml").status == 1);
+  const Outcome rename = folders.diff("--rename l old/cart_pole.toml old/cart_pole.toml");
+  CHECK(rename.status == 2);
+  CHECK(mentions(rename.errors, "`l` is no rename"));
+  const Outcome one = folders.diff("old/cart_pole.toml");
+  CHECK(one.status == 2);
+  CHECK(mentions(one.errors, "`diff` compares two, not 1"));
+}
+
+TEST_CASE("programs get JSON, also of errors") {
+  const TwoFolders folders;
+  const Outcome outcome = folders.diff("old new --format json");
+  CHECK(starts_with(outcome.output, "{\n  \"format\": \"elgen diff 1\",\n"));
+  CHECK(starts_with(folders.diff("old nowhere.toml --format json").errors, "{"));
+}
+
+}  // namespace elgen::test

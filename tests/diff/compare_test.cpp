@@ -1,0 +1,78 @@
+// What a change amounts to, and what is said of it.
+#include <catch2/catch.hpp>
+
+#include "diff/versions.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+const std::string cart = model_of("cart_pole");
+
+Impact impact(const std::string& before, const std::string& after) {
+  return compared(before, after).impact;
+}
+
+}  // namespace
+
+TEST_CASE("from nothing to other equations") {
+  CHECK(impact(cart, cart) == Impact::none);
+  CHECK(impact(cart, cart + "# more\n") == Impact::text);
+  CHECK(impact(spring("k*(1 - cos(x))"), spring("2*k*sin(x/2)^2")) == Impact::equal);
+  CHECK(impact(spring(), edited(spring(), "k = 3", "k = 4")) == Impact::values);
+  CHECK(impact(cart, edited(cart, "max = 25", "max = 30")) == Impact::assumptions);
+  CHECK(impact(cart, edited(cart, "\"-g\"", "\"g\"")) == Impact::different);
+}
+
+TEST_CASE("a value that a scene fixes is a value") {
+  const std::string scene = "[outputs]\npotential_energy = true\n[parameters]\nfixed = \"all\"\n";
+  const Lowered old = lowered(spring(), scene);
+  const Lowered now = lowered(edited(spring(), "k = 3", "k = 4"), scene);
+  const SystemChange system = compare(old.version(), now.version());
+  CHECK(system.impact == Impact::values);
+  CHECK(entries_of(system, "potential_energy").size() == 1);
+}
+
+TEST_CASE("a new term with a parameter of its own extends") {
+  const SystemChange system =
+      compared(spring(), edited(spring("1/2*k*x^2 + c*x^4"), "k = 3", "k = 3\nc = 0"));
+  CHECK(system.impact == Impact::extended);
+  CHECK(system.extension == "at c = 0 all entries are the old ones (proved)");
+}
+
+TEST_CASE("a new parameter that changes what was there does not extend") {
+  const SystemChange system =
+      compared(spring(), edited(spring("k*x^2 + c*x^4"), "k = 3", "k = 3\nc = 0"));
+  CHECK(system.impact == Impact::different);
+  CHECK(system.extension.empty());
+}
+
+TEST_CASE("a rename is proposed where unit and value agree and all else is equal") {
+  const std::string other = edited(edited(spring(), "k = 3", "c = 3"), "1/2*k", "1/2*c");
+  CHECK(compared(spring(), other).proposal == Renames{{"k", "c"}});
+  CHECK(compared(spring(), edited(other, "c = 3", "c = 4")).proposal.empty());
+  CHECK(compared(spring(), edited(other, "1/2*c", "c")).proposal.empty());
+  const SystemChange named = compared(spring(), other, {{"k", "c"}});
+  CHECK(named.keys.empty());
+  CHECK(named.impact == Impact::incompatible);
+  const std::string place = edited(
+      edited(edited(spring(), "name = \"x\"", "name = \"s\""), "dot(x)", "dot(s)"), "x^2", "s^2");
+  CHECK(compared(spring(), place).proposal == Renames{{"x", "s"}});
+}
+
+TEST_CASE("expectations that hold no longer are listed, those that never did are not") {
+  const auto broken = compared(cart, edited(cart, "\"-g\"", "\"g\"")).broken_expectations;
+  CHECK(std::ranges::count(broken, "gravity[2]") == 1);
+  CHECK(std::ranges::count(broken, "mass_matrix[1,1]") == 0);
+  const std::string wrong = edited(cart, "[\"0\", \"-m*g*l*sin(theta)\"]", "[\"0\", \"0\"]");
+  const auto again = compared(wrong, edited(wrong, "\"-g\"", "\"g\"")).broken_expectations;
+  CHECK(std::ranges::count(again, "gravity[2]") == 0);
+}
+
+TEST_CASE("warnings that are new stand beside") {
+  const SystemChange system = compared(cart, edited(cart, "\"-g\"", "\"g\""));
+  REQUIRE(system.warnings.size() == 1);
+  CHECK(code_row(system.warnings[0].code).name == "E512");
+  CHECK(compared(edited(cart, "\"-g\"", "\"g\""), cart).warnings.empty());
+}

@@ -1,0 +1,19 @@
+// Impacts: their words, and their order.
+#include <catch2/catch.hpp>
+
+#include "elgen/diff.hpp"
+
+using namespace elgen;
+
+TEST_CASE("an impact is found by its word") {
+  for (const Impact impact : {Impact::none, Impact::values, Impact::misleading}) {
+    CHECK(find_impact(impact_row(impact).word) == impact);
+  }
+  CHECK_FALSE(find_impact("worse"));
+}
+
+TEST_CASE("what breaks silently is worst") {
+  CHECK(Impact::text < Impact::equal);
+  CHECK(Impact::extended < Impact::different);
+  CHECK(Impact::incompatible < Impact::misleading);
+}

@@ -1,0 +1,83 @@
+// What callers see of a change.
+#include <catch2/catch.hpp>
+
+#include "diff/versions.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+/// "word: text", a line each.
+std::string changes(const std::string& before, const std::string& after,
+                    const std::string& old_scene = {}, const std::string& new_scene = {},
+                    const Renames& renames = {}) {
+  const Lowered old = lowered(before, old_scene);
+  const Lowered now = lowered(after, new_scene);
+  std::string text;
+  for (const InterfaceChange& change :
+       interface_changes(*old.products.checked, *now.products.checked, renames)) {
+    text += std::string(impact_row(change.impact).word) + ": " + change.text + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("the same interface has no changes") { CHECK(changes(spring(), spring("x^4")).empty()); }
+
+TEST_CASE("another order of members means something else") {
+  CHECK(changes(spring(), edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {")) ==
+        "misleading: members of Parameters are in another order: m, k -> k, m\n");
+}
+
+TEST_CASE("new members extend where they come last") {
+  CHECK(changes(spring(), edited(spring(), "k = 3", "k = 3\nc = 0")) ==
+        "extended: Parameters has new members: c\n");
+  CHECK(changes(spring(), edited(spring(), "k = 3", "c = 0\nk = 3")) ==
+        "misleading: Parameters has new members, not all of them behind the others: c\n");
+}
+
+TEST_CASE("members that are gone do not compile") {
+  CHECK(changes(edited(spring(), "k = 3", "k = 3\nc = 0"), spring()) ==
+        "incompatible: there is no parameter `c` any more\n");
+}
+
+TEST_CASE("units and values are told by name") {
+  const std::string mass = "m = { value = 2, assume = \"positive\" }";
+  CHECK(changes(edited(spring(), mass, "m = { value = 2, unit = \"kg\" }"),
+                edited(spring(), mass, "m = { value = 2, unit = \"1\" }")) ==
+        "misleading: the unit of parameter `m` is 1 where it was kg\n");
+  CHECK(changes(spring(), edited(spring(), "k = 3", "k = 4")) ==
+        "values: the value of `k` differs\n");
+}
+
+TEST_CASE("time, once it occurs, is an argument of every function") {
+  CHECK(mentions(changes(spring(), spring("1/2*k*x^2 + x*sin(t)")),
+                 "incompatible: every function takes t now\n"));
+}
+
+TEST_CASE("functions come and go") {
+  const std::string one = "[outputs]\nmass_matrix = true\n";
+  const std::string two = one + "bias = true\n";
+  CHECK(changes(spring(), spring(), one, two) == "extended: there is a new function `bias`\n");
+  CHECK(changes(spring(), spring(), two, one) ==
+        "incompatible: there is no function `bias` any more\n");
+}
+
+TEST_CASE("the target of the code is part of it") {
+  const std::string one = "[outputs]\nmass_matrix = true\n[emit]\n";
+  CHECK(changes(spring(), spring(), one, one + "storage = \"column-major\"\n") ==
+        "misleading: matrices are stored column-major where they were row-major\n");
+  CHECK(mentions(changes(spring(), spring(), one, one + "language = \"c99\"\n"),
+                 "incompatible: the language of the code differs\n"));
+  CHECK(changes(spring(), spring(), one, one + "namespace = \"other\"\n") ==
+        "incompatible: the namespace is `other` where it was `spring_given`\n");
+  CHECK(changes(spring(), spring(), one + "eigen = true\n", one) ==
+        "incompatible: there is no longer a header NAME_eigen.hpp\n");
+}
+
+TEST_CASE("a renamed parameter does not compile, a renamed coordinate does") {
+  const std::string other = edited(edited(spring(), "k = 3", "c = 3"), "1/2*k", "1/2*c");
+  CHECK(changes(spring(), other, {}, {}, {{"k", "c"}}) == "incompatible: `k` is called `c` now\n");
+}

@@ -1,0 +1,77 @@
+// Entries meet by what their rows and columns stand for.
+#include "diff/matched_entries.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "diff/versions.hpp"
+#include "evaluate/subject.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+const std::string plane = model_text("plane", R"toml([[coordinate]]
+name = "x"
+[[coordinate]]
+name = "y"
+[energy]
+T = "dot(x)^2 + dot(x)*dot(y) + 2*dot(y)^2"
+)toml");
+/// The same with x and y in the place of each other.
+std::string turned() {
+  std::string text = edited(plane, "name = \"x\"", "name = \"z\"");
+  text = edited(text, "name = \"y\"", "name = \"x\"");
+  return edited(text, "name = \"z\"", "name = \"y\"");
+}
+
+std::vector<MatchedEntry> matched(const Lowered& old, const Lowered& now, OutputKind kind,
+                                  const Renames& renames = {}) {
+  return matched_entries(old.products.checked->model, *find_function(*old.products.lowered, kind),
+                         now.products.checked->model, *find_function(*now.products.lowered, kind),
+                         renames);
+}
+
+}  // namespace
+
+TEST_CASE("rows and columns of M follow their coordinates") {
+  const auto entries = matched(lowered(plane), lowered(turned()), OutputKind::mass_matrix);
+  REQUIRE(entries.size() == 4);
+  CHECK(entries[0].place == "mass_matrix[1,1]");
+  CHECK(entries[0].before == 3U);
+  CHECK(entries[1].before == 2U);
+}
+
+TEST_CASE("a coordinate that is new has entries without a match") {
+  const std::string more = edited(plane, "[energy]", "[[coordinate]]\nname = \"z\"\n[energy]");
+  const std::string space = edited(more, "2*dot(y)^2", "2*dot(y)^2 + dot(z)^2");
+  const auto entries = matched(lowered(plane), lowered(space), OutputKind::gravity);
+  REQUIRE(entries.size() == 3);
+  CHECK(entries[1].before == 1U);
+  CHECK_FALSE(entries[2].before);
+  const auto back = matched(lowered(space), lowered(plane), OutputKind::gravity);
+  REQUIRE(back.size() == 3);
+  CHECK_FALSE(back[2].after);
+  CHECK(back[2].place == "gravity[3]");
+}
+
+TEST_CASE("renamed coordinates stay where they are") {
+  const auto entries =
+      matched(lowered(plane), lowered(turned()), OutputKind::mass_matrix, {{"x", "y"}, {"y", "x"}});
+  CHECK(entries[0].before == 0U);
+}
+
+TEST_CASE("pivots are compared in one order of coordinates only") {
+  CHECK(matched(lowered(plane), lowered(plane), OutputKind::forward_dynamics).size() == 6);
+  CHECK(matched(lowered(plane), lowered(turned()), OutputKind::forward_dynamics).size() == 4);
+}
+
+TEST_CASE("entries of an output that only one version has are on their own") {
+  const Lowered one = lowered(plane);
+  const auto entries =
+      unmatched_entries(one.products.checked->model,
+                        *find_function(*one.products.lowered, OutputKind::gravity), true);
+  REQUIRE(entries.size() == 2);
+  CHECK(entries[1].after == 1U);
+  CHECK_FALSE(entries[1].before);
+}

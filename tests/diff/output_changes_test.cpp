@@ -1,0 +1,70 @@
+// What becomes of every entry.
+#include "diff/output_changes.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "diff/versions.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+std::vector<OutputChange> changes(const std::string& before, const std::string& after) {
+  const Lowered old = lowered(before);
+  const Lowered now = lowered(after);
+  return output_changes(old.version(), now.version());
+}
+
+const OutputChange& output(const std::vector<OutputChange>& all, const std::string& name) {
+  return *std::ranges::find(all, name, &OutputChange::name);
+}
+
+}  // namespace
+
+TEST_CASE("what is computed alike is not looked at") {
+  for (const OutputChange& change : changes(spring(), spring())) CHECK(change.entries.empty());
+}
+
+TEST_CASE("what is written differently is proved to be equal") {
+  const auto all = changes(spring("k*(1 - cos(x))"), spring("2*k*sin(x/2)^2"));
+  const OutputChange& potential = output(all, "potential_energy");
+  REQUIRE(potential.entries.size() == 1);
+  CHECK(potential.entries[0].verdict == EntryVerdict::equal);
+  CHECK(potential.entries[0].is_proved);
+  CHECK(output(all, "mass_matrix").entries.empty());
+}
+
+TEST_CASE("what differs is told as it is read, with its difference") {
+  const auto all = changes(spring(), spring("1/2*k*x^2 + m*x"));
+  const OutputChange& gravity = output(all, "gravity");
+  REQUIRE(gravity.entries.size() == 1);
+  CHECK(gravity.entries[0].verdict == EntryVerdict::different);
+  CHECK(gravity.entries[0].before == "k*x");
+  CHECK(gravity.entries[0].after == "m + k*x");
+  CHECK(gravity.entries[0].difference == "m");
+}
+
+TEST_CASE("outputs that only one version has are there, too") {
+  const std::string with_output = spring() + "[[output]]\nname = \"place\"\nvalue = \"x\"\n";
+  CHECK(output(changes(spring(), with_output), "place").entries.at(0).verdict ==
+        EntryVerdict::added);
+  CHECK(output(changes(with_output, spring()), "place").entries.at(0).verdict ==
+        EntryVerdict::removed);
+}
+
+TEST_CASE("a parameter at a value gives the old entries back") {
+  const Lowered old = lowered(spring());
+  const Lowered now = lowered(edited(spring("1/2*k*x^2 + c*x"), "k = 3", "k = 3\nc = 0"));
+  const auto count = [&](const ParameterValues& values) {
+    std::size_t different = 0;
+    for (const auto& change : output_changes_at(old.version(), now.version(), {}, values)) {
+      different += static_cast<std::size_t>(
+          std::ranges::count(change.entries, EntryVerdict::different, &EntryChange::verdict));
+    }
+    return different;
+  };
+  CHECK(count({}) > 0);
+  CHECK(count({{"c", rational_constant(0)}}) == 0);
+  CHECK(count({{"c", rational_constant(1)}}) > 0);
+}

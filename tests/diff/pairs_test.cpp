@@ -1,0 +1,170 @@
+// Pairs of models that are known to be equal, or not: random systems of one to seven coordinates,
+// written in two ways, or with one coefficient changed by as little as 1e-12.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "base/random.hpp"
+#include "diff/versions.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+constexpr std::uint64_t kinds = 5;
+
+/// c f(q_i, q_j), f one of five; c is exact.
+struct Term {
+  std::uint64_t kind = 0;
+  std::size_t i = 0;
+  std::size_t j = 0;
+  std::string coefficient = "1";
+};
+
+/// The factor that the term of V has in the kinds of either writing.
+std::string potential(const Term& term, bool is_rewritten) {
+  const std::string x = fmt::format("q{}", term.i);
+  const std::string y = fmt::format("q{}", term.j);
+  const char* const forms[kinds][2]{
+      {"cos({0} - {1})", "(cos({0})*cos({1}) + sin({1})*sin({0}))"},
+      {"sin({0})*sin({1})", "1/2*(cos({0} - {1}) - cos({0} + {1}))"},
+      {"({0} + {1})^2", "({0}*({0} + 2*{1}) + {1}^2)"},
+      {"(1 - cos({0}))", "2*sin({0}/2)^2"},
+      {"sqrt(1 + {0}^2)*{1}", "{1}*({0}^2 + 1)/sqrt({0}*{0} + 1)"},
+  };
+  return fmt::format(fmt::runtime(forms[term.kind][is_rewritten ? 1 : 0]), x, y);
+}
+
+struct RandomSystem {
+  std::size_t size = 1;
+  std::vector<Term> terms = {};
+
+  explicit RandomSystem(std::uint64_t seed) {
+    Random random(seed);
+    size = 1 + random.next() % 7;
+    for (std::size_t k = 0; k < size + 2; ++k) {
+      terms.push_back({random.next() % kinds, random.next() % size, random.next() % size,
+                       std::to_string(1 + random.next() % 9)});
+    }
+  }
+
+  /// `which`: writing of each term; terms come backwards where it is rewritten.
+  [[nodiscard]] std::string text(bool is_rewritten) const {
+    std::string coordinates;
+    std::string T;
+    for (std::size_t i = 0; i < size; ++i) {
+      coordinates += fmt::format("[[coordinate]]\nname = \"q{}\"\n", i);
+      const std::size_t j = (i + 1) % size;
+      T += fmt::format(
+          fmt::runtime(is_rewritten ? "{0}m*dot(q{1})*dot(q{1})/2 + 1/4*m*{2}*dot(q{1})*dot(q{3})"
+                                    : "{0}1/2*m*dot(q{1})^2 + 1/4*m*dot(q{1})*dot(q{3})*{2}"),
+          i == 0 ? "" : " + ", i, potential({0, i, j, ""}, is_rewritten), j);
+    }
+    std::vector<Term> all = terms;
+    if (is_rewritten) std::ranges::reverse(all);
+    std::string V;
+    for (const Term& term : all) {
+      V += fmt::format("{}{}*k*{}", V.empty() ? "" : " + ", term.coefficient,
+                       potential(term, is_rewritten));
+    }
+    return model_text("pair", coordinates +
+                                  "[parameters]\nm = { value = 2, assume = \"positive\" }\n"
+                                  "k = 3\n[energy]\nT = \"" +
+                                  T + "\"\nV = \"" + V + "\"\n");
+  }
+};
+
+/// As many as the random pairs are.
+constexpr std::uint64_t pair_count = 20;
+
+}  // namespace
+
+TEST_CASE("twenty random systems written in two ways are equal") {
+  std::size_t rewritten = 0;
+  for (std::uint64_t seed = 1; seed <= pair_count; ++seed) {
+    const RandomSystem system(seed);
+    INFO("seed " << seed << ", n = " << system.size);
+    const SystemChange found = compared(system.text(false), system.text(true));
+    CHECK(found.impact == Impact::equal);
+    rewritten += entries_of(found, "potential_energy").size();
+  }
+  CHECK(rewritten > pair_count / 2);
+}
+
+TEST_CASE("twenty random systems with one coefficient changed are different, rewritten or not") {
+  for (std::uint64_t seed = 1; seed <= pair_count; ++seed) {
+    RandomSystem system(seed);
+    INFO("seed " << seed << ", n = " << system.size);
+    const std::string before = system.text(false);
+    Term& term = system.terms[seed % system.terms.size()];
+    term.coefficient = fmt::format("({} + {})", term.coefficient, seed % 2 == 0 ? "1e-12" : "1");
+    const SystemChange found = compared(before, system.text(seed % 3 == 0));
+    CHECK(found.impact == Impact::different);
+    const auto entries = entries_of(found, "potential_energy");
+    REQUIRE(entries.size() == 1);
+    CHECK(entries[0].verdict == EntryVerdict::different);
+  }
+}
+
+namespace {
+
+/// An edit of a model of the project, and what it amounts to.
+struct Edit {
+  const char* model;
+  const char* part;
+  const char* other;
+  Impact impact;
+};
+
+}  // namespace
+
+TEST_CASE("edits of known models amount to what a reviewer would say") {
+  const Edit edits[]{
+      {"simple_pendulum", "g = {", "# gravity\ng = {", Impact::text},
+      {"cart_pole", "\"x + l*sin(theta)\"", "\"l*sin(theta) + x\"", Impact::equal},
+      {"cart_pole", "\"x + l*sin(theta)\"", "\"x - l*sin(-theta)\"", Impact::equal},
+      {"cart_pole", "\"x + l*sin(theta)\"", "\"x + 2*l*sin(theta/2)*cos(theta/2)\"", Impact::equal},
+      {"cart_pole", "\"x + l*sin(theta)\"", "\"x - l*sin(theta)\"", Impact::different},
+      {"cart_pole", "\"x + l*sin(theta)\"", "\"x + 1.000000000001*l*sin(theta)\"",
+       Impact::different},
+      {"cart_pole", "mass = \"M\"", "mass = \"(M^2 - m^2)/(M - m) - m\"", Impact::equal},
+      {"cart_pole", "mass = \"M\"", "mass = \"sqrt(M^2)\"", Impact::equal},
+      {"cart_pole", "name   = \"u\"", "name   = \"F\"", Impact::misleading},
+      {"cart_pole", "doc        = \"cart position\"", "doc        = \"position\"",
+       Impact::assumptions},
+      {"cart_pole", "value = 9.81", "value = 9.80665", Impact::values},
+      {"cart_pole", "unit       = \"rad\"", "unit       = \"1\"", Impact::misleading},
+      {"double_pendulum", "value = 9.81", "value = 9.8", Impact::values},
+      {"chain", "n = 5", "n = 4", Impact::incompatible},
+      {"chain", "l[i]*sin(q[i])", "l[i]*cos(q[i] - pi/2)", Impact::equal},
+      {"chain", "l[i]*sin(q[i])", "l[i]*sin(q[i] + 2*pi)", Impact::equal},
+      {"heavy_top", "name = \"heavy_top\"", "name = \"top\"", Impact::incompatible},
+  };
+  for (const auto& [model, part, other, impact] : edits) {
+    INFO(model << ": " << part << " -> " << other);
+    const std::string before = model_of(model);
+    CHECK(impact_row(compared(before, edited(before, part, other)).impact).word ==
+          impact_row(impact).word);
+  }
+}
+
+TEST_CASE("coordinates of a chain of three to seven in another order are told to be moved") {
+  for (const int n : {3, 7}) {
+    const RandomSystem system(static_cast<std::uint64_t>(n));
+    if (system.size < 2) continue;
+    const std::string before = system.text(false);
+    const std::string first = "[[coordinate]]\nname = \"q0\"\n";
+    const std::string after =
+        edited(edited(before, first, ""), "[parameters]", first + "[parameters]");
+    const SystemChange found = compared(before, after);
+    CHECK(found.impact == Impact::misleading);
+    for (const OutputChange& output : found.outputs) {
+      for (const EntryChange& entry : output.entries) {
+        INFO(entry.place);
+        CHECK(entry.verdict == EntryVerdict::equal);
+      }
+    }
+  }
+}

@@ -1,0 +1,86 @@
+// Two versions of a model, compared.
+#pragma once
+
+#include <catch2/catch.hpp>
+#include <string>
+#include <utility>
+
+#include "elgen/diff.hpp"
+#include "elgen/pipeline.hpp"
+#include "support/models.hpp"
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+/// One version, with what it refers to.
+struct Lowered {
+  FileSyntax model = {};
+  std::optional<FileSyntax> scene = {};
+  Products products = {};
+
+  [[nodiscard]] Version version() const {
+    return {model, scene ? &*scene : nullptr, *products.checked, *products.lowered,
+            products.diagnostics};
+  }
+};
+
+/// `scene` is what follows its name.
+inline Lowered lowered(const std::string& text, const std::string& scene = {}) {
+  PipelineOptions options;
+  options.goals = {"lower"};
+  Inputs inputs{make_source("model.toml", text)};
+  if (!scene.empty()) {
+    inputs.scene = make_source("given.scene.toml",
+                               "format = 1\nmodel = \"model.toml\"\nname = \"given\"\n" + scene);
+  }
+  static std::vector<SourcePointer> alive;  // spans of reports point into them
+  alive.insert(alive.end(), {inputs.model, inputs.scene});
+  Lowered result{.products = run_pipeline(inputs, options)};
+  INFO(format(result.products.diagnostics));
+  REQUIRE(result.products.lowered);
+  result.model = *parse_model(inputs.model, {});
+  if (inputs.scene) result.scene = *parse_scene(inputs.scene, {});
+  return result;
+}
+
+inline SystemChange compared(const std::string& before, const std::string& after,
+                             const Renames& renames = {}) {
+  const Lowered old = lowered(before);
+  const Lowered now = lowered(after);
+  return compare(old.version(), now.version(), renames);
+}
+
+/// A model of the project.
+inline std::string model_of(const std::string& name) {
+  return read_text(std::string(ELGEN_SOURCE_DIR) + "/models/" + name + ".toml");
+}
+
+/// The text with one part replaced, which it must have.
+inline std::string edited(std::string text, const std::string& part, const std::string& other) {
+  INFO(part);
+  const std::size_t at = text.find(part);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, part.size(), other);
+}
+
+/// The entries of an output that are not identical.
+inline std::vector<EntryChange> entries_of(const SystemChange& system, const std::string& output) {
+  for (const OutputChange& change : system.outputs) {
+    if (change.name == output) return change.entries;
+  }
+  return {};
+}
+
+/// A mass m on a spring k at x.
+inline std::string spring(const std::string& potential = "1/2*k*x^2") {
+  return model_text("spring", R"toml([[coordinate]]
+name = "x"
+[parameters]
+m = { value = 2, assume = "positive" }
+k = 3
+[energy]
+T = "1/2*m*dot(x)^2"
+V = ")toml" + potential + "\"\n");
+}
+
+}  // namespace elgen::test

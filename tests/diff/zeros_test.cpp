@@ -1,0 +1,53 @@
+// What vanishes everywhere: proved, sampled, or not.
+#include "diff/zeros.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "elgen/source_text.hpp"
+
+using namespace elgen;
+
+namespace {
+
+/// Of the only entry; both leaves may be negative.
+Zero zero_of(const std::string& code, bool positive = false) {
+  const Result<Program> program =
+      parse_program(make_source("test.program",
+                                "parameters m\ncoordinates x\nfunction gravity\n"
+                                "  0 = parameter m\n  1 = coordinate x\n" +
+                                    code));
+  INFO(format(program.diagnostics));
+  REQUIRE(program);
+  return zeros(*program, program->functions[0], {positive}).at(0);
+}
+
+}  // namespace
+
+TEST_CASE("sin^2 + cos^2 - 1 is proved to be zero") {
+  CHECK(zero_of("  2 = sin 1\n  3 = cos 1\n  4 = multiply 2 2\n  5 = multiply 3 3\n  6 = add 4 5\n"
+                "  7 = constant 1\n  8 = subtract 6 7\n  result 1 1 = 8\n") == Zero::proved);
+}
+
+TEST_CASE("a coefficient of 1 + 1e-12 is no zero") {
+  CHECK(zero_of("  2 = constant 1000000000001/1000000000000\n  3 = multiply 2 1\n"
+                "  4 = subtract 3 1\n  result 1 1 = 4\n") == Zero::no);
+}
+
+TEST_CASE("|m x| - |m| |x| is found to be zero, |x| - x is not") {
+  CHECK(zero_of("  2 = multiply 0 1\n  3 = abs 2\n  4 = abs 0\n  5 = abs 1\n"
+                "  6 = multiply 4 5\n  7 = subtract 3 6\n  result 1 1 = 7\n") == Zero::sampled);
+  CHECK(zero_of("  2 = abs 1\n  3 = subtract 2 1\n  result 1 1 = 3\n") == Zero::no);
+}
+
+TEST_CASE("sqrt(m^2) is m where m is positive, and only there") {
+  const std::string root =
+      "  2 = multiply 0 0\n  3 = square_root 2\n  4 = subtract 3 0\n"
+      "  result 1 1 = 4\n";
+  CHECK(zero_of(root, true) != Zero::no);
+  CHECK(zero_of(root, false) == Zero::no);
+}
+
+TEST_CASE("what has no value anywhere is not taken for zero") {
+  CHECK(zero_of("  2 = multiply 1 1\n  3 = constant -1\n  4 = subtract 3 2\n"
+                "  5 = square_root 4\n  6 = subtract 5 0\n  result 1 1 = 6\n") == Zero::no);
+}
