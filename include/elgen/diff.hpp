@@ -4,7 +4,7 @@
 //     entries of outputs     what follows: equal (proved, or sampled), or different
 //     the interface          what callers of the code rely on
 //
-// Both versions are lowered, and the entries of an output are written over the leaves of both,
+// The entries of an output are written over the leaves of both,
 // which meet by their names. What is computed alike is equal; of the rest the difference is proved
 // to be zero by its closed form, or found to be at 64 random points, or it is a difference.
 #pragma once
@@ -114,7 +114,7 @@ struct Version {
   const FileSyntax& model;
   const FileSyntax* scene = nullptr;  ///< null: the built-in scene `full`
   const CheckedModel& checked;
-  const Program& lowered;       ///< before forms are chosen
+  const Program& program;       ///< before forms are chosen, where nothing is made of these
   const Diagnostics& warnings;  ///< of the model
 };
 

@@ -29,10 +29,18 @@ struct LoweredVersion {
   Products products = {};
 
   [[nodiscard]] Version version() const {
-    return {model, scene ? &*scene : nullptr, *products.checked, *products.lowered,
-            products.diagnostics};
+    return {model, scene ? &*scene : nullptr, *products.checked,
+            products.program ? *products.program : *products.lowered, products.diagnostics};
   }
 };
+
+/// Whether what is emitted is not what is lowered: terms are dropped from closed forms, and steps
+/// are made of functions in their forms.
+bool needs_forms(const Scene& scene) {
+  return scene.dropping || std::ranges::any_of(scene.outputs, [](const OutputRequest& output) {
+           return output_row(output.kind).steps;
+         });
+}
 
 Result<LoweredVersion> load(Inputs inputs, const Limits& limits) {
   renew_time_limit(limits);
@@ -41,8 +49,13 @@ Result<LoweredVersion> load(Inputs inputs, const Limits& limits) {
   options.limits = limits;
   options.goals = {"lower"};
   loaded.products = run_pipeline(loaded.inputs, options);
+  const bool is_lowered = loaded.products.lowered.has_value();
+  if (is_lowered && needs_forms(loaded.products.checked->scene)) {
+    options.goals = {"choose"};
+    loaded.products = run_pipeline(loaded.inputs, options);
+  }
   Diagnostics found = loaded.products.diagnostics;
-  if (!loaded.products.lowered) return found;
+  if (!loaded.products.lowered && !loaded.products.program) return found;
   loaded.model = *parse_model(loaded.inputs.model, limits);
   if (loaded.inputs.scene != nullptr) loaded.scene = *parse_scene(loaded.inputs.scene, limits);
   return {std::move(loaded), std::move(found)};

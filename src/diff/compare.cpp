@@ -96,7 +96,7 @@ std::string extension(const Version& before, const Version& after, const Renames
 
 /// Entries of [[expect]] that do not hold.
 std::set<std::string> wrong_expectations(const Version& version) {
-  const Subject subject{version.checked.model, version.checked.scene, version.lowered};
+  const Subject subject{version.checked.model, version.checked.scene, version.program};
   std::set<std::string> wrong;
   for (const CertificateRow& row : check_expectations(subject, nullptr, 1).rows) {
     if (row.verdict == Verdict::fails) wrong.insert(row.subject);

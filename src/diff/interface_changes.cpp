@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "elgen/diff.hpp"
+#include "elgen/step_methods.hpp"
 #include "elgen/wording.hpp"
 #include "lower/code_interface.hpp"
 
@@ -165,11 +166,23 @@ class InterfaceComparison {
             fmt::format("there is no function {} any more", quoted(old.name)));
       } else if (now->kind != old.kind) {
         add(Impact::misleading, fmt::format("the function {} is another output", quoted(old.name)));
+      } else if (output_row(now->kind).steps) {
+        compare_methods(old, *now);
       }
     }
     for (const OutputRequest& now : after_.scene.outputs) {
       if (find_request(before_.scene, now.name) != nullptr) continue;
       add(Impact::extended, fmt::format("there is a new function {}", quoted(now.name)));
+    }
+  }
+
+  void compare_methods(const OutputRequest& old, const OutputRequest& now) {
+    if (old.user != now.user) {
+      add(Impact::different, fmt::format("the method of {} is {} where it was {}", quoted(now.name),
+                                         step_methods[now.user].name, step_methods[old.user].name));
+    } else if (old.iterations != now.iterations) {
+      add(Impact::different, fmt::format("{} has {} where it had {}", quoted(now.name),
+                                         counted(now.iterations, "iteration"), old.iterations));
     }
   }
 

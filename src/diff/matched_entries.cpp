@@ -10,26 +10,26 @@ namespace elgen {
 namespace {
 
 /// What a row or column stands for.
-struct Label {
+struct LineLabel {
   std::string name = {};
   bool is_rate = false;
-  friend auto operator<=>(const Label&, const Label&) = default;
+  friend auto operator<=>(const LineLabel&, const LineLabel&) = default;
 };
-using Labels = std::vector<Label>;
+using LineLabels = std::vector<LineLabel>;
 
 std::string renamed(const std::string& name, const Renames& renames) {
   const auto found = renames.find(name);
   return found == renames.end() ? name : found->second;
 }
 
-/// Labels of models, with the names of the newer version.
+/// LineLabels of models, with the names of the newer version.
 class Labelling {
  public:
   Labelling(const Model& model, const Renames& renames) : model_(model), renames_(renames) {}
 
   /// Numbers where rows or columns are no coordinates or inputs.
-  [[nodiscard]] Labels operator()(Extent extent, std::uint32_t count) const {
-    Labels labels;
+  [[nodiscard]] LineLabels operator()(Extent extent, std::uint32_t count) const {
+    LineLabels labels;
     if (extent == Extent::coordinates) add(model_.coordinates, false, labels);
     if (extent == Extent::inputs) add(model_.inputs, false, labels);
     if (extent == Extent::velocities) add(model_.velocities, false, labels);
@@ -43,7 +43,7 @@ class Labelling {
 
  private:
   template <class List>
-  void add(const List& list, bool is_rate, Labels& labels) const {
+  void add(const List& list, bool is_rate, LineLabels& labels) const {
     for (const auto& entry : list) labels.push_back({renamed(entry.name, renames_), is_rate});
   }
 
@@ -54,8 +54,8 @@ class Labelling {
 /// What tells an entry from the others.
 struct EntryKey {
   std::string field = {};
-  Label row = {};
-  Label column = {};
+  LineLabel row = {};
+  LineLabel column = {};
   friend auto operator<=>(const EntryKey&, const EntryKey&) = default;
 };
 
@@ -78,8 +78,8 @@ std::vector<Labelled> labelled(const Model& model, const Function& function,
   std::vector<Labelled> all;
   for (const Field& field : function.fields) {
     const FieldRow& row = field_row(function.kind, field.name);
-    const Labels rows = labels(row.rows, field.rows);
-    const Labels columns = labels(row.columns, field.columns);
+    const LineLabels rows = labels(row.rows, field.rows);
+    const LineLabels columns = labels(row.columns, field.columns);
     const std::string name = field.name.empty() ? function.name : function.name + "." + field.name;
     for (std::size_t i = 0; i < field.entries.size(); ++i) {
       const std::size_t r = i / field.columns;

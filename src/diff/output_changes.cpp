@@ -51,20 +51,20 @@ class OutputComparison {
         after_(after),
         renames_(renames),
         values_(values),
-        joint_(before.lowered, after.lowered, renames),
+        joint_(before.program, after.program, renames),
         positive_(
             positive_in_both(before.checked.model, after.checked.model, joint_.program().leaves)) {}
 
   std::vector<OutputChange> operator()() {
     std::vector<OutputChange> all;
-    for (const Function& after : after_.lowered.functions) {
+    for (const Function& after : after_.program.functions) {
       if (output_row(after.kind).repeats) continue;
-      const Function* const before = find_named(before_.lowered, after.name);
+      const Function* const before = find_named(before_.program, after.name);
       all.push_back(before != nullptr ? compared(visible(*before), visible(after))
                                       : whole(visible(after), true));
     }
-    for (const Function& before : before_.lowered.functions) {
-      const bool is_gone = find_named(after_.lowered, before.name) == nullptr;
+    for (const Function& before : before_.program.functions) {
+      const bool is_gone = find_named(after_.program, before.name) == nullptr;
       if (is_gone && !output_row(before.kind).repeats) all.push_back(whole(visible(before), false));
     }
     return all;

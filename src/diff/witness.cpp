@@ -39,8 +39,8 @@ void append(const LeafNames& joint, const LeafNames& olds, const Arguments<doubl
 
 WitnessStates::WitnessStates(const Version& before, const Version& after, const Program& joint)
     : joint_(joint) {
-  const Subject olds{before.checked.model, before.checked.scene, before.lowered};
-  const Subject news{after.checked.model, after.checked.scene, after.lowered};
+  const Subject olds{before.checked.model, before.checked.scene, before.program};
+  const Subject news{after.checked.model, after.checked.scene, after.program};
   const LeafValues<Range> old_ranges = ranges_of(olds);
   const LeafValues<Range> new_ranges = ranges_of(news);
   Random random(seed);
@@ -55,8 +55,8 @@ WitnessStates::WitnessStates(const Version& before, const Version& after, const 
       value =
           range.low < range.high ? random.uniform(range.low, range.high) : random.uniform(0.5, 1);
     }
-    append(joint.leaves, before.lowered.leaves, old, state);
-    if (i == 0) append(joint.leaves, before.lowered.leaves, old, known_);
+    append(joint.leaves, before.program.leaves, old, state);
+    if (i == 0) append(joint.leaves, before.program.leaves, old, known_);
     states_.push_back(map_leaves(text_value, state));
   }
 }

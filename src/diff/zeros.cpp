@@ -27,9 +27,12 @@ class PointDrawer {
   /// All entries of the function at the next point.
   std::vector<Seen> operator()(const Function& function) {
     const LeafValues<Bound> point = next_point();
-    const auto values = fold<Bound>(BoundRules{point, rounding<double>()}, program_, function);
+    const auto values =
+        fold<Bound>(RunningBoundRules{{point, rounding<double>()}}, program_, function);
     std::vector<Seen> seen;
-    for (const std::uint32_t entry : entries_of(function)) seen.push_back(judged(values[entry]));
+    for (const std::uint32_t entry : entries_of(function)) {
+      seen.push_back(judged(function.instructions[entry], values, values[entry]));
+    }
     return seen;
   }
 
@@ -44,11 +47,18 @@ class PointDrawer {
     return point;
   }
 
-  static Seen judged(const Bound& x) {
+  /// Nothing is seen where rounding in 64 digits hides more than the last digits of the terms, or,
+  /// where these are 0, of leaves, which are about 1.
+  static Seen judged(const Instruction& i, const std::vector<Bound>& values, const Bound& x) {
     static const Real share(power_of_ten(-45));
+    static const Real hidden(power_of_ten(-25));
     if (!x.value.is_defined() || !x.bound.is_defined()) return Seen::nothing;
-    const bool is_zero = abs(x.value).value() <= (abs(x.bound) * share).value();
-    return is_zero ? Seen::zero : Seen::other;
+    const Real noise = abs(x.bound) * share;
+    if (abs(x.value).value() > noise.value()) return Seen::other;
+    Real terms(power_of_ten(-5));
+    if (operand_count(i) > 0) terms = max(terms, abs(values[i.a].value));
+    if (operand_count(i) > 1) terms = max(terms, abs(values[i.b].value));
+    return noise.value() <= (terms * hidden).value() ? Seen::zero : Seen::nothing;
   }
 
   const Program& program_;

@@ -8,7 +8,7 @@ namespace elgen {
 
 enum class Zero : std::uint8_t {
   no,
-  sampled,  ///< |x| <= 1e-45 sum |terms| at `zero_points` points, in 64 digits
+  sampled,  ///< |x| <= 1e-45 B at `zero_points` points, in 64 digits, B of its error bound u B
   proved,   ///< its closed form is the empty sum
 };
 

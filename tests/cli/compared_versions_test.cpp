@@ -27,4 +27,21 @@ TEST_CASE("a folder is not compared with a file") {
   CHECK(mentions(outcome.errors, "is a folder"));
 }
 
+TEST_CASE("what is emitted is compared: steps, and closed forms without what is dropped") {
+  const Workspace workspace;
+  const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
+  prepare("cp -r " + models +
+              " old && cp -r old new && "
+              "sed -i 's/\"-g\"/\"g\"/' new/cart_pole.toml && "
+              "sed -i 's/^drop_below.*/drop_below = 0.1/' new/scenes/arm_light.scene.toml && "
+              "grep -q 'drop_below = 0.1' new/scenes/arm_light.scene.toml",
+          workspace.path());
+  const auto entries = [&](const std::string& scene) {
+    return shell("elgen diff --list old/scenes/" + scene + " new/scenes/" + scene, workspace.path())
+        .output;
+  };
+  CHECK(mentions(entries("cart_pole_prediction.scene.toml"), "step.rates[2] "));
+  CHECK(mentions(entries("arm_light.scene.toml"), "different  the equations differ"));
+}
+
 }  // namespace elgen::test

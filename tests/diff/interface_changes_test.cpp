@@ -81,3 +81,13 @@ TEST_CASE("a renamed parameter does not compile, a renamed coordinate does") {
   const std::string other = edited(edited(spring(), "k = 3", "c = 3"), "1/2*k", "1/2*c");
   CHECK(changes(spring(), other, {}, {}, {{"k", "c"}}) == "incompatible: `k` is called `c` now\n");
 }
+
+TEST_CASE("another method of a step, or another number of its iterations, is another function") {
+  const auto step = [](const std::string& what) {
+    return "[outputs]\nstep = { method = \"" + what + " }\n";
+  };
+  CHECK(changes(spring(), spring(), step("rk4\""), step("verlet\"")) ==
+        "different: the method of `step` is verlet where it was rk4\n");
+  CHECK(changes(spring(), spring(), step("midpoint\""), step("midpoint\", iterations = 3")) ==
+        "different: `step` has 3 iterations where it had 8\n");
+}

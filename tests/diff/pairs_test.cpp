@@ -140,7 +140,7 @@ TEST_CASE("edits of known models amount to what a reviewer would say") {
       {"chain", "n = 5", "n = 4", Impact::incompatible},
       {"chain", "l[i]*sin(q[i])", "l[i]*cos(q[i] - pi/2)", Impact::equal},
       {"chain", "l[i]*sin(q[i])", "l[i]*sin(q[i] + 2*pi)", Impact::equal},
-      {"heavy_top", "name = \"heavy_top\"", "name = \"top\"", Impact::incompatible},
+      {"heavy_top", "name        = \"heavy_top\"", "name = \"top\"", Impact::incompatible},
   };
   for (const auto& [model, part, other, impact] : edits) {
     INFO(model << ": " << part << " -> " << other);

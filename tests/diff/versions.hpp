@@ -19,15 +19,16 @@ struct Lowered {
   Products products = {};
 
   [[nodiscard]] Version version() const {
-    return {model, scene ? &*scene : nullptr, *products.checked, *products.lowered,
-            products.diagnostics};
+    return {model, scene ? &*scene : nullptr, *products.checked,
+            products.program ? *products.program : *products.lowered, products.diagnostics};
   }
 };
 
 /// `scene` is what follows its name.
-inline Lowered lowered(const std::string& text, const std::string& scene = {}) {
+inline Lowered lowered(const std::string& text, const std::string& scene = {},
+                       const std::string& goal = "lower") {
   PipelineOptions options;
-  options.goals = {"lower"};
+  options.goals = {goal};
   Inputs inputs{make_source("model.toml", text)};
   if (!scene.empty()) {
     inputs.scene = make_source("given.scene.toml",
@@ -37,7 +38,7 @@ inline Lowered lowered(const std::string& text, const std::string& scene = {}) {
   alive.insert(alive.end(), {inputs.model, inputs.scene});
   Lowered result{.products = run_pipeline(inputs, options)};
   INFO(format(result.products.diagnostics));
-  REQUIRE(result.products.lowered);
+  REQUIRE((result.products.lowered || result.products.program));
   result.model = *parse_model(inputs.model, {});
   if (inputs.scene) result.scene = *parse_scene(inputs.scene, {});
   return result;

@@ -51,3 +51,10 @@ TEST_CASE("what has no value anywhere is not taken for zero") {
   CHECK(zero_of("  2 = multiply 1 1\n  3 = constant -1\n  4 = subtract 3 2\n"
                 "  5 = square_root 4\n  6 = subtract 5 0\n  result 1 1 = 6\n") == Zero::no);
 }
+
+TEST_CASE("nothing is taken for zero because its rounding hides it") {
+  // (10^80 + sin x) - 10^80 is 0 in 64 digits.
+  CHECK(zero_of("  2 = sin 1\n  3 = constant 1" + std::string(80, '0') +
+                "\n  4 = add 3 2\n  5 = subtract 4 3\n  6 = constant 0\n  7 = subtract 5 6\n"
+                "  result 1 1 = 7\n") == Zero::no);
+}
