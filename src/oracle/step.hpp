@@ -1,5 +1,5 @@
-// One step of a method, by its definition, from accelerations, or rates, that are solved for at each
-// of its states.
+// One step of a method, by its definition, from accelerations, or rates, that are solved for at
+// each of its states.
 #pragma once
 
 #include <vector>
