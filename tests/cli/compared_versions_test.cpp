@@ -33,8 +33,8 @@ TEST_CASE("what is emitted is compared: steps, and closed forms without what is 
   prepare("cp -r " + models +
               " old && cp -r old new && "
               "sed -i 's/\"-g\"/\"g\"/' new/cart_pole.toml && "
-              "sed -i 's/^drop_below.*/drop_below = 0.1/' new/scenes/arm_light.scene.toml && "
-              "grep -q 'drop_below = 0.1' new/scenes/arm_light.scene.toml",
+              "sed -i 's/^drop_below.*/drop_below = 1e-12/' new/scenes/arm_light.scene.toml && "
+              "grep -q 'drop_below = 1e-12' new/scenes/arm_light.scene.toml",
           workspace.path());
   const auto entries = [&](const std::string& scene) {
     return shell("elgen diff --list old/scenes/" + scene + " new/scenes/" + scene, workspace.path())

@@ -55,7 +55,7 @@ TEST_CASE("files of folders match by their paths") {
   CHECK(mentions(moved.output, "removed    simple_pendulum.toml\n"));
 }
 
-TEST_CASE("--allow sets what exits with 0") {
+TEST_CASE("what exits with 0 is set by --allow") {
   const TwoFolders folders;
   const std::string pair = "old/cart_pole.toml new/cart_pole.toml ";
   CHECK(folders.diff(pair + "--allow extended").status == 1);
