@@ -18,7 +18,7 @@ constexpr std::size_t longest_value = 60;  ///< of a key
 
 /// Labels stand in a column of their own.
 std::string line(std::string_view label, std::string_view text) {
-  return fmt::format("{:<11}{}\n", label, text);
+  return fmt::format("{:<13}{}\n", label, text);
 }
 
 std::string where(const KeyChange& change) {
@@ -313,7 +313,7 @@ std::string to_text(const DiffReport& report, bool lists_all) {
   if (impact == Impact::misleading) text += interface;
   text += file_lines(report) + key_lines(report, lists_all);
   if (const SystemChange* const system = most_changed(report)) {
-    if (const std::string parts = parts_text(*system); !parts.empty()) text += line("", parts);
+    if (const std::string told = parts_text(*system); !told.empty()) text += line("", told);
     text += expectation_lines(report) + warning_lines(report) + proposal_line(*system);
     text += follow_lines(report);
     if (!system->extension.empty()) text += line("", system->extension);

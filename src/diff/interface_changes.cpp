@@ -68,8 +68,8 @@ class InterfaceComparison {
 
   void compare_names(const Model& old) {
     for (const auto& [from, to] : renames_) {
-      const auto is_parameter = [&from](const ParameterArray& p) { return p.name == from; };
-      const bool is_member = std::ranges::any_of(old.parameter_arrays, is_parameter);
+      const bool is_member =
+          std::ranges::count(old.parameter_arrays, from, &ParameterArray::name) > 0;
       add(is_member ? Impact::incompatible : Impact::assumptions,
           fmt::format("{} is called {} now", quoted(from), quoted(to)));
     }

@@ -8,9 +8,9 @@ namespace elgen {
 
 /// Where a step is composed, and from what.
 struct StepContext {
-  /// `calls` has what needed_for_step says of `request`. All arguments outlive it.
-  StepContext(const Model& model, const OutputRequest& request, const Program& calls,
-              Composition& compose);
+  /// `the_calls` has what needed_for_step says of `request`. All arguments outlive it.
+  StepContext(const Model& the_model, const OutputRequest& request, const Program& the_calls,
+              Composition& composition);
 
   /// t + c; of no meaning where the model does not know t.
   [[nodiscard]] std::uint32_t time_after(std::uint32_t c) const;

@@ -15,7 +15,7 @@ TEST_CASE("files of other programs, hidden folders and equal files are passed ov
           workspace.path());
   const Outcome outcome = shell("elgen diff old new", workspace.path());
   CHECK(outcome.status == 0);
-  CHECK(outcome.output == "identical  nothing differs\n");
+  CHECK(outcome.output == "identical    nothing differs\n");
 }
 
 TEST_CASE("a folder is not compared with a file") {
@@ -41,7 +41,7 @@ TEST_CASE("what is emitted is compared: steps, and closed forms without what is 
         .output;
   };
   CHECK(mentions(entries("cart_pole_prediction.scene.toml"), "step.rates[2] "));
-  CHECK(mentions(entries("arm_light.scene.toml"), "different  the equations differ"));
+  CHECK(mentions(entries("arm_light.scene.toml"), "different    the equations differ"));
 }
 
 }  // namespace elgen::test

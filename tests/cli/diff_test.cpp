@@ -31,7 +31,7 @@ TEST_CASE("two files are compared, a difference exits with 1") {
   const Outcome outcome = folders.diff("old/cart_pole.toml new/cart_pole.toml");
   CHECK(outcome.status == 1);
   CHECK(starts_with(outcome.output,
-                    "changed    new/cart_pole.toml:55:17  [gravity] vector[2]: -g -> g\n"));
+                    "changed      new/cart_pole.toml:55:17  [gravity] vector[2]: -g -> g\n"));
   CHECK(outcome.errors.empty());
   CHECK(folders.diff("old/cart_pole.toml old/cart_pole.toml").status == 0);
 }
@@ -51,8 +51,8 @@ TEST_CASE("files of folders match by their paths") {
   CHECK_FALSE(mentions(outcome.output, "simple_pendulum"));
   prepare("mv new/simple_pendulum.toml new/pendulum.toml", folders.path());
   const Outcome moved = folders.diff("old new");
-  CHECK(mentions(moved.output, "added      new/pendulum.toml\n"));
-  CHECK(mentions(moved.output, "removed    simple_pendulum.toml\n"));
+  CHECK(mentions(moved.output, "added        new/pendulum.toml\n"));
+  CHECK(mentions(moved.output, "removed      simple_pendulum.toml\n"));
 }
 
 TEST_CASE("what exits with 0 is set by --allow") {

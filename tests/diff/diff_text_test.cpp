@@ -18,30 +18,30 @@ std::string text_of(const std::string& before, const std::string& after, bool li
 
 TEST_CASE("one sign is told in a dozen lines, its cause first") {
   CHECK(text_of(cart, edited(cart, "\"-g\"", "\"g\"")) ==
-        "changed    model.toml:55:17  [gravity] vector[2]: -g -> g\n"
-        "           V = m*l*g*cos(theta) -> -m*l*g*cos(theta);  T, D, Q, B identical\n"
-        "           [[expect]] is not changed with it: 5 entries no longer hold (bias[2], "
+        "changed      model.toml:55:17  [gravity] vector[2]: -g -> g\n"
+        "             V = m*l*g*cos(theta) -> -m*l*g*cos(theta);  T, D, Q, B identical\n"
+        "             [[expect]] is not changed with it: 5 entries no longer hold (bias[2], "
         "conserved[2], gravity[2], inverse_dynamics[2], ...)\n"
-        "warns      E512: gravity pulls along +y\n"
-        "follows    14 of 74 entries differ, 0 rewritten\n"
-        "for one    gravity[2] = -m*l*g*sin(theta) -> m*l*g*sin(theta), difference "
+        "warns        E512: gravity pulls along +y\n"
+        "follows      14 of 74 entries differ, 0 rewritten\n"
+        "for one      gravity[2] = -m*l*g*sin(theta) -> m*l*g*sin(theta), difference "
         "2*m*l*g*sin(theta)\n"
-        "           at theta = 1.68: -0.488 -> 0.488 J, 2 of the largest\n"
-        "interface  unchanged\n"
-        "different  the equations differ\n");
+        "             at theta = 1.68: -0.488 -> 0.488 J, 2 of the largest\n"
+        "interface    unchanged\n"
+        "different    the equations differ\n");
 }
 
 TEST_CASE("what breaks silently stands first") {
   const std::string text =
       text_of(spring(), edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {"));
-  CHECK(starts_with(text, "interface  misleading: members of Parameters"));
-  CHECK(mentions(text, "misleading callers compile, and mean something else\n"));
+  CHECK(starts_with(text, "interface    misleading: members of Parameters"));
+  CHECK(mentions(text, "misleading   callers compile, and mean something else\n"));
 }
 
 TEST_CASE("nothing, and nothing but text, is one line") {
-  CHECK(text_of(cart, cart) == "identical  nothing differs\n");
+  CHECK(text_of(cart, cart) == "identical    nothing differs\n");
   CHECK(text_of(cart, cart + "#\n") ==
-        "text       comments, blanks or the order of keys differ, and nothing else\n");
+        "text         comments, blanks or the order of keys differ, and nothing else\n");
 }
 
 TEST_CASE("every entry is listed where that is asked for") {
@@ -54,12 +54,12 @@ TEST_CASE("every entry is listed where that is asked for") {
 
 TEST_CASE("names that would make all equal are proposed") {
   CHECK(mentions(text_of(spring(), edited(edited(spring(), "k = 3", "c = 3"), "1/2*k", "1/2*c")),
-                 "renamed?   with --rename k=c all entries are equal\n"));
+                 "renamed?     with --rename k=c all entries are equal\n"));
 }
 
 TEST_CASE("files that came or went are told, and count") {
   const DiffReport report{.added = {"a.toml"}};
   CHECK(impact_of(report) == Impact::extended);
-  CHECK(starts_with(to_text(report, false), "added      a.toml\n"));
+  CHECK(starts_with(to_text(report, false), "added        a.toml\n"));
   CHECK(impact_of({.removed = {"a.toml"}}) == Impact::incompatible);
 }
