@@ -10,6 +10,7 @@
 #include "base/random.hpp"
 #include "elgen/oracle.hpp"
 #include "elgen/wording.hpp"
+#include "parse/fold_expression.hpp"
 
 namespace elgen {
 namespace {
@@ -17,21 +18,6 @@ namespace {
 constexpr std::size_t state_count = 2;
 /// Of 64 digits, what sums of many terms may cancel is left out.
 constexpr long agreeing_digits = 40;
-constexpr long largest_power = 10'000;
-
-std::string number_text(const ExpressionSyntax& e) {
-  return e.kind == SyntaxKind::number ? exact_text(e.value) : "";
-}
-
-/// "theta", "l[2]", "dot(dot(x))": what a leaf of this form is called; empty where none is.
-std::string leaf_name(const ExpressionSyntax& e) {
-  if (e.kind == SyntaxKind::name) {
-    return e.operands.empty() ? e.text
-                              : fmt::format("{}[{}]", e.text, number_text(e.operands.front()));
-  }
-  const bool is_wrapped = e.kind == SyntaxKind::call && e.operands.size() == 1;
-  return is_wrapped ? fmt::format("{}({})", e.text, leaf_name(e.operands.front())) : "";
-}
 
 std::unordered_map<std::string, Real> leaves_at(const LeafNames& names,
                                                 const Arguments<Real>& state) {
@@ -146,10 +132,7 @@ const EquationReader::Evaluated& EquationReader::evaluated(const std::string& te
   const auto [known, is_new] = known_[index_].texts.emplace(text, Evaluated{});
   Evaluated& result = known->second;
   if (!is_new) return result;
-  Limits limits;
-  limits.expression_depth = 1000;
-  limits.literal_digits = 5000;
-  const Result<ExpressionSyntax> syntax = parse_expression(make_source("", text), limits);
+  const Result<ExpressionSyntax> syntax = parse_expression(make_source("", text), written_limits());
   if (!syntax) {
     result.problem = syntax.diagnostics.front().message;
     return result;
@@ -161,61 +144,31 @@ const EquationReader::Evaluated& EquationReader::evaluated(const std::string& te
   return result;
 }
 
+/// Values at the state that is looked at.
+struct EquationReader::Rules {
+  using Value = Real;
+
+  const EquationReader& reader;
+  Evaluated& result;
+
+  static Real number(const cln::cl_RA& x) { return Real(x); }
+  Real named(const std::string& name) const { return reader.named(name, result); }
+  static Real negate(const Real& x) { return -x; }
+  static Real add(const Real& x, const Real& y) { return x + y; }
+  static Real multiply(const Real& x, const Real& y) { return x * y; }
+  static Real divide(const Real& x, const Real& y) { return x / y; }
+  static Real square_root(const Real& x) { return sqrt(x); }
+  static Real call(const FunctionRow& row, const Real& x, const Real& y) {
+    return interpreter::call(row.id, x, y);
+  }
+  Real fail(std::string problem) const {
+    result.problem = std::move(problem);
+    return Real::undefined();
+  }
+};
+
 Real EquationReader::value(const ExpressionSyntax& e, Evaluated& result) const {
-  const auto operand = [&](std::size_t i) { return value(e.operands[i], result); };
-  switch (e.kind) {
-    case SyntaxKind::number:
-      return Real(e.value);
-    case SyntaxKind::name:
-      return named(leaf_name(e), result);
-    case SyntaxKind::call:
-      return call(e, result);
-    case SyntaxKind::negate:
-      return -operand(0);
-    case SyntaxKind::divide:
-      return operand(0) / operand(1);
-    case SyntaxKind::power:
-      return power(e, result);
-    default:
-      break;
-  }
-  Real total = operand(0);
-  for (std::size_t i = 1; i < e.operands.size(); ++i) {
-    total = e.kind == SyntaxKind::add ? total + operand(i) : total * operand(i);
-  }
-  return total;
-}
-
-/// Integers alone: roots are written `sqrt`.
-Real EquationReader::power(const ExpressionSyntax& e, Evaluated& result) const {
-  const ExpressionSyntax& written = e.operands[1];
-  const bool is_negative = written.kind == SyntaxKind::negate;
-  const ExpressionSyntax& exponent = is_negative ? written.operands.front() : written;
-  const bool is_integer = exponent.kind == SyntaxKind::number &&
-                          cln::denominator(exponent.value) == 1 && exponent.value <= largest_power;
-  if (!is_integer) {
-    result.problem = "an exponent that is no integer";
-    return Real::undefined();
-  }
-  const Real base = value(e.operands[0], result);
-  Real product(cln::cl_R(1));
-  for (long i = cln::cl_I_to_long(cln::numerator(exponent.value)); i > 0; --i) {
-    product = product * base;
-  }
-  return is_negative ? Real(cln::cl_R(1)) / product : product;
-}
-
-Real EquationReader::call(const ExpressionSyntax& e, Evaluated& result) const {
-  const bool is_root = e.text == "sqrt";
-  const FunctionRow* row = find_function(e.text);
-  if (!is_root && row == nullptr) return named(leaf_name(e), result);
-  if (e.operands.size() != (is_root ? 1 : row->arity)) {
-    result.problem = quoted(e.text) + " is no function of so many arguments";
-    return Real::undefined();
-  }
-  const Real x = value(e.operands[0], result);
-  if (is_root) return sqrt(x);
-  return interpreter::call(row->id, x, row->arity > 1 ? value(e.operands[1], result) : x);
+  return fold_expression(e, Rules{*this, result});
 }
 
 Real EquationReader::named(const std::string& name, Evaluated& result) const {

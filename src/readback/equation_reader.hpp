@@ -48,11 +48,11 @@ class EquationReader {
     std::unordered_map<std::string, Evaluated> texts = {};
   };
 
+  struct Rules;
+
   const Evaluated& evaluated(const std::string& text);
   [[nodiscard]] std::string compare(std::uint32_t instruction, const std::string& text);
   [[nodiscard]] Real value(const ExpressionSyntax& e, Evaluated& result) const;
-  [[nodiscard]] Real power(const ExpressionSyntax& e, Evaluated& result) const;
-  [[nodiscard]] Real call(const ExpressionSyntax& e, Evaluated& result) const;
   [[nodiscard]] Real named(const std::string& name, Evaluated& result) const;
 
   const Origin& origin_;
