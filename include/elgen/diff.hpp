@@ -11,6 +11,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,8 +54,8 @@ struct KeyStep {
 
 /// One key that differs. Spans point into what there is.
 struct KeyChange {
-  std::string table = {};          ///< "gravity", "point"; "" of the file's own keys
-  std::string entry = {};          ///< the same with its name: "[gravity]", "[[point]] bob"
+  std::string table = {};          ///< as in the key table: "gravity", "scene.parameters"
+  std::string entry = {};          ///< as it is read: "[gravity]", "[[point]] bob"
   std::vector<KeyStep> path = {};  ///< empty: the whole entry
   bool is_order = false;           ///< of entries, or of keys that are names
   std::string before = {};         ///< as written; "" where it is new
@@ -65,7 +66,7 @@ struct KeyChange {
 
 /// Entries are matched by `name` (else `on`, `at`, `frame`, else by their number), keys by name,
 /// items of lists by number. An entry that is new or gone is one change. In the order of `after`,
-/// what is gone last. Cost: linear.
+/// what is gone last. Cost: quadratic in the entries of a file and the keys of an entry.
 [[nodiscard]] std::vector<KeyChange> changed_keys(const FileSyntax& before, const FileSyntax& after,
                                                   const Renames& renames = {});
 
@@ -85,9 +86,8 @@ struct Witness {
 };
 
 struct EntryChange {
-  std::string output = {};  ///< name of the function
-  std::string place = {};   ///< "gravity[2]", "linearization.A[1,2]"
-  std::string unit = {};    ///< of the entry; "" where it is not known
+  std::string place = {};  ///< "gravity[2]", "linearization.A[1,2]"
+  std::string unit = {};   ///< of the entry; "" where it is not known
   EntryVerdict verdict = EntryVerdict::identical;
   bool is_proved = false;       ///< equal: by the closed form of the difference
   std::string before = {};      ///< closed forms; "" where there is none
@@ -109,23 +109,53 @@ struct InterfaceChange {
   std::string text = {};  ///< "coordinates are in another order: x, theta -> theta, x"
 };
 
+/// What emitted functions execute, by their names.
+using OperationsByName = std::map<std::string, OperationCounts>;
+
 /// One version of what is compared; all of it outlives the comparison.
 struct Version {
-  const FileSyntax& model;
+  const FileSyntax& model;            ///< without entries where it was not read from a model
   const FileSyntax* scene = nullptr;  ///< null: the built-in scene `full`
   const CheckedModel& checked;
   const Program& program;       ///< before forms are chosen, where nothing is made of these
   const Diagnostics& warnings;  ///< of the model
+  const OperationsByName* operations = nullptr;  ///< of what is emitted, where that is known
+};
+
+/// What a sidecar of equations says of a version: names, units, values and entries, but no keys.
+struct SidecarVersion {
+  FileSyntax syntax = {};
+  CheckedModel checked = {};
+  Program program = {};
+  OperationsByName operations = {};
+  Diagnostics warnings = {};  ///< none
+
+  [[nodiscard]] Version version() const;
+};
+
+/// NAME.equations.json. E714: it is none.
+[[nodiscard]] Result<SidecarVersion> parse_sidecar(const SourcePointer& source);
+
+struct CompareOptions {
+  Renames renames = {};
+  std::set<std::string> only = {};  ///< outputs that are looked at, by name; empty: all
 };
 
 /// What callers of the emitted code rely on: coordinates, inputs, parameters, outputs, the target.
-[[nodiscard]] std::vector<InterfaceChange> interface_changes(const CheckedModel& before,
-                                                             const CheckedModel& after,
+[[nodiscard]] std::vector<InterfaceChange> interface_changes(const Version& before,
+                                                             const Version& after,
                                                              const Renames& renames = {});
 
 /// What changed of each output, in the order of the newer version; removed ones last.
 [[nodiscard]] std::vector<OutputChange> output_changes(const Version& before, const Version& after,
-                                                       const Renames& renames = {});
+                                                       const CompareOptions& options = {});
+
+/// What emitted functions of one name execute.
+struct OperationsChange {
+  std::string function = {};
+  OperationCounts before = {};
+  OperationCounts after = {};
+};
 
 struct SystemChange {
   std::string name = {};  ///< base name of the newer version
@@ -133,6 +163,7 @@ struct SystemChange {
   std::vector<KeyChange> keys = {};
   std::vector<OutputChange> outputs = {};
   std::vector<InterfaceChange> interface = {};
+  std::optional<std::vector<OperationsChange>> operations = {};  ///< none: not known
   /// Where `extended`: the values of new parameters at which all entries are the old ones.
   std::string extension = {};
   /// Names that may have been given to the same things: with them all entries are equal.
@@ -143,7 +174,7 @@ struct SystemChange {
 };
 
 [[nodiscard]] SystemChange compare(const Version& before, const Version& after,
-                                   const Renames& renames = {});
+                                   const CompareOptions& options = {});
 
 /// Models and scenes that were compared together, each with its own.
 struct DiffReport {
@@ -158,7 +189,14 @@ struct DiffReport {
 /// A dozen lines for people; with `lists_all` every key and every entry.
 [[nodiscard]] std::string to_text(const DiffReport& report, bool lists_all);
 
-/// For programs. Every change has an id that stays: its place in the file, or of the entry.
+/// The same as a comment on a pull request: the lines, and behind a fold every entry.
+[[nodiscard]] std::string to_markdown(const DiffReport& report);
+
+/// The causes as workflow commands of GitHub, which shows ten a step; the last one counts what is
+/// left over.
+[[nodiscard]] std::string to_annotations(const DiffReport& report);
+
+/// JSON for programs. Every change has an id that stays: its place in the file, or of the entry.
 [[nodiscard]] std::string to_json(const DiffReport& report);
 
 }  // namespace elgen

@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "cancel/vanishing.hpp"
-#include "elgen/closed_forms.hpp"
 #include "lower/graph/from_program.hpp"
 #include "lower/graph/prune.hpp"
 #include "lower/network/cheapest.hpp"
 #include "lower/network/linearise.hpp"
 #include "lower/network/turn_signs.hpp"
+#include "present/proved_zeros.hpp"
 
 namespace elgen {
 namespace {
@@ -40,29 +40,11 @@ Places outermost(const Function& function, const Places& zeros) {
   return result;
 }
 
-/// The instructions that `wanted` needs, with `wanted` as the entries of one field.
-Function extract(Function function, const Places& wanted) {
-  function.fields = {{"", static_cast<std::uint32_t>(wanted.size()), 1, wanted}};
-  return pruned(function);
-}
-
 /// Zeros of a function that nothing but zeros are made of, by what is known of them.
 struct Zeros {
   Places proved = {};   ///< the closed form is the empty sum
   Places sampled = {};  ///< at `zero_points` points
 };
-
-/// By position in `zeros`: whether the closed form is known and the empty sum.
-std::vector<bool> proofs(const Program& program, const Function& function, const Places& zeros) {
-  Function question = extract(function, zeros);
-  question.kind = OutputKind::momentum;  // any but `dynamics`, which has no closed form of its own
-  const ClosedForms forms = present({program.leaves, program.constants, {std::move(question)}});
-  std::vector<bool> result;
-  for (const std::optional<Fraction>& form : forms.functions[0].fields[0].entries) {
-    result.push_back(form && form->numerator.empty());
-  }
-  return result;
-}
 
 Places selected(const Places& places, const std::vector<bool>& wanted, bool value) {
   Places result;
@@ -73,9 +55,9 @@ Places selected(const Places& places, const std::vector<bool>& wanted, bool valu
 }
 
 Zeros told_apart(const Program& program, const Function& function, const Places& zeros) {
-  const std::vector<bool> is_proved = proofs(program, function, zeros);
+  const std::vector<bool> is_proved = proved_zeros(program, with_entries(function, zeros));
   const Places open = selected(zeros, is_proved, false);
-  const std::vector<bool> vanish = vanishing_elsewhere(program, extract(function, open));
+  const std::vector<bool> vanish = vanishing_elsewhere(program, with_entries(function, open));
   return {selected(zeros, is_proved, true), selected(open, vanish, true)};
 }
 

@@ -51,13 +51,23 @@ bool hides_something(const Instruction& i, const Values& values, const Bound& x)
          (is_below(x.bound - abs(x.value), x.value, hidden) || is_below(x.value, x.bound, hidden));
 }
 
+/// Whether what rounding may leave of a zero is little beside the terms: a bound that many products
+/// have raised says nothing.
+bool is_sharp(const Instruction& i, const Values& values, const Real& noise) {
+  static const Real hidden(power_of_ten(-20));
+  Real terms = abs(values[i.a].value);
+  if (operand_count(i) > 1) terms = max(terms, abs(values[i.b].value));
+  return is_below(noise, terms, hidden);
+}
+
 /// The value at the point: exactly 0 where it vanishes, lost where its digits do not tell.
 Bound settled(const Instruction& i, const Values& values, Bound x) {
   static const Real vanished(power_of_ten(-40));
   if (!x.value.is_defined() || operand_count(i) == 0) return x;
   x.lost = x.lost || hides_something(i, values, x);
-  if (!x.lost && is_below(x.value, x.bound, vanished)) return leaf_bound(Real(), true);
-  return x;
+  const bool vanishes =
+      !x.lost && is_below(x.value, x.bound, vanished) && is_sharp(i, values, x.bound * vanished);
+  return vanishes ? leaf_bound(Real(), true) : x;
 }
 
 /// The instructions that are `needed`, at the next random point.

@@ -7,8 +7,9 @@
 
 namespace elgen {
 
-/// The instructions below 1e-40 of their running bound at one random point, in 60 digits; leaves do
-/// not count, nor what goes into a value that is undefined there.
+/// The instructions below 1e-40 of their bound at one random point, in 60 digits, where that is
+/// below 1e-20 of their terms; leaves do not count, nor what goes into a value that is undefined
+/// there.
 [[nodiscard]] std::vector<std::uint32_t> vanishing(const Program& program,
                                                    const Function& function);
 

@@ -5,14 +5,14 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
+#include <map>
 
 #include "cli/files/inputs.hpp"
 #include "cli/process/progress.hpp"
-#include "cli/process/resources.hpp"
+#include "cli/versions/loaded_version.hpp"
+#include "cli/versions/revision.hpp"
 #include "elgen/wording.hpp"
 #include "parse/names_model.hpp"
-#include "toolchain/process.hpp"
 #include "toolchain/temporary_directory.hpp"
 
 namespace elgen::cli {
@@ -20,46 +20,6 @@ namespace elgen::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// One version of a system, with what it points into.
-struct LoweredVersion {
-  Inputs inputs = {};
-  FileSyntax model = {};
-  std::optional<FileSyntax> scene = {};
-  Products products = {};
-
-  [[nodiscard]] Version version() const {
-    return {model, scene ? &*scene : nullptr, *products.checked,
-            products.program ? *products.program : *products.lowered, products.diagnostics};
-  }
-};
-
-/// Whether what is emitted is not what is lowered: terms are dropped from closed forms, and steps
-/// are made of functions in their forms.
-bool needs_forms(const Scene& scene) {
-  return scene.dropping || std::ranges::any_of(scene.outputs, [](const OutputRequest& output) {
-           return output_row(output.kind).steps;
-         });
-}
-
-Result<LoweredVersion> load(Inputs inputs, const Limits& limits) {
-  renew_time_limit(limits);
-  LoweredVersion loaded{std::move(inputs)};
-  PipelineOptions options;
-  options.limits = limits;
-  options.goals = {"lower"};
-  loaded.products = run_pipeline(loaded.inputs, options);
-  const bool is_lowered = loaded.products.lowered.has_value();
-  if (is_lowered && needs_forms(loaded.products.checked->scene)) {
-    options.goals = {"choose"};
-    loaded.products = run_pipeline(loaded.inputs, options);
-  }
-  Diagnostics found = loaded.products.diagnostics;
-  if (!loaded.products.lowered && !loaded.products.program) return found;
-  loaded.model = *parse_model(loaded.inputs.model, limits);
-  if (loaded.inputs.scene != nullptr) loaded.scene = *parse_scene(loaded.inputs.scene, limits);
-  return {std::move(loaded), std::move(found)};
-}
 
 SourcePointer with_path(const SourcePointer& source, const std::string& path) {
   return source == nullptr ? nullptr : make_source(path, source->text);
@@ -87,9 +47,20 @@ struct Side {
   }
 };
 
-/// The models and scenes below a folder, by their paths in it.
-std::set<std::string> systems_below(const fs::path& folder, const Limits& limits) {
-  std::set<std::string> found;
+/// Files by the paths by which those of two folders match.
+using FilesByPath = std::map<std::string, fs::path>;
+
+bool is_system(const fs::path& path, const Limits& limits) {
+  if (path.extension() != ".toml") return false;
+  if (path.filename().string().ends_with(".scene.toml")) return true;
+  const Result<SourcePointer> source = read_source(path.string(), limits);
+  return !source || declares_model(**source);
+}
+
+/// The models and scenes below a folder; where it has none, the sidecars.
+FilesByPath systems_below(const fs::path& folder, const Limits& limits) {
+  FilesByPath systems;
+  FilesByPath sidecars;
   std::error_code error;
   for (auto at = fs::recursive_directory_iterator(folder, error);
        at != fs::recursive_directory_iterator(); at.increment(error)) {
@@ -99,52 +70,52 @@ std::set<std::string> systems_below(const fs::path& folder, const Limits& limits
       at.disable_recursion_pending();
       continue;
     }
-    if (!at->is_regular_file() || path.extension() != ".toml") continue;
-    const bool is_scene = path.filename().string().ends_with(".scene.toml");
-    const Result<SourcePointer> source = read_source(path.string(), limits);
-    if (!is_scene && (!source || !declares_model(**source))) continue;
-    found.insert(path.lexically_relative(folder).generic_string());
+    if (!at->is_regular_file()) continue;
+    const std::string inside = path.lexically_relative(folder).generic_string();
+    if (is_system(path, limits)) systems.emplace(inside, path.lexically_normal());
+    if (inside.ends_with(sidecar_ending)) sidecars.emplace(inside, path.lexically_normal());
   }
-  return found;
+  return systems.empty() ? sidecars : systems;
 }
 
 class VersionPairs {
  public:
-  VersionPairs(const Renames& renames, const Limits& limits) : renames_(renames), limits_(limits) {}
+  VersionPairs(const CompareOptions& options, const Limits& limits)
+      : options_(options), limits_(limits) {}
 
   /// Two files.
   void compare(const Side& old_side, const std::string& old_path, const Side& new_side,
                const std::string& new_path) {
     const Progress progress(new_path);
     progress.stage("compare");
-    Result<Inputs> before = old_side.read(old_path, limits_);
-    Result<Inputs> after = new_side.read(new_path, limits_);
+    const Result<Inputs> before = old_side.read(old_path, limits_);
+    const Result<Inputs> after = new_side.read(new_path, limits_);
     if (!keep(before.diagnostics) || !keep(after.diagnostics) || !before || !after) return;
     const bool is_same =
         same_text(before->model, after->model) && same_text(before->scene, after->scene);
-    if (is_same) return;
-    const Result<LoweredVersion> old = load(*before, limits_);
-    const Result<LoweredVersion> now = load(*after, limits_);
+    if (is_same || !are_of_one_kind(*before, *after)) return;
+    const Result<LoadedVersion> old = load_version(*before, limits_);
+    const Result<LoadedVersion> now = load_version(*after, limits_);
     sources_.insert(sources_.end(), {before->model, before->scene, after->model, after->scene});
     keep(old.diagnostics);
     keep(now.diagnostics);
     if (!old || !now) return;
-    report_.systems.push_back(elgen::compare(old->version(), now->version(), renames_));
+    report_.systems.push_back(elgen::compare(version_of(*old), version_of(*now), options_));
   }
 
   void compare_folders(const Side& old_side, const fs::path& old_folder, const Side& new_side,
                        const fs::path& new_folder) {
-    const std::set<std::string> olds = systems_below(old_folder, limits_);
-    const std::set<std::string> news = systems_below(new_folder, limits_);
-    for (const std::string& path : news) {
-      const std::string now = (new_folder / path).lexically_normal().string();
-      if (olds.count(path) == 0) {
-        report_.added.push_back(now);
+    const FilesByPath olds = systems_below(old_folder, limits_);
+    const FilesByPath news = systems_below(new_folder, limits_);
+    for (const auto& [path, now] : news) {
+      const auto old = olds.find(path);
+      if (old == olds.end()) {
+        report_.added.push_back(now.string());
       } else {
-        compare(old_side, (old_folder / path).lexically_normal().string(), new_side, now);
+        compare(old_side, old->second.string(), new_side, now.string());
       }
     }
-    for (const std::string& path : olds) {
+    for (const auto& [path, old] : olds) {
       if (news.count(path) == 0) report_.removed.push_back(path);
     }
   }
@@ -158,6 +129,18 @@ class VersionPairs {
   }
 
  private:
+  /// A sidecar has no keys, a model nothing that is not in them.
+  bool are_of_one_kind(const Inputs& before, const Inputs& after) {
+    const bool is_after = is_sidecar(*after.model);
+    if (is_sidecar(*before.model) == is_after) return true;
+    const std::string& sidecar = (is_after ? after : before).model->path;
+    keep({{Code::E913,
+           {},
+           fmt::format("{} is a sidecar of equations, which is compared with another one",
+                       elgen::quoted(sidecar))}});
+    return false;
+  }
+
   /// Whether there is no error among them. Warnings of the models are for `generate`.
   bool keep(const Diagnostics& found) {
     for (const Diagnostic& diagnostic : found) {
@@ -166,44 +149,18 @@ class VersionPairs {
     return !has_errors(found);
   }
 
-  const Renames& renames_;
+  const CompareOptions& options_;
   const Limits& limits_;
   DiffReport report_ = {};
   Diagnostics diagnostics_ = {};
   static inline std::vector<SourcePointer> sources_ = {};  ///< that spans point into
 };
 
-constexpr std::uint64_t seconds_of_git = 60;
-
-Diagnostic git_failed(const std::string& what, const ProcessResult& result) {
-  if (result.ending == Ending::not_started) return {Code::E713, {}, "git could not be run"};
-  return {Code::E713, {}, fmt::format("{}: {}", what, result.output)};
-}
-
-/// Unpacks the files NAME.toml of a revision of this repository; the path from its root to here.
-Result<std::string> unpack(const std::string& revision, const fs::path& folder) {
-  const ProcessResult root = run({"git", "rev-parse", "--show-prefix"}, seconds_of_git);
-  if (!root.succeeded()) return git_failed("there is no repository here", root);
-  const ProcessResult top = run({"git", "rev-parse", "--show-toplevel"}, seconds_of_git);
-  const auto line = [](const std::string& text) { return text.substr(0, text.find('\n')); };
-  const std::string archive = (folder / "archive.tar").string();
-  const ProcessResult packed = run({"git", "-C", line(top.output), "archive", "--format=tar",
-                                    "--output", archive, revision, "--", "*.toml"},
-                                   seconds_of_git);
-  if (!packed.succeeded()) {
-    return git_failed(fmt::format("{} was not read", elgen::quoted(revision)), packed);
-  }
-  const ProcessResult unpacked =
-      run({"tar", "-xf", archive, "-C", folder.string()}, seconds_of_git);
-  if (!unpacked.succeeded()) return git_failed("the archive was not unpacked", unpacked);
-  return line(root.output);
-}
-
 }  // namespace
 
 Result<DiffReport> compared_paths(const std::string& before, const std::string& after,
-                                  const Renames& renames, const Limits& limits) {
-  VersionPairs comparing(renames, limits);
+                                  const CompareOptions& options, const Limits& limits) {
+  VersionPairs comparing(options, limits);
   if (fs::is_directory(before) && fs::is_directory(after)) {
     comparing.compare_folders({}, before, {}, after);
   } else {
@@ -213,16 +170,16 @@ Result<DiffReport> compared_paths(const std::string& before, const std::string& 
 }
 
 Result<DiffReport> compared_with_revision(const std::string& revision,
-                                          std::vector<std::string> paths, const Renames& renames,
-                                          const Limits& limits) {
+                                          std::vector<std::string> paths,
+                                          const CompareOptions& options, const Limits& limits) {
   const std::optional<TemporaryDirectory> temporary = TemporaryDirectory::create();
   if (!temporary) return Diagnostic{Code::E706, {}, "there is no temporary folder"};
-  const Result<std::string> prefix = unpack(revision, temporary->path());
+  const Result<std::string> prefix = unpack_revision(revision, temporary->path());
   if (!prefix) return prefix.diagnostics;
   const fs::path here = temporary->path() / *prefix;
   const Side old_side{temporary->path(), revision + ":"};
   if (paths.empty()) paths = {"."};
-  VersionPairs comparing(renames, limits);
+  VersionPairs comparing(options, limits);
   for (const std::string& path : paths) {
     const fs::path old = (here / path).lexically_normal();
     if (fs::is_directory(path)) {

@@ -13,13 +13,14 @@ namespace elgen::cli {
 /// files NAME.toml that are TOML with a table [model], its scenes are called NAME.scene.toml.
 /// Diagnostics of either version stand beside the report.
 [[nodiscard]] Result<DiffReport> compared_paths(const std::string& before, const std::string& after,
-                                                const Renames& renames, const Limits& limits);
+                                                const CompareOptions& options,
+                                                const Limits& limits);
 
 /// Files and folders ("." where there is none) with what they were in a revision of git. E713: git
 /// does not know it, or is not there.
 [[nodiscard]] Result<DiffReport> compared_with_revision(const std::string& revision,
                                                         std::vector<std::string> paths,
-                                                        const Renames& renames,
+                                                        const CompareOptions& options,
                                                         const Limits& limits);
 
 }  // namespace elgen::cli

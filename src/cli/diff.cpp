@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <set>
+
 #include "cli/commands.hpp"
 #include "cli/compared_versions.hpp"
 #include "elgen/wording.hpp"
@@ -16,9 +20,34 @@ struct DiffOptions {
   std::string revision = {};  ///< of git; empty: there are two inputs
   std::string allowed = "text";
   std::vector<std::string> renames = {};
+  std::vector<std::string> only = {};
   std::string format = "text";
   bool lists_all = false;
 };
+
+struct DiffFormat {
+  std::string_view name;
+  std::string (*text)(const DiffReport& report, const DiffOptions& options);
+};
+
+constexpr std::array formats{
+    DiffFormat{"text",
+               [](const DiffReport& report, const DiffOptions& options) {
+                 return to_text(report, options.lists_all);
+               }},
+    DiffFormat{"json",
+               [](const DiffReport& report, const DiffOptions&) { return to_json(report); }},
+    DiffFormat{"markdown",
+               [](const DiffReport& report, const DiffOptions&) { return to_markdown(report); }},
+    DiffFormat{"github", [](const DiffReport& report, const DiffOptions&) {
+                 return to_annotations(report);
+               }}};
+
+std::vector<std::string> format_names() {
+  std::vector<std::string> names;
+  for (const DiffFormat& format : formats) names.emplace_back(format.name);
+  return names;
+}
 
 /// "old=new"
 Result<Renames> renames_of(const std::vector<std::string>& texts) {
@@ -35,6 +64,22 @@ Result<Renames> renames_of(const std::vector<std::string>& texts) {
   return renames;
 }
 
+/// Names that no version has an output of, where outputs were compared.
+Diagnostics unknown_outputs(const DiffReport& report, const DiffOptions& options) {
+  std::set<std::string> known;
+  for (const SystemChange& system : report.systems) {
+    for (const OutputChange& output : system.outputs) known.insert(output.name);
+  }
+  Diagnostics errors;
+  const bool are_compared = impact_of(report) > Impact::text;
+  for (const std::string& name : options.only) {
+    if (!are_compared || known.count(name) > 0) continue;
+    errors.push_back(
+        {Code::E913, {}, fmt::format("no version has an output {}", elgen::quoted(name))});
+  }
+  return errors;
+}
+
 ExitCode diff(const GlobalOptions& given, const DiffOptions& options) {
   GlobalOptions global = given;
   if (options.format == "json") global.style.format = DiagnosticFormat::json;
@@ -46,15 +91,18 @@ ExitCode diff(const GlobalOptions& given, const DiffOptions& options) {
   }
   const Result<Renames> renames = renames_of(options.renames);
   if (!renames) return report(global, renames.diagnostics);
+  const CompareOptions comparing{*renames, {options.only.begin(), options.only.end()}};
   Result<DiffReport> found =
       options.revision.empty()
-          ? compared_paths(options.inputs.front(), options.inputs.back(), *renames, global.limits)
-          : compared_with_revision(options.revision, options.inputs, *renames, global.limits);
+          ? compared_paths(options.inputs.front(), options.inputs.back(), comparing, global.limits)
+          : compared_with_revision(options.revision, options.inputs, comparing, global.limits);
   if (!found) return report(global, found.diagnostics);
+  if (const Diagnostics unknown = unknown_outputs(*found, options); !unknown.empty()) {
+    return report(global, unknown);
+  }
   ExitCode worst = report(global, found.diagnostics);
-  worst =
-      std::max(worst, print(global, options.format == "json" ? to_json(*found)
-                                                             : to_text(*found, options.lists_all)));
+  const auto format = std::ranges::find(formats, options.format, &DiffFormat::name);
+  worst = std::max(worst, print(global, format->text(*found, options)));
   const bool is_allowed =
       options.allowed == "all" || impact_of(*found) <= *find_impact(options.allowed);
   return std::max(worst, is_allowed ? ExitCode::success : ExitCode::differs);
@@ -65,7 +113,8 @@ ExitCode diff(const GlobalOptions& given, const DiffOptions& options) {
 void add_diff(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("diff", "compare the equations of two versions");
   const auto options = std::make_shared<DiffOptions>();
-  command->add_option("inputs", options->inputs, "OLD NEW: models, scenes or folders of them");
+  command->add_option("inputs", options->inputs,
+                      "OLD NEW: models, scenes, *.equations.json, folders of them, or - (stdin)");
   command
       ->add_option("--against", options->revision,
                    "compare files and folders with this revision of git")
@@ -80,9 +129,15 @@ void add_diff(CLI::App& app, Action& action) {
   command->add_option("--rename", options->renames, "a name that was given to the same thing")
       ->type_name("OLD=NEW")
       ->allow_extra_args(false);
+  command->add_option("--only", options->only, "look at these outputs alone")
+      ->type_name("OUTPUTS")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command->add_flag("--list", options->lists_all, "list every key and every entry");
-  command->add_option("--format", options->format, "text or json")
-      ->check(CLI::IsMember({"text", "json"}));
+  command
+      ->add_option("--format", options->format,
+                   "text, json, markdown (a comment on a pull request) or github (annotations)")
+      ->check(CLI::IsMember(format_names()));
   set_action(*command, action, options, &diff);
 }
 

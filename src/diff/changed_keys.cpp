@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <set>
+#include <string_view>
 
 #include "diff/renamed.hpp"
 #include "elgen/diff.hpp"
@@ -41,6 +40,12 @@ bool is_same(const KeySyntax& x, const KeySyntax& y) {
   return x.key == y.key && is_same(x.value, y.value);
 }
 
+bool is_same(const ExpressionSyntax& x, const ExpressionSyntax& y) {
+  return x.kind == y.kind && x.text == y.text && x.value == y.value &&
+         std::ranges::equal(x.operands, y.operands,
+                            [](const auto& p, const auto& q) { return is_same(p, q); });
+}
+
 bool is_same(const ValueSyntax& x, const ValueSyntax& y) {
   if (x.kind != y.kind) return false;
   const auto all_same = [](const auto& a, const auto& b) {
@@ -48,7 +53,7 @@ bool is_same(const ValueSyntax& x, const ValueSyntax& y) {
   };
   switch (x.kind) {
     case ValueKind::expression:
-      return dump(x.expression) == dump(y.expression);
+      return is_same(x.expression, y.expression);
     case ValueKind::text:
       return x.text == y.text;
     case ValueKind::boolean:
@@ -66,15 +71,35 @@ bool is_repeated(const EntrySyntax& entry) {
   return row != entry_table().end() && row->repeated;
 }
 
-/// What tells a repeated entry from its likes: "bob", "on x"; "" where it has to be its number.
-std::string identity(const EntrySyntax& entry) {
-  if (const KeySyntax* const name = entry.find("name")) return name->value.text;
-  for (const char* const key : {"on", "at", "frame"}) {
-    if (const KeySyntax* const place = entry.find(key)) {
-      return fmt::format("{} {}", key, text_of(place->value));
-    }
+/// What tells a repeated entry from its likes.
+struct EntryIdentity {
+  std::string_view table = {};
+  const KeySyntax* key = nullptr;  ///< "name", "on", "at" or "frame"; null where it has none
+  std::size_t number = 1;          ///< of those that are called alike
+};
+
+bool is_alike(const EntryIdentity& x, const EntryIdentity& y) {
+  if (x.table != y.table || (x.key == nullptr) != (y.key == nullptr)) return false;
+  return x.key == nullptr || is_same(*x.key, *y.key);
+}
+
+const KeySyntax* identifying_key(const EntrySyntax& entry) {
+  for (const char* const key : {"name", "on", "at", "frame"}) {
+    if (const KeySyntax* const found = entry.find(key)) return found;
   }
-  return {};
+  return nullptr;
+}
+
+/// "[[point]] bob", "[[force]] on x #2", "[gravity]"; "" of the file's own keys
+std::string text_of(const EntryIdentity& identity, bool is_repeated) {
+  if (!is_repeated) return identity.table.empty() ? "" : fmt::format("[{}]", identity.table);
+  std::string text = fmt::format("[[{}]]", identity.table);
+  if (const KeySyntax* const key = identity.key) {
+    if (key->key != "name") text += " " + key->key;
+    text += " " + text_of(key->value);
+  }
+  if (identity.key == nullptr || identity.number > 1) text += fmt::format(" #{}", identity.number);
+  return text;
 }
 
 using Path = std::vector<KeyStep>;
@@ -84,47 +109,52 @@ Path below(Path path, KeyStep step) {
   return path;
 }
 
-/// An entry with what it is called in messages.
-struct NamedEntry {
+struct IdentifiedEntry {
   const EntrySyntax* entry = nullptr;
-  std::string name = {};  ///< "[gravity]", "[[point]] bob", "[[force]] on x #2"
+  EntryIdentity identity = {};
 };
 
-std::vector<NamedEntry> named(const FileSyntax& file) {
-  std::vector<NamedEntry> all;
-  std::map<std::string, int> known;
+bool is_same_entry(const IdentifiedEntry& x, const IdentifiedEntry& y) {
+  return is_alike(x.identity, y.identity) && x.identity.number == y.identity.number;
+}
+
+using IdentifiedEntries = std::vector<IdentifiedEntry>;
+
+IdentifiedEntries identified(const FileSyntax& file) {
+  IdentifiedEntries all;
   for (const EntrySyntax& entry : file.entries) {
-    std::string name = entry.name;
-    if (is_repeated(entry)) {
-      const std::string who = identity(entry);
-      name = fmt::format("[[{}]]{}{}", name, who.empty() ? "" : " ", who);
-      const int number = ++known[name];
-      if (number > 1 || who.empty()) name += fmt::format(" #{}", number);
-    } else if (!name.empty()) {
-      name = fmt::format("[{}]", name);
+    EntryIdentity identity{entry.name, is_repeated(entry) ? identifying_key(entry) : nullptr};
+    for (const IdentifiedEntry& other : all) {
+      if (is_alike(other.identity, identity)) ++identity.number;
     }
-    all.push_back({&entry, std::move(name)});
+    all.push_back({&entry, identity});
   }
   return all;
+}
+
+const IdentifiedEntry* find(const IdentifiedEntries& entries, const IdentifiedEntry& wanted) {
+  const auto found = std::ranges::find_if(
+      entries, [&wanted](const IdentifiedEntry& entry) { return is_same_entry(entry, wanted); });
+  return found == entries.end() ? nullptr : &*found;
 }
 
 class KeyComparison {
  public:
   std::vector<KeyChange> operator()(const FileSyntax& before, const FileSyntax& after) {
-    const std::vector<NamedEntry> olds = named(before);
-    const std::vector<NamedEntry> news = named(after);
-    for (const NamedEntry& now : news) {
-      place_ = {.table = now.entry->name, .entry = now.name};
-      const auto old = std::ranges::find(olds, now.name, &NamedEntry::name);
-      if (old != olds.end()) {
+    const IdentifiedEntries olds = identified(before);
+    const IdentifiedEntries news = identified(after);
+    prefix_ = table_prefix(after.entries.empty() ? before : after);
+    for (const IdentifiedEntry& now : news) {
+      go_to(now);
+      if (const IdentifiedEntry* const old = find(olds, now)) {
         compare(old->entry->keys, now.entry->keys, {});
       } else {
         add({}, "", text_of(now.entry->keys), {}, now.entry->span);
       }
     }
-    for (const NamedEntry& old : olds) {
-      if (std::ranges::count(news, old.name, &NamedEntry::name) > 0) continue;
-      place_ = {.table = old.entry->name, .entry = old.name};
+    for (const IdentifiedEntry& old : olds) {
+      if (find(news, old) != nullptr) continue;
+      go_to(old);
       add({}, text_of(old.entry->keys), "", old.entry->span, {});
     }
     compare_orders(olds, news);
@@ -132,6 +162,11 @@ class KeyComparison {
   }
 
  private:
+  void go_to(const IdentifiedEntry& found) {
+    place_ = {.table = std::string(prefix_) + found.entry->name,
+              .entry = text_of(found.identity, is_repeated(*found.entry))};
+  }
+
   void add(Path path, std::string before, std::string after, Span old_at, Span new_at) {
     KeyChange& change = changes_.emplace_back(place_);
     change.path = std::move(path);
@@ -189,7 +224,8 @@ class KeyComparison {
   }
 
   /// q, u and the members of Parameters are in the order of the file.
-  void compare_orders(const std::vector<NamedEntry>& olds, const std::vector<NamedEntry>& news) {
+  void compare_orders(const IdentifiedEntries& olds, const IdentifiedEntries& news) {
+    if (!prefix_.empty()) return;  // a scene only refers to them
     for (const char* const kind : {"coordinate", "input"}) {
       place_ = {.table = kind, .entry = fmt::format("[[{}]]", kind), .is_order = true};
       compare_order(names_of(olds, kind), names_of(news, kind));
@@ -200,21 +236,20 @@ class KeyComparison {
 
   using Names = std::vector<std::pair<std::string, Span>>;
 
-  static Names names_of(const std::vector<NamedEntry>& entries, std::string_view kind) {
+  static Names names_of(const IdentifiedEntries& entries, std::string_view kind) {
     Names names;
-    for (const NamedEntry& named : entries) {
-      if (named.entry->name == kind) {
-        names.emplace_back(identity(*named.entry), named.entry->span);
-      }
+    for (const auto& [entry, identity] : entries) {
+      if (entry->name != kind || identity.key == nullptr) continue;
+      names.emplace_back(text_of(identity.key->value), entry->span);
     }
     return names;
   }
 
-  static Names keys_of(const std::vector<NamedEntry>& entries) {
+  static Names keys_of(const IdentifiedEntries& entries) {
     Names names;
-    for (const NamedEntry& named : entries) {
-      if (named.entry->name != "parameters") continue;
-      for (const KeySyntax& key : named.entry->keys) names.emplace_back(key.key, key.key_span);
+    for (const auto& [entry, identity] : entries) {
+      if (entry->name != "parameters") continue;
+      for (const KeySyntax& key : entry->keys) names.emplace_back(key.key, key.key_span);
     }
     return names;
   }
@@ -239,6 +274,7 @@ class KeyComparison {
     add({}, listed(olds), listed(news), moved.in1->second, moved.in2->second);
   }
 
+  std::string_view prefix_ = {};
   KeyChange place_ = {};  ///< of the changes that are found
   std::vector<KeyChange> changes_ = {};
 };

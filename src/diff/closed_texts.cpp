@@ -3,9 +3,9 @@
 
 #include "choose/entries.hpp"
 #include "choose/lowered_entries.hpp"
-#include "diff/joint_program.hpp"
 #include "elgen/closed_forms.hpp"
 #include "elgen/render.hpp"
+#include "lower/graph/prune.hpp"
 
 namespace elgen {
 namespace {

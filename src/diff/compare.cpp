@@ -7,6 +7,7 @@
 #include <set>
 
 #include "diff/output_changes.hpp"
+#include "diff/renamed.hpp"
 #include "elgen/diff.hpp"
 #include "lower/code_interface.hpp"
 #include "verify/structure/expectations.hpp"
@@ -15,25 +16,34 @@ namespace elgen {
 namespace {
 
 /// Keys that no equation depends on, whatever they belong to.
-constexpr std::array described{"doc",    "latex",  "title", "description", "reference",
-                               "range",  "limits", "min",   "rate_range",  "max",
-                               "assume", "wrap",   "start", "singular"};
+constexpr std::array described{"doc",   "latex",  "title",   "description", "reference",
+                               "range", "limits", "min",     "max",         "rate_range",
+                               "wrap",  "start",  "singular"};
 
-bool is_described(const KeyStep& step) { return std::ranges::count(described, step.key) > 0; }
-
-/// `m`, `m.value`, `fixed.m`: what a parameter is.
-bool is_value(const KeyChange& change) {
-  const bool is_both = !change.before.empty() && !change.after.empty();
-  if (change.table != "parameters" || change.is_order || !is_both) return false;
-  const std::vector<KeyStep>& path = change.path;
-  return path.size() == 1 || path.front().key == "fixed" || path[1].key == "value";
+/// Whether one of its keys is described; names that the user gave are none.
+bool is_described(const KeyChange& change) {
+  std::string table = change.table;
+  for (const KeyStep& step : change.path) {
+    const bool is_name = has_names_for_keys(table);
+    if (!is_name && std::ranges::count(described, step.key) > 0) return true;
+    table += "." + (is_name ? "*" : step.key);
+  }
+  return false;
 }
 
-/// What a changed key can mean at most before the equations are looked at.
+/// `m`, `m.value` of a model, `fixed.m` of a scene: what a parameter is.
+bool is_value(const KeyChange& change) {
+  const bool is_both = !change.before.empty() && !change.after.empty();
+  if (change.is_order || !is_both) return false;
+  const std::vector<KeyStep>& path = change.path;
+  if (change.table == "scene.parameters") return path.size() == 2;
+  return change.table == "parameters" && (path.size() == 1 || path[1].key == "value");
+}
+
+/// What a changed key means at least, before values and equations are looked at.
 Impact impact_of(const KeyChange& change) {
-  if (change.table == "expect") return Impact::assumptions;
-  if (is_value(change)) return Impact::values;
-  return std::ranges::any_of(change.path, is_described) ? Impact::assumptions : Impact::equal;
+  const bool is_beside = change.table == "expect" || is_described(change);
+  return is_beside ? Impact::assumptions : Impact::equal;
 }
 
 bool has_verdict(const std::vector<OutputChange>& outputs, EntryVerdict verdict) {
@@ -48,7 +58,9 @@ Impact impact_of(const std::vector<KeyChange>& keys) {
   return worst;
 }
 
-bool may_change_equations(const KeyChange& key) { return impact_of(key) == Impact::equal; }
+bool may_change_equations(const KeyChange& key) {
+  return impact_of(key) == Impact::equal && !is_value(key);
+}
 
 std::string text_of(const SourcePointer& source) { return source ? source->text : ""; }
 
@@ -65,10 +77,7 @@ ParameterValues new_parameters(const Version& before, const Version& after,
                                const Renames& renames) {
   ParameterValues values;
   for (const Parameter& now : after.checked.model.parameters) {
-    const auto is_it = [&](const Parameter& old) {
-      const auto renamed = renames.find(old.name);
-      return (renamed == renames.end() ? old.name : renamed->second) == now.name;
-    };
+    const auto is_it = [&](const Parameter& old) { return renamed(old.name, renames) == now.name; };
     if (std::ranges::any_of(before.checked.model.parameters, is_it)) continue;
     values.emplace(now.name, rational_constant(0));
   }
@@ -76,11 +85,11 @@ ParameterValues new_parameters(const Version& before, const Version& after,
 }
 
 /// "at mt = 0 all entries are the old ones (proved)"; "" where they are not.
-std::string extension(const Version& before, const Version& after, const Renames& renames) {
-  const ParameterValues values = new_parameters(before, after, renames);
+std::string extension(const Version& before, const Version& after, const CompareOptions& options) {
+  const ParameterValues values = new_parameters(before, after, options.renames);
   if (values.empty()) return {};
   bool is_proved = true;
-  for (const OutputChange& output : output_changes_at(before, after, renames, values)) {
+  for (const OutputChange& output : output_changes_at(before, after, options, values)) {
     for (const EntryChange& entry : output.entries) {
       const bool is_old =
           entry.verdict == EntryVerdict::equal || entry.verdict == EntryVerdict::added;
@@ -165,14 +174,14 @@ void propose(std::vector<Nameable> olds, std::vector<Nameable> news, Renames& re
 }
 
 /// Names that were given to the same things, if all entries are equal with them.
-Renames proposal(const Version& before, const Version& after) {
-  Renames renames;
+Renames proposal(const Version& before, const Version& after, CompareOptions options) {
+  Renames& renames = options.renames;
   for (const bool parameters : {true, false}) {
     propose(named(before.checked.model, parameters), named(after.checked.model, parameters),
             renames);
   }
   if (renames.empty()) return {};
-  for (const OutputChange& output : output_changes(before, after, renames)) {
+  for (const OutputChange& output : output_changes(before, after, options)) {
     for (const EntryChange& entry : output.entries) {
       if (entry.verdict != EntryVerdict::equal) return {};
     }
@@ -180,29 +189,65 @@ Renames proposal(const Version& before, const Version& after) {
   return renames;
 }
 
+/// Those of the model, then those of the scene: the built-in one has no keys.
+std::vector<KeyChange> all_changed_keys(const Version& before, const Version& after,
+                                        const Renames& renames) {
+  static const FileSyntax no_keys;
+  const auto scene = [](const Version& version) -> const FileSyntax& {
+    return version.scene == nullptr ? no_keys : *version.scene;
+  };
+  std::vector<KeyChange> keys = changed_keys(before.model, after.model, renames);
+  const std::vector<KeyChange> more = changed_keys(scene(before), scene(after), renames);
+  keys.insert(keys.end(), more.begin(), more.end());
+  return keys;
+}
+
+/// None where one version does not know them.
+std::optional<std::vector<OperationsChange>> operations_changes(const Version& before,
+                                                                const Version& after) {
+  if (before.operations == nullptr || after.operations == nullptr) return std::nullopt;
+  std::vector<OperationsChange> changes;
+  for (const auto& [name, now] : *after.operations) {
+    const auto old = before.operations->find(name);
+    if (old == before.operations->end() || old->second == now) continue;
+    changes.push_back({name, old->second, now});
+  }
+  return changes;
+}
+
+/// A sidecar has none.
+bool has_keys(const Version& version) { return !version.model.entries.empty(); }
+
+/// What entries that differ amount to.
+Impact impact_of_entries(const SystemChange& system, bool are_values) {
+  if (has_verdict(system.outputs, EntryVerdict::different)) {
+    if (are_values) return Impact::values;
+    return system.extension.empty() ? Impact::different : Impact::extended;
+  }
+  return has_verdict(system.outputs, EntryVerdict::equal) ? Impact::equal : Impact::none;
+}
+
 }  // namespace
 
-SystemChange compare(const Version& before, const Version& after, const Renames& renames) {
+SystemChange compare(const Version& before, const Version& after, const CompareOptions& options) {
+  const Renames& renames = options.renames;
   SystemChange result{.name = after.checked.scene.base_name};
-  result.keys = changed_keys(before.model, after.model, renames);
-  if (before.scene != nullptr && after.scene != nullptr) {
-    const auto more = changed_keys(*before.scene, *after.scene, renames);
-    result.keys.insert(result.keys.end(), more.begin(), more.end());
-  }
+  result.keys = all_changed_keys(before, after, renames);
   if (same_texts(before, after)) return result;
   result.impact = std::max(Impact::text, impact_of(result.keys));
-  if (result.keys.empty() && renames.empty()) return result;
-  result.outputs = output_changes(before, after, renames);
-  result.interface = interface_changes(before.checked, after.checked, renames);
+  if (has_keys(after) && result.keys.empty() && renames.empty()) return result;
+  result.outputs = output_changes(before, after, options);
+  result.interface = interface_changes(before, after, renames);
+  result.operations = operations_changes(before, after);
   result.warnings = new_warnings(before, after);
   result.broken_expectations = broken_expectations(before, after);
-  if (renames.empty()) result.proposal = proposal(before, after);
-  if (has_verdict(result.outputs, EntryVerdict::different)) {
-    const bool are_values = std::ranges::none_of(result.keys, may_change_equations);
-    if (!are_values) result.extension = extension(before, after, renames);
-    const Impact equations = result.extension.empty() ? Impact::different : Impact::extended;
-    result.impact = std::max(result.impact, are_values ? Impact::values : equations);
+  if (renames.empty()) result.proposal = proposal(before, after, options);
+  const bool are_values =
+      has_keys(after) && std::ranges::none_of(result.keys, may_change_equations);
+  if (!are_values && has_verdict(result.outputs, EntryVerdict::different)) {
+    result.extension = extension(before, after, options);
   }
+  result.impact = std::max(result.impact, impact_of_entries(result, are_values));
   for (const InterfaceChange& change : result.interface) {
     result.impact = std::max(result.impact, change.impact);
   }

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "elgen/diff.hpp"
+#include "lower/operation_columns.hpp"
 
 namespace elgen {
 namespace {
@@ -67,6 +68,24 @@ Json json_of(const InterfaceChange& change) {
   return {{"impact", impact_row(change.impact).word}, {"text", change.text}};
 }
 
+Json json_of(const OperationCounts& n) {
+  Json json = Json::object();
+  for (const auto& [name, count] : operation_columns) json[std::string(name)] = n.*count;
+  return json;
+}
+
+Json json_of(const OperationsChange& change) {
+  return {{"function", change.function},
+          {"before", json_of(change.before)},
+          {"after", json_of(change.after)}};
+}
+
+Json json_of(const Diagnostic& warning) {
+  return {{"code", code_row(warning.code).name},
+          {"message", warning.message},
+          {"place", json_of(warning.span)}};
+}
+
 template <class List>
 Json list_of(const List& list) {
   Json json = Json::array();
@@ -84,7 +103,11 @@ Json json_of(const SystemChange& system) {
             {"keys", list_of(system.keys)},
             {"outputs", std::move(outputs)},
             {"interface", list_of(system.interface)}};
+  if (system.operations) json["operations"] = list_of(*system.operations);
   if (!system.extension.empty()) json["extension"] = system.extension;
+  if (!system.proposal.empty()) json["renames"] = system.proposal;
+  json["broken_expectations"] = system.broken_expectations;
+  json["warnings"] = list_of(system.warnings);
   return json;
 }
 

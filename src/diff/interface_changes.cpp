@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
+#include "base/number_text.hpp"
+#include "diff/renamed.hpp"
 #include "elgen/diff.hpp"
 #include "elgen/step_methods.hpp"
 #include "elgen/wording.hpp"
@@ -24,8 +27,7 @@ template <class List>
 Names members(const List& list, const Renames& renames) {
   Names all;
   for (const auto& entry : list) {
-    const auto renamed = renames.find(entry.name);
-    all.push_back({renamed == renames.end() ? entry.name : renamed->second, entry.unit_text});
+    all.push_back({renamed(entry.name, renames), entry.unit_text});
     if constexpr (requires { entry.count; }) all.back().size = entry.count;
   }
   return all;
@@ -44,13 +46,17 @@ const KnownName* find(const Names& members, const std::string& name) {
 
 class InterfaceComparison {
  public:
-  InterfaceComparison(const CheckedModel& before, const CheckedModel& after, const Renames& renames)
-      : before_(before), after_(after), renames_(renames) {}
+  InterfaceComparison(const Version& before, const Version& after, const Renames& renames)
+      : before_(before.checked),
+        after_(after.checked),
+        old_arrays_(emitted_parameters(before_.model, before.program)),
+        new_arrays_(emitted_parameters(after_.model, after.program)),
+        renames_(renames) {}
 
   std::vector<InterfaceChange> operator()() {
     const Model& old = before_.model;
     const Model& now = after_.model;
-    compare_names(old);
+    compare_names();
     compare_lists("coordinate", members(old.coordinates, renames_), members(now.coordinates, {}));
     compare_lists("input", members(old.inputs, renames_), members(now.inputs, {}));
     compare_parameters();
@@ -66,10 +72,9 @@ class InterfaceComparison {
  private:
   void add(Impact impact, std::string text) { changes_.push_back({impact, std::move(text)}); }
 
-  void compare_names(const Model& old) {
+  void compare_names() {
     for (const auto& [from, to] : renames_) {
-      const bool is_member =
-          std::ranges::count(old.parameter_arrays, from, &ParameterArray::name) > 0;
+      const bool is_member = std::ranges::count(old_arrays_, from, &ParameterArray::name) > 0;
       add(is_member ? Impact::incompatible : Impact::assumptions,
           fmt::format("{} is called {} now", quoted(from), quoted(to)));
     }
@@ -108,8 +113,8 @@ class InterfaceComparison {
 
   /// Names of a struct, with names and places.
   void compare_parameters() {
-    const Names olds = members(before_.model.parameter_arrays, renames_);
-    const Names news = members(after_.model.parameter_arrays, {});
+    const Names olds = members(old_arrays_, renames_);
+    const Names news = members(new_arrays_, {});
     for (const KnownName& old : olds) {
       const KnownName* const now = find(news, old.name);
       if (now == nullptr) {
@@ -150,12 +155,23 @@ class InterfaceComparison {
   void compare_values() {
     for (const Parameter& now : after_.model.parameters) {
       const auto old = std::ranges::find_if(before_.model.parameters, [&](const Parameter& p) {
-        const auto renamed = renames_.find(p.name);
-        return (renamed == renames_.end() ? p.name : renamed->second) == now.name;
+        return renamed(p.name, renames_) == now.name;
       });
-      if (old == before_.model.parameters.end() || old->value == now.value) continue;
-      add(Impact::values, fmt::format("the value of {} differs", quoted(now.name)));
+      if (old == before_.model.parameters.end()) continue;
+      if (old->value != now.value) {
+        add(Impact::values, fmt::format("the value of {} is {} where it was {}", quoted(now.name),
+                                        exact_text(now.value), exact_text(old->value)));
+      }
+      if (old->assumption != now.assumption) {
+        add(Impact::assumptions, fmt::format("{} is assumed to be {} where it was {}",
+                                             quoted(now.name), assumed(now), assumed(*old)));
+      }
     }
+  }
+
+  static std::string_view assumed(const Parameter& parameter) {
+    constexpr std::array words{"any number", "positive", "nonnegative"};
+    return words[static_cast<std::size_t>(parameter.assumption)];
   }
 
   void compare_outputs() {
@@ -217,14 +233,16 @@ class InterfaceComparison {
 
   const CheckedModel& before_;
   const CheckedModel& after_;
+  std::vector<ParameterArray> old_arrays_;  ///< members of Parameters
+  std::vector<ParameterArray> new_arrays_;
   const Renames& renames_;
   std::vector<InterfaceChange> changes_ = {};
 };
 
 }  // namespace
 
-std::vector<InterfaceChange> interface_changes(const CheckedModel& before,
-                                               const CheckedModel& after, const Renames& renames) {
+std::vector<InterfaceChange> interface_changes(const Version& before, const Version& after,
+                                               const Renames& renames) {
   return InterfaceComparison(before, after, renames)();
 }
 

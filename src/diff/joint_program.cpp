@@ -3,18 +3,15 @@
 
 #include <algorithm>
 
-#include "lower/graph/prune.hpp"
+#include "diff/renamed.hpp"
 #include "lower/network/instructions.hpp"
 
 namespace elgen {
 namespace {
 
-LeafNames renamed(LeafNames names, const Renames& renames) {
+LeafNames with_renames(LeafNames names, const Renames& renames) {
   for_each_leaf(
-      [&renames](Opcode, std::uint32_t, std::string& name) {
-        const auto found = renames.find(name.substr(0, name.find('[')));
-        if (found != renames.end()) name = found->second + name.substr(found->first.size());
-      },
+      [&renames](Opcode, std::uint32_t, std::string& name) { name = renamed(name, renames); },
       static_cast<LeafValues<std::string>&>(names));
   return names;
 }
@@ -66,7 +63,7 @@ class Copy {
 JointProgram::JointProgram(const Program& before, const Program& after, const Renames& renames)
     : before_(before), after_(after) {
   new_places_ = add(after.leaves);
-  old_places_ = add(renamed(before.leaves, renames));
+  old_places_ = add(with_renames(before.leaves, renames));
 }
 
 auto JointProgram::add(const LeafNames& names) -> LeafPlaces {
@@ -97,12 +94,6 @@ JointFunction JointProgram::joined(const Function& before, const Function& after
   joint.before = Copy(before_, old_places_, joint_, instructions)(before, {});
   joint.after = Copy(after_, new_places_, joint_, instructions)(after, values);
   return joint;
-}
-
-Function with_entries(const Function& function, const std::vector<std::uint32_t>& entries) {
-  Function result = function;
-  result.fields = {{"", static_cast<std::uint32_t>(entries.size()), 1, entries}};
-  return pruned(result);
 }
 
 }  // namespace elgen

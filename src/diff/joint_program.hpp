@@ -47,9 +47,4 @@ class JointProgram {
   LeafPlaces new_places_ = {};
 };
 
-/// The function of one of its versions, or of the difference after - before: `entries` as one
-/// field.
-[[nodiscard]] Function with_entries(const Function& function,
-                                    const std::vector<std::uint32_t>& entries);
-
 }  // namespace elgen

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "check/judge/output_units.hpp"
+#include "diff/renamed.hpp"
 #include "lower/code_interface.hpp"
 
 namespace elgen {
@@ -16,11 +17,6 @@ struct LineLabel {
   friend auto operator<=>(const LineLabel&, const LineLabel&) = default;
 };
 using LineLabels = std::vector<LineLabel>;
-
-std::string renamed(const std::string& name, const Renames& renames) {
-  const auto found = renames.find(name);
-  return found == renames.end() ? name : found->second;
-}
 
 /// LineLabels of models, with the names of the newer version.
 class Labelling {

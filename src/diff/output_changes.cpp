@@ -11,6 +11,7 @@
 #include "diff/witness.hpp"
 #include "diff/zeros.hpp"
 #include "elgen/diff.hpp"
+#include "lower/graph/prune.hpp"
 #include "lower/network/instructions.hpp"
 
 namespace elgen {
@@ -45,35 +46,39 @@ constexpr std::size_t most_told = 20;
 
 class OutputComparison {
  public:
-  OutputComparison(const Version& before, const Version& after, const Renames& renames,
+  OutputComparison(const Version& before, const Version& after, const CompareOptions& options,
                    const ParameterValues& values)
       : before_(before),
         after_(after),
-        renames_(renames),
+        options_(options),
         values_(values),
-        joint_(before.program, after.program, renames),
+        joint_(before.program, after.program, options.renames),
         positive_(
             positive_in_both(before.checked.model, after.checked.model, joint_.program().leaves)) {}
 
   std::vector<OutputChange> operator()() {
     std::vector<OutputChange> all;
     for (const Function& after : after_.program.functions) {
-      if (output_row(after.kind).repeats) continue;
+      if (!is_wanted(after)) continue;
       const Function* const before = find_named(before_.program, after.name);
       all.push_back(before != nullptr ? compared(visible(*before), visible(after))
                                       : whole(visible(after), true));
     }
     for (const Function& before : before_.program.functions) {
       const bool is_gone = find_named(after_.program, before.name) == nullptr;
-      if (is_gone && !output_row(before.kind).repeats) all.push_back(whole(visible(before), false));
+      if (is_gone && is_wanted(before)) all.push_back(whole(visible(before), false));
     }
     return all;
   }
 
  private:
-  static EntryChange named(const Function& function, const MatchedEntry& entry,
-                           EntryVerdict verdict) {
-    return {.output = function.name, .place = entry.place, .unit = entry.unit, .verdict = verdict};
+  [[nodiscard]] bool is_wanted(const Function& function) const {
+    if (output_row(function.kind).repeats) return false;
+    return options_.only.empty() || options_.only.count(function.name) > 0;
+  }
+
+  static EntryChange named(const MatchedEntry& entry, EntryVerdict verdict) {
+    return {.place = entry.place, .unit = entry.unit, .verdict = verdict};
   }
 
   /// Of an output that only one version has.
@@ -81,8 +86,7 @@ class OutputComparison {
     const Model& model = (is_new ? after_ : before_).checked.model;
     OutputChange change{function.name, entry_count(function), {}};
     for (const MatchedEntry& entry : unmatched_entries(model, function, is_new)) {
-      change.entries.push_back(
-          named(function, entry, is_new ? EntryVerdict::added : EntryVerdict::removed));
+      change.entries.push_back(named(entry, is_new ? EntryVerdict::added : EntryVerdict::removed));
     }
     return change;
   }
@@ -92,18 +96,18 @@ class OutputComparison {
     JointFunction joint = joint_.joined(before, after, values_);
     Instructions instructions(joint.function);
     std::vector<Pair> open;
-    for (const MatchedEntry& entry :
-         matched_entries(before_.checked.model, before, after_.checked.model, after, renames_)) {
+    for (const MatchedEntry& entry : matched_entries(
+             before_.checked.model, before, after_.checked.model, after, options_.renames)) {
       if (!entry.before || !entry.after) {
         const EntryVerdict verdict = entry.after ? EntryVerdict::added : EntryVerdict::removed;
-        change.entries.push_back(named(after, entry, verdict));
+        change.entries.push_back(named(entry, verdict));
         continue;
       }
       const std::uint32_t x = joint.before[*entry.before];
       const std::uint32_t y = joint.after[*entry.after];
       if (x == y) continue;
       open.push_back({change.entries.size(), x, y, instructions.add(Opcode::subtract, y, x)});
-      change.entries.push_back(named(after, entry, EntryVerdict::different));
+      change.entries.push_back(named(entry, EntryVerdict::different));
     }
     settle(joint.function, open, change);
     return change;
@@ -156,7 +160,7 @@ class OutputComparison {
 
   const Version& before_;
   const Version& after_;
-  const Renames& renames_;
+  const CompareOptions& options_;
   const ParameterValues& values_;
   JointProgram joint_;
   std::vector<bool> positive_;
@@ -165,13 +169,14 @@ class OutputComparison {
 }  // namespace
 
 std::vector<OutputChange> output_changes(const Version& before, const Version& after,
-                                         const Renames& renames) {
-  return output_changes_at(before, after, renames, {});
+                                         const CompareOptions& options) {
+  return output_changes_at(before, after, options, {});
 }
 
 std::vector<OutputChange> output_changes_at(const Version& before, const Version& after,
-                                            const Renames& renames, const ParameterValues& values) {
-  return OutputComparison(before, after, renames, values)();
+                                            const CompareOptions& options,
+                                            const ParameterValues& values) {
+  return OutputComparison(before, after, options, values)();
 }
 
 }  // namespace elgen

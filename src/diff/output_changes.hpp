@@ -8,7 +8,7 @@ namespace elgen {
 
 [[nodiscard]] std::vector<OutputChange> output_changes_at(const Version& before,
                                                           const Version& after,
-                                                          const Renames& renames,
+                                                          const CompareOptions& options,
                                                           const ParameterValues& values);
 
 }  // namespace elgen

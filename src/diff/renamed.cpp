@@ -6,10 +6,7 @@
 namespace elgen {
 namespace {
 
-void rename(std::string& name, const Renames& renames) {
-  const auto found = renames.find(name);
-  if (found != renames.end()) name = found->second;
-}
+void rename(std::string& name, const Renames& renames) { name = renamed(name, renames); }
 
 void rename(ExpressionSyntax& expression, const Renames& renames) {
   if (expression.kind == SyntaxKind::name) rename(expression.text, renames);
@@ -17,12 +14,6 @@ void rename(ExpressionSyntax& expression, const Renames& renames) {
 }
 
 void rename(ValueSyntax& value, const std::string& table, const Renames& renames);
-
-/// Whether the user chooses the keys of a table.
-bool has_names_for_keys(std::string_view table) {
-  return std::ranges::any_of(
-      key_table(), [table](const KeyRow& row) { return row.entry == table && row.key == "*"; });
-}
 
 void rename(std::vector<KeySyntax>& keys, const std::string& table, const Renames& renames) {
   const bool are_names = has_names_for_keys(table);
@@ -46,11 +37,25 @@ void rename(ValueSyntax& value, const std::string& table, const Renames& renames
 
 }  // namespace
 
+std::string renamed(const std::string& name, const Renames& renames) {
+  const std::size_t stem = std::min(name.find('['), name.size());
+  const auto found = renames.find(name.substr(0, stem));
+  return found == renames.end() ? name : found->second + name.substr(stem);
+}
+
+bool has_names_for_keys(std::string_view table) {
+  return std::ranges::any_of(
+      key_table(), [table](const KeyRow& row) { return row.entry == table && row.key == "*"; });
+}
+
+std::string_view table_prefix(const FileSyntax& file) {
+  const bool names_model = !file.entries.empty() && file.entries.front().name.empty() &&
+                           file.entries.front().find("model") != nullptr;
+  return names_model ? "scene." : "";
+}
+
 FileSyntax renamed(FileSyntax file, const Renames& renames) {
-  // A scene names its model, and has rows of its own.
-  const bool is_scene = !file.entries.empty() && file.entries.front().name.empty() &&
-                        file.entries.front().find("model") != nullptr;
-  const std::string prefix = is_scene ? "scene." : "";
+  const std::string prefix(table_prefix(file));
   for (EntrySyntax& entry : file.entries) rename(entry.keys, prefix + entry.name, renames);
   return file;
 }

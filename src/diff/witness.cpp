@@ -9,6 +9,7 @@
 
 #include "base/random.hpp"
 #include "evaluate/states.hpp"
+#include "lower/graph/prune.hpp"
 
 namespace elgen {
 namespace {

@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "base/random.hpp"
-#include "diff/joint_program.hpp"
-#include "elgen/closed_forms.hpp"
 #include "elgen/fold.hpp"
 #include "evaluate/bounded.hpp"
+#include "lower/graph/prune.hpp"
+#include "present/proved_zeros.hpp"
 
 namespace elgen {
 namespace {
@@ -86,17 +86,6 @@ Function only(const Function& function, const std::vector<std::size_t>& numbers)
 /// A difference that needs more is sampled, which takes less.
 constexpr PresentBudget budget{.products_per_function = 10'000, .products = 40'000, .terms = 1'000};
 
-/// Whether the closed form of each entry is the empty sum.
-std::vector<bool> proofs(const Program& program, Function function) {
-  const ClosedForms forms =
-      present({program.leaves, program.constants, {std::move(function)}}, budget);
-  std::vector<bool> result;
-  for (const std::optional<Fraction>& form : forms.functions[0].fields[0].entries) {
-    result.push_back(form && form->numerator.empty());
-  }
-  return result;
-}
-
 /// Whether each entry is zero at as many points as are asked for, of those at which it has a value.
 std::vector<bool> zero_everywhere(const Function& function, PointDrawer& draw) {
   std::vector<std::size_t> zeros(entry_count(function));
@@ -127,7 +116,7 @@ std::vector<Zero> zeros(const Program& program, const Function& function,
   std::vector<Zero> result(entry_count(function), Zero::no);
   const std::vector<std::size_t> left = candidates(draw(function));
   if (left.empty()) return result;
-  const std::vector<bool> is_proved = proofs(program, only(function, left));
+  const std::vector<bool> is_proved = proved_zeros(program, only(function, left), budget);
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < left.size(); ++i) {
     if (is_proved[i]) result[left[i]] = Zero::proved;

@@ -50,6 +50,13 @@ TEST_CASE("what is merely small does not") {
             .empty());
 }
 
+TEST_CASE("a bound that products have raised makes no zero") {
+  // (((x + 1e15) - 1e15)^2)^2
+  CHECK(places("  0 = coordinate x\n  1 = constant 1000000000000000\n  2 = add 0 1\n"
+               "  3 = subtract 2 1\n  4 = multiply 3 3\n  5 = multiply 4 4\n  result 1 1 = 5\n")
+            .empty());
+}
+
 TEST_CASE("a difference that 64 digits hide is not taken for zero") {
   const std::string zeros(70, '0');
   // 1 - tanh(1000 x)^2 and (1 + 1e-70 x) - 1

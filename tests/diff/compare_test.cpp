@@ -25,6 +25,28 @@ TEST_CASE("from nothing to other equations") {
   CHECK(impact(cart, edited(cart, "\"-g\"", "\"g\"")) == Impact::different);
 }
 
+TEST_CASE("a key of a scene against the built-in scene is no mere text") {
+  const Lowered old = lowered(spring());
+  const Lowered now = lowered(spring(), "[outputs]\ngravity = true\n");
+  const SystemChange system = compare(old.version(), now.version());
+  CHECK(system.impact == Impact::incompatible);
+  CHECK_FALSE(system.keys.empty());
+}
+
+TEST_CASE("a definition may be called as what only describes") {
+  const auto defined = [](const std::string& value) {
+    return edited(spring("k*range"), "[energy]", "[define]\nrange = \"" + value + "\"\n[energy]");
+  };
+  CHECK(impact(defined("x^2"), defined("x^3")) == Impact::different);
+  CHECK(impact(defined("x^2"), defined("x*x")) == Impact::equal);
+}
+
+TEST_CASE("an assumption that changes entries is no mere assumption") {
+  const std::string positive = spring("k*sqrt(m^2)*x");
+  CHECK(impact(positive, edited(positive, ", assume = \"positive\"", "")) == Impact::different);
+  CHECK(impact(spring(), edited(spring(), ", assume = \"positive\"", "")) == Impact::assumptions);
+}
+
 TEST_CASE("a value that a scene fixes is a value") {
   const std::string scene = "[outputs]\npotential_energy = true\n[parameters]\nfixed = \"all\"\n";
   const Lowered old = lowered(spring(), scene);
@@ -32,6 +54,14 @@ TEST_CASE("a value that a scene fixes is a value") {
   const SystemChange system = compare(old.version(), now.version());
   CHECK(system.impact == Impact::values);
   CHECK(entries_of(system, "potential_energy").size() == 1);
+}
+
+TEST_CASE("a value that is written otherwise is no other value") {
+  CHECK(impact(spring(), edited(spring(), "k = 3", "k = \"6/2\"")) == Impact::equal);
+  const std::string scene = "[outputs]\ngravity = true\n[parameters]\nfixed = { k = ";
+  const Lowered old = lowered(spring(), scene + "3 }\n");
+  const Lowered now = lowered(spring(), scene + "\"6/2\" }\n");
+  CHECK(compare(old.version(), now.version()).impact == Impact::equal);
 }
 
 TEST_CASE("a new term with a parameter of its own extends") {

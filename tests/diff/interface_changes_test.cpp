@@ -15,8 +15,7 @@ std::string changes(const std::string& before, const std::string& after,
   const Lowered old = lowered(before, old_scene);
   const Lowered now = lowered(after, new_scene);
   std::string text;
-  for (const InterfaceChange& change :
-       interface_changes(*old.products.checked, *now.products.checked, renames)) {
+  for (const InterfaceChange& change : interface_changes(old.version(), now.version(), renames)) {
     text += std::string(impact_row(change.impact).word) + ": " + change.text + "\n";
   }
   return text;
@@ -24,7 +23,7 @@ std::string changes(const std::string& before, const std::string& after,
 
 }  // namespace
 
-TEST_CASE("the same interface has no changes") { CHECK(changes(spring(), spring("x^4")).empty()); }
+TEST_CASE("the same interface has no changes") { CHECK(changes(spring(), spring("k*x^4")).empty()); }
 
 TEST_CASE("another order of members means something else") {
   CHECK(changes(spring(), edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {")) ==
@@ -32,15 +31,28 @@ TEST_CASE("another order of members means something else") {
 }
 
 TEST_CASE("new members extend where they come last") {
-  CHECK(changes(spring(), edited(spring(), "k = 3", "k = 3\nc = 0")) ==
+  const std::string more = spring("1/2*k*x^2 + c*x");
+  CHECK(changes(spring(), edited(more, "k = 3", "k = 3\nc = 0")) ==
         "extended: Parameters has new members: c\n");
-  CHECK(changes(spring(), edited(spring(), "k = 3", "c = 0\nk = 3")) ==
+  CHECK(changes(spring(), edited(more, "k = 3", "c = 0\nk = 3")) ==
         "misleading: Parameters has new members, not all of them behind the others: c\n");
 }
 
 TEST_CASE("members that are gone do not compile") {
-  CHECK(changes(edited(spring(), "k = 3", "k = 3\nc = 0"), spring()) ==
+  CHECK(changes(edited(spring("1/2*k*x^2 + c*x"), "k = 3", "k = 3\nc = 0"), spring()) ==
         "incompatible: there is no parameter `c` any more\n");
+}
+
+TEST_CASE("what no function reads, or what a scene fixes, is no member") {
+  CHECK(changes(spring(), edited(spring(), "k = 3", "c = 0\nk = 3")).empty());
+  const std::string reversed = edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {");
+  const std::string scene = "[outputs]\ngravity = true\n[parameters]\nfixed = { k = 3 }\n";
+  CHECK(changes(spring(), reversed, scene, scene).empty());
+}
+
+TEST_CASE("other assumptions are told, also where all entries are equal") {
+  CHECK(changes(spring(), edited(spring(), ", assume = \"positive\"", "")) ==
+        "assumptions: `m` is assumed to be any number where it was positive\n");
 }
 
 TEST_CASE("units and values are told by name") {
@@ -49,7 +61,7 @@ TEST_CASE("units and values are told by name") {
                 edited(spring(), mass, "m = { value = 2, unit = \"1\" }")) ==
         "misleading: the unit of parameter `m` is 1 where it was kg\n");
   CHECK(changes(spring(), edited(spring(), "k = 3", "k = 4")) ==
-        "values: the value of `k` differs\n");
+        "values: the value of `k` is 4 where it was 3\n");
 }
 
 TEST_CASE("time, once it occurs, is an argument of every function") {
@@ -58,7 +70,7 @@ TEST_CASE("time, once it occurs, is an argument of every function") {
 }
 
 TEST_CASE("functions come and go") {
-  const std::string one = "[outputs]\nmass_matrix = true\n";
+  const std::string one = "[outputs]\nmass_matrix = true\ngravity = true\n";
   const std::string two = one + "bias = true\n";
   CHECK(changes(spring(), spring(), one, two) == "extended: there is a new function `bias`\n");
   CHECK(changes(spring(), spring(), two, one) ==

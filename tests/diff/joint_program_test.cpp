@@ -5,6 +5,7 @@
 
 #include "diff/versions.hpp"
 #include "evaluate/subject.hpp"
+#include "lower/graph/prune.hpp"
 
 using namespace elgen;
 using namespace elgen::test;

@@ -48,7 +48,7 @@ inline SystemChange compared(const std::string& before, const std::string& after
                              const Renames& renames = {}) {
   const Lowered old = lowered(before);
   const Lowered now = lowered(after);
-  return compare(old.version(), now.version(), renames);
+  return compare(old.version(), now.version(), {.renames = renames});
 }
 
 /// A model of the project.

@@ -33,6 +33,14 @@ TEST_CASE("instructions that nothing needs are gone, the others renumbered") {
         dump(program_of("  0 = parameter m\n  1 = multiply 0 0  ; square\n  result 1 1 = 1\n")));
 }
 
+TEST_CASE("instructions become the entries of one field") {
+  const Program program = program_of(
+      "  0 = parameter m\n  1 = parameter l\n  2 = multiply 0 0\n  3 = add 2 1\n"
+      "  result 1 1 = 3\n");
+  CHECK(dump({program.leaves, {}, {with_entries(program.functions[0], {2, 0})}}) ==
+        dump(program_of("  0 = parameter m\n  1 = multiply 0 0\n  result 2 1 = 1 0\n")));
+}
+
 TEST_CASE("names stay with their instructions, moved or not") {
   Program program = program_of(
       "  0 = parameter m\n  1 = multiply 0 0  ; square\n  2 = parameter l\n"

@@ -10,19 +10,26 @@ MaybeUnit over(const MaybeUnit& a, const MaybeUnit& b) {
   return a && b ? MaybeUnit(*a / *b) : std::nullopt;
 }
 
-/// Of what the i-th row or column stands for.
+template <class List>
+MaybeUnit unit_in(const List& list, std::size_t i) {
+  return i < list.size() ? list[i].unit : std::nullopt;
+}
+
+/// Of what the i-th row or column stands for; none where the model does not say.
 MaybeUnit unit_along(const Model& model, Extent extent, std::size_t i) {
   switch (extent) {
     case Extent::one:
       return Unit{};
     case Extent::coordinates:
-      return model.coordinates[i].unit;
+      return unit_in(model.coordinates, i);
     case Extent::velocities:
-      return model.velocities[i].unit;
+      return unit_in(model.velocities, i);
     case Extent::inputs:
-      return model.inputs[i].unit;
-    case Extent::held:
-      return model.unlocked->velocities[held_velocities(model)[i]].unit;
+      return unit_in(model.inputs, i);
+    case Extent::held: {
+      const std::vector<std::uint32_t> held = held_velocities(model);
+      return i < held.size() ? unit_in(model.unlocked->velocities, held[i]) : std::nullopt;
+    }
     case Extent::states:
     case Extent::user:
       break;

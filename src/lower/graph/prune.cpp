@@ -43,4 +43,9 @@ Function pruned(const Function& function) {
   return reordered(function, order);
 }
 
+Function with_entries(Function function, const std::vector<std::uint32_t>& entries) {
+  function.fields = {{"", static_cast<std::uint32_t>(entries.size()), 1, entries}};
+  return pruned(function);
+}
+
 }  // namespace elgen

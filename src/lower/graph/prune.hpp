@@ -18,4 +18,7 @@ namespace elgen {
 
 [[nodiscard]] Function pruned(const Function& function);
 
+/// The instructions `entries` as one field, with what they need.
+[[nodiscard]] Function with_entries(Function function, const std::vector<std::uint32_t>& entries);
+
 }  // namespace elgen

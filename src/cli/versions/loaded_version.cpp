@@ -1,0 +1,92 @@
+// loaded_version: equations are lowered, which is enough to compare them; forms are chosen where
+// what is emitted is not what is lowered, and where that takes little.
+#include "cli/versions/loaded_version.hpp"
+
+#include <algorithm>
+
+#include "cli/files/inputs.hpp"
+#include "cli/process/resources.hpp"
+
+namespace elgen::cli {
+
+namespace {
+
+/// So many instructions take about as long in their forms as without them; panda7 has 29 000.
+constexpr std::size_t most_chosen = 2'000;
+
+/// Terms are dropped from closed forms, and steps are made of functions in their forms.
+bool needs_forms(const Scene& scene) {
+  return scene.dropping || std::ranges::any_of(scene.outputs, [](const OutputRequest& output) {
+           return output_row(output.kind).steps;
+         });
+}
+
+bool is_small(const Program& program) {
+  std::size_t instructions = 0;
+  for (const Function& function : program.functions) instructions += function.instructions.size();
+  return instructions <= most_chosen;
+}
+
+Products products(const Inputs& inputs, const Limits& limits, const std::string& goal) {
+  renew_time_limit(limits);
+  PipelineOptions options;
+  options.limits = limits;
+  options.goals = {goal};
+  return run_pipeline(inputs, options);
+}
+
+OperationsByName operations_of(const Program& program) {
+  OperationsByName operations;
+  for (const Function& function : program.functions) {
+    operations.emplace(function.name, count_operations(function));
+  }
+  return operations;
+}
+
+Result<LoadedVersion> load_model(const Inputs& inputs, const Limits& limits) {
+  const Products checked = products(inputs, limits, "check");
+  if (!checked.checked) return checked.diagnostics;
+  LoweredVersion loaded{inputs};
+  const bool is_emitted_otherwise = needs_forms(checked.checked->scene);
+  loaded.products = products(inputs, limits, is_emitted_otherwise ? "choose" : "lower");
+  Diagnostics found = loaded.products.diagnostics;
+  if (!loaded.products.lowered && !loaded.products.program) return found;
+  if (is_emitted_otherwise) {
+    loaded.operations = operations_of(*loaded.products.program);
+  } else if (is_small(*loaded.products.lowered)) {
+    const Products chosen = products(inputs, limits, "choose");
+    if (chosen.program) loaded.operations = operations_of(*chosen.program);
+  }
+  loaded.model = *parse_model(inputs.model, limits);
+  if (inputs.scene != nullptr) loaded.scene = *parse_scene(inputs.scene, limits);
+  return {LoadedVersion(std::move(loaded)), std::move(found)};
+}
+
+}  // namespace
+
+Version LoweredVersion::version() const {
+  return {model,
+          scene ? &*scene : nullptr,
+          *products.checked,
+          products.program ? *products.program : *products.lowered,
+          products.diagnostics,
+          operations.empty() ? nullptr : &operations};
+}
+
+Version version_of(const LoadedVersion& loaded) {
+  return std::visit([](const auto& version) { return version.version(); }, loaded);
+}
+
+bool is_sidecar(const SourceText& source) {
+  if (source.path == stdin_name) return source.text.starts_with("{");
+  return source.path.ends_with(sidecar_ending);
+}
+
+Result<LoadedVersion> load_version(const Inputs& inputs, const Limits& limits) {
+  if (!is_sidecar(*inputs.model)) return load_model(inputs, limits);
+  Result<SidecarVersion> sidecar = parse_sidecar(inputs.model);
+  if (!sidecar) return sidecar.diagnostics;
+  return LoadedVersion(*std::move(sidecar));
+}
+
+}  // namespace elgen::cli

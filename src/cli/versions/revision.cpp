@@ -1,0 +1,49 @@
+// revision: git packs what belongs to it, tar unpacks it where scenes find their models.
+#include "cli/versions/revision.hpp"
+
+#include <fmt/format.h>
+
+#include "elgen/wording.hpp"
+#include "toolchain/process.hpp"
+
+namespace elgen::cli {
+
+namespace {
+
+constexpr std::uint64_t seconds_of_git = 60;
+
+Diagnostic git_failed(const std::string& what, const ProcessResult& result) {
+  if (result.ending == Ending::not_started) return {Code::E713, {}, "git could not be run"};
+  return {Code::E713, {}, fmt::format("{}: {}", what, result.output)};
+}
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+/// Git fails where a pattern matches nothing.
+ProcessResult unpack(const std::string& repository, const std::string& revision,
+                     const std::string& pattern, const std::filesystem::path& folder) {
+  const std::string archive = (folder / "archive.tar").string();
+  const ProcessResult packed = run({"git", "-C", repository, "archive", "--format=tar", "--output",
+                                    archive, revision, "--", pattern},
+                                   seconds_of_git);
+  if (!packed.succeeded()) return packed;
+  return run({"tar", "-xf", archive, "-C", folder.string()}, seconds_of_git);
+}
+
+}  // namespace
+
+Result<std::string> unpack_revision(const std::string& revision,
+                                    const std::filesystem::path& folder) {
+  const ProcessResult prefix = run({"git", "rev-parse", "--show-prefix"}, seconds_of_git);
+  if (!prefix.succeeded()) return git_failed("there is no repository here", prefix);
+  const ProcessResult top = run({"git", "rev-parse", "--show-toplevel"}, seconds_of_git);
+  const std::string repository = first_line(top.output);
+  const ProcessResult models = unpack(repository, revision, "*.toml", folder);
+  const ProcessResult sidecars = unpack(repository, revision, "*.equations.json", folder);
+  if (!models.succeeded() && !sidecars.succeeded()) {
+    return git_failed(fmt::format("{} was not read", elgen::quoted(revision)), models);
+  }
+  return first_line(prefix.output);
+}
+
+}  // namespace elgen::cli

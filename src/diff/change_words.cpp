@@ -1,0 +1,112 @@
+// change_words: what is long is cut, what has no closed form is told by its verdict.
+#include "diff/change_words.hpp"
+
+#include <fmt/format.h>
+
+#include "lower/operation_columns.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr std::size_t longest_value = 60;  ///< of a key
+
+std::string shortened(const std::string& text) {
+  if (text.size() <= longest_value) return text;
+  return text.substr(0, longest_value - 3) + "...";
+}
+
+/// The unit where it has one.
+std::string with_unit(const EntryChange& entry) {
+  return entry.unit.empty() || entry.unit == "1" ? "" : " " + entry.unit;
+}
+
+std::string verdict_text(const EntryChange& entry) {
+  switch (entry.verdict) {
+    case EntryVerdict::equal:
+      return entry.is_proved ? "equal, written differently (proved)"
+                             : "equal, written differently (at 64 random points)";
+    case EntryVerdict::added:
+      return "is new";
+    case EntryVerdict::removed:
+      return "is gone";
+    default:
+      return "identical";
+  }
+}
+
+}  // namespace
+
+std::string place_text(const KeyChange& change) {
+  const Span& span = change.after.empty() ? change.old_at : change.new_at;
+  if (span.source == nullptr) return {};
+  const LineColumn at = line_column(*span.source, span.begin);
+  return fmt::format("{}:{}:{}  ", span.source->path, at.line, at.column);
+}
+
+std::string text_of(const KeyChange& change) {
+  std::string place = change.entry;
+  const std::string key = change.is_order ? "order" : text_of(change.path);
+  if (!key.empty()) place += (place.empty() ? "" : " ") + key;
+  if (change.before.empty()) return fmt::format("{} is new: {}", place, shortened(change.after));
+  if (change.after.empty()) return fmt::format("{} is gone: {}", place, shortened(change.before));
+  return fmt::format("{}: {} -> {}", place, shortened(change.before), shortened(change.after));
+}
+
+void VerdictCounts::add(const OutputChange& output) {
+  all += output.entry_count;
+  for (const EntryChange& entry : output.entries) {
+    different += entry.verdict == EntryVerdict::different ? 1 : 0;
+    rewritten += entry.verdict == EntryVerdict::equal ? 1 : 0;
+    added += entry.verdict == EntryVerdict::added ? 1 : 0;
+    removed += entry.verdict == EntryVerdict::removed ? 1 : 0;
+  }
+}
+
+std::string VerdictCounts::text() const {
+  std::string result = fmt::format("{} of {} entries {}, {} rewritten", different, all,
+                                   different == 1 ? "differs" : "differ", rewritten);
+  if (added > 0) result += fmt::format(", {} added", added);
+  if (removed > 0) result += fmt::format(", {} removed", removed);
+  return result;
+}
+
+VerdictCounts counts_of(const SystemChange& system) {
+  VerdictCounts counts;
+  for (const OutputChange& output : system.outputs) counts.add(output);
+  return counts;
+}
+
+std::string change_text(const EntryChange& entry) {
+  if (entry.before.empty() || entry.after.empty()) return {};
+  return fmt::format("{} -> {}", entry.before, entry.after);
+}
+
+std::string witness_text(const EntryChange& entry) {
+  if (!entry.witness) return {};
+  const auto& [at, before, after] = *entry.witness;
+  const std::string share =
+      entry.share > 0 ? fmt::format(", {:.2g} of the largest", entry.share) : std::string();
+  return fmt::format("{}{:.3g} -> {:.3g}{}{}", at.empty() ? "" : "at " + at + ": ", before, after,
+                     with_unit(entry), share);
+}
+
+std::string text_of(const EntryChange& entry) {
+  if (entry.verdict != EntryVerdict::different) return entry.place + ": " + verdict_text(entry);
+  const std::string change = change_text(entry);
+  std::string text = entry.place + (change.empty() ? " differs" : " = " + change);
+  if (!entry.difference.empty()) text += fmt::format(", difference {}", entry.difference);
+  return text;
+}
+
+std::string text_of(const OperationsChange& change) {
+  std::string text;
+  for (const auto& [name, count] : operation_columns) {
+    const std::size_t before = change.before.*count;
+    const std::size_t after = change.after.*count;
+    if (before == after) continue;
+    text += fmt::format("{}{} {} -> {}", text.empty() ? "" : ", ", name, before, after);
+  }
+  return fmt::format("{}: {}", change.function, text);
+}
+
+}  // namespace elgen

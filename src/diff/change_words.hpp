@@ -1,0 +1,44 @@
+// change_words: single changes in words.
+#pragma once
+
+#include <string>
+
+#include "elgen/diff.hpp"
+
+namespace elgen {
+
+/// "models/cart_pole.toml:55:17  "; "" where it has no place
+[[nodiscard]] std::string place_text(const KeyChange& change);
+
+/// "[gravity] vector[2]: -g -> g"
+[[nodiscard]] std::string text_of(const KeyChange& change);
+
+/// Entries by their verdicts.
+struct VerdictCounts {
+  std::size_t all = 0;
+  std::size_t different = 0;
+  std::size_t rewritten = 0;
+  std::size_t added = 0;
+  std::size_t removed = 0;
+
+  void add(const OutputChange& output);
+  /// "3 of 12 entries differ, 0 rewritten"
+  [[nodiscard]] std::string text() const;
+  [[nodiscard]] std::size_t changed() const { return different + added + removed; }
+};
+
+[[nodiscard]] VerdictCounts counts_of(const SystemChange& system);
+
+/// "a -> b"; "" where there is no closed form that is short enough
+[[nodiscard]] std::string change_text(const EntryChange& entry);
+
+/// Where the entry was looked at, and what it was there; "" where it was at no state.
+[[nodiscard]] std::string witness_text(const EntryChange& entry);
+
+/// "gravity[2] = a -> b, difference c", "gravity[2]: is new"
+[[nodiscard]] std::string text_of(const EntryChange& entry);
+
+/// "mass_matrix: mul 3 -> 4"
+[[nodiscard]] std::string text_of(const OperationsChange& change);
+
+}  // namespace elgen

@@ -1,0 +1,292 @@
+// summary: what several systems have in common is said once.
+#include "diff/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "diff/change_words.hpp"
+#include "elgen/wording.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr std::size_t most_keys = 5;       ///< and the others counted
+constexpr std::size_t most_interface = 6;  ///< likewise
+constexpr std::size_t most_operations = 3;
+constexpr std::size_t most_named = 4;  ///< of expectations
+
+/// Lines of one label, each text once.
+class Section {
+ public:
+  Section(SummaryLines& lines, std::string label) : lines_(lines), label_(std::move(label)) {}
+
+  bool is_known(const std::string& text) { return !known_.insert(text).second; }
+
+  void add(std::string text) { lines_.push_back({std::exchange(label_, ""), std::move(text)}); }
+
+ private:
+  SummaryLines& lines_;
+  std::string label_;
+  std::set<std::string> known_ = {};
+};
+
+/// What the equations are made of.
+struct Part {
+  std::string_view symbol;
+  OutputKind kind;
+};
+constexpr std::array parts{Part{"T", OutputKind::kinetic_energy},
+                           Part{"V", OutputKind::potential_energy},
+                           Part{"D", OutputKind::dissipation}, Part{"Q", OutputKind::applied_force},
+                           Part{"B", OutputKind::input_matrix}};
+
+/// "V = a -> b", "V: 2 of 3 entries differ, 0 rewritten", "V is written differently"
+std::string part_text(std::string_view symbol, const OutputChange& output) {
+  VerdictCounts counts;
+  counts.add(output);
+  if (counts.changed() == 0) return fmt::format("{} is written differently", symbol);
+  const bool is_one = counts.different == 1 && counts.all == 1;
+  const std::string change = is_one ? change_text(output.entries.front()) : std::string();
+  return change.empty() ? fmt::format("{}: {}", symbol, counts.text())
+                        : fmt::format("{} = {}", symbol, change);
+}
+
+/// "V = a -> b;  T, D, Q, B identical"; of none that changed only where causes stand above.
+std::string parts_text(const SystemChange& system, bool is_cause) {
+  std::string changed;
+  std::string identical;
+  for (const auto& [symbol, kind] : parts) {
+    const auto output =
+        std::ranges::find(system.outputs, output_row(kind).name, &OutputChange::name);
+    if (output == system.outputs.end()) continue;
+    if (output->entries.empty()) {
+      identical += fmt::format("{}{}", identical.empty() ? "" : ", ", symbol);
+    } else {
+      changed += (changed.empty() ? "" : ";  ") + part_text(symbol, *output);
+    }
+  }
+  if (identical.empty() || (is_cause && changed.empty())) return changed;
+  return fmt::format("{}{}{} identical", changed, changed.empty() ? "" : ";  ", identical);
+}
+
+/// The system in which most follows from the changes.
+const SystemChange* most_changed(const DiffReport& report) {
+  const auto most = std::ranges::max_element(
+      report.systems, {}, [](const SystemChange& system) { return counts_of(system).different; });
+  return most == report.systems.end() ? nullptr : &*most;
+}
+
+/// The shortest of the entries that differ, where one can be read.
+const EntryChange* example(const SystemChange& system) {
+  const EntryChange* best = nullptr;
+  const auto length = [](const EntryChange& entry) {
+    const std::size_t read = change_text(entry).size();
+    return read == 0 ? SIZE_MAX : read;
+  };
+  for (const OutputChange& output : system.outputs) {
+    for (const EntryChange& entry : output.entries) {
+      if (entry.verdict != EntryVerdict::different) continue;
+      if (best == nullptr || length(entry) < length(*best)) best = &entry;
+    }
+  }
+  return best;
+}
+
+class Summary {
+ public:
+  Summary(const DiffReport& report, bool lists_all) : report_(report), lists_all_(lists_all) {}
+
+  SummaryLines operator()() {
+    const Impact impact = impact_of(report_);
+    if (impact > Impact::text) {
+      if (impact == Impact::misleading) add_interface();
+      add_files();
+      add_keys();
+      if (const SystemChange* const system = most_changed(report_)) add_consequences(*system);
+      if (impact != Impact::misleading) add_interface();
+      add_operations();
+    }
+    const ImpactRow& row = impact_row(impact);
+    lines_.push_back({std::string(row.word), std::string(row.doc)});
+    return std::move(lines_);
+  }
+
+ private:
+  void add(std::string label, std::string text) {
+    if (!text.empty()) lines_.push_back({std::move(label), std::move(text)});
+  }
+
+  void add_files() {
+    for (const std::string& path : report_.added) add("added", path);
+    for (const std::string& path : report_.removed) add("removed", path);
+  }
+
+  void add_keys() {
+    Section section(lines_, "changed");
+    std::size_t count = 0;
+    for (const bool are_expectations : {false, true}) {
+      for (const SystemChange& system : report_.systems) {
+        for (const KeyChange& key : system.keys) {
+          if ((key.table == "expect") != are_expectations) continue;
+          const std::string text = place_text(key) + text_of(key);
+          if (section.is_known(text) || (++count > most_keys && !lists_all_)) continue;
+          section.add(text);
+        }
+      }
+    }
+    if (count > most_keys && !lists_all_) {
+      section.add(fmt::format("{} more (--list)", counted(count - most_keys, "key")));
+    }
+  }
+
+  void add_consequences(const SystemChange& system) {
+    // A sidecar has no keys: then what the equations are made of is the cause.
+    const bool is_cause = system.keys.empty();
+    add(is_cause ? "changed" : "", parts_text(system, is_cause));
+    add_expectations();
+    add_warnings();
+    add_proposal(system);
+    add_counts();
+    add("", system.extension);
+    if (const EntryChange* const entry = example(system)) {
+      add("for one", text_of(*entry));
+      add("", witness_text(*entry));
+    }
+  }
+
+  void add_expectations() {
+    std::set<std::string> broken;
+    for (const SystemChange& system : report_.systems) {
+      broken.insert(system.broken_expectations.begin(), system.broken_expectations.end());
+    }
+    if (broken.empty()) return;
+    std::vector<std::string> some(broken.begin(), broken.end());
+    const bool are_all = some.size() <= most_named;
+    some.resize(std::min(some.size(), most_named));
+    add("", fmt::format("[[expect]] is not changed with it: {} no longer {} ({}{})",
+                        broken.size() == 1 ? "1 entry" : fmt::format("{} entries", broken.size()),
+                        broken.size() == 1 ? "holds" : "hold", fmt::join(some, ", "),
+                        are_all ? "" : ", ..."));
+  }
+
+  void add_warnings() {
+    Section section(lines_, "warns");
+    for (const SystemChange& system : report_.systems) {
+      for (const Diagnostic& warning : system.warnings) {
+        const std::string text =
+            fmt::format("{}: {}", code_row(warning.code).name, warning.message);
+        if (!section.is_known(text)) section.add(text);
+      }
+    }
+  }
+
+  void add_proposal(const SystemChange& system) {
+    if (system.proposal.empty()) return;
+    std::string options;
+    for (const auto& [old, now] : system.proposal) {
+      options += fmt::format(" --rename {}={}", old, now);
+    }
+    add("renamed?", fmt::format("with{} all entries are equal", options));
+  }
+
+  void add_counts() {
+    VerdictCounts all;
+    std::string systems;
+    for (const SystemChange& system : report_.systems) {
+      const VerdictCounts counts = counts_of(system);
+      for (const OutputChange& output : system.outputs) all.add(output);
+      if (counts.changed() == 0) continue;
+      systems += fmt::format("{}{} {} of {}", systems.empty() ? "" : ", ", system.name,
+                             counts.changed(), counts.all);
+    }
+    if (all.all > 0) add("follows", all.text());
+    if (report_.systems.size() > 1) add("", systems);
+  }
+
+  void add_interface() {
+    Section section(lines_, "interface");
+    std::vector<const InterfaceChange*> changes;
+    for (const SystemChange& system : report_.systems) {
+      for (const InterfaceChange& change : system.interface) {
+        if (!section.is_known(change.text)) changes.push_back(&change);
+      }
+    }
+    if (changes.empty()) return section.add("unchanged");
+    std::ranges::stable_sort(changes, std::greater(), &InterfaceChange::impact);
+    const std::size_t shown =
+        lists_all_ ? changes.size() : std::min(changes.size(), most_interface);
+    for (std::size_t i = 0; i < shown; ++i) {
+      section.add(fmt::format("{}: {}", impact_row(changes[i]->impact).word, changes[i]->text));
+    }
+    if (shown < changes.size()) {
+      section.add(fmt::format("{} more (--list)", changes.size() - shown));
+    }
+  }
+
+  /// Of all systems, or of none: a part of them would be taken for all.
+  void add_operations() {
+    Section section(lines_, "operations");
+    std::vector<std::string> changes;
+    for (const SystemChange& system : report_.systems) {
+      if (!system.operations) return;
+      const std::string owner = report_.systems.size() > 1 ? system.name + "::" : std::string();
+      for (const OperationsChange& change : *system.operations) {
+        changes.push_back(owner + text_of(change));
+      }
+    }
+    if (report_.systems.empty()) return;
+    if (changes.empty()) return section.add("unchanged");
+    const std::size_t shown =
+        lists_all_ ? changes.size() : std::min(changes.size(), most_operations);
+    for (std::size_t i = 0; i < shown; ++i) section.add(changes[i]);
+    if (shown < changes.size()) {
+      section.add(fmt::format("{} more (--list)", counted(changes.size() - shown, "function")));
+    }
+  }
+
+  const DiffReport& report_;
+  bool lists_all_;
+  SummaryLines lines_ = {};
+};
+
+}  // namespace
+
+Impact impact_of(const DiffReport& report) {
+  Impact worst = Impact::none;
+  if (!report.added.empty()) worst = Impact::extended;
+  if (!report.removed.empty()) worst = Impact::incompatible;
+  for (const SystemChange& system : report.systems) worst = std::max(worst, system.impact);
+  return worst;
+}
+
+SummaryLines summary(const DiffReport& report, bool lists_all) {
+  return Summary(report, lists_all)();
+}
+
+std::string text_of(const SummaryLines& lines) {
+  std::string text;
+  for (const auto& [label, words] : lines) text += fmt::format("{:<13}{}\n", label, words);
+  return text;
+}
+
+std::vector<EntryList> entry_lists(const DiffReport& report) {
+  std::vector<EntryList> lists;
+  for (const SystemChange& system : report.systems) {
+    EntryList list{system.name, {}};
+    for (const OutputChange& output : system.outputs) {
+      for (const EntryChange& entry : output.entries) {
+        list.lines.push_back(text_of(entry));
+        if (std::string witness = witness_text(entry); !witness.empty()) {
+          list.lines.push_back(std::move(witness));
+        }
+      }
+    }
+    if (!list.lines.empty()) lists.push_back(std::move(list));
+  }
+  return lists;
+}
+
+}  // namespace elgen

@@ -1,0 +1,36 @@
+// Single changes in words.
+#include "diff/change_words.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace elgen;
+
+TEST_CASE("keys that are new, gone or moved") {
+  KeyChange change{.table = "gravity", .entry = "[gravity]", .path = {{"vector"}, {"", 2}}};
+  change.after = "-g";
+  CHECK(text_of(change) == "[gravity] vector[2] is new: -g");
+  change.before = "g";
+  CHECK(text_of(change) == "[gravity] vector[2]: g -> -g");
+  change.after.clear();
+  CHECK(text_of(change) == "[gravity] vector[2] is gone: g");
+  CHECK(place_text(change).empty());
+}
+
+TEST_CASE("long values of keys are cut") {
+  const KeyChange change{.entry = "[energy]", .after = std::string(100, 'x')};
+  CHECK(text_of(change) == "[energy] is new: " + std::string(57, 'x') + "...");
+}
+
+TEST_CASE("entries without closed forms are told by their witness") {
+  EntryChange entry{.place = "bias[2]", .unit = "N*m", .verdict = EntryVerdict::different};
+  CHECK(text_of(entry) == "bias[2] differs");
+  CHECK(witness_text(entry).empty());
+  entry.witness = Witness{"theta = 0.3", 1, 2};
+  entry.share = 0.5;
+  CHECK(witness_text(entry) == "at theta = 0.3: 1 -> 2 N*m, 0.5 of the largest");
+}
+
+TEST_CASE("operations that stay are not told") {
+  OperationsChange change{"bias", {.add = 1, .mul = 3}, {.add = 1, .mul = 4, .div = 1}};
+  CHECK(text_of(change) == "bias: mul 3 -> 4, div 0 -> 1");
+}
