@@ -33,6 +33,9 @@ struct BodyHash {
 };
 [[nodiscard]] BodyHash body_hash(std::string_view text);
 
+/// What a sidecar says that it was made from; empty where the text is no sidecar.
+[[nodiscard]] SourcePaths stated_paths(std::string_view sidecar);
+
 [[nodiscard]] std::string dump(const EmittedFiles& files);
 
 }  // namespace elgen

@@ -101,8 +101,16 @@ struct LeftOut {
   Span span = {};                         ///< the kink in the force, or the name of the model
 };
 
+/// What files say they were made from: paths relative to the folder that all of them go to, or
+/// names of files.
+struct SourcePaths {
+  std::string model = {};
+  std::string scene = {};  ///< "" where the scene is the built-in one
+};
+
 struct Scene {
   SourcePointer source = {};
+  SourcePaths paths = {};
   std::string name = {};       ///< "" for the built-in scene `full`
   std::string base_name = {};  ///< <model> or <model>_<scene>: folder, file stem, namespace
   std::string doc = {};
@@ -128,6 +136,7 @@ struct CheckedModel {
 /// --outputs, --fix, --size and the like as given, each a source of its own so that errors can
 /// point into it.
 struct SceneOptions {
+  SourcePaths paths = {};                   ///< empty: names of files
   std::vector<SourcePointer> outputs = {};  ///< "mass_matrix,bias"
   std::vector<SourcePointer> fixed = {};    ///< "NAME", "NAME=VALUE" or "all"
   std::vector<SourcePointer> sizes = {};    ///< "n=20"

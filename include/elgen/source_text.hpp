@@ -40,6 +40,9 @@ struct Span {
 /// The text of 1-based `line`, without its line end.
 [[nodiscard]] std::string_view line_text(const SourceText& source, std::uint32_t line);
 
+/// The last part of its path.
+[[nodiscard]] std::string file_name(const SourceText& source);
+
 /// The bytes a span covers.
 [[nodiscard]] std::string_view covered_text(const Span& span);
 

@@ -26,6 +26,10 @@ SourcePointer make_source(std::string path, std::string text) {
   return source;
 }
 
+std::string file_name(const SourceText& source) {
+  return source.path.substr(source.path.find_last_of("/\\") + 1);
+}
+
 LineColumn line_column(const SourceText& source, std::uint32_t offset) {
   const auto end = static_cast<std::uint32_t>(source.text.size());
   offset = std::min(offset, end);

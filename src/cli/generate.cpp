@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "cli/commands.hpp"
 #include "cli/files/inputs.hpp"
 #include "cli/files/output_files.hpp"
+#include "cli/files/source_paths.hpp"
+#include "cli/generated_check.hpp"
 #include "cli/process/resources.hpp"
 #include "cli/shown_pipeline.hpp"
 #include "elgen/artifacts.hpp"
@@ -40,12 +43,22 @@ struct Job {
   [[nodiscard]] const Scene& scene() const { return products.checked->scene; }
 };
 
+/// What a model says, its scenes say again.
+Diagnostics not_told(Diagnostics diagnostics, std::set<std::string>& told) {
+  std::erase_if(diagnostics, [&told](const Diagnostic& diagnostic) {
+    const bool is_error = code_row(diagnostic.code).severity == Severity::error;
+    return !is_error && !told.insert(format({diagnostic}, {})).second;
+  });
+  return diagnostics;
+}
+
 /// Reads and runs every input; diagnostics of all of them are reported.
 ExitCode run(const GlobalOptions& global, const GenerateOptions& options, std::vector<Job>& jobs) {
   PipelineOptions pipeline = pipeline_options(global, {"self-check"});
   pipeline.scene = options.scene;
   if (options.list_outputs) pipeline.goals = {"check"};
   ExitCode worst = ExitCode::success;
+  std::set<std::string> told;
   for (const std::string& path : options.inputs) {
     Result<Inputs> inputs = read_inputs(path, global.limits);
     if (!inputs) {
@@ -53,7 +66,11 @@ ExitCode run(const GlobalOptions& global, const GenerateOptions& options, std::v
       continue;
     }
     renew_time_limit(global.limits);
+    if (!options.to_stdout) {
+      pipeline.scene.paths = source_paths(*inputs, options.output_directory);
+    }
     Job job{path, *inputs, run_shown(path, *inputs, pipeline)};
+    job.products.diagnostics = not_told(std::move(job.products.diagnostics), told);
     worst = std::max(worst, report_products(global, job.products));
     tell_times(global, job.products);
     jobs.push_back(std::move(job));
@@ -153,15 +170,10 @@ std::string repair_command(const GlobalOptions& global, const GenerateOptions& o
 
 ExitCode check(const GlobalOptions& global, const GenerateOptions& options,
                const std::vector<Job>& jobs) {
-  const Differences differences = compare_files(options.output_directory, all_files(jobs));
-  if (differences.text.empty()) {
-    tell(global, "up to date");
-    return ExitCode::success;
-  }
-  const ExitCode printed = print(global, differences.text);
-  if (differences.is_stale) tell(global, "to repair: " + repair_command(global, options));
-  for (const std::string& path : differences.orphans) tell(global, "to repair: delete " + path);
-  return std::max(printed, ExitCode::differs);
+  GeneratedSystems systems{
+      options.output_directory, all_files(jobs), {}, repair_command(global, options)};
+  for (const Job& job : jobs) systems.sources.push_back(job.scene().paths);
+  return check_generated(global, systems);
 }
 
 void tell_what_became(const GlobalOptions& global, const GenerateOptions& options, const Job& job,

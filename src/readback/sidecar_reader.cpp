@@ -5,6 +5,7 @@
 
 #include "check/judge/output_units.hpp"
 #include "elgen/wording.hpp"
+#include "lower/operation_columns.hpp"
 #include "readback/page_readers.hpp"
 #include "readback/token_reader.hpp"
 
@@ -23,6 +24,8 @@ class SidecarReader {
     if (json.is_discarded()) fail("the text is no JSON");
     const Model& model = origin_.model;
     take(json, "generated");
+    expect(take(json, "model"), origin_.scene.paths.model);
+    if (!origin_.scene.paths.scene.empty()) expect(take(json, "scene"), origin_.scene.paths.scene);
     expect(take(json, "format"), 1);
     expect(take(json, "name"), origin_.scene.base_name);
     emission(json);
@@ -133,7 +136,9 @@ class SidecarReader {
       Json output = take(all, function.name);
       function_ = function.name;
       equations_.start(i);
-      if (has_equations(output_row(function.kind))) equations(output, function);
+      const OutputRow& row = output_row(function.kind);
+      if (!row.of_user && row.name != function.name) expect(take(output, "output"), row.name);
+      if (has_equations(row)) equations(output, function);
       operations(take(output, "operations"), function);
       expect_empty(output);
       function_.clear();
@@ -183,12 +188,9 @@ class SidecarReader {
 
   void operations(Json json, const Function& function) {
     const OperationCounts n = count_operations(function);
-    expect(take(json, "add"), n.add);
-    expect(take(json, "mul"), n.mul);
-    expect(take(json, "div"), n.div);
-    expect(take(json, "sqrt"), n.sqrt);
-    expect(take(json, "sincos"), n.sincos);
-    expect(take(json, "other"), n.other);
+    for (const auto& [name, count] : operation_columns) {
+      expect(take(json, std::string(name)), n.*count);
+    }
     expect_empty(json);
   }
 

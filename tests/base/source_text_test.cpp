@@ -27,6 +27,11 @@ TEST_CASE("lines come without their ends, LF or CRLF") {
   CHECK(line_text(*source, 3) == "three");
 }
 
+TEST_CASE("the name of a file is the last part of its path") {
+  CHECK(file_name(*make_source("models/a.toml", "")) == "a.toml");
+  CHECK(file_name(*make_source("a.toml", "")) == "a.toml");
+}
+
 TEST_CASE("a span covers its bytes, and nothing without a source") {
   const SourcePointer source = make_source("a.toml", "abcdef");
   CHECK(covered_text({source.get(), 2, 4}) == "cd");

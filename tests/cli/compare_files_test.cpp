@@ -41,14 +41,13 @@ TEST_CASE("output just written is current, and checking writes nothing") {
   CHECK(project.run("ls -lR --full-time generated").output == listing);
 }
 
-TEST_CASE("a changed model makes its output stale: the difference and the remedy are shown") {
+TEST_CASE("a changed model makes its output stale: its files and the remedy are shown") {
   const Project project;
   project.change("sed -i 's/\\[\"0\", \"-g\"\\]/[\"0\", \"-2*g\"]/' cart_pole.toml");
   const Outcome outcome = project.check();
   CHECK(outcome.status == 1);
   const std::string text = outcome.output + outcome.errors;
-  CHECK(mentions(text, "generated/cart_pole/cart_pole.hpp"));
-  CHECK(mentions(text, "\n  @@"));
+  CHECK(mentions(text, "stale        generated/cart_pole/cart_pole.hpp"));
   CHECK(mentions(text, "elgen generate cart_pole.toml"));
 }
 
@@ -60,18 +59,12 @@ TEST_CASE("an edit by hand is told from a stale file") {
   CHECK(mentions(outcome.output + outcome.errors, "by hand"));
 }
 
-TEST_CASE("a missing file and a left-over file are found") {
+TEST_CASE("a missing file is found") {
   const Project missing;
   missing.change("rm generated/cart_pole/cart_pole.equations.json");
   const Outcome gone = missing.check();
   CHECK(gone.status == 1);
   CHECK(mentions(gone.output + gone.errors, "generated/cart_pole/cart_pole.equations.json"));
-
-  const Project left_over;
-  left_over.change("cp generated/cart_pole/cart_pole.hpp generated/cart_pole/cart_pole_old.hpp");
-  const Outcome orphan = left_over.check();
-  CHECK(orphan.status == 1);
-  CHECK(mentions(orphan.output + orphan.errors, "generated/cart_pole/cart_pole_old.hpp"));
 }
 
 TEST_CASE("generating again repairs what --check complains about") {
@@ -98,13 +91,6 @@ TEST_CASE("the command that --check prints repairs, whatever the options") {
     CHECK(shell(repair, workspace.path()).status == 0);
     CHECK(shell(check, workspace.path()).status == 0);
   }
-}
-
-TEST_CASE("a left-over file is to be deleted, not generated again") {
-  const Project project;
-  project.change("cp generated/cart_pole/cart_pole.hpp generated/cart_pole/cart_pole_old.hpp");
-  const Outcome outcome = project.check();
-  CHECK(outcome.errors == "to repair: delete generated/cart_pole/cart_pole_old.hpp\n");
 }
 
 }  // namespace elgen::test

@@ -164,6 +164,7 @@ inline Subject cart_pole() {
   Subject subject;
   subject.model = cart_pole_model();
   subject.scene.base_name = "cart_pole";
+  subject.scene.paths.model = "cart_pole.toml";
   subject.program = read_program(cart_pole_program);
   return subject;
 }

@@ -21,8 +21,17 @@ TEST_CASE("one key order") {
   const Json json = Json::parse(text_of(cart_pole()));
   std::vector<std::string> keys;
   for (const auto& item : json.items()) keys.push_back(item.key());
-  CHECK(keys == std::vector<std::string>{"generated", "format", "name", "coordinates", "inputs",
-                                         "parameters", "outputs", "hash"});
+  CHECK(keys == std::vector<std::string>{"generated", "model", "format", "name", "coordinates",
+                                         "inputs", "parameters", "outputs", "hash"});
+}
+
+TEST_CASE("what it was made from reads back") {
+  Subject subject = cart_pole();
+  subject.scene.paths = {"../models/cart_pole.toml", "../models/scenes/balance.scene.toml"};
+  const SourcePaths paths = stated_paths(text_of(subject));
+  CHECK(paths.model == subject.scene.paths.model);
+  CHECK(paths.scene == subject.scene.paths.scene);
+  CHECK(stated_paths("{").model.empty());
 }
 
 TEST_CASE("outputs") {

@@ -45,6 +45,11 @@ class SceneReader {
  private:
   void read_header() {
     scene_.base_name = model_.name;
+    scene_.paths = options_.paths;
+    if (scene_.paths.model.empty()) scene_.paths.model = file_name(*model_.source);
+    if (syntax_ != nullptr && scene_.paths.scene.empty()) {
+      scene_.paths.scene = file_name(*syntax_->source);
+    }
     if (const EntrySyntax* top = find_entry(syntax_, "")) {
       scene_.source = syntax_->source;
       scene_.name = text_of(*top, "name");

@@ -1,9 +1,8 @@
-// What --check reports: missing, stale, edited by hand, orphaned.
+// What --check reports of files that are written: missing, stale, edited by hand.
 #include <fmt/format.h>
 
+#include <array>
 #include <dtl/dtl.hpp>
-#include <filesystem>
-#include <set>
 #include <sstream>
 
 #include "cli/files/output_files.hpp"
@@ -11,8 +10,6 @@
 namespace elgen::cli {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::size_t diff_lines = 20;  // of each file; the rest is counted
 
@@ -38,41 +35,27 @@ std::string unified_diff(const std::string& before, const std::string& after) {
   return shown;
 }
 
-std::string compare(const OutputFile& file) {
+std::optional<FileDifference> compare(const OutputFile& file) {
   const std::optional<std::string> found = existing_text(file.path);
-  if (!found) return fmt::format("{}: missing\n", file.path);
-  if (*found == file.text) return {};
+  if (!found) return FileDifference{FileState::missing, file.path};
+  if (*found == file.text) return std::nullopt;
   const BodyHash hash = body_hash(*found);
-  const bool edited = !hash.stated.empty() && hash.stated != hash.actual;
-  return fmt::format("{}: {}\n{}", file.path, edited ? "edited by hand" : "stale",
-                     unified_diff(*found, file.text));
-}
-
-/// Files of ours, in the folders of `files`, that nothing generates any more.
-std::set<std::string> orphans(const fs::path& directory, const EmittedFiles& files) {
-  std::set<fs::path> folders;
-  for (const auto& [name, text] : files.files) folders.insert((directory / name).parent_path());
-  std::set<std::string> found;
-  std::error_code error;
-  for (const fs::path& folder : folders) {
-    for (const auto& entry : fs::directory_iterator(folder, error)) {
-      const std::string name = fs::relative(entry.path(), directory, error).generic_string();
-      if (!entry.is_regular_file() || files.files.count(name) != 0) continue;
-      if (bears_marker(entry.path().string())) found.insert(entry.path().string());
-    }
-  }
-  return found;
+  const bool is_edited = !hash.stated.empty() && hash.stated != hash.actual;
+  return FileDifference{is_edited ? FileState::edited : FileState::stale, file.path,
+                        unified_diff(*found, file.text)};
 }
 
 }  // namespace
 
-Differences compare_files(const std::string& directory, const EmittedFiles& files) {
-  Differences differences;
-  for (const OutputFile& file : files_in(directory, files)) differences.text += compare(file);
-  differences.is_stale = !differences.text.empty();
-  for (const std::string& path : orphans(directory, files)) {
-    differences.text += path + ": orphan, nothing generates it\n";
-    differences.orphans.push_back(path);
+std::string_view name_of(FileState state) {
+  constexpr std::array names{"stale", "edited", "missing", "orphaned"};
+  return names[static_cast<std::size_t>(state)];
+}
+
+std::vector<FileDifference> compare_files(const std::string& directory, const EmittedFiles& files) {
+  std::vector<FileDifference> differences;
+  for (const OutputFile& file : files_in(directory, files)) {
+    if (auto difference = compare(file)) differences.push_back(*std::move(difference));
   }
   return differences;
 }

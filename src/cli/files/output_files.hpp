@@ -50,13 +50,25 @@ struct WriteOptions {
 /// A path as make and ninja want it.
 [[nodiscard]] std::string escaped_for_make(const std::string& path);
 
-struct Differences {
-  std::string text = {};                  ///< for people: short unified diffs, hand edits, orphans
-  bool is_stale = false;                  ///< a file is missing or differs
-  std::vector<std::string> orphans = {};  ///< files of ours that nothing generates any more
+enum class FileState : unsigned char {
+  stale,
+  edited,  ///< by hand: the file does not have the hash that it states
+  missing,
+  orphaned,  ///< ours, but nothing generates it any more
 };
 
-/// What differs between `files` and the disk.
-[[nodiscard]] Differences compare_files(const std::string& directory, const EmittedFiles& files);
+/// "stale", "edited", "missing", "orphaned"
+[[nodiscard]] std::string_view name_of(FileState state);
+
+/// A file that is not as it would be written.
+struct FileDifference {
+  FileState state = FileState::stale;
+  std::string path = {};
+  std::string detail = {};  ///< the first lines of a unified diff; of an orphan, why it is one
+};
+
+/// What differs between `files` and the disk; orphans are not looked for.
+[[nodiscard]] std::vector<FileDifference> compare_files(const std::string& directory,
+                                                        const EmittedFiles& files);
 
 }  // namespace elgen::cli

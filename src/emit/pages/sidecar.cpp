@@ -11,6 +11,7 @@
 #include "emit/text/parameters.hpp"
 #include "emit/text/stamp.hpp"
 #include "lower/code_interface.hpp"
+#include "lower/operation_columns.hpp"
 
 namespace elgen {
 namespace {
@@ -79,8 +80,9 @@ Json parameters(const Model& model, const Program& program) {
 
 Json operations(const Function& function) {
   const OperationCounts n = count_operations(function);
-  return {{"add", n.add},   {"mul", n.mul},       {"div", n.div},
-          {"sqrt", n.sqrt}, {"sincos", n.sincos}, {"other", n.other}};
+  Json json = Json::object();
+  for (const auto& [name, count] : operation_columns) json[std::string(name)] = n.*count;
+  return json;
 }
 
 Json definitions(const FunctionEquations& equations) {
@@ -97,7 +99,9 @@ Json field(const Field& field, const std::vector<std::string>& entries) {
 
 Json output(const Function& function, const FunctionEquations& equations) {
   Json json = Json::object();
-  if (has_equations(output_row(function.kind))) {
+  const OutputRow& row = output_row(function.kind);
+  if (!row.of_user && row.name != function.name) json["output"] = row.name;
+  if (has_equations(row)) {
     if (!equations.definitions.empty()) json["definitions"] = definitions(equations);
     if (gives_struct(function)) {
       for (std::size_t i = 0; i < function.fields.size(); ++i) {
@@ -132,7 +136,10 @@ Json left_out(const Scene& scene) {
 }  // namespace
 
 std::string sidecar(const EmissionInput& input) {
-  Json json = {{"generated", input.generated}, {"format", 1}, {"name", input.scene.base_name}};
+  Json json = {{"generated", input.generated}, {"model", input.scene.paths.model}};
+  if (!input.scene.paths.scene.empty()) json["scene"] = input.scene.paths.scene;
+  json["format"] = 1;
+  json["name"] = input.scene.base_name;
   // Entries are listed row by row; the code is C++17 and stores them likewise unless said here.
   const Emission& emission = input.scene.emission;
   if (emission.language != LanguageId::cpp) {
@@ -154,6 +161,15 @@ std::string sidecar(const EmissionInput& input) {
                   {"scene", input.scene_hash},
                   {"body", std::string(blank_hash())}};
   return stamped(printed(json, 0, 0) + "\n");
+}
+
+SourcePaths stated_paths(std::string_view sidecar) {
+  const Json json = Json::parse(sidecar, nullptr, false);
+  const auto text = [&json](const char* key) {
+    const bool is_there = json.is_object() && json.contains(key) && json[key].is_string();
+    return is_there ? json[key].get<std::string>() : std::string();
+  };
+  return {text("model"), text("scene")};
 }
 
 }  // namespace elgen

@@ -1,5 +1,4 @@
-// emission_input: hashes and printed equations. Of the path of a model only the file name is used,
-// so that the same model gives the same bytes in every folder.
+// emission_input: hashes and printed equations.
 #include "emit/text/emission_input.hpp"
 
 #include <fmt/format.h>
@@ -11,10 +10,10 @@
 namespace elgen {
 namespace {
 
-std::string file_name(const SourcePointer& source) {
-  if (source == nullptr) return "a model";
-  const std::size_t slash = source->path.find_last_of("/\\");
-  return comment_text(slash == std::string::npos ? source->path : source->path.substr(slash + 1));
+/// "cart_pole.toml", "cart_pole_balance.scene.toml of cart_pole.toml"
+std::string sources(const SourcePaths& paths) {
+  const std::string model = comment_text(paths.model);
+  return paths.scene.empty() ? model : fmt::format("{} of {}", comment_text(paths.scene), model);
 }
 
 }  // namespace
@@ -28,7 +27,7 @@ EmissionInput emission_input(const Model& model, const Scene& scene, const Progr
           scene,
           program,
           std::move(printed),
-          fmt::format("{} from {}. DO NOT EDIT.", generated_marker, file_name(model.source)),
+          fmt::format("{} from {}. DO NOT EDIT.", generated_marker, sources(scene.paths)),
           content_hash(model.canonical),
           scene.canonical.empty() ? "full" : content_hash(scene.canonical)};
 }

@@ -1,0 +1,22 @@
+// source_paths: what files say they were made from.
+//
+//     generated/, models/a.toml        ->   ../models/a.toml
+//     /tmp/out/, /home/ann/a.toml      ->   a.toml
+#pragma once
+
+#include <string>
+
+#include "elgen/pipeline.hpp"
+
+namespace elgen::cli {
+
+/// Relative to the folder that everything is written below, whatever that is called; names of files
+/// where they have nothing but the root in common, so that no file tells of a machine, and of
+/// standard input.
+[[nodiscard]] SourcePaths source_paths(const Inputs& inputs, const std::string& directory);
+
+/// The file that such a path names; none where it is but a name.
+[[nodiscard]] std::optional<std::string> source_file(const std::string& directory,
+                                                     const std::string& path);
+
+}  // namespace elgen::cli

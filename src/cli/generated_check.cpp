@@ -1,0 +1,106 @@
+// generated_check: a sidecar that was edited by hand says nothing of what was generated.
+#include "cli/generated_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/files/orphans.hpp"
+#include "cli/versions/loaded_version.hpp"
+#include "diff/summary.hpp"
+#include "elgen/diff.hpp"
+#include "elgen/wording.hpp"
+
+namespace elgen::cli {
+
+namespace {
+
+/// What the equations were, where the files still say so.
+DiffReport compared_equations(const GeneratedSystems& systems,
+                              const std::vector<FileDifference>& differences) {
+  DiffReport report;
+  for (const OutputFile& file : files_in(systems.directory, systems.files)) {
+    if (!file.path.ends_with(sidecar_ending)) continue;
+    const bool is_stale = std::ranges::any_of(differences, [&file](const FileDifference& found) {
+      return found.path == file.path && found.state == FileState::stale;
+    });
+    if (!is_stale) continue;
+    const auto old = parse_sidecar(make_source(file.path, *existing_text(file.path)));
+    const auto now = parse_sidecar(make_source(file.path, file.text));
+    if (!old || !now) continue;
+    SystemChange change = compare(old->version(), now->version());
+    if (change.impact > Impact::text) report.systems.push_back(std::move(change));
+  }
+  return report;
+}
+
+std::string text_of(const GlobalOptions& global, const FileDifference& difference) {
+  std::string words = difference.path;
+  if (difference.state == FileState::edited) words += " (by hand)";
+  if (difference.state == FileState::orphaned) words += ": " + difference.detail;
+  std::string text = text_of(SummaryLines{{std::string(name_of(difference.state)), words}});
+  if (global.verbose && difference.state != FileState::orphaned) text += difference.detail;
+  return text;
+}
+
+std::string text_of(const GlobalOptions& global, const DiffReport& equations,
+                    const std::vector<FileDifference>& differences) {
+  std::string text;
+  if (!equations.systems.empty()) text += to_text(equations, global.verbose) + "\n";
+  for (const FileDifference& difference : differences) text += text_of(global, difference);
+  return text;
+}
+
+Diagnostics diagnostics_of(const std::vector<FileDifference>& differences) {
+  static std::vector<SourcePointer> files;  // spans point into them
+  Diagnostics all;
+  for (const FileDifference& difference : differences) {
+    files.push_back(make_source(difference.path, existing_text(difference.path).value_or("")));
+    const std::string reason =
+        difference.state == FileState::orphaned ? ": " + difference.detail : std::string();
+    all.push_back(
+        {Code::E715,
+         {files.back().get(), 0, 0},
+         fmt::format("{} is {}{}", quoted(difference.path), name_of(difference.state), reason)});
+  }
+  return all;
+}
+
+/// All of them in one sentence, with the command that repairs them.
+ExitCode report_all(const GlobalOptions& global, const GeneratedSystems& systems,
+                    const std::vector<FileDifference>& differences) {
+  const auto is_orphan = [](const FileDifference& found) {
+    return found.state == FileState::orphaned;
+  };
+  const bool is_written = !std::ranges::all_of(differences, is_orphan);
+  const ExitCode reported = report(
+      global, {{Code::E715,
+                {},
+                fmt::format("{} {} not current", counted(differences.size(), "generated file"),
+                            differences.size() == 1 ? "is" : "are"),
+                is_written ? "to repair: " + systems.repair : ""}});
+  for (const FileDifference& found : differences) {
+    if (is_orphan(found)) tell(global, "to repair: delete " + found.path);
+  }
+  return reported;
+}
+
+}  // namespace
+
+ExitCode check_generated(const GlobalOptions& global, const GeneratedSystems& systems) {
+  std::vector<FileDifference> differences = compare_files(systems.directory, systems.files);
+  const auto left = orphans(systems.directory, systems.files, systems.sources);
+  differences.insert(differences.end(), left.begin(), left.end());
+  if (differences.empty()) {
+    tell(global, "up to date");
+    return ExitCode::success;
+  }
+  const DiffReport equations = compared_equations(systems, differences);
+  if (global.style.format != DiagnosticFormat::text) {
+    return report(global, diagnostics_of(differences));
+  }
+  const ExitCode printed = print(global, text_of(global, equations, differences));
+  return std::max(printed, report_all(global, systems, differences));
+}
+
+}  // namespace elgen::cli

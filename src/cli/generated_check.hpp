@@ -1,0 +1,26 @@
+// generated_check: what `generate --check` says.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/files/output_files.hpp"
+#include "cli/options.hpp"
+#include "elgen/scene.hpp"
+
+namespace elgen::cli {
+
+/// What would be written, and where.
+struct GeneratedSystems {
+  std::string directory = {};
+  EmittedFiles files = {};
+  std::vector<SourcePaths> sources = {};
+  std::string repair = {};  ///< the command that writes them
+};
+
+/// What changed in the equations, by the sidecars; then the files, with -v the first lines that
+/// differ; then the commands that repair it. E715 for each file where diagnostics are not text.
+[[nodiscard]] ExitCode check_generated(const GlobalOptions& global,
+                                       const GeneratedSystems& systems);
+
+}  // namespace elgen::cli
