@@ -57,6 +57,7 @@ void VerdictCounts::add(const OutputChange& output) {
   for (const EntryChange& entry : output.entries) {
     different += entry.verdict == EntryVerdict::different ? 1 : 0;
     rewritten += entry.verdict == EntryVerdict::equal ? 1 : 0;
+    proved += entry.verdict == EntryVerdict::equal && entry.is_proved ? 1 : 0;
     added += entry.verdict == EntryVerdict::added ? 1 : 0;
     removed += entry.verdict == EntryVerdict::removed ? 1 : 0;
   }
@@ -65,6 +66,9 @@ void VerdictCounts::add(const OutputChange& output) {
 std::string VerdictCounts::text() const {
   std::string result = fmt::format("{} of {} entries {}, {} rewritten", different, all,
                                    different == 1 ? "differs" : "differ", rewritten);
+  if (rewritten > 0) {
+    result += proved == rewritten ? " (proved)" : fmt::format(" ({} proved)", proved);
+  }
   if (added > 0) result += fmt::format(", {} added", added);
   if (removed > 0) result += fmt::format(", {} removed", removed);
   return result;

@@ -18,11 +18,12 @@ struct VerdictCounts {
   std::size_t all = 0;
   std::size_t different = 0;
   std::size_t rewritten = 0;
+  std::size_t proved = 0;  ///< of those that are rewritten
   std::size_t added = 0;
   std::size_t removed = 0;
 
   void add(const OutputChange& output);
-  /// "3 of 12 entries differ, 0 rewritten"
+  /// "3 of 12 entries differ, 2 rewritten (1 proved)"
   [[nodiscard]] std::string text() const;
   [[nodiscard]] std::size_t changed() const { return different + added + removed; }
 };

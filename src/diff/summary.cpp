@@ -43,14 +43,15 @@ constexpr std::array parts{Part{"T", OutputKind::kinetic_energy},
                            Part{"D", OutputKind::dissipation}, Part{"Q", OutputKind::applied_force},
                            Part{"B", OutputKind::input_matrix}};
 
-/// "V = a -> b", "V: 2 of 3 entries differ, 0 rewritten", "V is written differently"
+/// "V = a -> b", "V differs", "B: 2 of 3 entries differ, 0 rewritten", "V is written differently"
 std::string part_text(std::string_view symbol, const OutputChange& output) {
   VerdictCounts counts;
   counts.add(output);
   if (counts.changed() == 0) return fmt::format("{} is written differently", symbol);
   const bool is_one = counts.different == 1 && counts.all == 1;
-  const std::string change = is_one ? change_text(output.entries.front()) : std::string();
-  return change.empty() ? fmt::format("{}: {}", symbol, counts.text())
+  if (!is_one) return fmt::format("{}: {}", symbol, counts.text());
+  const std::string change = change_text(output.entries.front());
+  return change.empty() ? fmt::format("{} differs", symbol)
                         : fmt::format("{} = {}", symbol, change);
 }
 

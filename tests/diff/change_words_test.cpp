@@ -30,6 +30,17 @@ TEST_CASE("entries without closed forms are told by their witness") {
   CHECK(witness_text(entry) == "at theta = 0.3: 1 -> 2 N*m, 0.5 of the largest");
 }
 
+TEST_CASE("entries are counted by their verdicts") {
+  OutputChange output{.entry_count = 4};
+  output.entries.push_back({.verdict = EntryVerdict::equal, .is_proved = true});
+  VerdictCounts counts;
+  counts.add(output);
+  CHECK(counts.text() == "0 of 4 entries differ, 1 rewritten (proved)");
+  output.entries = {{.verdict = EntryVerdict::equal}, {.verdict = EntryVerdict::different}};
+  counts.add(output);
+  CHECK(counts.text() == "1 of 8 entries differs, 2 rewritten (1 proved)");
+}
+
 TEST_CASE("operations that stay are not told") {
   OperationsChange change{"bias", {.add = 1, .mul = 3}, {.add = 1, .mul = 4, .div = 1}};
   CHECK(text_of(change) == "bias: mul 3 -> 4, div 0 -> 1");

@@ -23,7 +23,9 @@ std::string changes(const std::string& before, const std::string& after,
 
 }  // namespace
 
-TEST_CASE("the same interface has no changes") { CHECK(changes(spring(), spring("k*x^4")).empty()); }
+TEST_CASE("the same interface has no changes") {
+  CHECK(changes(spring(), spring("k*x^4")).empty());
+}
 
 TEST_CASE("another order of members means something else") {
   CHECK(changes(spring(), edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {")) ==
