@@ -1,6 +1,7 @@
 // Two versions of a model, compared.
 #pragma once
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <string>
 #include <utility>
@@ -70,6 +71,15 @@ inline std::vector<EntryChange> entries_of(const SystemChange& system, const std
     if (change.name == output) return change.entries;
   }
   return {};
+}
+
+/// How many entries of all outputs have this verdict.
+inline std::ptrdiff_t count_of(const SystemChange& system, EntryVerdict verdict) {
+  std::ptrdiff_t all = 0;
+  for (const OutputChange& output : system.outputs) {
+    all += std::ranges::count(output.entries, verdict, &EntryChange::verdict);
+  }
+  return all;
 }
 
 /// A mass m on a spring k at x.
