@@ -19,7 +19,8 @@ const fs::path source = ELGEN_SOURCE_DIR;
 
 /// Commands run where the project's files are, but none of them can change these.
 void copy_project(const fs::path& folder) {
-  for (const char* part : {"models", "generated", "include", "src", "templates", "tests"}) {
+  for (const char* part :
+       {"models", "generated", "include", "src", "templates", "tests", "recipes"}) {
     fs::copy(source / part, folder / part, fs::copy_options::recursive);
   }
 }
@@ -86,7 +87,8 @@ bool leads_somewhere(const Page& page, const std::string& link) {
 
 /// "src/check/" and the like, unless a part of it is to be replaced: "models/NAME.toml".
 bool is_path(const std::string& code) {
-  static const std::regex path(R"((src|include|tests|models|templates|cmake|\.ci)/[\w./-]*)");
+  static const std::regex path(
+      R"((src|include|tests|models|templates|recipes|cmake|\.ci)/[\w./-]*)");
   static const std::regex placeholder(R"(.*\b(NAME|CODE_\w+|ID)\b.*)");
   return std::regex_match(code, path) && !std::regex_match(code, placeholder);
 }

@@ -108,6 +108,13 @@ bool is_scene(const SourceText& source) {
          source.path.ends_with(".scene.toml");
 }
 
+/// What is said of a scene whose model is not where it says. To show a revision, git puts one file
+/// into a folder of its own.
+std::string_view hint_of_scene(const fs::path& scene) {
+  const bool is_alone = scene.parent_path().filename().string().starts_with("git-blob-");
+  return is_alone ? "git shows one file alone: `elgen diff --against REV` has both" : "";
+}
+
 }  // namespace
 
 bool is_input(const struct stat& file) { return files_read().count(identity(file)) > 0; }
@@ -131,6 +138,7 @@ Result<Inputs> read_inputs(const std::string& path, const Limits& limits) {
     // The mistake is in the scene: point there.
     Diagnostics errors = model_source.diagnostics;
     errors.front().span = named->value.span;
+    errors.front().hint = hint_of_scene(path);
     return errors;
   }
   return Inputs{*model_source, *source};
