@@ -1,0 +1,85 @@
+// How much of a header changes with one term of its model: the functions of the entries that
+// differ, and no others.
+#include <catch2/catch.hpp>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "diff/versions.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+struct OneTerm {
+  const char* model;
+  const char* part;
+  const char* other;
+  std::size_t most_changed;  ///< lines of the header
+};
+
+const OneTerm one_terms[]{
+    {"cart_pole", "\"-g\"", "\"g\"", 62},
+    {"elastic_pendulum", "V = \"1/2*k*", "V = \"k*", 62},
+    {"furuta_pendulum", "D = \"1/2*b1*", "D = \"b1*", 137},
+    {"motor_pendulum", "D = \"1/2*b*", "D = \"b*", 33},
+    {"kepler_polar", "V = \"-mu", "V = \"-2*mu", 52},
+};
+
+struct Header {
+  std::string text = {};
+  std::map<std::string, std::string> functions = {};  ///< name -> its lines
+};
+
+/// Functions are paragraphs, with their comments.
+Header header_of(const Products& products, const std::string& name) {
+  Header header{products.files->files.at(name + "/" + name + ".hpp")};
+  static const std::regex signature(R"((\w+)\(const Parameters<Scalar>&)");
+  std::string paragraph;
+  std::istringstream lines(header.text);
+  const auto close = [&] {
+    std::smatch match;
+    if (std::regex_search(paragraph, match, signature)) header.functions[match[1]] += paragraph;
+    paragraph.clear();
+  };
+  for (std::string line; std::getline(lines, line);) {
+    paragraph += line + "\n";
+    if (line.empty()) close();
+  }
+  close();
+  return header;
+}
+
+std::size_t changed_lines(const std::string& before, const std::string& after) {
+  const Workspace workspace;
+  write_text(workspace.path() / "before", before);
+  write_text(workspace.path() / "after", after);
+  return count(shell("diff before after | grep '^>'", workspace.path()).output, "\n");
+}
+
+}  // namespace
+
+TEST_CASE("one term of a model changes the functions whose entries differ, and no others") {
+  for (const auto& [model, part, other, most] : one_terms) {
+    INFO(model);
+    const std::string text = model_of(model);
+    const Lowered before = lowered(text, "", "readback");
+    const Lowered after = lowered(edited(text, part, other), "", "readback");
+    const Header old = header_of(before.products, model);
+    const Header now = header_of(after.products, model);
+    std::set<std::string> different{"dynamics"};  // of all others together
+    for (const OutputChange& output : compare(before.version(), after.version()).outputs) {
+      const bool differs =
+          std::ranges::count(output.entries, EntryVerdict::different, &EntryChange::verdict) > 0;
+      if (differs) different.insert(output.name);
+    }
+    REQUIRE(now.functions.size() > 10);
+    for (const auto& [name, lines] : now.functions) {
+      INFO(name);
+      CHECK((lines == old.functions.at(name) || different.count(name) > 0));
+    }
+    CHECK(changed_lines(old.text, now.text) <= most);
+  }
+}
