@@ -127,6 +127,8 @@ struct Verification {
 /// All rows in full.
 [[nodiscard]] std::string to_full_text(const Certificate& certificate);
 [[nodiscard]] std::string to_json(const Certificate& certificate);
+/// What to_json gives, as JSON Schema.
+[[nodiscard]] std::string certificate_schema();
 
 /// The check that precedes every write: every output projected on random rational vectors, as many
 /// states (2 … 32) as fit into `seconds`; one where it takes longer by itself. `parts` as in

@@ -1,28 +1,17 @@
-// Diagnostics -> text for people (position, message, source line, caret, hint) or JSON lines.
+// Diagnostics -> text: for people with position, message, source line, caret and hint.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 
+#include "base/diagnostic_data.hpp"
+#include "base/diagnostic_words.hpp"
 #include "base/utf8.hpp"
 #include "elgen/diagnostic.hpp"
 
 namespace elgen {
 
 namespace {
-
-std::string_view severity_word(Severity severity) {
-  switch (severity) {
-    case Severity::note:
-      return "note";
-    case Severity::warning:
-      return "warning";
-    case Severity::error:
-      return "error";
-  }
-  return "error";
-}
 
 std::string paint(std::string_view text, std::string_view sgr, bool color) {
   return color ? fmt::format("\x1b[{}m{}\x1b[0m", sgr, text) : std::string(text);
@@ -91,22 +80,6 @@ Excerpt excerpt(const Span& span) {
           std::max<std::size_t>(1, code_points(line.substr(begin, std::min(end, to) - begin)))};
 }
 
-/// A name may be as long as a file: of what stands in back-ticks the beginning is enough.
-std::string shortened(std::string_view message) {
-  constexpr std::size_t longest = 200;
-  std::string text;
-  for (bool is_quoted = false; !message.empty(); is_quoted = !is_quoted) {
-    const std::size_t size = std::min(message.find('`'), message.size());
-    std::size_t shown = is_quoted ? std::min(size, longest) : size;
-    while (shown < size && !starts_code_point(message[shown])) --shown;
-    text += message.substr(0, shown);
-    if (shown < size) text += "…";
-    if (size < message.size()) text += '`';
-    message.remove_prefix(std::min(size + 1, message.size()));
-  }
-  return text;
-}
-
 void append_excerpt(std::string& text, const Diagnostic& diagnostic, bool color) {
   const Span& span = diagnostic.span;
   if (span.source == nullptr || span.source->text.empty()) {
@@ -139,35 +112,6 @@ std::string text_of(const Diagnostic& diagnostic, bool color) {
   return text;
 }
 
-nlohmann::ordered_json json_position(const Span& span) {
-  nlohmann::ordered_json json;
-  if (span.source == nullptr) return json;
-  const LineColumn begin = line_column(*span.source, span.begin);
-  const LineColumn end = line_column(*span.source, span.end);
-  json["file"] = span.source->path;
-  json["line"] = begin.line;
-  json["column"] = begin.column;
-  json["end_line"] = end.line;
-  json["end_column"] = end.column;
-  return json;
-}
-
-std::string json_of(const Diagnostic& diagnostic) {
-  const CodeRow& row = code_row(diagnostic.code);
-  nlohmann::ordered_json json;
-  json["severity"] = severity_word(row.severity);
-  json["code"] = row.name;
-  json["message"] = shortened(diagnostic.message);
-  if (!diagnostic.hint.empty()) json["hint"] = shortened(diagnostic.hint);
-  json["position"] = json_position(diagnostic.span);
-  if (diagnostic.related) {
-    json["related"] = json_position(*diagnostic.related);
-    json["related"]["message"] = shortened(diagnostic.related_message);
-  }
-  using nlohmann::detail::error_handler_t;
-  return json.dump(-1, ' ', false, error_handler_t::replace) + "\n";
-}
-
 }  // namespace
 
 std::string format(const Diagnostics& diagnostics, const DiagnosticStyle& style) {
@@ -176,7 +120,7 @@ std::string format(const Diagnostics& diagnostics, const DiagnosticStyle& style)
   for (const Diagnostic& diagnostic : diagnostics) {
     const Severity severity = code_row(diagnostic.code).severity;
     if (++found.at(static_cast<std::size_t>(severity)) > style.maximum) continue;
-    text += style.format == DiagnosticFormat::json ? json_of(diagnostic)
+    text += style.format == DiagnosticFormat::json ? json_line(diagnostic)
                                                    : text_of(diagnostic, style.color);
   }
   for (const Severity severity : {Severity::error, Severity::warning, Severity::note}) {

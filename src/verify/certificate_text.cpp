@@ -1,4 +1,4 @@
-// Certificates as people and programs read them:
+// Certificates as people read them:
 //
 //     certificate of cart_pole, scene full, seed 1
 //     screened 1000334 states in double, of which 1000 visited     where there are so many
@@ -14,8 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "elgen/certificate.hpp"
@@ -24,18 +22,12 @@
 namespace elgen {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Rows = std::vector<const CertificateRow*>;
 using OutputRows = std::pair<std::string, Rows>;
 
 constexpr std::array<std::string_view, 4> verdict_words{"holds", "FAILS", "skipped", "noted"};
-constexpr std::array<std::string_view, 4> verdict_names{"holds", "fails", "skipped", "noted"};
 constexpr std::array<std::string_view, 4> obstacle_words{
     "overflow", "outside the domain", "too ill-conditioned to bound", "singular"};
-constexpr std::array<std::string_view, 4> obstacle_names{"overflow", "undefined", "ill_conditioned",
-                                                         "singular"};
-
-constexpr std::array<std::string_view, 3> evidence_names{"states", "proof", "zeros"};
 
 template <class Enum, std::size_t size>
 std::string_view word(const std::array<std::string_view, size>& words, Enum value) {
@@ -169,24 +161,6 @@ std::string counts(const Certificate& certificate) {
                      noted > 0 ? fmt::format(", {} noted", noted) : "");
 }
 
-Json json_of(const CertificateRow& row) {
-  Json skipped = Json::object();
-  for (const SkippedStates& some : row.skipped) {
-    skipped[std::string(word(obstacle_names, some.obstacle))] = some.states;
-  }
-  Json json{{"check", row.check},     {"output", row.output},
-            {"subject", row.subject}, {"verdict", word(verdict_names, row.verdict)},
-            {"formula", row.formula}, {"evidence", word(evidence_names, row.evidence)},
-            {"samples", row.samples}, {"skipped_states", skipped}};
-  // JSON has no infinity, which a value that is no number is off by, and one whose R is 0.
-  if (row.error && std::isfinite(*row.error)) json["error_in_bounds"] = *row.error;
-  if (row.loss && std::isfinite(*row.loss)) json["loss"] = *row.loss;
-  json["worst"] = row.worst;
-  json["worst_at"] = row.where;
-  json["tolerance"] = row.tolerance;
-  return json;
-}
-
 }  // namespace
 
 std::size_t count(const Certificate& certificate, Verdict verdict) {
@@ -224,26 +198,6 @@ std::string to_full_text(const Certificate& certificate) {
     append_details(text, row);
   }
   return text + "\n" + counts(certificate) + "\n";
-}
-
-std::string to_json(const Certificate& certificate) {
-  Json checks = Json::array();
-  for (const CertificateRow& row : certificate.rows) checks.push_back(json_of(row));
-  Json screened = Json::object();
-  for (const ScreenedCount& some : certificate.screened) {
-    screened[std::string(name_of(some.scalar))] = {{"states", some.states},
-                                                   {"visited", some.visited}};
-  }
-  const Json json{{"model", certificate.model},
-                  {"scene", certificate.scene},
-                  {"seed", certificate.seed},
-                  {"screened", screened},
-                  {"holds", count(certificate, Verdict::holds)},
-                  {"fails", count(certificate, Verdict::fails)},
-                  {"skipped", count(certificate, Verdict::skipped)},
-                  {"noted", count(certificate, Verdict::noted)},
-                  {"checks", checks}};
-  return json.dump(2) + "\n";
 }
 
 }  // namespace elgen

@@ -1,54 +1,10 @@
-// The certificate as people and programs read it.
+// The certificate as people read it.
 #include <catch2/catch.hpp>
-#include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "elgen/certificate.hpp"
+#include "verify/sample_certificate.hpp"
 
 using namespace elgen;
-
-namespace {
-
-CertificateRow row(const std::string& check, const std::string& output, Verdict verdict) {
-  CertificateRow result;
-  result.check = check;
-  result.output = result.subject = output;
-  result.verdict = verdict;
-  return result;
-}
-
-Certificate sample() {
-  CertificateRow proved = row("[[expect]]", "[[expect]] gravity", Verdict::holds);
-  proved.subject = "gravity[1]";
-  proved.worst = "equal";
-  proved.evidence = Evidence::proof;
-  CertificateRow mass = row("program vs oracle", "mass_matrix", Verdict::holds);
-  mass.subject = "mass_matrix (double)";
-  mass.formula = "|x - x*| / (u B)";
-  mass.samples = 276;
-  mass.skipped = {{Obstacle::overflow, 2}, {Obstacle::undefined, 1}};
-  mass.error = 1.25;
-  mass.worst = "1.2 u B";
-  mass.where = "q = (1, 2)";
-  mass.tolerance = "8 u B";
-  CertificateRow bias = row("program vs oracle", "bias", Verdict::fails);
-  bias.subject = "bias (double)";
-  bias.formula = mass.formula;
-  bias.samples = 276;
-  bias.error = HUGE_VAL;
-  bias.worst = "inf u B";
-  bias.where = "q = (3, 4)";
-  CertificateRow zeros = row("zeros that are not proved", "mass_matrix", Verdict::holds);
-  zeros.evidence = Evidence::zeros;
-  zeros.samples = 64;
-  zeros.worst = "in entry 1";
-  CertificateRow pivots = row("mass matrix positive definite", "mass_matrix", Verdict::skipped);
-  pivots.skipped = {{Obstacle::singular, 32}};
-  pivots.worst = "no regular state";
-  return {"cart_pole", "full", 7, {proved, mass, bias, zeros, pivots}};
-}
-
-}  // namespace
+using namespace elgen::test;
 
 TEST_CASE("there is a line per output, what fails is printed in full, what is skipped with why") {
   CHECK(to_text(sample()) == R"(certificate of cart_pole, scene full, seed 7
@@ -121,22 +77,6 @@ TEST_CASE("the verdict alone is one line") {
   certificate.scene = "balance";
   CHECK(verdict_line(certificate) ==
         "cart_pole, scene balance: 3 checks hold, 1 fails, 1 skipped\n");
-}
-
-TEST_CASE("as JSON nothing is left out but what is no number") {
-  const auto json = nlohmann::json::parse(to_json(sample()));
-  CHECK(json.at("model") == "cart_pole");
-  CHECK(json.at("scene") == "full");
-  CHECK(json.at("seed") == 7);
-  CHECK(json.at("holds") == 3);
-  CHECK(json.at("fails") == 1);
-  CHECK(json.at("skipped") == 1);
-  const auto& mass = json.at("checks").at(1);
-  CHECK(mass.at("output") == "mass_matrix");
-  CHECK(mass.at("evidence") == "states");
-  CHECK(mass.at("skipped_states") == nlohmann::json{{"overflow", 2}, {"undefined", 1}});
-  CHECK(mass.at("error_in_bounds") == 1.25);
-  CHECK_FALSE(json.at("checks").at(2).contains("error_in_bounds"));
 }
 
 TEST_CASE("a certificate holds when no row fails") {

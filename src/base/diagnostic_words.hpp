@@ -1,0 +1,22 @@
+// diagnostic_words: what every format says of a diagnostic.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "elgen/diagnostic.hpp"
+
+namespace elgen {
+
+/// In the order of Severity.
+inline constexpr std::array<std::string_view, 3> severity_words{"note", "warning", "error"};
+
+[[nodiscard]] constexpr std::string_view severity_word(Severity severity) {
+  return severity_words.at(static_cast<std::size_t>(severity));
+}
+
+/// A name may be as long as a file: of what stands in back-ticks the beginning is enough.
+[[nodiscard]] std::string shortened(std::string_view message);
+
+}  // namespace elgen
