@@ -16,18 +16,6 @@ namespace {
 /// Of entries in the tables, where a scene's are "scene.outputs" and so on.
 constexpr std::string_view scene_prefix = "scene.";
 
-/// The rows of one kind of file, by the names the file uses.
-std::vector<EntryRow> rows_of(FileKind kind) {
-  std::vector<EntryRow> result;
-  for (EntryRow row : entry_table()) {
-    const bool of_scene = row.entry.starts_with(scene_prefix);
-    if (of_scene != (kind == FileKind::scene)) continue;
-    if (of_scene) row.entry.remove_prefix(scene_prefix.size());
-    result.push_back(row);
-  }
-  return result;
-}
-
 std::string header_text(std::string_view name, bool repeated) {
   return repeated ? fmt::format("`[[{}]]`", name) : fmt::format("`[{}]`", name);
 }
@@ -46,7 +34,7 @@ const Span& header_of(const TomlValue& value) {
 class EntryReader {
  public:
   EntryReader(FileKind kind, FileReading& reading)
-      : kind_(kind), rows_(rows_of(kind)), reading_(reading) {}
+      : kind_(kind), rows_(entry_rows_of(kind)), reading_(reading) {}
 
   std::vector<EntrySyntax> read(const TomlValue& root);
 
@@ -141,14 +129,28 @@ void EntryReader::report_missing(const TomlValue& root) {
 }
 
 void EntryReader::add(const EntryRow& row, const TomlValue& table) {
-  const std::string_view prefix = kind_ == FileKind::scene ? scene_prefix : "";
-  const TableContext context{fmt::format("{}{}", prefix, row.entry),
-                             header_text(row.entry, row.repeated), table.span};
+  const TableContext context{table_entry(kind_, row), header_text(row.entry, row.repeated),
+                             table.span};
   entries_.push_back(
       {std::string(row.entry), table.span, read_keys(table.entries, context, reading_)});
 }
 
 }  // namespace
+
+std::vector<EntryRow> entry_rows_of(FileKind kind) {
+  std::vector<EntryRow> result;
+  for (EntryRow row : entry_table()) {
+    const bool of_scene = row.entry.starts_with(scene_prefix);
+    if (of_scene != (kind == FileKind::scene)) continue;
+    if (of_scene) row.entry.remove_prefix(scene_prefix.size());
+    result.push_back(row);
+  }
+  return result;
+}
+
+std::string table_entry(FileKind kind, const EntryRow& row) {
+  return fmt::format("{}{}", kind == FileKind::scene ? scene_prefix : "", row.entry);
+}
 
 std::vector<EntrySyntax> read_entries(const TomlValue& root, FileKind kind, FileReading& reading) {
   return EntryReader(kind, reading).read(root);

@@ -7,6 +7,12 @@ namespace elgen {
 
 enum class FileKind : std::uint8_t { model, scene };
 
+/// The rows of one kind of file, by the names the file uses.
+[[nodiscard]] std::vector<EntryRow> entry_rows_of(FileKind kind);
+
+/// What the key table calls the entry of such a row: "scene.outputs".
+[[nodiscard]] std::string table_entry(FileKind kind, const EntryRow& row);
+
 /// Top-level keys and entries in file order. E103–E109 and what the values report, into `reading`.
 [[nodiscard]] std::vector<EntrySyntax> read_entries(const TomlValue& root, FileKind kind,
                                                     FileReading& reading);

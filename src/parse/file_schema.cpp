@@ -1,0 +1,174 @@
+// Each row of the key table becomes a key of an object, each of the entry table an object or a list
+// of such. What is not supported yet is left out, as the reader refuses it.
+#include "parse/file_schema.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "base/json_schema.hpp"
+#include "elgen/outputs.hpp"
+#include "elgen/syntax.hpp"
+
+namespace elgen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json table_schema(const std::string& entry, std::string_view doc);
+
+Json expression_schema() {
+  Json schema;
+  schema["type"] = {"number", "string"};
+  return schema;
+}
+
+/// Of `count` items, or any number.
+Json expressions_schema(std::size_t count = 0) {
+  Json schema = list_schema(expression_schema());
+  if (count != 0) schema["minItems"] = schema["maxItems"] = count;
+  return schema;
+}
+
+/// A letter, letters and digits, perhaps an index.
+Json name_schema() {
+  Json schema = value_schema("string");
+  schema["pattern"] = "^[A-Za-z][A-Za-z0-9_]*(\\s*\\[.+\\])?$";
+  return schema;
+}
+
+/// [[axis, angle], ...]; an axis is a letter, perhaps signed, or three expressions.
+Json turns_schema() {
+  Json axis = choice_schema({value_schema("string"), expressions_schema(3)});
+  Json turn{{"type", "array"}};
+  turn["items"] = {std::move(axis), expression_schema()};
+  turn["minItems"] = turn["maxItems"] = 2;
+  return list_schema(std::move(turn));
+}
+
+Json words_schema(const KeyRow& row) {
+  std::vector<std::string_view> words;
+  for (const ChoiceRow& choice : choice_table()) {
+    if (choice.entry == row.entry && choice.key == row.key) words.push_back(choice.word);
+  }
+  return word_schema(words);
+}
+
+Json some_words_schema(const KeyRow& row) {
+  Json schema = list_schema(words_schema(row));
+  schema["minItems"] = 1;
+  return schema;
+}
+
+Json matrix_schema() {
+  return list_schema(choice_schema({expression_schema(), expressions_schema()}));
+}
+
+Json inner_table_schema(const KeyRow& row) {
+  return table_schema(fmt::format("{}.{}", row.entry, row.key), {});
+}
+
+Json schema_of(const KeyRow& row) {
+  const auto or_table = [&row](Json other) {
+    return choice_schema({std::move(other), inner_table_schema(row)});
+  };
+  const Json text = value_schema("string");
+  switch (row.type) {
+    case KeyType::expression:
+      return expression_schema();
+    case KeyType::expression_list:
+      return expressions_schema();
+    case KeyType::expression_or_list:
+      return choice_schema({expression_schema(), expressions_schema()});
+    case KeyType::expression_or_table:
+      return or_table(expression_schema());
+    case KeyType::closed_form:
+      return choice_schema({expression_schema(), matrix_schema(), inner_table_schema(row)});
+    case KeyType::name:
+      return name_schema();
+    case KeyType::text:
+    case KeyType::unit:
+      return text;
+    case KeyType::choice:
+      return words_schema(row);
+    case KeyType::choice_list:
+      return some_words_schema(row);
+    case KeyType::repetition:
+      return choice_schema({text, list_schema(text)});
+    case KeyType::integer:
+      return value_schema("integer");
+    case KeyType::boolean:
+      return value_schema("boolean");
+    case KeyType::range:
+      return expressions_schema(2);
+    case KeyType::turns:
+      return turns_schema();
+    case KeyType::table:
+      return inner_table_schema(row);
+    case KeyType::boolean_or_table:
+      return or_table(value_schema("boolean"));
+    case KeyType::text_or_table:
+      return or_table(text);
+  }
+  return {};
+}
+
+/// What may be wanted of every model, so that editors offer it; an [[output]] has its own name.
+void add_outputs(std::vector<SchemaKey>& keys) {
+  const Json wanted{{"$ref", "#/properties/outputs/additionalProperties"}};
+  for (const OutputRow& output : output_table()) {
+    if (output.of_user) continue;
+    // Beside a reference nothing counts, so it stands alone.
+    Json schema;
+    schema["allOf"] = Json::array({wanted});
+    schema["description"] = output.doc;
+    keys.push_back({output.name, std::move(schema), false});
+  }
+}
+
+/// The keys of a table: of one entry of the key table.
+struct TableKeys {
+  std::vector<SchemaKey> named = {};
+  Json others = false;
+};
+
+TableKeys keys_of(std::string_view entry) {
+  TableKeys keys;
+  for (const KeyRow& row : key_table()) {
+    if (row.entry != entry || !row.supported) continue;
+    Json schema = schema_of(row);
+    schema["description"] = row.doc;
+    if (row.key == "*") {
+      keys.others = std::move(schema);
+    } else {
+      keys.named.push_back({row.key, std::move(schema), row.required});
+    }
+  }
+  if (entry == "scene.outputs") add_outputs(keys.named);
+  return keys;
+}
+
+Json table_schema(const std::string& entry, std::string_view doc) {
+  TableKeys keys = keys_of(entry);
+  return object_schema(std::move(keys.named), doc, std::move(keys.others));
+}
+
+Json entry_schema(FileKind kind, const EntryRow& row) {
+  const std::string entry = table_entry(kind, row);
+  return row.repeated ? list_schema(table_schema(entry, {}), row.doc)
+                      : table_schema(entry, row.doc);
+}
+
+}  // namespace
+
+std::string file_schema(FileKind kind) {
+  const bool is_scene = kind == FileKind::scene;
+  TableKeys keys = keys_of(is_scene ? "scene" : "");
+  for (const EntryRow& row : entry_rows_of(kind)) {
+    if (row.supported) keys.named.push_back({row.entry, entry_schema(kind, row), row.required});
+  }
+  const std::string_view title = is_scene ? "scene of elgen" : "model of elgen";
+  return schema_text(title, object_schema(std::move(keys.named)));
+}
+
+}  // namespace elgen

@@ -1,0 +1,163 @@
+// elgen schema: the schemas hold for what the program reads and prints.
+#include <catch2/catch.hpp>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "elgen/syntax.hpp"
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
+
+/// Judges files by a schema: `judge SCHEMA FILE...`. TOML and JSON by their names; `.jsonl` has a
+/// text of JSON on each line. Prints what is wrong and exits with 1.
+constexpr const char* judge = R"(import json, sys, tomllib
+import jsonschema
+schema = json.load(open(sys.argv[1]))
+jsonschema.Draft7Validator.check_schema(schema)
+validator = jsonschema.Draft7Validator(schema)
+wrong = 0
+for path in sys.argv[2:]:
+    text = open(path, encoding="utf-8").read()
+    if path.endswith(".toml"):
+        texts = [tomllib.loads(text)]
+    else:
+        texts = [json.loads(t) for t in (text.splitlines() if path.endswith(".jsonl") else [text])]
+    for data in texts:
+        for error in validator.iter_errors(data):
+            wrong = 1
+            print(f"{path}: {error.json_path}: {error.message[:200]}")
+sys.exit(wrong)
+)";
+
+/// The first Python that can judge; empty where there is none.
+std::string judging_python() {
+  const Workspace workspace;
+  for (const std::string python : {"python3", "/usr/bin/python3"}) {
+    const std::string question = python + " -c 'import jsonschema, tomllib'";
+    if (shell(question, workspace.path()).status == 0) return python;
+  }
+  std::cout << "skipped: python3-jsonschema is not installed\n";
+  return {};
+}
+
+/// A workspace with the judge and a schema.
+class Judged : public Workspace {
+ public:
+  explicit Judged(const std::string& schema) : python_(judging_python()) {
+    write_text(path() / "judge.py", judge);
+    prepare("elgen schema " + schema + " > schema.json", path());
+  }
+
+  void accepts(const std::string& files) const {
+    if (python_.empty()) return;
+    const Outcome outcome = judged(files);
+    INFO(outcome.output << outcome.errors);
+    CHECK(outcome.status == 0);
+  }
+
+  void refuses(const std::string& file, const std::string& place) const {
+    if (python_.empty()) return;
+    const Outcome outcome = judged(file);
+    INFO(outcome.errors);
+    CHECK(outcome.status == 1);
+    CHECK(mentions(outcome.output, file + ": " + place + ": "));
+  }
+
+ private:
+  [[nodiscard]] Outcome judged(const std::string& files) const {
+    return shell(python_ + " judge.py schema.json " + files, path());
+  }
+
+  std::string python_;
+};
+
+}  // namespace
+
+TEST_CASE("all models and scenes satisfy their schemas") {
+  Judged("model").accepts(models + "/*.toml " ELGEN_SOURCE_DIR "/tests/urdf/golden/*.toml");
+  Judged("scene").accepts(models + "/scenes/*.toml");
+}
+
+TEST_CASE("an unknown key, a missing one and a wrong word do not satisfy the schema of models") {
+  const Judged workspace("model");
+  const std::string cart = read_text(models + "/cart_pole.toml");
+  const auto edited = [&](const std::string& part, const std::string& other) {
+    std::string text = cart;
+    const std::size_t at = text.find(part);
+    REQUIRE(at != std::string::npos);
+    write_text(workspace.path() / "m.toml", text.replace(at, part.size(), other));
+  };
+  edited("format = 1", "fromat = 1");
+  workspace.refuses("m.toml", "$");
+  edited("name        = \"cart_pole\"", "");
+  workspace.refuses("m.toml", "$.model");
+  edited("[gravity]", "[[gravity]]");
+  workspace.refuses("m.toml", "$.gravity");
+  edited("[[coordinate]]", "[[coordinate]]\nkind = \"angle\"");
+  workspace.refuses("m.toml", "$.coordinate[0].kind");
+}
+
+TEST_CASE("editors find every key that is read, with its words and documentation") {
+  const Workspace workspace;
+  const auto schema_of = [&](const std::string& name) {
+    return nlohmann::json::parse(shell("elgen schema " + name, workspace.path()).output);
+  };
+  const auto model = schema_of("model");
+  const auto& frame = model.at("properties").at("frame").at("items").at("properties");
+  for (const KeyRow& row : key_table()) {
+    if (row.entry != "frame") continue;
+    INFO(row.key);
+    CHECK(frame.at(std::string(row.key)).at("description") == row.doc);
+  }
+  CHECK(frame.at("dh").at("properties").at("convention").at("enum") ==
+        nlohmann::json{"standard", "modified"});
+  const auto scene = schema_of("scene");
+  CHECK(scene.at("properties").at("outputs").at("properties").contains("mass_matrix"));
+  CHECK_FALSE(scene.at("properties").at("numeric").at("properties").contains("check"));
+}
+
+TEST_CASE("diagnostics satisfy their schema") {
+  const Judged workspace("diagnostics");
+  const std::string broken = ELGEN_SOURCE_DIR "/tests/errors/broken_models/*.toml";
+  prepare("for model in " + broken + "; do elgen show --format json $model; done 2> said.jsonl; " +
+              "elgen shwo --format json 2>> said.jsonl; true",
+          workspace.path());
+  CHECK(count(read_text(workspace.path() / "said.jsonl"), "\n") > 10);
+  workspace.accepts("said.jsonl");
+}
+
+TEST_CASE("certificates satisfy their schema") {
+  const Judged workspace("certificate");
+  prepare("elgen verify --quick --format json " + models + "/cart_pole.toml > quick.json && " +
+              "elgen verify --format json --samples 20 " + models +
+              "/simple_pendulum.toml > all.json",
+          workspace.path());
+  workspace.accepts("quick.json all.json");
+}
+
+TEST_CASE("reports of differences satisfy their schema") {
+  const Judged workspace("diff");
+  prepare("mkdir old && cp " + models + "/cart_pole.toml " + models +
+              "/simple_pendulum.toml old && "
+              "cp -r old new && sed -i 's/\"-g\"/\"g\"/' new/cart_pole.toml && "
+              "mv new/simple_pendulum.toml new/other.toml && "
+              "elgen diff --allow all --format json old new > folders.json && "
+              "sed -i 's|\"-l.cos(theta)\"|\"2*l*sin(theta/2)^2 - l\"|' new/other.toml && "
+              "elgen diff --allow all --format json old/simple_pendulum.toml new/other.toml > "
+              "equal.json",
+          workspace.path());
+  workspace.accepts("folders.json equal.json");
+}
+
+TEST_CASE("a schema that is not there is refused") {
+  const Workspace workspace;
+  const Outcome outcome = shell("elgen schema modle", workspace.path());
+  CHECK(outcome.status == 2);
+  CHECK(outcome.output.empty());
+}
+
+}  // namespace elgen::test

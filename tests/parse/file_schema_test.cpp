@@ -1,0 +1,54 @@
+// The key table as JSON Schema.
+#include "parse/file_schema.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+using namespace elgen;
+
+namespace {
+
+using Json = nlohmann::json;
+
+Json properties_of(FileKind kind) { return Json::parse(file_schema(kind)).at("properties"); }
+
+}  // namespace
+
+TEST_CASE("what must be there is required, and nothing else may be") {
+  const Json model = Json::parse(file_schema(FileKind::model));
+  CHECK(model.at("required") == Json{"format", "model", "coordinate"});
+  CHECK(model.at("additionalProperties") == false);
+  const Json scene = Json::parse(file_schema(FileKind::scene));
+  CHECK(scene.at("required") == Json{"format", "model", "name"});
+}
+
+TEST_CASE("entries that repeat are lists, others are objects") {
+  const Json model = properties_of(FileKind::model);
+  CHECK(model.at("coordinate").at("type") == "array");
+  CHECK(model.at("gravity").at("type") == "object");
+  CHECK(model.at("gravity").at("required") == Json{"vector"});
+}
+
+TEST_CASE("what is not supported yet is left out") {
+  CHECK_FALSE(properties_of(FileKind::model).contains("constraint"));
+  CHECK_FALSE(properties_of(FileKind::scene).at("numeric").at("properties").contains("check"));
+}
+
+TEST_CASE("names that a file chooses have the schema of the row `*`") {
+  const Json model = properties_of(FileKind::model);
+  const Json& parameter = model.at("parameters").at("additionalProperties");
+  CHECK(parameter.at("description") == "a constant with its value");
+  CHECK(parameter.at("anyOf").at(0).at("type") == Json{"number", "string"});
+  const Json& table = parameter.at("anyOf").at(1);
+  CHECK(table.at("required") == Json{"value"});
+  CHECK(table.at("properties").at("assume").at("enum") == Json{"positive", "nonnegative"});
+  CHECK(model.at("define").at("additionalProperties").at("type") == Json{"number", "string"});
+}
+
+TEST_CASE("scenes offer the outputs by their names") {
+  const Json outputs = properties_of(FileKind::scene).at("outputs");
+  const Json& mass = outputs.at("properties").at("mass_matrix");
+  CHECK(mass.at("description") == "Mass matrix, symmetric.");
+  CHECK(mass.at("allOf").at(0).at("$ref") == "#/properties/outputs/additionalProperties");
+  CHECK(outputs.at("additionalProperties").at("anyOf").at(0).at("type") == "boolean");
+}
