@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "base/ascii.hpp"
+#include "base/content_hash.hpp"
 #include "base/number_text.hpp"
-#include "emit/text/stamp.hpp"
 #include "evaluate/scalar_literal.hpp"
 
 namespace elgen {

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "base/content_hash.hpp"
 #include "elgen/emitted_files.hpp"
 #include "emit/text/layout.hpp"
-#include "emit/text/stamp.hpp"
 
 namespace elgen {
 namespace {

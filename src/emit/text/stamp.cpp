@@ -3,11 +3,9 @@
 // sidecar.
 #include "emit/text/stamp.hpp"
 
-#include <fmt/format.h>
-#include <xxhash.h>
-
 #include <algorithm>
 
+#include "base/content_hash.hpp"
 #include "elgen/emitted_files.hpp"
 
 namespace elgen {
@@ -35,12 +33,6 @@ std::size_t find_body_hash(std::string_view text) {
 }
 
 }  // namespace
-
-std::string content_hash(std::string_view text) {
-  return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
-}
-
-std::string short_hash(std::string_view text) { return content_hash(text).substr(0, 8); }
 
 std::string_view blank_hash() { return "0000000000000000"; }
 
