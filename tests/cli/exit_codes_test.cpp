@@ -1,0 +1,134 @@
+// The exit codes of every command: each that it can end with, and why it cannot with others.
+#include <catch2/catch.hpp>
+#include <set>
+#include <utility>
+
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
+const std::string robots = std::string(ELGEN_SOURCE_DIR) + "/tests/urdf/robots";
+
+struct ExitRow {
+  std::string command;
+  int code;
+  std::string line;          ///< what is run; empty: the command cannot end so
+  std::string why_not = {};  ///< then
+};
+
+/// In a folder with a pendulum `good`, `other` in the value of a parameter, and one with an error,
+/// a wrong expectation, and a force that grows without bound.
+const std::vector<ExitRow> rows{
+    {"generate", 0, "elgen generate good.toml"},
+    {"generate", 1, "elgen generate --check -o none good.toml"},
+    {"generate", 2, "elgen generate bad.toml"},
+    {"generate", 3, "elgen generate --limit derived_nodes=3 good.toml"},
+    {"generate", 4, "elgen generate -o /dev/null/out good.toml"},
+    {"show", 0, "elgen show good.toml"},
+    {"show", 1, "", "it judges nothing"},
+    {"show", 2, "elgen show bad.toml"},
+    {"show", 3, "elgen show --limit derived_nodes=3 good.toml"},
+    {"show", 4, "elgen show good.toml > /dev/full"},
+    {"verify", 0, "elgen verify --quick good.toml"},
+    {"verify", 1, "elgen verify --quick wrong.toml"},
+    {"verify", 2, "elgen verify bad.toml"},
+    {"verify", 3, "elgen verify --limit derived_nodes=3 good.toml"},
+    {"verify", 4, "CXX=/nowhere elgen verify --samples 2 good.toml"},
+    {"diff", 0, "elgen diff good.toml good.toml"},
+    {"diff", 1, "elgen diff good.toml other.toml"},
+    {"diff", 2, "elgen diff good.toml bad.toml"},
+    {"diff", 3, "elgen diff --limit derived_nodes=3 good.toml other.toml"},
+    {"diff", 4, "elgen diff --against nothing good.toml"},
+    {"simulate", 0, "elgen simulate --time 0.1 good.toml"},
+    {"simulate", 1, "elgen simulate --time 10 falls.toml"},
+    {"simulate", 2, "elgen simulate --time 0.1 bad.toml"},
+    {"simulate", 3, "elgen simulate --time 0.1 --limit derived_nodes=3 good.toml"},
+    {"simulate", 4, "CXX=/nowhere elgen simulate --time 0.1 good.toml"},
+    {"tradeoff", 0, "elgen tradeoff --trajectory 0.1 good.toml"},
+    {"tradeoff", 1, "elgen tradeoff --trajectory 0.1 --max-error 1e-99 good.toml"},
+    {"tradeoff", 2, "elgen tradeoff bad.toml"},
+    {"tradeoff", 3, "elgen tradeoff --limit derived_nodes=3 good.toml"},
+    {"tradeoff", 4, "CXX=/nowhere elgen tradeoff good.toml"},
+    {"import", 0, "elgen import " + robots + "/gripper.urdf"},
+    {"import", 1, "", "it judges nothing"},
+    {"import", 2, "elgen import bad.toml"},
+    {"import", 3, "", "it derives nothing"},
+    {"import", 4, "elgen import " + robots + "/gripper.urdf > /dev/full"},
+    {"explain", 0, "elgen explain E201"},
+    {"explain", 1, "", "it judges nothing"},
+    {"explain", 2, "elgen explain E999"},
+    {"explain", 3, "", "it derives nothing"},
+    {"explain", 4, "elgen explain E201 > /dev/full"},
+    {"schema", 0, "elgen schema model"},
+    {"schema", 1, "", "it judges nothing"},
+    {"schema", 2, "elgen schema modle"},
+    {"schema", 3, "", "it derives nothing"},
+    {"schema", 4, "elgen schema model > /dev/full"},
+};
+
+std::string replaced(std::string text, const std::string& part, const std::string& other) {
+  const std::size_t at = text.find(part);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, part.size(), other);
+}
+
+class Models : public Workspace {
+ public:
+  Models() {
+    const std::string good = read_text(models + "/simple_pendulum.toml");
+    const auto write = [&](const std::string& name, const std::string& text) {
+      write_text(path() / (name + ".toml"), text);
+    };
+    write("good", good);
+    write("other", replaced(good, "value = 9.81", "value = 9.8"));
+    write("bad", replaced(good, "mass = \"m\"", "mass = \"mq\""));
+    write("wrong", good.substr(0, good.find("[[expect]]")) + "[[expect]]\ngravity = [\"0\"]\n");
+    write("falls",
+          "format = 1\n[model]\nname = \"falls\"\n[[coordinate]]\nname = \"q\"\n"
+          "start = { value = 1, rate = 0 }\n"
+          "[energy]\nT = \"1/2*dot(q)^2\"\nV = \"-q^4\"\n");
+  }
+};
+
+}  // namespace
+
+TEST_CASE("every command has a row for each exit code from 0 to 4") {
+  std::set<std::pair<std::string, int>> said;
+  for (const ExitRow& row : rows) CHECK(said.emplace(row.command, row.code).second);
+  for (const std::string name : {
+#define ELGEN_COMMAND(name) #name,
+#include "cli/commands.def"
+#undef ELGEN_COMMAND
+       }) {
+    for (int code = 0; code <= 4; ++code) {
+      INFO(name << " " << code);
+      CHECK(said.count({name, code}) == 1);
+    }
+  }
+}
+
+TEST_CASE("every command ends with the exit code of what happened") {
+  const Models workspace;
+  for (const ExitRow& row : rows) {
+    if (row.line.empty()) continue;
+    const Outcome outcome = shell(row.line, workspace.path());
+    INFO(row.line << "\n" << outcome.errors);
+    CHECK(outcome.status == row.code);
+  }
+}
+
+TEST_CASE("a command that is interrupted ends with 130") {
+  const Models workspace;
+  for (const std::string signal : {"INT", "TERM", "HUP"}) {
+    INFO(signal);
+    const Outcome outcome = shell("timeout --preserve-status -s " + signal + " 0.5 elgen verify " +
+                                      models + "/double_pendulum.toml",
+                                  workspace.path());
+    CHECK(outcome.status == 130);
+  }
+}
+
+}  // namespace elgen::test
