@@ -1,8 +1,12 @@
-// Long names are cut on code point boundaries.
+// Long names are cut on code point boundaries; fingerprints know no places but the path.
 #include "base/diagnostic_words.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+
+#include "base/content_hash.hpp"
 #include "base/utf8.hpp"
 
 namespace elgen {
@@ -20,6 +24,26 @@ std::string shortened(std::string_view message) {
     message.remove_prefix(std::min(size + 1, message.size()));
   }
   return text;
+}
+
+std::string sentence(const Diagnostic& diagnostic) {
+  const std::string message = shortened(diagnostic.message);
+  return diagnostic.hint.empty() ? message
+                                 : fmt::format("{}; {}", message, shortened(diagnostic.hint));
+}
+
+bool points_into_file(const Span& span) {
+  return span.source != nullptr && span.source->path != "command line";
+}
+
+std::string path_of(const Span& span) {
+  if (span.source == nullptr) return "elgen";
+  return std::filesystem::path(span.source->path).lexically_normal().generic_string();
+}
+
+std::string fingerprint(const Diagnostic& diagnostic, std::size_t which) {
+  return content_hash(fmt::format("{}\n{}\n{}\n{}", code_row(diagnostic.code).name,
+                                  path_of(diagnostic.span), diagnostic.message, which));
 }
 
 }  // namespace elgen

@@ -19,4 +19,17 @@ inline constexpr std::array<std::string_view, 3> severity_words{"note", "warning
 /// A name may be as long as a file: of what stands in back-ticks the beginning is enough.
 [[nodiscard]] std::string shortened(std::string_view message);
 
+/// The message and its hint.
+[[nodiscard]] std::string sentence(const Diagnostic& diagnostic);
+
+/// And not into words of the command line, or nowhere.
+[[nodiscard]] bool points_into_file(const Span& span);
+
+/// As given, `./` aside; "elgen" where a span points nowhere.
+[[nodiscard]] std::string path_of(const Span& span);
+
+/// Stays where lines move: a hash of code, message and path. Which one it is of those that agree in
+/// these tells them apart.
+[[nodiscard]] std::string fingerprint(const Diagnostic& diagnostic, std::size_t which = 0);
+
 }  // namespace elgen

@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <map>
 
+#include "base/annotations.hpp"
 #include "base/diagnostic_data.hpp"
 #include "base/diagnostic_words.hpp"
+#include "base/sarif.hpp"
 #include "base/utf8.hpp"
 #include "elgen/diagnostic.hpp"
 
@@ -112,22 +116,56 @@ std::string text_of(const Diagnostic& diagnostic, bool color) {
   return text;
 }
 
+/// `which` it is of those with one fingerprint.
+std::string one(const Diagnostic& diagnostic, const DiagnosticStyle& style, std::size_t which) {
+  switch (style.format) {
+    case DiagnosticFormat::text:
+      return text_of(diagnostic, style.color);
+    case DiagnosticFormat::json:
+      return json_line(diagnostic);
+    case DiagnosticFormat::github:
+      return github_command(diagnostic);
+    case DiagnosticFormat::gitlab:
+      return gitlab_issue(diagnostic, fingerprint(diagnostic, which));
+    case DiagnosticFormat::sarif:
+      return sarif_result(diagnostic, fingerprint(diagnostic, which));
+  }
+  return {};
+}
+
 }  // namespace
 
+const std::vector<DiagnosticFormatRow>& diagnostic_formats() {
+  static const std::vector<DiagnosticFormatRow> rows{
+      {DiagnosticFormat::text, "text"},
+      {DiagnosticFormat::json, "json", true},
+      {DiagnosticFormat::github, "github"},
+      {DiagnosticFormat::gitlab, "gitlab", true, [] { return std::string("[\n"); }, ",\n", "\n]\n"},
+      {DiagnosticFormat::sarif, "sarif", true, &sarif_start, ",\n", sarif_end},
+  };
+  return rows;
+}
+
+const DiagnosticFormatRow& format_row(DiagnosticFormat format) {
+  return diagnostic_formats()[static_cast<std::size_t>(format)];
+}
+
 std::string format(const Diagnostics& diagnostics, const DiagnosticStyle& style) {
+  const DiagnosticFormatRow& row = format_row(style.format);
+  const std::size_t maximum = row.is_data ? std::numeric_limits<std::size_t>::max() : style.maximum;
+  std::map<std::string, std::size_t> alike;  // by fingerprint
   std::string text;
   std::array<std::size_t, 3> found{};  // by severity
   for (const Diagnostic& diagnostic : diagnostics) {
     const Severity severity = code_row(diagnostic.code).severity;
-    if (++found.at(static_cast<std::size_t>(severity)) > style.maximum) continue;
-    text += style.format == DiagnosticFormat::json ? json_line(diagnostic)
-                                                   : text_of(diagnostic, style.color);
+    if (++found.at(static_cast<std::size_t>(severity)) > maximum) continue;
+    if (!text.empty()) text += row.separator;
+    text += one(diagnostic, style, alike[fingerprint(diagnostic)]++);
   }
   for (const Severity severity : {Severity::error, Severity::warning, Severity::note}) {
     const std::size_t count = found.at(static_cast<std::size_t>(severity));
-    if (count <= style.maximum || style.format == DiagnosticFormat::json) continue;
-    text += fmt::format("elgen: {} more {}s not shown\n", count - style.maximum,
-                        severity_word(severity));
+    if (count <= maximum) continue;
+    text += fmt::format("elgen: {} more {}s not shown\n", count - maximum, severity_word(severity));
   }
   return text;
 }

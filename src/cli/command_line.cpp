@@ -6,6 +6,7 @@
 
 #include <charconv>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "base/ascii.hpp"
 #include "elgen/wording.hpp"
@@ -28,12 +29,19 @@ struct RawOptions {
   bool list_limits = false;
 };
 
+std::vector<std::string> format_words() {
+  std::vector<std::string> words;
+  for (const DiagnosticFormatRow& row : diagnostic_formats()) words.emplace_back(row.word);
+  return words;
+}
+
 void add_global_options(CLI::App& app, CommandLine& line, RawOptions& raw) {
   app.set_version_flag("--version", "elgen " ELGEN_VERSION);
   app.add_option("--color", raw.color, "auto, always or never (NO_COLOR is honoured)")
       ->check(CLI::IsMember({"auto", "always", "never"}));
-  app.add_option("--format", raw.format, "of errors: text or json")
-      ->check(CLI::IsMember({"text", "json"}));
+  app.add_option("--format", raw.format,
+                 "of messages: text, json (of results too), github, gitlab or sarif")
+      ->check(CLI::IsMember(format_words()));
   app.add_flag("-q,--quiet", line.global.quiet, "errors and warnings only");
   app.add_flag("-v,--verbose", line.global.verbose, "print the equations");
   app.add_option("--dump", line.global.dump_stage, "print what a stage made, on stdout")
@@ -131,6 +139,17 @@ std::string limits_text() {
   return text;
 }
 
+std::string limits_json() {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const LimitRow& row : limit_table()) {
+    list.push_back({{"name", row.name},
+                    {"value", Limits().*row.member},
+                    {"unit", row.unit},
+                    {"doc", row.doc}});
+  }
+  return list.dump(2) + "\n";
+}
+
 bool wants_color(const std::string& choice) {
   if (choice != "auto") return choice == "always";
   return std::getenv("NO_COLOR") == nullptr && ::isatty(STDERR_FILENO) != 0;
@@ -139,8 +158,24 @@ bool wants_color(const std::string& choice) {
 DiagnosticStyle style_of(const std::string& color, const std::string& format) {
   DiagnosticStyle style;
   style.color = wants_color(color);
-  style.format = format == "json" ? DiagnosticFormat::json : DiagnosticFormat::text;
+  for (const DiagnosticFormatRow& row : diagnostic_formats()) {
+    if (row.word == format) style.format = row.format;
+  }
   return style;
+}
+
+/// E913: what only people read, where programs read all.
+Diagnostics for_people_alone(const GlobalOptions& global) {
+  const DiagnosticFormatRow& row = format_row(global.style.format);
+  Diagnostics refused;
+  const auto refuse = [&](bool is_asked_for, const char* option) {
+    if (!is_asked_for) return;
+    refused.push_back({Code::E913, {}, fmt::format("`{}` is not written as {}", option, row.word)});
+  };
+  refuse(row.is_data && global.timings, "--timings");
+  refuse(row.is_data && global.verbose, "-v");
+  refuse(wants_json(global) && !global.dump_stage.empty(), "--dump");
+  return refused;
 }
 
 /// The value of an option that stands before or after a mistake.
@@ -182,7 +217,7 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
     return rejected(app, words, error);
   }
   if (raw.list_limits) {
-    line.answer = limits_text();
+    line.answer = raw.format == "json" ? limits_json() : limits_text();
     return line;
   }
   if (app.get_subcommands().empty()) {
@@ -193,6 +228,8 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
   Result<Limits> limits = read_limits(raw.limits);
   if (!limits) return limits.diagnostics;
   line.global.limits = *limits;
+  const Diagnostics refused = for_people_alone(line.global);
+  if (!refused.empty()) return refused;
   return line;
 }
 

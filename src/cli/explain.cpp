@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <nlohmann/json.hpp>
 
+#include "base/diagnostic_words.hpp"
 #include "cli/commands.hpp"
 #include "elgen/syntax.hpp"
 #include "elgen/wording.hpp"
@@ -32,13 +34,39 @@ constexpr std::array<std::string_view, 18> kinds{"expression",
                                                  "text or table"};
 static_assert(kinds.size() == static_cast<std::size_t>(KeyType::text_or_table) + 1);
 
-std::string choices_text(const KeyRow& key) {
-  std::string text;
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string_view> choices_of(const KeyRow& key) {
+  std::vector<std::string_view> words;
   for (const ChoiceRow& choice : choice_table()) {
-    if (choice.entry != key.entry || choice.key != key.key) continue;
-    text += fmt::format("{}\"{}\"", text.empty() ? "" : ", ", choice.word);
+    if (choice.entry == key.entry && choice.key == key.key) words.push_back(choice.word);
   }
-  return text.empty() ? text : fmt::format(" ({})", text);
+  return words;
+}
+
+std::string choices_text(const KeyRow& key) {
+  const std::vector<std::string_view> words = choices_of(key);
+  return words.empty() ? "" : fmt::format(" (\"{}\")", fmt::join(words, "\", \""));
+}
+
+Json json_of(const KeyRow& key) {
+  Json json{{"entry", key.entry},
+            {"key", key.key},
+            {"type", kinds[static_cast<std::size_t>(key.type)]},
+            {"doc", key.doc},
+            {"required", key.required},
+            {"supported", key.supported}};
+  const std::vector<std::string_view> words = choices_of(key);
+  if (!words.empty()) json["words"] = words;
+  return json;
+}
+
+Json json_of(const CodeRow& row) {
+  return {{"code", row.name},
+          {"severity", severity_word(row.severity)},
+          {"exit_code", static_cast<int>(row.exit_code)},
+          {"title", row.title},
+          {"explanation", row.explanation}};
 }
 
 std::string key_line(const KeyRow& key) {
@@ -60,13 +88,21 @@ std::string header(const std::string& name) {
   return name + "\n";
 }
 
-/// The keys of an entry and of the tables inside it; nothing where no row is of this entry.
-std::string entry_text(const std::string& name) {
-  std::string text;
-  std::string_view last;
+/// Of an entry and of the tables inside it.
+std::vector<KeyRow> keys_of_entry(const std::string& name) {
+  std::vector<KeyRow> keys;
   for (const KeyRow& key : key_table()) {
     const bool is_inside = key.entry.substr(0, name.size() + 1) == name + ".";
     if (name.empty() || (key.entry != name && (!is_inside || name == "scene"))) continue;
+    keys.push_back(key);
+  }
+  return keys;
+}
+
+std::string text_of(const std::vector<KeyRow>& keys) {
+  std::string text;
+  std::string_view last;
+  for (const KeyRow& key : keys) {
     if (key.entry != last)
       text += (text.empty() ? "" : "\n") + header(std::string(key.entry)) + "\n";
     last = key.entry;
@@ -85,10 +121,16 @@ std::vector<std::string> known_names() {
 
 ExitCode explain(const GlobalOptions& global, const std::string& name) {
   if (const CodeRow* row = find_code(name)) {
-    return print(global, fmt::format("{}: {}\n\n{}\n", row->name, row->title, row->explanation));
+    return print(global, wants_json(global) ? json_of(*row).dump(2) + "\n"
+                                            : fmt::format("{}: {}\n\n{}\n", row->name, row->title,
+                                                          row->explanation));
   }
-  const std::string keys = entry_text(name);
-  if (!keys.empty()) return print(global, keys);
+  const std::vector<KeyRow> keys = keys_of_entry(name);
+  if (!keys.empty()) {
+    Json list = Json::array();
+    for (const KeyRow& key : keys) list.push_back(json_of(key));
+    return print(global, wants_json(global) ? list.dump(2) + "\n" : text_of(keys));
+  }
   return report(global, {{Code::E913,
                           {},
                           fmt::format("`{}` is neither an error code nor an entry", name),

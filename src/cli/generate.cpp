@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "cli/commands.hpp"
@@ -192,6 +193,42 @@ void tell_what_became(const GlobalOptions& global, const GenerateOptions& option
                            expects ? "; [[expect]] is left to `elgen verify`" : ""));
 }
 
+/// Sorted.
+std::vector<std::string> paths_of(const GenerateOptions& options, const Job& job) {
+  std::vector<std::string> paths;
+  for (const Artifact& artifact : artifacts_of(job.scene())) {
+    paths.push_back((fs::path(options.output_directory) / artifact.path).generic_string());
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+using Json = nlohmann::ordered_json;
+
+/// `written`: of all files; null where none was to be.
+Json json_of(const GenerateOptions& options, const Job& job,
+             const std::vector<std::string>* written) {
+  Json files = Json::array();
+  for (const std::string& path : paths_of(options, job)) {
+    Json file{{"path", path}};
+    if (written != nullptr) file["written"] = std::ranges::count(*written, path) > 0;
+    files.push_back(std::move(file));
+  }
+  Json json{{"name", job.scene().base_name}, {"input", job.path}, {"files", std::move(files)}};
+  if (written != nullptr) {
+    json["read_back"] = receipt(*job.products.readback);
+    json["self_check"] = receipt(*job.products.self_check);
+  }
+  return json;
+}
+
+std::string to_json(const GenerateOptions& options, const std::vector<Job>& jobs,
+                    const std::vector<std::string>* written) {
+  Json systems = Json::array();
+  for (const Job& job : jobs) systems.push_back(json_of(options, job, written));
+  return Json{{"systems", std::move(systems)}}.dump(2) + "\n";
+}
+
 ExitCode write(const GlobalOptions& global, const GenerateOptions& options,
                const std::vector<Job>& jobs) {
   const Diagnostics changed = changed_by_options(options, jobs);
@@ -200,18 +237,13 @@ ExitCode write(const GlobalOptions& global, const GenerateOptions& options,
       write_files(output_files(options, jobs), {options.force, global.limits.seconds});
   if (!written) return report(global, written.diagnostics);
   for (const Job& job : jobs) tell_what_became(global, options, job, *written);
-  return ExitCode::success;
+  return wants_json(global) ? print(global, to_json(options, jobs, &*written)) : ExitCode::success;
 }
 
 std::string listed(const GenerateOptions& options, const std::vector<Job>& jobs) {
   std::string text;
   for (const Job& job : jobs) {
-    std::vector<Artifact> wanted = artifacts_of(job.scene());
-    std::sort(wanted.begin(), wanted.end(),
-              [](const Artifact& x, const Artifact& y) { return x.path < y.path; });
-    for (const Artifact& artifact : wanted) {
-      text += (fs::path(options.output_directory) / artifact.path).generic_string() + "\n";
-    }
+    for (const std::string& path : paths_of(options, job)) text += path + "\n";
   }
   return text;
 }
@@ -224,13 +256,19 @@ std::string headers(const std::vector<Job>& jobs) {
 }
 
 ExitCode generate(const GlobalOptions& global, const GenerateOptions& options) {
+  if (options.to_stdout && wants_json(global)) {
+    return report(global, {{Code::E913, {}, "a header is not written as json"}});
+  }
   std::vector<Job> jobs;
   const ExitCode worst = run(global, options, jobs);
   if (worst != ExitCode::success) return worst;
   if (!global.stop_after.empty() && !options.list_outputs) return worst;
   const Diagnostics duplicates = duplicate_names(jobs);
   if (!duplicates.empty()) return report(global, duplicates);
-  if (options.list_outputs) return print(global, listed(options, jobs));
+  if (options.list_outputs) {
+    return print(global,
+                 wants_json(global) ? to_json(options, jobs, nullptr) : listed(options, jobs));
+  }
   if (options.to_stdout) return print(global, headers(jobs));
   return options.check ? check(global, options, jobs) : write(global, options, jobs);
 }

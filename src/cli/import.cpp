@@ -1,5 +1,6 @@
 // elgen import: a robot description as a model file, on stdout or where -o says.
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
 #include "cli/files/inputs.hpp"
@@ -16,7 +17,17 @@ struct ImportOptions {
   bool force = false;
 };
 
+/// What became of the file.
+std::string written_json(const std::string& path, bool is_new) {
+  using Json = nlohmann::ordered_json;
+  const Json file{{"path", path}, {"written", is_new}};
+  return Json{{"files", Json::array({file})}}.dump(2) + "\n";
+}
+
 ExitCode import_file(const GlobalOptions& global, const ImportOptions& options) {
+  if (options.output.empty() && wants_json(global)) {
+    return report(global, {{Code::E913, {}, "a model is not written as json", "give `-o FILE`"}});
+  }
   const Result<SourcePointer> source = read_source(options.input, global.limits);
   if (!source) return report(global, source.diagnostics);
   const Result<ImportedModel> model = import_urdf(*source, global.limits);
@@ -28,7 +39,8 @@ ExitCode import_file(const GlobalOptions& global, const ImportOptions& options) 
                                    {options.force, global.limits.seconds});
   if (!written) return report(global, written.diagnostics);
   tell(global, "wrote " + options.output);
-  return imported;
+  if (!wants_json(global)) return imported;
+  return std::max(imported, print(global, written_json(options.output, !written->empty())));
 }
 
 }  // namespace

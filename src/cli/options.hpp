@@ -27,7 +27,12 @@ ExitCode print(const GlobalOptions& global, const std::string& text);
 /// Prints diagnostics on stderr (--quiet: without notes), and returns their exit code.
 ExitCode report(const GlobalOptions& global, const Diagnostics& diagnostics);
 
-/// A line for people on stderr, unless --quiet.
+/// Whether results are printed as JSON: what has no such form is refused.
+[[nodiscard]] inline bool wants_json(const GlobalOptions& global) {
+  return global.style.format == DiagnosticFormat::json;
+}
+
+/// A line for people on stderr, unless --quiet, or programs read all of it.
 void tell(const GlobalOptions& global, const std::string& line);
 
 void tell_times(const GlobalOptions& global, const Products& products);

@@ -1,16 +1,14 @@
-// Everything that is printed: what was asked for on stdout, everything for people on stderr.
+// Everything that is printed: what was asked for on stdout, everything else on stderr.
 #include <fmt/format.h>
 
 #include <cstdio>
 
 #include "cli/options.hpp"
+#include "cli/process/messages.hpp"
 
 namespace elgen::cli {
 
 namespace {
-
-/// Where stderr cannot be written, nobody can be told.
-void print_for_people(const std::string& text) { std::fputs(text.c_str(), stderr); }
 
 Diagnostics without_notes(Diagnostics diagnostics) {
   std::erase_if(diagnostics, [](const Diagnostic& diagnostic) {
@@ -29,18 +27,18 @@ ExitCode print(const GlobalOptions& global, const std::string& text) {
 }
 
 ExitCode report(const GlobalOptions& global, const Diagnostics& diagnostics) {
-  print_for_people(format(global.quiet ? without_notes(diagnostics) : diagnostics, global.style));
+  say(global.quiet ? without_notes(diagnostics) : diagnostics, global.style);
   return exit_code(diagnostics);
 }
 
 void tell(const GlobalOptions& global, const std::string& line) {
-  if (!global.quiet) print_for_people(line + "\n");
+  if (!global.quiet && !format_row(global.style.format).is_data) say(line + "\n");
 }
 
 void tell_times(const GlobalOptions& global, const Products& products) {
   if (!global.timings) return;
   const auto line = [](const std::string& name, double seconds) {
-    print_for_people(fmt::format("{:>12} {:9.2f} ms\n", name, seconds * 1e3));
+    say(fmt::format("{:>12} {:9.2f} ms\n", name, seconds * 1e3));
   };
   double sum = 0.0;
   for (const StageTime& time : products.times) {

@@ -19,7 +19,7 @@ namespace {
 struct ShowOptions {
   std::string input = {};
   std::string what = {};  ///< outputs, or one of the words below; empty: all outputs
-  std::string as = "text";
+  std::string as = {};    ///< empty: as --format says
   SceneOptions scene = {};
 };
 
@@ -96,7 +96,9 @@ std::string page(const Products& products, ShownSubject subject, const ShowOptio
   return {};
 }
 
-ExitCode show(const GlobalOptions& global, const ShowOptions& options) {
+ExitCode show(const GlobalOptions& global, const ShowOptions& given) {
+  ShowOptions options = given;
+  if (options.as.empty()) options.as = wants_json(global) ? "json" : "text";
   const Result<ShownSubject> subject = subject_of(options);
   if (!subject) return report(global, subject.diagnostics);
   const Result<Inputs> inputs = read_inputs(options.input, global.limits);
@@ -132,9 +134,8 @@ void add_show(CLI::App& app, Action& action) {
       ->add_option("--what", options->what,
                    "outputs: mass_matrix,gravity,…; or lagrangian, steps, cost or dropped")
       ->type_name("LIST");
-  command->add_option("--as", options->as, "text, latex, mathml, markdown or json")
-      ->check(CLI::IsMember({"text", "latex", "mathml", "markdown", "json"}))
-      ->capture_default_str();
+  command->add_option("--as", options->as, "text (unless given), latex, mathml, markdown or json")
+      ->check(CLI::IsMember({"text", "latex", "mathml", "markdown", "json"}));
   add_specialisation(*command, options->scene);
   set_action(*command, action, options, &show);
 }

@@ -38,12 +38,16 @@ Result<Trajectory> trajectory_of(const GlobalOptions& global, const SimulateOpti
   progress.stage("simulate");
   renew_time_limit(global.limits);
   SimulationOptions run = options.run;
-  if (!options.file.empty() && !run.every) run.every = run.time / default_rows;
+  const bool has_rows = !options.file.empty() || wants_json(global);
+  if (has_rows && !run.every) run.every = run.time / default_rows;
   return simulate(*products.checked, *products.program, *headers->front().functions, run);
 }
 
 ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& options) {
   Diagnostics refused = refuse_run(options.run);
+  if (options.run.every && options.file.empty() && !wants_json(global)) {
+    refused.push_back({Code::E913, {}, "`--every` is of rows: `-o FILE` or `--format json`"});
+  }
   if (!refused.empty()) return report(global, refused);
   Result<DataFormat<Trajectory>> format;
   if (!options.file.empty()) {
@@ -62,7 +66,8 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& opti
   if (derived != ExitCode::success || !global.stop_after.empty()) return derived;
   const Result<Trajectory> trajectory = trajectory_of(global, options, products);
   if (!trajectory) return report(global, trajectory.diagnostics);
-  const ExitCode printed = print(global, to_text(*trajectory));
+  const ExitCode printed =
+      print(global, wants_json(global) ? to_json(*trajectory) : to_text(*trajectory));
   if (options.file.empty()) return printed;
   const auto written = write_files({{options.file, (*format).text(*trajectory), Replaces::nothing}},
                                    {options.force, global.limits.seconds});
@@ -80,7 +85,7 @@ void add_numbers(CLI::App& command, SimulationOptions& run) {
   };
   number("--step", run.step, "length of a step, at most");
   number("--tolerance", run.tolerance, "error of a step that chooses its length (1e-9)");
-  number("--every", run.every, "time between rows of FILE (a thousandth of --time)");
+  number("--every", run.every, "time between rows (a thousandth of --time)");
   number("--hold", run.hold, "inputs keep their values so long");
 }
 
@@ -100,7 +105,6 @@ void add_simulate(CLI::App& app, Action& action) {
   command->add_option("-o,--output", options->file, "write the rows: .csv, .json or .svg")
       ->type_name("FILE");
   command->add_flag("--force", options->force, "overwrite FILE");
-  command->get_option("--every")->needs("--output");
   add_specialisation(*command, options->scene);
   set_action(*command, action, options, &simulate_input);
 }

@@ -108,9 +108,7 @@ Diagnostics contradictions(const TradeoffOptions& options) {
   return refuse_places({{output.file, "", Replaces::nothing}}, output.force);
 }
 
-ExitCode run_tradeoff(const GlobalOptions& given, const TradeoffOptions& options) {
-  GlobalOptions global = given;
-  if (options.output.format == "json") global.style.format = DiagnosticFormat::json;
+ExitCode run_tradeoff(const GlobalOptions& global, const TradeoffOptions& options) {
   const Diagnostics wrong = contradictions(options);
   if (!wrong.empty()) return report(global, wrong);
   return options.merge ? merge_shards(global, options) : measure_input(global, options);
@@ -150,7 +148,7 @@ void add_output(CLI::App& command, TradeoffOutput& output) {
       ->type_name("FILE")
       ->needs(max_error)
       ->excludes(command.get_option("--trajectory"));
-  command.add_option("--format", output.format, "of the table: text, json or csv")
+  command.add_option("--as", output.as, "of the table: text (unless given), json or csv")
       ->check(CLI::IsMember({"text", "json", "csv"}));
   command
       .add_option("-o,--output", output.file, "write the table (.svg, .json or .csv) or the shard")
@@ -162,7 +160,7 @@ void add_output(CLI::App& command, TradeoffOutput& output) {
 void add_sharing(CLI::App& command, TradeoffOptions& options) {
   CLI::Option* const shard =
       add_shard(command, options.shard, "measure one of N parts, for -o FILE");
-  for (const char* name : {"--max-error", "--format"}) shard->excludes(command.get_option(name));
+  for (const char* name : {"--max-error", "--as"}) shard->excludes(command.get_option(name));
   CLI::Option* const merge =
       command.add_flag("--merge", options.merge, "inputs are shards: one table of all");
   merge->excludes(shard);

@@ -67,7 +67,8 @@ Diagnostics refuse_output(const TradeoffOutput& output) {
 
 ExitCode deliver(const GlobalOptions& global, const TradeoffOutput& output, const Inputs& inputs,
                  const TradeoffTable& table) {
-  const auto printed = format_of<TradeoffTable>("." + output.format);
+  const std::string as = output.as.empty() && wants_json(global) ? "json" : output.as;
+  const auto printed = format_of<TradeoffTable>("." + as);
   ExitCode worst = print(global, printed ? printed->text(table) : to_text(table));
   std::vector<OutputFile> files;
   if (!output.file.empty()) {

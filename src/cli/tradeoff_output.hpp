@@ -10,7 +10,7 @@
 namespace elgen::cli {
 
 struct TradeoffOutput {
-  std::string format = "text";           ///< that is printed
+  std::string as = {};                   ///< what is printed; empty: as --format says
   std::string file = {};                 ///< of the table; empty: none
   std::optional<double> max_error = {};  ///< of the row that is named
   std::string scene_file = {};           ///< of that row; empty: none

@@ -29,14 +29,13 @@ struct VerifyCommandOptions {
 
 /// With every check, as -o gets it.
 std::string full_text(const GlobalOptions& global, const Certificate& certificate) {
-  const bool is_json = global.style.format == DiagnosticFormat::json;
-  return is_json ? to_json(certificate) : to_full_text(certificate);
+  return wants_json(global) ? to_json(certificate) : to_full_text(certificate);
 }
 
 /// As -q, -v and --format want it.
 std::string text_of(const GlobalOptions& global, const Certificate& certificate) {
-  const bool is_json = global.style.format == DiagnosticFormat::json;
-  if (is_json || (global.verbose && !global.quiet)) return full_text(global, certificate);
+  if (wants_json(global) || (global.verbose && !global.quiet))
+    return full_text(global, certificate);
   return global.quiet ? verdict_line(certificate) : to_text(certificate);
 }
 

@@ -16,3 +16,36 @@ TEST_CASE("only what stands in back-ticks is cut") {
         "unknown name `" + std::string(200, 'x') + "…`");
   CHECK(shortened(name) == name);
 }
+
+TEST_CASE("a sentence is the message with its hint") {
+  CHECK(sentence({Code::E201, {}, "unknown name `x`"}) == "unknown name `x`");
+  CHECK(sentence({Code::E201, {}, "unknown name `x`", "write `y`"}) ==
+        "unknown name `x`; write `y`");
+}
+
+TEST_CASE("paths are as given, and words of the command line are no file") {
+  const SourcePointer file = make_source("./a/b.toml", "x");
+  const SourcePointer words = make_source("command line", "elgen x");
+  CHECK(path_of({file.get(), 0, 1}) == "a/b.toml");
+  CHECK(points_into_file({file.get(), 0, 1}));
+  CHECK_FALSE(points_into_file({words.get(), 0, 1}));
+  CHECK_FALSE(points_into_file({}));
+  CHECK(path_of({}) == "elgen");
+}
+
+TEST_CASE("a fingerprint stays where lines move, and is another for other words or files") {
+  const SourcePointer before = make_source("m.toml", "x\n");
+  const SourcePointer after = make_source("m.toml", "# moved\n\nx\n");
+  const SourcePointer other = make_source("n.toml", "x\n");
+  const auto of = [](Code code, const SourcePointer& source, std::uint32_t at,
+                     const std::string& message) {
+    return fingerprint({code, {source.get(), at, at + 1}, message});
+  };
+  const std::string here = of(Code::E201, before, 0, "unknown name `x`");
+  CHECK(here.size() == 16);
+  CHECK(of(Code::E201, after, 9, "unknown name `x`") == here);
+  CHECK(of(Code::E201, other, 0, "unknown name `x`") != here);
+  CHECK(of(Code::E202, before, 0, "unknown name `x`") != here);
+  CHECK(of(Code::E201, before, 0, "unknown name `y`") != here);
+  CHECK(fingerprint({Code::E201, {}, "x"}, 1) != fingerprint({Code::E201, {}, "x"}, 0));
+}

@@ -1,5 +1,6 @@
 // The command line: help, version, limits, stages, and words that are not understood.
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "elgen/limits.hpp"
@@ -41,7 +42,9 @@ TEST_CASE("help starts with three examples and names what there is, and only tha
   for (const char* command : {"generate", "verify", "simulate", "tradeoff", "import", "explain"}) {
     CHECK(mentions(outcome.output, command));
   }
-  CHECK_FALSE(mentions(outcome.output, "sarif"));
+  for (const char* format : {"json", "github", "gitlab", "sarif"}) {
+    CHECK(mentions(outcome.output, format));
+  }
 }
 
 TEST_CASE("version and limits are printed on stdout") {
@@ -49,6 +52,9 @@ TEST_CASE("version and limits are printed on stdout") {
   const Outcome limits = run("elgen --limits");
   CHECK(limits.status == 0);
   for (const LimitRow& row : limit_table()) CHECK(mentions(limits.output, std::string(row.name)));
+  const auto listed = nlohmann::json::parse(run("elgen --limits --format json").output);
+  CHECK(listed.size() == limit_table().size());
+  CHECK(listed.at(0).at("name") == limit_table().front().name);
 }
 
 TEST_CASE("a command line that is not understood exits with 2") {

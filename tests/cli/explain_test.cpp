@@ -1,5 +1,6 @@
 // elgen explain: every code has its words, every entry its keys.
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include "elgen/diagnostic.hpp"
 #include "elgen/syntax.hpp"
@@ -55,6 +56,17 @@ TEST_CASE("an entry is shown with its tables, kinds of values and choices") {
   const Outcome unknown = run("elgen explain coordinat");
   CHECK(unknown.status == 2);
   CHECK(mentions(unknown.errors, "did you mean `coordinate`?"));
+}
+
+TEST_CASE("programs get codes and keys as JSON") {
+  const auto code = nlohmann::json::parse(run("elgen explain E201 --format json").output);
+  CHECK(code.at("severity") == "error");
+  CHECK(code.at("exit_code") == 2);
+  CHECK(code.at("title") == "unknown name");
+  const auto keys = nlohmann::json::parse(run("elgen explain scene.emit --format json").output);
+  REQUIRE(keys.size() == 5);
+  CHECK(keys.at(0).at("key") == "language");
+  CHECK(keys.at(0).at("words") == nlohmann::json{"c++17", "c99"});
 }
 
 }  // namespace elgen::test

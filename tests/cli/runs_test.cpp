@@ -16,7 +16,7 @@ const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
 TEST_CASE("runs have a row for each method and step, and shorter steps smaller errors") {
   const Workspace workspace;
   const Outcome outcome = shell(
-      "elgen tradeoff --trajectory 2 --format json --max-error 1e-6 "
+      "elgen tradeoff --trajectory 2 --as json --max-error 1e-6 "
       "-o x.svg " +
           models + "/double_pendulum.toml",
       workspace.path());

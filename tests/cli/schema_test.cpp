@@ -1,10 +1,9 @@
 // elgen schema: the schemas hold for what the program reads and prints.
 #include <catch2/catch.hpp>
-#include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "cli/judged.hpp"
 #include "elgen/syntax.hpp"
-#include "support/shell.hpp"
 
 namespace elgen::test {
 
@@ -12,78 +11,16 @@ namespace {
 
 const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
 
-/// Judges files by a schema: `judge SCHEMA FILE...`. TOML and JSON by their names; `.jsonl` has a
-/// text of JSON on each line. Prints what is wrong and exits with 1.
-constexpr const char* judge = R"(import json, sys, tomllib
-import jsonschema
-schema = json.load(open(sys.argv[1]))
-jsonschema.Draft7Validator.check_schema(schema)
-validator = jsonschema.Draft7Validator(schema)
-wrong = 0
-for path in sys.argv[2:]:
-    text = open(path, encoding="utf-8").read()
-    if path.endswith(".toml"):
-        texts = [tomllib.loads(text)]
-    else:
-        texts = [json.loads(t) for t in (text.splitlines() if path.endswith(".jsonl") else [text])]
-    for data in texts:
-        for error in validator.iter_errors(data):
-            wrong = 1
-            print(f"{path}: {error.json_path}: {error.message[:200]}")
-sys.exit(wrong)
-)";
-
-/// The first Python that can judge; empty where there is none.
-std::string judging_python() {
-  const Workspace workspace;
-  for (const std::string python : {"python3", "/usr/bin/python3"}) {
-    const std::string question = python + " -c 'import jsonschema, tomllib'";
-    if (shell(question, workspace.path()).status == 0) return python;
-  }
-  std::cout << "skipped: python3-jsonschema is not installed\n";
-  return {};
-}
-
-/// A workspace with the judge and a schema.
-class Judged : public Workspace {
- public:
-  explicit Judged(const std::string& schema) : python_(judging_python()) {
-    write_text(path() / "judge.py", judge);
-    prepare("elgen schema " + schema + " > schema.json", path());
-  }
-
-  void accepts(const std::string& files) const {
-    if (python_.empty()) return;
-    const Outcome outcome = judged(files);
-    INFO(outcome.output << outcome.errors);
-    CHECK(outcome.status == 0);
-  }
-
-  void refuses(const std::string& file, const std::string& place) const {
-    if (python_.empty()) return;
-    const Outcome outcome = judged(file);
-    INFO(outcome.errors);
-    CHECK(outcome.status == 1);
-    CHECK(mentions(outcome.output, file + ": " + place + ": "));
-  }
-
- private:
-  [[nodiscard]] Outcome judged(const std::string& files) const {
-    return shell(python_ + " judge.py schema.json " + files, path());
-  }
-
-  std::string python_;
-};
-
 }  // namespace
 
 TEST_CASE("all models and scenes satisfy their schemas") {
-  Judged("model").accepts(models + "/*.toml " ELGEN_SOURCE_DIR "/tests/urdf/golden/*.toml");
-  Judged("scene").accepts(models + "/scenes/*.toml");
+  Judged(schema_of("model"))
+      .accepts(models + "/*.toml " ELGEN_SOURCE_DIR "/tests/urdf/golden/*.toml");
+  Judged(schema_of("scene")).accepts(models + "/scenes/*.toml");
 }
 
 TEST_CASE("an unknown key, a missing one and a wrong word do not satisfy the schema of models") {
-  const Judged workspace("model");
+  const Judged workspace(schema_of("model"));
   const std::string cart = read_text(models + "/cart_pole.toml");
   const auto edited = [&](const std::string& part, const std::string& other) {
     std::string text = cart;
@@ -102,11 +39,7 @@ TEST_CASE("an unknown key, a missing one and a wrong word do not satisfy the sch
 }
 
 TEST_CASE("editors find every key that is read, with its words and documentation") {
-  const Workspace workspace;
-  const auto schema_of = [&](const std::string& name) {
-    return nlohmann::json::parse(shell("elgen schema " + name, workspace.path()).output);
-  };
-  const auto model = schema_of("model");
+  const auto model = nlohmann::json::parse(schema_of("model"));
   const auto& frame = model.at("properties").at("frame").at("items").at("properties");
   for (const KeyRow& row : key_table()) {
     if (row.entry != "frame") continue;
@@ -115,13 +48,13 @@ TEST_CASE("editors find every key that is read, with its words and documentation
   }
   CHECK(frame.at("dh").at("properties").at("convention").at("enum") ==
         nlohmann::json{"standard", "modified"});
-  const auto scene = schema_of("scene");
+  const auto scene = nlohmann::json::parse(schema_of("scene"));
   CHECK(scene.at("properties").at("outputs").at("properties").contains("mass_matrix"));
   CHECK_FALSE(scene.at("properties").at("numeric").at("properties").contains("check"));
 }
 
 TEST_CASE("diagnostics satisfy their schema") {
-  const Judged workspace("diagnostics");
+  const Judged workspace(schema_of("diagnostics"));
   const std::string broken = ELGEN_SOURCE_DIR "/tests/errors/broken_models/*.toml";
   prepare("for model in " + broken + "; do elgen show --format json $model; done 2> said.jsonl; " +
               "elgen shwo --format json 2>> said.jsonl; true",
@@ -131,7 +64,7 @@ TEST_CASE("diagnostics satisfy their schema") {
 }
 
 TEST_CASE("certificates satisfy their schema") {
-  const Judged workspace("certificate");
+  const Judged workspace(schema_of("certificate"));
   prepare("elgen verify --quick --format json " + models + "/cart_pole.toml > quick.json && " +
               "elgen verify --format json --samples 20 " + models +
               "/simple_pendulum.toml > all.json",
@@ -140,7 +73,7 @@ TEST_CASE("certificates satisfy their schema") {
 }
 
 TEST_CASE("reports of differences satisfy their schema") {
-  const Judged workspace("diff");
+  const Judged workspace(schema_of("diff"));
   prepare("mkdir old && cp " + models + "/cart_pole.toml " + models +
               "/simple_pendulum.toml old && "
               "cp -r old new && sed -i 's/\"-g\"/\"g\"/' new/cart_pole.toml && "

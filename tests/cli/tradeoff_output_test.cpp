@@ -14,7 +14,7 @@ const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
 TEST_CASE("a scene keeps what it locks and fixes, and files are not overwritten unasked") {
   const Workspace workspace;
   const std::string command =
-      "elgen tradeoff -q --format csv -o x.csv " + models + "/scenes/balance.scene.toml";
+      "elgen tradeoff -q --as csv -o x.csv " + models + "/scenes/balance.scene.toml";
   const Outcome outcome = shell(command, workspace.path());
   INFO(outcome.errors);
   CHECK(outcome.status == 0);

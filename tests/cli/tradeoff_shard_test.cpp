@@ -119,7 +119,7 @@ TEST_CASE_METHOD(Shards, "rows are joined on any machine, failures and infinite 
   write("c.json", 3,
         R"({"number": 1, "values": ["double", "packs", "full", "fixed"],
             "cost": [5, 4, 6], "error": [2e-16, 1e-17]})");
-  const Outcome csv = run("--format csv --merge a.json b.json c.json");
+  const Outcome csv = run("--as csv --merge a.json b.json c.json");
   CHECK(csv.status == 0);
   CHECK(csv.output ==
         "scalar,batch,trigonometry,parameters,cost,cost_low,cost_high,worst_error,median_error,"

@@ -21,7 +21,7 @@ nlohmann::json table_in(const Outcome& outcome) {
 TEST_CASE("a model gives ten designs, and the scene of the one chosen is as good under verify") {
   const Workspace workspace;
   const Outcome outcome = shell(
-      "elgen tradeoff --format json --max-error 1e-6 --write-scene "
+      "elgen tradeoff --as json --max-error 1e-6 --write-scene "
       "fast.scene.toml -o front.svg " +
           models + "/cart_pole.toml",
       workspace.path());

@@ -1,0 +1,114 @@
+// With --format json every command prints JSON alone, or says why not.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+const std::string pendulum = std::string(ELGEN_SOURCE_DIR) + "/models/simple_pendulum.toml";
+const std::string robot = std::string(ELGEN_SOURCE_DIR) + "/tests/urdf/robots/gripper.urdf";
+
+struct JsonRow {
+  std::string command;
+  std::string line;  ///< all of it
+  std::string key;   ///< that the object has; "": a list
+};
+
+const std::vector<JsonRow> rows{
+    {"generate", "generate --format json -o out " + pendulum, "systems"},
+    {"generate", "generate --format json --list-outputs " + pendulum, "systems"},
+    {"show", "show --format json " + pendulum, "outputs"},
+    {"verify", "verify --format json --quick " + pendulum, "checks"},
+    {"diff", "diff --format json " + pendulum + " " + pendulum, "systems"},
+    {"simulate", "simulate --format json --time 0.1 " + pendulum, "rows"},
+    {"tradeoff", "tradeoff --format json --trajectory 0.1 " + pendulum, "designs"},
+    {"import", "import --format json -q -o gripper.toml " + robot, "files"},
+    {"explain", "explain --format json E201", "code"},
+    {"explain", "explain --format json coordinate", ""},
+    {"schema", "schema --format json model", "properties"},
+};
+
+const std::vector<std::string> refused{
+    "generate --format json --stdout " + pendulum,
+    "show --format json --what steps " + pendulum,
+    "import --format json " + robot,
+};
+
+}  // namespace
+
+TEST_CASE("every command has its result as JSON") {
+  std::set<std::string> said;
+  const Workspace workspace;
+  for (const JsonRow& row : rows) {
+    INFO(row.line);
+    said.insert(row.command);
+    const Outcome outcome = shell("elgen " + row.line, workspace.path());
+    CHECK(outcome.status == 0);
+    CHECK(outcome.errors.empty());
+    const auto json = nlohmann::json::parse(outcome.output);
+    CHECK((row.key.empty() ? json.is_array() : json.contains(row.key)));
+  }
+  for (const std::string name : {
+#define ELGEN_COMMAND(name) #name,
+#include "cli/commands.def"
+#undef ELGEN_COMMAND
+       }) {
+    INFO(name);
+    CHECK(said.count(name) == 1);
+  }
+}
+
+TEST_CASE("what is no JSON is refused, as JSON") {
+  const Workspace workspace;
+  for (const std::string& line : refused) {
+    INFO(line);
+    const Outcome outcome = shell("elgen " + line, workspace.path());
+    CHECK(outcome.status == 2);
+    CHECK(outcome.output.empty());
+    CHECK(nlohmann::json::parse(outcome.errors).at("code") == "E913");
+  }
+}
+
+TEST_CASE("a generated system names its files, and which of them are new") {
+  const Workspace workspace;
+  const std::string generate = "elgen generate --format json -o out " + pendulum;
+  const auto system = [&] {
+    return nlohmann::json::parse(shell(generate, workspace.path()).output).at("systems").at(0);
+  };
+  const auto first = system();
+  CHECK(first.at("name") == "simple_pendulum");
+  CHECK(first.at("input") == pendulum);
+  REQUIRE(first.at("files").size() == 3);
+  CHECK(first.at("files").at(1) ==
+        nlohmann::json{{"path", "out/simple_pendulum/simple_pendulum.hpp"}, {"written", true}});
+  CHECK(first.contains("self_check"));
+  CHECK(system().at("files").at(1).at("written") == false);
+}
+
+TEST_CASE("rows of a run are printed, as far apart as is asked for") {
+  const Workspace workspace;
+  const std::string simulate = "elgen simulate --time 1 --every 0.5 " + pendulum;
+  const auto run =
+      nlohmann::json::parse(shell(simulate + " --format json", workspace.path()).output);
+  CHECK(run.at("rows").size() == 3);
+  const Outcome lost = shell(simulate, workspace.path());
+  CHECK(lost.status == 2);
+  CHECK(mentions(lost.errors, "`--every` is of rows"));
+}
+
+TEST_CASE("--as decides what is printed, whatever the format of messages") {
+  const Workspace workspace;
+  const std::string show = "elgen show --what gravity " + pendulum;
+  CHECK(shell(show + " --as text --format json", workspace.path()).output ==
+        shell(show, workspace.path()).output);
+  CHECK(starts_with(
+      shell("elgen tradeoff --trajectory 0.1 --as csv --format json " + pendulum, workspace.path())
+          .output,
+      "method,"));
+}
+
+}  // namespace elgen::test
