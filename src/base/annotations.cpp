@@ -1,4 +1,4 @@
-// GitHub reads properties until `::`, and a message until the end of the line; GitLab reads JSON.
+// GitHub reads commands, GitLab JSON.
 #include "base/annotations.hpp"
 
 #include <fmt/format.h>
@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/diagnostic_words.hpp"
+#include "base/workflow_command.hpp"
 
 namespace elgen {
 namespace {
@@ -21,34 +22,13 @@ std::string_view word(const std::array<std::string_view, 3>& words, Severity sev
   return words.at(static_cast<std::size_t>(severity));
 }
 
-/// Each of `special` by its number: `%3A`.
-std::string escaped(std::string_view text, std::string_view special) {
-  std::string result;
-  for (const char c : text) {
-    result += special.find(c) == std::string_view::npos
-                  ? std::string(1, c)
-                  : fmt::format("%{:02X}", static_cast<unsigned char>(c));
-  }
-  return result;
-}
-
-std::string property(std::string_view name, std::string_view value) {
-  return fmt::format("{}={}", name, escaped(value, "%\r\n:,"));
-}
-
 }  // namespace
 
 std::string github_command(const Diagnostic& diagnostic) {
   const CodeRow& row = code_row(diagnostic.code);
-  std::string properties;
-  if (points_into_file(diagnostic.span)) {
-    const LineColumn at = line_column(*diagnostic.span.source, diagnostic.span.begin);
-    properties = fmt::format("{},line={},col={},", property("file", path_of(diagnostic.span)),
-                             at.line, at.column);
-  }
-  properties += property("title", fmt::format("{} {}", row.name, row.title));
-  return fmt::format("::{} {}::{}\n", word(github_words, row.severity), properties,
-                     escaped(sentence(diagnostic), "%\r\n"));
+  return text_of(WorkflowCommand{word(github_words, row.severity),
+                                 points_into_file(diagnostic.span) ? diagnostic.span : Span{},
+                                 fmt::format("{} {}", row.name, row.title), sentence(diagnostic)});
 }
 
 std::string gitlab_issue(const Diagnostic& diagnostic, const std::string& fingerprint) {

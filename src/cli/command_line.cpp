@@ -170,7 +170,7 @@ Diagnostics for_people_alone(const GlobalOptions& global) {
   Diagnostics refused;
   const auto refuse = [&](bool is_asked_for, const char* option) {
     if (!is_asked_for) return;
-    refused.push_back({Code::E913, {}, fmt::format("`{}` is not written as {}", option, row.word)});
+    refused.push_back({Code::E913, {}, fmt::format("`{}` is not printed as {}", option, row.word)});
   };
   refuse(row.is_data && global.timings, "--timings");
   refuse(row.is_data && global.verbose, "-v");

@@ -82,7 +82,9 @@ Diagnostics unknown_outputs(const DiffReport& report, const DiffOptions& options
 
 ExitCode diff(const GlobalOptions& given, const DiffOptions& options) {
   GlobalOptions global = given;
-  if (options.format == "json") global.style.format = DiagnosticFormat::json;
+  for (const DiagnosticFormatRow& row : diagnostic_formats()) {
+    if (row.word == options.format) global.style.format = row.format;
+  }
   if (options.revision.empty() && options.inputs.size() != 2) {
     return report(global, {{Code::E913,
                             {},

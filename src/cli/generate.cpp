@@ -257,7 +257,7 @@ std::string headers(const std::vector<Job>& jobs) {
 
 ExitCode generate(const GlobalOptions& global, const GenerateOptions& options) {
   if (options.to_stdout && wants_json(global)) {
-    return report(global, {{Code::E913, {}, "a header is not written as json"}});
+    return report(global, {{Code::E913, {}, "a header is not printed as json"}});
   }
   std::vector<Job> jobs;
   const ExitCode worst = run(global, options, jobs);

@@ -26,7 +26,7 @@ std::string written_json(const std::string& path, bool is_new) {
 
 ExitCode import_file(const GlobalOptions& global, const ImportOptions& options) {
   if (options.output.empty() && wants_json(global)) {
-    return report(global, {{Code::E913, {}, "a model is not written as json", "give `-o FILE`"}});
+    return report(global, {{Code::E913, {}, "a model is not printed as json", "give `-o FILE`"}});
   }
   const Result<SourcePointer> source = read_source(options.input, global.limits);
   if (!source) return report(global, source.diagnostics);

@@ -3,6 +3,7 @@
 
 #include "base/json_schema.hpp"
 #include "elgen/diff.hpp"
+#include "lower/operation_columns.hpp"
 
 namespace elgen {
 namespace {
@@ -67,6 +68,23 @@ Json output_change() {
                         {"changes", list_schema(entry_change(), "all that are not identical")}});
 }
 
+Json operations_change() {
+  Json counts = object_schema([] {
+    std::vector<SchemaKey> keys;
+    for (const auto& [name, count] : operation_columns) {
+      keys.push_back({name, value_schema("integer")});
+    }
+    return keys;
+  }());
+  return object_schema({{"function", text()}, {"before", counts}, {"after", counts}});
+}
+
+Json warning() {
+  return object_schema({{"code", text("as of elgen explain")},
+                        {"message", text()},
+                        {"place", place("null where it has none")}});
+}
+
 Json system_change() {
   return object_schema(
       {{"name", text("base name of the newer version")},
@@ -75,6 +93,12 @@ Json system_change() {
        {"outputs", list_schema(output_change(), "what follows")},
        {"interface", list_schema(object_schema({{"impact", impact({})}, {"text", text()}}),
                                  "what callers rely on")},
+       {"operations", list_schema(operations_change(), "of emitted functions; only where known"),
+        false},
+       {"renames",
+        object_schema({}, "with which all entries would be equal", value_schema("string")), false},
+       {"broken_expectations", list_schema(text(), "entries of [[expect]] that held")},
+       {"warnings", list_schema(warning(), "that are new")},
        {"extension", text("values of new parameters at which all is as before"), false}});
 }
 
