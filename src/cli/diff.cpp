@@ -21,7 +21,7 @@ struct DiffOptions {
   std::string allowed = "text";
   std::vector<std::string> renames = {};
   std::vector<std::string> only = {};
-  std::string format = "text";
+  std::string format = {};  ///< empty: that of the messages
   bool lists_all = false;
 };
 
@@ -47,6 +47,14 @@ std::vector<std::string> format_names() {
   std::vector<std::string> names;
   for (const DiffFormat& format : formats) names.emplace_back(format.name);
   return names;
+}
+
+/// Text where messages are written as reports are not.
+const DiffFormat& format_of(const GlobalOptions& global, const DiffOptions& options) {
+  const std::string_view name =
+      options.format.empty() ? format_row(global.style.format).word : options.format;
+  const auto format = std::ranges::find(formats, name, &DiffFormat::name);
+  return format == formats.end() ? formats.front() : *format;
 }
 
 /// "old=new"
@@ -85,6 +93,7 @@ ExitCode diff(const GlobalOptions& given, const DiffOptions& options) {
   for (const DiagnosticFormatRow& row : diagnostic_formats()) {
     if (row.word == options.format) global.style.format = row.format;
   }
+  const DiffFormat& format = format_of(global, options);
   if (options.revision.empty() && options.inputs.size() != 2) {
     return report(global, {{Code::E913,
                             {},
@@ -103,8 +112,7 @@ ExitCode diff(const GlobalOptions& given, const DiffOptions& options) {
     return report(global, unknown);
   }
   ExitCode worst = report(global, found.diagnostics);
-  const auto format = std::ranges::find(formats, options.format, &DiffFormat::name);
-  worst = std::max(worst, print(global, format->text(*found, options)));
+  worst = std::max(worst, print(global, format.text(*found, options)));
   const bool is_allowed =
       options.allowed == "all" || impact_of(*found) <= *find_impact(options.allowed);
   return std::max(worst, is_allowed ? ExitCode::success : ExitCode::differs);

@@ -110,4 +110,28 @@ TEST_CASE("programs get JSON, also of errors") {
   CHECK(starts_with(folders.diff("old nowhere.toml --format json").errors, "{"));
 }
 
+TEST_CASE("a report is written as messages are, unless its own format is said") {
+  const TwoFolders folders;
+  const std::string pair = " old/cart_pole.toml new/cart_pole.toml";
+  const auto output = [&](const std::string& words) {
+    return shell("elgen " + words + pair, folders.path()).output;
+  };
+  CHECK(starts_with(output("--format json diff"), "{"));
+  CHECK(output("--format json diff") == output("diff --format json"));
+  CHECK(starts_with(output("--format github diff"), "::warning file=new/cart_pole.toml,"));
+  CHECK(starts_with(output("--format sarif diff"), "changed "));
+  CHECK(starts_with(output("diff --format markdown"), "### elgen diff: different"));
+}
+
+TEST_CASE("outputs that are not asked for are not looked at") {
+  const TwoFolders folders;
+  const Outcome mass = folders.diff("--only mass_matrix old/cart_pole.toml new/cart_pole.toml");
+  CHECK(mentions(mass.output, "follows      0 of 4 entries differ, 0 rewritten\n"));
+  const Outcome two = folders.diff("--only gravity,bias old/cart_pole.toml new/cart_pole.toml");
+  CHECK(mentions(two.output, "follows      2 of 4 entries differ, 0 rewritten\n"));
+  const Outcome unknown = folders.diff("--only biass old/cart_pole.toml new/cart_pole.toml");
+  CHECK(unknown.status == 2);
+  CHECK(mentions(unknown.errors, "no version has an output `biass`"));
+}
+
 }  // namespace elgen::test
