@@ -138,7 +138,7 @@ struct SidecarVersion {
 
 struct CompareOptions {
   Renames renames = {};
-  std::set<std::string> only = {};  ///< outputs that are looked at, by name; empty: all
+  std::set<std::string> only = {};  ///< outputs that are told, by name; empty: all
 };
 
 /// What callers of the emitted code rely on: coordinates, inputs, parameters, outputs, the target.
@@ -148,7 +148,7 @@ struct CompareOptions {
 
 /// What changed of each output, in the order of the newer version; removed ones last.
 [[nodiscard]] std::vector<OutputChange> output_changes(const Version& before, const Version& after,
-                                                       const CompareOptions& options = {});
+                                                       const Renames& renames = {});
 
 /// What emitted functions of one name execute.
 struct OperationsChange {
@@ -173,6 +173,7 @@ struct SystemChange {
   Diagnostics warnings = {};  ///< that are new
 };
 
+/// What it amounts to is judged by all outputs, whichever are told.
 [[nodiscard]] SystemChange compare(const Version& before, const Version& after,
                                    const CompareOptions& options = {});
 

@@ -72,7 +72,7 @@ Result<Renames> renames_of(const std::vector<std::string>& texts) {
   return renames;
 }
 
-/// Names that no version has an output of, where outputs were compared.
+/// Names that no version has an output of, where some were compared.
 Diagnostics unknown_outputs(const DiffReport& report, const DiffOptions& options) {
   std::set<std::string> known;
   for (const SystemChange& system : report.systems) {
@@ -139,7 +139,7 @@ void add_diff(CLI::App& app, Action& action) {
   command->add_option("--rename", options->renames, "a name that was given to the same thing")
       ->type_name("OLD=NEW")
       ->allow_extra_args(false);
-  command->add_option("--only", options->only, "look at these outputs alone")
+  command->add_option("--only", options->only, "tell of these outputs alone")
       ->type_name("OUTPUTS")
       ->delimiter(',')
       ->allow_extra_args(false);

@@ -85,11 +85,11 @@ ParameterValues new_parameters(const Version& before, const Version& after,
 }
 
 /// "at mt = 0 all entries are the old ones (proved)"; "" where they are not.
-std::string extension(const Version& before, const Version& after, const CompareOptions& options) {
-  const ParameterValues values = new_parameters(before, after, options.renames);
+std::string extension(const Version& before, const Version& after, const Renames& renames) {
+  const ParameterValues values = new_parameters(before, after, renames);
   if (values.empty()) return {};
   bool is_proved = true;
-  for (const OutputChange& output : output_changes_at(before, after, options, values)) {
+  for (const OutputChange& output : output_changes_at(before, after, renames, values)) {
     for (const EntryChange& entry : output.entries) {
       const bool is_old =
           entry.verdict == EntryVerdict::equal || entry.verdict == EntryVerdict::added;
@@ -174,14 +174,14 @@ void propose(std::vector<Nameable> olds, std::vector<Nameable> news, Renames& re
 }
 
 /// Names that were given to the same things, if all entries are equal with them.
-Renames proposal(const Version& before, const Version& after, CompareOptions options) {
-  Renames& renames = options.renames;
+Renames proposal(const Version& before, const Version& after) {
+  Renames renames;
   for (const bool parameters : {true, false}) {
     propose(named(before.checked.model, parameters), named(after.checked.model, parameters),
             renames);
   }
   if (renames.empty()) return {};
-  for (const OutputChange& output : output_changes(before, after, options)) {
+  for (const OutputChange& output : output_changes(before, after, renames)) {
     for (const EntryChange& entry : output.entries) {
       if (entry.verdict != EntryVerdict::equal) return {};
     }
@@ -236,21 +236,25 @@ SystemChange compare(const Version& before, const Version& after, const CompareO
   if (same_texts(before, after)) return result;
   result.impact = std::max(Impact::text, impact_of(result.keys));
   if (has_keys(after) && result.keys.empty() && renames.empty()) return result;
-  result.outputs = output_changes(before, after, options);
+  result.outputs = output_changes(before, after, renames);
   result.interface = interface_changes(before, after, renames);
   result.operations = operations_changes(before, after);
   result.warnings = new_warnings(before, after);
   result.broken_expectations = broken_expectations(before, after);
-  if (renames.empty()) result.proposal = proposal(before, after, options);
+  if (renames.empty()) result.proposal = proposal(before, after);
   const bool are_values =
       has_keys(after) && std::ranges::none_of(result.keys, may_change_equations);
   if (!are_values && has_verdict(result.outputs, EntryVerdict::different)) {
-    result.extension = extension(before, after, options);
+    result.extension = extension(before, after, renames);
   }
   result.impact = std::max(result.impact, impact_of_entries(result, are_values));
   for (const InterfaceChange& change : result.interface) {
     result.impact = std::max(result.impact, change.impact);
   }
+  const std::set<std::string>& told = options.only;
+  std::erase_if(result.outputs, [&told](const OutputChange& output) {
+    return !told.empty() && told.count(output.name) == 0;
+  });
   return result;
 }
 

@@ -46,37 +46,32 @@ constexpr std::size_t most_told = 20;
 
 class OutputComparison {
  public:
-  OutputComparison(const Version& before, const Version& after, const CompareOptions& options,
+  OutputComparison(const Version& before, const Version& after, const Renames& renames,
                    const ParameterValues& values)
       : before_(before),
         after_(after),
-        options_(options),
+        renames_(renames),
         values_(values),
-        joint_(before.program, after.program, options.renames),
+        joint_(before.program, after.program, renames),
         positive_(
             positive_in_both(before.checked.model, after.checked.model, joint_.program().leaves)) {}
 
   std::vector<OutputChange> operator()() {
     std::vector<OutputChange> all;
     for (const Function& after : after_.program.functions) {
-      if (!is_wanted(after)) continue;
+      if (output_row(after.kind).repeats) continue;
       const Function* const before = find_named(before_.program, after.name);
       all.push_back(before != nullptr ? compared(visible(*before), visible(after))
                                       : whole(visible(after), true));
     }
     for (const Function& before : before_.program.functions) {
       const bool is_gone = find_named(after_.program, before.name) == nullptr;
-      if (is_gone && is_wanted(before)) all.push_back(whole(visible(before), false));
+      if (is_gone && !output_row(before.kind).repeats) all.push_back(whole(visible(before), false));
     }
     return all;
   }
 
  private:
-  [[nodiscard]] bool is_wanted(const Function& function) const {
-    if (output_row(function.kind).repeats) return false;
-    return options_.only.empty() || options_.only.count(function.name) > 0;
-  }
-
   static EntryChange named(const MatchedEntry& entry, EntryVerdict verdict) {
     return {.place = entry.place, .unit = entry.unit, .verdict = verdict};
   }
@@ -96,8 +91,8 @@ class OutputComparison {
     JointFunction joint = joint_.joined(before, after, values_);
     Instructions instructions(joint.function);
     std::vector<Pair> open;
-    for (const MatchedEntry& entry : matched_entries(
-             before_.checked.model, before, after_.checked.model, after, options_.renames)) {
+    for (const MatchedEntry& entry :
+         matched_entries(before_.checked.model, before, after_.checked.model, after, renames_)) {
       if (!entry.before || !entry.after) {
         const EntryVerdict verdict = entry.after ? EntryVerdict::added : EntryVerdict::removed;
         change.entries.push_back(named(entry, verdict));
@@ -160,7 +155,7 @@ class OutputComparison {
 
   const Version& before_;
   const Version& after_;
-  const CompareOptions& options_;
+  const Renames& renames_;
   const ParameterValues& values_;
   JointProgram joint_;
   std::vector<bool> positive_;
@@ -169,14 +164,13 @@ class OutputComparison {
 }  // namespace
 
 std::vector<OutputChange> output_changes(const Version& before, const Version& after,
-                                         const CompareOptions& options) {
-  return output_changes_at(before, after, options, {});
+                                         const Renames& renames) {
+  return output_changes_at(before, after, renames, {});
 }
 
 std::vector<OutputChange> output_changes_at(const Version& before, const Version& after,
-                                            const CompareOptions& options,
-                                            const ParameterValues& values) {
-  return OutputComparison(before, after, options, values)();
+                                            const Renames& renames, const ParameterValues& values) {
+  return OutputComparison(before, after, renames, values)();
 }
 
 }  // namespace elgen

@@ -8,7 +8,7 @@ namespace elgen {
 
 [[nodiscard]] std::vector<OutputChange> output_changes_at(const Version& before,
                                                           const Version& after,
-                                                          const CompareOptions& options,
+                                                          const Renames& renames,
                                                           const ParameterValues& values);
 
 }  // namespace elgen
