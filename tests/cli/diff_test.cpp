@@ -80,7 +80,7 @@ TEST_CASE("a revision of git is compared with what is there") {
   CHECK(mentions(inside.output, "[gravity] vector[2]"));
   const Outcome unknown = folders.diff("--against nothing");
   CHECK(unknown.status == 4);
-  CHECK(mentions(unknown.errors, "error[E713]: `nothing` was not read"));
+  CHECK(mentions(unknown.errors, "error[E713]: `nothing` is no revision"));
 }
 
 TEST_CASE("what has no errors in one version is not compared with what has") {

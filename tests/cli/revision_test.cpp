@@ -27,9 +27,14 @@ TEST_CASE("a repository without models, and no repository") {
   const Workspace workspace;
   CHECK(mentions(shell("elgen diff --against HEAD", workspace.path()).errors,
                  "error[E713]: there is no repository here"));
-  prepare("git init -q && touch a && " + commit, workspace.path());
+  prepare("git init -q && touch a", workspace.path());
   CHECK(mentions(shell("elgen diff --against HEAD", workspace.path()).errors,
-                 "error[E713]: `HEAD` was not read"));
+                 "error[E713]: `HEAD` is no revision"));
+  prepare(commit + " && cp " + models + "/cart_pole.toml .", workspace.path());
+  const Outcome outcome = shell("elgen diff --against HEAD", workspace.path());
+  CHECK(outcome.status == 1);
+  CHECK(starts_with(outcome.output, "added        cart_pole.toml\n"));
+  CHECK(mentions(outcome.output, "extended     "));
 }
 
 }  // namespace elgen::test

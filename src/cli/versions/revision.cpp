@@ -19,9 +19,12 @@ Diagnostic git_failed(const std::string& what, const ProcessResult& result) {
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// Git fails where a pattern matches nothing.
+/// The files of a revision that match a pattern, where there are any: git packs no empty archive.
 ProcessResult unpack(const std::string& repository, const std::string& revision,
                      const std::string& pattern, const std::filesystem::path& folder) {
+  const ProcessResult any = run(
+      {"git", "-C", repository, "grep", "-q", "-e", "", revision, "--", pattern}, seconds_of_git);
+  if (!any.succeeded()) return {Ending::exited, 0};
   const std::string archive = (folder / "archive.tar").string();
   const ProcessResult packed = run({"git", "-C", repository, "archive", "--format=tar", "--output",
                                     archive, revision, "--", pattern},
@@ -38,10 +41,16 @@ Result<std::string> unpack_revision(const std::string& revision,
   if (!prefix.succeeded()) return git_failed("there is no repository here", prefix);
   const ProcessResult top = run({"git", "rev-parse", "--show-toplevel"}, seconds_of_git);
   const std::string repository = first_line(top.output);
-  const ProcessResult models = unpack(repository, revision, "*.toml", folder);
-  const ProcessResult sidecars = unpack(repository, revision, "*.equations.json", folder);
-  if (!models.succeeded() && !sidecars.succeeded()) {
-    return git_failed(fmt::format("{} was not read", elgen::quoted(revision)), models);
+  const ProcessResult known =
+      run({"git", "rev-parse", "--quiet", "--verify", revision + "^{commit}"}, seconds_of_git);
+  if (!known.succeeded()) {
+    return git_failed(fmt::format("{} is no revision", elgen::quoted(revision)), known);
+  }
+  for (const char* const pattern : {"*.toml", "*.equations.json"}) {
+    const ProcessResult unpacked = unpack(repository, revision, pattern, folder);
+    if (!unpacked.succeeded()) {
+      return git_failed(fmt::format("{} was not read", elgen::quoted(revision)), unpacked);
+    }
   }
   return first_line(prefix.output);
 }
