@@ -139,6 +139,7 @@ TEST_CASE("edits of known models amount to what a reviewer would say") {
       {"cart_pole", "mass = \"M\"", "mass = \"(M^2 - m^2)/(M - m) - m\"", Impact::equal},
       {"cart_pole", "mass = \"M\"", "mass = \"sqrt(M^2)\"", Impact::equal},
       {"cart_pole", "name   = \"u\"", "name   = \"F\"", Impact::misleading},
+      {"cart_pole", "\"-g\"", "\"0\"", Impact::incompatible},
       {"cart_pole", "doc        = \"cart position\"", "doc        = \"position\"",
        Impact::assumptions},
       {"cart_pole", "value = 9.81", "value = 9.80665", Impact::values},

@@ -44,20 +44,13 @@ class Machine : public Repository {
   static std::string source() { return ELGEN_SOURCE_DIR; }
 };
 
-/// Formats of this elgen.
-bool writes(const std::string& command, const std::string& format) {
-  if (mentions(shell("elgen " + command + " --help", "/").output, format)) return true;
-  std::cout << "skipped: elgen has no --format " << format << "\n";
-  return false;
-}
-
 constexpr const char* flip = "s/\"-g\"/\"g\"/";
 constexpr const char* rename = "s/^name *= \"u\"/name = \"F\"/";
 
 }  // namespace
 
 TEST_CASE("the workflow of GitHub summarises, annotates and checks a pull request") {
-  if (!Machine::is_readable() || !writes("diff", "markdown") || !writes("", "github")) return;
+  if (!Machine::is_readable()) return;
   const Machine machine("recipes/github/elgen.yml");
   machine.branch("topic", flip);
   CHECK(machine.step("Install git").status == 0);
@@ -80,7 +73,7 @@ TEST_CASE("the workflow of GitHub summarises, annotates and checks a pull reques
 }
 
 TEST_CASE("the job of GitLab compares and checks a merge request") {
-  if (!Machine::is_readable() || !writes("diff", "markdown") || !writes("", "gitlab")) return;
+  if (!Machine::is_readable()) return;
   const Machine machine("recipes/gitlab/elgen.yml");
   const std::string base = "export CI_MERGE_REQUEST_DIFF_BASE_SHA=\"$(git rev-parse main)\"";
   machine.branch("topic", flip);
