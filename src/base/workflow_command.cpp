@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "base/diagnostic_words.hpp"
+
 namespace elgen {
 namespace {
 
@@ -28,9 +30,8 @@ std::string text_of(const WorkflowCommand& command) {
   std::string properties;
   if (command.place.source != nullptr) {
     const LineColumn at = line_column(*command.place.source, command.place.begin);
-    properties =
-        fmt::format("file={},line={},col={},", escaped(command.place.source->path, of_properties),
-                    at.line, at.column);
+    properties = fmt::format("file={},line={},col={},",
+                             escaped(path_of(command.place), of_properties), at.line, at.column);
   }
   properties += "title=" + escaped(command.title, of_properties);
   return fmt::format("::{} {}::{}\n", command.level, properties,

@@ -47,13 +47,11 @@ TEST_CASE("a comma-decimal locale and another working folder change nothing") {
                 workspace.path())
               .output == "2,5");
 
-  REQUIRE(shell("elgen generate -q -o plain " + all_inputs, workspace.path()).status == 0);
+  prepare("cp -r " + models + " . && elgen generate -q -o plain models/*.toml models/scenes/*.toml",
+          workspace.path());
   const Outcome outcome = shell(
       "LOCPATH=$PWD/locales; LC_ALL=de_DE.UTF-8; export LOCPATH LC_ALL; cd elsewhere/below && "
-      "cp -r " +
-          models +
-          " . && "
-          "elgen generate -q -o ../../german models/*.toml models/scenes/*.scene.toml",
+      "elgen generate -q -o ../../german ../../models/*.toml $PWD/../../models/scenes/*.toml",
       workspace.path());
   INFO(outcome.errors);
   REQUIRE(outcome.status == 0);
