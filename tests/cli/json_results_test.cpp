@@ -100,7 +100,7 @@ TEST_CASE("rows of a run are printed, as far apart as is asked for") {
   CHECK(mentions(lost.errors, "`--every` is of rows"));
 }
 
-TEST_CASE("--as decides what is printed, whatever the format of messages") {
+TEST_CASE("what --as says decides what is printed, whatever the format of messages") {
   const Workspace workspace;
   const std::string show = "elgen show --what gravity " + pendulum;
   CHECK(shell(show + " --as text --format json", workspace.path()).output ==
