@@ -253,6 +253,14 @@ class Summary {
   SummaryLines lines_ = {};
 };
 
+void add_lines(const OutputChange& output, std::vector<std::string>& lines) {
+  for (const EntryChange& entry : output.entries) {
+    lines.push_back(text_of(entry));
+    std::string witness = witness_text(entry);
+    if (!witness.empty()) lines.push_back(std::move(witness));
+  }
+}
+
 }  // namespace
 
 Impact impact_of(const DiffReport& report) {
@@ -277,14 +285,7 @@ std::vector<EntryList> entry_lists(const DiffReport& report) {
   std::vector<EntryList> lists;
   for (const SystemChange& system : report.systems) {
     EntryList list{system.name, {}};
-    for (const OutputChange& output : system.outputs) {
-      for (const EntryChange& entry : output.entries) {
-        list.lines.push_back(text_of(entry));
-        if (std::string witness = witness_text(entry); !witness.empty()) {
-          list.lines.push_back(std::move(witness));
-        }
-      }
-    }
+    for (const OutputChange& output : system.outputs) add_lines(output, list.lines);
     if (!list.lines.empty()) lists.push_back(std::move(list));
   }
   return lists;
