@@ -20,7 +20,7 @@ std::string on_terminal(const std::string& command) {
 
 TEST_CASE("a long job names its input and stage on a terminal and clears the line") {
   const std::string seen =
-      on_terminal("elgen generate -q --size n=40 -o out " + models + "/chain.toml");
+      on_terminal("elgen generate -q --size n=20 -o out " + models + "/chain.toml");
   CHECK(mentions(seen, clear_line + models + "/chain.toml: "));
   REQUIRE(seen.size() >= clear_line.size());
   CHECK(seen.substr(seen.size() - clear_line.size()) == clear_line);
@@ -33,7 +33,7 @@ TEST_CASE("a short job shows no progress") {
 TEST_CASE("a pipe is shown no progress") {
   const Workspace workspace;
   const Outcome outcome =
-      shell("elgen generate -q --size n=40 -o out " + models + "/chain.toml", workspace.path());
+      shell("elgen generate -q --size n=20 -o out " + models + "/chain.toml", workspace.path());
   CHECK(outcome.errors.empty());
   CHECK(outcome.output.empty());
 }

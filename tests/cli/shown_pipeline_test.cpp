@@ -15,7 +15,7 @@ const std::string clear_line = "\r\x1b[K";
 TEST_CASE("the line of progress is gone before anything else is printed") {
   const Workspace workspace;
   const std::string seen =
-      shell("script -q -e -c \"elgen generate -q --timings --size n=40 -o out " + models +
+      shell("script -q -e -c \"elgen generate -q --timings --size n=20 -o out " + models +
                 "/chain.toml\" /dev/null",
             workspace.path())
           .output;
