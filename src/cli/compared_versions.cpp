@@ -8,6 +8,7 @@
 #include <map>
 
 #include "cli/files/inputs.hpp"
+#include "cli/files/output_files.hpp"
 #include "cli/process/progress.hpp"
 #include "cli/versions/loaded_version.hpp"
 #include "cli/versions/revision.hpp"

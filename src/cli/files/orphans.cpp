@@ -8,15 +8,12 @@
 #include <set>
 
 #include "cli/files/source_paths.hpp"
-#include "elgen/artifacts.hpp"
 
 namespace elgen::cli {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::string_view sidecar_ending = artifact_table.sidecar.ending;
 
 /// In the order of their names.
 std::vector<fs::path> entries_in(const fs::path& folder) {

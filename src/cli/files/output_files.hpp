@@ -4,11 +4,16 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "elgen/artifacts.hpp"
 #include "elgen/emitted_files.hpp"
 
 namespace elgen::cli {
+
+/// Of the files that say what was generated.
+inline constexpr std::string_view sidecar_ending = artifact_table.sidecar.ending;
 
 /// What an existing file has to be, so that another takes its place unasked.
 enum class Replaces : unsigned char {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cli/files/inputs.hpp"
+#include "cli/files/output_files.hpp"
 #include "cli/process/resources.hpp"
 
 namespace elgen::cli {
@@ -44,19 +45,17 @@ OperationsByName operations_of(const Program& program) {
 }
 
 Result<LoadedVersion> load_model(const Inputs& inputs, const Limits& limits) {
-  const Products checked = products(inputs, limits, "check");
-  if (!checked.checked) return checked.diagnostics;
   LoweredVersion loaded{inputs};
-  const bool is_emitted_otherwise = needs_forms(checked.checked->scene);
-  loaded.products = products(inputs, limits, is_emitted_otherwise ? "choose" : "lower");
+  loaded.products = products(inputs, limits, "lower");
+  if (!loaded.products.lowered) return loaded.products.diagnostics;
+  const bool is_emitted_otherwise = needs_forms(loaded.products.checked->scene);
+  if (is_emitted_otherwise || is_small(*loaded.products.lowered)) {
+    Products chosen = products(inputs, limits, "choose");
+    if (chosen.program) loaded.operations = operations_of(*chosen.program);
+    if (is_emitted_otherwise) loaded.products = std::move(chosen);
+  }
   Diagnostics found = loaded.products.diagnostics;
   if (!loaded.products.lowered && !loaded.products.program) return found;
-  if (is_emitted_otherwise) {
-    loaded.operations = operations_of(*loaded.products.program);
-  } else if (is_small(*loaded.products.lowered)) {
-    const Products chosen = products(inputs, limits, "choose");
-    if (chosen.program) loaded.operations = operations_of(*chosen.program);
-  }
   loaded.model = *parse_model(inputs.model, limits);
   if (inputs.scene != nullptr) loaded.scene = *parse_scene(inputs.scene, limits);
   return {LoadedVersion(std::move(loaded)), std::move(found)};

@@ -2,10 +2,8 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 #include <variant>
 
-#include "elgen/artifacts.hpp"
 #include "elgen/diff.hpp"
 #include "elgen/pipeline.hpp"
 
@@ -25,8 +23,6 @@ struct LoweredVersion {
 using LoadedVersion = std::variant<LoweredVersion, SidecarVersion>;
 
 [[nodiscard]] Version version_of(const LoadedVersion& loaded);
-
-inline constexpr std::string_view sidecar_ending = artifact_table.sidecar.ending;
 
 /// NAME.equations.json, or what begins with a brace on standard input.
 [[nodiscard]] bool is_sidecar(const SourceText& source);
