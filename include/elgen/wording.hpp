@@ -12,10 +12,10 @@ namespace elgen {
 
 /// User text in back-ticks, on one line: blanks and line ends become one space, control characters
 /// their names, and what is longer than 60 characters is cut.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string in_backticks(std::string_view text);
 
 /// The source text of a span in back-ticks.
-[[nodiscard]] std::string quoted(const Span& span);
+[[nodiscard]] std::string in_backticks(const Span& span);
 
 /// "1 component", "3 components"
 [[nodiscard]] std::string counted(std::size_t count, std::string_view noun);

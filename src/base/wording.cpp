@@ -7,7 +7,7 @@
 
 namespace elgen {
 
-std::string quoted(std::string_view text) {
+std::string in_backticks(std::string_view text) {
   constexpr std::size_t longest = 60;
   std::string shown = "`";
   std::size_t position = 0;
@@ -29,7 +29,7 @@ std::string quoted(std::string_view text) {
   return shown + "`";
 }
 
-std::string quoted(const Span& span) { return quoted(covered_text(span)); }
+std::string in_backticks(const Span& span) { return in_backticks(covered_text(span)); }
 
 std::string counted(std::size_t count, std::string_view noun) {
   return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");

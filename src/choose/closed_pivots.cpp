@@ -17,7 +17,7 @@ namespace elgen {
 namespace {
 
 /// D_i by the place of its form, and the instruction that computes it.
-using Places = std::map<std::uint32_t, std::size_t>;
+using PlaceOfForm = std::map<std::uint32_t, std::size_t>;
 
 constexpr std::size_t random_points = 3;
 
@@ -40,8 +40,8 @@ bool is_same(const Real& x, const Real& y) {
 }
 
 /// The first instruction that has the values of each pivot.
-Places places_of(const Program& program, const Function& function, const Function& forward_dynamics,
-                 const std::vector<ClosedPivot>& pivots) {
+PlaceOfForm places_of(const Program& program, const Function& function,
+                      const Function& forward_dynamics, const std::vector<ClosedPivot>& pivots) {
   Random random(1);
   std::vector<std::vector<Real>> values;
   std::vector<std::vector<Real>> wanted;
@@ -50,7 +50,7 @@ Places places_of(const Program& program, const Function& function, const Functio
     values.push_back(evaluate_instructions(program, function, point));
     wanted.push_back(pivots_at(program, forward_dynamics, pivots, point));
   }
-  Places places;
+  PlaceOfForm places;
   for (std::size_t pivot = 0; pivot < pivots.size(); ++pivot) {
     for (std::uint32_t at = 0; at < function.instructions.size(); ++at) {
       bool is_here = true;
@@ -134,7 +134,7 @@ std::vector<ClosedPivot> closed_pivots(const Program& program, const Function& f
 
 Function with_closed_pivots(const Function& function, const Function& forward_dynamics,
                             const std::vector<ClosedPivot>& pivots, Program& program) {
-  const Places places = places_of(program, function, forward_dynamics, pivots);
+  const PlaceOfForm places = places_of(program, function, forward_dynamics, pivots);
   if (places.empty()) return function;
   const Function forms = forms_of(pivots, program);
   Function result = function;

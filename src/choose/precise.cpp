@@ -26,7 +26,7 @@ std::vector<Expressions> all_ways(const Algebra& algebra, const Fraction& form,
   for (std::size_t i = ways.size(); i-- > 0;) {
     if (auto conjugate = with_conjugates(ways[i])) ways.push_back(std::move(*conjugate));
   }
-  std::ranges::stable_sort(ways, {}, written_length);
+  std::ranges::stable_sort(ways, {}, [](const Expressions& way) { return written_length(way); });
   return ways;
 }
 

@@ -138,7 +138,7 @@ class VersionPairs {
     keep({{Code::E913,
            {},
            fmt::format("{} is a sidecar of equations, which is compared with another one",
-                       elgen::quoted(sidecar))}});
+                       in_backticks(sidecar))}});
     return false;
   }
 

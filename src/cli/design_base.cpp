@@ -38,7 +38,7 @@ Result<OutputBase> output_base(const Inputs& inputs, const std::string& output,
   if (!one.checked) return one.diagnostics;
   keep_only(name, one);
   if (one.checked->scene.outputs.empty()) {
-    return Diagnostic{Code::E601, {}, quoted(name) + " is not one output"};
+    return Diagnostic{Code::E601, {}, in_backticks(name) + " is not one output"};
   }
   OutputBase base{std::move(*one.checked)};
   if (inputs.scene != nullptr) base.scene = parse_scene(inputs.scene, limits).value;

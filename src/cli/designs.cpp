@@ -73,7 +73,7 @@ class DesignBench {
     return {{Code::E603,
              {},
              fmt::format("{} has more than {} entries, and is not measured",
-                         quoted(result_.table.subject), largest_returned)}};
+                         in_backticks(result_.table.subject), largest_returned)}};
   }
 
   [[nodiscard]] std::string text_of(const Design& design) const {

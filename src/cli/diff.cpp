@@ -50,7 +50,7 @@ std::vector<std::string> format_names() {
 }
 
 /// Text where messages are written as reports are not.
-const DiffFormat& format_of(const GlobalOptions& global, const DiffOptions& options) {
+const DiffFormat& output_format(const GlobalOptions& global, const DiffOptions& options) {
   const std::string_view name =
       options.format.empty() ? format_row(global.style.format).word : options.format;
   const auto format = std::ranges::find(formats, name, &DiffFormat::name);
@@ -65,7 +65,7 @@ Result<Renames> renames_of(const std::vector<std::string>& texts) {
     const bool is_pair = equals != std::string::npos && equals > 0 && equals + 1 < text.size();
     if (!is_pair) {
       return Diagnostic{
-          Code::E913, {}, fmt::format("{} is no rename", elgen::quoted(text)), "write OLD=NEW"};
+          Code::E913, {}, fmt::format("{} is no rename", in_backticks(text)), "write OLD=NEW"};
     }
     renames.emplace(text.substr(0, equals), text.substr(equals + 1));
   }
@@ -83,7 +83,7 @@ Diagnostics unknown_outputs(const DiffReport& report, const DiffOptions& options
   for (const std::string& name : options.only) {
     if (!are_compared || known.count(name) > 0) continue;
     errors.push_back(
-        {Code::E913, {}, fmt::format("no version has an output {}", elgen::quoted(name))});
+        {Code::E913, {}, fmt::format("no version has an output {}", in_backticks(name))});
   }
   return errors;
 }
@@ -93,7 +93,7 @@ ExitCode diff(const GlobalOptions& given, const DiffOptions& options) {
   for (const DiagnosticFormatRow& row : diagnostic_formats()) {
     if (row.word == options.format) global.style.format = row.format;
   }
-  const DiffFormat& format = format_of(global, options);
+  const DiffFormat& format = output_format(global, options);
   if (options.revision.empty() && options.inputs.size() != 2) {
     return report(global, {{Code::E913,
                             {},

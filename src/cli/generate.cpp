@@ -54,7 +54,8 @@ Diagnostics not_told(Diagnostics diagnostics, std::set<std::string>& told) {
 }
 
 /// Reads and runs every input; diagnostics of all of them are reported.
-ExitCode run(const GlobalOptions& global, const GenerateOptions& options, std::vector<Job>& jobs) {
+ExitCode run_jobs(const GlobalOptions& global, const GenerateOptions& options,
+                  std::vector<Job>& jobs) {
   PipelineOptions pipeline = pipeline_options(global, {"self-check"});
   pipeline.scene = options.scene;
   if (options.list_outputs) pipeline.goals = {"check"};
@@ -146,7 +147,7 @@ std::vector<OutputFile> output_files(const GenerateOptions& options, const std::
 }
 
 /// In quotes where a shell would not take it as one word.
-std::string quoted(const std::string& word) {
+std::string in_backticks(const std::string& word) {
   constexpr const char* harmless =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,/:@%";
   if (!word.empty() && word.find_first_not_of(harmless) == std::string::npos) return word;
@@ -159,12 +160,12 @@ std::string quoted(const std::string& word) {
 std::string repair_command(const GlobalOptions& global, const GenerateOptions& options) {
   std::string command = "elgen";
   for (std::size_t i = 1; i < global.words.size(); ++i) {
-    if (global.words[i] != "--check") command += " " + quoted(global.words[i]);
+    if (global.words[i] != "--check") command += " " + in_backticks(global.words[i]);
   }
   const SceneOptions& scene = options.scene;
   const bool changes = !scene.outputs.empty() || !scene.fixed.empty() || !scene.sizes.empty();
   if (changes && !options.output_directory_given) {
-    command += " -o " + quoted(options.output_directory);
+    command += " -o " + in_backticks(options.output_directory);
   }
   return command;
 }
@@ -260,7 +261,7 @@ ExitCode generate(const GlobalOptions& global, const GenerateOptions& options) {
     return report(global, {{Code::E913, {}, "a header is not printed as json"}});
   }
   std::vector<Job> jobs;
-  const ExitCode worst = run(global, options, jobs);
+  const ExitCode worst = run_jobs(global, options, jobs);
   if (worst != ExitCode::success) return worst;
   if (!global.stop_after.empty() && !options.list_outputs) return worst;
   const Diagnostics duplicates = duplicate_names(jobs);

@@ -58,10 +58,10 @@ Diagnostics diagnostics_of(const std::vector<FileDifference>& differences) {
     files.push_back(make_source(difference.path, existing_text(difference.path).value_or("")));
     const std::string reason =
         difference.state == FileState::orphaned ? ": " + difference.detail : std::string();
-    all.push_back(
-        {Code::E715,
-         {files.back().get(), 0, 0},
-         fmt::format("{} is {}{}", quoted(difference.path), name_of(difference.state), reason)});
+    all.push_back({Code::E715,
+                   {files.back().get(), 0, 0},
+                   fmt::format("{} is {}{}", in_backticks(difference.path),
+                               name_of(difference.state), reason)});
   }
   return all;
 }

@@ -34,7 +34,7 @@ ExitCode run_guarded(int count, char** words, GlobalOptions& global) {
   }
 }
 
-ExitCode run(int count, char** words) {
+ExitCode run_program(int count, char** words) {
   GlobalOptions global;
   const ExitCode result = run_guarded(count, words, global);
   say_no_more(global.style.format);
@@ -45,4 +45,4 @@ ExitCode run(int count, char** words) {
 
 }  // namespace elgen::cli
 
-int main(int argc, char** argv) { return static_cast<int>(elgen::cli::run(argc, argv)); }
+int main(int argc, char** argv) { return static_cast<int>(elgen::cli::run_program(argc, argv)); }

@@ -118,10 +118,10 @@ ExitCode screen_shard(const GlobalOptions& global, const VerifyCommandOptions& o
   tell_times(global, products);
   if (!screening) return report(global, screening.diagnostics);
   const VerifyOptions& verify = options.comparison.verify;
-  return write_output(
-      global, options,
-      to_json({head_here(ShardJob::verify, *inputs, *options.shard, *machine, global.limits),
-               *verify.samples, verify.seed, *screening}));
+  return write_output(global, options,
+                      to_json(ScreeningShard{head_here(ShardJob::verify, *inputs, *options.shard,
+                                                       *machine, global.limits),
+                                             *verify.samples, verify.seed, *screening}));
 }
 
 /// Verifies as one process that has screened all states.

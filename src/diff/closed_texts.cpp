@@ -11,7 +11,8 @@ namespace elgen {
 namespace {
 
 /// A form that needs more does not fit into a line.
-constexpr PresentBudget budget{.products_per_function = 2'000, .products = 60'000, .terms = 300};
+constexpr PresentBudget texts_budget{
+    .products_per_function = 2'000, .products = 60'000, .terms = 300};
 /// Nor does what is made of so many.
 constexpr std::size_t most_instructions = 400;
 
@@ -30,7 +31,7 @@ std::vector<std::string> closed_texts(const Program& program, const Function& fu
   for (const std::uint32_t at : instructions) {
     each.functions.push_back(alone(function, at));
   }
-  const ClosedForms forms = present(each, budget);
+  const ClosedForms forms = present(each, texts_budget);
   const MixedPoints points = mixed_points(each.leaves);
   std::vector<bool> is_known;
   for (std::size_t i = 0; i < each.functions.size(); ++i) {

@@ -76,12 +76,12 @@ class InterfaceComparison {
     for (const auto& [from, to] : renames_) {
       const bool is_member = std::ranges::count(old_arrays_, from, &ParameterArray::name) > 0;
       add(is_member ? Impact::incompatible : Impact::assumptions,
-          fmt::format("{} is called {} now", quoted(from), quoted(to)));
+          fmt::format("{} is called {} now", in_backticks(from), in_backticks(to)));
     }
     if (before_.scene.base_name != after_.scene.base_name) {
       add(Impact::incompatible,
-          fmt::format("files are called {} now, which were {}", quoted(after_.scene.base_name),
-                      quoted(before_.scene.base_name)));
+          fmt::format("files are called {} now, which were {}",
+                      in_backticks(after_.scene.base_name), in_backticks(before_.scene.base_name)));
     }
   }
 
@@ -103,7 +103,7 @@ class InterfaceComparison {
       const KnownName* const old = find(olds, now.name);
       if (old == nullptr || old->unit == now.unit) continue;
       add(Impact::misleading, fmt::format("the unit of {} {} is {} where it was {}", what,
-                                          quoted(now.name), unit(now), unit(*old)));
+                                          in_backticks(now.name), unit(now), unit(*old)));
     }
   }
 
@@ -119,10 +119,10 @@ class InterfaceComparison {
       const KnownName* const now = find(news, old.name);
       if (now == nullptr) {
         add(Impact::incompatible,
-            fmt::format("there is no parameter {} any more", quoted(old.name)));
+            fmt::format("there is no parameter {} any more", in_backticks(old.name)));
       } else if (now->size != old.size) {
         add(Impact::incompatible,
-            fmt::format("parameter {} has {} where it had {}", quoted(old.name),
+            fmt::format("parameter {} has {} where it had {}", in_backticks(old.name),
                         counted(now->size, "element"), old.size));
       }
     }
@@ -159,12 +159,13 @@ class InterfaceComparison {
       });
       if (old == before_.model.parameters.end()) continue;
       if (old->value != now.value) {
-        add(Impact::values, fmt::format("the value of {} is {} where it was {}", quoted(now.name),
-                                        exact_text(now.value), exact_text(old->value)));
+        add(Impact::values,
+            fmt::format("the value of {} is {} where it was {}", in_backticks(now.name),
+                        exact_text(now.value), exact_text(old->value)));
       }
       if (old->assumption != now.assumption) {
         add(Impact::assumptions, fmt::format("{} is assumed to be {} where it was {}",
-                                             quoted(now.name), assumed(now), assumed(*old)));
+                                             in_backticks(now.name), assumed(now), assumed(*old)));
       }
     }
   }
@@ -179,25 +180,27 @@ class InterfaceComparison {
       const OutputRequest* const now = find_request(after_.scene, old.name);
       if (now == nullptr) {
         add(Impact::incompatible,
-            fmt::format("there is no function {} any more", quoted(old.name)));
+            fmt::format("there is no function {} any more", in_backticks(old.name)));
       } else if (now->kind != old.kind) {
-        add(Impact::misleading, fmt::format("the function {} is another output", quoted(old.name)));
+        add(Impact::misleading,
+            fmt::format("the function {} is another output", in_backticks(old.name)));
       } else if (output_row(now->kind).steps) {
         compare_methods(old, *now);
       }
     }
     for (const OutputRequest& now : after_.scene.outputs) {
       if (find_request(before_.scene, now.name) != nullptr) continue;
-      add(Impact::extended, fmt::format("there is a new function {}", quoted(now.name)));
+      add(Impact::extended, fmt::format("there is a new function {}", in_backticks(now.name)));
     }
   }
 
   void compare_methods(const OutputRequest& old, const OutputRequest& now) {
     if (old.user != now.user) {
-      add(Impact::different, fmt::format("the method of {} is {} where it was {}", quoted(now.name),
-                                         step_methods[now.user].name, step_methods[old.user].name));
+      add(Impact::different,
+          fmt::format("the method of {} is {} where it was {}", in_backticks(now.name),
+                      step_methods[now.user].name, step_methods[old.user].name));
     } else if (old.iterations != now.iterations) {
-      add(Impact::different, fmt::format("{} has {} where it had {}", quoted(now.name),
+      add(Impact::different, fmt::format("{} has {} where it had {}", in_backticks(now.name),
                                          counted(now.iterations, "iteration"), old.iterations));
     }
   }
@@ -209,8 +212,8 @@ class InterfaceComparison {
     if (name_space(before_.scene) != name_space(after_.scene) &&
         before_.scene.base_name == after_.scene.base_name) {
       add(Impact::incompatible,
-          fmt::format("the namespace is {} where it was {}", quoted(name_space(after_.scene)),
-                      quoted(name_space(before_.scene))));
+          fmt::format("the namespace is {} where it was {}", in_backticks(name_space(after_.scene)),
+                      in_backticks(name_space(before_.scene))));
     }
     if (old.storage != now.storage) {
       add(Impact::misleading, fmt::format("matrices are stored {} where they were {}",

@@ -25,7 +25,7 @@ struct NoSidecar {
 [[noreturn]] void fail(std::string problem) { throw NoSidecar{std::move(problem)}; }
 
 const Json& member(const Json& object, const std::string& key) {
-  if (!object.is_object() || !object.contains(key)) fail(elgen::quoted(key) + " is missing");
+  if (!object.is_object() || !object.contains(key)) fail(in_backticks(key) + " is missing");
   return object[key];
 }
 
@@ -52,7 +52,7 @@ std::string unit_of(const Json& json) {
 
 ExpressionSyntax parsed(const std::string& text) {
   Result<ExpressionSyntax> syntax = parse_expression(make_source("", text), written_limits());
-  if (!syntax) fail(fmt::format("{}: {}", elgen::quoted(text), syntax.diagnostics.front().message));
+  if (!syntax) fail(fmt::format("{}: {}", in_backticks(text), syntax.diagnostics.front().message));
   return *std::move(syntax);
 }
 
@@ -61,9 +61,7 @@ struct ValueRules {
   using Value = cln::cl_R;
 
   static Value number(const cln::cl_RA& x) { return x; }
-  static Value named(const std::string& name) {
-    return fail(elgen::quoted(name) + " is no number");
-  }
+  static Value named(const std::string& name) { return fail(in_backticks(name) + " is no number"); }
   static Value negate(const Value& x) { return -x; }
   static Value add(const Value& x, const Value& y) { return x + y; }
   static Value multiply(const Value& x, const Value& y) { return x * y; }
@@ -99,7 +97,7 @@ struct InstructionRules {
     }
     if (const auto known = definitions.find(name); known != definitions.end()) return known->second;
     if (name == "pi") return constant(*read_constant(name));
-    return fail(elgen::quoted(name) + " is not defined");
+    return fail(in_backticks(name) + " is not defined");
   }
   Value negate(Value x) const { return instructions.add(Opcode::negate, x); }
   Value add(Value x, Value y) const { return instructions.add(Opcode::add, x, y); }
@@ -145,7 +143,7 @@ class FunctionParser {
       field.entries.push_back(value(entry));
     }
     if (field.entries.size() != std::size_t{field.rows} * field.columns) {
-      fail(fmt::format("{} of {} x {} has {} entries", elgen::quoted(function_.name), field.rows,
+      fail(fmt::format("{} of {} x {} has {} entries", in_backticks(function_.name), field.rows,
                        field.columns, field.entries.size()));
     }
     function_.fields.push_back(std::move(field));
@@ -182,7 +180,7 @@ class SidecarParser {
     if (json.contains("language")) {
       const std::string name = text_of(json["language"]);
       const auto row = std::ranges::find(language_table, name, &LanguageRow::name);
-      if (row == language_table.end()) fail(elgen::quoted(name) + " is no language");
+      if (row == language_table.end()) fail(in_backticks(name) + " is no language");
       emission.language = row->id;
     }
     if (json.contains("storage")) {
@@ -279,7 +277,7 @@ Result<SidecarVersion> parse_sidecar(const SourcePointer& source) {
     return Diagnostic{
         Code::E714,
         {source.get(), 0, 0},
-        fmt::format("{} is no sidecar of equations: {}", elgen::quoted(source->path), problem)};
+        fmt::format("{} is no sidecar of equations: {}", in_backticks(source->path), problem)};
   };
   const Json json = Json::parse(source->text, nullptr, false);
   if (json.is_discarded()) return no_sidecar("the text is no JSON");

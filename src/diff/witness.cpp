@@ -15,7 +15,7 @@ namespace elgen {
 namespace {
 
 constexpr std::size_t state_count = 16;
-constexpr std::uint64_t seed = 16;
+constexpr std::uint64_t seed_of_witnesses = 16;
 
 /// To three significant digits, as it is printed.
 double text_value(double x) { return std::stod(fmt::format("{:.3g}", x)); }
@@ -44,7 +44,7 @@ WitnessStates::WitnessStates(const Version& before, const Version& after, const 
   const Subject news{after.checked.model, after.checked.scene, after.program};
   const LeafValues<Range> old_ranges = ranges_of(olds);
   const LeafValues<Range> new_ranges = ranges_of(news);
-  Random random(seed);
+  Random random(seed_of_witnesses);
   for (std::size_t i = 0; i < state_count; ++i) {
     const Arguments<double> old = drawn_within(olds, old_ranges, random);
     Arguments<double> state = drawn_within(news, new_ranges, random);

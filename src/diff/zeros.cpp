@@ -12,7 +12,7 @@
 namespace elgen {
 namespace {
 
-constexpr std::uint64_t seed = 16;
+constexpr std::uint64_t seed_of_zeros = 16;
 /// Points that may be tried for one at which an entry has a value.
 constexpr std::size_t most_tries = 4 * zero_points;
 
@@ -63,7 +63,7 @@ class PointDrawer {
 
   const Program& program_;
   const std::vector<bool>& positive_;
-  Random random_{seed};
+  Random random_{seed_of_zeros};
   std::size_t points_ = 0;
 };
 
@@ -84,7 +84,8 @@ Function only(const Function& function, const std::vector<std::size_t>& numbers)
 }
 
 /// A difference that needs more is sampled, which takes less.
-constexpr PresentBudget budget{.products_per_function = 10'000, .products = 40'000, .terms = 1'000};
+constexpr PresentBudget zeros_budget{
+    .products_per_function = 10'000, .products = 40'000, .terms = 1'000};
 
 /// Whether each entry is zero at as many points as are asked for, of those at which it has a value.
 std::vector<bool> zero_everywhere(const Function& function, PointDrawer& draw) {
@@ -116,7 +117,7 @@ std::vector<Zero> zeros(const Program& program, const Function& function,
   std::vector<Zero> result(entry_count(function), Zero::no);
   const std::vector<std::size_t> left = candidates(draw(function));
   if (left.empty()) return result;
-  const std::vector<bool> is_proved = proved_zeros(program, only(function, left), budget);
+  const std::vector<bool> is_proved = proved_zeros(program, only(function, left), zeros_budget);
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < left.size(); ++i) {
     if (is_proved[i]) result[left[i]] = Zero::proved;

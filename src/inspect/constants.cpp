@@ -132,11 +132,11 @@ class NamedConstants {
     }
     const bool is_known = growth.degree <= largest_degree;
     if (is_known && growth.digits <= static_cast<double>(largest_exact_digits)) return;
-    found_.push_back(
-        {Code::E910, node.span,
-         is_known ? fmt::format("{} has numbers of more than {} digits", quoted(node.span),
-                                largest_exact_digits)
-                  : fmt::format("{} has powers beyond {}", quoted(node.span), largest_degree)});
+    found_.push_back({Code::E910, node.span,
+                      is_known ? fmt::format("{} has numbers of more than {} digits",
+                                             in_backticks(node.span), largest_exact_digits)
+                               : fmt::format("{} has powers beyond {}", in_backticks(node.span),
+                                             largest_degree)});
     growth = {};
   }
 
@@ -165,7 +165,7 @@ class NamedConstants {
         is_operand ? model_.expressions[node.operands[*failure.operand]].span : node.span;
     // Check refuses a number that is written out that long: this one came from an operation.
     const Code code = failure.code == Code::E914 ? Code::E910 : failure.code;
-    found_.push_back({code, span, quoted(span) + " " + failure.message, values_in(node)});
+    found_.push_back({code, span, in_backticks(span) + " " + failure.message, values_in(node)});
     return false;
   }
 

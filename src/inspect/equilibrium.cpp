@@ -17,7 +17,8 @@ namespace {
 
 using cln::cl_R;
 
-constexpr unsigned samples = 4;  // exact and random; the first has the model's own values
+constexpr unsigned equilibrium_samples =
+    4;  // exact and random; the first has the model's own values
 
 /// What is left of bias - B u, row by row, and how large the terms are.
 struct Residual {
@@ -141,7 +142,7 @@ Diagnostics inspect_equilibrium(const Inspected& subject) {
   Model exact = model;
   exact.approximation.reset();
   bool was_seen = false;
-  for (unsigned seed = 0; seed < samples; ++seed) {
+  for (unsigned seed = 0; seed < equilibrium_samples; ++seed) {
     const State elsewhere = varied_state(subject, seed);
     const std::optional<State> point = at_point(model, elsewhere);
     const auto balance = point ? balance_at(exact, *point, elsewhere) : std::nullopt;

@@ -9,6 +9,10 @@
 
 namespace elgen {
 
+/// What vanishes at so many states vanishes: they are exact and random, one in 1e9 is a
+/// coincidence.
+constexpr unsigned zero_samples = 3;
+
 /// Everything that moves as draw_motion() has it. Run-time parameters whose value is 0 are sampled
 /// too: zero is a default there, not a property of the system.
 [[nodiscard]] State sampled_state(const Inspected& subject, unsigned seed);

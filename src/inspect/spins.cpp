@@ -17,8 +17,6 @@ namespace {
 
 using cln::cl_R;
 
-constexpr unsigned samples = 3;  // exact and random: one in 1e9 is a coincidence
-
 Model with_lagrangian(const Model& model, ExpressionId lagrangian) {
   Model bare;
   bare.expressions = model.expressions;
@@ -43,9 +41,9 @@ bool vanishes(const cl_R& x, const cl_R& scale) {
 /// True where the Euler-Lagrange expression differs from zero at a sampled state.
 bool has_curl(const Inspected& subject, ExpressionId spin) {
   const Model bare = with_lagrangian(subject.model, spin);
-  for (unsigned seed = 0; seed < samples; ++seed) {
+  for (unsigned seed = 0; seed < zero_samples; ++seed) {
     const State state = sampled_state(subject, seed);
-    const std::vector<cl_R> direction = sampled_state(subject, seed + samples).v;
+    const std::vector<cl_R> direction = sampled_state(subject, seed + zero_samples).v;
     const auto curl =
         oracle_contraction(bare, {.kind = OutputKind::inverse_dynamics}, state, {direction});
     const auto value = oracle_expression(bare, spin, state);

@@ -7,20 +7,21 @@ namespace elgen::oracle {
 namespace {
 
 using cln::cl_R;
-using Values = std::vector<std::optional<cl_R>>;
+using KnownValues = std::vector<std::optional<cl_R>>;
 
-void scale(std::vector<Jet>& quantity, const Values& about, const Jet& s) {
+void scale(std::vector<Jet>& quantity, const KnownValues& about, const Jet& s) {
   for (std::size_t i = 0; i < quantity.size(); ++i) {
     if (about[i]) quantity[i] = Jet(*about[i]) + s * (quantity[i] - Jet(*about[i]));
   }
 }
 
 /// Evaluates expressions made of parameters.
-Values values_of(const Model& model, const std::vector<std::optional<ExpressionId>>& expressions,
-                 const State& state) {
+KnownValues values_of(const Model& model,
+                      const std::vector<std::optional<ExpressionId>>& expressions,
+                      const State& state) {
   const Motion motion = motion_of(state);
   Evaluation at(model, motion);
-  Values values;
+  KnownValues values;
   for (const auto& expression : expressions) {
     values.push_back(expression ? std::optional(at.value(*expression).real()) : std::nullopt);
   }

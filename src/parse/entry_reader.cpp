@@ -116,7 +116,7 @@ void EntryReader::report_unknown(const TomlEntry& entry) {
   const std::string near = nearest(entry.key, candidates);
   const EntryRow* row = find(near);
   reading_.report(
-      Code::E106, header_of(entry.value), "unknown entry " + quoted(entry.key),
+      Code::E106, header_of(entry.value), "unknown entry " + in_backticks(entry.key),
       row == nullptr ? "" : fmt::format("did you mean {}?", header_text(near, row->repeated)));
 }
 

@@ -28,7 +28,7 @@ void report_unknown(const TomlEntry& key, const TableContext& table, FileReading
     if (row.entry == table.entry && row.supported) candidates.emplace_back(row.key);
   }
   reading.report(Code::E103, key.key_span,
-                 fmt::format("unknown key {} in {}", quoted(key.key), table.label),
+                 fmt::format("unknown key {} in {}", in_backticks(key.key), table.label),
                  suggestion(key.key, candidates));
 }
 
@@ -62,7 +62,7 @@ ValueSyntax read_choice(const TomlValue& value, const KeyRow& row, FileReading& 
   if (value.kind != TomlKind::string) return result;
   const std::vector<std::string_view> words = words_of(row);
   if (std::find(words.begin(), words.end(), result.text) == words.end()) {
-    report_choice(result, quoted(result.text), row, reading);
+    report_choice(result, in_backticks(result.text), row, reading);
   }
   return result;
 }
@@ -84,7 +84,8 @@ ValueSyntax read_table(const TomlEntry& key, const KeyRow& row, FileReading& rea
     report_wrong_type(key.value, "a table", reading);
     return result;
   }
-  const TableContext table{fmt::format("{}.{}", row.entry, row.key), quoted(key.key), key.key_span};
+  const TableContext table{fmt::format("{}.{}", row.entry, row.key), in_backticks(key.key),
+                           key.key_span};
   result.entries = read_keys(key.value.entries, table, reading);
   return result;
 }
@@ -146,7 +147,7 @@ std::vector<KeySyntax> read_keys(const std::vector<TomlEntry>& entries, const Ta
       report_unknown(entry, table, reading);
     } else if (!row->supported) {
       all_supported = false;
-      reading.report(Code::E108, entry.key_span, quoted(entry.key) + " is not yet supported");
+      reading.report(Code::E108, entry.key_span, in_backticks(entry.key) + " is not yet supported");
     } else {
       result.push_back({entry.key, entry.key_span, read_by_type(entry, *row, reading)});
     }

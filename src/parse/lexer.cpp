@@ -57,7 +57,7 @@ Token Lexer::advance() {
   return previous_;
 }
 
-std::string Lexer::shown(const Token& token) const { return quoted(text(token)); }
+std::string Lexer::shown(const Token& token) const { return in_backticks(text(token)); }
 
 std::string_view Lexer::text(const Token& token) const {
   return bytes_.substr(token.begin, token.end - token.begin);
@@ -97,7 +97,8 @@ Token Lexer::number() {
   const NumberExtent extent = number_extent(bytes_, position_);
   const std::size_t bytes = extent.end - position_;
   if (extent.well_formed) return take(TokenKind::number, bytes);
-  return invalid(Code::E308, bytes, quoted(bytes_.substr(position_, bytes)) + " is not a number",
+  return invalid(Code::E308, bytes,
+                 in_backticks(bytes_.substr(position_, bytes)) + " is not a number",
                  "numbers are written `12`, `0.5` or `1e-3`");
 }
 
@@ -109,7 +110,8 @@ Token Lexer::name() {
 
 Token Lexer::comparison() {
   const std::size_t bytes = peek(1) == '=' ? 2 : 1;
-  return invalid(Code::E317, bytes, quoted(bytes_.substr(position_, bytes)) + " in an expression",
+  return invalid(Code::E317, bytes,
+                 in_backticks(bytes_.substr(position_, bytes)) + " in an expression",
                  "an expression is a value, without `=` or comparisons");
 }
 
@@ -117,11 +119,11 @@ Token Lexer::unknown_character() {
   const CodePoint point = code_point_at(bytes_, position_);
   if (point.value < 0x80) {
     return invalid(Code::E301, 1,
-                   quoted(bytes_.substr(position_, 1)) + " has no meaning in an expression",
+                   in_backticks(bytes_.substr(position_, 1)) + " has no meaning in an expression",
                    ascii_hint(point.value));
   }
   return invalid(Code::E307, point.bytes,
-                 quoted(bytes_.substr(position_, point.bytes)) + " (" +
+                 in_backticks(bytes_.substr(position_, point.bytes)) + " (" +
                      code_point_name(point.value) + ") is not ASCII",
                  replacement_hint(point.value));
 }

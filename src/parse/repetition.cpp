@@ -57,8 +57,8 @@ ValueSyntax read_one(const TomlValue& value, FileReading& reading) {
   }
   const std::optional<Parts> parts = split(value.text);
   if (!parts) {
-    reading.report(Code::E210, value.text.whole, quoted(value.text.text) + " is no repetition",
-                   std::string(grammar));
+    reading.report(Code::E210, value.text.whole,
+                   in_backticks(value.text.text) + " is no repetition", std::string(grammar));
     return result;
   }
   for (std::size_t i = 0; i < parts->size(); ++i) {

@@ -49,7 +49,7 @@ std::optional<Diagnostic> format_error(const TomlValue& root) {
   }
   const std::string& text = entry->value.text.text;
   if (text == "1") return std::nullopt;
-  return Diagnostic{Code::E102, entry->value.span, "format " + quoted(text),
+  return Diagnostic{Code::E102, entry->value.span, "format " + in_backticks(text),
                     "this version reads `format = 1`"};
 }
 

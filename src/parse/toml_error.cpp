@@ -84,7 +84,7 @@ Diagnostic toml_error(const SourceText& source, std::uint32_t offset,
                       std::string_view description) {
   const Span word = word_at(source, offset);
   if (is_too_wide(description) && is_decimal_token(covered_text(word))) {
-    return {Code::E109, word, quoted(covered_text(word)) + " is wider than TOML's numbers",
+    return {Code::E109, word, in_backticks(covered_text(word)) + " is wider than TOML's numbers",
             "write it as a string, in quotes"};
   }
   if (contains(description, "parsing string") && at_line_end(source, offset)) {

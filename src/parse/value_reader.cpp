@@ -19,9 +19,9 @@ namespace {
 std::string described(const TomlValue& value) {
   switch (value.kind) {
     case TomlKind::string:
-      return "string " + quoted(value.text.text);
+      return "string " + in_backticks(value.text.text);
     case TomlKind::number:
-      return "number " + quoted(value.text.text);
+      return "number " + in_backticks(value.text.text);
     case TomlKind::boolean:
       return value.boolean ? "`true`" : "`false`";
     case TomlKind::array:
@@ -31,7 +31,7 @@ std::string described(const TomlValue& value) {
     case TomlKind::other:
       break;
   }
-  return quoted(value.text.text);
+  return in_backticks(value.text.text);
 }
 
 /// The first character that is not seen. Blanks and line ends are seen by what they part.
@@ -128,7 +128,7 @@ ValueSyntax read_name(const TomlValue& value, FileReading& reading) {
   if (good || speaks_for_itself(read, value.text)) {
     keep(std::move(read), result.expression, reading);
   } else {
-    reading.report(Code::E205, value.text.whole, quoted(value.text.text) + " is not a name",
+    reading.report(Code::E205, value.text.whole, in_backticks(value.text.text) + " is not a name",
                    "names are letters, digits and underscores, starting with a letter");
   }
   return result;

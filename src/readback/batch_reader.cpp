@@ -87,7 +87,8 @@ class BatchHeaderReader {
     const bool is_right = literal && literal->suffix == (is_single ? 'F' : '\0') &&
                           is_negative == (value < 0) &&
                           rounds_alike(literal->value, cln::abs(exact_value(value)), scalar());
-    if (!is_right) tokens_.fail(tokens_.span(token), quoted(token.text) + " is another number");
+    if (!is_right)
+      tokens_.fail(tokens_.span(token), in_backticks(token.text) + " is another number");
   }
 
   /// result.m = p.m;

@@ -31,7 +31,7 @@ class CommentReader {
     for (const Line& line : listing) read_line(line);
     if (!listing.empty()) expect_all_entries(listing.back());
     if (gives_struct(function_) && next_field_ < function_.fields.size()) {
-      fail(listing.back(), quoted(function_.fields[next_field_].name) + " is missing");
+      fail(listing.back(), in_backticks(function_.fields[next_field_].name) + " is missing");
     }
   }
 

@@ -86,9 +86,9 @@ void EquationReader::start(std::size_t index) {
 
 std::string EquationReader::definition(const std::string& name, const std::string& text) {
   const auto known = known_[index_].named.find(name);
-  if (known == known_[index_].named.end()) return quoted(name) + " is no definition";
+  if (known == known_[index_].named.end()) return in_backticks(name) + " is no definition";
   const std::string problem = compare(known->second, text);
-  if (!defined_.insert(name).second) return quoted(name) + " is defined twice";
+  if (!defined_.insert(name).second) return in_backticks(name) + " is defined twice";
   return problem;
 }
 
@@ -104,7 +104,7 @@ std::string EquationReader::number(const cln::cl_R& value, const std::string& te
   const Real difference = abs(written - Real(value));
   const Real tolerance = abs(Real(value)) * Real(power_of_ten(-agreeing_digits));
   const bool is_right = written.is_defined() && difference.value() <= tolerance.value();
-  return is_right ? "" : fmt::format("{} is not {}", quoted(text), exact_text(value));
+  return is_right ? "" : fmt::format("{} is not {}", in_backticks(text), exact_text(value));
 }
 
 std::string EquationReader::compare(std::uint32_t instruction, const std::string& text) {
@@ -113,7 +113,7 @@ std::string EquationReader::compare(std::uint32_t instruction, const std::string
   const Evaluated& written = evaluated(text);
   if (!written.problem.empty()) return written.problem;
   for (const std::string& name : written.used) {
-    if (defined_.count(name) == 0) return quoted(name) + " is not defined here";
+    if (defined_.count(name) == 0) return in_backticks(name) + " is not defined here";
   }
   const Real relative(power_of_ten(-agreeing_digits));
   for (std::size_t i = 0; i < states_.size(); ++i) {
@@ -122,7 +122,7 @@ std::string EquationReader::compare(std::uint32_t instruction, const std::string
     const Real difference = abs(written.values[i] - derived);
     const Real tolerance = known.largest[i] * relative;
     if (difference.is_defined() && difference.value() <= tolerance.value()) continue;
-    return fmt::format("{} is {} where {} was derived", quoted(text),
+    return fmt::format("{} is {} where {} was derived", in_backticks(text),
                        short_value(written.values[i]), short_value(derived));
   }
   return {};
@@ -177,7 +177,7 @@ Real EquationReader::named(const std::string& name, Evaluated& result) const {
   const Known& known = known_[index_];
   const auto definition = known.named.find(name);
   if (definition == known.named.end()) {
-    result.problem = quoted(name) + " is no name of the model";
+    result.problem = in_backticks(name) + " is no name of the model";
     return Real::undefined();
   }
   result.used.insert(name);

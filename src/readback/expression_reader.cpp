@@ -74,7 +74,7 @@ SignedNode ExpressionReader::literal() {
   const bool is_float = file_.dialect.scalar_kind == ScalarKind::single_precision;
   if (!literal || literal->suffix != (is_float ? 'f' : '\0')) {
     tokens_.fail(tokens_.span(token),
-                 quoted(token.text) + " is no literal of type " + file_.dialect.scalar);
+                 in_backticks(token.text) + " is no literal of type " + file_.dialect.scalar);
   }
   return graph_.constant(rounded(literal->value, *file_.dialect.scalar_kind));
 }
@@ -86,7 +86,8 @@ SignedNode ExpressionReader::short_constant() {
   const std::optional<Literal> literal = read_literal(token.text);
   const bool is_exact = literal && literal->suffix == '\0' && exact_in_float(literal->value);
   if (!is_exact) {
-    tokens_.fail(tokens_.span(token), quoted(token.text) + " is no number that a float holds");
+    tokens_.fail(tokens_.span(token),
+                 in_backticks(token.text) + " is no number that a float holds");
   }
   tokens_.expect(")");
   return graph_.constant(literal->value);
@@ -115,7 +116,7 @@ SignedNode ExpressionReader::named_number(const CodeToken& name) {
 }
 
 void ExpressionReader::expect_in_scope(const CodeToken& name) {
-  tokens_.fail(tokens_.span(name), quoted(name.text) + " is not declared here");
+  tokens_.fail(tokens_.span(name), in_backticks(name.text) + " is not declared here");
 }
 
 SignedNode ExpressionReader::argument(Opcode argument) {
@@ -130,7 +131,7 @@ std::uint32_t ExpressionReader::index(std::size_t size) {
   const std::uint32_t index = tokens_.integer();
   if (index >= size) {
     tokens_.fail(tokens_.span(token),
-                 quoted(token.text) + " is no index of " + counted(size, "number"));
+                 in_backticks(token.text) + " is no index of " + counted(size, "number"));
   }
   tokens_.expect("]");
   return index;
@@ -153,7 +154,8 @@ SignedNode ExpressionReader::shared() {
   const CodeToken name = tokens_.current();
   const auto known = workspace_.find(tokens_.name());
   if (known == workspace_.end()) expect_in_scope(name);
-  if (!known->second) tokens_.fail(tokens_.span(name), quoted(name.text) + " has no value yet");
+  if (!known->second)
+    tokens_.fail(tokens_.span(name), in_backticks(name.text) + " has no value yet");
   return *known->second;
 }
 

@@ -100,7 +100,7 @@ void FunctionReader::using_declaration() {
   tokens_.expect_code("using std::");
   const CodeToken name = tokens_.current();
   const bool is_new = scope_.used.insert(tokens_.name()).second;
-  if (!is_new) tokens_.fail(tokens_.span(name), quoted(name.text) + " is declared twice");
+  if (!is_new) tokens_.fail(tokens_.span(name), in_backticks(name.text) + " is declared twice");
   tokens_.expect(";");
 }
 
@@ -114,7 +114,7 @@ void FunctionReader::unused_argument() {
       std::any_of(scope_.arguments.begin(), scope_.arguments.end(),
                   [&](Opcode argument) { return leaf_row(argument).symbol == name.text; });
   if (!is_argument && name.text != "w" && name.text != "result") {
-    tokens_.fail(tokens_.span(name), quoted(name.text) + " is no argument");
+    tokens_.fail(tokens_.span(name), in_backticks(name.text) + " is no argument");
   }
   tokens_.expect(";");
 }
@@ -144,7 +144,7 @@ void FunctionReader::declared_pair() {
 
 void FunctionReader::declare(const CodeToken& name, SignedNode value) {
   const bool is_new = scope_.locals.emplace(name.text, value).second;
-  if (!is_new) tokens_.fail(tokens_.span(name), quoted(name.text) + " is declared twice");
+  if (!is_new) tokens_.fail(tokens_.span(name), in_backticks(name.text) + " is declared twice");
 }
 
 /// Vector<Scalar, 2> result;
@@ -178,13 +178,14 @@ CodeToken FunctionReader::shared_name() {
   tokens_.expect(file_.dialect.member);
   const CodeToken name = tokens_.current();
   const bool is_declared = workspace_.count(tokens_.name()) > 0;
-  if (!is_declared) tokens_.fail(tokens_.span(name), quoted(name.text) + " is not declared here");
+  if (!is_declared)
+    tokens_.fail(tokens_.span(name), in_backticks(name.text) + " is not declared here");
   return name;
 }
 
 void FunctionReader::share(const CodeToken& name, SignedNode value) {
   std::optional<SignedNode>& shared = workspace_.at(name.text);
-  if (shared) tokens_.fail(tokens_.span(name), quoted(name.text) + " is written twice");
+  if (shared) tokens_.fail(tokens_.span(name), in_backticks(name.text) + " is written twice");
   shared = value;
 }
 
@@ -212,10 +213,10 @@ FunctionReader::Pair FunctionReader::pair_values(const CodeToken& sine, const Co
 SignedNode FunctionReader::next_value(const CodeToken& name, SignedNode written,
                                       const CodeToken& first) {
   if (next_statement_ == named_.size()) {
-    tokens_.fail(tokens_.span(name), quoted(name.text) + " is one statement too many");
+    tokens_.fail(tokens_.span(name), in_backticks(name.text) + " is one statement too many");
   }
   const SignedNode derived = values_[named_[next_statement_++]];
-  compare(written, derived, first, quoted(name.text));
+  compare(written, derived, first, in_backticks(name.text));
   return derived;
 }
 
@@ -223,7 +224,7 @@ std::size_t FunctionReader::result_named(std::string_view name, const CodeToken&
   for (std::size_t i = 0; i < results_.size(); ++i) {
     if (results_[i].field.name == name) return i;
   }
-  tokens_.fail(tokens_.span(token), quoted(token.text) + " is no part of the result");
+  tokens_.fail(tokens_.span(token), in_backticks(token.text) + " is no part of the result");
 }
 
 /// result[0] = …;   result.acceleration[0] = …;   result.kinetic_energy = …;
@@ -254,7 +255,8 @@ void FunctionReader::entry(std::size_t result, std::size_t index, const CodeToke
   }
   if (target.written[index])
     tokens_.fail(tokens_.span(first), fmt::format("entry {} is written twice", index));
-  const std::string field = target.field.name.empty() ? "the result" : quoted(target.field.name);
+  const std::string field =
+      target.field.name.empty() ? "the result" : in_backticks(target.field.name);
   const CodeToken start = tokens_.current();
   const SignedNode written = expressions_.read(scope_);
   compare(written, values_[target.entries[index]], start,
@@ -354,9 +356,10 @@ void FunctionReader::expect_complete() {
   for (const Result& result : results_) {
     const auto missing = std::find(result.written.begin(), result.written.end(), false);
     if (missing == result.written.end()) continue;
-    tokens_.fail(tokens_.span(tokens_.current()),
-                 fmt::format("entry {} of {} is missing", missing - result.written.begin(),
-                             result.field.name.empty() ? "the result" : quoted(result.field.name)));
+    tokens_.fail(
+        tokens_.span(tokens_.current()),
+        fmt::format("entry {} of {} is missing", missing - result.written.begin(),
+                    result.field.name.empty() ? "the result" : in_backticks(result.field.name)));
   }
 }
 

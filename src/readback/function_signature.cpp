@@ -33,7 +33,7 @@ void FunctionReader::workspace_members() {
     tokens_.expect(file_.dialect.scalar);
     const CodeToken name = tokens_.current();
     const bool is_new = workspace_.emplace(tokens_.name(), std::nullopt).second;
-    if (!is_new) tokens_.fail(tokens_.span(name), quoted(name.text) + " is declared twice");
+    if (!is_new) tokens_.fail(tokens_.span(name), in_backticks(name.text) + " is declared twice");
     tokens_.expect(";");
   }
 }

@@ -20,7 +20,7 @@ constexpr std::uint32_t largest_exponent = 5000;
 [[noreturn]] void fail_number(const TokenReader& tokens, const CodeToken& first,
                               const cln::cl_R& number) {
   const Span span = tokens.span_from(first);
-  tokens.fail(span, fmt::format("{} is not {}", quoted(span), exact_text(number)));
+  tokens.fail(span, fmt::format("{} is not {}", in_backticks(span), exact_text(number)));
 }
 
 /// detail::OutOfRange{} stands for the literal of a scalar that cannot hold the number.

@@ -44,7 +44,7 @@ class PageReader {
     if (line == lines_.end() && !arrays.empty()) fail("", "no table of parameters");
     if (!arrays.empty()) ++line;  // what aligns the columns
     for (const ParameterArray& array : arrays) {
-      if (++line == lines_.end()) fail(lines_.back(), "no row of " + quoted(array.name));
+      if (++line == lines_.end()) fail(lines_.back(), "no row of " + in_backticks(array.name));
       parameter(*line, array);
     }
     operations();
@@ -67,7 +67,7 @@ class PageReader {
     const std::size_t value = start + before.size();
     const std::size_t end = line.find(" |", start == std::string_view::npos ? 0 : value);
     if (start == std::string_view::npos || end == std::string_view::npos) {
-      fail(line, "the row should be that of " + quoted(name));
+      fail(line, "the row should be that of " + in_backticks(name));
     }
     std::string text(line.substr(value, end - value));
     const std::string problem = wrong_values(array, text);

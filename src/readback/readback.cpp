@@ -31,7 +31,7 @@ class FilesReader {
       return file->path == artifact.path;
     });
     if (found == files_.end()) {
-      diagnostics_.push_back({Code::E915, {}, quoted(artifact.path) + " is missing"});
+      diagnostics_.push_back({Code::E915, {}, in_backticks(artifact.path) + " is missing"});
       return;
     }
     try {

@@ -46,7 +46,7 @@ class SidecarReader {
  private:
   [[noreturn]] void fail(const std::string& problem) const {
     const auto begin = static_cast<std::uint32_t>(at_);
-    const std::string start = function_.empty() ? "" : elgen::quoted(function_) + ": ";
+    const std::string start = function_.empty() ? "" : in_backticks(function_) + ": ";
     throw Mistake{{Code::E915, {&source_, begin, begin + length_}, start + problem}};
   }
 
@@ -61,7 +61,7 @@ class SidecarReader {
   /// The value of a key, which is removed.
   Json take(Json& object, const std::string& key) {
     const bool is_there = object.is_object() && object.contains(key);
-    if (!is_there) fail(elgen::quoted(key) + " is missing");
+    if (!is_there) fail(in_backticks(key) + " is missing");
     seek(Json(key).dump() + ":");
     Json value = std::move(object[key]);
     object.erase(key);
@@ -74,7 +74,7 @@ class SidecarReader {
   }
 
   void expect_empty(const Json& rest) const {
-    if (!rest.empty()) fail(elgen::quoted(rest.begin().key()) + " should not be there");
+    if (!rest.empty()) fail(in_backticks(rest.begin().key()) + " should not be there");
   }
 
   std::string text_of(const Json& json) {

@@ -10,7 +10,7 @@
 namespace elgen {
 namespace {
 
-constexpr std::string_view margin = "  ";
+constexpr std::string_view table_margin = "  ";
 
 class TextReader {
  public:
@@ -42,7 +42,7 @@ class TextReader {
   [[noreturn]] void fail(const Function& function, const std::string& problem) const {
     const auto begin = static_cast<std::uint32_t>(at_);
     const Span span{&source_, begin, begin + static_cast<std::uint32_t>(line().size())};
-    throw Mistake{{Code::E915, span, quoted(function.name) + ": " + problem}};
+    throw Mistake{{Code::E915, span, in_backticks(function.name) + ": " + problem}};
   }
 
   void expect_zero(const Function& function) {
@@ -60,7 +60,7 @@ class TextReader {
         entry(function, name + index_text(field, i), field.entries[i]);
       }
     }
-    if (line().starts_with(margin)) fail(function, "one line too many");
+    if (line().starts_with(table_margin)) fail(function, "one line too many");
   }
 
   /// The definitions before it, and the entry of this name.
@@ -68,9 +68,9 @@ class TextReader {
     for (bool is_entry = false; !is_entry;) {
       const std::string_view text = line();
       const std::size_t equal = text.find(" = ");
-      const bool is_equation = text.starts_with(margin) && equal != std::string_view::npos;
-      if (!is_equation) fail(function, quoted(name) + " is missing");
-      const std::string left(text.substr(margin.size(), equal - margin.size()));
+      const bool is_equation = text.starts_with(table_margin) && equal != std::string_view::npos;
+      if (!is_equation) fail(function, in_backticks(name) + " is missing");
+      const std::string left(text.substr(table_margin.size(), equal - table_margin.size()));
       const std::string right(text.substr(equal + 3));
       is_entry = left == name;
       const std::string problem =

@@ -35,7 +35,7 @@ bool TokenReader::accept(std::string_view text) {
 }
 
 void TokenReader::expect(std::string_view text) {
-  if (!accept(text)) fail_expected(quoted(text));
+  if (!accept(text)) fail_expected(in_backticks(text));
 }
 
 void TokenReader::expect(const CodeToken& token) {
@@ -43,7 +43,7 @@ void TokenReader::expect(const CodeToken& token) {
   if (is_same) {
     advance();
   } else {
-    fail_expected(token.text.empty() ? "the end of the line" : quoted(token.text));
+    fail_expected(token.text.empty() ? "the end of the line" : in_backticks(token.text));
   }
 }
 
@@ -71,7 +71,7 @@ std::uint32_t TokenReader::integer() {
 }
 
 void TokenReader::expect_integer(std::size_t value) {
-  if (!at(std::to_string(value))) fail_expected(quoted(std::to_string(value)));
+  if (!at(std::to_string(value))) fail_expected(in_backticks(std::to_string(value)));
   advance();
 }
 
@@ -99,13 +99,13 @@ Span TokenReader::span(std::string_view part) const {
 }
 
 void TokenReader::fail(const Span& span, const std::string& message) const {
-  const std::string start = function_.empty() ? "" : quoted(function_) + ": ";
+  const std::string start = function_.empty() ? "" : in_backticks(function_) + ": ";
   throw Mistake{{Code::E915, span, start + message}};
 }
 
 void TokenReader::fail_expected(const std::string& what) const {
   const char* const nothing = at(CodeTokenKind::end) ? "the end of the file" : "the end of a line";
-  const std::string found = current().text.empty() ? nothing : quoted(current().text);
+  const std::string found = current().text.empty() ? nothing : in_backticks(current().text);
   fail(span(current()), found + " instead of " + what);
 }
 

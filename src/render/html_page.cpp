@@ -39,14 +39,14 @@ std::string lines(const Display& display) {
   return fmt::format("<mtable class=\"lines\">\n{}</mtable>", rows);
 }
 
-std::string equation(const Display& display) {
+std::string html_equation(const Display& display) {
   return display.columns > 0 ? matrix(display) : lines(display);
 }
 
 }  // namespace
 
 std::string html_page(const Sheet& sheet) {
-  const PageWords words{xml_text, xml_text, formula, equation};
+  const PageWords words{xml_text, xml_text, formula, html_equation};
   return fill_template("pages/mathml.html.mustache", page_data(sheet, words));
 }
 

@@ -7,7 +7,7 @@ namespace elgen {
 namespace {
 
 /// Text with what LaTeX would read as commands escaped; Unicode is left to inputenc.
-std::string plain(const std::string& text) {
+std::string latex_text(const std::string& text) {
   static const Escapes escapes{{'\\', "\\textbackslash{}"},
                                {'^', "\\textasciicircum{}"},
                                {'~', "\\textasciitilde{}"},
@@ -24,7 +24,7 @@ std::string plain(const std::string& text) {
 /// Lines that may break across pages; `aligned` may not.
 constexpr std::size_t longest_block = 10;
 
-std::string equation(const Display& display) {
+std::string latex_equation(const Display& display) {
   const std::string latex = latex_block(display);
   if (display.columns > 0 || display.texts.size() <= longest_block) {
     return fmt::format("\\[\n{}\n\\]", latex);
@@ -36,7 +36,7 @@ std::string equation(const Display& display) {
 }  // namespace
 
 std::string latex_document(const Sheet& sheet) {
-  const PageWords words{plain, plain, unchanged, equation};
+  const PageWords words{latex_text, latex_text, unchanged, latex_equation};
   return fill_template("pages/latex.tex.mustache", page_data(sheet, words));
 }
 

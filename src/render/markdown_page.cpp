@@ -5,7 +5,7 @@ namespace elgen {
 namespace {
 
 /// One line, without what Markdown would read as markup.
-std::string plain(const std::string& text) {
+std::string markdown_text(const std::string& text) {
   static const Escapes escapes{{'|', "\\|"}, {'<', "\\<"},   {'*', "\\*"}, {'_', "\\_"},
                                {'$', "\\$"}, {'\\', "\\\\"}, {'`', "\\`"}, {'\n', " "},
                                {'\r', " "},  {'\t', " "}};
@@ -15,7 +15,7 @@ std::string plain(const std::string& text) {
 }  // namespace
 
 std::string markdown_page(const Sheet& sheet) {
-  const PageWords words{plain, unchanged, unchanged, latex_block};
+  const PageWords words{markdown_text, unchanged, unchanged, latex_block};
   std::string text = fill_template("pages/markdown.md.mustache", page_data(sheet, words));
   while (text.ends_with("\n\n")) text.pop_back();
   return text;

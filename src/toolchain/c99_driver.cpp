@@ -11,7 +11,7 @@ namespace elgen {
 namespace {
 
 /// `append` has a prototype, because a header of numbers alone leaves it unused.
-constexpr std::string_view prologue = R"(#include "{header}"
+constexpr std::string_view c99_prologue = R"(#include "{header}"
 
 #include <stddef.h>
 
@@ -29,7 +29,7 @@ static {name_space}_parameters parameters_from(const {scalar} *values) {{
 }}
 )";
 
-constexpr std::string_view wrapper_template = R"(
+constexpr std::string_view c99_wrapper = R"(
 void {symbol}({leaves}{scalar} *to);
 void {symbol}({leaves}{scalar} *to) {{
   const {name_space}_parameters p = parameters_from(parameters);
@@ -38,7 +38,7 @@ void {symbol}({leaves}{scalar} *to) {{
 )";
 
 /// "&p, q, v"
-std::string arguments(const Model& model, const Function& function) {
+std::string c99_arguments(const Model& model, const Function& function) {
   std::string text;
   for (const Opcode argument : arguments_of(model, function)) {
     const bool is_struct = argument == Opcode::parameter;
@@ -50,7 +50,7 @@ std::string arguments(const Model& model, const Function& function) {
 
 std::string call(const DriverInput& input, const Function& function, const std::string& scalar) {
   const std::string name = fmt::format("{}_{}", name_space(input.scene), function.name);
-  const std::string given = arguments(input.model, function);
+  const std::string given = c99_arguments(input.model, function);
   const std::string results = appended(input, function, "&to", "");
   if (gives_struct(function)) {
     return fmt::format("  {0}_result result;\n  {0}({1}, &result);\n{2}", name, given, results);
@@ -68,13 +68,13 @@ std::string c99_driver(const DriverInput& input) {
   const auto& [model, scene, program] = input;
   const std::string scalar(name_of(scene.numerics.scalars.front()));
   std::string text = fmt::format(
-      prologue, fmt::arg("header", path_of(scene, ArtifactId::c99)), fmt::arg("scalar", scalar),
+      c99_prologue, fmt::arg("header", path_of(scene, ArtifactId::c99)), fmt::arg("scalar", scalar),
       fmt::arg("position", stored_position(scene)), fmt::arg("name_space", name_space(scene)),
       fmt::arg("parameters", parameter_assignments(input)));
   std::string unused;
   for (const LeafRow& leaf : leaf_table) unused += fmt::format("(void){};", leaf.member);
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
-    text += fmt::format(wrapper_template, fmt::arg("symbol", driver_symbol(scalar, i)),
+    text += fmt::format(c99_wrapper, fmt::arg("symbol", driver_symbol(scalar, i)),
                         fmt::arg("scalar", scalar), fmt::arg("name_space", name_space(scene)),
                         fmt::arg("leaves", declared_leaves(scalar)), fmt::arg("unused", unused),
                         fmt::arg("body", call(input, program.functions[i], scalar)));

@@ -28,7 +28,7 @@ Eigen::Matrix<Scalar, N, 1> from_flat([[maybe_unused]] const Scalar* values) {
 }
 )";
 
-constexpr std::string_view prologue = R"(#include "{header}"
+constexpr std::string_view cpp_prologue = R"(#include "{header}"
 #include <array>
 #include <cstddef>
 
@@ -57,7 +57,7 @@ void call_{index}({leaves}[[maybe_unused]] Scalar* to) {{
 {body}}}
 )";
 
-constexpr std::string_view wrapper_template = R"(
+constexpr std::string_view cpp_wrapper = R"(
 extern "C" void {symbol}({leaves}{scalar}* result);
 extern "C" void {symbol}({leaves}{scalar}* result) {{
   call_{index}({names}, result);
@@ -82,7 +82,7 @@ std::string eigen_result(const Function& function) {
 }
 
 /// "parameters_from<Scalar>(parameters), from_flat<Scalar, emitted::coordinate_count>(q)"
-std::string arguments(const Model& model, const Function& function) {
+std::string cpp_arguments(const Model& model, const Function& function) {
   std::string text = "parameters_from<Scalar>(parameters)";
   for (const Opcode argument : arguments_of(model, function)) {
     const std::string_view name = leaf_row(argument).member;
@@ -94,7 +94,7 @@ std::string arguments(const Model& model, const Function& function) {
 }
 
 std::string call(const DriverInput& input, const Types& types, const Function& function) {
-  const std::string given = arguments(input.model, function);
+  const std::string given = cpp_arguments(input.model, function);
   const std::string results = appended(input, function, "to", ".data()");
   if (is_returned(function)) {
     return fmt::format("  const auto result = emitted::{}({});\n{}", function.name, given, results);
@@ -109,7 +109,7 @@ std::string call(const DriverInput& input, const Types& types, const Function& f
 std::string calls_of(const DriverInput& input, const Types& types) {
   const auto& [model, scene, program] = input;
   std::string text = fmt::format(
-      prologue, fmt::arg("header", types.header), fmt::arg("functions", types.functions),
+      cpp_prologue, fmt::arg("header", types.header), fmt::arg("functions", types.functions),
       fmt::arg("position", stored_position(scene)), fmt::arg("vector", types.vector),
       fmt::arg("name_space", name_space(scene)),
       fmt::arg("parameters", parameter_assignments(input)));
@@ -129,7 +129,7 @@ std::string driver_of(const DriverInput& input, const Types& types) {
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     for (const ScalarKind kind : driver_scalars(input)) {
       const std::string scalar(name_of(kind));
-      text += fmt::format(wrapper_template, fmt::arg("symbol", driver_symbol(scalar, i)),
+      text += fmt::format(cpp_wrapper, fmt::arg("symbol", driver_symbol(scalar, i)),
                           fmt::arg("scalar", scalar), fmt::arg("index", i),
                           fmt::arg("leaves", declared_leaves(scalar)),
                           fmt::arg("names", fmt::join(names, ", ")));

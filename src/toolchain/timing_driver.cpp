@@ -20,7 +20,7 @@
 namespace elgen {
 namespace {
 
-constexpr std::string_view prologue = R"(#include "{header}"
+constexpr std::string_view timing_prologue = R"(#include "{header}"
 #include <array>
 #include <cstddef>
 
@@ -142,7 +142,7 @@ Driver timing_driver(const DriverInput& input, const std::vector<TimedVariant>& 
   const auto& [model, scene, program] = input;
   const Function& function = program.functions.front();
   const ArtifactId header = scene.emission.batch ? ArtifactId::batch : ArtifactId::cpp;
-  std::string text = fmt::format(prologue, fmt::arg("header", path_of(scene, header)),
+  std::string text = fmt::format(timing_prologue, fmt::arg("header", path_of(scene, header)),
                                  fmt::arg("name_space", name_space(scene)));
   text += state_by_state(input, function);
   if (scene.emission.batch) text += pack_by_pack(input, function);

@@ -61,7 +61,7 @@ Diagnostics unknown_dimensions(const std::vector<std::string>& more) {
     const std::string hint = suggestion(word, known);
     found.push_back({Code::E631,
                      {},
-                     fmt::format("unknown dimension {}", quoted(word)),
+                     fmt::format("unknown dimension {}", in_backticks(word)),
                      hint.empty() ? fmt::format("one of {}", fmt::join(known, ", ")) : hint});
   }
   return found;

@@ -37,14 +37,14 @@ Result<NamedRange> read_range(const SourceText& source) {
   const std::size_t equals = text.rfind('=');
   const std::size_t dots = text.find("..", equals == std::string_view::npos ? 0 : equals);
   if (equals == std::string_view::npos || dots == std::string_view::npos) {
-    return refused(all, quoted(text) + " is no range", "write NAME=LOW..HIGH");
+    return refused(all, in_backticks(text) + " is no range", "write NAME=LOW..HIGH");
   }
   const std::optional<double> low = number(text.substr(equals + 1, dots - equals - 1));
   const std::optional<double> high = number(text.substr(dots + 2));
   const Span numbers{&source, static_cast<std::uint32_t>(equals + 1), all.end};
-  if (!low || !high) return refused(numbers, quoted(numbers) + " are no two numbers");
+  if (!low || !high) return refused(numbers, in_backticks(numbers) + " are no two numbers");
   if (!(*low <= *high))
-    return refused(numbers, fmt::format("the range {} is empty", quoted(numbers)));
+    return refused(numbers, fmt::format("the range {} is empty", in_backticks(numbers)));
   return NamedRange{std::string(text.substr(0, equals)), {*low, *high}};
 }
 
@@ -65,7 +65,7 @@ Diagnostics narrow(const Model& model, const SourceText& source, LeafValues<Rang
   for_each_leaf(visit, ranges);
   if (is_known) return {};
   const Span name{&source, 0, static_cast<std::uint32_t>(narrowed->name.size())};
-  return {refused(name, quoted(narrowed->name) + " is no coordinate, rate or input",
+  return {refused(name, in_backticks(narrowed->name) + " is no coordinate, rate or input",
                   suggestion(narrowed->name, names))};
 }
 
@@ -131,7 +131,7 @@ Result<TradeoffStates> tradeoff_states(const CheckedModel& exact, const Program&
     return Diagnostic{Code::E521,
                       {},
                       fmt::format("{} has no value at most states inside the ranges",
-                                  quoted(program.functions.front().name)),
+                                  in_backticks(program.functions.front().name)),
                       "`--range NAME=LOW..HIGH` narrows them"};
   }
   for (const Field& field : program.functions.front().fields) {

@@ -120,13 +120,13 @@ void ElementReader::note_the_rest() const {
     if (taken_.count(&attribute) > 0 || belongs_to_xml(attribute.name)) continue;
     reading_.found.push_back({Code::E815, attribute.name_span,
                               fmt::format("attribute {} of `<{}>` is not imported",
-                                          quoted(attribute.name), element_.name)});
+                                          in_backticks(attribute.name), element_.name)});
   }
   for (const Element& child : element_.children) {
     if (taken_.count(&child) > 0) continue;
     reading_.found.push_back({Code::E815, child.span,
                               fmt::format("{} in `<{}>` is not imported",
-                                          quoted("<" + child.name + ">"), element_.name)});
+                                          in_backticks("<" + child.name + ">"), element_.name)});
   }
 }
 

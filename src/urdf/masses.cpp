@@ -41,7 +41,7 @@ void check_inertia(const Link& link, Diagnostics& found) {
   if (is_of_a_body(tensor)) return;
   found.push_back(
       {Code::E508, link.inertial->span,
-       fmt::format("inertia {} of {} belongs to no body", listed, quoted(link.name.text)),
+       fmt::format("inertia {} of {} belongs to no body", listed, in_backticks(link.name.text)),
        "a principal inertia exceeds the sum of the other two"});
 }
 
@@ -50,12 +50,13 @@ void check_joint(const Robot& robot, const Branch& branch, bool moves_mass, Diag
   const Link& child = robot.links[branch.child];
   if (joint.type == JointType::fixed || branch.mimics) return;
   if (!moves_mass) {
-    found.push_back(
-        {Code::E810, joint.name.span, fmt::format("{} moves no mass", quoted(joint.name.text)),
-         fmt::format("{} has no `<inertial>`, nor has a link behind it", quoted(child.name.text))});
+    found.push_back({Code::E810, joint.name.span,
+                     fmt::format("{} moves no mass", in_backticks(joint.name.text)),
+                     fmt::format("{} has no `<inertial>`, nor has a link behind it",
+                                 in_backticks(child.name.text))});
   } else if (!child.has_mass()) {
     found.push_back({Code::E816, child.name.span,
-                     fmt::format("{} moves without a mass", quoted(child.name.text))});
+                     fmt::format("{} moves without a mass", in_backticks(child.name.text))});
   }
 }
 
@@ -67,7 +68,7 @@ Diagnostics check_masses(const Robot& robot, const LinkTree& tree) {
   if (root.has_mass()) {
     found.push_back(
         {Code::E817, root.name.span,
-         fmt::format("{} is the world: its mass plays no part", quoted(root.name.text))});
+         fmt::format("{} is the world: its mass plays no part", in_backticks(root.name.text))});
   }
   for (const Link& link : robot.links) {
     if (link.inertial) check_inertia(link, found);

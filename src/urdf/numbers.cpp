@@ -65,7 +65,7 @@ bool is_not_finite(std::string word) {
 }
 
 Diagnostic refused(const Span& span, std::string_view unsigned_text) {
-  const std::string shown = quoted(covered_text(span));
+  const std::string shown = in_backticks(covered_text(span));
   if (is_not_finite(std::string(unsigned_text))) {
     return {Code::E804, span, shown + " is not finite"};
   }

@@ -30,7 +30,7 @@ JointType read_type(ElementReader& joint, RobotReading& reading) {
   std::vector<std::string> words;
   for (const TypeRow& type : types) words.emplace_back(type.word);
   reading.found.push_back({Code::E806, text.span,
-                           fmt::format("{} is no type of joint", quoted(text.text)),
+                           fmt::format("{} is no type of joint", in_backticks(text.text)),
                            suggestion(text.text, words)});
   return JointType::fixed;
 }

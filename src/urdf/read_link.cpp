@@ -7,7 +7,8 @@ namespace elgen::urdf {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> inertia_names{"ixx", "iyy", "izz", "ixy", "ixz", "iyz"};
+constexpr std::array<std::string_view, 6> inertia_attributes{"ixx", "iyy", "izz",
+                                                             "ixy", "ixz", "iyz"};
 
 void read_mass(ElementReader& inertial, Inertial& to, RobotReading& reading) {
   inertial.required_child("mass", [&](ElementReader& mass) {
@@ -22,8 +23,8 @@ void read_mass(ElementReader& inertial, Inertial& to, RobotReading& reading) {
 void read_inertia(ElementReader& inertial, Inertial& to) {
   inertial.required_child("inertia", [&](ElementReader& inertia) {
     to.span = inertia.span();
-    for (std::size_t i = 0; i < inertia_names.size(); ++i) {
-      to.inertia[i] = inertia.required_number(inertia_names[i]).value_or(FileNumber{});
+    for (std::size_t i = 0; i < inertia_attributes.size(); ++i) {
+      to.inertia[i] = inertia.required_number(inertia_attributes[i]).value_or(FileNumber{});
     }
   });
 }

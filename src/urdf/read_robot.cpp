@@ -16,7 +16,7 @@ void refuse_macros(ElementReader& reader, const Element& root, Diagnostics& foun
     if (!child.name.starts_with("xacro:")) continue;
     if (is_first) {
       found.push_back({Code::E802, child.span,
-                       fmt::format("{} is a macro", quoted("<" + child.name + ">")),
+                       fmt::format("{} is a macro", in_backticks("<" + child.name + ">")),
                        "expand the file with xacro first"});
     }
     is_first = false;
@@ -38,7 +38,8 @@ Robot read_robot(const Element& root, RobotReading& reading) {
   robot.span = root.span;
   if (root.name != "robot") {
     reading.found.push_back(
-        {Code::E802, root.span, fmt::format("{} is no `<robot>`", quoted("<" + root.name + ">"))});
+        {Code::E802, root.span,
+         fmt::format("{} is no `<robot>`", in_backticks("<" + root.name + ">"))});
     return robot;
   }
   ElementReader reader(root, reading);

@@ -35,7 +35,7 @@ Indices indices_of(const std::vector<Named>& elements, std::string_view noun, Di
     const auto [first, is_new] = indices.emplace(name.text, i);
     if (is_new || name.text.empty()) continue;
     found.push_back(second(Code::E807, name.span,
-                           fmt::format("{} names two {}s", quoted(name.text), noun),
+                           fmt::format("{} names two {}s", in_backticks(name.text), noun),
                            elements[first->second].name.span));
   }
   indices.erase("");
@@ -69,7 +69,7 @@ class TreeMaker {
     if (const auto& first = joint_above_[*child]) {
       found_.push_back(
           second(Code::E809, joint.child.span,
-                 fmt::format("{} is the child of two joints", quoted(joint.child.text)),
+                 fmt::format("{} is the child of two joints", in_backticks(joint.child.text)),
                  robot_.joints[*first].child.span));
       return;
     }
@@ -83,7 +83,7 @@ class TreeMaker {
     const auto link = links_.find(name.text);
     if (link != links_.end()) return link->second;
     found_.push_back({Code::E808, name.span,
-                      fmt::format("the robot has no link {}", quoted(name.text)),
+                      fmt::format("the robot has no link {}", in_backticks(name.text)),
                       suggestion(name.text, names_of(links_))});
     return std::nullopt;
   }
@@ -97,10 +97,10 @@ class TreeMaker {
         continue;
       }
       const Text& name = robot_.links[i].name;
-      found_.push_back(
-          second(Code::E809, name.span,
-                 fmt::format("{} is a second root link: no joint leads to it", quoted(name.text)),
-                 robot_.links[*root].name.span));
+      found_.push_back(second(
+          Code::E809, name.span,
+          fmt::format("{} is a second root link: no joint leads to it", in_backticks(name.text)),
+          robot_.links[*root].name.span));
     }
     tree_.root = root.value_or(0);
     if (robot_.links.empty()) {
@@ -161,18 +161,18 @@ class TreeMaker {
     };
     const auto other = joints_.find(name.text);
     if (other == joints_.end()) {
-      return refuse(fmt::format("the robot has no joint {}", quoted(name.text)),
+      return refuse(fmt::format("the robot has no joint {}", in_backticks(name.text)),
                     suggestion(name.text, names_of(joints_)));
     }
     const Joint& mimicked = robot_.joints[other->second];
     if (mimicked.mimic) {
-      return refuse(fmt::format("{} itself mimics {}", quoted(name.text),
-                                quoted(mimicked.mimic->joint.text)));
+      return refuse(fmt::format("{} itself mimics {}", in_backticks(name.text),
+                                in_backticks(mimicked.mimic->joint.text)));
     }
     for (const Joint* one : {&joint, &mimicked}) {
       if (has_one_coordinate(one->type)) continue;
-      return refuse(fmt::format("{} is {}: it has no coordinate to share", quoted(one->name.text),
-                                word(one->type)));
+      return refuse(fmt::format("{} is {}: it has no coordinate to share",
+                                in_backticks(one->name.text), word(one->type)));
     }
     branch.mimics = other->second;
   }

@@ -17,18 +17,18 @@ constexpr std::array<std::string_view, 4> obstacle_names{"overflow", "undefined"
 constexpr std::array<std::string_view, 3> evidence_names{"states", "proof", "zeros"};
 
 template <class Enum, std::size_t size>
-std::string_view word(const std::array<std::string_view, size>& words, Enum value) {
+std::string_view name_in(const std::array<std::string_view, size>& words, Enum value) {
   return words[static_cast<std::size_t>(value)];
 }
 
 Json json_of(const CertificateRow& row) {
   Json skipped = Json::object();
   for (const SkippedStates& some : row.skipped) {
-    skipped[std::string(word(obstacle_names, some.obstacle))] = some.states;
+    skipped[std::string(name_in(obstacle_names, some.obstacle))] = some.states;
   }
   Json json{{"check", row.check},     {"output", row.output},
-            {"subject", row.subject}, {"verdict", word(verdict_names, row.verdict)},
-            {"formula", row.formula}, {"evidence", word(evidence_names, row.evidence)},
+            {"subject", row.subject}, {"verdict", name_in(verdict_names, row.verdict)},
+            {"formula", row.formula}, {"evidence", name_in(evidence_names, row.evidence)},
             {"samples", row.samples}, {"skipped_states", skipped}};
   // JSON has no infinity, which a value that is no number is off by, and one whose R is 0.
   if (row.error && std::isfinite(*row.error)) json["error_in_bounds"] = *row.error;

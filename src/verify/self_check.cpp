@@ -83,7 +83,7 @@ class SelfChecking {
     result_.place = place_of(function);
     if (!undefined) return;
     result_.place = subject_.model.expressions[*undefined].span;
-    result_.failure += ", nor has " + quoted(*result_.place);
+    result_.failure += ", nor has " + in_backticks(*result_.place);
   }
 
   /// Where an output was asked for; the model's name where all of them were.

@@ -6,23 +6,23 @@
 using namespace elgen;
 
 TEST_CASE("user text is made fit for a message") {
-  CHECK(quoted("m") == "`m`");
-  CHECK(quoted(std::string_view("\0", 1)) == "`U+0000`");
-  CHECK(quoted("\x7F") == "`U+007F`");
-  CHECK(quoted("a\n\t  + b") == "`a + b`");
-  CHECK(quoted("a\r\nb") == "`a b`");
+  CHECK(in_backticks("m") == "`m`");
+  CHECK(in_backticks(std::string_view("\0", 1)) == "`U+0000`");
+  CHECK(in_backticks("\x7F") == "`U+007F`");
+  CHECK(in_backticks("a\n\t  + b") == "`a + b`");
+  CHECK(in_backticks("a\r\nb") == "`a b`");
 }
 
 TEST_CASE("long text is cut between characters, and where it is no UTF-8") {
-  CHECK(quoted(std::string(60, 'a')) == "`" + std::string(60, 'a') + "`");
-  CHECK(quoted(std::string(61, 'a')) == "`" + std::string(60, 'a') + "…`");
-  CHECK(quoted(std::string(59, 'a') + "éé") == "`" + std::string(59, 'a') + "é…`");
-  CHECK(quoted("a\xFF") == "`a…`");
+  CHECK(in_backticks(std::string(60, 'a')) == "`" + std::string(60, 'a') + "`");
+  CHECK(in_backticks(std::string(61, 'a')) == "`" + std::string(60, 'a') + "…`");
+  CHECK(in_backticks(std::string(59, 'a') + "éé") == "`" + std::string(59, 'a') + "é…`");
+  CHECK(in_backticks("a\xFF") == "`a…`");
 }
 
 TEST_CASE("a span is quoted with the text it covers") {
   const SourcePointer source = make_source("m.toml", "a +\n b");
-  CHECK(quoted(Span{source.get(), 0, 6}) == "`a + b`");
+  CHECK(in_backticks(Span{source.get(), 0, 6}) == "`a + b`");
 }
 
 TEST_CASE("nouns are counted") {

@@ -11,7 +11,7 @@ namespace elgen::test {
 
 namespace {
 
-std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
+std::string in_backticks(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
 
 /// The exit status a shell would show.
 int exit_status(int wait_status) {
@@ -26,11 +26,11 @@ Outcome shell(const std::string& command, const std::filesystem::path& folder) {
   const auto script = captured.path() / "script";
   const auto output = captured.path() / "output";
   const auto errors = captured.path() / "errors";
-  write_text(script, "unset CXX NO_COLOR\nELGEN=" + quoted(elgen) + "\nPATH=" +
-                         quoted(elgen.parent_path()) + ":$PATH\nexport ELGEN PATH\ncd " +
-                         quoted(folder) + " || exit 99\n" + command + "\n");
-  const std::string line =
-      "sh " + quoted(script) + " </dev/null >" + quoted(output) + " 2>" + quoted(errors);
+  write_text(script, "unset CXX NO_COLOR\nELGEN=" + in_backticks(elgen) + "\nPATH=" +
+                         in_backticks(elgen.parent_path()) + ":$PATH\nexport ELGEN PATH\ncd " +
+                         in_backticks(folder) + " || exit 99\n" + command + "\n");
+  const std::string line = "sh " + in_backticks(script) + " </dev/null >" + in_backticks(output) +
+                           " 2>" + in_backticks(errors);
   const int status = exit_status(std::system(line.c_str()));
   return {status, read_text(output), read_text(errors)};
 }

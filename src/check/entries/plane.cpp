@@ -12,9 +12,9 @@ void require_zero(Context& context, const std::vector<ExpressionId>& components,
   const auto is_zero = [&](ExpressionId id) { return context.constants[id] == 0; };
   if (std::all_of(components.begin(), components.end(), is_zero)) return;
   const Span& span = context.model.expressions[blamed].span;
-  context.report.add(
-      Code::E516, span,
-      quoted(span) + " " + moves + " out of the plane of a model whose vectors have 2 components");
+  context.report.add(Code::E516, span,
+                     in_backticks(span) + " " + moves +
+                         " out of the plane of a model whose vectors have 2 components");
 }
 
 void check(Context& context, const FrameStep& step) {

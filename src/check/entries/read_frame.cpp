@@ -94,7 +94,7 @@ class FrameReader {
         add_turn(static_cast<std::size_t>(axis.text.front() - 'x'), angle);
       } else {
         report_.add(Code::E112, axis.span,
-                    quoted(axis.text) + " is no axis: `x`, `y`, `z` or three constants");
+                    in_backticks(axis.text) + " is no axis: `x`, `y`, `z` or three constants");
       }
     }
   }

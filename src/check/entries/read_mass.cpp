@@ -126,7 +126,7 @@ class BodyReader {
 
   void missing(const std::string& key, const std::string& other) {
     report_.add(Code::E105, entry_.span,
-                quoted(body_.name) + " has `" + other + "` but no `" + key + "`");
+                in_backticks(body_.name) + " has `" + other + "` but no `" + key + "`");
   }
 
   ValueReader& values_;

@@ -28,8 +28,9 @@ void read_header(Context& context, const EntrySyntax& entry) {
   }
   model.name_span = name->value.span;
   if (!is_model_name(model.name)) {
-    context.report.add(Code::E205, name->value.span,
-                       quoted(model.name) + " is not lower-case letters, digits and underscores");
+    context.report.add(
+        Code::E205, name->value.span,
+        in_backticks(model.name) + " is not lower-case letters, digits and underscores");
   } else {
     (void)check_name(model.name, name->value.span, context.report);
   }

@@ -65,8 +65,8 @@ void check_input_unit(Context& context, const Input& input, const ValueSyntax& u
   const std::optional<Unit> expected = force_unit(velocity);
   if (input.unit && expected && *input.unit != *expected) {
     context.report.add(Code::E403, unit.span,
-                       quoted(input.name) + " is in " + to_string(*input.unit) +
-                           ", but a force on " + quoted(velocity.name) + " is in " +
+                       in_backticks(input.name) + " is in " + to_string(*input.unit) +
+                           ", but a force on " + in_backticks(velocity.name) + " is in " +
                            to_string(*expected));
   }
 }

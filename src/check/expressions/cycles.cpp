@@ -48,7 +48,8 @@ bool check_cycles(Context& context) {
   std::string text;
   for (const Named& entry : cycle) text += entry.name + " -> ";
   const auto& [first, span] = cycle.front();
-  context.report.add(Code::E206, span, quoted(first) + " is defined by itself: " + text + first);
+  context.report.add(Code::E206, span,
+                     in_backticks(first) + " is defined by itself: " + text + first);
   return false;
 }
 

@@ -184,7 +184,7 @@ void check_indices(Context& context, const EntrySyntax& entry) {
   for (const RangeSyntax& range : read_repetition(repetition->value)) {
     if (const DeclaredName* symbol = context.symbols.find(range.index)) {
       context.report.add({Code::E203, range.index_span,
-                          "the running index " + quoted(range.index) + " is also " +
+                          "the running index " + in_backticks(range.index) + " is also " +
                               with_article(noun(symbol->kind)),
                           "", symbol->span, "declared here"});
     }

@@ -94,7 +94,7 @@ class ParameterReader {
     }
     if (*minimum > *maximum) {
       context_.report.add(Code::E112, high->value.span,
-                          quoted(high->value.span) + " is below `min`");
+                          in_backticks(high->value.span) + " is below `min`");
     } else {
       array_.range = Interval{*minimum, *maximum};
     }
@@ -111,8 +111,8 @@ class ParameterReader {
     }
     if (!array_.is_array || value.items.size() != array_.count) {
       context_.report.add(Code::E104, value.span,
-                          counted(value.items.size(), "value") + ", but " + quoted(array_.name) +
-                              " has " +
+                          counted(value.items.size(), "value") + ", but " +
+                              in_backticks(array_.name) + " has " +
                               (array_.is_array ? "size " + std::to_string(array_.count)
                                                : std::string("no `size`")));
       return;
@@ -140,18 +140,18 @@ class ParameterReader {
 void check_value(Context& context, std::uint32_t parameter, const cln::cl_R& value,
                  const Span& span) {
   const Parameter& row = context.model.parameters[parameter];
-  const std::string name = quoted(context.model.parameter_arrays[row.array].name);
+  const std::string name = in_backticks(context.model.parameter_arrays[row.array].name);
   const bool needs_positive = row.assumption == Assumption::positive;
   const bool needs_nonnegative = row.assumption == Assumption::nonnegative;
   if ((needs_positive && value <= 0) || (needs_nonnegative && value < 0)) {
     context.report.add(Code::E112, span,
-                       quoted(span) + (needs_positive ? " is not positive" : " is negative") +
+                       in_backticks(span) + (needs_positive ? " is not positive" : " is negative") +
                            ", which `assume` of " + name + " rules out");
   }
   const ParameterBounds& bounds = context.bounds[row.array];
   if ((bounds.minimum && value < *bounds.minimum) || (bounds.maximum && value > *bounds.maximum)) {
     context.report.add(Code::E518, span,
-                       quoted(span) + " is not what `min` or `max` of " + name + " say");
+                       in_backticks(span) + " is not what `min` or `max` of " + name + " say");
   }
 }
 
@@ -194,7 +194,7 @@ std::vector<std::uint32_t> named_parameters(Context& context, const std::string&
   }
   if (found.empty()) {
     const std::vector<std::string> names = context.symbols.names({SymbolKind::parameter});
-    context.report.add(Code::E602, span, "unknown parameter " + quoted(name),
+    context.report.add(Code::E602, span, "unknown parameter " + in_backticks(name),
                        hint.empty() ? context.symbols.suggest(name, names) : hint);
   }
   return found;

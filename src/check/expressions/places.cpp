@@ -52,7 +52,7 @@ void report(Context& context, const WrittenExpression& root, const Expression& n
   const bool is_name = node.kind == ExpressionKind::definition ||
                        node.kind == ExpressionKind::point_component ||
                        node.kind == ExpressionKind::prescribed;
-  std::string message = quoted(node.span) + (is_name ? " contains " : " is ");
+  std::string message = in_backticks(node.span) + (is_name ? " contains " : " is ");
   message += std::string(row.noun) + ", and " + std::string(root.place.noun) + " takes none";
   const std::string hint = row.ingredient == uses_kink ? smooth_stand_in : "";
   context.report.add(code_of(row.ingredient, root.place), node.span, std::move(message), hint);
@@ -87,7 +87,7 @@ void check_rates_of_kinks(Context& context, const std::vector<Traits>& traits,
     if (!is_rate || (traits[id].ingredients & uses_kink) == 0) continue;
     root.misplaced = true;
     context.report.add(Code::E315, node.span,
-                       quoted(node.span) + " is the rate of a function with a kink",
+                       in_backticks(node.span) + " is the rate of a function with a kink",
                        smooth_stand_in);
   }
 }

@@ -64,7 +64,7 @@ std::optional<ExpressionId> Resolver::resolve_call(const ExpressionSyntax& call)
   if (call.text == #name) return rule(call);
 #include "check/names/expanded_functions.def"
 #undef ELGEN_EXPANDED
-  context_.report.add(Code::E202, call.span, "unknown function " + quoted(call.text),
+  context_.report.add(Code::E202, call.span, "unknown function " + in_backticks(call.text),
                       suggestion(call.text, function_names()));
   return std::nullopt;
 }
@@ -75,7 +75,7 @@ bool Resolver::has_arity(const ExpressionSyntax& call, std::size_t arity) {
   }
   const std::size_t count = call.operands.size();
   context_.report.add(Code::E309, call.span,
-                      counted(count, "argument") + ", but " + quoted(call.text) + " takes " +
+                      counted(count, "argument") + ", but " + in_backticks(call.text) + " takes " +
                           std::to_string(arity));
   return false;
 }
@@ -115,7 +115,7 @@ std::optional<std::uint32_t> Resolver::common_dimension(const ExpressionSyntax& 
   if (dimensions.size() < call.operands.size()) return std::nullopt;
   if (dimensions.front() == dimensions.back()) return dimensions.front();
   context_.report.add(Code::E516, call.span,
-                      "one of the points of " + quoted(call.span) + " is planar");
+                      "one of the points of " + in_backticks(call.span) + " is planar");
   return std::nullopt;
 }
 
@@ -156,7 +156,7 @@ std::optional<ExpressionId> Resolver::resolve_sum(const ExpressionSyntax& call) 
   const ExpressionSyntax& index = call.operands[0];
   if (index.kind != SyntaxKind::name || !index.operands.empty()) {
     context_.report.add(Code::E210, index.span,
-                        quoted(index.span) + " is not the name of a running index",
+                        in_backticks(index.span) + " is not the name of a running index",
                         "write `sum(i, 1, n, …)`");
     return std::nullopt;
   }
@@ -203,8 +203,9 @@ std::optional<ExpressionId> Resolver::resolve_component(const ExpressionSyntax& 
   const auto axis =
       static_cast<std::uint32_t>(std::find(axes.begin(), axes.end(), call.text) - axes.begin());
   if (axis >= context_.model.points[*point].dimension) {
-    context_.report.add(Code::E516, call.span,
-                        quoted(call.operands[0].span) + " is planar, so it has no " + call.text);
+    context_.report.add(
+        Code::E516, call.span,
+        in_backticks(call.operands[0].span) + " is planar, so it has no " + call.text);
     return std::nullopt;
   }
   return push_leaf(ExpressionKind::point_component, 3 * *point + axis, call.span);

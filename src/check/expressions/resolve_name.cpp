@@ -66,7 +66,7 @@ std::optional<ExpressionId> Resolver::resolve_symbol(const ExpressionSyntax& nam
   if (!kind) {
     context_.report.add(
         Code::E319, name.span,
-        quoted(name.span) + " is a " + std::string(noun(symbol.kind)) + ", not a number",
+        in_backticks(name.span) + " is a " + std::string(noun(symbol.kind)) + ", not a number",
         numbers_of(name.text, symbol.kind));
     return std::nullopt;
   }
@@ -84,7 +84,7 @@ const DeclaredName* Resolver::declared(const ExpressionSyntax& name, SymbolKind 
   std::vector<std::string> names = symbols.names({kind});
   if (is_frame) names.emplace_back(world);
   context_.report.add(Code::E201, name.span,
-                      "unknown " + std::string(noun(kind)) + " " + quoted(shown),
+                      "unknown " + std::string(noun(kind)) + " " + in_backticks(shown),
                       symbols.suggest(name.text, names));
   return nullptr;
 }
@@ -92,10 +92,10 @@ const DeclaredName* Resolver::declared(const ExpressionSyntax& name, SymbolKind 
 std::optional<std::uint32_t> Resolver::element(const ExpressionSyntax& name,
                                                const DeclaredName& symbol) {
   if (symbol.is_array == name.operands.empty()) {
-    context_.report.add(
-        Code::E208, name.span,
-        symbol.is_array ? quoted(name.text) + " needs an index: " + elements_of(name.text, symbol)
-                        : quoted(name.text) + " takes no index");
+    context_.report.add(Code::E208, name.span,
+                        symbol.is_array ? in_backticks(name.text) +
+                                              " needs an index: " + elements_of(name.text, symbol)
+                                        : in_backticks(name.text) + " takes no index");
     return std::nullopt;
   }
   if (!symbol.is_array) {
@@ -110,8 +110,8 @@ std::optional<std::uint32_t> Resolver::element(const ExpressionSyntax& name,
     const std::string element = name.text + "[" + std::to_string(*index) + "]";
     const bool says_so = covered_text(name.span) == element;
     context_.report.add(Code::E207, name.span,
-                        (says_so ? "there is no " + quoted(element)
-                                 : quoted(name.span) + " is " + quoted(element)) +
+                        (says_so ? "there is no " + in_backticks(element)
+                                 : in_backticks(name.span) + " is " + in_backticks(element)) +
                             (says_so ? ": " : ", but ") + elements_of(name.text, symbol));
     return std::nullopt;
   }
@@ -120,7 +120,7 @@ std::optional<std::uint32_t> Resolver::element(const ExpressionSyntax& name,
 
 std::optional<ExpressionId> Resolver::unknown_name(const ExpressionSyntax& name) {
   if (is_function_name(name.text)) {
-    context_.report.add(Code::E316, name.span, quoted(name.text) + " has no argument",
+    context_.report.add(Code::E316, name.span, in_backticks(name.text) + " has no argument",
                         "write `" + name.text + "(…)`");
     return std::nullopt;
   }
@@ -132,7 +132,8 @@ std::optional<ExpressionId> Resolver::unknown_name(const ExpressionSyntax& name)
     candidates.insert(candidates.end(), {"pi", "t"});
     hint = context_.symbols.suggest(name.text, candidates);
   }
-  context_.report.add(Code::E201, name.span, "unknown name " + quoted(name.text), std::move(hint));
+  context_.report.add(Code::E201, name.span, "unknown name " + in_backticks(name.text),
+                      std::move(hint));
   return std::nullopt;
 }
 

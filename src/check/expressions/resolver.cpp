@@ -90,7 +90,7 @@ void Resolver::report_failure(const ConstantFailure& failure, const Expression& 
   const bool at_operand = failure.operand && *failure.operand < node.operands.size();
   const Span span =
       at_operand ? context_.model.expressions[node.operands[*failure.operand]].span : node.span;
-  context_.report.add(failure.code, span, quoted(span) + " " + failure.message);
+  context_.report.add(failure.code, span, in_backticks(span) + " " + failure.message);
 }
 
 std::optional<ExpressionId> Resolver::push_number(const cln::cl_RA& number, const Span& span) {
@@ -146,7 +146,7 @@ std::optional<cln::cl_RA> Resolver::resolve_exponent(const ExpressionSyntax& exp
   const auto is_variable = [](const Diagnostic& error) { return error.code == Code::E311; };
   if (id ? !value.has_value() : std::any_of(errors.begin(), errors.end(), is_variable)) {
     context_.report.add(Code::E311, exponent.span,
-                        quoted(exponent.span) + " is not a rational constant",
+                        in_backticks(exponent.span) + " is not a rational constant",
                         "write exp(y*log(x)) for x^y");
     return std::nullopt;
   }
@@ -163,7 +163,7 @@ bool Resolver::check_exponent(const cln::cl_RA& exponent, const Span& span) {
     return true;
   }
   context_.report.add(Code::E905, span,
-                      quoted(span) + " is beyond the limit " + std::to_string(largest));
+                      in_backticks(span) + " is beyond the limit " + std::to_string(largest));
   return false;
 }
 

@@ -133,7 +133,7 @@ void read_rotation(ValueReader& values, const EntrySyntax& entry, std::uint32_t 
   for (const KeySyntax& key : entry.keys) {
     if (std::find(keys_of_numbers.begin(), keys_of_numbers.end(), key.key) !=
         keys_of_numbers.end()) {
-      context.report.add(Code::E112, key.key_span, "a rotation has no " + quoted(key.key));
+      context.report.add(Code::E112, key.key_span, "a rotation has no " + in_backticks(key.key));
     }
   }
   if (const KeySyntax* range = entry.find("rate_range")) {
@@ -156,8 +156,9 @@ void check_rotations(Context& context) {
       const Frame*& first = turned[*step.rotation];
       if (first != nullptr) {
         context.report.add(Code::E112, frame.span,
-                           quoted(model.rotations[*step.rotation].name) +
-                               " is already the rotation of the frame " + quoted(first->name));
+                           in_backticks(model.rotations[*step.rotation].name) +
+                               " is already the rotation of the frame " +
+                               in_backticks(first->name));
       }
       first = &frame;
     }
@@ -167,7 +168,7 @@ void check_rotations(Context& context) {
     if (turned[i] != nullptr) continue;
     const Rotation& rotation = model.rotations[i];
     context.report.add(Code::E513, rotation.span,
-                       quoted(rotation.name) + " is the `rotation` of no [[frame]]");
+                       in_backticks(rotation.name) + " is the `rotation` of no [[frame]]");
   }
 }
 

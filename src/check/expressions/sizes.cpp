@@ -28,7 +28,8 @@ void override_size(Context& context, const std::string& size, std::int64_t numbe
   for (const auto& [name, value] : context.sizes) {
     names.push_back(name);
   }
-  context.report.add(Code::E605, span, "unknown size " + quoted(size), suggestion(size, names));
+  context.report.add(Code::E605, span, "unknown size " + in_backticks(size),
+                     suggestion(size, names));
 }
 
 /// "n=20"
@@ -38,12 +39,13 @@ void read_option(Context& context, const OptionWord& word) {
   std::int64_t value = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc::invalid_argument || stop != text.data() + text.size()) {
-    context.report.add(Code::E606, word.span, quoted(word.text) + " is not of the form `n=20`");
+    context.report.add(Code::E606, word.span,
+                       in_backticks(word.text) + " is not of the form `n=20`");
     return;
   }
   if (error != std::errc{} || value < -largest_integer || value > largest_integer) {
     context.report.add(Code::E606, assignment.value,
-                       quoted(text) + " is beyond " + std::to_string(largest_integer));
+                       in_backticks(text) + " is beyond " + std::to_string(largest_integer));
     return;
   }
   override_size(context, assignment.name.text, value, assignment.name.span);

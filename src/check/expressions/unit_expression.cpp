@@ -22,7 +22,8 @@ class UnitReader {
     std::optional<Unit> unit = product(0);
     skip_spaces();
     if (unit && position_ != text_.size()) {
-      return fail(position_, position_ + 1, "unexpected " + quoted(text_.substr(position_, 1)));
+      return fail(position_, position_ + 1,
+                  "unexpected " + in_backticks(text_.substr(position_, 1)));
     }
     return unit;
   }
@@ -113,7 +114,7 @@ class UnitReader {
     } else {
       for (const UnitRow& row : unit_table()) candidates.emplace_back(row.name);
     }
-    report_.add(Code::E402, part(begin, begin + name.size()), "unknown unit " + quoted(name),
+    report_.add(Code::E402, part(begin, begin + name.size()), "unknown unit " + in_backticks(name),
                 suggestion(name, candidates));
     return std::nullopt;
   }
@@ -130,7 +131,7 @@ class UnitReader {
   }
 
   std::optional<Unit> fail(std::size_t begin, std::size_t end, const std::string& message) {
-    report_.add(Code::E402, part(begin, end), message + " in the unit " + quoted(text_));
+    report_.add(Code::E402, part(begin, end), message + " in the unit " + in_backticks(text_));
     return std::nullopt;
   }
 

@@ -182,7 +182,7 @@ class UnitInference {
     const InferredUnit& argument = units_[node.operands[0]];
     if (argument.known == Known::yes && argument.unit != Unit{}) {
       refuse(Code::E404, model_.expressions[node.operands[0]].span, argument.unit,
-             quoted(function_row(node.function).name) + " takes a pure number");
+             in_backticks(function_row(node.function).name) + " takes a pure number");
     }
     return ratio(argument);
   }
@@ -201,7 +201,7 @@ class UnitInference {
 
   void refuse(Code code, const Span& span, const Unit& observed, const std::string& expected) {
     context_.report.add(code, span,
-                        quoted(span) + " is in " + to_string(observed) + ", but " + expected);
+                        in_backticks(span) + " is in " + to_string(observed) + ", but " + expected);
   }
 
   Context& context_;
@@ -245,7 +245,7 @@ void note_missing_units(Context& context) {
   }
   std::string list;
   for (std::size_t i = 0; i < std::min<std::size_t>(names.size(), 8); ++i) {
-    list += (i == 0 ? "" : ", ") + quoted(names[i]);
+    list += (i == 0 ? "" : ", ") + in_backticks(names[i]);
   }
   list += names.size() > 8 ? " and others" : "";
   context.report.add(Code::E520, *first, list + ": no unit, so what touches it is not checked");

@@ -71,7 +71,8 @@ std::optional<FixedValue> ValueReader::constant_with_form(const ValueSyntax& val
   const bool needs_form = result && !is_rational(*result);
   if (!needs_form) context_.truncate(size);
   if (id && !result) {
-    context_.report.add(Code::E319, syntax.span, quoted(syntax.span) + " is not a constant number");
+    context_.report.add(Code::E319, syntax.span,
+                        in_backticks(syntax.span) + " is not a constant number");
   }
   if (!result) return std::nullopt;
   return FixedValue{rounded(*result), needs_form ? id : std::nullopt};
@@ -86,7 +87,7 @@ std::optional<Interval> ValueReader::interval(const ValueSyntax& value) {
   if (*low >= *high) {
     context_.report.add(
         Code::E112, value.span,
-        quoted(value.items[0].span) + " is not below " + quoted(value.items[1].span));
+        in_backticks(value.items[0].span) + " is not below " + in_backticks(value.items[1].span));
     return std::nullopt;
   }
   return Interval{*low, *high};

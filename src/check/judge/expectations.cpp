@@ -107,7 +107,7 @@ class ExpectationReader {
       const std::string found = lacks_rows ? "no list of rows" : found_shape(rows);
       context_.report.add(
           Code::E517, key.value.span,
-          found + ", but " + quoted(key.key) + " is " + shape(request.rows, request.columns),
+          found + ", but " + in_backticks(key.key) + " is " + shape(request.rows, request.columns),
           is_matrix(request) ? "a matrix is a list of rows: [[…], […]]" : "");
       return;
     }
@@ -130,7 +130,7 @@ class ExpectationReader {
     const std::string_view name = key.key;
     if (!name.ends_with(entry_suffix)) {
       context_.report.add(Code::E601, key.key_span,
-                          quoted(name) + " is given by entry, but is not called so",
+                          in_backticks(name) + " is given by entry, but is not called so",
                           "did you mean `" + key.key + std::string(entry_suffix) + "`?");
       return;
     }
@@ -145,7 +145,7 @@ class ExpectationReader {
     if (ranges.size() != indices) {
       context_.report.add(Code::E517, repetition->value.span,
                           std::to_string(ranges.size()) + " indices, but an entry of " +
-                              quoted(request->name) + " has " + std::to_string(indices));
+                              in_backticks(request->name) + " has " + std::to_string(indices));
       return;
     }
     expand(*request, ranges, *value, key.key_span);
@@ -193,7 +193,7 @@ class ExpectationReader {
     if (!inside) {
       context_.report.add(Code::E517, span,
                           "entry " + std::to_string(row) + ", " + std::to_string(column) +
-                              ", but " + quoted(request.name) + " is " +
+                              ", but " + in_backticks(request.name) + " is " +
                               shape(request.rows, request.columns));
       return std::nullopt;
     }
@@ -211,7 +211,7 @@ class ExpectationReader {
     context_.report.add(Code::E517, span,
                         "no entry " + std::to_string(index / expectation.columns + 1) + ", " +
                             std::to_string(index % expectation.columns + 1) + " of " +
-                            quoted(expectation.output));
+                            in_backticks(expectation.output));
     return false;
   }
 

@@ -62,17 +62,17 @@ class MechanicsCheck {
             ? "is of degree " + std::to_string(degree) + " in the rates"
             : std::string("is of degree 3 or more in the rates, or no polynomial in them");
     context_.report.add(code, span(*energy),
-                        quoted(span(*energy)) + " " + observed + ", not " + rule);
+                        in_backticks(span(*energy)) + " " + observed + ", not " + rule);
   }
 
   void check_affine(ExpressionId value) {
     const Traits& traits = traits_[value];
     if (traits.input_degree > 1) {
       context_.report.add(Code::E509, span(value),
-                          quoted(span(value)) + " is not linear in the inputs");
+                          in_backticks(span(value)) + " is not linear in the inputs");
     } else if (traits.input_times_rate) {
       context_.report.add(Code::E509, span(value),
-                          quoted(span(value)) + " multiplies an input by a rate");
+                          in_backticks(span(value)) + " multiplies an input by a rate");
     }
   }
 
@@ -84,7 +84,7 @@ class MechanicsCheck {
     }
     if (!energies.L && !energies.T && !has_masses(model_)) {
       context_.report.add(Code::E514, context_.model_span,
-                          quoted(model_.name) + " has no kinetic energy",
+                          in_backticks(model_.name) + " has no kinetic energy",
                           "give a point or body a mass, or write `[energy] T`");
     } else if (context_.report.errors() == 0) {
       check_motion();
@@ -97,7 +97,7 @@ class MechanicsCheck {
       if (!moving[i]) {
         const Velocity& velocity = model_.velocities[i];
         context_.report.add(Code::E513, velocity.span,
-                            "the rate of " + quoted(velocity.name) +
+                            "the rate of " + in_backticks(velocity.name) +
                                 " is in no energy, so nothing determines its motion");
       }
     }

@@ -13,7 +13,7 @@ namespace {
 
 std::optional<std::int64_t> not_an_integer(const ExpressionSyntax& expression, Report& report) {
   report.add(Code::E318, expression.span,
-             quoted(expression.span) + " is not integer arithmetic over sizes and indices");
+             in_backticks(expression.span) + " is not integer arithmetic over sizes and indices");
   return std::nullopt;
 }
 
@@ -24,7 +24,7 @@ std::optional<std::int64_t> name_value(const ExpressionSyntax& name, const Scope
     return not_an_integer(name, report);
   }
   if (!value) {
-    report.add(Code::E201, name.span, "unknown index " + quoted(name.text),
+    report.add(Code::E201, name.span, "unknown index " + in_backticks(name.text),
                suggestion(name.text, scope.names()));
   }
   return value;

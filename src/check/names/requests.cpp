@@ -172,12 +172,12 @@ std::optional<OutputRequest> require_request(const Model& model, std::string_vie
                                              const Span& span, Report& report) {
   std::optional<OutputRequest> request = find_request(model, name);
   if (!request) {
-    report.add(Code::E601, span, "unknown output " + quoted(name),
+    report.add(Code::E601, span, "unknown output " + in_backticks(name),
                suggestion(name, available_names(model)));
     return std::nullopt;
   }
   if (const std::optional<Lack> lack = lack_of(model, *request)) {
-    report.add({lack->code, span, quoted(name) + " " + lack->reason, "", lack->related,
+    report.add({lack->code, span, in_backticks(name) + " " + lack->reason, "", lack->related,
                 lack->related_message});
     return std::nullopt;
   }
@@ -223,7 +223,8 @@ void check_output_names(const Model& model, Report& report) {
       const OutputRequest request = request_of(model, row.kind, user);
       const bool is_built_in = find_output(request.name) != nullptr;
       if (is_built_in || !taken.emplace(request.name, span).second) {
-        report.add(Code::E609, span, "another output is already called " + quoted(request.name));
+        report.add(Code::E609, span,
+                   "another output is already called " + in_backticks(request.name));
       }
     }
   }

@@ -172,11 +172,11 @@ bool is_well_formed_name(std::string_view name) {
 bool check_name(const std::string& name, const Span& span, Report& report) {
   if (!is_well_formed_name(name)) {
     report.add(Code::E205, span,
-               quoted(name) + " is not letters, digits and underscores after a letter");
+               in_backticks(name) + " is not letters, digits and underscores after a letter");
     return false;
   }
   if (const std::string_view reason = reserved_reason(name); !reason.empty()) {
-    report.add(Code::E204, span, quoted(name) + " is reserved: " + std::string(reason));
+    report.add(Code::E204, span, in_backticks(name) + " is reserved: " + std::string(reason));
     return false;
   }
   return true;

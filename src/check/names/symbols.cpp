@@ -30,7 +30,7 @@ bool check_spelling(const NewName& name, Report& report) {
     return false;
   }
   if (name.index.value_or(0) < 0) {
-    report.add(Code::E205, name.span, quoted(name.text()) + " has a negative index");
+    report.add(Code::E205, name.span, in_backticks(name.text()) + " has a negative index");
     return false;
   }
   return true;
@@ -56,7 +56,7 @@ std::string NewName::identifier() const {
 std::string elements_of(const std::string& name, const DeclaredName& symbol) {
   const std::int64_t first = symbol.elements.begin()->first;
   const std::int64_t last = symbol.elements.rbegin()->first;
-  return quoted(name) + " has the elements " + std::to_string(first) + " to " +
+  return in_backticks(name) + " has the elements " + std::to_string(first) + " to " +
          std::to_string(last);
 }
 
@@ -88,8 +88,9 @@ bool DeclaredNames::declare(const NewName& name, SymbolKind kind, std::uint32_t 
 
 bool DeclaredNames::report_duplicate(const NewName& name, const DeclaredName& first,
                                      Report& report) const {
-  Diagnostic diagnostic{Code::E203, name.span,
-                        quoted(name.text()) + " is already " + with_article(noun(first.kind))};
+  Diagnostic diagnostic{
+      Code::E203, name.span,
+      in_backticks(name.text()) + " is already " + with_article(noun(first.kind))};
   if (first.span.source != nullptr) {
     diagnostic.hint = "first at " + at_line(first.span);
     diagnostic.related = first.span;
@@ -105,9 +106,9 @@ bool DeclaredNames::claim_identifier(const NewName& name, Report& report) {
     return true;
   }
   report.add({Code::E211, name.span,
-              quoted(name.text()) + " and " + quoted(first->second.text()) + " both become " +
-                  quoted(first->first) + " in code",
-              "", first->second.span, quoted(first->second.text()) + " is declared here"});
+              in_backticks(name.text()) + " and " + in_backticks(first->second.text()) +
+                  " both become " + in_backticks(first->first) + " in code",
+              "", first->second.span, in_backticks(first->second.text()) + " is declared here"});
   return false;
 }
 

@@ -29,7 +29,7 @@ bool fits_one_scalar(const Numerics& numerics) {
 void check_together(const FileSyntax* syntax, const Emission& emission, const Scene& scene,
                     Report& report) {
   const LanguageRow& language = language_row(emission.language);
-  const std::string name = quoted(language.name);
+  const std::string name = in_backticks(language.name);
   const KeySyntax* scalar = find_key(syntax, "numeric", "scalar");
   if (scalar != nullptr && language.scalars == LanguageScalars::one &&
       !fits_one_scalar(scene.numerics)) {

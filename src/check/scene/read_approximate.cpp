@@ -70,9 +70,9 @@ class ApproximationReader {
   void read_order(const ValueSyntax& value) {
     const cln::cl_RA& order = value.expression.value;
     if (order < 1 || order > highest_order) {
-      context_.report.add(
-          Code::E614, value.span,
-          "order " + quoted(value.span) + " is not one of 1 to " + std::to_string(highest_order));
+      context_.report.add(Code::E614, value.span,
+                          "order " + in_backticks(value.span) + " is not one of 1 to " +
+                              std::to_string(highest_order));
       return;
     }
     result_.order = cln::cl_I_to_uint(cln::floor1(order));
@@ -90,7 +90,7 @@ class ApproximationReader {
     for (const std::uint32_t i : coordinates) {
       if (is_locked(i)) {
         context_.report.add(Code::E614, key.key_span,
-                            quoted(model_.coordinates[i].name) + " is locked");
+                            in_backticks(model_.coordinates[i].name) + " is locked");
       }
       result_.coordinates[i] = value;
     }
@@ -103,13 +103,13 @@ class ApproximationReader {
     if (symbol != nullptr && (symbol->kind == SymbolKind::rotation ||
                               symbol->kind == SymbolKind::quaternion_component)) {
       context_.report.add(Code::E614, span,
-                          quoted(name) + " is of a rotation, which is never small",
+                          in_backticks(name) + " is of a rotation, which is never small",
                           "leave it out: the equations stay exact in it");
       return false;
     }
     if (!is_unknown) return true;
     const auto names = context_.symbols.names({SymbolKind::coordinate, SymbolKind::input});
-    context_.report.add(Code::E614, span, quoted(name) + " is no coordinate or input",
+    context_.report.add(Code::E614, span, in_backticks(name) + " is no coordinate or input",
                         context_.symbols.suggest(name, names));
     return false;
   }
@@ -138,7 +138,7 @@ class ApproximationReader {
       result_.small[i] = true;
       if (!result_.coordinates[i]) {
         context_.report.add(Code::E614, item.span,
-                            quoted(model_.coordinates[i].name) + " is small, but about what?",
+                            in_backticks(model_.coordinates[i].name) + " is small, but about what?",
                             "give its value in `about`");
       }
     }
@@ -161,7 +161,7 @@ class ApproximationReader {
     for (const Lock& lock : model_.locks) {
       if (!lock.reaction) continue;
       context_.report.add(Code::E614, lock.span,
-                          "the reaction on " + quoted(lock.span) + " is not expanded",
+                          "the reaction on " + in_backticks(lock.span) + " is not expanded",
                           "ask for it in a scene without `[approximate]`");
     }
   }

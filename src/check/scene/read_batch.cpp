@@ -42,7 +42,7 @@ class BatchReader {
     if (scene_.emission.language != LanguageId::cpp) {
       context_.report.add(Code::E611, batch.key_span,
                           "`batch` needs C++, and `language` is " +
-                              quoted(language_row(scene_.emission.language).name));
+                              in_backticks(language_row(scene_.emission.language).name));
     } else if (has_scalar(scene_, ScalarKind::long_double)) {
       refuse(find_key(syntax_, "numeric", "scalar")->value.span,
              "packs have elements of type `float` or `double`");

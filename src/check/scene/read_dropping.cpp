@@ -53,12 +53,12 @@ class DroppingReader {
     const bool is_reduced = mass || potential || forces || inputs || row.repeats;
     if (row.solves || row.differentiates || row.steps) {
       refuse(place,
-             quoted(output.name) +
+             in_backticks(output.name) +
                  " solves or differentiates the equations of motion, "
                  "and is not reduced",
              "emit `mass_matrix` and `bias`, and solve M a = B u - bias with them");
     } else if (is_reduced && output.form == Form::recursive) {
-      refuse(place, quoted(output.name) + " has no terms to drop in its recursive form");
+      refuse(place, in_backticks(output.name) + " has no terms to drop in its recursive form");
     }
   }
 

@@ -50,7 +50,7 @@ class LockReader {
   ExpressionId function_of_time(const ValueSyntax& value, const Coordinate& coordinate) {
     if (value.kind == ValueKind::list) {
       context_.report.add({Code::E615, value.span, "a list, but the coordinate is one number", "",
-                           coordinate.span, quoted(coordinate.name) + " is declared here"});
+                           coordinate.span, in_backticks(coordinate.name) + " is declared here"});
       return no_expression;
     }
     const Place place{"the value of a lock", place::of_time};
@@ -61,7 +61,7 @@ class LockReader {
   std::vector<ExpressionId> quaternion(const ValueSyntax& value) {
     std::vector<ExpressionId> components(quaternion_size, no_expression);
     if (value.kind != ValueKind::list || value.items.size() != quaternion_size) {
-      refuse(value.span, quoted(value.span) + " is not a quaternion [w, x, y, z]");
+      refuse(value.span, in_backticks(value.span) + " is not a quaternion [w, x, y, z]");
       return components;
     }
     bool is_zero = true;
@@ -89,12 +89,13 @@ class LockReader {
     const DeclaredNames& symbols = context_.symbols;
     const DeclaredName* symbol = symbols.find(key.key);
     if (symbol != nullptr && symbol->kind == SymbolKind::coordinate && symbol->is_array) {
-      context_.report.add(Code::E208, key.key_span,
-                          quoted(key.key) + " needs an index: " + elements_of(key.key, *symbol));
+      context_.report.add(
+          Code::E208, key.key_span,
+          in_backticks(key.key) + " needs an index: " + elements_of(key.key, *symbol));
       return;
     }
     context_.report.add(
-        Code::E612, key.key_span, "unknown coordinate " + quoted(key.key),
+        Code::E612, key.key_span, "unknown coordinate " + in_backticks(key.key),
         symbols.suggest(key.key, symbols.names({SymbolKind::coordinate, SymbolKind::rotation})));
   }
 

@@ -16,7 +16,7 @@ std::optional<Assignment> assignment_of(Context& context, const OptionWord& word
   Assignment assignment = split_assignment(word);
   std::erase(assignment.name.text, ' ');
   if (assignment.value.begin < assignment.value.end) return assignment;
-  context.report.add(Code::E606, word.span, quoted(word.text) + " has no value");
+  context.report.add(Code::E606, word.span, in_backticks(word.text) + " has no value");
   return std::nullopt;
 }
 
@@ -85,7 +85,7 @@ class StartReader {
     const std::vector<OptionWord> items = items_of(given->value);
     if (items.size() != place->count) {
       context_.report.add(Code::E606, given->value,
-                          quoted(place->name) + " takes " + counted(place->count, "number"));
+                          in_backticks(place->name) + " takes " + counted(place->count, "number"));
       return;
     }
     for (std::uint32_t i = 0; i < place->count; ++i) {
@@ -102,13 +102,14 @@ class StartReader {
     if (found == places_.end()) {
       std::vector<std::string> names;
       for (const StartPlace& place : places_) names.push_back(place.name);
-      context_.report.add(Code::E612, name.span, "unknown coordinate " + quoted(name.text),
+      context_.report.add(Code::E612, name.span, "unknown coordinate " + in_backticks(name.text),
                           suggestion(name.text, names));
       return nullptr;
     }
     if (std::ranges::find(model_.locks, found->coordinate, &Lock::coordinate) !=
         model_.locks.end()) {
-      context_.report.add(Code::E612, name.span, quoted(name.text) + " is locked by the scene");
+      context_.report.add(Code::E612, name.span,
+                          in_backticks(name.text) + " is locked by the scene");
       return nullptr;
     }
     return &*found;
@@ -139,7 +140,8 @@ void read_law(Context& context, const OptionWord& word) {
   const auto input = std::ranges::find(context.model.inputs, given->name.text, &Input::name);
   if (input == context.model.inputs.end()) {
     const std::vector<std::string> names = context.symbols.names({SymbolKind::input});
-    context.report.add(Code::E201, given->name.span, "unknown input " + quoted(given->name.text),
+    context.report.add(Code::E201, given->name.span,
+                       "unknown input " + in_backticks(given->name.text),
                        context.symbols.suggest(given->name.text, names));
     return;
   }
@@ -176,7 +178,7 @@ void read_values(Context& context, const Scene& scene, const SceneOptions& optio
     for (const std::uint32_t target : targets) {
       if (scene.specialisation.fixed.count(target) > 0) {
         context.report.add(Code::E606, given->name.span,
-                           quoted(given->name.text) + " is fixed, so it is no parameter");
+                           in_backticks(given->name.text) + " is fixed, so it is no parameter");
         break;
       }
       if (!value) break;

@@ -22,7 +22,7 @@ void report_unknown(const ValueSyntax& value, Report& report) {
   std::vector<std::string> names;
   for (const StepMethodRow& row : step_methods) names.emplace_back(row.name);
   const std::string hint = suggestion(value.text, names);
-  report.add(Code::E620, value.span, "`step` has no method " + quoted(value.text),
+  report.add(Code::E620, value.span, "`step` has no method " + in_backticks(value.text),
              hint.empty() ? one_of_them() : hint);
 }
 
@@ -44,8 +44,8 @@ void read_iterations(const KeySyntax& key, OutputRequest& output, Report& report
   const cln::cl_RA& count = key.value.expression.value;
   if (count < 1 || count > most_step_iterations) {
     return report.add(Code::E626, key.value.span,
-                      fmt::format("`iterations` {} is not one of 1 to {}", quoted(key.value.span),
-                                  most_step_iterations));
+                      fmt::format("`iterations` {} is not one of 1 to {}",
+                                  in_backticks(key.value.span), most_step_iterations));
   }
   output.iterations = cln::cl_I_to_uint(cln::floor1(count));
 }

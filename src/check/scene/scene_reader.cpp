@@ -150,7 +150,7 @@ class SceneReader {
         const bool is_renamed = output.name != standard_name(output);
         if (is_renamed == renamed && !taken.insert(output.name).second) {
           context_.report.add(Code::E609, output.span,
-                              "another output is already called " + quoted(output.name));
+                              "another output is already called " + in_backticks(output.name));
         }
       }
     }
@@ -175,7 +175,7 @@ class SceneReader {
     if (assignment.value.begin == assignment.value.end) {
       const bool lacks_value = word.text.find('=') != std::string::npos;
       if (lacks_value) {
-        context_.report.add(Code::E606, word.span, quoted(word.text) + " has no value");
+        context_.report.add(Code::E606, word.span, in_backticks(word.text) + " has no value");
       } else {
         fix_named(word.text, word.span, nullptr);
       }

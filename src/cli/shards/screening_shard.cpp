@@ -45,7 +45,7 @@ std::string shape(const Screening& screening) {
   return text;
 }
 
-ScreeningShard shard_from(ShardHead head, const Json& json) {
+ScreeningShard screening_from(ShardHead head, const Json& json) {
   ScreeningShard shard{std::move(head), json.at("samples"), json.at("seed"), {}};
   for (const Json& screened : json.at("screened")) {
     shard.screening.push_back(screened_from(screened));
@@ -74,7 +74,7 @@ Result<ScreeningShard> merged_screening(const std::vector<std::string>& paths,
   ScreeningShard merged;
   const Diagnostics unread =
       read_shards(paths, ShardJob::verify, limits, [&](ShardHead head, const Json& json) {
-        ScreeningShard shard = shard_from(std::move(head), json);
+        ScreeningShard shard = screening_from(std::move(head), json);
         heads.push_back(shard.head);
         parts.push_back(shard.screening);
         if (parts.size() == 1) merged = std::move(shard);

@@ -58,7 +58,7 @@ TradeoffTable table_from(const Json& json, const Machine& machine) {
   return table;
 }
 
-TradeoffShard shard_from(ShardHead head, const Json& json) {
+TradeoffShard tradeoff_from(ShardHead head, const Json& json) {
   TradeoffShard shard{
       .head = std::move(head), .dimensions = json.at("dimensions"), .ranges = json.at("ranges")};
   if (!json.at("time").is_null()) shard.time = json.at("time").get<double>();
@@ -96,7 +96,7 @@ Result<TradeoffShard> merged_tradeoff(const std::vector<std::string>& paths, con
   TradeoffShard merged;
   const Diagnostics unread =
       read_shards(paths, ShardJob::tradeoff, limits, [&](ShardHead head, const Json& json) {
-        TradeoffShard shard = shard_from(std::move(head), json);
+        TradeoffShard shard = tradeoff_from(std::move(head), json);
         heads.push_back(shard.head);
         parts.push_back(shard.table);
         if (parts.size() == 1) merged = std::move(shard);

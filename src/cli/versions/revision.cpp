@@ -44,12 +44,12 @@ Result<std::string> unpack_revision(const std::string& revision,
   const ProcessResult known =
       run({"git", "rev-parse", "--quiet", "--verify", revision + "^{commit}"}, seconds_of_git);
   if (!known.succeeded()) {
-    return git_failed(fmt::format("{} is no revision", elgen::quoted(revision)), known);
+    return git_failed(fmt::format("{} is no revision", in_backticks(revision)), known);
   }
   for (const char* const pattern : {"*.toml", "*.equations.json"}) {
     const ProcessResult unpacked = unpack(repository, revision, pattern, folder);
     if (!unpacked.succeeded()) {
-      return git_failed(fmt::format("{} was not read", elgen::quoted(revision)), unpacked);
+      return git_failed(fmt::format("{} was not read", in_backticks(revision)), unpacked);
     }
   }
   return first_line(prefix.output);

@@ -11,7 +11,7 @@
 namespace elgen {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double rounding_unit = std::numeric_limits<double>::epsilon();
 constexpr int most_iterations = 50;
 constexpr int most_jacobians = 10;
 
@@ -45,7 +45,7 @@ void Newton::factorise(Numbers& x, const Residual& residual) {
   const double size = largest(x);
   for (std::size_t j = 0; j < x.size(); ++j) {
     const double before = x[j];
-    x[j] += std::sqrt(epsilon) * (size > 0 ? size : 1);
+    x[j] += std::sqrt(rounding_unit) * (size > 0 ? size : 1);
     (void)residual(x, moved_);
     for (std::size_t i = 0; i < x.size(); ++i) {
       matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
@@ -63,7 +63,7 @@ bool Newton::iterate(Numbers& x, const Residual& residual) {
     const double scale = residual(x, r_);
     const double size = largest(r_);
     if (size == 0) return true;
-    if (!(size < last / 2)) return size <= 1e3 * epsilon * scale;
+    if (!(size < last / 2)) return size <= 1e3 * rounding_unit * scale;
     const Eigen::Map<const Eigen::VectorXd> r(r_.data(), static_cast<Eigen::Index>(r_.size()));
     Eigen::Map<Eigen::VectorXd>(x.data(), r.size()) -= jacobian_.solve(r);
     last = size;

@@ -82,7 +82,7 @@ std::vector<SkippedStates> skipped(const FieldRecord& record) {
 }
 
 /// By what judged, not by what was to.
-std::string reason(const FieldRecord& record) {
+std::string reason_of(const FieldRecord& record) {
   if (record.place.judge.is_closed_form) return closed_reason;
   if (output_row(record.place.request.kind).steps) return step_reason;
   if (record.in_norm == 0) return own_reason;
@@ -108,7 +108,7 @@ CertificateRow row_of(const Subject& subject, const FieldRecord& record, std::st
                     : "|x - x*| / (u B); x* by one random projection";
   row.samples = record.compared;
   row.skipped = skipped(record);
-  row.tolerance = reason(record);
+  row.tolerance = reason_of(record);
   if (record.compared > 0) row.error = record.errors.worst();
   row.worst = figures(record);
   row.where = record.errors.where(subject);

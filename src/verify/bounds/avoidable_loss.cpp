@@ -100,7 +100,7 @@ std::string remedy(const LossyEntry& lossy) {
 }
 
 /// Entries that a way would improve come before those that none does.
-bool is_worse(const LossyEntry& x, const LossyEntry& y) {
+bool is_lossier(const LossyEntry& x, const LossyEntry& y) {
   return std::pair(!x.ways.empty(), x.figure) > std::pair(!y.ways.empty(), y.figure);
 }
 
@@ -132,7 +132,7 @@ CertificateRow LossRecord::row(const FieldPlace& place, const Subject& subject,
   for (const auto& [entry, lost] : lossy_) entries.push_back({entry, lost.figure, lost.at, {}});
   compare_ways(place, subject, states, options, entries);
   for (LossyEntry& lossy : entries) drop_costly(lossy, place, subject.program);
-  const LossyEntry& worst = *std::ranges::min_element(entries, is_worse);
+  const LossyEntry& worst = *std::ranges::min_element(entries, is_lossier);
   Visit<Scalar> there(subject, states[worst.at], options);
   const std::uint32_t culprit = there.culprit(place, worst.entry);
   const bool is_chosen = subject.scene.numerics.prefer == Preference::speed;

@@ -15,13 +15,13 @@ namespace elgen {
 namespace {
 
 using cln::cl_R;
-using Values = std::vector<cl_R>;
+using Numbers = std::vector<cl_R>;
 
 /// Up to so many coordinates the oracle solves by itself.
 constexpr std::size_t directly_solved = 4;
 
-Values random_direction(std::size_t size, Random& random) {
-  Values direction;
+Numbers random_direction(std::size_t size, Random& random) {
+  Numbers direction;
   for (std::size_t i = 0; i < size; ++i) direction.emplace_back(random.rational());
   return direction;
 }
@@ -99,7 +99,7 @@ class Projection {
   }
 
   /// w.B y
-  [[nodiscard]] std::optional<cl_R> input_force(const Values& w, const Values& y) const {
+  [[nodiscard]] std::optional<cl_R> input_force(const Numbers& w, const Numbers& y) const {
     if (y.empty()) return cl_R(0);
     return oracle_contraction(subject_.model, {.kind = OutputKind::input_matrix}, state(), {w, y});
   }
@@ -111,7 +111,7 @@ class Projection {
       if (!entry(i).value.is_defined()) return compare_undefined("an acceleration");
       moving.a[i] = entry(i).value.value();
     }
-    const Values w = random_direction(n, random_);
+    const Numbers w = random_direction(n, random_);
     const auto force =
         oracle_contraction(subject_.model, {.kind = OutputKind::inverse_dynamics}, moving, {w});
     const auto driven = input_force(w, state().u);
@@ -153,7 +153,7 @@ class Projection {
   }
 
   /// X y in the rows of accelerations; none where an entry is undefined.
-  [[nodiscard]] OracleValues response(const Values& y) const {
+  [[nodiscard]] OracleValues response(const Numbers& y) const {
     const std::size_t n = state().v.size();
     const std::size_t above = place_.field().rows - n;
     std::vector<Real> z(n);
@@ -167,19 +167,19 @@ class Projection {
   }
 
   /// What M z has to be for unit changes y.
-  std::optional<cl_R> response_force(const Values& w, const Values& y) {
+  std::optional<cl_R> response_force(const Numbers& w, const Numbers& y) {
     if (row().columns == Extent::inputs) return input_force(w, y);
     const auto solution = values_of(OutputKind::forward_dynamics);
     if (!solution) return std::nullopt;
     const std::size_t n = w.size();
     State moving = state();
     std::copy_n(solution->begin(), n, moving.a.begin());
-    const Values rest(n, cl_R(0));
+    const Numbers rest(n, cl_R(0));
     const bool is_of_state = row().columns == Extent::states;
     const auto middle = y.begin() + static_cast<std::ptrdiff_t>(is_of_state ? n : 0);
     const bool by_velocity = place_.request_field == 1;
-    const Values x = is_of_state ? Values(y.begin(), middle) : by_velocity ? rest : y;
-    const Values rates = is_of_state ? Values(middle, y.end()) : by_velocity ? y : rest;
+    const Numbers x = is_of_state ? Numbers(y.begin(), middle) : by_velocity ? rest : y;
+    const Numbers rates = is_of_state ? Numbers(middle, y.end()) : by_velocity ? y : rest;
     const auto slope = oracle_residual_slope(subject_.model, moving, w, x, rates);
     return slope ? std::optional<cl_R>(-*slope) : std::nullopt;
   }
@@ -188,8 +188,8 @@ class Projection {
     const Field& field = place_.field();
     if (field.entries.empty()) return {};
     const std::size_t n = state().v.size();
-    const Values w = random_direction(n, random_);
-    const Values y = random_direction(field.columns, random_);
+    const Numbers w = random_direction(n, random_);
+    const Numbers y = random_direction(field.columns, random_);
     const auto z = response(y);
     if (!z) return compare_undefined("a derivative");
     const OutputRequest mass{.kind = OutputKind::mass_matrix};

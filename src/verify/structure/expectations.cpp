@@ -21,7 +21,7 @@ using cln::cl_R;
 constexpr std::size_t point_count = 64;
 /// The oracle has 60 digits; fifteen may cancel in either form.
 constexpr double tolerance = 1e-45;
-constexpr const char* reason = "1e-45 of the largest entry: sampled at 64 points, no proof";
+constexpr const char* sampled_reason = "1e-45 of the largest entry: sampled at 64 points, no proof";
 constexpr const char* proof = "proved: both are one canonical sum";
 constexpr const char* proof_of_rate = "proved: the rate is the empty canonical sum";
 
@@ -68,7 +68,7 @@ CertificateRow row_of(const Entry& entry) {
   row.subject = name_of(entry);
   row.formula = to_string(entry.subject.model, entry.expression());
   if (is_rate(entry.of)) row.formula = fmt::format("d/dt ({}) = 0 at u = 0", row.formula);
-  row.tolerance = reason;
+  row.tolerance = sampled_reason;
   return row;
 }
 
