@@ -3,19 +3,12 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "cli/cli_testing.hpp"
 #include "elgen/limits.hpp"
-#include "support/shell.hpp"
 
 namespace elgen::test {
 
 namespace {
-
-const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
-
-Outcome run(const std::string& command) {
-  const Workspace workspace;
-  return shell(command, workspace.path());
-}
 
 /// What --dump takes: "--dump TEXT:{parse,check,…}".
 std::vector<std::string> stages_of_help() {

@@ -1,35 +1,13 @@
 // generate --check: committed output that is current, stale, edited by hand, or left over.
 #include <catch2/catch.hpp>
 
-#include "support/shell.hpp"
+#include "cli/cli_testing.hpp"
 
 namespace elgen::test {
 
-namespace {
-
-const std::string source = ELGEN_SOURCE_DIR;
-
-/// A folder with cart_pole.toml and its generated files.
-class Project {
- public:
-  Project() {
-    change("cp " + source + "/models/cart_pole.toml . && elgen generate -q cart_pole.toml");
-  }
-  [[nodiscard]] Outcome run(const std::string& command) const {
-    return shell(command, workspace_.path());
-  }
-  void change(const std::string& command) const { prepare(command, workspace_.path()); }
-  [[nodiscard]] Outcome check() const { return run("elgen generate --check cart_pole.toml"); }
-
- private:
-  Workspace workspace_;
-};
-
-}  // namespace
-
 TEST_CASE("the committed output of every model and scene is current") {
   const Outcome outcome =
-      shell("elgen generate --check models/*.toml models/scenes/*.scene.toml", source);
+      shell("elgen generate --check models/*.toml models/scenes/*.scene.toml", ELGEN_SOURCE_DIR);
   INFO(outcome.output + outcome.errors);
   CHECK(outcome.status == 0);
 }
@@ -80,7 +58,7 @@ TEST_CASE("the command that --check prints repairs, whatever the options") {
        {"", " --outputs mass_matrix,bias", " --fix g -o 'my out'", " --fix m=1/2 --fix g"}) {
     INFO(options);
     const Workspace workspace;
-    prepare("mkdir 'a b' && cp " + source + "/models/cart_pole.toml 'a b'", workspace.path());
+    prepare("mkdir 'a b' && cp " + models + "/cart_pole.toml 'a b'", workspace.path());
     const std::string check = "elgen generate --check 'a b/cart_pole.toml'" + options;
     const std::string errors = shell(check, workspace.path()).errors;
     const std::string lead = "to repair: ";

@@ -1,13 +1,12 @@
 // What is found in folders, and what is left alone.
 #include <catch2/catch.hpp>
 
-#include "support/shell.hpp"
+#include "cli/cli_testing.hpp"
 
 namespace elgen::test {
 
 TEST_CASE("files of other programs, hidden folders and equal files are passed over") {
   const Workspace workspace;
-  const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
   prepare("mkdir -p old/.cache && cp " + models +
               "/simple_pendulum.toml old && "
               "cp old/simple_pendulum.toml old/.cache && echo '[tool]' > old/pyproject.toml && "
@@ -20,7 +19,6 @@ TEST_CASE("files of other programs, hidden folders and equal files are passed ov
 
 TEST_CASE("a folder is not compared with a file") {
   const Workspace workspace;
-  const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
   const Outcome outcome =
       shell("elgen diff " + models + " " + models + "/simple_pendulum.toml", workspace.path());
   CHECK(outcome.status == 4);
@@ -29,7 +27,6 @@ TEST_CASE("a folder is not compared with a file") {
 
 TEST_CASE("what is emitted is compared: steps, and closed forms without what is dropped") {
   const Workspace workspace;
-  const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
   prepare("cp -r " + models +
               " old && cp -r old new && "
               "sed -i 's/\"-g\"/\"g\"/' new/cart_pole.toml && "

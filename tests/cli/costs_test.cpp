@@ -1,17 +1,16 @@
 // Costs of generation, output by output.
 #include <catch2/catch.hpp>
 
-#include "support/shell.hpp"
+#include "cli/cli_testing.hpp"
 
 namespace elgen::test {
 
 namespace {
 
-const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models/";
-
 std::string costs(const std::string& input) {
   const Workspace workspace;
-  const Outcome outcome = shell("elgen show -q --what cost " + models + input, workspace.path());
+  const Outcome outcome =
+      shell("elgen show -q --what cost " + models + "/" + input, workspace.path());
   CHECK(outcome.status == 0);
   return outcome.output;
 }
@@ -37,7 +36,7 @@ TEST_CASE("a scene is compared with its full model") {
 
 TEST_CASE("a scene is compared with the full model of its own size") {
   const Workspace workspace;
-  const std::string scene = "format = 1\nmodel = \"" + models + "chain.toml\"\nname = \"long\"\n";
+  const std::string scene = "format = 1\nmodel = \"" + models + "/chain.toml\"\nname = \"long\"\n";
   write_text(workspace.path() / "long.scene.toml", scene + "[sizes]\nn = 4\n");
   write_text(workspace.path() / "same.scene.toml", scene);
   for (const std::string& command :

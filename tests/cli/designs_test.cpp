@@ -3,13 +3,11 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "support/shell.hpp"
+#include "cli/cli_testing.hpp"
 
 namespace elgen::test {
 
 namespace {
-
-const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
 
 /// A compiler that tells of every library it makes, and refuses those whose source has a word.
 void write_compiler(const Workspace& workspace, const std::string& refused) {

@@ -1,13 +1,11 @@
 // elgen diff: what is compared, what it exits with, what is refused.
 #include <catch2/catch.hpp>
 
-#include "support/shell.hpp"
+#include "cli/cli_testing.hpp"
 
 namespace elgen::test {
 
 namespace {
-
-const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
 
 /// A folder with the cart and its scene, and with gravity turned round in `new`.
 class TwoFolders : public Workspace {

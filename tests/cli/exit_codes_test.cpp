@@ -3,14 +3,11 @@
 #include <set>
 #include <utility>
 
-#include "support/shell.hpp"
+#include "cli/cli_testing.hpp"
 
 namespace elgen::test {
 
 namespace {
-
-const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
-const std::string robots = std::string(ELGEN_SOURCE_DIR) + "/tests/urdf/robots";
 
 struct ExitRow {
   std::string command;
@@ -21,7 +18,7 @@ struct ExitRow {
 
 /// In a folder with a pendulum `good`, `other` in the value of a parameter, and one with an error,
 /// a wrong expectation, and a force that grows without bound.
-const std::vector<ExitRow> rows{
+const std::vector<ExitRow> exit_rows{
     {"generate", 0, "elgen generate good.toml"},
     {"generate", 1, "elgen generate --check -o none good.toml"},
     {"generate", 2, "elgen generate bad.toml"},
@@ -52,11 +49,11 @@ const std::vector<ExitRow> rows{
     {"tradeoff", 2, "elgen tradeoff bad.toml"},
     {"tradeoff", 3, "elgen tradeoff --limit derived_nodes=3 good.toml"},
     {"tradeoff", 4, "CXX=/nowhere elgen tradeoff good.toml"},
-    {"import", 0, "elgen import " + robots + "/gripper.urdf"},
+    {"import", 0, "elgen import " + robot},
     {"import", 1, "", "it judges nothing"},
     {"import", 2, "elgen import bad.toml"},
     {"import", 3, "", "it derives nothing"},
-    {"import", 4, "elgen import " + robots + "/gripper.urdf > /dev/full"},
+    {"import", 4, "elgen import " + robot + " > /dev/full"},
     {"explain", 0, "elgen explain E201"},
     {"explain", 1, "", "it judges nothing"},
     {"explain", 2, "elgen explain E999"},
@@ -97,7 +94,7 @@ class Models : public Workspace {
 
 TEST_CASE("every command has a row for each exit code from 0 to 4") {
   std::set<std::pair<std::string, int>> said;
-  for (const ExitRow& row : rows) CHECK(said.emplace(row.command, row.code).second);
+  for (const ExitRow& row : exit_rows) CHECK(said.emplace(row.command, row.code).second);
   for (const std::string name : {
 #define ELGEN_COMMAND(name) #name,
 #include "cli/commands.def"
@@ -112,7 +109,7 @@ TEST_CASE("every command has a row for each exit code from 0 to 4") {
 
 TEST_CASE("every command ends with the exit code of what happened") {
   const Models workspace;
-  for (const ExitRow& row : rows) {
+  for (const ExitRow& row : exit_rows) {
     if (row.line.empty()) continue;
     const Outcome outcome = shell(row.line, workspace.path());
     INFO(row.line << "\n" << outcome.errors);

@@ -2,20 +2,11 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/cli_testing.hpp"
 #include "elgen/diagnostic.hpp"
 #include "elgen/syntax.hpp"
-#include "support/shell.hpp"
 
 namespace elgen::test {
-
-namespace {
-
-Outcome run(const std::string& command) {
-  const Workspace workspace;
-  return shell(command, workspace.path());
-}
-
-}  // namespace
 
 TEST_CASE("explain knows every code") {
   for (const CodeRow& row : code_table()) {

@@ -1,15 +1,9 @@
 // What stands in a place that is no regular file, and stays there.
 #include <catch2/catch.hpp>
 
-#include "support/shell.hpp"
+#include "cli/cli_testing.hpp"
 
 namespace elgen::test {
-
-namespace {
-
-const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
-
-}  // namespace
 
 TEST_CASE("what is no regular file is never replaced") {
   const Workspace workspace;

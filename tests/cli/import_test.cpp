@@ -1,13 +1,12 @@
 // elgen import: the model on stdout or in a file, which is not overwritten unasked.
 #include <catch2/catch.hpp>
 
-#include "support/shell.hpp"
+#include "cli/cli_testing.hpp"
 
 namespace elgen::test {
 
 namespace {
 
-const std::string robot = std::string(ELGEN_SOURCE_DIR) + "/tests/urdf/robots/gripper.urdf";
 const std::string golden = std::string(ELGEN_SOURCE_DIR) + "/tests/urdf/golden/gripper.toml";
 
 }  // namespace

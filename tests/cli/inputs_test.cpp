@@ -1,15 +1,9 @@
 // Which files a command reads: models, scenes with their model, and paths that are neither.
 #include <catch2/catch.hpp>
 
-#include "support/shell.hpp"
+#include "cli/cli_testing.hpp"
 
 namespace elgen::test {
-
-namespace {
-
-const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
-
-}  // namespace
 
 TEST_CASE("a scene finds its model relative to itself, not to the working folder") {
   const Workspace workspace;

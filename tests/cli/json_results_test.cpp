@@ -3,14 +3,13 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "support/shell.hpp"
+#include "cli/cli_testing.hpp"
 
 namespace elgen::test {
 
 namespace {
 
 const std::string pendulum = std::string(ELGEN_SOURCE_DIR) + "/models/simple_pendulum.toml";
-const std::string robot = std::string(ELGEN_SOURCE_DIR) + "/tests/urdf/robots/gripper.urdf";
 
 struct JsonRow {
   std::string command;
@@ -18,7 +17,7 @@ struct JsonRow {
   std::string key;   ///< that the object has; "": a list
 };
 
-const std::vector<JsonRow> rows{
+const std::vector<JsonRow> json_rows{
     {"generate", "generate --format json -o out " + pendulum, "systems"},
     {"generate", "generate --format json --list-outputs " + pendulum, "systems"},
     {"show", "show --format json " + pendulum, "outputs"},
@@ -43,7 +42,7 @@ const std::vector<std::string> refused{
 TEST_CASE("every command has its result as JSON") {
   std::set<std::string> said;
   const Workspace workspace;
-  for (const JsonRow& row : rows) {
+  for (const JsonRow& row : json_rows) {
     INFO(row.line);
     said.insert(row.command);
     const Outcome outcome = shell("elgen " + row.line, workspace.path());

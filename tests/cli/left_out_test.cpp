@@ -29,7 +29,7 @@ const std::string kinked_note =
     "   10 | value = \"-sign(dot(x1))\"\n"
     "      |           ^~~~~~~~~~~~~ a smooth stand-in has them: `tanh(x/width)` for `sign(x)`\n";
 
-Outcome run(const std::string& command, const std::string& model, const Workspace& workspace) {
+Outcome run_on(const std::string& command, const std::string& model, const Workspace& workspace) {
   write_text(workspace.path() / "row.toml", model);
   return shell("elgen " + command, workspace.path());
 }
@@ -39,7 +39,7 @@ Outcome run(const std::string& command, const std::string& model, const Workspac
 TEST_CASE("generate, show and verify say which derivatives a kink takes away, and where it is") {
   for (const char* command : {"generate row.toml", "show row.toml", "verify --quick row.toml"}) {
     const Workspace workspace;
-    const Outcome outcome = run(command, masses(1, friction), workspace);
+    const Outcome outcome = run_on(command, masses(1, friction), workspace);
     INFO(command);
     CHECK(outcome.status == 0);
     CHECK(mentions(outcome.errors, kinked_note));
@@ -50,7 +50,7 @@ TEST_CASE("option -q, a choice of outputs and the steps of a derivation have not
   for (const char* command : {"generate -q row.toml", "generate --outputs bias row.toml",
                               "show --what bias row.toml", "show --what steps row.toml"}) {
     const Workspace workspace;
-    const Outcome outcome = run(command, masses(1, friction), workspace);
+    const Outcome outcome = run_on(command, masses(1, friction), workspace);
     INFO(command);
     CHECK(outcome.status == 0);
     CHECK_FALSE(mentions(outcome.errors, "E619"));
@@ -59,7 +59,7 @@ TEST_CASE("option -q, a choice of outputs and the steps of a derivation have not
 
 TEST_CASE("every file says what is left out of it") {
   const Workspace workspace;
-  const Outcome outcome = run("generate row.toml", masses(33), workspace);
+  const Outcome outcome = run_on("generate row.toml", masses(33), workspace);
   REQUIRE(outcome.status == 0);
   CHECK(starts_with(outcome.errors,
                     "row.toml:3:9: note[E619]: left out, with more than 4096 entries: "
@@ -81,7 +81,7 @@ TEST_CASE("headers in C say it too, and a scene without [outputs]") {
   const Workspace workspace;
   write_text(workspace.path() / "c.scene.toml",
              "format = 1\nmodel = \"row.toml\"\nname = \"c\"\n[emit]\nlanguage = \"c99\"\n");
-  const Outcome outcome = run("generate --stdout c.scene.toml", masses(1, friction), workspace);
+  const Outcome outcome = run_on("generate --stdout c.scene.toml", masses(1, friction), workspace);
   CHECK(outcome.status == 0);
   CHECK(mentions(outcome.errors, "[E619]"));
   CHECK(mentions(outcome.output, "Left out, as forces with abs, sign, min or max have no"));
@@ -92,7 +92,7 @@ TEST_CASE("a scene gets the large outputs that it names") {
   write_text(workspace.path() / "large.scene.toml",
              "format = 1\nmodel = \"row.toml\"\nname = \"large\"\n"
              "[outputs]\nlinearization = true\n");
-  const Outcome outcome = run("generate large.scene.toml", masses(33), workspace);
+  const Outcome outcome = run_on("generate large.scene.toml", masses(33), workspace);
   CHECK(outcome.status == 0);
   CHECK_FALSE(mentions(outcome.errors, "E619"));
   const std::string header = read_text(workspace.path() / "generated/row_large/row_large.hpp");

@@ -1,13 +1,11 @@
 // Versions of models, scenes and sidecars, as `elgen diff` reads them.
 #include <catch2/catch.hpp>
 
-#include "support/shell.hpp"
+#include "cli/cli_testing.hpp"
 
 namespace elgen::test {
 
 namespace {
-
-const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
 
 /// Two versions of the cart, with what they generate.
 class TwoCarts : public Workspace {

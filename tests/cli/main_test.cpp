@@ -1,12 +1,11 @@
 // The exit codes of the process are the interface.
 #include <catch2/catch.hpp>
 
-#include "support/shell.hpp"
+#include "cli/cli_testing.hpp"
 
 namespace elgen::test {
 
 TEST_CASE("each kind of end has its exit code") {
-  const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
   const Workspace workspace;
   const auto status = [&](const std::string& command) {
     return shell(command, workspace.path()).status;

@@ -4,14 +4,12 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "cli/cli_testing.hpp"
 #include "cli/judged.hpp"
 
 namespace elgen::test {
 
 namespace {
-
-const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
-const std::string broken = std::string(ELGEN_SOURCE_DIR) + "/tests/errors/broken_models";
 
 /// Two commands with something to say, one without, and one that time ends.
 constexpr std::array ends{

@@ -1,18 +1,16 @@
 // generate --check: files of ours that nothing generates any more.
 #include <catch2/catch.hpp>
 
-#include "support/shell.hpp"
+#include "cli/cli_testing.hpp"
 
 namespace elgen::test {
 
 namespace {
 
-const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
-
 /// A model, a scene and what they generate.
-class Project : public Workspace {
+class ModelAndScene : public Workspace {
  public:
-  Project() {
+  ModelAndScene() {
     prepare("mkdir -p scenes && cp " + models + "/cart_pole.toml . && cp " + models +
                 "/scenes/balance.scene.toml scenes && " + generate,
             path());
@@ -27,7 +25,7 @@ class Project : public Workspace {
 }  // namespace
 
 TEST_CASE("the folder of a scene that was renamed is found") {
-  const Project project;
+  const ModelAndScene project;
   const Outcome outcome = project.check(
       "sed -i 's/^name *= *\"balance\"/name = \"upright\"/' scenes/balance.scene.toml && "
       "elgen generate -q *.toml scenes/*.toml");
@@ -41,7 +39,7 @@ TEST_CASE("the folder of a scene that was renamed is found") {
 }
 
 TEST_CASE("the folder of a file that moved or went is found") {
-  const Project project;
+  const ModelAndScene project;
   const Outcome outcome = project.check(
       "mv scenes/balance.scene.toml scenes/upright.scene.toml && mkdir generated/mine "
       "&& touch generated/mine/notes.txt");
@@ -56,12 +54,12 @@ TEST_CASE("the folder of a file that moved or went is found") {
 }
 
 TEST_CASE("folders of files that are there and were not asked for are left alone") {
-  const Project project;
+  const ModelAndScene project;
   CHECK(shell("elgen generate --check cart_pole.toml", project.path()).status == 0);
 }
 
 TEST_CASE("a file beside the generated ones is an orphan if it bears our mark") {
-  const Project project;
+  const ModelAndScene project;
   const Outcome outcome = project.check(
       "cp generated/cart_pole/cart_pole.hpp generated/cart_pole/old.hpp && touch "
       "generated/cart_pole/notes.hpp");

@@ -1,14 +1,11 @@
 // Progress is shown on a terminal only, only after half a second, and leaves no trace.
 #include <catch2/catch.hpp>
 
-#include "support/shell.hpp"
+#include "cli/cli_testing.hpp"
 
 namespace elgen::test {
 
 namespace {
-
-const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
-const std::string clear_line = "\r\x1b[K";
 
 /// What a terminal receives.
 std::string on_terminal(const std::string& command) {

@@ -2,21 +2,9 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "support/shell.hpp"
+#include "cli/cli_testing.hpp"
 
 namespace elgen::test {
-
-namespace {
-
-const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
-const std::string broken = std::string(ELGEN_SOURCE_DIR) + "/tests/errors/broken_models";
-
-Outcome run(const std::string& command) {
-  const Workspace workspace;
-  return shell(command, workspace.path());
-}
-
-}  // namespace
 
 TEST_CASE("a diagnostic as JSON is one line with code, place and message") {
   const Outcome outcome = run("elgen --format json generate " + broken + "/near_miss_name.toml");
@@ -52,14 +40,12 @@ TEST_CASE("timings name every stage") {
 }
 
 TEST_CASE("option -q leaves out notes") {
-  const std::string robot = std::string(ELGEN_SOURCE_DIR) + "/tests/urdf/robots/gripper.urdf";
   CHECK(mentions(run("elgen import " + robot).errors, "note[E815]"));
   CHECK(run("elgen import -q " + robot).errors.empty());
 }
 
 TEST_CASE("what cannot be printed is said, and ends with 4") {
   const std::string model = models + "/simple_pendulum.toml";
-  const std::string robot = std::string(ELGEN_SOURCE_DIR) + "/tests/urdf/robots/gripper.urdf";
   for (const std::string& command :
        {"show " + model, "generate --stdout " + model, "generate --list-outputs " + model,
         "verify --quick " + model, "import " + robot, std::string("explain E201"),

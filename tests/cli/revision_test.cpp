@@ -1,13 +1,12 @@
 // What git has of a revision.
 #include <catch2/catch.hpp>
 
-#include "support/shell.hpp"
+#include "cli/cli_testing.hpp"
 
 namespace elgen::test {
 
 namespace {
 
-const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
 const std::string commit = "git add . && git -c user.name=a -c user.email=a@b commit -q -m x";
 
 }  // namespace

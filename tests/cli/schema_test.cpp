@@ -2,16 +2,11 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/cli_testing.hpp"
 #include "cli/judged.hpp"
 #include "elgen/syntax.hpp"
 
 namespace elgen::test {
-
-namespace {
-
-const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
-
-}  // namespace
 
 TEST_CASE("all models and scenes satisfy their schemas") {
   Judged(schema_of("model"))

@@ -30,9 +30,9 @@ const Workspace& original() {
 }
 
 /// A copy of it to change.
-class Shards {
+class ScreeningShards {
  public:
-  Shards() { prepare("cp " + original().path().string() + "/* .", path()); }
+  ScreeningShards() { prepare("cp " + original().path().string() + "/* .", path()); }
 
   [[nodiscard]] const std::filesystem::path& path() const { return workspace_.path(); }
   [[nodiscard]] Outcome run(const std::string& command) const { return shell(command, path()); }
@@ -43,7 +43,7 @@ class Shards {
 
 }  // namespace
 
-TEST_CASE_METHOD(Shards, "shards joined are byte by byte what one process gives") {
+TEST_CASE_METHOD(ScreeningShards, "shards joined are byte by byte what one process gives") {
   const Outcome one = run(verify_many + " -o one.txt");
   INFO(one.output + one.errors);
   REQUIRE(one.status == 0);
@@ -56,7 +56,7 @@ TEST_CASE_METHOD(Shards, "shards joined are byte by byte what one process gives"
   CHECK(read_text(path() / "merged.txt") == read_text(path() / "one.txt"));
 }
 
-TEST_CASE_METHOD(Shards, "missing and double shards, and other machines, are told") {
+TEST_CASE_METHOD(ScreeningShards, "missing and double shards, and other machines, are told") {
   CHECK(mentions(run("elgen verify --merge a.json").errors, "error[E711]: shard 2/2 is missing\n"));
   prepare("cp a.json c.json", path());
   CHECK(mentions(run("elgen verify --merge a.json b.json c.json").errors,
@@ -70,7 +70,7 @@ TEST_CASE_METHOD(Shards, "missing and double shards, and other machines, are tol
       mentions(other.errors, "error[E711]: the processor of `a.json` is not that here: `Z80`, `"));
 }
 
-TEST_CASE_METHOD(Shards, "a shard is not written over another file") {
+TEST_CASE_METHOD(ScreeningShards, "a shard is not written over another file") {
   const Outcome refused = run(verify_many + " --shard 1/2 -o b.json");
   CHECK(refused.status == 4);
   CHECK(mentions(refused.errors, "error[E703]: `b.json` exists"));

@@ -1,16 +1,9 @@
 // A command's pipeline: its progress is gone before its products are printed.
 #include <catch2/catch.hpp>
 
-#include "support/shell.hpp"
+#include "cli/cli_testing.hpp"
 
 namespace elgen::test {
-
-namespace {
-
-const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
-const std::string clear_line = "\r\x1b[K";
-
-}  // namespace
 
 TEST_CASE("the line of progress is gone before anything else is printed") {
   const Workspace workspace;

@@ -2,15 +2,9 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "support/shell.hpp"
+#include "cli/cli_testing.hpp"
 
 namespace elgen::test {
-
-namespace {
-
-const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
-
-}  // namespace
 
 TEST_CASE("a run prints its last state and its drifts") {
   const Workspace workspace;

@@ -1,13 +1,11 @@
 // What generated files say they were made from.
 #include <catch2/catch.hpp>
 
-#include "support/shell.hpp"
+#include "cli/cli_testing.hpp"
 
 namespace elgen::test {
 
 namespace {
-
-const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
 
 /// The first line of the header that a command makes.
 std::string first_line(const std::string& command, const std::string& header) {

@@ -1,15 +1,9 @@
 // What changes in a folder, and what is left in it.
 #include <catch2/catch.hpp>
 
-#include "support/shell.hpp"
+#include "cli/cli_testing.hpp"
 
 namespace elgen::test {
-
-namespace {
-
-const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
-
-}  // namespace
 
 TEST_CASE("a file whose bytes do not change is not touched") {
   const Workspace workspace;

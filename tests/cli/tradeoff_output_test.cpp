@@ -1,15 +1,9 @@
 // Tables as they are printed and written, and the design that is chosen; no time is looked at.
 #include <catch2/catch.hpp>
 
-#include "support/shell.hpp"
+#include "cli/cli_testing.hpp"
 
 namespace elgen::test {
-
-namespace {
-
-const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
-
-}  // namespace
 
 TEST_CASE("a scene keeps what it locks and fixes, and files are not overwritten unasked") {
   const Workspace workspace;

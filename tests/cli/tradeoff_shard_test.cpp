@@ -12,9 +12,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-class Shards {
+class TradeoffShards {
  public:
-  Shards() { prepare("cp " ELGEN_SOURCE_DIR "/models/simple_pendulum.toml .", path()); }
+  TradeoffShards() { prepare("cp " ELGEN_SOURCE_DIR "/models/simple_pendulum.toml .", path()); }
 
   [[nodiscard]] const std::filesystem::path& path() const { return workspace_.path(); }
   [[nodiscard]] Outcome run(const std::string& words) const {
@@ -60,7 +60,7 @@ bool is_judged(const Json& table) {
 
 }  // namespace
 
-TEST_CASE_METHOD(Shards, "designs of all shards are one table, of which one is chosen") {
+TEST_CASE_METHOD(TradeoffShards, "designs of all shards are one table, of which one is chosen") {
   const Json one = table("simple_pendulum.toml");
   prepare("elgen tradeoff --shard 2/2 -o b.json simple_pendulum.toml", path());
   prepare("elgen tradeoff --shard 1/2 -o a.json simple_pendulum.toml", path());
@@ -78,7 +78,7 @@ TEST_CASE_METHOD(Shards, "designs of all shards are one table, of which one is c
   CHECK(shell("elgen verify --quick fast.scene.toml", path()).status == 0);
 }
 
-TEST_CASE_METHOD(Shards, "runs of all shards are one table, with what is said of methods") {
+TEST_CASE_METHOD(TradeoffShards, "runs of all shards are one table, with what is said of methods") {
   prepare("cp " ELGEN_SOURCE_DIR "/models/double_pendulum.toml .", path());
   const std::string runs = "--trajectory 0.5 double_pendulum.toml";
   const Json one = table(runs);
@@ -97,12 +97,13 @@ TEST_CASE_METHOD(Shards, "runs of all shards are one table, with what is said of
   CHECK(mentions(scene.errors, "error[E913]: shards of runs have no designs to write as scenes\n"));
 }
 
-TEST_CASE_METHOD(Shards, "of more shards than libraries some are empty") {
+TEST_CASE_METHOD(TradeoffShards, "of more shards than libraries some are empty") {
   prepare("elgen tradeoff --shard 5/5 -o a.json simple_pendulum.toml", path());
   CHECK(file("a.json")["table"]["rows"].empty());
 }
 
-TEST_CASE_METHOD(Shards, "rows are joined on any machine, failures and infinite errors too") {
+TEST_CASE_METHOD(TradeoffShards,
+                 "rows are joined on any machine, failures and infinite errors too") {
   prepare("elgen tradeoff --shard 5/5 -o a.json simple_pendulum.toml", path());
   Json shard = file("a.json");
   shard["machine"]["processor"] = "Z80";
@@ -130,7 +131,7 @@ TEST_CASE_METHOD(Shards, "rows are joined on any machine, failures and infinite 
   CHECK(mentions(run("--merge a.json b.json c.json").output, "\nmeasured on Z80, "));
 }
 
-TEST_CASE_METHOD(Shards, "a measured shard is not written over another file") {
+TEST_CASE_METHOD(TradeoffShards, "a measured shard is not written over another file") {
   write_text(path() / "a.json", "mine");
   const Outcome refused = run("--shard 1/2 -o a.json simple_pendulum.toml");
   CHECK(refused.status == 4);

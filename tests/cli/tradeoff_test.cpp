@@ -2,13 +2,11 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "support/shell.hpp"
+#include "cli/cli_testing.hpp"
 
 namespace elgen::test {
 
 namespace {
-
-const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
 
 nlohmann::json table_in(const Outcome& outcome) {
   INFO(outcome.errors);

@@ -1,15 +1,9 @@
 // Processes that write to the same folders take turns. What fails half-way: tests/faults.
 #include <catch2/catch.hpp>
 
-#include "support/shell.hpp"
+#include "cli/cli_testing.hpp"
 
 namespace elgen::test {
-
-namespace {
-
-const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
-
-}  // namespace
 
 TEST_CASE("a lock that is not released is waited for in vain") {
   const Workspace workspace;
