@@ -3,28 +3,27 @@
 
 #include <catch2/catch.hpp>
 
+#include "lower/read_program.hpp"
+
 using namespace elgen;
 
 namespace {
 
-Program program_of(const std::string& instructions) {
+Program velocity_force_program(const std::string& instructions) {
   const std::string text =
       "parameters m l\ncoordinates x y\nvelocities x y\nfunction velocity_force\n" + instructions;
-  const Result<Program> program = parse_program(make_source("test.program", text));
-  INFO(format(program.diagnostics));
-  REQUIRE(program);
-  return *program;
+  return testing::read_program(text);
 }
 
 }  // namespace
 
 TEST_CASE("a sum that cancels becomes 0, by proof") {
   // m (l + x) - (m l + m x), and the same times the rate plus m
-  const Program program = cancel(
-      program_of("  0 = parameter m\n  1 = parameter l\n  2 = coordinate x\n  3 = add 1 2\n"
-                 "  4 = multiply 0 3\n  5 = multiply 0 1\n  6 = multiply 0 2\n  7 = add 5 6\n"
-                 "  8 = subtract 4 7\n  9 = velocity x\n  10 = multiply 8 9\n  11 = add 10 0\n"
-                 "  result 2 1 = 8 11\n"));
+  const Program program = cancel(velocity_force_program(
+      "  0 = parameter m\n  1 = parameter l\n  2 = coordinate x\n  3 = add 1 2\n"
+      "  4 = multiply 0 3\n  5 = multiply 0 1\n  6 = multiply 0 2\n  7 = add 5 6\n"
+      "  8 = subtract 4 7\n  9 = velocity x\n  10 = multiply 8 9\n  11 = add 10 0\n"
+      "  result 2 1 = 8 11\n"));
   const Function& function = program.functions[0];
   CHECK(check_invariants(program).empty());
   CHECK(function.instructions.size() == 2);  // 0 and m
@@ -34,18 +33,18 @@ TEST_CASE("a sum that cancels becomes 0, by proof") {
 
 TEST_CASE("where no proof exists, the entries that rest on the zero are named") {
   // e^x e^-x - 1: no rule of closed forms knows that
-  const Program program = cancel(
-      program_of("  0 = coordinate x\n  1 = exp 0\n  2 = negate 0\n  3 = exp 2\n"
-                 "  4 = multiply 1 3\n  5 = constant 1\n  6 = subtract 4 5\n  7 = velocity y\n"
-                 "  8 = multiply 6 7\n  9 = parameter m\n  10 = add 9 8\n"
-                 "  result 3 1 = 9 10 8\n"));
+  const Program program = cancel(velocity_force_program(
+      "  0 = coordinate x\n  1 = exp 0\n  2 = negate 0\n  3 = exp 2\n"
+      "  4 = multiply 1 3\n  5 = constant 1\n  6 = subtract 4 5\n  7 = velocity y\n"
+      "  8 = multiply 6 7\n  9 = parameter m\n  10 = add 9 8\n"
+      "  result 3 1 = 9 10 8\n"));
   const Function& function = program.functions[0];
   CHECK(function.instructions.size() == 2);
   CHECK(function.sampled_zeros == std::vector<std::uint32_t>{1, 2});
 }
 
 TEST_CASE("a function without zeros stays as it is, with its names") {
-  const Program program = program_of(
+  const Program program = velocity_force_program(
       "  0 = parameter m\n  1 = coordinate x\n  2 = sin 1\n"
       "  3 = multiply 0 2\n  result 2 1 = 3 0\n");
   CHECK(dump(cancel(program)) == dump(program));

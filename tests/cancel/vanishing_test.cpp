@@ -3,29 +3,28 @@
 
 #include <catch2/catch.hpp>
 
+#include "lower/read_program.hpp"
+
 using namespace elgen;
 
 namespace {
 
 using Places = std::vector<std::uint32_t>;
 
-Program program_of(const std::string& instructions) {
+Program gravity_program(const std::string& instructions) {
   const std::string text = "parameters m l\ncoordinates x y\nfunction gravity\n" + instructions;
-  const Result<Program> program = parse_program(make_source("test.program", text));
-  INFO(format(program.diagnostics));
-  REQUIRE(program);
-  return *program;
+  return testing::read_program(text);
 }
 
 /// At the first point.
 Places places(const std::string& instructions) {
-  const Program program = program_of(instructions);
+  const Program program = gravity_program(instructions);
   return vanishing(program, program.functions[0]);
 }
 
 /// At all the others.
 std::vector<bool> elsewhere(const std::string& instructions) {
-  const Program program = program_of(instructions);
+  const Program program = gravity_program(instructions);
   return vanishing_elsewhere(program, program.functions[0]);
 }
 

@@ -11,14 +11,14 @@ using namespace elgen;
 namespace {
 
 /// 1 - cos(a) and b
-const char* text =
+const char* two_entries =
     "coordinates a b c d e\nfunction bias\n  0 = coordinate a\n  1 = coordinate b\n  2 = cos 0\n"
     "  3 = constant 1\n  4 = subtract 3 2\n  result 2 1 = 4 1\n";
 
 }  // namespace
 
 TEST_CASE("all entries of a function have a form") {
-  const Program program = testing::read_program(text);
+  const Program program = testing::read_program(two_entries);
   const ClosedForms forms = present(program);
   const ReadableEntries entries = read_entries(
       {program, program.functions[0], forms, forms.functions[0]}, mixed_points(program.leaves));
@@ -29,7 +29,7 @@ TEST_CASE("all entries of a function have a form") {
 }
 
 TEST_CASE("code is rewritten where it loses digits, what people read stays") {
-  const Program program = testing::read_program(text);
+  const Program program = testing::read_program(two_entries);
   const ClosedForms forms = present(program);
   const BothForms both{program, program.functions[0], forms, forms.functions[0]};
   const MixedPoints points = mixed_points(program.leaves);

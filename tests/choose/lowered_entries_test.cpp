@@ -11,13 +11,13 @@ using namespace elgen;
 namespace {
 
 /// (a + b) c and (a + b) d
-const char* text =
+const char* two_products =
     "coordinates a b c d e\nfunction bias\n  0 = coordinate a\n  1 = coordinate b\n"
     "  2 = coordinate c\n  3 = coordinate d\n  4 = add 0 1\n  5 = multiply 4 2\n"
     "  6 = multiply 4 3\n  result 2 1 = 5 6\n";
 
 struct Lowered {
-  Program program = testing::read_program(text);
+  Program program = testing::read_program(two_products);
   Function shape = program.functions[0];
   ClosedForms forms = present(program);
   ReadableEntries entries =

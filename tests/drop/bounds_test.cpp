@@ -11,7 +11,7 @@ using cln::cl_RA;
 
 namespace {
 
-const std::string declarations = R"toml([[coordinate]]
+const std::string declarations_with_ranges = R"toml([[coordinate]]
 name = "x"
 range = [-3, 1]
 rate_range = [-2, 5]
@@ -29,7 +29,8 @@ potential_energy = ")toml";
 /// A form of the model language and its model.
 struct Sample {
   explicit Sample(const std::string& expression)
-      : model(checked_model(model_text("line", declarations + expression + "\"\n")).model),
+      : model(checked_model(model_text("line", declarations_with_ranges + expression + "\"\n"))
+                  .model),
         form(closed_form(forms, model, {}, model.expectations[0].entries[0]).value()) {}
 
   Model model;

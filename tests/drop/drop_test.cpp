@@ -12,7 +12,7 @@ using cln::cl_RA;
 
 namespace {
 
-const std::string declarations = R"toml([[coordinate]]
+const std::string declarations_with_rate = R"toml([[coordinate]]
 name = "x"
 range = [-1, 1]
 rate_range = [-2, 2]
@@ -27,7 +27,7 @@ T = "1/2*m*(dot(x)^2 + dot(y)^2)"
 )toml";
 
 Model model_of(const std::string& rate = "rate_range = [-3, 3]") {
-  std::string text = declarations;
+  std::string text = declarations_with_rate;
   text.replace(text.find("RATE"), 4, rate);
   return checked_model(model_text("line", text)).model;
 }

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "elgen/syntax.hpp"
+#include "pages/page.hpp"
 #include "support/shell.hpp"
 
 namespace elgen::test {
@@ -17,8 +18,6 @@ namespace elgen::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path source = ELGEN_SOURCE_DIR;
 
 constexpr std::string_view introduction = R"(# Generated code of all models and scenes
 

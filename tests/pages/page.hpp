@@ -10,6 +10,7 @@
 // In what is printed or stands in a file a line "…" is any number of lines.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,9 @@ struct Page {
   std::string prose = {};  ///< everything outside of fences
   std::vector<Fence> fences = {};
 };
+
+/// The folder of the project.
+inline const std::filesystem::path source = ELGEN_SOURCE_DIR;
 
 /// The pages of the project; CHANGELOG.md and what programs write are none.
 [[nodiscard]] const std::vector<Page>& pages();

@@ -15,8 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path source = ELGEN_SOURCE_DIR;
-
 /// Commands run where the project's files are, but none of them can change these.
 void copy_project(const fs::path& folder) {
   for (const char* part :

@@ -12,7 +12,7 @@ namespace {
 
 using namespace elgen;
 
-struct Row {
+struct TableRow {
   std::string input;
   std::string stage;
   std::string answer;
@@ -44,16 +44,16 @@ std::string expanded(const std::string& input) {
   return result;
 }
 
-std::vector<Row> read_rows() {
+std::vector<TableRow> read_rows() {
   std::ifstream file(ELGEN_SOURCE_DIR "/tests/parse/bad_expressions.tsv");
   REQUIRE(file);
-  std::vector<Row> rows;
+  std::vector<TableRow> rows;
   bool past_heading = false;
   for (std::string line; std::getline(file, line);) {
     if (line[0] == '#') continue;
     std::istringstream fields(line);
     std::string category;
-    Row row;
+    TableRow row;
     std::getline(fields, category, '\t');
     std::getline(fields, row.input, '\t');
     std::getline(fields, row.stage, '\t');
@@ -68,9 +68,9 @@ std::vector<Row> read_rows() {
 }  // namespace
 
 TEST_CASE("hostile expressions are answered as the table says", "[parse]") {
-  const std::vector<Row> rows = read_rows();
+  const std::vector<TableRow> rows = read_rows();
   REQUIRE(rows.size() == 144);
-  for (const Row& row : rows) {
+  for (const TableRow& row : rows) {
     INFO(row.input);
     const SourcePointer source = make_source("test", expanded(row.input));
     const auto begin = std::chrono::steady_clock::now();

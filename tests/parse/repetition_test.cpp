@@ -9,7 +9,7 @@ using namespace elgen;
 
 namespace {
 
-std::string answer(std::string_view value) {
+std::string repetition(std::string_view value) {
   const std::string all = testing::model_answer(
       "format = 1\nmodel.name = \"m\"\n[[coordinate]]\nname = \"x\"\nfor = " + std::string(value));
   const std::size_t begin = all.find("for = ");
@@ -19,22 +19,22 @@ std::string answer(std::string_view value) {
 }  // namespace
 
 TEST_CASE("a repetition is an index and its bounds", "[parse]") {
-  CHECK(answer("\"i in 1..n\"") == "[{index = i, low = 1, high = n}]");
-  CHECK(answer("\"i in 0 .. 2*n - 1\"") == "[{index = i, low = 0, high = ((2 * n) + (-1))}]");
-  CHECK(answer("[\"i in 1..n\", \"j in i..n\"]") ==
+  CHECK(repetition("\"i in 1..n\"") == "[{index = i, low = 1, high = n}]");
+  CHECK(repetition("\"i in 0 .. 2*n - 1\"") == "[{index = i, low = 0, high = ((2 * n) + (-1))}]");
+  CHECK(repetition("[\"i in 1..n\", \"j in i..n\"]") ==
         "[{index = i, low = 1, high = n}, {index = j, low = i, high = n}]");
 }
 
 TEST_CASE("malformed repetitions are refused where they are", "[parse]") {
-  CHECK(answer("\"i in 1:n\"") == "E210 5:8");
-  CHECK(answer("\"i = 1..n\"") == "E210 5:8");
-  CHECK(answer("\"1..n\"") == "E210 5:8");
-  CHECK(answer("\"\"") == "E210 5:8");
-  CHECK(answer("3") == "E104 5:7");
-  CHECK(answer("\"i in ..n\"") == "E310 5:12");
-  CHECK(answer("\"i in 1..\"") == "E310 5:16");
-  CHECK(answer("\"i in 1..2n\"") == "E303 5:17");
-  CHECK(answer("\"i\\u0020in 1..2n\"") == "E303 5:22");
+  CHECK(repetition("\"i in 1:n\"") == "E210 5:8");
+  CHECK(repetition("\"i = 1..n\"") == "E210 5:8");
+  CHECK(repetition("\"1..n\"") == "E210 5:8");
+  CHECK(repetition("\"\"") == "E210 5:8");
+  CHECK(repetition("3") == "E104 5:7");
+  CHECK(repetition("\"i in ..n\"") == "E310 5:12");
+  CHECK(repetition("\"i in 1..\"") == "E310 5:16");
+  CHECK(repetition("\"i in 1..2n\"") == "E303 5:17");
+  CHECK(repetition("\"i\\u0020in 1..2n\"") == "E303 5:22");
 }
 
 TEST_CASE("each part of a repetition has its place", "[parse]") {

@@ -9,7 +9,7 @@ using namespace elgen;
 
 namespace {
 
-struct Row {
+struct GrammarRow {
   std::string input;
   Code code;
   std::uint32_t begin;
@@ -20,7 +20,7 @@ struct Row {
 }  // namespace
 
 TEST_CASE("errors of the grammar say what was met and what to write", "[parse]") {
-  const auto row = GENERATE(values<Row>({
+  const auto row = GENERATE(values<GrammarRow>({
       {"x +", Code::E302, 3, "expression ends where an operand is expected", ""},
       {"x+*y", Code::E302, 2, "`*` where an operand is expected", ""},
       {"()", Code::E302, 1, "`)` where an operand is expected", ""},

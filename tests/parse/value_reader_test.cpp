@@ -18,7 +18,7 @@ std::string coordinate_with(std::string_view line) {
 }
 
 /// The dump of that key, or the places of the errors.
-std::string answer(std::string_view line) {
+std::string key_answer(std::string_view line) {
   const std::string all = model_answer(coordinate_with(line));
   const std::size_t begin = all.find("  name = x\n  ");
   if (begin == std::string::npos) return all;
@@ -28,23 +28,24 @@ std::string answer(std::string_view line) {
 }  // namespace
 
 TEST_CASE("expressions are strings or bare decimals", "[parse]") {
-  CHECK(answer("armature = 1_000.50") == "armature = 1000.5");
-  CHECK(answer("armature = -0.1") == "armature = -0.1");
-  CHECK(answer("armature = +1e-3") == "armature = 0.001");
-  CHECK(answer("armature = \"1e-400\"") == "armature = 1e-400");
-  CHECK(answer("armature = 0.30000000000000000000001") == "armature = 0.30000000000000000000001");
-  CHECK(answer("armature = true") == "E104 5:12");
-  CHECK(answer("armature = [1]") == "E104 5:12");
-  CHECK(answer("armature = \"\"") == "E310 5:13");
+  CHECK(key_answer("armature = 1_000.50") == "armature = 1000.5");
+  CHECK(key_answer("armature = -0.1") == "armature = -0.1");
+  CHECK(key_answer("armature = +1e-3") == "armature = 0.001");
+  CHECK(key_answer("armature = \"1e-400\"") == "armature = 1e-400");
+  CHECK(key_answer("armature = 0.30000000000000000000001") ==
+        "armature = 0.30000000000000000000001");
+  CHECK(key_answer("armature = true") == "E104 5:12");
+  CHECK(key_answer("armature = [1]") == "E104 5:12");
+  CHECK(key_answer("armature = \"\"") == "E310 5:13");
 }
 
 TEST_CASE("what is no decimal is refused wherever it stands", "[parse]") {
-  CHECK(answer("armature = 0x10") == "E109 5:12");
-  CHECK(answer("armature = inf") == "E109 5:12");
-  CHECK(answer("armature = -nan") == "E109 5:12");
-  CHECK(answer("armature = 1979-05-27") == "E109 5:12");
-  CHECK(answer("range = [0, 0b11]") == "E109 5:13");
-  CHECK(answer("doc = inf") == "E109 5:7");
+  CHECK(key_answer("armature = 0x10") == "E109 5:12");
+  CHECK(key_answer("armature = inf") == "E109 5:12");
+  CHECK(key_answer("armature = -nan") == "E109 5:12");
+  CHECK(key_answer("armature = 1979-05-27") == "E109 5:12");
+  CHECK(key_answer("range = [0, 0b11]") == "E109 5:13");
+  CHECK(key_answer("doc = inf") == "E109 5:7");
 }
 
 TEST_CASE("bare numbers obey the limits of literals", "[parse]") {
@@ -53,7 +54,7 @@ TEST_CASE("bare numbers obey the limits of literals", "[parse]") {
   const std::string number = "armature = 0." + std::string(100, '1');
   CHECK(model_answer(coordinate_with(number), limits).find("E9") == std::string::npos);
   CHECK(model_answer(coordinate_with(number + "1"), limits) == "E903 5:12");
-  CHECK(answer("armature = \"1e401\"") == "E904 5:13");
+  CHECK(key_answer("armature = \"1e401\"") == "E904 5:13");
 }
 
 TEST_CASE("names have one optional index", "[parse]") {
@@ -73,19 +74,19 @@ TEST_CASE("names have one optional index", "[parse]") {
 }
 
 TEST_CASE("lists have expressions, ranges two of them", "[parse]") {
-  CHECK(answer("range = [\"-pi\", 3]") == "range = [(-pi), 3]");
-  CHECK(answer("range = [1]") == "E104 5:9");
-  CHECK(answer("range = 1") == "E104 5:9");
-  CHECK(answer("range = [\"(\", \"2x\"]") == "E302 5:12\nE303 5:17");
+  CHECK(key_answer("range = [\"-pi\", 3]") == "range = [(-pi), 3]");
+  CHECK(key_answer("range = [1]") == "E104 5:9");
+  CHECK(key_answer("range = 1") == "E104 5:9");
+  CHECK(key_answer("range = [\"(\", \"2x\"]") == "E302 5:12\nE303 5:17");
 }
 
 TEST_CASE("texts, booleans, tables", "[parse]") {
-  CHECK(answer("doc = 'a \"b\" \\'") == "doc = \"a \\\"b\\\" \\\\\"");
-  CHECK(answer("doc = 3") == "E104 5:7");
-  CHECK(answer("wrap = true") == "wrap = true");
-  CHECK(answer("wrap = \"yes\"") == "E104 5:8");
-  CHECK(answer("start = {rate = 1, value = \"a\"}") == "start = {rate = 1, value = a}");
-  CHECK(answer("start = 1") == "E104 5:9");
+  CHECK(key_answer("doc = 'a \"b\" \\'") == "doc = \"a \\\"b\\\" \\\\\"");
+  CHECK(key_answer("doc = 3") == "E104 5:7");
+  CHECK(key_answer("wrap = true") == "wrap = true");
+  CHECK(key_answer("wrap = \"yes\"") == "E104 5:8");
+  CHECK(key_answer("start = {rate = 1, value = \"a\"}") == "start = {rate = 1, value = a}");
+  CHECK(key_answer("start = 1") == "E104 5:9");
 }
 
 TEST_CASE("a wrong type says what was met and what is expected", "[parse]") {
