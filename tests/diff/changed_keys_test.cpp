@@ -9,8 +9,8 @@ using namespace elgen::test;
 namespace {
 
 /// "[gravity] vector[2]: -g -> g", a line each.
-std::string changes(const std::string& before, const std::string& after,
-                    const Renames& renames = {}) {
+std::string key_changes(const std::string& before, const std::string& after,
+                        const Renames& renames = {}) {
   const auto syntax = [](const std::string& text) {
     const Result<FileSyntax> parsed = parse_model(make_source("model.toml", text), {});
     INFO(format(parsed.diagnostics));
@@ -28,13 +28,11 @@ std::string changes(const std::string& before, const std::string& after,
   return text;
 }
 
-const std::string cart = model_of("cart_pole");
-
 }  // namespace
 
 TEST_CASE("one item of a list is one change, at its place") {
   const std::string after = edited(cart, "\"-g\"", "\"g\"");
-  CHECK(changes(cart, after) == "[gravity] vector[2]: -g -> g\n");
+  CHECK(key_changes(cart, after) == "[gravity] vector[2]: -g -> g\n");
   const FileSyntax old = *parse_model(make_source("a.toml", cart), {});
   const FileSyntax now = *parse_model(make_source("b.toml", after), {});
   const KeyChange change = changed_keys(old, now).at(0);
@@ -43,11 +41,11 @@ TEST_CASE("one item of a list is one change, at its place") {
 }
 
 TEST_CASE("blanks, comments, brackets and the order of keys are no change") {
-  CHECK(changes(cart, cart + "# more\n").empty());
-  CHECK(changes(spring("1/2*k*x^2"), spring("(1/2*k) * x^2")) ==
+  CHECK(key_changes(cart, cart + "# more\n").empty());
+  CHECK(key_changes(spring("1/2*k*x^2"), spring("(1/2*k) * x^2")) ==
         "[energy] V: 1/2*k*x^2 -> (1/2*k) * x^2\n");
-  CHECK(changes(spring("1/2*k*x^2"), spring(" 1/2 * k*(x)^2 ")).empty());
-  CHECK(changes(spring(), edited(spring(), "k = 3", "k = { value = 3 }")).empty());
+  CHECK(key_changes(spring("1/2*k*x^2"), spring(" 1/2 * k*(x)^2 ")).empty());
+  CHECK(key_changes(spring(), edited(spring(), "k = 3", "k = { value = 3 }")).empty());
 }
 
 TEST_CASE("entries are matched by their names, new and gone ones are one change each") {
@@ -55,28 +53,28 @@ TEST_CASE("entries are matched by their names, new and gone ones are one change 
       "[[point]]\nname = \"bob\"\nat   = [\"x + l*sin(theta)\", "
       "\"l*cos(theta)\"]\nmass = \"m\"\n";
   const std::string without = edited(cart, point, "");
-  CHECK(changes(cart, without) ==
+  CHECK(key_changes(cart, without) ==
         "[[point]] bob: { name = bob, at = [x + l*sin(theta), l*cos(theta)], mass = m } -> \n");
-  CHECK(changes(without, cart) ==
+  CHECK(key_changes(without, cart) ==
         "[[point]] bob:  -> { name = bob, at = [x + l*sin(theta), l*cos(theta)], mass = m }\n");
 }
 
 TEST_CASE("forces without names are told apart by what they act on, then by number") {
   const std::string force = "[[force]]\non = \"x\"\nvalue = \"-m*dot(x)\"\n";
   const std::string other = "[[force]]\non = \"x\"\nvalue = \"-2*m*dot(x)\"\n";
-  CHECK(changes(spring() + force + force, spring() + force + other) ==
+  CHECK(key_changes(spring() + force + force, spring() + force + other) ==
         "[[force]] on x #2 value: -m*dot(x) -> -2*m*dot(x)\n");
 }
 
 TEST_CASE("another order of coordinates and parameters is told, of keys it is not") {
-  CHECK(changes(spring(), edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {")) ==
+  CHECK(key_changes(spring(), edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {")) ==
         "[parameters] order: m, k -> k, m\n");
 }
 
 TEST_CASE("with new names for the same things nothing is changed") {
   std::string after = spring("1/2*c*x^2");
   after = edited(after, "k = 3", "c = 3");
-  CHECK(changes(spring(), after, {{"k", "c"}}).empty());
-  CHECK(changes(spring(), after) ==
+  CHECK(key_changes(spring(), after, {{"k", "c"}}).empty());
+  CHECK(key_changes(spring(), after) ==
         "[parameters] c:  -> 3\n[parameters] k: 3 -> \n[energy] V: 1/2*k*x^2 -> 1/2*c*x^2\n");
 }

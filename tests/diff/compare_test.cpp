@@ -8,8 +8,6 @@ using namespace elgen::test;
 
 namespace {
 
-const std::string cart = model_of("cart_pole");
-
 Impact impact(const std::string& before, const std::string& after) {
   return compared(before, after).impact;
 }

@@ -7,7 +7,6 @@ using namespace elgen;
 using namespace elgen::test;
 
 TEST_CASE("a cause stands at its place") {
-  const std::string cart = model_of("cart_pole");
   CHECK(to_annotations({.systems = {compared(cart, edited(cart, "\"-g\"", "\"g\""))}}) ==
         "::warning file=model.toml,line=55,col=17,title=elgen diff%3A different (the equations "
         "differ)::[gravity] vector[2]: -g -> g\n");

@@ -8,7 +8,6 @@ using namespace elgen;
 using namespace elgen::test;
 
 TEST_CASE("changes have ids that stay, and places") {
-  const std::string cart = model_of("cart_pole");
   const auto json = nlohmann::json::parse(
       to_json({.systems = {compared(cart, edited(cart, "\"-g\"", "\"g\""))}}));
   CHECK(json.at("format") == "elgen diff 1");

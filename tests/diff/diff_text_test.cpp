@@ -8,16 +8,14 @@ using namespace elgen::test;
 
 namespace {
 
-const std::string cart = model_of("cart_pole");
-
-std::string text_of(const std::string& before, const std::string& after, bool lists_all = false) {
+std::string report(const std::string& before, const std::string& after, bool lists_all = false) {
   return to_text({.systems = {compared(before, after)}}, lists_all);
 }
 
 }  // namespace
 
 TEST_CASE("one sign is told in a dozen lines, its cause first") {
-  CHECK(text_of(cart, edited(cart, "\"-g\"", "\"g\"")) ==
+  CHECK(report(cart, edited(cart, "\"-g\"", "\"g\"")) ==
         "changed      model.toml:55:17  [gravity] vector[2]: -g -> g\n"
         "             V = m*l*g*cos(theta) -> -m*l*g*cos(theta);  T, D, Q, B identical\n"
         "             [[expect]] is not changed with it: 5 entries no longer hold (bias[2], "
@@ -33,27 +31,27 @@ TEST_CASE("one sign is told in a dozen lines, its cause first") {
 
 TEST_CASE("what breaks silently stands first") {
   const std::string text =
-      text_of(spring(), edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {"));
+      report(spring(), edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {"));
   CHECK(starts_with(text, "interface    misleading: members of Parameters"));
   CHECK(mentions(text, "misleading   callers compile, and mean something else\n"));
 }
 
 TEST_CASE("nothing, and nothing but text, is one line") {
-  CHECK(text_of(cart, cart) == "identical    nothing differs\n");
-  CHECK(text_of(cart, cart + "#\n") ==
+  CHECK(report(cart, cart) == "identical    nothing differs\n");
+  CHECK(report(cart, cart + "#\n") ==
         "text         comments, blanks or the order of keys differ, and nothing else\n");
 }
 
 TEST_CASE("every entry is listed where that is asked for") {
-  const std::string text = text_of(spring("k*(1 - cos(x))"), spring("2*k*sin(x/2)^2 + m*x"), true);
+  const std::string text = report(spring("k*(1 - cos(x))"), spring("2*k*sin(x/2)^2 + m*x"), true);
   CHECK(mentions(text, "potential_energy = "));
   CHECK(mentions(text, "gravity = k*sin(x) -> m + k*sin(x), difference m\n"));
-  const std::string equal = text_of(spring("k*(1 - cos(x))"), spring("2*k*sin(x/2)^2"), true);
+  const std::string equal = report(spring("k*(1 - cos(x))"), spring("2*k*sin(x/2)^2"), true);
   CHECK(mentions(equal, "potential_energy: equal, written differently (proved)\n"));
 }
 
 TEST_CASE("names that would make all equal are proposed") {
-  CHECK(mentions(text_of(spring(), edited(edited(spring(), "k = 3", "c = 3"), "1/2*k", "1/2*c")),
+  CHECK(mentions(report(spring(), edited(edited(spring(), "k = 3", "c = 3"), "1/2*k", "1/2*c")),
                  "renamed?     with --rename k=c all entries are equal\n"));
 }
 

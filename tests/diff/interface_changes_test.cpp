@@ -9,9 +9,9 @@ using namespace elgen::test;
 namespace {
 
 /// "word: text", a line each.
-std::string changes(const std::string& before, const std::string& after,
-                    const std::string& old_scene = {}, const std::string& new_scene = {},
-                    const Renames& renames = {}) {
+std::string seen_by_callers(const std::string& before, const std::string& after,
+                            const std::string& old_scene = {}, const std::string& new_scene = {},
+                            const Renames& renames = {}) {
   const Lowered old = lowered(before, old_scene);
   const Lowered now = lowered(after, new_scene);
   std::string text;
@@ -24,84 +24,88 @@ std::string changes(const std::string& before, const std::string& after,
 }  // namespace
 
 TEST_CASE("the same interface has no changes") {
-  CHECK(changes(spring(), spring("k*x^4")).empty());
+  CHECK(seen_by_callers(spring(), spring("k*x^4")).empty());
 }
 
 TEST_CASE("another order of members means something else") {
-  CHECK(changes(spring(), edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {")) ==
-        "misleading: members of Parameters are in another order: m, k -> k, m\n");
+  CHECK(
+      seen_by_callers(spring(), edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {")) ==
+      "misleading: members of Parameters are in another order: m, k -> k, m\n");
 }
 
 TEST_CASE("new members extend where they come last") {
   const std::string more = spring("1/2*k*x^2 + c*x");
-  CHECK(changes(spring(), edited(more, "k = 3", "k = 3\nc = 0")) ==
+  CHECK(seen_by_callers(spring(), edited(more, "k = 3", "k = 3\nc = 0")) ==
         "extended: Parameters has new members: c\n");
-  CHECK(changes(spring(), edited(more, "k = 3", "c = 0\nk = 3")) ==
+  CHECK(seen_by_callers(spring(), edited(more, "k = 3", "c = 0\nk = 3")) ==
         "misleading: Parameters has new members, not all of them behind the others: c\n");
 }
 
 TEST_CASE("members that are gone do not compile") {
-  CHECK(changes(edited(spring("1/2*k*x^2 + c*x"), "k = 3", "k = 3\nc = 0"), spring()) ==
+  CHECK(seen_by_callers(edited(spring("1/2*k*x^2 + c*x"), "k = 3", "k = 3\nc = 0"), spring()) ==
         "incompatible: there is no parameter `c` any more\n");
 }
 
 TEST_CASE("what no function reads, or what a scene fixes, is no member") {
-  CHECK(changes(spring(), edited(spring(), "k = 3", "c = 0\nk = 3")).empty());
+  CHECK(seen_by_callers(spring(), edited(spring(), "k = 3", "c = 0\nk = 3")).empty());
   const std::string reversed = edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {");
   const std::string scene = "[outputs]\ngravity = true\n[parameters]\nfixed = { k = 3 }\n";
-  CHECK(changes(spring(), reversed, scene, scene).empty());
+  CHECK(seen_by_callers(spring(), reversed, scene, scene).empty());
 }
 
 TEST_CASE("other assumptions are told, also where all entries are equal") {
-  CHECK(changes(spring(), edited(spring(), ", assume = \"positive\"", "")) ==
+  CHECK(seen_by_callers(spring(), edited(spring(), ", assume = \"positive\"", "")) ==
         "assumptions: `m` is assumed to be any number where it was positive\n");
 }
 
 TEST_CASE("units and values are told by name") {
   const std::string mass = "m = { value = 2, assume = \"positive\" }";
-  CHECK(changes(edited(spring(), mass, "m = { value = 2, unit = \"kg\" }"),
-                edited(spring(), mass, "m = { value = 2, unit = \"1\" }")) ==
+  CHECK(seen_by_callers(edited(spring(), mass, "m = { value = 2, unit = \"kg\" }"),
+                        edited(spring(), mass, "m = { value = 2, unit = \"1\" }")) ==
         "misleading: the unit of parameter `m` is 1 where it was kg\n");
-  CHECK(changes(spring(), edited(spring(), "k = 3", "k = 4")) ==
+  CHECK(seen_by_callers(spring(), edited(spring(), "k = 3", "k = 4")) ==
         "values: the value of `k` is 4 where it was 3\n");
 }
 
 TEST_CASE("time, once it occurs, is an argument of every function") {
-  CHECK(mentions(changes(spring(), spring("1/2*k*x^2 + x*sin(t)")),
+  CHECK(mentions(seen_by_callers(spring(), spring("1/2*k*x^2 + x*sin(t)")),
                  "incompatible: every function takes t now\n"));
 }
 
 TEST_CASE("functions come and go") {
   const std::string one = "[outputs]\nmass_matrix = true\ngravity = true\n";
   const std::string two = one + "bias = true\n";
-  CHECK(changes(spring(), spring(), one, two) == "extended: there is a new function `bias`\n");
-  CHECK(changes(spring(), spring(), two, one) ==
+  CHECK(seen_by_callers(spring(), spring(), one, two) ==
+        "extended: there is a new function `bias`\n");
+  CHECK(seen_by_callers(spring(), spring(), two, one) ==
         "incompatible: there is no function `bias` any more\n");
 }
 
 TEST_CASE("the target of the code is part of it") {
   const std::string one = "[outputs]\nmass_matrix = true\n[emit]\n";
-  CHECK(changes(spring(), spring(), one, one + "storage = \"column-major\"\n") ==
+  CHECK(seen_by_callers(spring(), spring(), one, one + "storage = \"column-major\"\n") ==
         "misleading: matrices are stored column-major where they were row-major\n");
-  CHECK(mentions(changes(spring(), spring(), one, one + "language = \"c99\"\n"),
+  CHECK(mentions(seen_by_callers(spring(), spring(), one, one + "language = \"c99\"\n"),
                  "incompatible: the language of the code differs\n"));
-  CHECK(changes(spring(), spring(), one, one + "namespace = \"other\"\n") ==
+  CHECK(seen_by_callers(spring(), spring(), one, one + "namespace = \"other\"\n") ==
         "incompatible: the namespace is `other` where it was `spring_given`\n");
-  CHECK(changes(spring(), spring(), one + "eigen = true\n", one) ==
+  CHECK(seen_by_callers(spring(), spring(), one + "eigen = true\n", one) ==
         "incompatible: there is no longer a header NAME_eigen.hpp\n");
 }
 
 TEST_CASE("a renamed parameter does not compile, a renamed coordinate does") {
   const std::string other = edited(edited(spring(), "k = 3", "c = 3"), "1/2*k", "1/2*c");
-  CHECK(changes(spring(), other, {}, {}, {{"k", "c"}}) == "incompatible: `k` is called `c` now\n");
+  CHECK(seen_by_callers(spring(), other, {}, {}, {{"k", "c"}}) ==
+        "incompatible: `k` is called `c` now\n");
 }
 
 TEST_CASE("another method of a step, or another number of its iterations, is another function") {
   const auto step = [](const std::string& what) {
     return "[outputs]\nstep = { method = \"" + what + " }\n";
   };
-  CHECK(changes(spring(), spring(), step("rk4\""), step("verlet\"")) ==
+  CHECK(seen_by_callers(spring(), spring(), step("rk4\""), step("verlet\"")) ==
         "different: the method of `step` is verlet where it was rk4\n");
-  CHECK(changes(spring(), spring(), step("midpoint\""), step("midpoint\", iterations = 3")) ==
-        "different: `step` has 3 iterations where it had 8\n");
+  CHECK(
+      seen_by_callers(spring(), spring(), step("midpoint\""), step("midpoint\", iterations = 3")) ==
+      "different: `step` has 3 iterations where it had 8\n");
 }

@@ -10,7 +10,7 @@ using namespace elgen::test;
 
 namespace {
 
-std::vector<OutputChange> changes(const std::string& before, const std::string& after) {
+std::vector<OutputChange> entry_changes(const std::string& before, const std::string& after) {
   const Lowered old = lowered(before);
   const Lowered now = lowered(after);
   return output_changes(old.version(), now.version());
@@ -23,11 +23,12 @@ const OutputChange& output(const std::vector<OutputChange>& all, const std::stri
 }  // namespace
 
 TEST_CASE("what is computed alike is not looked at") {
-  for (const OutputChange& change : changes(spring(), spring())) CHECK(change.entries.empty());
+  for (const OutputChange& change : entry_changes(spring(), spring()))
+    CHECK(change.entries.empty());
 }
 
 TEST_CASE("what is written differently is proved to be equal") {
-  const auto all = changes(spring("k*(1 - cos(x))"), spring("2*k*sin(x/2)^2"));
+  const auto all = entry_changes(spring("k*(1 - cos(x))"), spring("2*k*sin(x/2)^2"));
   const OutputChange& potential = output(all, "potential_energy");
   REQUIRE(potential.entries.size() == 1);
   CHECK(potential.entries[0].verdict == EntryVerdict::equal);
@@ -36,7 +37,7 @@ TEST_CASE("what is written differently is proved to be equal") {
 }
 
 TEST_CASE("what differs is told as it is read, with its difference") {
-  const auto all = changes(spring(), spring("1/2*k*x^2 + m*x"));
+  const auto all = entry_changes(spring(), spring("1/2*k*x^2 + m*x"));
   const OutputChange& gravity = output(all, "gravity");
   REQUIRE(gravity.entries.size() == 1);
   CHECK(gravity.entries[0].verdict == EntryVerdict::different);
@@ -47,9 +48,9 @@ TEST_CASE("what differs is told as it is read, with its difference") {
 
 TEST_CASE("outputs that only one version has are there, too") {
   const std::string with_output = spring() + "[[output]]\nname = \"place\"\nvalue = \"x\"\n";
-  CHECK(output(changes(spring(), with_output), "place").entries.at(0).verdict ==
+  CHECK(output(entry_changes(spring(), with_output), "place").entries.at(0).verdict ==
         EntryVerdict::added);
-  CHECK(output(changes(with_output, spring()), "place").entries.at(0).verdict ==
+  CHECK(output(entry_changes(with_output, spring()), "place").entries.at(0).verdict ==
         EntryVerdict::removed);
 }
 

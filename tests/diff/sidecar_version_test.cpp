@@ -47,7 +47,6 @@ TEST_CASE("the sidecar of every model reads back, and is what it was") {
 }
 
 TEST_CASE("what a sidecar says of a change is what the models say") {
-  const std::string cart = model_of("cart_pole");
   const std::string turned = edited(cart, "\"-g\"", "\"g\"");
   const SystemChange models = compared(cart, turned);
   const SystemChange sidecars = compared_sidecars(sidecar_of(cart), sidecar_of(turned));

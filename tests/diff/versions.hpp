@@ -57,6 +57,8 @@ inline std::string model_of(const std::string& name) {
   return read_text(std::string(ELGEN_SOURCE_DIR) + "/models/" + name + ".toml");
 }
 
+inline const std::string cart = model_of("cart_pole");
+
 /// The text with one part replaced, which it must have.
 inline std::string edited(std::string text, const std::string& part, const std::string& other) {
   INFO(part);
