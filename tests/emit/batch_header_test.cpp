@@ -1,26 +1,24 @@
 // batch_header: functions on arrays of states; packs_test.cpp compiles them.
 #include "emit/cpp/cpp_artifacts.hpp"
 #include "fixture.hpp"
+#include "support/shell.hpp"
 
 using namespace elgen;
+using elgen::test::mentions;
 using elgen::testing::cart_pole;
 using elgen::testing::Subject;
 
 namespace {
 
-std::string header_of(const Subject& subject) {
+std::string batch_text(const Subject& subject) {
   return batch_header(emission_input(subject.model, subject.scene, subject.program));
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace
 
 TEST_CASE("a function loads its arguments and stores its fields one after another") {
-  const std::string text = header_of(cart_pole());
-  CHECK(contains(text,
+  const std::string text = batch_text(cart_pole());
+  CHECK(mentions(text,
                  "void forward_dynamics(const Parameters<T>& p, std::size_t count, const T* q, "
                  "const T* v, const T* u,\n"
                  "                      T* result) {\n"
@@ -35,22 +33,22 @@ TEST_CASE("a function loads its arguments and stores its fields one after anothe
                  "    detail::store(values.acceleration, at, result);\n"
                  "    detail::store(values.relative_pivots, at, result + 2 * count);\n"
                  "  });\n"));
-  CHECK(contains(text, "  result.l = p.l;\n"));
-  CHECK(contains(text, "Pack<T, N> sqrt("));
-  CHECK_FALSE(contains(text, "Pack<T, N> exp("));
-  CHECK_FALSE(contains(text, "atan2"));
+  CHECK(mentions(text, "  result.l = p.l;\n"));
+  CHECK(mentions(text, "Pack<T, N> sqrt("));
+  CHECK_FALSE(mentions(text, "Pack<T, N> exp("));
+  CHECK_FALSE(mentions(text, "atan2"));
 }
 
 TEST_CASE("the scalars have the polynomials that the accuracy asks for") {
   Subject subject = cart_pole();
-  CHECK(contains(header_of(subject), "0.00019841269"));  // 1/7!: of a sine
-  CHECK_FALSE(contains(header_of(subject), "Trigonometry<float>"));
+  CHECK(mentions(batch_text(subject), "0.00019841269"));  // 1/7!: of a sine
+  CHECK_FALSE(mentions(batch_text(subject), "Trigonometry<float>"));
   subject.scene.numerics.scalars = {ScalarKind::single_precision};
   subject.scene.numerics.trigonometry_error = cln::cl_RA(1) / 1000;
-  const std::string text = header_of(subject);
-  CHECK(contains(text, "  static constexpr float domain = 1000.0F;\n"));
-  CHECK(contains(text, "  static constexpr float cosine[] = {\n      0.040"));
-  CHECK(contains(text, "off by at most 0.001 for angles up to 1000,"));
+  const std::string text = batch_text(subject);
+  CHECK(mentions(text, "  static constexpr float domain = 1000.0F;\n"));
+  CHECK(mentions(text, "  static constexpr float cosine[] = {\n      0.040"));
+  CHECK(mentions(text, "off by at most 0.001 for angles up to 1000,"));
 }
 
 TEST_CASE("what compares numbers takes one state after another") {
@@ -58,11 +56,11 @@ TEST_CASE("what compares numbers takes one state after another") {
   subject.program = elgen::testing::read_program(
       "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  1 = sign 0\n  2 = exp 0\n"
       "  3 = atan2 0 2\n  result 2 1 = 1 3\n");
-  const std::string text = header_of(subject);
-  CHECK(contains(text, "  using Scalar = T;\n"));
-  CHECK(contains(text, "// gravity compares numbers and takes one state after another.\n"));
-  CHECK(contains(text, "Pack<T, N> exp("));
-  CHECK(contains(text, "Pack<T, N> atan2("));
+  const std::string text = batch_text(subject);
+  CHECK(mentions(text, "  using Scalar = T;\n"));
+  CHECK(mentions(text, "// gravity compares numbers and takes one state after another.\n"));
+  CHECK(mentions(text, "Pack<T, N> exp("));
+  CHECK(mentions(text, "Pack<T, N> atan2("));
 }
 
 TEST_CASE("names of the header of batches are E701") {

@@ -5,17 +5,10 @@
 #include "fixture.hpp"
 
 using namespace elgen;
-using elgen::testing::cart_pole;
+using elgen::testing::in_c;
 using elgen::testing::Subject;
 
 namespace {
-
-Subject in_c(ScalarKind scalar = ScalarKind::double_precision) {
-  Subject subject = cart_pole();
-  subject.scene.emission.language = LanguageId::c99;
-  subject.scene.numerics.scalars = {scalar};
-  return subject;
-}
 
 DefinitionText text_of(const Subject& subject, std::size_t function) {
   const auto dialect = c99_dialect(subject.model, subject.scene, subject.program);

@@ -7,18 +7,12 @@
 #include "fixture.hpp"
 
 using namespace elgen;
-using elgen::testing::cart_pole;
+using elgen::testing::in_c;
 using elgen::testing::Subject;
 
 namespace {
 
-Subject in_c() {
-  Subject subject = cart_pole();
-  subject.scene.emission.language = LanguageId::c99;
-  return subject;
-}
-
-std::string header_of(const Subject& subject) {
+std::string c99_text(const Subject& subject) {
   return c99_header(emission_input(subject.model, subject.scene, subject.program));
 }
 
@@ -26,7 +20,7 @@ std::string header_of(const Subject& subject) {
 
 TEST_CASE("the header in C is the golden one, byte for byte") {
   const std::string golden = std::string(ELGEN_SOURCE_DIR) + "/tests/emit/golden/cart_pole.h";
-  const std::string text = header_of(in_c());
+  const std::string text = c99_text(in_c());
   if (std::getenv("ELGEN_UPDATE") != nullptr) std::ofstream(golden, std::ios::binary) << text;
   std::ifstream stream(golden, std::ios::binary);
   std::ostringstream expected;
@@ -38,5 +32,5 @@ TEST_CASE("without parameters there is still a struct, because C has no empty on
   Subject subject = in_c();
   subject.program = elgen::testing::read_program(
       "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  result 2 1 = 0 0\n");
-  CHECK(header_of(subject).find("  char none;") != std::string::npos);
+  CHECK(c99_text(subject).find("  char none;") != std::string::npos);
 }

@@ -3,18 +3,8 @@
 #include "fixture.hpp"
 
 using namespace elgen;
-using elgen::testing::cart_pole;
+using elgen::testing::in_c;
 using elgen::testing::Subject;
-
-namespace {
-
-Subject in_c() {
-  Subject subject = cart_pole();
-  subject.scene.emission.language = LanguageId::c99;
-  return subject;
-}
-
-}  // namespace
 
 TEST_CASE("names of the header and of other functions' helpers are E701") {
   for (const char* name : {"parameters", "is_regular", "forward_dynamics_result", "gravity_part_2",

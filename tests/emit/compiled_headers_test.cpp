@@ -14,6 +14,7 @@
 
 #include "elgen/emitted_files.hpp"
 #include "fixture.hpp"
+#include "support/shell.hpp"
 
 using namespace elgen;
 namespace fs = std::filesystem;
@@ -30,13 +31,6 @@ struct Header {
   bool is_exhaustive;  ///< every scalar type, not the built-in ones alone
 };
 
-std::string read(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
 std::string namespace_of(const std::string& text) {
   const std::size_t begin = text.find("\nnamespace ") + 11;
   return text.substr(begin, text.find(" {", begin) - begin);
@@ -50,9 +44,10 @@ void add_folder(std::vector<Header>& headers, const fs::path& folder, bool is_ex
     const std::string name = path.filename().string();
     const fs::path header = path / (name + ".hpp");
     if (!fs::exists(header)) continue;
-    const std::string text = read(header);
+    const std::string text = test::read_text(header);
     headers.push_back({header.string(), namespace_of(text), text,
-                       Json::parse(read(path / (name + ".equations.json"))), is_exhaustive});
+                       Json::parse(test::read_text(path / (name + ".equations.json"))),
+                       is_exhaustive});
   }
 }
 

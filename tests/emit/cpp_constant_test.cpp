@@ -7,16 +7,17 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "fixture.hpp"
 #include "lower/graph/constant_reader.hpp"
 
 using namespace elgen;
 using cln::cl_R;
 using cln::cl_RA;
+using elgen::testing::ten_to;
 
 namespace {
 
 cl_R pi() { return cln::pi(cln::float_format(100)); }
-cl_RA ten_to(long exponent) { return cln::expt(cl_RA(10), cln::cl_I(exponent)); }
 
 }  // namespace
 

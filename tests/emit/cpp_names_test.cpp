@@ -10,22 +10,22 @@ using elgen::testing::Subject;
 
 namespace {
 
-Diagnostics diagnostics_of(const Subject& subject) {
+Diagnostics name_diagnostics(const Subject& subject) {
   return cpp_check_names(subject.model, subject.scene, subject.program);
 }
 
 }  // namespace
 
-TEST_CASE("a usual model has no colliding names") { CHECK(diagnostics_of(cart_pole()).empty()); }
+TEST_CASE("a usual model has no colliding names") { CHECK(name_diagnostics(cart_pole()).empty()); }
 
 TEST_CASE("members of Parameters may not hide what their defaults need") {
   for (const char* name : {"Scalar", "Parameters", "constant", "detail", "std"}) {
     Subject subject = cart_pole();
     subject.model.parameter_arrays[2].name = name;
     INFO(name);
-    CHECK(diagnostics_of(subject).size() == 1);
+    CHECK(name_diagnostics(subject).size() == 1);
     subject.program.functions.clear();  // no member any more
-    CHECK(diagnostics_of(subject).empty());
+    CHECK(name_diagnostics(subject).empty());
   }
 }
 
@@ -33,7 +33,7 @@ TEST_CASE("functions may not have the name of anything else in the header") {
   for (const char* name : {"constant", "coordinate_count", "is_regular", "number_pi", "std"}) {
     Subject subject = cart_pole();
     subject.program.functions[0].name = name;
-    const Diagnostics diagnostics = diagnostics_of(subject);
+    const Diagnostics diagnostics = name_diagnostics(subject);
     INFO(name);
     REQUIRE(diagnostics.size() == 1);
     CHECK(diagnostics[0].code == Code::E701);
@@ -44,15 +44,15 @@ TEST_CASE("functions may not have the name of anything else in the header") {
 TEST_CASE("structs may not collide either") {
   Subject subject = cart_pole();
   subject.program.functions[4].name = "parameters";
-  CHECK(diagnostics_of(subject).size() == 1);
+  CHECK(name_diagnostics(subject).size() == 1);
   subject.program.functions[4].name = "dynamics_";
-  CHECK(diagnostics_of(subject).size() == 1);
+  CHECK(name_diagnostics(subject).size() == 1);
 }
 
 TEST_CASE("the namespace of the library is not the model's") {
   Subject subject = cart_pole();
   for (const char* name : {"std", "system", "random"}) {
     subject.scene.emission.name_space = name;
-    CHECK(diagnostics_of(subject).size() == 1);
+    CHECK(name_diagnostics(subject).size() == 1);
   }
 }

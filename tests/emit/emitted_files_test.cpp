@@ -10,6 +10,7 @@
 
 #include "elgen/artifacts.hpp"
 #include "fixture.hpp"
+#include "support/shell.hpp"
 
 using namespace elgen;
 using elgen::testing::cart_pole;
@@ -21,13 +22,6 @@ EmittedFiles emitted(const Subject& subject) {
   const Result<EmittedFiles> files = emit(subject.model, subject.scene, subject.program);
   REQUIRE(files);
   return *files;
-}
-
-std::string read(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
 }
 
 /// Groups digits and has a decimal comma.
@@ -45,7 +39,7 @@ TEST_CASE("header and sidecar are the golden ones, byte for byte") {
     const std::string golden = std::string(ELGEN_SOURCE_DIR) + "/tests/emit/golden/" + name;
     if (std::getenv("ELGEN_UPDATE") != nullptr) std::ofstream(golden, std::ios::binary) << text;
     INFO(golden);
-    CHECK(text == read(golden));
+    CHECK(text == test::read_text(golden));
   }
 }
 

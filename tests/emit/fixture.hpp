@@ -50,6 +50,8 @@ inline void add_parameter_array(Model& model, const std::string& name,
   model.parameter_arrays.push_back(declared);
 }
 
+inline cln::cl_RA ten_to(int exponent) { return cln::expt(cln::cl_RA(10), cln::cl_I(exponent)); }
+
 /// Lets the first function read a parameter, so that it is emitted.
 inline void read_parameter(Subject& subject, const std::string& leaf) {
   std::vector<std::string>& leaves = subject.program.leaves.parameters;
@@ -166,6 +168,13 @@ inline Subject cart_pole() {
   subject.scene.base_name = "cart_pole";
   subject.scene.paths.model = "cart_pole.toml";
   subject.program = read_program(cart_pole_program);
+  return subject;
+}
+
+inline Subject in_c(ScalarKind scalar = ScalarKind::double_precision) {
+  Subject subject = cart_pole();
+  subject.scene.emission.language = LanguageId::c99;
+  subject.scene.numerics.scalars = {scalar};
   return subject;
 }
 

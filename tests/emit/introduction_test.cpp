@@ -17,7 +17,7 @@ std::string equation(const Subject& subject) {
   return equation_of_motion(subject.model, subject.program).text;
 }
 
-bool contains(const Lines& lines, const std::string& line) {
+bool has_line(const Lines& lines, const std::string& line) {
   return std::find(lines.begin(), lines.end(), line) != lines.end();
 }
 
@@ -35,9 +35,9 @@ TEST_CASE("rates are not named where no function knows of them") {
   subject.program = elgen::testing::read_program(
       "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  result 2 1 = 0 0\n");
   const Lines lines = introduction(subject.model, subject.scene, subject.program);
-  CHECK(contains(lines, "   g(q) = B(q) u"));
-  CHECK(contains(lines, "   at rest"));
-  CHECK_FALSE(contains(lines, "   v = dq/dt, a = dv/dt"));
+  CHECK(has_line(lines, "   g(q) = B(q) u"));
+  CHECK(has_line(lines, "   at rest"));
+  CHECK_FALSE(has_line(lines, "   v = dq/dt, a = dv/dt"));
 }
 
 TEST_CASE("a term that is zero, or that the model cannot have, is left out") {
@@ -70,9 +70,9 @@ TEST_CASE("title, variables and fixed parameters") {
   subject.scene.specialisation.fixed[3] = {cln::cl_RA(981) / 100};
   const Lines lines = introduction(subject.model, subject.scene, subject.program);
   CHECK(lines.front() == " Cart and pole with a force on the cart");
-  CHECK(contains(lines, "   q = (x [m], theta [rad])"));
-  CHECK(contains(lines, "   v = dq/dt, a = dv/dt"));
-  CHECK(contains(lines, "   u = (u [N])"));
+  CHECK(has_line(lines, "   q = (x [m], theta [rad])"));
+  CHECK(has_line(lines, "   v = dq/dt, a = dv/dt"));
+  CHECK(has_line(lines, "   u = (u [N])"));
   CHECK(lines.back() == " Fixed: g = 9.81.");
 }
 
@@ -106,7 +106,7 @@ TEST_CASE("many variables are shown by the first two and the last") {
   Subject subject = cart_pole();
   for (int i = 0; i < 10; ++i) append_coordinate(subject.model, subject.model.coordinates[0]);
   const Lines lines = introduction(subject.model, subject.scene, subject.program);
-  CHECK(contains(lines, "   q = (x [m], theta [rad], ..., x [m])"));
+  CHECK(has_line(lines, "   q = (x [m], theta [rad], ..., x [m])"));
 }
 
 TEST_CASE("one row per function, columns aligned") {

@@ -6,12 +6,11 @@
 using namespace elgen;
 using elgen::testing::cart_pole;
 using elgen::testing::Subject;
+using elgen::testing::ten_to;
 
 namespace {
 
-cln::cl_RA ten_to(int exponent) { return cln::expt(cln::cl_RA(10), cln::cl_I(exponent)); }
-
-Diagnostics diagnostics_of(const Subject& subject) {
+Diagnostics range_diagnostics(const Subject& subject) {
   return check_scalar_range(subject.model, subject.scene, subject.program);
 }
 
@@ -21,16 +20,16 @@ TEST_CASE("usual values fit everywhere") {
   Subject subject = cart_pole();
   subject.scene.numerics.scalars = {ScalarKind::single_precision, ScalarKind::double_precision,
                                     ScalarKind::long_double};
-  CHECK(diagnostics_of(subject).empty());
+  CHECK(range_diagnostics(subject).empty());
 }
 
 TEST_CASE("a value is judged in the scalars asked for") {
   Subject subject = cart_pole();
   elgen::testing::add_parameter(subject.model, "tiny", ten_to(-50), "m");
   elgen::testing::read_parameter(subject, "tiny");
-  CHECK(diagnostics_of(subject).empty());
+  CHECK(range_diagnostics(subject).empty());
   subject.scene.numerics.scalars = {ScalarKind::single_precision};
-  const Diagnostics diagnostics = diagnostics_of(subject);
+  const Diagnostics diagnostics = range_diagnostics(subject);
   REQUIRE(diagnostics.size() == 1);
   CHECK(diagnostics[0].code == Code::E702);
   CHECK(diagnostics[0].message == "`1e-50`, the value of `tiny`, vanishes in float");
@@ -45,7 +44,7 @@ TEST_CASE("overflow, subnormals, constants") {
   elgen::testing::read_parameter(subject, "huge");
   elgen::testing::read_parameter(subject, "subnormal");
   elgen::testing::load_constant(subject, rational_constant(ten_to(400)));
-  const Diagnostics diagnostics = diagnostics_of(subject);
+  const Diagnostics diagnostics = range_diagnostics(subject);
   REQUIRE(diagnostics.size() == 3);
   CHECK(diagnostics[0].message == "`-1e309`, the value of `huge`, overflows in double");
   CHECK(diagnostics[1].message == "`1e-310`, the value of `subnormal`, vanishes in double");
@@ -55,5 +54,5 @@ TEST_CASE("overflow, subnormals, constants") {
 TEST_CASE("what no function reads is no run-time value") {
   Subject subject = cart_pole();
   elgen::testing::add_parameter(subject.model, "tiny", ten_to(-400), "m");
-  CHECK(diagnostics_of(subject).empty());
+  CHECK(range_diagnostics(subject).empty());
 }
