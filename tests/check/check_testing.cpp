@@ -91,6 +91,18 @@ std::string scene_of_block(const std::string& more) {
   return "format = 1\nmodel = \"block.toml\"\nname = \"fast\"\n" + more;
 }
 
+Scene block_scene(const std::string& more) {
+  return checked(block(), {.scene = scene_of_block(more)}).scene;
+}
+
+std::string block_scene_messages(const std::string& more) {
+  return messages(block(), {.scene = scene_of_block(more)});
+}
+
+std::string potential_messages(const std::string& potential, const Wanted& wanted) {
+  return messages(block("V = \"" + potential + "\"\n"), wanted);
+}
+
 std::string dumped(const std::string& model, const std::string& word, const Wanted& wanted) {
   std::istringstream lines(dump(checked(model, wanted).model));
   std::string text;

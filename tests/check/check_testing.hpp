@@ -33,6 +33,14 @@ struct Wanted {
 /// A mass m on a spring k at x, eleven lines; `more` starts on line 12, still inside [energy].
 [[nodiscard]] std::string block(const std::string& more = {});
 
+/// The scene of `block` that `more` asks for, without errors.
+[[nodiscard]] Scene block_scene(const std::string& more);
+[[nodiscard]] std::string block_scene_messages(const std::string& more);
+
+/// What is said of `block` with this potential.
+[[nodiscard]] std::string potential_messages(const std::string& potential,
+                                             const Wanted& wanted = {});
+
 /// The lines of dump(Model) that start with `word`.
 [[nodiscard]] std::string dumped(const std::string& model, const std::string& word,
                                  const Wanted& wanted = {});

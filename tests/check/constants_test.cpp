@@ -16,7 +16,7 @@ using test::checked;
 using test::messages;
 
 /// The value of a parameter given by this text.
-std::string value_of(const std::string& text) {
+std::string parameter_value(const std::string& text) {
   const Model model = checked(block("[define]\none = \"1\"\n[parameters.c]\nvalue = \"" + text +
                                     "\"\nunit = \"1\"\n"))
                           .model;
@@ -33,7 +33,7 @@ TEST_CASE("rational constants stay exact") {
   };
   for (const auto& [text, value] : rows) {
     INFO(text);
-    CHECK(value_of(text) == value);
+    CHECK(parameter_value(text) == value);
   }
 }
 
@@ -56,16 +56,16 @@ TEST_CASE("functions of constants are good to 100 digits") {
   };
   for (const auto& [text, value] : rows) {
     INFO(text);
-    CHECK(value_of(text) == value);
+    CHECK(parameter_value(text) == value);
   }
 }
 
 TEST_CASE("the precision of trigonometry follows the magnitude of the angle") {
-  CHECK(value_of("sin(1e15)").substr(0, 20) == "8.582727931702358355");
-  CHECK(value_of("sin(10^30)").substr(0, 21) == "-9.011690191213805803");
-  CHECK(value_of("sin(1e300)").substr(0, 21) == "-9.857504251603769966");
+  CHECK(parameter_value("sin(1e15)").substr(0, 20) == "8.582727931702358355");
+  CHECK(parameter_value("sin(10^30)").substr(0, 21) == "-9.011690191213805803");
+  CHECK(parameter_value("sin(1e300)").substr(0, 21) == "-9.857504251603769966");
   // sin(2 pi k + 1/2): the angle itself is known to as many digits as its size asks for.
-  CHECK(value_of("sin(2e30*pi + 1/2) - sin(1/2)") == "0");
+  CHECK(parameter_value("sin(2e30*pi + 1/2) - sin(1/2)") == "0");
 }
 
 TEST_CASE("what cancels is an exact zero, so that division by it is found") {
@@ -102,8 +102,8 @@ TEST_CASE("constants without a value are found where they are written") {
 }
 
 TEST_CASE("values at the very end of a domain are in it") {
-  CHECK(value_of("asin(sqrt(2)/2*sqrt(2))").substr(0, 20) == "1.570796326794896619");
-  CHECK(value_of("acos(1)") == "0");
+  CHECK(parameter_value("asin(sqrt(2)/2*sqrt(2))").substr(0, 20) == "1.570796326794896619");
+  CHECK(parameter_value("acos(1)") == "0");
 }
 
 TEST_CASE("expressions that were appended together have their turns one after the other") {

@@ -8,40 +8,32 @@
 namespace elgen::test {
 namespace {
 
-Scene scene_of(const std::string& more) {
-  return checked(block(), {.scene = scene_of_block(more)}).scene;
-}
-
-std::string scene_messages(const std::string& more) {
-  return messages(block(), {.scene = scene_of_block(more)});
-}
-
 TEST_CASE("without [emit] the code is C++, row-major, without Eigen") {
-  const Scene scene = scene_of("");
+  const Scene scene = block_scene("");
   CHECK(scene.emission.language == LanguageId::cpp);
   CHECK(scene.emission.storage == Storage::row_major);
   CHECK_FALSE(scene.emission.eigen);
 }
 
 TEST_CASE("language, storage and Eigen are what [emit] says") {
-  const Scene c = scene_of("[emit]\nstorage = \"column-major\"\nlanguage = \"c99\"\n");
+  const Scene c = block_scene("[emit]\nstorage = \"column-major\"\nlanguage = \"c99\"\n");
   CHECK(c.emission.language == LanguageId::c99);
   CHECK(c.emission.storage == Storage::column_major);
-  CHECK(scene_of("[emit]\neigen = true\n").emission.eigen);
+  CHECK(block_scene("[emit]\neigen = true\n").emission.eigen);
 }
 
 TEST_CASE("code in C is for one scalar, float or double") {
   const std::string language = "[emit]\nlanguage = \"c99\"\n";
-  CHECK(scene_of("[numeric]\nscalar = [\"float\"]\n" + language).numerics.scalars.size() == 1);
+  CHECK(block_scene("[numeric]\nscalar = [\"float\"]\n" + language).numerics.scalars.size() == 1);
   for (const char* list : {"[\"long double\"]", "[\"float\", \"double\"]"}) {
     INFO(list);
-    CHECK(scene_messages(std::string("[numeric]\nscalar = ") + list + "\n" + language)
+    CHECK(block_scene_messages(std::string("[numeric]\nscalar = ") + list + "\n" + language)
               .find("code in `c99` is written for one scalar") != std::string::npos);
   }
 }
 
 TEST_CASE("Eigen is C++") {
-  CHECK(scene_messages("[emit]\nlanguage = \"c99\"\neigen = true\n")
+  CHECK(block_scene_messages("[emit]\nlanguage = \"c99\"\neigen = true\n")
             .find("`eigen` needs C++, and `language` is `c99`") != std::string::npos);
 }
 

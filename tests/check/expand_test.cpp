@@ -7,7 +7,7 @@
 namespace elgen::test {
 namespace {
 
-std::string model_with(const std::string& entries) {
+std::string model_with_entries(const std::string& entries) {
   return "format = 1\n[model]\nname = \"a\"\n[sizes]\nn = 2\n[parameters]\n"
          "m = { value = 1, unit = \"kg\" }\n[[coordinate]]\nname = \"x\"\nunit = \"m\"\n"
          "[energy]\nT = \"m*dot(x)^2\"\n" +
@@ -15,7 +15,7 @@ std::string model_with(const std::string& entries) {
 }
 
 TEST_CASE("repetitions make one entry per combination") {
-  const std::string grid = model_with(
+  const std::string grid = model_with_entries(
       "[[point]]\nname = \"p[0]\"\nat = [\"0\", \"0\"]\n"
       "[[point]]\nfor = [\"i in 1..n\", \"j in i..n\"]\nname = \"p[10*i + j]\"\n"
       "at = [\"i*x\", \"j*x\"]\n");
@@ -29,8 +29,8 @@ TEST_CASE("repetitions make one entry per combination") {
 }
 
 TEST_CASE("entries refer forward and backward") {
-  CHECK(messages(model_with("[[point]]\nname = \"a1\"\nat = [\"x(b1)\", \"0\"]\n"
-                            "[[point]]\nname = \"b1\"\nat = [\"x\", \"0\"]\n"))
+  CHECK(messages(model_with_entries("[[point]]\nname = \"a1\"\nat = [\"x(b1)\", \"0\"]\n"
+                                    "[[point]]\nname = \"b1\"\nat = [\"x\", \"0\"]\n"))
             .empty());
 }
 
@@ -59,12 +59,12 @@ TEST_CASE("names of repetitions that cannot be") {
   };
   for (const auto& [entries, expected] : rows) {
     INFO(entries);
-    CHECK(messages(model_with(entries)) == expected);
+    CHECK(messages(model_with_entries(entries)) == expected);
   }
 }
 
 TEST_CASE("numbers of entries are limited, at the limit and one past it") {
-  const std::string points = model_with(
+  const std::string points = model_with_entries(
       "[define]\none = \"1\"\n[[point]]\nfor = \"i in 1..n\"\nname = \"p[i]\"\nat = [\"x\", "
       "\"0\"]\n");
   Wanted wanted;

@@ -7,7 +7,7 @@
 namespace elgen::test {
 namespace {
 
-const std::string masses = R"toml(format = 1
+const std::string sprung_masses = R"toml(format = 1
 [model]
 name = "masses"
 [sizes]
@@ -26,17 +26,19 @@ V = "1/2*k*x[1]^2"
 )toml";
 
 TEST_CASE("closed forms are columns, matrices, or entries by index") {
-  CHECK(dumped(masses +
+  CHECK(dumped(sprung_masses +
                    "gravity = [\"k*x[1]\", \"0\"]\nmass_matrix = [[\"m[1]\", 0], [0, \"m[2]\"]]\n",
                "expect") ==
         "expect gravity 2 1 = [k*x[1], 0]\nexpect mass_matrix 2 2 = [m[1], 0, 0, m[2]]\n");
-  CHECK(dumped(masses + "mass_matrix_entry = { for = [\"i in 1..n\", \"j in 1..n\"], value = "
-                        "\"delta(i, j)*m[i]\" }\nmomentum_entry = { for = \"i in 1..n\", value = "
-                        "\"m[i]*dot(x[i])\" }\n",
+  CHECK(dumped(sprung_masses +
+                   "mass_matrix_entry = { for = [\"i in 1..n\", \"j in 1..n\"], value = "
+                   "\"delta(i, j)*m[i]\" }\nmomentum_entry = { for = \"i in 1..n\", value = "
+                   "\"m[i]*dot(x[i])\" }\n",
                "expect") ==
         "expect mass_matrix 2 2 = [1*m[1], 0*m[1], 0*m[2], 1*m[2]]\n"
         "expect momentum 2 1 = [m[1]*dot(x[1]), m[2]*dot(x[2])]\n");
-  CHECK(dumped(masses + "potential_energy = \"1/2*k*x[1]^2\"\nconserved = [\"dot(x[2])\", \"k\"]\n",
+  CHECK(dumped(sprung_masses +
+                   "potential_energy = \"1/2*k*x[1]^2\"\nconserved = [\"dot(x[2])\", \"k\"]\n",
                "expect") ==
         "expect potential_energy 1 1 = [1/2*k*x[1]^2]\nexpect conserved 2 1 = [dot(x[2]), k]\n");
 }
@@ -82,12 +84,12 @@ TEST_CASE("closed forms that do not fit") {
   };
   for (const auto& [expect, expected] : rows) {
     INFO(expect);
-    CHECK(messages(masses + expect) == expected);
+    CHECK(messages(sprung_masses + expect) == expected);
   }
 }
 
 TEST_CASE("big closed forms are kept only where they are asked for") {
-  const std::string model = masses +
+  const std::string model = sprung_masses +
                             "mass_matrix_entry = { for = [\"i in 1..n\", \"j in 1..n\"], value = "
                             "\"delta(i, j)*m[i]\" }\ngravity_entry = { for = \"i in 1..n\", value "
                             "= \"delta(i, 1)*k*x[i]\" }\n";
@@ -105,10 +107,10 @@ TEST_CASE("big closed forms are kept only where they are asked for") {
 TEST_CASE("mistakes in big closed forms are found all the same") {
   Wanted wanted;
   wanted.sizes = {"n=1000"};
-  CHECK(messages(masses + "mass_matrix_entry = { for = [\"i in 1..n\", \"j in 1..n\"], value = "
-                          "\"delta(i, j)*mm[i]\" }\n",
-                 wanted) ==
-        "E201 17:78 unknown name `mm` | did you mean `m`? (parameter, line 11)\n");
+  CHECK(messages(
+            sprung_masses + "mass_matrix_entry = { for = [\"i in 1..n\", \"j in 1..n\"], value = "
+                            "\"delta(i, j)*mm[i]\" }\n",
+            wanted) == "E201 17:78 unknown name `mm` | did you mean `m`? (parameter, line 11)\n");
 }
 
 }  // namespace

@@ -10,13 +10,8 @@
 namespace elgen::test {
 namespace {
 
-constexpr double q = 0.3;
-constexpr double s = 0.8;
-constexpr double l = 0.7;
 constexpr double m = 2;
 constexpr double J = 0.2;
-constexpr double q_rate = 1.5;
-constexpr double s_rate = -0.6;
 
 /// Frames `f` (shifted by s, turned by q about z) and `g` (turned by 0.4 about x) on lines 16 to
 /// 23.
@@ -33,14 +28,14 @@ rotate = [["x", "0.4"]]
 )" + entries);
 }
 
-Model two(const std::string& entries) { return checked(with_two(entries)).model; }
+Model two_frames(const std::string& entries) { return checked(with_two(entries)).model; }
 
 ModelNumbers numbers(const Model& model) { return {model, {q, s}, {q_rate, s_rate}}; }
 
 TEST_CASE("points in frames are where the frame takes them", "[frames]") {
-  const Model model =
-      two("[[point]]\nname = \"p\"\nframe = \"f\"\nat = [\"l\", \"2*s\", \"0\"]\nmass = \"m\"\n"
-          "[[point]]\nname = \"w\"\nframe = \"world\"\nat = [\"l\", \"0\", \"0\"]\n");
+  const Model model = two_frames(
+      "[[point]]\nname = \"p\"\nframe = \"f\"\nat = [\"l\", \"2*s\", \"0\"]\nmass = \"m\"\n"
+      "[[point]]\nname = \"w\"\nframe = \"world\"\nat = [\"l\", \"0\", \"0\"]\n");
   const Triple expected = Triple{0, s, l} + about_z(q) * Triple{l, 2 * s, 0};
   CHECK(close(numbers(model).values(model.points[0].at), listed(expected)));
   REQUIRE(model.points[0].local);
@@ -50,9 +45,9 @@ TEST_CASE("points in frames are where the frame takes them", "[frames]") {
 }
 
 TEST_CASE("bodies turn with their frame", "[frames]") {
-  const Model model =
-      two("[[body]]\nname = \"b\"\nframe = \"g\"\nmass = \"m\"\ncom = [\"l\", \"0\", \"2*l\"]\n"
-          "inertia = [\"J\", \"2*J\", \"3*J\", \"J/9\", \"0\", \"J/8\"]\n");
+  const Model model = two_frames(
+      "[[body]]\nname = \"b\"\nframe = \"g\"\nmass = \"m\"\ncom = [\"l\", \"0\", \"2*l\"]\n"
+      "inertia = [\"J\", \"2*J\", \"3*J\", \"J/9\", \"0\", \"J/8\"]\n");
   const Body& body = model.bodies[0];
   const ModelNumbers at = numbers(model);
   const Triple com = Triple{0, s, l} + about_z(q) * (about_x(0.4) * Triple{l, 0, 2 * l});
@@ -63,11 +58,11 @@ TEST_CASE("bodies turn with their frame", "[frames]") {
 }
 
 TEST_CASE("an inertia about the origin becomes one about the centre of mass", "[frames]") {
-  const Model model =
-      two("[[body]]\nname = \"b\"\nframe = \"f\"\nmass = \"m\"\n"
-          "com = [\"l/7\", \"-2*l/7\", \"3*l/7\"]\n"
-          "inertia = [\"9*J\", \"8*J\", \"7*J\", \"J/9\", \"0\", \"J/8\"]\ninertia_about = "
-          "\"origin\"\n");
+  const Model model = two_frames(
+      "[[body]]\nname = \"b\"\nframe = \"f\"\nmass = \"m\"\n"
+      "com = [\"l/7\", \"-2*l/7\", \"3*l/7\"]\n"
+      "inertia = [\"9*J\", \"8*J\", \"7*J\", \"J/9\", \"0\", \"J/8\"]\ninertia_about = "
+      "\"origin\"\n");
   const Body& body = model.bodies[0];
   const double x = 0.1;
   const double y = -0.2;
@@ -81,13 +76,13 @@ TEST_CASE("an inertia about the origin becomes one about the centre of mass", "[
 }
 
 TEST_CASE("a body without inertia has no spin", "[frames]") {
-  const Model model =
-      two("[[body]]\nname = \"b\"\nframe = \"g\"\nmass = \"m\"\ncom = [\"l\", \"0\", \"0\"]\n");
+  const Model model = two_frames(
+      "[[body]]\nname = \"b\"\nframe = \"g\"\nmass = \"m\"\ncom = [\"l\", \"0\", \"0\"]\n");
   CHECK(model.bodies[0].spin.empty());
 }
 
 TEST_CASE("a body without a centre of mass has it at the origin of its frame", "[frames]") {
-  const Model model = two("[[body]]\nname = \"b\"\nframe = \"f\"\nmass = \"m\"\n");
+  const Model model = two_frames("[[body]]\nname = \"b\"\nframe = \"f\"\nmass = \"m\"\n");
   CHECK(close(numbers(model).values(model.bodies[0].com), {0, s, l}));
 }
 
@@ -96,15 +91,15 @@ TEST_CASE("forces have the axes of the world or of `in`", "[frames]") {
   const std::string force =
       "[parameters.F]\nvalue = 1\nunit = \"N\"\n"
       "[[force]]\nat = \"p\"\nvalue = [\"F\", \"2*F\", \"3*F\"]\n";
-  const Model plain = two(point + force);
+  const Model plain = two_frames(point + force);
   CHECK(close(numbers(plain).values(plain.forces[0].value), {1, 2, 3}));
   CHECK_FALSE(plain.forces[0].axes);
-  const Model turned = two(point + force + "in = \"g\"\n");
+  const Model turned = two_frames(point + force + "in = \"g\"\n");
   CHECK(close(numbers(turned).values(turned.forces[0].value),
               listed(about_z(q) * (about_x(0.4) * Triple{1, 2, 3}))));
   CHECK(turned.forces[0].axes == 1U);
   CHECK(close(numbers(turned).values(turned.forces[0].written), {1, 2, 3}));
-  const Model named = two(point + force + "in = \"world\"\n");
+  const Model named = two_frames(point + force + "in = \"world\"\n");
   CHECK(close(numbers(named).values(named.forces[0].value), {1, 2, 3}));
 }
 
@@ -112,22 +107,22 @@ TEST_CASE("torques are kept in the axes of the frame they turn", "[frames]") {
   const std::string torque =
       "[parameters.F]\nvalue = 1\nunit = \"N*m\"\n"
       "[[force]]\nframe = \"g\"\nvalue = [\"F\", \"2*F\", \"3*F\"]\n";
-  const Model own = two(torque);
+  const Model own = two_frames(torque);
   CHECK(own.forces[0].frame == 1U);
   CHECK_FALSE(own.forces[0].from_frame);
   CHECK(own.forces[0].reaction.empty());
   CHECK(close(numbers(own).values(own.forces[0].value), {1, 2, 3}));
-  const Model world = two(torque + "in = \"world\"\nfrom = \"f\"\n");
+  const Model world = two_frames(torque + "in = \"world\"\nfrom = \"f\"\n");
   CHECK(world.forces[0].from_frame == 0U);
   const Triple in_f = about_z(-q) * Triple{1, 2, 3};
   CHECK(close(numbers(world).values(world.forces[0].value), listed(about_x(-0.4) * in_f)));
   CHECK(close(numbers(world).values(world.forces[0].reaction), listed(in_f)));
-  CHECK(two(torque + "from = \"world\"\n").forces[0].reaction.empty());
+  CHECK(two_frames(torque + "from = \"world\"\n").forces[0].reaction.empty());
 }
 
 TEST_CASE("the output of a frame is its pose, and its twist in the axes asked for", "[frames]") {
   const std::string output = "[[output]]\nname = \"o\"\nframe = \"g\"\njacobian = true\n";
-  const Model world = two(output);
+  const Model world = two_frames(output);
   const UserOutput& pose = world.outputs[0];
   CHECK(pose.columns == 4);
   CHECK(pose.in_world);
@@ -135,8 +130,8 @@ TEST_CASE("the output of a frame is its pose, and its twist in the axes asked fo
   CHECK(close(numbers(world).values(pose.values),
               {r[0], r[1], r[2], 0, r[3], r[4], r[5], s, r[6], r[7], r[8], l}));
   CHECK(close(numbers(world).values(pose.twist), {0, 0, q_rate, 0, s_rate, 0}));
-  CHECK(two(output + "axes = \"world\"\n").outputs[0].in_world);
-  const Model own = two(output + "axes = \"g\"\n");
+  CHECK(two_frames(output + "axes = \"world\"\n").outputs[0].in_world);
+  const Model own = two_frames(output + "axes = \"g\"\n");
   CHECK_FALSE(own.outputs[0].in_world);
   const Triple spin = about_x(-0.4) * Triple{0, 0, q_rate};
   const Triple velocity = about_x(-0.4) * (about_z(-q) * Triple{0, s_rate, 0});

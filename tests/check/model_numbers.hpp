@@ -186,4 +186,11 @@ T = "1/2*m*dot(s)^2 + 1/2*J*dot(q)^2"
 )" + entries;
 }
 
+/// A state of that model, and its l.
+inline constexpr double q = 0.3;
+inline constexpr double s = 0.8;
+inline constexpr double l = 0.7;
+inline constexpr double q_rate = 1.5;
+inline constexpr double s_rate = -0.6;
+
 }  // namespace elgen::test

@@ -7,28 +7,29 @@
 namespace elgen::test {
 namespace {
 
-std::string model_with(const std::string& parameters) {
+std::string model_with_parameters(const std::string& parameters) {
   return "format = 1\n[model]\nname = \"a\"\n[sizes]\nn = 3\n[[coordinate]]\nname = \"x\"\n"
          "unit = \"m\"\n[energy]\nT = \"dot(x)^2*0\"\nV = \"0\"\n[parameters]\n" +
          parameters;
 }
 
 TEST_CASE("values are exact, arrays take one number for all, or a list") {
-  CHECK(dumped(model_with("a = { value = 0.1, unit = \"kg\" }\n"), "parameter") ==
+  CHECK(dumped(model_with_parameters("a = { value = 0.1, unit = \"kg\" }\n"), "parameter") ==
         "parameter a = 1/10 [kg]\n");
-  CHECK(dumped(model_with("a = { value = \"1/3\", size = \"n-1\", unit = \"1\" }\n"),
+  CHECK(dumped(model_with_parameters("a = { value = \"1/3\", size = \"n-1\", unit = \"1\" }\n"),
                "parameter") == "parameter a[1] = 1/3 [1]\nparameter a[2] = 1/3 [1]\n");
-  CHECK(dumped(model_with("a = { value = [1, \"2/3\", 3e0], size = \"n\", unit = \"m\" }\n"),
+  CHECK(dumped(model_with_parameters(
+                   "a = { value = [1, \"2/3\", 3e0], size = \"n\", unit = \"m\" }\n"),
                "parameter") ==
         "parameter a[1] = 1 [m]\nparameter a[2] = 2/3 [m]\nparameter a[3] = 3 [m]\n");
-  CHECK(dumped(model_with("a = 5\n"), "parameter") == "parameter a = 5\n");
+  CHECK(dumped(model_with_parameters("a = 5\n"), "parameter") == "parameter a = 5\n");
 }
 
 TEST_CASE("declarations keep what they say") {
   const Model model =
-      checked(model_with("a = { value = 2, size = \"n\", unit = \"kg*m\", min = 1, "
-                         "max = 3, assume = \"positive\", doc = \"a doc\", "
-                         "latex = \"\\\\alpha\" }\nb = { value = 1, unit = \"1\" }\n"))
+      checked(model_with_parameters("a = { value = 2, size = \"n\", unit = \"kg*m\", min = 1, "
+                                    "max = 3, assume = \"positive\", doc = \"a doc\", "
+                                    "latex = \"\\\\alpha\" }\nb = { value = 1, unit = \"1\" }\n"))
           .model;
   REQUIRE(model.parameter_arrays.size() == 2);
   const ParameterArray& a = model.parameter_arrays[0];
@@ -64,14 +65,15 @@ TEST_CASE("values that do not fit") {
   };
   for (const auto& [parameters, expected] : rows) {
     INFO(parameters);
-    CHECK(messages(model_with(parameters)) == expected);
+    CHECK(messages(model_with_parameters(parameters)) == expected);
   }
 }
 
 TEST_CASE("a value beyond its range is a warning") {
   for (const char* says :
        {"value = 1, min = 2", "value = 3, max = 2", "value = 3, min = 1, max = 2"}) {
-    const std::string text = model_with("a = { unit = \"m\", " + std::string(says) + " }\n");
+    const std::string text =
+        model_with_parameters("a = { unit = \"m\", " + std::string(says) + " }\n");
     CHECK(messages(text).substr(0, 4) == "E518");
     CHECK(run_check(text));
   }
@@ -79,9 +81,9 @@ TEST_CASE("a value beyond its range is a warning") {
 
 TEST_CASE("a value that its assumption denies is an error") {
   const auto assuming = [](const std::string& value, const std::string& assumption) {
-    return messages(model_with("a = { value = " + value +
-                               ", unit = \"m\", size = \"n\", assume = \"" + assumption +
-                               "\" }\n"));
+    return messages(model_with_parameters("a = { value = " + value +
+                                          ", unit = \"m\", size = \"n\", assume = \"" + assumption +
+                                          "\" }\n"));
   };
   CHECK(assuming("0", "positive") ==
         "E112 13:15 `0` is not positive, which `assume` of `a` rules out\n");
@@ -92,7 +94,7 @@ TEST_CASE("a value that its assumption denies is an error") {
 }
 
 TEST_CASE("a fixed value is held against what the model says, too") {
-  const std::string model = model_with(
+  const std::string model = model_with_parameters(
       "a = { value = 1, unit = \"m\", assume = \"positive\", min = 1 }\nb = { value = 2, unit = "
       "\"m\", min = 1 }\n");
   const auto fixing = [&](const std::string& option) {
@@ -108,8 +110,9 @@ TEST_CASE("a fixed value is held against what the model says, too") {
 }
 
 TEST_CASE("more elements than entries may be are refused before they are made") {
-  CHECK(messages(model_with("a = { value = 1, size = \"1000000000\", unit = \"m\" }\n")) ==
-        "E907 13:26 1000000000 elements, but the limit is 20000\n");
+  CHECK(
+      messages(model_with_parameters("a = { value = 1, size = \"1000000000\", unit = \"m\" }\n")) ==
+      "E907 13:26 1000000000 elements, but the limit is 20000\n");
 }
 
 }  // namespace

@@ -74,11 +74,6 @@ parent = "world"
 quaternion = ["2*cos(q/2)", "2*sin(q/2)", "0", "0"]
 )toml"))
                           .model;
-  const double q = 0.3;
-  const double s = 0.8;
-  const double l = 0.7;
-  const double q_rate = 1.5;
-  const double s_rate = -0.6;
   const ModelNumbers at(model, {q, s}, {q_rate, s_rate});
   const auto spin = [&](std::size_t frame) { return at.values(model.frames[frame].spin); };
   CHECK(close(spin(0), {0, 0, q_rate}));

@@ -10,7 +10,7 @@ using namespace elgen::test;
 
 namespace {
 
-const std::string two = R"toml(format = 1
+const std::string two_angles = R"toml(format = 1
 [model]
 name = "two"
 [[coordinate]]
@@ -39,28 +39,31 @@ Wanted near(const std::string& lines) {
 }
 
 std::string said(const std::string& lines) {
-  std::string text = messages(two, near(lines));
+  std::string text = messages(two_angles, near(lines));
   if (!text.empty()) text.pop_back();  // the last end of line
   return text;
 }
 
-std::string expanded(const std::string& lines) { return dumped(two, "approximate", near(lines)); }
+std::string approximation(const std::string& lines) {
+  return dumped(two_angles, "approximate", near(lines));
+}
 
 }  // namespace
 
 TEST_CASE("a whole array, an element, a coordinate and an input may be given") {
-  CHECK(expanded("order = 2\nabout = { q = 0, x = \"h/2\", F = 3 }") ==
+  CHECK(approximation("order = 2\nabout = { q = 0, x = \"h/2\", F = 3 }") ==
         "approximate order 2 about q[1] = 0, q[2] = 0, x = h/2, F = 3 with q[1], q[2], x small\n");
-  CHECK(expanded("order = 1\nabout = { \"q[2]\" = \"pi\" }") ==
+  CHECK(approximation("order = 1\nabout = { \"q[2]\" = \"pi\" }") ==
         "approximate order 1 about q[2] = pi with q[2] small\n");
-  CHECK(expanded("order = 1\nabout = { x = 0, q = 0 }\nsmall = [\"q[1]\"]") ==
+  CHECK(approximation("order = 1\nabout = { x = 0, q = 0 }\nsmall = [\"q[1]\"]") ==
         "approximate order 1 about q[1] = 0, q[2] = 0, x = 0 with q[1] small\n");
 }
 
 TEST_CASE("inputs are small where every coordinate is") {
-  CHECK(
-      checked(two, near("order = 1\nabout = { q = 0, x = 0 }")).model.approximation->small_inputs);
-  CHECK_FALSE(checked(two, near("order = 1\nabout = { q = 0 }")).model.approximation->small_inputs);
+  CHECK(checked(two_angles, near("order = 1\nabout = { q = 0, x = 0 }"))
+            .model.approximation->small_inputs);
+  CHECK_FALSE(
+      checked(two_angles, near("order = 1\nabout = { q = 0 }")).model.approximation->small_inputs);
 }
 
 TEST_CASE("an order and a point are both needed") {

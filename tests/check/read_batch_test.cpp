@@ -8,27 +8,19 @@
 namespace elgen::test {
 namespace {
 
-Scene scene_of(const std::string& more) {
-  return checked(block(), {.scene = scene_of_block(more)}).scene;
-}
-
-std::string message_of(const std::string& more) {
-  return messages(block(), {.scene = scene_of_block(more)});
-}
-
 const std::string batch = "[emit]\nbatch = true\n";
 
 }  // namespace
 
 TEST_CASE("a batch is asked for, its accuracy is the best or a given one") {
-  CHECK_FALSE(scene_of("").emission.batch);
-  const Scene best = scene_of(batch);
+  CHECK_FALSE(block_scene("").emission.batch);
+  const Scene best = block_scene(batch);
   CHECK(best.emission.batch);
   CHECK(trigonometry_error(best.numerics, ScalarKind::double_precision) ==
         cln::expt(cln::cl_RA(2), -52));
   CHECK(trigonometry_error(best.numerics, ScalarKind::single_precision) ==
         cln::expt(cln::cl_RA(2), -23));
-  const Scene given = scene_of(batch + "[numeric]\ntrigonometry = { max_error = 1e-7 }\n");
+  const Scene given = block_scene(batch + "[numeric]\ntrigonometry = { max_error = 1e-7 }\n");
   CHECK(given.numerics.trigonometry_error == cln::cl_RA(1) / 10'000'000);
 }
 
@@ -37,19 +29,19 @@ TEST_CASE("accuracies that no scalar has are E625") {
   for (const std::string value : {"0", "-1e-7", "2.2e-16", "1", "\"sqrt(2)/2\""}) {
     INFO(value);
     const std::string said =
-        message_of(batch + "[numeric]\ntrigonometry = { max_error = " + value + " }\n");
+        block_scene_messages(batch + "[numeric]\ntrigonometry = { max_error = " + value + " }\n");
     CHECK_THAT(said, Catch::Contains("E625") && Catch::Contains(range));
   }
   const std::string floats =
       "[numeric]\nscalar = [\"float\"]\ntrigonometry = { max_error = 1e-7 }\n";
-  CHECK_THAT(message_of(batch + floats), Catch::Contains("in float is at least 2^-23"));
+  CHECK_THAT(block_scene_messages(batch + floats), Catch::Contains("in float is at least 2^-23"));
 }
 
 TEST_CASE("polynomials are for batches, and these for C++ in float and double") {
-  CHECK_THAT(message_of("[numeric]\ntrigonometry = { max_error = 1e-7 }\n"),
+  CHECK_THAT(block_scene_messages("[numeric]\ntrigonometry = { max_error = 1e-7 }\n"),
              Catch::Contains("E625") && Catch::Contains("in batches alone"));
-  CHECK_THAT(message_of(batch + "language = \"c99\"\n"), Catch::Contains("E611"));
-  CHECK_THAT(message_of(batch + "[numeric]\nscalar = [\"double\", \"long double\"]\n"),
+  CHECK_THAT(block_scene_messages(batch + "language = \"c99\"\n"), Catch::Contains("E611"));
+  CHECK_THAT(block_scene_messages(batch + "[numeric]\nscalar = [\"double\", \"long double\"]\n"),
              Catch::Contains("E625") && Catch::Contains("`float` or `double`"));
 }
 

@@ -10,7 +10,7 @@ using namespace elgen::test;
 
 namespace {
 
-Wanted scene_of(const std::string& outputs, const std::string& share = "1e-3") {
+Wanted dropping_scene(const std::string& outputs, const std::string& share = "1e-3") {
   Wanted wanted;
   wanted.scene = "format = 1\nmodel = \"a.toml\"\nname = \"s\"\n[outputs]\n" + outputs +
                  "[approximate]\ndrop_below = " + share + "\n";
@@ -19,7 +19,7 @@ Wanted scene_of(const std::string& outputs, const std::string& share = "1e-3") {
 
 std::string parts_of(const std::string& outputs, const std::string& more = {}) {
   std::string names;
-  const Scene scene = checked(block(more), scene_of(outputs)).scene;
+  const Scene scene = checked(block(more), dropping_scene(outputs)).scene;
   for (const OutputRequest& part : scene.dropping.value().parts) {
     names += (names.empty() ? "" : " ") + part.name;
   }
@@ -29,7 +29,7 @@ std::string parts_of(const std::string& outputs, const std::string& more = {}) {
 }  // namespace
 
 TEST_CASE("the share is exact") {
-  const Scene scene = checked(block(), scene_of("bias = true\n")).scene;
+  const Scene scene = checked(block(), dropping_scene("bias = true\n")).scene;
   REQUIRE(scene.dropping);
   CHECK(scene.dropping->below == cln::cl_RA(1) / 1000);
   CHECK_FALSE(checked(block()).scene.dropping);
@@ -43,9 +43,10 @@ TEST_CASE("outputs are reduced by their parts") {
 }
 
 TEST_CASE("what cannot be reduced is refused") {
-  CHECK(messages(block(), scene_of("forward_dynamics = true\n")).find("E617 5:1") == 0);
-  CHECK(messages(block(), scene_of("bias = { form = \"recursive\" }\n")).find("E617 5:1") == 0);
-  CHECK(messages(block(), scene_of("bias = true\n", "0")).find("E617 7:14") == 0);
-  CHECK(messages(block(), scene_of("bias = true\n", "1")).find("E617 7:14") == 0);
-  CHECK(messages(block(), scene_of("bias = true\n", "\"pi/4\"")).find("E617 7:15") == 0);
+  CHECK(messages(block(), dropping_scene("forward_dynamics = true\n")).find("E617 5:1") == 0);
+  CHECK(messages(block(), dropping_scene("bias = { form = \"recursive\" }\n")).find("E617 5:1") ==
+        0);
+  CHECK(messages(block(), dropping_scene("bias = true\n", "0")).find("E617 7:14") == 0);
+  CHECK(messages(block(), dropping_scene("bias = true\n", "1")).find("E617 7:14") == 0);
+  CHECK(messages(block(), dropping_scene("bias = true\n", "\"pi/4\"")).find("E617 7:15") == 0);
 }

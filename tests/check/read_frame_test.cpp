@@ -8,10 +8,6 @@
 namespace elgen::test {
 namespace {
 
-constexpr double q = 0.3;
-constexpr double s = 0.8;
-constexpr double l = 0.7;
-
 /// The pose of a frame `f` in the world, at q and s.
 std::vector<double> pose_of(const std::string& keys) {
   const Model model =

@@ -10,7 +10,7 @@
 namespace elgen::test {
 namespace {
 
-const std::string flying = model_text("flying", R"toml([[coordinate]]
+const std::string flying_hull = model_text("flying", R"toml([[coordinate]]
 name = "x"
 start = { value = 1, rate = 2 }
 [[coordinate]]
@@ -49,7 +49,7 @@ SceneOptions options(const std::string& starts, const std::string& laws = {},
 /// "E612 12 unknown coordinate `y` | did you mean `x`?", with the column.
 std::string answer(const SceneOptions& given) {
   const Limits limits;
-  const Result<FileSyntax> syntax = parse_model(make_source("m.toml", flying), limits);
+  const Result<FileSyntax> syntax = parse_model(make_source("m.toml", flying_hull), limits);
   const Result<CheckedModel> result = check(*syntax, nullptr, given, limits);
   if (result) return "";
   const auto is_error = [](const Diagnostic& diagnostic) {
@@ -66,7 +66,7 @@ std::string answer(const SceneOptions& given) {
 TEST_CASE("a start names coordinates, rates, rotations and angular velocities") {
   const Model model =
       checked_model(
-          flying,
+          flying_hull,
           options("x = 1/2, dot(x)=-3, q[2]=pi, attitude=[0,0.6,0,0.8], dot(attitude[2])=5"))
           .model;
   CHECK(model.coordinates[0].start_value == cln::cl_RA(1) / 2);
@@ -79,7 +79,7 @@ TEST_CASE("a start names coordinates, rates, rotations and angular velocities") 
 }
 
 TEST_CASE("what a start does not name stays as the model says") {
-  const Model model = checked_model(flying, options("q[1]=7")).model;
+  const Model model = checked_model(flying_hull, options("q[1]=7")).model;
   CHECK(model.coordinates[0].start_value == 1);
   CHECK(model.velocities[0].start_rate == 2);
   CHECK(model.coordinates[3].start_value == 1);
@@ -95,7 +95,8 @@ TEST_CASE("mistakes in a start are answered where they stand") {
 }
 
 TEST_CASE("a law is made of the state, of time and of parameters, and its units are not judged") {
-  const Model model = checked_model(flying, options("", "u=-m*x - 2*dot(x) + max(t, 0)")).model;
+  const Model model =
+      checked_model(flying_hull, options("", "u=-m*x - 2*dot(x) + max(t, 0)")).model;
   REQUIRE(model.inputs[0].law);
   CHECK(to_string(model, *model.inputs[0].law) == "-m*x - 2*dot(x) + max(t, 0)");
   CHECK(checked_model(block("[[input]]\nname = \"u\"\nunit = \"N\"\non = \"x\"\n"),
@@ -114,7 +115,7 @@ TEST_CASE("mistakes in a law are answered where they stand") {
 }
 
 TEST_CASE("values are those of parameters that stay parameters") {
-  const Model model = checked_model(flying, options("", "", "m=3,l=1/2,l[2]=5")).model;
+  const Model model = checked_model(flying_hull, options("", "", "m=3,l=1/2,l[2]=5")).model;
   CHECK(model.parameters[0].value == 3);
   CHECK(model.parameters[1].value == cln::cl_RA(1) / 2);
   CHECK(model.parameters[2].value == 5);
@@ -131,7 +132,7 @@ TEST_CASE("what a scene locks has no start") {
       make_source("s.scene.toml",
                   "format = 1\nmodel = \"m.toml\"\nname = \"s\"\n[lock]\nx = { value = 0 }\n"),
       limits);
-  const Result<FileSyntax> syntax = parse_model(make_source("m.toml", flying), limits);
+  const Result<FileSyntax> syntax = parse_model(make_source("m.toml", flying_hull), limits);
   const Result<CheckedModel> result = check(*syntax, &*scene, options("x=1"), limits);
   REQUIRE_FALSE(result);
   CHECK(result.diagnostics.front().message == "`x` is locked by the scene");

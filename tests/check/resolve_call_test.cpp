@@ -29,19 +29,19 @@ at = ["y", "x"]
 [energy]
 )";
 
-std::string potential(const std::string& text) {
+std::string points_potential(const std::string& text) {
   return dumped(two_points + "V = \"" + text + "\"\n", "energy V");
 }
 
-std::string error_of(const std::string& text) {
+std::string points_error(const std::string& text) {
   return messages(two_points + "V = \"" + text + "\"\n");
 }
 
 TEST_CASE("functions of points become functions of their components") {
   // A coordinate and a component may share a letter: a call is never a name.
-  CHECK(potential("c*x*x(P)") == "energy V = c*x*x(P)\n");
-  CHECK(potential("c*y(Q[1])^2") == "energy V = c*y(Q[1])^2\n");
-  CHECK(potential("c*dist2(P, Q[1])") ==
+  CHECK(points_potential("c*x*x(P)") == "energy V = c*x*x(P)\n");
+  CHECK(points_potential("c*y(Q[1])^2") == "energy V = c*y(Q[1])^2\n");
+  CHECK(points_potential("c*dist2(P, Q[1])") ==
         "energy V = c*((x(Q[1]) - x(P))^2 + (y(Q[1]) - y(P))^2)\n");
   CHECK(dumped(two_points + "T = \"m*v2(P)\"\n", "energy T") ==
         "energy T = m*(dot(x(P))^2 + dot(y(P))^2)\n");
@@ -54,13 +54,13 @@ TEST_CASE("dot of a coordinate is its rate, of anything else a total derivative"
   const Expression& product = model.expressions[*model.energies.T];
   CHECK(model.expressions[product.operands[1]].kind == ExpressionKind::rate);
   CHECK(model.expressions[product.operands[2]].kind == ExpressionKind::time_derivative);
-  CHECK(potential("c*x^2*(1 + dot(3))") == "energy V = c*x^2*1\n");
+  CHECK(points_potential("c*x^2*(1 + dot(3))") == "energy V = c*x^2*1\n");
 }
 
 TEST_CASE("what others make up is its definition, at the place of the call") {
-  CHECK(potential("c*sqrt(4)*x^2") == potential("c*2*x^2"));
-  CHECK(error_of("c*sqrt(-4)*x^2").find("`sqrt(-4)`") != std::string::npos);
-  CHECK(error_of("c*sqrt(x, y)").find("`sqrt` takes 1") != std::string::npos);
+  CHECK(points_potential("c*sqrt(4)*x^2") == points_potential("c*2*x^2"));
+  CHECK(points_error("c*sqrt(-4)*x^2").find("`sqrt(-4)`") != std::string::npos);
+  CHECK(points_error("c*sqrt(x, y)").find("`sqrt` takes 1") != std::string::npos);
 }
 
 TEST_CASE("sqrt is the power 1/2, delta a number, sum a sum") {
@@ -69,16 +69,16 @@ TEST_CASE("sqrt is the power 1/2, delta a number, sum a sum") {
   const Expression& root = model.expressions[product.operands[2]];
   CHECK(root.kind == ExpressionKind::power);
   CHECK(root.number == cln::cl_RA(1) / 2);
-  CHECK(potential("c*x^2*delta(1, 1) + c*delta(1, 2)") == "energy V = c*x^2*1 + c*0\n");
-  CHECK(potential("sum(i, 2, 2, i*c*x^2)") == "energy V = 2*c*x^2\n");
-  CHECK(potential("sum(i, 1, 2, sum(j, i, 2, delta(i, j)*c*x^2))") ==
+  CHECK(points_potential("c*x^2*delta(1, 1) + c*delta(1, 2)") == "energy V = c*x^2*1 + c*0\n");
+  CHECK(points_potential("sum(i, 2, 2, i*c*x^2)") == "energy V = 2*c*x^2\n");
+  CHECK(points_potential("sum(i, 1, 2, sum(j, i, 2, delta(i, j)*c*x^2))") ==
         "energy V = (1*c*x^2 + 0*c*x^2) + 1*c*x^2\n");
 }
 
 TEST_CASE("a sum over no index is 0") {
-  CHECK(potential("c*x^2 + sum(i, 3, 2, c*x^2)") == "energy V = c*x^2 + 0\n");
-  CHECK(potential("sum(i, 3, 1, c*x^2)") == "energy V = 0\n");
-  CHECK(potential("sum(i, 1, 2, sum(j, i, 1, c*x^2))") == "energy V = c*x^2 + 0\n");
+  CHECK(points_potential("c*x^2 + sum(i, 3, 2, c*x^2)") == "energy V = c*x^2 + 0\n");
+  CHECK(points_potential("sum(i, 3, 1, c*x^2)") == "energy V = 0\n");
+  CHECK(points_potential("sum(i, 1, 2, sum(j, i, 1, c*x^2))") == "energy V = c*x^2 + 0\n");
 }
 
 TEST_CASE("calls that mean nothing") {
@@ -100,7 +100,7 @@ TEST_CASE("calls that mean nothing") {
   };
   for (const auto& [text, error] : rows) {
     INFO(text);
-    CHECK(error_of(text) == error + "\n");
+    CHECK(points_error(text) == error + "\n");
   }
 }
 

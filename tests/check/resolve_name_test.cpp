@@ -7,7 +7,7 @@
 namespace elgen::test {
 namespace {
 
-const std::string masses = R"toml(format = 1
+const std::string pushed_masses = R"toml(format = 1
 [model]
 name = "masses"
 [sizes]
@@ -30,28 +30,28 @@ on = "x[n]"
 T = "sum(i, 1, n, 1/2*m[i]*dot(x[i])^2)"
 )toml";
 
-std::string error_of(const std::string& text) {
-  return messages(masses + "V = \"" + text + "\"\n");
+std::string masses_error(const std::string& text) {
+  return messages(pushed_masses + "V = \"" + text + "\"\n");
 }
 
 TEST_CASE("indices are resolved while repetitions are expanded") {
-  CHECK(dumped(masses, "energy T") ==
+  CHECK(dumped(pushed_masses, "energy T") ==
         "energy T = 1/2*m[1]*dot(x[1])^2 + 1/2*m[2]*dot(x[2])^2 + 1/2*m[3]*dot(x[3])^2\n");
-  CHECK(dumped(masses + "V = \"k*x[n-1]*x[max(1, n-2)]\"\n", "energy V") ==
+  CHECK(dumped(pushed_masses + "V = \"k*x[n-1]*x[max(1, n-2)]\"\n", "energy V") ==
         "energy V = k*x[2]*x[1]\n");
-  CHECK(dumped(masses, "input") == "input u [N], on x[3]\n");
+  CHECK(dumped(pushed_masses, "input") == "input u [N], on x[3]\n");
 }
 
 TEST_CASE("sizes and running indices are numbers inside expressions") {
-  CHECK(dumped(masses + "V = \"n*k*sum(i, 1, 2, i*x[i]^2)\"\n", "energy V") ==
+  CHECK(dumped(pushed_masses + "V = \"n*k*sum(i, 1, 2, i*x[i]^2)\"\n", "energy V") ==
         "energy V = 3*k*(1*x[1]^2 + 2*x[2]^2)\n");
 }
 
 TEST_CASE("pi and time are known") {
-  CHECK(dumped(masses + "V = \"k*x[1]^2*cos(pi*t*sqrt(k/m[1]))\"\n", "energy V") ==
+  CHECK(dumped(pushed_masses + "V = \"k*x[1]^2*cos(pi*t*sqrt(k/m[1]))\"\n", "energy V") ==
         "energy V = k*x[1]^2*cos(pi*t*sqrt(k/m[1]))\n");
-  CHECK(dumped(masses + "V = \"k*x[1]^2*cos(t*sqrt(k/m[1]))\"\n", "time") == "time yes\n");
-  CHECK(dumped(masses, "time") == "time no\n");
+  CHECK(dumped(pushed_masses + "V = \"k*x[1]^2*cos(t*sqrt(k/m[1]))\"\n", "time") == "time yes\n");
+  CHECK(dumped(pushed_masses, "time") == "time no\n");
 }
 
 TEST_CASE("names that mean nothing here are told apart") {
@@ -70,12 +70,12 @@ TEST_CASE("names that mean nothing here are told apart") {
   };
   for (const auto& [text, error] : rows) {
     INFO(text);
-    CHECK(error_of(text) == error + "\n");
+    CHECK(masses_error(text) == error + "\n");
   }
 }
 
 TEST_CASE("a very long name is cut in the message") {
-  const std::string message = error_of(std::string(100'000, 'x'));
+  const std::string message = masses_error(std::string(100'000, 'x'));
   CHECK(message == "E201 22:6 unknown name `" + std::string(60, 'x') + "…`\n");
 }
 

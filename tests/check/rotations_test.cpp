@@ -7,7 +7,7 @@ namespace elgen::test {
 namespace {
 
 /// Lines 4 to 6 declare the rotation, `keys` follow on line 7; `more` ends the file.
-std::string flying(const std::string& keys = {}, const std::string& more = {}) {
+std::string flying_top(const std::string& keys = {}, const std::string& more = {}) {
   return "format = 1\n[model]\nname = \"flying\"\n[[coordinate]]\nname = \"e\"\n"
          "kind = \"rotation\"\n" +
          keys + "[parameters]\nJ = 1\n[[frame]]\nname = \"body\"\nparent = \"world\"\n" +
@@ -19,8 +19,8 @@ std::string flying(const std::string& keys = {}, const std::string& more = {}) {
 
 TEST_CASE("a rotation has four coordinates and three velocities") {
   const Model model =
-      checked(flying("rate_range = [-5, 5]\nlatex = \"R\"\ndoc = \"attitude\"\n"
-                     "start = { value = [0.6, 0, 0.8, 0], rate = [1, \"1/2\", 0] }\n"))
+      checked(flying_top("rate_range = [-5, 5]\nlatex = \"R\"\ndoc = \"attitude\"\n"
+                         "start = { value = [0.6, 0, 0.8, 0], rate = [1, \"1/2\", 0] }\n"))
           .model;
   REQUIRE(model.rotations.size() == 1);
   CHECK(model.rotations[0].latex == "R");
@@ -40,15 +40,15 @@ TEST_CASE("its angular velocities stand where rates stand, and take torques") {
   const std::string forces =
       "[[input]]\nname = \"u\"\nunit = \"N*m\"\non = \"e[2]\"\n"
       "[[force]]\non = \"e[3]\"\nvalue = \"-J*dot(e[3])\"\n";
-  const Model model = checked(flying("", forces)).model;
+  const Model model = checked(flying_top("", forces)).model;
   CHECK(model.inputs[0].on == 1U);
   CHECK(model.forces[0].on == 2U);
-  CHECK(dumped(flying("", forces), "force") == "force  on e[3] = [-J*dot(e[3])]\n");
+  CHECK(dumped(flying_top("", forces), "force") == "force  on e[3] = [-J*dot(e[3])]\n");
 }
 
 TEST_CASE("a rotation is no number") {
   const auto energy = [](const std::string& text) {
-    return messages(flying("", "[energy]\nV = \"" + text + "\"\n"));
+    return messages(flying_top("", "[energy]\nV = \"" + text + "\"\n"));
   };
   const std::string hint =
       " | it is the `rotation` of a [[frame]]; its angular velocity is `dot(e[1])` to `dot(e[3])`";
@@ -60,37 +60,37 @@ TEST_CASE("a rotation is no number") {
 }
 
 TEST_CASE("keys that only numbers have") {
-  CHECK(messages(flying("range = [0, 1]\n")) == "E112 7:1 a rotation has no `range`\n");
-  CHECK(messages(flying("wrap = true\n")) == "E112 7:1 a rotation has no `wrap`\n");
-  CHECK(messages(flying("armature = 1\n")) == "E112 7:1 a rotation has no `armature`\n");
-  CHECK(messages(flying("singular = \"J\"\n")) == "E112 7:1 a rotation has no `singular`\n");
-  CHECK(messages(flying("unit = \"m\"\n")) ==
+  CHECK(messages(flying_top("range = [0, 1]\n")) == "E112 7:1 a rotation has no `range`\n");
+  CHECK(messages(flying_top("wrap = true\n")) == "E112 7:1 a rotation has no `wrap`\n");
+  CHECK(messages(flying_top("armature = 1\n")) == "E112 7:1 a rotation has no `armature`\n");
+  CHECK(messages(flying_top("singular = \"J\"\n")) == "E112 7:1 a rotation has no `singular`\n");
+  CHECK(messages(flying_top("unit = \"m\"\n")) ==
         "E403 7:9 a rotation is a pure number; its angular velocity is in rad/s\n");
-  CHECK(messages(flying("for = \"i in 1..2\"\n")) ==
+  CHECK(messages(flying_top("for = \"i in 1..2\"\n")) ==
         "E112 7:1 a rotation is not repeated: its index counts its angular velocities\n");
 }
 
 TEST_CASE("the start is a unit quaternion and three rates") {
-  CHECK(messages(flying("start = { value = [1, 1, 0, 0] }\n")) ==
+  CHECK(messages(flying_top("start = { value = [1, 1, 0, 0] }\n")) ==
         "E112 7:19 the start of a rotation is a unit quaternion (w, x, y, z), but the squares of "
         "this one do not add up to 1\n");
-  CHECK(messages(flying("start = { value = 1 }\n")) ==
+  CHECK(messages(flying_top("start = { value = 1 }\n")) ==
         "E104 7:19 one number, but a rotation has 4 here\n");
-  CHECK(messages(flying("start = { rate = [1, 2] }\n")) ==
+  CHECK(messages(flying_top("start = { rate = [1, 2] }\n")) ==
         "E104 7:18 2 components, but a rotation has 3 here\n");
 }
 
 TEST_CASE("names of the components are taken") {
-  CHECK(messages(flying("", "[define]\ne_x = 1\n")) ==
+  CHECK(messages(flying_top("", "[define]\ne_x = 1\n")) ==
         "E203 18:1 `e_x` is already a component of a rotation | first at line 5\n");
 }
 
 TEST_CASE("a rotation turns exactly one frame") {
   const std::string second = "[[frame]]\nname = \"other\"\nparent = \"world\"\nrotation = \"e\"\n";
-  CHECK(messages(flying("", second)) ==
+  CHECK(messages(flying_top("", second)) ==
         "E112 18:9 `e` is already the rotation of the frame `body`\n");
   const std::string alone = "[[coordinate]]\nname = \"f\"\nkind = \"rotation\"\n";
-  CHECK(messages(flying("", alone)) == "E513 18:9 `f` is the `rotation` of no [[frame]]\n");
+  CHECK(messages(flying_top("", alone)) == "E513 18:9 `f` is the `rotation` of no [[frame]]\n");
 }
 
 }  // namespace elgen::test

@@ -12,12 +12,12 @@ namespace {
 
 const std::string arrays = block("[parameters.l]\nvalue = [1, 2]\nsize = 2\nunit = \"m\"\n");
 
-Scene scene_of(const std::string& more, Wanted wanted = {}) {
+Scene arrays_scene(const std::string& more, Wanted wanted = {}) {
   wanted.scene = scene_of_block(more);
   return checked(arrays, wanted).scene;
 }
 
-std::string scene_messages(const std::string& more) {
+std::string arrays_messages(const std::string& more) {
   return messages(arrays, {.scene = scene_of_block(more)});
 }
 
@@ -47,15 +47,16 @@ TEST_CASE("a model alone is the scene full") {
 }
 
 TEST_CASE("a scene is named after model and scene") {
-  const Scene scene = scene_of("doc = \"quick\"\n[emit]\nnamespace = \"quick\"\n");
+  const Scene scene = arrays_scene("doc = \"quick\"\n[emit]\nnamespace = \"quick\"\n");
   CHECK(scene.base_name == "block_fast");
   CHECK(scene.emission.name_space == "quick");
   CHECK(scene.doc == "quick");
 }
 
 TEST_CASE("outputs come in the order of the table, once each") {
-  CHECK(output_names(scene_of("[outputs]\nbias = true\nmass_matrix = true\ngravity = false\n")) ==
-        "mass_matrix bias");
+  CHECK(
+      output_names(arrays_scene("[outputs]\nbias = true\nmass_matrix = true\ngravity = false\n")) ==
+      "mass_matrix bias");
   Wanted wanted;
   wanted.outputs = {"bias,mass_matrix", "bias"};
   const Scene scene = checked(arrays, wanted).scene;
@@ -67,21 +68,21 @@ TEST_CASE("outputs come in the order of the table, once each") {
 TEST_CASE("options replace what the scene says of outputs") {
   Wanted wanted;
   wanted.outputs = {"drift"};
-  CHECK(output_names(scene_of("[outputs]\nbias = true\n", wanted)) == "drift");
+  CHECK(output_names(arrays_scene("[outputs]\nbias = true\n", wanted)) == "drift");
 }
 
 TEST_CASE("outputs may be renamed, but not to a name in use") {
-  const Scene scene = scene_of("[outputs]\nbias = { rename = \"h\" }\n");
+  const Scene scene = arrays_scene("[outputs]\nbias = { rename = \"h\" }\n");
   CHECK(output_names(scene) == "h");
-  CHECK(scene_messages("[outputs]\nmass_matrix = { rename = \"bias\" }\nbias = true\n") ==
+  CHECK(arrays_messages("[outputs]\nmass_matrix = { rename = \"bias\" }\nbias = true\n") ==
         "E609 5:27 another output is already called `bias`\n");
-  CHECK(scene_messages("[outputs]\nbias = { rename = \"double\" }\n") ==
+  CHECK(arrays_messages("[outputs]\nbias = { rename = \"double\" }\n") ==
         "E204 5:20 `double` is reserved: it is a keyword of C++\n");
 }
 
 TEST_CASE("parameters are fixed by name, by element, or all") {
-  CHECK(fixed(scene_of("[parameters]\nfixed = { k = \"1/2\", l = 3 }\n")) == "1=1/2 2=3 3=3 ");
-  CHECK(fixed(scene_of("[parameters]\nfixed = \"all\"\n")) == "0=1 1=2 2=1 3=2 ");
+  CHECK(fixed(arrays_scene("[parameters]\nfixed = { k = \"1/2\", l = 3 }\n")) == "1=1/2 2=3 3=3 ");
+  CHECK(fixed(arrays_scene("[parameters]\nfixed = \"all\"\n")) == "0=1 1=2 2=1 3=2 ");
   Wanted wanted;
   wanted.fixed = {"m,l[2]=7", "k=pi/4"};
   const Scene scene = checked(arrays, wanted).scene;
@@ -89,9 +90,9 @@ TEST_CASE("parameters are fixed by name, by element, or all") {
 }
 
 TEST_CASE("what cannot be fixed") {
-  CHECK(scene_messages("[parameters]\nfixed = { kk = 1 }\n") ==
+  CHECK(arrays_messages("[parameters]\nfixed = { kk = 1 }\n") ==
         "E602 5:11 unknown parameter `kk` | did you mean `k`? (parameter, line 9)\n");
-  CHECK(scene_messages("[parameters]\nfixed = { all = 3 }\n") ==
+  CHECK(arrays_messages("[parameters]\nfixed = { all = 3 }\n") ==
         "E602 5:11 unknown parameter `all` | `all` fixes every parameter at its own value\n");
   const std::vector<std::pair<std::string, std::string>> rows{
       {"all=3",
@@ -111,23 +112,23 @@ TEST_CASE("what cannot be fixed") {
 }
 
 TEST_CASE("scalars come in one order") {
-  const Scene scene = scene_of("[numeric]\nscalar = [\"double\", \"float\"]\n");
+  const Scene scene = arrays_scene("[numeric]\nscalar = [\"double\", \"float\"]\n");
   CHECK(scene.numerics.scalars ==
         std::vector{ScalarKind::single_precision, ScalarKind::double_precision});
 }
 
 TEST_CASE("a form is asked for of one output, or of all") {
-  const Scene scene = scene_of(
+  const Scene scene = arrays_scene(
       "[outputs]\nmass_matrix = { form = \"recursive\" }\nbias = true\n"
       "[numeric]\nform = \"closed\"\n");
   REQUIRE(scene.outputs.size() == 2);
   CHECK(scene.outputs[0].form == Form::recursive);
   CHECK(scene.outputs[1].form == Form::closed);
-  CHECK_FALSE(scene_of("[outputs]\nbias = true\n").outputs[0].form);
+  CHECK_FALSE(arrays_scene("[outputs]\nbias = true\n").outputs[0].form);
 }
 
 TEST_CASE("dynamics needs something to hold") {
-  CHECK(scene_messages("[outputs]\ninverse_dynamics = true\ndynamics = true\n") ==
+  CHECK(arrays_messages("[outputs]\ninverse_dynamics = true\ndynamics = true\n") ==
         "E603 6:1 `dynamics` holds the chosen outputs that take neither a nor u, and none is "
         "chosen\n");
 }

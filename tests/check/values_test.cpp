@@ -6,7 +6,7 @@
 namespace elgen {
 namespace {
 
-ValueSyntax value_of(const std::string& text) {
+ValueSyntax value_syntax(const std::string& text) {
   static std::vector<SourcePointer> alive;
   alive.push_back(make_source("m.toml", text));
   auto expression = parse_expression(alive.back(), {});
@@ -23,11 +23,11 @@ TEST_CASE("a root is a run of nodes, a failed one is none") {
   const Limits limits;
   Context context(limits);
   ValueReader values(context, Scope(context.sizes));
-  const ExpressionId id = values.root(value_of("t*sin(t)"), {});
+  const ExpressionId id = values.root(value_syntax("t*sin(t)"), {});
   REQUIRE(context.roots.size() == 1);
   CHECK(context.roots[0].first == 1);
   CHECK(context.roots[0].value == id);
-  CHECK(values.root(value_of("t*u"), {}) == no_expression);
+  CHECK(values.root(value_syntax("t*u"), {}) == no_expression);
   CHECK(context.roots.size() == 1);
   CHECK(context.report.errors() == 1);
 }
@@ -36,9 +36,9 @@ TEST_CASE("constants leave nothing behind in the arena") {
   const Limits limits;
   Context context(limits);
   ValueReader values(context, Scope(context.sizes));
-  CHECK(values.constant(value_of("1/3 + 1")) == cln::cl_RA(4) / 3);
-  CHECK(values.constant(value_of("exp(1)")));
-  CHECK_FALSE(values.constant(value_of("2*t")));
+  CHECK(values.constant(value_syntax("1/3 + 1")) == cln::cl_RA(4) / 3);
+  CHECK(values.constant(value_syntax("exp(1)")));
+  CHECK_FALSE(values.constant(value_syntax("2*t")));
   CHECK(context.model.expressions.size() == 1);
 }
 
@@ -47,16 +47,16 @@ TEST_CASE("references find the element of the right kind") {
   Context context(limits);
   context.symbols.declare({"q", 1, {}}, SymbolKind::coordinate, 4, context.report);
   ValueReader values(context, Scope(context.sizes));
-  CHECK(values.reference(value_of("q[3-2]"), SymbolKind::coordinate) == 4);
-  CHECK_FALSE(values.reference(value_of("q[1]"), SymbolKind::point));
-  CHECK_FALSE(values.reference(value_of("q[2]"), SymbolKind::coordinate));
+  CHECK(values.reference(value_syntax("q[3-2]"), SymbolKind::coordinate) == 4);
+  CHECK_FALSE(values.reference(value_syntax("q[1]"), SymbolKind::point));
+  CHECK_FALSE(values.reference(value_syntax("q[2]"), SymbolKind::coordinate));
   CHECK(context.report.errors() == 2);
 }
 
 ValueSyntax vector_of(std::size_t count) {
   ValueSyntax vector;
   vector.kind = ValueKind::list;
-  vector.items.assign(count, value_of("x"));
+  vector.items.assign(count, value_syntax("x"));
   return vector;
 }
 
@@ -75,7 +75,7 @@ TEST_CASE("all vectors of a model have as many components as the first") {
 
 TEST_CASE("keys of tables are found by name") {
   ValueSyntax table;
-  table.entries.push_back({"doc", {}, value_of("x")});
+  table.entries.push_back({"doc", {}, value_syntax("x")});
   CHECK(table.find("doc") != nullptr);
   CHECK(table.find("unit") == nullptr);
   CHECK(text_of(table, "doc") == "x");
