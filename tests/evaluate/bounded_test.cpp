@@ -11,21 +11,21 @@ using namespace elgen;
 namespace {
 
 const LeafValues<Bound> no_leaves;
-const BoundRules rules{no_leaves, rounding<double>()};
+const BoundRules bound_rules{no_leaves, rounding<double>()};
 
 // Formulas of bounds, as they are read.
-Bound operator-(const Bound& x) { return rules.negate(x); }
-Bound operator+(const Bound& x, const Bound& y) { return rules.add(x, y); }
-Bound operator-(const Bound& x, const Bound& y) { return rules.subtract(x, y); }
-Bound operator*(const Bound& x, const Bound& y) { return rules.multiply(x, y); }
-Bound operator/(const Bound& x, const Bound& y) { return rules.divide(x, y); }
-Bound sqrt(const Bound& x) { return rules.square_root(x); }
-Bound sin(const Bound& x) { return rules.call(FunctionId::sin, x, x); }
-Bound sinh(const Bound& x) { return rules.call(FunctionId::sinh, x, x); }
-Bound cosh(const Bound& x) { return rules.call(FunctionId::cosh, x, x); }
-Bound tanh(const Bound& x) { return rules.call(FunctionId::tanh, x, x); }
-Bound exp(const Bound& x) { return rules.call(FunctionId::exp, x, x); }
-Bound atan2(const Bound& y, const Bound& x) { return rules.call(FunctionId::atan2, y, x); }
+Bound operator-(const Bound& x) { return bound_rules.negate(x); }
+Bound operator+(const Bound& x, const Bound& y) { return bound_rules.add(x, y); }
+Bound operator-(const Bound& x, const Bound& y) { return bound_rules.subtract(x, y); }
+Bound operator*(const Bound& x, const Bound& y) { return bound_rules.multiply(x, y); }
+Bound operator/(const Bound& x, const Bound& y) { return bound_rules.divide(x, y); }
+Bound sqrt(const Bound& x) { return bound_rules.square_root(x); }
+Bound sin(const Bound& x) { return bound_rules.call(FunctionId::sin, x, x); }
+Bound sinh(const Bound& x) { return bound_rules.call(FunctionId::sinh, x, x); }
+Bound cosh(const Bound& x) { return bound_rules.call(FunctionId::cosh, x, x); }
+Bound tanh(const Bound& x) { return bound_rules.call(FunctionId::tanh, x, x); }
+Bound exp(const Bound& x) { return bound_rules.call(FunctionId::exp, x, x); }
+Bound atan2(const Bound& y, const Bound& x) { return bound_rules.call(FunctionId::atan2, y, x); }
 
 Bound leaf(const char* text) { return leaf_bound(test::exact(text), rounding<double>()); }
 double bound(const Bound& x) { return ScalarTraits<double>::from_real(x.bound.value()); }
@@ -63,12 +63,12 @@ TEST_CASE("functions of one argument do not look at what stands in the other slo
   for (const FunctionRow& row : function_table) {
     if (row.arity != 1 || row.id == FunctionId::asin || row.id == FunctionId::acos) continue;
     INFO(row.name);
-    const Bound alone = rules.call(row.id, x, x);
-    const Bound beside = rules.call(row.id, x, other);
+    const Bound alone = bound_rules.call(row.id, x, x);
+    const Bound beside = bound_rules.call(row.id, x, other);
     CHECK(bound(beside) == bound(alone));
     CHECK(beside.roundings == alone.roundings);
   }
-  CHECK(bound(rules.call(FunctionId::abs, x, other)) == 2.25);
+  CHECK(bound(bound_rules.call(FunctionId::abs, x, other)) == 2.25);
 }
 
 TEST_CASE("the second order matters at large angles") {
@@ -127,7 +127,7 @@ TEST_CASE("a bound beyond all numbers is lost") {
 }
 
 TEST_CASE("along what repeats itself B has every rounding, of first order") {
-  const RunningBoundRules running{rules};
+  const RunningBoundRules running{bound_rules};
   const Bound x = leaf("3");
   const Bound y = leaf("-4");
   CHECK(bound(running.add(x, y)) == 3 + 4 + 1);
@@ -138,7 +138,7 @@ TEST_CASE("along what repeats itself B has every rounding, of first order") {
 }
 
 TEST_CASE("where an iteration takes errors away, B stays") {
-  const RunningBoundRules running{rules};
+  const RunningBoundRules running{bound_rules};
   Bound x = leaf("21") - leaf("20");
   Bound outgrown = x;
   for (int i = 0; i < 20; ++i) {

@@ -4,12 +4,12 @@
 #include <catch2/catch.hpp>
 
 #include "elgen/functions.hpp"
+#include "support/real.hpp"
 
 using namespace elgen;
+using test::real;
 
 namespace {
-
-Real real(const char* text) { return Real(cln::cl_R(text)); }
 
 /// |x - y| as a double.
 double apart(const Real& x, const Real& y) {

@@ -1,16 +1,16 @@
+#include "support/real.hpp"
+
 #include <cln/float.h>
 #include <cln/rational.h>
 
 #include <catch2/catch.hpp>
 
 #include "base/more_digits.hpp"
-#include "elgen/evaluate.hpp"
 
 using namespace elgen;
+using test::real;
 
 namespace {
-
-Real real(const char* text) { return Real(cln::cl_RA(text)); }
 
 /// Equal to 62 of 64 digits.
 bool near(const Real& x, const Real& y) {

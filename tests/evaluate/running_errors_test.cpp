@@ -10,9 +10,9 @@ using namespace elgen;
 
 namespace {
 
-const RunningErrorRules rules{};
+const RunningErrorRules running_rules{};
 
-Running exact(const char* text) { return {Real(test::exact(text)), Real()}; }
+Running without_error(const char* text) { return {Real(test::exact(text)), Real()}; }
 Running off(const char* text, const char* error) {
   return {Real(test::exact(text)), Real(test::exact(error))};
 }
@@ -28,17 +28,18 @@ TEST_CASE("leaves are exact or rounded once") {
 }
 
 TEST_CASE("each operation rounds once, and passes errors on") {
-  CHECK(error(rules.add(off("3", "2"), off("-1", "1"))) == 2 + 1 + 2);
-  CHECK(error(rules.subtract(exact("3"), exact("5"))) == 2);
-  CHECK(error(rules.multiply(off("3", "2"), off("5", "1"))) == 2 * 5 + 3 + 15);
-  CHECK(error(rules.multiply(off("3", "2"), exact("4"))) == 2 * 4);
-  CHECK(error(rules.divide(off("6", "1"), off("3", "2"))) == Approx((1 + 2 * 2) / 3.0 + 2));
-  CHECK(error(rules.square_root(off("9", "6"))) == Approx(1 + 3));
+  CHECK(error(running_rules.add(off("3", "2"), off("-1", "1"))) == 2 + 1 + 2);
+  CHECK(error(running_rules.subtract(without_error("3"), without_error("5"))) == 2);
+  CHECK(error(running_rules.multiply(off("3", "2"), off("5", "1"))) == 2 * 5 + 3 + 15);
+  CHECK(error(running_rules.multiply(off("3", "2"), without_error("4"))) == 2 * 4);
+  CHECK(error(running_rules.divide(off("6", "1"), off("3", "2"))) == Approx((1 + 2 * 2) / 3.0 + 2));
+  CHECK(error(running_rules.square_root(off("9", "6"))) == Approx(1 + 3));
 }
 
 TEST_CASE("functions pass errors on by their slopes") {
   const Running x = off("0.5", "3");
-  CHECK(error(rules.call(FunctionId::sin, x, x)) == Approx(std::sin(0.5) + 3 * std::cos(0.5)));
-  CHECK(error(rules.call(FunctionId::abs, x, x)) == 3);
-  CHECK(error(rules.call(FunctionId::max, exact("1"), off("2", "5"))) == 5);
+  CHECK(error(running_rules.call(FunctionId::sin, x, x)) ==
+        Approx(std::sin(0.5) + 3 * std::cos(0.5)));
+  CHECK(error(running_rules.call(FunctionId::abs, x, x)) == 3);
+  CHECK(error(running_rules.call(FunctionId::max, without_error("1"), off("2", "5"))) == 5);
 }

@@ -3,15 +3,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "oracle/model_builder.hpp"
+#include "support/real.hpp"
 
 using namespace elgen;
-
-namespace {
-
-Real real(const char* text) { return Real(test::exact(text)); }
-
-}  // namespace
+using test::real;
 
 TEST_CASE("the figure is the largest sum over the largest size of terms") {
   Balance balance(2);

@@ -3,17 +3,16 @@
 
 #include <catch2/catch.hpp>
 
-#include "oracle/model_builder.hpp"
+#include "support/real.hpp"
 
 using namespace elgen;
+using test::real;
 
 namespace {
 
 using Values = std::vector<Real>;
 
-Real real(const char* text) { return Real(test::exact(text)); }
-
-constexpr double rounding = 1e-60;  ///< of 64 digits
+constexpr double tolerance = 1e-60;  ///< of 64 digits
 
 const Real c = real("3/5");
 const Real s = real("4/5");
@@ -75,8 +74,8 @@ double figure(const Values& expected, const PoseMotion& of, bool in_world,
 TEST_CASE("the twist of a pose, in both axes") {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const PoseMotion of = motion(axis);
-    CHECK(figure(twist(axis, w, velocity), of, true, subtract_twist) < rounding);
-    CHECK(figure(twist(axis, w, turned(of.pose, velocity)), of, false, subtract_twist) < rounding);
+    CHECK(figure(twist(axis, w, velocity), of, true, subtract_twist) < tolerance);
+    CHECK(figure(twist(axis, w, turned(of.pose, velocity)), of, false, subtract_twist) < tolerance);
     // Another sign of the spin, and axes mistaken for each other.
     CHECK(figure(twist(axis, -w, velocity), of, true, subtract_twist) > 0.1);
     CHECK(figure(twist(axis, w, velocity), of, false, subtract_twist) > 0.1);
@@ -86,10 +85,10 @@ TEST_CASE("the twist of a pose, in both axes") {
 TEST_CASE("the rate of a twist, in both axes") {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const PoseMotion of = motion(axis);
-    CHECK(figure(twist(axis, alpha, acceleration), of, true, subtract_twist_rate) < rounding);
+    CHECK(figure(twist(axis, alpha, acceleration), of, true, subtract_twist_rate) < tolerance);
     const Values turning = turned(of.rate, velocity);
     const Values body = sum(turned(of.pose, acceleration), turning);
-    CHECK(figure(twist(axis, alpha, body), of, false, subtract_twist_rate) < rounding);
+    CHECK(figure(twist(axis, alpha, body), of, false, subtract_twist_rate) < tolerance);
     CHECK(figure(twist(axis, alpha, turned(of.pose, acceleration)), of, false,
                  subtract_twist_rate) > 0.1);
   }

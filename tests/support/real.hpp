@@ -1,0 +1,13 @@
+// Exact numbers as text, in 64 digits.
+#pragma once
+
+#include <string>
+
+#include "elgen/evaluate.hpp"
+#include "oracle/model_builder.hpp"
+
+namespace elgen::test {
+
+inline Real real(const std::string& text) { return Real(exact(text)); }
+
+}  // namespace elgen::test
