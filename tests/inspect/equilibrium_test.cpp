@@ -15,7 +15,7 @@ Diagnostics diagnostics(const std::string& model, const std::string& lines) {
   return inspect_equilibrium({checked.model, checked.scene});
 }
 
-std::string found(const std::string& model, const std::string& lines) {
+std::string equilibrium_findings(const std::string& model, const std::string& lines) {
   return text_of(diagnostics(model, lines));
 }
 
@@ -40,13 +40,14 @@ on = "q"
 TEST_CASE("exact models and equilibria pass") {
   const CheckedModel exact = checked_model(cart_pole_text());
   CHECK(inspect_equilibrium({exact.model, exact.scene}).empty());
-  CHECK(found(cart_pole_text(), "order = 1\nabout = { x = 3, theta = 0 }").empty());
-  CHECK(found(cart_pole_text(), "order = 1\nabout = { x = 0, theta = \"pi\" }").empty());
-  CHECK(found(cart_pole_text(), "order = 2\nabout = { theta = 0 }").empty());
+  CHECK(equilibrium_findings(cart_pole_text(), "order = 1\nabout = { x = 3, theta = 0 }").empty());
+  CHECK(equilibrium_findings(cart_pole_text(), "order = 1\nabout = { x = 0, theta = \"pi\" }")
+            .empty());
+  CHECK(equilibrium_findings(cart_pole_text(), "order = 2\nabout = { theta = 0 }").empty());
 }
 
 TEST_CASE("a pole that leans does not stay at rest") {
-  CHECK(found(cart_pole_text(), "order = 1\nabout = { x = 0, theta = \"pi/2\" }") ==
+  CHECK(equilibrium_findings(cart_pole_text(), "order = 1\nabout = { x = 0, theta = \"pi/2\" }") ==
         "E613: `theta` does not stay at rest there: bias - B u is -1.4715");
 }
 
@@ -54,7 +55,8 @@ TEST_CASE("an input that balances the point is suggested, and taken") {
   const Diagnostics found_without = diagnostics(driven, "order = 1\nabout = { q = 0, p = 0 }");
   REQUIRE(found_without.size() == 1);
   CHECK(found_without[0].hint == "`u = -3/2` balances it at the parameters' values");
-  CHECK(found(driven, "order = 1\nabout = { q = 0, p = 0, u = \"1/2 - m\" }").empty());
+  CHECK(
+      equilibrium_findings(driven, "order = 1\nabout = { q = 0, p = 0, u = \"1/2 - m\" }").empty());
 }
 
 TEST_CASE("figures are those of the parameters' own values, 0 among them") {
@@ -86,8 +88,9 @@ on = "q"
 }
 
 TEST_CASE("coordinates left open are anywhere, given ones where they are given") {
-  CHECK_FALSE(found(driven, "order = 1\nabout = { p = 0 }").empty());
-  CHECK(found(driven, "order = 1\nabout = { q = 0, p = 0 }\nsmall = [\"p\"]").empty());
+  CHECK_FALSE(equilibrium_findings(driven, "order = 1\nabout = { p = 0 }").empty());
+  CHECK(
+      equilibrium_findings(driven, "order = 1\nabout = { q = 0, p = 0 }\nsmall = [\"p\"]").empty());
 }
 
 TEST_CASE("a root has no expansion about zero") {
@@ -98,6 +101,6 @@ name = "q"
 T = "1/2*dot(q)^2"
 V = "(q^2)^(5/2)"
 )toml");
-  CHECK(found(root, "order = 5\nabout = { q = 0 }") ==
+  CHECK(equilibrium_findings(root, "order = 5\nabout = { q = 0 }") ==
         "E614: energies and forces have no derivatives of order 6 there");
 }

@@ -14,17 +14,17 @@ using namespace elgen::test;
 
 namespace {
 
-std::string found(const Model& model) { return text_of(inspect(model, {})); }
+std::string findings(const Model& model) { return text_of(inspect(model, {})); }
 
 }  // namespace
 
 TEST_CASE("sound models have nothing to report") {
-  CHECK(found(pendulum().model).empty());
-  CHECK(found(cart_pole().model).empty());
-  CHECK(found(double_pendulum().model).empty());
-  CHECK(found(charged_particle().model).empty());
-  CHECK(found(rotating_hoop("W*t").model).empty());
-  CHECK(found(relativistic_particle().model).empty());
+  CHECK(findings(pendulum().model).empty());
+  CHECK(findings(cart_pole().model).empty());
+  CHECK(findings(double_pendulum().model).empty());
+  CHECK(findings(charged_particle().model).empty());
+  CHECK(findings(rotating_hoop("W*t").model).empty());
+  CHECK(findings(relativistic_particle().model).empty());
 }
 
 TEST_CASE("sound models of frames have nothing to report", "[frames]") {
@@ -41,7 +41,7 @@ TEST_CASE("everything found in one model is reported at once") {
   ModelBuilder b = spherical_pendulum();
   b.model.gravity.reset();
   b.V("-m*g*z(bob)");
-  CHECK(found(b.model) ==
+  CHECK(findings(b.model) ==
         "E511: the mass matrix loses rank at `th` = 0, pi\n"
         "E512: V falls as `bob` rises");
 }
@@ -49,7 +49,7 @@ TEST_CASE("everything found in one model is reported at once") {
 TEST_CASE("a model that is singular everywhere is not searched for singular charts") {
   ModelBuilder b;
   b.coordinate("x").coordinate("y", "rad").T("(x_d + y_d)^2/2");
-  CHECK(found(b.model) == "E501: the motion `x : y = 1 : -1` has no kinetic energy");
+  CHECK(findings(b.model) == "E501: the motion `x : y = 1 : -1` has no kinetic energy");
 }
 
 TEST_CASE("the inspection is quick: two coordinates, a chain of 20, a chain of 1000") {

@@ -9,7 +9,7 @@ using namespace elgen::test;
 
 namespace {
 
-Diagnostics found(const std::vector<LeftOut>& left_out) {
+Diagnostics left_out_notes(const std::vector<LeftOut>& left_out) {
   Scene scene;
   scene.left_out = left_out;
   return inspect_left_out({Model{}, scene});
@@ -17,13 +17,13 @@ Diagnostics found(const std::vector<LeftOut>& left_out) {
 
 }  // namespace
 
-TEST_CASE("nothing is said where nothing is left out") { CHECK(found({}).empty()); }
+TEST_CASE("nothing is said where nothing is left out") { CHECK(left_out_notes({}).empty()); }
 
 TEST_CASE("one note per reason names the outputs and how they can be had") {
   const SourcePointer source = make_source("a.toml", "name = \"a\" abs(x)");
-  const Diagnostics notes =
-      found({{LeftOutReason::too_many_entries, {"mass_matrix", "tip"}, {source.get(), 7, 10}},
-             {LeftOutReason::kinked_force, {"linearization"}, {source.get(), 11, 17}}});
+  const Diagnostics notes = left_out_notes(
+      {{LeftOutReason::too_many_entries, {"mass_matrix", "tip"}, {source.get(), 7, 10}},
+       {LeftOutReason::kinked_force, {"linearization"}, {source.get(), 11, 17}}});
   CHECK(text_of(notes) ==
         "E619: left out, with more than 4096 entries: `mass_matrix`, `tip`\n"
         "E619: left out, as a force with a kink has no derivatives: `linearization`");

@@ -10,17 +10,17 @@ using namespace elgen::test;
 
 namespace {
 
-std::string found(const ModelBuilder& b, const Scene& scene = {}) {
+std::string mass_matrix_findings(const ModelBuilder& b, const Scene& scene = {}) {
   return text_of(inspect_mass_matrix({b.model, scene}));
 }
 
 }  // namespace
 
 TEST_CASE("regular mass matrices pass, also those that are indefinite") {
-  CHECK(found(double_pendulum()).empty());
+  CHECK(mass_matrix_findings(double_pendulum()).empty());
   ModelBuilder exchange;
   exchange.coordinate("x").coordinate("y").T("x_d*y_d");
-  CHECK(found(exchange).empty());
+  CHECK(mass_matrix_findings(exchange).empty());
 }
 
 TEST_CASE("what is solved for needs kinetic energy of every rate alone") {
@@ -29,45 +29,45 @@ TEST_CASE("what is solved for needs kinetic energy of every rate alone") {
   request.kind = OutputKind::forward_dynamics;
   request.name = "forward_dynamics";
   scene.outputs = {request};
-  CHECK(found(double_pendulum(), scene).empty());
+  CHECK(mass_matrix_findings(double_pendulum(), scene).empty());
   ModelBuilder b;
   b.coordinate("x").coordinate("y");
-  CHECK(found(b.T("x_d*y_d + y_d^2"), scene) ==
+  CHECK(mass_matrix_findings(b.T("x_d*y_d + y_d^2"), scene) ==
         "E501: `forward_dynamics` has no value: the rate of `x` alone has no kinetic energy, "
         "whatever the state is");
-  CHECK(found(b.T("x_d*y_d + y_d^2*(sin(2*x) - 2*sin(x)*cos(x)) + x_d^2"), scene) ==
+  CHECK(mass_matrix_findings(b.T("x_d*y_d + y_d^2*(sin(2*x) - 2*sin(x)*cos(x)) + x_d^2"), scene) ==
         "E501: `forward_dynamics` has no value: the rate of `y` alone has no kinetic energy, "
         "whatever the state is");
-  CHECK(found(b.T("x_d*y_d + y_d^2*(sin(2*x) - 2*sin(x)*cos(x))")).empty());
+  CHECK(mass_matrix_findings(b.T("x_d*y_d + y_d^2*(sin(2*x) - 2*sin(x)*cos(x))")).empty());
 }
 
 TEST_CASE("a mass that is zero in disguise is named as if it were not there") {
   ModelBuilder b;
   b.coordinate("x").coordinate("y").T("x_d^2/2 + (cosh(x)^2 - sinh(x)^2 - 1)*y_d^2");
-  CHECK(found(b) == "E501: the rate of `y` has no kinetic energy");
+  CHECK(mass_matrix_findings(b) == "E501: the rate of `y` has no kinetic energy");
 }
 
 TEST_CASE("a coordinate without a mass is named, at its own place") {
   ModelBuilder b;
   b.coordinate("x").coordinate("y").T("x_d^2/2 + 0*y_d");
   b.model.velocities[1].span = {nullptr, 7, 8};
-  CHECK(found(b) == "E501: the rate of `y` has no kinetic energy");
+  CHECK(mass_matrix_findings(b) == "E501: the rate of `y` has no kinetic energy");
   CHECK(inspect_mass_matrix({b.model, {}})[0].span.begin == 7);
 }
 
 TEST_CASE("a null vector is printed as a proportion") {
   ModelBuilder b;
   b.coordinate("x1").coordinate("x2").coordinate("x3").parameter("m", "2").parameter("l", "0.75");
-  CHECK(found(b.T("m*(x1_d - x2_d)^2 + m*x3_d^2")) ==
+  CHECK(mass_matrix_findings(b.T("m*(x1_d - x2_d)^2 + m*x3_d^2")) ==
         "E501: the motion `x1 : x2 = 1 : 1` has no kinetic energy");
-  CHECK(found(b.T("m*(x1_d - l*x3_d)^2 + m*x2_d^2")) ==
+  CHECK(mass_matrix_findings(b.T("m*(x1_d - l*x3_d)^2 + m*x2_d^2")) ==
         "E501: the motion `x1 : x3 = 1 : 4/3` has no kinetic energy");
 }
 
 TEST_CASE("two missing masses are two diagnostics") {
   ModelBuilder b;
   b.coordinate("x").coordinate("y").coordinate("z").T("y_d^2/2");
-  CHECK(found(b) ==
+  CHECK(mass_matrix_findings(b) ==
         "E501: the rate of `x` has no kinetic energy\n"
         "E501: the rate of `z` has no kinetic energy");
 }
@@ -76,7 +76,7 @@ TEST_CASE("a null vector that turns with the configuration is counted") {
   ModelBuilder b;  // one point in the plane cannot hold three coordinates apart
   b.coordinate("x").coordinate("y").coordinate("th");
   b.point("p", {"x + cos(th)", "y + sin(th)"}, "1");
-  const std::string text = found(b);
+  const std::string text = mass_matrix_findings(b);
   CHECK(text.find(
             "E501: rank 2 of 3 at every sampled configuration: the motion `x : y : th = 1 : ") ==
         0);
@@ -86,8 +86,8 @@ TEST_CASE("a null vector that turns with the configuration is counted") {
 TEST_CASE("a mass that is 0 by default is no mistake, one fixed at 0 is") {
   ModelBuilder b;
   b.coordinate("x").parameter("m", "0").T("m*x_d^2/2");
-  CHECK(found(b).empty());
+  CHECK(mass_matrix_findings(b).empty());
   Scene scene;
   scene.specialisation.fixed[0] = {0};
-  CHECK(found(b, scene) == "E501: the rate of `x` has no kinetic energy");
+  CHECK(mass_matrix_findings(b, scene) == "E501: the rate of `x` has no kinetic energy");
 }

@@ -11,7 +11,7 @@ using namespace elgen::test;
 
 namespace {
 
-std::string found(const std::string& spin, std::uint32_t dimension = 2) {
+std::string spin_findings(const std::string& spin, std::uint32_t dimension = 2) {
   ModelBuilder b;
   b.coordinate("x").coordinate("th").parameter("r", "0.3");
   Body body;
@@ -26,22 +26,22 @@ std::string found(const std::string& spin, std::uint32_t dimension = 2) {
 }  // namespace
 
 TEST_CASE("rates of angles pass") {
-  CHECK(found("th_d").empty());
-  CHECK(found("x_d/r - 2*th_d").empty());
-  CHECK(found("cos(x)*x_d*th + sin(x)*th_d").empty());
-  CHECK(found("th_d*t + th").empty());
-  CHECK(found("ddt(atan(x*th)) + 3*t^2").empty());
+  CHECK(spin_findings("th_d").empty());
+  CHECK(spin_findings("x_d/r - 2*th_d").empty());
+  CHECK(spin_findings("cos(x)*x_d*th + sin(x)*th_d").empty());
+  CHECK(spin_findings("th_d*t + th").empty());
+  CHECK(spin_findings("ddt(atan(x*th)) + 3*t^2").empty());
 }
 
 TEST_CASE("a curl in space or in time is found") {
   const std::string refused = "E507: spin of `wheel` is the rate of no angle";
-  CHECK(found("x*th_d") == refused);
-  CHECK(found("x_d*cos(th)") == refused);
-  CHECK(found("th_d*t") == refused);
-  CHECK(found("th") == refused);
+  CHECK(spin_findings("x*th_d") == refused);
+  CHECK(spin_findings("x_d*cos(th)") == refused);
+  CHECK(spin_findings("th_d*t") == refused);
+  CHECK(spin_findings("th") == refused);
 }
 
-TEST_CASE("in space a spin need not be a rate") { CHECK(found("x*th_d", 3).empty()); }
+TEST_CASE("in space a spin need not be a rate") { CHECK(spin_findings("x*th_d", 3).empty()); }
 
 TEST_CASE("spins of bodies in nested frames follow from the frames", "[frames]") {
   const CheckedModel planar = checked_model(planar_text());

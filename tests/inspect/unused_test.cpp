@@ -19,29 +19,29 @@ ModelBuilder spring(const std::string& potential) {
   return b;
 }
 
-std::string found(const Model& model) { return text_of(inspect_unused({model, {}})); }
+std::string unused_findings(const Model& model) { return text_of(inspect_unused({model, {}})); }
 
 }  // namespace
 
 TEST_CASE("one used element of an array is enough") {
-  CHECK(found(spring("k2*x^2").model).empty());
-  CHECK(found(spring("x^2").model) == "E522: parameter `k` is used nowhere");
+  CHECK(unused_findings(spring("k2*x^2").model).empty());
+  CHECK(unused_findings(spring("x^2").model) == "E522: parameter `k` is used nowhere");
 }
 
 TEST_CASE("an input acts on a velocity, or stands in a force") {
   ModelBuilder nowhere = spring("k1*x");
   nowhere.input("u");
-  CHECK(found(nowhere.model) == "E522: input `u` acts on nothing");
+  CHECK(unused_findings(nowhere.model) == "E522: input `u` acts on nothing");
   ModelBuilder acts = spring("k1*x");
   acts.input("u", 0);
-  CHECK(found(acts.model).empty());
+  CHECK(unused_findings(acts.model).empty());
   ModelBuilder named = spring("k1*x");
   named.input("u").force_on(0, "2*u");
-  CHECK(found(named.model).empty());
+  CHECK(unused_findings(named.model).empty());
 }
 
 TEST_CASE("what a lock takes out of the equations was used") {
   Model locked = spring("x^2").model;
   locked.unlocked = std::make_shared<const Model>(spring("k1*x^2").model);
-  CHECK(found(locked).empty());
+  CHECK(unused_findings(locked).empty());
 }

@@ -8,7 +8,7 @@ using namespace elgen;
 
 namespace {
 
-struct Row {
+struct Notations {
   const char* text;
   const char* latex;
 };
@@ -16,16 +16,17 @@ struct Row {
 }  // namespace
 
 TEST_CASE("exact constants in both notations") {
-  const Row row = GENERATE(values<Row>({{"1/2", "\\frac{1}{2}"},
-                                        {"981/100", "9.81"},
-                                        {"200000000000000000/3", "\\frac{200000000000000000}{3}"},
-                                        {"sqrt(2)", "\\sqrt{2}"},
-                                        {"pi", "\\pi"},
-                                        {"1/2*pi", "\\frac{1}{2} \\pi"},
-                                        {"1 - cos(1)", "1 - \\cos 1"},
-                                        {"2*(1 + pi)^2", "2 (1 + \\pi)^{2}"},
-                                        {"sqrt(3)^(-1)", "\\frac{1}{\\sqrt{3}}"},
-                                        {"exp(-1 - pi)", "\\exp(-1 - \\pi)"}}));
+  const Notations row =
+      GENERATE(values<Notations>({{"1/2", "\\frac{1}{2}"},
+                                  {"981/100", "9.81"},
+                                  {"200000000000000000/3", "\\frac{200000000000000000}{3}"},
+                                  {"sqrt(2)", "\\sqrt{2}"},
+                                  {"pi", "\\pi"},
+                                  {"1/2*pi", "\\frac{1}{2} \\pi"},
+                                  {"1 - cos(1)", "1 - \\cos 1"},
+                                  {"2*(1 + pi)^2", "2 (1 + \\pi)^{2}"},
+                                  {"sqrt(3)^(-1)", "\\frac{1}{\\sqrt{3}}"},
+                                  {"exp(-1 - pi)", "\\exp(-1 - \\pi)"}}));
   const auto constant = read_constant(row.text);
   REQUIRE(constant);
   CHECK(constant_formula(model_spelling(), constant->form).text() == row.text);

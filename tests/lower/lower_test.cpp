@@ -12,15 +12,15 @@ using GiNaC::ex;
 
 namespace {
 
-struct Leaves {
+struct ModelLeaves {
   ex m, l, x, y, vx, vy, ax, u, t;
 };
 
-Leaves named(const Symbols& s) {
+ModelLeaves named(const Symbols& s) {
   return {s.parameters[0], s.parameters[1], s.q[0], s.q[1], s.v[0], s.v[1], s.a[0], s.u[0], s.t};
 }
 
-using Make = std::function<std::vector<ex>(const Leaves&)>;
+using Make = std::function<std::vector<ex>(const ModelLeaves&)>;
 
 Program lowered(const Make& make, std::size_t rotation = 0) {
   EquationsOfMotion equations = testing::leaves(rotation);
@@ -36,53 +36,53 @@ std::vector<std::string> texts(const Program& program) {
   return equations(program, program.functions.at(0)).entries.at(0);
 }
 
-struct Row {
+struct LoweredRow {
   std::string what;
   Make make;
   std::vector<std::string> expected;
 };
 
-const std::vector<Row> rows = {
+const std::vector<LoweredRow> rows = {
     {"parameters before coordinates before functions before rates",
-     [](const Leaves& s) { return std::vector<ex>{s.vx * cos(s.x) * s.y * s.l * s.m}; },
+     [](const ModelLeaves& s) { return std::vector<ex>{s.vx * cos(s.x) * s.y * s.l * s.m}; },
      {"m*l*y*cos(x)*dot(x)"}},
     {"powers",
-     [](const Leaves& s) {
+     [](const ModelLeaves& s) {
        return std::vector<ex>{s.m * s.l * s.l, pow(s.x, -2)};
      },
      {"m*l^2", "1/x^2"}},
     {"a sum starts positive",
-     [](const Leaves& s) {
+     [](const ModelLeaves& s) {
        return std::vector<ex>{s.y - s.x, s.x - s.y};
      },
      {"-(x - y)", "x - y"}},
     {"odd and even functions",
-     [](const Leaves& s) {
+     [](const ModelLeaves& s) {
        return std::vector<ex>{sin(s.y - s.x), cos(s.y - s.x)};
      },
      {"-sin(x - y)", "cos(x - y)"}},
     {"bases merge up to sign",
-     [](const Leaves& s) { return std::vector<ex>{(s.x - s.y) * (s.y - s.x) * s.m}; },
+     [](const ModelLeaves& s) { return std::vector<ex>{(s.x - s.y) * (s.y - s.x) * s.m}; },
      {"-m*(x - y)^2"}},
     {"a common coefficient is pulled out",
-     [](const Leaves& s) { return std::vector<ex>{2 * s.y - 2 * s.x}; },
+     [](const ModelLeaves& s) { return std::vector<ex>{2 * s.y - 2 * s.x}; },
      {"2*(y - x)"}},
     {"half-integer powers",
-     [](const Leaves& s) { return std::vector<ex>{pow(s.m, ex(3) / 2)}; },
+     [](const ModelLeaves& s) { return std::vector<ex>{pow(s.m, ex(3) / 2)}; },
      {"m*sqrt(m)"}},
     {"other powers",
-     [](const Leaves& s) { return std::vector<ex>{pow(s.m, ex(1) / 3)}; },
+     [](const ModelLeaves& s) { return std::vector<ex>{pow(s.m, ex(1) / 3)}; },
      {"exp(1/3*log(m))"}},
     {"constants of constants",
-     [](const Leaves&) {
+     [](const ModelLeaves&) {
        return std::vector<ex>{cos(ex(3) / 10), GiNaC::Pi / 2};
      },
      {"cos(3/10)", "1/2*pi"}},
     {"one division per product",
-     [](const Leaves& s) { return std::vector<ex>{s.m * s.x / (s.l * s.y)}; },
+     [](const ModelLeaves& s) { return std::vector<ex>{s.m * s.x / (s.l * s.y)}; },
      {"m*x/(l*y)"}},
     {"zero and one",
-     [](const Leaves& s) {
+     [](const ModelLeaves& s) {
        return std::vector<ex>{s.x - s.x, s.x / s.x, -ex(1)};
      },
      {"0", "1", "-1"}},
@@ -91,7 +91,7 @@ const std::vector<Row> rows = {
 }  // namespace
 
 TEST_CASE("GiNaC expressions become canonical programs, whatever GiNaC's order") {
-  for (const Row& row : rows) {
+  for (const LoweredRow& row : rows) {
     INFO(row.what);
     const Program program = lowered(row.make);
     CHECK(texts(program) == row.expected);
@@ -102,7 +102,7 @@ TEST_CASE("GiNaC expressions become canonical programs, whatever GiNaC's order")
 }
 
 TEST_CASE("what outputs share is computed once, up to sign") {
-  const Program program = lowered([](const Leaves& s) {
+  const Program program = lowered([](const ModelLeaves& s) {
     return std::vector<ex>{s.m * s.l * cos(s.x), -s.m * s.l * sin(s.x), s.x - s.y,
                            s.m * (s.y - s.x)};
   });
@@ -115,7 +115,7 @@ TEST_CASE("what outputs share is computed once, up to sign") {
 
 TEST_CASE("definitions stay shared and keep their names") {
   EquationsOfMotion equations = testing::leaves();
-  const Leaves s = named(equations.symbols);
+  const ModelLeaves s = named(equations.symbols);
   const ex height = testing::define_as(equations, "height", s.x + s.l * sin(s.y));
   const ex unused = testing::define_as(equations, "unused", s.x * s.y);
   const OutputRequest request =
@@ -131,7 +131,7 @@ TEST_CASE("definitions stay shared and keep their names") {
 
 TEST_CASE("dynamics holds what takes neither a nor u, from one computation") {
   EquationsOfMotion equations = testing::leaves();
-  const Leaves s = named(equations.symbols);
+  const ModelLeaves s = named(equations.symbols);
   std::vector<OutputRequest> requests = {
       testing::add_output(equations, OutputKind::gravity, {sin(s.x)}),
       testing::add_output(equations, OutputKind::bias, {s.vx * sin(s.x)}),
@@ -149,7 +149,7 @@ TEST_CASE("dynamics holds what takes neither a nor u, from one computation") {
 
 TEST_CASE("limits and mistakes") {
   EquationsOfMotion equations = testing::leaves();
-  const Leaves s = named(equations.symbols);
+  const ModelLeaves s = named(equations.symbols);
   ex chain = s.x;
   for (int i = 0; i < 20; ++i) chain = testing::define_as(equations, "", sin(chain));
   const OutputRequest request = testing::add_output(equations, OutputKind::bias, {chain});
@@ -167,7 +167,7 @@ TEST_CASE("limits and mistakes") {
 TEST_CASE("a denominator that is 0 in any way of writing it is a pivot where M is solved for") {
   const auto message = [](const Make& denominator, const std::vector<OutputKind>& kinds) {
     EquationsOfMotion equations = testing::leaves();
-    const Leaves s = named(equations.symbols);
+    const ModelLeaves s = named(equations.symbols);
     const ex m_xx = denominator(s)[0];
     std::vector<OutputRequest> requests;
     for (const OutputKind kind : kinds) {
@@ -181,10 +181,10 @@ TEST_CASE("a denominator that is 0 in any way of writing it is a pivot where M i
     const Result<Program> program = lower(equations, requests, {});
     return program ? std::string() : program.diagnostics.at(0).message;
   };
-  const Make by_import = [](const Leaves& s) {
+  const Make by_import = [](const ModelLeaves& s) {
     return std::vector<ex>{pow(cos(s.x), 2) + pow(sin(s.x), 2) - 1};
   };
-  const Make by_angles = [](const Leaves& s) {
+  const Make by_angles = [](const ModelLeaves& s) {
     return std::vector<ex>{sin(3 * s.x) - sin(s.x) * cos(2 * s.x) - cos(s.x) * sin(2 * s.x)};
   };
   for (const Make& zero : {by_import, by_angles}) {
@@ -201,7 +201,7 @@ TEST_CASE("a denominator that is 0 in any way of writing it is a pivot where M i
 
 TEST_CASE("a chain of 5000 definitions is lowered without recursion on it") {
   EquationsOfMotion equations = testing::leaves();
-  const Leaves s = named(equations.symbols);
+  const ModelLeaves s = named(equations.symbols);
   ex position = s.x;
   for (int i = 0; i < 5000; ++i) {
     Definition definition;

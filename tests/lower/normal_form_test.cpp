@@ -6,7 +6,7 @@ using namespace elgen;
 
 namespace {
 
-struct Leaves {
+struct GraphLeaves {
   Graph graph = {};
   Ref x = graph.leaf(Opcode::coordinate, 0);
   Ref y = graph.leaf(Opcode::coordinate, 1);
@@ -19,7 +19,7 @@ struct Leaves {
 }  // namespace
 
 TEST_CASE("sums merge equal terms with exact coefficients") {
-  Leaves l;
+  GraphLeaves l;
   CHECK(l.graph.sum({l.y, -l.x, l.times("2", l.x)}) == l.graph.sum({l.x, l.y}));
   CHECK(l.graph.sum({l.times("1/3", l.x), l.times("2/3", l.x)}) == l.x);
   CHECK(l.graph.sum({l.x, -l.x}) == l.graph.rational(0));
@@ -28,7 +28,7 @@ TEST_CASE("sums merge equal terms with exact coefficients") {
 }
 
 TEST_CASE("the leading term of a sum is positive, its sign outside") {
-  Leaves l;
+  GraphLeaves l;
   const Ref difference = l.graph.sum({l.x, -l.y});
   CHECK_FALSE(difference.negative);
   CHECK(l.graph.sum({l.y, -l.x}) == -difference);
@@ -36,7 +36,7 @@ TEST_CASE("the leading term of a sum is positive, its sign outside") {
 }
 
 TEST_CASE("a coefficient that all terms share comes out of the sum") {
-  Leaves l;
+  GraphLeaves l;
   const Ref sum = l.graph.sum({l.times("2", l.y), l.times("-2", l.x)});
   CHECK(sum == -l.times("2", l.graph.sum({l.x, -l.y})));
   const Ref mixed = l.graph.sum({l.times("2", l.x), l.times("3", l.y)});
@@ -44,7 +44,7 @@ TEST_CASE("a coefficient that all terms share comes out of the sum") {
 }
 
 TEST_CASE("products merge equal bases up to sign") {
-  Leaves l;
+  GraphLeaves l;
   const Ref difference = l.graph.sum({l.x, -l.y});
   CHECK(l.graph.product({{difference}, {-difference}}) == -l.graph.product({{difference, 2}}));
   CHECK(l.graph.product({{l.x, 3}, {l.x, -2}}) == l.x);
@@ -54,7 +54,7 @@ TEST_CASE("products merge equal bases up to sign") {
 }
 
 TEST_CASE("coefficients meet, and zero swallows") {
-  Leaves l;
+  GraphLeaves l;
   CHECK(l.graph.product({{l.times("2", l.x)}, {l.times("1/2", l.y)}}) ==
         l.graph.product({{l.x}, {l.y}}));
   CHECK(l.graph.product({{l.times("2", l.x), -1}}) ==
@@ -66,7 +66,7 @@ TEST_CASE("coefficients meet, and zero swallows") {
 }
 
 TEST_CASE("rational numbers fold into one factor") {
-  Leaves l;
+  GraphLeaves l;
   const Ref pi = l.graph.pi();
   const Ref product = l.graph.product({{l.number("2")}, {pi}, {l.x}, {l.number("1/4")}});
   const Node& node = l.graph.node(product.node);
@@ -77,7 +77,7 @@ TEST_CASE("rational numbers fold into one factor") {
 }
 
 TEST_CASE("the square of a square root is its radicand") {
-  Leaves l;
+  GraphLeaves l;
   const Ref root = l.graph.square_root(l.x);
   CHECK(l.graph.product({{root, 2}}) == l.x);
   CHECK(l.graph.product({{root, 3}, {l.x, -1}}) == root);
@@ -86,7 +86,7 @@ TEST_CASE("the square of a square root is its radicand") {
 }
 
 TEST_CASE("the squares of sine and cosine of one angle add up") {
-  Leaves l;
+  GraphLeaves l;
   const Ref sine = l.graph.call(FunctionId::sin, {l.x});
   const Ref cosine = l.graph.call(FunctionId::cos, {l.x});
   const auto squared = [&](Ref factor, Ref base) { return l.graph.product({{factor}, {base, 2}}); };

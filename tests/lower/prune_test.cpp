@@ -37,7 +37,7 @@ TEST_CASE("instructions become the entries of one field") {
   const Program program = program_of(
       "  0 = parameter m\n  1 = parameter l\n  2 = multiply 0 0\n  3 = add 2 1\n"
       "  result 1 1 = 3\n");
-  CHECK(dump({program.leaves, {}, {with_entries(program.functions[0], {2, 0})}}) ==
+  CHECK(dump(Program{program.leaves, {}, {with_entries(program.functions[0], {2, 0})}}) ==
         dump(program_of("  0 = parameter m\n  1 = multiply 0 0\n  result 2 1 = 1 0\n")));
 }
 

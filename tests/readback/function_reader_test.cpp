@@ -19,12 +19,12 @@ Written arm(const std::string& language) {
       {make_source("panda7.toml", test::read_text(path)), make_source("cut.scene.toml", scene)});
 }
 
-const Written& cpp() {
+const Written& arm_in_cpp() {
   static const Written all = arm("c++17");
   return all;
 }
 
-const Written& c99() {
+const Written& arm_in_c99() {
   static const Written all = arm("c99");
   return all;
 }
@@ -72,13 +72,13 @@ const std::string second_part = "_part_2(";
 }  // namespace
 
 TEST_CASE("a function in parts is read back") {
-  CHECK(cpp().files.size() == 3);
-  CHECK(Draft{cpp(), "cut.hpp"}.find("detail::forward_dynamics_derivatives_part_2(") > 0);
-  CHECK(Draft{c99(), "cut.h"}.find("_part_2(") > 0);
+  CHECK(arm_in_cpp().files.size() == 3);
+  CHECK(Draft{arm_in_cpp(), "cut.hpp"}.find("detail::forward_dynamics_derivatives_part_2(") > 0);
+  CHECK(Draft{arm_in_c99(), "cut.h"}.find("_part_2(") > 0);
 }
 
 TEST_CASE("a statement in the part of another one is refused") {
-  for (Draft draft : {Draft{cpp(), "cut.hpp"}, Draft{c99(), "cut.h"}}) {
+  for (Draft draft : {Draft{arm_in_cpp(), "cut.hpp"}, Draft{arm_in_c99(), "cut.h"}}) {
     const std::string access = draft.ending == "cut.h" ? "w->" : "w.";
     const std::string line = draft.take_line(first_part, "  " + access);
     draft.insert_line(second_part, line);
@@ -87,13 +87,13 @@ TEST_CASE("a statement in the part of another one is refused") {
 }
 
 TEST_CASE("a shared value that no part has written is refused") {
-  Draft draft{cpp(), "cut.hpp"};
+  Draft draft{arm_in_cpp(), "cut.hpp"};
   (void)draft.take_line(first_part, "  w.");
   CHECK_THAT(draft.refusal(), Catch::Contains(" instead of ") || Catch::Contains("no value yet"));
 }
 
 TEST_CASE("a shared value that is written twice is refused") {
-  Draft draft{cpp(), "cut.hpp"};
+  Draft draft{arm_in_cpp(), "cut.hpp"};
   const std::string line = draft.take_line(first_part, "  w.");
   draft.insert_line(first_part, line + line);
   CHECK_FALSE(draft.refusal().empty());
@@ -102,7 +102,7 @@ TEST_CASE("a shared value that is written twice is refused") {
 TEST_CASE("a sine and a cosine that parts share are compared") {
   const std::string pair = "std::tie(w.sin_q2, w.cos_q2) = detail::SineCosine<Scalar>::of(q[1]);";
   const auto refusal_of = [&](const std::string& other) {
-    Draft draft{cpp(), "cut.hpp"};
+    Draft draft{arm_in_cpp(), "cut.hpp"};
     draft.replace(first_part, pair, other);
     return draft.refusal();
   };
@@ -118,17 +118,17 @@ TEST_CASE("a sine and a cosine that parts share are compared") {
 }
 
 TEST_CASE("the workspace declares what is shared, each once") {
-  Draft missing{cpp(), "cut.hpp"};
+  Draft missing{arm_in_cpp(), "cut.hpp"};
   (void)missing.take_line("Workspace {", "Scalar ");
   CHECK_THAT(missing.refusal(), Catch::Contains("is not declared here"));
-  Draft twice{cpp(), "cut.hpp"};
+  Draft twice{arm_in_cpp(), "cut.hpp"};
   const std::string line = twice.take_line("Workspace {", "Scalar ");
   twice.insert_line("struct ForwardDynamicsDerivativesWorkspace", line + line);
   CHECK_THAT(twice.refusal(), Catch::Contains("is declared twice"));
 }
 
 TEST_CASE("parts are called one after another, all of them") {
-  for (Draft draft : {Draft{cpp(), "cut.hpp"}, Draft{c99(), "cut.h"}}) {
+  for (Draft draft : {Draft{arm_in_cpp(), "cut.hpp"}, Draft{arm_in_c99(), "cut.h"}}) {
     Draft fewer = draft;
     const std::string line = fewer.take_line(" w;", second_part);
     CHECK_THAT(fewer.refusal(), Catch::Contains("instead of"));
@@ -142,10 +142,10 @@ TEST_CASE("parts are called one after another, all of them") {
 }
 
 TEST_CASE("an entry in a part is compared") {
-  Draft cpp_draft{cpp(), "cut.hpp"};
+  Draft cpp_draft{arm_in_cpp(), "cut.hpp"};
   cpp_draft.replace(second_part, "result.by_position[", "result.by_velocity[");
   CHECK_FALSE(cpp_draft.refusal().empty());
-  Draft c_draft{c99(), "cut.h"};
+  Draft c_draft{arm_in_c99(), "cut.h"};
   c_draft.replace(second_part, "result->by_position[", "result->by_velocity[");
   CHECK_FALSE(c_draft.refusal().empty());
 }
