@@ -76,7 +76,7 @@ std::vector<Declaration> declarations(const std::string& header, const std::stri
   return found;
 }
 
-std::string number(const Jet& value) { return "(SCALAR)" + value.value().str(20); }
+std::string number_literal(const Jet& value) { return "(SCALAR)" + value.value().str(20); }
 
 /// The numbers of what is not locked.
 std::vector<std::string> free_numbers(const Vector& all, const Layout& layout, bool is_q) {
@@ -85,7 +85,7 @@ std::vector<std::string> free_numbers(const Vector& all, const Layout& layout, b
     if (place.lock >= 0) continue;
     const std::size_t start = is_q ? place.q : place.v;
     const std::size_t count = !place.is_rotation ? 1 : is_q ? 4 : 3;
-    for (std::size_t i = start; i < start + count; ++i) result.push_back(number(all[i]));
+    for (std::size_t i = start; i < start + count; ++i) result.push_back(number_literal(all[i]));
   }
   return result;
 }
@@ -93,7 +93,7 @@ std::vector<std::string> free_numbers(const Vector& all, const Layout& layout, b
 /// Arguments by name, as lists of numbers.
 std::vector<std::pair<std::string, std::vector<std::string>>> arguments_of(const Trial& trial) {
   std::vector<std::string> inputs;
-  for (const Jet& u : trial.state.u) inputs.push_back(number(u));
+  for (const Jet& u : trial.state.u) inputs.push_back(number_literal(u));
   return {{"q", free_numbers(trial.state.q, trial.layout, true)},
           {"v", free_numbers(trial.state.v, trial.layout, false)},
           {"a", free_numbers(trial.state.a, trial.layout, false)},
@@ -134,7 +134,7 @@ std::string cpp_function(const Trial& trial, const std::string& declared, bool i
     text += fmt::format("  [[maybe_unused]] const {} {}{{{}}};\n", type, name,
                         numbers.empty() ? "" : fmt::format("{{{}}}", fmt::join(numbers, ", ")));
   }
-  text += fmt::format("  [[maybe_unused]] const SCALAR t = {};\n", number(trial.state.t));
+  text += fmt::format("  [[maybe_unused]] const SCALAR t = {};\n", number_literal(trial.state.t));
   for (const Declaration& function : declarations(declared, "[[nodiscard]] ")) {
     const bool is_output = mentions(function.parameters, "Coordinates<");
     if (!is_output || function.name == "dynamics") continue;
@@ -186,7 +186,7 @@ std::string c_function(const Trial& trial, const std::string& declared) {
     text += fmt::format("  const SCALAR {}[] = {{{}}};\n", name,
                         numbers.empty() ? "0" : fmt::format("{}", fmt::join(numbers, ", ")));
   }
-  text += fmt::format("  const SCALAR t = {};\n", number(trial.state.t));
+  text += fmt::format("  const SCALAR t = {};\n", number_literal(trial.state.t));
   text += "  (void)p, (void)q, (void)v, (void)a, (void)u, (void)t;\n";
   for (const Declaration& function : declarations(declared, "static inline ")) {
     // Long functions are written in parts.

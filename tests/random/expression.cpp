@@ -53,10 +53,6 @@ std::string printed_exponent(const Node& node) {
   return "(" + text + "/" + std::to_string(node.second) + ")";
 }
 
-std::string indexed(const std::string& text, const std::string& element) {
-  return element.empty() ? text : text + "[" + element + "]";
-}
-
 std::string printed_leaf(const Node& node) {
   switch (node.kind) {
     case NodeKind::pi:
@@ -142,6 +138,10 @@ Jet leaf_value(const Node& node, Scope& scope) {
 }
 
 }  // namespace
+
+std::string indexed(const std::string& name, const std::string& element) {
+  return element.empty() ? name : name + "[" + element + "]";
+}
 
 Expression made(Node node) { return std::make_shared<const Node>(std::move(node)); }
 

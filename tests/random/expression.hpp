@@ -44,6 +44,9 @@ struct Node {
   std::vector<Expression> operands = {};
 };
 
+/// `name[element]`, or the name alone where `element` is empty.
+[[nodiscard]] std::string indexed(const std::string& name, const std::string& element);
+
 [[nodiscard]] Expression number(const std::string& literal);
 [[nodiscard]] Expression number(int value);
 [[nodiscard]] Expression name(const std::string& text, const std::string& element = "");

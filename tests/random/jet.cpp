@@ -252,6 +252,12 @@ Jet call(std::string_view function, const std::vector<Jet>& arguments) {
   throw std::logic_error("no function " + std::string(function));
 }
 
+Vector along(const Vector& x, unsigned index) {
+  Vector result;
+  for (const Jet& entry : x) result.push_back(entry.along(index));
+  return result;
+}
+
 Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }

@@ -67,6 +67,7 @@ class Jet {
 using Vector = std::vector<Jet>;
 using Matrix = std::vector<Vector>;
 
+[[nodiscard]] Vector along(const Vector& x, unsigned index);
 [[nodiscard]] Vector cross(const Vector& a, const Vector& b);
 [[nodiscard]] Jet dot(const Vector& a, const Vector& b);
 [[nodiscard]] Matrix product(const Matrix& a, const Matrix& b);

@@ -41,12 +41,6 @@ Vector unit(const Vector& q) {
   return result;
 }
 
-Vector along(const Vector& x, unsigned index) {
-  Vector result;
-  for (const Jet& entry : x) result.push_back(entry.along(index));
-  return result;
-}
-
 Vector sum(Vector a, const Vector& b) {
   for (std::size_t i = 0; i < a.size(); ++i) a[i] += b[i];
   return a;
@@ -64,10 +58,6 @@ template <class Entries>
 bool has(const Entries& entries, const std::string& name) {
   return std::any_of(entries.begin(), entries.end(),
                      [&](const auto& entry) { return entry.name == name; });
-}
-
-std::string indexed(const std::string& name, const std::string& element) {
-  return element.empty() ? name : name + "[" + element + "]";
 }
 
 Matrix symmetric(const Vector& I) {
@@ -236,7 +226,7 @@ Vector Motion::spin_of(const std::string& frame) {
   Matrix rate;
   Matrix still;
   for (const Vector& row : R) {
-    rate.push_back(elgen::random::along(row, time_infinitesimal));
+    rate.push_back(along(row, time_infinitesimal));
     still.emplace_back();
     for (const Jet& entry : row) still.back().push_back(entry.without(time_infinitesimal));
   }

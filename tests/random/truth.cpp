@@ -9,10 +9,6 @@ namespace elgen::random {
 
 namespace {
 
-// Infinitesimals: 0 belongs to Motion.
-constexpr unsigned moment = 1;     ///< time runs
-constexpr unsigned direction = 2;  ///< of dL/dv, dL/dq
-constexpr unsigned second = 3;     ///< of second derivatives
 constexpr unsigned third = 4;
 
 Vector spin_at(const Vector& v, const Layout::Place& place) {

@@ -17,6 +17,11 @@
 
 namespace elgen::random {
 
+// Infinitesimals: 0 belongs to Motion.
+inline constexpr unsigned moment = 1;     ///< time runs
+inline constexpr unsigned direction = 2;  ///< of dL/dv, dL/dq
+inline constexpr unsigned second = 3;     ///< of second derivatives
+
 /// Entries by "output" or "output.field", row by row.
 using Values = std::map<std::string, std::vector<Number>>;
 
@@ -71,10 +76,10 @@ class Truth {
 };
 
 /// The state a moment later, by the given infinitesimal: q moves along v, v along a, t runs.
-[[nodiscard]] State later(const Layout& layout, const State& state, unsigned moment);
+[[nodiscard]] State later(const Layout& layout, const State& state, unsigned index);
 /// q moved along the velocity `index` alone.
 [[nodiscard]] State displaced(const Layout& layout, const State& state, std::size_t index,
-                              unsigned direction);
+                              unsigned along);
 
 /// Solves M x = b for every column; throws std::domain_error where M is singular.
 [[nodiscard]] Matrix solved(Matrix M, Matrix columns);

@@ -5,16 +5,6 @@ namespace elgen::random {
 
 namespace {
 
-constexpr unsigned moment = 1;
-constexpr unsigned direction = 2;
-constexpr unsigned second = 3;
-
-Vector along(const Vector& x, unsigned index) {
-  Vector result;
-  for (const Jet& entry : x) result.push_back(entry.along(index));
-  return result;
-}
-
 Vector difference(Vector a, const Vector& b) {
   for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
   return a;
