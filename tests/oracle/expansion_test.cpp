@@ -14,7 +14,7 @@ using cln::cl_RA;
 
 namespace {
 
-const std::string pendulum = model_text("pendulum", R"toml(
+const std::string forced_pendulum = model_text("pendulum", R"toml(
 [[coordinate]]
 name = "q"
 [parameters]
@@ -51,17 +51,17 @@ bool near(const cl_R& x, const cl_R& y) { return cln::abs(x - y) < cln::expt(cl_
 }  // namespace
 
 TEST_CASE("an exact model has no point") {
-  const CheckedModel checked = checked_model(pendulum);
+  const CheckedModel checked = checked_model(forced_pendulum);
   CHECK_FALSE(oracle::expansion_point(checked.model, some_state(checked)).has_value());
 }
 
 TEST_CASE("outputs are those of the Taylor polynomials of the energies") {
-  const CheckedModel linear = approximated(pendulum, "order = 1\nabout = { q = 0 }");
+  const CheckedModel linear = approximated(forced_pendulum, "order = 1\nabout = { q = 0 }");
   CHECK(near(value(linear, OutputKind::mass_matrix), 2));
   CHECK(near(value(linear, OutputKind::potential_energy), cl_RA(3) / 2 / 25));
   CHECK(near(value(linear, OutputKind::inverse_dynamics), cl_RA(2) / 3 + cl_RA(3) / 5));
   CHECK(near(value(linear, OutputKind::input_matrix), 1));
-  const CheckedModel third = approximated(pendulum, "order = 3\nabout = { q = 0 }");
+  const CheckedModel third = approximated(forced_pendulum, "order = 3\nabout = { q = 0 }");
   const cl_R q = cl_RA(1) / 5;
   CHECK(near(value(third, OutputKind::mass_matrix), 2 * (1 + q * q)));
   CHECK(near(value(third, OutputKind::potential_energy), 3 * (q * q / 2 - q * q * q * q / 24)));
@@ -97,7 +97,7 @@ value = "u*(exp(th) - 1)"
 }
 
 TEST_CASE("what is small goes to the point with s, the rest stays") {
-  const CheckedModel checked = approximated(pendulum, "order = 2\nabout = { q = 1, u = 3 }");
+  const CheckedModel checked = approximated(forced_pendulum, "order = 2\nabout = { q = 1, u = 3 }");
   const State state = some_state(checked);
   const auto point = oracle::expansion_point(checked.model, state);
   REQUIRE(point.has_value());

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "oracle/generators.hpp"
 #include "oracle/samples.hpp"
 
 using namespace elgen;
@@ -10,9 +11,6 @@ using namespace elgen::test;
 using cln::cl_R;
 
 namespace {
-
-constexpr Generators e0 = generator(0);
-constexpr Generators e1 = generator(1);
 
 /// f(x + h), f(x - h): the derivative to h^2 by a central difference; arguments inside every
 /// domain.

@@ -4,16 +4,16 @@
 
 #include <catch2/catch.hpp>
 
+#include "oracle/generators.hpp"
 #include "oracle/real_functions.hpp"
 
 using namespace elgen::oracle;
 using cln::cl_R;
 using cln::cl_RA;
+using elgen::test::e0;
+using elgen::test::e1;
 
 namespace {
-
-constexpr Generators e0 = generator(0);
-constexpr Generators e1 = generator(1);
 
 /// A jet in three generators with small exact coefficients.
 Jet random_jet() {

@@ -11,14 +11,14 @@ using cln::cl_R;
 
 namespace {
 
-ModelBuilder plane() {
+ModelBuilder coupled_plane() {
   ModelBuilder b;
   b.coordinate("x").coordinate("y").input("u").T("x_d^2 + x*x_d*y_d + y_d^2*y");
   return b;
 }
 
 /// x = 2, y = 3, dx/dt = 5, dy/dt = 7, d2x/dt2 = 11, d2y/dt2 = 13, u = 17
-State state_of(const ModelBuilder& b) {
+State plane_state(const ModelBuilder& b) {
   State state = nominal_state(b.model, {});
   state.q = {2, 3};
   state.v = {5, 7};
@@ -33,8 +33,8 @@ const Direction along_y{0, 1};
 }  // namespace
 
 TEST_CASE("mass, its gradient and momentum of a quadratic form") {
-  const ModelBuilder b = plane();
-  const State state = state_of(b);
+  const ModelBuilder b = coupled_plane();
+  const State state = plane_state(b);
   Mechanics at(b.model, state);  // M = [2, x; x, 2 y]
   CHECK(at.mass(along_x, along_x) == 2);
   CHECK(at.mass(along_x, along_y) == 2);
@@ -46,8 +46,8 @@ TEST_CASE("mass, its gradient and momentum of a quadratic form") {
 }
 
 TEST_CASE("inverse dynamics is Lagrange's equation") {
-  const ModelBuilder b = plane();
-  const State state = state_of(b);
+  const ModelBuilder b = coupled_plane();
+  const State state = plane_state(b);
   Mechanics at(b.model, state);
   // d/dt (2 vx + x vy) - vx vy = 2 ax + x ay + vx vy - vx vy
   CHECK(at.inverse_dynamics(along_x, state.a) == 2 * 11 + 2 * 13);
@@ -56,9 +56,9 @@ TEST_CASE("inverse dynamics is Lagrange's equation") {
 }
 
 TEST_CASE("forces at points do work along the displacement, with their reaction") {
-  ModelBuilder b = plane();
+  ModelBuilder b = coupled_plane();
   b.point("P", {"x*y", "0"}).point("Q", {"x", "x^2"}).force_at("P", {"10 + 2*u", "1"}, "Q");
-  const State state = state_of(b);
+  const State state = plane_state(b);
   Mechanics at(b.model, state);
   CHECK(at.applied_force(along_x) == 10 * 3 - (10 * 1 + 1 * 4));
   CHECK(at.applied_force(along_y) == 10 * 2);
@@ -66,9 +66,9 @@ TEST_CASE("forces at points do work along the displacement, with their reaction"
 }
 
 TEST_CASE("generalized forces, inputs on a coordinate, kinks and dissipation") {
-  ModelBuilder b = plane();
+  ModelBuilder b = coupled_plane();
   b.input("w", 1).force_on(0, "-3*sign(x_d)*abs(y_d) + x*u").D("x_d^2*y_d");
-  State state = state_of(b);
+  State state = plane_state(b);
   state.u = {17, 19};
   Mechanics at(b.model, state);
   CHECK(at.applied_force(along_x) == -21);
@@ -80,9 +80,9 @@ TEST_CASE("generalized forces, inputs on a coordinate, kinks and dissipation") {
 }
 
 TEST_CASE("energies and the gradient of a potential with a part linear in the rates") {
-  ModelBuilder b = plane();
+  ModelBuilder b = coupled_plane();
   b.V("x^2*y + 4*y*x_d");
-  const State state = state_of(b);
+  const State state = plane_state(b);
   Mechanics at(b.model, state);
   const cl_R kinetic = 25 + 2 * 35 + 49 * 3;
   CHECK(at.kinetic_energy() == kinetic);

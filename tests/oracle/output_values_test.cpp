@@ -20,7 +20,7 @@ ModelBuilder polar() {
 }
 
 /// r = 2, ph = 3, dr/dt = 5, dph/dt = 7, accelerations 11 and 13, u = 17, t = 19
-State state_of(const ModelBuilder& b) {
+State polar_state(const ModelBuilder& b) {
   State state = nominal_state(b.model, {});
   state.q = {2, 3};
   state.v = {5, 7};
@@ -34,7 +34,7 @@ Values value(OutputKind kind) {
   const ModelBuilder b = polar();
   OutputRequest request;
   request.kind = kind;
-  return output_values(b.model, request, state_of(b));
+  return output_values(b.model, request, polar_state(b));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ using namespace elgen::test;
 namespace {
 
 /// T = 1/2 m (dr^2 + r^2 dp^2), V = k r, u on r.
-const std::string polar = model_text("polar", R"toml(
+const std::string rotating_pipe = model_text("polar", R"toml(
 [[coordinate]]
 name = "r"
 [[coordinate]]
@@ -31,7 +31,7 @@ on = "r"
 
 TEST_CASE("the wall of a rotating pipe: m r'' - m r p'^2 + k - u") {
   const CheckedModel held =
-      checked_scene(polar, "[lock]\nr = { value = \"t^3\", reaction = true }\n");
+      checked_scene(rotating_pipe, "[lock]\nr = { value = \"t^3\", reaction = true }\n");
   State state = nominal_state(held.model, held.scene);
   state.v = {5};
   state.a = {7};
@@ -46,7 +46,7 @@ TEST_CASE("the wall of a rotating pipe: m r'' - m r p'^2 + k - u") {
 }
 
 TEST_CASE("a lock without reaction has no row") {
-  const CheckedModel held = checked_scene(polar, "[lock]\nr = { value = 1 }\n");
+  const CheckedModel held = checked_scene(rotating_pipe, "[lock]\nr = { value = 1 }\n");
   CHECK(oracle::reaction(held.model, nominal_state(held.model, held.scene)).empty());
 }
 

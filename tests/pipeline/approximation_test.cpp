@@ -7,8 +7,8 @@
 #include "elgen/pipeline.hpp"
 #include "elgen/specialise.hpp"
 #include "formulate/written_out.hpp"
+#include "pipeline/pipeline_testing.hpp"
 #include "support/models.hpp"
-#include "support/shell.hpp"
 
 namespace elgen::test {
 namespace {
@@ -16,22 +16,18 @@ namespace {
 using cln::cl_R;
 using cln::cl_RA;
 
-std::string model_file(const std::string& name) {
-  return read_text(std::string(ELGEN_SOURCE_DIR) + "/models/" + name + ".toml");
-}
-
-std::string scene_text(const std::string& lines) {
+std::string near_scene(const std::string& lines) {
   return "format = 1\nmodel = \"model.toml\"\nname = \"near\"\n" + lines;
 }
 
 /// A model of the project, with a scene if `lines` has any.
-Products products_of(const std::string& model, const std::string& output,
-                     const std::string& lines) {
+Products near_products(const std::string& model, const std::string& output,
+                       const std::string& lines) {
   PipelineOptions options;
   options.scene.outputs = {make_source("--outputs", output)};
   Inputs inputs;
   inputs.model = make_source("model.toml", model_file(model));
-  if (!lines.empty()) inputs.scene = make_source("near.scene.toml", scene_text(lines));
+  if (!lines.empty()) inputs.scene = make_source("near.scene.toml", near_scene(lines));
   Products products = run_pipeline(inputs, options);
   INFO(format(products.diagnostics));
   REQUIRE(products.program);
@@ -145,8 +141,8 @@ TEST_CASE("third order near the bottom is the truncated equation, term by term")
 
 TEST_CASE("first order about the upright is the linearization there") {
   const std::string lines = "[approximate]\norder = 1\nabout = { x = 0, theta = 0 }\n";
-  const Products exact = products_of("cart_pole", "linearization", "");
-  const Products linear = products_of("cart_pole", "linearization", lines);
+  const Products exact = near_products("cart_pole", "linearization", "");
+  const Products linear = near_products("cart_pole", "linearization", lines);
   const cl_R third = cl_RA(1) / 3;
   const auto there = values(exact, arguments(exact, {0, 0}, {0, 0}, {0, 0}));
   const auto anywhere =
@@ -166,8 +162,8 @@ TEST_CASE("with one small coordinate the error falls by the power promised") {
       "[parameters]\nfixed = { g = 0 }\n"
       "[approximate]\norder = 2\nabout = { q2 = 0 }\nsmall = [\"q2\"]\n";
   const Products exact =
-      products_of("two_link_arm", "inverse_dynamics", "[parameters]\nfixed = { g = 0 }\n");
-  const Products expanded = products_of("two_link_arm", "inverse_dynamics", lines);
+      near_products("two_link_arm", "inverse_dynamics", "[parameters]\nfixed = { g = 0 }\n");
+  const Products expanded = near_products("two_link_arm", "inverse_dynamics", lines);
   const auto errors = [&](const cl_R& s) {
     const auto at = arguments(exact, {cl_RA(7) / 10, s / 2}, {cl_RA(3) / 2, s}, {2, -s * 3});
     const auto left = values(exact, at);
@@ -185,7 +181,7 @@ TEST_CASE("a force on what is not small is right to one order more, everywhere i
   const Workspace workspace;
   write_text(workspace.path() / "model.toml", pushed_cart);
   write_text(workspace.path() / "near.scene.toml",
-             scene_text("[outputs]\ninput_matrix = true\nbias = true\nforward_dynamics = true\n"
+             near_scene("[outputs]\ninput_matrix = true\nbias = true\nforward_dynamics = true\n"
                         "[approximate]\norder = 2\nabout = { th = 0 }\n"));
   const Outcome shown = shell("elgen show near.scene.toml", workspace.path());
   INFO(shown.output + shown.errors);

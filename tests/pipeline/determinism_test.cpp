@@ -10,8 +10,8 @@ namespace {
 const std::string models = std::string(ELGEN_SOURCE_DIR) + "/models";
 const std::string all_inputs = models + "/*.toml " + models + "/scenes/*.scene.toml";
 
-std::string compare(const std::string& left, const std::string& right,
-                    const std::filesystem::path& folder) {
+std::string differences(const std::string& left, const std::string& right,
+                        const std::filesystem::path& folder) {
   return shell("diff -r " + left + " " + right, folder).output;
 }
 
@@ -27,7 +27,7 @@ void repeat(int processes, const std::string& inputs) {
         shell("elgen generate -q -o " + folder + " " + inputs, workspace.path());
     INFO(outcome.errors);
     REQUIRE(outcome.status == 0);
-    CHECK(compare("out1", folder, workspace.path()).empty());
+    CHECK(differences("out1", folder, workspace.path()).empty());
   }
 }
 
@@ -55,7 +55,7 @@ TEST_CASE("a comma-decimal locale and another working folder change nothing") {
       workspace.path());
   INFO(outcome.errors);
   REQUIRE(outcome.status == 0);
-  CHECK(compare("plain", "german", workspace.path()).empty());
+  CHECK(differences("plain", "german", workspace.path()).empty());
 }
 
 }  // namespace elgen::test

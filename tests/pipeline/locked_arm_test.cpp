@@ -6,7 +6,7 @@
 #include "elgen/evaluate.hpp"
 #include "elgen/oracle.hpp"
 #include "elgen/pipeline.hpp"
-#include "support/shell.hpp"
+#include "pipeline/pipeline_testing.hpp"
 
 namespace elgen::test {
 namespace {
@@ -15,13 +15,11 @@ using cln::cl_R;
 
 constexpr std::size_t joints = 7;
 constexpr std::size_t free_joint = 3;  ///< q4
-const std::string root = ELGEN_SOURCE_DIR;
-
-Products products_of(const std::string& scene) {
+Products locked_products(const std::string& scene) {
   PipelineOptions options;
   options.goals = {"choose"};
   Inputs inputs;
-  inputs.model = make_source("panda7.toml", read_text(root + "/models/panda7.toml"));
+  inputs.model = make_source("panda7.toml", model_file("panda7"));
   inputs.scene = make_source("test.scene.toml", scene);
   Products products = run_pipeline(inputs, options);
   INFO(format(products.diagnostics));
@@ -29,7 +27,7 @@ Products products_of(const std::string& scene) {
   return products;
 }
 
-std::string scene_text(const std::string& locks) {
+std::string locked_scene(const std::string& locks) {
   return "format = 1\nmodel = \"panda7.toml\"\nname = \"one\"\n[outputs]\nmass_matrix = true\n"
          "bias = true\ninverse_dynamics = true\n" +
          locks;
@@ -80,8 +78,8 @@ bool agree(const Real& x, const Real& y) {
 }  // namespace
 
 TEST_CASE("six joints of seven locked", "[lock]") {
-  const Products arm = products_of(scene_text(""));
-  const Products one = products_of(scene_text(locks_text()));
+  const Products arm = locked_products(locked_scene(""));
+  const Products one = locked_products(locked_scene(locks_text()));
   const auto value = [](const Products& of, OutputKind kind, const Arguments<Real>& state) {
     return evaluate(*of.program, function_of(of, kind), state);
   };
@@ -160,8 +158,8 @@ q2 = { value = "t^2", reaction = true }
 }
 
 TEST_CASE("what is locked costs nothing", "[lock]") {
-  const Products arm = products_of(scene_text(""));
-  const Products one = products_of(scene_text(locks_text()));
+  const Products arm = locked_products(locked_scene(""));
+  const Products one = locked_products(locked_scene(locks_text()));
   const auto share = [&](OutputKind kind) {
     return static_cast<double>(operations(one, kind)) / static_cast<double>(operations(arm, kind));
   };

@@ -7,24 +7,22 @@
 #include "elgen/evaluate.hpp"
 #include "elgen/pipeline.hpp"
 #include "elgen/urdf.hpp"
-#include "support/shell.hpp"
+#include "pipeline/pipeline_testing.hpp"
 
 namespace elgen::test {
 namespace {
 
-const std::string root = ELGEN_SOURCE_DIR;
-
-std::string frames_text() { return read_text(root + "/models/panda7.toml"); }
+std::string frames_text() { return model_file("panda7"); }
 
 std::string imported_text() {
-  const std::string path = root + "/tests/urdf/robots/panda_like.urdf";
+  const std::string path = std::string(ELGEN_SOURCE_DIR) + "/tests/urdf/robots/panda_like.urdf";
   const Result<ImportedModel> model = import_urdf(make_source(path, read_text(path)), {});
   REQUIRE(model);
   return model.value->text;
 }
 
 /// The outputs asked for, of a model given as text.
-Products products_of(const std::string& text, const std::string& outputs) {
+Products chosen_products(const std::string& text, const std::string& outputs) {
   PipelineOptions options;
   options.scene.outputs = {make_source("--outputs", outputs)};
   options.goals = {"choose"};
@@ -37,7 +35,7 @@ Products products_of(const std::string& text, const std::string& outputs) {
 }
 
 std::size_t operations(const std::string& text, const std::string& output) {
-  const Products products = products_of(text, output);
+  const Products products = chosen_products(text, output);
   const OperationCounts counts = count_operations(products.program->functions.front());
   return counts.add + counts.mul + counts.div;
 }
@@ -78,8 +76,8 @@ std::string about_origins(std::string text) {
 
 TEST_CASE("frames and URDF give equal entries at 64 random states, to 50 digits") {
   const std::string outputs = "mass_matrix,bias,inverse_dynamics";
-  const Products frames = products_of(frames_text(), outputs);
-  const Products imported = products_of(imported_text(), outputs);
+  const Products frames = chosen_products(frames_text(), outputs);
+  const Products imported = chosen_products(imported_text(), outputs);
   const cln::cl_R tolerance = cln::expt(cln::cl_R(10), -50);
   for (unsigned seed = 0; seed < 64; ++seed) {
     const Arguments<Real> here = state_of(frames, std::mt19937(seed));

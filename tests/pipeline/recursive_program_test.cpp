@@ -4,21 +4,20 @@
 #include <catch2/catch.hpp>
 
 #include "elgen/pipeline.hpp"
-#include "support/shell.hpp"
+#include "pipeline/pipeline_testing.hpp"
 
 namespace elgen {
 
 namespace {
 
-Inputs cart_pole() {
-  const std::string path = std::string(ELGEN_SOURCE_DIR) + "/models/cart_pole.toml";
-  return {make_source("cart_pole.toml", test::read_text(path)), nullptr};
+Inputs cart_pole_inputs() {
+  return {make_source("cart_pole.toml", test::model_file("cart_pole")), nullptr};
 }
 
 CheckedModel checked() {
   PipelineOptions options;
   options.goals = {"check"};
-  return *run_pipeline(cart_pole(), options).checked;
+  return *run_pipeline(cart_pole_inputs(), options).checked;
 }
 
 }  // namespace
@@ -32,7 +31,7 @@ TEST_CASE("what is derived beside the stages is what they derive") {
   PipelineOptions options;
   options.goals = {"cancel"};
   options.dump_stage = "cancel";
-  CHECK(dump(*program) == run_pipeline(cart_pole(), options).dump);
+  CHECK(dump(*program) == run_pipeline(cart_pole_inputs(), options).dump);
 }
 
 TEST_CASE("a limit on derived nodes ends it") {

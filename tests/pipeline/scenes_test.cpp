@@ -2,19 +2,17 @@
 #include <catch2/catch.hpp>
 
 #include "elgen/pipeline.hpp"
-#include "support/shell.hpp"
+#include "pipeline/pipeline_testing.hpp"
 
 namespace elgen::test {
 namespace {
 
-const std::string root = ELGEN_SOURCE_DIR;
-
-Products products_of(const std::string& outputs, const std::vector<std::string>& fixed) {
+Products fixed_products(const std::string& outputs, const std::vector<std::string>& fixed) {
   PipelineOptions options;
   options.scene.outputs = {make_source("--outputs", outputs)};
   for (const std::string& name : fixed) options.scene.fixed.push_back(make_source("--fix", name));
   Inputs inputs;
-  inputs.model = make_source("panda7.toml", read_text(root + "/models/panda7.toml"));
+  inputs.model = make_source("panda7.toml", model_file("panda7"));
   Products products = run_pipeline(inputs, options);
   INFO(format(products.diagnostics));
   REQUIRE(products.program);
@@ -29,7 +27,7 @@ std::size_t operations(const Products& products) {
 }  // namespace
 
 TEST_CASE("gravity alone has no velocities", "[scenes]") {
-  const Products products = products_of("gravity", {});
+  const Products products = fixed_products("gravity", {});
   CHECK(operations(products) <= 250);
   CHECK(dump(*products.program).find("velocity") == std::string::npos);
   for (const auto& [path, text] : products.files->files) {
@@ -41,8 +39,8 @@ TEST_CASE("gravity alone has no velocities", "[scenes]") {
 }
 
 TEST_CASE("fixed parameters save a fifth of the inverse dynamics", "[scenes]") {
-  const std::size_t symbolic = operations(products_of("inverse_dynamics", {}));
-  const std::size_t fixed = operations(products_of("inverse_dynamics", {"all"}));
+  const std::size_t symbolic = operations(fixed_products("inverse_dynamics", {}));
+  const std::size_t fixed = operations(fixed_products("inverse_dynamics", {"all"}));
   INFO(symbolic << " operations, " << fixed << " with numbers");
   CHECK(fixed <= symbolic * 80 / 100);
 }

@@ -2,17 +2,10 @@
 // what it computes at them is still one mechanics.
 #include <catch2/catch.hpp>
 
-#include "support/shell.hpp"
+#include "pipeline/pipeline_testing.hpp"
 
 namespace elgen::test {
 namespace {
-
-std::string printed(const Workspace& folder, const std::string& program) {
-  write_text(folder.path() / "main.cpp", program);
-  const std::string include = std::string(ELGEN_SOURCE_DIR) + "/generated";
-  prepare("c++ -std=c++17 -O1 -I'" + include + "' main.cpp -o main", folder.path());
-  return shell("./main", folder.path()).output;
-}
 
 /// Prints how far, in epsilons, unit quaternions are from (1, -2, 2, 4)/5.
 constexpr const char* lengths = R"cpp(

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <regex>
 
-#include "support/shell.hpp"
+#include "pipeline/pipeline_testing.hpp"
 
 namespace elgen::test {
 namespace {
@@ -124,13 +124,6 @@ constexpr const char* expanded = R"cpp(
     std::printf("%g %g", slow[0] - fast[0], slow[1] - fast[1]);
   }
 )cpp";
-
-std::string printed(const Workspace& folder, const char* program) {
-  write_text(folder.path() / "main.cpp", program);
-  const std::string include = std::string(ELGEN_SOURCE_DIR) + "/generated";
-  prepare("c++ -std=c++17 -O1 -I. -I'" + include + "' main.cpp -o main", folder.path());
-  return shell("./main", folder.path()).output;
-}
 
 }  // namespace
 
