@@ -22,8 +22,8 @@ std::string rule_of(const SimulationOptions& options) {
 }
 
 /// What a method says of a model.
-std::string refusal(const std::string& method, const std::string& text,
-                    const SceneOptions& scene = {}, std::optional<double> hold = {}) {
+std::string method_refusal(const std::string& method, const std::string& text,
+                           const SceneOptions& scene = {}, std::optional<double> hold = {}) {
   const CompiledSystem compiled(text, scene);
   SimulationOptions options;
   options.hold = hold;
@@ -69,28 +69,28 @@ TEST_CASE("times, steps and tolerances are positive, and one rule decides the st
 TEST_CASE("verlet takes what is separable") {
   const std::string midpoint = " | `midpoint` is symplectic there too";
   const std::string refused = "E622 `verlet` is not for this system: ";
-  CHECK(refusal("verlet", plane(separable)).empty());
-  CHECK(refusal("verlet", plane("[energy]\nT = \"x^2*dot(x)^2 + dot(y)^2\"\n")) ==
+  CHECK(method_refusal("verlet", plane(separable)).empty());
+  CHECK(method_refusal("verlet", plane("[energy]\nT = \"x^2*dot(x)^2 + dot(y)^2\"\n")) ==
         refused + "M depends on `x`" + midpoint);
-  CHECK(refusal("verlet", plane("[energy]\nT = \"exp(t)*dot(x)^2 + dot(y)^2\"\n")) ==
+  CHECK(method_refusal("verlet", plane("[energy]\nT = \"exp(t)*dot(x)^2 + dot(y)^2\"\n")) ==
         refused + "M depends on `t`" + midpoint);
-  CHECK(refusal("verlet", plane("[energy]\nL = \"-sqrt(1 - dot(x)^2) + dot(y)^2\"\n")) ==
+  CHECK(method_refusal("verlet", plane("[energy]\nL = \"-sqrt(1 - dot(x)^2) + dot(y)^2\"\n")) ==
         refused + "M depends on `dot(x)`" + midpoint);
-  CHECK(refusal("verlet", plane("[energy]\nL = \"dot(x)^2 + dot(y)^2 + x*dot(y)\"\n")) ==
+  CHECK(method_refusal("verlet", plane("[energy]\nL = \"dot(x)^2 + dot(y)^2 + x*dot(y)\"\n")) ==
         refused + "L has terms linear in the rates" + midpoint);
-  CHECK(refusal("verlet", plane("[energy]\nL = \"dot(x)^2 + dot(y)^2 + 3*dot(y)\"\n")) ==
+  CHECK(method_refusal("verlet", plane("[energy]\nL = \"dot(x)^2 + dot(y)^2 + 3*dot(y)\"\n")) ==
         refused + "L has terms linear in the rates" + midpoint);
-  CHECK(refusal("verlet", plane(separable + "D = \"dot(y)^2\"\n")) ==
+  CHECK(method_refusal("verlet", plane(separable + "D = \"dot(y)^2\"\n")) ==
         refused + "a force depends on `dot(y)`" + midpoint);
 }
 
 TEST_CASE("verlet takes laws of inputs that do not depend on rates, or are held") {
   const std::string driven = plane(separable + "[[input]]\nname = \"u\"\non = \"x\"\n");
-  CHECK(refusal("verlet", driven, start_options("", "u=-x + sin(t)")).empty());
-  CHECK(refusal("verlet", driven, start_options("", "u=-dot(x)")) ==
+  CHECK(method_refusal("verlet", driven, start_options("", "u=-x + sin(t)")).empty());
+  CHECK(method_refusal("verlet", driven, start_options("", "u=-dot(x)")) ==
         "E622 `verlet` is not for this system: the law of `u` depends on rates | `midpoint` is "
         "symplectic there too");
-  CHECK(refusal("verlet", driven, start_options("", "u=-dot(x)"), 0.1).empty());
+  CHECK(method_refusal("verlet", driven, start_options("", "u=-dot(x)"), 0.1).empty());
 }
 
 TEST_CASE("rotations are for the methods that normalise them") {
@@ -109,9 +109,10 @@ frame = "F"
 inertia = ["J", "J", "J"]
 )toml");
   for (const std::string method : {"verlet", "midpoint"}) {
-    CHECK(refusal(method, body) == "E622 `" + method +
-                                       "` is not for this system: `e` is a rotation | `rk4`, "
-                                       "`dopri5` and `fehlberg78` take rotations");
+    CHECK(method_refusal(method, body) ==
+          "E622 `" + method +
+              "` is not for this system: `e` is a rotation | `rk4`, "
+              "`dopri5` and `fehlberg78` take rotations");
   }
-  CHECK(refusal("dopri5", body).empty());
+  CHECK(method_refusal("dopri5", body).empty());
 }

@@ -11,7 +11,7 @@ using namespace elgen::test;
 namespace {
 
 /// What is said of a start of a point on a sphere, with or without its `singular`.
-std::string refusal(const std::string& start, const std::string& singular) {
+std::string start_refusal(const std::string& start, const std::string& singular) {
   const CompiledSystem compiled(model_text("sphere", R"toml([[coordinate]]
 name = "theta"
 )toml" + singular + R"toml([[coordinate]]
@@ -31,13 +31,13 @@ const std::string stated = "singular = \"sin(theta)\"\n";
 
 TEST_CASE("where a stated factor is zero, up to the rounding of pi, the chart breaks") {
   const std::string broken = "the chart of `theta` breaks at the start, where `sin(theta)` is zero";
-  CHECK(refusal("theta=0", stated) == broken);
-  CHECK(refusal("theta=pi", stated) == broken);
-  CHECK(refusal("theta=1e-7", stated).empty());
+  CHECK(start_refusal("theta=0", stated) == broken);
+  CHECK(start_refusal("theta=pi", stated) == broken);
+  CHECK(start_refusal("theta=1e-7", stated).empty());
 }
 
 TEST_CASE("where M is singular the pivot is named") {
-  CHECK(refusal("theta=1e-9", "").empty());
-  const std::string broken = refusal("theta=0", "");
+  CHECK(start_refusal("theta=1e-9", "").empty());
+  const std::string broken = start_refusal("theta=0", "");
   CHECK(broken.starts_with("M is singular at the start: the relative pivot of `dot(phi)` is "));
 }

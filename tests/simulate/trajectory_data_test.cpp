@@ -8,7 +8,7 @@ using namespace elgen;
 
 namespace {
 
-Trajectory sample() {
+Trajectory two_columns() {
   Trajectory trajectory;
   trajectory.model = "top";
   trajectory.method = "rk4";
@@ -22,11 +22,11 @@ Trajectory sample() {
 }  // namespace
 
 TEST_CASE("a table has a line for each row, in digits that read back") {
-  CHECK(to_csv(sample()) == "t,phi\n0,0.1\n1,0.3333333333333333\n");
+  CHECK(to_csv(two_columns()) == "t,phi\n0,0.1\n1,0.3333333333333333\n");
 }
 
 TEST_CASE("an object has the rows, what they are, and the drifts") {
-  const auto object = nlohmann::json::parse(to_json(sample()));
+  const auto object = nlohmann::json::parse(to_json(two_columns()));
   CHECK(object["model"] == "top");
   CHECK(object["columns"][1]["name"] == "phi");
   CHECK(object["columns"][1]["unit"] == "rad");

@@ -13,7 +13,7 @@ using elgen::test::mentions;
 
 namespace {
 
-Trajectory sample() {
+Trajectory seven_columns() {
   Trajectory trajectory;
   trajectory.columns = {{"t", "s", ""},   {"phi", "rad", "phi"}, {"e_w", "", "e"},
                         {"e_x", "", "e"}, {"dot(phi)", "", ""},  {"x<y", "m", "x<y"},
@@ -28,7 +28,7 @@ Trajectory sample() {
 }  // namespace
 
 TEST_CASE("a picture is XML with a panel for each name, and a curve for each column in it") {
-  const std::string svg = to_svg(sample());
+  const std::string svg = to_svg(seven_columns());
   tinyxml2::XMLDocument document;
   REQUIRE(document.Parse(svg.c_str()) == tinyxml2::XML_SUCCESS);
   CHECK(count(svg, "font-weight") == 4);
@@ -40,7 +40,7 @@ TEST_CASE("a picture is XML with a panel for each name, and a curve for each col
 }
 
 TEST_CASE("curves of one panel differ in their dashes, and wrapped angles are interrupted") {
-  const std::string svg = to_svg(sample());
+  const std::string svg = to_svg(seven_columns());
   CHECK(count(svg, "stroke-dasharray=\"none\"") == 4);
   CHECK(count(svg, "stroke-dasharray=\"9 4\"") == 1);
   CHECK(mentions(svg, ">e: e_w solid, e_x dashed<"));

@@ -18,7 +18,7 @@ Result<TimedFunctions> compiled(const std::string& text, const std::vector<Scala
 }
 
 /// Parameters are the header's own: 2, 3 and 5.
-std::string header() {
+std::string header_with_values() {
   std::string text = sample::header();
   const auto replace = [&text](const std::string& written, const std::string& other) {
     text.replace(text.find(written), written.size(), other);
@@ -36,7 +36,7 @@ std::string header() {
 
 TEST_CASE("all states are computed in every scalar, with the parameters of the header") {
   const auto functions = compiled(
-      header(),
+      header_with_values(),
       {ScalarKind::double_precision, ScalarKind::single_precision, ScalarKind::long_double});
   INFO(format(functions.diagnostics));
   REQUIRE(functions);

@@ -9,9 +9,9 @@ using elgen::Workshop;
 
 namespace {
 
-const elgen::Driver driver{"", "driver.cpp", "#include \"a/a.hpp\"\n"};
+const elgen::Driver answer_driver{"", "driver.cpp", "#include \"a/a.hpp\"\n"};
 
-elgen::EmittedFiles header() {
+elgen::EmittedFiles answer_files() {
   return {{{"a/a.hpp", "extern \"C\" int answer(); extern \"C\" int answer() { return 42; }\n"}}};
 }
 
@@ -22,9 +22,9 @@ TEST_CASE("what is built stays loaded, and its files are gone") {
   REQUIRE(scratch);
   const ScopedVariable variable("TMPDIR", scratch->path().string());
   auto library = [] {
-    const auto workshop = Workshop::open(header(), {driver}, {});
+    const auto workshop = Workshop::open(answer_files(), {answer_driver}, {});
     REQUIRE(workshop);
-    return workshop->build(driver, elgen::Build::as_users);
+    return workshop->build(answer_driver, elgen::Build::as_users);
   }();
   REQUIRE(library);
   CHECK(std::filesystem::is_empty(scratch->path()));
@@ -36,7 +36,7 @@ TEST_CASE("what is built stays loaded, and its files are gone") {
 
 TEST_CASE("without room there is E706, without a compiler E704") {
   const auto code_of = [] {
-    const auto workshop = Workshop::open(header(), {driver}, {});
+    const auto workshop = Workshop::open(answer_files(), {answer_driver}, {});
     REQUIRE_FALSE(workshop);
     return workshop.diagnostics.front().code;
   };
@@ -50,7 +50,7 @@ TEST_CASE("without room there is E706, without a compiler E704") {
 
 TEST_CASE("a driver whose library is not installed is no fault of the emitted code") {
   elgen::Driver lacking{"", "lacking.cpp", "#include <elgen/no/such.hpp>\n", "elgen/no/such.hpp"};
-  const auto workshop = Workshop::open(header(), {lacking}, {});
+  const auto workshop = Workshop::open(answer_files(), {lacking}, {});
   REQUIRE(workshop);
   const auto library = workshop->build(lacking, elgen::Build::as_written);
   REQUIRE_FALSE(library);

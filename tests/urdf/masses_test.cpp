@@ -13,12 +13,6 @@ std::string link(const std::string& name, const std::string& mass, const std::st
          "\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>\n";
 }
 
-std::string joint(const std::string& name, const std::string& type,
-                  const std::string& inside = "") {
-  return "<joint name=\"" + name + "\" type=\"" + type + "\"><parent link=\"" + name[0] +
-         "\"/><child link=\"" + name[1] + "\"/>" + inside + "</joint>\n";
-}
-
 std::string said(const std::string& inside) {
   const urdf::Robot robot = robot_of("<robot name=\"r\">\n" + inside + "</robot>");
   return messages(urdf::check_masses(robot, tree_of(robot)));

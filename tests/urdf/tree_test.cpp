@@ -15,13 +15,6 @@ std::string links(const std::string& names) {
   return text + "\n";
 }
 
-/// A joint `ab` from a to b, on a line of its own.
-std::string joint(const std::string& name, const std::string& type = "revolute",
-                  const std::string& inside = "") {
-  return "<joint name=\"" + name + "\" type=\"" + type + "\"><parent link=\"" + name[0] +
-         "\"/><child link=\"" + name[1] + "\"/>" + inside + "</joint>\n";
-}
-
 std::string tree_messages(const std::string& text) {
   const urdf::Robot robot = robot_of(text + "</robot>");
   return messages(urdf::make_tree(robot).diagnostics);

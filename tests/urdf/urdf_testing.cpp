@@ -50,6 +50,11 @@ std::string arm_on(const std::string& type, const std::string& elements) {
                   "\"><parent link=\"base\"/><child link=\"arm\"/>\n" + elements + "\n  </joint>");
 }
 
+std::string joint(const std::string& name, const std::string& type, const std::string& inside) {
+  return "<joint name=\"" + name + "\" type=\"" + type + "\"><parent link=\"" + name[0] +
+         "\"/><child link=\"" + name[1] + "\"/>" + inside + "</joint>\n";
+}
+
 urdf::Element xml_of(const std::string& text) {
   Result<urdf::Element> root = urdf::read_xml(kept_source(text));
   if (!root) throw std::runtime_error(format(root.diagnostics));

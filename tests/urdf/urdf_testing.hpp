@@ -23,6 +23,10 @@ namespace elgen::test {
 /// with_arm() and the joint `j` from base to arm: its type, and its other elements on line 5.
 [[nodiscard]] std::string arm_on(const std::string& type, const std::string& elements);
 
+/// A joint `ab` from a to b, on a line of its own.
+[[nodiscard]] std::string joint(const std::string& name, const std::string& type = "revolute",
+                                const std::string& inside = "");
+
 /// The robot and its tree; throws where there is none. The source lives as long as the process.
 [[nodiscard]] urdf::Element xml_of(const std::string& text);
 [[nodiscard]] urdf::Robot robot_of(const std::string& text);
