@@ -142,6 +142,25 @@ inline constexpr std::string_view energies_title = "Energies";
 /// cancel, as far as that was asked, and which is emitted.
 [[nodiscard]] std::string cost_page(const std::vector<FormCosts>& costs);
 
+/// What a terminal can show.
+enum class Alphabet : std::uint8_t {
+  unicode,  ///< θ̇₁², √, ½
+  ascii     ///< dot(theta1)^2, sqrt, 1/2
+};
+
+struct Screen {
+  std::size_t columns = 80;
+  Alphabet alphabet = Alphabet::unicode;
+};
+
+/// Matrices in two dimensions, never wider than the screen: of a matrix too wide its entries get
+/// names, and what they are stands below it.
+[[nodiscard]] std::string screen_page(const Sheet& sheet, const Screen& screen);
+
+/// The terms of the equation of motion on one screen; a formula that does not fit is folded: "…312"
+/// stands for one of 312 characters.
+[[nodiscard]] std::string overview(const Sheet& sheet, const Screen& screen);
+
 /// GitHub Markdown with blocks of $$.
 [[nodiscard]] std::string markdown_page(const Sheet& sheet);
 

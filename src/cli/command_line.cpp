@@ -2,13 +2,13 @@
 #include "cli/command_line.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <charconv>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "base/ascii.hpp"
+#include "cli/process/terminal.hpp"
 #include "elgen/wording.hpp"
 
 namespace elgen::cli {
@@ -43,7 +43,7 @@ void add_global_options(CLI::App& app, CommandLine& line, RawOptions& raw) {
                  "of messages: text, json (of results too), github, gitlab or sarif")
       ->check(CLI::IsMember(format_words()));
   app.add_flag("-q,--quiet", line.global.quiet, "errors and warnings only");
-  app.add_flag("-v,--verbose", line.global.verbose, "print the equations");
+  app.add_flag("-v,--verbose", line.global.verbose, "show the equations on a screen");
   app.add_option("--dump", line.global.dump_stage, "print what a stage made, on stdout")
       ->check(CLI::IsMember(stage_names()));
   app.add_option("--stop-after", line.global.stop_after,
@@ -152,7 +152,7 @@ std::string limits_json() {
 
 bool wants_color(const std::string& choice) {
   if (choice != "auto") return choice == "always";
-  return std::getenv("NO_COLOR") == nullptr && ::isatty(STDERR_FILENO) != 0;
+  return std::getenv("NO_COLOR") == nullptr && is_terminal(stderr);
 }
 
 DiagnosticStyle style_of(const std::string& color, const std::string& format) {

@@ -13,6 +13,7 @@
 #include "cli/files/source_paths.hpp"
 #include "cli/generated_check.hpp"
 #include "cli/process/resources.hpp"
+#include "cli/process/terminal.hpp"
 #include "cli/shown_pipeline.hpp"
 #include "elgen/artifacts.hpp"
 #include "elgen/render.hpp"
@@ -178,20 +179,33 @@ ExitCode check(const GlobalOptions& global, const GenerateOptions& options,
   return check_generated(global, systems);
 }
 
+/// What a reader of the first screen may type next.
+std::string next_commands(const std::string& input) {
+  const std::string steps = fmt::format("elgen show {} --what steps", input);
+  const std::string outputs = fmt::format("elgen show {}", input);
+  const std::string verify = fmt::format("elgen verify {}", input);
+  const std::size_t width = steps.size();
+  return fmt::format(
+      "\nnext: {:<{}}  all equations\n      {}  how they are derived\n"
+      "      {:<{}}  each of them against 60 digits",
+      outputs, width, steps, verify, width);
+}
+
 void tell_what_became(const GlobalOptions& global, const GenerateOptions& options, const Job& job,
                       const std::vector<std::string>& written) {
+  const auto& [model, scene] = *job.products.checked;
+  if (global.verbose) {
+    tell(global, overview(sheet(model, scene, *job.products.program), screen_of(stderr)));
+  }
   for (const OutputFile& file : files_in(options.output_directory, *job.products.files)) {
     const bool is_new = std::find(written.begin(), written.end(), file.path) != written.end();
     tell(global, (is_new ? "wrote " : "unchanged ") + file.path);
   }
-  if (global.verbose) {
-    tell(global, "\n" + text_page(job.products.checked->model, job.products.checked->scene,
-                                  *job.products.program));
-  }
-  const bool expects = !job.products.checked->model.expectations.empty();
+  const bool expects = !model.expectations.empty();
   tell(global, fmt::format("{}: {}; {}{}", job.scene().base_name, receipt(*job.products.readback),
                            receipt(*job.products.self_check),
                            expects ? "; [[expect]] is left to `elgen verify`" : ""));
+  if (global.verbose) tell(global, next_commands(job.path));
 }
 
 /// Sorted.

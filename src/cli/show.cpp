@@ -8,6 +8,7 @@
 #include "cli/commands.hpp"
 #include "cli/costs.hpp"
 #include "cli/files/inputs.hpp"
+#include "cli/process/terminal.hpp"
 #include "cli/shown_pipeline.hpp"
 #include "elgen/drop.hpp"
 #include "elgen/render.hpp"
@@ -42,8 +43,8 @@ bool has_formulas(ShownSubject subject) {
 Result<ShownSubject> subject_of(const ShowOptions& options) {
   for (const SubjectRow& row : subjects) {
     if (options.what == row.word) {
-      const bool is_printed =
-          options.as != "json" && (has_formulas(row.subject) || options.as == "text");
+      const bool is_plain = options.as == "text" || options.as == "unicode";
+      const bool is_printed = options.as != "json" && (has_formulas(row.subject) || is_plain);
       if (is_printed) return row.subject;
       return Diagnostic{
           Code::E913, {}, fmt::format("`{}` is not printed as {}", row.word, options.as)};
@@ -86,7 +87,11 @@ std::string text_of(const Products& products, ShownSubject subject, const PageOp
 
 std::string page(const Products& products, ShownSubject subject, const ShowOptions& wanted) {
   const PageOptions options{!wanted.what.empty()};  // what is asked for by name is shown
-  if (wanted.as == "text") return text_of(products, subject, options);
+  if (wanted.as == "unicode" && has_formulas(subject)) {
+    return screen_page(sheet_of(products, subject, options),
+                       {screen_of(stdout).columns, Alphabet::unicode});
+  }
+  if (wanted.as == "text" || wanted.as == "unicode") return text_of(products, subject, options);
   if (wanted.as == "latex") return latex_document(sheet_of(products, subject, options));
   if (wanted.as == "mathml") return html_page(sheet_of(products, subject, options));
   if (wanted.as == "markdown") return markdown_page(sheet_of(products, subject, options));
@@ -96,9 +101,15 @@ std::string page(const Products& products, ShownSubject subject, const ShowOptio
   return {};
 }
 
+/// Pipes get what programs read.
+std::string usual_notation(const GlobalOptions& global) {
+  if (wants_json(global)) return "json";
+  return screen_of(stdout).alphabet == Alphabet::unicode ? "unicode" : "text";
+}
+
 ExitCode show(const GlobalOptions& global, const ShowOptions& given) {
   ShowOptions options = given;
-  if (options.as.empty()) options.as = wants_json(global) ? "json" : "text";
+  if (options.as.empty()) options.as = usual_notation(global);
   const Result<ShownSubject> subject = subject_of(options);
   if (!subject) return report(global, subject.diagnostics);
   const Result<Inputs> inputs = read_inputs(options.input, global.limits);
@@ -134,8 +145,10 @@ void add_show(CLI::App& app, Action& action) {
       ->add_option("--what", options->what,
                    "outputs: mass_matrix,gravity,…; or lagrangian, steps, cost or dropped")
       ->type_name("LIST");
-  command->add_option("--as", options->as, "text (unless given), latex, mathml, markdown or json")
-      ->check(CLI::IsMember({"text", "latex", "mathml", "markdown", "json"}));
+  command
+      ->add_option("--as", options->as,
+                   "unicode (on a terminal), text (elsewhere), latex, mathml, markdown or json")
+      ->check(CLI::IsMember({"unicode", "text", "latex", "mathml", "markdown", "json"}));
   add_specialisation(*command, options->scene);
   set_action(*command, action, options, &show);
 }

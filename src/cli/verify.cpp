@@ -9,6 +9,7 @@
 #include "cli/files/inputs.hpp"
 #include "cli/files/output_files.hpp"
 #include "cli/process/resources.hpp"
+#include "cli/process/terminal.hpp"
 #include "cli/shards/screening_shard.hpp"
 #include "cli/shown_pipeline.hpp"
 #include "elgen/render.hpp"
@@ -67,7 +68,8 @@ ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& opt
     return generated;
   }
   if (global.verbose) {
-    tell(global, text_page(products.checked->model, products.checked->scene, *products.program));
+    const auto& [model, scene] = *products.checked;
+    tell(global, overview(sheet(model, scene, *products.program), screen_of(stderr)));
   }
   const auto verification = compared(path, products, options.comparison, global.limits, screening);
   tell_times(global, products);

@@ -12,26 +12,27 @@
 namespace elgen {
 namespace {
 
-constexpr double between_columns = 2.5;
 constexpr double indent = 4;
 constexpr std::size_t largest_matrix = 7;  ///< columns of a pmatrix
 
-double measured(const std::string& latex) { return width(read_latex(latex)); }
+double measured(const std::string& latex, const PageShape& shape) {
+  return shape.measured(read_latex(latex));
+}
 
-double matrix_width(const SheetEquation& equation) {
+double matrix_width(const SheetEquation& equation, const PageShape& shape) {
   std::vector<double> widths(equation.columns, 0);
   for (std::size_t i = 0; i < equation.entries.size(); ++i) {
     double& column = widths[i % equation.columns];
-    column = std::max(column, measured(equation.entries[i]));
+    column = std::max(column, measured(equation.entries[i], shape));
   }
-  double sum = measured(equation.left) + 5;
-  for (const double column : widths) sum += column + between_columns;
+  double sum = measured(equation.left, shape) + 5;
+  for (const double column : widths) sum += column + shape.between_columns;
   return sum;
 }
 
-Display lines_display(const std::string& left, const std::string& right) {
-  const double first = measured(left) + 3;
-  return {left, 0, latex_lines(right, page_width - std::max(first, indent))};
+Display lines_display(const std::string& left, const std::string& right, const PageShape& shape) {
+  const double first = measured(left, shape) + 3;
+  return {left, 0, latex_lines(right, shape.width - std::max(first, indent), shape.measured)};
 }
 
 /// Where the brace that opens at `open` closes.
@@ -63,16 +64,17 @@ std::optional<WholeFraction> whole_fraction(const std::string& latex) {
 }
 
 /// One display, or three where a fraction is too wide: it, its numerator, its denominator.
-std::vector<Display> number_displays(const std::string& left, const std::string& right) {
+std::vector<Display> number_displays(const std::string& left, const std::string& right,
+                                     const PageShape& shape) {
   const auto fraction = whole_fraction(right);
-  if (!fraction || measured(left) + measured(right) + 3 <= page_width) {
-    return {lines_display(left, right)};
+  if (!fraction || measured(left, shape) + measured(right, shape) + 3 <= shape.width) {
+    return {lines_display(left, right, shape)};
   }
   const std::string numerator = "\\mathrm{numerator}";
   const std::string denominator = "\\mathrm{denominator}";
   return {{left, 0, {fmt::format("{}\\frac{{{}}}{{{}}}", fraction->sign, numerator, denominator)}},
-          lines_display(numerator, fraction->numerator),
-          lines_display(denominator, fraction->denominator)};
+          lines_display(numerator, fraction->numerator, shape),
+          lines_display(denominator, fraction->denominator, shape)};
 }
 
 void append(std::vector<Display>& to, const std::vector<Display>& from) {
@@ -107,7 +109,7 @@ bool is_symmetric(const SheetEquation& equation) {
   return true;
 }
 
-std::vector<Display> entry_displays(const SheetEquation& equation) {
+std::vector<Display> entry_displays(const SheetEquation& equation, const PageShape& shape) {
   std::vector<Display> all;
   const bool is_half = equation.columns > 1 && is_symmetric(equation);
   for (std::size_t i = 0; i < equation.entries.size(); ++i) {
@@ -118,20 +120,43 @@ std::vector<Display> entry_displays(const SheetEquation& equation) {
     if (is_half && row < column) {
       left += " = " + indexed(equation, column * equation.columns + row);
     }
-    append(all, number_displays(left, equation.entries[i]));
+    append(all, number_displays(left, equation.entries[i], shape));
   }
   return all;
 }
 
 }  // namespace
 
-std::vector<Display> displays(const SheetEquation& equation) {
+bool fits_as_matrix(const SheetEquation& equation, const PageShape& shape) {
+  return equation.columns <= largest_matrix && matrix_width(equation, shape) <= shape.width;
+}
+
+std::vector<Display> displays(const SheetEquation& equation, const PageShape& shape) {
   if (equation.entries.size() == 1) {
-    return number_displays(equation.left, equation.entries.front());
+    return number_displays(equation.left, equation.entries.front(), shape);
   }
-  const bool is_matrix = equation.columns <= largest_matrix && matrix_width(equation) <= page_width;
-  if (is_matrix) return {{equation.left, equation.columns, equation.entries}};
-  return entry_displays(equation);
+  if (fits_as_matrix(equation, shape)) {
+    return {{equation.left, equation.columns, equation.entries}};
+  }
+  return entry_displays(equation, shape);
+}
+
+NamedEntries named_entries(const SheetEquation& equation, const PageShape& shape) {
+  NamedEntries result{equation, equation};
+  const bool is_half = equation.columns > 1 && is_symmetric(equation);
+  for (std::size_t i = 0; i < equation.entries.size(); ++i) {
+    const std::size_t row = i / equation.columns;
+    const std::size_t column = i % equation.columns;
+    const bool is_below = is_half && row > column;
+    std::string name = indexed(equation, is_below ? column * equation.columns + row : i);
+    const bool is_wider = measured(equation.entries[i], shape) > measured(name, shape);
+    if (is_wider) {
+      result.matrix.entries[i] = std::move(name);
+    } else {
+      result.named.entries[i] = "0";
+    }
+  }
+  return result;
 }
 
 std::string latex_block(const Display& display) {

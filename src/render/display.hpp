@@ -9,11 +9,16 @@
 #include <vector>
 
 #include "elgen/render.hpp"
+#include "render/latex_tree.hpp"
 
 namespace elgen {
 
-/// Widest formula of a page, in letters.
-inline constexpr double page_width = 78;
+/// How wide formulas may be, and how wide one is.
+struct PageShape {
+  double width = 78;
+  double (*measured)(const LatexTree&) = &elgen::width;  ///< in letters, unless told otherwise
+  double between_columns = 2.5;
+};
 
 /// `left` = a matrix of columns, or (columns 0) lines that continue each other. Without `left`, the
 /// lines stand alone.
@@ -23,7 +28,19 @@ struct Display {
   std::vector<std::string> texts = {};  ///< LaTeX: entries, row-major, or lines
 };
 
-[[nodiscard]] std::vector<Display> displays(const SheetEquation& equation);
+[[nodiscard]] std::vector<Display> displays(const SheetEquation& equation,
+                                            const PageShape& shape = {});
+
+/// Whether a pmatrix of all entries fits.
+[[nodiscard]] bool fits_as_matrix(const SheetEquation& equation, const PageShape& shape);
+
+/// A matrix that has names where its entries are wider than their names, and those entries, 0
+/// elsewhere. In a symmetric matrix the names are those above its diagonal.
+struct NamedEntries {
+  SheetEquation matrix = {};
+  SheetEquation named = {};
+};
+[[nodiscard]] NamedEntries named_entries(const SheetEquation& equation, const PageShape& shape);
 
 /// The LaTeX between \[ and \]: aligned or pmatrix.
 [[nodiscard]] std::string latex_block(const Display& display);

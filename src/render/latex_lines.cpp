@@ -21,7 +21,7 @@ bool stands_at(std::string_view text, std::size_t at, std::string_view word) {
   return text.substr(at, word.size()) == word;
 }
 
-std::vector<Segment> segments(const std::string& latex) {
+std::vector<Segment> segments(const std::string& latex, double (*measured)(const LatexTree&)) {
   std::vector<Segment> all(1);
   int braces = 0;
   int brackets = 0;
@@ -34,7 +34,11 @@ std::vector<Segment> segments(const std::string& latex) {
     brackets += (latex[i] == '(') - (latex[i] == ')');
     if (!is_break) all.back().text += latex[i];
   }
-  for (Segment& segment : all) segment.width = width(read_latex(segment.text));
+  const auto width_of = [measured](const std::string& text) { return measured(read_latex(text)); };
+  all.front().width = width_of(all.front().text);
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    all[i].width = width_of("x " + all[i].text) - width_of("x");  // its sign stands between terms
+  }
   return all;
 }
 
@@ -59,8 +63,9 @@ std::string repeated(const std::string& text, int times) {
 
 }  // namespace
 
-std::vector<std::string> latex_lines(const std::string& latex, double widest) {
-  const std::vector<Segment> all = segments(latex);
+std::vector<std::string> latex_lines(const std::string& latex, double widest,
+                                     double (*measured)(const LatexTree&)) {
+  const std::vector<Segment> all = segments(latex, measured);
   std::vector<std::string> lines;
   for (std::size_t first = 0; first < all.size();) {
     const std::size_t end = next_break(all, first, widest);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "base/ascii.hpp"
 #include "base/utf8.hpp"
@@ -51,13 +52,16 @@ class LatexReader {
 
   LatexTree row(char end) {
     LatexTree result;
+    bool is_apart = false;
     while (at_ < text_.size() && text_[at_] != end) {
       if (text_[at_] == ' ' || text_[at_] == '}') {
+        is_apart = is_apart || text_[at_] == ' ';
         ++at_;
       } else if (text_[at_] == '_' || text_[at_] == '^') {
         add_script(result);
       } else {
         result.parts.push_back(piece());
+        result.parts.back().is_apart = std::exchange(is_apart, false);
       }
     }
     at_ = std::min(at_ + 1, text_.size());

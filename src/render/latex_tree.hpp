@@ -31,6 +31,7 @@ struct LatexTree {
   LatexKind kind = LatexKind::row;
   std::string text = {};
   std::vector<LatexTree> parts = {};
+  bool is_apart = false;  ///< a blank stands in front of it: M (q) is a product, M(q) is not
 };
 
 /// A row. Brackets need not match: a formula may be broken inside of them.
@@ -47,6 +48,7 @@ struct LatexTree {
 
 /// Breaks a long formula before + and -, at the outermost bracket that fits; `\left` and `\right`
 /// are completed on both sides. Every line is at most about `widest` letters wide, if it can be.
-[[nodiscard]] std::vector<std::string> latex_lines(const std::string& latex, double widest);
+[[nodiscard]] std::vector<std::string> latex_lines(const std::string& latex, double widest,
+                                                   double (*measured)(const LatexTree&) = &width);
 
 }  // namespace elgen

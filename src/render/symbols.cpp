@@ -130,6 +130,13 @@ std::string_view greek_letter(std::string_view command) {
   return {};
 }
 
+std::string_view greek_command(std::string_view letter) {
+  for (const GreekRow& row : greek_table) {
+    if (row.letter == letter) return row.command;
+  }
+  return {};
+}
+
 SymbolText latex_symbol(std::string_view name, const std::string& key) {
   const std::size_t bracket = std::min(name.find('['), name.size());
   std::string index(name.substr(bracket));

@@ -30,4 +30,7 @@ struct SymbolText {
 /// The character of a Greek letter's command ("theta"); empty for other words.
 [[nodiscard]] std::string_view greek_letter(std::string_view command);
 
+/// The command of a Greek letter; empty for other characters.
+[[nodiscard]] std::string_view greek_command(std::string_view letter);
+
 }  // namespace elgen

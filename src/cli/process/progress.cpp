@@ -2,13 +2,13 @@
 #include "cli/process/progress.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
 #include <utility>
 
 #include "base/no_interrupts.hpp"
+#include "cli/process/terminal.hpp"
 
 namespace elgen::cli {
 
@@ -20,7 +20,7 @@ constexpr std::chrono::milliseconds refresh{200};
 }  // namespace
 
 Progress::Progress(std::string subject) : subject_(std::move(subject)) {
-  if (::isatty(STDERR_FILENO) == 0) return;
+  if (!is_terminal(stderr)) return;
   const NoInterrupts inherited;  // signals are the affair of the thread that works
   watcher_ = std::thread([this] { watch(); });
 }

@@ -1,0 +1,327 @@
+// drawing: rows are drawn piece by piece; where a piece is tall, so are the brackets around it.
+#include "render/drawing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "base/ascii.hpp"
+#include "base/utf8.hpp"
+#include "render/symbols.hpp"
+
+namespace elgen {
+namespace {
+
+struct SmallGlyph {
+  char32_t value;
+  std::string_view below;  ///< as an index; empty where Unicode has none
+  std::string_view above;  ///< as an exponent
+};
+
+constexpr std::array small_glyphs{
+    SmallGlyph{'0', "₀", "⁰"}, SmallGlyph{'1', "₁", "¹"}, SmallGlyph{'2', "₂", "²"},
+    SmallGlyph{'3', "₃", "³"}, SmallGlyph{'4', "₄", "⁴"}, SmallGlyph{'5', "₅", "⁵"},
+    SmallGlyph{'6', "₆", "⁶"}, SmallGlyph{'7', "₇", "⁷"}, SmallGlyph{'8', "₈", "⁸"},
+    SmallGlyph{'9', "₉", "⁹"}, SmallGlyph{',', ",", ","}, SmallGlyph{'+', "₊", "⁺"},
+    SmallGlyph{'-', "₋", "⁻"}, SmallGlyph{'a', "ₐ", "ᵃ"}, SmallGlyph{'e', "ₑ", "ᵉ"},
+    SmallGlyph{'h', "ₕ", "ʰ"}, SmallGlyph{'i', "ᵢ", "ⁱ"}, SmallGlyph{'j', "ⱼ", "ʲ"},
+    SmallGlyph{'k', "ₖ", "ᵏ"}, SmallGlyph{'l', "ₗ", "ˡ"}, SmallGlyph{'m', "ₘ", "ᵐ"},
+    SmallGlyph{'n', "ₙ", "ⁿ"}, SmallGlyph{'o', "ₒ", "ᵒ"}, SmallGlyph{'p', "ₚ", "ᵖ"},
+    SmallGlyph{'r', "ᵣ", "ʳ"}, SmallGlyph{'s', "ₛ", "ˢ"}, SmallGlyph{'t', "ₜ", "ᵗ"},
+    SmallGlyph{'u', "ᵤ", "ᵘ"}, SmallGlyph{'v', "ᵥ", "ᵛ"}, SmallGlyph{'x', "ₓ", "ˣ"}};
+
+/// Every character made small; nothing where one of them cannot be.
+std::optional<std::string> made_small(std::string_view text, std::string_view SmallGlyph::*place) {
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const CodePoint point = code_point_at(text, at);
+    const auto row = std::ranges::find(small_glyphs, point.value, &SmallGlyph::value);
+    if (row == small_glyphs.end()) return std::nullopt;
+    result += (*row).*place;
+    at += std::max<std::size_t>(1, point.bytes);
+  }
+  return result;
+}
+
+struct VulgarFraction {
+  std::string_view above;
+  std::string_view below;
+  std::string_view glyph;
+};
+
+constexpr std::array vulgar_fractions{
+    VulgarFraction{"1", "2", "½"}, VulgarFraction{"1", "3", "⅓"}, VulgarFraction{"2", "3", "⅔"},
+    VulgarFraction{"1", "4", "¼"}, VulgarFraction{"3", "4", "¾"}, VulgarFraction{"1", "5", "⅕"},
+    VulgarFraction{"1", "6", "⅙"}, VulgarFraction{"1", "8", "⅛"}, VulgarFraction{"3", "8", "⅜"},
+    VulgarFraction{"5", "8", "⅝"}, VulgarFraction{"7", "8", "⅞"}};
+
+struct AsciiWord {
+  std::string_view character;
+  std::string_view word;
+};
+
+/// Of what is no Greek letter.
+constexpr std::array ascii_words{AsciiWord{"⋅", "*"}, AsciiWord{"∂", "d"}, AsciiWord{"∑", "sum"},
+                                 AsciiWord{"⊤", "T"}, AsciiWord{"′", "'"}};
+
+struct BracketRow {
+  std::string_view bracket;
+  BracketPieces unicode;
+  BracketPieces ascii;
+};
+
+constexpr std::array bracket_rows{BracketRow{"(", {"(", "⎛", "⎜", "⎝"}, {"(", "/", "|", "\\"}},
+                                  BracketRow{")", {")", "⎞", "⎟", "⎠"}, {")", "\\", "|", "/"}},
+                                  BracketRow{"[", {"[", "⎡", "⎢", "⎣"}, {"[", "[", "[", "["}},
+                                  BracketRow{"]", {"]", "⎤", "⎥", "⎦"}, {"]", "]", "]", "]"}},
+                                  BracketRow{"|", {"|", "│", "│", "│"}, {"|", "|", "|", "|"}}};
+
+Block bracket_drawing(std::string_view bracket, const Block& inside, Alphabet alphabet) {
+  const auto row = std::ranges::find(bracket_rows, bracket, &BracketRow::bracket);
+  if (row == bracket_rows.end()) return {};
+  return stretched(alphabet == Alphabet::unicode ? row->unicode : row->ascii, inside);
+}
+
+Block line_of(std::string text) { return {{std::move(text)}, 0}; }
+
+/// What a piece is to the piece behind it.
+enum class Role : std::uint8_t { none, operand, function, sign, comma, space, prefix };
+
+/// `(1, 2)` where brackets close behind the row's parts [open, close].
+bool is_open_bracket(const LatexTree& part) {
+  const bool is_bracket = part.kind == LatexKind::bracket || part.kind == LatexKind::tall;
+  return is_bracket && (part.text == "(" || part.text == "[");
+}
+
+const LatexTree& base_of(const LatexTree& part) {
+  return part.kind == LatexKind::scripts ? part.parts[0] : part;
+}
+
+bool is_closing_bracket(const LatexTree& part) {
+  const LatexTree& base = base_of(part);
+  const bool is_bracket = base.kind == LatexKind::bracket || base.kind == LatexKind::tall;
+  return is_bracket && (base.text == ")" || base.text == "]");
+}
+
+class Drawer {
+ public:
+  Drawer(Alphabet alphabet, Fractions fractions) : alphabet_(alphabet), fractions_(fractions) {}
+
+  [[nodiscard]] Block draw(const LatexTree& tree) const {
+    switch (tree.kind) {
+      case LatexKind::row:
+        return row(tree.parts);
+      case LatexKind::letter:
+        return line_of(letter(tree.text));
+      case LatexKind::fraction:
+        return fraction(tree);
+      case LatexKind::root:
+        return root(tree);
+      case LatexKind::accent:
+        return line_of(accented(tree, text_of_line(tree.parts[0])));
+      case LatexKind::scripts:
+        return scripts(tree);
+      case LatexKind::space:
+        return line_of("");
+      default:
+        return line_of(letter(tree.text));
+    }
+  }
+
+ private:
+  [[nodiscard]] bool is_unicode() const { return alphabet_ == Alphabet::unicode; }
+
+  [[nodiscard]] std::string text_of_line(const LatexTree& tree) const {
+    const Block block = draw(tree);
+    return block.lines[block.base];
+  }
+
+  [[nodiscard]] std::string letter(const std::string& text) const {
+    if (is_unicode()) return text;
+    const auto row = std::ranges::find(ascii_words, text, &AsciiWord::character);
+    if (row != ascii_words.end()) return std::string(row->word);
+    const std::string_view name = greek_command(text);
+    return name.empty() ? text : std::string(name);
+  }
+
+  /// The accent of the first letter.
+  [[nodiscard]] std::string accented(const LatexTree& tree, const std::string& base) const {
+    const bool is_double = tree.text == "¨";
+    if (!is_unicode()) return is_double ? "ddot(" + base + ")" : "dot(" + base + ")";
+    const std::size_t first = std::max<std::size_t>(1, code_point_at(base, 0).bytes);
+    return base.substr(0, first) + (is_double ? "\u0308" : "\u0307") + base.substr(first);
+  }
+
+  [[nodiscard]] Block fraction(const LatexTree& tree) const {
+    const Block above = draw(tree.parts[0]);
+    const Block below = draw(tree.parts[1]);
+    const std::string& top = above.lines.front();
+    const std::string& bottom = below.lines.front();
+    const auto is_number = [](const std::string& text) {
+      return std::ranges::all_of(text, [](char c) { return is_digit(c); });
+    };
+    if (above.lines.size() + below.lines.size() == 2 && is_number(top) && is_number(bottom)) {
+      for (const VulgarFraction& vulgar : vulgar_fractions) {
+        const bool is_this = vulgar.above == top && vulgar.below == bottom;
+        if (is_unicode() && is_this) return line_of(std::string(vulgar.glyph));
+      }
+      return line_of(top + "/" + bottom);
+    }
+    if (fractions_ == Fractions::in_line) return beside(beside(above, line_of("/")), below);
+    return stacked(above, below, is_unicode() ? "─" : "-");
+  }
+
+  [[nodiscard]] Block root(const LatexTree& tree) const {
+    const Block inside = draw(tree.parts[0]);
+    return beside(line_of(is_unicode() ? "√" : "sqrt"), in_brackets("(", inside, ")"));
+  }
+
+  [[nodiscard]] Block in_brackets(std::string_view open, const Block& inside,
+                                  std::string_view close) const {
+    const Block left = bracket_drawing(open, inside, alphabet_);
+    return beside(beside(left, inside), bracket_drawing(close, inside, alphabet_));
+  }
+
+  /// "₁₂" of "1, 2"; "_cart"
+  [[nodiscard]] std::string index(const LatexTree& tree) const {
+    if (tree.parts.empty() && tree.text.empty()) return "";
+    std::string text = text_of_line(tree);
+    std::erase(text, ' ');
+    std::string without_commas = text;
+    std::erase(without_commas, ',');
+    const bool is_digits = std::ranges::all_of(without_commas, [](char c) { return is_digit(c); });
+    const bool is_short = without_commas.size() * 2 == text.size() + 1;
+    if (is_digits && is_short) text = without_commas;
+    if (!is_unicode()) return is_digits ? text : "_" + text;
+    const auto small = made_small(text, &SmallGlyph::below);
+    return small ? *small : "_" + text;
+  }
+
+  [[nodiscard]] std::string exponent(const LatexTree& tree) const {
+    if (tree.parts.empty() && tree.text.empty()) return "";
+    const std::string text = text_of_line(tree);
+    const auto small = is_unicode() ? made_small(text, &SmallGlyph::above) : std::nullopt;
+    if (small) return *small;
+    return columns_of(text) == 1 ? "^" + text : "^(" + text + ")";
+  }
+
+  /// In ASCII the index is part of what has an accent: dot(theta1).
+  [[nodiscard]] Block scripts(const LatexTree& tree) const {
+    const LatexTree& base = tree.parts[0];
+    if (is_unicode() || base.kind != LatexKind::accent) return with_scripts(draw(base), tree);
+    LatexTree exponent_alone = tree;
+    exponent_alone.parts[1] = {};
+    const std::string inside = text_of_line(base.parts[0]) + index(tree.parts[1]);
+    return with_scripts(line_of(accented(base, inside)), exponent_alone);
+  }
+
+  /// An index stands on the base line, an exponent at the top of what is tall.
+  [[nodiscard]] Block with_scripts(const Block& base, const LatexTree& tree) const {
+    Block scripts = line_of(index(tree.parts[1]));
+    const std::string above = exponent(tree.parts[2]);
+    if (base.lines.size() == 1 || above.empty()) {
+      scripts.lines.front() += above;
+      return beside(base, scripts);
+    }
+    Block result = beside(base, line_of(std::string(columns_of(above), ' ')));
+    std::string& top = result.lines.front();
+    top = top.substr(0, top.size() - columns_of(above)) + above;
+    return beside(result, scripts);
+  }
+
+  static Role role_of(const LatexTree& part) {
+    const LatexTree& base = base_of(part);
+    if (base.kind == LatexKind::function) return Role::function;
+    if (base.kind == LatexKind::space) return Role::space;
+    if (base.text == "∂") return Role::prefix;
+    if (base.kind != LatexKind::sign) return Role::operand;
+    return base.text == "," ? Role::comma : Role::sign;
+  }
+
+  /// What stands between two pieces.
+  [[nodiscard]] std::string between(Role left, const LatexTree& part) const {
+    const Role right = role_of(part);
+    const bool is_bracket = is_open_bracket(part);
+    if (left == Role::none || left == Role::prefix || right == Role::comma) return "";
+    if (left == Role::space) {
+      if (right == Role::function || is_bracket || right == Role::sign) return " ";
+      return is_unicode() ? " ⋅ " : "*";
+    }
+    const bool is_argument = is_bracket && (left == Role::function || !part.is_apart);
+    return is_argument && left != Role::sign && left != Role::comma ? "" : " ";
+  }
+
+  [[nodiscard]] Block row(const std::vector<LatexTree>& parts) const {
+    Block result;
+    Role last = Role::none;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const Role role = role_of(parts[i]);
+      if (role == Role::space) {
+        if (last == Role::operand) last = Role::space;
+        continue;
+      }
+      const bool is_unary = role == Role::sign && (last == Role::none || last == Role::comma);
+      result = beside(result, line_of(between(last, parts[i])));
+      const std::size_t close = is_open_bracket(parts[i]) ? closing(parts, i) : parts.size();
+      if (close < parts.size()) {
+        result = beside(result, bracketed(parts, i, close));
+        i = close;
+      } else {
+        result = beside(result, draw(parts[i]));
+      }
+      last = is_unary || is_open_bracket(parts[i]) ? Role::none : role;
+    }
+    return result;
+  }
+
+  /// Where the bracket at `open` is closed; the end where it is not.
+  static std::size_t closing(const std::vector<LatexTree>& parts, std::size_t open) {
+    int depth = 0;
+    for (std::size_t i = open; i < parts.size(); ++i) {
+      depth += is_open_bracket(parts[i]) ? 1 : is_closing_bracket(parts[i]) ? -1 : 0;
+      if (depth == 0) return i;
+    }
+    return parts.size();
+  }
+
+  [[nodiscard]] Block bracketed(const std::vector<LatexTree>& parts, std::size_t open,
+                                std::size_t close) const {
+    const auto begin = parts.begin();
+    const std::vector<LatexTree> inside(begin + static_cast<std::ptrdiff_t>(open) + 1,
+                                        begin + static_cast<std::ptrdiff_t>(close));
+    const Block drawn = in_brackets(parts[open].text, row(inside), base_of(parts[close]).text);
+    return parts[close].kind == LatexKind::scripts ? with_scripts(drawn, parts[close]) : drawn;
+  }
+
+  Alphabet alphabet_;
+  Fractions fractions_;
+};
+
+}  // namespace
+
+Block drawing(const LatexTree& tree, Alphabet alphabet, Fractions fractions) {
+  return Drawer(alphabet, fractions).draw(tree);
+}
+
+std::string with_small_exponents(const std::string& text) {
+  const auto is_part = [](char c) { return is_digit(c) || c == '-'; };
+  std::string result;
+  bool is_small = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool begins = text[i] == '^' && i + 1 < text.size() && is_part(text[i + 1]);
+    is_small = begins || (is_small && is_part(text[i]));
+    if (begins) continue;
+    const std::string one(1, text[i]);
+    result += is_small ? made_small(one, &SmallGlyph::above).value_or(one) : one;
+  }
+  return result;
+}
+
+Block matrix_drawing(const std::vector<Block>& entries, std::size_t columns, Alphabet alphabet) {
+  const Block space = line_of(" ");
+  const Block inside = beside(beside(space, grid(entries, columns)), space);
+  return beside(beside(bracket_drawing("[", inside, alphabet), inside),
+                bracket_drawing("]", inside, alphabet));
+}
+
+}  // namespace elgen

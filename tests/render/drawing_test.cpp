@@ -1,0 +1,68 @@
+#include "render/drawing.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace elgen;
+
+namespace {
+
+std::string drawn(const std::string& latex, Alphabet alphabet) {
+  return text_of(drawing(read_latex(latex), alphabet), "");
+}
+
+}  // namespace
+
+TEST_CASE("a formula of one line, in Unicode and in ASCII") {
+  struct Row {
+    std::string latex, unicode, ascii;
+  };
+  const std::vector<Row> rows{
+      {"m l^{2}", "m l²", "m l^2"},
+      {"\\frac{1}{2} m \\dot{\\theta}_{1}^{2}", "½ m θ̇₁²", "1/2 m dot(theta1)^2"},
+      {"\\ddot{q}", "q̈", "ddot(q)"},
+      {"-m l \\sin \\theta \\thinspace \\dot{\\theta}", "-m l sin θ ⋅ θ̇",
+       "-m l sin theta*dot(theta)"},
+      {"\\sin \\theta \\thinspace \\cos \\theta", "sin θ cos θ", "sin theta cos theta"},
+      {"\\sin^{2} \\theta \\thinspace (A - C)", "sin² θ (A - C)", "sin^2 theta (A - C)"},
+      {"\\sin \\left( a + b \\right)", "sin(a + b)", "sin(a + b)"},
+      {"M(q) \\ddot{q} + g(q)", "M(q) q̈ + g(q)", "M(q) ddot(q) + g(q)"},
+      {"l \\left( a - b \\right)^{2}", "l (a - b)²", "l (a - b)^2"},
+      {"M_{1, 2}", "M₁₂", "M12"},
+      {"M_{1, 12}", "M₁,₁₂", "M1,12"},
+      {"x_{\\mathrm{cart}}", "x_cart", "x_cart"},
+      {"\\sqrt{x}", "√(x)", "sqrt(x)"},
+      {"a \\cdot b", "a ⋅ b", "a * b"},
+      {"\\frac{\\partial L}{\\partial q}", "∂L\n──\n∂q", "dL\n--\ndq"},
+  };
+  for (const Row& row : rows) {
+    INFO(row.latex);
+    CHECK(drawn(row.latex, Alphabet::unicode) == row.unicode + "\n");
+    CHECK(drawn(row.latex, Alphabet::ascii) == row.ascii + "\n");
+  }
+}
+
+TEST_CASE("brackets grow with the fraction inside them") {
+  CHECK(drawn("m \\left( 1 + \\frac{a}{b} \\right)^{2}", Alphabet::unicode) ==
+        "  ⎛    a⎞²\nm ⎜1 + ─⎟\n  ⎝    b⎠\n");
+}
+
+TEST_CASE("a fraction is drawn in line where that is asked") {
+  const LatexTree tree = read_latex("\\frac{\\partial \\tau}{\\partial q}");
+  CHECK(text_of(drawing(tree, Alphabet::unicode, Fractions::in_line), "") == "∂τ/∂q\n");
+}
+
+TEST_CASE("brackets that do not match are drawn as they stand") {
+  CHECK(drawn("a + (b", Alphabet::unicode) == "a + (b\n");
+  CHECK(drawn("b) c", Alphabet::unicode) == "b ) c\n");
+}
+
+TEST_CASE("a matrix has square brackets") {
+  const std::vector<Block> cells{{{"a"}, 0}, {{"0"}, 0}};
+  CHECK(text_of(matrix_drawing(cells, 1, Alphabet::unicode), "") == "⎡ a ⎤\n⎣ 0 ⎦\n");
+  CHECK(text_of(matrix_drawing(cells, 2, Alphabet::ascii), "") == "[ a   0 ]\n");
+}
+
+TEST_CASE("exponents of units are small") {
+  CHECK(with_small_exponents("kg m^2/s^-1") == "kg m²/s⁻¹");
+  CHECK(with_small_exponents("kg^(1/2)") == "kg^(1/2)");
+}
