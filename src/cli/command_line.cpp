@@ -36,7 +36,7 @@ std::vector<std::string> format_words() {
 }
 
 void add_global_options(CLI::App& app, CommandLine& line, RawOptions& raw) {
-  app.set_version_flag("--version", "elgen " ELGEN_VERSION);
+  app.set_version_flag("-V,--version", "elgen " ELGEN_VERSION);
   app.add_option("--color", raw.color, "auto, always or never (NO_COLOR is honoured)")
       ->check(CLI::IsMember({"auto", "always", "never"}));
   app.add_option("--format", raw.format,
@@ -91,6 +91,21 @@ std::vector<std::string> known_words(const CLI::App& app) {
   return known;
 }
 
+/// Of the command that was begun.
+std::string see_help(const CLI::App& app) {
+  const std::vector<CLI::App*> begun = app.get_subcommands();
+  const std::string command = begun.empty() ? "" : begun.front()->get_name() + " ";
+  return fmt::format("see `elgen {}--help`", command);
+}
+
+/// `elgen help`, `elgen help show`: the options they stand for.
+std::vector<std::string> without_help_command(std::vector<std::string> words) {
+  if (words.size() < 2 || words[1] != "help") return words;
+  words.erase(words.begin() + 1);
+  words.emplace_back("--help");
+  return words;
+}
+
 Diagnostic rejected(const CLI::App& app, const std::vector<std::string>& words,
                     const CLI::ParseError& error) {
   const std::vector<std::string> extras = app.remaining(true);
@@ -101,7 +116,7 @@ Diagnostic rejected(const CLI::App& app, const std::vector<std::string>& words,
   }
   std::string message = error.what();
   if (!message.empty()) message[0] = in_lower_case(message[0]);
-  return {Code::E913, {}, message, "see `elgen --help`"};
+  return {Code::E913, {}, message, see_help(app)};
 }
 
 Result<Limits> read_limits(const std::vector<std::string>& settings) {
@@ -205,7 +220,8 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
 #include "cli/commands.def"
 #undef ELGEN_COMMAND
   try {
-    std::vector<std::string> reversed(words.rbegin(), words.rend() - 1);
+    const std::vector<std::string> read = without_help_command(words);
+    std::vector<std::string> reversed(read.rbegin(), read.rend() - 1);
     app.parse(reversed);
   } catch (const CLI::CallForHelp&) {
     line.answer = app.help("", CLI::AppFormatMode::Normal);

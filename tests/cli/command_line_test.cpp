@@ -50,6 +50,12 @@ TEST_CASE("version and limits are printed on stdout") {
   CHECK(listed.at(0).at("name") == limit_table().front().name);
 }
 
+TEST_CASE("help is a command, too, and -V is the version") {
+  CHECK(run("elgen help").output == run("elgen --help").output);
+  CHECK(run("elgen help show").output == run("elgen show --help").output);
+  CHECK(run("elgen -V").output == run("elgen --version").output);
+}
+
 TEST_CASE("a command line that is not understood exits with 2") {
   for (const char* line :
        {"elgen", "elgen generte x.toml", "elgen generate", "elgen generate --outptus x a.toml",

@@ -1,0 +1,93 @@
+// manual_page: elgen(1) in the macros of man.
+#include <fmt/format.h>
+
+#include <array>
+
+#include "cli/command_list.hpp"
+#include "elgen/diagnostic.hpp"
+#include "render/fill_template.hpp"
+
+namespace elgen::cli {
+
+namespace {
+
+using List = TemplateData::type;
+
+struct ExitRow {
+  ExitCode code;
+  std::string_view doc;
+};
+
+constexpr std::array exit_rows{
+    ExitRow{ExitCode::success, "done, nothing differs, all checks hold"},
+    ExitRow{ExitCode::differs, "files or equations differ, or a check does not hold"},
+    ExitRow{ExitCode::invalid, "a mistake in the command line or in an input"},
+    ExitRow{ExitCode::limit, "a limit was reached, or the self-check failed"},
+    ExitRow{ExitCode::inaccessible, "something could not be read, written or run"},
+    ExitRow{ExitCode::internal, "a mistake in elgen"},
+    ExitRow{ExitCode::interrupted, "interrupted; nothing is half-written"}};
+
+/// Text, not requests and escapes; its hyphens can be copied.
+std::string troff_text(const std::string& text) {
+  std::string result;
+  bool begins_line = true;
+  for (const char c : text) {
+    if (begins_line && (c == '.' || c == '\'')) result += "\\&";
+    begins_line = c == '\n';
+    result += c == '\\' ? "\\e" : c == '-' ? "\\-" : std::string(1, c);
+  }
+  return result;
+}
+
+/// "\fB-o\fR, \fB--output-directory\fR \fIDIR\fR"
+std::string heading_of(const ListedOption& option) {
+  std::string text;
+  for (const std::string& name : option.names) {
+    const char font = option.is_positional ? 'I' : 'B';
+    text += fmt::format("{}\\f{}{}\\fR", text.empty() ? "" : ", ", font, troff_text(name));
+  }
+  if (option.is_positional || option.type.empty()) return text;
+  const std::string words = fmt::format("{}", fmt::join(option.choices, "|"));
+  const std::string& value = words.empty() ? option.type : words;
+  return fmt::format("{} \\fI{}\\fR", text, troff_text(value));
+}
+
+TemplateData option_rows(const std::vector<ListedOption>& options) {
+  TemplateData rows(List::list);
+  for (const ListedOption& option : options) {
+    TemplateData row;
+    row.set("heading", heading_of(option));
+    row.set("doc", troff_text(option.doc));
+    rows << row;
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string manual_page(const CommandList& list) {
+  TemplateData commands(List::list);
+  for (const ListedCommand& command : list.commands) {
+    TemplateData row;
+    row.set("name", command.name);
+    row.set("manual_doc", troff_text(command.doc));
+    row.set("manual_options", option_rows(command.options));
+    commands << row;
+  }
+  TemplateData exit_codes(List::list);
+  for (const ExitRow& exit_row : exit_rows) {
+    TemplateData row;
+    row.set("code", std::to_string(static_cast<int>(exit_row.code)));
+    row.set("doc", troff_text(std::string(exit_row.doc)));
+    exit_codes << row;
+  }
+  TemplateData data;
+  data.set("version", ELGEN_VERSION);
+  data.set("doc", troff_text(list.doc));
+  data.set("options", option_rows(list.options));
+  data.set("commands", commands);
+  data.set("exit_codes", exit_codes);
+  return fill_template("pages/manual.1.mustache", data);
+}
+
+}  // namespace elgen::cli

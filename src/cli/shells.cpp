@@ -1,0 +1,31 @@
+// elgen completions, elgen man: what shells and man know of the command line.
+#include "cli/command_list.hpp"
+#include "cli/commands.hpp"
+
+namespace elgen::cli {
+
+namespace {
+
+/// Words are read once; what is printed is made while the list of commands is at hand.
+void print_later(Action& action, std::string text) {
+  action = [text = std::move(text)](const GlobalOptions& global) { return print(global, text); };
+}
+
+}  // namespace
+
+void add_completions(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("completions", "print a script that completes commands");
+  const auto shell = std::make_shared<std::string>();
+  command->add_option("shell", *shell, "bash, zsh or fish")
+      ->required()
+      ->check(CLI::IsMember(completed_shells()));
+  command->callback(
+      [&app, &action, shell] { print_later(action, completions(command_list(app), *shell)); });
+}
+
+void add_man(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("man", "print the manual page elgen(1)");
+  command->callback([&app, &action] { print_later(action, manual_page(command_list(app))); });
+}
+
+}  // namespace elgen::cli
