@@ -79,7 +79,8 @@ struct SheetEquation {
 };
 
 struct SheetOutput {
-  std::string name = {};        ///< of the function
+  std::string title = {};       ///< "Mass matrix"
+  std::string function = {};    ///< in code: "mass_matrix"; empty where no function is meant
   std::string doc = {};         ///< what it is, in a sentence
   std::string definition = {};  ///< LaTeX: how it is defined; may be empty
   std::vector<SheetEquation> equations = {};

@@ -1,4 +1,5 @@
-// latex_document: a Sheet as a complete document; amsmath and longtable are all it needs.
+// latex_document: a Sheet as a complete document; amsmath and longtable are all it needs. Its fonts
+// are outlines: those of OT1 where lmodern is not installed, which have no <, > and |.
 #include <fmt/format.h>
 
 #include "render/page_data.hpp"
@@ -11,6 +12,9 @@ std::string latex_text(const std::string& text) {
   static const Escapes escapes{{'\\', "\\textbackslash{}"},
                                {'^', "\\textasciicircum{}"},
                                {'~', "\\textasciitilde{}"},
+                               {'<', "\\textless{}"},
+                               {'>', "\\textgreater{}"},
+                               {'|', "\\textbar{}"},
                                {'#', "\\#"},
                                {'$', "\\$"},
                                {'%', "\\%"},

@@ -157,7 +157,7 @@ std::vector<const SheetOutput*> shown_first(const Sheet& sheet) {
   std::vector<const SheetOutput*> shown;
   for (const std::string_view name : overview_outputs) {
     for (const SheetOutput& output : sheet.outputs) {
-      if (output.name == name && !output.equations.empty()) shown.push_back(&output);
+      if (output.function == name && !output.equations.empty()) shown.push_back(&output);
     }
   }
   if (!shown.empty()) return shown;
@@ -178,7 +178,9 @@ std::string screen_page(const Sheet& sheet, const Screen& screen) {
     if (!list.empty()) text += "\n" + page.variables(list);
   }
   for (const SheetOutput& output : sheet.outputs) {
-    text += fmt::format("\n{}{}{}\n", output.name, output.doc.empty() ? "" : ": ", output.doc);
+    const std::string& function = output.function;
+    text += fmt::format("\n{}{}\n", output.title, function.empty() ? "" : ": " + function);
+    if (!output.doc.empty()) text += fmt::format("  {}\n", output.doc);
     for (const SheetEquation& equation : output.equations) text += page.equation(equation);
   }
   return text;

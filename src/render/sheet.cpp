@@ -1,6 +1,9 @@
 // sheet: Model, Scene, Program -> what a page shows.
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "base/ascii.hpp"
 #include "base/number_text.hpp"
 #include "elgen/render.hpp"
 #include "render/headings.hpp"
@@ -68,10 +71,20 @@ std::vector<SheetVariable> parameters(const Model& model, const Scene& scene) {
   return list;
 }
 
+/// "Mass matrix"; the names of a user's own outputs are left as they are.
+std::string title_of(const Function& function) {
+  std::string title = function.name;
+  if (output_row(function.kind).of_user) return title;
+  std::ranges::replace(title, '_', ' ');
+  title[0] = in_upper_case(title[0]);
+  return title;
+}
+
 SheetOutput output(const Model& model, const Program& program, std::size_t index) {
   const Function& function = program.functions[index];
   const Heading heading = elgen::heading(model, function);
-  SheetOutput result{function.name, output_doc(model, function), heading.definition};
+  SheetOutput result{title_of(function), function.name, output_doc(model, function),
+                     heading.definition};
   const FunctionEquations equations = latex_equations(model, program, index);
   for (const EquationLine& line : equations.definitions) {
     result.equations.push_back({line.name, 1, 1, {line.value}});
@@ -98,7 +111,9 @@ Sheet sheet(const Model& model, const Scene& scene, const Program& program,
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     const Function& function = program.functions[i];
     const OutputRow& row = output_row(function.kind);
-    if (row.steps) result.outputs.push_back({function.name, output_doc(model, function), {}});
+    if (row.steps) {
+      result.outputs.push_back({title_of(function), function.name, output_doc(model, function)});
+    }
     if (!has_equations(row)) continue;
     if (!options.zeros && is_zero(program, function)) continue;
     if (entry_count(function) <= options.most_entries) {
@@ -106,7 +121,8 @@ Sheet sheet(const Model& model, const Scene& scene, const Program& program,
     } else {
       const std::string doc =
           fmt::format("{} {} entries.", output_doc(model, function), entry_count(function));
-      result.outputs.push_back({function.name, doc, elgen::heading(model, function).definition});
+      result.outputs.push_back(
+          {title_of(function), function.name, doc, elgen::heading(model, function).definition});
     }
   }
   return result;

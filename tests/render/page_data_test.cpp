@@ -35,7 +35,8 @@ TEST_CASE("prose, names, formulas and equations have words of their own") {
   CHECK(row.get("name")->string_value() == "*m1");
   CHECK(row.get("unit")->string_value() == "kg");
   const TemplateData output = data.get("outputs")->list_value().at(0);
-  CHECK(output.get("name")->string_value() == "*gravity");
+  CHECK(output.get("title")->string_value() == "Gravity");
+  CHECK(output.get("function")->list_value().front().get("line")->string_value() == "*gravity");
   CHECK(output.get("definition")->is_empty_list());
   CHECK(output.get("equations")->list_value().at(0).get("line")->string_value() == "g");
 }

@@ -18,8 +18,9 @@ Sheet wide_sheet() {
   sheet.title = "Wide";
   sheet.equation_of_motion = "M(q) \\ddot{q} = 0";
   sheet.coordinates = {{"\\theta_{1}", "theta1", "rad", "", "angle"}};
-  sheet.outputs = {{"mass_matrix", "Mass matrix.", "", {{"M", 2, 2, {sum, "b", "b", "1"}}}},
-                   {"gravity", "Slope.", "", {{"g", 2, 1, {sum, "0"}}}}};
+  sheet.outputs = {
+      {"Mass matrix", "mass_matrix", "Mass matrix.", "", {{"M", 2, 2, {sum, "b", "b", "1"}}}},
+      {"Gravity", "gravity", "Slope.", "", {{"g", 2, 1, {sum, "0"}}}}};
   return sheet;
 }
 
@@ -34,7 +35,7 @@ std::size_t widest_line(const std::string& page) {
 
 TEST_CASE("a screen shows variables and matrices") {
   CHECK(screen_page(small_sheet(), {80, Alphabet::unicode}) ==
-        "A & B_1\n\n  M q̈ = 0\n\n  m₁   = 0.5 kg   mass | of *one*\n\ngravity: Slope.\n"
+        "A & B_1\n\n  M q̈ = 0\n\n  m₁   = 0.5 kg   mass | of *one*\n\nGravity: gravity\n  Slope.\n"
         "  g = ⎡  0   ⎤\n      ⎣ m₁ g ⎦\n");
 }
 
@@ -46,7 +47,7 @@ TEST_CASE("a matrix too wide gives names to what is wider than a name") {
 }
 
 TEST_CASE("no screen is exceeded") {
-  for (const std::size_t columns : {40, 60, 80, 132}) {
+  for (const std::size_t columns : std::vector<std::size_t>{40, 60, 80, 132}) {
     INFO(columns);
     CHECK(widest_line(screen_page(wide_sheet(), {columns, Alphabet::unicode})) <= columns);
     CHECK(widest_line(overview(wide_sheet(), {columns, Alphabet::unicode})) <= columns);

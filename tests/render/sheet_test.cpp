@@ -15,8 +15,8 @@ TEST_CASE("a sheet holds what is worth reading") {
   CHECK(page.coordinates[1].symbol == "\\theta");
   CHECK(page.parameters.size() == 4);
   for (const SheetOutput& output : page.outputs) {
-    CHECK(output.name != "drift");
-    CHECK(output.name != "dynamics");
+    CHECK(output.function != "drift");
+    CHECK(output.function != "dynamics");
   }
 }
 
