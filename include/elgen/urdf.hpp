@@ -6,6 +6,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "elgen/diagnostic.hpp"
 #include "elgen/limits.hpp"
@@ -17,7 +18,18 @@ struct ImportedModel {
   std::string text;  ///< TOML, as parse_model() reads it
 };
 
-/// Errors: E8xx, all of the file in one run where it is XML; warnings: E508; notes: E815 to E817.
-[[nodiscard]] Result<ImportedModel> import_urdf(const SourcePointer& source, const Limits& limits);
+/// What is asked of the model beyond what the file says.
+struct ImportOptions {
+  std::string name = {};                   ///< of the model; empty: the robot's
+  std::vector<SourcePointer> joints = {};  ///< "a,b": these move, in this order, and no others
+  std::vector<SourcePointer> welds = {};   ///< "JOINT", "JOINT=0.5" or "massless"
+  bool floating_base = false;              ///< the root link moves freely
+  bool exact_angles = false;               ///< no angle is taken for a right one
+};
+
+/// Errors: E8xx, all of the file in one run where it is XML; warnings: E508, E817; notes: E815,
+/// E816, E818 to E820.
+[[nodiscard]] Result<ImportedModel> import_urdf(const SourcePointer& source, const Limits& limits,
+                                                const ImportOptions& options = {});
 
 }  // namespace elgen

@@ -1,21 +1,39 @@
 // elgen import: a robot description as a model file, on stdout or where -o says.
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
 #include "cli/files/inputs.hpp"
 #include "cli/files/output_files.hpp"
+#include "cli/note_kinds.hpp"
 #include "elgen/urdf.hpp"
 
 namespace elgen::cli {
 
 namespace {
 
-struct ImportOptions {
+struct ImportCommand {
   std::string input = {};
   std::string output = {};  ///< empty: stdout
   bool force = false;
+  ImportOptions model = {};
 };
+
+/// Notes one by one with --verbose, and where programs read them; else a line for each kind.
+ExitCode report_import(GlobalOptions global, const Diagnostics& diagnostics) {
+  if (global.verbose) global.style.maximum = diagnostics.size();
+  const bool is_whole = global.verbose || global.style.format != DiagnosticFormat::text;
+  const Diagnostics said = is_whole ? diagnostics : one_per_kind(diagnostics);
+  const ExitCode code = report(global, said);
+  if (said.size() < diagnostics.size()) tell(global, "-v lists every note with its place");
+  return code;
+}
+
+/// "ur5_gripper" of "models/ur5_gripper.toml".
+std::string model_name(const std::string& output) {
+  return std::filesystem::path(output).stem().string();
+}
 
 /// What became of the file.
 std::string written_json(const std::string& path, bool is_new) {
@@ -24,14 +42,16 @@ std::string written_json(const std::string& path, bool is_new) {
   return Json{{"files", Json::array({file})}}.dump(2) + "\n";
 }
 
-ExitCode import_file(const GlobalOptions& global, const ImportOptions& options) {
+ExitCode import_file(const GlobalOptions& global, const ImportCommand& options) {
   if (options.output.empty() && wants_json(global)) {
     return report(global, {{Code::E913, {}, "a model is not printed as json", "give `-o FILE`"}});
   }
   const Result<SourcePointer> source = read_source(options.input, global.limits);
   if (!source) return report(global, source.diagnostics);
-  const Result<ImportedModel> model = import_urdf(*source, global.limits);
-  const ExitCode imported = report(global, model.diagnostics);
+  ImportOptions wanted = options.model;
+  wanted.name = model_name(options.output);
+  const Result<ImportedModel> model = import_urdf(*source, global.limits, wanted);
+  const ExitCode imported = report_import(global, model.diagnostics);
   if (!model) return imported;
   if (options.output.empty()) return std::max(imported, print(global, model->text));
   // An imported model is edited by its owner, so no mark in it makes it ours again.
@@ -47,11 +67,19 @@ ExitCode import_file(const GlobalOptions& global, const ImportOptions& options) 
 
 void add_import(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("import", "print a robot description as a model file");
-  const auto options = std::make_shared<ImportOptions>();
+  const auto options = std::make_shared<ImportCommand>();
   command->add_option("input", options->input, "NAME.urdf or - (stdin)")->required();
-  command->add_option("-o,--output", options->output, "write the model here instead")
+  command
+      ->add_option("-o,--output", options->output, "write the model here instead, and name it so")
       ->type_name("FILE");
   command->add_flag("--force", options->force, "overwrite FILE");
+  ImportOptions& model = options->model;
+  command->add_flag("--floating-base", model.floating_base, "the root link moves freely");
+  add_sources(*command, "--joints", "A,B", model.joints,
+              "these move, in this order; all others are held at 0");
+  add_sources(*command, "--weld", "JOINT[=VALUE]", model.welds,
+              "hold a joint at 0, or at VALUE in rad or m; massless: all that move no mass");
+  command->add_flag("--exact-angles", model.exact_angles, "take no angle for a right one");
   set_action(*command, action, options, &import_file);
 }
 

@@ -32,7 +32,10 @@ std::vector<std::vector<std::string>> tree_rows(const Robot& robot, const LinkTr
   for (const Branch& branch : tree.branches) {
     const Joint& joint = robot.joints[branch.joint];
     std::string text = fmt::format("{}, {}", joint.name.text, word(joint.type));
-    if (branch.mimics) text += " like " + robot.joints[*branch.mimics].name.text;
+    if (const auto& mimicked = tree.mimicked[branch.joint]) {
+      text += " like " + robot.joints[*mimicked].name.text;
+    }
+    if (joint.welded) text += ", welded at " + joint.welded->text;
     rows.push_back(tree_row(branch.depth + 1, robot.links[branch.child], text));
   }
   return rows;
@@ -49,7 +52,7 @@ std::string head(const Draft& draft, const LinkTree& tree) {
 
 std::string model_table(const Robot& robot) {
   TomlTable table("[model]");
-  table.add("name", toml_string(model_name(robot.name)));
+  table.add("name", toml_string(model_name(robot.model)));
   table.add("title", toml_string(robot.name));
   table.add("description",
             toml_string(
@@ -73,18 +76,37 @@ std::string dissipation_table(const std::vector<std::string>& terms) {
   return fmt::format("[energy]\nD = \"\"\"\n  {}\n\"\"\"\n", fmt::join(terms, "\n  + "));
 }
 
+/// In the order that was asked for, else in that of the tree.
+std::vector<std::string> texts(const Robot& robot, std::vector<JointTable> tables) {
+  const auto rank = [&](const JointTable& table) { return robot.joints[table.joint].rank; };
+  std::ranges::stable_sort(tables, {}, rank);
+  std::vector<std::string> result;
+  for (const JointTable& table : tables) result.push_back(table.table.text());
+  return result;
+}
+
+std::vector<JointTable> with_armatures(const Draft& draft) {
+  std::vector<JointTable> tables = draft.coordinates;
+  for (JointTable& table : tables) {
+    const auto armature = draft.armatures.find(table.joint);
+    if (armature == draft.armatures.end()) continue;
+    table.table.add("armature", toml_string(armature->second));
+  }
+  return tables;
+}
+
 std::string text_of(const Draft& draft, const LinkTree& tree) {
   std::vector<std::string> parts{model_table(draft.robot)};
   const auto append = [&](const std::vector<std::string>& tables) {
     parts.insert(parts.end(), tables.begin(), tables.end());
   };
-  append(draft.coordinates);
+  append(texts(draft.robot, with_armatures(draft)));
   parts.push_back(parameters_table(draft.glossary.groups()));
   append(draft.links);
   parts.emplace_back("[gravity]\nvector = [\"0\", \"0\", \"-g\"]\n");
   if (!draft.dissipation.empty()) parts.push_back(dissipation_table(draft.dissipation));
   append(draft.forces);
-  append(draft.inputs);
+  append(texts(draft.robot, draft.inputs));
   return head(draft, tree) + fmt::format("{}", fmt::join(parts, "\n"));
 }
 
@@ -103,7 +125,7 @@ std::string vector_text(const Components& components) {
 }
 
 std::string model_text(const Robot& robot, const LinkTree& tree) {
-  Draft draft{robot, Glossary(robot, tree)};
+  Draft draft{robot, tree, Glossary(robot, tree)};
   for (const Branch& branch : tree.branches) {
     draft.glossary.open_group(fmt::format("{}, on {}", robot.links[branch.child].name.text,
                                           robot.joints[branch.joint].name.text));

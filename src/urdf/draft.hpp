@@ -4,23 +4,35 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "base/toml_text.hpp"
+#include "urdf/expressions.hpp"
 #include "urdf/glossary.hpp"
 #include "urdf/rotations.hpp"
 
 namespace elgen::urdf {
 
+/// A coordinate or an input of a joint.
+struct JointTable {
+  std::size_t joint = 0;
+  TomlTable table;
+};
+
 /// Texts of tables, in the order of the file, and the terms of D.
 struct Draft {
   const Robot& robot;
+  const LinkTree& tree;
   Glossary glossary;
-  std::vector<std::string> coordinates = {};
+  std::vector<JointTable> coordinates = {};
   std::vector<std::string> links = {};  ///< frames and bodies, parents first
   std::vector<std::string> dissipation = {};
   std::vector<std::string> forces = {};
-  std::vector<std::string> inputs = {};
+  std::vector<JointTable> inputs = {};
+  std::map<std::size_t, Coupling> couplings = {};     ///< by joint
+  std::map<std::size_t, std::string> armatures = {};  ///< of the coordinates of joints
 };
 
 using Components = std::array<std::string, 3>;
@@ -68,6 +80,22 @@ struct FrameDraft {
                                                       const Vector& rpy);
 
 [[nodiscard]] std::string frame_table(const FrameDraft& frame);
+
+/// Units of what belongs to a coordinate that turns or slides.
+struct JointUnits {
+  std::string_view position;
+  std::string_view rate;
+  std::string_view force;
+  std::string_view damping;
+};
+
+[[nodiscard]] JointUnits units_of(JointType type);
+
+/// The position of a joint that turns or slides; parameters of a chain of mimics are added once.
+[[nodiscard]] const Coupling& coupling_of(Draft& draft, std::size_t joint);
+
+/// Adds what brakes such a joint, and the rotor that turns with it.
+void draft_resistance(Draft& draft, std::size_t joint);
 
 /// Adds the coordinates, inputs, damping and friction of a joint.
 [[nodiscard]] JointMotion draft_joint(Draft& draft, const Branch& branch);

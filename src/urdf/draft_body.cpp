@@ -38,7 +38,7 @@ std::string inertia_text(const std::vector<std::string>& inertia) {
 /// Adds a frame in the axes of the inertia; its name.
 std::string add_axes(Draft& draft, const std::string& link, const Inertial& inertial,
                      const Components& com) {
-  const RollPitchYaw rotation = rotation_of(inertial.origin.rpy);
+  const RollPitchYaw rotation = rotation_of(inertial.origin.rpy, draft.robot.digits);
   FrameDraft axes;
   axes.comments = frame_comments("axes of the inertia of " + link, rotation, inertial.origin.rpy);
   axes.name = draft.glossary.claim(link + "_inertial", "frame");
@@ -60,7 +60,7 @@ void draft_body(Draft& draft, std::size_t link) {
   const std::string mass =
       glossary.parameter("m_" + name, inertial->mass, "kg", "assume = \"positive\"");
   Components com = place_of(glossary, "c{}_" + name, xyz);
-  const RollPitchYaw rotation = rotation_of(rpy);
+  const RollPitchYaw rotation = rotation_of(rpy, draft.robot.digits);
   const auto turned = rotated(rotation, inertial->inertia);
   const auto inertia = inertia_of(glossary, name, turned.value_or(inertial->inertia));
   if (mass == "0" && inertia.empty()) return;

@@ -9,11 +9,12 @@ namespace elgen::urdf {
 
 namespace {
 
-std::string description(const Joint& joint) {
-  const Axis axis = axis_of(joint.axis);
+std::string description(const Joint& joint, AngleDigits digits) {
+  const Axis axis = axis_of(joint.axis, digits);
   const std::string_view type = word(joint.type);
   if (joint.type == JointType::fixed || joint.type == JointType::floating) {
-    return fmt::format("{}: {}", joint.name.text, type);
+    const std::string_view weld = joint.welded ? ", welded" : "";
+    return fmt::format("{}: {}{}", joint.name.text, type, weld);
   }
   const std::string direction =
       axis.along ? (axis.is_reversed ? "-" : "") + axis_letter(*axis.along) : listed(joint.axis);
@@ -22,7 +23,8 @@ std::string description(const Joint& joint) {
                                                                        : "about";
   const std::string rounded =
       axis.is_rounded ? fmt::format(" (in the URDF: {})", listed(joint.axis)) : "";
-  return fmt::format("{}: {} {} {}{}", joint.name.text, type, relation, direction, rounded);
+  const std::string weld = joint.welded ? ", welded at " + joint.welded->text : "";
+  return fmt::format("{}: {} {} {}{}{}", joint.name.text, type, relation, direction, rounded, weld);
 }
 
 }  // namespace
@@ -76,15 +78,16 @@ void draft_frames(Draft& draft, const Branch& branch, const JointMotion& motion)
   const Joint& joint = draft.robot.joints[branch.joint];
   Glossary& glossary = draft.glossary;
   const std::string& name = glossary.joint(branch.joint);
-  const RollPitchYaw rotation = rotation_of(joint.origin.rpy);
-  const bool turns_only = joint.type == JointType::revolute || joint.type == JointType::continuous;
+  const RollPitchYaw rotation = rotation_of(joint.origin.rpy, draft.robot.digits);
+  const bool slides = motion.translate != Components{"0", "0", "0"};
 
   FrameDraft frame;
-  frame.comments = frame_comments(description(joint), rotation, joint.origin.rpy);
+  frame.comments =
+      frame_comments(description(joint, draft.robot.digits), rotation, joint.origin.rpy);
   frame.parent = glossary.frame(branch.parent);
   frame.translate = place_of(glossary, "{}_" + name, joint.origin.xyz);
   frame.rotate = steps_of(rotation);
-  if (!rotation.is_zero() && !turns_only && joint.type != JointType::fixed) {
+  if (!rotation.is_zero() && slides) {
     frame.name = glossary.claim(name + "_origin", "frame");
     draft.links.push_back(frame_table(frame));
     frame = {{}, {}, frame.name};

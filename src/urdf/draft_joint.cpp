@@ -1,4 +1,4 @@
-// A joint: its coordinates, and the forces along them.
+// A joint: its coordinates, what drives it, and how it moves.
 #include <fmt/format.h>
 
 #include "base/toml_text.hpp"
@@ -8,25 +8,6 @@
 namespace elgen::urdf {
 
 namespace {
-
-/// Units of what belongs to a coordinate that turns or slides.
-struct JointUnits {
-  std::string_view position;
-  std::string_view rate;
-  std::string_view force;
-  std::string_view damping;
-};
-
-JointUnits units_of(JointType type) {
-  if (type == JointType::prismatic) return {"m", "m/s", "N", "N*s/m"};
-  return {"rad", "rad/s", "N*m", "N*m*s"};
-}
-
-std::string ratio_unit(JointType type, JointType other) {
-  const auto own = units_of(type).position;
-  const auto others = units_of(other).position;
-  return own == others ? "1" : fmt::format("{}/{}", own, others);
-}
 
 constexpr std::string_view full_turn = "[\"-pi\", \"pi\"]";
 
@@ -49,10 +30,8 @@ class JointDrafter {
   JointMotion draft() {
     switch (joint_.type) {
       case JointType::revolute:
-      case JointType::continuous: {
-        const Coupling coupling = draft_coupling();
-        return {{"0", "0", "0"}, {turn_by(coupling.position())}, {}};
-      }
+      case JointType::continuous:
+        return {{"0", "0", "0"}, turn_by(draft_coupling().position()), {}};
       case JointType::prismatic:
         return {slide_by(draft_coupling().position()), {}, {}};
       case JointType::floating:
@@ -72,27 +51,13 @@ class JointDrafter {
                        robot_.links[branch_.child].name.text);
   }
 
-  Coupling draft_coupling() {
-    const Coupling coupling = branch_.mimics ? mimicked() : Coupling{name_};
-    if (!branch_.mimics) {
+  const Coupling& draft_coupling() {
+    const Coupling& coupling = coupling_of(draft_, branch_.joint);
+    if (joint_.moves() && !draft_.tree.mimicked[branch_.joint]) {
       draft_coordinate();
       add_input(name_, joint_.type != JointType::prismatic, symmetric_range(joint_.limit.effort));
     }
-    draft_damping(coupling);
-    draft_friction(coupling);
-    return coupling;
-  }
-
-  Coupling mimicked() {
-    const Joint& other = robot_.joints[*branch_.mimics];
-    Coupling coupling{glossary_.joint(*branch_.mimics)};
-    const FileNumber& factor = joint_.mimic->multiplier;
-    const std::string unit = ratio_unit(joint_.type, other.type);
-    const bool is_sign = unit == "1" && cln::abs(factor.value) == 1;  // 1 rad/m is no 1
-    coupling.factor = is_sign ? (cln::minusp(factor.value) ? "-1" : "1")
-                              : glossary_.parameter("ratio_" + name_, factor, unit);
-    coupling.offset = glossary_.parameter("offset_" + name_, joint_.mimic->offset,
-                                          std::string(units_of(joint_.type).position));
+    draft_resistance(draft_, branch_.joint);
     return coupling;
   }
 
@@ -106,7 +71,7 @@ class JointDrafter {
     if (!rates.empty()) table.add("rate_range", rates);
     if (range == full_turn) table.add("wrap", "true");
     table.add("doc", toml_string(doc()));
-    draft_.coordinates.push_back(table.text());
+    draft_.coordinates.push_back({branch_.joint, std::move(table)});
   }
 
   void draft_coordinate() {
@@ -131,54 +96,24 @@ class JointDrafter {
     if (!limits.empty()) table.add("limits", limits);
     table.add("doc",
               toml_string(fmt::format("{} of {}", turns ? "torque" : "force", joint_.name.text)));
-    draft_.inputs.push_back(table.text());
+    draft_.inputs.push_back({branch_.joint, std::move(table)});
   }
 
-  void draft_damping(const Coupling& coupling) {
-    const std::string damping =
-        glossary_.parameter("damping_" + name_, joint_.damping,
-                            std::string(units_of(joint_.type).damping), "assume = \"nonnegative\"");
-    if (damping == "0" || coupling.factor == "0") return;
-    const std::string plain = fmt::format("dot({})", coupling.coordinate);
-    const bool is_plain = coupling.factor == "1" || coupling.factor == "-1";
-    draft_.dissipation.push_back(
-        fmt::format("1/2*{}*{}^2", damping, is_plain ? plain : "(" + coupling.rate() + ")"));
-  }
-
-  /// Dry friction, made smooth: -friction*tanh(rate/stiction_rate).
-  void draft_friction(const Coupling& coupling) {
-    const std::string friction =
-        glossary_.parameter("friction_" + name_, joint_.friction,
-                            std::string(units_of(joint_.type).force), "assume = \"nonnegative\"");
-    if (friction == "0" || coupling.factor == "0") return;
-    const FileNumber scale{"0.01", cln::cl_RA(1) / 100, {}};
-    const std::string stiction_rate = glossary_.parameter(
-        name_ + "_stiction_rate", scale, std::string(units_of(joint_.type).rate),
-        "assume = \"positive\", doc = \"friction is full at some times this rate\"");
-    const bool is_plain = coupling.factor == "1" || coupling.factor == "-1";
-    const std::string factor = is_plain ? "" : coupling.factor + "*";
-    const std::string rate =
-        is_plain ? fmt::format("dot({})", coupling.coordinate) : coupling.rate();
-    TomlTable table("[[force]]");
-    table.add("on", toml_string(coupling.coordinate));
-    table.add("value",
-              toml_string(fmt::format("-{}{}*tanh({}/{})", factor, friction, rate, stiction_rate)));
-    draft_.forces.push_back(table.text());
-  }
-
-  [[nodiscard]] std::string turn_by(const std::string& angle) const {
-    const Axis axis = axis_of(joint_.axis);
+  /// At most one step.
+  [[nodiscard]] std::vector<std::string> turn_by(const std::string& angle) const {
+    if (angle == "0") return {};
+    const Axis axis = axis_of(joint_.axis, robot_.digits);
     if (axis.along) {
-      return step_text(toml_string(axis_letter(*axis.along)),
-                       axis.is_reversed ? negated(angle) : angle);
+      return {step_text(toml_string(axis_letter(*axis.along)),
+                        axis.is_reversed ? negated(angle) : angle)};
     }
     const Components oblique{joint_.axis[0].text, joint_.axis[1].text, joint_.axis[2].text};
-    return step_text(vector_text(oblique), angle);
+    return {step_text(vector_text(oblique), angle)};
   }
 
   [[nodiscard]] Components slide_by(const std::string& way) const {
     Components result{"0", "0", "0"};
-    const Axis axis = axis_of(joint_.axis);
+    const Axis axis = axis_of(joint_.axis, robot_.digits);
     if (axis.along) {
       result[*axis.along] = axis.is_reversed ? negated(way) : way;
       return result;
@@ -213,14 +148,16 @@ class JointDrafter {
 
   JointMotion draft_floating() {
     JointMotion motion;
+    if (joint_.welded) return motion;
     for (std::size_t i = 0; i < 3; ++i) motion.translate[i] = draft_free(axis_letter(i), "m");
     motion.attitude = draft_free("attitude", "");
     return motion;
   }
 
   JointMotion draft_planar() {
-    const std::size_t normal = *axis_of(joint_.axis).along;
+    const std::size_t normal = *axis_of(joint_.axis, AngleDigits::rounded).along;
     JointMotion motion;
+    if (joint_.welded) return motion;
     for (const std::size_t i : {(normal + 1) % 3, (normal + 2) % 3}) {
       const std::string name = draft_free(axis_letter(i), "m");
       motion.translate[i] = name;
@@ -228,7 +165,7 @@ class JointDrafter {
     }
     const std::string angle = draft_free("angle", "rad");
     add_input(angle, true);
-    motion.turn = {turn_by(angle)};
+    motion.turn = turn_by(angle);
     return motion;
   }
 

@@ -42,6 +42,8 @@ std::string product(const std::string& factor, const std::string& expression) {
   if (factor == "0" || expression == "0") return "0";
   if (factor == "1") return expression;
   if (factor == "-1") return negated(expression);
+  if (expression == "1") return factor;
+  if (expression == "-1") return negated(factor);
   return factor + "*" + as_factor(expression);
 }
 

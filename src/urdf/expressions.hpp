@@ -5,11 +5,14 @@
 
 namespace elgen::urdf {
 
-/// A position that a coordinate gives: factor*coordinate + offset.
+/// A position that a coordinate gives: factor*coordinate + offset; a constant where factor is "0".
 struct Coupling {
   std::string coordinate = {};
-  std::string factor = "1";  ///< "1", "-1", "0" or a parameter
+  std::string factor = "1";  ///< "1", "-1", "0" or parameters
   std::string offset = "0";
+
+  [[nodiscard]] bool is_constant() const { return factor == "0"; }
+  [[nodiscard]] bool has_sign_only() const { return factor == "1" || factor == "-1"; }
 
   [[nodiscard]] std::string position() const;
   [[nodiscard]] std::string rate() const;  ///< factor*dot(coordinate)

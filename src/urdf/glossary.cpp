@@ -16,7 +16,8 @@ Glossary::Glossary(const Robot& robot, const LinkTree& tree)
   for (const Branch& branch : tree.branches) {
     const Joint& joint = robot.joints[branch.joint];
     const std::string& name = joint.name.text;
-    const bool is_coordinate = has_one_coordinate(joint.type) && !branch.mimics;
+    const bool is_coordinate =
+        has_one_coordinate(joint.type) && joint.moves() && !tree.mimicked[branch.joint];
     joints_[branch.joint] = is_coordinate ? names_.claim(name, "joint") : well_formed(name);
     note_change(name, joints_[branch.joint]);
   }

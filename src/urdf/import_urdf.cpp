@@ -1,10 +1,17 @@
 // import_urdf: XML -> Robot -> Tree -> Draft -> text.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <utility>
 
 #include "elgen/urdf.hpp"
+#include "elgen/wording.hpp"
+#include "urdf/choices.hpp"
 #include "urdf/draft.hpp"
 
 namespace elgen {
+
+namespace urdf {
 
 namespace {
 
@@ -12,19 +19,64 @@ void append(Diagnostics& to, const Diagnostics& more) {
   to.insert(to.end(), more.begin(), more.end());
 }
 
+/// What has one link, or fixed joints alone, is a body that flies.
+Result<LinkTree> floating_tree(Robot& robot, const LinkTree& tree, bool is_asked_for,
+                               Diagnostics& found) {
+  const Text& root = robot.links[tree.root].name;
+  if (!is_asked_for) {
+    found.push_back({Code::E818, root.span, fmt::format("{} floats", in_backticks(root.text)),
+                     "no joint of the robot moves"});
+  } else if (const Joint* joint = floating_joint(robot, tree)) {
+    found.push_back({Code::E821, joint->name.span,
+                     fmt::format("{} floats already", in_backticks(joint->name.text)),
+                     "leave out `--floating-base`"});
+    return found;
+  }
+  let_float(robot, tree.root);
+  return make_tree(robot);
+}
+
+/// Options have no effect where something is wrong already.
+Result<LinkTree> chosen_tree(Robot& robot, const ImportOptions& options, Diagnostics& found) {
+  Result<LinkTree> tree = make_tree(robot);
+  append(found, tree.diagnostics);
+  if (!tree || has_errors(found)) return tree;
+  if (welds_massless(options)) {
+    append(found, weld_massless(robot, *tree));
+    tree = make_tree(robot);
+  }
+  const bool floats = options.floating_base || (!tree->has_moving_link() && has_mass(robot));
+  return floats ? floating_tree(robot, *tree, options.floating_base, found) : tree;
+}
+
+/// What says that a file is of another format, or to be expanded: the rest is not worth saying.
+Diagnostics foreign_only(Diagnostics found) {
+  std::erase_if(found, [](const Diagnostic& diagnostic) { return diagnostic.code != Code::E802; });
+  return found;
+}
+
 }  // namespace
 
-Result<ImportedModel> import_urdf(const SourcePointer& source, const Limits& limits) {
+}  // namespace urdf
+
+Result<ImportedModel> import_urdf(const SourcePointer& source, const Limits& limits,
+                                  const ImportOptions& options) {
   const Result<urdf::Element> root = urdf::read_xml(*source);
   if (!root) return root.diagnostics;
   Diagnostics found;
   urdf::RobotReading reading{limits, found};
-  const urdf::Robot robot = urdf::read_robot(*root, reading);
+  urdf::Robot robot = urdf::read_robot(*root, reading);
+  const Diagnostics foreign = urdf::foreign_only(found);
+  if (!foreign.empty()) return foreign;
+  if (!options.name.empty()) robot.model = options.name;
+  if (options.exact_angles) robot.digits = urdf::AngleDigits::kept;
+  urdf::append(found, urdf::choose_joints(robot, options, limits));
   const bool is_read = !has_errors(found);
-  Result<urdf::LinkTree> tree;
-  if (root->name == "robot") tree = urdf::make_tree(robot);
-  append(found, tree.diagnostics);
-  if (is_read && tree) append(found, urdf::check_masses(robot, *tree));
+  const Result<urdf::LinkTree> tree = urdf::chosen_tree(robot, options, found);
+  if (is_read && tree) {
+    urdf::append(found, urdf::check_masses(robot, *tree));
+    urdf::append(found, urdf::note_right_angles(robot, *tree));
+  }
   sort_by_position(found);
   if (has_errors(found)) return found;
   return {{urdf::model_text(robot, *tree)}, std::move(found)};

@@ -3,29 +3,34 @@
 
 #include "elgen/inertia.hpp"
 #include "elgen/wording.hpp"
-#include "urdf/tree.hpp"
+#include "urdf/choices.hpp"
 
 namespace elgen::urdf {
 
 namespace {
 
+enum class Behind : unsigned char { everything, what_is_held };
+
 /// Whether a link, or one behind it, has mass; by link.
-std::vector<bool> massive_subtrees(const Robot& robot, const LinkTree& tree) {
+std::vector<bool> massive_links(const Robot& robot, const LinkTree& tree, Behind behind) {
   std::vector<bool> massive;
   for (const Link& link : robot.links) massive.push_back(link.has_mass());
   for (auto branch = tree.branches.rbegin(); branch != tree.branches.rend(); ++branch) {
-    if (massive[branch->child]) massive[branch->parent] = true;
+    const bool counts = behind == Behind::everything || !robot.joints[branch->joint].moves();
+    if (counts && massive[branch->child]) massive[branch->parent] = true;
   }
   return massive;
 }
 
-/// Whether a joint's coordinate moves mass: behind itself, or behind a joint that mimics it; by
-/// joint.
-std::vector<bool> joints_with_mass(const Robot& robot, const LinkTree& tree,
-                                   const std::vector<bool>& massive) {
+/// Whether a joint's coordinate moves mass: behind itself, or behind a joint that mimics it, or a
+/// rotor; by joint.
+std::vector<bool> joints_with_mass(const Robot& robot, const LinkTree& tree) {
+  const std::vector<bool> massive = massive_links(robot, tree, Behind::everything);
   std::vector<bool> result(robot.joints.size());
   for (const Branch& branch : tree.branches) {
-    if (massive[branch.child]) result[branch.mimics.value_or(branch.joint)] = true;
+    if (massive[branch.child] || has_rotor(robot.joints[branch.joint])) {
+      result[tree.leader(branch.joint)] = true;
+    }
   }
   return result;
 }
@@ -45,43 +50,87 @@ void check_inertia(const Link& link, Diagnostics& found) {
        "a principal inertia exceeds the sum of the other two"});
 }
 
-void check_joint(const Robot& robot, const Branch& branch, bool moves_mass, Diagnostics& found) {
+/// What a joint moves: something that has mass, and at once or further on.
+struct MovedMass {
+  bool has_mass = false;
+  bool has_mass_at_once = false;
+};
+
+void check_joint(const Robot& robot, const Branch& branch, const MovedMass& moved,
+                 Diagnostics& found) {
   const Joint& joint = robot.joints[branch.joint];
   const Link& child = robot.links[branch.child];
-  if (joint.type == JointType::fixed || branch.mimics) return;
-  if (!moves_mass) {
+  if (!moved.has_mass) {
     found.push_back({Code::E810, joint.name.span,
                      fmt::format("{} moves no mass", in_backticks(joint.name.text)),
-                     fmt::format("{} has no `<inertial>`, nor has a link behind it",
+                     fmt::format("{} has no `<mass>`, nor has a link behind it; `--weld massless` "
+                                 "holds such joints",
                                  in_backticks(child.name.text))});
-  } else if (!child.has_mass()) {
+  } else if (!moved.has_mass_at_once) {
     found.push_back({Code::E816, child.name.span,
                      fmt::format("{} moves without a mass", in_backticks(child.name.text))});
   }
+}
+
+/// Links that fixed joints hold to the root, which is the world; whoever calls it so knows.
+void check_world(const Robot& robot, const LinkTree& tree, Diagnostics& found) {
+  const Link& root = robot.links[tree.root];
+  if (root.name.text == "world") return;
+  std::vector<const Link*> held;
+  if (root.has_mass()) held.push_back(&root);
+  std::vector<bool> is_held(robot.links.size());
+  is_held[tree.root] = true;
+  for (const Branch& branch : tree.branches) {
+    is_held[branch.child] =
+        is_held[branch.parent] && robot.joints[branch.joint].type == JointType::fixed;
+    const Link& child = robot.links[branch.child];
+    if (is_held[branch.child] && child.has_mass()) held.push_back(&child);
+  }
+  if (held.empty()) return;
+  const Text& first = held.front()->name;
+  const std::string name = in_backticks(first.text);
+  const std::string others = counted(held.size() - 1, "more link");
+  found.push_back(
+      {Code::E817, first.span,
+       held.size() > 1
+           ? fmt::format("{} and {} are the world: their mass plays no part", name, others)
+           : fmt::format("{} is the world: its mass plays no part", name),
+       "`--floating-base` lets it move"});
 }
 
 }  // namespace
 
 Diagnostics check_masses(const Robot& robot, const LinkTree& tree) {
   Diagnostics found;
-  const Link& root = robot.links[tree.root];
-  if (root.has_mass()) {
-    found.push_back(
-        {Code::E817, root.name.span,
-         fmt::format("{} is the world: its mass plays no part", in_backticks(root.name.text))});
-  }
+  check_world(robot, tree, found);
   for (const Link& link : robot.links) {
     if (link.inertial) check_inertia(link, found);
   }
-  const auto moves_mass = joints_with_mass(robot, tree, massive_subtrees(robot, tree));
-  bool has_coordinate = false;
+  const auto moves_mass = joints_with_mass(robot, tree);
+  const auto massive = massive_links(robot, tree, Behind::what_is_held);
   for (const Branch& branch : tree.branches) {
-    check_joint(robot, branch, moves_mass[branch.joint], found);
-    has_coordinate = has_coordinate || branch.moves;
+    const bool has_coordinate = robot.joints[branch.joint].moves() && !tree.mimicked[branch.joint];
+    const MovedMass moved{moves_mass[branch.joint], massive[branch.child]};
+    if (has_coordinate) check_joint(robot, branch, moved, found);
   }
-  if (!has_coordinate) {
-    found.push_back({Code::E803, robot.span, "`<robot>` has no `<joint>` that moves"});
+  if (!tree.has_moving_link()) {
+    found.push_back({Code::E803, robot.span, "no link of `<robot>` has a `<mass>`"});
   }
+  return found;
+}
+
+Diagnostics weld_massless(Robot& robot, const LinkTree& tree) {
+  Diagnostics found;
+  const std::vector<bool> moves_mass = joints_with_mass(robot, tree);
+  for (const Branch& branch : tree.branches) {
+    Joint& joint = robot.joints[branch.joint];
+    if (!joint.moves() || tree.mimicked[branch.joint] || moves_mass[branch.joint]) continue;
+    joint.welded = FileNumber{};
+    found.push_back({Code::E820, joint.name.span,
+                     fmt::format("{} is held at 0", in_backticks(joint.name.text)),
+                     "it moves no mass"});
+  }
+  weld_followers(robot);
   return found;
 }
 

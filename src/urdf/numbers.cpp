@@ -1,6 +1,7 @@
 // Numbers: C's decimal notation, which URDF files are written in, to that of TOML.
 #include "urdf/numbers.hpp"
 
+#include <cln/real.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -71,10 +72,17 @@ Diagnostic refused(const Span& span, std::string_view unsigned_text) {
   }
   const bool is_macro = covered_text(span).find('$') != std::string_view::npos;
   return {Code::E804, span, shown + " is not a decimal number",
-          is_macro ? "expand the file with xacro first" : ""};
+          std::string(is_macro ? xacro_remedy : "")};
 }
 
 }  // namespace
+
+double approximate(const cln::cl_RA& value) {
+  const cln::cl_RA large = 1'000'000'000;
+  const cln::cl_RA size = cln::abs(value);
+  if (size > large) return cln::minusp(value) ? -1e9 : 1e9;
+  return size * large * large * large < 1 ? 0.0 : cln::double_approx(value);
+}
 
 FileNumber decimal_of(int value) { return {std::to_string(value), value, {}}; }
 

@@ -22,9 +22,18 @@ struct FileNumber {
   [[nodiscard]] bool is_zero() const { return text == "0"; }
 };
 
+/// What to do with a file that is still to be expanded.
+inline constexpr std::string_view xacro_remedy =
+    "expand the file first: `xacro FILE > robot.urdf`, in ROS 2 `ros2 run xacro xacro FILE > "
+    "robot.urdf`";
+
 using Vector = std::array<FileNumber, 3>;
 
 [[nodiscard]] FileNumber decimal_of(int value);
+
+/// Only to find out what a number is near to; numbers that are kept stay decimals. Beyond the range
+/// of double everything is large or small alike.
+[[nodiscard]] double approximate(const cln::cl_RA& value);
 
 [[nodiscard]] FileNumber negative(FileNumber number);
 

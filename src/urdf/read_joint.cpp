@@ -41,9 +41,7 @@ Text read_link_name(ElementReader& joint, std::string_view role) {
   return name;
 }
 
-/// Without `<axis>`, URDF means x.
 void read_axis(ElementReader& reader, Joint& joint, RobotReading& reading) {
-  joint.axis = {decimal_of(1), decimal_of(0), decimal_of(0)};
   if (joint.type == JointType::fixed || joint.type == JointType::floating) return;
   bool is_read = false;
   reader.child("axis", [&](ElementReader& axis) {
@@ -53,7 +51,8 @@ void read_axis(ElementReader& reader, Joint& joint, RobotReading& reading) {
   if (!is_read) return;
   const bool is_zero = std::ranges::all_of(joint.axis, &FileNumber::is_zero);
   if (is_zero) reading.found.push_back({Code::E813, joint.axis_span, "the axis has no direction"});
-  if (joint.type == JointType::planar && !is_zero && !axis_of(joint.axis).along) {
+  if (joint.type == JointType::planar && !is_zero &&
+      !axis_of(joint.axis, AngleDigits::rounded).along) {
     reading.found.push_back({Code::E108, joint.axis_span,
                              "a planar joint is imported only with an axis along x, y or z"});
   }
@@ -87,6 +86,15 @@ void read_dynamics(ElementReader& reader, Joint& joint) {
     joint.damping = dynamics.number("damping").value_or(FileNumber{});
     joint.friction = dynamics.number("friction").value_or(FileNumber{});
   });
+}
+
+/// Robots whose grippers were made fixed keep the element.
+void note_mimic_of_fixed(ElementReader& reader, RobotReading& reading) {
+  for (const Element* mimic : reader.children("mimic")) {
+    reading.found.push_back({Code::E815, mimic->span,
+                             "`<mimic>` in a fixed `<joint>` is not imported",
+                             "the joint has no coordinate"});
+  }
 }
 
 void read_mimic(ElementReader& reader, Joint& joint) {
@@ -123,7 +131,11 @@ Joint read_joint(const Element& element, RobotReading& reading) {
   if (joint.type == JointType::fixed) reader.ignore({"axis", "limit", "dynamics"});
   if (joint.type == JointType::floating) reader.ignore({"axis"});
   read_axis(reader, joint, reading);
-  read_mimic(reader, joint);
+  if (joint.type == JointType::fixed) {
+    note_mimic_of_fixed(reader, reading);
+  } else {
+    read_mimic(reader, joint);
+  }
   reader.ignore({"calibration", "safety_controller"});
   reader.note_the_rest();
   return joint;

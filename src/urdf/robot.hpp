@@ -1,8 +1,10 @@
-// Robot: a URDF file as written, numbers exact and with their digits, every piece with its span.
+// Robot: a URDF file as written, numbers exact and with their digits, every piece with its span,
+// and what options make of it.
 //
 // read_robot() checks what needs no knowledge of other elements; make_tree() (tree.hpp) the rest.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -11,6 +13,7 @@
 #include "elgen/diagnostic.hpp"
 #include "elgen/limits.hpp"
 #include "urdf/numbers.hpp"
+#include "urdf/rotations.hpp"
 #include "urdf/xml.hpp"
 
 namespace elgen::urdf {
@@ -60,27 +63,50 @@ struct Mimic {
   FileNumber offset = {};
 };
 
+/// A motor's rotor, which turns gear_ratio times as fast as the joint.
+struct Rotor {
+  FileNumber inertia = {};
+  FileNumber gear_ratio = decimal_of(1);
+};
+
 struct Joint {
   Text name = {};
   JointType type = JointType::fixed;
   Text parent = {};
   Text child = {};
   Pose origin = {};
-  Vector axis = {};
+  Vector axis = {decimal_of(1), decimal_of(0), decimal_of(0)};  ///< URDF's, where it has none
   Span axis_span = {};
   JointLimit limit = {};
   FileNumber damping = {};
   FileNumber friction = {};
   std::optional<Mimic> mimic = {};
+  std::optional<Rotor> rotor = {};
+  std::optional<FileNumber> welded = {};  ///< the position it is held at
+  std::size_t rank = 0;                   ///< coordinates stand in this order
+
+  [[nodiscard]] bool moves() const { return type != JointType::fixed && !welded; }
 };
 
+/// Whether a rotor resists the acceleration of the joint.
+[[nodiscard]] inline bool has_rotor(const Joint& joint) {
+  return joint.rotor && !joint.rotor->inertia.is_zero() && !joint.rotor->gear_ratio.is_zero();
+}
+
 struct Robot {
-  std::string file = {};  ///< name of the file, without its folders
-  std::string name = {};
-  Span span = {};  ///< `robot` in its tag
+  std::string file = {};   ///< name of the file, without its folders
+  std::string name = {};   ///< the file's, where the robot has none
+  std::string model = {};  ///< what the model is called
+  Span span = {};          ///< `robot` in its tag
+  bool is_of_xacro = false;
+  AngleDigits digits = AngleDigits::rounded;
   std::vector<Link> links = {};
   std::vector<Joint> joints = {};
 };
+
+[[nodiscard]] inline bool has_mass(const Robot& robot) {
+  return std::ranges::any_of(robot.links, &Link::has_mass);
+}
 
 /// What reading needs on the way.
 struct RobotReading {
@@ -92,5 +118,8 @@ struct RobotReading {
 [[nodiscard]] Robot read_robot(const Element& root, RobotReading& reading);
 [[nodiscard]] Link read_link(const Element& element, RobotReading& reading);
 [[nodiscard]] Joint read_joint(const Element& element, RobotReading& reading);
+
+/// The rotor of a joint of the robot, as Drake's elements have it.
+void read_transmission(const Element& element, Robot& robot, RobotReading& reading);
 
 }  // namespace elgen::urdf

@@ -1,6 +1,7 @@
 // Quarter turns are signed permutations of the axes, so what they turn keeps its digits.
 #include "urdf/rotations.hpp"
 
+#include <cln/float.h>
 #include <cln/rational.h>
 #include <cln/real.h>
 #include <fmt/format.h>
@@ -14,14 +15,13 @@ namespace {
 
 constexpr double tolerance = 1e-5;  // rad
 constexpr double right_angle = 1.5707963267948966;
+constexpr unsigned exact_digits = 40;
 
-/// Only to find out what a number is near to; numbers that are kept stay decimals. Beyond the range
-/// of double everything is large or small alike.
-double approximate(const cln::cl_RA& value) {
-  const cln::cl_RA large = 1'000'000'000;
-  const cln::cl_RA size = cln::abs(value);
-  if (size > large) return cln::minusp(value) ? -1e9 : 1e9;
-  return size * large < 1 ? 0.0 : cln::double_approx(value);
+/// How far a number is from a multiple of a right angle.
+double distance(const cln::cl_RA& value, int right_angles) {
+  const cln::float_format_t precision = cln::float_format(exact_digits);
+  const cln::cl_R exact = cln::cl_float(value, precision);
+  return std::abs(approximate(cln::rational(exact - right_angles * cln::pi(precision) / 2)));
 }
 
 std::string multiple_of_right_angle(int count) {
@@ -54,19 +54,21 @@ std::size_t place_of(std::size_t row, std::size_t column) {
 
 }  // namespace
 
-Angle angle_of(const FileNumber& number) {
+Angle angle_of(const FileNumber& number, AngleDigits digits) {
   if (number.is_zero()) return {};
+  if (digits == AngleDigits::kept) return {number.text, std::nullopt};
   const double angle = approximate(number.value);
   constexpr double largest = 1e6;  // beyond, nobody means a multiple of a right angle
   if (std::abs(angle) > largest) return {number.text, std::nullopt};
   const double count = std::round(angle / right_angle);
   if (std::abs(angle - count * right_angle) > tolerance) return {number.text, std::nullopt};
   const int turns = static_cast<int>(count);
-  return {turns % 4 == 0 ? "0" : multiple_of_right_angle(turns), turns, true};
+  return {turns % 4 == 0 ? "0" : multiple_of_right_angle(turns), turns, true,
+          distance(number.value, turns)};
 }
 
-RollPitchYaw rotation_of(const Vector& rpy) {
-  return {{angle_of(rpy[0]), angle_of(rpy[1]), angle_of(rpy[2])}};
+RollPitchYaw rotation_of(const Vector& rpy, AngleDigits digits) {
+  return {{angle_of(rpy[0], digits), angle_of(rpy[1], digits), angle_of(rpy[2], digits)}};
 }
 
 std::optional<std::array<FileNumber, 6>> rotated(const RollPitchYaw& rotation,
@@ -89,7 +91,7 @@ std::optional<std::array<FileNumber, 6>> rotated(const RollPitchYaw& rotation,
   return result;
 }
 
-Axis axis_of(const Vector& direction) {
+Axis axis_of(const Vector& direction, AngleDigits digits) {
   const auto shorter = [](const FileNumber& left, const FileNumber& right) {
     return cln::abs(left.value) < cln::abs(right.value);
   };
@@ -99,8 +101,9 @@ Axis axis_of(const Vector& direction) {
   const FileNumber& third = direction[(along + 2) % 3];
   const double sine = std::hypot(approximate(second.value / longest->value),
                                  approximate(third.value / longest->value));
-  if (sine > tolerance) return {};
-  return {along, cln::minusp(longest->value), !second.is_zero() || !third.is_zero()};
+  const bool is_exact = second.is_zero() && third.is_zero();
+  if (sine > tolerance || (digits == AngleDigits::kept && !is_exact)) return {};
+  return {along, cln::minusp(longest->value), !is_exact, std::asin(sine)};
 }
 
 }  // namespace elgen::urdf

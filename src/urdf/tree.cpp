@@ -55,7 +55,9 @@ class TreeMaker {
     for (std::size_t i = 0; i < robot_.joints.size(); ++i) connect(i);
     if (is_connected_ && !has_errors(found_)) find_root();
     if (is_connected_ && !has_errors(found_)) grow();
-    for (Branch& branch : tree_.branches) find_mimicked(branch);
+    tree_.mimicked.resize(robot_.joints.size());
+    for (const Branch& branch : tree_.branches) find_mimicked(branch.joint);
+    for (const Branch& branch : tree_.branches) follow_mimics(branch.joint);
     if (has_errors(found_)) return found_;
     return tree_;
   }
@@ -104,7 +106,10 @@ class TreeMaker {
     }
     tree_.root = root.value_or(0);
     if (robot_.links.empty()) {
-      found_.push_back({Code::E803, robot_.span, "`<robot>` has no element `link`"});
+      found_.push_back({Code::E803, robot_.span, "`<robot>` has no element `link`",
+                        robot_.is_of_xacro
+                            ? "xacro expanded no macro here: expand the file that calls them"
+                            : ""});
     } else if (!root) {
       report_loop(0);
     }
@@ -117,8 +122,7 @@ class TreeMaker {
       const auto& below = joints_below_[link];
       for (auto joint = below.rbegin(); joint != below.rend(); ++joint) {
         const Joint& next = robot_.joints[*joint];
-        open.push_back({*joint, link, links_.at(next.child.text), depth,
-                        moves || next.type != JointType::fixed});
+        open.push_back({*joint, link, links_.at(next.child.text), depth, moves || next.moves()});
       }
     };
     std::vector<bool> reached(robot_.links.size());
@@ -152,9 +156,9 @@ class TreeMaker {
     return links_.at(robot_.joints[*joint_above_[link]].parent.text);
   }
 
-  void find_mimicked(Branch& branch) {
-    const Joint& joint = robot_.joints[branch.joint];
-    if (!joint.mimic || joint.mimic->joint.text.empty()) return;
+  void find_mimicked(std::size_t index) {
+    const Joint& joint = robot_.joints[index];
+    if (!joint.mimic || joint.welded || joint.mimic->joint.text.empty()) return;
     const Text& name = joint.mimic->joint;
     const auto refuse = [&](std::string message, std::string hint = {}) {
       found_.push_back({Code::E812, name.span, std::move(message), std::move(hint)});
@@ -165,16 +169,28 @@ class TreeMaker {
                     suggestion(name.text, names_of(joints_)));
     }
     const Joint& mimicked = robot_.joints[other->second];
-    if (mimicked.mimic) {
-      return refuse(fmt::format("{} itself mimics {}", in_backticks(name.text),
-                                in_backticks(mimicked.mimic->joint.text)));
-    }
     for (const Joint* one : {&joint, &mimicked}) {
       if (has_one_coordinate(one->type)) continue;
       return refuse(fmt::format("{} is {}: it has no coordinate to share",
-                                in_backticks(one->name.text), word(one->type)));
+                                in_backticks(one->name.text), word(one->type)),
+                    fmt::format("`--weld {}` holds what mimics", joint.name.text));
     }
-    branch.mimics = other->second;
+    tree_.mimicked[index] = other->second;
+  }
+
+  /// Whoever mimics itself by way of others has no coordinate to share.
+  void follow_mimics(std::size_t index) {
+    constexpr int longest_chain = 100;  // every link of a chain is longer than the one before
+    std::optional<std::size_t> at = tree_.mimicked[index];
+    for (int length = 1; at && *at != index && length < longest_chain; ++length) {
+      at = tree_.mimicked[*at];
+    }
+    if (!at) return;
+    const Joint& joint = robot_.joints[index];
+    found_.push_back({Code::E812, joint.mimic->joint.span,
+                      *at == index ? fmt::format("{} mimics itself", in_backticks(joint.name.text))
+                                   : fmt::format("{} mimics by way of {} joints or more",
+                                                 in_backticks(joint.name.text), longest_chain)});
   }
 
   const Robot& robot_;

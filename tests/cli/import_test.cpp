@@ -20,14 +20,17 @@ TEST_CASE("the model goes to stdout, notes to stderr") {
   CHECK(files_below(workspace.path()).empty());
 }
 
-TEST_CASE("option -o writes a file, --force writes it again") {
+TEST_CASE("option -o writes a file and names the model, --force writes it again") {
   const Workspace workspace;
   const std::string command = "elgen import " + robot + " -o new/arm.toml";
+  std::string named_arm = read_text(golden);
+  const std::string name = "name        = \"gripper\"";
+  named_arm.replace(named_arm.find(name), name.size(), "name        = \"arm\"");
   const Outcome first = shell(command, workspace.path());
   CHECK(first.status == 0);
   CHECK(first.output.empty());
   CHECK(mentions(first.errors, "wrote new/arm.toml"));
-  CHECK(read_text(workspace.path() / "new/arm.toml") == read_text(golden));
+  CHECK(read_text(workspace.path() / "new/arm.toml") == named_arm);
 
   write_text(workspace.path() / "new/arm.toml", "mine\n");
   const Outcome second = shell(command, workspace.path());
@@ -35,7 +38,7 @@ TEST_CASE("option -o writes a file, --force writes it again") {
   CHECK(mentions(second.errors, "error[E703]: `new/arm.toml` exists\n      --force overwrites it"));
   CHECK(read_text(workspace.path() / "new/arm.toml") == "mine\n");
   CHECK(shell(command + " --force", workspace.path()).status == 0);
-  CHECK(read_text(workspace.path() / "new/arm.toml") == read_text(golden));
+  CHECK(read_text(workspace.path() / "new/arm.toml") == named_arm);
   CHECK(files_below(workspace.path()) == "./new/arm.toml\n");
 }
 

@@ -56,8 +56,10 @@ TEST_CASE("an axis that was rounded is told") {
 
 TEST_CASE("constant turns without angle are left out") {
   const urdf::FileNumber zero;
-  CHECK(urdf::steps_of(urdf::rotation_of({zero, zero, zero})).empty());
-  CHECK(urdf::frame_comments("j", urdf::rotation_of({zero, zero, zero}), {}).size() == 1);
+  CHECK(urdf::steps_of(urdf::rotation_of({zero, zero, zero}, urdf::AngleDigits::rounded)).empty());
+  CHECK(urdf::frame_comments("j", urdf::rotation_of({zero, zero, zero}, urdf::AngleDigits::rounded),
+                             {})
+            .size() == 1);
 }
 
 }  // namespace elgen::test

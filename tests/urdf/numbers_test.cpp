@@ -57,7 +57,7 @@ TEST_CASE("what is no finite decimal is refused") {
   CHECK(refused("nan") == "E804 1:1 `nan` is not finite\n");
   CHECK(refused("-INF") == "E804 1:1 `-INF` is not finite\n");
   CHECK(refused("${pi/2}") ==
-        "E804 1:1 `${pi/2}` is not a decimal number | expand the file with xacro first\n");
+        "E804 1:1 `${pi/2}` is not a decimal number | " + std::string(urdf::xacro_remedy) + "\n");
   CHECK(refused("1e99999") ==
         "E904 1:1 decimal exponent `99999` is beyond ±400 | `--limit decimal_exponent=N` raises "
         "the limit\n");

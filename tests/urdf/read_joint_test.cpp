@@ -75,6 +75,8 @@ TEST_CASE("what a type has no use for is silent or noted") {
   CHECK(said("fixed", "<limit effort=\"1\"/><dynamics damping=\"1\"/>").empty());
   CHECK(said("floating", "<dynamics damping=\"1\"/>") ==
         "E815 5:2 `<dynamics>` in `<joint>` is not imported\n");
+  CHECK(said("fixed", "<mimic joint=\"k\"/>") ==
+        "E815 5:2 `<mimic>` in a fixed `<joint>` is not imported | the joint has no coordinate\n");
   CHECK(said("revolute", "<calibration rising=\"0\"/><safety_controller k=\"1\"/>").empty());
   CHECK(said("revolute", "<spring stiffness=\"1\"/>") ==
         "E815 5:2 `<spring>` in `<joint>` is not imported\n");

@@ -16,11 +16,17 @@ urdf::Vector vector(const std::string& x, const std::string& y, const std::strin
   return {decimal(x), decimal(y), decimal(z)};
 }
 
-std::string angle(const std::string& text) { return urdf::angle_of(decimal(text)).text; }
+std::string angle(const std::string& text) {
+  return urdf::angle_of(decimal(text), urdf::AngleDigits::rounded).text;
+}
+
+urdf::RollPitchYaw rotation(const urdf::Vector& rpy) {
+  return urdf::rotation_of(rpy, urdf::AngleDigits::rounded);
+}
 
 /// "x", "-z", or "oblique".
 std::string axis(const std::string& x, const std::string& y, const std::string& z) {
-  const urdf::Axis result = urdf::axis_of(vector(x, y, z));
+  const urdf::Axis result = urdf::axis_of(vector(x, y, z), urdf::AngleDigits::rounded);
   if (!result.along) return "oblique";
   return (result.is_reversed ? "-" : "") + std::string(1, "xyz"[*result.along]) +
          (result.is_rounded ? " rounded" : "");
@@ -30,7 +36,7 @@ std::string axis(const std::string& x, const std::string& y, const std::string& 
 std::string turned(const std::string& roll, const std::string& pitch, const std::string& yaw) {
   const std::array<urdf::FileNumber, 6> inertia{decimal("1"), decimal("2"), decimal("3"),
                                                 decimal("4"), decimal("5"), decimal("6")};
-  const auto result = urdf::rotated(urdf::rotation_of(vector(roll, pitch, yaw)), inertia);
+  const auto result = urdf::rotated(rotation(vector(roll, pitch, yaw)), inertia);
   if (!result) return "oblique";
   std::string text;
   for (const urdf::FileNumber& entry : *result) text += entry.text;
@@ -79,10 +85,29 @@ TEST_CASE("quarter turns move the digits of an inertia") {
 }
 
 TEST_CASE("a rotation knows whether it is one, and whether its digits were changed") {
-  CHECK(urdf::rotation_of(vector("0", "0", "0")).is_zero());
-  CHECK_FALSE(urdf::rotation_of(vector("0", "0.1", "0")).is_zero());
-  CHECK_FALSE(urdf::rotation_of(vector("0", "0.1", "0")).is_rounded());
-  CHECK(urdf::rotation_of(vector("0", "0", "1.5708")).is_rounded());
+  CHECK(rotation(vector("0", "0", "0")).is_zero());
+  CHECK_FALSE(rotation(vector("0", "0.1", "0")).is_zero());
+  CHECK_FALSE(rotation(vector("0", "0.1", "0")).is_rounded());
+  CHECK(rotation(vector("0", "0", "1.5708")).is_rounded());
+}
+
+TEST_CASE("the change of an angle is known below the rounding of double") {
+  const auto change = [](const std::string& text) {
+    return urdf::angle_of(decimal(text), urdf::AngleDigits::rounded).change;
+  };
+  CHECK(change("1.5707963267948966") == Approx(1.9231e-17).epsilon(1e-4));
+  CHECK(change("-3.14159") == Approx(2.65359e-6).epsilon(1e-5));
+  CHECK(change("0") == 0.0);
+  CHECK(urdf::axis_of(vector("0", "1", "1e-6"), urdf::AngleDigits::rounded).change == Approx(1e-6));
+}
+
+TEST_CASE("exact angles and axes keep their digits") {
+  const urdf::AngleDigits kept = urdf::AngleDigits::kept;
+  CHECK(urdf::angle_of(decimal("1.57079632679"), kept).text == "1.57079632679");
+  CHECK_FALSE(urdf::angle_of(decimal("1e-9"), kept).is_rounded);
+  CHECK(urdf::angle_of(decimal("0"), kept).quarter_turns == 0);
+  CHECK_FALSE(urdf::axis_of(vector("0", "1", "6.1e-17"), kept).along);
+  CHECK(urdf::axis_of(vector("0", "-2", "0"), kept).along == 1U);
 }
 
 }  // namespace elgen::test

@@ -79,21 +79,45 @@ TEST_CASE("who mimics whom") {
   const auto mimic = [](const std::string& name) { return "<mimic joint=\"" + name + "\"/>"; };
   const urdf::Robot robot =
       robot_of(start + joint("ac", "revolute", mimic("ab")) + joint("ad") + "</robot>");
-  CHECK(tree_of(robot).branches[1].mimics == 0U);
+  CHECK(tree_of(robot).mimicked[1] == 0U);
   CHECK(tree_messages(start + joint("ac", "revolute", mimic("bc")) + joint("ad")) ==
         "E812 4:83 the robot has no joint `bc` | did you mean `ac`?\n");
-  CHECK(tree_messages(start + joint("ac", "revolute", mimic("ab")) +
-                      joint("ad", "revolute", mimic("ac"))) ==
-        "E812 5:83 `ac` itself mimics `ab`\n");
   CHECK(tree_messages(start + joint("ac", "revolute", mimic("ad")) +
                       joint("ad", "revolute", mimic("ac"))) ==
-        "E812 4:83 `ad` itself mimics `ac`\nE812 5:83 `ac` itself mimics `ad`\n");
+        "E812 4:83 `ac` mimics itself\nE812 5:83 `ad` mimics itself\n");
   CHECK(tree_messages(start + joint("ac", "revolute", mimic("ac")) + joint("ad")) ==
-        "E812 4:83 `ac` itself mimics `ac`\n");
+        "E812 4:83 `ac` mimics itself\n");
   CHECK(tree_messages(start + joint("ac", "revolute", mimic("ad")) + joint("ad", "fixed")) ==
-        "E812 4:83 `ad` is fixed: it has no coordinate to share\n");
-  CHECK(tree_messages(start + joint("ac", "fixed", mimic("ab")) + joint("ad")) ==
-        "E812 4:80 `ac` is fixed: it has no coordinate to share\n");
+        "E812 4:83 `ad` is fixed: it has no coordinate to share | `--weld ac` holds what mimics\n");
+  CHECK(
+      tree_messages(start + joint("ac", "planar", mimic("ab")) + joint("ad")) ==
+      "E812 4:81 `ac` is planar: it has no coordinate to share | `--weld ac` holds what mimics\n");
+}
+
+TEST_CASE("a chain of mimics ends at the joint whose coordinate is shared") {
+  const auto mimic = [](const std::string& name) { return "<mimic joint=\"" + name + "\"/>"; };
+  const urdf::Robot robot =
+      robot_of(links("abcd") + joint("ab", "revolute", mimic("bc")) +
+               joint("bc", "revolute", mimic("cd")) + joint("cd") + "</robot>");
+  const urdf::LinkTree tree = tree_of(robot);
+  CHECK(tree.leader(0) == 2);
+  CHECK(tree.leader(1) == 2);
+  CHECK(tree.leader(2) == 2);
+}
+
+TEST_CASE("a chain of mimics has an end") {
+  std::string text = "<robot name=\"r\"><link name=\"l0\"/>";
+  for (int i = 1; i <= 103; ++i) {
+    const std::string here = std::to_string(i);
+    text += "<link name=\"l" + here + "\"/>\n<joint name=\"j" + here +
+            "\" type=\"revolute\"><parent link=\"l" + std::to_string(i - 1) +
+            "\"/><child link=\"l" + here + "\"/>" +
+            (i == 1 ? "" : "<mimic joint=\"j" + std::to_string(i - 1) + "\"/>") + "</joint>";
+  }
+  CHECK(tree_messages(text) ==
+        "E812 102:91 `j101` mimics by way of 100 joints or more\n"
+        "E812 103:91 `j102` mimics by way of 100 joints or more\n"
+        "E812 104:91 `j103` mimics by way of 100 joints or more\n");
 }
 
 TEST_CASE("a chain as long as a file may hold is no matter of the stack") {

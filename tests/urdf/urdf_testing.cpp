@@ -26,14 +26,14 @@ std::string messages(const Diagnostics& diagnostics) {
   return text;
 }
 
-std::string import_messages(const std::string& text) {
+std::string import_messages(const std::string& text, const ImportOptions& options) {
   const SourcePointer source = make_source("folder/r.urdf", text);
-  return messages(import_urdf(source, {}).diagnostics);
+  return messages(import_urdf(source, {}, options).diagnostics);
 }
 
-std::string imported(const std::string& text) {
+std::string imported(const std::string& text, const ImportOptions& options) {
   const SourcePointer source = make_source("folder/r.urdf", text);
-  const Result<ImportedModel> model = import_urdf(source, {});
+  const Result<ImportedModel> model = import_urdf(source, {}, options);
   if (!model) throw std::runtime_error(format(model.diagnostics));
   return model.value->text;
 }

@@ -12,10 +12,11 @@ namespace elgen::test {
 [[nodiscard]] std::string messages(const Diagnostics& diagnostics);
 
 /// The same of importing `text` whole.
-[[nodiscard]] std::string import_messages(const std::string& text);
+[[nodiscard]] std::string import_messages(const std::string& text,
+                                          const ImportOptions& options = {});
 
 /// The imported model; throws the errors.
-[[nodiscard]] std::string imported(const std::string& text);
+[[nodiscard]] std::string imported(const std::string& text, const ImportOptions& options = {});
 
 /// `<robot name="r">`, a link `base`, a link `arm` of mass 1 on line 3, and `rest` from line 4 on.
 [[nodiscard]] std::string with_arm(const std::string& rest);

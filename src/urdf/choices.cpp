@@ -1,0 +1,155 @@
+// Names of options -> joints that are held, and the order of the others.
+#include "urdf/choices.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "elgen/wording.hpp"
+#include "parse/decimal.hpp"
+
+namespace elgen::urdf {
+
+namespace {
+
+constexpr std::string_view massless = "massless";
+
+Span part_of(const SourcePointer& source, std::size_t begin, std::size_t end) {
+  return {source.get(), static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+}
+
+/// The words between commas.
+std::vector<Span> listed_words(const SourcePointer& source) {
+  std::vector<Span> words;
+  const std::string& text = source->text;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    words.push_back(part_of(source, begin, end));
+    begin = end + 1;
+  }
+  return words;
+}
+
+class JointChooser {
+ public:
+  JointChooser(Robot& robot, const Limits& limits) : robot_(robot), limits_(limits) {}
+
+  Diagnostics choose(const ImportOptions& options) {
+    for (const SourcePointer& weld : options.welds) {
+      if (weld->text != massless) read_weld(weld);
+    }
+    std::size_t rank = 0;
+    for (const SourcePointer& list : options.joints) {
+      for (const Span& name : listed_words(list)) keep(name, ++rank);
+    }
+    if (!options.joints.empty()) weld_the_rest();
+    weld_followers(robot_);
+    return found_;
+  }
+
+ private:
+  /// A joint that moves.
+  Joint* find(const Span& name) {
+    const std::string text(covered_text(name));
+    std::vector<std::string> names;
+    for (Joint& joint : robot_.joints) {
+      if (joint.name.text != text) {
+        if (joint.moves()) names.push_back(joint.name.text);
+        continue;
+      }
+      if (joint.moves()) return &joint;
+      refuse(name, fmt::format("{} is {}", in_backticks(text),
+                               joint.welded ? "welded" : word(joint.type)));
+      return nullptr;
+    }
+    refuse(name, fmt::format("the robot has no joint {}", in_backticks(text)),
+           suggestion(text, names));
+    return nullptr;
+  }
+
+  void refuse(const Span& span, std::string message, std::string hint = {}) {
+    found_.push_back({Code::E821, span, std::move(message), std::move(hint)});
+  }
+
+  void read_weld(const SourcePointer& weld) {
+    const std::size_t size = weld->text.size();
+    const std::size_t equals = std::min(weld->text.find('='), size);
+    Joint* joint = find(part_of(weld, 0, equals));
+    if (joint == nullptr) return;
+    joint->welded = FileNumber{};
+    if (equals == size) return;
+    const Span value = part_of(weld, equals + 1, size);
+    const Result<FileNumber> number = read_decimal(value, limits_);
+    found_.insert(found_.end(), number.diagnostics.begin(), number.diagnostics.end());
+    if (number) joint->welded = *number;
+    if (number && !number->is_zero() && !has_one_coordinate(joint->type)) {
+      refuse(value, fmt::format("{} is {}: it is held at 0 only", in_backticks(joint->name.text),
+                                word(joint->type)));
+    }
+  }
+
+  void keep(const Span& name, std::size_t rank) {
+    Joint* joint = find(name);
+    if (joint == nullptr) return;
+    if (joint->mimic) {
+      const std::string leader = joint->mimic->joint.text;
+      return refuse(
+          name, fmt::format("{} mimics {}", in_backticks(joint->name.text), in_backticks(leader)),
+          fmt::format("it moves where {} does", in_backticks(leader)));
+    }
+    if (joint->rank != 0) {
+      return refuse(name, fmt::format("{} stands here twice", in_backticks(joint->name.text)));
+    }
+    joint->rank = rank;
+  }
+
+  void weld_the_rest() {
+    for (Joint& joint : robot_.joints) {
+      if (joint.moves() && !joint.mimic && joint.rank == 0) joint.welded = FileNumber{};
+    }
+  }
+
+  Robot& robot_;
+  const Limits& limits_;
+  Diagnostics found_ = {};
+};
+
+/// Where a joint is that mimics a held one: not a value where it mimics none.
+std::optional<FileNumber> held_place(const Robot& robot, const Joint& joint) {
+  if (!joint.mimic || !joint.moves() || !has_one_coordinate(joint.type)) return std::nullopt;
+  const auto is_mimicked = [&](const Joint& other) {
+    return other.name.text == joint.mimic->joint.text;
+  };
+  const auto other = std::ranges::find_if(robot.joints, is_mimicked);
+  if (other == robot.joints.end() || !other->welded) return std::nullopt;
+  const cln::cl_RA place =
+      joint.mimic->multiplier.value * other->welded->value + joint.mimic->offset.value;
+  return FileNumber{decimal_text(place), place, {}};
+}
+
+}  // namespace
+
+Diagnostics choose_joints(Robot& robot, const ImportOptions& options, const Limits& limits) {
+  return JointChooser(robot, limits).choose(options);
+}
+
+void weld_followers(Robot& robot) {
+  constexpr int longest_chain = 100;
+  bool has_changed = true;
+  for (int round = 0; has_changed && round < longest_chain; ++round) {
+    has_changed = false;
+    for (Joint& joint : robot.joints) {
+      const auto place = held_place(robot, joint);
+      if (!place) continue;
+      joint.welded = place;
+      has_changed = true;
+    }
+  }
+}
+
+bool welds_massless(const ImportOptions& options) {
+  return std::ranges::any_of(options.welds,
+                             [](const SourcePointer& weld) { return weld->text == massless; });
+}
+
+}  // namespace elgen::urdf

@@ -1,0 +1,124 @@
+// A joint that turns or slides: its position by a coordinate, what brakes it, and its rotor.
+#include <fmt/format.h>
+
+#include "base/toml_text.hpp"
+#include "urdf/draft.hpp"
+
+namespace elgen::urdf {
+
+namespace {
+
+std::string ratio_unit(JointType type, JointType other) {
+  const auto own = units_of(type).position;
+  const auto others = units_of(other).position;
+  return own == others ? "1" : fmt::format("{}/{}", own, others);
+}
+
+std::string ratio_of(Draft& draft, std::size_t index, JointType other) {
+  const Joint& joint = draft.robot.joints[index];
+  const FileNumber& ratio = joint.mimic->multiplier;
+  const std::string unit = ratio_unit(joint.type, other);
+  const bool is_sign = unit == "1" && cln::abs(ratio.value) == 1;  // 1 rad/m is no 1
+  if (is_sign) return cln::minusp(ratio.value) ? "-1" : "1";
+  return draft.glossary.parameter("ratio_" + draft.glossary.joint(index), ratio, unit);
+}
+
+Coupling mimicking(Draft& draft, std::size_t index, std::size_t mimicked) {
+  const Joint& joint = draft.robot.joints[index];
+  const Coupling& other = coupling_of(draft, mimicked);
+  const std::string ratio = ratio_of(draft, index, draft.robot.joints[mimicked].type);
+  const std::string offset =
+      draft.glossary.parameter("offset_" + draft.glossary.joint(index), joint.mimic->offset,
+                               std::string(units_of(joint.type).position));
+  return {other.coordinate, product(ratio, other.factor),
+          sum(product(ratio, other.offset), offset)};
+}
+
+void draft_damping(Draft& draft, std::size_t index, const Coupling& coupling) {
+  const Joint& joint = draft.robot.joints[index];
+  const std::string damping = draft.glossary.parameter(
+      "damping_" + draft.glossary.joint(index), joint.damping,
+      std::string(units_of(joint.type).damping), "assume = \"nonnegative\"");
+  if (damping == "0") return;
+  const std::string plain = fmt::format("dot({})", coupling.coordinate);
+  draft.dissipation.push_back(fmt::format(
+      "1/2*{}*{}^2", damping, coupling.has_sign_only() ? plain : "(" + coupling.rate() + ")"));
+}
+
+/// Dry friction, made smooth: -friction*tanh(rate/stiction_rate).
+void draft_friction(Draft& draft, std::size_t index, const Coupling& coupling) {
+  const Joint& joint = draft.robot.joints[index];
+  const std::string& name = draft.glossary.joint(index);
+  const JointUnits units = units_of(joint.type);
+  const std::string friction = draft.glossary.parameter(
+      "friction_" + name, joint.friction, std::string(units.force), "assume = \"nonnegative\"");
+  if (friction == "0") return;
+  const FileNumber scale{"0.01", cln::cl_RA(1) / 100, {}};
+  const std::string stiction_rate = draft.glossary.parameter(
+      name + "_stiction_rate", scale, std::string(units.rate),
+      "assume = \"positive\", doc = \"friction is full at some times this rate\"");
+  const bool is_plain = coupling.has_sign_only();
+  const std::string factor = is_plain ? "" : coupling.factor + "*";
+  const std::string rate = is_plain ? fmt::format("dot({})", coupling.coordinate) : coupling.rate();
+  TomlTable table("[[force]]");
+  table.add("on", toml_string(coupling.coordinate));
+  table.add("value",
+            toml_string(fmt::format("-{}{}*tanh({}/{})", factor, friction, rate, stiction_rate)));
+  draft.forces.push_back(table.text());
+}
+
+/// J N^2 of a rotor, by the square of what the joint turns with its coordinate.
+void draft_rotor(Draft& draft, std::size_t index, const Coupling& coupling) {
+  const Joint& joint = draft.robot.joints[index];
+  if (!has_rotor(joint)) return;
+  const std::string& name = draft.glossary.joint(index);
+  std::string armature = draft.glossary.parameter("rotor_" + name, joint.rotor->inertia, "kg*m^2",
+                                                  "assume = \"positive\"");
+  const bool slides = joint.type == JointType::prismatic;
+  const FileNumber& ratio = joint.rotor->gear_ratio;
+  if (slides || ratio.value != 1) {
+    armature = product(
+        armature, draft.glossary.parameter("gear_" + name, ratio, slides ? "rad/m" : "1") + "^2");
+  }
+  if (!coupling.has_sign_only()) armature += fmt::format("*({})^2", coupling.factor);
+  std::string& sum_of_all =
+      draft.armatures.try_emplace(draft.tree.leader(index), "0").first->second;
+  sum_of_all = sum(sum_of_all, armature);
+}
+
+/// The place at which a joint is held.
+std::string weld_of(Draft& draft, std::size_t index) {
+  const Joint& joint = draft.robot.joints[index];
+  if (joint.type != JointType::prismatic) {
+    return angle_of(*joint.welded, draft.robot.digits).text;
+  }
+  return draft.glossary.parameter("at_" + draft.glossary.joint(index), *joint.welded, "m");
+}
+
+}  // namespace
+
+JointUnits units_of(JointType type) {
+  if (type == JointType::prismatic) return {"m", "m/s", "N", "N*s/m"};
+  return {"rad", "rad/s", "N*m", "N*m*s"};
+}
+
+const Coupling& coupling_of(Draft& draft, std::size_t joint) {
+  const auto known = draft.couplings.find(joint);
+  if (known != draft.couplings.end()) return known->second;
+  const auto& mimicked = draft.tree.mimicked[joint];
+  const bool is_welded = draft.robot.joints[joint].welded.has_value();
+  Coupling made = is_welded  ? Coupling{{}, "0", weld_of(draft, joint)}
+                  : mimicked ? mimicking(draft, joint, *mimicked)
+                             : Coupling{draft.glossary.joint(joint)};
+  return draft.couplings.emplace(joint, std::move(made)).first->second;
+}
+
+void draft_resistance(Draft& draft, std::size_t joint) {
+  const Coupling& coupling = coupling_of(draft, joint);
+  if (coupling.is_constant()) return;
+  draft_damping(draft, joint, coupling);
+  draft_friction(draft, joint, coupling);
+  draft_rotor(draft, joint, coupling);
+}
+
+}  // namespace elgen::urdf

@@ -1,0 +1,99 @@
+// How far poses are from those of the file, where angles are taken for right ones: bounds that hold
+// wherever the joints are.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "urdf/tree.hpp"
+
+namespace elgen::urdf {
+
+namespace {
+
+double length(const Vector& xyz) {
+  const auto number = [&](std::size_t i) { return approximate(xyz[i].value); };
+  return std::hypot(number(0), number(1), number(2));
+}
+
+/// Of a pose: rad and m.
+struct PoseChange {
+  double angle = 0.0;
+  double place = 0.0;
+};
+
+class RightAngles {
+ public:
+  explicit RightAngles(const Robot& robot) : robot_(robot), changes_(robot.links.size()) {}
+
+  Diagnostics note(const LinkTree& tree) {
+    for (const Branch& branch : tree.branches) {
+      carry(branch);
+      const auto& inertial = robot_.links[branch.child].inertial;
+      if (!branch.moves || !inertial) continue;
+      const PoseChange& link = changes_[branch.child];
+      take({link.angle + turn_of(inertial->origin.rpy),
+            link.place + link.angle * length(inertial->origin.xyz)});
+    }
+    if (count_ == 0) return {};
+    return {
+        {Code::E819, robot_.span,
+         fmt::format("{} {} taken for right ones: no pose changes by more than {:.1e} rad and "
+                     "{:.1e} m",
+                     count_, count_ == 1 ? "angle is" : "angles are", worst_.angle, worst_.place),
+         "`--exact-angles` keeps their digits"}};
+  }
+
+ private:
+  /// The pose of a link, from that of its parent.
+  void carry(const Branch& branch) {
+    const Joint& joint = robot_.joints[branch.joint];
+    PoseChange change = changes_[branch.parent];
+    change.place += change.angle * length(joint.origin.xyz);
+    change.angle += turn_of(joint.origin.rpy);
+    if (has_one_coordinate(joint.type)) {
+      const Axis axis = axis_of(joint.axis, robot_.digits);
+      count_ += axis.is_rounded ? 1 : 0;
+      change.angle += axis.change;
+      if (joint.type == JointType::prismatic) change.place += change.angle * stroke(joint);
+    }
+    changes_[branch.child] = change;
+    take(change);
+  }
+
+  /// Counts them, too.
+  double turn_of(const Vector& rpy) {
+    double change = 0.0;
+    for (const Angle& angle : rotation_of(rpy, robot_.digits).rpy) {
+      count_ += angle.is_rounded ? 1 : 0;
+      change += angle.change;
+    }
+    return change;
+  }
+
+  static double stroke(const Joint& joint) {
+    double farthest = 0.0;
+    for (const auto& end : {joint.limit.lower, joint.limit.upper, joint.welded}) {
+      if (end) farthest = std::max(farthest, std::abs(approximate(end->value)));
+    }
+    return farthest;
+  }
+
+  void take(const PoseChange& change) {
+    worst_.angle = std::max(worst_.angle, change.angle);
+    worst_.place = std::max(worst_.place, change.place);
+  }
+
+  const Robot& robot_;
+  std::vector<PoseChange> changes_;  ///< by link
+  PoseChange worst_ = {};
+  int count_ = 0;
+};
+
+}  // namespace
+
+Diagnostics note_right_angles(const Robot& robot, const LinkTree& tree) {
+  return RightAngles(robot).note(tree);
+}
+
+}  // namespace elgen::urdf

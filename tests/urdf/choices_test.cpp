@@ -1,0 +1,129 @@
+// Options of the command line: which joints move, in which order, and where the others are held.
+#include "urdf/choices.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "urdf/urdf_testing.hpp"
+
+namespace elgen::test {
+
+using Catch::Contains;
+
+namespace {
+
+ImportOptions keeping(const std::string& joints) {
+  ImportOptions options;
+  options.joints = {make_source("command line", joints)};
+  return options;
+}
+
+ImportOptions welding(const std::vector<std::string>& welds) {
+  ImportOptions options;
+  for (const std::string& weld : welds) options.welds.push_back(make_source("command line", weld));
+  return options;
+}
+
+std::string heavy_link(const std::string& name) {
+  return "<link name=\"" + name +
+         "\"><inertial><mass value=\"1\"/><inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" "
+         "ixz=\"0\" iyz=\"0\"/></inertial></link>\n";
+}
+
+std::string joint_of(const std::string& name, const std::string& type,
+                     const std::string& inside = "") {
+  return "<joint name=\"" + name + "\" type=\"" + type + "\"><parent link=\"" + name[0] +
+         "\"/><child link=\"" + name[1] + "\"/><axis xyz=\"0 0 1\"/>" + inside + "</joint>\n";
+}
+
+/// a, and on it b, c and d one on another: ab turns, bc slides, cd turns twice as far as ab.
+std::string crane() {
+  return "<robot name=\"r\"><link name=\"a\"/>\n" + heavy_link("b") + heavy_link("c") +
+         heavy_link("d") + joint_of("ab", "revolute") +
+         joint_of("bc", "prismatic", "<origin rpy=\"1 0 0\"/><dynamics damping=\"1\"/>") +
+         joint_of("cd", "continuous", "<mimic joint=\"ab\" multiplier=\"2\" offset=\"0.5\"/>") +
+         "</robot>";
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++found;
+  }
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("the joints that were named move, in the order given") {
+  const std::string model = imported(crane(), keeping("bc,ab"));
+  CHECK(model.find("name = \"bc\"") < model.find("name = \"ab\""));
+  CHECK(model.find("\"f_bc\"") < model.find("\"tau_ab\""));
+  CHECK(count(model, "[[coordinate]]") == 2);
+}
+
+TEST_CASE("the others are held at 0, and what mimics them with them") {
+  const std::string model = imported(crane(), keeping("bc"));
+  CHECK(count(model, "[[coordinate]]") == 1);
+  CHECK(count(model, "[[input]]") == 1);
+  CHECK_THAT(model, Contains("# ab: revolute about z, welded at 0\n[[frame]]\nname   = \"b\"\n"
+                             "parent = \"world\"\n\n"));
+  CHECK_THAT(model, Contains("rotate = [[\"z\", \"0.5\"]]"));
+  CHECK(after(model, "#         d  ") == "cd, continuous, welded at 0.5");
+}
+
+TEST_CASE("where all joints are held the robot floats") {
+  CHECK_THAT(import_messages(crane(), welding({"bc=-0.25", "ab=0.1"})), Contains("`a` floats"));
+}
+
+TEST_CASE("a joint that slides is held by a parameter, one that turns by an angle") {
+  const std::string slid = imported(crane(), welding({"bc=-0.25"}));
+  CHECK(after(slid, "at_bc ") == "= { value = -0.25, unit = \"m\" }");
+  CHECK_THAT(slid, Contains("parent = \"b\"\nrotate = [[\"x\", \"1\"]]"));
+  CHECK_THAT(slid, Contains("parent    = \"bc_origin\"\ntranslate = [\"0\", \"0\", \"at_bc\"]"));
+  CHECK_THAT(slid, !Contains("[energy]"));
+  const std::string turned = imported(crane(), welding({"ab=1.5707963"}));
+  CHECK_THAT(turned, Contains("rotate = [[\"z\", \"pi/2\"]]"));
+  CHECK_THAT(turned, Contains("rotate = [[\"z\", \"3.6415926\"]]"));
+}
+
+TEST_CASE("joints that move no mass are held together") {
+  const std::string text = with_arm(
+      "<link name=\"f\"/><joint name=\"j\" type=\"revolute\"><parent link=\"base\"/><child "
+      "link=\"arm\"/></joint>\n<joint name=\"finger\" type=\"prismatic\"><parent link=\"arm\"/>"
+      "<child link=\"f\"/></joint>");
+  CHECK(import_messages(text) ==
+        "E810 5:14 `finger` moves no mass | `f` has no `<mass>`, nor has a link behind it; `--weld "
+        "massless` holds such joints\n");
+  CHECK(import_messages(text, welding({"massless"})) ==
+        "E820 5:14 `finger` is held at 0 | it moves no mass\n");
+  CHECK_THAT(imported(text, welding({"massless"})),
+             Contains("# finger: prismatic along x, welded at 0"));
+}
+
+TEST_CASE("joints that cannot be chosen") {
+  CHECK(import_messages(crane(), keeping("ab,bd")) ==
+        "E821 1:4 the robot has no joint `bd` | did you mean `bc`?\n");
+  CHECK(import_messages(crane(), keeping("ab,ab")) == "E821 1:4 `ab` stands here twice\n");
+  CHECK(import_messages(crane(), keeping("cd")) ==
+        "E821 1:1 `cd` mimics `ab` | it moves where `ab` does\n");
+  CHECK(import_messages(crane(), welding({"ab", "ab"})) == "E821 1:1 `ab` is welded\n");
+  CHECK(import_messages(crane(), welding({"ab=x"})) == "E804 1:4 `x` is not a decimal number\n");
+  CHECK(import_messages(arm_on("fixed", ""), welding({"j"})) == "E821 1:1 `j` is fixed\n");
+  CHECK(import_messages(arm_on("floating", ""), welding({"j=1"})) ==
+        "E821 1:3 `j` is floating: it is held at 0 only\n");
+}
+
+TEST_CASE("a joint that mimics in vain may be held") {
+  const std::string text = arm_on("revolute", "<mimic joint=\"k\"/>");
+  CHECK_THAT(import_messages(text), Contains("E812"));
+  CHECK_THAT(import_messages(text, welding({"j"})), !Contains("E812"));
+}
+
+TEST_CASE("welded floating and planar joints are fixed") {
+  for (const std::string type : {"floating", "planar"}) {
+    const std::string model = imported(arm_on(type, ""), welding({"j"}));
+    CHECK(after(model, "#       arm  ") == "j, " + type + ", welded at 0");
+  }
+}
+
+}  // namespace elgen::test
