@@ -24,6 +24,7 @@ inline constexpr std::size_t most_coordinates_searched = 3;
 [[nodiscard]] Diagnostics inspect_constants(const Inspected& subject);
 
 /// E501: M x = 0 at every sampled state; or M_ii = 0 where an output solves for accelerations.
+/// E524: M is not positive definite at one.
 [[nodiscard]] Diagnostics inspect_mass_matrix(const Inspected& subject);
 
 /// E507: a planar spin that is not the rate of an angle(q, t).
@@ -37,6 +38,15 @@ inline constexpr std::size_t most_coordinates_searched = 3;
 
 /// E512: the written potential falls as a point with a mass rises.
 [[nodiscard]] Diagnostics inspect_potential(const Inspected& subject);
+
+/// E523, E525: a mass or a dissipation that is negative.
+[[nodiscard]] Diagnostics inspect_signs(const Inspected& subject);
+
+/// E526: the written potential holds a weight that [gravity] gives.
+[[nodiscard]] Diagnostics inspect_weights(const Inspected& subject);
+
+/// E627: a force with tanh in a linearization that the scene names.
+[[nodiscard]] Diagnostics inspect_smoothed(const Inspected& subject);
 
 /// E522: parameters in no expression, inputs that act on nothing.
 [[nodiscard]] Diagnostics inspect_unused(const Inspected& subject);

@@ -83,9 +83,13 @@ bool is_complete(const Approximation& approximation) {
   return std::find(values.begin(), values.end(), std::nullopt) == values.end();
 }
 
+/// A number holds at one value of the parameters only.
+const std::string for_all_values =
+    "write values by parameters, like `m*g`, or make these numbers: `[parameters] fixed = \"all\"`";
+
 /// "`u = 4.905` balances it" where one input acts on this row, and on no other.
 std::string suggestion(const Model& model, const Residual& balance, std::size_t row,
-                       const State& point) {
+                       const State& point, bool all_fixed) {
   if (!is_complete(*model.approximation)) return {};
   const std::size_t columns = point.u.size();
   std::optional<std::size_t> acting;
@@ -100,13 +104,16 @@ std::string suggestion(const Model& model, const Residual& balance, std::size_t 
   }
   const cl_R value =
       point.u[*acting] + balance.rest[row] / balance.input_matrix[row * columns + *acting];
-  return fmt::format("`{} = {}` balances it at the parameters' values", model.inputs[*acting].name,
-                     readable(value));
+  const std::string balanced =
+      fmt::format("`{} = {}` balances it", model.inputs[*acting].name, readable(value));
+  return all_fixed ? balanced : balanced + " at the parameters' values; " + for_all_values;
 }
 
 /// `own_values`: whether the parameters have theirs, so that the figures mean something.
-Diagnostics unbalanced(const Model& model, const Residual& balance, const State& point,
+Diagnostics unbalanced(const Inspected& subject, const Residual& balance, const State& point,
                        bool own_values) {
+  const Model& model = subject.model;
+  const bool all_fixed = subject.scene.specialisation.fixed.size() == model.parameters.size();
   // The oracle's 64 digits less 24 for what cancels, as in verify.
   static const cl_R tolerance = power_of_ten(-40);
   Diagnostics found;
@@ -116,10 +123,11 @@ Diagnostics unbalanced(const Model& model, const Residual& balance, const State&
     if (cln::abs(balance.rest[row]) <= balance.scale[row] * tolerance) continue;
     const std::string figure =
         own_values ? readable(balance.rest[row]) : "not 0 at other values of the parameters";
-    found.push_back({Code::E613, model.approximation->span,
-                     fmt::format("`{}` does not stay at rest there: bias - B u is {}",
-                                 model.coordinates[q].name, figure),
-                     own_values ? suggestion(model, balance, row, point) : ""});
+    found.push_back(
+        {Code::E613, model.approximation->span,
+         fmt::format("`{}` does not stay at rest there: bias - B u is {}",
+                     model.coordinates[q].name, figure),
+         own_values ? suggestion(model, balance, row, point, all_fixed) : for_all_values});
   }
   return found;
 }
@@ -147,7 +155,7 @@ Diagnostics inspect_equilibrium(const Inspected& subject) {
     const std::optional<State> point = at_point(model, elsewhere);
     const auto balance = point ? balance_at(exact, *point, elsewhere) : std::nullopt;
     if (!balance) continue;
-    Diagnostics found = unbalanced(model, *balance, *point, seed == 0);
+    Diagnostics found = unbalanced(subject, *balance, *point, seed == 0);
     if (!found.empty()) return found;
     if (!has_expansion(model, elsewhere)) return {no_expansion(model)};
     was_seen = true;

@@ -1,4 +1,5 @@
-// E501: a direction x with M x = 0 at every sampled state is a motion without kinetic energy.
+// E524 where M is regular, but not positive definite. E501: a direction x with M x = 0 at every
+// sampled state is a motion without kinetic energy.
 //
 // One non-singular sample acquits, but for outputs that solve a diagonal entry that is zero at
 // every sample is an error, too. Otherwise the null space is named: by its vectors where they are
@@ -12,6 +13,7 @@
 #include "inspect/null_space.hpp"
 #include "inspect/readable.hpp"
 #include "inspect/samples.hpp"
+#include "inspect/signs.hpp"
 #include "inspect/singular_mass.hpp"
 
 namespace elgen {
@@ -90,12 +92,24 @@ std::vector<std::size_t> without_energy(const MassSample& sample,
   return result;
 }
 
-/// Of a regular matrix only what is solved for needs that it is positive definite.
+/// Of a regular matrix only what is solved for needs that it is positive definite. Where nothing
+/// asks for an output by name, the mistake is in the model: in T, where it is written.
 Diagnostics not_definite(const Inspected& subject, const std::vector<std::size_t>& rates) {
+  const Model& model = subject.model;
   for (const OutputRequest& output : subject.scene.outputs) {
     const OutputRow& row = output_row(output.kind);
     if (!(row.solves || row.steps) || rates.empty()) continue;
-    return {no_kinetic_energy(output, subject.model.velocities[rates.front()].name)};
+    const Velocity& velocity = model.velocities[rates.front()];
+    Diagnostic error = no_kinetic_energy(output, velocity.name);
+    if (error.span.source == nullptr) {
+      const auto& written = model.energies.L ? model.energies.L : model.energies.T;
+      error.span = written ? model.expressions[*written].span : velocity.span;
+      error.hint = fmt::format(
+          "no term has the square of `dot({})`, as 1/2*m*v^2 of a mass would; else do not ask for "
+          "this output",
+          velocity.name);
+    }
+    return {error};
   }
   return {};
 }
@@ -129,7 +143,7 @@ Diagnostics inspect_mass_matrix(const Inspected& subject) {
     found.push_back(null_space(sample->matrix, row_scales(sample->matrix, n)));
     rates = without_energy(*sample, rates);
     is_regular = is_regular || found.back().empty();
-    if (is_regular && rates.empty()) return {};
+    if (is_regular && rates.empty()) return negative_kinetic_energy(subject, *sample);
     last = sample->state;
   }
   return is_regular ? not_definite(subject, rates) : without_rank(subject.model, found, last);

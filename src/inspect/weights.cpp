@@ -1,0 +1,149 @@
+// E526: `[energy] V` holds the weight that [gravity] gives a mass already.
+//
+//     W = -sum m gravity.p of the points and bodies       V as it is written
+//
+// Of both only what a mass brings in is kept, with and without gravity: their values at the
+// parameters' own less those with the mass, and with the parameters of gravity, at 0. Where V has
+// the same part as W, up to a constant, the weight stands in both. A mass without a parameter takes
+// V whole.
+#include <fmt/format.h>
+
+#include <array>
+#include <functional>
+#include <set>
+
+#include "base/exact_number.hpp"
+#include "elgen/references.hpp"
+#include "inspect/checks.hpp"
+#include "inspect/samples.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_R;
+using Parameters = std::set<std::uint32_t>;
+
+Parameters weight_parameters(const Model& model, const std::vector<ExpressionId>& roots) {
+  Parameters found;
+  for (const ExpressionId id : reached(model, roots)) {
+    const Expression& node = model.expressions[id];
+    if (node.kind == ExpressionKind::parameter) found.insert(node.index);
+  }
+  return found;
+}
+
+/// A mass, and where it is.
+struct Weight {
+  std::string name;
+  ExpressionId mass = 0;
+  std::array<ExpressionId, 3> at = {};
+};
+
+std::vector<Weight> weights_of(const Model& model) {
+  std::vector<Weight> weights;
+  for (const Point& point : model.points) {
+    if (point.mass) weights.push_back({point.name, *point.mass, point.at});
+  }
+  for (const Body& body : model.bodies) {
+    if (body.mass) weights.push_back({body.name, *body.mass, body.com});
+  }
+  return weights;
+}
+
+/// -m gravity.p; nothing where it has no value.
+std::optional<cl_R> energy_of(const Model& model, const Weight& weight, const State& state) {
+  const auto mass = oracle_expression(model, weight.mass, state);
+  if (!mass) return std::nullopt;
+  cl_R energy = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto pull = oracle_expression(model, (*model.gravity)[c], state);
+    const auto place = oracle_expression(model, weight.at[c], state);
+    if (!pull || !place) return std::nullopt;
+    energy = energy - *mass * *pull * *place;
+  }
+  return energy;
+}
+
+using Energy = std::function<std::optional<cl_R>(const State&)>;
+
+/// What is left of an energy when these parameters, of each set together, become 0.
+std::optional<cl_R> part_of(const Energy& energy, const std::vector<Parameters>& sets,
+                            std::size_t count, const State& state) {
+  if (count == 0) return energy(state);
+  State without = state;
+  for (const std::uint32_t index : sets[count - 1]) without.parameters[index] = 0;
+  const auto with_all = part_of(energy, sets, count - 1, state);
+  const auto with_none = part_of(energy, sets, count - 1, without);
+  return with_all && with_none ? std::optional(*with_all - *with_none) : std::nullopt;
+}
+
+/// At each of the sampled states, less that at the first: a constant is no force.
+std::vector<cl_R> differences(const Inspected& subject, const Energy& energy,
+                              const std::vector<Parameters>& sets) {
+  std::vector<cl_R> values;
+  State state = sampled_state(subject, 0);
+  const std::vector<cl_R> parameters = state.parameters;
+  for (unsigned seed = 0; seed <= zero_samples; ++seed) {
+    state = sampled_state(subject, seed);
+    state.parameters = parameters;
+    const auto value = part_of(energy, sets, sets.size(), state);
+    if (!value) return {};
+    values.push_back(*value);
+  }
+  for (std::size_t i = 1; i < values.size(); ++i) values[i] = values[i] - values[0];
+  values.erase(values.begin());
+  return values;
+}
+
+bool are_equal(const std::vector<cl_R>& a, const std::vector<cl_R>& b) {
+  if (a.empty() || b.empty()) return false;
+  bool is_zero = true;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (cln::abs(a[i] - b[i]) > cln::abs(b[i]) * power_of_ten(-40)) return false;
+    is_zero = is_zero && cln::abs(b[i]) < power_of_ten(-40);
+  }
+  return !is_zero;
+}
+
+/// What all weights bring in, of this mass alone where it has parameters.
+bool is_given_twice(const Inspected& subject, const std::vector<Weight>& weights,
+                    const Weight& weight) {
+  const Model& model = subject.model;
+  const auto& gravity = *model.gravity;
+  std::vector<Parameters> sets;
+  for (const Parameters& set : {weight_parameters(model, {weight.mass}),
+                                weight_parameters(model, {gravity.begin(), gravity.end()})}) {
+    if (!set.empty()) sets.push_back(set);
+  }
+  const Energy written = [&](const State& state) {
+    return oracle_expression(model, *model.energies.V, state);
+  };
+  const Energy given = [&](const State& state) -> std::optional<cl_R> {
+    cl_R sum = 0;
+    for (const Weight& each : weights) {
+      const auto energy = energy_of(model, each, state);
+      if (!energy) return std::nullopt;
+      sum = sum + *energy;
+    }
+    return sum;
+  };
+  return are_equal(differences(subject, written, sets), differences(subject, given, sets));
+}
+
+}  // namespace
+
+Diagnostics inspect_weights(const Inspected& subject) {
+  const Model& model = subject.model;
+  if (!model.gravity || !model.energies.V) return {};
+  if (model.velocities.size() > most_coordinates_sampled) return {};
+  const std::vector<Weight> weights = weights_of(model);
+  for (const Weight& weight : weights) {
+    if (!is_given_twice(subject, weights, weight)) continue;
+    return {{Code::E526, model.expressions[*model.energies.V].span,
+             fmt::format("V holds the weight of `{}`, which [gravity] gives it too", weight.name),
+             "leave one of them out"}};
+  }
+  return {};
+}
+
+}  // namespace elgen
