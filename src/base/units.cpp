@@ -114,6 +114,9 @@ const std::vector<UnitRow>& unit_table() {
       {"ohm", integer_unit(2, 1, -3, -2), "ohm, V/A"},
       {"C", integer_unit(0, 0, 1, 1), "coulomb, A*s"},
       {"T", integer_unit(0, 1, -2, -1), "tesla, kg/(s^2*A)"},
+      {"H", integer_unit(2, 1, -2, -2), "henry, V*s/A"},
+      {"F", integer_unit(-2, -1, 4, 2), "farad, A*s/V"},
+      {"Wb", integer_unit(2, 1, -2, -1), "weber, V*s"},
       {"rad", Unit{}, "radian, 1"},
       {"1", Unit{}, "pure number"},
   };

@@ -105,6 +105,7 @@ Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
   Context context(limits);
   keep_sources(context.model, model, scene, options);
   context.model.canonical = dump(model);
+  context.has_units = uses_units(model);
   read_sizes(context, model, scene, options);
   resolve_entries(context, model);
   if (context.beyond_limits) {

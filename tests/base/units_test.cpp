@@ -62,7 +62,7 @@ TEST_CASE("units are spelled as mechanics says them") {
       {unit("kg") * power(unit("m"), {2, 1}), "kg*m^2"},
       {unit("J") * second, "kg*m^2/s"},
       {unit("N") * second / unit("m"), "kg/s"},
-      {unit("J") / unit("A"), "J/A"},
+      {unit("J") / unit("A"), "Wb"},
       {Unit{} / (unit("m") * second), "1/(m*s)"},
       {power(unit("m"), {1, 2}), "m^(1/2)"},
   };

@@ -83,7 +83,7 @@ name = "x"
 at = ["0"]
 )toml") ==
         "E205 3:9 `Many` is not lower-case letters, digits and underscores\n"
-        "E402 6:9 unknown unit `mm` | did you mean `m`?\n"
+        "E402 6:9 unknown unit `mm` | 1 mm is 0.001 m\n"
         "E312 8:18 `0` is zero\n"
         "E204 9:1 `t` is reserved: it is time\n"
         "E201 12:6 unknown name `q`\n"

@@ -61,7 +61,9 @@ TEST_CASE("values that do not fit") {
       {"a = { value = 1, unit = \"m\", min = 3, max = 2 }\n",
        "E518 13:15 `1` is not what `min` or `max` of `a` say\n"
        "E112 13:45 `2` is below `min`\n"},
-      {"a = { value = 1, unit = \"lb\" }\n", "E402 13:26 unknown unit `lb`\n"},
+      {"a = { value = 1, unit = \"lb\" }\n",
+       "E402 13:26 unknown unit `lb` | 1 lb is 0.45359237 kg: write `value = \"0.45359237*1\", "
+       "unit = \"kg\"`\n"},
   };
   for (const auto& [parameters, expected] : rows) {
     INFO(parameters);

@@ -34,6 +34,7 @@ TEST_CASE("products, quotients and powers are read from left to right") {
       {"N/m/s", "kg/s^3"}, {"N/(m*s)", "kg/s^3"}, {"m^(1/2)", "m^(1/2)"},
       {" N * m ", "J"},    {"1/s", "1/s"},        {"(m/s)^2", "m^2/s^2"},
       {"s^-1", "1/s"},     {"V*A", "W"},          {"m^(2)", "m^2"},
+      {"V*s/A", "H"},      {"A*s/V", "F"},        {"H*A", "Wb"},
   };
   for (const auto& [text, spelling] : rows) {
     INFO(text);
@@ -47,6 +48,8 @@ TEST_CASE("products, quotients and powers are read from left to right") {
 TEST_CASE("errors point at the character") {
   const std::vector<std::pair<std::string, std::string>> rows{
       {"kg*ft", "4 unknown unit `ft`"},
+      {"mm", "1 unknown unit `mm` | 1 mm is 0.001 m"},
+      {"N*m/deg", "5 unknown unit `deg` | 1 deg is pi/180 rad"},
       {"Kg", "1 unknown unit `Kg` | did you mean `kg`?"},
       {"kgm", "1 unknown unit `kgm` | did you mean `kg*m`?"},
       {"Nms", "1 unknown unit `Nms`"},

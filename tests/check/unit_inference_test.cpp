@@ -20,12 +20,13 @@ TEST_CASE("units that differ") {
   const std::vector<std::pair<std::string, std::string>> rows{
       {"k*x^2 + k*x", "E401 12:14 `k*x` is in N, but the sum is in J\n"},
       {"k*x^2 - x", "E401 12:14 `x` is in m, but the sum is in J\n"},
-      {"k*x^2*(1 + x)", "E401 12:17 `x` is in m, but the sum is in 1\n"},
+      {"k*x^2*(1 + x)",
+       "E401 12:17 `x` is in m, but the sum is in 1 | `1` has no unit in an expression: give it a "
+       "name and a unit in `[parameters]`\n"},
       {"k*x^2*sin(x)", "E404 12:16 `x` is in m, but `sin` takes a pure number\n"},
       {"k*x^2*exp(t)", "E404 12:16 `t` is in s, but `exp` takes a pure number\n"},
       {"k*x^2*atan2(x, m)", "E401 12:21 `m` is in kg, but the other argument is in m\n"},
       {"k*x", "E403 12:6 `k*x` is in N, but V is in J\n"},
-      {"5", "E403 12:6 `5` is in 1, but V is in J\n"},
       {"k*x^2/t", "E403 12:6 `k*x^2/t` is in W, but V is in J\n"},
       {"sqrt(k*x^2)", "E403 12:6 `sqrt(k*x^2)` is in kg^(1/2)*m/s, but V is in J\n"},
       // One mistake, one message: the sum counts as unknown above.
@@ -55,8 +56,46 @@ TEST_CASE("a model without any unit is not judged, and what is unknown stays so 
   CHECK(messages(free) == "E520 5:9 `q`: no unit, so what touches it is not checked\n");
   // With one unit declared the literals count, but what touches q does not.
   CHECK(messages(free + "[parameters]\nm = { value = 1, unit = \"kg\" }\n") ==
-        "E403 8:17 `1` is in 1, but a position is in m\n"
-        "E403 9:8 `1` is in 1, but a mass is in kg\n");
+        "E520 5:9 `q`: no unit, so what touches it is not checked\n"
+        "E405 8:17 `1` names nothing, so it is in m, the SI unit of its key; the same goes for 1 "
+        "other value\n");
+}
+
+const std::string post =
+    "[[point]]\nname = \"p\"\nat = [\"x\", AT]\nmass = MASS\n[gravity]\nvector = [0, G]\n";
+
+std::string post_of(const std::string& at, const std::string& mass, const std::string& gravity) {
+  std::string text = post;
+  const auto put = [&](const std::string& word, const std::string& value) {
+    text.replace(text.find(word), word.size(), value);
+  };
+  put("AT", at);
+  put("MASS", mass);
+  put("G]", gravity + "]");
+  return text;
+}
+
+TEST_CASE("a value that names nothing is in the unit of its key") {
+  CHECK(messages(block(post_of("0.5", "0.1", "-9.81"))) ==
+        "E405 14:12 `0.5` names nothing, so it is in m, the SI unit of its key; the same goes for "
+        "2 other values\n");
+  CHECK(messages(block(post_of("0", "\"1/3 + sqrt(2)*pi\"", "0"))) ==
+        "E405 15:9 `1/3 + sqrt(2)*pi` names nothing, so it is in kg, the SI unit of its key\n");
+  CHECK(messages(block(post_of("0", "\"m\"", "0"))).empty());
+  CHECK(messages(block(post_of("\"x + 0.5*sin(x/x)\"", "\"m\"", "0"))) ==
+        "E401 14:17 `0.5*sin(x/x)` is in 1, but the sum is in m | `0.5` has no unit in an "
+        "expression: give it a name and a unit in `[parameters]`\n");
+  CHECK(messages(block(post_of("\"0.5*sin(x/x)\"", "\"m\"", "0"))) ==
+        "E403 14:13 `0.5*sin(x/x)` is in 1, but a position is in m | `0.5` has no unit in an "
+        "expression: give it a name and a unit in `[parameters]`\n");
+}
+
+TEST_CASE("where every unit is 1 none is checked") {
+  const std::string pure =
+      "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"q\"\nunit = \"1\"\n"
+      "[parameters]\nm = { value = 2, unit = \"1\" }\n[energy]\nT = \"1/2*m*dot(q)^2\"\n"
+      "V = \"q*exp(t)\"\n[[input]]\nname = \"u\"\non = \"q\"\nunit = \"1\"\n";
+  CHECK(messages(pure).empty());
 }
 
 TEST_CASE("rates, accelerations and derivatives carry their seconds") {

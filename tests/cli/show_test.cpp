@@ -152,4 +152,63 @@ TEST_CASE("pdflatex takes the page of every model, without overfull lines") {
   }
 }
 
+TEST_CASE("plain numbers give the equations of named parameters that are fixed") {
+  const Workspace workspace;
+  write_text(workspace.path() / "named.toml", R"toml(format = 1
+[model]
+name = "rod_on_cart"
+[[coordinate]]
+name = "x"
+unit = "m"
+armature = "J"
+[[coordinate]]
+name = "th"
+unit = "rad"
+[parameters]
+J = { value = 0.02, unit = "kg" }
+M = { value = 2, unit = "kg" }
+h = { value = 0.5, unit = "m" }
+Iz = { value = "1/30", unit = "kg*m^2" }
+g = { value = 9.81, unit = "m/s^2" }
+F = { value = 3, unit = "N" }
+[[point]]
+name = "cart"
+at = ["x", 0]
+mass = "M"
+[[frame]]
+name = "arm"
+parent = "world"
+translate = ["x", "h"]
+rotate = [["z", "th"]]
+[[body]]
+name = "rod"
+frame = "arm"
+mass = "M"
+com = ["h", 0]
+inertia = "Iz"
+[gravity]
+vector = [0, "-g"]
+[[force]]
+at = "cart"
+value = ["F", 0]
+)toml");
+  prepare(
+      "sed -e '/parameters/,/^F/d' -e 's/\"J\"/0.02/; s/\"M\"/2/; s/\"h\"/0.5/; s/\"F\"/3/' "
+      "-e 's/\"Iz\"/\"1\\/30\"/; s/\"-g\"/-9.81/' named.toml > plain.toml; "
+      "sed '/^unit/d' plain.toml > free.toml",
+      workspace.path());
+  const auto equations = [&](const std::string& words) {
+    const Outcome outcome = shell("elgen show -q " + words, workspace.path());
+    CHECK(outcome.status == 0);
+    CHECK(outcome.errors.empty());
+    const std::size_t first = outcome.output.find("mass_matrix");
+    REQUIRE(first != std::string::npos);
+    return outcome.output.substr(first);
+  };
+  const std::string named = equations("named.toml --fix all");
+  CHECK(equations("plain.toml") == named);
+  CHECK(equations("free.toml") == named);
+  CHECK(mentions(shell("elgen show plain.toml", workspace.path()).errors, "note[E405]"));
+}
+
 }  // namespace elgen::test

@@ -8,9 +8,12 @@
 namespace elgen {
 namespace {
 
-std::optional<Unit> unit_of(const EntrySyntax& entry, Report& report) {
+/// Nothing in a model where every unit is 1: what is in its own units is not judged.
+std::optional<Unit> unit_of(const EntrySyntax& entry, Context& context) {
   const KeySyntax* key = entry.find("unit");
-  return key == nullptr ? std::nullopt : read_unit(key->value, report);
+  if (key == nullptr) return std::nullopt;
+  const std::optional<Unit> unit = read_unit(key->value, context.report);
+  return context.has_units ? unit : std::nullopt;
 }
 
 std::optional<Interval> interval_of(ValueReader& values, const EntrySyntax& entry,
@@ -81,7 +84,7 @@ void read_coordinate(ValueReader& values, const EntrySyntax& entry, std::uint32_
   if (is_rotation(entry)) return read_rotation(values, entry, target);
   Context& context = values.context();
   Coordinate& coordinate = context.model.coordinates[target];
-  coordinate.unit = unit_of(entry, context.report);
+  coordinate.unit = unit_of(entry, context);
   coordinate.unit_text = text_of(entry, "unit");
   coordinate.range = interval_of(values, entry, "range");
   coordinate.wrap = is_set(entry, "wrap");
@@ -100,7 +103,7 @@ void read_coordinate(ValueReader& values, const EntrySyntax& entry, std::uint32_
 void read_input(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
   Context& context = values.context();
   Input& input = context.model.inputs[target];
-  input.unit = unit_of(entry, context.report);
+  input.unit = unit_of(entry, context);
   input.unit_text = text_of(entry, "unit");
   input.limits = interval_of(values, entry, "limits");
   input.doc = text_of(entry, "doc");
@@ -114,7 +117,7 @@ void read_input(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
 
 void read_prescribed(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
   Context& context = values.context();
-  const std::optional<Unit> unit = unit_of(entry, context.report);
+  const std::optional<Unit> unit = unit_of(entry, context);
   context.prescribed_units.resize(context.model.prescribed.size());
   context.prescribed_units[target] = unit;
   NamedExpression& prescribed = context.model.prescribed[target];

@@ -73,9 +73,11 @@ class ParameterReader {
       return;
     }
     array_.unit_text = key->value.text;
-    const std::optional<Unit> unit = read_unit(key->value, context_.report);
+    const KeySyntax* value = table.find("value");
+    const std::optional<Unit> unit =
+        read_unit(key->value, context_.report, value == nullptr ? nullptr : &value->value);
     for (std::uint32_t i = 0; i < array_.count; ++i) {
-      element(i).unit = unit;
+      if (context_.has_units) element(i).unit = unit;
     }
   }
 

@@ -6,6 +6,7 @@
 //     exponent = integer | "(" integer [ "/" integer ] ")"
 #include "check/expressions/unit_expression.hpp"
 
+#include <array>
 #include <charconv>
 
 #include "base/ascii.hpp"
@@ -13,10 +14,34 @@
 namespace elgen {
 namespace {
 
+/// A unit that the language does not have, as a multiple of one that it has.
+struct MultipleRow {
+  std::string_view name;
+  std::string_view factor;
+  std::string_view unit;
+};
+
+constexpr std::array<MultipleRow, 16> multiples{{{"deg", "pi/180", "rad"},
+                                                 {"g", "0.001", "kg"},
+                                                 {"lb", "0.45359237", "kg"},
+                                                 {"mm", "0.001", "m"},
+                                                 {"cm", "0.01", "m"},
+                                                 {"km", "1000", "m"},
+                                                 {"ms", "0.001", "s"},
+                                                 {"min", "60", "s"},
+                                                 {"h", "3600", "s"},
+                                                 {"rpm", "pi/30", "rad/s"},
+                                                 {"mN", "0.001", "N"},
+                                                 {"kN", "1000", "N"},
+                                                 {"kW", "1000", "W"},
+                                                 {"mA", "0.001", "A"},
+                                                 {"mH", "0.001", "H"},
+                                                 {"uF", "1e-6", "F"}}};
+
 class UnitReader {
  public:
-  UnitReader(const ValueSyntax& value, Report& report)
-      : text_(value.text), span_(value.span), report_(report) {}
+  UnitReader(const ValueSyntax& unit, Report& report, const ValueSyntax* value)
+      : text_(unit.text), span_(unit.span), report_(report), value_(value) {}
 
   std::optional<Unit> read() {
     std::optional<Unit> unit = product(0);
@@ -107,6 +132,13 @@ class UnitReader {
   }
 
   std::optional<Unit> unknown(std::string_view name, std::size_t begin) {
+    const std::string message = "unknown unit " + in_backticks(name);
+    const Span span = part(begin, begin + name.size());
+    for (const MultipleRow& row : multiples) {
+      if (row.name != name) continue;
+      report_.add(Code::E402, span, message, converted(row));
+      return std::nullopt;
+    }
     std::vector<std::string> candidates;
     const std::string product = as_product(name);
     if (!product.empty()) {
@@ -114,9 +146,22 @@ class UnitReader {
     } else {
       for (const UnitRow& row : unit_table()) candidates.emplace_back(row.name);
     }
-    report_.add(Code::E402, part(begin, begin + name.size()), "unknown unit " + in_backticks(name),
-                suggestion(name, candidates));
+    report_.add(Code::E402, span, message, suggestion(name, candidates));
     return std::nullopt;
+  }
+
+  /// The value in the unit that there is, where it is known and in this unit alone.
+  [[nodiscard]] std::string converted(const MultipleRow& row) const {
+    const std::string factor(row.factor);
+    const std::string unit(row.unit);
+    const std::string equation = "1 " + std::string(row.name) + " is " + factor + " " + unit;
+    if (value_ == nullptr || value_->kind != ValueKind::expression || text_ != row.name) {
+      return equation;
+    }
+    const std::string number(covered_text(value_->expression.span));
+    const bool is_sum = number.find_first_of("+-", 1) != std::string::npos;
+    return equation + ": write `value = \"" + factor + "*" + (is_sum ? "(" : "") + number +
+           (is_sum ? ")" : "") + "\", unit = \"" + unit + "\"`";
   }
 
   /// "kg*m" of "kgm": two units without the sign between them; else nothing. What starts with m is
@@ -160,13 +205,14 @@ class UnitReader {
   std::string_view text_;
   Span span_;
   Report& report_;
+  const ValueSyntax* value_;
   std::size_t position_ = 0;
 };
 
 }  // namespace
 
-std::optional<Unit> read_unit(const ValueSyntax& text, Report& report) {
-  return UnitReader(text, report).read();
+std::optional<Unit> read_unit(const ValueSyntax& unit, Report& report, const ValueSyntax* value) {
+  return UnitReader(unit, report, value).read();
 }
 
 }  // namespace elgen

@@ -9,7 +9,9 @@
 
 namespace elgen {
 
-/// The unit a string names; nothing after E402. `*` and `/` bind from left to right.
-[[nodiscard]] std::optional<Unit> read_unit(const ValueSyntax& text, Report& report);
+/// The unit a string names; nothing after E402. `*` and `/` bind from left to right. `value` is
+/// what is given in it, where that is known.
+[[nodiscard]] std::optional<Unit> read_unit(const ValueSyntax& unit, Report& report,
+                                            const ValueSyntax* value = nullptr);
 
 }  // namespace elgen

@@ -2,13 +2,16 @@
 //
 // Numbers are pure, but 0 has any unit; what touches a leaf without a unit is not known and not
 // compared, and a model without any unit is not judged at all. After an error the node counts as
-// not known, so that one mistake is reported once.
+// not known, so that one mistake is reported once. A value that names nothing is in the unit of its
+// place.
 #include "check/expressions/unit_inference.hpp"
 
 #include <cln/integer.h>
 
 #include <algorithm>
 
+#include "check/expressions/unit_expression.hpp"
+#include "check/expressions/unit_mismatch.hpp"
 #include "elgen/references.hpp"
 
 namespace elgen {
@@ -56,8 +59,9 @@ class UnitInference {
     const InferredUnit& inferred = units_[root.value];
     if (root.unit && !root.misplaced && inferred.known == Known::yes &&
         inferred.unit != *root.unit) {
-      refuse(Code::E403, model_.expressions[root.value].span, inferred.unit,
-             std::string(root.place.noun) + " is in " + to_string(*root.unit));
+      refuse(Code::E403, root.value, inferred.unit,
+             std::string(root.place.noun) + " is in " + to_string(*root.unit),
+             inferred.unit == Unit{} ? unnamed_number_hint(model_, root.value) : "");
     }
   }
 
@@ -146,16 +150,19 @@ class UnitInference {
   /// The unit all operands share. E401 at the first that differs.
   InferredUnit common(const Expression& node, std::string_view what) {
     InferredUnit result{Known::any, {}};
+    ExpressionId first = no_expression;
     bool complete = true;
     for (const ExpressionId operand : node.operands) {
       const InferredUnit& term = units_[operand];
       complete = complete && term.known != Known::no;
       if (result.known == Known::any && term.known == Known::yes) {
         result = term;
+        first = operand;
       }
       if (term.known == Known::yes && term.unit != result.unit) {
-        refuse(Code::E401, term_span(operand), term.unit,
-               std::string(what) + " is in " + to_string(result.unit));
+        refuse(Code::E401, unsigned_term(operand), term.unit,
+               std::string(what) + " is in " + to_string(result.unit),
+               hint_on_pure({operand, term.unit}, {first, result.unit}));
         return {};
       }
     }
@@ -181,7 +188,7 @@ class UnitInference {
   InferredUnit pure(const Expression& node) {
     const InferredUnit& argument = units_[node.operands[0]];
     if (argument.known == Known::yes && argument.unit != Unit{}) {
-      refuse(Code::E404, model_.expressions[node.operands[0]].span, argument.unit,
+      refuse(Code::E404, node.operands[0], argument.unit,
              in_backticks(function_row(node.function).name) + " takes a pure number");
     }
     return ratio(argument);
@@ -193,15 +200,33 @@ class UnitInference {
   }
 
   /// Of `a - b` the term is b.
-  [[nodiscard]] const Span& term_span(ExpressionId id) const {
+  [[nodiscard]] ExpressionId unsigned_term(ExpressionId id) const {
     const Expression& term = model_.expressions[id];
-    return term.kind == ExpressionKind::negate ? model_.expressions[term.operands[0]].span
-                                               : term.span;
+    return term.kind == ExpressionKind::negate ? term.operands[0] : id;
   }
 
-  void refuse(Code code, const Span& span, const Unit& observed, const std::string& expected) {
-    context_.report.add(code, span,
-                        in_backticks(span) + " is in " + to_string(observed) + ", but " + expected);
+  struct Term {
+    ExpressionId id = no_expression;
+    Unit unit = {};
+  };
+
+  /// Of two terms that differ, the one without a unit may have a number that wants one.
+  [[nodiscard]] std::string hint_on_pure(const Term& a, const Term& b) const {
+    if (a.unit == Unit{}) return unnamed_number_hint(model_, a.id);
+    return b.unit == Unit{} ? unnamed_number_hint(model_, b.id) : "";
+  }
+
+  void refuse(Code code, ExpressionId id, const Unit& observed, const std::string& expected,
+              const std::string& hint = {}) {
+    const Span& span = model_.expressions[id].span;
+    Diagnostic diagnostic{
+        code, span, in_backticks(span) + " is in " + to_string(observed) + ", but " + expected,
+        hint};
+    if (const auto declared = unit_declaration(model_, id)) {
+      diagnostic.related = declared->span;
+      diagnostic.related_message = declared->message;
+    }
+    context_.report.add(std::move(diagnostic));
   }
 
   Context& context_;
@@ -209,15 +234,29 @@ class UnitInference {
   std::vector<InferredUnit> units_;
 };
 
-bool declares_units(const Context& context) {
-  const auto has_unit = [](const auto& row) { return row.unit.has_value(); };
-  const auto any = [&](const auto& rows) {
-    return std::any_of(rows.begin(), rows.end(), has_unit);
-  };
-  const auto& prescribed = context.prescribed_units;
-  const auto given = [](const std::optional<Unit>& unit) { return unit.has_value(); };
-  return any(context.model.coordinates) || any(context.model.parameters) ||
-         any(context.model.inputs) || std::any_of(prescribed.begin(), prescribed.end(), given);
+/// The first value that names nothing, and how many more there are.
+void note_plain_numbers(Context& context) {
+  const Model& model = context.model;
+  const WrittenExpression* first = nullptr;
+  std::size_t count = 0;
+  for (const WrittenExpression& root : context.roots) {
+    const Expression& value = model.expressions[root.value];
+    const bool is_zero = value.kind == ExpressionKind::number && cln::zerop(value.number);
+    const bool is_of_model = value.span.source == model.source.get();
+    if (!root.plain_numbers || root.unit.value_or(Unit{}) == Unit{}) continue;
+    if (is_zero || !is_of_model) continue;
+    ++count;
+    if (first == nullptr || value.span.begin < model.expressions[first->value].span.begin) {
+      first = &root;
+    }
+  }
+  if (first == nullptr) return;
+  const Span& span = model.expressions[first->value].span;
+  std::string others;
+  if (count > 1) others = "; the same goes for " + counted(count - 1, "other value");
+  context.report.add(Code::E405, span,
+                     in_backticks(span) + " names nothing, so it is in " + to_string(*first->unit) +
+                         ", the SI unit of its key" + others);
 }
 
 /// Names of what has no unit, each once, and where the first of them is declared.
@@ -232,13 +271,14 @@ void note_missing_units(Context& context) {
     }
   };
   for (const Coordinate& coordinate : model.coordinates) {
-    if (!coordinate.unit) note(coordinate.name, coordinate.span);
+    if (!coordinate.unit && coordinate.unit_text.empty()) note(coordinate.name, coordinate.span);
   }
   for (const ParameterArray& array : model.parameter_arrays) {
-    if (!model.parameters[array.first].unit) note(array.name, array.span);
+    if (!model.parameters[array.first].unit && array.unit_text.empty())
+      note(array.name, array.span);
   }
   for (const Input& input : model.inputs) {
-    if (!input.unit) note(input.name, input.span);
+    if (!input.unit && input.unit_text.empty()) note(input.name, input.span);
   }
   if (names.empty()) {
     return;
@@ -253,12 +293,26 @@ void note_missing_units(Context& context) {
 
 }  // namespace
 
+bool uses_units(const FileSyntax& model) {
+  Report unheard;
+  const auto is_used = [&](const KeySyntax* unit) {
+    return unit != nullptr && read_unit(unit->value, unheard).value_or(Unit{}) != Unit{};
+  };
+  const auto has_unit = [&](const EntrySyntax& entry) {
+    if (entry.name != "parameters") return is_used(entry.find("unit"));
+    return std::any_of(entry.keys.begin(), entry.keys.end(), [&](const KeySyntax& parameter) {
+      return is_used(parameter.value.find("unit"));
+    });
+  };
+  return std::any_of(model.entries.begin(), model.entries.end(), has_unit);
+}
+
 void check_units(Context& context) {
-  if (declares_units(context)) UnitInference(context).run();
+  if (context.has_units) UnitInference(context).run();
   // Beside errors a note would only distract.
-  if (context.report.errors() == 0) {
-    note_missing_units(context);
-  }
+  if (context.report.errors() > 0) return;
+  if (context.has_units) note_plain_numbers(context);
+  note_missing_units(context);
 }
 
 }  // namespace elgen

@@ -2,10 +2,15 @@
 #pragma once
 
 #include "check/names/context.hpp"
+#include "elgen/syntax.hpp"
 
 namespace elgen {
 
-/// E401, E403, E404, and one note E520 that lists what has no unit. The model has no cycles.
+/// Whether a variable or parameter has a unit other than 1; without, none is checked.
+[[nodiscard]] bool uses_units(const FileSyntax& model);
+
+/// E401, E403, E404, a note E405 of values that name nothing, and one E520 that lists what has no
+/// unit. The model has no cycles.
 void check_units(Context& context);
 
 }  // namespace elgen

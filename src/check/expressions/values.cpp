@@ -16,6 +16,18 @@ cln::cl_R rounded(const cln::cl_R& value) {
                             : cln::cl_R(cln::cl_float(value, cln::float_format(constant_digits)));
 }
 
+/// Made of numbers and pi only.
+bool names_nothing(const std::vector<Expression>& nodes, ExpressionId first, ExpressionId last) {
+  constexpr std::array names{
+      ExpressionKind::time,           ExpressionKind::coordinate, ExpressionKind::rate,
+      ExpressionKind::acceleration,   ExpressionKind::input,      ExpressionKind::parameter,
+      ExpressionKind::prescribed,     ExpressionKind::definition, ExpressionKind::point_component,
+      ExpressionKind::frame_component};
+  return std::none_of(nodes.begin() + first, nodes.begin() + last + 1, [&](const auto& node) {
+    return std::find(names.begin(), names.end(), node.kind) != names.end();
+  });
+}
+
 }  // namespace
 
 ExpressionId ValueReader::root(const ExpressionSyntax& expression, const RootRequest& request) {
@@ -24,7 +36,8 @@ ExpressionId ValueReader::root(const ExpressionSyntax& expression, const RootReq
   if (!id) {
     return no_expression;
   }
-  context_.roots.push_back({first, *id, request.place, request.unit});
+  const bool plain = request.unit && names_nothing(context_.model.expressions, first, *id);
+  context_.roots.push_back({first, *id, request.place, request.unit, false, plain});
   return *id;
 }
 

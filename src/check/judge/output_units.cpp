@@ -61,10 +61,10 @@ MaybeUnit unit_of_entry(const Model& model, const EntryPlace& place) {
 }
 
 std::string velocity_unit(const Model& model, const Velocity& velocity) {
-  if (!velocity.unit) return "";
   const bool is_angle =
       velocity.rotation || model.coordinates[velocity.coordinate].unit_text == "rad";
-  return is_angle ? "rad/s" : to_string(*velocity.unit);
+  if (is_angle) return "rad/s";
+  return velocity.unit ? to_string(*velocity.unit) : "";
 }
 
 }  // namespace elgen

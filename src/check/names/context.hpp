@@ -43,7 +43,7 @@ struct WrittenExpression {
   Place place = {};
   std::optional<Unit> unit = {};  ///< that the place asks for; none: any
   bool misplaced = false;      ///< made of what its place does not take; its unit is not judged too
-  bool plain_numbers = false;  ///< of a scene: its units are those of the place
+  bool plain_numbers = false;  ///< it names nothing: its numbers are in the unit of its place
 };
 
 /// The first node of every arena: the number 0, for what is absent (the z of a planar point) or
@@ -97,7 +97,8 @@ struct Context {
   std::uint64_t coordinate_count = 0;
   std::uint64_t definition_count = 0;  ///< definitions, points, bodies and the like
   bool beyond_limits = false;  ///< E906, E907 or E908 was reported; nothing more is resolved
-  /// The number of components of the first vector of the model, and where it stands.
+  bool has_units = true;       ///< the model declares a unit other than 1
+  /// The number of components of most vectors of the model, or of the first one.
   std::uint32_t dimension = 0;
   Span model_span = {};       ///< the header `[model]`
   Span lagrangian_span = {};  ///< the key `L`

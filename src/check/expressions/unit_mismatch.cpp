@@ -1,0 +1,78 @@
+// What helps beside a message about units.
+#include "check/expressions/unit_mismatch.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "elgen/wording.hpp"
+
+namespace elgen {
+namespace {
+
+/// The expression and what it is written of, in the order of the file; names are not entered.
+std::vector<ExpressionId> written_parts(const Model& model, ExpressionId expression) {
+  std::vector<ExpressionId> parts{expression};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::vector<ExpressionId>& operands = model.expressions[parts[i]].operands;
+    parts.insert(parts.end(), operands.begin(), operands.end());
+  }
+  std::stable_sort(parts.begin(), parts.end(), [&](ExpressionId a, ExpressionId b) {
+    return model.expressions[a].span.begin < model.expressions[b].span.begin;
+  });
+  return parts;
+}
+
+/// The unit as it is written there: rad, not 1.
+UnitDeclaration declared_here(const std::string& name, const std::string& unit, const Span& span) {
+  return {span, in_backticks(name) + " is declared here, in " + unit};
+}
+
+std::optional<UnitDeclaration> parameter_declaration(const Model& model, const Expression& node) {
+  if (node.kind != ExpressionKind::parameter) return std::nullopt;
+  const Parameter& parameter = model.parameters[node.index];
+  const ParameterArray& array = model.parameter_arrays[parameter.array];
+  return parameter.unit ? std::optional(declared_here(array.name, array.unit_text, array.span))
+                        : std::nullopt;
+}
+
+std::optional<UnitDeclaration> variable_declaration(const Model& model, const Expression& node) {
+  const auto of = [](const auto& row) {
+    return row.unit_text.empty() ? std::nullopt
+                                 : std::optional(declared_here(row.name, row.unit_text, row.span));
+  };
+  switch (node.kind) {
+    case ExpressionKind::coordinate:
+      return of(model.coordinates[node.index]);
+    case ExpressionKind::rate:
+    case ExpressionKind::acceleration:
+      return of(model.coordinates[model.velocities[node.index].coordinate]);
+    case ExpressionKind::input:
+      return of(model.inputs[node.index]);
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::string unnamed_number_hint(const Model& model, ExpressionId expression) {
+  for (const ExpressionId id : written_parts(model, expression)) {
+    const Expression& node = model.expressions[id];
+    if (node.kind != ExpressionKind::number || cln::zerop(node.number)) continue;
+    return in_backticks(node.span) +
+           " has no unit in an expression: give it a name and a unit in `[parameters]`";
+  }
+  return "";
+}
+
+std::optional<UnitDeclaration> unit_declaration(const Model& model, ExpressionId expression) {
+  const std::vector<ExpressionId> parts = written_parts(model, expression);
+  for (const auto of : {parameter_declaration, variable_declaration}) {
+    for (const ExpressionId id : parts) {
+      if (auto found = of(model, model.expressions[id])) return found;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace elgen
