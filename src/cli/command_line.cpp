@@ -165,6 +165,16 @@ std::string limits_json() {
   return list.dump(2) + "\n";
 }
 
+/// What `elgen` alone says: what to type first, and every command.
+std::string short_help(const CLI::App& app) {
+  std::string text = std::string(examples) + "\n";
+  for (const CLI::App* command : app.get_subcommands({})) {
+    text += fmt::format("  {:<10} {}\n", command->get_name(), command->get_description());
+  }
+  return text +
+         "\n`elgen COMMAND --help` has the options of a command, `elgen --help` those of all.\n";
+}
+
 bool wants_color(const std::string& choice) {
   if (choice != "auto") return choice == "always";
   return std::getenv("NO_COLOR") == nullptr && is_terminal(stderr);
@@ -237,7 +247,11 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
     return line;
   }
   if (app.get_subcommands().empty()) {
-    return Diagnostic{Code::E913, {}, "no command given", "see `elgen --help`"};
+    if (words.size() > 1) {
+      return Diagnostic{Code::E913, {}, "no command given", "see `elgen --help`"};
+    }
+    line.answer = short_help(app);
+    return line;
   }
   line.global.words = words;
   line.global.style = style_of(raw.color, raw.format);

@@ -1,5 +1,6 @@
-// elgen explain NAME: what an error code means and how to mend it, or the keys of an entry of model
-// and scene files (`coordinate`, `scene.outputs`).
+// elgen explain NAME: what an error code means and how to mend it, the keys of an entry of model
+// and scene files (`coordinate`, `scene.outputs`), what an output is, or a function of the
+// language.
 #include <fmt/format.h>
 
 #include <array>
@@ -7,6 +8,8 @@
 
 #include "base/diagnostic_words.hpp"
 #include "cli/commands.hpp"
+#include "elgen/functions.hpp"
+#include "elgen/outputs.hpp"
 #include "elgen/syntax.hpp"
 #include "elgen/wording.hpp"
 
@@ -69,6 +72,33 @@ Json json_of(const CodeRow& row) {
           {"explanation", row.explanation}};
 }
 
+Json json_of(const OutputRow& row) {
+  return {{"output", row.name}, {"doc", row.doc}, {"equation", row.equation.text}};
+}
+
+Json json_of(const FunctionRow& row) {
+  return {{"function", row.name},
+          {"arguments", row.arity},
+          {"forces_only", row.use == FunctionUse::forces}};
+}
+
+std::string text_of(const CodeRow& row) {
+  return fmt::format("{}: {}\n\n{}\n", row.name, row.title, row.explanation);
+}
+
+std::string text_of(const OutputRow& row) {
+  const std::string equation =
+      row.equation.text.empty() ? "" : fmt::format("\n  {}\n", row.equation.text);
+  return fmt::format("{}: an output\n\n{}\n{}", row.name, row.doc, equation);
+}
+
+std::string text_of(const FunctionRow& row) {
+  return fmt::format("{}: a function of {}{}\n", row.name, counted(row.arity, "argument"),
+                     row.use == FunctionUse::forces
+                         ? ", in forces only, as it has a kink; its argument may have a unit"
+                         : "");
+}
+
 std::string key_line(const KeyRow& key) {
   const std::string_view name = key.key == "*" ? "NAME" : key.key;
   return fmt::format("  {:<14} {:<24} {}{}{}{}\n", name, kinds[static_cast<std::size_t>(key.type)],
@@ -111,29 +141,54 @@ std::string text_of(const std::vector<KeyRow>& keys) {
   return text;
 }
 
-/// Every code, and every entry that stands in a file under a header of its own.
+/// Every code, output and function, and every entry that stands in a file under a header of its
+/// own.
 std::vector<std::string> known_names() {
   std::vector<std::string> names;
   for (const EntryRow& entry : entry_table()) names.emplace_back(entry.entry);
   for (const CodeRow& code : code_table()) names.emplace_back(code.name);
+  for (const OutputRow& output : output_table()) {
+    if (!output.of_user) names.emplace_back(output.name);
+  }
+  for (const FunctionRow& function : function_table) names.emplace_back(function.name);
   return names;
 }
 
-ExitCode explain(const GlobalOptions& global, const std::string& name) {
-  if (const CodeRow* row = find_code(name)) {
-    return print(global, wants_json(global) ? json_of(*row).dump(2) + "\n"
-                                            : fmt::format("{}: {}\n\n{}\n", row->name, row->title,
-                                                          row->explanation));
+const OutputRow* find_output(std::string_view name) {
+  for (const OutputRow& output : output_table()) {
+    if (!output.of_user && output.name == name) return &output;
   }
+  return nullptr;
+}
+
+std::string in_capitals(std::string text) {
+  for (char& letter : text) {
+    if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
+  }
+  return text;
+}
+
+template <class Row>
+ExitCode print_row(const GlobalOptions& global, const Row& row) {
+  return print(global, wants_json(global) ? json_of(row).dump(2) + "\n" : text_of(row));
+}
+
+ExitCode explain(const GlobalOptions& global, const std::string& name) {
+  if (const CodeRow* row = find_code(in_capitals(name))) return print_row(global, *row);
   const std::vector<KeyRow> keys = keys_of_entry(name);
   if (!keys.empty()) {
     Json list = Json::array();
     for (const KeyRow& key : keys) list.push_back(json_of(key));
-    return print(global, wants_json(global) ? list.dump(2) + "\n" : text_of(keys));
+    // The entry and the output `gravity` have one name.
+    const OutputRow* namesake = find_output(name);
+    const std::string text = text_of(keys) + (namesake == nullptr ? "" : "\n" + text_of(*namesake));
+    return print(global, wants_json(global) ? list.dump(2) + "\n" : text);
   }
+  if (const OutputRow* row = find_output(name)) return print_row(global, *row);
+  if (const FunctionRow* row = find_function(name)) return print_row(global, *row);
   return report(global, {{Code::E913,
                           {},
-                          fmt::format("`{}` is neither an error code nor an entry", name),
+                          fmt::format("`{}` is no error code, entry, output or function", name),
                           suggestion(name, known_names())}});
 }
 
@@ -141,9 +196,10 @@ ExitCode explain(const GlobalOptions& global, const std::string& name) {
 
 void add_explain(CLI::App& app, Action& action) {
   CLI::App* command =
-      app.add_subcommand("explain", "what an error code or an entry of a model means");
+      app.add_subcommand("explain", "what an error code, entry, output or function means");
   const auto name = std::make_shared<std::string>();
-  command->add_option("name", *name, "E201, coordinate, scene.outputs")->required();
+  command->add_option("name", *name, "E201, coordinate, scene.outputs, mass_matrix, sin")
+      ->required();
   set_action(*command, action, name, &explain);
 }
 

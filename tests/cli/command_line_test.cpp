@@ -40,6 +40,16 @@ TEST_CASE("help starts with three examples and names what there is, and only tha
   }
 }
 
+TEST_CASE("elgen alone says what to type first, and every command") {
+  const Outcome outcome = run("elgen");
+  CHECK(outcome.status == 0);
+  CHECK(outcome.errors.empty());
+  for (const char* command : {"generate", "show", "verify", "diff", "import", "explain"}) {
+    INFO(command);
+    CHECK(mentions(outcome.output, std::string("\n  ") + command + " "));
+  }
+}
+
 TEST_CASE("version and limits are printed on stdout") {
   CHECK(run("elgen --version").output == "elgen 0.1.0\n");
   const Outcome limits = run("elgen --limits");
@@ -58,7 +68,7 @@ TEST_CASE("help is a command, too, and -V is the version") {
 
 TEST_CASE("a command line that is not understood exits with 2") {
   for (const char* line :
-       {"elgen", "elgen generte x.toml", "elgen generate", "elgen generate --outptus x a.toml",
+       {"elgen -q", "elgen generte x.toml", "elgen generate", "elgen generate --outptus x a.toml",
         "elgen --limit seconds=soon generate a.toml", "elgen --limit apples=3 generate a.toml"}) {
     INFO(line);
     const Outcome outcome = run(line);

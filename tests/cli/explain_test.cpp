@@ -4,6 +4,7 @@
 
 #include "cli/cli_testing.hpp"
 #include "elgen/diagnostic.hpp"
+#include "elgen/outputs.hpp"
 #include "elgen/syntax.hpp"
 
 namespace elgen::test {
@@ -33,6 +34,22 @@ TEST_CASE("explain knows every entry and its keys") {
     if (row.entry != "frame" && row.entry != "frame.dh") continue;
     CHECK(mentions(frame, "\n  " + std::string(row.key) + " "));
   }
+}
+
+TEST_CASE("explain knows codes in any case, outputs and functions") {
+  CHECK(run("elgen explain e201").output == run("elgen explain E201").output);
+  CHECK(mentions(run("elgen explain mass_matrix").output, "mass_matrix: an output\n\n"));
+  for (const OutputRow& row : output_table()) {
+    if (row.of_user) continue;
+    INFO(row.name);
+    CHECK(mentions(run("elgen explain " + std::string(row.name)).output, std::string(row.doc)));
+  }
+  CHECK(run("elgen explain sin").output == "sin: a function of 1 argument\n");
+  CHECK(
+      mentions(run("elgen explain max").output, "max: a function of 2 arguments, in forces only"));
+  const auto json = nlohmann::json::parse(run("elgen explain atan2 --format json").output);
+  CHECK(json.at("arguments") == 2);
+  CHECK(mentions(run("elgen explain mass_matri").errors, "did you mean `mass_matrix`?"));
 }
 
 TEST_CASE("an entry is shown with its tables, kinds of values and choices") {
