@@ -40,8 +40,8 @@ inline constexpr PerArtifact<ArtifactRow> artifact_table{
     .eigen = {"_eigen.hpp", [](const Emission& e) { return e.eigen; }},
     .batch = {"_batch.hpp", [](const Emission& e) { return e.batch; }},
     .c99 = {".h", [](const Emission& e) { return e.language == LanguageId::c99; }},
-    .sidecar = {".equations.json", [](const Emission&) { return true; }},
-    .page = {".md", [](const Emission&) { return true; }}};
+    .sidecar = {".equations.json", [](const Emission& e) { return e.equations; }},
+    .page = {".md", [](const Emission& e) { return e.page; }}};
 
 struct Artifact {
   ArtifactId id = ArtifactId::cpp;

@@ -72,8 +72,10 @@ struct Emission {
   std::string name_space = {};  ///< of C++, prefix of every name in C; default: base_name
   Span name_space_span = {};    ///< of what gives it that name
   Storage storage = Storage::row_major;
-  bool eigen = false;  ///< C++: a second header, of the same functions on Eigen types
-  bool batch = false;  ///< C++: another one, of the same functions on arrays of states
+  bool eigen = false;     ///< C++: a second header, of the same functions on Eigen types
+  bool batch = false;     ///< C++: another one, of the same functions on arrays of states
+  bool equations = true;  ///< the sidecar
+  bool page = true;
 };
 
 /// present: terms of closed forms that are left out (`drop_below`).

@@ -175,6 +175,7 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"scene.emit", "eigen", boolean, optional, true, "the same functions on Eigen types"},
     {"scene.emit", "batch", boolean, optional, true, "the same functions on arrays of states"},
     {"scene.emit", "storage", choice, optional, true, "order of matrix entries"},
+    {"scene.emit", "files", choice_list, optional, true, "what is written; all unless given"},
 });
 
 constexpr auto choice_rows = std::to_array<ChoiceRow>({
@@ -187,7 +188,8 @@ constexpr auto choice_rows = std::to_array<ChoiceRow>({
     {"scene.numeric", "form", "recursive"},     {"scene.numeric", "prefer", "accuracy"},
     {"scene.numeric", "prefer", "speed"},       {"scene.outputs.*", "form", "closed"},
     {"scene.outputs.*", "form", "recursive"},   {"scene.emit", "storage", "row-major"},
-    {"scene.emit", "storage", "column-major"},
+    {"scene.emit", "storage", "column-major"},  {"scene.emit", "files", "header"},
+    {"scene.emit", "files", "equations"},       {"scene.emit", "files", "page"},
 #define ELGEN_LANGUAGE(id, name, scalars) {"scene.emit", "language", name},
 #include "elgen/languages.def"
 #undef ELGEN_LANGUAGE

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "check_testing.hpp"
+#include "elgen/artifacts.hpp"
 
 namespace elgen::test {
 namespace {
@@ -20,6 +21,18 @@ TEST_CASE("language, storage and Eigen are what [emit] says") {
   CHECK(c.emission.language == LanguageId::c99);
   CHECK(c.emission.storage == Storage::column_major);
   CHECK(block_scene("[emit]\neigen = true\n").emission.eigen);
+}
+
+TEST_CASE("`files` leaves out the sidecar and the page, but no code") {
+  CHECK(block_scene("").emission.equations);
+  CHECK(block_scene("").emission.page);
+  const Scene bare = block_scene("[emit]\nfiles = [\"header\"]\n");
+  CHECK_FALSE(bare.emission.equations);
+  CHECK_FALSE(bare.emission.page);
+  CHECK(artifacts_of(bare).size() == 1);
+  CHECK(block_scene("[emit]\nfiles = [\"page\", \"header\"]\n").emission.page);
+  CHECK(block_scene_messages("[emit]\nfiles = [\"page\"]\n")
+            .find("`files` has no `header`, which is always written") != std::string::npos);
 }
 
 TEST_CASE("code in C is for one scalar, float or double") {

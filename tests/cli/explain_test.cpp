@@ -60,6 +60,7 @@ TEST_CASE("an entry is shown with its tables, kinds of values and choices") {
   eigen          true or false            the same functions on Eigen types
   batch          true or false            the same functions on arrays of states
   storage        one of                   order of matrix entries ("row-major", "column-major")
+  files          list of                  what is written; all unless given ("header", "equations", "page")
 )text");
   const Outcome unknown = run("elgen explain coordinat");
   CHECK(unknown.status == 2);
@@ -72,7 +73,7 @@ TEST_CASE("programs get codes and keys as JSON") {
   CHECK(code.at("exit_code") == 2);
   CHECK(code.at("title") == "unknown name");
   const auto keys = nlohmann::json::parse(run("elgen explain scene.emit --format json").output);
-  REQUIRE(keys.size() == 5);
+  REQUIRE(keys.size() == 6);
   CHECK(keys.at(0).at("key") == "language");
   CHECK(keys.at(0).at("words") == nlohmann::json{"c++17", "c99"});
 }

@@ -17,6 +17,19 @@ TEST_CASE("a scene's base name is the model's and its own") {
         "./out/cart_pole_balance/cart_pole_balance.md\n");
 }
 
+TEST_CASE("`files` of a scene leaves out the sidecar and the page") {
+  const Project project;
+  write_text(
+      project.path() / "bare.scene.toml",
+      "format = 1\nmodel = \"cart_pole.toml\"\nname = \"bare\"\n[outputs]\nmass_matrix = true\n"
+      "[emit]\nfiles = [\"header\"]\n");
+  CHECK(project.run("elgen generate -q bare.scene.toml").status == 0);
+  CHECK(project.run("ls generated/cart_pole_bare").output == "cart_pole_bare.hpp\n");
+  CHECK(project.run("elgen generate --check -q bare.scene.toml").status == 0);
+  project.change("sed -i 's/mass_matrix/bias/' bare.scene.toml");
+  CHECK(project.run("elgen generate --check -q bare.scene.toml").status == 1);
+}
+
 TEST_CASE("option --stdout prints the header and writes nothing") {
   const Workspace workspace;
   const Outcome outcome =

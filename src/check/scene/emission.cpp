@@ -42,6 +42,20 @@ void check_together(const FileSyntax* syntax, const Emission& emission, const Sc
   }
 }
 
+bool lists(const KeySyntax& key, std::string_view word) {
+  const auto& items = key.value.items;
+  return std::any_of(items.begin(), items.end(),
+                     [word](const ValueSyntax& item) { return item.text == word; });
+}
+
+/// Code is always written.
+void read_files(const KeySyntax& key, Emission& emission, Report& report) {
+  emission.equations = lists(key, "equations");
+  emission.page = lists(key, "page");
+  if (lists(key, "header")) return;
+  report.add(Code::E112, key.value.span, "`files` has no `header`, which is always written");
+}
+
 }  // namespace
 
 Emission read_emission(Context& context, const FileSyntax* syntax, const Scene& scene) {
@@ -62,6 +76,9 @@ Emission read_emission(Context& context, const FileSyntax* syntax, const Scene& 
   }
   const KeySyntax* eigen = find_key(syntax, "emit", "eigen");
   emission.eigen = eigen != nullptr && eigen->value.boolean;
+  if (const KeySyntax* key = find_key(syntax, "emit", "files")) {
+    read_files(*key, emission, context.report);
+  }
   check_together(syntax, emission, scene, context.report);
   return emission;
 }
