@@ -106,6 +106,7 @@ Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
   keep_sources(context.model, model, scene, options);
   context.model.canonical = dump(model);
   context.has_units = uses_units(model);
+  context.dimension = usual_dimension(model);
   read_sizes(context, model, scene, options);
   resolve_entries(context, model);
   if (context.beyond_limits) {

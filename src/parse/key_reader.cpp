@@ -37,7 +37,8 @@ void report_missing(const std::vector<TomlEntry>& entries, const TableContext& t
   for (const KeyRow& row : key_table()) {
     if (row.entry != table.entry || !row.required) continue;
     if (find_entry(entries, row.key) != nullptr) continue;
-    reading.report(Code::E105, table.header, fmt::format("no `{}` in {}", row.key, table.label));
+    reading.report(Code::E105, table.header, fmt::format("no `{}` in {}", row.key, table.label),
+                   row.key == "format" ? "a file starts with `format = 1`" : "");
   }
 }
 

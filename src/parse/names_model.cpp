@@ -1,4 +1,4 @@
-// names_model, declares_model: one look at the top-level keys.
+// named_model, declares_model: one look at the top-level keys.
 #include "parse/names_model.hpp"
 
 #include "parse/toml_document.hpp"
@@ -7,18 +7,23 @@ namespace elgen {
 
 namespace {
 
-/// What stands at the top-level key `model`.
-std::optional<TomlKind> kind_of_model(const SourceText& source) {
+/// Where the top-level key `model` has a value of this kind.
+std::optional<Span> model_of_kind(const SourceText& source, TomlKind kind) {
   const Result<TomlValue> root = read_toml(source);
   if (!root) return std::nullopt;
   const TomlEntry* const model = find_entry(root->entries, "model");
-  return model == nullptr ? std::nullopt : std::optional(model->value.kind);
+  const bool is_found = model != nullptr && model->value.kind == kind;
+  return is_found ? std::optional(model->value.span) : std::nullopt;
 }
 
 }  // namespace
 
-bool names_model(const SourceText& source) { return kind_of_model(source) == TomlKind::string; }
+std::optional<Span> named_model(const SourceText& source) {
+  return model_of_kind(source, TomlKind::string);
+}
 
-bool declares_model(const SourceText& source) { return kind_of_model(source) == TomlKind::table; }
+bool declares_model(const SourceText& source) {
+  return model_of_kind(source, TomlKind::table).has_value();
+}
 
 }  // namespace elgen

@@ -54,6 +54,37 @@ Span redefined(const SourceText& source, std::uint32_t offset) {
   return end < offset && key.begin < key.end ? key : character_at(source, offset);
 }
 
+/// The same key earlier in its table, at the start of a line.
+std::optional<Span> first_definition(const SourceText& source, const Span& key) {
+  const std::string_view name = covered_text(key);
+  std::optional<Span> found;
+  for (std::size_t line = 0; line < key.begin; ++line) {
+    const std::size_t begin =
+        std::min(source.text.find_first_not_of(" \t", line), source.text.size());
+    const std::string_view rest = std::string_view(source.text).substr(begin);
+    const std::string_view after = rest.substr(std::min(name.size(), rest.size()));
+    if (rest.starts_with('[')) found = std::nullopt;
+    if (begin < key.begin && rest.starts_with(name) &&
+        after.substr(std::min(after.find_first_not_of(" \t"), after.size())).starts_with('=')) {
+      const auto first = static_cast<std::uint32_t>(begin);
+      found = Span{&source, first, first + static_cast<std::uint32_t>(name.size())};
+    }
+    line = std::min(source.text.find('\n', line), source.text.size());
+  }
+  return found;
+}
+
+Diagnostic redefinition(const SourceText& source, std::uint32_t offset,
+                        std::string_view description) {
+  Diagnostic error{Code::E101, redefined(source, offset), message_of(description)};
+  if (const auto first = first_definition(source, error.span)) {
+    error.hint = "give one of them another name";
+    error.related = *first;
+    error.related_message = "first given here";
+  }
+  return error;
+}
+
 bool at_line_end(const SourceText& source, std::uint32_t offset) {
   return offset >= source.text.size() || source.text[offset] == '\n' || source.text[offset] == '\r';
 }
@@ -91,9 +122,8 @@ Diagnostic toml_error(const SourceText& source, std::uint32_t offset,
     return {Code::E101, character_at(source, offset), "string is not closed",
             "a string over several lines has three quotes at each end"};
   }
-  const Span place = contains(description, "cannot redefine") ? redefined(source, offset)
-                                                              : character_at(source, offset);
-  return {Code::E101, place, message_of(description),
+  if (contains(description, "cannot redefine")) return redefinition(source, offset, description);
+  return {Code::E101, character_at(source, offset), message_of(description),
           is_unquoted_value(description) ? "texts and expressions are written in quotes" : ""};
 }
 

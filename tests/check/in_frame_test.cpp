@@ -194,9 +194,10 @@ TEST_CASE("what may not be in a frame", "[frames]") {
       {"[[point]]\nname = \"p\"\nframe = \"ff\"\nat = [\"l\", \"0\", \"0\"]\n",
        "E201 27:10 unknown frame `ff` | did you mean `f`? (frame, line 17)\n"},
       {"[[point]]\nname = \"p\"\nframe = \"f\"\nat = [\"l\", \"0\"]\n",
-       "E516 28:6 2 components in a model whose first vector has 3\n"},
+       "E516 28:6 2 components, but other vectors of this model have 3\n"},
       {"[[body]]\nname = \"b\"\nframe = \"f\"\nmass = \"m\"\ncom = [\"s\", \"0\", \"0\"]\n",
-       "E506 29:9 `s` is a coordinate, and a centre of mass takes none\n"},
+       "E506 29:9 `s` is a coordinate, and a centre of mass takes none | what varies is written "
+       "out in `[energy] T`\n"},
       {"[[body]]\nname = \"b\"\nframe = \"f\"\nspin = [\"0\", \"0\", \"dot(q)\"]\ninertia = "
        "[\"J\", \"J\", \"J\"]\n",
        "E112 28:1 a body has `frame` or `spin`, not both\n"},

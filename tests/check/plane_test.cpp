@@ -42,7 +42,7 @@ TEST_CASE("what leaves the plane is refused where it does", "[frames]") {
       {"dh = { convention = \"modified\", theta = \"q\", d = \"l\" }\n",
        "E516 22:51 `l` shifts out of the plane of a model whose vectors have 2 components\n"},
       {"translate = [\"l\", \"0\", \"0\"]\n",
-       "E516 18:6 2 components in a model whose first vector has 3\n"},
+       "E516 18:6 2 components, but other vectors of this model have 3\n"},
   };
   for (const auto& [keys, expected] : rows) {
     INFO(keys);

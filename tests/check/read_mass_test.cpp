@@ -47,10 +47,11 @@ TEST_CASE("what masses may not be") {
       {"[[point]]\nname = \"p\"\nat = [\"x\", \"q\"]\n",
        "E403 21:13 `q` is in 1, but a position is in m\n"},
       {"[[point]]\nname = \"p\"\nat = [\"x\", \"0\"]\nmass = \"m*t\"\n",
-       "E506 22:11 `t` is time, and a mass takes none\n"},
+       "E506 22:11 `t` is time, and a mass takes none | what varies is written out in `[energy] "
+       "T`\n"},
       {"[[point]]\nname = \"p\"\nat = [\"x\", \"0\"]\n[[point]]\nname = \"r\"\nat = [\"x\", \"0\", "
        "\"0\"]\n",
-       "E516 24:6 3 components in a model whose first vector has 2\n"},
+       "E516 24:6 3 components, but other vectors of this model have 2\n"},
       {"[[body]]\nname = \"b\"\nspin = \"dot(q)\"\ninertia = \"J\"\ninertia_about = \"origin\"\n",
        "E112 23:1 without a `frame` the body has no origin for its inertia to be about | give the "
        "inertia about the centre of mass, or the body a frame; of a body that turns about a fixed "

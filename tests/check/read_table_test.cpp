@@ -45,7 +45,7 @@ TEST_CASE("gravity is an acceleration of two or three components") {
       {"[gravity]\nvector = [\"0\", \"x\"]\n",
        "E319 13:17 `x` is a coordinate, and gravity takes none\n"},
       {"[[point]]\nname = \"p\"\nat = [\"x\", \"0\", \"0\"]\n[gravity]\nvector = [\"0\", \"0\"]\n",
-       "E516 16:10 2 components in a model whose first vector has 3\n"},
+       "E516 16:10 2 components, but other vectors of this model have 3\n"},
   };
   for (const auto& [entries, expected] : rows) {
     INFO(entries);

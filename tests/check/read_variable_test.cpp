@@ -58,7 +58,8 @@ TEST_CASE("what variables may not say") {
       {"[[prescribed]]\nname = \"h\"\nunit = \"m\"\nvalue = \"t\"\n",
        "E403 15:10 `t` is in s, but a prescribed function is in m\n"},
       {"[[coordinate]]\nname = \"y\"\nunit = \"m\"\narmature = \"x*m\"\n",
-       "E506 15:13 `x` is a coordinate, and an armature takes none\n"},
+       "E506 15:13 `x` is a coordinate, and an armature takes none | what varies is written out in "
+       "`[energy] T`\n"},
       {"[[coordinate]]\nname = \"y\"\nunit = \"m\"\narmature = \"m\"\nsingular = \"dot(y)\"\n",
        "E319 16:13 `dot(y)` is a rate, and a singular configuration takes none\n"},
   };

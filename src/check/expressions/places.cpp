@@ -22,6 +22,7 @@ constexpr std::array<IngredientRow, 7> ingredient_table{{
 }};
 
 constexpr const char* smooth_stand_in = "a smooth stand-in is tanh(x/width)";
+constexpr const char* varying_mass = "what varies is written out in `[energy] T`";
 
 Code code_of(Ingredient ingredient, const Place& place) {
   if (place.otherwise == Code::E319 && ingredient == uses_acceleration) {
@@ -54,7 +55,9 @@ void report(Context& context, const WrittenExpression& root, const Expression& n
                        node.kind == ExpressionKind::prescribed;
   std::string message = in_backticks(node.span) + (is_name ? " contains " : " is ");
   message += std::string(row.noun) + ", and " + std::string(root.place.noun) + " takes none";
-  const std::string hint = row.ingredient == uses_kink ? smooth_stand_in : "";
+  const std::string hint = row.ingredient == uses_kink          ? smooth_stand_in
+                           : root.place.otherwise == Code::E506 ? varying_mass
+                                                                : "";
   context.report.add(code_of(row.ingredient, root.place), node.span, std::move(message), hint);
 }
 

@@ -64,8 +64,11 @@ std::optional<ExpressionId> Resolver::resolve_call(const ExpressionSyntax& call)
   if (call.text == #name) return rule(call);
 #include "check/names/expanded_functions.def"
 #undef ELGEN_EXPANDED
-  context_.report.add(Code::E202, call.span, "unknown function " + in_backticks(call.text),
-                      suggestion(call.text, function_names()));
+  const bool converts_degrees =
+      call.text == "deg" || call.text == "radians" || call.text == "deg2rad";
+  context_.report.add(
+      Code::E202, call.span, "unknown function " + in_backticks(call.text),
+      converts_degrees ? std::string(degrees_hint) : suggestion(call.text, function_names()));
   return std::nullopt;
 }
 

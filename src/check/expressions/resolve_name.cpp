@@ -1,5 +1,6 @@
 // Resolver, names: time, pi, running indices and sizes (as numbers), and what the model declares.
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "check/expressions/resolver.hpp"
@@ -39,6 +40,46 @@ std::string numbers_of(const std::string& name, SymbolKind kind) {
            "[1])` to `dot(" + name + "[3])`";
   }
   return "";
+}
+
+/// `theta` of theta_dot, thetadot, dtheta, dot_theta, theta_ddot, and how many times it is dotted.
+struct DottedName {
+  std::string base;
+  int dots = 0;
+};
+
+std::optional<DottedName> dotted_name(const std::string& name, const DeclaredNames& symbols) {
+  constexpr std::array<std::pair<std::string_view, int>, 4> endings{
+      {{"_ddot", 2}, {"ddot", 2}, {"_dot", 1}, {"dot", 1}}};
+  constexpr std::array<std::pair<std::string_view, int>, 4> beginnings{
+      {{"ddot_", 2}, {"dot_", 1}, {"dd", 2}, {"d", 1}}};
+  const auto is_coordinate = [&](const std::string& base) {
+    const DeclaredName* symbol = symbols.find(base);
+    return symbol != nullptr && symbol->kind == SymbolKind::coordinate;
+  };
+  for (const auto& [part, dots] : endings) {
+    if (!name.ends_with(part)) continue;
+    const std::string base = name.substr(0, name.size() - part.size());
+    if (is_coordinate(base)) return DottedName{base, dots};
+  }
+  for (const auto& [part, dots] : beginnings) {
+    if (name.starts_with(part) && is_coordinate(name.substr(part.size()))) {
+      return DottedName{name.substr(part.size()), dots};
+    }
+  }
+  return std::nullopt;
+}
+
+/// How what the name means is written: a rate, a degree; "" where it is neither.
+std::string way_to_write(const ExpressionSyntax& name, const DeclaredNames& symbols) {
+  if (name.text == "deg" || name.text == "degrees") return std::string(degrees_hint);
+  const auto dotted = dotted_name(name.text, symbols);
+  if (!dotted) return "";
+  const std::string_view written = covered_text(name.span);
+  const std::size_t bracket = std::min(written.find('['), written.size());
+  const std::string base = dotted->base + std::string(written.substr(bracket));
+  return dotted->dots == 1 ? "a rate is written `dot(" + base + ")`"
+                           : "an acceleration is written `dot(dot(" + base + "))`";
 }
 
 }  // namespace
@@ -124,8 +165,8 @@ std::optional<ExpressionId> Resolver::unknown_name(const ExpressionSyntax& name)
                         "write `" + name.text + "(…)`");
     return std::nullopt;
   }
-  std::string hint;
-  if (context_.report.wants_suggestion()) {
+  std::string hint = way_to_write(name, context_.symbols);
+  if (hint.empty() && context_.report.wants_suggestion()) {
     std::vector<std::string> candidates = context_.symbols.names();
     const std::vector<std::string> indices = scope_.names();
     candidates.insert(candidates.end(), indices.begin(), indices.end());

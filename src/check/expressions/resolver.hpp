@@ -5,12 +5,15 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "check/names/context.hpp"
 #include "elgen/syntax.hpp"
 
 namespace elgen {
+
+inline constexpr std::string_view degrees_hint = "angles are in rad: 30 degrees are `30*pi/180`";
 
 /// Resolves names, expands sums and components of points, folds exact constants, and finds
 /// constants without a value. Every node keeps the span it was written at, so leaves are not

@@ -147,10 +147,24 @@ bool ValueReader::is_vector(const ValueSyntax& value) {
     context_.dimension = static_cast<std::uint32_t>(count);
   } else if (count != context_.dimension) {
     context_.report.add(Code::E516, value.span,
-                        counted(count, "component") + " in a model whose first vector has " +
+                        counted(count, "component") + ", but other vectors of this model have " +
                             std::to_string(context_.dimension));
   }
   return true;
+}
+
+std::uint32_t usual_dimension(const FileSyntax& model) {
+  constexpr std::array<std::string_view, 4> vectors{"at", "com", "translate", "vector"};
+  std::array<std::size_t, 4> counts{};
+  for (const EntrySyntax& entry : model.entries) {
+    for (const KeySyntax& key : entry.keys) {
+      const bool is_vector = key.value.kind == ValueKind::list && key.value.items.size() < 4 &&
+                             std::find(vectors.begin(), vectors.end(), key.key) != vectors.end();
+      if (is_vector) ++counts[key.value.items.size()];
+    }
+  }
+  if (counts[2] == 0 || counts[3] == 0 || counts[2] == counts[3]) return 0;
+  return counts[2] > counts[3] ? 2 : 3;
 }
 
 std::optional<std::uint32_t> ValueReader::frame_or_world(const ValueSyntax& value) {

@@ -69,8 +69,8 @@ class ValueReader {
   /// The same for a frame; nothing for `world` (and after an error).
   std::optional<std::uint32_t> frame_or_world(const ValueSyntax& value);
 
-  /// False after E104: a vector has 2 or 3 components. E516 unless all vectors of the model have as
-  /// many as the first.
+  /// False after E104: a vector has 2 or 3 components. E516 unless it has as many as most vectors
+  /// of the model, or as the first one.
   bool is_vector(const ValueSyntax& value);
 
   Context& context() { return context_; }
@@ -79,6 +79,9 @@ class ValueReader {
   Context& context_;
   Scope scope_;
 };
+
+/// 2 or 3, whichever more vectors of the file have; 0 where all agree, or as many have either.
+[[nodiscard]] std::uint32_t usual_dimension(const FileSyntax& model);
 
 /// Text of an optional key of an entry or table, or nothing.
 template <class Table>

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <filesystem>
@@ -15,6 +16,7 @@
 #include "check/expressions/values.hpp"
 #include "cli/files/file_kind.hpp"
 #include "cli/process/resources.hpp"
+#include "elgen/wording.hpp"
 #include "parse/names_model.hpp"
 
 namespace elgen::cli {
@@ -103,16 +105,48 @@ Result<SourcePointer> read_file(const std::string& path, const Limits& limits) {
 }
 
 bool is_scene(const SourceText& source) {
-  if (source.path == stdin_name) return names_model(source);
+  if (source.path == stdin_name) return named_model(source).has_value();
   return source.path.size() > std::string_view(".scene.toml").size() &&
          source.path.ends_with(".scene.toml");
 }
 
+/// Of a file that is neither a model nor a scene: a robot description, or a scene whose name does
+/// not say so.
+std::optional<Diagnostic> misnamed(const SourceText& source) {
+  const std::size_t first = source.text.find_first_not_of(" \t\r\n");
+  if (first != std::string::npos && source.text[first] == '<') {
+    const auto begin = static_cast<std::uint32_t>(first);
+    return Diagnostic{Code::E101,
+                      {&source, begin, begin + 1},
+                      "XML where TOML is expected",
+                      fmt::format("`elgen import {}` makes a model of a robot description",
+                                  source.path == stdin_name ? "-" : source.path)};
+  }
+  const auto model = is_scene(source) ? std::nullopt : named_model(source);
+  if (!model) return std::nullopt;
+  return Diagnostic{Code::E104, *model,
+                    fmt::format("{} is a string, but [model] is a table", in_backticks(*model)),
+                    "a scene is called NAME.scene.toml"};
+}
+
+std::vector<std::string> toml_files(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, failed)) {
+    const std::string name = entry.path().filename().string();
+    if (name.ends_with(".toml") && !name.ends_with(".scene.toml")) names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 /// What is said of a scene whose model is not where it says. To show a revision, git puts one file
 /// into a folder of its own.
-std::string_view hint_of_scene(const fs::path& scene) {
+std::string hint_of_scene(const fs::path& scene, const fs::path& model) {
   const bool is_alone = scene.parent_path().filename().string().starts_with("git-blob-");
-  return is_alone ? "git shows one file alone: `elgen diff --against REV` has both" : "";
+  if (is_alone) return "git shows one file alone: `elgen diff --against REV` has both";
+  const std::string near = suggestion(model.filename().string(), toml_files(model.parent_path()));
+  return near.empty() ? "the path is relative to the scene" : near;
 }
 
 }  // namespace
@@ -126,6 +160,7 @@ Result<SourcePointer> read_source(const std::string& path, const Limits& limits)
 Result<Inputs> read_inputs(const std::string& path, const Limits& limits) {
   Result<SourcePointer> source = read_source(path, limits);
   if (!source) return source.diagnostics;
+  if (auto mistake = misnamed(**source)) return *std::move(mistake);
   if (!is_scene(**source)) return Inputs{*source, nullptr};
 
   const Result<FileSyntax> scene = parse_scene(*source, limits);
@@ -138,7 +173,7 @@ Result<Inputs> read_inputs(const std::string& path, const Limits& limits) {
     // The mistake is in the scene: point there.
     Diagnostics errors = model_source.diagnostics;
     errors.front().span = named->value.span;
-    errors.front().hint = hint_of_scene(path);
+    errors.front().hint = hint_of_scene(path, model.lexically_normal());
     return errors;
   }
   return Inputs{*model_source, *source};
