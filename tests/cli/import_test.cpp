@@ -24,7 +24,7 @@ TEST_CASE("option -o writes a file and names the model, --force writes it again"
   const Workspace workspace;
   const std::string command = "elgen import " + robot + " -o new/arm.toml";
   std::string named_arm = read_text(golden);
-  const std::string name = "name        = \"gripper\"";
+  const std::string name = "name        = \"gripper_1\"";
   named_arm.replace(named_arm.find(name), name.size(), "name        = \"arm\"");
   const Outcome first = shell(command, workspace.path());
   CHECK(first.status == 0);

@@ -1,6 +1,4 @@
-// one_per_kind: many notes as one line, errors and warnings as they are.
-#include "cli/note_kinds.hpp"
-
+// Many notes of an import as one line for each kind; errors and warnings as they are.
 #include <catch2/catch.hpp>
 
 #include "support/shell.hpp"
@@ -9,49 +7,50 @@ namespace elgen::test {
 
 namespace {
 
-std::string listed(const Diagnostics& diagnostics) {
-  std::string text;
-  for (const Diagnostic& diagnostic : diagnostics) text += diagnostic.message + "\n";
-  return text;
+const std::string mass =
+    "<inertial><mass value=\"1\"/><inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" "
+    "iyz=\"0\"/></inertial>";
+
+std::string turning(const std::string& parent, const std::string& child) {
+  return "<joint name=\"" + parent + child + "\" type=\"revolute\"><parent link=\"" + parent +
+         "\"/><child link=\"" + child + "\"/></joint>\n";
+}
+
+/// What an import of a robot says: b and c have no mass, d has, a has and is the world.
+std::string said(const std::string& options) {
+  const Workspace workspace;
+  write_text(workspace.path() / "r.urdf",
+             "<robot name=\"r\"><link name=\"a\">" + mass +
+                 "</link>\n<gazebo/>\n<gazebo/>\n<link name=\"b\"/>\n<link name=\"c\"/>\n"
+                 "<link name=\"d\">" +
+                 mass + "</link>\n<spring/>\n" + turning("a", "b") + turning("b", "c") +
+                 turning("c", "d") + "</robot>\n");
+  return shell("elgen import -o r.toml " + options + " r.urdf", workspace.path()).errors;
 }
 
 }  // namespace
 
-TEST_CASE("what is not imported is told once for each kind, with its count") {
-  const SourcePointer source = make_source("r.urdf", "a\nb\nc\nd\ne\nf\n");
-  const auto at = [&](std::uint32_t line) { return Span{source.get(), 2 * line, 2 * line + 1}; };
-  const Diagnostics kept = cli::one_per_kind({{Code::E815, at(0), "a is not imported"},
-                                              {Code::E815, at(1), "b is not imported"},
-                                              {Code::E816, at(2), "x moves"},
-                                              {Code::E815, at(3), "b is not imported"},
-                                              {Code::E816, at(4), "y moves"},
-                                              {Code::E817, at(4), "warned"},
-                                              {Code::E817, at(5), "warned"}});
-  CHECK(listed(kept) ==
-        "a is not imported\n"
-        "b is not imported, 2 times, from line 2 on\n"
-        "x moves, and so for 1 other, from line 3 on\n"
-        "warned\nwarned\n");
-  CHECK(kept[0].span.source == source.get());
-  CHECK(kept[1].span.source == nullptr);
+TEST_CASE("what is said of many places is told once for each kind, with its count") {
+  const std::string text = said("");
+  CHECK(mentions(text,
+                 "elgen: note[E815]: `<gazebo>` in `<robot>` is not imported, 2 times, from "
+                 "line 2 on\n"));
+  CHECK(mentions(text,
+                 "elgen: note[E816]: `b` moves without a mass, and so for 1 other, from line "
+                 "4 on\n"));
+  CHECK(mentions(text, "r.urdf:7:2: note[E815]: `<spring>` in `<robot>` is not imported\n"));
+  CHECK(mentions(text, "r.urdf:1:29: warning[E817]"));
+  CHECK(mentions(text, "-v lists every note with its place\n"));
 }
 
-TEST_CASE("option -v and programs get every note at its place") {
-  const Workspace workspace;
-  write_text(workspace.path() / "r.urdf",
-             "<robot name=\"r\"><link name=\"a\"><inertial><mass value=\"1\"/><inertia ixx=\"1\" "
-             "iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>\n"
-             "<gazebo/>\n<gazebo/></robot>\n");
-  const auto said = [&](const std::string& options) {
-    return shell("elgen import -o r.toml --force " + options + " r.urdf", workspace.path()).errors;
-  };
-  const std::string note = "note[E815]: `<gazebo>` in `<robot>` is not imported";
-  CHECK(mentions(said(""), "elgen: " + note + ", 2 times, from line 2 on\n"));
-  CHECK(mentions(said(""), "-v lists every note with its place\n"));
-  CHECK(mentions(said("-v"), "r.urdf:2:2: " + note + "\n"));
-  CHECK(mentions(said("-v"), "r.urdf:3:2: " + note + "\n"));
+TEST_CASE("option -v and programs get every note at its place, -q what changes the mechanics") {
+  for (const std::string place : {"r.urdf:2:2: note[E815]", "r.urdf:3:2: note[E815]",
+                                  "r.urdf:4:13: note[E816]", "r.urdf:5:13: note[E816]"}) {
+    CHECK(mentions(said("-v"), place));
+  }
   CHECK(mentions(said("--format github"), "file=r.urdf,line=3"));
-  CHECK(said("-q").empty());
+  CHECK_FALSE(mentions(said("-q"), "note["));
+  CHECK(mentions(said("-q"), "warning[E817]"));
 }
 
 }  // namespace elgen::test
