@@ -33,7 +33,7 @@ TEST_CASE("a rotor behind a gear is felt by the square of its ratio") {
   CHECK_THAT(after(model, "gear_j  "), Contains("value = 100,  unit = \"1\""));
 }
 
-TEST_CASE("without a gear the rotor turns with the joint; one that slides has a ratio") {
+TEST_CASE("without a gear the rotor turns with the joint, and one that slides has a ratio") {
   CHECK_THAT(imported(driven("continuous", motor("j", rotor))),
              Contains("armature = \"rotor_j\"\n"));
   const std::string slides = imported(driven("prismatic", motor("j", rotor)));
