@@ -8,7 +8,10 @@ namespace {
 
 /// Words are read once; what is printed is made while the list of commands is at hand.
 void print_later(Action& action, std::string text) {
-  action = [text = std::move(text)](const GlobalOptions& global) { return print(global, text); };
+  action = [text = std::move(text)](const GlobalOptions& global) {
+    if (!wants_json(global)) return print(global, text);
+    return report(global, {{Code::E913, {}, "what shells and man read is not printed as json"}});
+  };
 }
 
 }  // namespace

@@ -24,7 +24,10 @@ Block raised(const Block& block, std::size_t above, std::size_t below) {
 Block padded(Block block, std::size_t width, Alignment alignment = Alignment::centre) {
   const std::size_t missing = width - block.width();
   const std::size_t before = alignment == Alignment::centre ? missing / 2 : 0;
-  for (std::string& line : block.lines) line = blanks(before) + line + blanks(missing - before);
+  for (std::string& line : block.lines) {
+    line.insert(0, before, ' ');
+    line.append(missing - before, ' ');
+  }
   return block;
 }
 

@@ -39,7 +39,7 @@ class ScreenPage {
       const std::string unit = v.unit == "1" ? "" : unit_text(v.unit);
       const char* const between = value.empty() || unit.empty() ? "" : " ";
       cells.push_back(draw(v.symbol));
-      cells.push_back({{value + between + unit}, 0});
+      cells.push_back({{fmt::format("{}{}{}", value, between, unit)}, 0});
       cells.push_back({{v.doc}, 0});
     }
     return text_of(grid(cells, 3, Alignment::left), page_indent);

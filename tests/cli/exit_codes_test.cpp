@@ -64,6 +64,16 @@ const std::vector<ExitRow> exit_rows{
     {"schema", 2, "elgen schema modle"},
     {"schema", 3, "", "it derives nothing"},
     {"schema", 4, "elgen schema model > /dev/full"},
+    {"completions", 0, "elgen completions bash"},
+    {"completions", 1, "", "it judges nothing"},
+    {"completions", 2, "elgen completions tcsh"},
+    {"completions", 3, "", "it derives nothing"},
+    {"completions", 4, "elgen completions bash > /dev/full"},
+    {"man", 0, "elgen man"},
+    {"man", 1, "", "it judges nothing"},
+    {"man", 2, "elgen man page"},
+    {"man", 3, "", "it derives nothing"},
+    {"man", 4, "elgen man > /dev/full"},
 };
 
 std::string replaced(std::string text, const std::string& part, const std::string& other) {
