@@ -64,7 +64,8 @@ Sheet sheet_of(const Products& products, ShownSubject subject, const PageOptions
   if (subject == ShownSubject::outputs) return sheet(model, scene, *products.program, options);
   Sheet steps = steps_sheet(model, scene, *products.steps);
   if (subject == ShownSubject::steps) return steps;
-  std::erase_if(steps.outputs, [](const SheetOutput& step) { return step.title != energies_title; });
+  std::erase_if(steps.outputs,
+                [](const SheetOutput& step) { return step.title != energies_title; });
   return steps;
 }
 
