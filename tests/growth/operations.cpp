@@ -9,10 +9,10 @@
 
 namespace {
 
-elgen::test::Operations counted;
+elgen::test::Operations counts;
 
 void* counted_memory(std::size_t size) {
-  counted.bytes += size;
+  counts.bytes += size;
   return std::malloc(size);
 }
 
@@ -36,12 +36,12 @@ __attribute__((no_sanitize("coverage")))
 __attribute__((no_sanitize_coverage))
 #endif
 void __sanitizer_cov_trace_pc() {
-  ++counted.blocks;
+  ++counts.blocks;
 }
 }
 
 namespace elgen::test {
 
-Operations operations() { return counted; }
+Operations operations() { return counts; }
 
 }  // namespace elgen::test
