@@ -1,6 +1,6 @@
 // elgen completions, elgen man: what shells and man know of the command line.
-#include "cli/command_list.hpp"
 #include "cli/commands.hpp"
+#include "cli/help/command_list.hpp"
 
 namespace elgen::cli {
 

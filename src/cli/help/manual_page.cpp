@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "cli/command_list.hpp"
+#include "cli/help/command_list.hpp"
 #include "elgen/diagnostic.hpp"
 #include "render/fill_template.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "cli/command_list.hpp"
+#include "cli/help/command_list.hpp"
 #include "render/fill_template.hpp"
 
 namespace elgen::cli {

@@ -1,6 +1,6 @@
 // command_list: asked of CLI11, which keeps the words that IsMember allows as "{a,b}" in a type
 // only.
-#include "cli/command_list.hpp"
+#include "cli/help/command_list.hpp"
 
 #include <algorithm>
 
