@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -79,8 +80,9 @@ struct SheetEquation {
 };
 
 struct SheetOutput {
-  std::string title = {};       ///< "Mass matrix"
-  std::string function = {};    ///< in code: "mass_matrix"; empty where no function is meant
+  std::string title = {};     ///< "Mass matrix"
+  std::string function = {};  ///< in code: "mass_matrix"; empty where no function is meant
+  std::optional<OutputKind> kind = {};
   std::string doc = {};         ///< what it is, in a sentence
   std::string definition = {};  ///< LaTeX: how it is defined; may be empty
   std::vector<SheetEquation> equations = {};

@@ -131,6 +131,14 @@ bool fits_as_matrix(const SheetEquation& equation, const PageShape& shape) {
   return equation.columns <= largest_matrix && matrix_width(equation, shape) <= shape.width;
 }
 
+bool is_listed(const SheetEquation& equation, const PageShape& shape) {
+  return equation.entries.size() > 1 && !fits_as_matrix(equation, shape);
+}
+
+bool leaves_out_zeros(const SheetEquation& equation, const PageShape& shape) {
+  return is_listed(equation, shape) && std::ranges::count(equation.entries, "0") > 0;
+}
+
 std::vector<Display> displays(const SheetEquation& equation, const PageShape& shape) {
   if (equation.entries.size() == 1) {
     return number_displays(equation.left, equation.entries.front(), shape);

@@ -34,6 +34,12 @@ struct Display {
 /// Whether a pmatrix of all entries fits.
 [[nodiscard]] bool fits_as_matrix(const SheetEquation& equation, const PageShape& shape);
 
+/// Whether entries stand one by one, since a matrix of them does not fit.
+[[nodiscard]] bool is_listed(const SheetEquation& equation, const PageShape& shape = {});
+
+/// Whether entries that are 0 are left out of a list.
+[[nodiscard]] bool leaves_out_zeros(const SheetEquation& equation, const PageShape& shape = {});
+
 /// A matrix that has names where its entries are wider than their names, and those entries, 0
 /// elsewhere. In a symmetric matrix the names are those above its diagonal.
 struct NamedEntries {

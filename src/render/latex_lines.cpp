@@ -35,9 +35,10 @@ std::vector<Segment> segments(const std::string& latex, double (*measured)(const
     if (!is_break) all.back().text += latex[i];
   }
   const auto width_of = [measured](const std::string& text) { return measured(read_latex(text)); };
+  const double before = width_of("x");
   all.front().width = width_of(all.front().text);
   for (std::size_t i = 1; i < all.size(); ++i) {
-    all[i].width = width_of("x " + all[i].text) - width_of("x");  // its sign stands between terms
+    all[i].width = width_of("x " + all[i].text) - before;  // its sign stands between terms
   }
   return all;
 }

@@ -26,18 +26,13 @@ TemplateData table(const std::vector<SheetVariable>& variables, const PageWords&
   return section_if(!variables.empty(), {"rows", rows});
 }
 
-/// Entries that are 0 are not listed where no matrix is drawn.
-bool leaves_out_zeros(const SheetEquation& equation) {
-  const bool is_list = equation.entries.size() > 1 && !fits_as_matrix(equation, {});
-  return is_list && std::ranges::count(equation.entries, "0") > 0;
-}
-
 TemplateData output_data(const SheetOutput& output, const PageWords& words) {
   std::vector<std::string> equations;
   for (const SheetEquation& equation : output.equations) {
     for (const Display& display : displays(equation)) equations.push_back(words.equation(display));
   }
-  const bool leaves_out = std::ranges::any_of(output.equations, leaves_out_zeros);
+  const bool leaves_out = std::ranges::any_of(
+      output.equations, [](const SheetEquation& equation) { return leaves_out_zeros(equation); });
   TemplateData data;
   data.set("title", words.plain(output.title));
   data.set("function", section_of(words.name(output.function)));

@@ -59,18 +59,17 @@ class ScreenPage {
   }
 
   [[nodiscard]] std::string equation(const SheetEquation& equation) const {
-    const bool is_whole = equation.entries.size() == 1 || fits_as_matrix(equation, shape_);
-    if (!is_whole && equation.columns > 1) {
+    const bool is_list = is_listed(equation, shape_);
+    if (is_list && equation.columns > 1) {
       const auto [matrix, named] = named_entries(equation, shape_);
       if (fits_as_matrix(matrix, shape_)) {
         const Display names{matrix.left, matrix.columns, matrix.entries};
         return display(names, Fractions::in_line) + list(named);
       }
     }
-    const bool has_zeros = std::ranges::count(equation.entries, "0") > 0;
-    const bool is_told = is_whole || !has_zeros;
+    const bool leaves_out = leaves_out_zeros(equation, shape_);
     return list(equation) +
-           (is_told ? "" : fmt::format("{}all other entries are 0\n", page_indent));
+           (leaves_out ? fmt::format("{}all other entries are 0\n", page_indent) : "");
   }
 
   /// The matrix on one screen: its widest entries are folded until it fits, and all of it where
@@ -150,14 +149,15 @@ class ScreenPage {
 };
 
 /// The terms of the equation of motion, in its order.
-constexpr std::array<std::string_view, 6> overview_outputs{
-    "mass_matrix", "velocity_force", "drift", "gravity", "dissipation", "applied_force"};
+constexpr std::array overview_outputs{OutputKind::mass_matrix, OutputKind::velocity_force,
+                                      OutputKind::drift,       OutputKind::gravity,
+                                      OutputKind::dissipation, OutputKind::applied_force};
 
 std::vector<const SheetOutput*> shown_first(const Sheet& sheet) {
   std::vector<const SheetOutput*> shown;
-  for (const std::string_view name : overview_outputs) {
+  for (const OutputKind kind : overview_outputs) {
     for (const SheetOutput& output : sheet.outputs) {
-      if (output.function == name && !output.equations.empty()) shown.push_back(&output);
+      if (output.kind == kind && !output.equations.empty()) shown.push_back(&output);
     }
   }
   if (!shown.empty()) return shown;
@@ -174,8 +174,8 @@ std::string screen_page(const Sheet& sheet, const Screen& screen) {
   std::string text = sheet.title + "\n";
   for (const std::string& note : sheet.notes) text += note + "\n";
   if (!sheet.equation_of_motion.empty()) text += "\n" + page.formula(sheet.equation_of_motion);
-  for (const auto& list : {sheet.coordinates, sheet.inputs, sheet.parameters}) {
-    if (!list.empty()) text += "\n" + page.variables(list);
+  for (const auto* const list : {&sheet.coordinates, &sheet.inputs, &sheet.parameters}) {
+    if (!list->empty()) text += "\n" + page.variables(*list);
   }
   for (const SheetOutput& output : sheet.outputs) {
     const std::string& function = output.function;

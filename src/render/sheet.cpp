@@ -83,7 +83,7 @@ std::string title_of(const Function& function) {
 SheetOutput output(const Model& model, const Program& program, std::size_t index) {
   const Function& function = program.functions[index];
   const Heading heading = elgen::heading(model, function);
-  SheetOutput result{title_of(function), function.name, output_doc(model, function),
+  SheetOutput result{title_of(function), function.name, function.kind, output_doc(model, function),
                      heading.definition};
   const FunctionEquations equations = latex_equations(model, program, index);
   for (const EquationLine& line : equations.definitions) {
@@ -112,7 +112,8 @@ Sheet sheet(const Model& model, const Scene& scene, const Program& program,
     const Function& function = program.functions[i];
     const OutputRow& row = output_row(function.kind);
     if (row.steps) {
-      result.outputs.push_back({title_of(function), function.name, output_doc(model, function)});
+      result.outputs.push_back(
+          {title_of(function), function.name, function.kind, output_doc(model, function)});
     }
     if (!has_equations(row)) continue;
     if (!options.zeros && is_zero(program, function)) continue;
@@ -121,8 +122,8 @@ Sheet sheet(const Model& model, const Scene& scene, const Program& program,
     } else {
       const std::string doc =
           fmt::format("{} {} entries.", output_doc(model, function), entry_count(function));
-      result.outputs.push_back(
-          {title_of(function), function.name, doc, elgen::heading(model, function).definition});
+      result.outputs.push_back({title_of(function), function.name, function.kind, doc,
+                                elgen::heading(model, function).definition});
     }
   }
   return result;

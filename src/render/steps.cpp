@@ -196,7 +196,7 @@ Sheet steps_sheet(const Model& model, const Scene& scene, const ReadableSteps& s
       "\\frac{\\partial D}{\\partial \\dot{q}} = Q";
   Outline outline(model, steps);
   for (const DerivationStep& step : outline()) {
-    SheetOutput section{step.title, {}, step.doc, {}, {}};
+    SheetOutput section{.title = step.title, .doc = step.doc};
     for (const StepEquation& equation : step.equations) {
       std::vector<std::string> entries =
           latex_equations(model, steps.program, equation.function).entries[equation.field];

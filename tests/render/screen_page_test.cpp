@@ -19,8 +19,13 @@ Sheet wide_sheet() {
   sheet.equation_of_motion = "M(q) \\ddot{q} = 0";
   sheet.coordinates = {{"\\theta_{1}", "theta1", "rad", "", "angle"}};
   sheet.outputs = {
-      {"Mass matrix", "mass_matrix", "Mass matrix.", "", {{"M", 2, 2, {sum, "b", "b", "1"}}}},
-      {"Gravity", "gravity", "Slope.", "", {{"g", 2, 1, {sum, "0"}}}}};
+      {"Mass matrix",
+       "mass_matrix",
+       OutputKind::mass_matrix,
+       "Mass matrix.",
+       "",
+       {{"M", 2, 2, {sum, "b", "b", "1"}}}},
+      {"Gravity", "gravity", OutputKind::gravity, "Slope.", "", {{"g", 2, 1, {sum, "0"}}}}};
   return sheet;
 }
 

@@ -13,7 +13,8 @@ inline Sheet small_sheet() {
   sheet.description = "100 % of x < y";
   sheet.equation_of_motion = "M \\ddot{q} = 0";
   sheet.parameters = {{"m_{1}", "m1", "kg", "0.5", "mass | of *one*"}};
-  sheet.outputs = {{"Gravity", "gravity", "Slope.", "", {{"g", 2, 1, {"0", "m_{1} g"}}}}};
+  sheet.outputs = {
+      {"Gravity", "gravity", OutputKind::gravity, "Slope.", "", {{"g", 2, 1, {"0", "m_{1} g"}}}}};
   return sheet;
 }
 
