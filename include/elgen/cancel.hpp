@@ -4,11 +4,11 @@
 //               4 = subtract 2 3   5 = velocity q   6 = multiply 4 5   7 = add 6 0     result = 7
 //     after     0 = parameter m                                                        result = 0
 //
-// What cancels on paper but not in the definitions of a recursion is computed as noise: 1e-14 where
-// nothing is. Such a value is found by numbers: at a random point it is below 1e-40 of its error
-// bound, in 60 digits. Where its closed form is the empty sum, that proves it; where not, it has to
-// be so at 64 points, and the entries that rest on it are kept in Function::sampled_zeros, so that
-// nobody takes them for proved.
+// A value that cancels on paper but not in the definitions of a recursion is computed as noise:
+// 1e-14 instead of 0. Such a value is found by numbers: at a random point it is below 1e-40 of its
+// error bound, in 60 digits. It is 0 where its closed form is the empty sum, or where it is
+// analytic and so at 64 points (lower/network/analytic.hpp); the entries that rest on points alone
+// are kept in Function::sampled_zeros.
 #pragma once
 
 #include "elgen/program.hpp"

@@ -90,6 +90,7 @@ struct EntryChange {
   std::string unit = {};   ///< of the entry; "" where it is not known
   EntryVerdict verdict = EntryVerdict::identical;
   bool is_proved = false;       ///< equal: by the closed form of the difference
+  bool is_told_apart = true;    ///< different: not where nothing but a proof is missing
   std::string before = {};      ///< closed forms; "" where there is none
   std::string after = {};       ///< that is short enough to read
   std::string difference = {};  ///< after - before

@@ -9,7 +9,7 @@
 namespace elgen {
 
 enum class FunctionId : std::uint8_t {
-#define ELGEN_FUNCTION(name, arity, use, parity, first, second) name,
+#define ELGEN_FUNCTION(name, arity, use, parity, smoothness, first, second) name,
 #include "elgen/functions.def"
 #undef ELGEN_FUNCTION
 };
@@ -18,17 +18,22 @@ enum class FunctionUse : std::uint8_t { anywhere, forces };
 
 enum class Parity : std::uint8_t { none, even, odd };
 
+/// See functions.def.
+enum class Smoothness : std::uint8_t { everywhere, positive, poles, real, half_plane, branches };
+
 struct FunctionRow {
   FunctionId id;
   std::string_view name;
   std::size_t arity;
   FunctionUse use;
   Parity parity;
+  Smoothness smoothness;
 };
 
 inline constexpr std::array function_table{
-#define ELGEN_FUNCTION(name, arity, use, parity, first, second) \
-  FunctionRow{FunctionId::name, #name, arity, FunctionUse::use, Parity::parity},
+#define ELGEN_FUNCTION(name, arity, use, parity, smoothness, first, second) \
+  FunctionRow{FunctionId::name, #name,          arity,                      \
+              FunctionUse::use, Parity::parity, Smoothness::smoothness},
 #include "elgen/functions.def"
 #undef ELGEN_FUNCTION
 };

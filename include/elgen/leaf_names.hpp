@@ -27,7 +27,10 @@ template <class T, class F, class Single>
 /// with functions that take it.
 struct LeafNames : LeafValues<std::string> {
   bool uses_time = false;
+  std::vector<Assumption> assumptions = {};  ///< of the parameters; empty: none
 };
+
+[[nodiscard]] Assumption assumption_of(const LeafNames& leaves, std::uint32_t parameter);
 
 [[nodiscard]] LeafNames leaf_names(const Model& model);
 

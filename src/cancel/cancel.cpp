@@ -43,22 +43,38 @@ Places outermost(const Function& function, const Places& zeros) {
 /// Zeros of a function that nothing but zeros are made of, by what is known of them.
 struct Zeros {
   Places proved = {};   ///< the closed form is the empty sum
-  Places sampled = {};  ///< at `zero_points` points
+  Places sampled = {};  ///< analytic, and 0 at `zero_points` points
 };
 
-Places selected(const Places& places, const std::vector<bool>& wanted, bool value) {
-  Places result;
+Zeros told_apart(const Program& program, const Function& function, const Places& places) {
+  Zeros zeros;
+  Places open;
+  const std::vector<ZeroProof> proofs = proved_zeros(program, with_entries(function, places));
   for (std::size_t i = 0; i < places.size(); ++i) {
-    if (wanted[i] == value) result.push_back(places[i]);
+    if (proofs[i] == ZeroProof::zero) zeros.proved.push_back(places[i]);
+    if (proofs[i] == ZeroProof::open) open.push_back(places[i]);
   }
-  return result;
+  const std::vector<bool> vanish = vanishing_elsewhere(program, with_entries(function, open));
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    if (vanish[i]) zeros.sampled.push_back(open[i]);
+  }
+  return zeros;
 }
 
-Zeros told_apart(const Program& program, const Function& function, const Places& zeros) {
-  const std::vector<bool> is_proved = proved_zeros(program, with_entries(function, zeros));
-  const Places open = selected(zeros, is_proved, false);
-  const std::vector<bool> vanish = vanishing_elsewhere(program, with_entries(function, open));
-  return {selected(zeros, is_proved, true), selected(open, vanish, true)};
+/// The outermost zeros. Where one of the candidates is none, those that it is made of may be.
+Zeros found_zeros(const Program& program, const Function& function) {
+  const Places candidates = vanishing(program, function);
+  const Places places = outermost(function, candidates);
+  Zeros zeros = told_apart(program, function, places);
+  if (zeros.proved.size() + zeros.sampled.size() == places.size()) return zeros;
+  zeros = told_apart(program, function, candidates);
+  Places all = zeros.proved;
+  all.insert(all.end(), zeros.sampled.begin(), zeros.sampled.end());
+  const std::vector<bool> is_outermost = marked(function, outermost(function, all));
+  const auto is_inside = [&is_outermost](std::uint32_t at) { return !is_outermost[at]; };
+  std::erase_if(zeros.proved, is_inside);
+  std::erase_if(zeros.sampled, is_inside);
+  return zeros;
 }
 
 /// The entries, numbered over all fields, that one of `places` goes into.
@@ -106,9 +122,7 @@ Function without(const Zeros& zeros, const Function& function, Program& program)
 
 Program cancel(Program program) {
   for (Function& function : program.functions) {
-    const Places places = outermost(function, vanishing(program, function));
-    if (places.empty()) continue;
-    const Zeros zeros = told_apart(program, function, places);
+    const Zeros zeros = found_zeros(program, function);
     if (zeros.proved.empty() && zeros.sampled.empty()) continue;
     function = without(zeros, function, program);
   }

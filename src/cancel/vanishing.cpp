@@ -1,7 +1,7 @@
-// An analytic function that is zero at a random point is zero. Three things are guarded against:
-// functions with kinks, which may be zero in a whole region, are unknowns of their own; where 64
+// An analytic function that is zero at random points is zero. Three things are guarded against:
+// values that are not analytic are variables of their own (lower/network/analytic.hpp); where 64
 // digits hide a difference (1 - tanh(500), 1 + 1e-70 - 1) nothing is concluded; nor is it from a
-// point at which what a value goes into is undefined.
+// point at which something that depends on a value is undefined.
 #include "cancel/vanishing.hpp"
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include "base/random.hpp"
 #include "evaluate/bounded.hpp"
 #include "lower/graph/prune.hpp"
+#include "lower/network/analytic.hpp"
 
 namespace elgen {
 namespace {
@@ -34,7 +35,14 @@ LeafValues<Bound> random_point(const LeafNames& leaves, Random& random) {
   return point;
 }
 
-bool has_kink(const Instruction& i) { return i.opcode == Opcode::call && is_kinked(i.function); }
+/// The functions with kinks, which may be zero in a whole region. Roots are computed.
+std::vector<bool> kinks(const Function& function) {
+  std::vector<bool> result;
+  for (const Instruction& i : function.instructions) {
+    result.push_back(i.opcode == Opcode::call && is_kinked(i.function));
+  }
+  return result;
+}
 
 /// A sum of which one term is so small beside the other that twenty digits of it are gone, or a
 /// function that its argument hardly moves, or moves so much that its own digits are gone.
@@ -70,17 +78,18 @@ Bound settled(const Instruction& i, const Values& values, Bound x) {
   return vanishes ? leaf_bound(Real(), true) : x;
 }
 
-/// The instructions that are `needed`, at the next random point.
+/// The instructions that are `needed`, at the next random point; the `variables` among them are
+/// drawn, not computed.
 Values run(const Program& program, const Function& function, const std::vector<bool>& needed,
-           Random& random) {
+           const std::vector<bool>& variables, Random& random) {
   const LeafValues<Bound> point = random_point(program.leaves, random);
   const BoundRules rules{point, rounding<double>()};
   Values values(function.instructions.size());
   for (std::size_t at = 0; at < values.size(); ++at) {
     if (!needed[at]) continue;
     const Instruction& i = function.instructions[at];
-    values[at] = has_kink(i) ? drawn(cln::abs(random.rational()))
-                             : settled(i, values, folded(rules, program, i, values));
+    values[at] = variables[at] ? drawn(cln::abs(random.rational()))
+                               : settled(i, values, folded(rules, program, i, values));
   }
   return values;
 }
@@ -98,9 +107,9 @@ std::vector<bool> needed_for_undefined(const Function& function, const Values& v
 /// Of `candidates` those that vanish at one more point, too.
 std::vector<std::uint32_t> still_vanishing(const Program& program, const Function& function,
                                            const std::vector<std::uint32_t>& candidates,
-                                           Random& random) {
+                                           const std::vector<bool>& variables, Random& random) {
   const std::vector<bool> needed = needed_for(function, candidates);
-  const Values values = run(program, function, needed, random);
+  const Values values = run(program, function, needed, variables, random);
   const std::vector<bool> excluded = needed_for_undefined(function, values, needed);
   std::vector<std::uint32_t> result;
   for (const std::uint32_t at : candidates) {
@@ -118,15 +127,16 @@ std::vector<std::uint32_t> vanishing(const Program& program, const Function& fun
     if (operand_count(function.instructions[at]) > 0) operations.push_back(at);
   }
   Random random(first_seed);
-  return still_vanishing(program, function, operations, random);
+  return still_vanishing(program, function, operations, kinks(function), random);
 }
 
 std::vector<bool> vanishing_elsewhere(const Program& program, const Function& function) {
   const std::vector<std::uint32_t> entries = entries_of(function);
+  const std::vector<bool> variables = unknowns(program, function);
   std::vector<std::uint32_t> left = entries;
   Random random(other_seed);
   for (std::size_t i = 1; i < zero_points && !left.empty(); ++i) {
-    left = still_vanishing(program, function, left, random);
+    left = still_vanishing(program, function, left, variables, random);
   }
   std::vector<bool> result;
   for (const std::uint32_t at : entries) {

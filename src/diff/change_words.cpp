@@ -99,6 +99,7 @@ std::string text_of(const EntryChange& entry) {
   const std::string change = change_text(entry);
   std::string text = entry.place + (change.empty() ? " differs" : " = " + change);
   if (!entry.difference.empty()) text += fmt::format(", difference {}", entry.difference);
+  if (!entry.is_told_apart) text += fmt::format(", not told apart at {} points", zero_points);
   return text;
 }
 

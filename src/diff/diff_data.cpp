@@ -44,6 +44,7 @@ Json json_of(const EntryChange& entry) {
   Json json{{"id", entry.place}, {"verdict", name_of(entry.verdict)}};
   if (entry.verdict == EntryVerdict::equal) json["proved"] = entry.is_proved;
   if (entry.verdict != EntryVerdict::different) return json;
+  json["told_apart"] = entry.is_told_apart;
   json["unit"] = entry.unit;
   for (const auto& [key, text] : {std::pair("before", &entry.before),
                                   {"after", &entry.after},

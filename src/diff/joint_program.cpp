@@ -16,6 +16,11 @@ LeafNames with_renames(LeafNames names, const Renames& renames) {
   return names;
 }
 
+Assumption weaker(Assumption x, Assumption y) {
+  if (x == Assumption::none || y == Assumption::none) return Assumption::none;
+  return x == y ? x : Assumption::nonnegative;
+}
+
 /// Copies the instructions of a function, and where its entries came to be.
 class Copy {
  public:
@@ -70,6 +75,7 @@ auto JointProgram::add(const LeafNames& names) -> LeafPlaces {
   LeafNames& joint = joint_.leaves;
   joint.uses_time = joint.uses_time || names.uses_time;
   LeafPlaces places;
+  const std::size_t known_before = joint.parameters.size();
 #define ELGEN_LEAVES(kind, member, ...)                                                \
   for (const std::string& name : names.member) {                                       \
     const auto found = std::ranges::find(joint.member, name);                          \
@@ -81,6 +87,13 @@ auto JointProgram::add(const LeafNames& names) -> LeafPlaces {
 #include "elgen/leaves.def"
 #undef ELGEN_LEAVES
 #undef ELGEN_LEAF
+  // Of a parameter that both have, what both assume.
+  joint.assumptions.resize(joint.parameters.size(), Assumption::none);
+  for (std::uint32_t i = 0; i < names.parameters.size(); ++i) {
+    Assumption& assumption = joint.assumptions[places.parameters[i]];
+    const Assumption one = assumption_of(names, i);
+    assumption = places.parameters[i] < known_before ? weaker(assumption, one) : one;
+  }
   return places;
 }
 

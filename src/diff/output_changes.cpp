@@ -17,20 +17,6 @@
 namespace elgen {
 namespace {
 
-/// Which parameters both versions take for positive.
-std::vector<bool> positive_in_both(const Model& before, const Model& after,
-                                   const LeafNames& joint) {
-  const auto positive = [](const Model& model, const std::string& name) {
-    const auto found = std::ranges::find(model.parameters, name, &Parameter::name);
-    return found == model.parameters.end() || found->assumption != Assumption::none;
-  };
-  std::vector<bool> both;
-  for (const std::string& name : joint.parameters) {
-    both.push_back(positive(before, name) && positive(after, name));
-  }
-  return both;
-}
-
 const Function* find_named(const Program& program, const std::string& name) {
   const auto found = std::ranges::find(program.functions, name, &Function::name);
   return found == program.functions.end() ? nullptr : &*found;
@@ -52,9 +38,7 @@ class OutputComparison {
         after_(after),
         renames_(renames),
         values_(values),
-        joint_(before.program, after.program, renames),
-        positive_(
-            positive_in_both(before.checked.model, after.checked.model, joint_.program().leaves)) {}
+        joint_(before.program, after.program, renames) {}
 
   std::vector<OutputChange> operator()() {
     std::vector<OutputChange> all;
@@ -121,11 +105,12 @@ class OutputComparison {
     std::vector<std::uint32_t> differences;
     for (const Pair& pair : open) differences.push_back(pair.difference);
     const Program& program = joint_.program();
-    const std::vector<Zero> found = zeros(program, with_entries(function, differences), positive_);
+    const std::vector<Zero> found = zeros(program, with_entries(function, differences));
     std::vector<Pair> different;
     for (std::size_t i = 0; i < open.size(); ++i) {
       EntryChange& entry = change.entries[open[i].number];
-      if (found[i] == Zero::no) {
+      if (found[i] == Zero::no || found[i] == Zero::not_decided) {
+        entry.is_told_apart = found[i] == Zero::no;
         different.push_back(open[i]);
         continue;
       }
@@ -158,7 +143,6 @@ class OutputComparison {
   const Renames& renames_;
   const ParameterValues& values_;
   JointProgram joint_;
-  std::vector<bool> positive_;
 };
 
 }  // namespace

@@ -1,12 +1,15 @@
-// zeros: kinks are computed, not guessed, so that |x| and |-x| are one.
+// zeros: sampled twice where values are not analytic (lower/network/analytic.hpp): as variables of
+// their own, which decides, and as computed, which tells a difference from an open question.
 #include "diff/zeros.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "base/random.hpp"
 #include "elgen/fold.hpp"
 #include "evaluate/bounded.hpp"
 #include "lower/graph/prune.hpp"
+#include "lower/network/analytic.hpp"
 #include "present/proved_zeros.hpp"
 
 namespace elgen {
@@ -21,14 +24,17 @@ enum class Seen : std::uint8_t { nothing, zero, other };
 
 class PointDrawer {
  public:
-  PointDrawer(const Program& program, const std::vector<bool>& positive)
-      : program_(program), positive_(positive) {}
+  explicit PointDrawer(const Program& program) : program_(program) {}
 
-  /// All entries of the function at the next point.
-  std::vector<Seen> operator()(const Function& function) {
+  /// All entries of the function at the next point. The `variables` are drawn, not computed.
+  std::vector<Seen> operator()(const Function& function, const std::vector<bool>& variables) {
     const LeafValues<Bound> point = next_point();
-    const auto values =
-        fold<Bound>(RunningBoundRules{{point, rounding<double>()}}, program_, function);
+    const RunningBoundRules rules{{point, rounding<double>()}};
+    std::vector<Bound> values;
+    for (std::size_t at = 0; at < function.instructions.size(); ++at) {
+      values.push_back(variables[at] ? drawn()
+                                     : folded(rules, program_, function.instructions[at], values));
+    }
     std::vector<Seen> seen;
     for (const std::uint32_t entry : entries_of(function)) {
       seen.push_back(judged(function.instructions[entry], values, values[entry]));
@@ -37,12 +43,23 @@ class PointDrawer {
   }
 
  private:
+  Bound drawn() { return leaf_bound(random_.rational() * scale(), rounding<double>()); }
+
+  /// In turn, so that what differs for large or small values only is seen, too.
+  [[nodiscard]] cln::cl_RA scale() const {
+    static const std::array<cln::cl_RA, 3> scales{1, 1000, cln::cl_RA(1) / 1000};
+    return scales[points_ / 2 % scales.size()];
+  }
+
+  /// Parameters without an assumption are positive at every second point, since most masses and
+  /// lengths have to be.
   LeafValues<Bound> next_point() {
-    const auto draw = [this] { return leaf_bound(random_.rational(), rounding<double>()); };
-    LeafValues<Bound> point = draw_leaves(program_.leaves, draw);
-    const bool is_positive = ++points_ % 2 != 0;
-    for (std::size_t i = 0; i < point.parameters.size(); ++i) {
-      if (is_positive || positive_[i]) point.parameters[i].value = abs(point.parameters[i].value);
+    LeafValues<Bound> point = draw_leaves(program_.leaves, [this] { return drawn(); });
+    const bool is_positive = points_++ % 2 == 0;
+    for (std::uint32_t i = 0; i < point.parameters.size(); ++i) {
+      const bool is_assumed = assumption_of(program_.leaves, i) != Assumption::none;
+      Bound& parameter = point.parameters[i];
+      if (is_positive || is_assumed) parameter.value = abs(parameter.value);
     }
     return point;
   }
@@ -62,7 +79,6 @@ class PointDrawer {
   }
 
   const Program& program_;
-  const std::vector<bool>& positive_;
   Random random_{seed_of_zeros};
   std::size_t points_ = 0;
 };
@@ -88,11 +104,12 @@ constexpr PresentBudget zeros_budget{
     .products_per_function = 10'000, .products = 40'000, .terms = 1'000};
 
 /// Whether each entry is zero at as many points as are asked for, of those at which it has a value.
-std::vector<bool> zero_everywhere(const Function& function, PointDrawer& draw) {
+std::vector<bool> zero_everywhere(const Function& function, const std::vector<bool>& variables,
+                                  PointDrawer& draw) {
   std::vector<std::size_t> zeros(entry_count(function));
   std::vector<bool> may_vanish(zeros.size(), true);
   for (std::size_t tried = 0; tried < most_tries; ++tried) {
-    const std::vector<Seen> seen = draw(function);
+    const std::vector<Seen> seen = draw(function, variables);
     for (std::size_t i = 0; i < seen.size(); ++i) {
       zeros[i] += seen[i] == Seen::zero ? 1 : 0;
       if (seen[i] == Seen::other) may_vanish[i] = false;
@@ -109,25 +126,37 @@ std::vector<bool> zero_everywhere(const Function& function, PointDrawer& draw) {
   return may_vanish;
 }
 
+/// The verdict on every entry of a function that nothing is proved of.
+std::vector<Zero> sampled(const Program& program, const Function& function, PointDrawer& draw) {
+  const std::vector<bool> variables = unknowns(program, function);
+  const std::vector<bool> none(variables.size(), false);
+  const std::vector<bool> vanish = zero_everywhere(function, variables, draw);
+  const bool is_analytic = std::ranges::count(variables, true) == 0;
+  const std::vector<bool> agree = is_analytic ? vanish : zero_everywhere(function, none, draw);
+  std::vector<Zero> result;
+  for (std::size_t i = 0; i < vanish.size(); ++i) {
+    result.push_back(vanish[i] ? Zero::sampled : agree[i] ? Zero::not_decided : Zero::no);
+  }
+  return result;
+}
+
 }  // namespace
 
-std::vector<Zero> zeros(const Program& program, const Function& function,
-                        const std::vector<bool>& positive) {
-  PointDrawer draw(program, positive);
+std::vector<Zero> zeros(const Program& program, const Function& function) {
+  PointDrawer draw(program);
   std::vector<Zero> result(entry_count(function), Zero::no);
-  const std::vector<std::size_t> left = candidates(draw(function));
+  const std::vector<bool> none(function.instructions.size(), false);
+  const std::vector<std::size_t> left = candidates(draw(function, none));
   if (left.empty()) return result;
-  const std::vector<bool> is_proved = proved_zeros(program, only(function, left), zeros_budget);
+  const std::vector<ZeroProof> proofs = proved_zeros(program, only(function, left), zeros_budget);
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < left.size(); ++i) {
-    if (is_proved[i]) result[left[i]] = Zero::proved;
-    if (!is_proved[i]) open.push_back(left[i]);
+    if (proofs[i] == ZeroProof::zero) result[left[i]] = Zero::proved;
+    if (proofs[i] == ZeroProof::open) open.push_back(left[i]);
   }
   if (open.empty()) return result;
-  const std::vector<bool> vanish = zero_everywhere(only(function, open), draw);
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    if (vanish[i]) result[open[i]] = Zero::sampled;
-  }
+  const std::vector<Zero> verdicts = sampled(program, only(function, open), draw);
+  for (std::size_t i = 0; i < open.size(); ++i) result[open[i]] = verdicts[i];
   return result;
 }
 

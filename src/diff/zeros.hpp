@@ -1,4 +1,4 @@
-// zeros: which entries of a function vanish at all states, proved or at 64 random points.
+// zeros: which entries of a function vanish at all states, by proof or by points.
 #pragma once
 
 #include "elgen/diff.hpp"
@@ -6,16 +6,16 @@
 
 namespace elgen {
 
+/// A value vanishes at a point where |x| <= 1e-45 B in 64 digits, B of its error bound u B.
 enum class Zero : std::uint8_t {
   no,
-  sampled,  ///< |x| <= 1e-45 B at `zero_points` points, in 64 digits, B of its error bound u B
-  proved,   ///< its closed form is the empty sum
+  not_decided,  ///< vanishes at `zero_points` points, but is not analytic: another may tell
+  sampled,      ///< analytic (lower/network/analytic.hpp), and vanishes at `zero_points` points
+  proved,       ///< its closed form is the empty sum
 };
 
-/// Of every entry, in the order of the fields. Parameters that are `positive` (by their numbers)
-/// are drawn so; the others at every second point, since most masses and lengths have to be. Cost:
-/// the function once in 64 digits; what vanishes there is proved, or sampled 63 times more.
-[[nodiscard]] std::vector<Zero> zeros(const Program& program, const Function& function,
-                                      const std::vector<bool>& positive);
+/// Of every entry, in the order of the fields. Cost: the function once in 64 digits; the values
+/// that vanish there are proved, or sampled 63 times more, twice where they are not analytic.
+[[nodiscard]] std::vector<Zero> zeros(const Program& program, const Function& function);
 
 }  // namespace elgen

@@ -80,7 +80,7 @@ template <class Base>
     [[maybe_unused]] const Base one = ScalarTraits<Base>::from_real(1);            \
     return {f, (first)*left.slope + (second)*right.slope};                         \
   }
-#define ELGEN_FUNCTION(name, arity, use, parity, first, second) \
+#define ELGEN_FUNCTION(name, arity, use, parity, smoothness, first, second) \
   ELGEN_DUAL_##arity(name, first, second)
 #include "elgen/functions.def"
 #undef ELGEN_FUNCTION

@@ -107,7 +107,7 @@ Real sqrt(const Real& x) {
   Real name(const Real& x) { return called(FunctionId::name, x, x); }
 #define ELGEN_REAL_2(name) \
   Real name(const Real& x, const Real& y) { return called(FunctionId::name, x, y); }
-#define ELGEN_FUNCTION(name, arity, use, parity, first, second) ELGEN_REAL_##arity(name)
+#define ELGEN_FUNCTION(name, arity, use, parity, smoothness, first, second) ELGEN_REAL_##arity(name)
 #include "elgen/functions.def"
 #undef ELGEN_FUNCTION
 #undef ELGEN_REAL_2

@@ -34,8 +34,8 @@ ex call(FunctionId function, const ex& x, const ex& y) {
   switch (function) {
 #define ELGEN_CALL_1(name) name(x)
 #define ELGEN_CALL_2(name) name(x, y)
-#define ELGEN_FUNCTION(name, arity, use, parity, first, second) \
-  case FunctionId::name:                                        \
+#define ELGEN_FUNCTION(name, arity, use, parity, smoothness, first, second) \
+  case FunctionId::name:                                                    \
     return ELGEN_CALL_##arity(name);
 #include "elgen/functions.def"
 #undef ELGEN_FUNCTION

@@ -17,6 +17,15 @@ std::string list_line(std::string_view word, const std::vector<std::string>& nam
   return names.empty() ? "" : fmt::format("{} {}\n", word, fmt::join(names, " "));
 }
 
+/// The parameters of which that is assumed.
+std::string assumption_line(std::string_view word, const LeafNames& leaves, Assumption wanted) {
+  std::vector<std::string> names;
+  for (std::uint32_t i = 0; i < leaves.parameters.size(); ++i) {
+    if (assumption_of(leaves, i) == wanted) names.push_back(leaves.parameters[i]);
+  }
+  return list_line(word, names);
+}
+
 /// Without spaces, so that it is one word of a line.
 std::string constant_text(const Constant& constant) {
   std::string text = text_of(constant.form);
@@ -72,6 +81,8 @@ std::string function_text(const Program& program, const Function& function) {
 
 std::string dump(const Program& program) {
   std::string text = list_line("parameters", program.leaves.parameters) +
+                     assumption_line("positive", program.leaves, Assumption::positive) +
+                     assumption_line("nonnegative", program.leaves, Assumption::nonnegative) +
                      list_line("coordinates", program.leaves.q);
   // Where nothing rotates, velocities are called as their coordinates.
   if (program.leaves.v != program.leaves.q) {

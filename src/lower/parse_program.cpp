@@ -57,6 +57,8 @@ class ProgramReader {
     const Words words = split(line.substr(0, comment));
     if (words.empty()) return "";
     if (words[0] == "parameters") return read_names(words, LeafOwner::parameters);
+    if (words[0] == "positive") return read_assumption(words, Assumption::positive);
+    if (words[0] == "nonnegative") return read_assumption(words, Assumption::nonnegative);
     if (words[0] == "coordinates") return read_coordinates(words);
     if (words[0] == "velocities") return read_names(words, LeafOwner::velocities);
     if (words[0] == "inputs") return read_names(words, LeafOwner::inputs);
@@ -81,6 +83,17 @@ class ProgramReader {
       if (row.of == owner) names.assign(words.begin() + 1, words.end());
     };
     for_each_list(assign, program_.leaves);
+    return "";
+  }
+
+  std::string read_assumption(const Words& words, Assumption assumption) {
+    LeafNames& leaves = program_.leaves;
+    leaves.assumptions.resize(leaves.parameters.size(), Assumption::none);
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      const auto parameter = leaf_index(Opcode::parameter, words[i]);
+      if (!parameter) return fmt::format("`{}` is no parameter", words[i]);
+      leaves.assumptions[*parameter] = assumption;
+    }
     return "";
   }
 

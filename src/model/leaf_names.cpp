@@ -10,7 +10,13 @@ namespace elgen {
 LeafNames leaf_names(const Model& model) {
   const auto name = [](Opcode, const auto& entry) { return entry.name; };
   const auto single = [](Opcode kind) { return kind == Opcode::time ? "t" : ""; };
-  return {leaves_of<std::string>(model, name, single), model.uses_time};
+  LeafNames leaves{leaves_of<std::string>(model, name, single), model.uses_time};
+  for (const Parameter& p : model.parameters) leaves.assumptions.push_back(p.assumption);
+  return leaves;
+}
+
+Assumption assumption_of(const LeafNames& leaves, std::uint32_t parameter) {
+  return leaves.assumptions.empty() ? Assumption::none : leaves.assumptions[parameter];
 }
 
 std::string leaf_text(const LeafNames& leaves, Opcode kind, std::uint32_t number) {

@@ -78,8 +78,8 @@ JetFunctions::Gradient JetFunctions::gradient(FunctionId function, const Jet& x,
   const auto cosh = [this](const Jet& z) { return value(FunctionId::cosh, z); };
   const auto sqrt = [this](const Jet& z) { return power(z, cl_RA(1) / 2); };
   switch (function) {
-#define ELGEN_FUNCTION(name, arity, use, parity, first, second) \
-  case FunctionId::name:                                        \
+#define ELGEN_FUNCTION(name, arity, use, parity, smoothness, first, second) \
+  case FunctionId::name:                                                    \
     return {first, second};
 #include "elgen/functions.def"
 #undef ELGEN_FUNCTION

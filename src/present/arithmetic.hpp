@@ -11,6 +11,9 @@ namespace elgen {
 
 using Value = std::optional<Fraction>;
 
+/// Angles are held in twelfths of their monomials, so that halves, thirds and quarters are powers.
+inline constexpr int angle_parts = 12;
+
 [[nodiscard]] Fraction fraction_of(const Polynomial& numerator);
 [[nodiscard]] Fraction fraction_of(const cln::cl_RA& value);
 

@@ -48,8 +48,8 @@ std::vector<ArithmeticValue> slopes(FunctionId function, const ArithmeticValue& 
                                     const ArithmeticValue& y, const ArithmeticValue& f) {
   const ArithmeticValue one{f.arithmetic, fraction_of(cl_RA(1))};
   switch (function) {
-#define ELGEN_FUNCTION(name, arity, use, parity, first, second) \
-  case FunctionId::name:                                        \
+#define ELGEN_FUNCTION(name, arity, use, parity, smoothness, first, second) \
+  case FunctionId::name:                                                    \
     return {first, second};
 #include "elgen/functions.def"
 #undef ELGEN_FUNCTION

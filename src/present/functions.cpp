@@ -15,9 +15,6 @@ using cln::cl_RA;
 
 namespace {
 
-/// Angles are held in twelfths of their monomials, so that halves, thirds and quarters are powers.
-constexpr int parts = 12;
-
 /// Larger primes stay together under one root.
 constexpr int largest_prime = 10'000;
 
@@ -107,7 +104,7 @@ Value Arithmetic::circle_twelfths(long twelfths) {
 
 /// e^(i coefficient monomial)
 Value Arithmetic::exponential_of_term(const Monomial& monomial, const cl_RA& coefficient) {
-  const cl_RA twelfths = coefficient * parts;
+  const cl_RA twelfths = coefficient * angle_parts;
   const cl_I divisor = cln::denominator(twelfths);
   const cl_I exponent = cln::numerator(twelfths);
   if (cln::abs(exponent) > 1'000'000) return std::nullopt;
@@ -116,7 +113,7 @@ Value Arithmetic::exponential_of_term(const Monomial& monomial, const cl_RA& coe
     return circle_twelfths(power);
   }
   const Fraction unit = atom({.kind = AtomKind::circular,
-                              .divisor = cl_RA(divisor) * parts,
+                              .divisor = cl_RA(divisor) * angle_parts,
                               .arguments = {fraction_of(Polynomial{{monomial, Gaussian{1, 0}}})}});
   const Monomial base = unit.numerator.begin()->first;
   return fraction_of(

@@ -22,7 +22,7 @@ struct DerivativeRow {
   const char* second;
 };
 constexpr DerivativeRow derivatives[] = {
-#define ELGEN_FUNCTION(name, arity, use, parity, first, second) {#first, #second},
+#define ELGEN_FUNCTION(name, arity, use, parity, smoothness, first, second) {#first, #second},
 #include "elgen/functions.def"
 #undef ELGEN_FUNCTION
 };

@@ -84,6 +84,20 @@ TEST_CASE("a function with a kink may be zero in a region and is not zero") {
   CHECK(places("  0 = coordinate x\n  1 = abs 0\n  2 = subtract 1 0\n  result 1 1 = 2\n").empty());
 }
 
+TEST_CASE("a root may have the other sign elsewhere, and so may an angle") {
+  // x + sqrt(x^2) and sqrt(x^2) - x; asin(sin(x)) - x
+  CHECK(elsewhere("  0 = coordinate x\n  1 = multiply 0 0\n  2 = square_root 1\n  3 = add 0 2\n"
+                  "  4 = subtract 2 0\n  result 1 2 = 3 4\n") == std::vector<bool>{false, false});
+  CHECK(elsewhere("  0 = coordinate x\n  1 = sin 0\n  2 = asin 1\n  3 = subtract 2 0\n"
+                  "  result 1 1 = 3\n") == std::vector<bool>{false});
+}
+
+TEST_CASE("the logarithm of what is positive is analytic") {
+  // log(exp(x)) - x
+  CHECK(elsewhere("  0 = coordinate x\n  1 = exp 0\n  2 = log 1\n  3 = subtract 2 0\n"
+                  "  result 1 1 = 3\n") == std::vector<bool>{true});
+}
+
 TEST_CASE("what goes into something undefined is left alone") {
   CHECK(places(difference_of_squares + "  9 = divide 0 8\n  result 1 2 = 9 8\n").empty());
   CHECK(elsewhere(difference_of_squares + "  9 = divide 0 8\n  result 1 2 = 9 8\n") ==

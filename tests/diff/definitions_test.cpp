@@ -56,8 +56,9 @@ const Rewriting definitions[]{
      "[energy]\nT = \"A*(dot(q1)^2 + dot(q2)^2)\"\n"
      "D = \"C*(dot(q1)^2/2 + dot(q2)^2/2 - dot(q1)*dot(q2))\"\n",
      "C*(dot", "1.000000000001*C*(dot"},
-    {"a relativistic particle", "x", 0, "[energy]\nL = \"-m*c^2*sqrt(1 - dot(x)^2/c^2) - k*x\"\n",
-     "[energy]\nL = \"-m*c*sqrt(c^2 - dot(x)^2) - k*x\"\n", "-m*c*", "-m*c^2*"},
+    {"a length that is never 0", "x", 0,
+     "[energy]\nT = \"1/2*m*dot(x)^2\"\nV = \"k*c^2*sqrt(1 + x^2/c^2)\"\n",
+     "[energy]\nT = \"1/2*m*dot(x)^2\"\nV = \"k*c*sqrt(c^2 + x^2)\"\n", "k*c*", "k*c^2*"},
     {"a force with an input", "q", 0,
      "[energy]\nT = \"1/2*A*dot(q)^2\"\n[[input]]\nname = \"u\"\n"
      "[[force]]\non = \"q\"\nvalue = \"u*cos(q)^2 - k*dot(q)\"\n",
