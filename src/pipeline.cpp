@@ -45,12 +45,9 @@ std::vector<SourcePointer> sources_of(const EmittedFiles& files) {
   return sources;
 }
 
-/// A quarter of the generation time, and at least 20 ms: enough states to notice, too few to wait
-/// for.
-Result<SelfCheck> checked(const CheckedModel& checked, const Program& program, const Program& parts,
-                          double generation) {
-  SelfCheck check =
-      self_check(checked.model, checked.scene, program, std::max(0.02, generation / 4), &parts);
+Result<SelfCheck> checked(const CheckedModel& checked, const Program& program,
+                          const Program& parts) {
+  SelfCheck check = self_check(checked.model, checked.scene, program, &parts);
   if (check.failure.empty()) return check;
   if (check.lacks_value) {
     return Diagnostic{Code::E521, check.place.value_or(Span{}), check.failure,
@@ -170,13 +167,10 @@ class Compilation {
 
   Stage<Program> parts_{run_, "parts", std::tie(lagrangian_, checked_, recursive_), parts};
 
-  /// Its share of the time that all before it took.
   Stage<SelfCheck> self_check_{
       run_, "self-check", std::tie(checked_, choice_, recursive_, readback_),
-      [this](const CheckedModel& c, const Choice& chosen, const Program& p, const Readback&) {
-        double generation = 0;
-        for (const StageTime& time : run_.times) generation += time.seconds;
-        return checked(c, chosen.program, known_parts(c, p), generation);
+      [](const CheckedModel& c, const Choice& chosen, const Program& p, const Readback&) {
+        return checked(c, chosen.program, known_parts(c, p));
       }};
 };
 

@@ -130,9 +130,9 @@ struct Verification {
 /// What to_json gives, as JSON Schema.
 [[nodiscard]] std::string certificate_schema();
 
-/// The check that precedes every write: every output projected on random rational vectors, as many
-/// states (2 … 32) as fit into `seconds`; one where it takes longer by itself. `parts` as in
-/// VerifyOptions.
+/// The check that precedes every write: every output projected on random rational vectors at 4 to 32
+/// states, fewer of long programs. States outside the domain are drawn anew, up to 256 in all.
+/// `parts` as in VerifyOptions.
 struct SelfCheck {
   std::size_t states = 0;  ///< at which an output was compared
   /// Largest error in u B, of the closed form, or of the recursive program; none where rounding has
@@ -146,7 +146,7 @@ struct SelfCheck {
   std::optional<Span> place = {};  ///< then: the first expression of it that is
 };
 [[nodiscard]] SelfCheck self_check(const Model& model, const Scene& scene, const Program& program,
-                                   double seconds, const Program* parts = nullptr);
+                                   const Program* parts = nullptr);
 
 /// "checked 32 states against 60 digits: 2.1 uB", or "without a bound of rounding"; "; 3 outside
 /// the domain" where some are; and "2 entries rest on zeros found at 64 points, not proved".

@@ -31,8 +31,10 @@ struct Residual {
 State varied_state(const Inspected& subject, unsigned seed) {
   Random random(seed);
   State state = nominal_state(subject.model, subject.scene);
-  if (seed > 0) draw_parameters(subject.scene.specialisation.fixed, random, state);
-  draw_motion(subject.model, random, state);
+  if (seed > 0) {
+    draw_parameters(subject.model, subject.scene.specialisation.fixed, random, seed, state);
+  }
+  draw_motion(subject.model, random, seed, state);
   return state;
 }
 

@@ -3,6 +3,8 @@
 
 #include <cln/exception.h>
 
+#include <array>
+
 #include "base/more_digits.hpp"
 #include "base/random.hpp"
 #include "elgen/leaf_names.hpp"
@@ -37,9 +39,20 @@ auto guarded(const Computation& computation) -> std::optional<decltype(computati
   return value;
 }
 
-cl_R within(const std::optional<Interval>& range, Random& random) {
-  const cln::cl_RA r = random.rational();
-  return range ? range->low + (range->high - range->low) * cln::abs(r) : cl_R(r);
+const cln::cl_RA half_turn = cln::cl_RA(355) / 113;  // rational, so that states are exact
+
+/// Lengths, rates and forces without a range have one of these magnitudes, in turn.
+const std::array<cln::cl_RA, 3>& scales() {
+  static const std::array<cln::cl_RA, 3> all{1, cln::cl_RA(1) / 1000, 1000};
+  return all;
+}
+
+cl_R within(const Interval& range, Random& random) {
+  return range.low + (range.high - range.low) * cln::abs(random.rational());
+}
+
+bool is_angle(const Model& model, Opcode kind, std::uint32_t number) {
+  return kind == Opcode::coordinate && model.coordinates[number].unit_text == "rad";
 }
 
 }  // namespace
@@ -56,19 +69,31 @@ State nominal_state(const Model& model, const Scene& scene) {
   return state;
 }
 
-void draw_parameters(const FixedParameters& fixed, Random& random, State& state) {
+void draw_parameters(const Model& model, const FixedParameters& fixed, Random& random,
+                     std::size_t turn, State& state) {
   for (std::uint32_t i = 0; i < state.parameters.size(); ++i) {
     if (fixed.count(i) > 0) continue;
     cl_R& parameter = state.parameters[i];
+    const auto range = declared_range(model, Opcode::parameter, i);
+    if (range && turn % 2 != 0) {
+      parameter = within(*range, random);
+      continue;
+    }
     const cln::cl_RA r = cln::abs(random.rational());
     parameter = cln::zerop(parameter) ? cl_R(r) : parameter * (cln::cl_RA(1) / 2 + r * 3 / 2);
+    if (range) parameter = cln::max(range->low, cln::min(range->high, parameter));
   }
 }
 
-void draw_motion(const Model& model, Random& random, State& state) {
+void draw_motion(const Model& model, Random& random, std::size_t turn, State& state) {
+  const cln::cl_RA& scale = scales()[turn % scales().size()];
   const auto draw = [&](Opcode kind, std::uint32_t number, cl_R& value) {
     if (kind == Opcode::parameter || kind == Opcode::step) return;
-    value = within(declared_range(model, kind, number), random);
+    if (const auto range = declared_range(model, kind, number)) {
+      value = within(*range, random);
+    } else {
+      value = random.rational() * (is_angle(model, kind, number) ? half_turn : scale);
+    }
   };
   for_each_leaf(draw, state);
   make_unit_quaternions(model, state);

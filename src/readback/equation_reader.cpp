@@ -43,7 +43,7 @@ std::vector<Arguments<Real>> comparison_states(const Model& model) {
   Random random(1);
   while (states.size() < state_count) {
     State state = nominal_state(model, {});
-    draw_motion(model, random, state);
+    draw_motion(model, random, 0, state);
     states.push_back(map_leaves([](const cln::cl_R& value) { return Real(value); }, state));
   }
   return states;

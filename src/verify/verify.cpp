@@ -1,5 +1,7 @@
 // verify: oracle, program and compiled code of one scene, compared row by row. Each kind of check
 // lives in a file of its own; here is only the order of the certificate.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <type_traits>
 #include <utility>
@@ -10,6 +12,7 @@
 #include "verify/bounds/accuracy.hpp"
 #include "verify/bounds/sampled_zeros.hpp"
 #include "verify/compiled_code.hpp"
+#include "verify/states/kinks.hpp"
 #include "verify/structure/expectations.hpp"
 #include "verify/structure/structure.hpp"
 
@@ -94,6 +97,36 @@ std::vector<SampledState<Scalar>> states_for(const Subject& subject, const Verif
   return some;
 }
 
+/// Adds states on the sides of kinks that none of them lies on. Returns the kinks that are left.
+template <class Scalar>
+std::string add_sides(const Subject& subject, const VerifyOptions& options,
+                      std::vector<SampledState<Scalar>>& states) {
+  Kinks kinks(subject.model);
+  for (const auto& state : states) {
+    if (kinks.are_seen()) return {};
+    kinks.add(exact_state(subject, state.values));
+  }
+  StateSequence<Scalar> more(subject, {most_draws_for_kinks, options.seed + 1, false});
+  while (!kinks.are_seen()) {
+    auto state = more.next();
+    if (!state) break;
+    if (kinks.add(exact_state(subject, state->values))) states.push_back(std::move(*state));
+  }
+  return kinks.unseen();
+}
+
+CertificateRow one_sided(const std::string& kinks, std::size_t states) {
+  CertificateRow row;
+  row.check = "both sides of kinks";
+  row.output = row.subject = "forces";
+  row.formula = "the sign of x in abs(x), sign(x), and of x - y in min(x, y), max(x, y)";
+  row.samples = states;
+  row.worst = "not seen on both sides: " + kinks;
+  row.tolerance = fmt::format("both signs in {} draws", most_draws_for_kinks);
+  row.verdict = Verdict::noted;
+  return row;
+}
+
 std::vector<ScreenedCount> counts(const VerifyOptions& options) {
   std::vector<ScreenedCount> counts;
   if (options.screening == nullptr) return counts;
@@ -114,8 +147,10 @@ Comparison comparison_for(const Model& model, const VerifyOptions& options) {
 Verification verify(const Model& model, const Scene& scene, const Program& program,
                     const CompiledHeaders& compiled, const VerifyOptions& options) {
   const Subject subject{model, scene, program};
-  const auto doubles = states_for<double>(subject, options);
-  const auto floats = states_for<float>(subject, options);
+  auto doubles = states_for<double>(subject, options);
+  auto floats = states_for<float>(subject, options);
+  const std::string one_sided_kinks = add_sides(subject, options, doubles);
+  (void)add_sides(subject, options, floats);
   const auto accuracy = [&](ScalarKind scalar) {
     const bool has = options.as_users != nullptr && options.as_users->has(scalar);
     const VisitOptions visit{comparison_for(model, options), options.parts, options.ways,
@@ -140,6 +175,7 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
     if (has_floats) append(rows, check_compiled(subject, header, floats));
   }
   append(rows, sampled_zeros(program));
+  if (!one_sided_kinks.empty()) rows.push_back(one_sided(one_sided_kinks, doubles.size()));
   append(rows, check_structure(subject, nominal_states(subject, doubles)));
   result.diagnostics = std::move(expected.diagnostics);
   return result;

@@ -68,7 +68,7 @@ Counts counts_of_chain(int links) {
   REQUIRE(products.files);
   const auto& [model, scene] = *products.checked;
   count.begin("self-check");
-  const SelfCheck check = self_check(model, scene, *products.program, 0);
+  const SelfCheck check = self_check(model, scene, *products.program);
   CHECK(check.failure.empty());
   CHECK(check.states > 0);
   count.begin("magnitude of the energy");

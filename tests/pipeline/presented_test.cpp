@@ -179,7 +179,7 @@ TEST_CASE("a mistake beyond the stated bound is found") {
     for (EntryError& error : output.errors) error.constant = error.constant / 1000;
   }
   const auto& [model, scene] = *light().checked;
-  CHECK_FALSE(self_check(model, scene, broken, 1).failure.empty());
+  CHECK_FALSE(self_check(model, scene, broken).failure.empty());
 }
 
 TEST_CASE("the header says that it is approximate") {

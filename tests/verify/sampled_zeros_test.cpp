@@ -38,7 +38,7 @@ TEST_CASE("the certificate has a row for every function with such entries") {
 
 TEST_CASE("the self-check's receipt says it") {
   const System system = with_sampled_zeros();
-  const std::string text = receipt(self_check(system.model, system.scene, system.program, 0));
+  const std::string text = receipt(self_check(system.model, system.scene, system.program));
   CHECK(text.find("; 2 entries rest on zeros found at 64 points, not proved") != std::string::npos);
   CHECK(receipt({2, 1.0, "", 1}).find("; 1 entry rests on zeros") != std::string::npos);
 }

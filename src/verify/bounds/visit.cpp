@@ -154,15 +154,24 @@ std::string Visit<Scalar>::differing_from(const FieldPlace& place, const std::ve
 }
 
 template <class Scalar>
+bool Visit<Scalar>::is_defined(const FieldPlace& place) const {
+  const auto first = exact_.entries.begin() + static_cast<std::ptrdiff_t>(place.first);
+  const auto count = static_cast<std::ptrdiff_t>(place.field().entries.size());
+  return std::all_of(first, first + count, [](const Bound& x) { return x.value.is_defined(); });
+}
+
+template <class Scalar>
 std::string Visit<Scalar>::differing_projection(const FieldPlace& place, const Judged& judged,
                                                 Random& random) {
   const bool repeats = output_row(place.function->kind).repeats;
   const auto known = repeats ? known_.find(place.field().name) : known_.end();
   if (known != known_.end())
     return differing_from(place, known->second, "the function of its name");
-  const std::string differs = place.judge.is_closed_form
-                                  ? differing_from(place, judged.entries, "its closed form")
-                                  : std::string();
+  // An entry without a value is compared with the oracle alone: a closed form may have one outside
+  // of the domain, where a solution that it belongs to has none.
+  const bool has_form = place.judge.is_closed_form && is_defined(place);
+  const std::string differs =
+      has_form ? differing_from(place, judged.entries, "its closed form") : std::string();
   return differs.empty() ? compare_projection(subject_, place, exact_, oracle_, random) : differs;
 }
 

@@ -89,6 +89,8 @@ class Visit {
   [[nodiscard]] Judged judged(const FieldPlace& place);
   [[nodiscard]] std::string differing_entry(const FieldPlace& place, const Judged& judged,
                                             Finding& finding);
+  /// Whether all entries of the field have exact values.
+  [[nodiscard]] bool is_defined(const FieldPlace& place) const;
   [[nodiscard]] std::string differing_projection(const FieldPlace& place, const Judged& judged,
                                                  Random& random);
   [[nodiscard]] std::string differing_from(const FieldPlace& place,

@@ -1,6 +1,6 @@
-// Expectations: proved where that succeeds. Otherwise two exact functions of the model agree where
-// they agree to 45 digits at 64 random points; the row says that it was sampled, since that is no
-// proof.
+// Expectations: proved where that succeeds. Otherwise they are compared to 45 digits at 64 random
+// points and more where these miss a side of a kink; the row says that it was sampled, since that
+// is no proof.
 #include "verify/structure/expectations.hpp"
 
 #include <fmt/format.h>
@@ -10,6 +10,7 @@
 #include "base/exact_number.hpp"
 #include "base/random.hpp"
 #include "check/names/requests.hpp"
+#include "verify/states/kinks.hpp"
 #include "verify/states/tally.hpp"
 #include "verify/structure/proofs.hpp"
 
@@ -21,18 +22,29 @@ using cln::cl_R;
 constexpr std::size_t point_count = 64;
 /// The oracle has 60 digits; fifteen may cancel in either form.
 constexpr double tolerance = 1e-45;
-constexpr const char* sampled_reason = "1e-45 of the largest entry: sampled at 64 points, no proof";
+constexpr const char* sampled_reason = "1e-45 of the largest entry: sampled, no proof";
 constexpr const char* proof = "proved: both are one canonical sum";
 constexpr const char* proof_of_rate = "proved: the rate is the empty canonical sum";
 
-std::vector<State> random_points(const Model& model, std::uint64_t seed) {
+/// Where the model is sampled, and the sides of kinks that are not among it.
+struct Points {
+  std::vector<State> states = {};
+  std::string unseen = {};
+};
+
+Points random_points(const Model& model, std::uint64_t seed) {
   Random random(seed);
-  std::vector<State> points;
-  for (std::size_t i = 0; i < point_count; ++i) {
-    points.push_back(nominal_state(model, {}));
-    draw_parameters({}, random, points.back());
-    draw_motion(model, random, points.back());
+  Kinks kinks(model);
+  Points points;
+  for (std::size_t turn = 0; turn < most_draws_for_kinks; ++turn) {
+    if (turn >= point_count && kinks.are_seen()) break;
+    State state = nominal_state(model, {});
+    draw_parameters(model, {}, random, turn, state);
+    draw_motion(model, random, turn, state);
+    const bool is_new = kinks.add(state);
+    if (turn < point_count || is_new) points.states.push_back(std::move(state));
   }
+  points.unseen = kinks.unseen();
   return points;
 }
 
@@ -98,7 +110,7 @@ std::string wrong_text(const Entry& entry, const Sample& sample, const State& st
 
 Diagnostic nothing_compared(const Entry& entry) {
   return {Code::E510, entry.span(),
-          fmt::format("this form of {} and what is derived have no value in common at {} points",
+          fmt::format("this form of {} and the derived one have no value in common at {} points",
                       name_of(entry), point_count),
           "declare a `range` inside the domain"};
 }
@@ -180,8 +192,8 @@ std::vector<SampledPoint> points_of(const Model& model, const Expectation& expec
 }
 
 /// Compares one entry at all states; the first where it is wrong becomes the diagnostic.
-void compare(ExpectationReport& report, const Entry& entry,
-             const std::vector<SampledPoint>& points) {
+void compare(ExpectationReport& report, const Entry& entry, const std::vector<SampledPoint>& points,
+             const std::string& unseen) {
   Tally tally;
   std::string wrong;
   for (const SampledPoint& point : points) {
@@ -195,7 +207,9 @@ void compare(ExpectationReport& report, const Entry& entry,
     tally.add(figure, point.state);
     if (wrong.empty() && !(figure <= tolerance)) wrong = wrong_text(entry, *sample, point.state);
   }
-  finish(report.rows.emplace_back(row_of(entry)), tally, entry.subject);
+  CertificateRow& row = report.rows.emplace_back(row_of(entry));
+  finish(row, tally, entry.subject);
+  if (!unseen.empty()) row.tolerance += "; not seen on both sides: " + unseen;
   if (!wrong.empty()) {
     report.diagnostics.push_back({Code::E510, entry.span(), std::move(wrong)});
   } else if (tally.samples() == 0) {
@@ -204,7 +218,7 @@ void compare(ExpectationReport& report, const Entry& entry,
 }
 
 void check(ExpectationReport& report, const Expectation& expectation, const Subject& subject,
-           Proofs& proofs, const std::vector<State>& states) {
+           Proofs& proofs, const Points& all) {
   std::optional<std::vector<SampledPoint>> points;  // for the first entry that is not proved
   for (std::size_t index = 0; index < expectation.entries.size(); ++index) {
     const Entry entry{expectation, index, subject};
@@ -214,8 +228,8 @@ void check(ExpectationReport& report, const Expectation& expectation, const Subj
       report.rows.push_back(proved_row(entry));
       continue;
     }
-    if (!points) points = points_of(subject.model, expectation, states);
-    compare(report, entry, *points);
+    if (!points) points = points_of(subject.model, expectation, all.states);
+    compare(report, entry, *points, all.unseen);
   }
 }
 
@@ -227,9 +241,9 @@ ExpectationReport check_expectations(const Subject& subject, ClosedForms* forms,
   // They speak of the exact model.
   if (subject.model.expectations.empty() || subject.model.approximation) return report;
   Proofs proofs(subject, forms);
-  const std::vector<State> states = random_points(subject.model, seed);
+  const Points points = random_points(subject.model, seed);
   for (const Expectation& expectation : subject.model.expectations) {
-    check(report, expectation, subject, proofs, states);
+    check(report, expectation, subject, proofs, points);
   }
   return report;
 }

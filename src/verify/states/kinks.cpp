@@ -1,0 +1,46 @@
+// Kinks: a side is the sign of the argument, or of the difference of two.
+#include "verify/states/kinks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "elgen/wording.hpp"
+
+namespace elgen {
+
+Kinks::Kinks(const Model& model) : model_(model) {
+  for (ExpressionId id = 0; id < model.expressions.size(); ++id) {
+    const Expression& e = model.expressions[id];
+    if (e.kind == ExpressionKind::function && is_kinked(e.function)) left_.push_back({id});
+  }
+}
+
+bool Kinks::add(const State& state) {
+  bool is_new = false;
+  for (Kink& kink : left_) {
+    const std::vector<ExpressionId>& arguments = model_.expressions[kink.call].operands;
+    auto side = oracle_expression(model_, arguments.front(), state);
+    if (side && arguments.size() > 1) {
+      const auto other = oracle_expression(model_, arguments.back(), state);
+      side = other ? std::optional(*side - *other) : std::nullopt;
+    }
+    if (!side || cln::zerop(*side)) continue;
+    bool& seen = cln::minusp(*side) ? kink.below : kink.above;
+    is_new = is_new || !seen;
+    seen = true;
+  }
+  std::erase_if(left_, [](const Kink& kink) { return kink.below && kink.above; });
+  return is_new;
+}
+
+std::string Kinks::unseen() const {
+  std::vector<std::string> texts;
+  for (const Kink& kink : left_) {
+    const std::string text = in_backticks(model_.expressions[kink.call].span);
+    if (std::ranges::count(texts, text) == 0) texts.push_back(text);
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+}  // namespace elgen
