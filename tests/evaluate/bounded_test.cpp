@@ -114,7 +114,16 @@ TEST_CASE("roundings count along the longest sum, and meet in products") {
   CHECK(long_sum.roundings == 3);
   CHECK((long_sum * x - x).roundings == 5);
   CHECK((long_sum * long_sum).roundings == 7);
-  CHECK((-sqrt(long_sum) / x).roundings == 3);
+  CHECK((-sqrt(long_sum) / x).roundings == 4);
+}
+
+TEST_CASE("calls, roots and quotients round, too") {
+  // exp(x)^2 and cosh(x)^2: each factor has the rounding of its call, 1 or 4 u.
+  const Bound x = leaf("3");
+  CHECK((exp(x) * exp(x)).roundings == 3);
+  CHECK((cosh(x) * cosh(x)).roundings == 9);
+  CHECK((sqrt(x) * sqrt(x)).roundings == 3);
+  CHECK((x / leaf("4") * (x / leaf("4"))).roundings == 3);
 }
 
 TEST_CASE("a bound beyond all numbers is lost") {
