@@ -65,6 +65,26 @@ Jet armature_energy(Evaluation& at) {
   return sum;
 }
 
+/// Of an expression with all terms of its sums and of their factors positive: rounding is a share
+/// of it, however much cancels. Recursion is as deep as expressions are written.
+Jet magnitude(Evaluation& at, ExpressionId id) {
+  const Expression& e = at.model().expressions[id];
+  Jet result;
+  switch (e.kind) {
+    case ExpressionKind::negate:
+      return magnitude(at, e.operands[0]);
+    case ExpressionKind::add:
+      for (const ExpressionId term : e.operands) result = result + magnitude(at, term);
+      return result;
+    case ExpressionKind::multiply:
+      result = Jet(1);
+      for (const ExpressionId factor : e.operands) result = result * magnitude(at, factor);
+      return result;
+    default:
+      return at.value(id).magnitudes();
+  }
+}
+
 }  // namespace
 
 Jet kinetic_energy(Evaluation& at) {
@@ -90,11 +110,7 @@ Jet potential_magnitude(Evaluation& at) {
   const Model& model = at.model();
   Jet sum;
   for (const Jet& term : weight_terms(at)) sum = sum + term.magnitudes();
-  if (!model.energies.V) return sum;
-  const Expression& V = model.expressions[*model.energies.V];
-  if (V.kind != ExpressionKind::add) return sum + at.value(*model.energies.V).magnitudes();
-  for (const ExpressionId term : V.operands) sum = sum + at.value(term).magnitudes();
-  return sum;
+  return model.energies.V ? sum + magnitude(at, *model.energies.V) : sum;
 }
 
 Jet lagrangian(Evaluation& at) {
