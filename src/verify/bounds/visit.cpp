@@ -202,18 +202,23 @@ double Visit<Scalar>::error_in_norm(const FieldPlace& place, const SolvedColumn&
   return in_bounds(sqrt(square), column.bound, rounding<Scalar>());
 }
 
-/// None where nothing bounds it: beyond the ranges the code may round more on its way to M and b
-/// than M and b themselves do, and its own bound decides.
+/// None where nothing bounds it. Beyond the ranges the code may round more on its way to M and b
+/// than M and b themselves do, and a solution that is 0 on paper is rounding of the code's own
+/// terms: there its own bound decides.
 template <class Scalar>
 std::optional<double> Visit<Scalar>::error_of(const FieldPlace& place,
                                               const SolvedColumn& column) const {
+  static const Real nothing(power_of_ten(-40));
   const double in_norm = error_in_norm(place, column);
   std::vector<Bound> own;
   for (const std::size_t entry : column.entries) own.push_back(exact_.entries[place.first + entry]);
   const bool keeps = in_norm <= promised_bounds;
-  if (keeps || sample_.region == Region::nominal) return in_norm;
-  const bool has_own =
-      exact_.regime == Regime::regular && says_something(own, rounding<Scalar>().roundoff);
+  const bool vanishes = std::ranges::all_of(own, [](const Bound& x) {
+    return x.value.is_defined() && abs(x.value).value() <= (x.bound * nothing).value();
+  });
+  if (keeps || (sample_.region == Region::nominal && !vanishes)) return in_norm;
+  const bool has_own = exact_.regime == Regime::regular &&
+                       (vanishes || says_something(own, rounding<Scalar>().roundoff));
   if (!has_own) return std::nullopt;
   double largest = 0;
   for (std::size_t i = 0; i < own.size(); ++i) {
