@@ -77,7 +77,7 @@ class ClosedGraph {
     for (const auto& [id, divisor] : divisors) {
       if (divisor.terms < 2) continue;
       taken.push_back({id, -divisor.exponent});
-      factors.push_back({atom(algebra_.atoms[id]), divisor.exponent});
+      factors.push_back({atom(id), divisor.exponent});
     }
     if (!taken.empty()) form.numerator = scaled(form.numerator, {1, 0}, taken);
   }
@@ -93,7 +93,7 @@ class ClosedGraph {
       if (!root || exponent == 0 || !divides(*root, form.numerator)) continue;
       form.numerator = scaled(form.numerator, {1, 0}, Monomial{{*root, -1}});
       --exponent;
-      const Ref radicand = fraction(algebra_.atoms[*root].arguments[0]);
+      const Ref radicand = arguments_of(*root)[0];
       factors.push_back({graph_.square_root(radicand), -1});
     }
     std::erase_if(form.denominator, [](const auto& factor) { return factor.second == 0; });
@@ -200,7 +200,7 @@ class ClosedGraph {
       auto& part = is_rate(atom)        ? factors.rates
                    : is_parameter(atom) ? factors.rest
                                         : factors.coordinates;
-      part.push_back({this->atom(atom), power.exponent});
+      part.push_back({this->atom(power.atom), power.exponent});
     }
     for (const CircularPower& power : term.circular) {
       const Ref value = angle(power.angle);
@@ -216,26 +216,38 @@ class ClosedGraph {
     std::vector<Ref> terms;
     for (const AtomPower& part : parts) {
       const Atom& atom = algebra_.atoms[part.atom];
-      const Ref argument = fraction(atom.arguments[0]);
+      const Ref argument = arguments_of(part.atom)[0];
       const Ref multiple = graph_.rational(cl_RA(part.exponent) / atom.divisor);
       terms.push_back(graph_.product({{multiple, 1}, {argument, 1}}));
     }
     return graph_.sum(terms);
   }
 
-  Ref atom(const Atom& atom) {
+  Ref atom(AtomId id) {
+    const Atom& atom = algebra_.atoms[id];
     if (atom.kind == AtomKind::leaf) return graph_.leaf(atom.leaf, atom.index);
     if (atom.kind == AtomKind::pi) return graph_.pi();
-    std::vector<Ref> arguments;
-    for (const Fraction& argument : atom.arguments) arguments.push_back(fraction(argument));
+    const std::vector<Ref>& arguments = arguments_of(id);
     if (atom.kind == AtomKind::root) return graph_.square_root(arguments[0]);
     return graph_.call(atom.function, arguments);
+  }
+
+  /// Made once: arguments nest, and each is made of several atoms.
+  const std::vector<Ref>& arguments_of(AtomId id) {
+    const auto known = arguments_.find(id);
+    if (known != arguments_.end()) return known->second;
+    std::vector<Ref> arguments;
+    for (const Fraction& argument : algebra_.atoms[id].arguments) {
+      arguments.push_back(fraction(argument));
+    }
+    return arguments_.emplace(id, std::move(arguments)).first->second;
   }
 
   Graph& graph_;
   const Algebra& algebra_;
   Layout layout_;
   std::size_t most_;
+  std::map<AtomId, std::vector<Ref>> arguments_ = {};
 };
 
 }  // namespace

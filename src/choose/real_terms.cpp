@@ -60,6 +60,10 @@ TwoPowers power_of_exponential(std::int32_t multiple, bool by_sines) {
   return result;
 }
 
+/// Products of sines and cosines that the terms of one sum are multiplied out to, for each that may
+/// be left: k unit angles in one exponential make 2^k, of which almost all cancel again.
+constexpr std::size_t work_per_term = 64;
+
 /// cos(24 x) is a sum of 13 powers: longer by far than the call, and the work grows with the cube.
 constexpr std::int32_t most_powers = 24;
 
@@ -93,10 +97,15 @@ class RealTerms {
       add_real(sum, {{angle, 1, 0}}, coefficient.real * 2);
       return add_real(sum, {{angle, 0, 1}}, coefficient.imaginary * -2);
     }
-    for (const auto& [circular, value] : expanded(angle)) {
+    const CircularSum products = expanded(angle);
+    work_ += products.size();
+    for (const auto& [circular, value] : products) {
       add_real(sum, circular, product(value, coefficient).real * 2);
     }
   }
+
+  /// Products that were added so far.
+  [[nodiscard]] std::size_t work() const { return work_; }
 
   [[nodiscard]] std::size_t size() const {
     std::size_t count = 0;
@@ -174,6 +183,7 @@ class RealTerms {
   const Algebra& algebra_;
   Trigonometry trigonometry_;
   bool by_sines_ = false;
+  std::size_t work_ = 0;
   std::map<AtomId, std::int32_t> base_of_unit_;
   std::map<Monomial, std::int32_t, MonomialLess> base_of_direction_;
   std::map<Monomial, CircularSum, MonomialLess> sums_;
@@ -189,7 +199,7 @@ std::optional<std::vector<RealTerm>> real_terms(const Algebra& algebra, const Po
     if (terms.highest_power(monomial) > most_powers) return std::nullopt;
     terms.add(monomial, coefficient);
     // Terms may still cancel, but not from far beyond the limit.
-    if (terms.size() > 4 * most) return std::nullopt;
+    if (terms.size() > 4 * most || terms.work() > work_per_term * most) return std::nullopt;
   }
   if (terms.size() > most) return std::nullopt;
   return terms.take();

@@ -10,6 +10,10 @@
 namespace elgen {
 namespace {
 
+/// Functions of functions are short as they are shared, and double with every level as they are
+/// written. Without a limit the pages of models/ are the same.
+constexpr std::size_t longest_written = 5'000;
+
 class Lengths {
  public:
   explicit Lengths(const Expressions& expressions) : graph_(expressions.graph) {
@@ -36,7 +40,7 @@ class Lengths {
     if (total > 0) --total;
     if (node.kind == NodeKind::call) total += call_length + multiples(node.operands[0].node);
     if (node.kind == NodeKind::square_root) total += call_length;
-    return total;
+    return std::min(total, 2 * longest_written);
   }
 
   /// Terms of an angle that are multiples of something.
@@ -97,6 +101,7 @@ std::optional<Written> written(const Algebra& algebra, const Fraction& form, Lay
   if (!value) return std::nullopt;
   result.expressions.values.push_back(*value);
   result.length = written_length(result.expressions);
+  if (result.length > longest_written) return std::nullopt;
   return result;
 }
 

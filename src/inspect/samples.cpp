@@ -12,7 +12,8 @@ constexpr unsigned attempts = 8;  // a model undefined at all of them has no dom
 
 /// Whether a second look with twice the digits gives the same matrix: at large values an entry that
 /// is 0 on paper, cosh(x)^2 - sinh(x)^2 - 1, is what its terms leave of their rounding.
-bool has_digits(const Inspected& subject, const State& state, const std::vector<cln::cl_R>& matrix) {
+bool has_digits(const Inspected& subject, const State& state,
+                const std::vector<cln::cl_R>& matrix) {
   static const cln::cl_R share = power_of_ten(-20);
   const MoreDigits twice(64);
   const auto again = oracle_values(subject.model, {.kind = OutputKind::mass_matrix}, state);
@@ -42,7 +43,8 @@ std::optional<MassSample> sampled_mass_matrix(const Inspected& subject, unsigned
   for (unsigned attempt = 0; attempt < attempts; ++attempt) {
     State state = sampled_state(subject, seed * attempts + attempt);
     OracleValues matrix = oracle_values(subject.model, {.kind = OutputKind::mass_matrix}, state);
-    if (matrix && has_digits(subject, state, *matrix)) return MassSample{std::move(state), std::move(*matrix)};
+    if (matrix && has_digits(subject, state, *matrix))
+      return MassSample{std::move(state), std::move(*matrix)};
   }
   return std::nullopt;
 }
