@@ -84,7 +84,6 @@ class Compilation {
     if (forms_.product) out.closed_forms = std::move(forms_.product->exact);
     if (choice_.product) out.program = std::move(choice_.product->program);
     if (choice_.product) out.costs = std::move(choice_.product->costs);
-    if (choice_.product) out.ways = std::move(choice_.product->ways);
     if (parts_.product) out.parts = std::move(*parts_.product);
     out.steps = std::move(steps_.product);
     out.files = std::move(files_.product);

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "elgen/choose.hpp"
 #include "elgen/closed_forms.hpp"
 #include "elgen/diagnostic.hpp"
 #include "elgen/emitted_files.hpp"
@@ -24,7 +23,7 @@ enum class Verdict : std::uint8_t {
   holds,
   fails,
   skipped,
-  noted,  ///< digits are lost that no single formula keeps
+  noted,  ///< half of the digits are lost, or a side of a kink was not seen
 };
 
 /// Why nothing is said at a state.
@@ -54,11 +53,12 @@ struct CertificateRow {
   std::string subject = {};  ///< of it: "forward_dynamics.acceleration (float)", "gravity[2]"
   std::string formula = {};  ///< what was evaluated
   Evidence evidence = Evidence::states;
-  std::size_t samples = 0;                  ///< states at which it was compared
-  std::vector<SkippedStates> skipped = {};  ///< and at which it could not be
-  std::optional<double> error = {};         ///< largest, in u B
-  std::optional<double> loss = {};          ///< largest, of an avoidable loss, in u R
-  std::string worst = {};                   ///< the figure, with its unit: "2.1 u B"
+  std::size_t samples = 0;                   ///< states at which it was compared
+  std::vector<SkippedStates> skipped = {};   ///< and at which it could not be
+  std::optional<double> error = {};          ///< largest, in u B
+  std::optional<double> loss = {};           ///< largest, in u R
+  std::optional<double> loss_of_field = {};  ///< largest, in u of the largest entry of its field
+  std::string worst = {};                    ///< the figure, with its unit: "2.1 u B"
   std::string where = {};      ///< the state of the worst value, empty where nothing was sampled
   std::string tolerance = {};  ///< the bound and its reason
   Verdict verdict = Verdict::holds;
@@ -96,9 +96,8 @@ struct VerifyOptions {
   ClosedForms* forms = nullptr;
   /// The needed parts in recursive form; without them solutions are judged by the code's own bound.
   const Program* parts = nullptr;
-  /// The ways to write functions that losses are measured by; without them losses are not looked
-  /// at.
-  const std::vector<Way>* ways = nullptr;
+  /// Lost digits are those inside the declared ranges; with `extremes` also beyond.
+  bool extremes = false;
   /// The code as users compile it (Build::as_users), held to the same bounds; perhaps null.
   const CompiledModel* as_users = nullptr;
   /// Of the same samples and seed: only the states to visit of it are visited.

@@ -34,25 +34,10 @@ struct FormCosts {
   bool is_asked_for = false;  ///< by the scene, whatever it costs
 };
 
-/// One way to write functions, emitted or not: what loses digits in one may keep them in another.
-struct Way {
-  std::string name = {};  ///< "recursive form"
-  Program program = {};
-};
-
 struct Choice {
   Program program = {};               ///< with `readable` filled
   std::vector<FormCosts> costs = {};  ///< parallel to program.functions
-  std::vector<Way> ways = {};         ///< of the exact model
 };
-
-/// Digits of what solves are worth any cost; those of other outputs, whose recursive form may leave
-/// the noise of rounding in entries that vanish on paper, so many times its own: the mass matrix of
-/// ur5 would cost 4.6 times as much, the derivatives of two_body_plane cost 1.4 times.
-inline constexpr std::size_t most_for_digits = 4;
-
-/// Whether a form of this cost is taken in the place of another that loses digits.
-[[nodiscard]] bool is_worth_its_digits(OutputKind kind, std::size_t cost, std::size_t other);
 
 /// `recursive` is the program the closed forms were made of. E608: a closed form is asked for that
 /// was given up.

@@ -49,7 +49,6 @@ struct Products {
   /// What solutions are judged by (VerifyOptions::parts); no functions where nothing is solved, or
   /// where a limit was reached.
   Program parts = {};
-  std::vector<Way> ways = {};  ///< to write functions of the exact model
   std::vector<FormCosts> costs = {};
   std::optional<ReadableSteps> steps = {};
   std::optional<EmittedFiles> files = {};

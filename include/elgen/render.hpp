@@ -34,11 +34,6 @@ struct FunctionEquations {
 /// only definitions that other entries need are listed.
 [[nodiscard]] FunctionEquations equations(const Program& program, const Function& function);
 
-/// One instruction of a function as a line of its equations: "t_4f2a = cos_theta - 1", over leaves
-/// and names.
-[[nodiscard]] std::string equation_at(const Program& program, const Function& function,
-                                      std::uint32_t at);
-
 /// The closed form of functions[index] with every entry written out over the leaves, where there is
 /// one to read; else what `equations` gives.
 [[nodiscard]] FunctionEquations readable_equations(const Program& program, std::size_t index);

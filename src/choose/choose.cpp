@@ -27,6 +27,16 @@ constexpr std::size_t hopeless_ratio_with_losses = 24;
 /// are lowered whatever it is.
 constexpr std::size_t always_tried = 400;
 
+/// Digits of solutions are worth any cost; those of other outputs, whose recursive form may leave
+/// the noise of rounding in entries that vanish on paper, so many times its own: the mass matrix of
+/// ur5 would cost 4.6 times as much, the derivatives of two_body_plane cost 1.4 times.
+constexpr std::size_t most_for_digits = 4;
+
+/// Whether a form of this cost is taken in the place of another that loses digits.
+bool is_worth_its_digits(OutputKind kind, std::size_t cost, std::size_t other) {
+  return output_row(kind).solves || cost <= most_for_digits * other;
+}
+
 /// The form the scene asks for; none where the cost decides.
 std::optional<Form> wish_for(const Scene& scene, const Function& function) {
   const OutputRequest* request = find_request(scene, function.name);
@@ -56,11 +66,6 @@ class Choosing {
     for (std::size_t i = 0; i < recursive_.functions.size(); ++i) {
       Diagnostics errors = choose_form(i);
       if (!errors.empty()) return errors;
-    }
-    for (Way* way : {&known_, &mended_}) {
-      way->program.leaves = recursive_.leaves;
-      way->program.constants = result_.program.constants;
-      if (!way->program.functions.empty()) result_.ways.push_back(std::move(*way));
     }
     return std::move(result_);
   }
@@ -103,7 +108,6 @@ class Choosing {
         is_reduced(function) ? Form::closed : wish_for(scene_, function);
     const bool wants_closed = wish == Form::closed;
     result_.program.functions[index] = finished(function);
-    add_ways(recursive_.functions[index], result_.program.functions[index]);
     FormCosts costs{function.name, count_operations(result_.program.functions[index])};
     costs.is_asked_for = wish_for(scene_, function).has_value();
     Function closed;
@@ -158,13 +162,6 @@ class Choosing {
   static std::size_t cost_of(const Function& form) {
     const bool has_pivots = output_row(form.kind).gives_pivots;
     return cost(count_operations(has_pivots ? without_diagonal(form) : form));
-  }
-
-  void add_ways(const Function& recursive, const Function& mended) {
-    if (is_reduced(recursive)) return;
-    known_.program.functions.push_back(finished(recursive));
-    const bool is_mended = known_.program.functions.back().instructions != mended.instructions;
-    if (is_mended) mended_.program.functions.push_back(mended);
   }
 
   /// `recursive` with its pivots by their closed forms, where those keep digits that it loses.
@@ -246,8 +243,6 @@ class Choosing {
   std::string normalized_;         ///< name of the function of that kind
   std::optional<std::vector<ClosedPivot>> closed_pivots_;
   std::map<std::string, double> recursive_losses_;
-  Way known_{"recursive form", {}};
-  Way mended_{"recursive form with closed pivots", {}};
   Choice result_;
 };
 
@@ -257,10 +252,6 @@ std::string counts_text(const OperationCounts& n) {
 }
 
 }  // namespace
-
-bool is_worth_its_digits(OutputKind kind, std::size_t cost, std::size_t other) {
-  return output_row(kind).solves || cost <= most_for_digits * other;
-}
 
 Result<Choice> choose(const Program& recursive, const ClosedForms& forms, const Scene& scene) {
   Result<Choice> choice = Choosing(recursive, forms, scene)();

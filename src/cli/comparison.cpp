@@ -83,7 +83,6 @@ Result<Verification> compared(const std::string& path, Products& products,
   VerifyOptions verification = options.verify;
   verification.forms = &*products.closed_forms;
   verification.parts = &products.parts;
-  verification.ways = &products.ways;
   verification.screening = screens ? &*own : screening;
   if (!as_users->empty()) verification.as_users = as_users->front().functions.get();
   verification.on_step = [&progress](const std::string& step) { progress.stage(step); };

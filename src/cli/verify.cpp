@@ -205,6 +205,8 @@ void add_verify(CLI::App& app, Action& action) {
                    "NAME.toml, NAME.scene.toml or - (stdin); with --merge files of shards")
       ->required();
   add_screening(*command, options);
+  command->add_flag("--extremes", options->comparison.verify.extremes,
+                    "count the digits that are lost beyond the declared ranges, too");
   command
       ->add_flag("--quick", options->comparison.verify.quick,
                  "few states, projections instead of all entries, no compiler")

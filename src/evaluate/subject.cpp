@@ -16,17 +16,23 @@ namespace {
 
 using cln::cl_R;
 
-std::string list(std::string_view name, const std::vector<cl_R>& values) {
+/// As many digits as tell a double from its neighbours, or six.
+std::string text_of(const cl_R& value, bool exactly) {
+  if (!exactly) return short_text(value);
+  return fmt::format("{:.17g}", ScalarTraits<double>::from_real(value));
+}
+
+std::string list(std::string_view name, const std::vector<cl_R>& values, bool exactly) {
   if (values.empty()) return {};
   std::string text = fmt::format("{} = (", name);
-  const std::size_t shown = std::min<std::size_t>(values.size(), 8);
+  const std::size_t shown = exactly ? values.size() : std::min<std::size_t>(values.size(), 8);
   for (std::size_t i = 0; i < shown; ++i) {
-    text += (i == 0 ? "" : ", ") + short_text(values[i]);
+    text += (i == 0 ? "" : ", ") + text_of(values[i], exactly);
   }
   return text + (shown < values.size() ? ", …)" : ")");
 }
 
-std::string changed_parameters(const Subject& subject, const State& state) {
+std::string changed_parameters(const Subject& subject, const State& state, bool exactly) {
   const std::vector<double> nominal =
       arguments_at<double>(nominal_state(subject.model, subject.scene)).parameters;
   const std::vector<double> actual = arguments_at<double>(state).parameters;
@@ -36,9 +42,25 @@ std::string changed_parameters(const Subject& subject, const State& state) {
     // A float's rounding of the nominal value is no change.
     if (std::abs(actual[i] - nominal[i]) <= 1e-6 * scale) continue;
     text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", subject.model.parameters[i].name,
-                        short_text(state.parameters[i]));
+                        text_of(state.parameters[i], exactly));
   }
   return text;
+}
+
+std::string description(const Subject& subject, const State& state, bool exactly) {
+  std::vector<std::string> parts;
+  const auto add = [&parts](std::string part) {
+    if (!part.empty()) parts.push_back(std::move(part));
+  };
+  for_each_list(
+      [&](const LeafRow& row, const std::vector<cl_R>& values) {
+        if (row.id != Opcode::parameter) add(list(row.symbol, values, exactly));
+      },
+      state);
+  if (subject.model.uses_time) add("t = " + text_of(state.t, exactly));
+  if (!subject.program.leaves.h.empty()) add("h = " + text_of(state.h, exactly));
+  add(changed_parameters(subject, state, exactly));
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 /// Where quaternions are of length 1 only to rounding, the two sides of a comparison may go on
@@ -84,19 +106,11 @@ const Function* find_function(const Program& program, OutputKind kind, std::uint
 }
 
 std::string describe(const Subject& subject, const State& state) {
-  std::vector<std::string> parts;
-  const auto add = [&parts](std::string part) {
-    if (!part.empty()) parts.push_back(std::move(part));
-  };
-  for_each_list(
-      [&](const LeafRow& row, const std::vector<cl_R>& values) {
-        if (row.id != Opcode::parameter) add(list(row.symbol, values));
-      },
-      state);
-  if (subject.model.uses_time) add("t = " + short_text(state.t));
-  if (!subject.program.leaves.h.empty()) add("h = " + short_text(state.h));
-  add(changed_parameters(subject, state));
-  return fmt::format("{}", fmt::join(parts, ", "));
+  return description(subject, state, false);
+}
+
+std::string describe_exactly(const Subject& subject, const State& state) {
+  return description(subject, state, true);
 }
 
 std::string short_text(const cl_R& value) {

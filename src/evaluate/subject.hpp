@@ -42,6 +42,9 @@ template <class Scalar>
 /// value.
 [[nodiscard]] std::string describe(const Subject& subject, const State& state);
 
+/// The same with every number in 17 digits, and none left out.
+[[nodiscard]] std::string describe_exactly(const Subject& subject, const State& state);
+
 /// Six significant digits of an exact number, whatever its size.
 [[nodiscard]] std::string short_text(const cln::cl_R& value);
 

@@ -140,14 +140,6 @@ FunctionEquations equations(const Program& program, const Function& function) {
   return equations(program, function, ModelLanguage(program.leaves));
 }
 
-std::string equation_at(const Program& program, const Function& function, std::uint32_t at) {
-  const ModelLanguage language(program.leaves);
-  const std::vector<std::string> names = temporary_names(program, function);
-  const std::string text =
-      FunctionFormulas(program, function, language, names).definition(at).text();
-  return names[at].empty() ? text : names[at] + " = " + text;
-}
-
 FunctionEquations readable_equations(const Program& program, std::size_t index) {
   return readable(program, index, ModelLanguage(program.leaves));
 }

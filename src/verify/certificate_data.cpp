@@ -33,6 +33,9 @@ Json json_of(const CertificateRow& row) {
   // JSON has no infinity, which a value that is no number is off by, and one whose R is 0.
   if (row.error && std::isfinite(*row.error)) json["error_in_bounds"] = *row.error;
   if (row.loss && std::isfinite(*row.loss)) json["loss"] = *row.loss;
+  if (row.loss_of_field && std::isfinite(*row.loss_of_field)) {
+    json["loss_of_field"] = *row.loss_of_field;
+  }
   json["worst"] = row.worst;
   json["worst_at"] = row.where;
   json["tolerance"] = row.tolerance;
@@ -63,14 +66,17 @@ Json check_schema() {
       {{"check", text("what was compared with what")},
        {"output", text("the function")},
        {"subject", text("the field or entry of it, and the scalar")},
-       {"verdict", words(verdict_names, "noted: digits are lost that no single formula keeps")},
+       {"verdict", words(verdict_names,
+                         "noted: half of the digits are lost, or a side of a kink was not seen")},
        {"formula", text("what was evaluated")},
        {"evidence",
         words(evidence_names, "compared at states; proved for all; zeros found at random points")},
        {"samples", whole_number("states at which it was compared")},
        {"skipped_states", skipped_schema()},
        {"error_in_bounds", value_schema("number", "largest error in u B, where finite"), false},
-       {"loss", value_schema("number", "largest avoidable loss in u R, where finite"), false},
+       {"loss", value_schema("number", "largest loss of digits in u R, where finite"), false},
+       {"loss_of_field", value_schema("number", "the same in u of the field's largest entry"),
+        false},
        {"worst", text("the worst figure, with its unit")},
        {"worst_at", text("the state of the worst figure")},
        {"tolerance", text("the bound, and its reason")}});

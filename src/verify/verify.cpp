@@ -153,7 +153,8 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
   (void)add_sides(subject, options, floats);
   const auto accuracy = [&](ScalarKind scalar) {
     const bool has = options.as_users != nullptr && options.as_users->has(scalar);
-    const VisitOptions visit{comparison_for(model, options), options.parts, options.ways,
+    const VisitOptions visit{comparison_for(model, options), options.parts,
+                             options.extremes ? Losing::everywhere : Losing::inside_ranges,
                              has ? options.as_users : nullptr};
     return AccuracyOptions{visit, options.on_step};
   };

@@ -1,4 +1,4 @@
-// A row of the table of losses: fields that lose digits, and the worst of them, in two certificates
+// A row of the table of losses: outputs that lose digits, and the worst of them, in two certificates
 // of `elgen verify --format json`: losses BEFORE.json AFTER.json.
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ namespace {
 constexpr double tolerated = 64;
 
 struct Losses {
-  std::size_t fields = 0;  ///< with a loss, double and float apart
+  std::size_t fields = 0;  ///< outputs with a loss, double and float apart
   std::size_t all = 0;
   double worst = 0;
   std::string where = {};
@@ -26,7 +26,7 @@ Losses losses_in(const char* path) {
   const auto certificate = nlohmann::json::parse(file);
   Losses losses;
   for (const auto& row : certificate.at("checks")) {
-    if (row.at("check") != "avoidable loss" || row.at("samples") == 0) continue;
+    if (row.at("check") != "digits lost" || row.at("samples") == 0) continue;
     ++losses.all;
     // What is infinite is left out.
     const double loss = row.value("loss", std::numeric_limits<double>::infinity());

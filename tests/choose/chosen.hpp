@@ -16,17 +16,18 @@ struct Chosen {
   CheckedModel checked;
   ClosedForms forms;
   Choice choice;
+  Program recursive = {};  ///< what both are made of
 };
 
 inline Chosen chosen(const std::string& text, const SceneOptions& options = {},
                      Preference prefer = Preference::accuracy) {
-  Chosen result{checked_model(text, options), {}, {}};
+  Chosen result{checked_model(text, options), {}, {}, {}};
   result.checked.scene.numerics.prefer = prefer;
   const Result<Lagrangian> lagrangian = formulate(result.checked.model);
   const auto equations = derive(*lagrangian, result.checked.scene.outputs, {});
-  const Program recursive = cancel(*lower(*equations, result.checked.scene.outputs, {}));
-  result.forms = present(recursive);
-  result.choice = *choose(recursive, result.forms, result.checked.scene);
+  result.recursive = cancel(*lower(*equations, result.checked.scene.outputs, {}));
+  result.forms = present(result.recursive);
+  result.choice = *choose(result.recursive, result.forms, result.checked.scene);
   return result;
 }
 

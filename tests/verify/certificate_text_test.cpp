@@ -89,7 +89,7 @@ TEST_CASE("a certificate holds when no row fails") {
 TEST_CASE("what is noted is counted, and said with its state") {
   Certificate certificate = sample();
   CertificateRow row;
-  row.check = "avoidable loss";
+  row.check = "digits lost";
   row.output = row.subject = "gravity";
   row.worst = "loss 1e+03, 3.0 digits of entry 1";
   row.where = "q = (1, 2)";
@@ -97,7 +97,7 @@ TEST_CASE("what is noted is counted, and said with its state") {
   certificate.rows = {row};
   CHECK(verdict_line(certificate) == "cart_pole: 0 checks hold, 0 fail, 0 skipped, 1 noted\n");
   CHECK(to_text(certificate)
-            .find("           noted: avoidable loss, gravity\n"
+            .find("           noted: digits lost, gravity\n"
                   "           worst      loss 1e+03, 3.0 digits of entry 1\n"
                   "           worst at   q = (1, 2)\n") != std::string::npos);
   CHECK(holds(certificate));

@@ -18,26 +18,6 @@ inline const std::string half_angle =
     head +
     "  6 = constant 1/2\n  7 = multiply 6 3\n  8 = sin 7\n  9 = multiply 8 8\n"
     "  10 = add 9 9\n  11 = multiply 5 10\n  result 1 1 = 11\n";
-/// With m added and taken off again: terms that cancel.
-inline const std::string uncancelled =
-    head +
-    "  6 = constant 1/2\n  7 = multiply 6 3\n  8 = sin 7\n  9 = multiply 8 8\n"
-    "  10 = add 9 9\n  11 = multiply 5 10\n  12 = add 11 0\n  13 = subtract 12 0\n"
-    "  result 1 1 = 13\n";
-/// (1 - cos(th)^2)/(1 + cos(th)): as bad at 0, and infinite at pi.
-inline const std::string quotient =
-    head +
-    "  6 = cos 3\n  7 = constant 1\n  8 = multiply 6 6\n  9 = subtract 7 8\n"
-    "  10 = add 7 6\n  11 = divide 9 10\n  12 = multiply 5 11\n  result 1 1 = 12\n";
-
-/// half_angle times x/x, x = cosh(tanh(... cosh(tanh(th/2)) ...)): precise, and dear.
-inline const std::string costly =
-    head +
-    "  6 = constant 1/2\n  7 = multiply 6 3\n  8 = sin 7\n  9 = multiply 8 8\n"
-    "  10 = add 9 9\n  11 = multiply 5 10\n  12 = tanh 7\n  13 = cosh 12\n  14 = tanh 13\n"
-    "  15 = cosh 14\n  16 = tanh 15\n  17 = cosh 16\n  18 = tanh 17\n  19 = cosh 18\n"
-    "  20 = divide 19 19\n  21 = multiply 11 20\n  result 1 1 = 21\n";
-
 /// m l g tanh(th), as friction goes with a rate.
 inline const std::string friction = head + "  6 = tanh 3\n  7 = multiply 5 6\n  result 1 1 = 7\n";
 

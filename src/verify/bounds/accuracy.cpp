@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <type_traits>
 
 #include "elgen/outputs.hpp"
 #include "verify/bounds/as_users.hpp"
-#include "verify/bounds/avoidable_loss.hpp"
+#include "verify/bounds/lost_digits.hpp"
 #include "verify/states/tally.hpp"
 
 namespace elgen {
@@ -39,7 +41,6 @@ struct FieldRecord {
   std::map<Regime, std::size_t> states = {};
   std::string mistake = {};  ///< the first that is wrong, and where
   std::string mistake_at = {};
-  LossRecord losses = {};
 };
 
 void add(FieldRecord& record, const Finding& finding, const Subject& subject, const State& state) {
@@ -138,6 +139,7 @@ std::vector<CertificateRow> check_accuracy(const Subject& subject,
   std::vector<FieldRecord> records;
   for (FieldPlace& place : field_places(subject)) records.push_back({std::move(place)});
   AsUsersRecord as_users;
+  std::map<const Function*, LostDigits> losses;
   Random random(1);
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (options.on_step) {
@@ -149,7 +151,7 @@ std::vector<CertificateRow> check_accuracy(const Subject& subject,
       if (!is_due(kind, visit.state().v.size(), i, options.visit.comparison)) continue;
       const Finding finding = visit.look_at(record.place, random);
       add(record, finding, subject, visit.state());
-      record.losses.add(finding, visit.state(), i);
+      losses[record.place.function].add(record.place, finding, subject, visit.state());
       as_users.add(subject_of(record.place, scalar), finding, visit.state(), i);
     }
   }
@@ -158,12 +160,13 @@ std::vector<CertificateRow> check_accuracy(const Subject& subject,
     rows.push_back(row_of(subject, record, scalar, options));
   }
   if (options.visit.as_users != nullptr) rows.push_back(as_users.row(subject, scalar));
-  if (options.visit.ways == nullptr) return rows;
-  for (const FieldRecord& record : records) {
-    if (record.place.is_remainder()) continue;
-    CertificateRow row = record.losses.row(record.place, subject, states, options.visit);
-    row.output = record.place.function->name;
-    row.subject = subject_of(record.place, scalar);
+  constexpr int binary_digits = std::numeric_limits<Scalar>::digits;
+  for (const Function& function : subject.program.functions) {
+    const LostDigits& lost = losses[&function];
+    if (lost.is_empty()) continue;
+    CertificateRow row = lost.row(binary_digits * std::log10(2));
+    row.output = function.name;
+    row.subject = fmt::format("{} ({})", function.name, scalar);
     rows.push_back(std::move(row));
   }
   return rows;

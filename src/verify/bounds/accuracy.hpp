@@ -15,8 +15,8 @@ struct AccuracyOptions {
   std::function<void(const std::string&)> on_step = {};
 };
 
-/// One row per output and field, and another of what it loses where options.visit.ways are known. A
-/// state fails where the exact value of the program is not the
+/// One row per output and field, and one per output of the digits that it loses where
+/// options.visit.losing says so. A state fails where the exact value of the program is not the
 /// oracle's (to 50 digits of its bound) or, at a nominal state, is undefined where the oracle has
 /// one, and where the rounded value is further off than promised.
 template <class Scalar>

@@ -1,28 +1,12 @@
-// loss: running errors of all ways at one state, and R, each computed when asked for.
+// loss: running errors at one state, and R, each computed when asked for.
 #include "verify/bounds/loss.hpp"
 
 #include <algorithm>
 
 #include "base/more_digits.hpp"
-#include "lower/graph/prune.hpp"
 
 namespace elgen {
 namespace {
-
-/// The function of this name.
-const Function* find_named(const std::vector<Function>& functions, const std::string& name) {
-  const auto found = std::ranges::find(functions, name, &Function::name);
-  return found == functions.end() || found->fields.empty() ? nullptr : &*found;
-}
-
-bool is_same(const Function& x, const Function& y) {
-  return x.instructions == y.instructions && entries_of(x) == entries_of(y);
-}
-
-/// How badly digits have been lost so far: the error by |x|.
-Real lost_digits(const Running& x) {
-  return x.value.is_defined() && cln::zerop(x.value.value()) ? x.error : x.error / abs(x.value);
-}
 
 bool exceeds(const Real& x, const Real& y) {
   return x.is_defined() && y.is_defined() && x.value() > y.value();
@@ -46,28 +30,6 @@ Real norm(const SolvedColumn& column, const std::vector<Real>& values) {
 }
 
 }  // namespace
-
-std::vector<FieldWay> field_ways(const Subject& subject, const FieldPlace& place,
-                                 const std::vector<Way>& ways) {
-  const Program& program = subject.program;
-  std::vector<FieldWay> all{{"as emitted", &program, place.function, place.first}};
-  const auto add = [&all](const FieldWay& way) {
-    const auto same = [&way](const FieldWay& known) {
-      return is_same(*known.function, *way.function);
-    };
-    if (std::ranges::none_of(all, same)) all.push_back(way);
-  };
-  const bool repeats = output_row(place.function->kind).repeats;
-  const std::string& name = repeats ? place.field().name : place.function->name;
-  if (const Function* readable = find_named(program.readable, name)) {
-    add({"closed form", &program, readable, repeats ? 0 : place.first});
-  }
-  for (const Way& way : ways) {
-    const Function* function = find_named(way.program.functions, place.function->name);
-    if (function != nullptr) add({way.name, &way.program, function, place.first});
-  }
-  return all;
-}
 
 const std::vector<Running>& Losses::errors(const Function& function) {
   auto known = errors_.find(&function);
@@ -125,15 +87,28 @@ double Losses::of_entry(const FieldPlace& place, std::size_t entry, const std::v
   const bool by_norm = column != columns.end();
   const Real error = by_norm ? norm(*column, errors) : errors[entry];
   const Real value = by_norm ? norm(*column, exact) : abs(exact[entry]);
-  if (!exceeds(error, threshold * value)) return 0;  // R >= |x*|, which costs nothing
+  // R >= |x*|, which costs nothing.
+  if (!exceeds(error, threshold * value)) return in_bounds(error, value, rounding_);
   const Real reference =
       by_norm ? norm_of_references(place, *column) : this->reference(place, entry);
   return reference.is_defined() ? in_bounds(error, reference, rounding_) : 0;
 }
 
+LostEntry Losses::of_largest(const std::vector<Real>& errors,
+                             const std::vector<Real>& exact) const {
+  const auto largest =
+      std::ranges::max_element(errors, [](const Real& x, const Real& y) { return exceeds(y, x); });
+  Real value;
+  for (const Real& x : exact) value = max(value, abs(x));
+  if (largest == errors.end() || !exceeds(value, Real())) return {};
+  return {in_bounds(*largest, value, rounding_),
+          static_cast<std::size_t>(largest - errors.begin())};
+}
+
 Loss Losses::of_field(const FieldPlace& place, const std::vector<Real>& errors,
                       const std::vector<Real>& exact, const std::vector<SolvedColumn>& columns) {
-  Loss worst;
+  Loss loss{{}, of_largest(errors, exact)};
+  LostEntry& worst = loss.of_entry;
   const auto look_at = [&](std::size_t entry) {
     const double figure = of_entry(place, entry, errors, exact, columns);
     if (figure > worst.figure) worst = {figure, entry};
@@ -146,30 +121,10 @@ Loss Losses::of_field(const FieldPlace& place, const std::vector<Real>& errors,
   }
   std::ranges::sort(most, std::ranges::greater());
   for (const auto& [figure, entry] : most) {
-    if (figure <= std::max(worst.figure, tolerated_loss)) break;
+    if (figure <= worst.figure) break;
     look_at(entry);
   }
-  return worst;
-}
-
-std::uint32_t Losses::culprit(const FieldPlace& place, std::size_t entry) {
-  const Function& function = *place.function;
-  const std::vector<Running>& values = errors(function);
-  const std::vector<bool> needed = needed_for(function, {place.field().entries[entry]});
-  std::uint32_t worst = place.field().entries[entry];
-  Real growth;
-  for (std::uint32_t at = 0; at < needed.size(); ++at) {
-    const Instruction& i = function.instructions[at];
-    const std::size_t operands = operand_count(i);
-    if (!needed[at] || operands == 0) continue;
-    Real before = lost_digits(values[i.a]);
-    if (operands > 1) before = max(before, lost_digits(values[i.b]));
-    const Real grown = lost_digits(values[at]) / before;
-    if (!exceeds(grown, growth)) continue;
-    growth = grown;
-    worst = at;
-  }
-  return worst;
+  return loss;
 }
 
 }  // namespace elgen

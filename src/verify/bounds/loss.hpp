@@ -1,4 +1,4 @@
-// Loss: the digits that a formula loses and another may keep, of one function at one state.
+// Loss: the digits that a formula loses, of one function at one state.
 //
 //     loss = max(0, |x - x*| - N eta) / (u R),     R = |x*| + K
 //
@@ -10,11 +10,8 @@
 
 #include <map>
 #include <memory>
-#include <optional>
-#include <string_view>
 #include <vector>
 
-#include "elgen/choose.hpp"
 #include "evaluate/conditioning.hpp"
 #include "evaluate/running_errors.hpp"
 #include "verify/bounds/field_place.hpp"
@@ -22,22 +19,15 @@
 
 namespace elgen {
 
-/// A way to write a field: where its entries are.
-struct FieldWay {
-  std::string_view name = {};
-  const Program* program = nullptr;
-  const Function* function = nullptr;
-  std::size_t first = 0;  ///< of the field's entries among the function's
-};
-
-/// As emitted, as its closed form is read, and in all of `ways` that have the function.
-[[nodiscard]] std::vector<FieldWay> field_ways(const Subject& subject, const FieldPlace& place,
-                                               const std::vector<Way>& ways);
-
-/// What is lost where it is most.
-struct Loss {
+struct LostEntry {
   double figure = 0;
   std::size_t entry = 0;  ///< of the field
+};
+
+/// The entries that lose most.
+struct Loss {
+  LostEntry of_entry = {};  ///< in u R of its own
+  LostEntry of_field = {};  ///< in u of the largest entry
 };
 
 class Losses {
@@ -49,23 +39,20 @@ class Losses {
   /// Whether angles are known well enough for K, which is of first order: to 1/1000 rad.
   [[nodiscard]] bool knows_angles() const;
 
-  /// What an entry that is off by `errors` (without N eta) from `exact` loses, or its column of
-  /// `columns`, which are judged by their norms. 0 where K has no value.
-  [[nodiscard]] double of_entry(const FieldPlace& place, std::size_t entry,
-                                const std::vector<Real>& errors, const std::vector<Real>& exact,
-                                const std::vector<SolvedColumn>& columns);
-
-  /// The largest of all entries.
+  /// Of entries that are off by `errors` (without N eta) from `exact`; those of `columns` are
+  /// judged by their norms. 0 where K has no value.
   [[nodiscard]] Loss of_field(const FieldPlace& place, const std::vector<Real>& errors,
                               const std::vector<Real>& exact,
                               const std::vector<SolvedColumn>& columns);
 
-  /// Of the code of the entry, the instruction at which errors grow most.
-  [[nodiscard]] std::uint32_t culprit(const FieldPlace& place, std::size_t entry);
-
  private:
   const std::vector<Running>& errors(const Function& function);
   Real reference(const FieldPlace& place, std::size_t entry);
+  [[nodiscard]] double of_entry(const FieldPlace& place, std::size_t entry,
+                                const std::vector<Real>& errors, const std::vector<Real>& exact,
+                                const std::vector<SolvedColumn>& columns);
+  [[nodiscard]] LostEntry of_largest(const std::vector<Real>& errors,
+                                     const std::vector<Real>& exact) const;
   Real norm_of_references(const FieldPlace& place, const SolvedColumn& column);
 
   const Subject& subject_;

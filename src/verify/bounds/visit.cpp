@@ -294,24 +294,6 @@ std::optional<Loss> Visit<Scalar>::measured_loss(const FieldPlace& place, const 
 }
 
 template <class Scalar>
-auto Visit<Scalar>::losses_of_ways(const FieldPlace& place) -> LossOfWay {
-  run(place);
-  const Judged judged = this->judged(place);
-  if (!has_values(judged.regime) || !losses_.knows_angles()) {
-    return [](const FieldWay&, std::size_t) { return 0.0; };
-  }
-  return [this, &place, judged](const FieldWay& way, std::size_t entry) {
-    const std::vector<Scalar> all = evaluate(*way.program, *way.function, sample_.values);
-    const std::span<const Scalar> values(&all[way.first], judged.entries.size());
-    const auto is_finite = [](Scalar x) { return std::isfinite(x); };
-    if (!std::ranges::all_of(values, is_finite)) return std::numeric_limits<double>::infinity();
-    const auto found = deviations(place, judged, values, way.function->instructions.size());
-    if (!found) return 0.0;
-    return losses_.of_entry(place, entry, found->errors, found->exact, judged.columns);
-  };
-}
-
-template <class Scalar>
 Finding Visit<Scalar>::look_at(const FieldPlace& place, Random& random) {
   Finding first = found(place, random);
   if (first.mistake.empty()) return first;
@@ -335,7 +317,10 @@ Finding Visit<Scalar>::found(const FieldPlace& place, Random& random) {
   if (is_measured && options_.as_users != nullptr) measure_users(place, judged, finding);
   const bool can_lose = finding.mistake.empty() && has_values(judged.regime) &&
                         !place.is_remainder() && losses_.knows_angles();
-  if (options_.ways != nullptr && can_lose) finding.loss = measured_loss(place, judged);
+  const bool is_looked_at =
+      options_.losing == Losing::everywhere ||
+      (options_.losing == Losing::inside_ranges && sample_.region == Region::nominal);
+  if (is_looked_at && can_lose) finding.loss = measured_loss(place, judged);
   return finding;
 }
 

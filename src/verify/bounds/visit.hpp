@@ -2,7 +2,6 @@
 // mathematics is right), and its rounded ones within 8 u B of them (so is the rounding).
 #pragma once
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -45,11 +44,14 @@ struct Finding {
   std::string users_imprecision = {};
 };
 
+/// The states at which losses are measured.
+enum class Losing : std::uint8_t { nowhere, inside_ranges, everywhere };
+
 /// How a program is looked at.
 struct VisitOptions {
   Comparison comparison = Comparison::entries;
   const Program* parts = nullptr;           ///< of SolutionBounds
-  const std::vector<Way>* ways = nullptr;   ///< of functions; without them losses are not looked at
+  Losing losing = Losing::nowhere;          ///< where losses are looked at
   const CompiledModel* as_users = nullptr;  ///< held to the same bounds; has the scalar
 };
 
@@ -65,16 +67,6 @@ class Visit {
   /// `random` gives the directions of projections. Fields of one function one after another cost
   /// one run of it.
   [[nodiscard]] Finding look_at(const FieldPlace& place, Random& random);
-
-  /// The instruction that a loss of the field's entry comes from.
-  [[nodiscard]] std::uint32_t culprit(const FieldPlace& place, std::size_t entry) {
-    return losses_.culprit(place, entry);
-  }
-
-  /// What an entry loses in a way to write the field; 0 where it has no value, infinite where the
-  /// way alone has none. Outlived by the visit and the place. Cost: a run of the way for each.
-  using LossOfWay = std::function<double(const FieldWay&, std::size_t entry)>;
-  [[nodiscard]] LossOfWay losses_of_ways(const FieldPlace& place);
 
  private:
   /// Bounds of the field's entries by whoever judges them.
