@@ -51,6 +51,12 @@ struct Side {
 /// Files by the paths by which those of two folders match.
 using FilesByPath = std::map<std::string, fs::path>;
 
+/// What a folder has: its systems, and other TOML files, among them models that cannot be read.
+struct FolderFiles {
+  FilesByPath systems = {};
+  FilesByPath others = {};
+};
+
 bool is_system(const fs::path& path, const Limits& limits) {
   if (path.extension() != ".toml") return false;
   if (path.filename().string().ends_with(".scene.toml")) return true;
@@ -59,8 +65,8 @@ bool is_system(const fs::path& path, const Limits& limits) {
 }
 
 /// The models and scenes below a folder; where it has none, the sidecars.
-FilesByPath systems_below(const fs::path& folder, const Limits& limits) {
-  FilesByPath systems;
+FolderFiles files_below(const fs::path& folder, const Limits& limits) {
+  FolderFiles files;
   FilesByPath sidecars;
   std::error_code error;
   for (auto at = fs::recursive_directory_iterator(folder, error);
@@ -73,10 +79,12 @@ FilesByPath systems_below(const fs::path& folder, const Limits& limits) {
     }
     if (!at->is_regular_file()) continue;
     const std::string inside = path.lexically_relative(folder).generic_string();
-    if (is_system(path, limits)) systems.emplace(inside, path.lexically_normal());
+    FilesByPath& list = is_system(path, limits) ? files.systems : files.others;
+    if (path.extension() == ".toml") list.emplace(inside, path.lexically_normal());
     if (inside.ends_with(sidecar_ending)) sidecars.emplace(inside, path.lexically_normal());
   }
-  return systems.empty() ? sidecars : systems;
+  if (files.systems.empty()) files.systems = std::move(sidecars);
+  return files;
 }
 
 class VersionPairs {
@@ -92,9 +100,10 @@ class VersionPairs {
     const Result<Inputs> before = old_side.read(old_path, limits_);
     const Result<Inputs> after = new_side.read(new_path, limits_);
     if (!keep(before.diagnostics) || !keep(after.diagnostics) || !before || !after) return;
+    if (!are_of_one_kind(*before, *after)) return;
     const bool is_same =
         same_text(before->model, after->model) && same_text(before->scene, after->scene);
-    if (is_same || !are_of_one_kind(*before, *after)) return;
+    if (is_same) return keep_mistakes(*after);
     const Result<LoadedVersion> old = load_version(*before, limits_);
     const Result<LoadedVersion> now = load_version(*after, limits_);
     sources_.insert(sources_.end(), {before->model, before->scene, after->model, after->scene});
@@ -106,22 +115,34 @@ class VersionPairs {
 
   void compare_folders(const Side& old_side, const fs::path& old_folder, const Side& new_side,
                        const fs::path& new_folder) {
-    const FilesByPath olds = systems_below(old_folder, limits_);
-    const FilesByPath news = systems_below(new_folder, limits_);
-    for (const auto& [path, now] : news) {
-      const auto old = olds.find(path);
-      if (old == olds.end()) {
-        report_.added.push_back(now.string());
+    const FolderFiles olds = files_below(old_folder, limits_);
+    const FolderFiles news = files_below(new_folder, limits_);
+    for (const auto& [path, now] : news.systems) {
+      const FilesByPath& list = olds.others.count(path) > 0 ? olds.others : olds.systems;
+      const auto old = list.find(path);
+      if (old == list.end()) {
+        add(new_side, now.string());
       } else {
         compare(old_side, old->second.string(), new_side, now.string());
       }
     }
-    for (const auto& [path, old] : olds) {
-      if (news.count(path) == 0) report_.removed.push_back(path);
+    for (const auto& [path, old] : olds.systems) {
+      if (news.systems.count(path) > 0) continue;
+      const auto unreadable = news.others.find(path);
+      if (unreadable == news.others.end()) {
+        report_.removed.push_back(path);
+      } else {
+        compare(old_side, old.string(), new_side, unreadable->second.string());
+      }
     }
   }
 
-  void add(std::string path) { report_.added.push_back(std::move(path)); }
+  /// A file that only the newer side has.
+  void add(const Side& side, const std::string& path) {
+    const Result<Inputs> inputs = side.read(path, limits_);
+    if (keep(inputs.diagnostics) && inputs) keep_mistakes(*inputs);
+    report_.added.push_back(path);
+  }
 
   Result<DiffReport> result() {
     sort_by_position(diagnostics_);
@@ -130,6 +151,14 @@ class VersionPairs {
   }
 
  private:
+  /// Of files that are not compared, in their syntax.
+  void keep_mistakes(const Inputs& inputs) {
+    sources_.insert(sources_.end(), {inputs.model, inputs.scene});
+    if (is_sidecar(*inputs.model)) return;
+    keep(parse_model(inputs.model, limits_).diagnostics);
+    if (inputs.scene != nullptr) keep(parse_scene(inputs.scene, limits_).diagnostics);
+  }
+
   /// A sidecar has no keys, a model nothing that is not in them.
   bool are_of_one_kind(const Inputs& before, const Inputs& after) {
     const bool is_after = is_sidecar(*after.model);
@@ -188,7 +217,7 @@ Result<DiffReport> compared_with_revision(const std::string& revision,
     } else if (fs::exists(old) || !fs::exists(path)) {
       comparing.compare(old_side, old.string(), {}, path);
     } else {
-      comparing.add(path);
+      comparing.add({}, path);
     }
   }
   return comparing.result();

@@ -90,6 +90,33 @@ TEST_CASE("what has no errors in one version is not compared with what has") {
   CHECK(mentions(outcome.errors, "new/cart_pole.toml:51:36: error[E201]: unknown name `thet`"));
 }
 
+TEST_CASE("a model that cannot be read is an error in every mode, not a removed one") {
+  const std::string merge = "1i <<<<<<< HEAD";
+  const std::string misnamed = "s/^.model./[modell]/";
+  const std::string empty = "d";
+  for (const std::string& edit : {merge, misnamed, empty}) {
+    INFO(edit);
+    const TwoFolders folders;
+    prepare("sed -i '" + edit + "' new/simple_pendulum.toml", folders.path());
+    for (const std::string words :
+         {"old new", "--format github old new", "old/simple_pendulum.toml new/simple_pendulum.toml",
+          "new/simple_pendulum.toml new/simple_pendulum.toml", "new old"}) {
+      INFO(words);
+      const Outcome outcome = folders.diff(words);
+      CHECK(outcome.status == 2);
+      CHECK(outcome.output.find("removed") == std::string::npos);
+      CHECK(mentions(outcome.output + outcome.errors, "new/simple_pendulum.toml"));
+    }
+    prepare(
+        "cp old/*.toml . && git init -q && git add *.toml && "
+        "git -c user.name=a -c user.email=a@b commit -q -m first && "
+        "cp new/simple_pendulum.toml .",
+        folders.path());
+    CHECK(folders.diff("--against HEAD").status == 2);
+    CHECK(folders.diff("--against HEAD simple_pendulum.toml").status == 2);
+  }
+}
+
 TEST_CASE("a rename is OLD=NEW, and two inputs are compared") {
   const TwoFolders folders;
   CHECK(folders.diff("--rename l=len old/cart_pole.toml new/cart_pole.toml").status == 1);
