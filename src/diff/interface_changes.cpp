@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "base/number_text.hpp"
 #include "diff/renamed.hpp"
@@ -19,6 +20,7 @@ struct KnownName {
   std::string name = {};
   std::string unit = {};
   std::size_t size = 1;
+  std::optional<Unit> meant = {};  ///< by the unit
 };
 
 using Names = std::vector<KnownName>;
@@ -29,6 +31,18 @@ Names members(const List& list, const Renames& renames) {
   for (const auto& entry : list) {
     all.push_back({renamed(entry.name, renames), entry.unit_text});
     if constexpr (requires { entry.count; }) all.back().size = entry.count;
+    if constexpr (requires { entry.unit; }) all.back().meant = entry.unit;
+  }
+  return all;
+}
+
+/// Members of Parameters.
+Names members(const Model& model, const std::vector<ParameterArray>& arrays,
+              const Renames& renames) {
+  Names all = members(arrays, renames);
+  for (std::size_t i = 0; i < arrays.size(); ++i) {
+    const bool is_known = arrays[i].first < model.parameters.size();
+    if (is_known) all[i].meant = model.parameters[arrays[i].first].unit;
   }
   return all;
 }
@@ -47,7 +61,9 @@ const KnownName* find(const Names& members, const std::string& name) {
 class InterfaceComparison {
  public:
   InterfaceComparison(const Version& before, const Version& after, const Renames& renames)
-      : before_(before.checked),
+      : old_functions_(before.program.functions),
+        new_functions_(after.program.functions),
+        before_(before.checked),
         after_(after.checked),
         old_arrays_(emitted_parameters(before_.model, before.program)),
         new_arrays_(emitted_parameters(after_.model, after.program)),
@@ -65,6 +81,7 @@ class InterfaceComparison {
           now.uses_time ? "every function takes t now" : "no function takes t any more");
     }
     compare_outputs();
+    compare_shapes();
     compare_target();
     return std::move(changes_);
   }
@@ -102,8 +119,11 @@ class InterfaceComparison {
     for (const KnownName& now : news) {
       const KnownName* const old = find(olds, now.name);
       if (old == nullptr || old->unit == now.unit) continue;
-      add(Impact::misleading, fmt::format("the unit of {} {} is {} where it was {}", what,
-                                          in_backticks(now.name), unit(now), unit(*old)));
+      // rad is 1: N*m*s/rad and N*m*s are one unit.
+      const bool is_same = old->meant && now.meant && *old->meant == *now.meant;
+      add(is_same ? Impact::assumptions : Impact::misleading,
+          fmt::format("the unit of {} {} is {} where it was {}", what, in_backticks(now.name),
+                      unit(now), unit(*old)));
     }
   }
 
@@ -113,8 +133,8 @@ class InterfaceComparison {
 
   /// Names of a struct, with names and places.
   void compare_parameters() {
-    const Names olds = members(old_arrays_, renames_);
-    const Names news = members(new_arrays_, {});
+    const Names olds = members(before_.model, old_arrays_, renames_);
+    const Names news = members(after_.model, new_arrays_, {});
     for (const KnownName& old : olds) {
       const KnownName* const now = find(news, old.name);
       if (now == nullptr) {
@@ -194,6 +214,26 @@ class InterfaceComparison {
     }
   }
 
+  /// Of the user's own outputs; the shapes of others follow from the lists above.
+  void compare_shapes() {
+    for (const Function& now : new_functions_) {
+      const auto old = std::ranges::find(old_functions_, now.name, &Function::name);
+      const bool is_in_both = old != old_functions_.end() && output_row(now.kind).of_user;
+      if (!is_in_both || old->kind != now.kind || shape(*old) == shape(now)) continue;
+      add(Impact::incompatible,
+          fmt::format("{} is {} where it was {}", in_backticks(now.name), shape(now), shape(*old)));
+    }
+  }
+
+  /// "2 x 3", "2 x 1"
+  static std::string shape(const Function& function) {
+    std::string text;
+    for (const Field& field : function.fields) {
+      text += fmt::format("{}{} x {}", text.empty() ? "" : ", ", field.rows, field.columns);
+    }
+    return text;
+  }
+
   void compare_methods(const OutputRequest& old, const OutputRequest& now) {
     if (old.user != now.user) {
       add(Impact::different,
@@ -221,6 +261,9 @@ class InterfaceComparison {
     }
     compare_header("_eigen", old.eigen, now.eigen);
     compare_header("_batch", old.batch, now.batch);
+    if (before_.scene.numerics.trigonometry_error != after_.scene.numerics.trigonometry_error) {
+      add(Impact::values, "the error that batches allow sines and cosines differs");
+    }
     if (before_.scene.numerics.scalars != after_.scene.numerics.scalars) {
       const bool is_in_types = now.language == LanguageId::c99;
       add(is_in_types ? Impact::incompatible : Impact::assumptions,
@@ -234,6 +277,8 @@ class InterfaceComparison {
         fmt::format("there is {} header NAME{}.hpp", is_there ? "a new" : "no longer a", suffix));
   }
 
+  const std::vector<Function>& old_functions_;
+  const std::vector<Function>& new_functions_;
   const CheckedModel& before_;
   const CheckedModel& after_;
   std::vector<ParameterArray> old_arrays_;  ///< members of Parameters

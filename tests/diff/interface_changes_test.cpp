@@ -109,3 +109,30 @@ TEST_CASE("another method of a step, or another number of its iterations, is ano
       seen_by_callers(spring(), spring(), step("midpoint\""), step("midpoint\", iterations = 3")) ==
       "different: `step` has 3 iterations where it had 8\n");
 }
+
+TEST_CASE("an output of another shape does not compile") {
+  const std::string tip = spring() + "[[output]]\nname = \"tip\"\nvalue = [\"x\", \"x^2\"]\n";
+  CHECK(seen_by_callers(tip, edited(tip, "\"x^2\"]", "\"x^2\", \"x^3\"]")) ==
+        "incompatible: `tip` is 3 x 1 where it was 2 x 1\n");
+  CHECK(seen_by_callers(edited(tip, "[\"x\", \"x^2\"]", "\"x\""), tip) ==
+        "incompatible: `tip` is 2 x 1 where it was 1 x 1\n");
+}
+
+TEST_CASE("rad is 1 in a unit, so that writing it changes words alone") {
+  const std::string before = model_text(
+      "damped",
+      "[[coordinate]]\nname = \"q\"\nunit = \"rad\"\n[parameters]\nJ = { value = 1, unit = "
+      "\"kg*m^2\" }\nd = { value = 2, unit = \"N*m*s/rad\" }\n[energy]\n"
+      "T = \"1/2*J*dot(q)^2\"\nD = \"1/2*d*dot(q)^2\"\n");
+  CHECK(seen_by_callers(before, edited(before, "N*m*s/rad", "N*m*s")) ==
+        "assumptions: the unit of parameter `d` is N*m*s where it was N*m*s/rad\n");
+}
+
+TEST_CASE("another error of sines and cosines is a change of values") {
+  const auto scene = [](const char* error) {
+    return "[numeric]\ntrigonometry = { max_error = " + std::string(error) +
+           " }\n[emit]\nbatch = true\n";
+  };
+  CHECK(seen_by_callers(spring(), spring(), scene("1e-7"), scene("1e-5")) ==
+        "values: the error that batches allow sines and cosines differs\n");
+}
