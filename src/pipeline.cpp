@@ -50,8 +50,7 @@ Result<SelfCheck> checked(const CheckedModel& checked, const Program& program,
   SelfCheck check = self_check(checked.model, checked.scene, program, &parts);
   if (check.failure.empty()) return check;
   if (check.lacks_value) {
-    return Diagnostic{Code::E521, check.place.value_or(Span{}), check.failure,
-                      "declare a `range` inside the domain"};
+    return Diagnostic{Code::E521, check.place.value_or(Span{}), check.failure, check.remedy};
   }
   return Diagnostic{Code::E911, {}, "self-check failed: " + check.failure};
 }

@@ -143,6 +143,7 @@ struct SelfCheck {
   std::size_t outside = 0;         ///< states at which an output is undefined, and rightly so
   bool lacks_value = false;        ///< the failure: an output is undefined at all states
   std::optional<Span> place = {};  ///< then: the first expression of it that is
+  std::string remedy = {};         ///< and what may be done
 };
 [[nodiscard]] SelfCheck self_check(const Model& model, const Scene& scene, const Program& program,
                                    const Program* parts = nullptr);

@@ -45,6 +45,9 @@ inline constexpr std::size_t most_coordinates_searched = 3;
 /// E526: the written potential holds a weight that [gravity] gives.
 [[nodiscard]] Diagnostics inspect_weights(const Inspected& subject);
 
+/// E527: the written kinetic energy holds that of a mass.
+[[nodiscard]] Diagnostics inspect_kinetic_energies(const Inspected& subject);
+
 /// E627: a force with tanh in a linearization that the scene names.
 [[nodiscard]] Diagnostics inspect_smoothed(const Inspected& subject);
 

@@ -2,6 +2,9 @@
 // are never used, inertias and points in an energy are read off the model.
 #include "elgen/inspect.hpp"
 
+#include <utility>
+
+#include "check/names/report.hpp"
 #include "inspect/checks.hpp"
 
 namespace elgen {
@@ -26,10 +29,13 @@ Diagnostics inspect(const Model& model, const Scene& scene) {
   if (!has_errors(all)) add(inspect_signs(subject));
   add(inspect_potential(subject));
   add(inspect_weights(subject));
+  add(inspect_kinetic_energies(subject));
   add(inspect_smoothed(subject));
   if (!has_errors(all)) add(inspect_equilibrium({model, scene}));
-  sort_by_position(all);
-  return all;
+  // Entries of a repetition make the same mistake each.
+  Report once;
+  for (Diagnostic& diagnostic : all) once.add(std::move(diagnostic));
+  return once.sorted();
 }
 
 }  // namespace elgen

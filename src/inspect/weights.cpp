@@ -1,11 +1,13 @@
-// E526: `[energy] V` holds the weight that [gravity] gives a mass already.
+// E526: `[energy] V` holds the weight that [gravity] gives a mass already. E527: `[energy] T` holds
+// the kinetic energy that a mass has already.
 //
 //     W = -sum m gravity.p of the points and bodies       V as it is written
+//     K = sum 1/2 m v^2 of the points                     T as it is written
 //
 // Of both only what a mass brings in is kept, with and without gravity: their values at the
 // parameters' own less those with the mass, and with the parameters of gravity, at 0. Where V has
-// the same part as W, up to a constant, the weight stands in both. A mass without a parameter takes
-// V whole.
+// the same part as W, up to a constant, the weight stands in both; K and T alike. A mass without a
+// parameter takes V whole.
 #include <fmt/format.h>
 
 #include <array>
@@ -130,7 +132,54 @@ bool is_given_twice(const Inspected& subject, const std::vector<Weight>& weights
   return are_equal(differences(subject, written, sets), differences(subject, given, sets));
 }
 
+/// 1/2 m v^2; nothing where it has no value.
+std::optional<cl_R> kinetic_energy_of(const Model& model, const Point& point, const State& state) {
+  const auto mass = oracle_expression(model, *point.mass, state);
+  if (!mass) return std::nullopt;
+  cl_R square = 0;
+  for (std::size_t c = 0; c < point.dimension; ++c) {
+    const auto rate = oracle_rate(model, point.at[c], state);
+    if (!rate) return std::nullopt;
+    square = square + *rate * *rate;
+  }
+  return *mass * square / 2;
+}
+
+/// What all points bring in, of the parameters of this mass, where it has any.
+bool is_given_twice(const Inspected& subject, const Point& point) {
+  const Model& model = subject.model;
+  const Parameters mass = weight_parameters(model, {*point.mass});
+  if (mass.empty()) return false;
+  const Energy written = [&](const State& state) {
+    return oracle_expression(model, *model.energies.T, state);
+  };
+  const Energy given = [&](const State& state) -> std::optional<cl_R> {
+    cl_R sum = 0;
+    for (const Point& each : model.points) {
+      if (!each.mass) continue;
+      const auto energy = kinetic_energy_of(model, each, state);
+      if (!energy) return std::nullopt;
+      sum = sum + *energy;
+    }
+    return sum;
+  };
+  return are_equal(differences(subject, written, {mass}), differences(subject, given, {mass}));
+}
+
 }  // namespace
+
+Diagnostics inspect_kinetic_energies(const Inspected& subject) {
+  const Model& model = subject.model;
+  if (!model.energies.T || model.velocities.size() > most_coordinates_sampled) return {};
+  for (const Point& point : model.points) {
+    if (!point.mass || !is_given_twice(subject, point)) continue;
+    return {
+        {Code::E527, model.expressions[*model.energies.T].span,
+         fmt::format("T holds the kinetic energy of `{}`, which its mass gives it too", point.name),
+         "leave one of them out"}};
+  }
+  return {};
+}
 
 Diagnostics inspect_weights(const Inspected& subject) {
   const Model& model = subject.model;

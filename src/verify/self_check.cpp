@@ -90,9 +90,33 @@ class SelfChecking {
         fmt::format("`{}` has no value at any of {} states", function.name, states_.size());
     const auto undefined = undefined_expression(subject_.model, function, states_);
     result_.place = place_of(function);
-    if (!undefined) return;
+    result_.remedy = "declare a `range` inside the domain";
+    if (!undefined) {
+      const bool is_solved = output_row(function.kind).solves && is_singular();
+      if (is_solved) result_.remedy = singular_text();
+      return;
+    }
     result_.place = subject_.model.expressions[*undefined].span;
     result_.failure += ", nor has " + in_backticks(*result_.place);
+  }
+
+  /// Whether M has no inverse at any state.
+  [[nodiscard]] bool is_singular() const {
+    return std::ranges::none_of(states_, [this](const State& state) {
+      const OracleValues m =
+          oracle_values(subject_.model, {.kind = OutputKind::mass_matrix}, state);
+      return m && oracle_relative_pivots(*m, state.v.size());
+    });
+  }
+
+  [[nodiscard]] std::string singular_text() const {
+    std::string zeros;
+    const std::vector<cln::cl_R> values = nominal_state(subject_.model, subject_.scene).parameters;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!cln::zerop(values[i])) continue;
+      zeros += (zeros.empty() ? "" : ", ") + in_backticks(subject_.model.parameters[i].name);
+    }
+    return "M is singular" + (zeros.empty() ? "" : " where 0 is the value of " + zeros);
   }
 
   /// Where an output was asked for; the model's name where all of them were.

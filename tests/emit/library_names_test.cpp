@@ -6,11 +6,12 @@
 using elgen::is_library_name;
 
 TEST_CASE("functions and types that the C library declares") {
-  for (const char* name : {"abs", "system", "yn", "roundf", "remainderl", "clock_t"}) {
+  for (const char* name :
+       {"abs", "system", "yn", "roundf", "remainderl", "clock_t", "main", "read", "link", "pipe"}) {
     INFO(name);
     CHECK(is_library_name(name));
   }
-  for (const char* name : {"cart_pole", "a", "pendulum", "surf", "f", "zzz"}) {
+  for (const char* name : {"cart_pole", "a", "pendulum", "surf", "f", "zzz", "linkf"}) {
     INFO(name);
     CHECK_FALSE(is_library_name(name));
   }

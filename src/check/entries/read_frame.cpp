@@ -9,6 +9,7 @@
 //       rotation    the same of a coordinate, whose length is one
 #include <algorithm>
 
+#include "base/number_text.hpp"
 #include "check/entries/entries.hpp"
 #include "check/entries/pose.hpp"
 #include "check/expressions/node_builder.hpp"
@@ -84,10 +85,29 @@ class FrameReader {
     frame_.steps.push_back(step);
   }
 
+  /// A number of more than a turn is meant in degrees.
+  void note_degrees(const ValueSyntax& value, ExpressionId angle) {
+    const Expression& e = context_.model.expressions[angle];
+    if (e.kind != ExpressionKind::number || cln::abs(e.number) <= 7) return;
+    report_.add(Code::E405, value.span, in_backticks(value.span) + " is in rad",
+                "a turn is `2*pi`, and as degrees it would be " +
+                    in_backticks(multiple_of_pi(e.number / 180)));
+  }
+
+  /// "pi/2", "-3*pi/4"
+  static std::string multiple_of_pi(const cln::cl_RA& multiple) {
+    const cln::cl_I numerator = cln::numerator(multiple);
+    const cln::cl_I denominator = cln::denominator(multiple);
+    std::string text = numerator == -1 ? "-pi" : "pi";
+    if (cln::abs(numerator) != 1) text = exact_text(numerator) + "*" + text;
+    return denominator == 1 ? text : text + "/" + exact_text(denominator);
+  }
+
   void read_turns(const ValueSyntax& turns) {
     for (const ValueSyntax& turn : turns.items) {
       const ValueSyntax& axis = turn.items[0];
       const ExpressionId angle = values_.root(turn.items[1], angle_request);
+      note_degrees(turn.items[1], angle);
       if (axis.kind == ValueKind::list) {
         add_turn_about(axis, angle);
       } else if (axis.text == "x" || axis.text == "y" || axis.text == "z") {

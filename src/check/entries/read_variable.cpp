@@ -1,4 +1,5 @@
 // Coordinates, inputs and prescribed functions.
+#include "base/number_text.hpp"
 #include "check/entries/entries.hpp"
 #include "check/expressions/places.hpp"
 #include "check/expressions/rotations.hpp"
@@ -39,6 +40,32 @@ void read_start(ValueReader& values, const ValueSyntax& table, Coordinate& coord
     values.context().model.velocities[coordinate.velocity].start_rate =
         start_constant(values, rate->value);
   }
+}
+
+void check_wrap(Context& context, const EntrySyntax& entry, const Coordinate& coordinate) {
+  const bool is_angle = coordinate.unit_text.empty() || coordinate.unit == find_unit("rad");
+  if (!coordinate.wrap || is_angle) return;
+  context.report.add(
+      Code::E528, entry.find("wrap")->key_span,
+      in_backticks(coordinate.name) + " is in " + coordinate.unit_text + ", and only angles wrap");
+}
+
+bool is_outside(const cln::cl_R& value, const std::optional<Interval>& range) {
+  return range && (value < range->low || value > range->high);
+}
+
+void check_start(Context& context, const ValueSyntax& table, const Coordinate& coordinate) {
+  const Velocity& velocity = context.model.velocities[coordinate.velocity];
+  const auto warn = [&](std::string_view key, const cln::cl_R& value,
+                        const std::optional<Interval>& range) {
+    const KeySyntax* const given = table.find(key);
+    if (given == nullptr || !is_outside(value, range)) return;
+    context.report.add(Code::E529, given->value.span,
+                       in_backticks(given->value.span) + " is outside [" + exact_text(range->low) +
+                           ", " + exact_text(range->high) + "]");
+  };
+  warn("value", coordinate.start_value, coordinate.range);
+  warn("rate", velocity.start_rate, velocity.rate_range);
 }
 
 bool is_set(const EntrySyntax& entry, std::string_view name) {
@@ -88,11 +115,13 @@ void read_coordinate(ValueReader& values, const EntrySyntax& entry, std::uint32_
   coordinate.unit_text = text_of(entry, "unit");
   coordinate.range = interval_of(values, entry, "range");
   coordinate.wrap = is_set(entry, "wrap");
+  check_wrap(context, entry, coordinate);
   read_rate(values, entry, coordinate);
   coordinate.latex = text_of(entry, "latex");
   coordinate.doc = text_of(entry, "doc");
   if (const KeySyntax* start = entry.find("start")) {
     read_start(values, start->value, coordinate);
+    check_start(context, start->value, coordinate);
   }
   const Place armature{"an armature", place::parameters_only, Code::E506};
   coordinate.armature = values.root(entry, "armature", {armature, armature_unit(coordinate)});

@@ -122,6 +122,13 @@ std::optional<Diagnostic> misnamed(const SourceText& source) {
                       fmt::format("`elgen import {}` makes a model of a robot description",
                                   source.path == stdin_name ? "-" : source.path)};
   }
+  if (is_scene(source) && declares_model(source)) {
+    return Diagnostic{
+        Code::E104,
+        {&source, 0, 0},
+        fmt::format("{} holds a model, with a table [model]", in_backticks(source.path)),
+        "a model is called NAME.toml, a scene NAME.scene.toml"};
+  }
   const auto model = is_scene(source) ? std::nullopt : named_model(source);
   if (!model) return std::nullopt;
   return Diagnostic{Code::E104, *model,

@@ -79,7 +79,9 @@ Diagnostics cpp_check_names(const Model& model, const Scene& scene, const Progra
   if (outermost == "std" || is_library_name(outermost)) {
     diagnostics.push_back(
         {Code::E701, scene.emission.name_space_span,
-         fmt::format("`{}` cannot name a namespace: the standard library declares it", outermost),
+         fmt::format("`{}` cannot name a namespace: {}", outermost,
+                     is_reserved_type(outermost) ? "POSIX keeps names that end in `_t` for types"
+                                                 : "C or POSIX declares it"),
          "`[emit] namespace` of a scene gives it another one"});
   }
   return diagnostics;

@@ -1,4 +1,4 @@
-// library_names: a name as declared for double; those for float and long double end in f and l.
+// library_names: functions as declared for double; those for float and long double end in f and l.
 #include "emit/text/library_names.hpp"
 
 #include <string>
@@ -23,15 +23,36 @@ constexpr std::string_view names =
     "system tan tanh tgamma timespec timeval totalorder trunc ufromfp ufromfpx uint ulong "
     "unlockpt unsetenv ushort valloc wcstombs wctomb y0 y1 yn ";
 
-bool is_declared(std::string_view name) {
-  return names.find(" " + std::string(name) + " ") != std::string_view::npos;
+/// Those of <unistd.h>, which programs that control something include, and the program itself.
+constexpr std::string_view system_names =
+    " access acct alarm brk chdir chown chroot close close_range closefrom confstr crypt "
+    "daemon dup dup2 dup3 eaccess endusershell euidaccess execl execle execlp execv execve "
+    "execveat execvp execvpe faccessat fchdir fchown fchownat fdatasync fexecve fork "
+    "fpathconf fsync ftruncate ftruncate64 get_current_dir_name getcwd getdomainname "
+    "getdtablesize getegid geteuid getgid getgroups gethostid gethostname getlogin "
+    "getlogin_r getopt getpagesize getpass getpgid getpgrp getpid getppid getresgid "
+    "getresuid getsid gettid getuid getusershell getwd group_member isatty lchown link "
+    "linkat lockf lockf64 lseek lseek64 nice pathconf pause pipe pipe2 pread pread64 profil "
+    "pwrite pwrite64 read readlink readlinkat revoke rmdir sbrk setdomainname setegid "
+    "seteuid setgid sethostid sethostname setlogin setpgid setpgrp setregid setresgid "
+    "setresuid setreuid setsid setuid setusershell sleep swab symlink symlinkat sync syncfs "
+    "syscall sysconf tcgetpgrp tcsetpgrp truncate truncate64 ttyname ttyname_r ttyslot "
+    "ualarm unlink unlinkat usleep vfork vhangup write "
+    "main ";
+
+bool has_word(std::string_view words, std::string_view name) {
+  return words.find(" " + std::string(name) + " ") != std::string_view::npos;
 }
+
+bool is_declared(std::string_view name) { return has_word(names, name); }
 
 }  // namespace
 
+bool is_reserved_type(std::string_view name) { return name.ends_with("_t"); }
+
 bool is_library_name(std::string_view name) {
   const bool has_suffix = name.ends_with('f') || name.ends_with('l');
-  return name.ends_with("_t") || is_declared(name) ||
+  return is_reserved_type(name) || is_declared(name) || has_word(system_names, name) ||
          (has_suffix && is_declared(name.substr(0, name.size() - 1)));
 }
 
