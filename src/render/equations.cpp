@@ -32,14 +32,22 @@ class ModelLanguage final : public Vocabulary {
 
 class Latex final : public Vocabulary {
  public:
-  explicit Latex(const Model& model) : Vocabulary(latex_spelling()), leaves_(latex_leaves(model)) {}
+  explicit Latex(const Model& model) : Vocabulary(latex_spelling()), symbols_(model) {}
 
   [[nodiscard]] std::string leaf(Opcode kind, std::uint32_t number) const override {
-    return leaf_of(leaves_, kind, number);
+    return leaf_of(symbols_.leaves(), kind, number);
+  }
+  [[nodiscard]] std::vector<std::string> definitions(
+      std::vector<std::string> names) const override {
+    ModelSymbols symbols = symbols_;
+    for (std::string& name : names) {
+      if (!name.empty()) name = symbols.distinct(latex_symbol(name)).text();
+    }
+    return names;
   }
 
  private:
-  const LeafValues<std::string> leaves_;
+  const ModelSymbols symbols_;
 };
 
 /// Operations of each instruction written out over the leaves alone; counted up to just beyond the
@@ -74,23 +82,21 @@ std::vector<bool> needed_instructions(const Function& function,
 
 /// In formulas, short definitions are easier to read where they are used than where they are made.
 std::vector<std::string> definition_names(const Program& program, const Function& function,
-                                          const Spelling& spelling,
+                                          const Vocabulary& vocabulary,
                                           const std::vector<std::size_t>& sizes) {
   constexpr std::size_t short_definition = 3;
   std::vector<std::string> names = temporary_names(program, function);
-  if (!spelling.is_two_dimensional) return names;
+  if (!vocabulary.spelling().is_two_dimensional) return names;
   for (std::size_t at = 0; at < names.size(); ++at) {
-    const bool is_named = !names[at].empty() && sizes[at] > short_definition;
-    names[at] = is_named ? latex_symbol(names[at]).text() : "";
+    if (sizes[at] <= short_definition) names[at].clear();
   }
-  return names;
+  return vocabulary.definitions(std::move(names));
 }
 
 FunctionEquations equations(const Program& program, const Function& function,
                             const Vocabulary& vocabulary) {
   const std::vector<std::size_t> sizes = written_out_sizes(function);
-  const std::vector<std::string> names =
-      definition_names(program, function, vocabulary.spelling(), sizes);
+  const std::vector<std::string> names = definition_names(program, function, vocabulary, sizes);
   const std::vector<std::string> no_names(names.size());
   const FunctionFormulas with_names(program, function, vocabulary, names);
   const FunctionFormulas over_leaves(program, function, vocabulary, no_names);

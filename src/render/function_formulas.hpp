@@ -23,6 +23,10 @@ class Vocabulary {
   [[nodiscard]] const Spelling& spelling() const { return spelling_; }
   /// A parameter, coordinate, …, or time.
   [[nodiscard]] virtual std::string leaf(Opcode kind, std::uint32_t number) const = 0;
+  /// What the definitions of these names are called; "" stays.
+  [[nodiscard]] virtual std::vector<std::string> definitions(std::vector<std::string> names) const {
+    return names;
+  }
   [[nodiscard]] virtual Formula constant(const Constant& constant) const;
   [[nodiscard]] virtual Formula square_root(const Formula& radicand) const;
   [[nodiscard]] virtual Formula call(FunctionId function,

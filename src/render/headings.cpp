@@ -36,7 +36,11 @@ Heading heading(const Model& model, const Function& function) {
   const Notation& equation = equation_of(row, !model.rotations.empty());
   Heading result{latex_of(model, row.symbol.latex), latex_of(model, equation.latex)};
   if (!row.of_user) return result;
-  const SymbolText y = latex_symbol(model.outputs[function.user].name);
+  ModelSymbols symbols(model);
+  SymbolText y;
+  for (std::uint32_t i = 0; i <= function.user; ++i) {
+    y = symbols.distinct(latex_symbol(model.outputs[i].name));
+  }
   result.symbol = replaced(result.symbol, "<y>", y.text());
   result.definition = replaced(result.definition, "<y>", y.text());
   const std::string second = fmt::format("\\ddot{{{}}}{}", y.base, y.scripts);

@@ -108,6 +108,10 @@ class LatexReader {
     }
     if (c == '\\') return command();
     if (is_digit(c)) return number();
+    if (c == '\'') {
+      ++at_;
+      return {LatexKind::letter, "′"};
+    }
     if (static_cast<unsigned char>(c) >= 0x80) return letter_of_another_script();
     ++at_;
     const LatexKind kind = is_letter(c)                            ? LatexKind::letter

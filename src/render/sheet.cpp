@@ -14,7 +14,7 @@ namespace {
 
 std::vector<SheetVariable> coordinates(const Model& model) {
   std::vector<SheetVariable> list;
-  const LeafValues<std::string> symbols = latex_leaves(model);
+  const LeafValues<std::string> symbols = ModelSymbols(model).leaves();
   for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
     const Coordinate& c = model.coordinates[i];
     const std::string& doc = c.rotation ? model.rotations[*c.rotation].doc : c.doc;
@@ -31,7 +31,7 @@ std::vector<SheetVariable> coordinates(const Model& model) {
 
 std::vector<SheetVariable> inputs(const Model& model) {
   std::vector<SheetVariable> list;
-  const std::vector<std::string> symbols = latex_leaves(model).u;
+  const std::vector<std::string> symbols = ModelSymbols(model).leaves().u;
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
     const Input& input = model.inputs[i];
     list.push_back({symbols[i], input.name, input.unit_text, "", input.doc});
@@ -61,12 +61,13 @@ std::string value_text(const Model& model, const Scene& scene, const ParameterAr
 
 std::vector<SheetVariable> parameters(const Model& model, const Scene& scene) {
   std::vector<SheetVariable> list;
-  for (const ParameterArray& array : model.parameter_arrays) {
+  const std::vector<SymbolText> symbols = ModelSymbols(model).arrays();
+  for (std::size_t i = 0; i < symbols.size(); ++i) {
+    const ParameterArray& array = model.parameter_arrays[i];
     const std::string name =
         array.is_array ? fmt::format("{}[1..{}]", array.name, array.count) : array.name;
-    const std::string key = array.is_array ? array.name + "[i]" : array.name;
-    list.push_back({latex_symbol(key, array.latex).text(), name, array.unit_text,
-                    value_text(model, scene, array), array.doc});
+    list.push_back(
+        {symbols[i].text(), name, array.unit_text, value_text(model, scene, array), array.doc});
   }
   return list;
 }

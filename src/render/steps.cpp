@@ -31,7 +31,12 @@ constexpr std::string_view turning_doc =
 
 class Outline {
  public:
-  Outline(const Model& model, const ReadableSteps& steps) : model_(model), steps_(steps) {
+  Outline(const Model& model, const ReadableSteps& steps)
+      : model_(model), steps_(steps), symbols_(model) {
+    for (const std::string& name : steps.masses) {
+      const SymbolText place{"r", "_{" + latex_symbol(name).text() + "}"};
+      places_.push_back(symbols_.distinct(place).text());
+    }
     for (std::size_t i = 0; i < steps.program.functions.size(); ++i) {
       entries_.push_back(readable_equations(steps.program, i).entries);
     }
@@ -74,7 +79,7 @@ class Outline {
     DerivationStep step{title, doc, {}};
     for (std::size_t i = 0; i < steps_.masses.size(); ++i) {
       const std::string& name = steps_.masses[i];
-      const std::string place = fmt::format("r_{{{}}}", latex_symbol(name).text());
+      const std::string& place = places_[i];
       step.equations.push_back({are_rates ? fmt::format("d({})/dt", name) : name,
                                 are_rates ? fmt::format("\\frac{{d}}{{dt}} {}", place) : place,
                                 function, i, dimension()});
@@ -101,7 +106,7 @@ class Outline {
     const std::string& q = velocity.name;
     const bool is_angular = velocity.rotation.has_value();
     const SymbolText symbol =
-        latex_symbol(q, is_angular ? std::string() : model_.coordinates[velocity.coordinate].latex);
+        is_angular ? latex_symbol(q) : symbols_.coordinates()[velocity.coordinate];
     const std::string rate = fmt::format("\\dot{{{}}}{}", symbol.base, symbol.scripts);
     const std::string slope = fmt::format("\\frac{{\\partial L}}{{\\partial {}}}", rate);
     DerivationStep step{fmt::format("Equation of {}", q),
@@ -161,6 +166,8 @@ class Outline {
 
   const Model& model_;
   const ReadableSteps& steps_;
+  ModelSymbols symbols_;
+  std::vector<std::string> places_ = {};  ///< of masses
   std::vector<std::vector<std::vector<std::string>>> entries_;
   std::vector<DerivationStep> outline_;
 };

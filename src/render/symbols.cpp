@@ -79,14 +79,6 @@ SymbolText named_symbol(std::string_view name) {
   return {word(name.substr(0, end)), subscripts(parts)};
 }
 
-SymbolText symbol_of(const Model& model, const Parameter& p) {
-  return latex_symbol(p.name, model.parameter_arrays[p.array].latex);
-}
-
-SymbolText symbol_of(const Model& /*model*/, const Input& input) {
-  return latex_symbol(input.name);
-}
-
 /// "e_{w}" of a rotation with `latex = "e"`; empty where it has no key.
 std::string component_key(const Model& model, const Coordinate& component) {
   const std::string& latex = model.rotations[*component.rotation].latex;
@@ -108,17 +100,20 @@ SymbolText spin_symbol(const Model& model, const Velocity& velocity) {
   return {"\\omega", subscripts(parts)};
 }
 
-SymbolText symbol_of(const Model& model, const Velocity& velocity) {
-  return velocity.rotation ? spin_symbol(model, velocity)
-                           : symbol_of(model, model.coordinates[velocity.coordinate]);
+/// What is seen of a symbol: upright letters are hard to tell from slanted ones.
+std::string seen(const SymbolText& symbol) {
+  std::string text = symbol.text();
+  for (std::size_t at = 0; (at = text.find("\\mathrm", at)) != std::string::npos;) {
+    text.erase(at, std::string_view("\\mathrm").size());
+  }
+  std::erase_if(text, [](char c) { return c == '{' || c == '}' || c == ' '; });
+  return text;
 }
 
-/// Components of angular velocities are not written as rates of something.
-bool has_own_symbol(const Velocity& velocity) { return velocity.rotation.has_value(); }
-
-template <class Entry>
-bool has_own_symbol(const Entry& /*entry*/) {
-  return false;
+std::string written(Opcode kind, const SymbolText& symbol, bool has_own_symbol) {
+  const LeafRow& row = leaf_row(kind);
+  return fmt::format(fmt::runtime(has_own_symbol ? row.own_latex : row.latex), symbol.base,
+                     symbol.scripts);
 }
 
 }  // namespace
@@ -150,16 +145,52 @@ SymbolText latex_symbol(std::string_view name, const std::string& key) {
   return symbol;
 }
 
-LeafValues<std::string> latex_leaves(const Model& model) {
-  return leaves_of<std::string>(
-      model,
-      [&](Opcode kind, const auto& entry) {
-        const LeafRow& row = leaf_row(kind);
-        const SymbolText symbol = symbol_of(model, entry);
-        return fmt::format(fmt::runtime(has_own_symbol(entry) ? row.own_latex : row.latex),
-                           symbol.base, symbol.scripts);
-      },
-      [](Opcode kind) { return std::string(leaf_row(kind).symbol); });
+std::string ModelSymbols::primes_for(const std::vector<SymbolText>& symbols) {
+  std::string primes;
+  const auto is_taken = [&](const SymbolText& symbol) {
+    return taken_.count(seen(symbol) + primes) > 0;
+  };
+  while (std::ranges::any_of(symbols, is_taken)) primes += '\'';
+  for (const SymbolText& symbol : symbols) taken_.insert(seen(symbol) + primes);
+  return primes;
+}
+
+SymbolText ModelSymbols::distinct(SymbolText symbol) {
+  symbol.scripts += primes_for({symbol});
+  return symbol;
+}
+
+ModelSymbols::ModelSymbols(const Model& model) {
+  for (const Coordinate& c : model.coordinates) {
+    coordinates_.push_back(distinct(symbol_of(model, c)));
+    leaves_.q.push_back(coordinates_.back().text());
+  }
+  for (const Velocity& velocity : model.velocities) {
+    // Components of angular velocities are not written as rates of something.
+    const bool has_own = velocity.rotation.has_value();
+    const SymbolText symbol =
+        has_own ? distinct(spin_symbol(model, velocity)) : coordinates_[velocity.coordinate];
+    leaves_.v.push_back(written(Opcode::velocity, symbol, has_own));
+    leaves_.a.push_back(written(Opcode::acceleration, symbol, has_own));
+  }
+  for (const ParameterArray& array : model.parameter_arrays) {
+    arrays_.push_back(latex_symbol(array.is_array ? array.name + "[i]" : array.name, array.latex));
+    std::vector<SymbolText> all;
+    for (std::uint32_t i = array.first; i < array.first + array.count; ++i) {
+      all.push_back(latex_symbol(model.parameters[i].name, array.latex));
+    }
+    const std::string primes = primes_for(all);
+    arrays_.back().scripts += primes;
+    leaves_.parameters.resize(model.parameters.size());
+    for (std::uint32_t i = 0; i < array.count; ++i) {
+      leaves_.parameters[array.first + i] = all[i].text() + primes;
+    }
+  }
+  for (const Input& input : model.inputs) {
+    leaves_.u.push_back(distinct(latex_symbol(input.name)).text());
+  }
+  leaves_.t = leaf_row(Opcode::time).symbol;
+  leaves_.h = leaf_row(Opcode::step).symbol;
 }
 
 }  // namespace elgen

@@ -4,6 +4,7 @@
 //     \theta  \theta_{1}   l_{2}   x_{\mathrm{cart}}   \mathrm{mass}
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,8 +22,28 @@ struct SymbolText {
   [[nodiscard]] std::string text() const { return base + scripts; }
 };
 
-/// The leaves of a model in LaTeX, by its `latex` keys where there are some, else by name.
-[[nodiscard]] LeafValues<std::string> latex_leaves(const Model& model);
+/// The symbols of one model, by its `latex` keys where there are some, else by name. No two are
+/// alike: of `m1` and `m_1` the second is m_{1}'.
+class ModelSymbols {
+ public:
+  explicit ModelSymbols(const Model& model);
+
+  [[nodiscard]] const LeafValues<std::string>& leaves() const { return leaves_; }
+  [[nodiscard]] const std::vector<SymbolText>& coordinates() const { return coordinates_; }
+  /// Of parameters as they are declared: "l_{i}" of an array.
+  [[nodiscard]] const std::vector<SymbolText>& arrays() const { return arrays_; }
+  /// Of something else that formulas name, unlike all others so far.
+  [[nodiscard]] SymbolText distinct(SymbolText symbol);
+
+ private:
+  /// Primes until none of the symbols is taken, and takes them.
+  std::string primes_for(const std::vector<SymbolText>& symbols);
+
+  std::set<std::string> taken_ = {};
+  std::vector<SymbolText> coordinates_ = {};
+  std::vector<SymbolText> arrays_ = {};
+  LeafValues<std::string> leaves_ = {};
+};
 
 /// The symbol of a name; of "l[2]" with the key of `l`. An empty key: as the name suggests.
 [[nodiscard]] SymbolText latex_symbol(std::string_view name, const std::string& key = {});

@@ -2,6 +2,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "render/latex_tree.hpp"
+#include "support/models.hpp"
+
 using namespace elgen;
 
 TEST_CASE("names become symbols") {
@@ -22,4 +25,23 @@ TEST_CASE("a model's own LaTeX is taken") {
 TEST_CASE("Greek letters by their command") {
   CHECK(greek_letter("theta") == "θ");
   CHECK(greek_letter("cart").empty());
+}
+
+TEST_CASE("two quantities never share a symbol") {
+  const CheckedModel checked = test::checked_model(test::model_text(
+      "alike",
+      "[sizes]\nn = 2\n[[coordinate]]\nname = \"x\"\n[[coordinate]]\nname = \"x_\"\n"
+      "[parameters]\nm1 = 1\nm_1 = 2\nl = { value = 1, size = \"n\" }\nl2 = 3\n"
+      "mass = 3\nF = { value = 1, latex = \"\\\\mathrm{mass}\" }\n"
+      "[energy]\nT = \"m1*dot(x)^2 + m_1*dot(x_)^2 + sum(i, 1, n, l[i])*mass*F*l2\"\n"));
+  const ModelSymbols symbols(checked.model);
+  CHECK(symbols.leaves().q == std::vector<std::string>{"x", "x'"});
+  CHECK(symbols.leaves().v == std::vector<std::string>{"\\dot{x}", "\\dot{x}'"});
+  CHECK(symbols.leaves().parameters == std::vector<std::string>{"m_{1}", "m_{1}'", "l_{1}", "l_{2}",
+                                                                "l_{2}'", "\\mathrm{mass}",
+                                                                "\\mathrm{mass}'"});
+  ModelSymbols more = symbols;
+  CHECK(more.distinct(latex_symbol("F_quaternion")).text() == "F_{\\mathrm{quaternion}}");
+  CHECK(more.distinct(latex_symbol("F_quaternion_")).text() == "F_{\\mathrm{quaternion}}'");
+  CHECK(mathml(read_latex("m_{1}'")) != mathml(read_latex("m_{1}")));
 }
