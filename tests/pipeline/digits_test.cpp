@@ -23,21 +23,31 @@ struct Generated {
   }
 };
 
-/// The rows of losses that do not hold.
-std::vector<CertificateRow> losses(const Generated& g) {
+/// The largest loss of an output in double, in u R, with extremes.
+double loss_of(const Generated& g, OutputKind kind) {
   VerifyOptions options;
   options.quick = true;
-  options.ways = &g.products.ways;
+  options.extremes = true;
   options.parts = &g.products.parts;
-  std::vector<CertificateRow> rows =
-      verify(g.model(), g.products.checked->scene, g.program(), {}, options).certificate.rows;
-  std::erase_if(rows, [](const CertificateRow& row) {
-    return row.check != "avoidable loss" || row.verdict == Verdict::holds;
-  });
-  return rows;
+  const std::string subject = g.function(kind).name + " (double)";
+  const Certificate certificate =
+      verify(g.model(), g.products.checked->scene, g.program(), {}, options).certificate;
+  for (const CertificateRow& row : certificate.rows) {
+    if (row.check == "digits lost" && row.subject == subject) return *row.loss;
+  }
+  FAIL("no row");
+  return 0;
 }
 
-Generated generated(const std::string& text, const SourcePointer& scene = nullptr) {
+/// The same for speed.
+Generated generated(const std::string& text, const SourcePointer& scene = nullptr);
+Generated generated_for_speed(const std::string& text) {
+  return generated(text, make_source("fast.scene.toml",
+                                     "format = 1\nmodel = \"model.toml\"\nname = \"fast\"\n"
+                                     "[numeric]\nprefer = \"speed\"\n"));
+}
+
+Generated generated(const std::string& text, const SourcePointer& scene) {
   PipelineOptions options;
   options.goals = {"choose", "parts"};
   Generated result{run_pipeline({make_source("model.toml", text), scene}, options)};
@@ -140,66 +150,17 @@ TEST_CASE("accelerations of two nearly aligned links keep their digits where one
   }
 }
 
-TEST_CASE("a Schur complement in place of the pivot's closed form fails") {
-  Generated g = generated(double_pendulum);
-  CHECK(losses(g).empty());
-  const std::vector<Function>& recursive = g.products.ways.at(0).program.functions;
-  for (Function& function : g.products.program->functions) {
-    if (function.kind != OutputKind::forward_dynamics) continue;
-    function = *std::ranges::find(recursive, function.name, &Function::name);
-  }
-  g.products.program->constants = g.products.ways.at(0).program.constants;
-  bool fails = false;
-  for (const CertificateRow& row : losses(g)) fails = fails || row.verdict == Verdict::fails;
-  CHECK(fails);
+TEST_CASE("accuracy keeps digits that speed loses at the extremes") {
+  const std::string cosine = one_coordinate("m*g*l*(1 - cos(x))");
+  CHECK(loss_of(generated(cosine), OutputKind::potential_energy) <= 64);
+  CHECK(loss_of(generated_for_speed(cosine), OutputKind::potential_energy) > 1e6);
+  CHECK(loss_of(generated(double_pendulum), OutputKind::forward_dynamics) <= 64);
+  CHECK(loss_of(generated_for_speed(double_pendulum), OutputKind::forward_dynamics) > 64);
 }
 
-TEST_CASE(
-    "sines of a difference of angles taken apart fail beside whole ones, unless speed is "
-    "preferred") {
-  Generated apart = generated(double_pendulum, make_source("apart.scene.toml", R"toml(format = 1
-model = "model.toml"
-name = "apart"
-[numeric]
-form = "closed"
-prefer = "speed"
-)toml"));
-  apart.products.ways.push_back({"whole", generated(double_pendulum).program()});
-  for (const CertificateRow& row : losses(apart)) CHECK(row.verdict == Verdict::noted);
-  apart.products.checked->scene.numerics.prefer = Preference::accuracy;
-  const std::vector<CertificateRow> rows = losses(apart);
-  for (const CertificateRow& row : rows) UNSCOPED_INFO(row.subject << ": " << row.worst);
-  CHECK(std::ranges::any_of(rows, [](const CertificateRow& row) {
-    return row.verdict == Verdict::fails &&
-           row.worst.find("the whole keeps them") != std::string::npos;
-  }));
-}
-
-TEST_CASE("1 - cos(x) in place of its half angle fails") {
-  Generated g = generated(one_coordinate("m*g*l*(1 - cos(x))"));
-  CHECK(losses(g).empty());
-  const std::vector<Function>& readable = g.program().readable;
-  for (Function& function : g.products.program->functions) {
-    if (function.kind != OutputKind::potential_energy) continue;
-    function.instructions =
-        std::ranges::find(readable, function.name, &Function::name)->instructions;
-    function.fields = std::ranges::find(readable, function.name, &Function::name)->fields;
-    function.names.assign(function.instructions.size(), "");
-  }
-  g.products.ways.push_back(
-      {"as written", generated(one_coordinate("2*m*g*l*sin(x/2)^2")).program()});
-  bool fails = false;
-  for (const CertificateRow& row : losses(g)) fails = fails || row.verdict == Verdict::fails;
-  CHECK(fails);
-}
-
-TEST_CASE("sqrt(x^2 + l^2) - x has no way for both signs of x, and is noted") {
+TEST_CASE("sqrt(x^2 + l^2) - x has no way for both signs of x: a figure") {
   const Generated g = generated(one_coordinate("k*l*(sqrt(x^2 + l^2) - x)"));
-  for (const CertificateRow& row : losses(g)) {
-    INFO(row.subject << ": " << row.worst);
-    CHECK(row.verdict == Verdict::noted);
-  }
-  CHECK_FALSE(losses(g).empty());
+  CHECK(loss_of(g, OutputKind::potential_energy) > 64);
 }
 
 }  // namespace elgen
