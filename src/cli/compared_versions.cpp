@@ -51,7 +51,7 @@ struct Side {
 /// Files by the paths by which those of two folders match.
 using FilesByPath = std::map<std::string, fs::path>;
 
-/// What a folder has: its systems, and other TOML files, among them models that cannot be read.
+/// The systems of a folder, and its other TOML files, among them models that cannot be read.
 struct FolderFiles {
   FilesByPath systems = {};
   FilesByPath others = {};

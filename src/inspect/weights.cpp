@@ -145,7 +145,7 @@ std::optional<cl_R> kinetic_energy_of(const Model& model, const Point& point, co
   return *mass * square / 2;
 }
 
-/// What all points bring in, of the parameters of this mass, where it has any.
+/// Compares the shares of T that depend on the parameters of this mass.
 bool is_given_twice(const Inspected& subject, const Point& point) {
   const Model& model = subject.model;
   const Parameters mass = weight_parameters(model, {*point.mass});

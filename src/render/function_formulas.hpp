@@ -23,7 +23,7 @@ class Vocabulary {
   [[nodiscard]] const Spelling& spelling() const { return spelling_; }
   /// A parameter, coordinate, …, or time.
   [[nodiscard]] virtual std::string leaf(Opcode kind, std::uint32_t number) const = 0;
-  /// What the definitions of these names are called; "" stays.
+  /// The symbols of definitions that have these names; "" stays.
   [[nodiscard]] virtual std::vector<std::string> definitions(std::vector<std::string> names) const {
     return names;
   }

@@ -100,7 +100,7 @@ SymbolText spin_symbol(const Model& model, const Velocity& velocity) {
   return {"\\omega", subscripts(parts)};
 }
 
-/// What is seen of a symbol: upright letters are hard to tell from slanted ones.
+/// Without the marks of upright letters, which are hard to tell from slanted ones.
 std::string seen(const SymbolText& symbol) {
   std::string text = symbol.text();
   for (std::size_t at = 0; (at = text.find("\\mathrm", at)) != std::string::npos;) {

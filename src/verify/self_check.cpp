@@ -19,7 +19,7 @@ constexpr std::size_t most_checked = 32;
 /// 4, which takes 5 % of the time that all models take to be generated.
 constexpr std::size_t checked_work = 1 << 15;
 /// Many models have a value at a small part of the states that are drawn.
-constexpr std::size_t most_states_drawn = 256;
+constexpr std::size_t draws_per_state = 8;
 
 std::size_t states_checked(const Program& program) {
   std::size_t length = 1;
@@ -141,7 +141,7 @@ SelfCheck self_check(const Model& model, const Scene& scene, const Program& prog
   const Subject subject{model, scene, program};
   SelfChecking checking(subject, parts);
   const std::size_t wanted = states_checked(program);
-  StateSequence<double> states(subject, {most_states_drawn, 1, false});
+  StateSequence<double> states(subject, {draws_per_state * wanted, 1, false});
   while (const auto sample = states.next()) {
     if (checking.result().states >= wanted && !checking.lacks_value()) break;
     checking.visit(*sample);

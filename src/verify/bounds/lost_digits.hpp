@@ -9,7 +9,7 @@
 
 namespace elgen {
 
-/// What the visits to all states say of one output in one scalar.
+/// Collects the losses of one output in one scalar over all states.
 class LostDigits {
  public:
   void add(const FieldPlace& place, const Finding& finding, const Subject& subject,
