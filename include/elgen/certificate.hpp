@@ -130,8 +130,8 @@ struct Verification {
 [[nodiscard]] std::string certificate_schema();
 
 /// The check that precedes every write: every output projected on random rational vectors at 4 to
-/// 32 states, fewer of long programs. States outside the domain are drawn anew, up to eight times as
-/// many in all. `parts` as in VerifyOptions.
+/// 32 states, fewer of long programs. States outside the domain are drawn anew, up to eight times
+/// as many in all. `parts` as in VerifyOptions.
 struct SelfCheck {
   std::size_t states = 0;  ///< at which an output was compared
   /// Largest error in u B, of the closed form, or of the recursive program; none where rounding has
