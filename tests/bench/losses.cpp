@@ -1,5 +1,5 @@
-// A row of the table of losses: outputs that lose digits, and the worst of them, in two certificates
-// of `elgen verify --format json`: losses BEFORE.json AFTER.json.
+// A row of the table of losses: outputs that lose digits, and the worst of them, in two
+// certificates of `elgen verify --format json`: losses BEFORE.json AFTER.json.
 #include <fmt/format.h>
 
 #include <cmath>
