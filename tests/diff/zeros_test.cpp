@@ -33,7 +33,7 @@ TEST_CASE("a coefficient of 1 + 1e-12 is no zero") {
                 "  4 = subtract 3 1\n  result 1 1 = 4\n") == Zero::no);
 }
 
-TEST_CASE("|m x| - |m| |x| vanishes at all points, which decides nothing; |x| - x does not") {
+TEST_CASE("|m x| - |m| |x| vanishes at all points, which decides nothing, |x| - x does not") {
   CHECK(zero_of("  2 = multiply 0 1\n  3 = abs 2\n  4 = abs 0\n  5 = abs 1\n"
                 "  6 = multiply 4 5\n  7 = subtract 3 6\n  result 1 1 = 7\n") == Zero::not_decided);
   CHECK(zero_of("  2 = abs 1\n  3 = subtract 2 1\n  result 1 1 = 3\n") == Zero::no);

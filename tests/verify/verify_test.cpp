@@ -72,3 +72,14 @@ TEST_CASE("of a long program few states are visited, ordinary ones and extremes 
     CHECK(row.samples <= 4);
   }
 }
+
+TEST_CASE("a kink of which the states see one side is noted") {
+  ModelBuilder builder = cart_pole();
+  builder.force_on(0, "-max(x - 300, 0)");
+  CHECK_FALSE(has_check(quick(system_of(builder.model, "")).certificate, "both sides of kinks"));
+  builder.force_on(0, "-max(x^2 + 1, 0)");
+  const Certificate certificate = quick(system_of(builder.model, "")).certificate;
+  CHECK(has_check(certificate, "both sides of kinks"));
+  CHECK(count(certificate, Verdict::noted) == 1);
+  CHECK(holds(certificate));
+}

@@ -30,7 +30,6 @@ class LostDigits {
   };
 
   std::size_t states_ = 0;
-  const Function* last_ = nullptr;
   Worst of_entry_ = {};
   Worst of_field_ = {};
 };

@@ -27,15 +27,15 @@ constexpr const char* proof = "proved: both are one canonical sum";
 constexpr const char* proof_of_rate = "proved: the rate is the empty canonical sum";
 
 /// Where the model is sampled, and the sides of kinks that are not among it.
-struct Points {
+struct SamplingStates {
   std::vector<State> states = {};
   std::string unseen = {};
 };
 
-Points random_points(const Model& model, std::uint64_t seed) {
+SamplingStates random_points(const Model& model, std::uint64_t seed) {
   Random random(seed);
   Kinks kinks(model);
-  Points points;
+  SamplingStates points;
   for (std::size_t turn = 0; turn < most_draws_for_kinks; ++turn) {
     if (turn >= point_count && kinks.are_seen()) break;
     State state = nominal_state(model, {});
@@ -218,7 +218,7 @@ void compare(ExpectationReport& report, const Entry& entry, const std::vector<Sa
 }
 
 void check(ExpectationReport& report, const Expectation& expectation, const Subject& subject,
-           Proofs& proofs, const Points& all) {
+           Proofs& proofs, const SamplingStates& all) {
   std::optional<std::vector<SampledPoint>> points;  // for the first entry that is not proved
   for (std::size_t index = 0; index < expectation.entries.size(); ++index) {
     const Entry entry{expectation, index, subject};
@@ -241,7 +241,7 @@ ExpectationReport check_expectations(const Subject& subject, ClosedForms* forms,
   // They speak of the exact model.
   if (subject.model.expectations.empty() || subject.model.approximation) return report;
   Proofs proofs(subject, forms);
-  const Points points = random_points(subject.model, seed);
+  const SamplingStates points = random_points(subject.model, seed);
   for (const Expectation& expectation : subject.model.expectations) {
     check(report, expectation, subject, proofs, points);
   }
