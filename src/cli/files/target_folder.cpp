@@ -78,7 +78,6 @@ bool TargetFolder::create_stage() {
 }
 
 std::optional<Failure> TargetFolder::stage(std::vector<std::string>& written) {
-  remove_stale_stages();
   for (const OutputFile* file : files_) {
     if (holds(file->path, file->text)) continue;
     if (stage_.empty() && !create_stage()) return Failure{file->path, errno};

@@ -24,6 +24,8 @@ class TargetFolder {
   /// Whether another process removed the folder before it was locked.
   [[nodiscard]] bool is_removed() const;
 
+  /// Of processes that were killed.
+  void remove_stale_stages() const;
   /// Writes what differs from the disk into a fresh folder inside; `written` gains the paths.
   [[nodiscard]] std::optional<Failure> stage(std::vector<std::string>& written);
   /// Moves it to its place.
@@ -41,7 +43,6 @@ class TargetFolder {
     bool is_done = false;
   };
 
-  void remove_stale_stages() const;
   [[nodiscard]] bool create_stage();
   static bool undo(const Move& move) noexcept;
 

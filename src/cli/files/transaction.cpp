@@ -95,6 +95,8 @@ std::optional<Failure> Transaction::hold_folders(const std::vector<OutputFile>& 
 
 std::optional<Failure> Transaction::write(const std::vector<OutputFile>& files) {
   if (auto failure = hold_folders(files)) return failure;
+  // Before anything is staged: iterators of folders end the process where memory is refused.
+  for (auto& [identity, folder] : folders_) folder->remove_stale_stages();
   for (auto& [identity, folder] : folders_) {
     if (auto failure = folder->stage(written_)) return failure;
   }
