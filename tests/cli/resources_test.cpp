@@ -73,4 +73,17 @@ TEST_CASE(
   CHECK(shell("pgrep -f 'sleep 7713'", workspace.path()).status == 1);
 }
 
+TEST_CASE("a limit that is reached while the process ends is told whole, or not at all") {
+  const Workspace workspace;
+  for (int i = 0; i < 30; ++i) {
+    const Outcome outcome = shell("elgen generate -q -o out --limit seconds=0 " +
+                                      std::string(ELGEN_SOURCE_DIR) + "/models/cart_pole.toml",
+                                  workspace.path());
+    INFO(outcome.errors);
+    CHECK((outcome.status == 0 || outcome.status == 3));
+    CHECK((outcome.errors.empty() ||
+           starts_with(outcome.errors, "elgen: error[E909]: 0 s of processor time are over\n")));
+  }
+}
+
 }  // namespace elgen::test

@@ -37,8 +37,9 @@ struct LastWords {
   LastMessage memory = {};
 };
 
+/// Never destroyed: a signal may come while the process ends.
 LastWords& last_words() {
-  static LastWords words;
+  static LastWords& words = *new LastWords;
   return words;
 }
 
