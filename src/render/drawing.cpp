@@ -107,7 +107,14 @@ class Drawer {
  public:
   Drawer(Alphabet alphabet, Fractions fractions) : alphabet_(alphabet), fractions_(fractions) {}
 
+  /// Of one line at least.
   [[nodiscard]] Block draw(const LatexTree& tree) const {
+    Block block = drawn(tree);
+    return block.lines.empty() ? line_of("") : block;
+  }
+
+ private:
+  [[nodiscard]] Block drawn(const LatexTree& tree) const {
     switch (tree.kind) {
       case LatexKind::row:
         return row(tree.parts);
@@ -128,7 +135,6 @@ class Drawer {
     }
   }
 
- private:
   [[nodiscard]] bool is_unicode() const { return alphabet_ == Alphabet::unicode; }
 
   [[nodiscard]] std::string text_of_line(const LatexTree& tree) const {
@@ -146,6 +152,7 @@ class Drawer {
 
   /// The accent of the first letter.
   [[nodiscard]] std::string accented(const LatexTree& tree, const std::string& base) const {
+    if (base.empty()) return base;
     const bool is_double = tree.text == "¨";
     if (!is_unicode()) return is_double ? "ddot(" + base + ")" : "dot(" + base + ")";
     const std::size_t first = std::max<std::size_t>(1, code_point_at(base, 0).bytes);

@@ -8,6 +8,8 @@
 
 #include "base/ascii.hpp"
 #include "elgen/leaf_names.hpp"
+#include "render/drawing.hpp"
+#include "render/latex_tree.hpp"
 
 namespace elgen {
 namespace {
@@ -132,12 +134,24 @@ std::string_view greek_command(std::string_view letter) {
   return {};
 }
 
+namespace {
+
+/// A key such as `{}` or `\mathrm{}`.
+bool draws_nothing(const std::string& key) {
+  const Block block = drawing(read_latex(key), Alphabet::unicode, Fractions::in_line);
+  return std::ranges::all_of(block.lines, [](const std::string& line) {
+    return line.find_first_not_of(' ') == std::string::npos;
+  });
+}
+
+}  // namespace
+
 SymbolText latex_symbol(std::string_view name, const std::string& key) {
   const std::size_t bracket = std::min(name.find('['), name.size());
   std::string index(name.substr(bracket));
   if (!index.empty()) index = index.substr(1, index.size() - 2);
   SymbolText symbol = named_symbol(name.substr(0, bracket));
-  if (!key.empty()) {
+  if (!key.empty() && !draws_nothing(key)) {
     const std::size_t scripts = scripts_of(key);
     symbol = {key.substr(0, scripts), key.substr(scripts)};
   }

@@ -45,7 +45,8 @@ class ModelSymbols {
   LeafValues<std::string> leaves_ = {};
 };
 
-/// The symbol of a name; of "l[2]" with the key of `l`. An empty key: as the name suggests.
+/// The symbol of a name; of "l[2]" with the key of `l`. Without a key, and with one that draws
+/// nothing: as the name suggests.
 [[nodiscard]] SymbolText latex_symbol(std::string_view name, const std::string& key = {});
 
 /// The character of a Greek letter's command ("theta"); empty for other words.

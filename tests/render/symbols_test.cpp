@@ -22,6 +22,13 @@ TEST_CASE("a model's own LaTeX is taken") {
   CHECK(latex_symbol("phi", "\\varphi").text() == "\\varphi");
 }
 
+TEST_CASE("a symbol that draws nothing is drawn by its name") {
+  for (const char* const key : {"{}", " ", "^", "\\dot", "\\mathrm{}", "\\dot{}", "_{}", "{{}}"}) {
+    INFO(key);
+    CHECK(latex_symbol("theta1", key).text() == "\\theta_{1}");
+  }
+}
+
 TEST_CASE("Greek letters by their command") {
   CHECK(greek_letter("theta") == "θ");
   CHECK(greek_letter("cart").empty());
