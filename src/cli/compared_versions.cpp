@@ -48,6 +48,17 @@ struct Side {
   }
 };
 
+/// Not of a path that is too long, or a link that leads round in a circle.
+bool is_folder(const fs::path& path) {
+  std::error_code error;
+  return fs::is_directory(path, error);
+}
+
+bool is_there(const fs::path& path) {
+  std::error_code error;
+  return fs::exists(path, error);
+}
+
 /// Files by the paths by which those of two folders match.
 using FilesByPath = std::map<std::string, fs::path>;
 
@@ -55,6 +66,7 @@ using FilesByPath = std::map<std::string, fs::path>;
 struct FolderFiles {
   FilesByPath systems = {};
   FilesByPath others = {};
+  Diagnostics errors = {};  ///< E707: a folder below it that cannot be read
 };
 
 bool is_system(const fs::path& path, const Limits& limits) {
@@ -69,19 +81,27 @@ FolderFiles files_below(const fs::path& folder, const Limits& limits) {
   FolderFiles files;
   FilesByPath sidecars;
   std::error_code error;
+  fs::path last = folder;
   for (auto at = fs::recursive_directory_iterator(folder, error);
-       at != fs::recursive_directory_iterator(); at.increment(error)) {
-    if (error) break;
-    const fs::path& path = at->path();
-    if (at->is_directory() && path.filename().string().starts_with(".")) {
+       !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
+    const fs::path& path = last = at->path();
+    // Of a link that leads nowhere, or round in a circle, nothing is known.
+    std::error_code unknown;
+    if (at->is_directory(unknown) && path.filename().string().starts_with(".")) {
       at.disable_recursion_pending();
       continue;
     }
-    if (!at->is_regular_file()) continue;
+    if (!at->is_regular_file(unknown)) continue;
     const std::string inside = path.lexically_relative(folder).generic_string();
     FilesByPath& list = is_system(path, limits) ? files.systems : files.others;
     if (path.extension() == ".toml") list.emplace(inside, path.lexically_normal());
     if (inside.ends_with(sidecar_ending)) sidecars.emplace(inside, path.lexically_normal());
+  }
+  if (error) {
+    files.errors.push_back(
+        {Code::E707,
+         {},
+         fmt::format("{} could not be read: {}", in_backticks(last.string()), error.message())});
   }
   if (files.systems.empty()) files.systems = std::move(sidecars);
   return files;
@@ -117,6 +137,7 @@ class VersionPairs {
                        const fs::path& new_folder) {
     const FolderFiles olds = files_below(old_folder, limits_);
     const FolderFiles news = files_below(new_folder, limits_);
+    if (!keep(olds.errors) || !keep(news.errors)) return;
     for (const auto& [path, now] : news.systems) {
       const FilesByPath& list = olds.others.count(path) > 0 ? olds.others : olds.systems;
       const auto old = list.find(path);
@@ -191,7 +212,7 @@ class VersionPairs {
 Result<DiffReport> compared_paths(const std::string& before, const std::string& after,
                                   const CompareOptions& options, const Limits& limits) {
   VersionPairs comparing(options, limits);
-  if (fs::is_directory(before) && fs::is_directory(after)) {
+  if (is_folder(before) && is_folder(after)) {
     comparing.compare_folders({}, before, {}, after);
   } else {
     comparing.compare({}, before, {}, after);
@@ -212,9 +233,9 @@ Result<DiffReport> compared_with_revision(const std::string& revision,
   VersionPairs comparing(options, limits);
   for (const std::string& path : paths) {
     const fs::path old = (here / path).lexically_normal();
-    if (fs::is_directory(path)) {
+    if (is_folder(path)) {
       comparing.compare_folders(old_side, old, {}, path);
-    } else if (fs::exists(old) || !fs::exists(path)) {
+    } else if (is_there(old) || !is_there(path)) {
       comparing.compare(old_side, old.string(), {}, path);
     } else {
       comparing.add({}, path);

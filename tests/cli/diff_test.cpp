@@ -117,6 +117,19 @@ TEST_CASE("a model that cannot be read is an error in every mode, not a removed 
   }
 }
 
+TEST_CASE("links that lead nowhere, and paths that are too long, are no internal errors") {
+  const TwoFolders folders;
+  prepare(
+      "ln -s nothing old/dangling.toml && ln -s round new/round && ln -s loop.toml new/loop.toml "
+      "&& mkdir -p out && ln -s round out/round",
+      folders.path());
+  CHECK(folders.diff("old new").status == 1);
+  const std::string name(300, 'a');
+  CHECK(folders.diff("old/cart_pole.toml " + name).status == 4);
+  CHECK(folders.diff("old " + name).status == 4);
+  CHECK(shell("elgen generate --check -o out new/cart_pole.toml", folders.path()).status == 1);
+}
+
 TEST_CASE("a rename is OLD=NEW, and two inputs are compared") {
   const TwoFolders folders;
   CHECK(folders.diff("--rename l=len old/cart_pole.toml new/cart_pole.toml").status == 1);

@@ -42,8 +42,9 @@ class OrphanSearch {
   std::vector<FileDifference> operator()() {
     for (const fs::path& folder : folders_) add(folder, "nothing generates it");
     for (const fs::path& folder : entries_in(directory_)) {
+      std::error_code error;
       const bool is_other =
-          fs::is_directory(folder) && folders_.count(folder.lexically_normal()) == 0;
+          fs::is_directory(folder, error) && folders_.count(folder.lexically_normal()) == 0;
       if (!is_other) continue;
       if (const std::string reason = reason_of(folder); !reason.empty()) add(folder, reason);
     }
@@ -67,7 +68,8 @@ class OrphanSearch {
       const std::string& source = stated.scene.empty() ? stated.model : stated.scene;
       const auto file = source_file(directory_, source);
       if (!file) return {};
-      if (!fs::exists(*file)) return fmt::format("there is no {}", *file);
+      std::error_code error;
+      if (!fs::exists(*file, error)) return fmt::format("there is no {}", *file);
       const bool is_renamed = std::ranges::any_of(
           sources_, [&stated](const SourcePaths& paths) { return same_sources(paths, stated); });
       return is_renamed ? fmt::format("{} has another name now", *file) : "";
