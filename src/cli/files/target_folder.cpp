@@ -2,6 +2,7 @@
 // removed by the next one, under the lock.
 #include "cli/files/target_folder.hpp"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
@@ -9,6 +10,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 
 namespace elgen::cli {
 
@@ -61,12 +63,16 @@ bool TargetFolder::is_removed() const {
   return ::fstat(open_.number(), &status) != 0 || status.st_nlink == 0;
 }
 
+/// The iterators of std::filesystem end the process where memory is refused.
 void TargetFolder::remove_stale_stages() const {
-  std::error_code error;
+  const std::unique_ptr<DIR, int (*)(DIR*)> folder(::opendir(path_.c_str()), &::closedir);
+  if (folder == nullptr) return;
   std::vector<fs::path> stale;
-  for (const auto& entry : fs::directory_iterator(path_, error)) {
-    if (entry.path().filename().string().starts_with(stage_prefix)) stale.push_back(entry.path());
+  while (const dirent* const entry = ::readdir(folder.get())) {
+    const std::string_view name(entry->d_name);
+    if (name.starts_with(stage_prefix)) stale.push_back(fs::path(path_) / name);
   }
+  std::error_code error;
   for (const fs::path& stage : stale) fs::remove_all(stage, error);
 }
 

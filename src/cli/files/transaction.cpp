@@ -29,7 +29,9 @@ Transaction::Transaction(std::uint64_t seconds)
     : deadline_(std::chrono::steady_clock::now() + std::chrono::seconds(seconds)) {}
 
 Transaction::~Transaction() {
-  for (auto& [identity, folder] : folders_) folder->finish(stays_);
+  for (auto& [identity, folder] : folders_) {
+    if (folder != nullptr) folder->finish(stays_);  // null where memory for it was refused
+  }
   if (stays_) return;
   // Folders made in vain are empty now, and still locked.
   for (auto path = created_.rbegin(); path != created_.rend(); ++path) {
@@ -95,7 +97,7 @@ std::optional<Failure> Transaction::hold_folders(const std::vector<OutputFile>& 
 
 std::optional<Failure> Transaction::write(const std::vector<OutputFile>& files) {
   if (auto failure = hold_folders(files)) return failure;
-  // Before anything is staged: iterators of folders end the process where memory is refused.
+  // Before anything is staged, which would be left behind where this fails.
   for (auto& [identity, folder] : folders_) folder->remove_stale_stages();
   for (auto& [identity, folder] : folders_) {
     if (auto failure = folder->stage(written_)) return failure;
