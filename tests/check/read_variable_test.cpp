@@ -78,5 +78,16 @@ TEST_CASE("prescribed functions may move what they move") {
   CHECK(dumped(model, "time") == "time yes\n");
 }
 
+TEST_CASE("an angle wraps, also in a model in which all units are 1") {
+  const auto turned = [](const std::string& unit, const std::string& parameter) {
+    return "format = 1\n[model]\nname = \"turned\"\n[[coordinate]]\nname = \"q\"\nunit = \"" +
+           unit + "\"\nwrap = true\n[parameters]\nJ = { value = 1" + parameter +
+           " }\n[energy]\nT = \"1/2*J*dot(q)^2\"\n";
+  };
+  CHECK(checked(turned("rad", "")).model.coordinates.front().wrap);
+  CHECK(checked(turned("rad", ", unit = \"kg*m^2\"")).model.coordinates.front().wrap);
+  CHECK(messages(turned("m", ", unit = \"kg\"")).find("E528") == 0);
+}
+
 }  // namespace
 }  // namespace elgen::test

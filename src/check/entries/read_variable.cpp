@@ -43,7 +43,8 @@ void read_start(ValueReader& values, const ValueSyntax& table, Coordinate& coord
 }
 
 void check_wrap(Context& context, const EntrySyntax& entry, const Coordinate& coordinate) {
-  const bool is_angle = coordinate.unit_text.empty() || coordinate.unit == find_unit("rad");
+  // rad is 1, and a model in which all units are has none.
+  const bool is_angle = coordinate.unit.value_or(*find_unit("rad")) == *find_unit("rad");
   if (!coordinate.wrap || is_angle) return;
   context.report.add(
       Code::E528, entry.find("wrap")->key_span,
