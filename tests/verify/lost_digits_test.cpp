@@ -69,3 +69,12 @@ TEST_CASE("losses are not measured where nobody asks") {
   const auto samples = sample_states<double>(system.subject(), {4, 1, false});
   CHECK(check_accuracy(system.subject(), samples).size() == 1);
 }
+
+TEST_CASE("states are counted once, however many fields an output has") {
+  const System system = cart_pole_system();
+  const auto samples = sample_states<double>(system.subject(), {8, 1, false});
+  for (const CertificateRow& row : check_accuracy(
+           system.subject(), samples, {{Comparison::entries, nullptr, Losing::everywhere}, {}})) {
+    if (row.check == "digits lost") CHECK(row.samples <= samples.size());
+  }
+}

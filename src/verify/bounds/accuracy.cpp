@@ -151,7 +151,7 @@ std::vector<CertificateRow> check_accuracy(const Subject& subject,
       if (!is_due(kind, visit.state().v.size(), i, options.visit.comparison)) continue;
       const Finding finding = visit.look_at(record.place, random);
       add(record, finding, subject, visit.state());
-      losses[record.place.function].add(record.place, finding, subject, visit.state());
+      losses[record.place.function].add(record.place, finding, subject, visit.state(), i);
       as_users.add(subject_of(record.place, scalar), finding, visit.state(), i);
     }
   }

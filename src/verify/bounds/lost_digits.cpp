@@ -24,9 +24,10 @@ double digits_of(double figure) { return figure > 1 ? std::log10(figure) : 0; }
 }  // namespace
 
 void LostDigits::add(const FieldPlace& place, const Finding& finding, const Subject& subject,
-                     const State& state) {
+                     const State& state, std::size_t at) {
   if (!finding.loss) return;
-  ++states_;
+  states_ += last_ == at ? 0 : 1;
+  last_ = at;
   const auto record = [&](Worst& worst, const LostEntry& lost) {
     if (lost.figure <= worst.figure) return;
     worst = {lost.figure, name_of_entry(place, lost.entry), describe_exactly(subject, state)};

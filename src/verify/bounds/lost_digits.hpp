@@ -12,8 +12,9 @@ namespace elgen {
 /// Collects the losses of one output in one scalar over all states.
 class LostDigits {
  public:
+  /// `at` is the number of the state. Fields of one state come one after another.
   void add(const FieldPlace& place, const Finding& finding, const Subject& subject,
-           const State& state);
+           const State& state, std::size_t at);
 
   [[nodiscard]] bool is_empty() const { return states_ == 0; }
 
@@ -30,6 +31,7 @@ class LostDigits {
   };
 
   std::size_t states_ = 0;
+  std::optional<std::size_t> last_ = {};  ///< of the states
   Worst of_entry_ = {};
   Worst of_field_ = {};
 };
