@@ -8,7 +8,6 @@
 //     specialise -> choose   what `step` calls, derived in its own name
 #include "elgen/pipeline.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "elgen/cancel.hpp"

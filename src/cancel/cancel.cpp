@@ -44,6 +44,12 @@ Places outermost(const Function& function, const Places& zeros) {
 struct Zeros {
   Places proved = {};   ///< the closed form is the empty sum
   Places sampled = {};  ///< analytic, and 0 at `zero_points` points
+
+  [[nodiscard]] Places all() const {
+    Places places = proved;
+    places.insert(places.end(), sampled.begin(), sampled.end());
+    return places;
+  }
 };
 
 Zeros told_apart(const Program& program, const Function& function, const Places& places) {
@@ -68,9 +74,7 @@ Zeros found_zeros(const Program& program, const Function& function) {
   Zeros zeros = told_apart(program, function, places);
   if (zeros.proved.size() + zeros.sampled.size() == places.size()) return zeros;
   zeros = told_apart(program, function, candidates);
-  Places all = zeros.proved;
-  all.insert(all.end(), zeros.sampled.begin(), zeros.sampled.end());
-  const std::vector<bool> is_outermost = marked(function, outermost(function, all));
+  const std::vector<bool> is_outermost = marked(function, outermost(function, zeros.all()));
   const auto is_inside = [&is_outermost](std::uint32_t at) { return !is_outermost[at]; };
   std::erase_if(zeros.proved, is_inside);
   std::erase_if(zeros.sampled, is_inside);
@@ -108,10 +112,8 @@ Network network_of(const Expressions& expressions, const Function& function) {
 
 /// The function with 0 at those places, lowered again.
 Function without(const Zeros& zeros, const Function& function, Program& program) {
-  Places all = zeros.proved;
-  all.insert(all.end(), zeros.sampled.begin(), zeros.sampled.end());
   const Expressions expressions =
-      from_program(program, function, entries_of(function), marked(function, all));
+      from_program(program, function, entries_of(function), marked(function, zeros.all()));
   Function result = unfilled(function);
   linearise(network_of(expressions, result), program, result);
   result.sampled_zeros = resting_on(function, zeros.sampled);

@@ -219,10 +219,16 @@ class InterfaceComparison {
     for (const Function& now : new_functions_) {
       const auto old = std::ranges::find(old_functions_, now.name, &Function::name);
       const bool is_in_both = old != old_functions_.end() && output_row(now.kind).of_user;
-      if (!is_in_both || old->kind != now.kind || shape(*old) == shape(now)) continue;
+      if (!is_in_both || old->kind != now.kind || has_shape_of(*old, now)) continue;
       add(Impact::incompatible,
           fmt::format("{} is {} where it was {}", in_backticks(now.name), shape(now), shape(*old)));
     }
+  }
+
+  static bool has_shape_of(const Function& old, const Function& now) {
+    return std::ranges::equal(old.fields, now.fields, [](const Field& x, const Field& y) {
+      return x.rows == y.rows && x.columns == y.columns;
+    });
   }
 
   /// "2 x 3", "2 x 1"

@@ -107,6 +107,26 @@ bool are_equal(const std::vector<cl_R>& a, const std::vector<cl_R>& b) {
   return !is_zero;
 }
 
+/// Of all entries together; `of_entry` gives nothing where one has no value.
+template <class Entry, class Of>
+Energy sum_of(const std::vector<Entry>& entries, const Of& of_entry) {
+  return [&entries, of_entry](const State& state) -> std::optional<cl_R> {
+    cl_R sum = 0;
+    for (const Entry& entry : entries) {
+      const auto energy = of_entry(entry, state);
+      if (!energy) return std::nullopt;
+      sum = sum + *energy;
+    }
+    return sum;
+  };
+}
+
+Energy written_as(const Model& model, ExpressionId expression) {
+  return [&model, expression](const State& state) {
+    return oracle_expression(model, expression, state);
+  };
+}
+
 /// What all weights bring in, of this mass alone where it has parameters.
 bool is_given_twice(const Inspected& subject, const std::vector<Weight>& weights,
                     const Weight& weight) {
@@ -117,23 +137,16 @@ bool is_given_twice(const Inspected& subject, const std::vector<Weight>& weights
                                 weight_parameters(model, {gravity.begin(), gravity.end()})}) {
     if (!set.empty()) sets.push_back(set);
   }
-  const Energy written = [&](const State& state) {
-    return oracle_expression(model, *model.energies.V, state);
-  };
-  const Energy given = [&](const State& state) -> std::optional<cl_R> {
-    cl_R sum = 0;
-    for (const Weight& each : weights) {
-      const auto energy = energy_of(model, each, state);
-      if (!energy) return std::nullopt;
-      sum = sum + *energy;
-    }
-    return sum;
-  };
+  const Energy written = written_as(model, *model.energies.V);
+  const Energy given = sum_of(weights, [&model](const Weight& each, const State& state) {
+    return energy_of(model, each, state);
+  });
   return are_equal(differences(subject, written, sets), differences(subject, given, sets));
 }
 
-/// 1/2 m v^2; nothing where it has no value.
+/// 1/2 m v^2, 0 without a mass; nothing where it has no value.
 std::optional<cl_R> kinetic_energy_of(const Model& model, const Point& point, const State& state) {
+  if (!point.mass) return cl_R(0);
   const auto mass = oracle_expression(model, *point.mass, state);
   if (!mass) return std::nullopt;
   cl_R square = 0;
@@ -150,19 +163,10 @@ bool is_given_twice(const Inspected& subject, const Point& point) {
   const Model& model = subject.model;
   const Parameters mass = weight_parameters(model, {*point.mass});
   if (mass.empty()) return false;
-  const Energy written = [&](const State& state) {
-    return oracle_expression(model, *model.energies.T, state);
-  };
-  const Energy given = [&](const State& state) -> std::optional<cl_R> {
-    cl_R sum = 0;
-    for (const Point& each : model.points) {
-      if (!each.mass) continue;
-      const auto energy = kinetic_energy_of(model, each, state);
-      if (!energy) return std::nullopt;
-      sum = sum + *energy;
-    }
-    return sum;
-  };
+  const Energy written = written_as(model, *model.energies.T);
+  const Energy given = sum_of(model.points, [&model](const Point& each, const State& state) {
+    return kinetic_energy_of(model, each, state);
+  });
   return are_equal(differences(subject, written, {mass}), differences(subject, given, {mass}));
 }
 

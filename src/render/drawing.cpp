@@ -247,8 +247,7 @@ class Drawer {
 
   /// What stands between two pieces.
   [[nodiscard]] std::string between(Role left, const LatexTree& part) const {
-    const LatexTree& symbol = part.kind == LatexKind::scripts ? part.parts[0] : part;
-    if (symbol.text == "′") return "";
+    if (base_of(part).text == "′") return "";
     const Role right = role_of(part);
     const bool is_bracket = is_open_bracket(part);
     if (left == Role::none || left == Role::prefix || right == Role::comma) return "";

@@ -187,6 +187,7 @@ ModelSymbols::ModelSymbols(const Model& model) {
     leaves_.v.push_back(written(Opcode::velocity, symbol, has_own));
     leaves_.a.push_back(written(Opcode::acceleration, symbol, has_own));
   }
+  leaves_.parameters.resize(model.parameters.size());
   for (const ParameterArray& array : model.parameter_arrays) {
     arrays_.push_back(latex_symbol(array.is_array ? array.name + "[i]" : array.name, array.latex));
     std::vector<SymbolText> all;
@@ -195,7 +196,6 @@ ModelSymbols::ModelSymbols(const Model& model) {
     }
     const std::string primes = primes_for(all);
     arrays_.back().scripts += primes;
-    leaves_.parameters.resize(model.parameters.size());
     for (std::uint32_t i = 0; i < array.count; ++i) {
       leaves_.parameters[array.first + i] = all[i].text() + primes;
     }

@@ -85,7 +85,7 @@ class FrameReader {
     frame_.steps.push_back(step);
   }
 
-  /// A number of more than a turn is meant in degrees.
+  /// A number of more than a turn, 2 pi < 7, is meant in degrees.
   void note_degrees(const ValueSyntax& value, ExpressionId angle) {
     const Expression& e = context_.model.expressions[angle];
     if (e.kind != ExpressionKind::number || cln::abs(e.number) <= 7) return;
