@@ -92,6 +92,13 @@ TEST_CASE("a root may have the other sign elsewhere, and so may an angle") {
                   "  result 1 1 = 3\n") == std::vector<bool>{false});
 }
 
+TEST_CASE("the other sign of a root may lie beyond all points") {
+  // sqrt((x - 2)^2) + x - 2, which is 0 for x < 2
+  CHECK(elsewhere("  0 = coordinate x\n  1 = constant 2\n  2 = subtract 0 1\n  3 = multiply 2 2\n"
+                  "  4 = square_root 3\n  5 = add 4 2\n  result 1 1 = 5\n") ==
+        std::vector<bool>{false});
+}
+
 TEST_CASE("the logarithm of what is positive is analytic") {
   // log(exp(x)) - x
   CHECK(elsewhere("  0 = coordinate x\n  1 = exp 0\n  2 = log 1\n  3 = subtract 2 0\n"
