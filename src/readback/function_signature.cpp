@@ -62,12 +62,10 @@ void FunctionReader::signature() {
 }
 
 void FunctionReader::cpp_signature() {
-  is_returned_ = !tokens_.at("void");
-  if (is_returned_) {
-    tokens_.expect_code("[[nodiscard]] " + result_type());
-  } else {
-    tokens_.expect("void");
-  }
+  is_returned_ = tokens_.at("[");
+  if (is_returned_) tokens_.expect_code("[[nodiscard]]");
+  if (file_.dialect.shape == Shape::cpp) tokens_.expect("ELGEN_FUNCTION");
+  tokens_.expect_code(is_returned_ ? result_type() : "void");
   tokens_.expect(function_.name);
   tokens_.expect("(");
   if (!is_returned_) {
@@ -78,6 +76,7 @@ void FunctionReader::cpp_signature() {
 }
 
 void FunctionReader::cpp_part_signature() {
+  if (file_.dialect.shape == Shape::cpp) tokens_.expect("ELGEN_FUNCTION");
   tokens_.expect("void");
   tokens_.expect(name_of_part(parts_));
   tokens_.expect("(");

@@ -72,10 +72,12 @@ Diagnostic no_compiler(const ProcessResult& last) {
   return {Code::E704, {}, "tried " + tried};
 }
 
-/// What every driver needs: a language, its library, and room to compile, in one line.
+/// What every driver needs: a language, its library, room to compile, and sums in their order.
 std::string probe_text(const Driver& driver) {
-  std::string headers = "#include <math.h>\n";
-  if (!driver.needs.empty()) headers = fmt::format("#include <{}>\n", driver.needs);
+  std::string headers =
+      "#include <math.h>\n#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)\n#error\n"
+      "#endif\n";
+  if (!driver.needs.empty()) headers += fmt::format("#include <{}>\n", driver.needs);
   return headers + "int elgen_probe(void);\nint elgen_probe(void) { return 0; }\n";
 }
 

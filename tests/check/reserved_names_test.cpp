@@ -21,6 +21,7 @@ TEST_CASE("names with another meaning are reserved") {
   }
   CHECK(reserved_reason("int") == "it is a keyword of C++");
   CHECK(reserved_reason("M_E") == "it is a macro of C or C++");
+  CHECK(reserved_reason("ELGEN_FUNCTION") == "it is a macro of C or C++");
 }
 
 TEST_CASE("usual names of mechanics are free") {

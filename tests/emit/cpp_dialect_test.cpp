@@ -89,7 +89,7 @@ TEST_CASE("big results are written entry by entry") {
   REQUIRE(written.parts.size() > 1);
   const std::string& first = written.parts.front().body;
   CHECK(first.rfind("  result[0] = v[1];\n  result[1] = v[1];\n", 0) == 0);
-  CHECK(written.whole.signature.rfind("void bias(Forces<Scalar>& result,", 0) == 0);
+  CHECK(written.whole.signature.rfind("ELGEN_FUNCTION void bias(Forces<Scalar>& result,", 0) == 0);
   CHECK(written.whole.body.find("return") == std::string::npos);
 }
 

@@ -96,7 +96,7 @@ TEST_CASE("more entries than a stack should hold are written by reference") {
   bias.fields = {{"", 4097, 1, std::vector<std::uint32_t>(4097, 0)}};
   subject.program.functions = {bias};
   const FunctionDefinition function = function_of(subject);
-  CHECK(function.whole.signature.rfind("void bias(Forces<Scalar>& result,", 0) == 0);
+  CHECK(function.whole.signature.rfind("ELGEN_FUNCTION void bias(Forces<Scalar>& result,", 0) == 0);
   CHECK(function.whole.body.find("return") == std::string::npos);
 }
 

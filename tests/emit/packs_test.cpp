@@ -51,11 +51,75 @@ TEST_CASE("batches give what the functions of one state give") {
   expect_success("batch.cpp", GENERATE("", "-march=native", "-march=x86-64-v3"));
 }
 
-TEST_CASE("batches are refused under fast-math, whatever is defined") {
+TEST_CASE("fast-math is refused by batches, or does not reach their angles") {
   const std::string compiler = GENERATE("g++", "clang++");
+  const std::string flags = GENERATE("-ffast-math", "-ffast-math -fno-finite-math-only",
+                                     "-Ofast -fno-finite-math-only", "-funsafe-math-optimizations",
+                                     "-fassociative-math -fno-signed-zeros -fno-trapping-math");
+  // clang has no macro for parts of fast-math; there angles are reduced as they are without.
+  const bool is_refused = compiler == "g++" || flags == "-ffast-math";
   const test::Workspace workspace;
   const test::Outcome built =
-      build(compiler, "batch.cpp", workspace, "-ffast-math -DELGEN_ALLOW_FAST_MATH");
-  CHECK(built.status != 0);
-  CHECK(test::mentions(built.errors, "fast-math takes apart how angles are reduced"));
+      build(compiler, "batch.cpp", workspace, flags + " -DELGEN_ALLOW_FAST_MATH");
+  INFO(compiler << " " << flags << "\n" << built.errors);
+  REQUIRE((built.status != 0) == is_refused);
+  if (is_refused) {
+    CHECK(test::mentions(built.errors, "fast-math takes apart how angles are reduced"));
+  } else {
+    CHECK(test::shell("./program", workspace.path()).status == 0);
+  }
+}
+
+TEST_CASE("parts of fast-math are refused by functions of C++ and of C") {
+  const std::string header =
+      GENERATE("-std=c++17 -x c++ cart_pole/cart_pole.hpp",
+               "-std=c99 -x c panda7_gravity_compensation/panda7_gravity_compensation.h");
+  const std::filesystem::path folder = std::string(ELGEN_SOURCE_DIR) + "/generated";
+  const std::string command = "g++ -fsyntax-only -funsafe-math-optimizations " + header;
+  CHECK(test::mentions(test::shell(command, folder).errors, "fast-math reorders these equations"));
+  CHECK(test::shell(command + " -DELGEN_ALLOW_FAST_MATH", folder).status == 0);
+}
+
+TEST_CASE("a standard below C++17 is named") {
+  const test::Outcome compiled =
+      test::shell("g++ -std=c++14 -fsyntax-only -x c++ cart_pole/cart_pole.hpp",
+                  std::string(ELGEN_SOURCE_DIR) + "/generated");
+  CHECK(test::mentions(compiled.errors, "these functions are C++17: compile with -std=c++17"));
+}
+
+TEST_CASE("device code calls the functions") {
+  const test::Workspace workspace;
+  const std::string folders = " -I" + (std::string(ELGEN_SOURCE_DIR) + "/generated ") +
+                              ELGEN_SOURCE_DIR + "/tests/emit/compiled/device.cu -o device";
+  const auto knows = [&](const std::string& question) {
+    return test::shell(question, workspace.path()).status == 0;
+  };
+  std::string compiler;
+  if (knows("nvcc --version")) {
+    compiler = "nvcc -std=c++17 --expt-relaxed-constexpr -c";
+  } else if (knows("clang++ --print-targets | grep -q nvptx64")) {
+    // Without NVIDIA's headers: the program declares the functions that it needs.
+    compiler =
+        "clang++ -std=c++17 -O1 -x cuda -nocudainc -nocudalib --cuda-device-only "
+        "--cuda-gpu-arch=sm_70 -Wall -Wextra -Wno-unknown-cuda-version -Werror -S";
+  } else {
+    WARN("skipped: neither nvcc nor a clang++ that knows GPUs is here");
+    return;
+  }
+  const test::Outcome built = test::shell(compiler + folders, workspace.path());
+  INFO(compiler << "\n" << built.errors);
+  CHECK(built.status == 0);
+}
+
+TEST_CASE("the macro before the functions is the user's to define") {
+  const test::Workspace workspace;
+  test::write_text(workspace.path() / "own.cpp",
+                   "#define ELGEN_FUNCTION __attribute__((noinline))\n"
+                   "#include \"cart_pole/cart_pole.hpp\"\n"
+                   "double M() { return cart_pole::mass_matrix<double>({}, {})[0]; }\n");
+  const test::Outcome built = test::shell(
+      "g++ -std=c++17 -O2 -S own.cpp -o - -I " + (ELGEN_SOURCE_DIR + std::string("/generated")),
+      workspace.path());
+  REQUIRE(built.status == 0);
+  CHECK(test::mentions(built.output, "mass_matrix"));
 }

@@ -14,9 +14,9 @@ using test::expect_refused;
 TEST_CASE("another signature is refused") {
   const std::string h = "wide.hpp";
   for (const Change& change : std::vector<Change>{
-           {cpp(), h, "] SquareMatrix<Scalar> mass", "SquareMatrix", "Forces",
+           {cpp(), h, "N SquareMatrix<Scalar> mass", "SquareMatrix", "Forces",
             "`Forces` instead of `SquareMatrix`"},
-           {cpp(), h, "] SquareMatrix<Scalar> mass", "mass_matrix", "matrix", "instead of"},
+           {cpp(), h, "N SquareMatrix<Scalar> mass", "mass_matrix", "matrix", "instead of"},
            {cpp(), h, "> inverse_dynamics(", "Accelerations", "Velocities", "instead of"},
            {cpp(), h, "> inverse_dynamics(", " noexcept", "", "instead of `noexcept`"},
            {cpp(), h, "struct ForwardDynamics", "Accelerations<", "SquareMatrix<",

@@ -181,6 +181,19 @@ TEST_CASE(
   CHECK(words.message.size() < 5000);
 }
 
+TEST_CASE("code that a compiler with fast-math refuses is not at fault") {
+  const auto code_with = [](const std::string& command) {
+    const ScopedVariable compiler("CXX", command);
+    const auto compiled = compile_header("#error \"fast-math\"\n");
+    REQUIRE_FALSE(compiled);
+    return compiled.diagnostics.front().code;
+  };
+  CHECK(code_with("g++") == elgen::Code::E705);
+  CHECK(code_with("g++ -ffast-math") == elgen::Code::E709);
+  CHECK(code_with("clang++ -ffast-math") == elgen::Code::E709);
+  CHECK(code_with("g++ -funsafe-math-optimizations") == elgen::Code::E709);
+}
+
 TEST_CASE("without a place to write there is E706") {
   const ScopedVariable variable("TMPDIR", "/nonexistent/elgen");
   const auto compiled = compile_header(sample::header());

@@ -115,8 +115,8 @@ constexpr auto library_macros = std::to_array<std::string_view>({
 constexpr std::array more_macros{"HUGE",  "OVERFLOW", "UNDERFLOW", "DOMAIN", "SING",
                                  "PLOSS", "TLOSS",    "imaginary", "i386",   "signgam"};
 
-constexpr std::array macro_prefixes{"M_",   "FP_",   "MATH_", "DBL_",
-                                    "FLT_", "LDBL_", "INT_",  "EIGEN_"};
+constexpr std::array macro_prefixes{"M_",    "FP_",  "MATH_",  "DBL_",  "FLT_",
+                                    "LDBL_", "INT_", "EIGEN_", "ELGEN_"};
 
 /// Functions too, but told apart from variables by what they are called with.
 constexpr std::array component_names{"x", "y", "z"};

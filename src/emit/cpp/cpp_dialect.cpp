@@ -116,11 +116,13 @@ class CppDialect : public Dialect {
     Texts arguments = declared_arguments(function, used);
     const std::string type = result_type(function);
     if (is_returned(function)) {
-      const std::string start = fmt::format("[[nodiscard]] {} {}", type, function.name);
+      const std::string start =
+          fmt::format("[[nodiscard]] {}{} {}", function_macro(), type, function.name);
       return elgen::signature(start, arguments, " noexcept");
     }
     arguments.insert(arguments.begin(), type + "& result");
-    return elgen::signature("void " + function.name, arguments, " noexcept");
+    return elgen::signature(fmt::format("{}void {}", function_macro(), function.name), arguments,
+                            " noexcept");
   }
 
   std::string part_signature(const Function& function, std::size_t part,
@@ -129,7 +131,8 @@ class CppDialect : public Dialect {
                        workspace_name(function) + "<Scalar>&" + name_if(used, " w")};
     const Texts own = declared_arguments(function, used);
     arguments.insert(arguments.end(), own.begin(), own.end());
-    return elgen::signature("void " + part_name(function, part), arguments, " noexcept");
+    const std::string start = fmt::format("{}void {}", function_macro(), part_name(function, part));
+    return elgen::signature(start, arguments, " noexcept");
   }
 
   std::string calling_body(const Function& function, std::size_t parts) const override {
@@ -161,6 +164,9 @@ class CppDialect : public Dialect {
     if (gives_struct(function)) return cpp_struct_name(function) + "<Scalar>";
     return type_of_field(function.kind, function.fields.front());
   }
+
+  /// In front of the type that a function returns; with a blank behind it.
+  virtual std::string_view function_macro() const { return "ELGEN_FUNCTION "; }
 
   /// "[2]": after the name of an array.
   virtual std::string element(std::uint32_t index) const { return fmt::format("[{}]", index); }
@@ -220,6 +226,8 @@ class EigenDialect final : public CppDialect {
   bool is_reserved(const std::string& name) const override {
     return is_eigen_name(name) || CppDialect::is_reserved(name);
   }
+
+  std::string_view function_macro() const override { return ""; }
 
   std::string element(std::uint32_t index) const override { return fmt::format("({})", index); }
 
