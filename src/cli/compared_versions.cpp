@@ -1,11 +1,11 @@
-// The files of a revision are unpacked into a temporary folder, where scenes find their models.
+// Files of folders are paired by their paths, those of a revision with the working tree.
 #include "cli/compared_versions.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
+#include <set>
 
 #include "cli/files/inputs.hpp"
 #include "cli/files/output_files.hpp"
@@ -14,7 +14,6 @@
 #include "cli/versions/revision.hpp"
 #include "elgen/wording.hpp"
 #include "parse/names_model.hpp"
-#include "toolchain/temporary_directory.hpp"
 
 namespace elgen::cli {
 
@@ -22,31 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-SourcePointer with_path(const SourcePointer& source, const std::string& path) {
-  return source == nullptr ? nullptr : make_source(path, source->text);
-}
-
 bool same_text(const SourcePointer& x, const SourcePointer& y) {
   if (x == nullptr || y == nullptr) return x == y;
   return x->text == y->text;
 }
-
-/// A folder whose files are called otherwise in messages.
-struct Side {
-  fs::path folder = {};
-  std::string shown = {};  ///< in the place of the folder: "HEAD~1:"
-
-  [[nodiscard]] Result<Inputs> read(const std::string& path, const Limits& limits) const {
-    Result<Inputs> inputs = read_inputs(path, limits);
-    if (!inputs || shown.empty()) return inputs;
-    const auto named = [this](const SourcePointer& source) {
-      if (source == nullptr) return source;
-      const fs::path inside = fs::path(source->path).lexically_relative(folder);
-      return with_path(source, shown + inside.generic_string());
-    };
-    return Inputs{named(inputs->model), named(inputs->scene)};
-  }
-};
 
 /// Not of a path that is too long, or a link that leads round in a circle.
 bool is_folder(const fs::path& path) {
@@ -59,49 +37,112 @@ bool is_there(const fs::path& path) {
   return fs::exists(path, error);
 }
 
-/// Files by the paths by which those of two folders match.
-using FilesByPath = std::map<std::string, fs::path>;
+bool is_hidden(const fs::path& name) { return name.string().starts_with("."); }
 
-/// The systems of a folder, and its other TOML files, among them models that cannot be read.
-struct FolderFiles {
-  FilesByPath systems = {};
-  FilesByPath others = {};
-  Diagnostics errors = {};  ///< E707: a folder below it that cannot be read
+/// Where the files of a version are.
+class Side {
+ public:
+  Side() = default;
+  Side(const Side&) = delete;
+  Side& operator=(const Side&) = delete;
+  virtual ~Side() = default;
+
+  [[nodiscard]] virtual Result<SourcePointer> read(const std::string& path) const = 0;
+  [[nodiscard]] virtual Result<Inputs> inputs(const std::string& path) const = 0;
+  /// By their paths from the folder, but for those in hidden folders. E707: one cannot be read.
+  [[nodiscard]] virtual Result<std::vector<std::string>> files_below(
+      const std::string& folder) const = 0;
 };
 
-bool is_system(const fs::path& path, const Limits& limits) {
-  if (path.extension() != ".toml") return false;
-  if (path.filename().string().ends_with(".scene.toml")) return true;
-  const Result<SourcePointer> source = read_source(path.string(), limits);
+class FileSystem final : public Side {
+ public:
+  explicit FileSystem(const Limits& limits) : limits_(limits) {}
+
+  [[nodiscard]] Result<SourcePointer> read(const std::string& path) const override {
+    return read_source(path, limits_);
+  }
+  [[nodiscard]] Result<Inputs> inputs(const std::string& path) const override {
+    return read_inputs(path, limits_);
+  }
+  [[nodiscard]] Result<std::vector<std::string>> files_below(
+      const std::string& folder) const override {
+    std::vector<std::string> files;
+    std::error_code error;
+    fs::path last = folder;
+    for (auto at = fs::recursive_directory_iterator(folder, error);
+         !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
+      last = at->path();
+      // Of a link that leads nowhere, or round in a circle, nothing is known.
+      std::error_code unknown;
+      if (at->is_directory(unknown) && is_hidden(last.filename())) at.disable_recursion_pending();
+      if (!at->is_regular_file(unknown)) continue;
+      files.push_back(last.lexically_relative(folder).generic_string());
+    }
+    if (!error) return files;
+    return Diagnostic{
+        Code::E707,
+        {},
+        fmt::format("{} could not be read: {}", in_backticks(last.string()), error.message())};
+  }
+
+ private:
+  const Limits& limits_;
+};
+
+class InRevision final : public Side {
+ public:
+  InRevision(const Revision& revision, const Limits& limits)
+      : revision_(revision), limits_(limits) {}
+
+  [[nodiscard]] Result<SourcePointer> read(const std::string& path) const override {
+    return revision_.read(path, limits_);
+  }
+  [[nodiscard]] Result<Inputs> inputs(const std::string& path) const override {
+    return read_inputs(path, limits_, [this](const std::string& file) { return read(file); });
+  }
+  [[nodiscard]] Result<std::vector<std::string>> files_below(
+      const std::string& folder) const override {
+    std::vector<std::string> files = revision_.files_below(folder);
+    std::erase_if(files, [](const fs::path& file) {
+      const fs::path folders = file.parent_path();
+      return std::any_of(folders.begin(), folders.end(), is_hidden);
+    });
+    return files;
+  }
+
+ private:
+  const Revision& revision_;
+  const Limits& limits_;
+};
+
+/// The systems of a folder, and its other TOML files, among them models that cannot be read; by the
+/// paths by which those of two folders match.
+struct FolderFiles {
+  std::set<std::string> systems = {};
+  std::set<std::string> others = {};
+};
+
+std::string joined(const std::string& folder, const std::string& inside) {
+  return (fs::path(folder) / inside).lexically_normal().generic_string();
+}
+
+bool is_system(const Side& side, const std::string& path) {
+  if (path.ends_with(".scene.toml")) return true;
+  const Result<SourcePointer> source = side.read(path);
   return !source || declares_model(**source);
 }
 
 /// The models and scenes below a folder; where it has none, the sidecars.
-FolderFiles files_below(const fs::path& folder, const Limits& limits) {
+Result<FolderFiles> systems_below(const Side& side, const std::string& folder) {
+  const Result<std::vector<std::string>> found = side.files_below(folder);
+  if (!found) return found.diagnostics;
   FolderFiles files;
-  FilesByPath sidecars;
-  std::error_code error;
-  fs::path last = folder;
-  for (auto at = fs::recursive_directory_iterator(folder, error);
-       !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
-    const fs::path& path = last = at->path();
-    // Of a link that leads nowhere, or round in a circle, nothing is known.
-    std::error_code unknown;
-    if (at->is_directory(unknown) && path.filename().string().starts_with(".")) {
-      at.disable_recursion_pending();
-      continue;
+  std::set<std::string> sidecars;
+  for (const std::string& inside : *found) {
+    if (fs::path(inside).extension() == ".toml") {
+      (is_system(side, joined(folder, inside)) ? files.systems : files.others).insert(inside);
     }
-    if (!at->is_regular_file(unknown)) continue;
-    const std::string inside = path.lexically_relative(folder).generic_string();
-    FilesByPath& list = is_system(path, limits) ? files.systems : files.others;
-    if (path.extension() == ".toml") list.emplace(inside, path.lexically_normal());
-    if (inside.ends_with(sidecar_ending)) sidecars.emplace(inside, path.lexically_normal());
-  }
-  if (error) {
-    files.errors.push_back(
-        {Code::E707,
-         {},
-         fmt::format("{} could not be read: {}", in_backticks(last.string()), error.message())});
+    if (inside.ends_with(sidecar_ending)) sidecars.insert(inside);
   }
   if (files.systems.empty()) files.systems = std::move(sidecars);
   return files;
@@ -117,8 +158,8 @@ class VersionPairs {
                const std::string& new_path) {
     const Progress progress(new_path);
     progress.stage("compare");
-    const Result<Inputs> before = old_side.read(old_path, limits_);
-    const Result<Inputs> after = new_side.read(new_path, limits_);
+    const Result<Inputs> before = old_side.inputs(old_path);
+    const Result<Inputs> after = new_side.inputs(new_path);
     if (!keep(before.diagnostics) || !keep(after.diagnostics) || !before || !after) return;
     if (!are_of_one_kind(*before, *after)) return;
     const bool is_same =
@@ -133,34 +174,34 @@ class VersionPairs {
     report_.systems.push_back(elgen::compare(version_of(*old), version_of(*now), options_));
   }
 
-  void compare_folders(const Side& old_side, const fs::path& old_folder, const Side& new_side,
-                       const fs::path& new_folder) {
-    const FolderFiles olds = files_below(old_folder, limits_);
-    const FolderFiles news = files_below(new_folder, limits_);
-    if (!keep(olds.errors) || !keep(news.errors)) return;
-    for (const auto& [path, now] : news.systems) {
-      const FilesByPath& list = olds.others.count(path) > 0 ? olds.others : olds.systems;
-      const auto old = list.find(path);
-      if (old == list.end()) {
-        add(new_side, now.string());
+  void compare_folders(const Side& old_side, const std::string& old_folder, const Side& new_side,
+                       const std::string& new_folder) {
+    const Result<FolderFiles> olds = systems_below(old_side, old_folder);
+    const Result<FolderFiles> news = systems_below(new_side, new_folder);
+    if (!keep(olds.diagnostics) || !keep(news.diagnostics)) return;
+    const auto compare_both = [&](const std::string& inside) {
+      compare(old_side, joined(old_folder, inside), new_side, joined(new_folder, inside));
+    };
+    for (const std::string& inside : news->systems) {
+      if (olds->systems.count(inside) + olds->others.count(inside) > 0) {
+        compare_both(inside);
       } else {
-        compare(old_side, old->second.string(), new_side, now.string());
+        add(new_side, joined(new_folder, inside));
       }
     }
-    for (const auto& [path, old] : olds.systems) {
-      if (news.systems.count(path) > 0) continue;
-      const auto unreadable = news.others.find(path);
-      if (unreadable == news.others.end()) {
-        report_.removed.push_back(path);
+    for (const std::string& inside : olds->systems) {
+      if (news->systems.count(inside) > 0) continue;
+      if (news->others.count(inside) > 0) {
+        compare_both(inside);
       } else {
-        compare(old_side, old.string(), new_side, unreadable->second.string());
+        report_.removed.push_back(inside);
       }
     }
   }
 
   /// A file that only the newer side has.
   void add(const Side& side, const std::string& path) {
-    const Result<Inputs> inputs = side.read(path, limits_);
+    const Result<Inputs> inputs = side.inputs(path);
     if (keep(inputs.diagnostics) && inputs) keep_mistakes(*inputs);
     report_.added.push_back(path);
   }
@@ -211,34 +252,33 @@ class VersionPairs {
 
 Result<DiffReport> compared_paths(const std::string& before, const std::string& after,
                                   const CompareOptions& options, const Limits& limits) {
+  const FileSystem files(limits);
   VersionPairs comparing(options, limits);
   if (is_folder(before) && is_folder(after)) {
-    comparing.compare_folders({}, before, {}, after);
+    comparing.compare_folders(files, before, files, after);
   } else {
-    comparing.compare({}, before, {}, after);
+    comparing.compare(files, before, files, after);
   }
   return comparing.result();
 }
 
-Result<DiffReport> compared_with_revision(const std::string& revision,
-                                          std::vector<std::string> paths,
+Result<DiffReport> compared_with_revision(const std::string& name, std::vector<std::string> paths,
                                           const CompareOptions& options, const Limits& limits) {
-  const std::optional<TemporaryDirectory> temporary = TemporaryDirectory::create();
-  if (!temporary) return Diagnostic{Code::E706, {}, "there is no temporary folder"};
-  const Result<std::string> prefix = unpack_revision(revision, temporary->path());
-  if (!prefix) return prefix.diagnostics;
-  const fs::path here = temporary->path() / *prefix;
-  const Side old_side{temporary->path(), revision + ":"};
+  const Result<Revision> revision = Revision::open(name);
+  if (!revision) return revision.diagnostics;
+  const InRevision committed(*revision, limits);
+  const FileSystem files(limits);
   if (paths.empty()) paths = {"."};
   VersionPairs comparing(options, limits);
   for (const std::string& path : paths) {
-    const fs::path old = (here / path).lexically_normal();
+    const Result<std::string> old = revision->path_of(path);
+    if (!old) return old.diagnostics;
     if (is_folder(path)) {
-      comparing.compare_folders(old_side, old, {}, path);
-    } else if (is_there(old) || !is_there(path)) {
-      comparing.compare(old_side, old.string(), {}, path);
+      comparing.compare_folders(committed, *old, files, path);
+    } else if (revision->has(*old) || !is_there(path)) {
+      comparing.compare(committed, *old, files, path);
     } else {
-      comparing.add({}, path);
+      comparing.add(files, path);
     }
   }
   return comparing.result();

@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <chrono>
 #include <optional>
+#include <utility>
 
 #include "base/descriptor.hpp"
 #include "base/no_interrupts.hpp"
@@ -22,7 +23,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t most_output = 1U << 14U;
+constexpr std::size_t most_said = 1U << 14U;
 
 /// As the system wants them, with a null at the end.
 std::vector<char*> pointers(std::vector<std::string>& texts) {
@@ -45,14 +46,14 @@ std::vector<std::string> variables_with(const std::string& temporary) {
   return variables;
 }
 
-/// stdin from nowhere, stdout and stderr into one pipe; signals as in a fresh process.
+/// stdin from nowhere, stdout and stderr into pipes; signals as in a fresh process.
 class Circumstances {
  public:
-  explicit Circumstances(int output) {
+  Circumstances(int output, int errors) {
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_adddup2(&actions_, output, 1);
-    posix_spawn_file_actions_adddup2(&actions_, output, 2);
+    posix_spawn_file_actions_adddup2(&actions_, errors, 2);
     posix_spawnattr_init(&attributes_);
     posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
     posix_spawnattr_setpgroup(&attributes_, 0);
@@ -83,17 +84,41 @@ class Circumstances {
   posix_spawnattr_t attributes_{};
 };
 
-/// Reads what is there, and keeps the first part of it.
-void drain(const Descriptor& pipe, std::string& output) {
-  std::array<char, 4096> part{};
-  while (true) {
-    const ssize_t count = ::read(pipe.number(), part.data(), part.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return;
-    const std::size_t space = most_output - output.size();
-    output.append(part.data(), std::min(static_cast<std::size_t>(count), space));
+/// A pipe that a child writes to, and the first part of its text.
+class Stream {
+ public:
+  explicit Stream(std::size_t most) : most_(most) {
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return;
+    reading_ = Descriptor(ends[0]);
+    writing_ = Descriptor(ends[1]);
+    if (::fcntl(reading_.number(), F_SETFL, O_NONBLOCK) != 0) (void)reading_.close();
   }
-}
+
+  [[nodiscard]] bool is_open() const { return reading_.is_open(); }
+  [[nodiscard]] const Descriptor& reading() const { return reading_; }
+  [[nodiscard]] const Descriptor& writing() const { return writing_; }
+  /// Only the child's ends are left then.
+  void close_writing() { (void)writing_.close(); }
+
+  /// Reads what is there.
+  void drain() {
+    std::array<char, 4096> part{};
+    while (true) {
+      const ssize_t count = ::read(reading_.number(), part.data(), part.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) return;
+      text_.append(part.data(), std::min(static_cast<std::size_t>(count), most_ - text_.size()));
+    }
+  }
+  [[nodiscard]] std::string take() { return std::exchange(text_, {}); }
+
+ private:
+  std::size_t most_;
+  Descriptor reading_ = {};
+  Descriptor writing_ = {};
+  std::string text_ = {};
+};
 
 int milliseconds_until(Clock::time_point deadline) {
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
@@ -101,45 +126,59 @@ int milliseconds_until(Clock::time_point deadline) {
 }
 
 /// Until the child ends, the time is over, or an interrupt comes.
-Ending wait_for(Child& child, const Descriptor& pipe, const Descriptor& signals,
-                Clock::time_point deadline, std::string& output) {
-  std::array<pollfd, 2> events{pollfd{pipe.number(), POLLIN, 0},
-                               pollfd{signals.number(), POLLIN, 0}};
+Ending wait_for(Child& child, std::vector<Stream>& streams, const Descriptor& signals,
+                Clock::time_point deadline) {
+  std::vector<pollfd> events;
+  for (const Stream& stream : streams) events.push_back({stream.reading().number(), POLLIN, 0});
+  events.push_back({signals.number(), POLLIN, 0});
   while (!child.has_ended()) {
     if (Clock::now() >= deadline) return Ending::out_of_time;
     (void)::poll(events.data(), events.size(), milliseconds_until(deadline));
-    drain(pipe, output);
-    if ((events[0].revents & POLLHUP) != 0) events[0].fd = -1;
+    for (std::size_t i = 0; i < streams.size(); ++i) {
+      streams[i].drain();
+      if ((events[i].revents & POLLHUP) != 0) events[i].fd = -1;
+    }
     if (take_interrupt(signals)) return Ending::interrupted;
   }
-  drain(pipe, output);
+  for (Stream& stream : streams) stream.drain();
   return child.ending();
+}
+
+/// stdout goes to the first stream, stderr to the last.
+ProcessResult run_with(std::vector<Stream> streams, const std::vector<std::string>& command,
+                       std::uint64_t seconds, const std::string& temporary) {
+  constexpr std::uint64_t longest = 1U << 30U;
+  if (command.empty()) return {};
+  const NoInterrupts taken_in_turn;
+  const ChildSignal end_of_child;
+  const Descriptor signals = signals_to_wait_for();
+  if (!signals.is_open() || !std::ranges::all_of(streams, &Stream::is_open)) return {};
+  const Circumstances circumstances(streams.front().writing().number(),
+                                    streams.back().writing().number());
+  const std::optional<pid_t> id = circumstances.start(command, variables_with(temporary));
+  for (Stream& stream : streams) stream.close_writing();
+  if (!id) return {};
+  const auto deadline = Clock::now() + std::chrono::seconds(std::min(seconds, longest));
+  Child child(*id);
+  const Ending ending = wait_for(child, streams, signals, deadline);
+  return {ending, child.status(), streams.front().take(), streams.back().take()};
 }
 
 }  // namespace
 
 ProcessResult run(const std::vector<std::string>& command, std::uint64_t seconds,
                   const std::string& temporary) {
-  constexpr std::uint64_t longest = 1U << 30U;
-  if (command.empty()) return {};
-  const NoInterrupts taken_in_turn;
-  const ChildSignal end_of_child;
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return {};
-  const Descriptor pipe(ends[0]);
-  Descriptor child_output(ends[1]);
-  const Descriptor signals = signals_to_wait_for();
-  if (!signals.is_open() || ::fcntl(pipe.number(), F_SETFL, O_NONBLOCK) != 0) return {};
-  const std::optional<pid_t> id =
-      Circumstances(child_output.number()).start(command, variables_with(temporary));
-  (void)child_output.close();
-  if (!id) return {};
-  const auto deadline = Clock::now() + std::chrono::seconds(std::min(seconds, longest));
-  ProcessResult result;
-  Child child(*id);
-  result.ending = wait_for(child, pipe, signals, deadline, result.output);
-  result.status = child.status();
-  return result;
+  std::vector<Stream> both;
+  both.emplace_back(most_said);
+  return run_with(std::move(both), command, seconds, temporary);
+}
+
+ProcessResult run_apart(const std::vector<std::string>& command, std::uint64_t seconds,
+                        std::size_t most_output) {
+  std::vector<Stream> streams;
+  streams.emplace_back(most_output);
+  streams.emplace_back(most_said);
+  return run_with(std::move(streams), command, seconds, {});
 }
 
 }  // namespace elgen

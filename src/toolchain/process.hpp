@@ -18,14 +18,20 @@ enum class Ending : unsigned char {
 struct ProcessResult {
   Ending ending = Ending::not_started;
   int status = -1;          ///< exit status; 128 + signal where a signal ended it
-  std::string output = {};  ///< the first 16 KiB written to stdout and stderr, in order
+  std::string output = {};  ///< what was written to stdout, first part
+  std::string errors = {};  ///< to stderr, first 16 KiB; empty where both are one
 
   [[nodiscard]] bool succeeded() const { return ending == Ending::exited && status == 0; }
 };
 
-/// Runs `command` (looked up in $PATH) with no input, for `seconds` at most. `temporary` is its
-/// $TMPDIR, which has what it leaves there where it is ended; empty: ours.
+/// Runs `command` (looked up in $PATH) with no input, for `seconds` at most. `output` has the first
+/// 16 KiB of stdout and stderr, in order. `temporary` is its $TMPDIR, which has what it leaves
+/// there where it is ended; empty: ours.
 [[nodiscard]] ProcessResult run(const std::vector<std::string>& command, std::uint64_t seconds,
                                 const std::string& temporary = {});
+
+/// The same with stdout and stderr apart: the first `most_output` bytes of stdout.
+[[nodiscard]] ProcessResult run_apart(const std::vector<std::string>& command,
+                                      std::uint64_t seconds, std::size_t most_output);
 
 }  // namespace elgen

@@ -36,7 +36,7 @@ std::set<Identity>& files_read() {
 }
 
 /// Diagnostics point into sources without owning them, so sources live as long as the process.
-const SourcePointer& kept(SourcePointer source) {
+SourcePointer kept(SourcePointer source) {
   static std::vector<SourcePointer> sources;
   return sources.emplace_back(std::move(source));
 }
@@ -61,15 +61,6 @@ std::optional<Diagnostic> no_file(const std::string& path) {
   return unreadable(path, fmt::format("is {}, not a file", kind));
 }
 
-/// Points to where the limit is passed.
-Diagnostic too_large(const SourcePointer& source, const Limits& limits) {
-  const auto at = static_cast<std::uint32_t>(limits.file_bytes);
-  return {Code::E901,
-          {source.get(), at, at},
-          fmt::format("`{}` has more than {} bytes", source->path, limits.file_bytes),
-          "raised by --limit file_bytes=N"};
-}
-
 /// All of an open file, but not much more than the limit.
 Result<SourcePointer> read_open(const std::string& name, const Descriptor& file,
                                 const Limits& limits) {
@@ -82,10 +73,10 @@ Result<SourcePointer> read_open(const std::string& name, const Descriptor& file,
     const ssize_t count = ::read(file.number(), part.data(), part.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return unreadable(name, errno);
-    if (count == 0) return kept(make_source(name, std::move(text)));
+    if (count == 0) break;
     text.append(part.data(), static_cast<std::size_t>(count));
   }
-  return too_large(kept(make_source(name, std::move(text))), limits);
+  return kept_source(name, std::move(text), limits);
 }
 
 Result<SourcePointer> read_stdin(const Limits& limits) {
@@ -158,6 +149,16 @@ std::string hint_of_scene(const fs::path& scene, const fs::path& model) {
 
 }  // namespace
 
+Result<SourcePointer> kept_source(std::string path, std::string text, const Limits& limits) {
+  const SourcePointer source = kept(make_source(std::move(path), std::move(text)));
+  if (source->text.size() <= limits.file_bytes) return source;
+  const auto at = static_cast<std::uint32_t>(limits.file_bytes);  // where the limit is passed
+  return Diagnostic{Code::E901,
+                    {source.get(), at, at},
+                    fmt::format("`{}` has more than {} bytes", source->path, limits.file_bytes),
+                    "raised by --limit file_bytes=N"};
+}
+
 bool is_input(const struct stat& file) { return files_read().count(identity(file)) > 0; }
 
 Result<SourcePointer> read_source(const std::string& path, const Limits& limits) {
@@ -165,7 +166,16 @@ Result<SourcePointer> read_source(const std::string& path, const Limits& limits)
 }
 
 Result<Inputs> read_inputs(const std::string& path, const Limits& limits) {
-  Result<SourcePointer> source = read_source(path, limits);
+  return read_inputs(path, limits, [&](const std::string& file) {
+    Result<SourcePointer> source = read_source(file, limits);
+    if (!source && file != path) source.diagnostics.front().hint = hint_of_scene(path, file);
+    return source;
+  });
+}
+
+Result<Inputs> read_inputs(const std::string& path, const Limits& limits,
+                           const SourceReader& read) {
+  Result<SourcePointer> source = read(path);
   if (!source) return source.diagnostics;
   if (auto mistake = misnamed(**source)) return *std::move(mistake);
   if (!is_scene(**source)) return Inputs{*source, nullptr};
@@ -175,12 +185,11 @@ Result<Inputs> read_inputs(const std::string& path, const Limits& limits) {
   const KeySyntax* named = find_key(&*scene, "", "model");
   if (named == nullptr) return scene.diagnostics;  // parse has reported the missing key
   const fs::path model = fs::path(path).parent_path() / named->value.text;
-  Result<SourcePointer> model_source = read_file(model.lexically_normal().string(), limits);
+  Result<SourcePointer> model_source = read(model.lexically_normal().string());
   if (!model_source) {
     // The mistake is in the scene: point there.
     Diagnostics errors = model_source.diagnostics;
     errors.front().span = named->value.span;
-    errors.front().hint = hint_of_scene(path, model.lexically_normal());
     return errors;
   }
   return Inputs{*model_source, *source};

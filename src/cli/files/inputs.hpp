@@ -3,6 +3,7 @@
 
 #include <sys/stat.h>
 
+#include <functional>
 #include <string>
 
 #include "elgen/pipeline.hpp"
@@ -20,6 +21,18 @@ inline constexpr std::string_view stdin_name = "<stdin>";
 /// A model, or (NAME.scene.toml, or what names a model on standard input) a scene and the model it
 /// names relative to itself.
 [[nodiscard]] Result<Inputs> read_inputs(const std::string& path, const Limits& limits);
+
+/// Gives the source of a path.
+using SourceReader = std::function<Result<SourcePointer>(const std::string& path)>;
+
+/// The same of files that are not in the file system.
+[[nodiscard]] Result<Inputs> read_inputs(const std::string& path, const Limits& limits,
+                                         const SourceReader& read);
+
+/// A source that lives as long as the process, for diagnostics point into it; E901 where it is
+/// beyond `limits.file_bytes`.
+[[nodiscard]] Result<SourcePointer> kept_source(std::string path, std::string text,
+                                                const Limits& limits);
 
 /// Whether this is a file that was read.
 [[nodiscard]] bool is_input(const struct stat& file);

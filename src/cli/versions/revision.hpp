@@ -1,17 +1,52 @@
-// revision: the models and scenes of a revision of git, as files.
+// Revision: the files of a revision of git, read from its objects.
 #pragma once
 
-#include <filesystem>
+#include <map>
 #include <string>
+#include <vector>
 
-#include "elgen/diagnostic.hpp"
+#include "cli/files/inputs.hpp"
+#include "elgen/limits.hpp"
 
 namespace elgen::cli {
 
-/// Unpacks the files NAME.toml and NAME.equations.json of a revision of this repository into a
-/// folder; the path from the root of the repository to the current folder. E713: git does not have
-/// it, or is not there.
-[[nodiscard]] Result<std::string> unpack_revision(const std::string& revision,
-                                                  const std::filesystem::path& folder);
+/// Paths are those from the root of the repository. What git refuses is E713, with its words.
+class Revision {
+ public:
+  /// A commit of the repository that the current folder is in.
+  [[nodiscard]] static Result<Revision> open(const std::string& name);
+
+  /// The path of a file or folder of the working tree. E713 outside of it, and in a submodule.
+  [[nodiscard]] Result<std::string> path_of(const std::string& path) const;
+
+  [[nodiscard]] bool has(const std::string& path) const { return objects_.count(path) > 0; }
+
+  /// The files below a folder, by their paths from it; "" is the root. Links that lead to no file
+  /// are left out.
+  [[nodiscard]] std::vector<std::string> files_below(const std::string& folder) const;
+
+  /// Called NAME:PATH in messages. Links lead to files of the same revision. E111 where it has
+  /// none.
+  [[nodiscard]] Result<SourcePointer> read(const std::string& path, const Limits& limits) const;
+
+ private:
+  struct Object {
+    std::string mode = {};  ///< "100644"; "120000": a link; "160000": a submodule
+    std::string id = {};
+  };
+
+  /// Where links lead to, at last; none where that is no file of the revision.
+  [[nodiscard]] Result<const Object*> followed(const std::string& path) const;
+
+  /// The first `most` bytes; `path` is for messages.
+  [[nodiscard]] Result<std::string> bytes(const Object& object, const std::string& path,
+                                          std::size_t most) const;
+
+  Revision(std::string name, std::string root) : name_(std::move(name)), root_(std::move(root)) {}
+
+  std::string name_;
+  std::string root_;
+  std::map<std::string, Object> objects_ = {};
+};
 
 }  // namespace elgen::cli
