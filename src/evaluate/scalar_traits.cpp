@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "base/exact_number.hpp"
 #include "elgen/evaluate.hpp"
 
 namespace elgen {
@@ -45,10 +47,23 @@ Scalar round_positive(const cln::cl_RA& x) {
   return std::ldexp(std::ldexp(high, 32) + low, static_cast<int>(exponent));
 }
 
+/// The exponent of a float decides where it is far beyond those of built-in types: as a fraction
+/// the number may need more than the memory.
+template <class Scalar>
+std::optional<Scalar> rounded_by_exponent(const cln::cl_R& x) {
+  constexpr std::int64_t beyond_all = 40'000;
+  if (is_rational(x)) return std::nullopt;
+  const auto exponent = static_cast<std::int64_t>(cln::float_exponent(cln::the<cln::cl_F>(x)));
+  if (std::abs(exponent) < beyond_all) return std::nullopt;
+  return exponent < 0 ? 0 : std::numeric_limits<Scalar>::infinity();
+}
+
 template <class Scalar>
 Scalar round_to(const cln::cl_R& value) {
+  if (const std::optional<Scalar> extreme = rounded_by_exponent<Scalar>(value)) {
+    return cln::minusp(value) ? -*extreme : *extreme;
+  }
   const cln::cl_RA x = cln::rational(value);
-  if (cln::zerop(x)) return 0;
   return cln::minusp(x) ? -round_positive<Scalar>(-x) : round_positive<Scalar>(x);
 }
 

@@ -121,9 +121,8 @@ std::string short_text(const cl_R& value) {
     return fmt::format("{:.6g}", rounded);
   }
   // Beyond double: the leading digit by a power of ten from the binary exponent.
-  const auto exponent = static_cast<long>(cln::float_exponent(number));
-  const long decimal = std::lround(std::floor(static_cast<double>(exponent) * 0.30103));
-  const cl_R scaled = value / power_of_ten(decimal);
+  const long decimal = std::lround(std::floor(decimal_exponent(number)));
+  const cl_R scaled = number / cln::expt(cln::cl_float(10, number), cln::cl_I(decimal));
   return fmt::format("{:.3g}e{}", ScalarTraits<double>::from_real(scaled), decimal);
 }
 

@@ -2,6 +2,9 @@
 // a clock of its own, and what it finds or throws becomes diagnostics.
 #pragma once
 
+#include <cln/exception.h>
+#include <fmt/format.h>
+
 #include <chrono>
 #include <functional>
 #include <new>
@@ -52,6 +55,9 @@ class StageRunner {
       }
     } catch (const std::bad_alloc&) {
       throw;
+    } catch (const cln::runtime_exception& limit) {
+      return Diagnostic{
+          Code::E910, {}, fmt::format("numbers are too large in `{}`: {}", name, limit.what())};
     } catch (const std::exception& mistake) {
       return Diagnostic{Code::E912, {}, "internal error in `" + name + "`: " + mistake.what()};
     }

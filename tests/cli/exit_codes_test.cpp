@@ -1,4 +1,6 @@
 // The exit codes of every command: each that it can end with, and why it cannot with others.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <set>
 #include <utility>
@@ -136,6 +138,27 @@ TEST_CASE("a command that is interrupted ends with 130") {
                                   workspace.path());
     CHECK(outcome.status == 130);
   }
+}
+
+/// Each step is a constant or a value beyond 10^10000 for some state.
+TEST_CASE("absurd powers end with a limit, or are emitted, and are no internal errors") {
+  const Workspace workspace;
+  const auto status = [&](const std::string& leaf, const std::string& step, int steps) {
+    std::string text =
+        "format = 1\n[model]\nname = \"m\"\n[[coordinate]]\nname = \"q\"\nunit = \"1\"\n"
+        "range = [\"1\", \"2\"]\n[parameters]\nJ = { value = 2 }\n[define]\n";
+    std::string last = leaf;
+    for (int i = 0; i < steps; ++i) {
+      text += fmt::format("d{} = \"{}\"\n", i, fmt::format(fmt::runtime(step), last));
+      last = fmt::format("d{}", i);
+    }
+    test::write_text(workspace.path() / "m.toml",
+                     text + "[energy]\nT = \"1/2*J*dot(q)^2\"\nV = \"J*q*" + last + "\"\n");
+    return shell("elgen generate m.toml", workspace.path()).status;
+  };
+  CHECK(status("pi", "atan(3*{0})^64*atan(3*{0})^64*atan(3*{0})^64", 31) == 0);
+  CHECK(status("3*q", "cos({0}+1/3)^64-1", 8) == 0);
+  CHECK(status("q", "tan({0})^64", 8) == 0);
 }
 
 }  // namespace elgen::test

@@ -52,6 +52,9 @@ void check_limits() {
   CHECK(from<Scalar>(exact(Limits::max()) + half_ulp / 3) == Limits::max());
   CHECK(from<Scalar>(exact(Limits::max()) + half_ulp / 2) == Limits::infinity());
   CHECK(from<Scalar>(-exact(Limits::max()) * 5) == -Limits::infinity());
+  const cln::cl_F one = cln::cl_float(1, cln::float_format(60));
+  CHECK(from<Scalar>(-cln::scale_float(one, 1L << 42)) == -Limits::infinity());
+  CHECK(from<Scalar>(cln::scale_float(one, -(1L << 42))) == 0);
 }
 
 }  // namespace

@@ -53,6 +53,9 @@ TEST_CASE("numbers beyond double are written too") {
   CHECK(short_text(cln::cl_R("0")) == "0");
   CHECK(short_text(cln::cl_R("22/7")) == "3.14286");
   CHECK(short_text(cln::expt(cln::cl_RA(10), 400) * 3 / 2).find("e400") != std::string::npos);
+  // As a fraction this has 10^12 digits.
+  const cln::cl_R absurd = cln::scale_float(cln::cl_float(1, cln::float_format(60)), 1L << 42);
+  CHECK(short_text(absurd) == "4.21e1323943922167");
 }
 
 TEST_CASE("functions are found by kind") {

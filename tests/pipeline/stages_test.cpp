@@ -86,6 +86,18 @@ TEST_CASE("what a stage throws is said with its name, and ends the run") {
   CHECK(later.get() == nullptr);
 }
 
+TEST_CASE("numbers that CLN cannot hold are not a mistake of ours") {
+  const PipelineOptions options;
+  StageRunner run(options);
+  const auto fail = []() -> Result<Number> {
+    throw cln::runtime_exception("Out of virtual memory.");
+  };
+  Stage<Number> thrower(run, "first", std::tie(), fail);
+  CHECK(thrower.get() == nullptr);
+  REQUIRE(run.diagnostics.size() == 1);
+  CHECK(run.diagnostics.front().code == Code::E910);
+}
+
 TEST_CASE("memory that is used up is not a mistake of ours") {
   const PipelineOptions options;
   StageRunner run(options);

@@ -70,7 +70,7 @@ Enclosed call(FunctionId function, const Operands& x, const EnclosedArithmetic& 
   return value;
 }
 
-Enclosed evaluated(const Expression& node, const Operands& x, const EnclosedArithmetic& with) {
+Enclosed computed(const Expression& node, const Operands& x, const EnclosedArithmetic& with) {
   switch (node.kind) {
     case ExpressionKind::number:
       return EnclosedNumber{node.number, 0};
@@ -90,6 +90,15 @@ Enclosed evaluated(const Expression& node, const Operands& x, const EnclosedArit
       return call(node.function, x, with);
     default:
       return NoValue::unknown;
+  }
+}
+
+/// Errors of what these digits do not tell may grow beyond all floats.
+Enclosed evaluated(const Expression& node, const Operands& x, const EnclosedArithmetic& with) {
+  try {
+    return computed(node, x, with);
+  } catch (const cln::floating_point_exception&) {
+    return NoValue::unknown;
   }
 }
 

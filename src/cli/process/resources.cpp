@@ -2,6 +2,7 @@
 #include "cli/process/resources.hpp"
 
 #include <fmt/format.h>
+#include <gmp.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -76,6 +77,19 @@ void set_alarm(std::uint64_t seconds) {
   std::abort();
 }
 
+/// GMP, which CLN calculates with, aborts where memory ends, unless its functions for memory throw.
+void* some_memory(std::size_t size) {
+  void* const memory = std::malloc(size);
+  return memory == nullptr ? throw std::bad_alloc() : memory;
+}
+
+void* other_memory(void* old, std::size_t /*size*/, std::size_t size) {
+  void* const memory = std::realloc(old, size);
+  return memory == nullptr ? throw std::bad_alloc() : memory;
+}
+
+void no_memory(void* old, std::size_t /*size*/) { std::free(old); }
+
 void limit(int resource, std::uint64_t value) {
   rlimit both{};
   if (::getrlimit(static_cast<__rlimit_resource>(resource), &both) != 0) return;
@@ -91,6 +105,7 @@ void set_resource_limits(const Limits& limits, const DiagnosticStyle& style) {
       out_of_time(fmt::format("{} s of processor time are over", limits.seconds)), style};
   last_words().memory = {out_of_memory(limits), style};
   std::set_terminate(end_without_memory);
+  ::mp_set_memory_functions(some_memory, other_memory, no_memory);
   std::signal(SIGXCPU, end_on_time);
   std::signal(SIGALRM, end_waiting);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {

@@ -52,13 +52,22 @@ Enclosed value_of(const ConstantForm& form, const EnclosedArithmetic& with) {
   }
 }
 
+/// Errors of what no length tells may grow beyond all floats.
+Enclosed value_with(const ConstantForm& form, int digits) {
+  try {
+    return value_of(form, EnclosedArithmetic(digits));
+  } catch (const cln::floating_point_exception&) {
+    return NoValue::unknown;
+  }
+}
+
 }  // namespace
 
 std::optional<EnclosedNumber> enclosure_of(const ConstantForm& form) {
   static const cln::cl_RA share = power_of_ten(-promised_digits);
   std::optional<EnclosedNumber> last;
   for (const int digits : working_digits) {
-    const Enclosed found = value_of(form, EnclosedArithmetic(digits));
+    const Enclosed found = value_with(form, digits);
     if (!found.number) continue;
     last = found.number;
     if (last->error <= share * cln::abs(last->value)) return last;
