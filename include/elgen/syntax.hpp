@@ -104,6 +104,7 @@ enum class KeyType : std::uint8_t {
   table,             ///< inline table or sub-table (rows `<entry>.<key>`)
   boolean_or_table,  ///< a wanted output: true, or a table
   text_or_table,     ///< `fixed`: the text "all", or a table
+  symbol,            ///< string: LaTeX of a symbol
 };
 
 /// One row of the key table.

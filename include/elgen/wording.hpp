@@ -17,6 +17,12 @@ namespace elgen {
 /// The source text of a span in back-ticks.
 [[nodiscard]] std::string in_backticks(const Span& span);
 
+/// Blanks and line ends become one space; those at both ends go.
+[[nodiscard]] std::string one_line(std::string_view text);
+
+/// A path as messages print it: characters that are not seen, and line ends, are written \x0a.
+[[nodiscard]] std::string shown_path(std::string_view path);
+
 /// "1 component", "3 components"
 [[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
 

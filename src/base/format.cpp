@@ -31,7 +31,8 @@ std::size_t code_points(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), starts_code_point));
 }
 
-/// The text a terminal can show: tabs become single spaces, other hidden characters `?`.
+/// The text a terminal can show: tabs become single spaces, other hidden characters `?`, bytes that
+/// are no text `\x9e`.
 std::string printable(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
@@ -39,7 +40,9 @@ std::string printable(std::string_view text) {
     const std::size_t bytes = std::max<std::size_t>(1, point.bytes);
     if (text[i] == '\t') {
       result += ' ';
-    } else if (point.bytes != 0 && is_hidden(point.value)) {
+    } else if (point.bytes == 0) {
+      result += byte_name(text[i]);
+    } else if (is_hidden(point.value)) {
       result += '?';
     } else {
       result += text.substr(i, bytes);

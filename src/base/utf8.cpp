@@ -76,6 +76,10 @@ std::string code_point_name(char32_t value) {
   return fmt::format("U+{:04X}", static_cast<std::uint32_t>(value));
 }
 
+std::string byte_name(char byte) {
+  return fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
+}
+
 bool is_hidden(char32_t value) {
   return std::any_of(hidden.begin(), hidden.end(), [value](const CodePoints& range) {
     return value >= range.first && value <= range.last;

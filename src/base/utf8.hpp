@@ -27,6 +27,9 @@ struct CodePoint {
 /// "U+03C0".
 [[nodiscard]] std::string code_point_name(char32_t value);
 
+/// "\x9e"
+[[nodiscard]] std::string byte_name(char byte);
+
 /// Whether it is not seen but does something: control characters, line separators, and the format
 /// characters of Unicode, which reorder or join what is seen.
 [[nodiscard]] bool is_hidden(char32_t value);

@@ -29,6 +29,33 @@ std::string in_backticks(std::string_view text) {
   return shown + "`";
 }
 
+std::string one_line(std::string_view text) {
+  std::string line;
+  for (const char c : text) {
+    if (!is_space(c)) {
+      line += c;
+    } else if (!line.empty() && line.back() != ' ') {
+      line += ' ';
+    }
+  }
+  if (line.ends_with(' ')) line.pop_back();
+  return line;
+}
+
+std::string shown_path(std::string_view path) {
+  std::string shown;
+  for (std::size_t i = 0; i < path.size();) {
+    const CodePoint point = code_point_at(path, i);
+    const std::size_t bytes = std::max<std::size_t>(1, point.bytes);
+    const bool is_seen = point.bytes != 0 && !is_hidden(point.value);
+    for (const char c : path.substr(i, bytes)) {
+      shown += is_seen ? std::string(1, c) : byte_name(c);
+    }
+    i += bytes;
+  }
+  return shown;
+}
+
 std::string in_backticks(const Span& span) { return in_backticks(covered_text(span)); }
 
 std::string counted(std::size_t count, std::string_view noun) {

@@ -194,7 +194,7 @@ class VersionPairs {
       if (news->others.count(inside) > 0) {
         compare_both(inside);
       } else {
-        report_.removed.push_back(inside);
+        report_.removed.push_back(shown_path(inside));
       }
     }
   }
@@ -203,7 +203,7 @@ class VersionPairs {
   void add(const Side& side, const std::string& path) {
     const Result<Inputs> inputs = side.inputs(path);
     if (keep(inputs.diagnostics) && inputs) keep_mistakes(*inputs);
-    report_.added.push_back(path);
+    report_.added.push_back(shown_path(path));
   }
 
   Result<DiffReport> result() {

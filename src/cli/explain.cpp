@@ -17,7 +17,7 @@ namespace elgen::cli {
 namespace {
 
 /// In the order of KeyType.
-constexpr std::array<std::string_view, 18> kinds{"expression",
+constexpr std::array<std::string_view, 19> kinds{"expression",
                                                  "[expressions]",
                                                  "expression or list",
                                                  "expression or table",
@@ -34,8 +34,9 @@ constexpr std::array<std::string_view, 18> kinds{"expression",
                                                  "[[axis, angle], ...]",
                                                  "table",
                                                  "true or table",
-                                                 "text or table"};
-static_assert(kinds.size() == static_cast<std::size_t>(KeyType::text_or_table) + 1);
+                                                 "text or table",
+                                                 "symbol"};
+static_assert(kinds.size() == static_cast<std::size_t>(KeyType::symbol) + 1);
 
 using Json = nlohmann::ordered_json;
 

@@ -87,6 +87,7 @@ Json schema_of(const KeyRow& row) {
     case KeyType::name:
       return name_schema();
     case KeyType::text:
+    case KeyType::symbol:
     case KeyType::unit:
       return text;
     case KeyType::choice:

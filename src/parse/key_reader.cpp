@@ -110,6 +110,8 @@ ValueSyntax read_by_type(const TomlEntry& key, const KeyRow& row, FileReading& r
       return read_name(value, reading);
     case KeyType::text:
       return read_text(value, reading);
+    case KeyType::symbol:
+      return read_symbol(value, reading);
     case KeyType::choice:
       return read_choice(value, row, reading);
     case KeyType::choice_list:

@@ -32,7 +32,7 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"coordinate", "wrap", boolean, optional, true, "an angle that may turn all the way round"},
     {"coordinate", "singular", expression, optional, true, "zero where the chart breaks"},
     {"coordinate", "armature", expression, optional, true, "J: adds 1/2 J v^2 to T"},
-    {"coordinate", "latex", text, optional, true, "symbol in formulas"},
+    {"coordinate", "latex", symbol, optional, true, "symbol in formulas"},
     {"coordinate", "doc", text, optional, true, "one line"},
     {"coordinate", "for", repetition, optional, true, "repeats the entry"},
     {"coordinate.start", "value", expression_or_list, optional, true, "q_i at the start"},
@@ -45,7 +45,7 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"parameters.*", "max", expression, optional, true, "largest value, for sampling"},
     {"parameters.*", "assume", choice, optional, true, "sign of the value"},
     {"parameters.*", "size", expression, optional, true, "makes it an array NAME[1] … NAME[size]"},
-    {"parameters.*", "latex", text, optional, true, "symbol in formulas"},
+    {"parameters.*", "latex", symbol, optional, true, "symbol in formulas"},
     {"parameters.*", "doc", text, optional, true, "one line"},
 
     {"sizes", "*", integer, optional, true, "an integer for repetitions"},
@@ -54,7 +54,7 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"prescribed", "name", name, required, true, "a known function of time"},
     {"prescribed", "value", expression, required, true, "its value as a function of t"},
     {"prescribed", "unit", unit, optional, true, "unit of the value"},
-    {"prescribed", "latex", text, optional, true, "symbol in formulas"},
+    {"prescribed", "latex", symbol, optional, true, "symbol in formulas"},
     {"prescribed", "doc", text, optional, true, "one line"},
     {"prescribed", "for", repetition, optional, true, "repeats the entry"},
 

@@ -11,6 +11,7 @@
 #include "elgen/wording.hpp"
 #include "parse/decimal.hpp"
 #include "parse/expression_parser.hpp"
+#include "parse/latex_symbol.hpp"
 
 namespace elgen {
 
@@ -46,6 +47,15 @@ void report_hidden(const DecodedText& text, FileReading& reading) {
     }
     i += point.bytes;
   }
+}
+
+/// A runner takes a line that begins so for an order, wherever it was printed.
+void report_order(const DecodedText& text, FileReading& reading) {
+  constexpr std::string_view order = "::";
+  const std::size_t begin = text.text.find_first_not_of(" \t\r\n");
+  if (begin == std::string::npos || !text.text.substr(begin).starts_with(order)) return;
+  reading.report(Code::E113, text.span(begin, begin + order.size()),
+                 "`::` before a text is an order to the log of a CI");
 }
 
 /// A bare number, signed.
@@ -188,7 +198,21 @@ ValueSyntax read_turns(const TomlValue& value, FileReading& reading) {
 ValueSyntax read_text(const TomlValue& value, FileReading& reading) {
   if (value.kind != TomlKind::string) report_wrong_type(value, "a string", reading);
   report_hidden(value.text, reading);
-  return empty_value(value, ValueKind::text);
+  report_order(value.text, reading);
+  ValueSyntax result = empty_value(value, ValueKind::text);
+  result.text = one_line(result.text);
+  return result;
+}
+
+ValueSyntax read_symbol(const TomlValue& value, FileReading& reading) {
+  ValueSyntax result = read_text(value, reading);
+  if (value.kind != TomlKind::string) return result;
+  if (const std::optional<LatexMistake> mistake = find_latex_mistake(value.text.text)) {
+    reading.report(Code::E114, value.text.span(mistake->begin, mistake->end), mistake->message,
+                   "a symbol is letters, digits, `_`, `^`, `{ }` and commands such as `\\theta`, "
+                   "`\\dot` and `\\mathrm`");
+  }
+  return result;
 }
 
 ValueSyntax read_boolean(const TomlValue& value, FileReading& reading) {

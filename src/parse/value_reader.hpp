@@ -31,6 +31,7 @@ struct FileReading {
 [[nodiscard]] ValueSyntax read_turns(const TomlValue& value, FileReading& reading);
 
 [[nodiscard]] ValueSyntax read_text(const TomlValue& value, FileReading& reading);
+[[nodiscard]] ValueSyntax read_symbol(const TomlValue& value, FileReading& reading);
 [[nodiscard]] ValueSyntax read_boolean(const TomlValue& value, FileReading& reading);
 [[nodiscard]] ValueSyntax read_integer(const TomlValue& value, FileReading& reading);
 

@@ -8,7 +8,8 @@ namespace {
 std::string markdown_text(const std::string& text) {
   static const Escapes escapes{{'|', "\\|"}, {'<', "\\<"},   {'*', "\\*"}, {'_', "\\_"},
                                {'$', "\\$"}, {'\\', "\\\\"}, {'`', "\\`"}, {'\n', " "},
-                               {'\r', " "},  {'\t', " "}};
+                               {'\r', " "},  {'\t', " "},    {'[', "\\["}, {']', "\\]"},
+                               {'&', "\\&"}, {'~', "\\~"}};
   return escaped(text, escapes);
 }
 

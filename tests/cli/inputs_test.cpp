@@ -79,8 +79,8 @@ TEST_CASE("a FIFO is read as far as the limit, and waited for as long as the lim
 
 TEST_CASE("folders and devices are no inputs, not even of a scene") {
   const Workspace workspace;
-  prepare("mkdir folder", workspace.path());
-  for (const std::string& path : {std::string("/dev/zero"), std::string("folder")}) {
+  prepare("mkdir folder.toml && ln -s /dev/zero zero.toml", workspace.path());
+  for (const std::string& path : {std::string("zero.toml"), std::string("folder.toml")}) {
     INFO(path);
     write_text(workspace.path() / "a.scene.toml",
                "format = 1\nmodel = \"" + path + "\"\nname = \"a\"\n");
@@ -91,6 +91,27 @@ TEST_CASE("folders and devices are no inputs, not even of a scene") {
     }
     CHECK(shell("elgen import " + path, workspace.path()).status == 4);
   }
+}
+
+TEST_CASE("line ends in names of inputs reach no message and no report") {
+  const Workspace workspace;
+  prepare("mkdir old new && cp " + models + "/simple_pendulum.toml old/a.toml && cp old/a.toml new",
+          workspace.path());
+  prepare("sed 's/^title/titel/' old/a.toml > \"$(printf 'new/a\\n::error::b.toml')\"",
+          workspace.path());
+  const std::string name = "a\\x0a::error::b.toml";
+  for (const std::string command :
+       {"elgen show new/*::*", "elgen diff old new", "elgen generate new/*::*",
+        "elgen show \"$(printf 'no\\n::error::such.toml')\"",
+        "elgen show \"$(printf 'no\\n::error::such.xml')\"",
+        "elgen import \"$(printf 'no\\n::error::such.xml')\""}) {
+    INFO(command);
+    const Outcome outcome = shell(command, workspace.path());
+    CHECK(outcome.status > 0);
+    CHECK_FALSE(mentions(outcome.output + outcome.errors, "\n::error"));
+    CHECK_FALSE(starts_with(outcome.output + outcome.errors, "::error"));
+  }
+  CHECK(mentions(shell("elgen show new/*::*", workspace.path()).errors, name));
 }
 
 }  // namespace elgen::test

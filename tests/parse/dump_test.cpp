@@ -12,7 +12,7 @@ TEST_CASE("a model prints in file order whatever its blanks", "[parse]") {
   CHECK(testing::model_answer("format = 1\n\n[model]\nname = \"m\"\ntitle = \"a \\\"b\\\"\\nc\"\n"
                               "[[coordinate]]\nname = \"q[i]\"\nfor = \"i in 1..2\"\nwrap = true\n"
                               "start = {value = \"pi/4\"}\n") ==
-        "[]\n  format = 1\n[model]\n  name = m\n  title = \"a \\\"b\\\"\\nc\"\n"
+        "[]\n  format = 1\n[model]\n  name = m\n  title = \"a \\\"b\\\" c\"\n"
         "[coordinate]\n  name = q[i]\n  for = [{index = i, low = 1, high = 2}]\n"
         "  wrap = true\n  start = {value = (pi / 4)}\n");
 }
@@ -68,6 +68,7 @@ std::string value_of(const KeyRow& row, std::size_t which) {
       return either("[1]", "[1, 2]");
     case KeyType::name:
     case KeyType::text:
+    case KeyType::symbol:
     case KeyType::unit:
     case KeyType::text_or_table:
       return either("\"m\"", "\"s\"");

@@ -71,6 +71,7 @@ std::vector<std::string> accepted_by(KeyType type) {
     case KeyType::name:
       return {s.name};
     case KeyType::text:
+    case KeyType::symbol:
     case KeyType::unit:
       return {s.name, s.expression, s.repetition};
     case KeyType::repetition:

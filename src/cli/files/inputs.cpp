@@ -42,7 +42,7 @@ SourcePointer kept(SourcePointer source) {
 }
 
 Diagnostic unreadable(const std::string& path, std::string_view reason) {
-  return {Code::E707, {}, fmt::format("`{}` {}", path, reason)};
+  return {Code::E707, {}, fmt::format("`{}` {}", shown_path(path), reason)};
 }
 
 Diagnostic unreadable(const std::string& path, int error) {
@@ -54,7 +54,7 @@ std::optional<Diagnostic> no_file(const std::string& path) {
   struct stat found {};
   if (::stat(path.c_str(), &found) != 0) {
     if (errno != ENOENT && errno != ENOTDIR) return unreadable(path, errno);
-    return Diagnostic{Code::E111, {}, fmt::format("`{}` does not exist", path)};
+    return Diagnostic{Code::E111, {}, fmt::format("`{}` does not exist", shown_path(path))};
   }
   const std::string_view kind = special_kind(found.st_mode);
   if (kind.empty() || S_ISFIFO(found.st_mode)) return std::nullopt;
@@ -149,8 +149,8 @@ std::string hint_of_scene(const fs::path& scene, const fs::path& model) {
 
 }  // namespace
 
-Result<SourcePointer> kept_source(std::string path, std::string text, const Limits& limits) {
-  const SourcePointer source = kept(make_source(std::move(path), std::move(text)));
+Result<SourcePointer> kept_source(const std::string& path, std::string text, const Limits& limits) {
+  const SourcePointer source = kept(make_source(shown_path(path), std::move(text)));
   if (source->text.size() <= limits.file_bytes) return source;
   const auto at = static_cast<std::uint32_t>(limits.file_bytes);  // where the limit is passed
   return Diagnostic{Code::E901,
@@ -184,6 +184,12 @@ Result<Inputs> read_inputs(const std::string& path, const Limits& limits,
   if (!scene) return scene.diagnostics;
   const KeySyntax* named = find_key(&*scene, "", "model");
   if (named == nullptr) return scene.diagnostics;  // parse has reported the missing key
+  // Nothing of a file that is not meant is quoted.
+  if (!named->value.text.ends_with(".toml")) {
+    return Diagnostic{Code::E104, named->value.span,
+                      fmt::format("{} is no model", in_backticks(named->value.text)),
+                      "a model is called NAME.toml"};
+  }
   const fs::path model = fs::path(path).parent_path() / named->value.text;
   Result<SourcePointer> model_source = read(model.lexically_normal().string());
   if (!model_source) {

@@ -31,7 +31,7 @@ using SourceReader = std::function<Result<SourcePointer>(const std::string& path
 
 /// A source that lives as long as the process, for diagnostics point into it; E901 where it is
 /// beyond `limits.file_bytes`.
-[[nodiscard]] Result<SourcePointer> kept_source(std::string path, std::string text,
+[[nodiscard]] Result<SourcePointer> kept_source(const std::string& path, std::string text,
                                                 const Limits& limits);
 
 /// Whether this is a file that was read.

@@ -169,7 +169,7 @@ Result<SourcePointer> Revision::read(const std::string& path, const Limits& limi
   const Result<const Object*> object = followed(path);
   if (!object) return object.diagnostics;
   if (*object == nullptr) {
-    return Diagnostic{Code::E111, {}, fmt::format("{} does not exist", in_backticks(shown))};
+    return Diagnostic{Code::E111, {}, fmt::format("`{}` does not exist", shown_path(shown))};
   }
   Result<std::string> text = bytes(**object, path, std::size_t{limits.file_bytes} + 1);
   if (!text) return text.diagnostics;
