@@ -2,7 +2,10 @@
 #include "cli/files/source_paths.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "cli/files/inputs.hpp"
 
@@ -18,14 +21,41 @@ fs::path complete(const std::string& path) {
   return error ? fs::path(path) : known;
 }
 
+fs::path common_folder(const fs::path& x, const fs::path& y) {
+  fs::path common;
+  for (auto i = x.begin(), j = y.begin(); i != x.end() && j != y.end() && *i == *j; ++i, ++j) {
+    common /= *i;
+  }
+  return common;
+}
+
+bool is_in_repository(fs::path folder) {
+  std::error_code error;
+  for (; folder.has_relative_path(); folder = folder.parent_path()) {
+    if (fs::exists(folder / ".git", error)) return true;
+  }
+  return false;
+}
+
+/// Whether files below this folder may have nothing to do with each other: it is, or holds, the
+/// home or a folder for temporary files.
+bool is_everyones(const fs::path& folder) {
+  std::vector<std::string> places{"/tmp", "/var/tmp"};
+  for (const char* const variable : {"HOME", "TMPDIR"}) {
+    if (const char* const place = std::getenv(variable)) places.emplace_back(place);
+  }
+  return std::ranges::any_of(places, [&](const std::string& place) {
+    return common_folder(folder, complete(place)) == folder;
+  });
+}
+
 std::string path_from(const fs::path& directory, const SourcePointer& source) {
   if (source == nullptr) return {};
   if (source->path == stdin_name) return source->path;
-  const fs::path relative = complete(source->path).lexically_relative(directory);
-  const auto steps_up = std::ranges::count(relative, fs::path(".."));
-  const fs::path inside = directory.relative_path();
-  const bool is_far = steps_up >= std::distance(inside.begin(), inside.end());
-  return relative.empty() || is_far ? file_name(*source) : relative.generic_string();
+  const fs::path file = complete(source->path);
+  const fs::path common = common_folder(file, directory);
+  if (!is_in_repository(common) && is_everyones(common)) return file_name(*source);
+  return file.lexically_relative(directory).generic_string();
 }
 
 }  // namespace

@@ -10,9 +10,9 @@
 
 namespace elgen::cli {
 
-/// Relative to the folder that everything is written below, whatever that is called; names of files
-/// where they have nothing but the root in common, so that no file tells of a machine, and of
-/// standard input.
+/// Relative to the folder that everything is written below, whatever that is called, where both are
+/// in one repository of git, or in one folder other than the root, the home and those for temporary
+/// files. Names elsewhere, so that no file tells of a machine, and of standard input.
 [[nodiscard]] SourcePaths source_paths(const Inputs& inputs, const std::string& directory);
 
 /// The file that such a path names; none where it is but a name.
