@@ -136,7 +136,7 @@ TEST_CASE("an object that is missing is an error") {
   CHECK(without("HEAD:m/cart_pole.toml").status == 4);
 }
 
-TEST_CASE("links of a revision lead to its files; a submodule has revisions of its own") {
+TEST_CASE("links of a revision lead to its files, submodules have revisions of their own") {
   const Repository repository(
       "r",
       "ln -s nothing.toml m/dangling.toml && ln -s round.toml m/round.toml && ln -s /etc/passwd "
