@@ -23,7 +23,9 @@ std::string description(const Joint& joint, AngleDigits digits) {
                                                                        : "about";
   const std::string rounded =
       axis.is_rounded ? fmt::format(" (in the URDF: {})", listed(joint.axis)) : "";
-  const std::string weld = joint.welded ? ", welded at " + joint.welded->text : "";
+  const std::string weld = joint.welded            ? ", welded at " + joint.welded->text
+                           : joint.is_angle_welded ? ", its angle welded at 0"
+                                                   : "";
   return fmt::format("{}: {} {} {}{}{}", joint.name.text, type, relation, direction, rounded, weld);
 }
 

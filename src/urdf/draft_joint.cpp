@@ -163,6 +163,7 @@ class JointDrafter {
       motion.translate[i] = name;
       add_input(name, false);
     }
+    if (joint_.is_angle_welded) return motion;
     const std::string angle = draft_free("angle", "rad");
     add_input(angle, true);
     motion.turn = turn_by(angle);

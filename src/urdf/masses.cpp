@@ -4,6 +4,7 @@
 #include "elgen/inertia.hpp"
 #include "elgen/wording.hpp"
 #include "urdf/choices.hpp"
+#include "urdf/rotations.hpp"
 
 namespace elgen::urdf {
 
@@ -48,6 +49,26 @@ void check_inertia(const Link& link, Diagnostics& found) {
       {Code::E508, link.inertial->span,
        fmt::format("inertia {} of {} belongs to no body", listed, in_backticks(link.name.text)),
        "a principal inertia exceeds the sum of the other two"});
+}
+
+/// Whether turning about the normal of a planar joint moves mass: anything but a point on the
+/// normal. What other joints hold behind it is somewhere else, if only at times.
+bool turns_inertia(const Robot& robot, const LinkTree& tree, const Branch& planar) {
+  const auto has_mass_behind = [&](const Branch& branch) {
+    return branch.parent == planar.child &&
+           massive_links(robot, tree, Behind::everything)[branch.child];
+  };
+  if (std::ranges::any_of(tree.branches, has_mass_behind)) return true;
+  if (!robot.links[planar.child].inertial) return true;  // a rotor's inertia alone
+  const Inertial& inertial = *robot.links[planar.child].inertial;
+  const std::size_t normal = *axis_of(robot.joints[planar.joint].axis, AngleDigits::rounded).along;
+  const bool is_on_normal = inertial.origin.xyz[(normal + 1) % 3].is_zero() &&
+                            inertial.origin.xyz[(normal + 2) % 3].is_zero();
+  const auto is_zero = [](const FileNumber& number) { return number.is_zero(); };
+  const bool is_upright = std::ranges::all_of(inertial.origin.rpy, is_zero);
+  const bool has_inertia = is_upright ? !is_zero(inertial.inertia[normal])
+                                      : !std::ranges::all_of(inertial.inertia, is_zero);
+  return !is_on_normal || has_inertia;
 }
 
 /// What a joint moves: something that has mass, and at once or further on.
@@ -129,6 +150,16 @@ Diagnostics weld_massless(Robot& robot, const LinkTree& tree) {
     found.push_back({Code::E820, joint.name.span,
                      fmt::format("{} is held at 0", in_backticks(joint.name.text)),
                      "it moves no mass"});
+  }
+  for (const Branch& branch : tree.branches) {
+    Joint& joint = robot.joints[branch.joint];
+    if (joint.type != JointType::planar || joint.welded || turns_inertia(robot, tree, branch)) {
+      continue;
+    }
+    joint.is_angle_welded = true;
+    found.push_back({Code::E820, joint.name.span,
+                     fmt::format("the angle of {} is held at 0", in_backticks(joint.name.text)),
+                     "it moves no inertia"});
   }
   weld_followers(robot);
   return found;

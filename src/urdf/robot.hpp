@@ -83,6 +83,7 @@ struct Joint {
   std::optional<Mimic> mimic = {};
   std::optional<Rotor> rotor = {};
   std::optional<FileNumber> welded = {};  ///< the position it is held at
+  bool is_angle_welded = false;           ///< of a planar joint: only its lengths move
   std::size_t rank = 0;                   ///< coordinates stand in this order
 
   [[nodiscard]] bool moves() const { return type != JointType::fixed && !welded; }

@@ -100,6 +100,26 @@ TEST_CASE("joints that move no mass are held together") {
              Contains("# finger: prismatic along x, welded at 0"));
 }
 
+TEST_CASE("the angle of a planar joint that turns a point is held") {
+  const auto puck = [](const std::string& place, const std::string& izz) {
+    return "<robot name=\"r\"><link name=\"world\"/>\n<link name=\"puck\"><inertial><origin "
+           "xyz=\"" +
+           place + "\"/><mass value=\"1\"/><inertia ixx=\"0\" ixy=\"0\" ixz=\"0\" iyy=\"" + izz +
+           "\" iyz=\"0\" izz=\"" + izz +
+           "\"/></inertial></link>\n<joint name=\"j\" type=\"planar\"><parent " +
+           "link=\"world\"/><child link=\"puck\"/><axis xyz=\"0 0 1\"/></joint></robot>";
+  };
+  CHECK(import_messages(puck("0 0 1", "0"), welding({"massless"})) ==
+        "E820 3:14 the angle of `j` is held at 0 | it moves no inertia\n");
+  const std::string held = imported(puck("0 0 1", "0"), welding({"massless"}));
+  CHECK_THAT(held, Contains("# j: planar normal to z, its angle welded at 0"));
+  CHECK_THAT(held, Contains("j_y"));
+  CHECK_THAT(held, !Contains("j_angle"));
+  CHECK_THAT(imported(puck("0 0 1", "0")), Contains("j_angle"));
+  CHECK_THAT(imported(puck("0.1 0 0", "0"), welding({"massless"})), Contains("j_angle"));
+  CHECK_THAT(imported(puck("0 0 0", "2"), welding({"massless"})), Contains("j_angle"));
+}
+
 TEST_CASE("joints that cannot be chosen") {
   CHECK(import_messages(crane(), keeping("ab,bd")) ==
         "E821 1:4 the robot has no joint `bd` | did you mean `bc`?\n");
