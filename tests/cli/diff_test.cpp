@@ -128,6 +128,10 @@ TEST_CASE("links that lead nowhere, and paths that are too long, are no internal
   CHECK(folders.diff("old/cart_pole.toml " + name).status == 4);
   CHECK(folders.diff("old " + name).status == 4);
   CHECK(shell("elgen generate --check -o out new/cart_pole.toml", folders.path()).status == 1);
+  prepare("ln -s circle circle", folders.path());
+  const Outcome circle = shell("elgen generate -o circle new/cart_pole.toml", folders.path());
+  CHECK(circle.status == 4);
+  CHECK(mentions(circle.errors, "cannot be reached: Too many levels of symbolic links"));
 }
 
 TEST_CASE("a rename is OLD=NEW, and two inputs are compared") {

@@ -112,6 +112,10 @@ Diagnostics refuse_places(const std::vector<OutputFile>& files, bool force) {
   for (const OutputFile& file : files) {
     std::error_code error;
     const fs::path place = fs::weakly_canonical(fs::absolute(file.path, error), error);
+    if (error) {
+      errors.push_back(no_place(file.path, "cannot be reached: " + error.message()));
+      continue;
+    }
     const bool is_new = places.insert(place).second;
     if (!is_new) errors.push_back(no_place(file.path, "would be written twice"));
     if (auto refused = refusal(file, files, force)) errors.push_back(*std::move(refused));
