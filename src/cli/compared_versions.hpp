@@ -18,7 +18,7 @@ namespace elgen::cli {
 
 /// Files and folders ("." where there is none) with what they were in a revision of git. E713: git
 /// does not know it, or is not there.
-[[nodiscard]] Result<DiffReport> compared_with_revision(const std::string& revision,
+[[nodiscard]] Result<DiffReport> compared_with_revision(const std::string& name,
                                                         std::vector<std::string> paths,
                                                         const CompareOptions& options,
                                                         const Limits& limits);

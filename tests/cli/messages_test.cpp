@@ -1,7 +1,10 @@
 // What is said on stderr is one document from the first diagnostic to the last, whatever happens.
+#include <fmt/format.h>
+
 #include <array>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <utility>
 
 #include "cli/cli_testing.hpp"
@@ -92,6 +95,27 @@ TEST_CASE("a report of code quality is one list") {
   CHECK(read_json(workspace, "0.json").size() == 2);
   CHECK(read_json(workspace, "3.json").empty());
   CHECK(read_json(workspace, "4.json").at(0).at("check_name") == "E909");
+}
+
+TEST_CASE("a limit that is met while a message is written is told behind it") {
+  // More than a pipe holds, so that the program waits in the middle of it.
+  std::string text =
+      "format = 1\n[model]\nname = \"m\"\n[[coordinate]]\nname = \"q\"\nunit = \"1\"\n[define]\n";
+  for (int i = 0; i < 600; ++i) text += fmt::format("d{0} = \"nothing{0}*q + other{0}\"\n", i);
+  const Workspace workspace;
+  write_text(workspace.path() / "m.toml", text + "[energy]\nT = \"dot(q)^2\"\n");
+  prepare(
+      "mkfifo pipe && { elgen show --format json m.toml 2> pipe & echo $! > id; } && "
+      "exec 3< pipe && sleep 0.5 && kill -XCPU $(cat id) && cat <&3 > out",
+      workspace.path());
+  std::istringstream lines(read_text(workspace.path() / "out"));
+  std::string code;
+  for (std::string line; std::getline(lines, line);) {
+    const nlohmann::json message = nlohmann::json::parse(line, nullptr, false);
+    REQUIRE_FALSE(message.is_discarded());
+    code = message.at("code");
+  }
+  CHECK(code == "E909");
 }
 
 TEST_CASE("commands of a workflow stand among what people read") {

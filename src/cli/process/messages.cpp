@@ -6,6 +6,8 @@
 #include <atomic>
 #include <cstdio>
 
+#include "base/no_interrupts.hpp"
+
 namespace elgen::cli {
 
 namespace {
@@ -25,14 +27,22 @@ void say(const Diagnostics& diagnostics, const DiagnosticStyle& style) {
   const std::string text = format(diagnostics, style);
   if (text.empty()) return;
   const DiagnosticFormatRow& row = format_row(style.format);
-  const bool is_first = !something_was_said.exchange(true);
-  say((is_first ? opening(row) : std::string(row.separator)) + text);
+  // A limit that is met here is told behind this message, not inside of it: memory is asked for
+  // before the first byte, and time has to wait for the last.
+  const std::string first = opening(row) + text;
+  const std::string next = std::string(row.separator) + text;
+  const NoInterrupts until_written;
+  say(something_was_said.exchange(true) ? next : first);
 }
 
 void say_no_more(DiagnosticFormat format) {
   const DiagnosticFormatRow& row = format_row(format);
-  if (!something_was_said.exchange(true)) say(opening(row));
-  say(std::string(row.closing));
+  const std::string closing(row.closing);
+  const std::string all = opening(row) + closing;
+  // Nothing is told behind the end.
+  static const NoInterrupts& for_ever = *new NoInterrupts;
+  (void)for_ever;
+  say(something_was_said.exchange(true) ? closing : all);
 }
 
 LastMessage::LastMessage(const Diagnostic& diagnostic, const DiagnosticStyle& style) {
