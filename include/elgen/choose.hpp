@@ -3,12 +3,13 @@
 //
 // The recursive form keeps the definitions of the derivation: linear cost along a chain. The closed
 // form is the cancelled, collected equation: for small models fewer operations, and more accurate,
-// since what cancels on paper is gone. Both are lowered and counted after sharing. Entries that
-// lose digits where sums cancel are written in other ways, and a form that loses more than the
-// other is not taken (choose/precision.hpp), unless the scene prefers speed; else the cheaper is
-// kept, the closed one on a tie, unless the scene asks for one. What is added to either so that it
-// holds at states that algebra passes over (scaled_length.hpp, guarded_pivots.hpp) comes last, and
-// then the order in which all is evaluated (trigonometry_first.hpp).
+// since what cancels on paper is gone. Both are lowered and counted after sharing, and the cheaper
+// is kept, the closed one on a tie, unless the scene asks for one. Where sums cancel entries are
+// written in other ways, and the other form is taken, if digits are lost (choose/precision.hpp):
+// many, and for a little more, where the scene wants balance; any where it prefers accuracy; never
+// for speed. What is added to either so that it holds at states that algebra passes over
+// (scaled_length.hpp, guarded_pivots.hpp) comes last, and then the order in which all is evaluated
+// (trigonometry_first.hpp).
 #pragma once
 
 #include <optional>
@@ -27,7 +28,8 @@ struct FormCosts {
   OperationCounts recursive = {};
   std::optional<OperationCounts> closed = {};  ///< none: given up, or far beyond the recursive form
   /// What either form may lose at points where sums cancel, as a factor of what its inputs'
-  /// rounding costs; none where it did not matter.
+  /// rounding costs: of each entry where the scene prefers accuracy, else of the largest entry of
+  /// its field. None where it did not matter.
   std::optional<double> recursive_loss = {};
   std::optional<double> closed_loss = {};
   Form chosen = Form::recursive;

@@ -47,13 +47,14 @@ struct OutputRequest {
 
 /// What decides between ways to compute the same.
 enum class Preference : std::uint8_t {
-  accuracy,  ///< of those that keep as many digits the cheapest
+  balanced,  ///< the cheapest, unless another that costs little more keeps many more digits
+  accuracy,  ///< of those that keep as many digits at extremes the cheapest
   speed,     ///< the cheapest
 };
 
 /// choose, emit, toolchain: what code is written for, and compiled for.
 struct Numerics {
-  Preference prefer = Preference::accuracy;
+  Preference prefer = Preference::balanced;
   std::vector<ScalarKind> scalars = {ScalarKind::double_precision};
   std::optional<cln::cl_RA> trigonometry_error = {};  ///< of sines and cosines in batches, at most
 };

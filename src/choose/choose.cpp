@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "choose/closed_pivots.hpp"
@@ -32,6 +33,12 @@ constexpr std::size_t always_tried = 400;
 /// ur5 would cost 4.6 times as much, the derivatives of two_body_plane cost 1.4 times.
 constexpr std::size_t most_for_digits = 4;
 
+/// Where accuracy is not all that counts, a form is dearer by at most a quarter of the other, and
+/// taken where that loses more than a quarter of the digits of double.
+constexpr double most_lost = 8192;
+
+bool is_little_dearer(std::size_t cost, std::size_t other) { return 4 * cost <= 5 * other; }
+
 /// Whether a form of this cost is taken in the place of another that loses digits.
 bool is_worth_its_digits(OutputKind kind, std::size_t cost, std::size_t other) {
   return output_row(kind).solves || cost <= most_for_digits * other;
@@ -57,7 +64,7 @@ class Choosing {
         forms_(forms),
         scene_(scene),
         points_(mixed_points(recursive.leaves)),
-        extremes_(extreme_points(recursive)) {
+        extremes_(extreme_points(recursive, scene.numerics.prefer)) {
     result_.program = recursive;
     result_.program.readable.resize(recursive.functions.size());
   }
@@ -153,7 +160,7 @@ class Choosing {
   double recursive_loss(const Function& recursive) {
     const auto known = recursive_losses_.find(recursive.name);
     if (known != recursive_losses_.end()) return known->second;
-    const double loss = std::ranges::max(possible_losses(result_.program, recursive, extremes_));
+    const double loss = std::ranges::max(losses_of(recursive));
     recursive_losses_[recursive.name] = loss;
     return loss;
   }
@@ -184,12 +191,23 @@ class Choosing {
     return scene_.numerics.prefer == Preference::accuracy;
   }
 
+  [[nodiscard]] Scale scale() const { return prefers_accuracy() ? Scale::entry : Scale::field; }
+
+  /// Where float is the only scalar, losses that double stands take most of its digits.
+  [[nodiscard]] double tolerated() const {
+    const std::vector<ScalarKind>& scalars = scene_.numerics.scalars;
+    const bool is_float = scalars.size() == 1 && scalars.front() == ScalarKind::single_precision;
+    return prefers_accuracy() || is_float ? tolerated_loss : most_lost;
+  }
+
   Function compare(std::size_t index, const Function& recursive, ReadableEntries& entries,
                    FormCosts& costs) {
     Function closed = lowered_together(entries, recursive, result_.program, splits_of(recursive));
     costs.chosen = cost_of(closed) <= cost_of(recursive) ? Form::closed : Form::recursive;
-    if (prefers_accuracy() && !is_reduced(recursive)) {
-      closed = keep_digits(index, recursive, entries, std::move(closed), costs);
+    if (scene_.numerics.prefer != Preference::speed && !is_reduced(recursive)) {
+      closed = prefers_accuracy()
+                   ? keep_digits(index, recursive, entries, std::move(closed), costs)
+                   : keep_most_digits(index, recursive, entries, std::move(closed), costs);
     }
     closed = finished(std::move(closed));
     costs.closed = count_operations(closed);
@@ -206,12 +224,13 @@ class Choosing {
   /// between the forms where one of them loses more.
   Function keep_digits(std::size_t index, const Function& recursive, ReadableEntries& entries,
                        Function closed, FormCosts& costs) {
-    std::vector<double> losses = possible_losses(result_.program, closed, extremes_);
+    std::vector<double> losses = losses_of(closed);
     // Those of `dynamics` are those of the functions before it.
     const bool repeats = output_row(recursive.kind).repeats;
-    if (!repeats && rewrite(entries, losses, both_forms(index), extremes_)) {
+    const Judgement judgement{.points = extremes_, .prefers_short = true};
+    if (!repeats && rewrite(entries, losses, both_forms(index), judgement)) {
       closed = lowered_together(entries, recursive, result_.program, splits_of(recursive));
-      losses = possible_losses(result_.program, closed, extremes_);
+      losses = losses_of(closed);
       costs.chosen = cost_of(closed) <= cost_of(recursive) ? Form::closed : Form::recursive;
     }
     costs.closed_loss = std::ranges::max(losses);
@@ -223,6 +242,64 @@ class Choosing {
       costs.chosen = Form::closed;
     }
     return closed;
+  }
+
+  /// The closed form with its entries written in other ways where that is free, or a little dearer
+  /// and worth it, and the choice between the forms by the same rule.
+  Function keep_most_digits(std::size_t index, const Function& recursive, ReadableEntries& entries,
+                            Function closed, FormCosts& costs) {
+    costs.closed_loss = std::ranges::max(losses_of(closed));
+    // Those of `dynamics` are those of the functions before it.
+    if (*costs.closed_loss > 0 && !output_row(recursive.kind).repeats) {
+      const std::size_t cheapest = std::min(cost_of(closed), cost_of(recursive));
+      for (const double limit : {tolerated(), std::numeric_limits<double>::infinity()}) {
+        if (try_ways(index, {limit, cheapest}, entries, closed, costs)) break;
+      }
+    }
+    const std::size_t own = cost_of(closed);
+    const std::size_t other = cost_of(recursive);
+    costs.chosen = own <= other ? Form::closed : Form::recursive;
+    if (!is_little_dearer(std::max(own, other), std::min(own, other))) return closed;
+    if (costs.chosen == Form::closed && *costs.closed_loss <= tolerated()) return closed;
+    costs.recursive_loss = recursive_loss(recursive);
+    if (loses_more(*costs.closed_loss, *costs.recursive_loss, tolerated())) {
+      costs.chosen = Form::recursive;
+    } else if (loses_more(*costs.recursive_loss, *costs.closed_loss, tolerated())) {
+      costs.chosen = Form::closed;
+    }
+    return closed;
+  }
+
+  /// Above the loss `limit` entries may be written in longer ways, for which the function may cost
+  /// a little more than `cheapest`.
+  struct Allowance {
+    double limit;
+    std::size_t cheapest;
+  };
+
+  /// Whether the ways together are free, or worth their cost: then they are taken.
+  bool try_ways(std::size_t index, const Allowance& allowance, ReadableEntries& entries,
+                Function& closed, FormCosts& costs) {
+    const BothForms both = both_forms(index);
+    const Judgement judgement{extremes_, allowance.limit,
+                              magnitudes_of(result_.program, closed, extremes_, Scale::field)};
+    ReadableEntries others = entries;
+    if (!rewrite(others, losses_of(closed), both, judgement)) return false;
+    Function way =
+        lowered_together(others, both.function, result_.program, splits_of(both.function));
+    const double loss = std::ranges::max(losses_of(way));
+    const bool is_free = cost_of(way) <= cost_of(closed) && loss <= *costs.closed_loss;
+    const bool is_worth = is_little_dearer(cost_of(way), allowance.cheapest) &&
+                          loses_more(*costs.closed_loss, loss, tolerated());
+    if (!is_free && !is_worth) return false;
+    entries = std::move(others);
+    closed = std::move(way);
+    costs.closed_loss = loss;
+    return true;
+  }
+
+  [[nodiscard]] std::vector<double> losses_of(const Function& function) const {
+    return possible_losses(result_.program, function, extremes_, scale());
   }
 
   void fill_readable(std::size_t index, const ReadableEntries& entries) {

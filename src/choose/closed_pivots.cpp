@@ -123,7 +123,7 @@ std::vector<ClosedPivot> closed_pivots(const Program& program, const Function& f
   const std::vector<double> losses = possible_losses(program, pruned(relative_pivots), points);
   for (std::size_t i = 0; i < relative.size(); ++i) {
     if (losses[i] <= tolerated_loss || !relative[i] || !diagonal[i]) continue;
-    auto way = more_precise(forms.algebra, *relative[i], nullptr, losses[i], points);
+    auto way = more_precise(forms.algebra, *relative[i], nullptr, {.loss = losses[i]}, points);
     const auto of_diagonal = collected_ways(forms.algebra, *diagonal[i]);
     if (!way || of_diagonal.empty()) continue;
     const auto shortest = std::ranges::min_element(of_diagonal, {}, &Collected::length);

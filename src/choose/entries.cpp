@@ -29,6 +29,20 @@ std::vector<const std::optional<Fraction>*> forms_of(const ClosedFunction& close
   return forms;
 }
 
+LossyEntry lossy_entry(std::size_t i, double loss, const ReadableForm& known,
+                       const Judgement& judgement) {
+  LossyEntry entry{.loss = loss};
+  for (const std::vector<double>& at_point : judgement.magnitudes) {
+    entry.beside.push_back(at_point[i]);
+  }
+  if (loss <= judgement.tolerated) {
+    entry.longest = written_length(known.compact);
+  } else {
+    entry.tolerated = judgement.tolerated;
+  }
+  return entry;
+}
+
 }  // namespace
 
 ReadableEntries read_entries(const BothForms& both, const MixedPoints& points) {
@@ -69,7 +83,7 @@ std::vector<std::uint32_t> rewritten_entries(const ReadableEntries& entries, std
 }
 
 bool rewrite(ReadableEntries& entries, const std::vector<double>& losses, const BothForms& both,
-             const ExtremePoints& extremes) {
+             const Judgement& judgement) {
   const Algebra& algebra = both.forms.algebra;
   const std::vector<const std::optional<Fraction>*> all = forms_of(both.closed);
   const std::vector<std::uint32_t> instructions = entries_of(both.function);
@@ -77,10 +91,11 @@ bool rewrite(ReadableEntries& entries, const std::vector<double>& losses, const 
   const auto better = [&](std::size_t i) -> std::optional<Expressions> {
     if (losses[i] > tolerated_loss) {
       const auto derived = as_derived(both.program, both.function, instructions[i]);
-      return more_precise(algebra, **all[i], derived ? &*derived : nullptr, losses[i], extremes);
+      return more_precise(algebra, **all[i], derived ? &*derived : nullptr,
+                          lossy_entry(i, losses[i], *entries[i], judgement), judgement.points);
     }
-    if (!solves) return std::nullopt;
-    return shorter_precise(algebra, **all[i], entries[i]->compact, extremes);
+    if (!solves || !judgement.prefers_short) return std::nullopt;
+    return shorter_precise(algebra, **all[i], entries[i]->compact, judgement.points);
   };
   bool is_rewritten = false;
   for (std::size_t i = 0; i < entries.size(); ++i) {

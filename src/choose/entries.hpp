@@ -33,10 +33,19 @@ struct BothForms {
 [[nodiscard]] std::vector<std::uint32_t> rewritten_entries(const ReadableEntries& entries,
                                                            std::size_t count);
 
+/// How entries are judged that lose digits.
+struct Judgement {
+  const ExtremePoints& points;
+  double tolerated =
+      tolerated_loss;          ///< of an entry that loses no more only shorter ways are taken
+  Magnitudes magnitudes = {};  ///< by point and entry; empty: each entry by itself
+  bool prefers_short = false;  ///< in what solves: sums that keep all digits and are shorter
+};
+
 /// Writes the entries that lose digits in ways that do not; whether there is one. `losses` are
 /// those of the code, entry by entry.
 [[nodiscard]] bool rewrite(ReadableEntries& entries, const std::vector<double>& losses,
-                           const BothForms& both, const ExtremePoints& extremes);
+                           const BothForms& both, const Judgement& judgement);
 
 /// Shows those that rewrite() has written as they are computed where they would be shown in a way
 /// that is less precise, which would judge the code.

@@ -30,29 +30,31 @@ std::vector<Expressions> all_ways(const Algebra& algebra, const Fraction& form,
   return ways;
 }
 
-double loss_of(const Expressions& way, const ExtremePoints& points) {
+double loss_of(const Expressions& way, const ExtremePoints& points,
+               const std::vector<double>& beside = {}) {
   Program program;
   Function function;
   function.fields = {Field{"", 1, 1, {0}}};
   linearise(make_network(way), program, function);
-  return possible_losses(program, function, points).front();
+  return possible_loss(program, function, points, beside);
 }
 
 }  // namespace
 
 std::optional<Expressions> more_precise(const Algebra& algebra, const Fraction& form,
-                                        const DerivedEntry* derived, double loss,
+                                        const DerivedEntry* derived, const LossyEntry& entry,
                                         const ExtremePoints& points) {
   std::optional<Expressions> best;
-  double least = loss;
+  double least = entry.loss;
   for (Expressions& way : all_ways(algebra, form, derived)) {
-    const double own = loss_of(way, points);
+    if (written_length(way) > entry.longest) break;
+    const double own = loss_of(way, points, entry.beside);
     if (own >= least) continue;
     least = own;
     best = std::move(way);
-    if (least <= tolerated_loss) return best;
+    if (least <= entry.tolerated) return best;
   }
-  if (!loses_more(loss, least)) return std::nullopt;
+  if (!loses_more(entry.loss, least, entry.tolerated)) return std::nullopt;
   return best;
 }
 

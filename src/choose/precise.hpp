@@ -5,17 +5,29 @@
 // shortest is taken, else the one that loses least.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <optional>
+#include <vector>
 
 #include "choose/precision.hpp"
 #include "choose/readable.hpp"
 
 namespace elgen {
 
-/// None where every way loses about as much as `loss`. `derived` may be null. Cost: the possible
-/// losses of each way, up to the first that has none.
+/// An entry that loses digits, and what is wanted in its place.
+struct LossyEntry {
+  double loss = 0;
+  double tolerated = tolerated_loss;  ///< a way that loses no more is good enough
+  std::size_t longest = std::numeric_limits<std::size_t>::max();  ///< written length of a way
+  std::vector<double> beside = {};  ///< by point, magnitudes of its field; empty: its own
+};
+
+/// None where every way loses about as much. `derived` may be null. Cost: the possible losses of
+/// each way, up to the first that is good enough.
 [[nodiscard]] std::optional<Expressions> more_precise(const Algebra& algebra, const Fraction& form,
-                                                      const DerivedEntry* derived, double loss,
+                                                      const DerivedEntry* derived,
+                                                      const LossyEntry& entry,
                                                       const ExtremePoints& points);
 
 /// A sum that does not cancel and is shorter than `known`, where there is one that loses nothing:

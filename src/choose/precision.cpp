@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/exact_number.hpp"
 #include "base/random.hpp"
 #include "evaluate/running_errors.hpp"
 #include "lower/graph/prune.hpp"
@@ -26,14 +27,39 @@ constexpr int ratios[]{40, -40, 15};
 
 constexpr int ordinary_points = 3;
 constexpr int wide_points = 5;
+/// Of each neighbourhood, where parameters are ordinary: three draws have both signs of most
+/// differences.
+constexpr int drawn_places = 3;
+
+constexpr Neighbourhood neighbourhoods[]{Neighbourhood::right, Neighbourhood::straight,
+                                         Neighbourhood::nearly_equal, Neighbourhood::tiny};
+
+/// How near.
+struct Distances {
+  double angle;
+  double difference;
+  int length;  ///< its binary logarithm, with a minus, at most
+};
+/// A square of this is lost in a sum of double precision beside 1.
+constexpr Distances at_extremes{1e-8, 1e-3, wide};
+/// A product of two such is; in float such a distance itself nearly.
+constexpr Distances nearby{1e-4, 1e-4, 13};
 
 /// Of more parameters some are left out.
 constexpr std::size_t most_parameters = 10;
 
 class Points {
  public:
-  Points(const LeafNames& leaves, std::vector<bool> is_angle)
-      : leaves_(leaves), is_angle_(std::move(is_angle)) {}
+  Points(const LeafNames& leaves, std::vector<bool> is_angle, const Distances& distances)
+      : leaves_(leaves), is_angle_(std::move(is_angle)), distances_(distances) {}
+
+  ExtremePoints ordinary_ones() {
+    for (int i = 0; i < ordinary_points; ++i) points_.push_back(drawn(ordinary));
+    for (int i = 0; i < drawn_places; ++i) {
+      for (const Neighbourhood place : neighbourhoods) add(place, drawn(ordinary));
+    }
+    return std::move(points_);
+  }
 
   ExtremePoints all() {
     for (int i = 0; i < ordinary_points; ++i) points_.push_back(drawn(ordinary));
@@ -55,8 +81,7 @@ class Points {
   }
 
   void add_extremes(std::size_t parameter, int ratio) {
-    for (const Neighbourhood place : {Neighbourhood::right, Neighbourhood::straight,
-                                      Neighbourhood::nearly_equal, Neighbourhood::tiny}) {
+    for (const Neighbourhood place : neighbourhoods) {
       Arguments<double> point = drawn(ordinary);
       point.parameters[parameter] = std::ldexp(point.parameters[parameter], ratio);
       add(place, std::move(point));
@@ -66,7 +91,7 @@ class Points {
   void add(Neighbourhood place, Arguments<double> point) {
     const double common = random_.uniform(-3, 3);
     for (std::size_t i = 0; i < point.q.size(); ++i) {
-      const double length = random_.log_uniform(-wide, -ordinary);
+      const double length = random_.log_uniform(-distances_.length, -ordinary);
       if (is_angle_[i]) point.q[i] = angle(place, common);
       if (!is_angle_[i] && place == Neighbourhood::tiny) point.q[i] = length;
     }
@@ -77,14 +102,16 @@ class Points {
     const double sign = random_.uniform(-1, 1) < 0 ? -1 : 1;
     const double share = sign * random_.uniform(0.5, 1);
     const double turns = std::floor(random_.uniform(-1, 2));
-    if (place == Neighbourhood::nearly_equal) return common + share * 1e-3;
-    if (place == Neighbourhood::tiny) return share * 1e-8;
-    if (place == Neighbourhood::right) return (2 * turns + 1) * right_angle + share * 1e-8;
-    return 2 * turns * right_angle + share * 1e-8;
+    const double away = share * distances_.angle;
+    if (place == Neighbourhood::nearly_equal) return common + share * distances_.difference;
+    if (place == Neighbourhood::tiny) return away;
+    if (place == Neighbourhood::right) return (2 * turns + 1) * right_angle + away;
+    return 2 * turns * right_angle + away;
   }
 
   const LeafNames& leaves_;
   std::vector<bool> is_angle_;
+  const Distances& distances_;
   Random random_{1};
   ExtremePoints points_ = {};
 };
@@ -151,14 +178,33 @@ struct RoughRules {
   }
 };
 
+/// The magnitudes of all entries, in the order of the fields; those of a field are alike where the
+/// scale is that.
+void spread(const Function& function, Scale scale, std::vector<double>& magnitudes) {
+  if (scale == Scale::entry) return;
+  auto begin = magnitudes.begin();
+  for (const Field& field : function.fields) {
+    const auto end = begin + static_cast<std::ptrdiff_t>(field.entries.size());
+    double largest = 0;
+    for (auto at = begin; at != end; ++at) largest = std::max(largest, std::isnan(*at) ? 0 : *at);
+    std::fill(begin, end, largest);
+    begin = end;
+  }
+}
+
 /// Whether no entry loses anything at a point. Rounding may be mistaken in the last digits of this,
 /// never by a factor of two, as long as the errors are small.
 bool keeps_all(const Program& program, const Function& function,
-               const std::vector<std::uint32_t>& entries, const Arguments<double>& point) {
+               const std::vector<std::uint32_t>& entries, const Arguments<double>& point,
+               Scale scale) {
   const std::vector<RoughError> values = fold<RoughError>(RoughRules{point}, program, function);
-  return std::ranges::all_of(entries, [&](std::uint32_t at) {
-    return values[at].error <= tolerated_loss / 2 * std::abs(values[at].value);
-  });
+  std::vector<double> magnitudes;
+  for (const std::uint32_t at : entries) magnitudes.push_back(std::abs(values[at].value));
+  spread(function, scale, magnitudes);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (!(values[entries[i]].error <= tolerated_loss / 2 * magnitudes[i])) return false;
+  }
+  return true;
 }
 
 /// Errors of all instructions at one point, and K where it is asked for.
@@ -170,13 +216,23 @@ class PointLosses {
         values_(fold<Running>(RunningErrorRules{running_leaves(point, Leaves::exact)}, program,
                               function)) {}
 
-  /// 0 where it is negligible, and where there is no value to compare with.
-  [[nodiscard]] double of(std::uint32_t at) {
+  /// |x|; not a number where there is none.
+  [[nodiscard]] double magnitude(std::uint32_t at) const {
+    const Real& x = values_[at].value;
+    return x.is_defined() ? std::abs(ScalarTraits<double>::from_real(x.value()))
+                          : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  /// 0 where it is negligible, and where there is no value to compare with. `beside` is a magnitude
+  /// that counts where it is the larger one.
+  [[nodiscard]] double of(std::uint32_t at, double beside) {
     const Running& x = values_[at];
     if (!x.error.is_defined()) return 0;
-    const Real negligible = abs(x.value) * Real(cln::cl_RA(static_cast<long>(tolerated_loss)));
+    const bool is_small = std::isfinite(beside) && magnitude(at) < beside;
+    const Real scale = is_small ? Real(exact_value(beside)) : abs(x.value);
+    const Real negligible = scale * Real(cln::cl_RA(static_cast<long>(tolerated_loss)));
     if (x.error.value() <= negligible.value()) return 0;
-    const Real reference = conditioning().reference(at);
+    const Real reference = scale + conditioning().of(at);
     if (!reference.is_defined()) return 0;
     if (cln::zerop(reference.value())) return std::numeric_limits<double>::infinity();
     const double loss = ScalarTraits<double>::from_real((x.error / reference).value());
@@ -198,26 +254,58 @@ class PointLosses {
 
 }  // namespace
 
-ExtremePoints extreme_points(const Program& program) {
-  return Points(program.leaves, angles_of(program)).all();
+ExtremePoints extreme_points(const Program& program, Preference preference) {
+  if (preference == Preference::accuracy) {
+    return Points(program.leaves, angles_of(program), at_extremes).all();
+  }
+  return Points(program.leaves, angles_of(program), nearby).ordinary_ones();
 }
 
 std::vector<double> possible_losses(const Program& program, const Function& function,
-                                    const ExtremePoints& points) {
+                                    const ExtremePoints& points, Scale scale) {
   const std::vector<std::uint32_t> entries = entries_of(function);
   std::vector<double> losses(entries.size());
   for (const Arguments<double>& point : points) {
-    if (keeps_all(program, function, entries, point)) continue;
+    if (keeps_all(program, function, entries, point, scale)) continue;
     PointLosses at_point(program, function, point);
+    std::vector<double> magnitudes;
+    for (const std::uint32_t at : entries) magnitudes.push_back(at_point.magnitude(at));
+    spread(function, scale, magnitudes);
     for (std::size_t i = 0; i < entries.size(); ++i) {
-      losses[i] = std::max(losses[i], at_point.of(entries[i]));
+      losses[i] = std::max(losses[i], at_point.of(entries[i], magnitudes[i]));
     }
   }
   return losses;
 }
 
-bool loses_more(double loss, double other) {
-  return loss > std::max(tolerated_loss, similar_losses * other);
+Magnitudes magnitudes_of(const Program& program, const Function& function,
+                         const ExtremePoints& points, Scale scale) {
+  Magnitudes magnitudes;
+  for (const Arguments<double>& point : points) {
+    const PointLosses at_point(program, function, point);
+    magnitudes.emplace_back();
+    for (const std::uint32_t at : entries_of(function)) {
+      magnitudes.back().push_back(at_point.magnitude(at));
+    }
+    spread(function, scale, magnitudes.back());
+  }
+  return magnitudes;
+}
+
+double possible_loss(const Program& program, const Function& function, const ExtremePoints& points,
+                     const std::vector<double>& beside) {
+  const std::vector<std::uint32_t> entries = entries_of(function);
+  double loss = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (keeps_all(program, function, entries, points[i], Scale::entry)) continue;
+    PointLosses at_point(program, function, points[i]);
+    loss = std::max(loss, at_point.of(entries.front(), beside.empty() ? 0 : beside[i]));
+  }
+  return loss;
+}
+
+bool loses_more(double loss, double other, double tolerated) {
+  return loss > std::max(tolerated, similar_losses * other);
 }
 
 }  // namespace elgen

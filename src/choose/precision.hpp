@@ -1,33 +1,54 @@
 // precision: the digits that a function may lose, at fixed points where sums cancel.
 //
 //     e/(|x| + K)     e its running error (evaluate/running_errors.hpp), K what the rounding of its
-//                     inputs would cost whatever formula is taken (evaluate/conditioning.hpp)
+//                     inputs would cost whatever formula is taken (evaluate/conditioning.hpp), x
+//                     the entry, or the largest entry of its field
 //
 // In exact arithmetic, so that every machine chooses the same.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "elgen/evaluate.hpp"
 #include "elgen/program.hpp"
+#include "elgen/scene.hpp"
 #include "evaluate/conditioning.hpp"
 
 namespace elgen {
 
 using ExtremePoints = std::vector<Arguments<double>>;
 
-/// The same on every machine: ordinary magnitudes; wide ones; and parameters of wide ratios, or one
-/// far larger than the others, where the coordinates that sines are taken of are near multiples of
-/// a right angle, nearly the same, or tiny.
-[[nodiscard]] ExtremePoints extreme_points(const Program& program);
+/// The same on every machine: ordinary magnitudes; and where the coordinates that sines are taken
+/// of are near multiples of a right angle, nearly the same, or tiny. For accuracy wide magnitudes
+/// too, and parameters of wide ratios, or one far larger than the others, at places that are
+/// nearer.
+[[nodiscard]] ExtremePoints extreme_points(const Program& program, Preference preference);
+
+/// What errors are compared with.
+enum class Scale : std::uint8_t {
+  entry,  ///< the entry itself
+  field,  ///< the largest entry of its field: one that vanishes among others may be noise
+};
 
 /// Of each entry the largest e/(|x| + K) over all points where it has a value; 0 where it is at
 /// most tolerated_loss. Cost: an error per instruction and point; where digits are lost,
 /// derivatives too.
 [[nodiscard]] std::vector<double> possible_losses(const Program& program, const Function& function,
-                                                  const ExtremePoints& points);
+                                                  const ExtremePoints& points,
+                                                  Scale scale = Scale::entry);
 
-/// Whether one way loses so much more than another that it does not matter which is cheaper.
-[[nodiscard]] bool loses_more(double loss, double other);
+/// By point, |x| of the scale for each entry. Cost: an error of each instruction and point.
+using Magnitudes = std::vector<std::vector<double>>;
+[[nodiscard]] Magnitudes magnitudes_of(const Program& program, const Function& function,
+                                       const ExtremePoints& points, Scale scale);
+
+/// The same of a function that has one entry of another, whose magnitudes are `beside`, by point.
+[[nodiscard]] double possible_loss(const Program& program, const Function& function,
+                                   const ExtremePoints& points, const std::vector<double>& beside);
+
+/// Whether one way loses so much more than another, and more than `tolerated`, that it does not
+/// matter which is cheaper.
+[[nodiscard]] bool loses_more(double loss, double other, double tolerated = tolerated_loss);
 
 }  // namespace elgen

@@ -111,6 +111,16 @@ TEST_CASE("what cannot be fixed") {
   }
 }
 
+TEST_CASE("balance is preferred unless a scene says otherwise") {
+  const auto preference = [](const std::string& text) {
+    return arrays_scene(text).numerics.prefer;
+  };
+  CHECK(preference("") == Preference::balanced);
+  CHECK(preference("[numeric]\nprefer = \"balanced\"\n") == Preference::balanced);
+  CHECK(preference("[numeric]\nprefer = \"accuracy\"\n") == Preference::accuracy);
+  CHECK(preference("[numeric]\nprefer = \"speed\"\n") == Preference::speed);
+}
+
 TEST_CASE("scalars come in one order") {
   const Scene scene = arrays_scene("[numeric]\nscalar = [\"double\", \"float\"]\n");
   CHECK(scene.numerics.scalars ==

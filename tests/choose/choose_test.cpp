@@ -58,8 +58,8 @@ TEST_CASE("for speed the cheaper form is chosen, the closed one on a tie") {
 TEST_CASE("for accuracy no form is chosen that loses more digits than the other") {
   for (const auto& [name, text] : systems()) {
     INFO(name);
-    const Chosen c = chosen(text);
-    const ExtremePoints points = extreme_points(c.choice.program);
+    const Chosen c = chosen(text, {}, Preference::accuracy);
+    const ExtremePoints points = extreme_points(c.choice.program, Preference::accuracy);
     const auto worst = [&points](const Program& program, const Function& function) {
       const std::vector<double> losses = possible_losses(program, function, points);
       return losses.empty() ? 0 : *std::max_element(losses.begin(), losses.end());
@@ -69,6 +69,31 @@ TEST_CASE("for accuracy no form is chosen that loses more digits than the other"
       REQUIRE(other != c.recursive.functions.end());
       INFO(function.name);
       CHECK_FALSE(loses_more(worst(c.choice.program, function), worst(c.recursive, *other)));
+    }
+  }
+}
+
+TEST_CASE("balanced, a form is dearer by a quarter at most, and only where it keeps many digits") {
+  for (const auto& [name, text] : systems()) {
+    INFO(name);
+    const Chosen fast = chosen(text, {}, Preference::speed);
+    const Chosen c = chosen(text);
+    const ExtremePoints points = extreme_points(c.choice.program, Preference::balanced);
+    const auto worst = [&points](const Program& program, const Function& function) {
+      const std::vector<double> losses = possible_losses(program, function, points, Scale::field);
+      return losses.empty() ? 0 : *std::max_element(losses.begin(), losses.end());
+    };
+    for (std::size_t i = 0; i < c.choice.program.functions.size(); ++i) {
+      const Function& own = c.choice.program.functions[i];
+      const Function& cheapest = fast.choice.program.functions[i];
+      INFO(own.name);
+      const std::size_t price = cost(count_operations(own));
+      const std::size_t least = cost(count_operations(cheapest));
+      CHECK(4 * price <= 5 * least);
+      const double loss = worst(c.choice.program, own);
+      const double other = worst(fast.choice.program, cheapest);
+      CHECK(loss <= std::max(8192.0, other));
+      if (price > least) CHECK(loses_more(other, loss, 8192));
     }
   }
 }

@@ -20,7 +20,7 @@ struct Chosen {
 };
 
 inline Chosen chosen(const std::string& text, const SceneOptions& options = {},
-                     Preference prefer = Preference::accuracy) {
+                     Preference prefer = Preference::balanced) {
   Chosen result{checked_model(text, options), {}, {}, {}};
   result.checked.scene.numerics.prefer = prefer;
   const Result<Lagrangian> lagrangian = formulate(result.checked.model);

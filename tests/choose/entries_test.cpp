@@ -33,10 +33,10 @@ TEST_CASE("code is rewritten where it loses digits, what people read stays") {
   const ClosedForms forms = present(program);
   const BothForms both{program, program.functions[0], forms, forms.functions[0]};
   const MixedPoints points = mixed_points(program.leaves);
-  const ExtremePoints extremes = extreme_points(program);
+  const ExtremePoints extremes = extreme_points(program, Preference::accuracy);
   ReadableEntries entries = read_entries(both, points);
   const auto with_losses = [&](const std::vector<double>& losses) {
-    return rewrite(entries, losses, both, extremes);
+    return rewrite(entries, losses, both, {.points = extremes, .prefers_short = true});
   };
   CHECK_FALSE(with_losses({0, 0}));
   REQUIRE(with_losses({1e15, 0}));

@@ -18,10 +18,10 @@ std::string precise(const std::string& instructions, int entry) {
       instructions + "  result 1 1 = " + std::to_string(entry) + "\n");
   const ClosedForms forms = present(program);
   const Function& function = program.functions[0];
-  const ExtremePoints points = extreme_points(program);
+  const ExtremePoints points = extreme_points(program, Preference::accuracy);
   const auto derived = as_derived(program, function, function.fields[0].entries[0]);
   const auto way = more_precise(forms.algebra, *forms.functions[0].fields[0].entries[0],
-                                derived ? &*derived : nullptr, 1e12, points);
+                                derived ? &*derived : nullptr, {.loss = 1e12}, points);
   return way ? testing::texts_of(*way).at(0) : "none";
 }
 
