@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "choose/precise.hpp"
+#include "choose/ways.hpp"
 
 namespace elgen {
 namespace {
