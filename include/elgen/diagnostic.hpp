@@ -1,7 +1,7 @@
 // Diagnostics are values: a stable code, an exact span, the observed value, perhaps a suggestion.
 //
 // Every stage returns Result<T>: a value, diagnostics, or a value with warnings. format() is the
-// only place that turns a diagnostic into text; error_codes.def is the only list of codes.
+// only place that turns a diagnostic into text; error_codes.def is the list of codes.
 #pragma once
 
 #include <cstddef>
@@ -27,14 +27,14 @@ enum class ExitCode : int {
 };
 
 enum class Code : unsigned short {
-#define ELGEN_CODE(code, severity, exit_code, title, explanation) code,
+#define ELGEN_CODE(code) code,
 #include "elgen/error_codes.def"
 #undef ELGEN_CODE
 };
 
 enum class Severity : unsigned char { note, warning, error };
 
-/// One row of error_codes.def.
+/// One row of src/base/error_texts.def.
 struct CodeRow {
   Code code;
   Severity severity;

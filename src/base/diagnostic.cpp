@@ -2,15 +2,40 @@
 #include "elgen/diagnostic.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 
 namespace elgen {
+
+namespace {
+
+constexpr Code codes_of_texts[]{
+#define ELGEN_CODE(code, severity, exit_code, title, explanation) Code::code,
+#include "base/error_texts.def"
+#undef ELGEN_CODE
+};
+
+/// A text is found by the number of its code.
+constexpr bool is_in_order() {
+  for (std::size_t i = 0; i < std::size(codes_of_texts); ++i) {
+    if (static_cast<std::size_t>(codes_of_texts[i]) != i) return false;
+  }
+  return true;
+}
+constexpr std::size_t code_count = 0
+#define ELGEN_CODE(code) +1
+#include "elgen/error_codes.def"
+#undef ELGEN_CODE
+    ;
+static_assert(is_in_order() && std::size(codes_of_texts) == code_count);
+
+}  // namespace
 
 const std::vector<CodeRow>& code_table() {
   static const std::vector<CodeRow> table{
 #define ELGEN_CODE(code, severity, exit_code, title, explanation) \
   {Code::code, Severity::severity, ExitCode::exit_code, #code, title, explanation},
-#include "elgen/error_codes.def"
+#include "base/error_texts.def"
 #undef ELGEN_CODE
   };
   return table;
