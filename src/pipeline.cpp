@@ -12,6 +12,7 @@
 
 #include "elgen/cancel.hpp"
 #include "elgen/choose.hpp"
+#include "elgen/closed_forms.hpp"
 #include "elgen/equations_of_motion.hpp"
 #include "elgen/inspect.hpp"
 #include "elgen/lagrangian.hpp"
@@ -20,7 +21,6 @@
 #include "pipeline/chosen.hpp"
 #include "pipeline/dumps.hpp"
 #include "pipeline/parts.hpp"
-#include "pipeline/presented.hpp"
 #include "pipeline/readable_steps.hpp"
 #include "pipeline/stages.hpp"
 
@@ -79,7 +79,7 @@ class Compilation {
     if (options_.goals == std::vector<std::string>{"lower"}) {
       out.lowered = std::move(lowered_.product);
     }
-    if (forms_.product) out.closed_forms = std::move(forms_.product->exact);
+    out.closed_forms = std::move(forms_.product);
     if (choice_.product) out.program = std::move(choice_.product->program);
     if (choice_.product) out.costs = std::move(choice_.product->costs);
     if (parts_.product) out.parts = std::move(*parts_.product);
@@ -145,7 +145,8 @@ class Compilation {
   Stage<Program> recursive_{run_, "cancel", std::tie(lowered_),
                             [](Program& p) { return cancel(std::move(p)); }};
 
-  Stage<Presented> forms_{run_, "present", std::tie(lagrangian_, checked_, recursive_), presented};
+  Stage<ClosedForms> forms_{run_, "present", std::tie(recursive_),
+                            [](const Program& p) { return present(p); }};
 
   Stage<Choice> choice_{run_, "choose", std::tie(lagrangian_, recursive_, forms_, checked_),
                         chosen};

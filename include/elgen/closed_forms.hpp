@@ -92,7 +92,6 @@ struct ClosedField {
 /// Parallel to Program::functions; `dynamics` has no fields, since it repeats the others.
 struct ClosedFunction {
   std::vector<ClosedField> fields = {};
-  bool is_reduced = false;  ///< terms were dropped: no longer what the program computes
 };
 
 struct ClosedForms {

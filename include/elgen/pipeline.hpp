@@ -43,9 +43,9 @@ struct StageTime {
 /// What came out; a stage that did not run leaves its product empty.
 struct Products {
   std::optional<CheckedModel> checked = {};
-  std::optional<Program> lowered = {};           ///< where `lower` is the last goal
-  std::optional<ClosedForms> closed_forms = {};  ///< with all their terms
-  std::optional<Program> program = {};           ///< each function in its chosen form
+  std::optional<Program> lowered = {};  ///< where `lower` is the last goal
+  std::optional<ClosedForms> closed_forms = {};
+  std::optional<Program> program = {};  ///< each function in its chosen form
   /// What solutions are judged by (VerifyOptions::parts); no functions where nothing is solved, or
   /// where a limit was reached.
   Program parts = {};

@@ -13,7 +13,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,7 +22,6 @@
 #include "elgen/leaf_names.hpp"
 #include "elgen/leaves.hpp"
 #include "elgen/outputs.hpp"
-#include "elgen/reduction.hpp"
 
 namespace elgen {
 
@@ -83,7 +81,6 @@ struct Program {
   /// Parallel to functions, where filled: the closed form of every entry as it is written for a
   /// reader, nothing shared between entries. Without fields where there is none.
   std::vector<Function> readable = {};
-  std::optional<Reduction> reduction = {};  ///< where it is not the exact model's
 };
 
 /// Whether an instruction loads the number 0.

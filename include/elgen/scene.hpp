@@ -79,13 +79,6 @@ struct Emission {
   bool page = true;
 };
 
-/// present: terms of closed forms that are left out (`drop_below`).
-struct Dropping {
-  cln::cl_RA below = 0;  ///< of the largest term of their entry
-  Span span = {};
-  std::vector<OutputRequest> parts = {};  ///< what the reduced outputs are made of, all of it
-};
-
 /// Outputs of more entries are chosen only where they are named.
 inline constexpr std::uint64_t entries_in_full = 4096;
 
@@ -120,7 +113,6 @@ struct Scene {
   Specialisation specialisation = {};
   std::vector<OutputRequest> outputs = {};
   std::vector<LeftOut> left_out = {};  ///< empty where the scene names its outputs
-  std::optional<Dropping> dropping = {};
   Numerics numerics = {};
   Emission emission = {};
   bool has_options = false;    ///< --outputs, --fix or --size changed it

@@ -30,14 +30,13 @@ struct Design {
   std::string trigonometry = {};  ///< max_error of polynomials; "": as accurate as the scalar
   bool is_fixed = false;          ///< every parameter is a number
   std::optional<Form> form = {};
-  bool is_contracted = true;    ///< as compilers do where they are not told
-  std::string order = {};       ///< of an expansion about the start, or "exact"
-  std::string drop_below = {};  ///< or "none"
+  bool is_contracted = true;  ///< as compilers do where they are not told
+  std::string order = {};     ///< of an expansion about the start, or "exact"
   friend bool operator==(const Design&, const Design&) = default;
 };
 
 /// What is exactly as the model says.
-inline const Design exact_design{.order = "exact", .drop_below = "none"};
+inline const Design exact_design{.order = "exact"};
 
 struct PlannedDesign {
   std::vector<std::string> values = {};  ///< of the dimensions, in their order

@@ -235,7 +235,6 @@ std::string dump(const Scene& scene) {
   for (const ScalarKind kind : scene.numerics.scalars) {
     text += "scalar " + std::string(name_of(kind)) + "\n";
   }
-  if (scene.dropping) text += "drop below " + number_text(scene.dropping->below) + "\n";
   return text;
 }
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
 
 #include "choose/closed_pivots.hpp"
 #include "choose/guarded_pivots.hpp"
@@ -53,8 +52,7 @@ std::optional<Form> wish_for(const Scene& scene, const Function& function) {
 /// Where the function was asked for.
 Span place_of(const Scene& scene, const Function& function) {
   const OutputRequest* request = find_request(scene, function.name);
-  if (request != nullptr && request->span.source != nullptr) return request->span;
-  return scene.dropping ? scene.dropping->span : Span{};
+  return request == nullptr ? Span{} : request->span;
 }
 
 class Choosing {
@@ -83,9 +81,7 @@ class Choosing {
     const Function& function = recursive_.functions[index];
     ReadableEntries& entries = entries_[function.name];
     if (!output_row(function.kind).repeats) {
-      entries = read_entries(both_forms(index), points_);
-      if (forms_.functions[index].is_reduced) reduced_.insert(function.name);
-      return entries;
+      return entries = read_entries(both_forms(index), points_);
     }
     for (const Field& field : function.fields) {
       const auto member = entries_.find(field.name);
@@ -101,22 +97,14 @@ class Choosing {
     return {recursive_, recursive_.functions[index], forms_, forms_.functions[index]};
   }
 
-  /// Whether terms were dropped from it: the recursive form has them all.
-  [[nodiscard]] bool is_reduced(const Function& function) const {
-    if (!output_row(function.kind).repeats) return reduced_.count(function.name) > 0;
-    return std::any_of(function.fields.begin(), function.fields.end(),
-                       [&](const Field& field) { return reduced_.count(field.name) > 0; });
-  }
-
   Diagnostics choose_form(std::size_t index) {
     const Function function = with_precise_pivots(recursive_.functions[index]);
     ReadableEntries& entries = entries_of(index);
-    const std::optional<Form> wish =
-        is_reduced(function) ? Form::closed : wish_for(scene_, function);
+    const std::optional<Form> wish = wish_for(scene_, function);
     const bool wants_closed = wish == Form::closed;
     result_.program.functions[index] = finished(function);
     FormCosts costs{function.name, count_operations(result_.program.functions[index])};
-    costs.is_asked_for = wish_for(scene_, function).has_value();
+    costs.is_asked_for = wish.has_value();
     Function closed;
     if (is_complete(entries)) {
       if (wants_closed || is_worth_lowering(entries, function)) {
@@ -173,9 +161,7 @@ class Choosing {
 
   /// `recursive` with its pivots by their closed forms, where those keep digits that it loses.
   Function with_precise_pivots(const Function& recursive) {
-    if (!prefers_accuracy() || !output_row(recursive.kind).solves || is_reduced(recursive)) {
-      return recursive;
-    }
+    if (!prefers_accuracy() || !output_row(recursive.kind).solves) return recursive;
     const auto pivots = std::ranges::find_if(
         recursive_.functions, [](const Function& f) { return output_row(f.kind).gives_pivots; });
     if (pivots == recursive_.functions.end()) return recursive;
@@ -204,7 +190,7 @@ class Choosing {
                    FormCosts& costs) {
     Function closed = lowered_together(entries, recursive, result_.program, splits_of(recursive));
     costs.chosen = cost_of(closed) <= cost_of(recursive) ? Form::closed : Form::recursive;
-    if (scene_.numerics.prefer != Preference::speed && !is_reduced(recursive)) {
+    if (scene_.numerics.prefer != Preference::speed) {
       closed = prefers_accuracy()
                    ? keep_digits(index, recursive, entries, std::move(closed), costs)
                    : keep_most_digits(index, recursive, entries, std::move(closed), costs);
@@ -316,8 +302,7 @@ class Choosing {
   MixedPoints points_;
   ExtremePoints extremes_;
   std::map<std::string, ReadableEntries> entries_;
-  std::set<std::string> reduced_;  ///< names of functions
-  std::string normalized_;         ///< name of the function of that kind
+  std::string normalized_;  ///< name of the function of that kind
   std::optional<std::vector<ClosedPivot>> closed_pivots_;
   std::map<std::string, double> recursive_losses_;
   Choice result_;

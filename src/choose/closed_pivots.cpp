@@ -115,7 +115,7 @@ std::vector<ClosedPivot> closed_pivots(const Program& program, const Function& f
                                        const ClosedForms& forms, const ClosedFunction& closed,
                                        const ExtremePoints& points) {
   std::vector<ClosedPivot> pivots;
-  if (closed.fields.size() < 3 || closed.is_reduced) return pivots;
+  if (closed.fields.size() < 3) return pivots;
   const std::vector<std::optional<Fraction>>& relative = closed.fields[1].entries;
   const std::vector<std::optional<Fraction>>& diagonal = closed.fields.back().entries;
   Function relative_pivots = forward_dynamics;

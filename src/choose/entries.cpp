@@ -55,9 +55,7 @@ ReadableEntries read_entries(const BothForms& both, const MixedPoints& points) {
       const std::optional<Fraction>& form = closed.fields[f].entries[e];
       auto& entry = entries.emplace_back();
       if (!form) continue;
-      const auto derived = closed.is_reduced
-                               ? std::nullopt
-                               : as_derived(program, function, function.fields[f].entries[e]);
+      const auto derived = as_derived(program, function, function.fields[f].entries[e]);
       entry = shortest(forms.algebra, *form, derived ? &derived->written_out : nullptr, points);
     }
   }

@@ -10,7 +10,6 @@
 #include "cli/files/inputs.hpp"
 #include "cli/process/terminal.hpp"
 #include "cli/shown_pipeline.hpp"
-#include "elgen/drop.hpp"
 #include "elgen/render.hpp"
 
 namespace elgen::cli {
@@ -25,20 +24,18 @@ struct ShowOptions {
 };
 
 /// What --what may ask for beside outputs; each stands alone.
-enum class ShownSubject : unsigned char { outputs, lagrangian, steps, cost, dropped };
+enum class ShownSubject : unsigned char { outputs, lagrangian, steps, cost };
 
 struct SubjectRow {
   std::string_view word;
   ShownSubject subject;
 };
 
-constexpr std::array subjects{
-    SubjectRow{"lagrangian", ShownSubject::lagrangian}, SubjectRow{"steps", ShownSubject::steps},
-    SubjectRow{"cost", ShownSubject::cost}, SubjectRow{"dropped", ShownSubject::dropped}};
+constexpr std::array subjects{SubjectRow{"lagrangian", ShownSubject::lagrangian},
+                              SubjectRow{"steps", ShownSubject::steps},
+                              SubjectRow{"cost", ShownSubject::cost}};
 
-bool has_formulas(ShownSubject subject) {
-  return subject != ShownSubject::cost && subject != ShownSubject::dropped;
-}
+bool has_formulas(ShownSubject subject) { return subject != ShownSubject::cost; }
 
 Result<ShownSubject> subject_of(const ShowOptions& options) {
   for (const SubjectRow& row : subjects) {
@@ -80,8 +77,6 @@ std::string text_of(const Products& products, ShownSubject subject, const PageOp
       return steps_text(model, *products.steps);
     case ShownSubject::cost:
       return cost_page(products.costs);
-    case ShownSubject::dropped:
-      return dropped_page(model, *products.program);
   }
   return {};
 }
@@ -144,7 +139,7 @@ void add_show(CLI::App& app, Action& action) {
       ->required();
   command
       ->add_option("--what", options->what,
-                   "outputs: mass_matrix,gravity,…; or lagrangian, steps, cost or dropped")
+                   "outputs: mass_matrix,gravity,…; or lagrangian, steps or cost")
       ->type_name("LIST");
   command
       ->add_option("--as", options->as,

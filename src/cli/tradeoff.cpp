@@ -129,7 +129,7 @@ void add_subject(CLI::App& command, TradeoffOptions& options) {
       ->excludes(time);
   command
       .add_option("--dimensions", options.dimensions,
-                  "tried beside the usual ones: form, contraction, order, drop_below, long_double")
+                  "tried beside the usual ones: form, contraction, order, long_double")
       ->type_name("LIST")
       ->delimiter(',')
       ->allow_extra_args(false)

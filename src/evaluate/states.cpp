@@ -64,11 +64,11 @@ Arguments<double> values_of(const Subject& subject) {
 /// Whether a function takes h: where none does, none is drawn.
 bool has_step(const Subject& subject) { return !subject.program.leaves.h.empty(); }
 
-/// From `values`: parameters stay, except where the scene drops terms for their whole ranges.
+/// From `values`: parameters stay.
 Arguments<double> nominal(const Subject& subject, const Ranges& ranges, Arguments<double> values,
                           Random& random) {
   const auto draw = [&](Opcode kind, std::uint32_t, double& value, const Range& range) {
-    if (kind == Opcode::parameter && !subject.scene.dropping) return;
+    if (kind == Opcode::parameter) return;
     if (kind == Opcode::step && !has_step(subject)) return;
     value = random.uniform(range.low, range.high);
   };
@@ -276,7 +276,7 @@ StateSequence<Scalar>::StateSequence(const Subject& subject, const Sampling& sam
 template <class Scalar>
 SampledState<double> StateSequence<Scalar>::drawn_state(std::size_t number) {
   // 2^-40 = 1e-12, 2^-10 = 1e-3, 2^27 = 1e8
-  if (number % 4 < 2 || subject_.scene.dropping) {
+  if (number % 4 < 2) {
     return {Region::nominal, {}, nominal(subject_, ranges_, at_value_, random_)};
   }
   if (number % 4 == 2) return {Region::small, {}, scaled(subject_, at_value_, random_, -40, -11)};
@@ -287,7 +287,7 @@ template <class Scalar>
 std::optional<SampledState<double>> StateSequence<Scalar>::draw() {
   const std::size_t number = drawn_++;
   if (number < sampling_.count) return drawn_state(number);
-  if (!sampling_.extremes || subject_.scene.dropping) return std::nullopt;
+  if (!sampling_.extremes) return std::nullopt;
   if (!extremes_) extremes_ = Extremes(subject_, random_).make(reach<Scalar>(), sampling_.count);
   const std::size_t extreme = number - sampling_.count;
   if (extreme >= extremes_->size()) return std::nullopt;

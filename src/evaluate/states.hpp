@@ -48,8 +48,7 @@ struct Range {
 /// of rates, accelerations, inputs and time.
 [[nodiscard]] LeafValues<Range> ranges_of(const Subject& subject);
 
-/// Uniform inside these ranges, parameters at their values (inside theirs in a scene that drops
-/// terms); quaternions of length 1.
+/// Uniform inside these ranges, parameters at their values; quaternions of length 1.
 [[nodiscard]] Arguments<double> drawn_within(const Subject& subject,
                                              const LeafValues<Range>& ranges, Random& random);
 
@@ -78,10 +77,9 @@ class StateSequence {
   std::optional<std::vector<SampledState<double>>> extremes_ = {};  ///< once it is their turn
 };
 
-/// A scene that drops terms is sampled inside the ranges only, parameters too: elsewhere it
-/// promises nothing. A missing range is [-pi, pi] for coordinates in rad, [-1, 1] for others, [-10,
-/// 10] for rates, accelerations, inputs and time. Scalar: double or float; the list of extremes is
-/// the scalar's own.
+/// A missing range is [-pi, pi] for coordinates in rad, [-1, 1] for others, [-10, 10] for rates,
+/// accelerations, inputs and time. Scalar: double or float; the list of extremes is the scalar's
+/// own.
 template <class Scalar>
 [[nodiscard]] std::vector<SampledState<Scalar>> sample_states(const Subject& subject,
                                                               const Sampling& sampling);

@@ -3,7 +3,6 @@
 // The table of costs is one function; which opcode counts as what is one switch.
 #include "elgen/program.hpp"
 
-#include <algorithm>
 #include <set>
 
 namespace elgen {
@@ -18,11 +17,6 @@ std::size_t InstructionHash::operator()(const Instruction& i) const {
 std::size_t operand_count(const Instruction& instruction) {
   if (instruction.opcode == Opcode::call) return function_row(instruction.function).arity;
   return opcode_row(instruction.opcode).operands;
-}
-
-const ReducedOutput* find_reduced(const Reduction& reduction, OutputKind kind) {
-  const auto found = std::ranges::find(reduction.outputs, kind, &ReducedOutput::kind);
-  return found == reduction.outputs.end() ? nullptr : &*found;
 }
 
 std::size_t entry_count(const Function& function) {

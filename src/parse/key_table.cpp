@@ -156,8 +156,6 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"scene.approximate", "order", integer, optional, true, "of the equations, 1 to 5"},
     {"scene.approximate", "about", table, optional, true, "the equilibrium"},
     {"scene.approximate", "small", expression_list, optional, true, "coordinates that are small"},
-    {"scene.approximate", "drop_below", expression, optional, true,
-     "terms below this share of their entry's largest are left out"},
     {"scene.approximate.about", "*", expression, optional, true, "a coordinate or input there"},
 
     {"scene.numeric", "scalar", choice_list, optional, true, "scalar types the code is for"},
@@ -232,8 +230,7 @@ constexpr auto entry_rows = std::to_array<EntryRow>({
     {"scene.parameters", single, optional, true, "parameters that become numbers"},
     {"scene.sizes", single, optional, true, "sizes other than the model's"},
     {"scene.lock", single, optional, true, "coordinates that are known functions of time"},
-    {"scene.approximate", single, optional, true,
-     "expansion about an equilibrium, small terms left out"},
+    {"scene.approximate", single, optional, true, "expansion about an equilibrium"},
     {"scene.numeric", single, optional, true, "arithmetic"},
     {"scene.emit", single, optional, true, "the emitted code"},
 });

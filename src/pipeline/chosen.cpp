@@ -29,12 +29,9 @@ void add_costs(Choice& choice) {
 }  // namespace
 
 Result<Choice> chosen(const Lagrangian& lagrangian, const Program& recursive,
-                      const Presented& forms, const CheckedModel& checked, const Limits& limits) {
-  const bool is_reduced = forms.reduced.has_value();
-  Result<Choice> choice =
-      choose(recursive, is_reduced ? forms.reduced->forms : forms.exact, checked.scene);
+                      const ClosedForms& forms, const CheckedModel& checked, const Limits& limits) {
+  Result<Choice> choice = choose(recursive, forms, checked.scene);
   if (!choice) return choice;
-  if (is_reduced) choice->program.reduction = forms.reduced->reduction;
   for (const OutputRequest& output : checked.scene.outputs) {
     if (!output_row(output.kind).steps) continue;
     const Result<Program> calls = calls_of(lagrangian, checked, output, limits);

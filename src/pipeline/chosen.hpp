@@ -3,17 +3,17 @@
 #pragma once
 
 #include "elgen/choose.hpp"
+#include "elgen/closed_forms.hpp"
 #include "elgen/lagrangian.hpp"
 #include "elgen/limits.hpp"
 #include "elgen/scene.hpp"
-#include "pipeline/presented.hpp"
 
 namespace elgen {
 
-/// The reduction goes with the program whose closed forms it changed. Errors of choose() and
-/// add_step(). Cost: what `step` calls is derived once more, in its own name.
+/// Errors of choose() and add_step(). Cost: what `step` calls is derived once more, in its own
+/// name.
 [[nodiscard]] Result<Choice> chosen(const Lagrangian& lagrangian, const Program& recursive,
-                                    const Presented& forms, const CheckedModel& checked,
+                                    const ClosedForms& forms, const CheckedModel& checked,
                                     const Limits& limits);
 
 }  // namespace elgen

@@ -13,10 +13,6 @@ std::string dump(const Inspection& inspection) { return format(inspection.found)
 
 std::string dump(const ReadableSteps& steps) { return dump(steps.program); }
 
-std::string dump(const Presented& forms) {
-  return dump(forms.reduced ? forms.reduced->forms : forms.exact);
-}
-
 std::string dump(const SelfCheck& check) { return receipt(check) + "\n"; }
 
 }  // namespace elgen

@@ -7,7 +7,6 @@
 #include "elgen/certificate.hpp"
 #include "elgen/scene.hpp"
 #include "elgen/syntax.hpp"
-#include "pipeline/presented.hpp"
 #include "pipeline/readable_steps.hpp"
 
 namespace elgen {
@@ -26,7 +25,6 @@ struct Inspection {
 [[nodiscard]] std::string dump(const CheckedModel& checked);
 [[nodiscard]] std::string dump(const Inspection& inspection);
 [[nodiscard]] std::string dump(const ReadableSteps& steps);
-[[nodiscard]] std::string dump(const Presented& forms);
 [[nodiscard]] std::string dump(const SelfCheck& check);
 
 }  // namespace elgen

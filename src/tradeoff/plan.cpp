@@ -43,9 +43,6 @@ constexpr std::array dimension_rows{
     DimensionRow{"order", "exact", "order", [](Design& d) { d.order = "exact"; }},
     DimensionRow{"order", "3", "order", [](Design& d) { d.order = "3"; }},
     DimensionRow{"order", "1", "order", [](Design& d) { d.order = "1"; }},
-    DimensionRow{"drop_below", "none", "drop_below", [](Design& d) { d.drop_below = "none"; }},
-    DimensionRow{"drop_below", "1e-6", "drop_below", [](Design& d) { d.drop_below = "1e-6"; }},
-    DimensionRow{"drop_below", "1e-3", "drop_below", [](Design& d) { d.drop_below = "1e-3"; }},
 };
 
 /// E631. Dimensions that are always there may be named too.
@@ -157,10 +154,7 @@ Design design_of(const TradeoffTable& table, const TradeoffRow& row) {
 }
 
 Design derivation_of(const Design& design) {
-  return {.is_fixed = design.is_fixed,
-          .form = design.form,
-          .order = design.order,
-          .drop_below = design.drop_below};
+  return {.is_fixed = design.is_fixed, .form = design.form, .order = design.order};
 }
 
 }  // namespace elgen

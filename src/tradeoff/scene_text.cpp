@@ -107,7 +107,6 @@ class DesignText {
     add(design_.form ? std::string(name_of(*design_.form)) : "");
     add(design_.is_contracted ? "" : "uncontracted");
     if (!design_.order.empty()) add("order_" + design_.order);
-    if (!design_.drop_below.empty()) add("drop_" + word_of(design_.drop_below));
     return text;
   }
 
@@ -145,9 +144,6 @@ class DesignText {
   [[nodiscard]] Lines approximation() const {
     const bool is_exact = design_.order == "exact";
     const bool is_expanded = !design_.order.empty() && !is_exact;
-    const std::string dropped = design_.drop_below.empty()     ? own("approximate", "drop_below")
-                                : design_.drop_below == "none" ? ""
-                                                               : toml_string(design_.drop_below);
     const std::string about = own("approximate", "about");
     return {line("order", is_expanded ? design_.order
                           : is_exact  ? ""
@@ -155,8 +151,7 @@ class DesignText {
             line("about", is_exact                       ? ""
                           : is_expanded && about.empty() ? start()
                                                          : about),
-            line("small", is_exact ? "" : own("approximate", "small")),
-            line("drop_below", dropped)};
+            line("small", is_exact ? "" : own("approximate", "small"))};
   }
 
   /// Where a run starts, as a point to expand about; rotations stay as they are.

@@ -114,14 +114,6 @@ TEST_CASE("pages in every notation") {
   CHECK(mentions(json, "\"entries\": [\"M + m\", \"m*l*cos(theta)\""));
 }
 
-TEST_CASE("dropped terms are listed, or that there are none") {
-  const Outcome light = show(ELGEN_SOURCE_DIR "/models/scenes/arm_light.scene.toml --what dropped");
-  CHECK(light.status == 0);
-  CHECK(mentions(light.output, "mass_matrix[1,1]  ms*h^2 "));
-  CHECK(show(model("cart_pole") + " --what dropped").output ==
-        "nothing is dropped: no `drop_below` in a scene\n");
-}
-
 TEST_CASE("words that show does not know are refused with their place") {
   const Outcome unknown = show(model("cart_pole") + " --what mass_matrx");
   CHECK(unknown.status == 2);

@@ -144,19 +144,6 @@ TEST_CASE("the extremes of float are its own") {
   CHECK(reached);
 }
 
-TEST_CASE("a scene that drops terms is sampled where its bounds hold") {
-  System system = cart_pole_system();
-  system.scene.dropping.emplace();
-  system.model.coordinates[1].range = Interval{cln::cl_R(0), cln::cl_R(1)};
-  system.model.parameter_arrays[1].range = Interval{cln::cl_R(2), cln::cl_R(3)};
-  const auto states = sample_states<double>(system.subject(), {200, 1, true});
-  CHECK(states.size() >= 200);
-  for (const auto& state : states) {
-    REQUIRE((state.values.q[1] >= 0 && state.values.q[1] <= 1));
-    REQUIRE((state.values.parameters[1] >= 2 && state.values.parameters[1] <= 3));
-  }
-}
-
 TEST_CASE("each parameter is far from its value where sums of angles cancel") {
   const System system = cart_pole_system();
   const auto states = sample_states<double>(system.subject(), {100, 1, true});

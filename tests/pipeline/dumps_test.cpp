@@ -11,15 +11,6 @@ TEST_CASE("an inspection is what it found") {
   CHECK(dump(Inspection{}).empty());
 }
 
-TEST_CASE("of forms with and without small terms those without are shown") {
-  Presented forms;
-  const std::string exact = dump(forms);
-  forms.reduced.emplace();
-  forms.reduced->forms.algebra.atoms = {Atom{AtomKind::pi}};
-  CHECK(dump(forms) == dump(forms.reduced->forms));
-  CHECK(dump(forms) != exact);
-}
-
 TEST_CASE("where nothing is solved there are no parts to show") { CHECK(dump(Program{}).empty()); }
 
 }  // namespace elgen

@@ -75,8 +75,7 @@ TEST_CASE("designs that differ in the scalar or in how they are compiled are der
                       .is_fixed = true,
                       .form = Form::closed,
                       .is_contracted = false,
-                      .order = "3",
-                      .drop_below = "1e-6"};
+                      .order = "3"};
   const Design derivation = derivation_of(design);
   CHECK(derivation.scalar == ScalarKind::double_precision);
   CHECK_FALSE(derivation.in_packs);
@@ -85,12 +84,11 @@ TEST_CASE("designs that differ in the scalar or in how they are compiled are der
   CHECK(derivation.is_fixed);
   CHECK(derivation.form == Form::closed);
   CHECK(derivation.order == "3");
-  CHECK(derivation.drop_below == "1e-6");
 }
 
 TEST_CASE("a row of the table says what was planned") {
-  const TradeoffPlan plan = planned(pendulum_text(), "gravity",
-                                    {"form", "long_double", "order", "contraction", "drop_below"});
+  const TradeoffPlan plan =
+      planned(pendulum_text(), "gravity", {"form", "long_double", "order", "contraction"});
   const TradeoffTable table{.dimensions = plan.dimensions};
   for (const PlannedDesign& planned : plan.designs) {
     const Design design = design_of(table, {.values = planned.values});

@@ -88,7 +88,6 @@ TEST_CASE("an expansion is about the start, an exact design without the scene's 
   CHECK(mentions(text_of({}, small, output), "order = 1\nabout = { q = 0 }"));
   CHECK(mentions(text_of({.order = "3"}, small, output), "order = 3\nabout = { q = 0 }"));
   CHECK_FALSE(mentions(text_of(exact_design, small, output), "approximate"));
-  CHECK(mentions(text_of({.drop_below = "1e-6"}, {}, output), "drop_below = \"1e-6\""));
 }
 
 TEST_CASE("contraction is a flag of the compiler, which a scene can only name") {

@@ -185,11 +185,7 @@ class ApproximationReader {
 
 void read_approximation(Context& context, const FileSyntax* scene) {
   const EntrySyntax* found = find_entry(scene, "approximate");
-  if (found == nullptr) return;
-  // `drop_below` alone expands nothing.
-  const bool expands = std::any_of(found->keys.begin(), found->keys.end(),
-                                   [](const KeySyntax& key) { return key.key != "drop_below"; });
-  if (expands) ApproximationReader(context, *found).read();
+  if (found != nullptr) ApproximationReader(context, *found).read();
 }
 
 }  // namespace elgen

@@ -13,7 +13,6 @@
 #include "check/names/reserved_names.hpp"
 #include "check/scene/emission.hpp"
 #include "check/scene/read_batch.hpp"
-#include "check/scene/read_dropping.hpp"
 #include "check/scene/read_step.hpp"
 
 namespace elgen {
@@ -33,7 +32,6 @@ class SceneReader {
     read_outputs();
     read_fixed();
     read_numerics();
-    read_dropping(context_, syntax_, scene_);
     scene_.emission = read_emission(context_, syntax_, scene_);
     read_batch(context_, syntax_, scene_);
     scene_.has_options =

@@ -15,11 +15,10 @@ namespace {
 /// So many instructions take about as long in their forms as without them; panda7 has 29 000.
 constexpr std::size_t most_chosen = 2'000;
 
-/// Terms are dropped from closed forms, and steps are made of functions in their forms.
+/// Steps are made of functions in their forms.
 bool needs_forms(const Scene& scene) {
-  return scene.dropping || std::ranges::any_of(scene.outputs, [](const OutputRequest& output) {
-           return output_row(output.kind).steps;
-         });
+  return std::ranges::any_of(
+      scene.outputs, [](const OutputRequest& output) { return output_row(output.kind).steps; });
 }
 
 bool is_small(const Program& program) {

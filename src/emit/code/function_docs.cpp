@@ -154,10 +154,7 @@ std::string field_summary(const FunctionText& text, const Field& field) {
 }
 
 std::string function_heading(const FunctionText& text) {
-  const auto& reduction = text.program.reduction;
-  const bool is_reduced = reduction && find_reduced(*reduction, text.function.kind) != nullptr;
-  const std::string doc = comment_text(output_doc(text.model, text.function)) +
-                          ordering_note(text) + (is_reduced ? " Terms are left out (above)." : "");
+  const std::string doc = comment_text(output_doc(text.model, text.function)) + ordering_note(text);
   if (gives_struct(text.function)) return doc;
   return doc + " " + field_summary(text, text.function.fields.front()) + ".";
 }

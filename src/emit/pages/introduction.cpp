@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "elgen/drop.hpp"
 #include "elgen/render.hpp"
 #include "emit/text/layout.hpp"
 
@@ -35,9 +34,6 @@ std::vector<std::string> introduction(const Model& model, const Scene& scene,
   const Lines notes = scene_notes(model, scene);
   if (!notes.empty()) lines.emplace_back();
   for (const std::string& note : notes) add_prose(lines, comment_text(note));
-  const std::string dropped = dropped_summary(program);
-  if (!dropped.empty()) lines.emplace_back();
-  add_prose(lines, dropped);
   return lines;
 }
 

@@ -1,7 +1,6 @@
 // markdown: the page of the sheet under a comment that states what made it.
 #include <fmt/format.h>
 
-#include "elgen/drop.hpp"
 #include "elgen/render.hpp"
 #include "emit/pages/introduction.hpp"
 #include "emit/pages/page_artifacts.hpp"
@@ -18,11 +17,6 @@ std::string operations(const Program& program) {
   return text + "```\n";
 }
 
-std::string dropped(const EmissionInput& input) {
-  if (!input.program.reduction) return {};
-  return "## Dropped terms\n\n```text\n" + dropped_page(input.model, input.program) + "```\n\n";
-}
-
 }  // namespace
 
 std::string markdown(const EmissionInput& input) {
@@ -30,7 +24,7 @@ std::string markdown(const EmissionInput& input) {
       fmt::format("<!-- {}\nmodel {} scene {} body {} -->\n\n", input.generated, input.model_hash,
                   input.scene_hash, blank_hash());
   const Sheet page = sheet(input.model, input.scene, input.program, {false, most_entries});
-  return stamped(stamp + markdown_page(page) + "\n" + dropped(input) + operations(input.program));
+  return stamped(stamp + markdown_page(page) + "\n" + operations(input.program));
 }
 
 }  // namespace elgen

@@ -5,11 +5,10 @@
 
 namespace elgen {
 
-/// A number in 64 digits with the B of its error bound, beside rounding what dropped terms may be.
+/// A number in 64 digits with the B of its error bound.
 struct Measured {
   Real value = {};
   Real bound = {};
-  Real stated = {};
 };
 
 /// To 50 digits of the bound. A number that is zero on paper has no bound worth the name: it is

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 
-#include "elgen/drop.hpp"
 #include "elgen/outputs.hpp"
 #include "verify/bounds/agreement.hpp"
 
@@ -59,11 +58,8 @@ class Projection {
     for (std::size_t i = 0; i < by.w.size() * columns; ++i) {
       const cl_R factor = by.y.empty() ? by.w[i] : by.w[i / columns] * by.y[i % columns];
       const Real size(cln::abs(factor));
-      const std::size_t whole = place_.first_oracle + i;
       sum.value = sum.value + entry(i).value * Real(factor);
       sum.bound = sum.bound + entry(i).bound * size;
-      sum.stated =
-          sum.stated + stated_error(subject_.program, place_.request.kind, whole, state()) * size;
     }
     return sum;
   }
@@ -93,7 +89,7 @@ class Projection {
 
   /// Both sides of an equation between projected forces, each a number of the oracle's.
   std::string compare_forces(const std::string& what, const cl_R& left, const cl_R& right) {
-    const Measured sum{Real(left), Real(cln::abs(left) + cln::abs(right)), {}};
+    const Measured sum{Real(left), Real(cln::abs(left) + cln::abs(right))};
     if (agrees_with_oracle(sum, right, run_.largest, oracle_)) return {};
     return mismatch(what, sum.value, right);
   }
@@ -119,11 +115,10 @@ class Projection {
     return compare_forces("w.(M a + bias)", *force, *driven);
   }
 
-  /// Those of the program where it has them exactly and the model is big, else the oracle's.
+  /// Those of the program where it has them and the model is big, else the oracle's.
   OracleValues values_of(OutputKind kind) {
     const Function* function = find_function(subject_.program, kind);
-    const bool is_exact = function != nullptr && !subject_.program.reduction;
-    if (is_exact && state().v.size() > directly_solved) {
+    if (function != nullptr && state().v.size() > directly_solved) {
       return defined_values(evaluate(subject_.program, *function, arguments_at<Real>(state())));
     }
     return oracle_.values({.kind = kind});
@@ -146,7 +141,7 @@ class Projection {
     for (std::size_t i = 0; i < pivots->size(); ++i) {
       const Real truth((*pivots)[i]);
       // A pivot that cancels is known to rounding of 1. An indefinite M has pivots of any size.
-      if (agrees({entry(i).value, abs(truth), {}}, truth, Real(1))) continue;
+      if (agrees({entry(i).value, abs(truth)}, truth, Real(1))) continue;
       return mismatch("a relative pivot", entry(i).value, (*pivots)[i]);
     }
     return {};

@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "base/more_digits.hpp"
-#include "elgen/drop.hpp"
 #include "elgen/outputs.hpp"
 #include "verify/bounds/agreement.hpp"
 #include "verify/bounds/projection.hpp"
@@ -128,10 +127,9 @@ std::string Visit<Scalar>::differing_entry(const FieldPlace& place, const Judged
   for (std::size_t i = 0; i < judged.entries.size(); ++i) {
     const Bound& own = exact_.entries[place.first + i];
     const cln::cl_R& exact = (*truth)[place.first_oracle + i];
-    const Real stated = stated_error(subject_.program, place.request.kind, i, state());
     const Real own_bound = judged.columns.empty() ? own.bound : bounds[i];
-    for (const Measured& number : {Measured{own.value, own_bound, stated},
-                                   Measured{judged.entries[i].value, bounds[i], stated}}) {
+    for (const Measured& number :
+         {Measured{own.value, own_bound}, Measured{judged.entries[i].value, bounds[i]}}) {
       if (agrees_with_oracle(number, exact, exact_.largest, oracle_)) continue;
       return mismatch(i, number.value, Real(exact));
     }
@@ -146,7 +144,7 @@ std::string Visit<Scalar>::differing_from(const FieldPlace& place, const std::ve
     const Real& own = exact_.entries[place.first + i].value;
     const Bound& other = others[i];
     if (!own.is_defined() && !other.value.is_defined()) continue;
-    if (agrees({other.value, other.bound, {}}, own, exact_.largest)) continue;
+    if (agrees({other.value, other.bound}, own, exact_.largest)) continue;
     return fmt::format("entry {} is {}, but {} in {}", i + 1, short_text(own),
                        short_text(other.value), of);
   }

@@ -38,11 +38,6 @@ const std::vector<Real>& ExactValues::value(OutputKind kind, std::uint32_t user)
   const auto key = std::make_pair(kind, user);
   const auto known = values_.find(key);
   if (known != values_.end()) return known->second;
-  const auto& reduction = subject_.program.reduction;
-  if (const ReducedOutput* reduced = reduction ? find_reduced(*reduction, kind) : nullptr) {
-    // The oracle knows the exact one only.
-    return values_[key] = std::vector<Real>(reduced->errors.size(), Real::undefined());
-  }
   return values_[key] = from_oracle(subject_, state_, kind, user);
 }
 
