@@ -1,10 +1,9 @@
 // Rates along the motion: de/dt = de/dq v + de/dv a + de/dt, by the chain rule on canonical sums.
-#include "present/rates.hpp"
-
 #include <algorithm>
 #include <array>
 
 #include "elgen/model.hpp"
+#include "present/arithmetic.hpp"
 #include "present/call_slopes.hpp"
 #include "present/polynomial.hpp"
 
@@ -17,6 +16,12 @@ namespace {
 bool is_input(const Atom& atom) {
   return atom.kind == AtomKind::leaf && atom.leaf == Opcode::input;
 }
+
+/// How fast the leaves change; parameters stand still, and time passes.
+struct LeafRates {
+  std::vector<Fraction> coordinates = {};  ///< empty: they change at their velocities
+  std::vector<Fraction> velocities = {};   ///< those that are missing are unknown
+};
 
 class Rates {
  public:
@@ -106,7 +111,7 @@ class Rates {
         if (atom.index >= motion_.velocities.size()) return std::nullopt;
         return motion_.velocities[atom.index];
       case Opcode::time:
-        return motion_.time;
+        return fraction_of(cl_RA(1));
       case Opcode::parameter:
         return Fraction{};
       default:
@@ -161,21 +166,6 @@ Value without_inputs(const Algebra& algebra, const Fraction& x) {
 
 }  // namespace
 
-LeafRates along_coordinate(std::size_t coordinate, std::size_t count) {
-  LeafRates motion{std::vector<Fraction>(count), std::vector<Fraction>(count), {}};
-  motion.coordinates[coordinate] = fraction_of(cl_RA(1));
-  return motion;
-}
-
-LeafRates along_time(std::size_t count) {
-  return {std::vector<Fraction>(count), std::vector<Fraction>(count), fraction_of(cl_RA(1))};
-}
-
-Value rate(Arithmetic& arithmetic, const Algebra& algebra, const Fraction& x,
-           const LeafRates& motion) {
-  return Rates(arithmetic, algebra, motion).of(x);
-}
-
 std::vector<Fraction> coordinate_rates(ClosedForms& forms, const Model& model) {
   std::vector<Fraction> rates;
   if (model.rotations.empty()) return rates;
@@ -194,13 +184,13 @@ bool proved_conserved(ClosedForms& forms, const Fraction& x,
                       const std::vector<Fraction>& accelerations,
                       const std::vector<Fraction>& coordinate_rates) {
   Arithmetic arithmetic(forms.algebra);
-  LeafRates free_motion{coordinate_rates, {}, fraction_of(cl_RA(1))};
+  LeafRates free_motion{coordinate_rates};
   for (const Fraction& acceleration : accelerations) {
     Value free = without_inputs(forms.algebra, acceleration);
     if (!free) return false;
     free_motion.velocities.push_back(std::move(*free));
   }
-  const Value rate = elgen::rate(arithmetic, forms.algebra, x, free_motion);
+  const Value rate = Rates(arithmetic, forms.algebra, free_motion).of(x);
   return rate && rate->numerator.empty();
 }
 
