@@ -72,14 +72,6 @@ struct FieldRow {
   bool is_remainder = false;
 };
 
-/// Which terms an output has: those of M, of V0, of dissipation and applied forces, and of B.
-struct Parts {
-  bool mass = false;
-  bool potential = false;
-  bool forces = false;
-  bool inputs = false;
-};
-
 struct OutputRow {
   OutputKind kind = {};
   std::string_view name = {};  ///< as in scenes, options and emitted code, where it is built in
@@ -90,7 +82,6 @@ struct OutputRow {
   Notation turning_equation = {};  ///< with rotations, where it is another
   std::string_view doc = {};       ///< one sentence
   Requirement requirement = Requirement::nothing;
-  Parts parts = {};
   bool solves = false;           ///< M x = b
   bool differentiates = false;   ///< the equations of motion
   bool gives_pivots = false;     ///< of M = L D L^T, beside what it solves for

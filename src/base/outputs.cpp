@@ -31,8 +31,7 @@ constexpr OutputRow mass_matrix{
     .symbol = {"M", "M"},
     .fields = mass,
     .equation = {"M = d^2 L/dv^2", R"(M = \frac{\partial^{2} L}{\partial <v>^{2}})"},
-    .doc = "Mass matrix, symmetric.",
-    .parts = {.mass = true}};
+    .doc = "Mass matrix, symmetric."};
 
 constexpr std::array coriolis{FieldRow{"", E::velocities, E::velocities, U::power, square}};
 constexpr OutputRow coriolis_matrix{
@@ -47,8 +46,7 @@ constexpr OutputRow coriolis_matrix{
                          R"(C_{ij} = \frac{1}{2} \frac{\partial (C v)_{i}}{\partial v_{j}} + )"
                          R"(\frac{1}{2} \left( M [\omega]_{\times} \right)_{ij})"},
     .doc = "Coriolis matrix of Christoffel symbols: (dM/dq dq/dt) - 2 C is skew.",
-    .requirement = R::quadratic,
-    .parts = {.mass = true}};
+    .requirement = R::quadratic};
 
 constexpr std::array per_input{
     FieldRow{"", E::velocities, E::inputs, U::power, "InputMatrix<Scalar>"}};
@@ -56,8 +54,7 @@ constexpr OutputRow input_matrix{.symbol = {"B", "B"},
                                  .fields = per_input,
                                  .equation = {"B = dQ/du", R"(B = \frac{\partial Q}{\partial u})"},
                                  .doc = "Generalized force per unit of each input.",
-                                 .requirement = R::inputs,
-                                 .parts = {.inputs = true}};
+                                 .requirement = R::inputs};
 
 // Forces, and the momentum.
 
@@ -66,8 +63,7 @@ constexpr OutputRow velocity_force{.symbol = {"C v", "C <v>"},
                                    .fields = force,
                                    .equation = {"C(q, v) v", ""},
                                    .doc = "Centrifugal and Coriolis forces.",
-                                   .requirement = R::quadratic,
-                                   .parts = {.mass = true}};
+                                   .requirement = R::quadratic};
 
 constexpr OutputRow gravity{
     .symbol = {"g", "g"},
@@ -75,8 +71,7 @@ constexpr OutputRow gravity{
     .equation = {"g = dV0/dq", R"(g = \frac{\partial V_{0}}{\partial q})"},
     .turning_equation = {"g = N^T dV0/dq", R"(g = N^{\top} \frac{\partial V_{0}}{\partial q})"},
     .doc = "Gradient of the potential energy.",
-    .requirement = R::quadratic,
-    .parts = {.potential = true}};
+    .requirement = R::quadratic};
 
 constexpr OutputRow drift{
     .symbol = {"drift", R"(\mathrm{drift})"},
@@ -94,23 +89,20 @@ constexpr OutputRow drift{
          R"(\right)^{\top} \right) v + \frac{\partial b}{\partial t} + )"
          R"([\omega]_{\times} b - N^{\top} \frac{\partial T_{0}}{\partial q})"},
     .doc = "Forces of explicit time and of terms linear in the rates.",
-    .requirement = R::quadratic,
-    .parts = {.mass = true}};
+    .requirement = R::quadratic};
 
 constexpr OutputRow dissipation{.symbol = {"dD/dv", R"(\frac{\partial D}{\partial <v>})"},
                                 .takes = Opcode::velocity,
                                 .fields = force,
                                 .equation = {"dD/dv", ""},
-                                .doc = "Gradient of the Rayleigh function D.",
-                                .parts = {.forces = true}};
+                                .doc = "Gradient of the Rayleigh function D."};
 
 constexpr OutputRow applied_force{
     .symbol = {"Q", "Q"},
     .takes = Opcode::velocity,
     .fields = force,
     .equation = {"Q(q, v) = total generalized force at u = 0", ""},
-    .doc = "Non-conservative generalized forces without inputs and without D.",
-    .parts = {.forces = true}};
+    .doc = "Non-conservative generalized forces without inputs and without D."};
 
 constexpr OutputRow bias{
     .symbol = {"bias", R"(\mathrm{bias})"},
@@ -119,16 +111,14 @@ constexpr OutputRow bias{
     .equation =
         {"bias = C v + drift + g + dD/dv - Q",
          R"(\mathrm{bias} = C <v> + \mathrm{drift} + g + \frac{\partial D}{\partial <v>} - Q)"},
-    .doc = "Everything in the equation of motion that needs neither a nor u.",
-    .parts = {.mass = true, .potential = true, .forces = true}};
+    .doc = "Everything in the equation of motion that needs neither a nor u."};
 
 constexpr OutputRow inverse_dynamics{
     .symbol = {"tau", R"(\tau)"},
     .takes = Opcode::velocity | Opcode::acceleration,
     .fields = force,
     .equation = {"tau = M a + bias", R"(\tau = M <a> + \mathrm{bias})"},
-    .doc = "Generalized force that gives the acceleration a.",
-    .parts = {.mass = true, .potential = true, .forces = true}};
+    .doc = "Generalized force that gives the acceleration a."};
 
 constexpr std::array held{FieldRow{"", E::held, E::one, U::power, entries}};
 constexpr OutputRow reaction{
@@ -152,8 +142,7 @@ constexpr OutputRow momentum{.symbol = {"p", "p"},
                              .takes = Opcode::velocity,
                              .fields = impulse,
                              .equation = {"p = dL/dv", R"(p = \frac{\partial L}{\partial <v>})"},
-                             .doc = "Generalized momentum.",
-                             .parts = {.mass = true}};
+                             .doc = "Generalized momentum."};
 
 constexpr OutputRow position_gradient{
     .symbol = {"dL/dq", R"(\frac{\partial L}{\partial q})"},
@@ -165,8 +154,7 @@ constexpr OutputRow position_gradient{
     .turning_equation = {"N^T dL/dq = dp/dt + [w]x p + dD/dv - Q - B u",
                          R"(N^{\top} \frac{\partial L}{\partial q} = \frac{d p}{d t} + )"
                          R"([\omega]_{\times} p + \frac{\partial D}{\partial v} - Q - B u)"},
-    .doc = "Gradient of the Lagrangian by the coordinates.",
-    .parts = {.mass = true, .potential = true}};
+    .doc = "Gradient of the Lagrangian by the coordinates."};
 
 // Energies.
 
@@ -174,16 +162,14 @@ constexpr OutputRow potential_energy{.symbol = {"V0", "V_{0}"},
                                      .fields = energy,
                                      .equation = {"V0 = V(q, v = 0)", "V_{0} = V(q, <v> = 0)"},
                                      .doc = "Potential energy at rest.",
-                                     .requirement = R::energies,
-                                     .parts = {.potential = true}};
+                                     .requirement = R::energies};
 
 constexpr OutputRow kinetic_energy{.symbol = {"T", "T"},
                                    .takes = Opcode::velocity,
                                    .fields = energy,
                                    .equation = {"T = T2 + b_T.v + T0", ""},
                                    .doc = "Kinetic energy.",
-                                   .requirement = R::energies,
-                                   .parts = {.mass = true}};
+                                   .requirement = R::energies};
 
 constexpr OutputRow total_energy{
     .symbol = {"T + V", "T + V"},
@@ -191,16 +177,14 @@ constexpr OutputRow total_energy{
     .fields = energy,
     .equation = {"T + V0 + V1.v", R"(T + V = T + V_{0} + V_{1}^{\top} <v>)"},
     .doc = "Kinetic and potential energy.",
-    .requirement = R::energies,
-    .parts = {.mass = true, .potential = true}};
+    .requirement = R::energies};
 
 constexpr OutputRow energy_function{
     .symbol = {"E", "E"},
     .takes = Opcode::velocity,
     .fields = energy,
     .equation = {"E = v.dL/dv - L", R"(E = <v>^{\top} \frac{\partial L}{\partial <v>} - L)"},
-    .doc = "Energy function (Jacobi integral): dE/dt = v.(B u + Q - dD/dv) - dL/dt.",
-    .parts = {.mass = true, .potential = true}};
+    .doc = "Energy function (Jacobi integral): dE/dt = v.(B u + Q - dD/dv) - dL/dt."};
 
 // What M is solved for, and derivatives.
 
