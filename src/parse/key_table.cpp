@@ -153,8 +153,8 @@ constexpr auto key_rows = std::to_array<KeyRow>({
      "of constants, parameters and t; [w, x, y, z] of a rotation"},
     {"scene.lock.*", "reaction", boolean, optional, true,
      "adds the force that holds it to the output reaction"},
-    {"scene.approximate", "order", integer, optional, true, "of the equations, 1 to 5"},
-    {"scene.approximate", "about", table, optional, true, "the equilibrium"},
+    {"scene.approximate", "order", integer, required, true, "of the equations, 1 to 5"},
+    {"scene.approximate", "about", table, required, true, "the equilibrium"},
     {"scene.approximate", "small", expression_list, optional, true, "coordinates that are small"},
     {"scene.approximate.about", "*", expression, optional, true, "a coordinate or input there"},
 

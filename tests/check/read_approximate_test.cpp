@@ -66,11 +66,6 @@ TEST_CASE("inputs are small where every coordinate is") {
       checked(two_angles, near("order = 1\nabout = { q = 0 }")).model.approximation->small_inputs);
 }
 
-TEST_CASE("an order and a point are both needed") {
-  CHECK(said("order = 1") == "E105 4:1 no `about` in `[approximate]`");
-  CHECK(said("about = { x = 0 }") == "E105 4:1 no `order` in `[approximate]`");
-}
-
 TEST_CASE("orders are 1 to 5") {
   CHECK(said("order = 0\nabout = { x = 0 }") == "E614 5:9 order `0` is not one of 1 to 5");
   CHECK(said("order = 6\nabout = { x = 0 }") == "E614 5:9 order `6` is not one of 1 to 5");

@@ -148,6 +148,8 @@ TEST_CASE("a missing key is reported at the header", "[parse]") {
   CHECK(testing::first_error(model("[[input]]\n")).message == "no `name` in `[[input]]`");
   CHECK(model_answer(model("[[point]]\nname = \"P\"\n[[point]]\nat = [1, 2]\n")) ==
         "E105 5:1\nE105 7:1");
+  CHECK(scene_answer(scene("[approximate]\norder = 1\n")) == "E105 4:1");
+  CHECK(scene_answer(scene("[approximate]\n")) == "E105 4:1\nE105 4:1");
 }
 
 TEST_CASE("keys that come later say so, and nothing they would replace is missed", "[parse]") {

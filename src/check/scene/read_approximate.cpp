@@ -42,12 +42,10 @@ class ApproximationReader {
   }
 
   void read() {
-    const KeySyntax* order = required("order");
-    const KeySyntax* about = required("about");
-    if (order == nullptr || about == nullptr) return;
-    result_.span = about->key_span;
-    read_order(order->value);
-    for (const KeySyntax& key : about->value.entries) read_value(key);
+    const KeySyntax& about = *entry_.find("about");
+    result_.span = about.key_span;
+    read_order(entry_.find("order")->value);
+    for (const KeySyntax& key : about.value.entries) read_value(key);
     const KeySyntax* small = entry_.find("small");
     read_small(small);
     if (context_.report.errors() == errors_) check_small(small);
@@ -58,15 +56,6 @@ class ApproximationReader {
   }
 
  private:
-  const KeySyntax* required(std::string_view key) {
-    const KeySyntax* found = entry_.find(key);
-    if (found == nullptr) {
-      context_.report.add(Code::E105, entry_.span,
-                          "no `" + std::string(key) + "` in `[approximate]`");
-    }
-    return found;
-  }
-
   void read_order(const ValueSyntax& value) {
     const cln::cl_RA& order = value.expression.value;
     if (order < 1 || order > highest_order) {

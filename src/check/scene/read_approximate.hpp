@@ -6,7 +6,7 @@
 
 namespace elgen {
 
-/// Fills Model::approximation; `scene` may be null. E105, E614.
+/// Fills Model::approximation; `scene` may be null. E614.
 void read_approximation(Context& context, const FileSyntax* scene);
 
 }  // namespace elgen
