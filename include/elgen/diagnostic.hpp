@@ -70,20 +70,14 @@ void sort_by_position(Diagnostics& diagnostics);
 
 enum class DiagnosticFormat : unsigned char {
   text,    ///< for people
-  json,    ///< an object a line
+  json,    ///< an object a line, for programs: nothing else is said, nothing left out
   github,  ///< commands of a workflow, which annotate lines
-  gitlab,  ///< issues of code quality, one list
-  sarif,   ///< a log of SARIF 2.1.0
 };
 
 /// How a process writes all that it says.
 struct DiagnosticFormatRow {
   DiagnosticFormat format;
   std::string_view word;  ///< of --format
-  bool is_data = false;   ///< programs read all of it: nothing else is said, nothing left out
-  std::string (*opening)() = nullptr;  ///< before the first diagnostic; null: nothing
-  std::string_view separator = {};     ///< between two
-  std::string_view closing = {};       ///< after the last
 };
 
 /// In the order of the enumeration.
@@ -96,7 +90,7 @@ struct DiagnosticStyle {
   std::size_t maximum = 20;  ///< errors shown; the rest is counted in a last line
 };
 
-/// The one formatter; of a format with an opening, what stands between that and the closing:
+/// The one formatter:
 ///
 ///     model.toml:33:27: error[E201]: unknown name `mq`
 ///        33 | T = "1/2*M*v2(cart) + 1/2*mq*v2(bob)"

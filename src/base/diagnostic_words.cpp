@@ -1,4 +1,4 @@
-// Long names are cut on code point boundaries; fingerprints know no places but the path.
+// Long names are cut on code point boundaries.
 #include "base/diagnostic_words.hpp"
 
 #include <fmt/format.h>
@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "base/content_hash.hpp"
 #include "base/utf8.hpp"
 
 namespace elgen {
@@ -39,11 +38,6 @@ bool points_into_file(const Span& span) {
 std::string path_of(const Span& span) {
   if (span.source == nullptr) return "elgen";
   return std::filesystem::path(span.source->path).lexically_normal().generic_string();
-}
-
-std::string fingerprint(const Diagnostic& diagnostic, std::size_t which) {
-  return content_hash(fmt::format("{}\n{}\n{}\n{}", code_row(diagnostic.code).name,
-                                  path_of(diagnostic.span), diagnostic.message, which));
 }
 
 }  // namespace elgen

@@ -28,8 +28,4 @@ inline constexpr std::array<std::string_view, 3> severity_words{"note", "warning
 /// As given, `./` aside; "elgen" where a span points nowhere.
 [[nodiscard]] std::string path_of(const Span& span);
 
-/// Stays where lines move: a hash of code, message and path. Which one it is of those that agree in
-/// these tells them apart.
-[[nodiscard]] std::string fingerprint(const Diagnostic& diagnostic, std::size_t which = 0);
-
 }  // namespace elgen

@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <map>
 
 #include "base/annotations.hpp"
 #include "base/diagnostic_data.hpp"
 #include "base/diagnostic_words.hpp"
-#include "base/sarif.hpp"
 #include "base/utf8.hpp"
 #include "elgen/diagnostic.hpp"
 
@@ -119,8 +117,7 @@ std::string text_of(const Diagnostic& diagnostic, bool color) {
   return text;
 }
 
-/// `which` it is of those with one fingerprint.
-std::string one(const Diagnostic& diagnostic, const DiagnosticStyle& style, std::size_t which) {
+std::string one(const Diagnostic& diagnostic, const DiagnosticStyle& style) {
   switch (style.format) {
     case DiagnosticFormat::text:
       return text_of(diagnostic, style.color);
@@ -128,10 +125,6 @@ std::string one(const Diagnostic& diagnostic, const DiagnosticStyle& style, std:
       return json_line(diagnostic);
     case DiagnosticFormat::github:
       return github_command(diagnostic);
-    case DiagnosticFormat::gitlab:
-      return gitlab_issue(diagnostic, fingerprint(diagnostic, which));
-    case DiagnosticFormat::sarif:
-      return sarif_result(diagnostic, fingerprint(diagnostic, which));
   }
   return {};
 }
@@ -141,10 +134,8 @@ std::string one(const Diagnostic& diagnostic, const DiagnosticStyle& style, std:
 const std::vector<DiagnosticFormatRow>& diagnostic_formats() {
   static const std::vector<DiagnosticFormatRow> rows{
       {DiagnosticFormat::text, "text"},
-      {DiagnosticFormat::json, "json", true},
+      {DiagnosticFormat::json, "json"},
       {DiagnosticFormat::github, "github"},
-      {DiagnosticFormat::gitlab, "gitlab", true, [] { return std::string("[\n"); }, ",\n", "\n]\n"},
-      {DiagnosticFormat::sarif, "sarif", true, &sarif_start, ",\n", sarif_end},
   };
   return rows;
 }
@@ -154,16 +145,16 @@ const DiagnosticFormatRow& format_row(DiagnosticFormat format) {
 }
 
 std::string format(const Diagnostics& diagnostics, const DiagnosticStyle& style) {
-  const DiagnosticFormatRow& row = format_row(style.format);
-  const std::size_t maximum = row.is_data ? std::numeric_limits<std::size_t>::max() : style.maximum;
-  std::map<std::string, std::size_t> alike;  // by fingerprint
+  // Programs get all.
+  const std::size_t maximum = style.format == DiagnosticFormat::json
+                                  ? std::numeric_limits<std::size_t>::max()
+                                  : style.maximum;
   std::string text;
   std::array<std::size_t, 3> found{};  // by severity
   for (const Diagnostic& diagnostic : diagnostics) {
     const Severity severity = code_row(diagnostic.code).severity;
     if (++found.at(static_cast<std::size_t>(severity)) > maximum) continue;
-    if (!text.empty()) text += row.separator;
-    text += one(diagnostic, style, alike[fingerprint(diagnostic)]++);
+    text += one(diagnostic, style);
   }
   for (const Severity severity : {Severity::error, Severity::warning, Severity::note}) {
     const std::size_t count = found.at(static_cast<std::size_t>(severity));

@@ -49,12 +49,10 @@ std::vector<std::string> format_names() {
   return names;
 }
 
-/// Text where messages are written as reports are not.
 const DiffFormat& output_format(const GlobalOptions& global, const DiffOptions& options) {
   const std::string_view name =
       options.format.empty() ? format_row(global.style.format).word : options.format;
-  const auto format = std::ranges::find(formats, name, &DiffFormat::name);
-  return format == formats.end() ? formats.front() : *format;
+  return *std::ranges::find(formats, name, &DiffFormat::name);
 }
 
 /// "old=new"

@@ -4,7 +4,6 @@
 #include <new>
 
 #include "cli/command_line.hpp"
-#include "cli/process/messages.hpp"
 #include "cli/process/resources.hpp"
 
 namespace elgen::cli {
@@ -24,7 +23,8 @@ ExitCode run_words(const std::vector<std::string>& words, GlobalOptions& global)
 }
 
 /// Whatever happens becomes a diagnostic.
-ExitCode run_guarded(int count, char** words, GlobalOptions& global) {
+ExitCode run_program(int count, char** words) {
+  GlobalOptions global;
   try {
     return run_words({words, words + count}, global);
   } catch (const std::bad_alloc&) {
@@ -32,13 +32,6 @@ ExitCode run_guarded(int count, char** words, GlobalOptions& global) {
   } catch (const std::exception& mistake) {
     return report(global, {{Code::E912, {}, fmt::format("internal error: {}", mistake.what())}});
   }
-}
-
-ExitCode run_program(int count, char** words) {
-  GlobalOptions global;
-  const ExitCode result = run_guarded(count, words, global);
-  say_no_more(global.style.format);
-  return result;
 }
 
 }  // namespace

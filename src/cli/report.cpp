@@ -32,7 +32,7 @@ ExitCode report(const GlobalOptions& global, const Diagnostics& diagnostics) {
 }
 
 void tell(const GlobalOptions& global, const std::string& line) {
-  if (!global.quiet && !format_row(global.style.format).is_data) say(line + "\n");
+  if (!global.quiet && !wants_json(global)) say(line + "\n");
 }
 
 void tell_times(const GlobalOptions& global, const Products& products) {

@@ -1,8 +1,7 @@
-// Diagnostics as GitHub and GitLab read them.
+// Diagnostics as GitHub reads them.
 #include "base/annotations.hpp"
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 using namespace elgen;
 
@@ -23,14 +22,4 @@ TEST_CASE("a command of a workflow has its place, its title and the sentence") {
   CHECK(github_command({Code::E520, {}, "100 %\r\nnext: line, ok"}) ==
         "::notice title=E520 " + std::string(code_row(Code::E520).title) +
             "::100 %25%0D%0Anext: line, ok\n");
-}
-
-TEST_CASE("an issue of GitLab has path, line, code, severity and fingerprint") {
-  CHECK(gitlab_issue(unknown_name(), "1234") ==
-        R"({"description":"unknown name `mq`; did you mean `m`?","check_name":"E201",)"
-        R"("fingerprint":"1234","severity":"major",)"
-        R"("location":{"path":"models/a, b.toml","lines":{"begin":2}}})");
-  const auto nowhere = nlohmann::json::parse(gitlab_issue({Code::E913, {}, "say \"\n\xff\""}, "5"));
-  CHECK(nowhere.at("location").at("path") == "elgen");
-  CHECK(nowhere.at("location").at("lines").at("begin") == 1);
 }

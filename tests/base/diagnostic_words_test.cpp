@@ -32,20 +32,3 @@ TEST_CASE("paths are as given, and words of the command line are no file") {
   CHECK_FALSE(points_into_file({}));
   CHECK(path_of({}) == "elgen");
 }
-
-TEST_CASE("a fingerprint stays where lines move, and is another for other words or files") {
-  const SourcePointer before = make_source("m.toml", "x\n");
-  const SourcePointer after = make_source("m.toml", "# moved\n\nx\n");
-  const SourcePointer other = make_source("n.toml", "x\n");
-  const auto of = [](Code code, const SourcePointer& source, std::uint32_t at,
-                     const std::string& message) {
-    return fingerprint({code, {source.get(), at, at + 1}, message});
-  };
-  const std::string here = of(Code::E201, before, 0, "unknown name `x`");
-  CHECK(here.size() == 16);
-  CHECK(of(Code::E201, after, 9, "unknown name `x`") == here);
-  CHECK(of(Code::E201, other, 0, "unknown name `x`") != here);
-  CHECK(of(Code::E202, before, 0, "unknown name `x`") != here);
-  CHECK(of(Code::E201, before, 0, "unknown name `y`") != here);
-  CHECK(fingerprint({Code::E201, {}, "x"}, 1) != fingerprint({Code::E201, {}, "x"}, 0));
-}

@@ -1,7 +1,6 @@
 // The one formatter: exact text.
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 #include "elgen/diagnostic.hpp"
 
@@ -109,21 +108,9 @@ TEST_CASE("every format has its word, and stands in its row") {
   }
 }
 
-TEST_CASE("programs get all diagnostics, one beside the other") {
+TEST_CASE("programs get all diagnostics") {
   const Diagnostics list(25, {Code::E201, {}, "unknown name `x`"});
-  const auto said = [&](DiagnosticFormat format_wanted) {
-    const DiagnosticFormatRow& row = format_row(format_wanted);
-    DiagnosticStyle style;
-    style.format = format_wanted;
-    return (row.opening == nullptr ? "" : row.opening()) + format(list, style) +
-           std::string(row.closing);
-  };
-  const auto issues = nlohmann::json::parse(said(DiagnosticFormat::gitlab));
-  REQUIRE(issues.size() == 25);
-  CHECK(issues.at(0).at("fingerprint") != issues.at(1).at("fingerprint"));
-  const auto log = nlohmann::json::parse(said(DiagnosticFormat::sarif));
-  CHECK(log.at("runs").at(0).at("results").size() == 25);
-  CHECK(std::ranges::count(said(DiagnosticFormat::json), '\n') == 25);
-  CHECK(said(DiagnosticFormat::github).find("elgen: 5 more errors not shown\n") !=
+  CHECK(std::ranges::count(format(list, {DiagnosticFormat::json}), '\n') == 25);
+  CHECK(format(list, {DiagnosticFormat::github}).find("elgen: 5 more errors not shown\n") !=
         std::string::npos);
 }

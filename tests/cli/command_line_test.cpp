@@ -35,7 +35,7 @@ TEST_CASE("help starts with three examples and names what there is, and only tha
   for (const char* command : {"generate", "verify", "simulate", "tradeoff", "import", "explain"}) {
     CHECK(mentions(outcome.output, command));
   }
-  for (const char* format : {"json", "github", "gitlab", "sarif"}) {
+  for (const char* format : {"json", "github"}) {
     CHECK(mentions(outcome.output, format));
   }
 }

@@ -13,8 +13,6 @@
 #include <new>
 #include <string>
 
-#include "cli/process/messages.hpp"
-
 namespace elgen::cli {
 
 namespace {
@@ -33,9 +31,9 @@ constexpr bool has_shadow_memory = false;
 /// What the process ends with, prepared while memory may be asked for.
 struct LastWords {
   DiagnosticStyle style = {};
-  LastMessage processor_time = {};
-  LastMessage waiting = {};
-  LastMessage memory = {};
+  std::string processor_time = {};
+  std::string waiting = {};
+  std::string memory = {};
 };
 
 /// Never destroyed: a signal may come while the process ends.
@@ -44,8 +42,8 @@ LastWords& last_words() {
   return words;
 }
 
-[[noreturn]] void end_with(const LastMessage& message) {
-  message.say();
+[[noreturn]] void end_with(const std::string& text) {
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
   ::_exit(static_cast<int>(ExitCode::limit));
 }
 
@@ -101,9 +99,9 @@ void limit(int resource, std::uint64_t value) {
 
 void set_resource_limits(const Limits& limits, const DiagnosticStyle& style) {
   last_words().style = style;
-  last_words().processor_time = {
-      out_of_time(fmt::format("{} s of processor time are over", limits.seconds)), style};
-  last_words().memory = {out_of_memory(limits), style};
+  last_words().processor_time =
+      format({out_of_time(fmt::format("{} s of processor time are over", limits.seconds))}, style);
+  last_words().memory = format({out_of_memory(limits)}, style);
   std::set_terminate(end_without_memory);
   ::mp_set_memory_functions(some_memory, other_memory, no_memory);
   std::signal(SIGXCPU, end_on_time);
@@ -125,7 +123,7 @@ void renew_time_limit(const Limits& limits) {
 WaitingLimit::WaitingLimit(const Limits& limits, const std::string& path) {
   const Diagnostic late =
       out_of_time(fmt::format("`{}` could not be read within {} s", path, limits.seconds));
-  last_words().waiting = {late, last_words().style};
+  last_words().waiting = format({late}, last_words().style);
   set_alarm(limits.seconds);
 }
 
