@@ -126,8 +126,6 @@ struct Verification {
 /// All rows in full.
 [[nodiscard]] std::string to_full_text(const Certificate& certificate);
 [[nodiscard]] std::string to_json(const Certificate& certificate);
-/// What to_json gives, as JSON Schema.
-[[nodiscard]] std::string certificate_schema();
 
 /// The check that precedes every write: every output projected on random rational vectors at 4 to
 /// 32 states, fewer of long programs. States outside the domain are drawn anew, up to eight times

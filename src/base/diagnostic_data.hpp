@@ -10,7 +10,4 @@ namespace elgen {
 /// An object on a line of its own.
 [[nodiscard]] std::string json_line(const Diagnostic& diagnostic);
 
-/// Of each line, as JSON Schema.
-[[nodiscard]] std::string diagnostic_schema();
-
 }  // namespace elgen

@@ -15,24 +15,22 @@ Json documented(Json schema, std::string_view doc) {
 
 }  // namespace
 
-Json value_schema(std::string_view type, std::string_view doc) {
-  return documented({{"type", type}}, doc);
-}
+Json value_schema(std::string_view type) { return {{"type", type}}; }
 
-Json word_schema(const std::vector<std::string_view>& words, std::string_view doc) {
+Json word_schema(const std::vector<std::string_view>& words) {
   Json schema;
   schema["enum"] = words;
-  return documented(std::move(schema), doc);
+  return schema;
 }
 
 Json list_schema(Json item, std::string_view doc) {
   return documented({{"type", "array"}, {"items", std::move(item)}}, doc);
 }
 
-Json choice_schema(std::vector<Json> choices, std::string_view doc) {
+Json choice_schema(std::vector<Json> choices) {
   Json schema;
   schema["anyOf"] = std::move(choices);
-  return documented(std::move(schema), doc);
+  return schema;
 }
 
 Json object_schema(std::vector<SchemaKey> keys, std::string_view doc, Json others) {

@@ -17,18 +17,16 @@ struct SchemaKey {
 };
 
 /// A value of this type of JSON: "string", "integer".
-[[nodiscard]] nlohmann::ordered_json value_schema(std::string_view type, std::string_view doc = {});
+[[nodiscard]] nlohmann::ordered_json value_schema(std::string_view type);
 
 /// One of these words.
-[[nodiscard]] nlohmann::ordered_json word_schema(const std::vector<std::string_view>& words,
-                                                 std::string_view doc = {});
+[[nodiscard]] nlohmann::ordered_json word_schema(const std::vector<std::string_view>& words);
 
 [[nodiscard]] nlohmann::ordered_json list_schema(nlohmann::ordered_json item,
                                                  std::string_view doc = {});
 
 /// Any one of these.
-[[nodiscard]] nlohmann::ordered_json choice_schema(std::vector<nlohmann::ordered_json> choices,
-                                                   std::string_view doc = {});
+[[nodiscard]] nlohmann::ordered_json choice_schema(std::vector<nlohmann::ordered_json> choices);
 
 /// These keys; any other is refused, or is as `others` says.
 [[nodiscard]] nlohmann::ordered_json object_schema(std::vector<SchemaKey> keys,

@@ -1,9 +1,8 @@
-// A certificate for programs, and the schema of it.
+// A certificate for programs.
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "base/json_schema.hpp"
 #include "elgen/certificate.hpp"
 
 namespace elgen {
@@ -42,56 +41,6 @@ Json json_of(const CertificateRow& row) {
   return json;
 }
 
-Json text(std::string_view doc) { return value_schema("string", doc); }
-
-Json whole_number(std::string_view doc = {}) {
-  Json schema = value_schema("integer", doc);
-  schema["minimum"] = 0;
-  return schema;
-}
-
-template <std::size_t size>
-Json words(const std::array<std::string_view, size>& all, std::string_view doc) {
-  return word_schema({all.begin(), all.end()}, doc);
-}
-
-Json skipped_schema() {
-  std::vector<SchemaKey> keys;
-  for (const std::string_view name : obstacle_names) keys.push_back({name, whole_number(), false});
-  return object_schema(std::move(keys), "states at which nothing is said, by the reason");
-}
-
-Json check_schema() {
-  return object_schema(
-      {{"check", text("what was compared with what")},
-       {"output", text("the function")},
-       {"subject", text("the field or entry of it, and the scalar")},
-       {"verdict", words(verdict_names,
-                         "noted: half of the digits are lost, or a side of a kink was not seen")},
-       {"formula", text("what was evaluated")},
-       {"evidence",
-        words(evidence_names, "compared at states; proved for all; zeros found at random points")},
-       {"samples", whole_number("states at which it was compared")},
-       {"skipped_states", skipped_schema()},
-       {"error_in_bounds", value_schema("number", "largest error in u B, where finite"), false},
-       {"loss", value_schema("number", "largest loss of digits in u R, where finite"), false},
-       {"loss_of_field", value_schema("number", "the same in u of the field's largest entry"),
-        false},
-       {"worst", text("the worst figure, with its unit")},
-       {"worst_at", text("the state of the worst figure")},
-       {"tolerance", text("the bound, and its reason")}});
-}
-
-Json screened_schema() {
-  std::vector<SchemaKey> keys;
-  for (const ScalarRow& scalar : scalar_table) {
-    keys.push_back({scalar.name,
-                    object_schema({{"states", whole_number()}, {"visited", whole_number()}}),
-                    false});
-  }
-  return object_schema(std::move(keys), "by scalar: states screened, and of them visited");
-}
-
 }  // namespace
 
 std::string to_json(const Certificate& certificate) {
@@ -112,19 +61,6 @@ std::string to_json(const Certificate& certificate) {
                   {"noted", count(certificate, Verdict::noted)},
                   {"checks", checks}};
   return json.dump(2) + "\n";
-}
-
-std::string certificate_schema() {
-  return schema_text("certificate of elgen verify",
-                     object_schema({{"model", text("name of the model")},
-                                    {"scene", text("name of the scene, or full")},
-                                    {"seed", whole_number("of the random states")},
-                                    {"screened", screened_schema()},
-                                    {"holds", whole_number("how many checks do")},
-                                    {"fails", whole_number()},
-                                    {"skipped", whole_number()},
-                                    {"noted", whole_number()},
-                                    {"checks", list_schema(check_schema())}}));
 }
 
 }  // namespace elgen

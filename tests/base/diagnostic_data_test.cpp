@@ -1,4 +1,4 @@
-// A diagnostic as programs read it, and the schema of it.
+// A diagnostic as programs read it.
 #include "base/diagnostic_data.hpp"
 
 #include <catch2/catch.hpp>
@@ -24,12 +24,4 @@ TEST_CASE("a line has code, message, hint and places") {
 
 TEST_CASE("bytes that are not UTF-8 are replaced") {
   CHECK(nlohmann::json::accept(json_line({Code::E110, {}, "`\xff`"})));
-}
-
-TEST_CASE("the schema of a line knows every code") {
-  const auto schema = nlohmann::json::parse(diagnostic_schema());
-  const auto& keys = schema.at("properties");
-  CHECK(keys.at("code").at("enum").size() == code_table().size());
-  CHECK(keys.at("related").at("required").size() == 6);
-  CHECK(schema.at("required") == nlohmann::json{"severity", "code", "message", "position"});
 }

@@ -23,7 +23,7 @@ TEST_CASE("bash completes commands, options and their words") {
   CHECK(offered("show --wh") == "--what\n");
   CHECK(offered("show --as m") == "mathml markdown\n");
   CHECK(offered("show --color a") == "auto always\n");
-  CHECK(offered("schema c") == "certificate\n");
+  CHECK(offered("schema s") == "scene\n");
   CHECK(offered("-V") == "-V\n");
 }
 

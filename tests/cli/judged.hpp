@@ -9,8 +9,7 @@
 
 namespace elgen::test {
 
-/// Judges files by a schema: `judge SCHEMA FILE...`. TOML and JSON by their names; `.jsonl` has a
-/// text of JSON on each line. Prints what is wrong and exits with 1.
+/// Judges files of TOML by a schema: `judge SCHEMA FILE...`. Prints what is wrong and exits with 1.
 inline constexpr const char* judge = R"(import json, sys, tomllib
 import jsonschema
 schema = json.load(open(sys.argv[1]))
@@ -18,15 +17,9 @@ jsonschema.Draft7Validator.check_schema(schema)
 validator = jsonschema.Draft7Validator(schema)
 wrong = 0
 for path in sys.argv[2:]:
-    text = open(path, encoding="utf-8").read()
-    if path.endswith(".toml"):
-        texts = [tomllib.loads(text)]
-    else:
-        texts = [json.loads(t) for t in (text.splitlines() if path.endswith(".jsonl") else [text])]
-    for data in texts:
-        for error in validator.iter_errors(data):
-            wrong = 1
-            print(f"{path}: {error.json_path}: {error.message[:200]}")
+    for error in validator.iter_errors(tomllib.loads(open(path, encoding="utf-8").read())):
+        wrong = 1
+        print(f"{path}: {error.json_path}: {error.message[:200]}")
 sys.exit(wrong)
 )";
 
