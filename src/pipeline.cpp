@@ -19,7 +19,6 @@
 #include "elgen/lower.hpp"
 #include "elgen/specialise.hpp"
 #include "pipeline/chosen.hpp"
-#include "pipeline/dumps.hpp"
 #include "pipeline/parts.hpp"
 #include "pipeline/readable_steps.hpp"
 #include "pipeline/stages.hpp"
@@ -27,6 +26,14 @@
 namespace elgen {
 
 namespace {
+
+struct Syntaxes {
+  FileSyntax model;
+  std::optional<FileSyntax> scene;
+};
+
+/// inspect only reports.
+struct Inspection {};
 
 Result<Syntaxes> parse(const Inputs& inputs, const Limits& limits) {
   Result<FileSyntax> model = parse_model(inputs.model, limits);
@@ -120,8 +127,7 @@ class Compilation {
                                   // from it.
                                   if (options_.goals == std::vector<std::string>{"steps"})
                                     c.scene.left_out.clear();
-                                  Diagnostics found = inspect(c.model, c.scene);
-                                  return Result<Inspection>({found}, found);
+                                  return Result<Inspection>({}, inspect(c.model, c.scene));
                                 }};
 
   Stage<Lagrangian> formulated_{

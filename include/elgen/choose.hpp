@@ -46,6 +46,4 @@ struct Choice {
 [[nodiscard]] Result<Choice> choose(const Program& recursive, const ClosedForms& forms,
                                     const Scene& scene);
 
-[[nodiscard]] std::string dump(const Choice& choice);
-
 }  // namespace elgen

@@ -127,6 +127,4 @@ struct PresentBudget {
                                                   const FixedParameters& fixed,
                                                   ExpressionId expression);
 
-[[nodiscard]] std::string dump(const ClosedForms& forms);
-
 }  // namespace elgen

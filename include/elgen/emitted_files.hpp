@@ -36,6 +36,4 @@ struct BodyHash {
 /// What a sidecar says that it was made from; empty where the text is no sidecar.
 [[nodiscard]] SourcePaths stated_paths(std::string_view sidecar);
 
-[[nodiscard]] std::string dump(const EmittedFiles& files);
-
 }  // namespace elgen

@@ -237,6 +237,4 @@ DECLARE_FUNCTION_1P(elgen_sign)
 DECLARE_FUNCTION_2P(elgen_min)
 DECLARE_FUNCTION_2P(elgen_max)
 
-[[nodiscard]] std::string dump(const Lagrangian& lagrangian);
-
 }  // namespace elgen

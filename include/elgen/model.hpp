@@ -382,6 +382,4 @@ std::uint32_t append_rotation(Model& model, Rotation rotation);
 /// Prints an expression in the model language, with the names of the model.
 [[nodiscard]] std::string to_string(const Model& model, ExpressionId expression);
 
-[[nodiscard]] std::string dump(const Model& model);
-
 }  // namespace elgen

@@ -29,7 +29,8 @@ struct Inputs {
 struct PipelineOptions {
   SceneOptions scene = {};
   Limits limits = {};
-  std::string dump_stage = {};  ///< its product as text, into Products::dump
+  /// Its product as text, into Products::dump, where that is equations or a program.
+  std::string dump_stage = {};
   /// The stages whose products are wanted; those that they need run before them.
   std::vector<std::string> goals = {"self-check"};
   std::function<void(const std::string&)> on_stage = {};  ///< told each name as it starts
@@ -60,7 +61,7 @@ struct Products {
   std::vector<StageTime> times = {};
 };
 
-/// All of them, in order; --dump and --stop-after know them.
+/// All of them, in order; --stop-after knows them.
 [[nodiscard]] const std::vector<std::string>& stage_names();
 
 /// Runs the stages that the goals need, until one reports an error. E915: the files do not say what

@@ -39,6 +39,4 @@ struct Readback {
 /// "2 files read back"
 [[nodiscard]] std::string receipt(const Readback& readback);
 
-[[nodiscard]] std::string dump(const Readback& readback);
-
 }  // namespace elgen

@@ -149,6 +149,4 @@ struct SceneOptions {
 [[nodiscard]] Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
                                          const SceneOptions& options, const Limits& limits);
 
-[[nodiscard]] std::string dump(const Scene& scene);
-
 }  // namespace elgen

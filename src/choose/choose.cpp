@@ -308,11 +308,6 @@ class Choosing {
   Choice result_;
 };
 
-std::string counts_text(const OperationCounts& n) {
-  return fmt::format("add {} mul {} div {} sqrt {} sincos {} other {}, cost {}", n.add, n.mul,
-                     n.div, n.sqrt, n.sincos, n.other, cost(n));
-}
-
 }  // namespace
 
 Result<Choice> choose(const Program& recursive, const ClosedForms& forms, const Scene& scene) {
@@ -320,16 +315,6 @@ Result<Choice> choose(const Program& recursive, const ClosedForms& forms, const 
   if (!choice) return choice;
   for (Function& function : choice->program.functions) function = trigonometry_first(function);
   return choice;
-}
-
-std::string dump(const Choice& choice) {
-  std::string text;
-  for (const FormCosts& costs : choice.costs) {
-    text += fmt::format("{}: {}{}\n  recursive {}\n", costs.function, name_of(costs.chosen),
-                        costs.is_asked_for ? " (asked for)" : "", counts_text(costs.recursive));
-    if (costs.closed) text += fmt::format("  closed    {}\n", counts_text(*costs.closed));
-  }
-  return text;
 }
 
 }  // namespace elgen

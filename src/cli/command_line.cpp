@@ -44,7 +44,7 @@ void add_global_options(CLI::App& app, CommandLine& line, RawOptions& raw) {
   app.add_flag("-q,--quiet", line.global.quiet, "errors and warnings only");
   app.add_flag("-v,--verbose", line.global.verbose, "show the equations on a screen");
   app.add_option("--dump", line.global.dump_stage, "print what a stage made, on stdout")
-      ->check(CLI::IsMember(stage_names()));
+      ->check(CLI::IsMember({"derive", "lower"}));
   app.add_option("--stop-after", line.global.stop_after,
                  "the last stage to run; nothing is written")
       ->check(CLI::IsMember(stage_names()));

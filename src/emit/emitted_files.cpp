@@ -2,8 +2,6 @@
 // make.
 #include "elgen/emitted_files.hpp"
 
-#include <fmt/format.h>
-
 #include "emit/artifacts.hpp"
 #include "emit/text/emission_input.hpp"
 #include "emit/text/scalar_range.hpp"
@@ -26,12 +24,6 @@ Result<EmittedFiles> emit(const Model& model, const Scene& scene, const Program&
   EmittedFiles emitted;
   for (const auto& [id, path] : wanted) emitted.files[path] = writer_of(id).text(input);
   return emitted;
-}
-
-std::string dump(const EmittedFiles& files) {
-  std::string text;
-  for (const auto& [path, content] : files.files) text += fmt::format("== {}\n{}", path, content);
-  return text;
 }
 
 }  // namespace elgen

@@ -65,7 +65,7 @@ class Printer {
     }
   }
 
-  /// For dumps; a model does not write them.
+  /// A model does not write them.
   [[nodiscard]] std::string frame_component(std::uint32_t index) const {
     const std::string& name = model_.frames[index / components_per_frame].name;
     const std::uint32_t k = index % components_per_frame;

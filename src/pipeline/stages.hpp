@@ -38,7 +38,9 @@ class StageRunner {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     times.push_back({name, elapsed.count()});
     diagnostics.insert(diagnostics.end(), result.diagnostics.begin(), result.diagnostics.end());
-    if (result && name == options_.dump_stage) dumped = dump(*result);
+    if constexpr (requires { dump(*result); }) {  // equations and programs
+      if (result && name == options_.dump_stage) dumped = dump(*result);
+    }
     return std::move(result.value);
   }
 

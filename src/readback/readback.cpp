@@ -103,6 +103,4 @@ std::string receipt(const Readback& readback) {
   return counted(readback.files, "file") + " read back";
 }
 
-std::string dump(const Readback& readback) { return receipt(readback) + "\n"; }
-
 }  // namespace elgen

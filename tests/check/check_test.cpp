@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "check_testing.hpp"
+#include "model_text.hpp"
 
 namespace elgen::test {
 namespace {

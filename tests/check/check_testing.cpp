@@ -5,6 +5,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "model_text.hpp"
+
 namespace elgen::test {
 namespace {
 

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "model_text.hpp"
 #include "support/models.hpp"
 
 namespace elgen::test {

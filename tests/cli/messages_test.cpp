@@ -85,7 +85,7 @@ TEST_CASE("programs that read all are told nothing else, and what is for people 
   const Workspace workspace;
   const std::string generate = "elgen generate " + models + "/simple_pendulum.toml ";
   CHECK(shell(generate + "--format json", workspace.path()).errors.empty());
-  for (const std::string option : {"--timings", "-v", "--dump parse"}) {
+  for (const std::string option : {"--timings", "-v", "--dump lower"}) {
     INFO(option);
     const Outcome outcome = shell(generate + "--format json " + option, workspace.path());
     CHECK(outcome.status == 2);

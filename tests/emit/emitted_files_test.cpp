@@ -93,9 +93,3 @@ TEST_CASE("names and numbers that do not fit are errors, and nothing is emitted"
   CHECK(files.diagnostics[0].code == Code::E701);
   CHECK(files.diagnostics[1].code == Code::E702);
 }
-
-TEST_CASE("dump shows path and text") {
-  EmittedFiles files;
-  files.files["a/a.hpp"] = "text\n";
-  CHECK(dump(files) == "== a/a.hpp\ntext\n");
-}

@@ -56,7 +56,7 @@ struct KinkedEnergy {
   Curve slope;  ///< d^2 V/dx^2
 };
 
-const std::vector<KinkedEnergy> energies{
+const std::vector<KinkedEnergy> kinked_energies{
     {"1/8*k*(x - 1 + sqrt((x - 1)^2))^2", [](double x) { return 5 * positive_part(x - 1); },
      [](double x) { return 5 * step(x - 1); }},
     {"1/8*k*(x - s + sqrt((x - s)^2))^2", [](double x) { return 5 * positive_part(x - 0.5); },
@@ -131,7 +131,7 @@ void check_near(double x, double truth) { CHECK(x == Approx(truth).margin(1e-12)
 }  // namespace
 
 TEST_CASE("a potential with another branch keeps its force and its stiffness") {
-  for (const auto& [V, force, slope] : energies) {
+  for (const auto& [V, force, slope] : kinked_energies) {
     const Products products =
         products_of(std::string("[energy]\nT = \"1/2*m*dot(x)^2\"\nV = \"") + V + "\"\n");
     for (const double x : places) {

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "formulate/print.hpp"
 #include "support/systems.hpp"
 
 using namespace elgen;
@@ -23,15 +24,27 @@ Lagrangian specialised(const std::string& text, const std::vector<std::string>& 
   return *specialise(*formulate(checked.model), checked);
 }
 
-bool mentions(const Lagrangian& lagrangian, const std::string& text) {
-  return dump(lagrangian).find(text) != std::string::npos;
+/// Definitions, masses, energies and forces.
+std::string text_of(const Lagrangian& lagrangian) {
+  const ExpressionPrinter print(lagrangian.definitions);
+  std::string text = dump(lagrangian.definitions);
+  for (const PointMass& mass : lagrangian.masses) {
+    text += print(mass.mass);
+    for (const GiNaC::ex& component : mass.position) text += " " + print(component);
+    text += "\n";
+  }
+  for (const auto* terms : {&lagrangian.kinetic, &lagrangian.potential, &lagrangian.dissipation,
+                            &lagrangian.forces}) {
+    for (const GiNaC::ex& term : *terms) text += print(term) + "\n";
+  }
+  return text;
 }
 
 }  // namespace
 
 TEST_CASE("nothing fixed changes nothing") {
-  CHECK(dump(specialised(cart_pole_text(), {})) ==
-        dump(*formulate(checked_model(cart_pole_text()).model)));
+  CHECK(text_of(specialised(cart_pole_text(), {})) ==
+        text_of(*formulate(checked_model(cart_pole_text()).model)));
 }
 
 TEST_CASE("a fixed parameter is an exact number everywhere") {
@@ -65,10 +78,6 @@ TEST_CASE("every part of a Lagrangian is specialised") {
   for (const NamedOutput& output : lagrangian.outputs) look(output.values);
   CHECK_FALSE(depends.has_any(Opcode::parameter));
   CHECK(depends.has_any(Opcode::coordinate));
-}
-
-TEST_CASE("a dump after specialising shows the numbers") {
-  CHECK(mentions(specialised(cart_pole_text(), {"M=4"}), "mass 4 at"));
 }
 
 namespace {

@@ -1,11 +1,10 @@
-// Text of a Model and a Scene, one entry a line, for `--dump check` and for tests.
-#include <algorithm>
+// Names stand for what their indices refer to; what a scene does not want has no line.
+#include "check/model_text.hpp"
 
 #include "base/number_text.hpp"
-#include "check/scene/scene_reader.hpp"
-#include "elgen/scene.hpp"
+#include "elgen/languages.hpp"
 
-namespace elgen {
+namespace elgen::test {
 namespace {
 
 class ModelDump {
@@ -238,4 +237,4 @@ std::string dump(const Scene& scene) {
   return text;
 }
 
-}  // namespace elgen
+}  // namespace elgen::test

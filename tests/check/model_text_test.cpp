@@ -1,7 +1,8 @@
-// Dumps: one line per entry, the same in every process.
+// Texts of models and scenes: one line per entry, the same in every process.
 #include <catch2/catch.hpp>
 
 #include "check_testing.hpp"
+#include "model_text.hpp"
 
 namespace elgen::test {
 namespace {
