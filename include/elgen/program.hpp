@@ -1,7 +1,7 @@
 // Program: one straight-line function per output, free of GiNaC, ordered by elgen's own keys.
 //
 // A Function is a list of instructions in single-assignment form, operands before use, nothing
-// computed twice, nothing dead (check_invariants). Text form, one instruction a line, parses back:
+// computed twice, nothing dead (check_invariants). Text form, one instruction a line:
 //
 //     function mass_matrix(q)
 //       0 = parameter m             ; leaves are named as in the model
@@ -112,7 +112,6 @@ struct OperationCounts {
 [[nodiscard]] std::string check_invariants(const Program& program);
 
 [[nodiscard]] std::string dump(const Program& program);
-[[nodiscard]] Result<Program> parse_program(const SourcePointer& text);
 
 /// The names under which equations and the emitted code know an instruction; "" where it is
 /// written out. Every name is a C++ identifier, unique in the function, stable under changes

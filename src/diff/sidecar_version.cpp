@@ -7,7 +7,6 @@
 
 #include "elgen/diff.hpp"
 #include "elgen/wording.hpp"
-#include "lower/graph/constant_reader.hpp"
 #include "lower/network/instructions.hpp"
 #include "lower/operation_columns.hpp"
 #include "parse/fold_expression.hpp"
@@ -96,7 +95,7 @@ struct InstructionRules {
       return instructions.add(leaf->second);
     }
     if (const auto known = definitions.find(name); known != definitions.end()) return known->second;
-    if (name == "pi") return constant(*read_constant(name));
+    if (name == "pi") return constant(*constant_of({.kind = ConstantKind::pi, .parts = {}}));
     return fail(in_backticks(name) + " is not defined");
   }
   Value negate(Value x) const { return instructions.add(Opcode::negate, x); }

@@ -1,4 +1,4 @@
-// dump: Program -> its text form, which parse_program reads back.
+// dump: Program -> its text form.
 //
 //     parameters m l
 //     coordinates theta

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "elgen/evaluate.hpp"
+#include "lower/read_program.hpp"
 
 using namespace elgen;
 
@@ -12,13 +13,12 @@ namespace {
 
 /// M = diag(m, m r^2, 2): all pivots are 1.
 Program polar() {
-  return *parse_program(make_source(
-      "test.program",
+  return testing::read_program(
       "parameters m\ncoordinates r phi x\nvelocities r phi x\nfunction forward_dynamics\n"
       "  0 = parameter m\n  1 = coordinate r\n  2 = constant 1\n  3 = velocity r\n"
       "  4 = multiply 0 1\n  5 = multiply 4 1\n  6 = constant 2\n  7 = divide 3 1\n"
       "  result acceleration 3 1 = 7 7 7\n  result relative_pivots 3 1 = 2 2 2\n"
-      "  result diagonal 3 1 = 0 5 6\n"));
+      "  result diagonal 3 1 = 0 5 6\n");
 }
 
 std::vector<double> pivots_at(double r) {

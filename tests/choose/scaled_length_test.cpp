@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "elgen/evaluate.hpp"
+#include "lower/read_program.hpp"
 
 using namespace elgen;
 
@@ -19,7 +20,7 @@ Program program() {
       "  10 = add 9 7\n  11 = add 10 8\n  12 = square_root 11\n  13 = divide 1 12\n"
       "  14 = divide 2 12\n  15 = divide 3 12\n  16 = divide 4 12\n"
       "  result 5 1 = 0 13 14 15 16\n";
-  return *parse_program(make_source("test.program", text));
+  return testing::read_program(text);
 }
 
 }  // namespace

@@ -6,20 +6,17 @@
 #include "diff/versions.hpp"
 #include "evaluate/subject.hpp"
 #include "lower/graph/prune.hpp"
+#include "lower/read_program.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
 
 namespace {
 
-Program parsed(const std::string& text) {
-  return *parse_program(make_source("test.program", text));
-}
-
-const Program before = parsed(
+const Program before = elgen::testing::read_program(
     "parameters m\ncoordinates x\nfunction gravity\n  0 = parameter m\n  1 = coordinate x\n"
     "  2 = multiply 0 1\n  result 1 1 = 2\n");
-const Program after = parsed(
+const Program after = elgen::testing::read_program(
     "parameters k m\ncoordinates x\nfunction gravity\n  0 = parameter m\n  1 = coordinate x\n"
     "  2 = multiply 0 1\n  3 = parameter k\n  4 = add 2 3\n  result 1 1 = 4\n");
 

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "elgen/source_text.hpp"
+#include "lower/read_program.hpp"
 
 using namespace elgen;
 
@@ -11,14 +11,10 @@ namespace {
 
 /// Of the only entry; both leaves may be negative.
 Zero zero_of(const std::string& code, bool positive = false) {
-  const Result<Program> program = parse_program(
-      make_source("test.program", "parameters m\n" + std::string(positive ? "positive m\n" : "") +
-                                      "coordinates x\nfunction gravity\n"
-                                      "  0 = parameter m\n  1 = coordinate x\n" +
-                                      code));
-  INFO(format(program.diagnostics));
-  REQUIRE(program);
-  return zeros(*program, program->functions[0]).at(0);
+  const Program program = testing::read_program(
+      "parameters m\n" + std::string(positive ? "positive m\n" : "") +
+      "coordinates x\nfunction gravity\n  0 = parameter m\n  1 = coordinate x\n" + code);
+  return zeros(program, program.functions[0]).at(0);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "lower/graph/constant_reader.hpp"
+#include "support/constant_reader.hpp"
 
 using namespace elgen;
 
@@ -27,14 +27,14 @@ TEST_CASE("exact constants in both notations") {
                                   {"2*(1 + pi)^2", "2 (1 + \\pi)^{2}"},
                                   {"sqrt(3)^(-1)", "\\frac{1}{\\sqrt{3}}"},
                                   {"exp(-1 - pi)", "\\exp(-1 - \\pi)"}}));
-  const auto constant = read_constant(row.text);
+  const auto constant = test::read_constant(row.text);
   REQUIRE(constant);
   CHECK(constant_formula(model_spelling(), constant->form).text() == row.text);
   CHECK(constant_formula(latex_spelling(), constant->form).text() == row.latex);
 }
 
 TEST_CASE("a constant sum is bracketed as a factor") {
-  const auto sum = read_constant("1 + pi");
+  const auto sum = test::read_constant("1 + pi");
   REQUIRE(sum);
   const Spelling& n = model_spelling();
   const Formula written = product(n, {constant_formula(n, sum->form), {"x"}});

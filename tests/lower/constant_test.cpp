@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "lower/graph/constant_reader.hpp"
+#include "support/constant_reader.hpp"
 
 using namespace elgen;
 
@@ -56,9 +56,9 @@ TEST_CASE("what forms say is what they are worth") {
   for (const char* text :
        {"1-cos(1)", "2+pi", "2*pi", "exp(-1-cos(1))", "exp(-1+cos(1))", "(1+pi)^2*pi^(-1)",
         "-log(1/2)", "sqrt(2+sqrt(3))", "atan2(-1,-pi)", "1/2*sqrt(3)"}) {
-    const auto constant = read_constant(text);
+    const auto constant = test::read_constant(text);
     REQUIRE(constant);
-    const auto again = read_constant(text_of(constant->form));
+    const auto again = test::read_constant(text_of(constant->form));
     REQUIRE(again);
     CHECK(again->form == constant->form);
     CHECK(again->value == constant->value);
@@ -68,8 +68,8 @@ TEST_CASE("what forms say is what they are worth") {
 TEST_CASE("constants are found by form, never by value") {
   std::vector<Constant> constants;
   CHECK(position_of(rational_constant(2), constants) == 0);
-  const auto root = read_constant("sqrt(2)");
-  const auto power = read_constant("sqrt(2)^(-1)*2");
+  const auto root = test::read_constant("sqrt(2)");
+  const auto power = test::read_constant("sqrt(2)^(-1)*2");
   REQUIRE(root);
   REQUIRE(power);
   CHECK(position_of(*root, constants) == 1);

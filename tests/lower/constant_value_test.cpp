@@ -6,15 +6,15 @@
 #include <cmath>
 
 #include "elgen/evaluate.hpp"
-#include "lower/graph/constant_reader.hpp"
 #include "lower/graph/graph.hpp"
+#include "support/constant_reader.hpp"
 
 using namespace elgen;
 
 namespace {
 
 double value(const std::string& text) {
-  const auto constant = read_constant(text);
+  const auto constant = test::read_constant(text);
   REQUIRE(constant);
   return ScalarTraits<double>::from_real(constant->value);
 }
@@ -54,7 +54,7 @@ TEST_CASE("the error is bounded: 1000 digits more agree within it") {
   for (const char* text : {"sin(1000000000000000000000000000000)",
                            "1-cos(1/1000000000000000000000000000000000000000000000000000000000000)",
                            "exp(1)*pi-tan(7/5)"}) {
-    const auto constant = read_constant(text);
+    const auto constant = test::read_constant(text);
     REQUIRE(constant);
     const auto enclosure = enclosure_of(constant->form);
     REQUIRE(enclosure);
@@ -64,7 +64,7 @@ TEST_CASE("the error is bounded: 1000 digits more agree within it") {
 }
 
 TEST_CASE("what cancels is not told from 0, and what is exact is") {
-  const auto noise = read_constant("sqrt(2)*sqrt(3)-sqrt(6)");
+  const auto noise = test::read_constant("sqrt(2)*sqrt(3)-sqrt(6)");
   REQUIRE(noise);
   CHECK(cln::zerop(noise->value));
   CHECK_FALSE(sign_of(*enclosure_of(noise->form)));
@@ -78,6 +78,6 @@ TEST_CASE("what has no real value has none") {
   CHECK_FALSE(enclosure_of(call(FunctionId::asin, "2")));
   CHECK_FALSE(enclosure_of(call(FunctionId::acos, "-2")));
   CHECK_FALSE(enclosure_of(call(FunctionId::exp, "1000000")));
-  CHECK_FALSE(read_constant("sqrt(-2)"));
-  CHECK_FALSE(read_constant("(sqrt(2)*sqrt(3)-sqrt(6))^(-1)"));
+  CHECK_FALSE(test::read_constant("sqrt(-2)"));
+  CHECK_FALSE(test::read_constant("(sqrt(2)*sqrt(3)-sqrt(6))^(-1)"));
 }

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "elgen/program.hpp"
-#include "lower/graph/constant_reader.hpp"
+#include "support/constant_reader.hpp"
 
 using namespace elgen;
 
@@ -34,7 +34,7 @@ Function every_opcode() {
 TEST_CASE("dump names leaves as the model does and writes constants exactly") {
   Program program;
   program.leaves = {{{"m", "l[2]"}, {"theta"}, {"theta"}, {"theta"}, {"u"}, "t"}, true};
-  program.constants = {rational_constant(cln::cl_RA("-1/3")), *read_constant("2 - pi")};
+  program.constants = {rational_constant(cln::cl_RA("-1/3")), *test::read_constant("2 - pi")};
   program.functions = {every_opcode()};
   CHECK(dump(program) ==
         "parameters m l[2]\n"

@@ -5,6 +5,7 @@
 
 #include "lower/network/linearise.hpp"
 #include "lower/network/network.hpp"
+#include "lower/read_program.hpp"
 
 using namespace elgen;
 
@@ -15,7 +16,7 @@ const char* const text =
     "  0 = parameter m\n  1 = parameter l\n  2 = coordinate x\n  3 = sin 2\n  4 = multiply 0 3\n"
     "  5 = negate 4\n  6 = divide 5 1\n  7 = subtract 6 0\n  result 2 1 = 7 3\n";
 
-Program program() { return *parse_program(make_source("test.program", text)); }
+Program program() { return testing::read_program(text); }
 
 /// `wanted` of the program, lowered again.
 std::string again(const std::vector<std::uint32_t>& wanted, const std::vector<bool>& zeros = {}) {

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "lower/read_program.hpp"
+
 using namespace elgen;
 
 TEST_CASE("what is found is where it stands first, also where something stands twice") {
@@ -18,9 +20,9 @@ TEST_CASE("what is found is where it stands first, also where something stands t
 }
 
 TEST_CASE("what is there already is found, what is not comes last") {
-  Program program = *parse_program(make_source("test.program",
-                                               "parameters m l\nfunction gravity\n  0 = parameter "
-                                               "m\n  1 = multiply 0 0\n  result 1 1 = 1\n"));
+  Program program = testing::read_program(
+      "parameters m l\nfunction gravity\n  0 = parameter m\n  1 = multiply 0 0\n"
+      "  result 1 1 = 1\n");
   Instructions instructions(program.functions[0]);
   CHECK(instructions.add(Opcode::multiply, 0, 0) == 1);
   const std::uint32_t l = instructions.add({.opcode = Opcode::parameter, .a = 1});
@@ -31,10 +33,9 @@ TEST_CASE("what is there already is found, what is not comes last") {
 }
 
 TEST_CASE("what two entries compute alike is computed once") {
-  const Program program = *parse_program(
-      make_source("test.program",
-                  "parameters m l\nfunction gravity\n  0 = parameter m\n  1 = parameter l\n"
-                  "  2 = multiply 0 1\n  3 = add 2 0\n  result 2 1 = 2 3\n"));
+  const Program program = testing::read_program(
+      "parameters m l\nfunction gravity\n  0 = parameter m\n  1 = parameter l\n"
+      "  2 = multiply 0 1\n  3 = add 2 0\n  result 2 1 = 2 3\n");
   Function twice = program.functions[0];
   twice.instructions.push_back({.opcode = Opcode::multiply, .a = 0, .b = 1});
   twice.instructions.push_back({.opcode = Opcode::add, .a = 4, .b = 0});

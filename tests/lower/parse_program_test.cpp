@@ -1,6 +1,7 @@
+#include "support/parse_program.hpp"
+
 #include <catch2/catch.hpp>
 
-#include "elgen/program.hpp"
 #include "lower/read_program.hpp"
 
 using namespace elgen;
@@ -73,14 +74,14 @@ TEST_CASE("mistakes are reported with the span of their line") {
   }));
   const std::string head = "coordinates x\nfunction bias\n  0 = coordinate x\n";
   const SourcePointer source = make_source("program", head + row.line + "\n");
-  const Result<Program> program = parse_program(source);
+  const Result<Program> program = test::parse_program(source);
   REQUIRE_FALSE(program);
   CHECK(program.diagnostics.at(0).message == row.message);
   CHECK(covered_text(program.diagnostics.at(0).span) == row.line);
 }
 
 TEST_CASE("instructions belong to functions") {
-  const auto program = parse_program(make_source("program", "  0 = time\n"));
+  const auto program = test::parse_program(make_source("program", "  0 = time\n"));
   REQUIRE_FALSE(program);
   CHECK(program.diagnostics.at(0).message == "`0` outside of a function");
 }

@@ -3,13 +3,14 @@
 
 #include <catch2/catch.hpp>
 
+#include "lower/read_program.hpp"
+
 using namespace elgen;
 
 namespace {
 
 Program program_of(const std::string& function) {
-  return *parse_program(
-      make_source("test.program", "parameters m l\nfunction gravity\n" + function));
+  return testing::read_program("parameters m l\nfunction gravity\n" + function);
 }
 
 }  // namespace

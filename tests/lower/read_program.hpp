@@ -4,12 +4,12 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "elgen/program.hpp"
+#include "support/parse_program.hpp"
 
 namespace elgen::testing {
 
 [[nodiscard]] inline Program read_program(const std::string& text) {
-  const Result<Program> program = parse_program(make_source("program", text));
+  const Result<Program> program = test::parse_program(make_source("program", text));
   if (!program) FAIL(program.diagnostics.at(0).message);
   return *program;
 }

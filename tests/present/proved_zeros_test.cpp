@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "lower/read_program.hpp"
+
 using namespace elgen;
 
 namespace {
@@ -10,11 +12,10 @@ namespace {
 using Proofs = std::vector<ZeroProof>;
 
 Proofs proved(const std::string& code, const PresentBudget& budget = {}) {
-  const Program program =
-      *parse_program(make_source("test.program",
-                                 "parameters m\ncoordinates x\nfunction gravity\n"
-                                 "  0 = parameter m\n  1 = coordinate x\n" +
-                                     code));
+  const Program program = testing::read_program(
+      "parameters m\ncoordinates x\nfunction gravity\n"
+      "  0 = parameter m\n  1 = coordinate x\n" +
+      code);
   return proved_zeros(program, program.functions[0], budget);
 }
 

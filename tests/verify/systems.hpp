@@ -7,6 +7,7 @@
 #include "elgen/outputs.hpp"
 #include "evaluate/subject.hpp"
 #include "oracle/samples.hpp"
+#include "support/parse_program.hpp"
 
 namespace elgen::test {
 

@@ -1,12 +1,12 @@
-// read_constant: see constant_reader.hpp. The graph gives the form that it had when it was printed.
-#include "lower/graph/constant_reader.hpp"
+// The graph gives a constant the form that it had when it was printed.
+#include "support/constant_reader.hpp"
 
 #include <cln/integer.h>
 
 #include "lower/graph/graph.hpp"
 #include "parse/expression_parser.hpp"
 
-namespace elgen {
+namespace elgen::test {
 namespace {
 
 using Read = std::optional<Ref>;
@@ -84,4 +84,4 @@ std::optional<Constant> read_constant(const std::string& text) {
   return constant_of(graph.form_of(*value));
 }
 
-}  // namespace elgen
+}  // namespace elgen::test

@@ -2,7 +2,7 @@
 //
 //     exp(1)+cos(1)-1   ->   the sum of three terms
 //
-// Only what dump() prints is read, for tests and for whoever edits a dump.
+// Only what dump() prints is read.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,9 @@
 
 #include "elgen/constant.hpp"
 
-namespace elgen {
+namespace elgen::test {
 
 /// None where it is no expression of numbers, pi and functions, or has no value.
 [[nodiscard]] std::optional<Constant> read_constant(const std::string& text);
 
-}  // namespace elgen
+}  // namespace elgen::test

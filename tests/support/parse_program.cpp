@@ -1,15 +1,13 @@
-// parse_program: the text form of a Program -> Program; what dump() prints, reads back equal.
-//
-// One line at a time; a mistake is E912 with the span of its line, since only tests and elgen write
-// this form.
+// One line at a time; a mistake is E912 with the span of its line.
+#include "support/parse_program.hpp"
+
 #include <fmt/core.h>
 
 #include <charconv>
 
-#include "elgen/program.hpp"
-#include "lower/graph/constant_reader.hpp"
+#include "support/constant_reader.hpp"
 
-namespace elgen {
+namespace elgen::test {
 namespace {
 
 using Words = std::vector<std::string_view>;
@@ -218,4 +216,4 @@ class ProgramReader {
 
 Result<Program> parse_program(const SourcePointer& text) { return ProgramReader(*text).read(); }
 
-}  // namespace elgen
+}  // namespace elgen::test
