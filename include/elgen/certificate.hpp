@@ -36,9 +36,10 @@ enum class Obstacle : std::uint8_t {
 
 /// What a row rests on.
 enum class Evidence : std::uint8_t {
-  states,  ///< a comparison at `samples` states
-  proof,   ///< canonical forms that are equal, whatever the state
-  zeros,   ///< what is taken for 0 was less than rounding at `samples` random points
+  states,   ///< a comparison at `samples` states
+  proof,    ///< canonical forms that are equal, whatever the state
+  zeros,    ///< what is taken for 0 was less than rounding at `samples` random points
+  numbers,  ///< `samples` numbers that are written once, compared exactly
 };
 
 struct SkippedStates {
@@ -100,6 +101,8 @@ struct VerifyOptions {
   bool extremes = false;
   /// The code as users compile it (Build::as_users), held to the same bounds; perhaps null.
   const CompiledModel* as_users = nullptr;
+  /// What the header declares; perhaps null.
+  const std::vector<DeclaredNumber>* declared = nullptr;
   /// Of the same samples and seed: only the states to visit of it are visited.
   const Screening* screening = nullptr;
   /// Told of each step: "accuracy in double, state 3 of 36".
@@ -146,8 +149,9 @@ struct SelfCheck {
 [[nodiscard]] SelfCheck self_check(const Model& model, const Scene& scene, const Program& program,
                                    const Program* parts = nullptr);
 
-/// "checked 32 states against 60 digits: 2.1 uB", or "without a bound of rounding"; "; 3 outside
-/// the domain" where some are; and "2 entries rest on zeros found at 64 points, not proved".
+/// "the program was checked at 32 states in 60 digits: 2.1 uB", or "without a bound of rounding";
+/// "; 3 outside the domain" where some are; and "2 entries rest on zeros found at 64 points, not
+/// proved".
 [[nodiscard]] std::string receipt(const SelfCheck& result);
 
 }  // namespace elgen

@@ -39,9 +39,10 @@ class CompiledModel {
   [[nodiscard]] virtual bool has(ScalarKind scalar) const = 0;
 };
 
-/// One emitted header; on vectors of Eigen there is a second one.
+/// One emitted header; on vectors of Eigen and on arrays of states there are others beside it.
 struct CompiledHeader {
-  std::string types = {};  ///< "Eigen"; empty for those of the language itself
+  std::string types = {};  ///< "Eigen", "batch"; empty for those of the language itself
+  bool in_packs = false;   ///< sines and cosines are polynomials; called for one state of seven
   std::unique_ptr<CompiledModel> functions = {};
 };
 using CompiledHeaders = std::vector<CompiledHeader>;
@@ -64,7 +65,7 @@ class ScreeningCode {
 /// How headers are compiled.
 enum class Build : std::uint8_t {
   as_written,  ///< strict flags, no contraction: the bits of the arithmetic that is written
-  as_users,    ///< -O3 -march=native, contraction on; without the header on types of Eigen
+  as_users,    ///< -O3 -march=native, contraction on; only the header on the language's own types
   to_time,     ///< -O2 -march=native, no contraction
   to_time_contracted,
 };
@@ -80,6 +81,22 @@ struct CompileOptions {
 [[nodiscard]] Result<CompiledHeaders> compile(const EmittedFiles& files, const Model& model,
                                               const Scene& scene, const Program& program,
                                               const CompileOptions& options);
+
+/// A number that a header declares beside its functions.
+struct DeclaredNumber {
+  std::string name = {};  ///< "l[1] (double)", "the place of l[1] (double)", "input_limits[0].low"
+  double declared = 0;    ///< as compiled
+  double of_model = 0;    ///< rounded to the scalar
+};
+
+/// Counts of coordinates, rates, inputs and parameters; the values of the parameters, and where
+/// they stand in their struct; in C++ ranges and limits too, and
+/// of batches the numbers of their sines and cosines. Errors as of compile.
+[[nodiscard]] Result<std::vector<DeclaredNumber>> declared_numbers(const EmittedFiles& files,
+                                                                   const Model& model,
+                                                                   const Scene& scene,
+                                                                   const Program& program,
+                                                                   const Limits& limits);
 
 /// As written, of a scene in C++; errors as of compile, E709 where Boost is not installed. Cost: 6
 /// s of the compiler, more for long programs.

@@ -30,6 +30,16 @@ Result<CompiledHeaders> compiled_by(Build build, Products& products, const Verif
   });
 }
 
+/// None where it is to be quick.
+Result<std::vector<DeclaredNumber>> declared_by(Products& products, const VerifyOptions& options,
+                                                const Limits& limits, const Progress& progress) {
+  if (options.quick) return std::vector<DeclaredNumber>();
+  const auto& [model, scene] = *products.checked;
+  return timed("compile", products, progress, [&, &model = model, &scene = scene] {
+    return declared_numbers(*products.files, model, scene, *products.program, limits);
+  });
+}
+
 /// Whatever the scene's language is, its functions in C++ are screened: no other has numbers of 50
 /// digits.
 Result<std::unique_ptr<ScreeningCode>> screening_code(const Products& products,
@@ -80,7 +90,10 @@ Result<Verification> compared(const std::string& path, Products& products,
   if (!compiled) return compiled.diagnostics;
   const auto as_users = compiled_by(Build::as_users, products, options.verify, limits, progress);
   if (!as_users) return as_users.diagnostics;
+  const auto declared = declared_by(products, options.verify, limits, progress);
+  if (!declared) return declared.diagnostics;
   VerifyOptions verification = options.verify;
+  if (!declared->empty()) verification.declared = &*declared;
   verification.forms = &*products.closed_forms;
   verification.parts = &products.parts;
   verification.screening = screens ? &*own : screening;

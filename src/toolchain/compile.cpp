@@ -1,5 +1,6 @@
 // compile: has a workshop make shared objects of the drivers of all headers, and loads those.
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "base/no_interrupts.hpp"
@@ -61,18 +62,20 @@ class LoadedModel final : public CompiledModel {
   std::vector<LoadedFunction> functions_;
 };
 
-/// Empty where a symbol is missing; functions the driver has for one scalar alone lack the other.
-std::vector<LoadedFunction> load(const Library& library, const DriverInput& input) {
-  const std::size_t scalars = driver_scalars(input).size();
+/// None where a symbol is missing; functions the driver has for one scalar alone lack the other.
+std::optional<std::vector<LoadedFunction>> load(const Library& library, const Driver& driver,
+                                                const DriverInput& input) {
+  const std::size_t scalars = scalars_of(driver, input).size();
   std::vector<LoadedFunction> functions;
   for (std::size_t i = 0; i < input.program.functions.size(); ++i) {
     const Function& function = input.program.functions[i];
+    if (!is_wrapped(driver, function)) continue;
     const LoadedFunction loaded{function.name, entry_count(function),
                                 library.find<DriverFunction<double>>(driver_symbol("double", i)),
                                 library.find<DriverFunction<float>>(driver_symbol("float", i))};
     const std::size_t found =
         (loaded.in_double != nullptr ? 1U : 0U) + (loaded.in_float != nullptr ? 1U : 0U);
-    if (found != scalars) return {};
+    if (found != scalars) return std::nullopt;
     functions.push_back(loaded);
   }
   return functions;
@@ -83,10 +86,10 @@ Result<CompiledHeader> compile_one(const Driver& driver, Build build, const Work
                                    const DriverInput& input) {
   Result<Library> library = workshop.build(driver, build);
   if (!library) return library.diagnostics;
-  std::vector<LoadedFunction> functions = load(*library, input);
-  if (functions.size() != input.program.functions.size()) return missing_function();
-  return CompiledHeader{driver.types,
-                        std::make_unique<LoadedModel>(std::move(*library), std::move(functions))};
+  std::optional<std::vector<LoadedFunction>> functions = load(*library, driver, input);
+  if (!functions) return missing_function();
+  return CompiledHeader{driver.types, driver.in_packs,
+                        std::make_unique<LoadedModel>(std::move(*library), std::move(*functions))};
 }
 
 }  // namespace

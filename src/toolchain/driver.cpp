@@ -40,13 +40,14 @@ struct DriverRow {
   const char* needs;
   const char* file;
   std::string (*text)(const DriverInput& input);  ///< null where there is nothing to compile
+  bool in_packs = false;
 };
 
 constexpr DriverRow no_code{"", "", "", nullptr};
 constexpr PerArtifact<DriverRow> driver_table{
     .cpp = {"", "", "driver.cpp", &cpp_driver},
     .eigen = {"Eigen", "Eigen/Core", "eigen_driver.cpp", &eigen_driver},
-    .batch = no_code,
+    .batch = {"batch", "", "batch_driver.cpp", &batch_driver, true},
     .c99 = {"", "", "driver.c", &c99_driver},
     .sidecar = no_code,
     .page = no_code};
@@ -96,7 +97,8 @@ std::vector<Driver> drivers(const DriverInput& input) {
   std::vector<Driver> result;
   for (const Artifact& artifact : artifacts_of(input.scene)) {
     const DriverRow& row = driver_table[artifact.id];
-    if (row.text != nullptr) result.push_back({row.types, row.file, row.text(input), row.needs});
+    if (row.text == nullptr) continue;
+    result.push_back({row.types, row.file, row.text(input), row.needs, row.in_packs});
   }
   return result;
 }
@@ -107,6 +109,16 @@ std::vector<ScalarKind> driver_scalars(const DriverInput& input) {
   constexpr ScalarKind other = ScalarKind::single_precision;
   if (fits(input.model, input.program, other)) scalars.push_back(other);
   return scalars;
+}
+
+std::vector<ScalarKind> batch_scalars(const Scene& scene) { return scene.numerics.scalars; }
+
+std::vector<ScalarKind> scalars_of(const Driver& driver, const DriverInput& input) {
+  return driver.in_packs ? batch_scalars(input.scene) : driver_scalars(input);
+}
+
+bool is_wrapped(const Driver& driver, const Function& function) {
+  return !driver.in_packs || is_returned(function);
 }
 
 std::string driver_symbol(std::string_view scalar, std::size_t function) {

@@ -23,9 +23,10 @@ namespace elgen {
 /// function, in an anonymous namespace.
 [[nodiscard]] std::string cpp_calls(const DriverInput& input);
 
-/// The drivers of C++17 and of C99.
+/// The drivers of C++17, on arrays of states and in Eigen's types too, and of C99.
 [[nodiscard]] std::string cpp_driver(const DriverInput& input);
 [[nodiscard]] std::string eigen_driver(const DriverInput& input);
+[[nodiscard]] std::string batch_driver(const DriverInput& input);
 [[nodiscard]] std::string c99_driver(const DriverInput& input);
 
 }  // namespace elgen

@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::array<std::string_view, 4> verdict_names{"holds", "fails", "skipped", "noted"};
 constexpr std::array<std::string_view, 4> obstacle_names{"overflow", "undefined", "ill_conditioned",
                                                          "singular"};
-constexpr std::array<std::string_view, 3> evidence_names{"states", "proof", "zeros"};
+constexpr std::array<std::string_view, 4> evidence_names{"states", "proof", "zeros", "numbers"};
 
 template <class Enum, std::size_t size>
 std::string_view name_in(const std::array<std::string_view, size>& words, Enum value) {

@@ -54,6 +54,8 @@ std::string evidence_text(const CertificateRow& row) {
       return "for every state, by proof";
     case Evidence::zeros:
       return "at " + counted(row.samples, "random point");
+    case Evidence::numbers:
+      return "of " + counted(row.samples, "number");
     case Evidence::states:
       break;
   }
@@ -109,6 +111,7 @@ std::string summary(const Rows& rows) {
   const std::size_t failed = count_of(rows, Verdict::fails);
   if (failed > 0) return fmt::format("{} of {}", failed, counted(rows.size(), "check"));
   std::string text = counted(rows.size(), "check");
+  if (rests_on(rows, Evidence::numbers)) return text + ", exact";
   if (!rests_on(rows, Evidence::states)) return text + ", proved";
   std::optional<double> error;
   for (const CertificateRow* row : rows) {

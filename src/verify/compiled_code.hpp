@@ -15,4 +15,7 @@ template <class Scalar>
     const Subject& subject, const CompiledHeader& compiled,
     const std::vector<SampledState<Scalar>>& states);
 
+/// One row: the numbers that the header declares are the model's.
+[[nodiscard]] CertificateRow check_declared(const std::vector<DeclaredNumber>& numbers);
+
 }  // namespace elgen

@@ -175,6 +175,7 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
     if (has_doubles) append(rows, check_compiled(subject, header, doubles));
     if (has_floats) append(rows, check_compiled(subject, header, floats));
   }
+  if (options.declared != nullptr) rows.push_back(check_declared(*options.declared));
   append(rows, sampled_zeros(program));
   if (!one_sided_kinks.empty()) rows.push_back(one_sided(one_sided_kinks, doubles.size()));
   append(rows, check_structure(subject, nominal_states(subject, doubles)));

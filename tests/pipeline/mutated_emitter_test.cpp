@@ -16,6 +16,25 @@ struct Fault {
   const char* replacement;
 };
 
+const std::vector<Fault> faults_of_batches{
+    {"a stride", R"(result \+ 2 \* count)", "result + 1 * count"},
+    {"the stride of what is loaded", R"(from \+ k \* at\.count)", "from + k * at.lanes"},
+    {"the stride of what is stored", R"(to \+ k \* at\.count)", "to + k * at.lanes"},
+    {"what is left of the packs", R"(std::min\(width, count - first\))", "width - 1"},
+    {"the last digit of a coefficient", R"(0\.008152992341703497)", "0.008152992341703499"},
+    {"a domain", R"(domain = 1e\+05)", "domain = 10"},
+    {"a parameter", R"(result\.m = p\.m)", "result.m = p.M"},
+    {"an argument", R"(<Velocities<Scalar>>\(v, at\))", "<Velocities<Scalar>>(q, at)"},
+};
+
+const std::vector<Fault> faults_of_declarations{
+    {"the value of a parameter", R"(Scalar M = constant<Scalar>\(1\.0\))",
+     "Scalar M = constant<Scalar>(2.0)"},
+    {"the order of parameters", R"((  Scalar M = .*\n)(  Scalar m = .*\n))", "$2$1"},
+    {"a limit", R"(-20\.0, 20\.0)", "-20.0, 20.5"},
+    {"the sign of a range", R"(-2\.0, 2\.0)", "2.0, 2.0"},
+};
+
 const std::vector<Fault> faults{
     {"a sign", R"(sin_q1 \* sin_q2 - )", "sin_q1 * sin_q2 + "},
     {"the sign of an entry", R"(\{-t_)", "{t_"},
@@ -39,10 +58,27 @@ std::string with_fault(const std::string& header, const Fault& fault) {
 bool passes(const Products& products, const EmittedFiles& files) {
   const auto& [model, scene] = *products.checked;
   const auto compiled = compile(files, model, scene, *products.program, {});
-  if (!compiled) return false;
+  const auto declared = declared_numbers(files, model, scene, *products.program, {});
+  if (!compiled || !declared) return false;
   VerifyOptions options;
   options.samples = 4;
+  options.declared = &*declared;
   return holds(verify(model, scene, *products.program, *compiled, options).certificate);
+}
+
+/// Without a fault the code passes; with one of them in the file of this ending it does not.
+void expect_all_caught(const Products& products, const std::string& ending,
+                       const std::vector<Fault>& list) {
+  REQUIRE(products.files);
+  CHECK(passes(products, *products.files));
+  for (const Fault& fault : list) {
+    EmittedFiles files = *products.files;
+    INFO(fault.what);
+    for (auto& [path, text] : files.files) {
+      if (path.ends_with(ending)) text = with_fault(text, fault);
+    }
+    CHECK_FALSE(passes(products, files));
+  }
 }
 
 }  // namespace
@@ -54,17 +90,21 @@ TEST_CASE("verify catches a sign, a digit, an index and a term of the emitted co
                   "format = 1\nmodel = \"model.toml\"\nname = \"given\"\n[outputs]\ngravity = "
                   "true\nbias = true\n"
                   "[parameters]\nfixed = { g = 9.81 }\n[numeric]\nscalar = [\"double\"]\n");
-  const Products products = run_pipeline(inputs, {});
-  REQUIRE(products.files);
-  CHECK(passes(products, *products.files));
-  for (const Fault& fault : faults) {
-    EmittedFiles files = *products.files;
-    for (auto& [path, text] : files.files) {
-      if (path.ends_with(".hpp")) text = with_fault(text, fault);
-    }
-    INFO(fault.what);
-    CHECK_FALSE(passes(products, files));
-  }
+  expect_all_caught(run_pipeline(inputs, {}), ".hpp", faults);
+}
+
+TEST_CASE("verify catches a stride, a digit, a domain and an argument of a batch") {
+  Inputs inputs{make_source("model.toml", model_file("cart_pole"))};
+  inputs.scene = make_source("rollouts.scene.toml",
+                             "format = 1\nmodel = \"model.toml\"\nname = \"rollouts\"\n[outputs]\n"
+                             "forward_dynamics = true\n[emit]\nbatch = true\n[numeric]\n"
+                             "trigonometry = { max_error = 1e-6 }\n");
+  expect_all_caught(run_pipeline(inputs, {}), "_batch.hpp", faults_of_batches);
+}
+
+TEST_CASE("verify catches a value, a limit and an order that the header declares") {
+  const Inputs inputs{make_source("model.toml", model_file("cart_pole"))};
+  expect_all_caught(run_pipeline(inputs, {}), "cart_pole.hpp", faults_of_declarations);
 }
 
 }  // namespace elgen::test

@@ -28,6 +28,8 @@ TEST_CASE("every header that is emitted has a driver, in its language") {
   CHECK(files() == "driver.cpp[] ");
   scene.emission.eigen = true;
   CHECK(files() == "driver.cpp[] eigen_driver.cpp[Eigen] ");
+  scene.emission.batch = true;
+  CHECK(files() == "driver.cpp[] eigen_driver.cpp[Eigen] batch_driver.cpp[batch] ");
   scene.emission = {};
   scene.emission.language = elgen::LanguageId::c99;
   scene.numerics.scalars = {elgen::ScalarKind::double_precision};

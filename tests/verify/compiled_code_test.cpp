@@ -15,7 +15,7 @@ namespace {
 template <class Scalar>
 std::vector<CertificateRow> rows_of(const System& system, const Changed& compiled,
                                     const std::string& types = {}) {
-  return check_compiled(system.subject(), {types, std::make_unique<Changed>(compiled)},
+  return check_compiled(system.subject(), {types, false, std::make_unique<Changed>(compiled)},
                         sample_states<Scalar>(system.subject(), {4, 1, true}));
 }
 
@@ -52,6 +52,26 @@ TEST_CASE("the last bit and the sign of zero count") {
   }
   const Changed sign(system.program, "drift", [](double x) { return -x; });
   CHECK(failing(rows_of<float>(system, sign)) == 1);
+}
+
+TEST_CASE("numbers that are declared otherwise than the model says are named") {
+  const DeclaredNumber right{"m (double)", 0.1, 0.1};
+  const CertificateRow holding = check_declared({right, {"l (double)", 2, 2}});
+  CHECK(holding.verdict == Verdict::holds);
+  CHECK(holding.samples == 2);
+  const CertificateRow failing = check_declared({right, {"l (double)", 0.5, 2}});
+  CHECK(failing.verdict == Verdict::fails);
+  CHECK(failing.worst == "1 of 2 numbers differ");
+  CHECK(failing.where == "l (double) is 0.5, the model says 2");
+}
+
+TEST_CASE("batches are compared with the polynomials of their sines and cosines") {
+  const System system = cart_pole_system();
+  const CompiledHeader batch{
+      "batch", true, std::make_unique<Changed>(system.program, "", [](double x) { return x; })};
+  const auto rows =
+      check_compiled(system.subject(), batch, sample_states<float>(system.subject(), {4, 1, true}));
+  CHECK(failing(rows) > 0);  // the library's sines are not the polynomials'
 }
 
 TEST_CASE("a function that gives no entries differs") {

@@ -1,0 +1,139 @@
+// The driver of the header on arrays of states, seen from one state. The state is computed in a
+// batch of seven, at each of its places in turn: in full packs and in what is left of them. All
+// others have other numbers, so that a wrong stride reads or writes something else. Where a place
+// gives other bits than the first one, the entry is NaN.
+#include <fmt/format.h>
+
+#include "elgen/arguments.hpp"
+#include "elgen/artifacts.hpp"
+#include "lower/code_interface.hpp"
+#include "toolchain/driver_parts.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr std::string_view batch_prologue = R"(#include "{header}"
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+namespace {{
+
+namespace emitted = ::{name_space};
+
+constexpr std::size_t states = 7;
+
+template <class Scalar>
+emitted::Parameters<Scalar> parameters_from([[maybe_unused]] const Scalar* values) {{
+  static const emitted::Parameters<Scalar> of_model{{}};
+  emitted::Parameters<Scalar> result = of_model;
+{parameters}  return result;
+}}
+
+template <class Scalar>
+std::vector<Scalar> batch_of(const Scalar* values, std::size_t size, std::size_t place) {{
+  std::vector<Scalar> result(size * states);
+  for (std::size_t k = 0; k < size; ++k) {{
+    for (std::size_t i = 0; i < states; ++i) {{
+      const Scalar other = static_cast<Scalar>(i + 1) - values[k] / Scalar(2);
+      result[k * states + i] = i == place ? values[k] : other;
+    }}
+  }}
+  return result;
+}}
+
+template <class Scalar>
+bool is_same(const Scalar& x, const Scalar& y) {{
+  return std::memcmp(&x, &y, sizeof(x)) == 0 || (std::isnan(x) && std::isnan(y));
+}}
+
+template <class Scalar, std::size_t Entries, class Evaluate>
+std::array<Scalar, Entries> at_every_place(const Evaluate& evaluate) {{
+  std::array<Scalar, Entries> values{{}};
+  for (std::size_t place = 0; place < states; ++place) {{
+    std::vector<Scalar> result(Entries * states);
+    evaluate(place, result.data());
+    for (std::size_t k = 0; k < Entries; ++k) {{
+      const Scalar value = result[k * states + place];
+      const bool agrees = place == 0 || is_same(value, values[k]);
+      values[k] = agrees ? value : std::numeric_limits<Scalar>::quiet_NaN();
+    }}
+  }}
+  return values;
+}}
+
+template <class Scalar>
+void append(Scalar*& to, const Scalar* stored, std::size_t rows, std::size_t columns) {{
+  for (std::size_t i = 0; i < rows; ++i) {{
+    for (std::size_t j = 0; j < columns; ++j) *to++ = stored[{position}];
+  }}
+}}
+
+}}  // namespace
+)";
+
+constexpr std::string_view batch_wrapper = R"(
+extern "C" void {symbol}({leaves}{scalar}* to);
+extern "C" void {symbol}({leaves}{scalar}* to) {{
+  using Scalar = {scalar};
+  const auto p = parameters_from<Scalar>(parameters);
+  const auto values = at_every_place<Scalar, {entries}>([&]([[maybe_unused]] std::size_t place, Scalar* result) {{
+    emitted::batch::{function}<Scalar>(p, states{arguments}, result);
+  }});
+{appends}}}
+)";
+
+/// ", batch_of(q, emitted::coordinate_count, place).data(), batch_of(&t, 1, place).data()"
+std::string batch_arguments(const Model& model, const Function& function) {
+  std::string text;
+  for (const Opcode argument : arguments_of(model, function)) {
+    const std::string_view name = leaf_row(argument).member;
+    if (is_single(argument)) text += fmt::format(", batch_of(&{}, 1, place).data()", name);
+    if (!is_vector(argument)) continue;
+    text += fmt::format(", batch_of({}, {}, place).data()", name, leaf_count(model, argument));
+  }
+  return text;
+}
+
+/// "  append(to, values.data() + 2, 2, 1);" for each field.
+std::string batch_appends(const Function& function) {
+  std::string text;
+  std::size_t before = 0;
+  for (const Field& field : function.fields) {
+    if (field.entries.empty()) continue;
+    text += fmt::format("  append(to, values.data() + {}, {}, {});\n", before, field.rows,
+                        field.columns);
+    before += field.entries.size();
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string batch_driver(const DriverInput& input) {
+  const auto& [model, scene, program] = input;
+  std::string text =
+      fmt::format(batch_prologue, fmt::arg("header", path_of(scene, ArtifactId::batch)),
+                  fmt::arg("name_space", name_space(scene)),
+                  fmt::arg("parameters", parameter_assignments(input)),
+                  fmt::arg("position", stored_position(scene)));
+  for (std::size_t i = 0; i < program.functions.size(); ++i) {
+    const Function& function = program.functions[i];
+    if (!is_returned(function)) continue;
+    for (const ScalarKind kind : batch_scalars(scene)) {
+      const std::string scalar(name_of(kind));
+      text += fmt::format(
+          batch_wrapper, fmt::arg("symbol", driver_symbol(scalar, i)), fmt::arg("scalar", scalar),
+          fmt::arg("leaves", declared_leaves(scalar, "[[maybe_unused]] ")),
+          fmt::arg("entries", entry_count(function)), fmt::arg("function", function.name),
+          fmt::arg("arguments", batch_arguments(model, function)),
+          fmt::arg("appends", batch_appends(function)));
+    }
+  }
+  return text;
+}
+
+}  // namespace elgen
