@@ -1,7 +1,7 @@
 // The order of the stages, and the only place that knows it:
 //
 //     parse -> check -> inspect -> formulate -> specialise -> derive -> lower -> cancel -> present
-//     -> choose -> emit -> readback -> self-check
+//     -> choose -> emit -> self-check
 //
 //     specialise -> steps    the derivation as a student writes it
 //     cancel -> parts        what solutions are judged by
@@ -45,12 +45,6 @@ Result<Syntaxes> parse(const Inputs& inputs, const Limits& limits) {
   return {{std::move(*model), std::move(scene.value)}, std::move(all)};
 }
 
-std::vector<SourcePointer> sources_of(const EmittedFiles& files) {
-  std::vector<SourcePointer> sources;
-  for (const auto& [path, text] : files.files) sources.push_back(make_source(path, text));
-  return sources;
-}
-
 Result<SelfCheck> checked(const CheckedModel& checked, const Program& program,
                           const Program& parts) {
   SelfCheck check = self_check(checked.model, checked.scene, program, &parts);
@@ -92,8 +86,6 @@ class Compilation {
     if (parts_.product) out.parts = std::move(*parts_.product);
     out.steps = std::move(steps_.product);
     out.files = std::move(files_.product);
-    out.written = std::move(written_);
-    out.readback = readback_.product;
     out.self_check = std::move(self_check_.product);
     out.diagnostics = std::move(run_.diagnostics);
     sort_by_position(out.diagnostics);
@@ -111,7 +103,6 @@ class Compilation {
  private:
   Inputs inputs_ = {};
   const PipelineOptions& options_;
-  std::vector<SourcePointer> written_ = {};
   StageRunner run_;
 
   Stage<Syntaxes> syntaxes_{run_, "parse", std::tie(),
@@ -162,18 +153,11 @@ class Compilation {
                                return emit(c.model, c.scene, chosen.program);
                              }};
 
-  Stage<Readback> readback_{
-      run_, "readback", std::tie(files_, checked_, choice_),
-      [this](const EmittedFiles& f, const CheckedModel& c, const Choice& chosen) {
-        written_ = sources_of(f);
-        return read_back(written_, c, chosen.program);
-      }};
-
   Stage<Program> parts_{run_, "parts", std::tie(lagrangian_, checked_, recursive_), parts};
 
   Stage<SelfCheck> self_check_{
-      run_, "self-check", std::tie(checked_, choice_, recursive_, readback_),
-      [](const CheckedModel& c, const Choice& chosen, const Program& p, const Readback&) {
+      run_, "self-check", std::tie(checked_, choice_, recursive_, files_),
+      [](const CheckedModel& c, const Choice& chosen, const Program& p, const EmittedFiles&) {
         return checked(c, chosen.program, known_parts(c, p));
       }};
 };

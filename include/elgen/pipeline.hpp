@@ -14,7 +14,6 @@
 #include "elgen/limits.hpp"
 #include "elgen/model.hpp"
 #include "elgen/program.hpp"
-#include "elgen/readback.hpp"
 #include "elgen/render.hpp"
 #include "elgen/scene.hpp"
 #include "elgen/syntax.hpp"
@@ -53,8 +52,6 @@ struct Products {
   std::vector<FormCosts> costs = {};
   std::optional<ReadableSteps> steps = {};
   std::optional<EmittedFiles> files = {};
-  std::vector<SourcePointer> written = {};  ///< their texts, into which diagnostics point
-  std::optional<Readback> readback = {};
   std::optional<SelfCheck> self_check = {};
   Diagnostics diagnostics = {};
   std::string dump = {};
@@ -64,8 +61,8 @@ struct Products {
 /// All of them, in order; --stop-after knows them.
 [[nodiscard]] const std::vector<std::string>& stage_names();
 
-/// Runs the stages that the goals need, until one reports an error. E915: the files do not say what
-/// was derived; E911: the self-check failed; E521: an output has no value at any state.
+/// Runs the stages that the goals need, until one reports an error. E911: the self-check failed;
+/// E521: an output has no value at any state.
 [[nodiscard]] Products run_pipeline(const Inputs& inputs, const PipelineOptions& options);
 
 /// The times of the stages from `formulate` to `choose` for one output of the scene, by its place

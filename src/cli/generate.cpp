@@ -202,8 +202,7 @@ void tell_what_became(const GlobalOptions& global, const GenerateOptions& option
     tell(global, (is_new ? "wrote " : "unchanged ") + file.path);
   }
   const bool expects = !model.expectations.empty();
-  tell(global, fmt::format("{}: {}; {}{}", job.scene().base_name, receipt(*job.products.readback),
-                           receipt(*job.products.self_check),
+  tell(global, fmt::format("{}: {}{}", job.scene().base_name, receipt(*job.products.self_check),
                            expects ? "; [[expect]] is left to `elgen verify`" : ""));
   if (global.verbose) tell(global, next_commands(job.path));
 }
@@ -231,7 +230,6 @@ Json json_of(const GenerateOptions& options, const Job& job,
   }
   Json json{{"name", job.scene().base_name}, {"input", job.path}, {"files", std::move(files)}};
   if (written != nullptr) {
-    json["read_back"] = receipt(*job.products.readback);
     json["self_check"] = receipt(*job.products.self_check);
   }
   return json;

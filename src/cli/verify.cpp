@@ -47,7 +47,7 @@ ExitCode exit_code(const Certificate& certificate, bool strict) {
 
 /// The stages that all comparisons need.
 Products derived(const GlobalOptions& global, const std::string& path, const Inputs& inputs) {
-  PipelineOptions pipeline = pipeline_options(global, {"readback", "parts"});
+  PipelineOptions pipeline = pipeline_options(global, {"emit", "parts"});
   pipeline.scene.large_expectations = true;
   return run_shown(path, inputs, pipeline);
 }

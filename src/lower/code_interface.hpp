@@ -1,6 +1,5 @@
 // code_interface: what callers see of emitted code: its name space, the parameters it takes, and
-// what holds the results of a function, and how pages number its entries. What is written and what
-// is read back agree on it.
+// what holds the results of a function, and how pages number its entries.
 #pragma once
 
 #include <string>

@@ -153,8 +153,8 @@ SelfCheck self_check(const Model& model, const Scene& scene, const Program& prog
 std::string receipt(const SelfCheck& result) {
   const std::string worst =
       result.worst ? fmt::format("{:.2g} uB", *result.worst) : "without a bound of rounding";
-  std::string text =
-      fmt::format("checked {} against 60 digits: {}", counted(result.states, "state"), worst);
+  std::string text = fmt::format("the program was checked at {} in 60 digits: {}",
+                                 counted(result.states, "state"), worst);
   if (result.outside > 0) text += fmt::format("; {} outside the domain", result.outside);
   if (result.sampled_zeros == 0) return text;
   const bool is_one = result.sampled_zeros == 1;

@@ -23,7 +23,6 @@ const std::map<std::string, std::string>& unreachable_codes() {
   static const std::map<std::string, std::string> reasons{
       {"E911", "a derivation that disagrees with the oracle: tests/verify breaks one by hand"},
       {"E912", "a broken invariant of elgen: tests/lower and tests/pipeline break some by hand"},
-      {"E915", "a text that says something else than the program: tests/readback changes some"},
   };
   return reasons;
 }

@@ -130,10 +130,11 @@ TEST_CASE("nothing to check is nothing wrong") {
 }
 
 TEST_CASE("the receipt says what was done, and by which measure") {
-  CHECK(receipt({32, 2.13, "", 0}) == "checked 32 states against 60 digits: 2.1 uB");
-  CHECK(receipt({1, 0.00314, "", 0}) == "checked 1 state against 60 digits: 0.0031 uB");
+  CHECK(receipt({32, 2.13, "", 0}) == "the program was checked at 32 states in 60 digits: 2.1 uB");
+  CHECK(receipt({1, 0.00314, "", 0}) ==
+        "the program was checked at 1 state in 60 digits: 0.0031 uB");
   CHECK(receipt({2, {}, "", 0}) ==
-        "checked 2 states against 60 digits: without a bound of rounding");
+        "the program was checked at 2 states in 60 digits: without a bound of rounding");
   CHECK(receipt({30, 2.13, "", 0, 4}) ==
-        "checked 30 states against 60 digits: 2.1 uB; 4 outside the domain");
+        "the program was checked at 30 states in 60 digits: 2.1 uB; 4 outside the domain");
 }

@@ -1,21 +1,21 @@
-// text_reader: a section is the name of a function behind a blank line, and one equation a line.
+// read_page: a section is the name of a function behind a blank line, and one equation a line.
 #include <fmt/format.h>
 
 #include <vector>
 
 #include "elgen/wording.hpp"
-#include "readback/page_readers.hpp"
-#include "readback/token_reader.hpp"
+#include "lower/code_interface.hpp"
+#include "texts/readers.hpp"
 
-namespace elgen {
+namespace elgen::texts {
 namespace {
 
 constexpr std::string_view table_margin = "  ";
 
-class TextReader {
+class PageReader {
  public:
-  TextReader(const SourceText& source, const Origin& origin, EquationReader& equations)
-      : source_(source), origin_(origin), equations_(equations) {}
+  PageReader(const std::string& text, WrittenEquations& equations)
+      : text_(text), origin_(equations.origin()), equations_(equations) {}
 
   void read() {
     for (std::size_t i = 0; i < origin_.program.functions.size(); ++i) {
@@ -23,7 +23,7 @@ class TextReader {
       if (!has_equations(output_row(function.kind))) continue;
       equations_.start(i);
       const std::size_t behind = at_ == 0 ? 0 : at_ - 1;  // the end of the line before
-      const std::size_t heading = source_.text.find(fmt::format("\n\n{}\n", function.name), behind);
+      const std::size_t heading = text_.find(fmt::format("\n\n{}\n", function.name), behind);
       if (heading == std::string::npos) {
         expect_zero(function);
       } else {
@@ -35,14 +35,12 @@ class TextReader {
 
  private:
   [[nodiscard]] std::string_view line() const {
-    const std::string_view rest = std::string_view(source_.text).substr(at_);
+    const std::string_view rest = std::string_view(text_).substr(at_);
     return rest.substr(0, rest.find('\n'));
   }
 
   [[noreturn]] void fail(const Function& function, const std::string& problem) const {
-    const auto begin = static_cast<std::uint32_t>(at_);
-    const Span span{&source_, begin, begin + static_cast<std::uint32_t>(line().size())};
-    throw Mistake{{Code::E915, span, in_backticks(function.name) + ": " + problem}};
+    throw Mistake(in_backticks(function.name) + ": " + problem);
   }
 
   void expect_zero(const Function& function) {
@@ -80,16 +78,16 @@ class TextReader {
     }
   }
 
-  const SourceText& source_;
+  const std::string& text_;
   const Origin& origin_;
-  EquationReader& equations_;
+  WrittenEquations& equations_;
   std::size_t at_ = 0;
 };
 
 }  // namespace
 
-void read_text(const SourceText& source, const Origin& origin, EquationReader& equations) {
-  TextReader(source, origin, equations).read();
+void read_page(const std::string& page, WrittenEquations& equations) {
+  PageReader(page, equations).read();
 }
 
-}  // namespace elgen
+}  // namespace elgen::texts

@@ -1,5 +1,5 @@
-// EquationReader: equations in the model language, as people read them, compared by value with the
-// Program's at a few states inside the declared ranges.
+// WrittenEquations: equations in the model language, as people read them, compared by value with
+// the Program's at a few states inside the declared ranges.
 //
 //     -m*l*sin(theta)   against entry 1 of gravity, in 64 digits
 #pragma once
@@ -11,14 +11,24 @@
 #include <vector>
 
 #include "elgen/evaluate.hpp"
+#include "elgen/model.hpp"
+#include "elgen/scene.hpp"
 #include "elgen/syntax.hpp"
-#include "readback/dialect.hpp"
 
-namespace elgen {
+namespace elgen::texts {
 
-class EquationReader {
+/// The system that the texts are about.
+struct Origin {
+  const Model& model;
+  const Scene& scene;
+  const Program& program;
+};
+
+class WrittenEquations {
  public:
-  explicit EquationReader(const Origin& origin);
+  explicit WrittenEquations(const Origin& origin);
+
+  [[nodiscard]] const Origin& origin() const { return origin_; }
 
   /// From now on equations are those of functions[index], and no definition is known.
   void start(std::size_t index);
@@ -30,7 +40,6 @@ class EquationReader {
   [[nodiscard]] std::string number(const cln::cl_R& value, const std::string& text);
 
   [[nodiscard]] const Function& function() const { return origin_.program.functions[index_]; }
-  [[nodiscard]] std::size_t compared() const { return compared_; }
 
  private:
   /// Values of a text at all states, and the definitions in it.
@@ -55,14 +64,13 @@ class EquationReader {
   [[nodiscard]] Real value(const ExpressionSyntax& e, Evaluated& result) const;
   [[nodiscard]] Real named(const std::string& name, Evaluated& result) const;
 
-  const Origin& origin_;
+  Origin origin_;
   std::vector<Arguments<Real>> states_;
   std::vector<std::unordered_map<std::string, Real>> leaves_ = {};  ///< by state
   std::vector<Known> known_;
   std::set<std::string> defined_ = {};
   std::size_t index_ = 0;
   std::size_t state_ = 0;
-  std::size_t compared_ = 0;
 };
 
-}  // namespace elgen
+}  // namespace elgen::texts

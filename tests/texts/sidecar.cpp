@@ -1,26 +1,26 @@
-// sidecar_reader: each object has the keys it should have and no others.
+// read_sidecar: each object has the keys it should have and no others.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
 #include "check/judge/output_units.hpp"
 #include "elgen/wording.hpp"
+#include "lower/code_interface.hpp"
 #include "lower/operation_columns.hpp"
-#include "readback/page_readers.hpp"
-#include "readback/token_reader.hpp"
+#include "texts/readers.hpp"
 
-namespace elgen {
+namespace elgen::texts {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 class SidecarReader {
  public:
-  SidecarReader(const SourceText& source, const Origin& origin, EquationReader& equations)
-      : source_(source), origin_(origin), equations_(equations) {}
+  explicit SidecarReader(WrittenEquations& equations)
+      : origin_(equations.origin()), equations_(equations) {}
 
-  void read() {
-    Json json = Json::parse(source_.text, nullptr, false);
+  void read(const std::string& text) {
+    Json json = Json::parse(text, nullptr, false);
     if (json.is_discarded()) fail("the text is no JSON");
     const Model& model = origin_.model;
     take(json, "generated");
@@ -45,31 +45,19 @@ class SidecarReader {
 
  private:
   [[noreturn]] void fail(const std::string& problem) const {
-    const auto begin = static_cast<std::uint32_t>(at_);
-    const std::string start = function_.empty() ? "" : in_backticks(function_) + ": ";
-    throw Mistake{{Code::E915, {&source_, begin, begin + length_}, start + problem}};
-  }
-
-  /// From now on messages point at the next text that is written so.
-  void seek(const std::string& text) {
-    const std::size_t found = source_.text.find(text, at_ + length_);
-    if (found == std::string::npos) return;
-    at_ = found;
-    length_ = static_cast<std::uint32_t>(text.size());
+    throw Mistake((function_.empty() ? "" : in_backticks(function_) + ": ") + problem);
   }
 
   /// The value of a key, which is removed.
   Json take(Json& object, const std::string& key) {
     const bool is_there = object.is_object() && object.contains(key);
     if (!is_there) fail(in_backticks(key) + " is missing");
-    seek(Json(key).dump() + ":");
     Json value = std::move(object[key]);
     object.erase(key);
     return value;
   }
 
-  void expect(const Json& found, const Json& expected) {
-    if (found.is_string()) seek(found.dump());
+  void expect(const Json& found, const Json& expected) const {
     if (found != expected) fail(fmt::format("{} instead of {}", found.dump(), expected.dump()));
   }
 
@@ -77,9 +65,8 @@ class SidecarReader {
     if (!rest.empty()) fail(in_backticks(rest.begin().key()) + " should not be there");
   }
 
-  std::string text_of(const Json& json) {
+  [[nodiscard]] std::string text_of(const Json& json) const {
     if (!json.is_string()) fail("an expression should stand here");
-    seek(json.dump());
     return json.get<std::string>();
   }
 
@@ -194,18 +181,15 @@ class SidecarReader {
     expect_empty(json);
   }
 
-  const SourceText& source_;
   const Origin& origin_;
-  EquationReader& equations_;
+  WrittenEquations& equations_;
   std::string function_ = {};
-  std::size_t at_ = 0;
-  std::uint32_t length_ = 0;
 };
 
 }  // namespace
 
-void read_sidecar(const SourceText& source, const Origin& origin, EquationReader& equations) {
-  SidecarReader(source, origin, equations).read();
+void read_sidecar(const std::string& json, WrittenEquations& equations) {
+  SidecarReader(equations).read(json);
 }
 
-}  // namespace elgen
+}  // namespace elgen::texts

@@ -1,6 +1,6 @@
-// equation_reader: the parser of models reads the text; names are leaves, rates of leaves, and
+// written_equations: the parser of models reads the text; names are leaves, rates of leaves, and
 // definitions that stand above.
-#include "readback/equation_reader.hpp"
+#include "texts/written_equations.hpp"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,9 @@
 #include "base/random.hpp"
 #include "elgen/oracle.hpp"
 #include "elgen/wording.hpp"
-#include "parse/fold_expression.hpp"
+#include "texts/fold_expression.hpp"
 
-namespace elgen {
+namespace elgen::texts {
 namespace {
 
 constexpr std::size_t state_count = 2;
@@ -59,7 +59,7 @@ Real largest_of(const std::vector<Real>& values) {
 
 }  // namespace
 
-EquationReader::EquationReader(const Origin& origin)
+WrittenEquations::WrittenEquations(const Origin& origin)
     : origin_(origin),
       states_(comparison_states(origin.model)),
       known_(origin.program.functions.size()) {
@@ -68,7 +68,7 @@ EquationReader::EquationReader(const Origin& origin)
   }
 }
 
-void EquationReader::start(std::size_t index) {
+void WrittenEquations::start(std::size_t index) {
   index_ = index;
   defined_.clear();
   Known& known = known_[index];
@@ -84,7 +84,7 @@ void EquationReader::start(std::size_t index) {
   }
 }
 
-std::string EquationReader::definition(const std::string& name, const std::string& text) {
+std::string WrittenEquations::definition(const std::string& name, const std::string& text) {
   const auto known = known_[index_].named.find(name);
   if (known == known_[index_].named.end()) return in_backticks(name) + " is no definition";
   const std::string problem = compare(known->second, text);
@@ -92,11 +92,11 @@ std::string EquationReader::definition(const std::string& name, const std::strin
   return problem;
 }
 
-std::string EquationReader::entry(std::uint32_t instruction, const std::string& text) {
+std::string WrittenEquations::entry(std::uint32_t instruction, const std::string& text) {
   return compare(instruction, text);
 }
 
-std::string EquationReader::number(const cln::cl_R& value, const std::string& text) {
+std::string WrittenEquations::number(const cln::cl_R& value, const std::string& text) {
   const Result<ExpressionSyntax> syntax = parse_expression(make_source("", text), Limits{});
   if (!syntax) return syntax.diagnostics.front().message;
   Evaluated result;
@@ -107,8 +107,7 @@ std::string EquationReader::number(const cln::cl_R& value, const std::string& te
   return is_right ? "" : fmt::format("{} is not {}", in_backticks(text), exact_text(value));
 }
 
-std::string EquationReader::compare(std::uint32_t instruction, const std::string& text) {
-  ++compared_;
+std::string WrittenEquations::compare(std::uint32_t instruction, const std::string& text) {
   const Known& known = known_[index_];
   const Evaluated& written = evaluated(text);
   if (!written.problem.empty()) return written.problem;
@@ -128,7 +127,7 @@ std::string EquationReader::compare(std::uint32_t instruction, const std::string
   return {};
 }
 
-const EquationReader::Evaluated& EquationReader::evaluated(const std::string& text) {
+const WrittenEquations::Evaluated& WrittenEquations::evaluated(const std::string& text) {
   const auto [known, is_new] = known_[index_].texts.emplace(text, Evaluated{});
   Evaluated& result = known->second;
   if (!is_new) return result;
@@ -145,10 +144,10 @@ const EquationReader::Evaluated& EquationReader::evaluated(const std::string& te
 }
 
 /// Values at the state that is looked at.
-struct EquationReader::Rules {
+struct WrittenEquations::Rules {
   using Value = Real;
 
-  const EquationReader& reader;
+  const WrittenEquations& reader;
   Evaluated& result;
 
   static Real number(const cln::cl_RA& x) { return Real(x); }
@@ -167,11 +166,11 @@ struct EquationReader::Rules {
   }
 };
 
-Real EquationReader::value(const ExpressionSyntax& e, Evaluated& result) const {
+Real WrittenEquations::value(const ExpressionSyntax& e, Evaluated& result) const {
   return fold_expression(e, Rules{*this, result});
 }
 
-Real EquationReader::named(const std::string& name, Evaluated& result) const {
+Real WrittenEquations::named(const std::string& name, Evaluated& result) const {
   const auto leaf = leaves_[state_].find(name);
   if (leaf != leaves_[state_].end()) return leaf->second;
   const Known& known = known_[index_];
@@ -184,4 +183,4 @@ Real EquationReader::named(const std::string& name, Evaluated& result) const {
   return known.instructions[state_][definition->second];
 }
 
-}  // namespace elgen
+}  // namespace elgen::texts

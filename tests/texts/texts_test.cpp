@@ -1,0 +1,262 @@
+// Equations in comments, JSON and text of all committed and of 50 random models are those that were
+// derived; every entry that is changed is seen.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <functional>
+
+#include "elgen/pipeline.hpp"
+#include "elgen/render.hpp"
+#include "random/generator.hpp"
+#include "support/shell.hpp"
+#include "texts/readers.hpp"
+
+namespace elgen::texts {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path models = fs::path(ELGEN_SOURCE_DIR) / "models";
+
+std::vector<fs::path> inputs_in(const fs::path& folder, const std::string& ending) {
+  std::vector<fs::path> paths;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().string().ends_with(ending)) paths.push_back(entry.path());
+  }
+  std::ranges::sort(paths);
+  return paths;
+}
+
+SourcePointer source_of(const fs::path& path) {
+  return make_source(path.string(), test::read_text(path));
+}
+
+/// The model that the second line of a scene names.
+fs::path model_of(const SourcePointer& scene) {
+  const std::string_view text = scene->text;
+  const std::size_t key = text.find("\nmodel");
+  const std::size_t open = text.find('"', key) + 1;
+  return models / "scenes" / text.substr(open, text.find('"', open) - open);
+}
+
+/// A derived system with the texts that are written of it.
+struct Written {
+  Products products;
+  std::string header;
+  std::string sidecar;
+  std::string page;
+
+  [[nodiscard]] Origin origin() const {
+    return {products.checked->model, products.checked->scene, *products.program};
+  }
+};
+
+Written written(const Inputs& inputs) {
+  PipelineOptions options;
+  options.goals = {Goal::emit};
+  Written result{run_pipeline(inputs, options), "", "", ""};
+  INFO(inputs.model->text);
+  INFO(format(result.products.diagnostics));
+  REQUIRE(result.products.files);
+  for (const auto& [path, text] : result.products.files->files) {
+    if (path.ends_with(".json")) result.sidecar = text;
+    const bool is_other = path.ends_with("_eigen.hpp") || path.ends_with("_batch.hpp");
+    if (!is_other && (path.ends_with(".hpp") || path.ends_with(".h"))) result.header = text;
+  }
+  const Origin origin = result.origin();
+  result.page = text_page(origin.model, origin.scene, origin.program);
+  return result;
+}
+
+/// What is wrong with one of the texts; empty where nothing is.
+using Read = void (*)(const std::string& text, WrittenEquations& equations);
+std::string mistake(Read read, const std::string& text, WrittenEquations& equations) {
+  try {
+    read(text, equations);
+    return "";
+  } catch (const Mistake& found) {
+    return found.what();
+  }
+}
+
+void expect_right(const Written& system) {
+  WrittenEquations equations(system.origin());
+  CHECK(mistake(read_comments, system.header, equations).empty());
+  CHECK(mistake(read_sidecar, system.sidecar, equations).empty());
+  CHECK(mistake(read_page, system.page, equations).empty());
+}
+
+void expect_right(const Inputs& inputs) {
+  INFO(inputs.model->path << " " << (inputs.scene ? inputs.scene->path : ""));
+  expect_right(written(inputs));
+}
+
+/// Two coordinates, an array of parameters, constants of every kind, atan2, a quotient, kinks, an
+/// output and its Jacobian.
+const char* const wide = R"toml(format = 1
+[model]
+name = "wide"
+[sizes]
+n = 2
+[[coordinate]]
+name = "x"
+unit = "m"
+range = [-2, 2]
+[[coordinate]]
+name = "theta"
+unit = "rad"
+[parameters]
+M = { value = 1.1, unit = "kg", doc = "cart" }
+m = { value = 0.1, unit = "kg" }
+l = { value = "1/3", unit = "m" }
+g = { value = 9.81, unit = "m/s^2" }
+k = { value = [0.7, 2], size = "n", unit = "N*s/m" }
+b = { value = "0.3", unit = "N*m*s" }
+[[point]]
+name = "cart"
+at = ["x", "0"]
+mass = "M"
+[[point]]
+name = "bob"
+at = ["x + l*sin(theta)", "l*cos(theta)"]
+mass = "m"
+[gravity]
+vector = ["0", "-g"]
+[[force]]
+on = "x"
+value = "-k[1]*dot(x) - 0.7*k[2]*abs(dot(x)) - sqrt(2)*pi*max(k[1], k[2])*dot(x)/3"
+[[force]]
+on = "theta"
+value = "-b*dot(theta)"
+[[input]]
+name = "u"
+unit = "N"
+on = "x"
+[[output]]
+name = "sight"
+value = ["atan2(x + l*sin(theta), l*cos(theta) + 2*l)", "x/l"]
+jacobian = true
+)toml";
+
+const Written& wide_system() {
+  static const Written all = written({make_source("wide.toml", wide), nullptr});
+  return all;
+}
+
+/// Where equations stand; asked of one line after another.
+using Places = std::function<bool(const std::string& line)>;
+
+/// Each sign, digit, and operator of the equations is exchanged for another one, once.
+std::size_t expect_changes_seen(Read read, const std::string& text,
+                                const Places& has_equations_in) {
+  WrittenEquations equations(wide_system().origin());
+  REQUIRE(mistake(read, text, equations).empty());
+  const std::string from = "+-*/123789";
+  const std::string to = "-+/*987321";
+  std::size_t changes = 0;
+  std::string accepted;
+  for (std::size_t start = 0; start < text.size();) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    const std::string line = text.substr(start, end - start);
+    const bool has_equation = has_equations_in(line);
+    for (std::size_t i = line.find_first_not_of(" /"); has_equation && i < line.size(); ++i) {
+      const std::size_t kind = from.find(line[i]);
+      if (kind == std::string::npos) continue;
+      std::string changed = text;
+      changed[start + i] = to[kind];
+      ++changes;
+      if (mistake(read, changed, equations).empty())
+        accepted += changed.substr(start, end - start) + "\n";
+    }
+    start = end + 1;
+  }
+  INFO(accepted);
+  CHECK(accepted.empty());
+  return changes;
+}
+
+}  // namespace
+
+TEST_CASE("equations of all committed models are read as they were derived") {
+  for (const fs::path& path : inputs_in(models, ".toml")) expect_right({source_of(path), nullptr});
+}
+
+TEST_CASE("equations of all committed scenes are read as they were derived") {
+  for (const fs::path& path : inputs_in(models / "scenes", ".scene.toml")) {
+    const SourcePointer scene = source_of(path);
+    expect_right({source_of(model_of(scene)), scene});
+  }
+}
+
+TEST_CASE("equations of random models are read as they were derived") {
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const random::System system = random::Generator(seed).system();
+    Inputs inputs{make_source("model.toml", text_of(system.model)), nullptr};
+    if (system.scene.is_present) {
+      inputs.scene = make_source("scene.toml", text_of(system.scene, system.model));
+    }
+    expect_right(inputs);
+  }
+}
+
+TEST_CASE("every changed sign, digit and operator of a comment is seen") {
+  // Behind the heading and the equation that defines the output, each with a blank line.
+  const auto in_listing = [blanks = 0](const std::string& line) mutable {
+    if (!line.starts_with("///")) blanks = 0;
+    if (line == "///") ++blanks;
+    return blanks > 1;
+  };
+  CHECK(expect_changes_seen(read_comments, wide_system().header, in_listing) > 300);
+}
+
+TEST_CASE("every changed sign, digit and operator of an entry of JSON is seen") {
+  const auto in_strings = [](const std::string& line) {
+    return line.find("\"entries\"") != std::string::npos || line.find("\":") == std::string::npos;
+  };
+  CHECK(expect_changes_seen(read_sidecar, wide_system().sidecar, in_strings) > 300);
+}
+
+TEST_CASE("every changed sign, digit and operator of a page of text is seen") {
+  const auto has_entry = [](const std::string& line) {
+    return line.starts_with("  ") && line.find("] = ") != std::string::npos;
+  };
+  CHECK(expect_changes_seen(read_page, wide_system().page, has_entry) > 300);
+}
+
+TEST_CASE("comments, JSON and pages that lack something are refused") {
+  WrittenEquations equations(wide_system().origin());
+  struct Change {
+    Read read;
+    const std::string& text;
+    std::string anchor, from, to, said;
+  };
+  const std::string& header = wide_system().header;
+  const std::string& json = wide_system().sidecar;
+  const std::string& page = wide_system().page;
+  const std::string row = "///     [ m*l*cos(theta), m*l^2          ]\n";
+  for (const Change& change : std::vector<Change>{
+           {read_comments, header, "symmetric.", row, "", "entry 2 is missing"},
+           {read_comments, header, "symmetric.", row, row + row, "one entry too many"},
+           {read_comments, header, "symmetric.", row, "///     nothing\n", "no equation"},
+           {read_comments, header, "Jacobian of", "[0, 0] =", "[0] =", "[0] instead of [0, 0]"},
+           {read_comments, header, "Acceleration, and", "///     acceleration:\n", "", "too many"},
+           {read_sidecar, json, "\"mass_matrix\"", "\"M + m\", ", "", "a list of 4"},
+           {read_sidecar, json, "\"mass_matrix\"", "\"M + m\"", "\"M + mm\"", "no name of"},
+           {read_sidecar, json, "\"coriolis_matrix\"", "[2, 2]", "[2, 3]", "instead of [2,2]"},
+           {read_sidecar, json, "\"gravity\"", "\"mul\": 3", "\"mul\": 4", "4 instead of 3"},
+           {read_sidecar, json, "\"name\": \"g\"", "9.81", "9.82", "`9.82` is not 9.81"},
+           {read_sidecar, json, "\"name\": \"theta\"", "theta", "phi", "instead of"},
+           {read_sidecar, json, "\"gravity\"", "\"gravity\"", "\"weight\"", "is missing"},
+           {read_page, page, "\nmass_matrix\n", "[1,2]", "[2,1]", "no definition"},
+           {read_page, page, "\ngravity\n", "gravity\n", "weight\n", "is missing"},
+           {read_page, page, "\nkinetic_energy\n", "\n\n", "\n  more = 1\n\n", "too many"}}) {
+    std::string text = change.text;
+    const std::size_t at = text.find(change.from, text.find(change.anchor));
+    INFO(change.from << " -> " << change.to);
+    REQUIRE(at != std::string::npos);
+    text.replace(at, change.from.size(), change.to);
+    CHECK_THAT(mistake(change.read, text, equations), Catch::Contains(change.said));
+  }
+}
+
+}  // namespace elgen::texts
