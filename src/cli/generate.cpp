@@ -171,10 +171,21 @@ std::string repair_command(const GlobalOptions& global, const GenerateOptions& o
   return command;
 }
 
+/// Of the inputs with what they were; standard input was nothing.
+std::string comparison_command(const GenerateOptions& options) {
+  if (std::ranges::count(options.inputs, "-") > 0) return {};
+  std::string command = "elgen diff --against REV";
+  for (const std::string& input : options.inputs) command += " " + in_backticks(input);
+  return command;
+}
+
 ExitCode check(const GlobalOptions& global, const GenerateOptions& options,
                const std::vector<Job>& jobs) {
-  GeneratedSystems systems{
-      options.output_directory, all_files(jobs), {}, repair_command(global, options)};
+  GeneratedSystems systems{options.output_directory,
+                           all_files(jobs),
+                           {},
+                           repair_command(global, options),
+                           comparison_command(options)};
   for (const Job& job : jobs) systems.sources.push_back(job.scene().paths);
   return check_generated(global, systems);
 }

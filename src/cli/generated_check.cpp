@@ -1,4 +1,4 @@
-// generated_check: a sidecar that was edited by hand says nothing of what was generated.
+// generated_check: files are compared byte by byte; the equations are left to `elgen diff`.
 #include "cli/generated_check.hpp"
 
 #include <fmt/format.h>
@@ -6,47 +6,23 @@
 #include <algorithm>
 
 #include "cli/files/orphans.hpp"
-#include "cli/versions/loaded_version.hpp"
-#include "diff/summary.hpp"
-#include "elgen/diff.hpp"
 #include "elgen/wording.hpp"
 
 namespace elgen::cli {
 
 namespace {
 
-/// What the equations were, where the files still say so.
-DiffReport compared_equations(const GeneratedSystems& systems,
-                              const std::vector<FileDifference>& differences) {
-  DiffReport report;
-  for (const OutputFile& file : files_in(systems.directory, systems.files)) {
-    if (!file.path.ends_with(sidecar_ending)) continue;
-    const bool is_stale = std::ranges::any_of(differences, [&file](const FileDifference& found) {
-      return found.path == file.path && found.state == FileState::stale;
-    });
-    if (!is_stale) continue;
-    const auto old = parse_sidecar(make_source(file.path, *existing_text(file.path)));
-    const auto now = parse_sidecar(make_source(file.path, file.text));
-    if (!old || !now) continue;
-    SystemChange change = compare(old->version(), now->version());
-    if (change.impact > Impact::text) report.systems.push_back(std::move(change));
-  }
-  return report;
-}
-
 std::string text_of(const GlobalOptions& global, const FileDifference& difference) {
   std::string words = difference.path;
   if (difference.state == FileState::edited) words += " (by hand)";
   if (difference.state == FileState::orphaned) words += ": " + difference.detail;
-  std::string text = text_of(SummaryLines{{std::string(name_of(difference.state)), words}});
+  std::string text = fmt::format("{:<13}{}\n", name_of(difference.state), words);
   if (global.verbose && difference.state != FileState::orphaned) text += difference.detail;
   return text;
 }
 
-std::string text_of(const GlobalOptions& global, const DiffReport& equations,
-                    const std::vector<FileDifference>& differences) {
+std::string text_of(const GlobalOptions& global, const std::vector<FileDifference>& differences) {
   std::string text;
-  if (!equations.systems.empty()) text += to_text(equations, global.verbose) + "\n";
   for (const FileDifference& difference : differences) text += text_of(global, difference);
   return text;
 }
@@ -66,19 +42,24 @@ Diagnostics diagnostics_of(const std::vector<FileDifference>& differences) {
   return all;
 }
 
-/// All of them in one sentence, with the command that repairs them.
+/// All of them in one sentence, with the commands that repair them and that compare the equations.
 ExitCode report_all(const GlobalOptions& global, const GeneratedSystems& systems,
                     const std::vector<FileDifference>& differences) {
   const auto is_orphan = [](const FileDifference& found) {
     return found.state == FileState::orphaned;
   };
   const bool is_written = !std::ranges::all_of(differences, is_orphan);
+  const bool is_stale =
+      std::ranges::count(differences, FileState::stale, &FileDifference::state) > 0;
   const ExitCode reported = report(
       global, {{Code::E715,
                 {},
                 fmt::format("{} {} not current", counted(differences.size(), "generated file"),
                             differences.size() == 1 ? "is" : "are"),
                 is_written ? "to repair: " + systems.repair : ""}});
+  if (is_stale && !systems.comparison.empty()) {
+    tell(global, "to compare the equations: " + systems.comparison);
+  }
   for (const FileDifference& found : differences) {
     if (is_orphan(found)) tell(global, "to repair: delete " + found.path);
   }
@@ -95,11 +76,10 @@ ExitCode check_generated(const GlobalOptions& global, const GeneratedSystems& sy
     tell(global, "up to date");
     return ExitCode::success;
   }
-  const DiffReport equations = compared_equations(systems, differences);
   if (global.style.format != DiagnosticFormat::text) {
     return report(global, diagnostics_of(differences));
   }
-  const ExitCode printed = print(global, text_of(global, equations, differences));
+  const ExitCode printed = print(global, text_of(global, differences));
   return std::max(printed, report_all(global, systems, differences));
 }
 

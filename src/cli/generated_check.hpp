@@ -15,11 +15,13 @@ struct GeneratedSystems {
   std::string directory = {};
   EmittedFiles files = {};
   std::vector<SourcePaths> sources = {};
-  std::string repair = {};  ///< the command that writes them
+  std::string repair = {};      ///< the command that writes them
+  std::string comparison = {};  ///< the command that compares the equations; "" where there is none
 };
 
-/// What changed in the equations, by the sidecars; then the files, with -v the first lines that
-/// differ; then the commands that repair it. E715 for each file where diagnostics are not text.
+/// The files that are not as they would be written, with -v the first lines that differ; then the
+/// commands that repair them and that compare the equations. E715 for each file where diagnostics
+/// are not text.
 [[nodiscard]] ExitCode check_generated(const GlobalOptions& global,
                                        const GeneratedSystems& systems);
 
