@@ -115,27 +115,13 @@ using OperationsByName = std::map<std::string, OperationCounts>;
 
 /// One version of what is compared; all of it outlives the comparison.
 struct Version {
-  const FileSyntax& model;            ///< without entries where it was not read from a model
+  const FileSyntax& model;
   const FileSyntax* scene = nullptr;  ///< null: the built-in scene `full`
   const CheckedModel& checked;
   const Program& program;       ///< before forms are chosen, where nothing is made of these
   const Diagnostics& warnings;  ///< of the model
   const OperationsByName* operations = nullptr;  ///< of what is emitted, where that is known
 };
-
-/// What a sidecar of equations says of a version: names, units, values and entries, but no keys.
-struct SidecarVersion {
-  FileSyntax syntax = {};
-  CheckedModel checked = {};
-  Program program = {};
-  OperationsByName operations = {};
-  Diagnostics warnings = {};  ///< none
-
-  [[nodiscard]] Version version() const;
-};
-
-/// NAME.equations.json. E714: it is none.
-[[nodiscard]] Result<SidecarVersion> parse_sidecar(const SourcePointer& source);
 
 struct CompareOptions {
   Renames renames = {};

@@ -8,7 +8,6 @@
 #include <set>
 
 #include "cli/files/inputs.hpp"
-#include "cli/files/output_files.hpp"
 #include "cli/process/progress.hpp"
 #include "cli/versions/loaded_version.hpp"
 #include "cli/versions/revision.hpp"
@@ -132,19 +131,15 @@ bool is_system(const Side& side, const std::string& path) {
   return !source || declares_model(**source);
 }
 
-/// The models and scenes below a folder; where it has none, the sidecars.
+/// The models and scenes below a folder.
 Result<FolderFiles> systems_below(const Side& side, const std::string& folder) {
   const Result<std::vector<std::string>> found = side.files_below(folder);
   if (!found) return found.diagnostics;
   FolderFiles files;
-  std::set<std::string> sidecars;
   for (const std::string& inside : *found) {
-    if (fs::path(inside).extension() == ".toml") {
-      (is_system(side, joined(folder, inside)) ? files.systems : files.others).insert(inside);
-    }
-    if (inside.ends_with(sidecar_ending)) sidecars.insert(inside);
+    if (fs::path(inside).extension() != ".toml") continue;
+    (is_system(side, joined(folder, inside)) ? files.systems : files.others).insert(inside);
   }
-  if (files.systems.empty()) files.systems = std::move(sidecars);
   return files;
 }
 
@@ -161,7 +156,6 @@ class VersionPairs {
     const Result<Inputs> before = old_side.inputs(old_path);
     const Result<Inputs> after = new_side.inputs(new_path);
     if (!keep(before.diagnostics) || !keep(after.diagnostics) || !before || !after) return;
-    if (!are_of_one_kind(*before, *after)) return;
     const bool is_same =
         same_text(before->model, after->model) && same_text(before->scene, after->scene);
     if (is_same) return keep_mistakes(*after);
@@ -171,7 +165,7 @@ class VersionPairs {
     keep(old.diagnostics);
     keep(now.diagnostics);
     if (!old || !now) return;
-    report_.systems.push_back(elgen::compare(version_of(*old), version_of(*now), options_));
+    report_.systems.push_back(elgen::compare(old->version(), now->version(), options_));
   }
 
   void compare_folders(const Side& old_side, const std::string& old_folder, const Side& new_side,
@@ -216,21 +210,8 @@ class VersionPairs {
   /// Of files that are not compared, in their syntax.
   void keep_mistakes(const Inputs& inputs) {
     sources_.insert(sources_.end(), {inputs.model, inputs.scene});
-    if (is_sidecar(*inputs.model)) return;
     keep(parse_model(inputs.model, limits_).diagnostics);
     if (inputs.scene != nullptr) keep(parse_scene(inputs.scene, limits_).diagnostics);
-  }
-
-  /// A sidecar has no keys, a model nothing that is not in them.
-  bool are_of_one_kind(const Inputs& before, const Inputs& after) {
-    const bool is_after = is_sidecar(*after.model);
-    if (is_sidecar(*before.model) == is_after) return true;
-    const std::string& sidecar = (is_after ? after : before).model->path;
-    keep({{Code::E913,
-           {},
-           fmt::format("{} is a sidecar of equations, which is compared with another one",
-                       in_backticks(sidecar))}});
-    return false;
   }
 
   /// Whether there is no error among them. Warnings of the models are for `generate`.

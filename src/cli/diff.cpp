@@ -122,7 +122,7 @@ void add_diff(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("diff", "compare the equations of two versions");
   const auto options = std::make_shared<DiffOptions>();
   command->add_option("inputs", options->inputs,
-                      "OLD NEW: models, scenes, *.equations.json, folders of them, or - (stdin)");
+                      "OLD NEW: models, scenes, folders of them, or - (stdin)");
   command
       ->add_option("--against", options->revision,
                    "compare files and folders with this revision of git")

@@ -216,9 +216,6 @@ std::optional<std::vector<OperationsChange>> operations_changes(const Version& b
   return changes;
 }
 
-/// A sidecar has none.
-bool has_keys(const Version& version) { return !version.model.entries.empty(); }
-
 /// What entries that differ amount to.
 Impact impact_of_entries(const SystemChange& system, bool are_values) {
   if (has_verdict(system.outputs, EntryVerdict::different)) {
@@ -236,15 +233,14 @@ SystemChange compare(const Version& before, const Version& after, const CompareO
   result.keys = all_changed_keys(before, after, renames);
   if (same_texts(before, after)) return result;
   result.impact = std::max(Impact::text, impact_of(result.keys));
-  if (has_keys(after) && result.keys.empty() && renames.empty()) return result;
+  if (result.keys.empty() && renames.empty()) return result;
   result.outputs = output_changes(before, after, renames);
   result.interface = interface_changes(before, after, renames);
   result.operations = operations_changes(before, after);
   result.warnings = new_warnings(before, after);
   result.broken_expectations = broken_expectations(before, after);
   if (renames.empty()) result.proposal = proposal(before, after);
-  const bool are_values =
-      has_keys(after) && std::ranges::none_of(result.keys, may_change_equations);
+  const bool are_values = std::ranges::none_of(result.keys, may_change_equations);
   if (!are_values && has_verdict(result.outputs, EntryVerdict::different)) {
     result.extension = extension(before, after, renames);
   }

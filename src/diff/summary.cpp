@@ -55,8 +55,8 @@ std::string part_text(std::string_view symbol, const OutputChange& output) {
                         : fmt::format("{} = {}", symbol, change);
 }
 
-/// "V = a -> b;  T, D, Q, B identical"; of none that changed only where causes stand above.
-std::string parts_text(const SystemChange& system, bool is_cause) {
+/// "V = a -> b;  T, D, Q, B identical"
+std::string parts_text(const SystemChange& system) {
   std::string changed;
   std::string identical;
   for (const auto& [symbol, kind] : parts) {
@@ -69,7 +69,7 @@ std::string parts_text(const SystemChange& system, bool is_cause) {
       changed += (changed.empty() ? "" : ";  ") + part_text(symbol, *output);
     }
   }
-  if (identical.empty() || (is_cause && changed.empty())) return changed;
+  if (identical.empty()) return changed;
   return fmt::format("{}{}{} identical", changed, changed.empty() ? "" : ";  ", identical);
 }
 
@@ -144,9 +144,7 @@ class Summary {
   }
 
   void add_consequences(const SystemChange& system) {
-    // A sidecar has no keys: then what the equations are made of is the cause.
-    const bool is_cause = system.keys.empty();
-    add(is_cause ? "changed" : "", parts_text(system, is_cause));
+    if (!system.keys.empty()) add("", parts_text(system));
     add_expectations();
     add_warnings();
     add_proposal(system);

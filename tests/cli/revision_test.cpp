@@ -43,17 +43,6 @@ void expect_refused(const Outcome& outcome, const std::string& words) {
 
 }  // namespace
 
-TEST_CASE("sidecars of a revision are compared with those that are there") {
-  const Workspace workspace;
-  prepare("git init -q && mkdir m && cp " + models +
-              "/cart_pole.toml m && elgen generate -q m/cart_pole.toml && " + commit + " && " +
-              turned + "m/cart_pole.toml && elgen generate -q m/cart_pole.toml",
-          workspace.path());
-  const Outcome outcome = shell("elgen diff --against HEAD generated", workspace.path());
-  CHECK(outcome.status == 1);
-  CHECK(mentions(outcome.output, "changed      V = m*l*g*cos(theta) -> -m*l*g*cos(theta)"));
-}
-
 TEST_CASE("a repository without models, and no repository") {
   const Workspace workspace;
   expect_refused(shell("elgen diff --against HEAD", workspace.path()),

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "cli/files/inputs.hpp"
-#include "cli/files/output_files.hpp"
 #include "cli/process/resources.hpp"
 
 namespace elgen::cli {
@@ -43,8 +41,19 @@ OperationsByName operations_of(const Program& program) {
   return operations;
 }
 
-Result<LoadedVersion> load_model(const Inputs& inputs, const Limits& limits) {
-  LoweredVersion loaded{inputs};
+}  // namespace
+
+Version LoadedVersion::version() const {
+  return {model,
+          scene ? &*scene : nullptr,
+          *products.checked,
+          products.program ? *products.program : *products.lowered,
+          products.diagnostics,
+          operations.empty() ? nullptr : &operations};
+}
+
+Result<LoadedVersion> load_version(const Inputs& inputs, const Limits& limits) {
+  LoadedVersion loaded{inputs};
   loaded.products = products(inputs, limits, "lower");
   if (!loaded.products.lowered) return loaded.products.diagnostics;
   const bool is_emitted_otherwise = needs_forms(loaded.products.checked->scene);
@@ -57,34 +66,7 @@ Result<LoadedVersion> load_model(const Inputs& inputs, const Limits& limits) {
   if (!loaded.products.lowered && !loaded.products.program) return found;
   loaded.model = *parse_model(inputs.model, limits);
   if (inputs.scene != nullptr) loaded.scene = *parse_scene(inputs.scene, limits);
-  return {LoadedVersion(std::move(loaded)), std::move(found)};
-}
-
-}  // namespace
-
-Version LoweredVersion::version() const {
-  return {model,
-          scene ? &*scene : nullptr,
-          *products.checked,
-          products.program ? *products.program : *products.lowered,
-          products.diagnostics,
-          operations.empty() ? nullptr : &operations};
-}
-
-Version version_of(const LoadedVersion& loaded) {
-  return std::visit([](const auto& version) { return version.version(); }, loaded);
-}
-
-bool is_sidecar(const SourceText& source) {
-  if (source.path == stdin_name) return source.text.starts_with("{");
-  return source.path.ends_with(sidecar_ending);
-}
-
-Result<LoadedVersion> load_version(const Inputs& inputs, const Limits& limits) {
-  if (!is_sidecar(*inputs.model)) return load_model(inputs, limits);
-  Result<SidecarVersion> sidecar = parse_sidecar(inputs.model);
-  if (!sidecar) return sidecar.diagnostics;
-  return LoadedVersion(*std::move(sidecar));
+  return {std::move(loaded), std::move(found)};
 }
 
 }  // namespace elgen::cli

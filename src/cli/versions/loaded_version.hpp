@@ -1,8 +1,7 @@
-// LoadedVersion: a model, a scene or a sidecar of equations, read and ready to be compared.
+// LoadedVersion: a model or a scene, read and ready to be compared.
 #pragma once
 
 #include <optional>
-#include <variant>
 
 #include "elgen/diff.hpp"
 #include "elgen/pipeline.hpp"
@@ -10,7 +9,7 @@
 namespace elgen::cli {
 
 /// A model or scene with its equations, and what these point into.
-struct LoweredVersion {
+struct LoadedVersion {
   Inputs inputs = {};
   FileSyntax model = {};
   std::optional<FileSyntax> scene = {};
@@ -20,14 +19,7 @@ struct LoweredVersion {
   [[nodiscard]] Version version() const;
 };
 
-using LoadedVersion = std::variant<LoweredVersion, SidecarVersion>;
-
-[[nodiscard]] Version version_of(const LoadedVersion& loaded);
-
-/// NAME.equations.json, or what begins with a brace on standard input.
-[[nodiscard]] bool is_sidecar(const SourceText& source);
-
-/// A sidecar has no scene. Errors: those of the stages up to the equations; E714.
+/// Errors: those of the stages up to the equations.
 [[nodiscard]] Result<LoadedVersion> load_version(const Inputs& inputs, const Limits& limits);
 
 }  // namespace elgen::cli
