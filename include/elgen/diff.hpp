@@ -153,8 +153,6 @@ struct SystemChange {
   std::optional<std::vector<OperationsChange>> operations = {};  ///< none: not known
   /// Where `extended`: the values of new parameters at which all entries are the old ones.
   std::string extension = {};
-  /// Names that may have been given to the same things: with them all entries are equal.
-  Renames proposal = {};
   /// Entries of [[expect]] that held, and hold no longer: "gravity[2,1]".
   std::vector<std::string> broken_expectations = {};
   Diagnostics warnings = {};  ///< that are new

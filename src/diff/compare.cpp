@@ -9,7 +9,6 @@
 #include "diff/output_changes.hpp"
 #include "diff/renamed.hpp"
 #include "elgen/diff.hpp"
-#include "lower/code_interface.hpp"
 #include "verify/structure/expectations.hpp"
 
 namespace elgen {
@@ -134,62 +133,6 @@ Diagnostics new_warnings(const Version& before, const Version& after) {
   return found;
 }
 
-/// One thing that has a name, a unit and a value.
-struct Nameable {
-  std::string name = {};
-  std::string unit = {};
-  std::vector<cln::cl_R> values = {};
-};
-
-std::vector<Nameable> named(const Model& model, bool parameters) {
-  std::vector<Nameable> all;
-  if (parameters) {
-    for (const ParameterArray& array : model.parameter_arrays) {
-      all.push_back({array.name, array.unit_text, values_of(model, array)});
-    }
-    return all;
-  }
-  for (const Coordinate& q : model.coordinates) all.push_back({q.name, q.unit_text, {}});
-  for (const Input& u : model.inputs) all.push_back({u.name, u.unit_text, {}});
-  return all;
-}
-
-/// What is gone and what is new, where unit and value agree, in their order.
-void propose(std::vector<Nameable> olds, std::vector<Nameable> news, Renames& renames) {
-  const auto drop = [](std::vector<Nameable>& some, const std::vector<Nameable>& others) {
-    std::erase_if(some, [&others](const Nameable& one) {
-      return std::ranges::count(others, one.name, &Nameable::name) > 0;
-    });
-  };
-  const std::vector<Nameable> all_olds = olds;
-  drop(olds, news);
-  drop(news, all_olds);
-  for (const Nameable& old : olds) {
-    const auto same = std::ranges::find_if(news, [&old](const Nameable& now) {
-      return old.unit == now.unit && old.values == now.values;
-    });
-    if (same == news.end()) continue;
-    renames.emplace(old.name, same->name);
-    news.erase(same);
-  }
-}
-
-/// Names that were given to the same things, if all entries are equal with them.
-Renames proposal(const Version& before, const Version& after) {
-  Renames renames;
-  for (const bool parameters : {true, false}) {
-    propose(named(before.checked.model, parameters), named(after.checked.model, parameters),
-            renames);
-  }
-  if (renames.empty()) return {};
-  for (const OutputChange& output : output_changes(before, after, renames)) {
-    for (const EntryChange& entry : output.entries) {
-      if (entry.verdict != EntryVerdict::equal) return {};
-    }
-  }
-  return renames;
-}
-
 /// Those of the model, then those of the scene: the built-in one has no keys.
 std::vector<KeyChange> all_changed_keys(const Version& before, const Version& after,
                                         const Renames& renames) {
@@ -239,7 +182,6 @@ SystemChange compare(const Version& before, const Version& after, const CompareO
   result.operations = operations_changes(before, after);
   result.warnings = new_warnings(before, after);
   result.broken_expectations = broken_expectations(before, after);
-  if (renames.empty()) result.proposal = proposal(before, after);
   const bool are_values = std::ranges::none_of(result.keys, may_change_equations);
   if (!are_values && has_verdict(result.outputs, EntryVerdict::different)) {
     result.extension = extension(before, after, renames);

@@ -106,7 +106,6 @@ Json json_of(const SystemChange& system) {
             {"interface", list_of(system.interface)}};
   if (system.operations) json["operations"] = list_of(*system.operations);
   if (!system.extension.empty()) json["extension"] = system.extension;
-  if (!system.proposal.empty()) json["renames"] = system.proposal;
   json["broken_expectations"] = system.broken_expectations;
   json["warnings"] = list_of(system.warnings);
   return json;

@@ -147,7 +147,6 @@ class Summary {
     if (!system.keys.empty()) add("", parts_text(system));
     add_expectations();
     add_warnings();
-    add_proposal(system);
     add_counts();
     add("", system.extension);
     if (const EntryChange* const entry = example(system)) {
@@ -180,15 +179,6 @@ class Summary {
         if (!section.is_known(text)) section.add(text);
       }
     }
-  }
-
-  void add_proposal(const SystemChange& system) {
-    if (system.proposal.empty()) return;
-    std::string options;
-    for (const auto& [old, now] : system.proposal) {
-      options += fmt::format(" --rename {}={}", old, now);
-    }
-    add("renamed?", fmt::format("with{} all entries are equal", options));
   }
 
   void add_counts() {

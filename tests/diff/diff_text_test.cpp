@@ -50,11 +50,6 @@ TEST_CASE("every entry is listed where that is asked for") {
   CHECK(mentions(equal, "potential_energy: equal, written differently (proved)\n"));
 }
 
-TEST_CASE("names that would make all equal are proposed") {
-  CHECK(mentions(report(spring(), edited(edited(spring(), "k = 3", "c = 3"), "1/2*k", "1/2*c")),
-                 "renamed?     with --rename k=c all entries are equal\n"));
-}
-
 TEST_CASE("files that came or went are told, and count") {
   const DiffReport report{.added = {"a.toml"}};
   CHECK(impact_of(report) == Impact::extended);

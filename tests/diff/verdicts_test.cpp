@@ -114,9 +114,7 @@ TEST_CASE("with their renames, parameters and coordinates are the old ones") {
   const SystemChange found = compared(before, m, renames);
   CHECK(word(found.impact) == "incompatible");
   CHECK(count_of(found, EntryVerdict::different) == 0);
-  CHECK(compared(before, m).proposal == renames);
   CHECK(count_of(compared(before, wrong, renames), EntryVerdict::different) > 0);
-  CHECK(compared(before, wrong).proposal.empty());
 
   const std::string y = edited(
       edited(edited(before, "name = \"x\"", "name = \"y\""), "dot(x)", "dot(y)"), "k*x", "k*y");
@@ -124,7 +122,6 @@ TEST_CASE("with their renames, parameters and coordinates are the old ones") {
   CHECK(word(compared(before, y, moved).impact) == "assumptions");
   CHECK(count_of(compared(before, y, moved), EntryVerdict::different) == 0);
   CHECK(word(compared(before, y).impact) == "misleading");
-  CHECK(compared(before, y).proposal == moved);
 }
 
 TEST_CASE("an arm of seven joints is compared beyond the budget of closed forms") {
