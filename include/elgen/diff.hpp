@@ -24,7 +24,7 @@ namespace elgen {
 
 /// In the order of what it costs those who use the code.
 enum class Impact : std::uint8_t {
-#define ELGEN_IMPACT(name, word, doc) name,
+#define ELGEN_IMPACT(name, doc) name,
 #include "elgen/impacts.def"
 #undef ELGEN_IMPACT
 };
@@ -106,8 +106,9 @@ struct OutputChange {
 };
 
 struct InterfaceChange {
-  Impact impact = Impact::none;
-  std::string text = {};  ///< "coordinates are in another order: x, theta -> theta, x"
+  Impact impact = Impact::equal;
+  std::string text = {};   ///< "there is no function `bias` any more"
+  bool is_silent = false;  ///< callers compile and mean something else, as the text says
 };
 
 /// What emitted functions execute, by their names.
@@ -146,7 +147,7 @@ struct OperationsChange {
 
 struct SystemChange {
   std::string name = {};  ///< base name of the newer version
-  Impact impact = Impact::none;
+  Impact impact = Impact::equal;
   std::vector<KeyChange> keys = {};
   std::vector<OutputChange> outputs = {};
   std::vector<InterfaceChange> interface = {};
@@ -162,6 +163,9 @@ struct SystemChange {
 [[nodiscard]] SystemChange compare(const Version& before, const Version& after,
                                    const CompareOptions& options = {});
 
+/// Whether there is more to tell than comments, blanks and the order of keys.
+[[nodiscard]] bool has_changes(const SystemChange& system);
+
 /// Models and scenes that were compared together, each with its own.
 struct DiffReport {
   std::vector<SystemChange> systems = {};
@@ -169,7 +173,7 @@ struct DiffReport {
   std::vector<std::string> removed = {};  ///< or the older one
 };
 
-/// The worst of all; `extended` where something was added, `incompatible` where it was removed.
+/// The worst of all; `extended` where something was added, `breaks` where it was removed.
 [[nodiscard]] Impact impact_of(const DiffReport& report);
 
 /// A dozen lines for people; with `lists_all` every key and every entry.

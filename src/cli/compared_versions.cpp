@@ -1,4 +1,5 @@
-// Files of folders are paired by their paths, those of a revision with the working tree.
+// Files of folders are paired by their paths, those of a revision with the working tree; files that
+// moved by the names of their systems.
 #include "cli/compared_versions.hpp"
 
 #include <fmt/format.h>
@@ -6,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <utility>
 
 #include "cli/files/inputs.hpp"
 #include "cli/process/progress.hpp"
@@ -143,6 +145,13 @@ Result<FolderFiles> systems_below(const Side& side, const std::string& folder) {
   return files;
 }
 
+/// A file that one side alone has.
+struct LoneFile {
+  const Side* side = nullptr;
+  std::string path = {};   ///< on its side
+  std::string shown = {};  ///< in the report
+};
+
 class VersionPairs {
  public:
   VersionPairs(const CompareOptions& options, const Limits& limits)
@@ -188,25 +197,57 @@ class VersionPairs {
       if (news->others.count(inside) > 0) {
         compare_both(inside);
       } else {
-        report_.removed.push_back(shown_path(inside));
+        remove(old_side, joined(old_folder, inside), inside);
       }
     }
   }
 
   /// A file that only the newer side has.
-  void add(const Side& side, const std::string& path) {
-    const Result<Inputs> inputs = side.inputs(path);
-    if (keep(inputs.diagnostics) && inputs) keep_mistakes(*inputs);
-    report_.added.push_back(shown_path(path));
+  void add(const Side& side, const std::string& path) { added_.push_back({&side, path, path}); }
+
+  /// A file that only the older side has.
+  void remove(const Side& side, const std::string& path, const std::string& shown) {
+    removed_.push_back({&side, path, shown});
   }
 
   Result<DiffReport> result() {
+    compare_moved();
+    for (const LoneFile& file : added_) {
+      const Result<Inputs> inputs = file.side->inputs(file.path);
+      if (keep(inputs.diagnostics) && inputs) keep_mistakes(*inputs);
+      report_.added.push_back(shown_path(file.shown));
+    }
+    for (const LoneFile& file : removed_) report_.removed.push_back(shown_path(file.shown));
     sort_by_position(diagnostics_);
     if (has_errors(diagnostics_)) return std::move(diagnostics_);
     return {std::move(report_), std::move(diagnostics_)};
   }
 
  private:
+  [[nodiscard]] std::string name_of(const LoneFile& file) const {
+    const Result<Inputs> inputs = file.side->inputs(file.path);
+    return inputs ? system_name(*inputs, limits_) : std::string();
+  }
+
+  /// Where a system has another path on either side, its name is the same.
+  void compare_moved() {
+    if (added_.empty() || removed_.empty()) return;
+    std::vector<std::string> old_names;
+    for (const LoneFile& file : removed_) old_names.push_back(name_of(file));
+    for (const LoneFile& now : std::exchange(added_, {})) {
+      const std::string name = name_of(now);
+      const auto found = std::ranges::find(old_names, name);
+      if (name.empty() || found == old_names.end()) {
+        added_.push_back(now);
+        continue;
+      }
+      const auto old = removed_.begin() + (found - old_names.begin());
+      compare(*old->side, old->path, *now.side, now.path);
+      removed_.erase(old);
+      old_names.erase(found);
+    }
+  }
+
   /// Of files that are not compared, in their syntax.
   void keep_mistakes(const Inputs& inputs) {
     sources_.insert(sources_.end(), {inputs.model, inputs.scene});
@@ -225,6 +266,8 @@ class VersionPairs {
   const CompareOptions& options_;
   const Limits& limits_;
   DiffReport report_ = {};
+  std::vector<LoneFile> added_ = {};
+  std::vector<LoneFile> removed_ = {};
   Diagnostics diagnostics_ = {};
   static inline std::vector<SourcePointer> sources_ = {};  ///< that spans point into
 };
@@ -254,10 +297,13 @@ Result<DiffReport> compared_with_revision(const std::string& name, std::vector<s
   for (const std::string& path : paths) {
     const Result<std::string> old = revision->path_of(path);
     if (!old) return old.diagnostics;
+    const bool was_there = revision->has(*old);
     if (is_folder(path)) {
       comparing.compare_folders(committed, *old, files, path);
-    } else if (revision->has(*old) || !is_there(path)) {
+    } else if (was_there == is_there(path)) {
       comparing.compare(committed, *old, files, path);
+    } else if (was_there) {
+      comparing.remove(committed, *old, path);
     } else {
       comparing.add(files, path);
     }

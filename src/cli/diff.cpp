@@ -18,7 +18,7 @@ namespace {
 struct DiffOptions {
   std::vector<std::string> inputs = {};
   std::string revision = {};  ///< of git; empty: there are two inputs
-  std::string allowed = "text";
+  std::string allowed = "equal";
   std::vector<std::string> renames = {};
   std::vector<std::string> only = {};
   std::string format = {};  ///< empty: that of the messages
@@ -77,7 +77,7 @@ Diagnostics unknown_outputs(const DiffReport& report, const DiffOptions& options
     for (const OutputChange& output : system.outputs) known.insert(output.name);
   }
   Diagnostics errors;
-  const bool are_compared = impact_of(report) > Impact::text;
+  const bool are_compared = std::ranges::any_of(report.systems, has_changes);
   for (const std::string& name : options.only) {
     if (!are_compared || known.count(name) > 0) continue;
     errors.push_back(
@@ -111,8 +111,7 @@ ExitCode diff(const GlobalOptions& given, const DiffOptions& options) {
   }
   ExitCode worst = report(global, found.diagnostics);
   worst = std::max(worst, print(global, format.text(*found, options)));
-  const bool is_allowed =
-      options.allowed == "all" || impact_of(*found) <= *find_impact(options.allowed);
+  const bool is_allowed = impact_of(*found) <= *find_impact(options.allowed);
   return std::max(worst, is_allowed ? ExitCode::success : ExitCode::differs);
 }
 
@@ -129,11 +128,9 @@ void add_diff(CLI::App& app, Action& action) {
       ->type_name("REV");
   command
       ->add_option("--allow", options->allowed,
-                   "worst change that exits with 0: text, equal, values, assumptions, extended, "
-                   "different or all")
+                   "worst change that exits with 0: equal, values, extended, different or breaks")
       ->type_name("CHANGE")
-      ->check(CLI::IsMember(
-          {"text", "equal", "values", "assumptions", "extended", "different", "all"}));
+      ->check(CLI::IsMember({"equal", "values", "extended", "different", "breaks"}));
   command->add_option("--rename", options->renames, "a name that was given to the same thing")
       ->type_name("OLD=NEW")
       ->allow_extra_args(false);

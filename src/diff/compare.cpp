@@ -43,17 +43,17 @@ bool is_value(const KeyChange& change) {
 /// What a changed key means at least, before values and equations are looked at.
 Impact impact_of(const KeyChange& change) {
   const bool is_beside = change.table == "expect" || is_described(change);
-  return is_beside ? Impact::assumptions : Impact::equal;
+  return is_beside ? Impact::values : Impact::equal;
 }
 
-bool has_verdict(const std::vector<OutputChange>& outputs, EntryVerdict verdict) {
-  return std::ranges::any_of(outputs, [verdict](const OutputChange& output) {
-    return std::ranges::count(output.entries, verdict, &EntryChange::verdict) > 0;
+bool has_different(const std::vector<OutputChange>& outputs) {
+  return std::ranges::any_of(outputs, [](const OutputChange& output) {
+    return std::ranges::count(output.entries, EntryVerdict::different, &EntryChange::verdict) > 0;
   });
 }
 
 Impact impact_of(const std::vector<KeyChange>& keys) {
-  Impact worst = Impact::none;
+  Impact worst = Impact::equal;
   for (const KeyChange& key : keys) worst = std::max(worst, impact_of(key));
   return worst;
 }
@@ -161,21 +161,22 @@ std::optional<std::vector<OperationsChange>> operations_changes(const Version& b
 
 /// What entries that differ amount to.
 Impact impact_of_entries(const SystemChange& system, bool are_values) {
-  if (has_verdict(system.outputs, EntryVerdict::different)) {
-    if (are_values) return Impact::values;
-    return system.extension.empty() ? Impact::different : Impact::extended;
-  }
-  return has_verdict(system.outputs, EntryVerdict::equal) ? Impact::equal : Impact::none;
+  if (are_values) return Impact::values;
+  return system.extension.empty() ? Impact::different : Impact::extended;
 }
 
 }  // namespace
+
+bool has_changes(const SystemChange& system) {
+  return !system.keys.empty() || !system.interface.empty();
+}
 
 SystemChange compare(const Version& before, const Version& after, const CompareOptions& options) {
   const Renames& renames = options.renames;
   SystemChange result{.name = after.checked.scene.base_name};
   result.keys = all_changed_keys(before, after, renames);
   if (same_texts(before, after)) return result;
-  result.impact = std::max(Impact::text, impact_of(result.keys));
+  result.impact = impact_of(result.keys);
   if (result.keys.empty() && renames.empty()) return result;
   result.outputs = output_changes(before, after, renames);
   result.interface = interface_changes(before, after, renames);
@@ -183,10 +184,10 @@ SystemChange compare(const Version& before, const Version& after, const CompareO
   result.warnings = new_warnings(before, after);
   result.broken_expectations = broken_expectations(before, after);
   const bool are_values = std::ranges::none_of(result.keys, may_change_equations);
-  if (!are_values && has_verdict(result.outputs, EntryVerdict::different)) {
-    result.extension = extension(before, after, renames);
+  if (has_different(result.outputs)) {
+    if (!are_values) result.extension = extension(before, after, renames);
+    result.impact = std::max(result.impact, impact_of_entries(result, are_values));
   }
-  result.impact = std::max(result.impact, impact_of_entries(result, are_values));
   for (const InterfaceChange& change : result.interface) {
     result.impact = std::max(result.impact, change.impact);
   }

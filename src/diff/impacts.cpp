@@ -8,7 +8,7 @@ namespace elgen {
 namespace {
 
 constexpr std::array rows{
-#define ELGEN_IMPACT(name, word, doc) ImpactRow{word, doc},
+#define ELGEN_IMPACT(name, doc) ImpactRow{#name, doc},
 #include "elgen/impacts.def"
 #undef ELGEN_IMPACT
 };

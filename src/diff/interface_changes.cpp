@@ -77,7 +77,7 @@ class InterfaceComparison {
     compare_lists("input", members(old.inputs, renames_), members(now.inputs, {}));
     compare_parameters();
     if (old.uses_time != now.uses_time) {
-      add(Impact::incompatible,
+      add(Impact::breaks,
           now.uses_time ? "every function takes t now" : "no function takes t any more");
     }
     compare_outputs();
@@ -89,14 +89,18 @@ class InterfaceComparison {
  private:
   void add(Impact impact, std::string text) { changes_.push_back({impact, std::move(text)}); }
 
+  void add_silent(const std::string& text) {
+    changes_.push_back({Impact::breaks, text + "; callers compile and mean something else", true});
+  }
+
   void compare_names() {
     for (const auto& [from, to] : renames_) {
       const bool is_member = std::ranges::count(old_arrays_, from, &ParameterArray::name) > 0;
-      add(is_member ? Impact::incompatible : Impact::assumptions,
+      add(is_member ? Impact::breaks : Impact::values,
           fmt::format("{} is called {} now", in_backticks(from), in_backticks(to)));
     }
     if (before_.scene.base_name != after_.scene.base_name) {
-      add(Impact::incompatible,
+      add(Impact::breaks,
           fmt::format("files are called {} now, which were {}",
                       in_backticks(after_.scene.base_name), in_backticks(before_.scene.base_name)));
     }
@@ -105,12 +109,12 @@ class InterfaceComparison {
   /// Of what stands in arrays, by its place.
   void compare_lists(const std::string& what, const Names& olds, const Names& news) {
     if (olds.size() != news.size()) {
-      add(Impact::incompatible,
+      add(Impact::breaks,
           fmt::format("{} where there were {}: {}", counted(news.size(), what), olds.size(),
                       fmt::format("{} -> {}", listed(olds), listed(news))));
     } else if (listed(olds) != listed(news)) {
-      add(Impact::misleading, fmt::format("{}s are other ones, or in another order: {} -> {}", what,
-                                          listed(olds), listed(news)));
+      add_silent(fmt::format("{}s are other ones, or in another order: {} -> {}", what,
+                             listed(olds), listed(news)));
     }
     compare_units(what, olds, news);
   }
@@ -121,9 +125,13 @@ class InterfaceComparison {
       if (old == nullptr || old->unit == now.unit) continue;
       // rad is 1: N*m*s/rad and N*m*s are one unit.
       const bool is_same = old->meant && now.meant && *old->meant == *now.meant;
-      add(is_same ? Impact::assumptions : Impact::misleading,
-          fmt::format("the unit of {} {} is {} where it was {}", what, in_backticks(now.name),
-                      unit(now), unit(*old)));
+      const std::string text = fmt::format("the unit of {} {} is {} where it was {}", what,
+                                           in_backticks(now.name), unit(now), unit(*old));
+      if (is_same) {
+        add(Impact::values, text);
+      } else {
+        add_silent(text);
+      }
     }
   }
 
@@ -138,10 +146,10 @@ class InterfaceComparison {
     for (const KnownName& old : olds) {
       const KnownName* const now = find(news, old.name);
       if (now == nullptr) {
-        add(Impact::incompatible,
+        add(Impact::breaks,
             fmt::format("there is no parameter {} any more", in_backticks(old.name)));
       } else if (now->size != old.size) {
-        add(Impact::incompatible,
+        add(Impact::breaks,
             fmt::format("parameter {} has {} where it had {}", in_backticks(old.name),
                         counted(now->size, "element"), old.size));
       }
@@ -152,8 +160,8 @@ class InterfaceComparison {
     std::erase_if(stayed,
                   [&news](const KnownName& old) { return find(news, old.name) == nullptr; });
     if (listed(kept) != listed(stayed)) {
-      add(Impact::misleading, fmt::format("members of Parameters are in another order: {} -> {}",
-                                          listed(stayed), listed(kept)));
+      add_silent(fmt::format("members of Parameters are in another order: {} -> {}",
+                             listed(stayed), listed(kept)));
     } else if (kept.size() < news.size()) {
       Names added = news;
       std::erase_if(added,
@@ -163,10 +171,12 @@ class InterfaceComparison {
           listed(Names(news.begin(), news.begin() + static_cast<std::ptrdiff_t>(kept.size()))) ==
               listed(kept);
       // Where others are gone, callers do not compile.
-      const bool are_harmless = are_last || kept.size() < olds.size();
-      add(are_harmless ? Impact::extended : Impact::misleading,
-          fmt::format("Parameters has new members{}: {}",
-                      are_harmless ? "" : ", not all of them behind the others", listed(added)));
+      if (are_last || kept.size() < olds.size()) {
+        add(Impact::extended, "Parameters has new members: " + listed(added));
+      } else {
+        add_silent("Parameters has new members, not all of them behind the others: " +
+                   listed(added));
+      }
     }
     compare_units("parameter", olds, news);
     compare_values();
@@ -184,7 +194,7 @@ class InterfaceComparison {
                         exact_text(now.value), exact_text(old->value)));
       }
       if (old->assumption != now.assumption) {
-        add(Impact::assumptions, fmt::format("{} is assumed to be {} where it was {}",
+        add(Impact::values, fmt::format("{} is assumed to be {} where it was {}",
                                              in_backticks(now.name), assumed(now), assumed(*old)));
       }
     }
@@ -199,11 +209,10 @@ class InterfaceComparison {
     for (const OutputRequest& old : before_.scene.outputs) {
       const OutputRequest* const now = find_request(after_.scene, old.name);
       if (now == nullptr) {
-        add(Impact::incompatible,
+        add(Impact::breaks,
             fmt::format("there is no function {} any more", in_backticks(old.name)));
       } else if (now->kind != old.kind) {
-        add(Impact::misleading,
-            fmt::format("the function {} is another output", in_backticks(old.name)));
+        add_silent(fmt::format("the function {} is another output", in_backticks(old.name)));
       } else if (output_row(now->kind).steps) {
         compare_methods(old, *now);
       }
@@ -220,7 +229,7 @@ class InterfaceComparison {
       const auto old = std::ranges::find(old_functions_, now.name, &Function::name);
       const bool is_in_both = old != old_functions_.end() && output_row(now.kind).of_user;
       if (!is_in_both || old->kind != now.kind || has_shape_of(*old, now)) continue;
-      add(Impact::incompatible,
+      add(Impact::breaks,
           fmt::format("{} is {} where it was {}", in_backticks(now.name), shape(now), shape(*old)));
     }
   }
@@ -254,16 +263,16 @@ class InterfaceComparison {
   void compare_target() {
     const Emission& old = before_.scene.emission;
     const Emission& now = after_.scene.emission;
-    if (old.language != now.language) add(Impact::incompatible, "the language of the code differs");
+    if (old.language != now.language) add(Impact::breaks, "the language of the code differs");
     if (name_space(before_.scene) != name_space(after_.scene) &&
         before_.scene.base_name == after_.scene.base_name) {
-      add(Impact::incompatible,
+      add(Impact::breaks,
           fmt::format("the namespace is {} where it was {}", in_backticks(name_space(after_.scene)),
                       in_backticks(name_space(before_.scene))));
     }
     if (old.storage != now.storage) {
-      add(Impact::misleading, fmt::format("matrices are stored {} where they were {}",
-                                          name_of(now.storage), name_of(old.storage)));
+      add_silent(fmt::format("matrices are stored {} where they were {}", name_of(now.storage),
+                             name_of(old.storage)));
     }
     compare_header("_eigen", old.eigen, now.eigen);
     compare_header("_batch", old.batch, now.batch);
@@ -272,14 +281,14 @@ class InterfaceComparison {
     }
     if (before_.scene.numerics.scalars != after_.scene.numerics.scalars) {
       const bool is_in_types = now.language == LanguageId::c99;
-      add(is_in_types ? Impact::incompatible : Impact::assumptions,
+      add(is_in_types ? Impact::breaks : Impact::values,
           "the scalars that code is for differ");
     }
   }
 
   void compare_header(const char* suffix, bool was_there, bool is_there) {
     if (was_there == is_there) return;
-    add(is_there ? Impact::extended : Impact::incompatible,
+    add(is_there ? Impact::extended : Impact::breaks,
         fmt::format("there is {} header NAME{}.hpp", is_there ? "a new" : "no longer a", suffix));
   }
 

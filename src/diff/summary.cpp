@@ -102,12 +102,12 @@ class Summary {
 
   SummaryLines operator()() {
     const Impact impact = impact_of(report_);
-    if (impact > Impact::text) {
-      if (impact == Impact::misleading) add_interface();
-      add_files();
+    add_files();
+    if (std::ranges::any_of(report_.systems, has_changes)) {
+      if (impact == Impact::breaks) add_interface();
       add_keys();
       if (const SystemChange* const system = most_changed(report_)) add_consequences(*system);
-      if (impact != Impact::misleading) add_interface();
+      if (impact != Impact::breaks) add_interface();
       add_operations();
     }
     const ImpactRow& row = impact_row(impact);
@@ -204,7 +204,9 @@ class Summary {
       }
     }
     if (changes.empty()) return section.add("unchanged");
-    std::ranges::stable_sort(changes, std::greater(), &InterfaceChange::impact);
+    std::ranges::stable_sort(changes, std::greater(), [](const InterfaceChange* change) {
+      return std::pair(change->impact, change->is_silent);
+    });
     const std::size_t shown =
         lists_all_ ? changes.size() : std::min(changes.size(), most_interface);
     for (std::size_t i = 0; i < shown; ++i) {
@@ -252,9 +254,8 @@ void add_lines(const OutputChange& output, std::vector<std::string>& lines) {
 }  // namespace
 
 Impact impact_of(const DiffReport& report) {
-  Impact worst = Impact::none;
-  if (!report.added.empty()) worst = Impact::extended;
-  if (!report.removed.empty()) worst = Impact::incompatible;
+  Impact worst = report.added.empty() ? Impact::equal : Impact::extended;
+  if (!report.removed.empty()) worst = Impact::breaks;
   for (const SystemChange& system : report.systems) worst = std::max(worst, system.impact);
   return worst;
 }

@@ -14,8 +14,8 @@ struct SummaryLine {
 };
 using SummaryLines = std::vector<SummaryLine>;
 
-/// Causes first, then what follows, one entry in full, what callers see, and the verdict; what
-/// breaks silently stands before all. At most about a dozen unless `lists_all`.
+/// Causes first, then what follows, one entry in full, what callers see, and the verdict; where
+/// callers break, what they see stands before the causes. At most about a dozen unless `lists_all`.
 [[nodiscard]] SummaryLines summary(const DiffReport& report, bool lists_all);
 
 /// Labels in a column of their own.

@@ -14,7 +14,7 @@ TEST_CASE("files of other programs, hidden folders and equal files are passed ov
           workspace.path());
   const Outcome outcome = shell("elgen diff old new", workspace.path());
   CHECK(outcome.status == 0);
-  CHECK(outcome.output == "identical    nothing differs\n");
+  CHECK(outcome.output == "equal        the equations are the same\n");
 }
 
 TEST_CASE("a folder is not compared with a file") {

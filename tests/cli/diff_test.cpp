@@ -47,10 +47,41 @@ TEST_CASE("files of folders match by their paths") {
   const Outcome outcome = folders.diff("old new");
   CHECK(mentions(outcome.output, "cart_pole 14 of 74, cart_pole_balance 3 of "));
   CHECK_FALSE(mentions(outcome.output, "simple_pendulum"));
-  prepare("mv new/simple_pendulum.toml new/pendulum.toml", folders.path());
-  const Outcome moved = folders.diff("old new");
-  CHECK(mentions(moved.output, "added        new/pendulum.toml\n"));
-  CHECK(mentions(moved.output, "removed      simple_pendulum.toml\n"));
+}
+
+TEST_CASE("a model that is gone breaks, one that moved does not") {
+  const TwoFolders folders;
+  prepare("cp old/cart_pole.toml new && mv new/simple_pendulum.toml new/scenes/pendulum.toml",
+          folders.path());
+  const Outcome same = folders.diff("old new");
+  CHECK(same.status == 0);
+  CHECK(same.output == "equal        the equations are the same\n");
+  prepare("sed -i 's/value = 9.81/value = 9.8/' new/scenes/pendulum.toml", folders.path());
+  const Outcome moved = folders.diff("old new --allow values");
+  CHECK(moved.status == 0);
+  CHECK(mentions(moved.output, "new/scenes/pendulum.toml:"));
+  CHECK_FALSE(mentions(moved.output, "removed"));
+  prepare("sed -i 's/\"simple_pendulum\"/\"pendulum\"/' new/scenes/pendulum.toml",
+          folders.path());
+  const Outcome gone = folders.diff("old new --allow different");
+  CHECK(gone.status == 1);
+  CHECK(mentions(gone.output, "added        new/scenes/pendulum.toml\n"));
+  CHECK(mentions(gone.output, "removed      simple_pendulum.toml\n"));
+  CHECK(mentions(gone.output, "breaks       the code of callers breaks\n"));
+}
+
+TEST_CASE("files of a revision that moved or went are told so where they are named") {
+  const TwoFolders folders;
+  prepare(
+      "git init -q && git add old && git -c user.name=a -c user.email=a@b commit -q -m first && "
+      "git mv old/simple_pendulum.toml old/pendulum.toml",
+      folders.path());
+  CHECK(folders.diff("--against HEAD old").status == 0);
+  CHECK(folders.diff("--against HEAD old/simple_pendulum.toml old/pendulum.toml").status == 0);
+  const Outcome gone = folders.diff("--against HEAD --allow different old/simple_pendulum.toml");
+  CHECK(gone.status == 1);
+  CHECK(starts_with(gone.output, "removed      old/simple_pendulum.toml\n"));
+  CHECK(folders.diff("--against HEAD nothing.toml").status == 2);
 }
 
 TEST_CASE("what exits with 0 is set by --allow") {
@@ -58,8 +89,8 @@ TEST_CASE("what exits with 0 is set by --allow") {
   const std::string pair = "old/cart_pole.toml new/cart_pole.toml ";
   CHECK(folders.diff(pair + "--allow extended").status == 1);
   CHECK(folders.diff(pair + "--allow different").status == 0);
-  CHECK(folders.diff(pair + "--allow all").status == 0);
-  CHECK(folders.diff(pair + "--allow most").status == 2);
+  CHECK(folders.diff(pair + "--allow breaks").status == 0);
+  CHECK(folders.diff(pair + "--allow all").status == 2);
 }
 
 TEST_CASE("a revision of git is compared with what is there") {

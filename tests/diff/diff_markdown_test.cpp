@@ -14,11 +14,11 @@ TEST_CASE("equations stand in blocks of code, all entries behind a fold") {
 }
 
 TEST_CASE("back-ticks of a text do not end its block") {
-  SystemChange system{.impact = Impact::assumptions};
+  SystemChange system{.impact = Impact::values};
   system.keys.push_back({.entry = "[model]", .path = {{"doc"}}, .after = "```"});
   CHECK(mentions(to_markdown({.systems = {system}}), "\n````text\n"));
 }
 
 TEST_CASE("where nothing differs there is a heading alone") {
-  CHECK(to_markdown({}) == "### elgen diff: identical (nothing differs)\n");
+  CHECK(to_markdown({}) == "### elgen diff: equal (the equations are the same)\n");
 }

@@ -129,7 +129,7 @@ struct Edit {
 
 TEST_CASE("edits of known models amount to what a reviewer would say") {
   const Edit edits[]{
-      {"simple_pendulum", "g = {", "# gravity\ng = {", Impact::text},
+      {"simple_pendulum", "g = {", "# gravity\ng = {", Impact::equal},
       {"cart_pole", "\"x + l*sin(theta)\"", "\"l*sin(theta) + x\"", Impact::equal},
       {"cart_pole", "\"x + l*sin(theta)\"", "\"x - l*sin(-theta)\"", Impact::equal},
       {"cart_pole", "\"x + l*sin(theta)\"", "\"x + 2*l*sin(theta/2)*cos(theta/2)\"", Impact::equal},
@@ -138,17 +138,17 @@ TEST_CASE("edits of known models amount to what a reviewer would say") {
        Impact::different},
       {"cart_pole", "mass = \"M\"", "mass = \"(M^2 - m^2)/(M - m) - m\"", Impact::equal},
       {"cart_pole", "mass = \"M\"", "mass = \"sqrt(M^2)\"", Impact::equal},
-      {"cart_pole", "name   = \"u\"", "name   = \"F\"", Impact::misleading},
-      {"cart_pole", "\"-g\"", "\"0\"", Impact::incompatible},
+      {"cart_pole", "name   = \"u\"", "name   = \"F\"", Impact::breaks},
+      {"cart_pole", "\"-g\"", "\"0\"", Impact::breaks},
       {"cart_pole", "doc        = \"cart position\"", "doc        = \"position\"",
-       Impact::assumptions},
+       Impact::values},
       {"cart_pole", "value = 9.81", "value = 9.80665", Impact::values},
-      {"cart_pole", "unit       = \"rad\"", "unit       = \"1\"", Impact::assumptions},
+      {"cart_pole", "unit       = \"rad\"", "unit       = \"1\"", Impact::values},
       {"double_pendulum", "value = 9.81", "value = 9.8", Impact::values},
-      {"chain", "n = 5", "n = 4", Impact::incompatible},
+      {"chain", "n = 5", "n = 4", Impact::breaks},
       {"chain", "l[i]*sin(q[i])", "l[i]*cos(q[i] - pi/2)", Impact::equal},
       {"chain", "l[i]*sin(q[i])", "l[i]*sin(q[i] + 2*pi)", Impact::equal},
-      {"heavy_top", "name        = \"heavy_top\"", "name = \"top\"", Impact::incompatible},
+      {"heavy_top", "name        = \"heavy_top\"", "name = \"top\"", Impact::breaks},
   };
   for (const auto& [model, part, other, impact] : edits) {
     INFO(model << ": " << part << " -> " << other);
@@ -167,7 +167,7 @@ TEST_CASE("coordinates of a chain of three to seven in another order are told to
     const std::string after =
         edited(edited(before, first, ""), "[parameters]", first + "[parameters]");
     const SystemChange found = compared(before, after);
-    CHECK(found.impact == Impact::misleading);
+    CHECK(breaks_silently(found));
     for (const OutputChange& output : found.outputs) {
       for (const EntryChange& entry : output.entries) {
         INFO(entry.place);

@@ -26,7 +26,7 @@ TEST_CASE("a cause that two systems share is one line") {
 }
 
 TEST_CASE("keys beyond five are counted") {
-  SystemChange system{.impact = Impact::assumptions};
+  SystemChange system{.impact = Impact::values};
   for (const char* const name : {"a", "b", "c", "d", "e", "f", "g"}) {
     system.keys.push_back({.table = "model", .entry = "[model]", .path = {{name}}, .after = "1"});
   }
@@ -36,7 +36,7 @@ TEST_CASE("keys beyond five are counted") {
 }
 
 TEST_CASE("operations are told where all of them are known") {
-  SystemChange system{.impact = Impact::equal};
+  SystemChange system{.impact = Impact::equal, .keys = {{.entry = "[energy]", .after = "1"}}};
   CHECK_FALSE(mentions(text_of(summary({.systems = {system}}, false)), "operations"));
   system.operations.emplace();
   CHECK(mentions(text_of(summary({.systems = {system}}, false)), "operations   unchanged\n"));

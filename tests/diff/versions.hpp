@@ -84,6 +84,12 @@ inline std::ptrdiff_t count_of(const SystemChange& system, EntryVerdict verdict)
   return all;
 }
 
+/// Whether callers compile and mean something else.
+inline bool breaks_silently(const SystemChange& system) {
+  return system.impact == Impact::breaks &&
+         std::ranges::count(system.interface, true, &InterfaceChange::is_silent) > 0;
+}
+
 /// A mass m on a spring k at x.
 inline std::string spring(const std::string& potential = "1/2*k*x^2") {
   return model_text("spring", R"toml([[coordinate]]

@@ -52,6 +52,11 @@ Version LoadedVersion::version() const {
           operations.empty() ? nullptr : &operations};
 }
 
+std::string system_name(const Inputs& inputs, const Limits& limits) {
+  const Products checked = products(inputs, limits, "check");
+  return checked.checked ? checked.checked->scene.base_name : std::string();
+}
+
 Result<LoadedVersion> load_version(const Inputs& inputs, const Limits& limits) {
   LoadedVersion loaded{inputs};
   loaded.products = products(inputs, limits, "lower");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "elgen/diff.hpp"
 #include "elgen/pipeline.hpp"
@@ -18,6 +19,9 @@ struct LoadedVersion {
 
   [[nodiscard]] Version version() const;
 };
+
+/// The base name of its files: MODEL, or MODEL_SCENE. "" where it has errors.
+[[nodiscard]] std::string system_name(const Inputs& inputs, const Limits& limits);
 
 /// Errors: those of the stages up to the equations.
 [[nodiscard]] Result<LoadedVersion> load_version(const Inputs& inputs, const Limits& limits);
