@@ -101,7 +101,7 @@ struct EntryChange {
 /// One output of either version.
 struct OutputChange {
   std::string name = {};
-  std::size_t entry_count = 0;            ///< of the newer version, or what was removed
+  std::size_t entry_count = 0;            ///< of the version that has more
   std::vector<EntryChange> entries = {};  ///< those that are not identical
 };
 

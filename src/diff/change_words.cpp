@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "lower/operation_columns.hpp"
 
 namespace elgen {
@@ -54,13 +56,19 @@ std::string text_of(const KeyChange& change) {
 
 void VerdictCounts::add(const OutputChange& output) {
   all += output.entry_count;
+  std::size_t news = 0;
+  std::size_t olds = 0;
   for (const EntryChange& entry : output.entries) {
     different += entry.verdict == EntryVerdict::different ? 1 : 0;
     rewritten += entry.verdict == EntryVerdict::equal ? 1 : 0;
     proved += entry.verdict == EntryVerdict::equal && entry.is_proved ? 1 : 0;
-    added += entry.verdict == EntryVerdict::added ? 1 : 0;
-    removed += entry.verdict == EntryVerdict::removed ? 1 : 0;
+    news += entry.verdict == EntryVerdict::added ? 1 : 0;
+    olds += entry.verdict == EntryVerdict::removed ? 1 : 0;
   }
+  const std::size_t pairs = std::min(news, olds);
+  replaced += pairs;
+  added += news - pairs;
+  removed += olds - pairs;
 }
 
 std::string VerdictCounts::text() const {
@@ -69,6 +77,7 @@ std::string VerdictCounts::text() const {
   if (rewritten > 0) {
     result += proved == rewritten ? " (proved)" : fmt::format(" ({} proved)", proved);
   }
+  if (replaced > 0) result += fmt::format(", {} replaced", replaced);
   if (added > 0) result += fmt::format(", {} added", added);
   if (removed > 0) result += fmt::format(", {} removed", removed);
   return result;

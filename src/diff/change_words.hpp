@@ -19,13 +19,14 @@ struct VerdictCounts {
   std::size_t different = 0;
   std::size_t rewritten = 0;
   std::size_t proved = 0;  ///< of those that are rewritten
+  std::size_t replaced = 0;  ///< one is gone and another is there, as where a name is another one
   std::size_t added = 0;
   std::size_t removed = 0;
 
   void add(const OutputChange& output);
   /// "3 of 12 entries differ, 2 rewritten (1 proved)"
   [[nodiscard]] std::string text() const;
-  [[nodiscard]] std::size_t changed() const { return different + added + removed; }
+  [[nodiscard]] std::size_t changed() const { return different + replaced + added + removed; }
 };
 
 [[nodiscard]] VerdictCounts counts_of(const SystemChange& system);

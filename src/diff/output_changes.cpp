@@ -71,7 +71,7 @@ class OutputComparison {
   }
 
   OutputChange compared(const Function& before, const Function& after) {
-    OutputChange change{after.name, entry_count(after), {}};
+    OutputChange change{after.name, std::max(entry_count(before), entry_count(after)), {}};
     JointFunction joint = joint_.joined(before, after, values_);
     Instructions instructions(joint.function);
     std::vector<Pair> open;

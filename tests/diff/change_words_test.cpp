@@ -3,7 +3,10 @@
 
 #include <catch2/catch.hpp>
 
+#include "diff/versions.hpp"
+
 using namespace elgen;
+using namespace elgen::test;
 
 TEST_CASE("keys that are new, gone or moved") {
   KeyChange change{.table = "gravity", .entry = "[gravity]", .path = {{"vector"}, {"", 2}}};
@@ -39,6 +42,27 @@ TEST_CASE("entries are counted by their verdicts") {
   output.entries = {{.verdict = EntryVerdict::equal}, {.verdict = EntryVerdict::different}};
   counts.add(output);
   CHECK(counts.text() == "1 of 8 entries differs, 2 rewritten (1 proved)");
+}
+
+TEST_CASE("an entry that is gone and one that is there instead count once") {
+  OutputChange output{.entry_count = 4};
+  for (const EntryVerdict verdict :
+       {EntryVerdict::added, EntryVerdict::added, EntryVerdict::removed}) {
+    output.entries.push_back({.verdict = verdict});
+  }
+  VerdictCounts counts;
+  counts.add(output);
+  CHECK(counts.text() == "0 of 4 entries differ, 0 rewritten, 1 replaced, 1 added");
+  CHECK(counts.changed() == 2);
+}
+
+TEST_CASE("a coordinate with another name counts no entry twice") {
+  const std::string other = edited(
+      edited(edited(spring(), "name = \"x\"", "name = \"s\""), "dot(x)", "dot(s)"), "x^2", "s^2");
+  const VerdictCounts counts = counts_of(compared(spring(), other));
+  CHECK(counts.replaced > 0);
+  CHECK(counts.added + counts.removed == 0);
+  CHECK(counts.changed() <= counts.all);
 }
 
 TEST_CASE("operations that stay are not told") {
