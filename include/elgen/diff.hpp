@@ -166,11 +166,18 @@ struct SystemChange {
 /// Whether there is more to tell than comments, blanks and the order of keys.
 [[nodiscard]] bool has_changes(const SystemChange& system);
 
+/// A model or scene that has errors in either version, and the first of them.
+struct UnreadableSystem {
+  std::string path = {};
+  Diagnostic error;
+};
+
 /// Models and scenes that were compared together, each with its own.
 struct DiffReport {
   std::vector<SystemChange> systems = {};
   std::vector<std::string> added = {};    ///< paths that only the newer side has
   std::vector<std::string> removed = {};  ///< or the older one
+  std::vector<UnreadableSystem> unreadable = {};
 };
 
 /// The worst of all; `extended` where something was added, `breaks` where it was removed.
@@ -182,7 +189,8 @@ struct DiffReport {
 /// The same as a comment on a pull request: the lines, and behind a fold every entry.
 [[nodiscard]] std::string to_markdown(const DiffReport& report);
 
-/// The causes as workflow commands of GitHub, which shows ten a step; the last one counts what is
+/// Workflow commands of GitHub: an error for every system that breaks, is gone or cannot be read,
+/// with the reason; then the causes. Of these GitHub shows ten a step: the last one counts what is
 /// left over.
 [[nodiscard]] std::string to_annotations(const DiffReport& report);
 

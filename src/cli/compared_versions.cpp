@@ -164,15 +164,16 @@ class VersionPairs {
     progress.stage("compare");
     const Result<Inputs> before = old_side.inputs(old_path);
     const Result<Inputs> after = new_side.inputs(new_path);
-    if (!keep(before.diagnostics) || !keep(after.diagnostics) || !before || !after) return;
+    const bool is_read = keep(new_path, before.diagnostics) && keep(new_path, after.diagnostics);
+    if (!is_read || !before || !after) return;
     const bool is_same =
         same_text(before->model, after->model) && same_text(before->scene, after->scene);
-    if (is_same) return keep_mistakes(*after);
+    if (is_same) return keep_mistakes(new_path, *after);
     const Result<LoadedVersion> old = load_version(*before, limits_);
     const Result<LoadedVersion> now = load_version(*after, limits_);
     sources_.insert(sources_.end(), {before->model, before->scene, after->model, after->scene});
-    keep(old.diagnostics);
-    keep(now.diagnostics);
+    keep(new_path, old.diagnostics);
+    keep(new_path, now.diagnostics);
     if (!old || !now) return;
     report_.systems.push_back(elgen::compare(old->version(), now->version(), options_));
   }
@@ -181,7 +182,7 @@ class VersionPairs {
                        const std::string& new_folder) {
     const Result<FolderFiles> olds = systems_below(old_side, old_folder);
     const Result<FolderFiles> news = systems_below(new_side, new_folder);
-    if (!keep(olds.diagnostics) || !keep(news.diagnostics)) return;
+    if (!keep(new_folder, olds.diagnostics) || !keep(new_folder, news.diagnostics)) return;
     const auto compare_both = [&](const std::string& inside) {
       compare(old_side, joined(old_folder, inside), new_side, joined(new_folder, inside));
     };
@@ -214,12 +215,11 @@ class VersionPairs {
     compare_moved();
     for (const LoneFile& file : added_) {
       const Result<Inputs> inputs = file.side->inputs(file.path);
-      if (keep(inputs.diagnostics) && inputs) keep_mistakes(*inputs);
+      if (keep(file.path, inputs.diagnostics) && inputs) keep_mistakes(file.path, *inputs);
       report_.added.push_back(shown_path(file.shown));
     }
     for (const LoneFile& file : removed_) report_.removed.push_back(shown_path(file.shown));
     sort_by_position(diagnostics_);
-    if (has_errors(diagnostics_)) return std::move(diagnostics_);
     return {std::move(report_), std::move(diagnostics_)};
   }
 
@@ -249,16 +249,20 @@ class VersionPairs {
   }
 
   /// Of files that are not compared, in their syntax.
-  void keep_mistakes(const Inputs& inputs) {
+  void keep_mistakes(const std::string& path, const Inputs& inputs) {
     sources_.insert(sources_.end(), {inputs.model, inputs.scene});
-    keep(parse_model(inputs.model, limits_).diagnostics);
-    if (inputs.scene != nullptr) keep(parse_scene(inputs.scene, limits_).diagnostics);
+    keep(path, parse_model(inputs.model, limits_).diagnostics);
+    if (inputs.scene != nullptr) keep(path, parse_scene(inputs.scene, limits_).diagnostics);
   }
 
   /// Whether there is no error among them. Warnings of the models are for `generate`.
-  bool keep(const Diagnostics& found) {
+  bool keep(const std::string& path, const Diagnostics& found) {
     for (const Diagnostic& diagnostic : found) {
-      if (code_row(diagnostic.code).severity == Severity::error) diagnostics_.push_back(diagnostic);
+      if (code_row(diagnostic.code).severity != Severity::error) continue;
+      diagnostics_.push_back(diagnostic);
+      std::vector<UnreadableSystem>& unreadable = report_.unreadable;
+      const bool is_known = !unreadable.empty() && unreadable.back().path == shown_path(path);
+      if (!is_known) unreadable.push_back({shown_path(path), diagnostic});
     }
     return !has_errors(found);
   }

@@ -11,8 +11,8 @@ namespace elgen::cli {
 
 /// Two files, or two folders whose files match by their paths in them; a file that moved matches by
 /// the name of its system. A folder's models are the files NAME.toml that are TOML with a table
-/// [model], its scenes are called NAME.scene.toml. Diagnostics of either version stand beside the
-/// report.
+/// [model], its scenes are called NAME.scene.toml. Errors of either version stand beside the report
+/// of what could be compared.
 [[nodiscard]] Result<DiffReport> compared_paths(const std::string& before, const std::string& after,
                                                 const CompareOptions& options,
                                                 const Limits& limits);

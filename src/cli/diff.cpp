@@ -28,6 +28,7 @@ struct DiffOptions {
 struct DiffFormat {
   std::string_view name;
   std::string (*text)(const DiffReport& report, const DiffOptions& options);
+  bool tells_errors = false;  ///< of systems, beside what could be compared
 };
 
 constexpr std::array formats{
@@ -39,9 +40,9 @@ constexpr std::array formats{
                [](const DiffReport& report, const DiffOptions&) { return to_json(report); }},
     DiffFormat{"markdown",
                [](const DiffReport& report, const DiffOptions&) { return to_markdown(report); }},
-    DiffFormat{"github", [](const DiffReport& report, const DiffOptions&) {
-                 return to_annotations(report);
-               }}};
+    DiffFormat{"github",
+               [](const DiffReport& report, const DiffOptions&) { return to_annotations(report); },
+               true}};
 
 std::vector<std::string> format_names() {
   std::vector<std::string> names;
@@ -101,18 +102,18 @@ ExitCode diff(const GlobalOptions& given, const DiffOptions& options) {
   const Result<Renames> renames = renames_of(options.renames);
   if (!renames) return report(global, renames.diagnostics);
   const CompareOptions comparing{*renames, {options.only.begin(), options.only.end()}};
-  Result<DiffReport> found =
+  const Result<DiffReport> found =
       options.revision.empty()
           ? compared_paths(options.inputs.front(), options.inputs.back(), comparing, global.limits)
           : compared_with_revision(options.revision, options.inputs, comparing, global.limits);
-  if (!found) return report(global, found.diagnostics);
-  if (const Diagnostics unknown = unknown_outputs(*found, options); !unknown.empty()) {
-    return report(global, unknown);
-  }
-  ExitCode worst = report(global, found.diagnostics);
-  worst = std::max(worst, print(global, format.text(*found, options)));
+  const bool is_whole = !has_errors(found.diagnostics);
+  if (!found || (!is_whole && !format.tells_errors)) return report(global, found.diagnostics);
+  const Diagnostics unknown = unknown_outputs(*found, options);
+  if (is_whole && !unknown.empty()) return report(global, unknown);
+  const ExitCode printed = print(global, format.text(*found, options));
   const bool is_allowed = impact_of(*found) <= *find_impact(options.allowed);
-  return std::max(worst, is_allowed ? ExitCode::success : ExitCode::differs);
+  return std::max(
+      {exit_code(found.diagnostics), printed, is_allowed ? ExitCode::success : ExitCode::differs});
 }
 
 }  // namespace

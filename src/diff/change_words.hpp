@@ -18,7 +18,7 @@ struct VerdictCounts {
   std::size_t all = 0;
   std::size_t different = 0;
   std::size_t rewritten = 0;
-  std::size_t proved = 0;  ///< of those that are rewritten
+  std::size_t proved = 0;    ///< of those that are rewritten
   std::size_t replaced = 0;  ///< one is gone and another is there, as where a name is another one
   std::size_t added = 0;
   std::size_t removed = 0;

@@ -160,8 +160,8 @@ class InterfaceComparison {
     std::erase_if(stayed,
                   [&news](const KnownName& old) { return find(news, old.name) == nullptr; });
     if (listed(kept) != listed(stayed)) {
-      add_silent(fmt::format("members of Parameters are in another order: {} -> {}",
-                             listed(stayed), listed(kept)));
+      add_silent(fmt::format("members of Parameters are in another order: {} -> {}", listed(stayed),
+                             listed(kept)));
     } else if (kept.size() < news.size()) {
       Names added = news;
       std::erase_if(added,
@@ -195,7 +195,7 @@ class InterfaceComparison {
       }
       if (old->assumption != now.assumption) {
         add(Impact::values, fmt::format("{} is assumed to be {} where it was {}",
-                                             in_backticks(now.name), assumed(now), assumed(*old)));
+                                        in_backticks(now.name), assumed(now), assumed(*old)));
       }
     }
   }
@@ -281,8 +281,7 @@ class InterfaceComparison {
     }
     if (before_.scene.numerics.scalars != after_.scene.numerics.scalars) {
       const bool is_in_types = now.language == LanguageId::c99;
-      add(is_in_types ? Impact::breaks : Impact::values,
-          "the scalars that code is for differ");
+      add(is_in_types ? Impact::breaks : Impact::values, "the scalars that code is for differ");
     }
   }
 

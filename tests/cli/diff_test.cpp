@@ -61,8 +61,7 @@ TEST_CASE("a model that is gone breaks, one that moved does not") {
   CHECK(moved.status == 0);
   CHECK(mentions(moved.output, "new/scenes/pendulum.toml:"));
   CHECK_FALSE(mentions(moved.output, "removed"));
-  prepare("sed -i 's/\"simple_pendulum\"/\"pendulum\"/' new/scenes/pendulum.toml",
-          folders.path());
+  prepare("sed -i 's/\"simple_pendulum\"/\"pendulum\"/' new/scenes/pendulum.toml", folders.path());
   const Outcome gone = folders.diff("old new --allow different");
   CHECK(gone.status == 1);
   CHECK(mentions(gone.output, "added        new/scenes/pendulum.toml\n"));
@@ -146,6 +145,22 @@ TEST_CASE("a model that cannot be read is an error in every mode, not a removed 
     CHECK(folders.diff("--against HEAD").status == 2);
     CHECK(folders.diff("--against HEAD simple_pendulum.toml").status == 2);
   }
+}
+
+TEST_CASE("annotations tell what can be compared beside what cannot be read") {
+  const TwoFolders folders;
+  prepare(
+      "sed -i 's/^name *= \"u\"/name = \"F\"/' new/cart_pole.toml && echo x >> "
+      "new/simple_pendulum.toml",
+      folders.path());
+  const Outcome outcome = folders.diff("--format github old new");
+  CHECK(outcome.status == 2);
+  CHECK(outcome.errors.empty());
+  CHECK(count(outcome.output, "::error ") == 3);
+  CHECK(mentions(outcome.output, "title=elgen diff%3A breaks::cart_pole: "));
+  CHECK(mentions(outcome.output, "title=elgen diff%3A breaks::cart_pole_balance: "));
+  CHECK(
+      mentions(outcome.output, "title=elgen diff%3A unreadable::new/simple_pendulum.toml: E101: "));
 }
 
 TEST_CASE("links that lead nowhere, and paths that are too long, are no internal errors") {

@@ -15,7 +15,23 @@ TEST_CASE("a cause stands at its place") {
       "::notice file="));
 }
 
-TEST_CASE("ten are shown, the last one counts the others") {
+TEST_CASE("a system that breaks, is gone or cannot be read is one line, with the reason") {
+  const std::string reversed = edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {");
+  const DiffReport report{.systems = {compared(spring(), reversed)},
+                          .removed = {"old.toml"},
+                          .unreadable = {{"new.toml", {Code::E201, {}, "unknown name `z`"}}}};
+  const std::string text = to_annotations(report);
+  CHECK(count(text, "::error ") == 3);
+  CHECK(starts_with(text, "::error file=model.toml,"));
+  CHECK(mentions(text,
+                 ",title=elgen diff%3A breaks::spring: members of Parameters are in another order: "
+                 "m, k -> k, m; callers compile and mean something else\n"));
+  CHECK(mentions(text, "::error title=elgen diff%3A breaks::old.toml is gone\n"));
+  CHECK(
+      mentions(text, "::error title=elgen diff%3A unreadable::new.toml: E201: unknown name `z`\n"));
+}
+
+TEST_CASE("ten causes are shown, the last one counts the others") {
   SystemChange system{.impact = Impact::different};
   for (int i = 0; i < 12; ++i) {
     system.keys.push_back({.entry = "[model]", .path = {{std::to_string(i)}}, .after = "1"});

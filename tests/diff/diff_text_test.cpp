@@ -33,8 +33,8 @@ TEST_CASE("what breaks silently stands first") {
   const std::string text =
       report(spring(), edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {"));
   CHECK(starts_with(text,
-                    "interface    breaks: members of Parameters are in another order: m, k -> k, m; "
-                    "callers compile and mean something else\n"));
+                    "interface    breaks: members of Parameters are in another order: m, k -> "
+                    "k, m; callers compile and mean something else\n"));
   CHECK(mentions(text, "\nbreaks       the code of callers breaks\n"));
 }
 

@@ -69,7 +69,9 @@ TEST_CASE("the workflow of GitHub summarises, annotates and checks a pull reques
   machine.run("git checkout -q .");
   machine.branch("breaking", rename);
   CHECK(machine.step("Summarise the equations").status == 0);
-  CHECK(machine.step("Annotate the models").status == 1);
+  const Outcome broken = machine.step("Annotate the models");
+  CHECK(broken.status == 1);
+  CHECK(mentions(broken.output, "title=elgen diff%3A breaks::cart_pole: inputs are other ones"));
 }
 
 TEST_CASE("the job of GitLab compares and checks a merge request") {
