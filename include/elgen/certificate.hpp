@@ -14,7 +14,6 @@
 #include "elgen/model.hpp"
 #include "elgen/program.hpp"
 #include "elgen/scene.hpp"
-#include "elgen/screening.hpp"
 #include "elgen/toolchain.hpp"
 
 namespace elgen {
@@ -65,19 +64,11 @@ struct CertificateRow {
   Verdict verdict = Verdict::holds;
 };
 
-/// How many states were screened in a scalar, and how many of them visited.
-struct ScreenedCount {
-  ScalarKind scalar = ScalarKind::double_precision;
-  std::uint64_t states = 0;
-  std::size_t visited = 0;
-};
-
 struct Certificate {
   std::string model;
   std::string scene;
   std::uint64_t seed = 0;
   std::vector<CertificateRow> rows = {};
-  std::vector<ScreenedCount> screened = {};  ///< empty where all states were visited
 };
 
 /// What solutions M x = b of the scene's outputs are judged by: M, bias, the input matrix, and
@@ -92,6 +83,7 @@ struct VerifyOptions {
   /// output instead of all entries; no compiler.
   bool quick = false;
   std::uint64_t seed = 1;
+  std::size_t jobs = 1;  ///< processes that share the states; the certificate is the same
   /// Prove [[expect]]; parallel to the program's functions. Without them, and where they do not
   /// decide, it is sampled.
   ClosedForms* forms = nullptr;
@@ -103,8 +95,6 @@ struct VerifyOptions {
   const CompiledModel* as_users = nullptr;
   /// What the header declares; perhaps null.
   const std::vector<DeclaredNumber>* declared = nullptr;
-  /// Of the same samples and seed: only the states to visit of it are visited.
-  const Screening* screening = nullptr;
   /// Told of each step: "accuracy in double, state 3 of 36".
   std::function<void(const std::string&)> on_step = {};
 };

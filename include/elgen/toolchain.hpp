@@ -47,21 +47,6 @@ struct CompiledHeader {
 };
 using CompiledHeaders = std::vector<CompiledHeader>;
 
-/// What screening says of a field at a state.
-inline constexpr std::size_t figures_per_field = 2;
-
-/// The emitted functions beside themselves in 50 digits (Boost.Multiprecision).
-class ScreeningCode {
- public:
-  virtual ~ScreeningCode() = default;
-  /// Of every field of every function in turn, to `figures`: |x - x*| / (u B), the largest of its
-  /// entries, with B run along the code, and |x - x*| / (u (|x*| + K)), where K estimates what one
-  /// rounding of all inputs costs; both -1 where the code has no value or overflows. x* is the
-  /// code's own value in 50 digits: whether it is the right one is not asked.
-  virtual void judge(const Arguments<double>& state, double* figures) const = 0;
-  virtual void judge(const Arguments<float>& state, double* figures) const = 0;
-};
-
 /// How headers are compiled.
 enum class Build : std::uint8_t {
   as_written,  ///< strict flags, no contraction: the bits of the arithmetic that is written
@@ -98,21 +83,11 @@ struct DeclaredNumber {
                                                                    const Program& program,
                                                                    const Limits& limits);
 
-/// As written, of a scene in C++; errors as of compile, E709 where Boost is not installed. Cost: 6
-/// s of the compiler, more for long programs.
-[[nodiscard]] Result<std::unique_ptr<ScreeningCode>> compile_screening(const EmittedFiles& files,
-                                                                       const Model& model,
-                                                                       const Scene& scene,
-                                                                       const Program& program,
-                                                                       const Limits& limits);
-
-/// What decides, beside the code, which bits a compiled function gives.
+/// What compiled functions are made and timed by.
 struct Machine {
   std::string compiler = {};   ///< "g++ (Debian 12.2.0-14) 12.2.0"
-  std::string command = {};    ///< "c++ -O2 -ffp-contract=off ..."
   std::string processor = {};  ///< "AMD EPYC 7B13"
   std::string c_library = {};  ///< "glibc 2.36"
-  friend bool operator==(const Machine&, const Machine&) = default;
 };
 
 /// This one. E704 and E909 as of compile.

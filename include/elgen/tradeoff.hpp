@@ -139,7 +139,6 @@ struct PlannedRun {
                                      const Model& model);
 
 struct TradeoffRow {
-  std::size_t number = 0;                ///< among all that are planned
   std::vector<std::string> values = {};  ///< of the dimensions
   Spread cost = {};
   DesignErrors error = {};
@@ -157,10 +156,6 @@ struct TradeoffTable {
   std::vector<std::string> sentences = {};  ///< what to say of them: how much a dimension matters
   Machine machine = {};
 };
-
-/// Of tables that several processes made of parts of one plan: the rows in the order of their
-/// numbers, and each sentence once; all else is the first one's.
-[[nodiscard]] TradeoffTable joined(const std::vector<TradeoffTable>& parts);
 
 /// Sorts the rows, marks the front, and puts a sentence for each dimension before those there are.
 [[nodiscard]] TradeoffTable judged(TradeoffTable table);

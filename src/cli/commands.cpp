@@ -13,14 +13,6 @@ void add_sources(CLI::App& command, const std::string& name, const std::string& 
       ->allow_extra_args(false);
 }
 
-CLI::Option* add_shard(CLI::App& command, std::optional<Shard>& shard, const std::string& doc) {
-  const auto read = [&shard](const std::string& text) {
-    shard = parse_shard(text);
-    if (!shard) throw CLI::ValidationError("--shard", "not i/N with 1 <= i <= N: " + text);
-  };
-  return command.add_option_function<std::string>("--shard", read, doc)->type_name("i/N");
-}
-
 void add_specialisation(CLI::App& command, SceneOptions& options) {
   add_sources(command, "--fix", "NAME[=VALUE]", options.fixed,
               "make a parameter a number: NAME, NAME=VALUE or all");

@@ -5,7 +5,6 @@
 #include <functional>
 
 #include "cli/options.hpp"
-#include "elgen/shard.hpp"
 
 namespace elgen::cli {
 
@@ -29,9 +28,6 @@ void set_action(CLI::App& command, Action& action, const std::shared_ptr<Options
 /// An option of which every value is a source that diagnostics point into.
 void add_sources(CLI::App& command, const std::string& name, const std::string& type,
                  std::vector<SourcePointer>& sources, const std::string& doc);
-
-/// --shard i/N
-CLI::Option* add_shard(CLI::App& command, std::optional<Shard>& shard, const std::string& doc);
 
 /// --fix and --size
 void add_specialisation(CLI::App& command, SceneOptions& options);

@@ -55,9 +55,9 @@ class DesignBench {
     if (!exact.program) return exact.diagnostics;
     if (!is_returned(exact.program->functions.front())) return too_large();
     if (Diagnostics wrong = prepare(exact); !wrong.empty()) return wrong;
-    for (Workpiece& workpiece : workpieces_of_shard()) make(std::move(workpiece));
+    for (auto& [key, workpiece] : workpieces()) make(std::move(workpiece));
     time_all();
-    for (auto& [number, row] : rows_) result_.table.rows.push_back(std::move(row));
+    result_.table.rows = std::move(rows_);
     return {std::move(result_), std::move(base.diagnostics)};
   }
 
@@ -114,11 +114,12 @@ class DesignBench {
     states_ = std::move(*states);
     result_.table.dimensions = planned->dimensions;
     designs_ = std::move(planned->designs);
+    for (const PlannedDesign& each : designs_) rows_.push_back({.values = each.values});
     return {};
   }
 
-  /// Those derived alike follow each other. Their designs get rows.
-  std::vector<Workpiece> workpieces_of_shard() {
+  /// By what their designs have in common: those derived alike follow each other.
+  [[nodiscard]] std::map<std::string, Workpiece> workpieces() const {
     std::map<std::string, Workpiece> pieces;
     for (std::size_t i = 0; i < designs_.size(); ++i) {
       const Design& design = designs_[i].design;
@@ -126,15 +127,7 @@ class DesignBench {
                                           design.trigonometry, design.is_contracted);
       pieces[key].designs.push_back(i);
     }
-    std::vector<Workpiece> all;
-    for (auto& [key, piece] : pieces) all.push_back(std::move(piece));
-    const auto [begin, end] = share_of(request_.shard, all.size());
-    std::vector<Workpiece> own;
-    for (std::size_t k = begin; k < end; ++k) {
-      for (const std::size_t i : all[k].designs) rows_[i] = {i, designs_[i].values};
-      own.push_back(std::move(all[k]));
-    }
-    return own;
+    return pieces;
   }
 
   void make(Workpiece piece) {
@@ -213,7 +206,7 @@ class DesignBench {
   std::map<std::string, Products> derived_ = {};
   OutputBase base_ = {};
   std::vector<PlannedDesign> designs_ = {};
-  std::map<std::size_t, TradeoffRow> rows_ = {};  ///< of the shard's designs
+  std::vector<TradeoffRow> rows_ = {};  ///< of the designs
   TradeoffStates states_ = {};
   std::vector<Workpiece> made_ = {};
   MeasuredDesigns result_ = {};

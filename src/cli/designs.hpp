@@ -2,7 +2,6 @@
 #pragma once
 
 #include "cli/options.hpp"
-#include "elgen/shard.hpp"
 #include "elgen/tradeoff.hpp"
 
 namespace elgen::cli {
@@ -13,11 +12,10 @@ struct DesignRequest {
   std::string output = {};  ///< "": inverse_dynamics, or the first one there is
   std::vector<std::string> dimensions = {};
   std::vector<SourcePointer> ranges = {};
-  Shard shard = {};  ///< of the libraries that designs are compiled to
 };
 
 struct MeasuredDesigns {
-  TradeoffTable table = {};       ///< of the shard, not judged
+  TradeoffTable table = {};       ///< not judged
   Diagnostics not_compiled = {};  ///< of designs that fail in the table
 };
 

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -25,9 +24,7 @@ class RunBench {
   Diagnostics measure(const RunRequest& request) {
     const Result<Trajectory> reference = run(reference_run(request.time));
     if (!reference) return reference.diagnostics;
-    const std::vector<PlannedRun> planned = planned_runs(request.time);
-    const auto [begin, end] = share_of(request.shard, planned.size());
-    for (std::size_t i = begin; i < end; ++i) add(i, planned[i], *reference);
+    for (const PlannedRun& planned : planned_runs(request.time)) add(planned, *reference);
     by_turns(costs_, rounds_of_runs, [this](std::size_t i) { return cost(*run(runs_[i])); });
     std::size_t done = 0;
     for (TradeoffRow& row : table_.rows) {
@@ -47,13 +44,13 @@ class RunBench {
   }
 
   /// A run that ends early has a row that says why; a method that is refused has none.
-  void add(std::size_t number, const PlannedRun& planned, const Trajectory& reference) {
+  void add(const PlannedRun& planned, const Trajectory& reference) {
     const Result<Trajectory> first = run(planned.options);
     if (!first && first.diagnostics.front().code == Code::E622) {
       refusals_.insert(first.diagnostics.front().message);
       return;
     }
-    TradeoffRow row{.number = number, .values = planned.values};
+    TradeoffRow row{.values = planned.values};
     if (first) {
       row.error = errors_of(*first, reference, products_.checked->model);
       runs_.push_back(planned.options);

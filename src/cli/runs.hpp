@@ -2,7 +2,6 @@
 #pragma once
 
 #include "cli/options.hpp"
-#include "elgen/shard.hpp"
 #include "elgen/tradeoff.hpp"
 
 namespace elgen::cli {
@@ -11,12 +10,10 @@ struct RunRequest {
   std::string path = {};  ///< as the command line has it
   Inputs inputs = {};
   double time = 0;
-  Shard shard = {};  ///< of the runs that are planned
 };
 
-/// Of the shard, not judged. Warnings of the model are among the diagnostics; methods that are not
-/// for the system are named in a sentence. E621, E623, E624 of the reference, and what its stages
-/// say of a model.
+/// Not judged. Warnings of the model are among the diagnostics; methods that are not for the system
+/// are named in a sentence. E621, E623, E624 of the reference, and what its stages say of a model.
 [[nodiscard]] Result<TradeoffTable> measured_runs(const RunRequest& request, const Limits& limits);
 
 }  // namespace elgen::cli

@@ -1,4 +1,4 @@
-// elgen tradeoff: the designs of one output, or runs, measured here or by several jobs, as a table.
+// elgen tradeoff: the designs of one output, or runs, measured, as a table.
 #include "elgen/tradeoff.hpp"
 
 #include <algorithm>
@@ -6,9 +6,7 @@
 #include "cli/commands.hpp"
 #include "cli/designs.hpp"
 #include "cli/files/inputs.hpp"
-#include "cli/files/output_files.hpp"
 #include "cli/runs.hpp"
-#include "cli/shards/tradeoff_shard.hpp"
 #include "cli/tradeoff_output.hpp"
 
 namespace elgen::cli {
@@ -16,28 +14,26 @@ namespace elgen::cli {
 namespace {
 
 struct TradeoffOptions {
-  std::vector<std::string> inputs = {};
+  std::string input = {};
   std::string of = {};              ///< which output
   std::optional<double> time = {};  ///< of runs, in the place of an output
   std::vector<std::string> dimensions = {};
   std::vector<SourcePointer> ranges = {};
-  std::optional<Shard> shard = {};  ///< to be measured alone, for a file
-  bool merge = false;               ///< inputs are files of shards
   TradeoffOutput output = {};
 };
 
-/// A part of a table, and the exit code of what was said of it.
+/// A table, and the exit code of what was said of it.
 struct MeasuredHere {
   ExitCode found = ExitCode::success;
   std::optional<TradeoffTable> table = {};
 };
 
 MeasuredHere measure_designs(const GlobalOptions& global, const TradeoffOptions& options,
-                             const Inputs& inputs, const Shard& shard) {
+                             const Inputs& inputs) {
   std::vector<SourcePointer> sources;
-  const Result<MeasuredDesigns> measured = measured_designs(
-      {options.inputs.front(), inputs, options.of, options.dimensions, options.ranges, shard},
-      global.limits, sources);
+  const Result<MeasuredDesigns> measured =
+      measured_designs({options.input, inputs, options.of, options.dimensions, options.ranges},
+                       global.limits, sources);
   const ExitCode found = report(global, measured.diagnostics);
   if (!measured) return {found};
   if (measured->not_compiled.empty()) return {found, measured->table};
@@ -47,24 +43,11 @@ MeasuredHere measure_designs(const GlobalOptions& global, const TradeoffOptions&
 }
 
 MeasuredHere measure_runs(const GlobalOptions& global, const TradeoffOptions& options,
-                          const Inputs& inputs, const Shard& shard) {
+                          const Inputs& inputs) {
   const Result<TradeoffTable> table =
-      measured_runs({options.inputs.front(), inputs, *options.time, shard}, global.limits);
+      measured_runs({options.input, inputs, *options.time}, global.limits);
   const ExitCode found = report(global, table.diagnostics);
   return table ? MeasuredHere{found, *table} : MeasuredHere{found};
-}
-
-ExitCode write_shard(const GlobalOptions& global, const TradeoffOptions& options,
-                     const Inputs& inputs, const TradeoffTable& table) {
-  TradeoffShard shard{
-      .head = head_here(ShardJob::tradeoff, inputs, *options.shard, table.machine, global.limits),
-      .dimensions = options.dimensions,
-      .time = options.time,
-      .table = table};
-  for (const SourcePointer& range : options.ranges) shard.ranges.push_back(range->text);
-  const auto written = write_files({{options.output.file, to_json(shard), Replaces::nothing}},
-                                   {options.output.force, global.limits.seconds});
-  return report(global, written.diagnostics);
 }
 
 /// A scene names the file of its model.
@@ -74,44 +57,19 @@ Diagnostics refuse_scene(const TradeoffOptions& options, const Inputs& inputs) {
 }
 
 ExitCode measure_input(const GlobalOptions& global, const TradeoffOptions& options) {
-  const Result<Inputs> inputs = read_inputs(options.inputs.front(), global.limits);
+  const Result<Inputs> inputs = read_inputs(options.input, global.limits);
   if (!inputs) return report(global, inputs.diagnostics);
   const Diagnostics refused = refuse_scene(options, *inputs);
   if (!refused.empty()) return report(global, refused);
   const auto measure = options.time ? measure_runs : measure_designs;
-  const auto [found, table] = measure(global, options, *inputs, options.shard.value_or(Shard()));
+  const auto [found, table] = measure(global, options, *inputs);
   if (!table) return found;
-  return std::max(found, options.shard ? write_shard(global, options, *inputs, *table)
-                                       : deliver(global, options.output, *inputs, judged(*table)));
-}
-
-/// As one process that has measured all.
-ExitCode merge_shards(const GlobalOptions& global, const TradeoffOptions& options) {
-  const Result<TradeoffShard> merged = merged_tradeoff(options.inputs, global.limits);
-  if (!merged) return report(global, merged.diagnostics);
-  Diagnostics refused = refuse_scene(options, merged->head.inputs);
-  if (merged->time && !options.output.scene_file.empty()) {
-    refused = {{Code::E913, {}, "shards of runs have no designs to write as scenes"}};
-  }
-  if (!refused.empty()) return report(global, refused);
-  return deliver(global, options.output, merged->head.inputs, judged(merged->table));
-}
-
-/// E913, and what stands in the place of a file.
-Diagnostics contradictions(const TradeoffOptions& options) {
-  const TradeoffOutput& output = options.output;
-  if (!options.merge && options.inputs.size() != 1) {
-    return {{Code::E913, {}, "tradeoff takes one input, or with --merge shards"}};
-  }
-  if (!options.shard) return refuse_output(output);
-  if (output.file.empty()) return {{Code::E913, {}, "--shard writes a file: `-o FILE`"}};
-  return refuse_places({{output.file, "", Replaces::nothing}}, output.force);
+  return std::max(found, deliver(global, options.output, *inputs, judged(*table)));
 }
 
 ExitCode run_tradeoff(const GlobalOptions& global, const TradeoffOptions& options) {
-  const Diagnostics wrong = contradictions(options);
-  if (!wrong.empty()) return report(global, wrong);
-  return options.merge ? merge_shards(global, options) : measure_input(global, options);
+  const Diagnostics wrong = refuse_output(options.output);
+  return wrong.empty() ? measure_input(global, options) : report(global, wrong);
 }
 
 CLI::Option* add_number(CLI::App& command, const char* name, std::optional<double>& value,
@@ -150,23 +108,9 @@ void add_output(CLI::App& command, TradeoffOutput& output) {
       ->excludes(command.get_option("--trajectory"));
   command.add_option("--as", output.as, "of the table: text (unless given), json or csv")
       ->check(CLI::IsMember({"text", "json", "csv"}));
-  command
-      .add_option("-o,--output", output.file, "write the table (.svg, .json or .csv) or the shard")
+  command.add_option("-o,--output", output.file, "write the table (.svg, .json or .csv)")
       ->type_name("FILE");
   command.add_flag("--force", output.force, "overwrite FILE");
-}
-
-/// Who measures.
-void add_sharing(CLI::App& command, TradeoffOptions& options) {
-  CLI::Option* const shard =
-      add_shard(command, options.shard, "measure one of N parts, for -o FILE");
-  for (const char* name : {"--max-error", "--as"}) shard->excludes(command.get_option(name));
-  CLI::Option* const merge =
-      command.add_flag("--merge", options.merge, "inputs are shards: one table of all");
-  merge->excludes(shard);
-  for (const char* name : {"--of", "--dimensions", "--range", "--trajectory"}) {
-    merge->excludes(command.get_option(name));
-  }
 }
 
 }  // namespace
@@ -174,13 +118,10 @@ void add_sharing(CLI::App& command, TradeoffOptions& options) {
 void add_tradeoff(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("tradeoff", "measure speed against accuracy");
   const auto options = std::make_shared<TradeoffOptions>();
-  command
-      ->add_option("inputs", options->inputs,
-                   "NAME.toml, NAME.scene.toml or - (stdin); with --merge files of shards")
+  command->add_option("input", options->input, "NAME.toml, NAME.scene.toml or - (stdin)")
       ->required();
   add_subject(*command, *options);
   add_output(*command, options->output);
-  add_sharing(*command, *options);
   set_action(*command, action, options, &run_tradeoff);
 }
 

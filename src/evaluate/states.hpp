@@ -52,7 +52,7 @@ struct Range {
 [[nodiscard]] Arguments<double> drawn_within(const Subject& subject,
                                              const LeafValues<Range>& ranges, Random& random);
 
-/// The states of sample_states one after another, where there are too many to keep.
+/// The states of sample_states one after another, where it is not known how many are needed.
 template <class Scalar>
 class StateSequence {
  public:
@@ -61,8 +61,6 @@ class StateSequence {
 
   /// None where all have been given.
   [[nodiscard]] std::optional<SampledState<Scalar>> next();
-  /// Leaves one out, in a fraction of the time; false where none is left.
-  bool skip() { return draw().has_value(); }
 
  private:
   [[nodiscard]] std::optional<SampledState<double>> draw();

@@ -124,20 +124,14 @@ Result<Compiler> find_compiler(std::uint64_t seconds) {
   return no_compiler(answer);
 }
 
-CompilerCommand command_for(const Compiler& compiler, Build build,
-                            const std::filesystem::path& source) {
+ProcessResult compile_shared(const Compiler& compiler, Build build,
+                             const std::filesystem::path& source,
+                             const std::filesystem::path& object) {
   CompilerCommand command = compiler.command;
   const char* const flags_of_build = flags_of_builds[static_cast<std::size_t>(build)];
   for (const CompilerCommand& flags : {split(flags_of_build), language_flags(source)}) {
     command.insert(command.end(), flags.begin(), flags.end());
   }
-  return command;
-}
-
-ProcessResult compile_shared(const Compiler& compiler, Build build,
-                             const std::filesystem::path& source,
-                             const std::filesystem::path& object) {
-  CompilerCommand command = command_for(compiler, build, source);
   command.insert(command.end(), {source.string(), "-o", object.string()});
   return run(command, compiler.seconds, object.parent_path().string());
 }

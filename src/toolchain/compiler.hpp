@@ -30,10 +30,6 @@ struct Compiler {
 /// The first candidate that answers `--version`. E704 where none does.
 [[nodiscard]] Result<Compiler> find_compiler(std::uint64_t seconds);
 
-/// The command but for its source and object.
-[[nodiscard]] CompilerCommand command_for(const Compiler& compiler, Build build,
-                                          const std::filesystem::path& source);
-
 /// Compiles `source` as C++17, a `.c` as C99. As written: with the warnings users are promised to
 /// be spared, all of them errors, and without contraction, so that bits can be compared.
 [[nodiscard]] ProcessResult compile_shared(const Compiler& compiler, Build build,

@@ -138,18 +138,11 @@ std::string driver_of(const DriverInput& input, const Types& types) {
   return text;
 }
 
-Types array_types(const Scene& scene) {
-  return {path_of(scene, ArtifactId::cpp), name_space(scene), array_vector, array_result};
-}
-
 }  // namespace
 
-std::string cpp_calls(const DriverInput& input) {
-  return calls_of(input, array_types(input.scene));
-}
-
 std::string cpp_driver(const DriverInput& input) {
-  return driver_of(input, array_types(input.scene));
+  return driver_of(input, {path_of(input.scene, ArtifactId::cpp), name_space(input.scene),
+                           array_vector, array_result});
 }
 
 std::string eigen_driver(const DriverInput& input) {

@@ -19,10 +19,6 @@ namespace elgen {
 /// before its result, each after `attribute`.
 [[nodiscard]] std::string declared_leaves(std::string_view scalar, std::string_view attribute = "");
 
-/// The driver of C++17 but for its interface: `call_3<Scalar>(parameters, q, ..., t, to)` of every
-/// function, in an anonymous namespace.
-[[nodiscard]] std::string cpp_calls(const DriverInput& input);
-
 /// The drivers of C++17, on arrays of states and in Eigen's types too, and of C99.
 [[nodiscard]] std::string cpp_driver(const DriverInput& input);
 [[nodiscard]] std::string eigen_driver(const DriverInput& input);

@@ -1,4 +1,4 @@
-// forked: work in processes of its own, so that all cores compute and a crash is a message.
+// forked: work in processes of its own, so that all cores compute.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +18,9 @@ struct ForkedEnding {
 
 /// Calls work(0) ... work(count - 1), each in a fork of this process, and waits for all; where one
 /// fails, or an interrupt comes, the others are ended. What they compute they leave in a
-/// SharedArray. `on_wait` is called five times a second meanwhile. A process that uses up the
-/// processor time it may is out_of_time; one that throws exits 70.
+/// SharedArray, or in a file that is open before. `on_wait` is called five times a second
+/// meanwhile. A process that uses up the processor time it may is out_of_time; one that throws
+/// exits 70.
 [[nodiscard]] ForkedEnding run_forked(std::size_t count,
                                       const std::function<void(std::size_t)>& work,
                                       const std::function<void()>& on_wait);

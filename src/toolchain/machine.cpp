@@ -29,9 +29,8 @@ std::string processor_name() {
 Result<Machine> this_machine(const Limits& limits) {
   const Result<Compiler> compiler = find_compiler(limits.seconds);
   if (!compiler) return compiler.diagnostics;
-  const CompilerCommand command = command_for(*compiler, Build::as_written, "driver.cpp");
-  return Machine{plain_text(compiler->version), fmt::format("{}", fmt::join(command, " ")),
-                 processor_name(), fmt::format("glibc {}", ::gnu_get_libc_version())};
+  return Machine{plain_text(compiler->version), processor_name(),
+                 fmt::format("glibc {}", ::gnu_get_libc_version())};
 }
 
 }  // namespace elgen

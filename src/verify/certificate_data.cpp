@@ -46,15 +46,9 @@ Json json_of(const CertificateRow& row) {
 std::string to_json(const Certificate& certificate) {
   Json checks = Json::array();
   for (const CertificateRow& row : certificate.rows) checks.push_back(json_of(row));
-  Json screened = Json::object();
-  for (const ScreenedCount& some : certificate.screened) {
-    screened[std::string(name_of(some.scalar))] = {{"states", some.states},
-                                                   {"visited", some.visited}};
-  }
   const Json json{{"model", certificate.model},
                   {"scene", certificate.scene},
                   {"seed", certificate.seed},
-                  {"screened", screened},
                   {"holds", count(certificate, Verdict::holds)},
                   {"fails", count(certificate, Verdict::fails)},
                   {"skipped", count(certificate, Verdict::skipped)},

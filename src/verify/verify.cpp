@@ -55,37 +55,11 @@ std::size_t instructions_of(const Program& program) {
   return length;
 }
 
-/// Null where all states are visited.
-const ScreenedStates* find_screened(const VerifyOptions& options, ScalarKind scalar) {
-  if (options.screening == nullptr) return nullptr;
-  const auto found = std::ranges::find(*options.screening, scalar, &ScreenedStates::scalar);
-  return found == options.screening->end() ? nullptr : &*found;
-}
-
-/// Those of these numbers, ascending.
-template <class Scalar>
-std::vector<SampledState<Scalar>> states_at(const Subject& subject, const Sampling& sampling,
-                                            const std::vector<std::uint64_t>& numbers) {
-  StateSequence<Scalar> sequence(subject, sampling);
-  std::vector<SampledState<Scalar>> states;
-  std::uint64_t at = 0;
-  for (const std::uint64_t number : numbers) {
-    for (; at < number; ++at) (void)sequence.skip();
-    if (auto state = sequence.next()) states.push_back(std::move(*state));
-    ++at;
-  }
-  return states;
-}
-
 template <class Scalar>
 std::vector<SampledState<Scalar>> states_for(const Subject& subject, const VerifyOptions& options) {
   const Effort& effort = options.quick ? quick : thorough;
   const std::size_t count = options.samples.value_or(effort.samples);
-  const Sampling sampling{count, options.seed, true};
-  if (const ScreenedStates* const screened = find_screened(options, scalar_kind<Scalar>)) {
-    return states_at<Scalar>(subject, sampling, states_to_visit(*screened));
-  }
-  auto states = sample_states<Scalar>(subject, sampling);
+  auto states = sample_states<Scalar>(subject, {count, options.seed, true});
   if (options.samples) return states;
   const std::size_t affordable =
       std::max<std::size_t>(effort.work / instructions_of(subject.program), 1);
@@ -127,15 +101,6 @@ CertificateRow one_sided(const std::string& kinks, std::size_t states) {
   return row;
 }
 
-std::vector<ScreenedCount> counts(const VerifyOptions& options) {
-  std::vector<ScreenedCount> counts;
-  if (options.screening == nullptr) return counts;
-  for (const ScreenedStates& screened : *options.screening) {
-    counts.push_back({screened.scalar, screened.states, states_to_visit(screened).size()});
-  }
-  return counts;
-}
-
 /// Few states, or many velocities: the time goes where it tells most.
 Comparison comparison_for(const Model& model, const VerifyOptions& options) {
   const bool is_large = model.velocities.size() >= projected_velocities;
@@ -156,12 +121,11 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
     const VisitOptions visit{comparison_for(model, options), options.parts,
                              options.extremes ? Losing::everywhere : Losing::inside_ranges,
                              has ? options.as_users : nullptr};
-    return AccuracyOptions{visit, options.on_step};
+    return AccuracyOptions{visit, options.on_step, options.jobs};
   };
 
   Verification result;
-  result.certificate = {
-      model.name, scene.name.empty() ? "full" : scene.name, options.seed, {}, counts(options)};
+  result.certificate = {model.name, scene.name.empty() ? "full" : scene.name, options.seed, {}};
   std::vector<CertificateRow>& rows = result.certificate.rows;
   ExpectationReport expected = check_expectations(subject, options.forms, options.seed);
   append(rows, expected.rows);

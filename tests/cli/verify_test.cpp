@@ -153,6 +153,7 @@ TEST_CASE("option --samples is a positive number of states, -v prints the equati
   const Workspace workspace;
   const std::string model = models + "/simple_pendulum.toml";
   CHECK(shell("elgen verify --samples 0 " + model, workspace.path()).status == 2);
+  CHECK(shell("elgen verify --jobs 0 " + model, workspace.path()).status == 2);
   const Outcome few = shell("elgen verify --samples 4 -v " + model, workspace.path());
   CHECK(few.status == 0);
   CHECK(few.output != shell("elgen verify --samples 8 " + model, workspace.path()).output);

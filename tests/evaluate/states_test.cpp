@@ -160,22 +160,17 @@ TEST_CASE("each parameter is far from its value where sums of angles cancel") {
   CHECK(std::count_if(few.begin(), few.end(), is_combined) == 16);
 }
 
-TEST_CASE("a sequence gives the same states, also when some are left out") {
+TEST_CASE("a sequence gives the same states") {
   const System system = cart_pole_system();
   const Sampling sampling{32, 3, true};
   const auto states = sample_states<float>(system.subject(), sampling);
   StateSequence<float> sequence(system.subject(), sampling);
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    if (i % 3 == 1) {
-      CHECK(sequence.skip());
-      continue;
-    }
+  for (const auto& expected : states) {
     const auto state = sequence.next();
     REQUIRE(state);
-    CHECK(state->name == states[i].name);
-    CHECK(state->values.q == states[i].values.q);
-    CHECK(state->values.parameters == states[i].values.parameters);
+    CHECK(state->name == expected.name);
+    CHECK(state->values.q == expected.values.q);
+    CHECK(state->values.parameters == expected.values.parameters);
   }
   CHECK_FALSE(sequence.next());
-  CHECK_FALSE(sequence.skip());
 }

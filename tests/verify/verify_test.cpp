@@ -33,10 +33,13 @@ TEST_CASE("a right program has a certificate that holds") {
   CHECK_FALSE(has_check(result.certificate, "compiled code vs program"));
 }
 
-TEST_CASE("one seed gives one text") {
+TEST_CASE("one seed gives one text, by any number of processes") {
   const System system = cart_pole_system();
   CHECK(to_text(quick(system).certificate) == to_text(quick(system).certificate));
   CHECK(to_text(quick(system, 1).certificate) != to_text(quick(system, 2).certificate));
+  const Verification shared =
+      verify(system.model, system.scene, system.program, {}, {4, true, 1, 3});
+  CHECK(to_full_text(shared.certificate) == to_full_text(quick(system).certificate));
 }
 
 TEST_CASE("a wrong program, and a wrong expectation, do not hold") {

@@ -122,39 +122,25 @@ CertificateRow row_of(const Subject& subject, const FieldRecord& record, std::st
   return row;
 }
 
-/// A derivative of the dynamics costs the oracle as much as all other outputs together, n times: of
-/// more than three velocities every sixteenth state has to do.
-bool is_due(OutputKind kind, std::size_t velocities, std::size_t sample, Comparison comparison) {
-  const bool is_costly = comparison == Comparison::entries && velocities > 3;
-  return !is_costly || !output_row(kind).differentiates || sample % 16 == 0;
-}
-
-}  // namespace
-
 template <class Scalar>
-std::vector<CertificateRow> check_accuracy(const Subject& subject,
-                                           const std::vector<SampledState<Scalar>>& states,
-                                           const AccuracyOptions& options) {
+std::vector<CertificateRow> rows_at(const Subject& subject,
+                                    const std::vector<SampledState<Scalar>>& states,
+                                    const AccuracyOptions& options) {
   constexpr std::string_view scalar = name_of(scalar_kind<Scalar>);
   std::vector<FieldRecord> records;
   for (FieldPlace& place : field_places(subject)) records.push_back({std::move(place)});
   AsUsersRecord as_users;
   std::map<const Function*, LostDigits> losses;
-  Random random(1);
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    if (options.on_step) {
-      options.on_step(fmt::format("accuracy in {}, state {} of {}", scalar, i + 1, states.size()));
+  visit_all(subject, states, options, [&](std::size_t i, const Findings& findings) {
+    const State state = exact_state(subject, states[i].values);
+    for (std::size_t k = 0; k < records.size(); ++k) {
+      if (!findings[k]) continue;
+      FieldRecord& record = records[k];
+      add(record, *findings[k], subject, state);
+      losses[record.place.function].add(record.place, *findings[k], subject, state, i);
+      as_users.add(subject_of(record.place, scalar), *findings[k], state, i);
     }
-    Visit<Scalar> visit(subject, states[i], options.visit);
-    for (FieldRecord& record : records) {
-      const OutputKind kind = record.place.request.kind;
-      if (!is_due(kind, visit.state().v.size(), i, options.visit.comparison)) continue;
-      const Finding finding = visit.look_at(record.place, random);
-      add(record, finding, subject, visit.state());
-      losses[record.place.function].add(record.place, finding, subject, visit.state(), i);
-      as_users.add(subject_of(record.place, scalar), finding, visit.state(), i);
-    }
-  }
+  });
   std::vector<CertificateRow> rows;
   for (const FieldRecord& record : records) {
     rows.push_back(row_of(subject, record, scalar, options));
@@ -170,6 +156,15 @@ std::vector<CertificateRow> check_accuracy(const Subject& subject,
     rows.push_back(std::move(row));
   }
   return rows;
+}
+
+}  // namespace
+
+template <class Scalar>
+std::vector<CertificateRow> check_accuracy(const Subject& subject,
+                                           const std::vector<SampledState<Scalar>>& states,
+                                           const AccuracyOptions& options) {
+  return rows_at(subject, states, options);
 }
 
 template std::vector<CertificateRow> check_accuracy(const Subject&,

@@ -5,15 +5,9 @@
 #include <vector>
 
 #include "elgen/certificate.hpp"
-#include "verify/bounds/visit.hpp"
+#include "verify/bounds/visits.hpp"
 
 namespace elgen {
-
-/// How check_accuracy goes about it.
-struct AccuracyOptions {
-  VisitOptions visit = {};
-  std::function<void(const std::string&)> on_step = {};
-};
 
 /// One row per output and field, and one per output of the digits that it loses where
 /// options.visit.losing says so. A state fails where the exact value of the program is not the

@@ -1,0 +1,180 @@
+// Visits by several processes: each writes its findings to a file without a name, which this
+// process reads when all have ended.
+#include "verify/bounds/visits.hpp"
+
+#include <fmt/format.h>
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+#include <type_traits>
+
+#include "elgen/outputs.hpp"
+#include "toolchain/forked.hpp"
+#include "toolchain/shared_array.hpp"
+
+namespace elgen {
+namespace {
+
+/// Calls `pass` with every member, one after another.
+template <class AnyFinding, class Pass>
+void each_member(AnyFinding& finding, const Pass& pass) {
+  auto& [regime, mistake, error, in_norm, imprecision, cancellation, ulps, loss, users_error,
+         users_imprecision] = finding;
+  const auto all = [&pass](auto&... members) { (pass(members), ...); };
+  all(regime, mistake, error, in_norm, imprecision, cancellation, ulps, loss, users_error,
+      users_imprecision);
+}
+
+/// Findings of one state after another, as the bytes in memory. Processes that are forked write,
+/// this one reads.
+class FindingsFile {
+ public:
+  FindingsFile() : file_(::fdopen(::memfd_create("elgen", MFD_CLOEXEC), "w+")) {}
+
+  [[nodiscard]] bool is_open() const { return file_ != nullptr; }
+
+  void write(const Findings& findings) const {
+    put(findings.size());
+    for (const std::optional<Finding>& finding : findings) {
+      put(finding.has_value());
+      if (finding) each_member(*finding, [this](const auto& member) { put(member); });
+    }
+  }
+  void flush() const { demand(std::fflush(file_.get()) == 0); }
+
+  void rewind() const { std::rewind(file_.get()); }
+  [[nodiscard]] Findings read() const {
+    std::size_t count = 0;
+    get(count);
+    Findings findings(count);
+    for (std::optional<Finding>& finding : findings) {
+      bool has_value = false;
+      get(has_value);
+      if (has_value) each_member(finding.emplace(), [this](auto& member) { get(member); });
+    }
+    return findings;
+  }
+
+ private:
+  struct Closing {
+    void operator()(std::FILE* file) const { (void)std::fclose(file); }
+  };
+
+  static void demand(bool succeeds) {
+    if (!succeeds) throw std::runtime_error("findings are lost on the way");
+  }
+
+  template <class T>
+  void put(const T& value) const {
+    if constexpr (std::is_trivially_copyable_v<T>) {
+      demand(std::fwrite(&value, sizeof value, 1, file_.get()) == 1);
+    } else {
+      put(value.size());
+      for (const auto& element : value) put(element);
+    }
+  }
+
+  template <class T>
+  void get(T& value) const {
+    if constexpr (std::is_trivially_copyable_v<T>) {
+      demand(std::fread(&value, sizeof value, 1, file_.get()) == 1);
+    } else {
+      std::size_t size = 0;
+      get(size);
+      value.resize(size);
+      for (auto& element : value) get(element);
+    }
+  }
+
+  std::unique_ptr<std::FILE, Closing> file_;
+};
+
+/// A derivative of the dynamics costs the oracle as much as all other outputs together, n times: of
+/// more than three velocities every sixteenth state has to do.
+bool is_due(OutputKind kind, std::size_t velocities, std::size_t sample, Comparison comparison) {
+  const bool is_costly = comparison == Comparison::entries && velocities > 3;
+  return !is_costly || !output_row(kind).differentiates || sample % 16 == 0;
+}
+
+template <class Scalar>
+class Visits {
+ public:
+  Visits(const Subject& subject, const std::vector<SampledState<Scalar>>& states,
+         const AccuracyOptions& options)
+      : subject_(subject), states_(states), options_(options), places_(field_places(subject)) {}
+
+  void make(const TakeFindings& take) const {
+    const std::size_t jobs = std::min(options_.jobs, states_.size());
+    if (jobs > 1 && make_shared_out(jobs, take)) return;
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+      tell(i);
+      take(i, findings_at(i));
+    }
+  }
+
+ private:
+  [[nodiscard]] Findings findings_at(std::size_t i) const {
+    Visit<Scalar> visit(subject_, states_[i], options_.visit);
+    Random random(i + 1);
+    const std::size_t velocities = visit.state().v.size();
+    Findings findings;
+    for (const FieldPlace& place : places_) {
+      const bool looks = is_due(place.request.kind, velocities, i, options_.visit.comparison);
+      findings.push_back(looks ? std::optional(visit.look_at(place, random)) : std::nullopt);
+    }
+    return findings;
+  }
+
+  /// False where a process failed; then nothing was taken.
+  [[nodiscard]] bool make_shared_out(std::size_t jobs, const TakeFindings& take) const {
+    const std::vector<FindingsFile> files(jobs);
+    if (!std::ranges::all_of(files, &FindingsFile::is_open)) return false;
+    SharedArray<std::atomic<std::size_t>> next(1);
+    SharedArray<std::size_t> visitors(states_.size());
+    const auto work = [&](std::size_t job) {
+      for (std::size_t i = next[0]++; i < states_.size(); i = next[0]++) {
+        visitors[i] = job;
+        files[job].write(findings_at(i));
+      }
+      files[job].flush();
+    };
+    const ForkedEnding ending = run_forked(jobs, work, [&] { tell(next[0]); });
+    if (ending.ending == Ending::out_of_time) (void)std::raise(SIGXCPU);
+    if (!ending.succeeded()) return false;
+    for (const FindingsFile& file : files) file.rewind();
+    for (std::size_t i = 0; i < states_.size(); ++i) take(i, files[visitors[i]].read());
+    return true;
+  }
+
+  /// `at` is the number of the state.
+  void tell(std::size_t at) const {
+    if (!options_.on_step) return;
+    options_.on_step(fmt::format("accuracy in {}, state {} of {}", name_of(scalar_kind<Scalar>),
+                                 std::min(at + 1, states_.size()), states_.size()));
+  }
+
+  const Subject& subject_;
+  const std::vector<SampledState<Scalar>>& states_;
+  const AccuracyOptions& options_;
+  std::vector<FieldPlace> places_;
+};
+
+}  // namespace
+
+template <class Scalar>
+void visit_all(const Subject& subject, const std::vector<SampledState<Scalar>>& states,
+               const AccuracyOptions& options, const TakeFindings& take) {
+  Visits<Scalar>(subject, states, options).make(take);
+}
+
+template void visit_all(const Subject&, const std::vector<SampledState<double>>&,
+                        const AccuracyOptions&, const TakeFindings&);
+template void visit_all(const Subject&, const std::vector<SampledState<float>>&,
+                        const AccuracyOptions&, const TakeFindings&);
+
+}  // namespace elgen
