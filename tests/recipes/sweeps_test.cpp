@@ -1,0 +1,61 @@
+// Sweeps over two seeds of a small model, and their certificates joined.
+#include <catch2/catch.hpp>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+const std::string sweeps = ELGEN_SOURCE_DIR "/recipes/sweeps/";
+const std::string pendulum = ELGEN_SOURCE_DIR "/models/simple_pendulum.toml";
+
+bool is_installed(const std::string& program, const std::string& probe) {
+  if (shell(probe, "/").status == 0) return true;
+  std::cout << "skipped: " << program << " is not installed\n";
+  return false;
+}
+
+/// Every row is of both seeds.
+void check_joined(const Workspace& workspace) {
+  const Outcome joined =
+      shell("jq -s -f " + sweeps + "join.jq certificates/*.json", workspace.path());
+  INFO(joined.errors);
+  REQUIRE(joined.status == 0);
+  const auto rows = nlohmann::json::parse(joined.output);
+  REQUIRE_FALSE(rows.empty());
+  for (const auto& row : rows) CHECK(row.at("seeds") == 2);
+}
+
+}  // namespace
+
+TEST_CASE("seeds are shared out by GNU parallel, and their certificates joined by jq") {
+  if (!is_installed("GNU parallel", "parallel --version | grep -q GNU")) return;
+  if (!is_installed("jq", "jq --version")) return;
+  const Workspace workspace;
+  const Outcome outcome =
+      shell("sh " + sweeps + "sweep certificates 2 2 " + pendulum, workspace.path());
+  INFO(outcome.errors);
+  CHECK(outcome.status == 0);
+  CHECK(shell("ls certificates", workspace.path()).output ==
+        "simple_pendulum.1.json\nsimple_pendulum.2.json\n");
+  check_joined(workspace);
+}
+
+TEST_CASE("a task of Slurm's job array has the seed of its number") {
+  if (!is_installed("jq", "jq --version")) return;
+  const Workspace workspace;
+  for (const std::string seed : {"1", "2"}) {
+    prepare("SLURM_CPUS_PER_TASK=2 SLURM_ARRAY_TASK_ID=" + seed + " sh " + sweeps + "slurm.sh 2 " +
+                pendulum,
+            workspace.path());
+  }
+  const auto second = nlohmann::json::parse(
+      read_text(workspace.path() / "certificates/simple_pendulum.2.json"));
+  CHECK(second.at("seed") == 2);
+  check_joined(workspace);
+}
+
+}  // namespace elgen::test
