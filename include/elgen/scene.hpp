@@ -15,6 +15,7 @@
 #include "elgen/model.hpp"
 #include "elgen/outputs.hpp"
 #include "elgen/scalars.hpp"
+#include "elgen/step_methods.hpp"
 #include "elgen/syntax.hpp"
 
 namespace elgen {
@@ -133,6 +134,7 @@ struct CheckedModel {
 struct SceneOptions {
   SourcePaths paths = {};                   ///< empty: names of files
   std::vector<SourcePointer> outputs = {};  ///< "mass_matrix,bias"
+  std::optional<StepMethod> step = {};      ///< beside these `step`, by this method
   std::vector<SourcePointer> fixed = {};    ///< "NAME", "NAME=VALUE" or "all"
   std::vector<SourcePointer> sizes = {};    ///< "n=20"
   std::vector<SourcePointer> values = {};   ///< "m=2": of parameters that stay parameters

@@ -1,4 +1,5 @@
-// Trajectory: a run of a system in time, by the functions that were emitted and compiled for it.
+// Trajectory: a run of a system in time, by its functions in the evaluator, or as they were emitted
+// and compiled.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,7 @@
 
 #include "elgen/program.hpp"
 #include "elgen/scene.hpp"
+#include "elgen/step_methods.hpp"
 #include "elgen/toolchain.hpp"
 
 namespace elgen {
@@ -15,7 +17,8 @@ namespace elgen {
 /// Times in s. Of step and tolerance at most one is given: a method of fixed step takes a step, the
 /// others choose theirs to an error of `tolerance` absolute and relative.
 struct SimulationOptions {
-  std::string method = "dopri5";  ///< of simulate/steps/methods.def
+  std::string method = "dopri5";  ///< of simulate/steps/methods.cpp
+  bool is_reference = false;      ///< by a method of order 8 in its place, to a tolerance
   double from = 0;
   double time = 0;                       ///< how long
   std::optional<double> step = {};       ///< the longest one; a whole number fill every interval
@@ -58,13 +61,17 @@ struct Trajectory {
 /// What is wrong with a run before anything is derived: E620, E621.
 [[nodiscard]] Diagnostics refuse_run(const SimulationOptions& options);
 
-/// What a run calls of a model, as --outputs has it.
+/// What every run calls of a model, as --outputs has it.
 [[nodiscard]] std::string outputs_of_run(const Model& model);
 
-/// Runs from the model's start. E620 to E624. Cost: one to a dozen calls of the equations of motion
-/// per step, and of the energies for each.
+/// The `step` whose program a run goes by, beside these outputs; none where it calls accelerations.
+[[nodiscard]] std::optional<StepMethod> step_of_run(const SimulationOptions& options);
+
+/// Runs from the model's start, by what was compiled; where that is null, in the evaluator. E620,
+/// E621, E623, E624. Cost: one step of the program, or a few calls of the equations of motion, per
+/// step, and of the energies for each.
 [[nodiscard]] Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
-                                          const CompiledModel& compiled,
+                                          const CompiledModel* compiled,
                                           const SimulationOptions& options);
 
 /// The last state, the drifts and the cost of a step, for people.

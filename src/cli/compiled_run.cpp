@@ -5,13 +5,15 @@
 
 namespace elgen::cli {
 
-Products derived_for_run(const std::string& path, const Inputs& inputs, PipelineOptions options) {
+Products derived_for_run(const std::string& path, const Inputs& inputs, PipelineOptions options,
+                         std::optional<StepMethod> step) {
   PipelineOptions first = options;
   first.goals = {"check"};
   Products checked = run_pipeline(inputs, first);
   if (!checked.checked) return checked;
   const std::string outputs = outputs_of_run(checked.checked->model);
   options.scene.outputs = {make_source("outputs of a run", outputs)};
+  options.scene.step = step;
   return run_shown(path, inputs, std::move(options));
 }
 

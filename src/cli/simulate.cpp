@@ -32,15 +32,20 @@ constexpr double default_rows = 1000;
 Result<Trajectory> trajectory_of(const GlobalOptions& global, const SimulateOptions& options,
                                  const Products& products) {
   const Progress progress(options.input);
-  progress.stage("compile");
-  const Result<CompiledHeaders> headers = compiled_for_run(products, global.limits);
-  if (!headers) return headers.diagnostics;
+  Result<CompiledHeaders> headers = CompiledHeaders();
+  if (!step_of_run(options.run)) {
+    progress.stage("compile");
+    headers = compiled_for_run(products, global.limits);
+    if (!headers) return headers.diagnostics;
+  }
+  const CompiledModel* const compiled =
+      headers->empty() ? nullptr : headers->front().functions.get();
   progress.stage("simulate");
   renew_time_limit(global.limits);
   SimulationOptions run = options.run;
   const bool has_rows = !options.file.empty() || wants_json(global);
   if (has_rows && !run.every) run.every = run.time / default_rows;
-  return simulate(*products.checked, *products.program, *headers->front().functions, run);
+  return simulate(*products.checked, *products.program, compiled, run);
 }
 
 ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& options) {
@@ -60,7 +65,8 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& opti
   if (!inputs) return report(global, inputs.diagnostics);
   PipelineOptions pipeline = pipeline_options(global, {"choose"});
   pipeline.scene = options.scene;
-  const Products products = derived_for_run(options.input, *inputs, pipeline);
+  const Products products =
+      derived_for_run(options.input, *inputs, pipeline, step_of_run(options.run));
   const ExitCode derived = report_products(global, products);
   tell_times(global, products);
   if (derived != ExitCode::success || !global.stop_after.empty()) return derived;
@@ -77,7 +83,7 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& opti
 void add_numbers(CLI::App& command, SimulationOptions& run) {
   command.add_option("--time", run.time, "how long, in s")->required();
   command.add_option("--from", run.from, "time at the start")->capture_default_str();
-  command.add_option("--method", run.method, "euler, verlet, midpoint, rk4, dopri5 or fehlberg78")
+  command.add_option("--method", run.method, "rk4, dopri5, verlet or midpoint")
       ->capture_default_str();
   const auto number = [&command](const char* name, std::optional<double>& value, const char* doc) {
     return command.add_option_function<double>(

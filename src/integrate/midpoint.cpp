@@ -11,8 +11,7 @@
 // elimination more. M is that of each point, for the bound of rounding: along w -= M^-1 r(w) it
 // would grow by 1 + cond M each time, here it shrinks as the error does.
 //
-// Hairer, Lubich, Wanner, Geometric Numerical Integration, 2nd ed., sec. VIII.6;
-// simulate/steps/midpoint.cpp solves the same equations by Newton's method.
+// Hairer, Lubich, Wanner, Geometric Numerical Integration, 2nd ed., sec. VIII.6.
 #include <algorithm>
 
 #include "evaluate/subject.hpp"

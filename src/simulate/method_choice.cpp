@@ -1,4 +1,4 @@
-// Which methods there are for a system; what is separable is integrate's affair.
+// Names of methods, and the numbers of a run.
 #include "simulate/method_choice.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +8,6 @@
 #include <cmath>
 #include <utility>
 
-#include "elgen/integrate.hpp"
 #include "elgen/wording.hpp"
 
 namespace elgen {
@@ -20,32 +19,11 @@ Diagnostic impossible(std::string message, std::string hint = {}) {
   return {Code::E621, {}, std::move(message), std::move(hint)};
 }
 
-/// The first input whose law depends on rates all the time.
-const Input* damping_input(const CheckedModel& checked, const SimulationOptions& options) {
-  if (options.hold) return nullptr;
-  const Model& model = checked.model;
-  const auto found = std::ranges::find_if(model.inputs, [&model](const Input& input) {
-    return input.law && StateFunction(model, *input.law, {}).depends_on_rates();
-  });
-  return found == model.inputs.end() ? nullptr : &*found;
-}
-
-/// What keeps kick, drift, kick from being symplectic here; "" where nothing does.
-std::string inseparable_run(const CheckedModel& checked, const Program& program,
-                            const SimulationOptions& options) {
-  const std::string reason = not_separable(checked, program);
-  const Input* const input = reason.empty() ? damping_input(checked, options) : nullptr;
-  return input == nullptr ? reason : fmt::format("the law of `{}` depends on rates", input->name);
-}
-
-Diagnostic refused(const MethodRow& method, const std::string& reason, const char* hint) {
-  return {
-      Code::E622, {}, fmt::format("`{}` is not for this system: {}", method.name, reason), hint};
-}
-
 }  // namespace
 
-Result<MethodRow> find_method(const std::string& name) {
+Result<MethodRow> find_method(const SimulationOptions& options) {
+  if (options.is_reference) return reference_method();
+  const std::string& name = options.method;
   const std::span<const MethodRow> table = method_table();
   const auto found = std::ranges::find(table, name, &MethodRow::name);
   if (found != table.end()) return *found;
@@ -83,7 +61,7 @@ Result<StepRule> step_rule(const MethodRow& method, const SimulationOptions& opt
   }
   if (method.step == StepKind::fixed && options.tolerance) {
     return impossible(fmt::format("`{}` does not choose its steps by a tolerance", method.name),
-                      "give it `--step`, or take `dopri5` or `fehlberg78`");
+                      "give it `--step`, or take `dopri5`");
   }
   if (method.step == StepKind::fixed && !options.step) {
     return impossible(fmt::format("`{}` needs a step", method.name), "give it `--step`");
@@ -92,21 +70,13 @@ Result<StepRule> step_rule(const MethodRow& method, const SimulationOptions& opt
 }
 
 Diagnostics refuse_run(const SimulationOptions& options) {
-  const Result<MethodRow> method = find_method(options.method);
+  const Result<MethodRow> method = find_method(options);
   return method ? step_rule(*method, options).diagnostics : method.diagnostics;
 }
 
-Diagnostics refuse_method(const MethodRow& method, const CheckedModel& checked,
-                          const Program& program, const SimulationOptions& options) {
-  if (method.domain == MethodDomain::any) return {};
-  if (const auto& rotations = checked.model.rotations; !rotations.empty()) {
-    return {refused(method, fmt::format("`{}` is a rotation", rotations.front().name),
-                    "`rk4`, `dopri5` and `fehlberg78` take rotations")};
-  }
-  if (method.domain == MethodDomain::unturned) return {};
-  const std::string reason = inseparable_run(checked, program, options);
-  if (reason.empty()) return {};
-  return {refused(method, reason, "`midpoint` is symplectic there too")};
+std::optional<StepMethod> step_of_run(const SimulationOptions& options) {
+  const Result<MethodRow> method = find_method(options);
+  return method ? method->program : std::nullopt;
 }
 
 }  // namespace elgen

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace elgen {
@@ -13,13 +12,6 @@ namespace {
 
 bool is_finite(const Numbers& values) {
   return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
-}
-
-/// In (-pi, pi].
-double wrapped(double angle) {
-  const double turn = 2 * std::numbers::pi;
-  const double rest = std::remainder(angle, turn);
-  return rest <= -std::numbers::pi ? rest + turn : rest;
 }
 
 constexpr std::size_t most_shown = 8;
@@ -93,11 +85,9 @@ void Recorder::finish(Trajectory& trajectory) && {
 
 std::vector<double> Recorder::row(const TrajectorySample& sample, double energy) const {
   std::vector<double> values{sample.t};
-  values.insert(values.end(), sample.state.begin(), sample.state.end() - 1);
-  const auto& coordinates = system_.model().coordinates;
-  for (std::size_t i = 0; i < coordinates.size(); ++i) {
-    if (coordinates[i].wrap) values[1 + i] = wrapped(values[1 + i]);
-  }
+  const Numbers& q = system_.shown(sample.state.data());
+  values.insert(values.end(), q.begin(), q.end());
+  values.insert(values.end(), system_.v_of(sample.state), &sample.state.back());
   const auto& inputs = system_.model().inputs;
   for (std::size_t k = 0; k < inputs.size(); ++k) {
     if (inputs[k].law) values.push_back(sample.inputs[k]);

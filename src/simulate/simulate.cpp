@@ -53,7 +53,6 @@ class Run {
   Result<Trajectory> operator()() && {
     Diagnostics wrong = recorder_.add(current_);
     if (!wrong.empty()) return wrong;
-    stepper_.to_own(current_.state, current_.t);
     resume();
     while (wrong.empty() && current_.t < end_) wrong = advance();
     if (!wrong.empty()) return wrong;
@@ -80,7 +79,7 @@ class Run {
     const double row = rows_.next();
     const double hold = holds_.next();
     const double target = std::min(row, hold);
-    stepper_.aim(current_.state, current_.t, target);
+    stepper_.aim(current_.t, target);
     while (current_.t < target) {
       const std::optional<double> reached = stepper_.step(current_.state);
       if (!reached) {
@@ -103,9 +102,7 @@ class Run {
   void hold_again() {
     holds_.pass();
     if (!options_.hold) return;
-    Numbers plain = current_.state;
-    stepper_.to_plain(plain, current_.t);
-    system_.hold(plain.data(), system_.v_of(plain), current_.t);
+    system_.hold(current_.state.data(), system_.v_of(current_.state), current_.t);
   }
 
   /// The clock stands while samples are looked at.
@@ -113,7 +110,6 @@ class Run {
     elapsed_ += Clock::now() - resumed_;
     Diagnostics wrong;
     for (TrajectorySample& sample : block_) {
-      stepper_.to_plain(sample.state, sample.t);
       sample.inputs = system_.inputs(sample.state.data(), system_.v_of(sample.state), sample.t);
       wrong = recorder_.add(sample);
       if (!wrong.empty()) break;
@@ -167,7 +163,7 @@ std::vector<TrajectoryColumn> columns_of(const Model& model, const LeafNames& le
 
 std::string outputs_of_run(const Model& model) {
   std::string names =
-      "mass_matrix,dissipation,applied_force,bias,momentum,position_gradient,energy_function,"
+      "mass_matrix,dissipation,applied_force,momentum,position_gradient,energy_function,"
       "forward_dynamics";
   if (!model.energies.L) names += ",kinetic_energy,total_energy";
   if (!model.inputs.empty()) names += ",input_matrix";
@@ -176,21 +172,19 @@ std::string outputs_of_run(const Model& model) {
 }
 
 Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
-                            const CompiledModel& compiled, const SimulationOptions& options) {
-  const Result<MethodRow> method = find_method(options.method);
+                            const CompiledModel* compiled, const SimulationOptions& options) {
+  const Result<MethodRow> method = find_method(options);
   if (!method) return method.diagnostics;
   const Result<StepRule> rule = step_rule(*method, options);
   if (!rule) return rule.diagnostics;
-  Diagnostics refused = refuse_method(*method, checked, program, options);
-  if (!refused.empty()) return refused;
   System system(checked, program, compiled);
-  refused = refuse_start(system, system.start(), options.from);
+  Diagnostics refused = refuse_start(system, system.start(), options.from);
   if (!refused.empty()) return refused;
   const std::unique_ptr<Stepper> stepper = method->make(system, *rule);
   Result<Trajectory> trajectory = Run(system, *stepper, options)();
   if (!trajectory) return trajectory;
   trajectory->model = checked.scene.base_name;
-  trajectory->method = options.method;
+  trajectory->method = method->name;
   trajectory->from = options.from;
   trajectory->columns = columns_of(checked.model, program.leaves);
   return trajectory;

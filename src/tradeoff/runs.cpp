@@ -43,7 +43,7 @@ std::vector<PlannedRun> planned_runs(double time) {
 }
 
 SimulationOptions reference_run(double time) {
-  return {.method = "fehlberg78", .time = time, .tolerance = 1e-12, .every = time / 200};
+  return {.is_reference = true, .time = time, .tolerance = 1e-12, .every = time / 200};
 }
 
 DesignErrors errors_of(const Trajectory& run, const Trajectory& reference, const Model& model) {

@@ -6,12 +6,12 @@
 
 namespace elgen::test {
 
-TEST_CASE("a run prints its last state and its drifts") {
+TEST_CASE("a run prints its last state and its drifts, by a method of `step` without a compiler") {
   const Workspace workspace;
-  const Outcome outcome =
-      shell("elgen simulate -q --time 2 --method midpoint --step 0.01 --state theta=1 " + models +
-                "/simple_pendulum.toml",
-            workspace.path());
+  const Outcome outcome = shell(
+      "CXX=/nowhere elgen simulate -q --time 2 --method midpoint --step 0.01 --state theta=1 " +
+          models + "/simple_pendulum.toml",
+      workspace.path());
   INFO(outcome.errors);
   CHECK(outcome.status == 0);
   CHECK(starts_with(outcome.output, "simple_pendulum by midpoint: 200 steps to t = 2\n  theta  "));

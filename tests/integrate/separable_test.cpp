@@ -1,4 +1,4 @@
-// What keeps kick, drift, kick from being symplectic; method_choice_test asks for it through a run.
+// What keeps kick, drift, kick from being symplectic.
 #include <catch2/catch.hpp>
 
 #include "elgen/choose.hpp"
@@ -26,7 +26,11 @@ TEST_CASE("M is constant, forces and L are free of rates, but for T") {
   CHECK(obstacle(kinetic + "V = \"x*y + sin(t)*x\"\n").empty());
   CHECK(obstacle("T = \"x^2*dot(x)^2 + dot(y)^2\"\n") == "M depends on `x`");
   CHECK(obstacle("T = \"exp(t)*dot(x)^2 + dot(y)^2\"\n") == "M depends on `t`");
-  CHECK(obstacle("L = \"dot(x)^2 + dot(y)^2 + x*dot(y)\"\n") == "L has terms linear in the rates");
+  CHECK(obstacle("L = \"-sqrt(1 - dot(x)^2) + dot(y)^2\"\n") == "M depends on `dot(x)`");
+  for (const std::string linear : {"x*dot(y)", "3*dot(y)"}) {
+    CHECK(obstacle("L = \"dot(x)^2 + dot(y)^2 + " + linear + "\"\n") ==
+          "L has terms linear in the rates");
+  }
   CHECK(obstacle(kinetic + "D = \"dot(y)^2\"\n") == "a force depends on `dot(y)`");
 }
 

@@ -1,6 +1,7 @@
 // Model texts -> compiled systems, and runs of them.
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -20,29 +21,33 @@ inline SceneOptions start_options(const std::string& starts, const std::string& 
   return options;
 }
 
-/// Derived and compiled as `elgen simulate` does; throws what is wrong.
+/// Derived as `elgen simulate` does, and compiled where that is asked for; throws what is wrong.
 class CompiledSystem {
  public:
-  explicit CompiledSystem(const std::string& text, const SceneOptions& given = {}) {
-    PipelineOptions options;
-    options.scene = given;
-    const Model model = checked_model(text, given).model;
-    options.scene.outputs = {make_source("outputs", outputs_of_run(model))};
-    options.goals = {"emit"};
-    products_ = run_pipeline({make_source("test.toml", text), nullptr}, options);
+  explicit CompiledSystem(const std::string& text, const SceneOptions& given = {},
+                          std::optional<StepMethod> step = {})
+      : text_(text), given_(given), products_(derived(step)) {
     if (!products_.files) throw std::runtime_error(format(products_.diagnostics));
-    Result<CompiledHeaders> headers =
-        compile(*products_.files, checked().model, checked().scene, program(), {});
-    if (!headers) throw std::runtime_error(format(headers.diagnostics));
-    headers_ = std::move(*headers);
   }
 
   [[nodiscard]] const CheckedModel& checked() const { return *products_.checked; }
   [[nodiscard]] const Program& program() const { return *products_.program; }
-  [[nodiscard]] const CompiledModel& functions() const { return *headers_.front().functions; }
+  [[nodiscard]] const CompiledModel& functions() const {
+    if (headers_.empty()) {
+      Result<CompiledHeaders> headers =
+          compile(*products_.files, checked().model, checked().scene, program(), {});
+      if (!headers) throw std::runtime_error(format(headers.diagnostics));
+      headers_ = std::move(*headers);
+    }
+    return *headers_.front().functions;
+  }
 
   [[nodiscard]] Result<Trajectory> run(const SimulationOptions& options) const {
-    return simulate(checked(), program(), functions(), options);
+    const std::optional<StepMethod> step = step_of_run(options);
+    if (!step) return simulate(checked(), program(), &functions(), options);
+    const Products products = derived(step);
+    if (!products.program) return products.diagnostics;
+    return simulate(*products.checked, *products.program, nullptr, options);
   }
   /// The same, of a run that succeeds.
   [[nodiscard]] Trajectory trajectory(const SimulationOptions& options) const {
@@ -52,8 +57,20 @@ class CompiledSystem {
   }
 
  private:
+  [[nodiscard]] Products derived(std::optional<StepMethod> step) const {
+    PipelineOptions options;
+    options.scene = given_;
+    const Model model = checked_model(text_, given_).model;
+    options.scene.outputs = {make_source("outputs", outputs_of_run(model))};
+    options.scene.step = step;
+    options.goals = {"emit"};
+    return run_pipeline({make_source("test.toml", text_), nullptr}, options);
+  }
+
+  std::string text_;
+  SceneOptions given_;
   Products products_;
-  CompiledHeaders headers_;
+  mutable CompiledHeaders headers_ = {};
 };
 
 /// By one method in steps of a length.

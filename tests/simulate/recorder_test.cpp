@@ -29,7 +29,7 @@ T = "1/2*J*dot(turn)^2 + 1/2*m*dot(x)^2"
 
 TEST_CASE("rows have wrapped angles, and momenta are those of cyclic coordinates") {
   const CompiledSystem compiled(wheel, start_options("dot(turn)=3"));
-  System system(compiled.checked(), compiled.program(), compiled.functions());
+  System system(compiled.checked(), compiled.program(), &compiled.functions());
   const SimulationOptions options{.time = 1, .every = 1};
   const TrajectorySample start{0, 0, true, system.start(), {}};
   Recorder recorder(system, options, start);
@@ -50,7 +50,7 @@ TEST_CASE("rows have wrapped angles, and momenta are those of cyclic coordinates
 
 TEST_CASE("a number that is not finite ends the run, with the last state that was") {
   const CompiledSystem compiled(wheel, start_options("dot(turn)=3"));
-  System system(compiled.checked(), compiled.program(), compiled.functions());
+  System system(compiled.checked(), compiled.program(), &compiled.functions());
   const SimulationOptions options{.time = 1};
   const TrajectorySample start{0, 0, false, system.start(), {}};
   Recorder recorder(system, options, start);

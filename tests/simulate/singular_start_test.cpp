@@ -20,7 +20,7 @@ name = "phi"
 T = "1/2*dot(theta)^2 + 1/2*sin(theta)^2*dot(phi)^2"
 )toml"),
                                 start_options(start));
-  System system(compiled.checked(), compiled.program(), compiled.functions());
+  System system(compiled.checked(), compiled.program(), &compiled.functions());
   const Diagnostics refused = refuse_start(system, system.start(), 0);
   return refused.empty() ? "" : refused.front().message;
 }

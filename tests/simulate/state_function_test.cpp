@@ -98,12 +98,3 @@ T = "dot(x)^2"
   const double turned[] = {0, 0.5, 0.5, -0.5, 0.5};
   CHECK(function(turned, v, 0) == Approx(49 + 0.25 + 4 - 1));
 }
-
-TEST_CASE("what depends on rates says so") {
-  const auto depends = [](const std::string& text) {
-    const CheckedModel checked = checked_model(spring_text(), start_options("", "u=" + text));
-    return StateFunction(checked.model, *checked.model.inputs[0].law, {}).depends_on_rates();
-  };
-  CHECK_FALSE(depends("-3*x + sin(t)"));
-  CHECK(depends("-3*x - dot(x)"));
-}

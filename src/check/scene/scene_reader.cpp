@@ -14,6 +14,7 @@
 #include "check/scene/emission.hpp"
 #include "check/scene/read_batch.hpp"
 #include "check/scene/read_step.hpp"
+#include "elgen/step_methods.hpp"
 
 namespace elgen {
 namespace {
@@ -63,6 +64,7 @@ class SceneReader {
         OutputRequest* output = request(word.text, word.span);
         if (output != nullptr) read_step({}, *output, context_.report);
       }
+      if (options_.step) request_step(*options_.step);
     } else if (outputs != nullptr) {
       for (const KeySyntax& key : outputs->keys) {
         read_output(key);
@@ -76,6 +78,14 @@ class SceneReader {
     std::stable_sort(scene_.outputs.begin(), scene_.outputs.end(), precedes);
     check_function_names();
     check_dynamics();
+  }
+
+  /// A run goes by it.
+  void request_step(StepMethod method) {
+    OutputRequest* const step = request(std::string(output_row(OutputKind::step).name), {});
+    if (step == nullptr) return;
+    step->user = static_cast<std::uint32_t>(method);
+    step->iterations = step_methods[step->user].iterations;
   }
 
   /// A lock asks for it.

@@ -1,11 +1,13 @@
-// The table of methods (methods.def).
+// The table of methods.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 
+#include "elgen/step_methods.hpp"
 #include "simulate/steps/stepper.hpp"
 
 namespace elgen {
@@ -16,22 +18,25 @@ struct StepRule {
   double tolerance = 0;
 };
 
+/// Of one length, or adapted to a tolerance unless a length is given.
 enum class StepKind : std::uint8_t { fixed, adapted };
-
-enum class MethodDomain : std::uint8_t { any, unturned, separable };
 
 struct MethodRow {
   std::string_view name;
   StepKind step;
-  MethodDomain domain;
+  std::optional<StepMethod> program;  ///< the `step` that it runs; none: it calls accelerations
   std::unique_ptr<Stepper> (*make)(System& system, const StepRule& rule);
 };
 
+/// Those that are offered, in their order.
 [[nodiscard]] std::span<const MethodRow> method_table();
 
-#define ELGEN_METHOD(name, step, domain) \
-  [[nodiscard]] std::unique_ptr<Stepper> make_##name(System& system, const StepRule& rule);
-#include "simulate/steps/methods.def"
-#undef ELGEN_METHOD
+/// The one that errors of the others are measured from.
+[[nodiscard]] const MethodRow& reference_method();
+
+[[nodiscard]] std::unique_ptr<Stepper> make_rk4(System& system, const StepRule& rule);
+[[nodiscard]] std::unique_ptr<Stepper> make_dopri5(System& system, const StepRule& rule);
+[[nodiscard]] std::unique_ptr<Stepper> make_fehlberg78(System& system, const StepRule& rule);
+[[nodiscard]] std::unique_ptr<Stepper> make_step_program(System& system, const StepRule& rule);
 
 }  // namespace elgen

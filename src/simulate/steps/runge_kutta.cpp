@@ -1,6 +1,7 @@
-// rk4, dopri5 and fehlberg78, by Boost.odeint: classical Runge and Kutta's method, Dormand and
-// Prince's of order 5 and Fehlberg's of order 8 with estimates of their errors. Hairer, Norsett,
-// Wanner, Solving Ordinary Differential Equations I, 2nd ed., sec. II.1, II.5 and II.10.
+// rk4, dopri5 and, for references, fehlberg78, by Boost.odeint: classical Runge and Kutta's method,
+// Dormand and Prince's of order 5 and Fehlberg's of order 8 with estimates of their errors. Laws of
+// inputs are asked for at every stage. Hairer, Norsett, Wanner, Solving Ordinary Differential
+// Equations I, 2nd ed., sec. II.1, II.5 and II.10.
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
@@ -48,7 +49,7 @@ class RungeKutta {
  public:
   explicit RungeKutta(System& system) : system_(system) {}
 
-  void restart(const Numbers& /*state*/, double /*t*/) { forget(steps_); }
+  void restart() { forget(steps_); }
 
   bool step(Numbers& state, double t, double h) {
     steps_.do_step(StateRates{&system_}, state, t, h);
@@ -68,7 +69,7 @@ class AdaptedSteps final : public Stepper {
   AdaptedSteps(System& system, double tolerance)
       : system_(system), steps_(odeint::make_controlled(tolerance, tolerance, Steps())) {}
 
-  void aim(const Numbers& /*state*/, double begin, double end) override {
+  void aim(double begin, double end) override {
     t_ = begin;
     end_ = end;
     if (length_ == 0) length_ = (end - begin) / 100;
@@ -113,9 +114,8 @@ std::unique_ptr<Stepper> fixed(System& system, double step) {
 }
 
 template <class Steps>
-std::unique_ptr<Stepper> fixed_or_adapted(System& system, const StepRule& rule) {
-  if (rule.step) return fixed<Steps>(system, *rule.step);
-  return std::make_unique<AdaptedSteps<Steps>>(system, rule.tolerance);
+std::unique_ptr<Stepper> adapted(System& system, double tolerance) {
+  return std::make_unique<AdaptedSteps<Steps>>(system, tolerance);
 }
 
 }  // namespace
@@ -125,11 +125,12 @@ std::unique_ptr<Stepper> make_rk4(System& system, const StepRule& rule) {
 }
 
 std::unique_ptr<Stepper> make_dopri5(System& system, const StepRule& rule) {
-  return fixed_or_adapted<odeint::runge_kutta_dopri5<Numbers>>(system, rule);
+  using Steps = odeint::runge_kutta_dopri5<Numbers>;
+  return rule.step ? fixed<Steps>(system, *rule.step) : adapted<Steps>(system, rule.tolerance);
 }
 
 std::unique_ptr<Stepper> make_fehlberg78(System& system, const StepRule& rule) {
-  return fixed_or_adapted<odeint::runge_kutta_fehlberg78<Numbers>>(system, rule);
+  return adapted<odeint::runge_kutta_fehlberg78<Numbers>>(system, rule.tolerance);
 }
 
 }  // namespace elgen

@@ -1,7 +1,6 @@
 // An expression node by node, each after what it refers to.
 #include "simulate/steps/state_function.hpp"
 
-#include <algorithm>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -35,13 +34,6 @@ double StateFunction::operator()(const double* q, const double* v, double t) {
   t_ = t;
   for (const ExpressionId id : order_) known_[id] = value_of(model_.expressions[id], id);
   return known_[result_].value;
-}
-
-bool StateFunction::depends_on_rates() const {
-  return std::any_of(order_.begin(), order_.end(), [this](ExpressionId id) {
-    const ExpressionKind kind = model_.expressions[id].kind;
-    return kind == ExpressionKind::rate || kind == ExpressionKind::time_derivative;
-  });
 }
 
 StateFunction::Rated StateFunction::value_of(const Expression& node, ExpressionId id) const {

@@ -16,9 +16,6 @@ class StateFunction {
   /// Cost: one operation on a number and its rate for each node.
   [[nodiscard]] double operator()(const double* q, const double* v, double t);
 
-  /// Whether a rate of the model is among what it is made of.
-  [[nodiscard]] bool depends_on_rates() const;
-
  private:
   /// A value with its rate along the motion; that of a velocity is not known.
   using Rated = Dual<double>;

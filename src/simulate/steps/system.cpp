@@ -1,8 +1,9 @@
-// The compiled functions of a system, and what follows from which of their entries are zero.
+// The functions of a system, and what follows from which of their entries are zero.
 #include "simulate/steps/system.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "evaluate/subject.hpp"
 
@@ -29,33 +30,42 @@ std::vector<InputLaw> laws_of(const Model& model, const Numbers& parameters) {
   return laws;
 }
 
+/// In (-pi, pi].
+double wrapped(double angle) {
+  const double turn = 2 * std::numbers::pi;
+  const double rest = std::remainder(angle, turn);
+  return rest <= -std::numbers::pi ? rest + turn : rest;
+}
+
 }  // namespace
 
-System::System(const CheckedModel& checked, const Program& program, const CompiledModel& compiled)
+System::System(const CheckedModel& checked, const Program& program, const CompiledModel* compiled)
     : model_(checked.model),
       program_(program),
       compiled_(compiled),
-      nominal_(arguments_at<double>(nominal_state(checked.model, checked.scene))),
-      laws_(laws_of(model_, nominal_.parameters)),
-      mass_matrix_(compiled_function(OutputKind::mass_matrix)),
-      acceleration_(compiled_function(OutputKind::forward_dynamics)),
-      coordinate_rates_(compiled_function(OutputKind::coordinate_rates)),
-      input_matrix_(compiled_function(OutputKind::input_matrix)),
-      applied_force_(compiled_function(OutputKind::applied_force)),
-      dissipation_(compiled_function(OutputKind::dissipation)),
-      momentum_(compiled_function(OutputKind::momentum)),
-      position_gradient_(compiled_function(OutputKind::position_gradient)),
-      energy_(compiled_function(OutputKind::energy_function)),
-      kinetic_energy_(compiled_function(OutputKind::kinetic_energy)),
-      total_energy_(compiled_function(OutputKind::total_energy)),
-      normalized_(compiled_function(OutputKind::normalized)),
-      u_(model_.inputs.size()),
+      at_(arguments_at<double>(nominal_state(checked.model, checked.scene))),
+      laws_(laws_of(model_, at_.parameters)),
+      mass_matrix_(callee(OutputKind::mass_matrix)),
+      acceleration_(callee(OutputKind::forward_dynamics)),
+      coordinate_rates_(callee(OutputKind::coordinate_rates)),
+      input_matrix_(callee(OutputKind::input_matrix)),
+      applied_force_(callee(OutputKind::applied_force)),
+      dissipation_(callee(OutputKind::dissipation)),
+      momentum_(callee(OutputKind::momentum)),
+      energy_(callee(OutputKind::energy_function)),
+      kinetic_energy_(callee(OutputKind::kinetic_energy)),
+      total_energy_(callee(OutputKind::total_energy)),
+      normalized_(callee(OutputKind::normalized)),
+      step_(callee(OutputKind::step)),
+      shown_(positions()),
       solution_(2 * velocities()),
+      moved_(step_.function == nullptr ? 0 : entry_count(*step_.function)),
       force_(velocities()),
       more_force_(velocities()),
       matrix_(velocities() * model_.inputs.size()),
       mass_(velocities() * velocities()),
       scales_(velocities()) {
+  is_driven_ = std::ranges::any_of(laws_, [](const InputLaw& law) { return law.law.has_value(); });
   has_explicit_time_ = reads_time(find_function(program, OutputKind::energy_function)) ||
                        reads_time(find_function(program, OutputKind::momentum));
   for (std::uint32_t i = 0; i < velocities(); ++i) {
@@ -66,9 +76,10 @@ System::System(const CheckedModel& checked, const Program& program, const Compil
   does_work_ = is_forced_ || has_explicit_time_;
 }
 
-System::Call System::compiled_function(OutputKind kind) const {
-  const Function* const found = find_function(program_, kind);
-  return found == nullptr ? nullptr : compiled_.find(found->name);
+System::Callee System::callee(OutputKind kind) const {
+  const auto found = std::ranges::find(program_.functions, kind, &Function::kind);
+  if (found == program_.functions.end()) return {};
+  return {&*found, compiled_ == nullptr ? nullptr : compiled_->find(found->name)};
 }
 
 /// Whether all entries of a row are the number 0.
@@ -83,11 +94,9 @@ bool System::vanishes(OutputKind kind, std::size_t row) const {
 }
 
 bool System::is_forced(std::size_t velocity) const {
-  const bool is_driven =
-      std::ranges::any_of(laws_, [](const InputLaw& law) { return law.law.has_value(); });
   return !vanishes(OutputKind::applied_force, velocity) ||
          !vanishes(OutputKind::dissipation, velocity) ||
-         (is_driven && !vanishes(OutputKind::input_matrix, velocity));
+         (is_driven_ && !vanishes(OutputKind::input_matrix, velocity));
 }
 
 Numbers System::start() {
@@ -110,18 +119,42 @@ void System::hold(const double* q, const double* v, double t) {
 }
 
 const Numbers& System::inputs(const double* q, const double* v, double t) {
-  if (is_held_) return u_;
-  for (std::size_t k = 0; k < u_.size(); ++k) {
-    if (!laws_[k].law) continue;
-    const double value = (*laws_[k].law)(q, v, t);
+  if (is_held_ || !is_driven_) return at_.u;
+  const Numbers& seen = shown(q);
+  for (std::size_t k = 0; k < laws_.size(); ++k) {
+    auto& [law, low, high] = laws_[k];
+    if (!law) continue;
+    const double value = (*law)(seen.data(), v, t);
     // A NaN stays one.
-    u_[k] = value < laws_[k].low ? laws_[k].low : value > laws_[k].high ? laws_[k].high : value;
+    at_.u[k] = value < low ? low : value > high ? high : value;
   }
-  return u_;
+  return at_.u;
 }
 
-void System::call(Call function, const double* q, const double* v, double t, double* result) {
-  function(nominal_.parameters.data(), q, v, nullptr, u_.data(), t, nominal_.h, result);
+const Numbers& System::shown(const double* q) {
+  for (std::size_t i = 0; i < shown_.size(); ++i) {
+    shown_[i] = model_.coordinates[i].wrap ? wrapped(q[i]) : q[i];
+  }
+  return shown_;
+}
+
+void System::call(const Callee& called, const double* q, const double* v, double t,
+                  double* result) {
+  if (called.code != nullptr) {
+    called.code(at_.parameters.data(), q, v, nullptr, at_.u.data(), t, at_.h, result);
+    return;
+  }
+  std::copy_n(q, positions(), at_.q.begin());
+  std::copy_n(v, velocities(), at_.v.begin());
+  at_.t = t;
+  std::ranges::copy(evaluate(program_, *called.function, at_), result);
+}
+
+const Numbers& System::stepped(const Numbers& state, double t, double h) {
+  (void)inputs(state.data(), v_of(state), t);
+  at_.h = h;
+  call(step_, state.data(), v_of(state), t, moved_.data());
+  return moved_;
 }
 
 void System::acceleration(const double* q, const double* v, double t, double* a) {
@@ -131,31 +164,34 @@ void System::acceleration(const double* q, const double* v, double t, double* a)
 }
 
 void System::coordinate_rates(const double* q, const double* v, double* rates) {
-  if (coordinate_rates_ == nullptr) {
+  if (coordinate_rates_.function == nullptr) {
     std::copy_n(v, velocities(), rates);
   } else {
     call(coordinate_rates_, q, v, 0, rates);
   }
 }
 
-void System::force(const double* q, const double* v, double t, double* result) {
-  std::fill_n(result, velocities(), 0.0);
-  if (!is_forced_) return;
-  call(applied_force_, q, v, t, result);
+void System::find_force(const double* q, const double* v, double t) {
+  call(applied_force_, q, v, t, force_.data());
   call(dissipation_, q, v, t, more_force_.data());
-  for (std::size_t i = 0; i < velocities(); ++i) result[i] -= more_force_[i];
-  if (input_matrix_ == nullptr) return;
-  (void)inputs(q, v, t);
+  for (std::size_t i = 0; i < velocities(); ++i) force_[i] -= more_force_[i];
+  if (input_matrix_.function == nullptr) return;
   call(input_matrix_, q, v, t, matrix_.data());
+  const Numbers& u = at_.u;
   for (std::size_t i = 0; i < velocities(); ++i) {
-    for (std::size_t k = 0; k < u_.size(); ++k) result[i] += matrix_[i * u_.size() + k] * u_[k];
+    for (std::size_t k = 0; k < u.size(); ++k) force_[i] += matrix_[i * u.size() + k] * u[k];
   }
 }
 
 double System::power(const double* q, const double* v, double t) {
-  if (!does_work_) return 0;
+  if (does_work_) (void)inputs(q, v, t);
+  return held_power(q, v, t);
+}
+
+double System::held_power(const double* q, const double* v, double t) {
   double sum = has_explicit_time_ ? explicit_power(q, v, t) : 0;
-  force(q, v, t, force_.data());
+  if (!is_forced_) return sum;
+  find_force(q, v, t);
   for (std::size_t i = 0; i < velocities(); ++i) sum += v[i] * force_[i];
   return sum;
 }
@@ -163,7 +199,7 @@ double System::power(const double* q, const double* v, double t) {
 /// -dL/dt = dE/dt - v.dp/dt, both at rest, since L = v.p - E. No output has it: the program is
 /// evaluated on numbers that move with time.
 double System::explicit_power(const double* q, const double* v, double t) const {
-  Arguments<Dual<double>> at = map_leaves([](double x) { return Dual<double>{x, 0}; }, nominal_);
+  Arguments<Dual<double>> at = map_leaves([](double x) { return Dual<double>{x, 0}; }, at_);
   for (std::size_t i = 0; i < positions(); ++i) at.q[i].value = q[i];
   for (std::size_t i = 0; i < velocities(); ++i) at.v[i].value = v[i];
   at.t = {t, 1};
@@ -190,10 +226,6 @@ const Numbers& System::momentum_scales(const double* q, const double* v, double 
   return scales_;
 }
 
-void System::position_gradient(const double* q, const double* v, double t, double* result) {
-  call(position_gradient_, q, v, t, result);
-}
-
 double System::energy(const double* q, const double* v, double t) {
   double result = 0;
   call(energy_, q, v, t, &result);
@@ -215,7 +247,8 @@ double System::magnitude(const double* q, const double* v, double t) {
 }
 
 void System::normalize(double* q) {
-  if (normalized_ != nullptr) call(normalized_, q, nullptr, 0, q);
+  // It reads no rate.
+  if (normalized_.function != nullptr) call(normalized_, q, solution_.data(), 0, q);
 }
 
 }  // namespace elgen

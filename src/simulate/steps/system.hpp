@@ -1,7 +1,6 @@
-// System: what steps in time ask of a model, by its compiled functions, on flat numbers.
+// System: what steps in time ask of a model, by its functions, on flat numbers.
 //
-// A state lies in one list: q, then v (or momenta, where a method has them), then the work that
-// forces and time have done, with
+// A state lies in one list: q, then v, then the work that forces and time have done, with
 //
 //     dq/dt = N v,   M dv/dt = B u - bias,   dW/dt = v.F - dL/dt,   F = B u + Q - dD/dv
 //
@@ -30,7 +29,8 @@ struct InputLaw {
 
 class System {
  public:
-  System(const CheckedModel& checked, const Program& program, const CompiledModel& compiled);
+  /// Functions run as they were compiled; where `compiled` is null, in the evaluator.
+  System(const CheckedModel& checked, const Program& program, const CompiledModel* compiled);
   System(const System&) = delete;
   System& operator=(const System&) = delete;
 
@@ -51,30 +51,35 @@ class System {
 
   /// Inputs keep what their laws are here, until held again.
   void hold(const double* q, const double* v, double t);
-  /// By the laws, inside `limits`; 0 where there is no law.
+  /// By the laws, which see the angles that are shown, inside `limits`; 0 where there is no law.
   [[nodiscard]] const Numbers& inputs(const double* q, const double* v, double t);
+  /// q as rows show it: an angle with `wrap` in (-pi, pi].
+  [[nodiscard]] const Numbers& shown(const double* q);
 
   /// Of an expression of the model without inputs.
   [[nodiscard]] double value(ExpressionId expression, const double* q, const double* v,
                              double t) const {
-    return StateFunction(model_, expression, nominal_.parameters)(q, v, t);
+    return StateFunction(model_, expression, at_.parameters)(q, v, t);
   }
+
+  /// What the program's `step` of length h makes of a state, with its inputs there: q, v, and the
+  /// residual of an implicit method.
+  [[nodiscard]] const Numbers& stepped(const Numbers& state, double t, double h);
 
   void acceleration(const double* q, const double* v, double t, double* a);
   /// D_i / M_ii of M = L D L^T, as the acceleration was last made.
   [[nodiscard]] const double* relative_pivots() const { return solution_.data() + velocities(); }
   void coordinate_rates(const double* q, const double* v, double* rates);
-  /// F = B u + Q - dD/dv
-  void force(const double* q, const double* v, double t, double* result);
   /// v.F - dL/dt; 0 where no work is done.
   [[nodiscard]] double power(const double* q, const double* v, double t);
+  /// The same with the inputs that were last asked for.
+  [[nodiscard]] double held_power(const double* q, const double* v, double t);
   void momentum(const double* q, const double* v, double t, double* result);
   /// sum_j |M_ij v_j| of every i: what p_i is the sum of, but for what is linear in v.
   [[nodiscard]] const Numbers& momentum_scales(const double* q, const double* v, double t);
-  void position_gradient(const double* q, const double* v, double t, double* result);
   [[nodiscard]] double energy(const double* q, const double* v, double t);
   /// Whether T and V are known apart.
-  [[nodiscard]] bool has_energies() const { return kinetic_energy_ != nullptr; }
+  [[nodiscard]] bool has_energies() const { return kinetic_energy_.function != nullptr; }
   /// |T| + |V|; |v.p| + |L| where only L is known.
   [[nodiscard]] double magnitude(const double* q, const double* v, double t);
   /// Quaternions to length 1.
@@ -86,27 +91,34 @@ class System {
   [[nodiscard]] const std::vector<std::uint32_t>& cyclic() const { return cyclic_; }
 
  private:
-  using Call = DriverFunction<double>;
+  /// Null where the program has none; without code where it was not compiled.
+  struct Callee {
+    const Function* function = nullptr;
+    DriverFunction<double> code = nullptr;
+  };
 
-  [[nodiscard]] Call compiled_function(OutputKind kind) const;
-  void call(Call function, const double* q, const double* v, double t, double* result);
+  [[nodiscard]] Callee callee(OutputKind kind) const;
+  void call(const Callee& called, const double* q, const double* v, double t, double* result);
+  /// F = B u + Q - dD/dv, to `force_`.
+  void find_force(const double* q, const double* v, double t);
   [[nodiscard]] bool vanishes(OutputKind kind, std::size_t row) const;
   [[nodiscard]] bool is_forced(std::size_t velocity) const;
   [[nodiscard]] double explicit_power(const double* q, const double* v, double t) const;
 
   const Model& model_;
   const Program& program_;
-  const CompiledModel& compiled_;
-  Arguments<double> nominal_;
+  const CompiledModel* compiled_;
+  Arguments<double> at_;  ///< of a call; inputs are those that were last asked for
   std::vector<InputLaw> laws_;
-  Call mass_matrix_, acceleration_, coordinate_rates_, input_matrix_, applied_force_, dissipation_,
-      momentum_, position_gradient_, energy_, kinetic_energy_, total_energy_, normalized_;
+  Callee mass_matrix_, acceleration_, coordinate_rates_, input_matrix_, applied_force_,
+      dissipation_, momentum_, energy_, kinetic_energy_, total_energy_, normalized_, step_;
   bool is_held_ = false;
+  bool is_driven_ = false;
   bool has_explicit_time_ = false;
   bool is_forced_ = false;
   bool does_work_ = false;
   std::vector<std::uint32_t> cyclic_ = {};
-  Numbers u_, solution_, force_, more_force_, matrix_, mass_, scales_;
+  Numbers shown_, solution_, moved_, force_, more_force_, matrix_, mass_, scales_;
 };
 
 }  // namespace elgen
