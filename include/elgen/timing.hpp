@@ -10,7 +10,7 @@ namespace elgen {
 
 /// How a function goes through the states.
 struct TimedVariant {
-  ScalarKind scalar = ScalarKind::double_precision;
+  ScalarKind scalar = ScalarKind::double_precision;  ///< or float
   bool in_packs = false;  ///< several states at once, by the header of batches; else one by one
 };
 
@@ -20,9 +20,9 @@ class TimedFunction {
   virtual ~TimedFunction() = default;
   /// Computes all states once.
   virtual void run() = 0;
-  /// What the last run gave: the entries of all fields, each of all states; any scalar's numbers
-  /// are numbers of long double.
-  [[nodiscard]] virtual std::vector<long double> results() const = 0;
+  /// What the last run gave: the entries of all fields, each of all states; numbers of float are
+  /// numbers of double.
+  [[nodiscard]] virtual std::vector<double> results() const = 0;
 };
 
 /// Of each variant.
@@ -30,7 +30,6 @@ using TimedFunctions = std::vector<std::unique_ptr<TimedFunction>>;
 
 struct TimingOptions {
   std::vector<TimedVariant> variants = {};
-  Build build = Build::to_time_contracted;  ///< or Build::to_time
   std::vector<Arguments<float>> states = {};
   Limits limits = {};
 };

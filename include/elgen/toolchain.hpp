@@ -51,8 +51,7 @@ using CompiledHeaders = std::vector<CompiledHeader>;
 enum class Build : std::uint8_t {
   as_written,  ///< strict flags, no contraction: the bits of the arithmetic that is written
   as_users,    ///< -O3 -march=native, contraction on; only the header on the language's own types
-  to_time,     ///< -O2 -march=native, no contraction
-  to_time_contracted,
+  to_time,     ///< -O2 -march=native, contraction on
 };
 
 struct CompileOptions {

@@ -1,11 +1,10 @@
 // TradeoffTable: what the designs of one output, or of one run, cost and how far they are off.
 //
-// A design is a scene and a way to compile it. plan() lists designs; the pipeline and the compiler
-// run on each; measured() and errors_of() look at what came out, and judged() makes the table.
+// A design is a scene. plan() lists designs; the pipeline and the compiler run on each; measured()
+// and errors_of() look at what came out, and judged() makes the table.
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,15 +22,13 @@ struct DesignBase {
   const FileSyntax* scene = nullptr;  ///< null: the model alone
 };
 
-/// What is chosen in each dimension; "" or none where the choice of the scene stands.
+/// What is chosen in each dimension; "" where the choice of the scene stands.
 struct Design {
-  ScalarKind scalar = ScalarKind::double_precision;
+  ScalarKind scalar = ScalarKind::double_precision;  ///< or float
   bool in_packs = false;
   std::string trigonometry = {};  ///< max_error of polynomials; "": as accurate as the scalar
   bool is_fixed = false;          ///< every parameter is a number
-  std::optional<Form> form = {};
-  bool is_contracted = true;  ///< as compilers do where they are not told
-  std::string order = {};     ///< of an expansion about the start, or "exact"
+  std::string order = {};         ///< of an expansion, or "exact": nothing is approximated
   friend bool operator==(const Design&, const Design&) = default;
 };
 
@@ -57,14 +54,13 @@ struct TradeoffPlan {
 [[nodiscard]] std::string scene_text(const DesignBase& base, const Design& design,
                                      const std::string& model_path);
 
-/// What designs have in common that are derived alike: all but scalar, packs, their sines and
-/// contraction.
+/// What designs have in common that are derived alike: all but scalar, packs and their sines.
 [[nodiscard]] Design derivation_of(const Design& design);
 
-/// A number to 32 digits or more: high + low.
+/// A number to 32 digits: high + low.
 struct ExactNumber {
-  long double high = 0;
-  long double low = 0;
+  double high = 0;
+  double low = 0;
 };
 
 /// States at which errors are looked at, with the exact value of every entry at each.
@@ -97,7 +93,7 @@ struct DesignErrors {
 };
 
 /// By results as TimedFunction gives them.
-[[nodiscard]] DesignErrors errors_of(const std::vector<long double>& results,
+[[nodiscard]] DesignErrors errors_of(const std::vector<double>& results,
                                      const TradeoffStates& states);
 
 /// How many rounds there are: as many as `seconds` allow, but so few at least and so many at most.
@@ -153,11 +149,11 @@ struct TradeoffTable {
   std::string error = {};    ///< likewise
   std::vector<std::string> dimensions = {};
   std::vector<TradeoffRow> rows = {};       ///< cheapest first, failed ones last
-  std::vector<std::string> sentences = {};  ///< what to say of them: how much a dimension matters
+  std::vector<std::string> sentences = {};  ///< of runs: why a method has none
   Machine machine = {};
 };
 
-/// Sorts the rows, marks the front, and puts a sentence for each dimension before those there are.
+/// Sorts the rows, and marks the front.
 [[nodiscard]] TradeoffTable judged(TradeoffTable table);
 
 /// What was planned as this row of a table of designs.

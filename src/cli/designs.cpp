@@ -123,8 +123,7 @@ class DesignBench {
     std::map<std::string, Workpiece> pieces;
     for (std::size_t i = 0; i < designs_.size(); ++i) {
       const Design& design = designs_[i].design;
-      const std::string key = fmt::format("{}{}\n{}", text_of(derivation_of(design)),
-                                          design.trigonometry, design.is_contracted);
+      const std::string key = text_of(derivation_of(design)) + design.trigonometry;
       pieces[key].designs.push_back(i);
     }
     return pieces;
@@ -158,7 +157,6 @@ class DesignBench {
     for (const std::size_t i : piece.designs) {
       const Design& design = designs_[i].design;
       timing.variants.push_back({design.scalar, design.in_packs});
-      timing.build = design.is_contracted ? Build::to_time_contracted : Build::to_time;
       if (design.in_packs) scene.numerics = numerics_of(design, std::move(scene.numerics.scalars));
       scene.emission.batch = scene.emission.batch || design.in_packs;
     }

@@ -87,7 +87,7 @@ void add_subject(CLI::App& command, TradeoffOptions& options) {
       ->excludes(time);
   command
       .add_option("--dimensions", options.dimensions,
-                  "tried beside the usual ones: form, contraction, order, long_double")
+                  "tried beside the usual ones: order, of an expansion about the start")
       ->type_name("LIST")
       ->delimiter(',')
       ->allow_extra_args(false)

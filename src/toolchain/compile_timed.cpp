@@ -52,7 +52,7 @@ class LoadedTiming final : public TimedFunction {
               results_.data());
   }
 
-  [[nodiscard]] std::vector<long double> results() const override {
+  [[nodiscard]] std::vector<double> results() const override {
     return {results_.begin(), results_.end()};
   }
 
@@ -75,13 +75,6 @@ std::unique_ptr<TimedFunction> loaded(const std::shared_ptr<const Library>& libr
   return std::make_unique<LoadedTiming<Scalar>>(library, function, states, entries);
 }
 
-using Loader = std::unique_ptr<TimedFunction> (*)(const std::shared_ptr<const Library>&,
-                                                  const std::string&,
-                                                  const std::vector<Arguments<float>>&,
-                                                  std::size_t);
-/// In the order of ScalarKind.
-constexpr Loader loaders[] = {&loaded<float>, &loaded<double>, &loaded<long double>};
-
 }  // namespace
 
 Result<TimedFunctions> compile_timed(const EmittedFiles& files, const Model& model,
@@ -91,13 +84,14 @@ Result<TimedFunctions> compile_timed(const EmittedFiles& files, const Model& mod
   const NoInterrupts until_removed;
   const Result<Workshop> workshop = Workshop::open(files, {driver}, options.limits);
   if (!workshop) return workshop.diagnostics;
-  Result<Library> built = workshop->build(driver, options.build);
+  Result<Library> built = workshop->build(driver, Build::to_time);
   if (!built) return built.diagnostics;
   const auto library = std::make_shared<const Library>(std::move(*built));
   const std::size_t entries = entry_count(program.functions.front());
   TimedFunctions functions;
   for (std::size_t i = 0; i < options.variants.size(); ++i) {
-    const Loader load = loaders[static_cast<std::size_t>(options.variants[i].scalar)];
+    const bool is_float = options.variants[i].scalar == ScalarKind::single_precision;
+    const auto load = is_float ? &loaded<float> : &loaded<double>;
     functions.push_back(load(library, timed_symbol(i), options.states, entries));
     if (functions.back() == nullptr) return missing_function();
   }

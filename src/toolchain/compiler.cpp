@@ -22,11 +22,10 @@ CompilerCommand split(const std::string& text) {
 }
 
 /// In the order of Build.
-constexpr std::array<const char*, 4> flags_of_builds{
+constexpr std::array<const char*, 3> flags_of_builds{
     "-O2 -ffp-contract=off -fPIC -shared -Wall -Wextra -Wpedantic -Wconversion -Wshadow "
     "-Wsign-conversion -Wfloat-equal -Wdouble-promotion -Werror",
     "-O3 -march=native -ffp-contract=fast -fPIC -shared",
-    "-O2 -march=native -ffp-contract=off -fPIC -shared",
     "-O2 -march=native -ffp-contract=fast -fPIC -shared"};
 
 /// Where Debian and others keep Eigen; elsewhere $CPATH says it.

@@ -15,11 +15,11 @@ struct FieldRegion {
 };
 
 double largest_magnitude(const std::vector<ExactNumber>& exact, const FieldRegion& field) {
-  long double largest = 0;
+  double largest = 0;
   for (std::size_t i = field.begin; i < field.end; ++i) {
     largest = std::max(largest, std::abs(exact[i].high));
   }
-  return static_cast<double>(largest);
+  return largest;
 }
 
 /// Where the field is 0 everywhere, any other value is infinitely wrong.
@@ -30,7 +30,7 @@ double relative(double distance, double scale) {
 
 }  // namespace
 
-DesignErrors errors_of(const std::vector<long double>& results, const TradeoffStates& states) {
+DesignErrors errors_of(const std::vector<double>& results, const TradeoffStates& states) {
   const std::size_t count = states.states.size();
   std::vector<double> errors(count, 0);
   FieldRegion field{0, 0};
@@ -39,7 +39,7 @@ DesignErrors errors_of(const std::vector<long double>& results, const TradeoffSt
     const double scale = largest_magnitude(states.exact, field);
     for (std::size_t i = field.begin; i < field.end; ++i) {
       const ExactNumber& exact = states.exact[i];
-      const auto distance = static_cast<double>(std::abs(results[i] - exact.high - exact.low));
+      const double distance = std::abs(results[i] - exact.high - exact.low);
       double& error = errors[(i - field.begin) % count];
       error = std::max(error, relative(distance, scale));
     }

@@ -5,7 +5,6 @@
 #include <tuple>
 
 #include "elgen/tradeoff.hpp"
-#include "tradeoff/sentences.hpp"
 
 namespace elgen {
 namespace {
@@ -18,8 +17,6 @@ bool is_better(const TradeoffRow& x, const TradeoffRow& y) {
 }  // namespace
 
 TradeoffTable judged(TradeoffTable table) {
-  const std::vector<std::string> sentences = sentences_of(table);
-  table.sentences.insert(table.sentences.begin(), sentences.begin(), sentences.end());
   const auto key = [](const TradeoffRow& row) {
     return std::tuple(!row.failure.empty(), row.cost.median);
   };

@@ -20,37 +20,31 @@ namespace {
 struct DimensionRow {
   std::string_view dimension;
   std::string_view value;
-  std::string_view asked_by;  ///< the word that adds it; "": it is there without one
+  bool is_asked;  ///< there only where its dimension is named
   void (*choose)(Design&);
 };
 
 constexpr std::array dimension_rows{
-    DimensionRow{"scalar", "double", "",
+    DimensionRow{"scalar", "double", false,
                  [](Design& d) { d.scalar = ScalarKind::double_precision; }},
-    DimensionRow{"scalar", "float", "", [](Design& d) { d.scalar = ScalarKind::single_precision; }},
-    DimensionRow{"scalar", "long double", "long_double",
-                 [](Design& d) { d.scalar = ScalarKind::long_double; }},
-    DimensionRow{"batch", "1", "", [](Design& d) { d.in_packs = false; }},
-    DimensionRow{"batch", "packs", "", [](Design& d) { d.in_packs = true; }},
-    DimensionRow{"trigonometry", "full", "", [](Design& d) { d.trigonometry = ""; }},
-    DimensionRow{"trigonometry", "1e-7", "", [](Design& d) { d.trigonometry = "1e-7"; }},
-    DimensionRow{"parameters", "arguments", "", [](Design& d) { d.is_fixed = false; }},
-    DimensionRow{"parameters", "fixed", "", [](Design& d) { d.is_fixed = true; }},
-    DimensionRow{"form", "recursive", "form", [](Design& d) { d.form = Form::recursive; }},
-    DimensionRow{"form", "closed", "form", [](Design& d) { d.form = Form::closed; }},
-    DimensionRow{"contraction", "on", "contraction", [](Design& d) { d.is_contracted = true; }},
-    DimensionRow{"contraction", "off", "contraction", [](Design& d) { d.is_contracted = false; }},
-    DimensionRow{"order", "exact", "order", [](Design& d) { d.order = "exact"; }},
-    DimensionRow{"order", "3", "order", [](Design& d) { d.order = "3"; }},
-    DimensionRow{"order", "1", "order", [](Design& d) { d.order = "1"; }},
+    DimensionRow{"scalar", "float", false,
+                 [](Design& d) { d.scalar = ScalarKind::single_precision; }},
+    DimensionRow{"batch", "1", false, [](Design& d) { d.in_packs = false; }},
+    DimensionRow{"batch", "packs", false, [](Design& d) { d.in_packs = true; }},
+    DimensionRow{"trigonometry", "full", false, [](Design& d) { d.trigonometry = ""; }},
+    DimensionRow{"trigonometry", "1e-7", false, [](Design& d) { d.trigonometry = "1e-7"; }},
+    DimensionRow{"parameters", "arguments", false, [](Design& d) { d.is_fixed = false; }},
+    DimensionRow{"parameters", "fixed", false, [](Design& d) { d.is_fixed = true; }},
+    DimensionRow{"order", "exact", true, [](Design& d) { d.order = "exact"; }},
+    DimensionRow{"order", "3", true, [](Design& d) { d.order = "3"; }},
+    DimensionRow{"order", "1", true, [](Design& d) { d.order = "1"; }},
 };
 
 /// E631. Dimensions that are always there may be named too.
 Diagnostics unknown_dimensions(const std::vector<std::string>& more) {
   std::vector<std::string> known;
   for (const DimensionRow& row : dimension_rows) {
-    const std::string_view word = row.asked_by.empty() ? row.dimension : row.asked_by;
-    if (std::ranges::find(known, word) == known.end()) known.emplace_back(word);
+    if (std::ranges::find(known, row.dimension) == known.end()) known.emplace_back(row.dimension);
   }
   Diagnostics found;
   for (const std::string& word : more) {
@@ -74,12 +68,10 @@ class ExistingDesigns {
 
   [[nodiscard]] bool contain(const Design& design) const {
     const bool is_float = design.scalar == ScalarKind::single_precision;
-    const bool is_double = design.scalar == ScalarKind::double_precision;
     if (is_float && !fits_float_) return false;
     if (design.is_fixed && !has_parameters_) return false;
-    if (design.in_packs && !(is_float || is_double)) return false;
     // A float cannot be as good as 1e-7; and outside of packs there are no polynomials.
-    return design.trigonometry.empty() || (design.in_packs && is_double && has_sines_);
+    return design.trigonometry.empty() || (design.in_packs && !is_float && has_sines_);
   }
 
  private:
@@ -127,9 +119,8 @@ Result<TradeoffPlan> plan(const CheckedModel& checked, const Program& program,
     const std::string_view dimension = dimension_rows[i].dimension;
     std::vector<DimensionRow> values;
     for (; i < dimension_rows.size() && dimension_rows[i].dimension == dimension; ++i) {
-      const std::string_view word = dimension_rows[i].asked_by;
-      const bool is_asked = word.empty() || std::ranges::find(more, word) != more.end();
-      if (is_asked) values.push_back(dimension_rows[i]);
+      const bool is_named = std::ranges::find(more, dimension) != more.end();
+      if (is_named || !dimension_rows[i].is_asked) values.push_back(dimension_rows[i]);
     }
     if (values.empty()) continue;
     plan.dimensions.emplace_back(dimension);
@@ -154,7 +145,7 @@ Design design_of(const TradeoffTable& table, const TradeoffRow& row) {
 }
 
 Design derivation_of(const Design& design) {
-  return {.is_fixed = design.is_fixed, .form = design.form, .order = design.order};
+  return {.is_fixed = design.is_fixed, .order = design.order};
 }
 
 }  // namespace elgen

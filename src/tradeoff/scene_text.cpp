@@ -42,14 +42,10 @@ std::string value_text(const ValueSyntax& value) {
   return {};
 }
 
-/// "long double" as a part of a name: its word characters.
-std::string word_of(std::string_view text) {
-  std::string word;
-  for (const char c : text) {
-    if (c == ' ') word += '_';
-    if (is_word_character(c)) word += c;
-  }
-  return word;
+/// "1e-7" as a part of a name: its word characters.
+std::string word_of(std::string text) {
+  std::erase_if(text, [](char c) { return !is_word_character(c); });
+  return text;
 }
 
 class DesignText {
@@ -57,10 +53,8 @@ class DesignText {
   DesignText(const DesignBase& base, const Design& design) : base_(base), design_(design) {}
 
   [[nodiscard]] std::string text(const std::string& model_path) const {
-    const std::string uncontracted =
-        design_.is_contracted ? "" : "# To be compiled with -ffp-contract=off.\n";
-    return uncontracted +
-           fmt::format("format = 1\nmodel = {}\nname = \"{}\"\n", toml_string(model_path), name()) +
+    return fmt::format("format = 1\nmodel = {}\nname = \"{}\"\n", toml_string(model_path),
+                       name()) +
            section("outputs", {line(output(), output_value())}) +
            section("parameters", {line("fixed", fixed())}) + section("sizes", own("sizes")) +
            section("lock", own("lock")) + section("approximate", approximation()) +
@@ -100,12 +94,10 @@ class DesignText {
     const auto add = [&text](const std::string& word) {
       if (!word.empty()) text += (text.empty() ? "" : "_") + word;
     };
-    add(word_of(name_of(design_.scalar)));
+    add(std::string(name_of(design_.scalar)));
     add(design_.in_packs ? "packs" : "");
     add(word_of(design_.trigonometry));
     add(design_.is_fixed ? "fixed" : "");
-    add(design_.form ? std::string(name_of(*design_.form)) : "");
-    add(design_.is_contracted ? "" : "uncontracted");
     if (!design_.order.empty()) add("order_" + design_.order);
     return text;
   }
@@ -115,7 +107,6 @@ class DesignText {
   }
 
   [[nodiscard]] std::string output_value() const {
-    if (design_.form) return fmt::format("{{ form = \"{}\" }}", name_of(*design_.form));
     const KeySyntax* const key = find_key(base_.scene, "outputs", output());
     const KeySyntax* const form = key == nullptr ? nullptr : key->value.find("form");
     return form == nullptr ? "true" : fmt::format("{{ form = {} }}", value_text(form->value));
@@ -141,17 +132,14 @@ class DesignText {
     return toml_inline_table(values);
   }
 
+  /// An order is the scene's, or that of the design about the scene's point.
   [[nodiscard]] Lines approximation() const {
-    const bool is_exact = design_.order == "exact";
-    const bool is_expanded = !design_.order.empty() && !is_exact;
+    if (design_.order == exact_design.order) return {};
+    const bool is_expanded = !design_.order.empty();
     const std::string about = own("approximate", "about");
-    return {line("order", is_expanded ? design_.order
-                          : is_exact  ? ""
-                                      : own("approximate", "order")),
-            line("about", is_exact                       ? ""
-                          : is_expanded && about.empty() ? start()
-                                                         : about),
-            line("small", is_exact ? "" : own("approximate", "small"))};
+    return {line("order", is_expanded ? design_.order : own("approximate", "order")),
+            line("about", is_expanded && about.empty() ? start() : about),
+            line("small", own("approximate", "small"))};
   }
 
   /// Where a run starts, as a point to expand about; rotations stay as they are.

@@ -70,11 +70,8 @@ Diagnostics narrow(const Model& model, const SourceText& source, LeafValues<Rang
 }
 
 ExactNumber exact_number(const cln::cl_R& value) {
-  const auto high = ScalarTraits<long double>::from_real(value);
-  const auto half = static_cast<double>(high);
-  const cln::cl_RA rounded =
-      exact_value(half) + exact_value(static_cast<double>(high - static_cast<long double>(half)));
-  return {high, ScalarTraits<long double>::from_real(value - rounded)};
+  const double high = ScalarTraits<double>::from_real(value);
+  return {high, ScalarTraits<double>::from_real(value - exact_value(high))};
 }
 
 /// At numbers of float and the exact parameters; none where some entry has no value.

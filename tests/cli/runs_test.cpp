@@ -37,7 +37,7 @@ TEST_CASE("runs have a row for each method and step, and shorter steps smaller e
 
 TEST_CASE("what is about an output is not about runs") {
   const Workspace workspace;
-  for (const char* option : {"--of gravity", "--dimensions form", "--range q1=0..1",
+  for (const char* option : {"--of gravity", "--dimensions order", "--range q1=0..1",
                              "--max-error 1 --write-scene x.scene.toml"}) {
     INFO(option);
     CHECK(shell(std::string("elgen tradeoff --trajectory 2 ") + option + " " + models +

@@ -13,7 +13,7 @@ TEST_CASE("the cheapest row is first, failed ones are last, and what nothing bea
   CHECK(name_of(table.rows[1]) == "double, packs");
   CHECK(name_of(table.rows[2]) == "double, 1");
   CHECK(name_of(table.rows[3]) == "float, 1");
-  CHECK(name_of(table.rows[4]) == "long double, 1");
+  CHECK(name_of(table.rows[4]) == "half, 1");
   std::vector<bool> front;
   for (const TradeoffRow& row : table.rows) front.push_back(row.is_on_front);
   CHECK(front == std::vector<bool>{true, true, true, false, false});

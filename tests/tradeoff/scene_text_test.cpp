@@ -63,11 +63,12 @@ batch = true
 }
 
 TEST_CASE("what a scene says of anything else stays, in the place of its own choices") {
-  const std::string text = text_of({.scalar = ScalarKind::single_precision, .form = Form::closed},
-                                   "[parameters]\nfixed = { g = 9.8 }\n[numeric]\n"
-                                   "scalar = [\"double\"]\nprefer = \"speed\"\n"
-                                   "[emit]\nlanguage = \"c99\"\n");
-  CHECK(mentions(text, "name = \"given_float_closed\""));
+  const std::string text =
+      text_of({.scalar = ScalarKind::single_precision},
+              "[outputs]\ninverse_dynamics = { form = \"closed\" }\n"
+              "[parameters]\nfixed = { g = 9.8 }\n[numeric]\n"
+              "scalar = [\"double\"]\nprefer = \"speed\"\n[emit]\nlanguage = \"c99\"\n");
+  CHECK(mentions(text, "name = \"given_float\""));
   CHECK(mentions(text, "inverse_dynamics = { form = \"closed\" }"));
   CHECK(mentions(text, "fixed = { g = \"9.8\" }"));
   CHECK(mentions(text, "scalar = [\"float\"]\nprefer = \"speed\"\n"));
@@ -88,11 +89,6 @@ TEST_CASE("an expansion is about the start, an exact design without the scene's 
   CHECK(mentions(text_of({}, small, output), "order = 1\nabout = { q = 0 }"));
   CHECK(mentions(text_of({.order = "3"}, small, output), "order = 3\nabout = { q = 0 }"));
   CHECK_FALSE(mentions(text_of(exact_design, small, output), "approximate"));
-}
-
-TEST_CASE("contraction is a flag of the compiler, which a scene can only name") {
-  CHECK(text_of({.is_contracted = false})
-            .starts_with("# To be compiled with -ffp-contract=off.\nformat = 1\n"));
 }
 
 TEST_CASE("the path of a model is escaped as TOML wants it") {

@@ -25,7 +25,7 @@ inline TradeoffTable sample_table() {
           .dimensions = {"scalar", "batch"},
           .rows = {row_of({"double", "1"}, 40, 1e-16), row_of({"double", "packs"}, 8, 2e-16),
                    row_of({"float", "1"}, 40.5, 1e-7), row_of({"float", "packs"}, 4, 2e-7),
-                   failed_row({"long double", "1"}, "E709: \"c++\" exits 1")},
+                    failed_row({"half", "1"}, "E709: \"c++\" exits 1")},
           .machine = {.compiler = "g++ 12", .processor = "a processor"}};
 }
 
