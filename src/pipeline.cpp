@@ -8,6 +8,7 @@
 //     specialise -> choose   what `step` calls, derived in its own name
 #include "elgen/pipeline.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "elgen/cancel.hpp"
@@ -68,18 +69,12 @@ class Compilation {
     inspection_.set({});
   }
 
-  void reach(std::string_view goal) {
-    for (const auto& [name, reach] : run_.stages) {
-      if (name == goal) reach();
-    }
-  }
+  void reach(Goal goal) { run_.reach(goal); }
 
   Products products() && {
     Products out;
     out.checked = std::move(checked_.product);
-    if (options_.goals == std::vector<std::string>{"lower"}) {
-      out.lowered = std::move(lowered_.product);
-    }
+    out.lowered = std::move(lowered_.product);
     out.closed_forms = std::move(forms_.product);
     if (choice_.product) out.program = std::move(choice_.product->program);
     if (choice_.product) out.costs = std::move(choice_.product->costs);
@@ -94,69 +89,66 @@ class Compilation {
     return out;
   }
 
-  [[nodiscard]] std::vector<std::string> names() const {
-    std::vector<std::string> names;
-    for (const auto& stage : run_.stages) names.push_back(stage.first);
-    return names;
-  }
-
  private:
   Inputs inputs_ = {};
   const PipelineOptions& options_;
   StageRunner run_;
 
-  Stage<Syntaxes> syntaxes_{run_, "parse", std::tie(),
+  Stage<Syntaxes> syntaxes_{run_, Goal::parse, std::tie(),
                             [this](const Limits& limits) { return parse(inputs_, limits); }};
 
   Stage<CheckedModel> checked_{
-      run_, "check", std::tie(syntaxes_), [this](const Syntaxes& s, const Limits& limits) {
+      run_, Goal::check, std::tie(syntaxes_), [this](const Syntaxes& s, const Limits& limits) {
         return check(s.model, s.scene ? &*s.scene : nullptr, options_.scene, limits);
       }};
 
-  Stage<Inspection> inspection_{run_, "inspect", std::tie(checked_), [this](CheckedModel& c) {
+  Stage<Inspection> inspection_{run_, Goal::inspect, std::tie(checked_),
+                                [this](const CheckedModel& c) {
+                                  Scene scene = c.scene;
                                   // A derivation step by step shows no output, so none is missing
                                   // from it.
-                                  if (options_.goals == std::vector<std::string>{"steps"})
-                                    c.scene.left_out.clear();
-                                  return Result<Inspection>({}, inspect(c.model, c.scene));
+                                  if (options_.goals == std::vector<Goal>{Goal::steps})
+                                    scene.left_out.clear();
+                                  return Result<Inspection>({}, inspect(c.model, scene));
                                 }};
 
   Stage<Lagrangian> formulated_{
-      run_, "formulate", std::tie(checked_, inspection_),
+      run_, Goal::formulate, std::tie(checked_, inspection_),
       [](const CheckedModel& c, const Inspection&) { return formulate(c.model); }};
 
-  Stage<Lagrangian> lagrangian_{run_, "specialise", std::tie(formulated_, checked_), specialise};
+  Stage<Lagrangian> lagrangian_{run_, Goal::specialise, std::tie(formulated_, checked_),
+                                specialise};
 
-  Stage<ReadableSteps> steps_{run_, "steps", std::tie(lagrangian_, checked_), readable_steps};
+  Stage<ReadableSteps> steps_{run_, Goal::steps, std::tie(lagrangian_, checked_), readable_steps};
 
   Stage<EquationsOfMotion> equations_{
-      run_, "derive", std::tie(lagrangian_, checked_),
+      run_, Goal::derive, std::tie(lagrangian_, checked_),
       [](const Lagrangian& l, const CheckedModel& c, const Limits& limits) {
         return derive(l, c.scene.outputs, limits);
       }};
 
-  Stage<Program> lowered_{run_, "lower", std::tie(equations_, checked_),
+  Stage<Program> lowered_{run_, Goal::lower, std::tie(equations_, checked_),
                           [](const EquationsOfMotion& e, const CheckedModel& c,
                              const Limits& limits) { return lower(e, c.scene.outputs, limits); }};
 
-  Stage<Program> recursive_{run_, "cancel", std::tie(lowered_),
-                            [](Program& p) { return cancel(std::move(p)); }};
+  Stage<Program> recursive_{run_, Goal::cancel, std::tie(lowered_),
+                            [](const Program& p) { return cancel(p); }};
 
-  Stage<ClosedForms> forms_{run_, "present", std::tie(recursive_),
+  Stage<ClosedForms> forms_{run_, Goal::present, std::tie(recursive_),
                             [](const Program& p) { return present(p); }};
 
-  Stage<Choice> choice_{run_, "choose", std::tie(lagrangian_, recursive_, forms_, checked_),
+  Stage<Choice> choice_{run_, Goal::choose, std::tie(lagrangian_, recursive_, forms_, checked_),
                         chosen};
 
-  Stage<EmittedFiles> files_{run_, "emit", std::tie(checked_, choice_),
+  Stage<EmittedFiles> files_{run_, Goal::emit, std::tie(checked_, choice_),
                              [](const CheckedModel& c, const Choice& chosen) {
                                return emit(c.model, c.scene, chosen.program);
                              }};
 
-  Stage<Program> parts_{run_, "parts", std::tie(lagrangian_, checked_, recursive_), parts};
+  Stage<Program> parts_{run_, Goal::parts, std::tie(lagrangian_, checked_, recursive_), parts};
 
   Stage<SelfCheck> self_check_{
-      run_, "self-check", std::tie(checked_, choice_, recursive_, files_),
+      run_, Goal::self_check, std::tie(checked_, choice_, recursive_, files_),
       [](const CheckedModel& c, const Choice& chosen, const Program& p, const EmittedFiles&) {
         return checked(c, chosen.program, known_parts(c, p));
       }};
@@ -164,14 +156,15 @@ class Compilation {
 
 }  // namespace
 
-const std::vector<std::string>& stage_names() {
-  static const std::vector<std::string> names = Compilation(Inputs{}, PipelineOptions{}).names();
-  return names;
+std::optional<Goal> goal_named(std::string_view name) {
+  const auto* const found = std::ranges::find(goal_names, name);
+  if (found == goal_names.end()) return std::nullopt;
+  return static_cast<Goal>(found - goal_names.begin());
 }
 
 Products run_pipeline(const Inputs& inputs, const PipelineOptions& options) {
   Compilation compilation(inputs, options);
-  for (const std::string& goal : options.goals) compilation.reach(goal);
+  for (const Goal goal : options.goals) compilation.reach(goal);
   return std::move(compilation).products();
 }
 
@@ -182,7 +175,7 @@ std::vector<StageTime> times_alone(const CheckedModel& checked, std::size_t outp
   CheckedModel one = checked;
   one.scene.outputs = {checked.scene.outputs[output]};
   Compilation compilation(std::move(one), options);
-  compilation.reach("choose");
+  compilation.reach(Goal::choose);
   return std::move(compilation).products().times;
 }
 

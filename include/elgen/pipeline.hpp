@@ -2,9 +2,12 @@
 // files.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "elgen/certificate.hpp"
@@ -25,13 +28,40 @@ struct Inputs {
   SourcePointer scene = {};  ///< null: the built-in scene `full`
 };
 
+/// In the order in which stages run that are all wanted; each runs after those it needs.
+enum class Goal : std::uint8_t {
+  parse,
+  check,
+  inspect,
+  formulate,
+  specialise,
+  steps,
+  derive,
+  lower,
+  cancel,
+  present,
+  choose,
+  emit,
+  parts,
+  self_check,
+};
+inline constexpr std::array<std::string_view, 14> goal_names{
+    "parse", "check",  "inspect", "formulate", "specialise", "steps", "derive",
+    "lower", "cancel", "present", "choose",    "emit",       "parts", "self-check"};
+
+[[nodiscard]] constexpr std::string_view name_of(Goal goal) {
+  return goal_names[static_cast<std::size_t>(goal)];
+}
+/// None where no stage is called so.
+[[nodiscard]] std::optional<Goal> goal_named(std::string_view name);
+
 struct PipelineOptions {
   SceneOptions scene = {};
   Limits limits = {};
   /// Its product as text, into Products::dump, where that is equations or a program.
-  std::string dump_stage = {};
+  std::optional<Goal> dump = {};
   /// The stages whose products are wanted; those that they need run before them.
-  std::vector<std::string> goals = {"self-check"};
+  std::vector<Goal> goals = {Goal::self_check};
   std::function<void(const std::string&)> on_stage = {};  ///< told each name as it starts
 };
 
@@ -43,7 +73,7 @@ struct StageTime {
 /// What came out; a stage that did not run leaves its product empty.
 struct Products {
   std::optional<CheckedModel> checked = {};
-  std::optional<Program> lowered = {};  ///< where `lower` is the last goal
+  std::optional<Program> lowered = {};  ///< before terms cancel and forms are chosen
   std::optional<ClosedForms> closed_forms = {};
   std::optional<Program> program = {};  ///< each function in its chosen form
   /// What solutions are judged by (VerifyOptions::parts); no functions where nothing is solved, or
@@ -57,9 +87,6 @@ struct Products {
   std::string dump = {};
   std::vector<StageTime> times = {};
 };
-
-/// All of them, in order; --stop-after knows them.
-[[nodiscard]] const std::vector<std::string>& stage_names();
 
 /// Runs the stages that the goals need, until one reports an error. E911: the self-check failed;
 /// E521: an output has no value at any state.

@@ -47,7 +47,7 @@ void add_global_options(CLI::App& app, CommandLine& line, RawOptions& raw) {
       ->check(CLI::IsMember({"derive", "lower"}));
   app.add_option("--stop-after", line.global.stop_after,
                  "the last stage to run; nothing is written")
-      ->check(CLI::IsMember(stage_names()));
+      ->check(CLI::IsMember(std::vector<std::string>(goal_names.begin(), goal_names.end())));
   app.add_flag("--timings", line.global.timings, "time of every stage");
   app.add_flag("--limits", raw.list_limits, "list the limits and leave");
   app.add_option("--limit", raw.limits, "raise or lower a limit")

@@ -8,7 +8,7 @@ namespace elgen::cli {
 Products derived_for_run(const std::string& path, const Inputs& inputs, PipelineOptions options,
                          std::optional<StepMethod> step) {
   PipelineOptions first = options;
-  first.goals = {"check"};
+  first.goals = {Goal::check};
   Products checked = run_pipeline(inputs, first);
   if (!checked.checked) return checked;
   const std::string outputs = outputs_of_run(checked.checked->model);

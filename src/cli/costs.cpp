@@ -67,7 +67,7 @@ std::string compared(const OutputRequest& request, const Program& program, const
 std::string generation_costs(const Inputs& inputs, const PipelineOptions& options,
                              const Products& products) {
   PipelineOptions silent = options;
-  silent.dump_stage.clear();
+  silent.dump.reset();
   const bool has_scene = inputs.scene != nullptr || products.checked->scene.has_options;
   const Products whole = has_scene ? full_model(inputs, silent) : Products{};
   const Products* full = has_scene ? &whole : nullptr;

@@ -24,7 +24,7 @@ Result<OutputBase> output_base(const Inputs& inputs, const std::string& output,
                                const Limits& limits, std::vector<SourcePointer>& sources) {
   PipelineOptions options;
   options.limits = limits;
-  options.goals = {"check"};
+  options.goals = {Goal::check};
   Diagnostics found;
   std::string name = output;
   if (name.empty()) {

@@ -80,7 +80,7 @@ class DesignBench {
     return scene_text(base_.base(), design, request_.inputs.model->path);
   }
 
-  Products run(const Design& design, const char* goal) {
+  Products run(const Design& design, Goal goal) {
     renew_time_limit(limits_);
     PipelineOptions options;
     options.limits = limits_;
@@ -98,7 +98,7 @@ class DesignBench {
     const auto [at, is_new] = derived_.try_emplace(text_of(derivation));
     if (is_new) {
       progress_.stage("derive");
-      at->second = run(derivation, "choose");
+      at->second = run(derivation, Goal::choose);
     }
     return at->second;
   }
@@ -169,7 +169,7 @@ class DesignBench {
 
   /// What its own scene says, for one more scalar.
   Numerics numerics_of(const Design& design, std::vector<ScalarKind> scalars) {
-    Numerics numerics = run(design, "check").checked->scene.numerics;
+    Numerics numerics = run(design, Goal::check).checked->scene.numerics;
     scalars.push_back(design.scalar);
     numerics.scalars = std::move(scalars);
     return numerics;

@@ -57,9 +57,9 @@ Diagnostics not_told(Diagnostics diagnostics, std::set<std::string>& told) {
 /// Reads and runs every input; diagnostics of all of them are reported.
 ExitCode run_jobs(const GlobalOptions& global, const GenerateOptions& options,
                   std::vector<Job>& jobs) {
-  PipelineOptions pipeline = pipeline_options(global, {"self-check"});
+  PipelineOptions pipeline = pipeline_options(global, {Goal::self_check});
   pipeline.scene = options.scene;
-  if (options.list_outputs) pipeline.goals = {"check"};
+  if (options.list_outputs) pipeline.goals = {Goal::check};
   ExitCode worst = ExitCode::success;
   std::set<std::string> told;
   for (const std::string& path : options.inputs) {

@@ -70,7 +70,7 @@ class RunBench {
     renew_time_limit(limits_);
     PipelineOptions options;
     options.limits = limits_;
-    options.goals = {"choose"};
+    options.goals = {Goal::choose};
     Products products = derived_for_run(request_.path, request_.inputs, options, step);
     if (!products.program) return products.diagnostics;
     const Progress progress(request_.path);

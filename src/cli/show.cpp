@@ -111,7 +111,7 @@ ExitCode show(const GlobalOptions& global, const ShowOptions& given) {
   const Result<Inputs> inputs = read_inputs(options.input, global.limits);
   if (!inputs) return report(global, inputs.diagnostics);
   const bool shows_steps = *subject == ShownSubject::steps || *subject == ShownSubject::lagrangian;
-  PipelineOptions pipeline = pipeline_options(global, {shows_steps ? "steps" : "emit"});
+  PipelineOptions pipeline = pipeline_options(global, {shows_steps ? Goal::steps : Goal::emit});
   pipeline.scene = options.scene;
   if (*subject == ShownSubject::outputs && !options.what.empty()) {
     pipeline.scene.outputs = {make_source("command line", options.what)};

@@ -7,12 +7,12 @@
 
 namespace elgen::cli {
 
-PipelineOptions pipeline_options(const GlobalOptions& global, std::vector<std::string> goals) {
+PipelineOptions pipeline_options(const GlobalOptions& global, std::vector<Goal> goals) {
   PipelineOptions pipeline;
   pipeline.limits = global.limits;
-  pipeline.dump_stage = global.dump_stage;
+  pipeline.dump = goal_named(global.dump_stage);
   pipeline.goals = std::move(goals);
-  if (!global.stop_after.empty()) pipeline.goals = {global.stop_after};
+  if (const auto last = goal_named(global.stop_after)) pipeline.goals = {*last};
   return pipeline;
 }
 

@@ -10,7 +10,7 @@ namespace elgen::cli {
 
 /// Those of every command: `goals`, unless --stop-after names another.
 [[nodiscard]] PipelineOptions pipeline_options(const GlobalOptions& global,
-                                               std::vector<std::string> goals);
+                                               std::vector<Goal> goals);
 
 /// run_pipeline with its stages shown. The line is gone when this returns, before anything of the
 /// products is printed.

@@ -63,7 +63,7 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& opti
   }
   const Result<Inputs> inputs = read_inputs(options.input, global.limits);
   if (!inputs) return report(global, inputs.diagnostics);
-  PipelineOptions pipeline = pipeline_options(global, {"choose"});
+  PipelineOptions pipeline = pipeline_options(global, {Goal::choose});
   pipeline.scene = options.scene;
   const Products products =
       derived_for_run(options.input, *inputs, pipeline, step_of_run(options.run));

@@ -44,7 +44,7 @@ ExitCode exit_code(const Certificate& certificate, bool strict) {
 ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& options,
                     const Inputs& inputs, std::vector<std::string>& certificates) {
   const std::string& path = (inputs.scene != nullptr ? inputs.scene : inputs.model)->path;
-  PipelineOptions pipeline = pipeline_options(global, {"emit", "parts"});
+  PipelineOptions pipeline = pipeline_options(global, {Goal::emit, Goal::parts});
   pipeline.scene.large_expectations = true;
   Products products = run_shown(path, inputs, pipeline);
   const ExitCode generated = report_products(global, products);

@@ -5,6 +5,7 @@
 #include <cln/exception.h>
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 #include <functional>
 #include <new>
@@ -23,34 +24,38 @@ class StageRunner {
   StageRunner(const StageRunner&) = delete;
   StageRunner& operator=(const StageRunner&) = delete;
 
-  /// All stages, in the order in which they were declared, and how each is reached.
-  std::vector<std::pair<std::string, std::function<void()>>> stages = {};
   Diagnostics diagnostics = {};
-  std::string dumped = {};  ///< the product of options.dump_stage
+  std::string dumped = {};  ///< the product of options.dump
   std::vector<StageTime> times = {};
 
   /// None where a product that it needs is null, and after an error.
   template <class T, class Make, class... Needs>
-  std::optional<T> made(const std::string& name, const Make& make, Needs*... needs) {
+  std::optional<T> made(Goal goal, const Make& make, const Needs*... needs) {
     if (has_errors(diagnostics) || (... || (needs == nullptr))) return std::nullopt;
     const auto start = std::chrono::steady_clock::now();
-    Result<T> result = guarded<T>(name, make, *needs...);
+    Result<T> result = guarded<T>(std::string(name_of(goal)), make, *needs...);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    times.push_back({name, elapsed.count()});
+    times.push_back({std::string(name_of(goal)), elapsed.count()});
     diagnostics.insert(diagnostics.end(), result.diagnostics.begin(), result.diagnostics.end());
     if constexpr (requires { dump(*result); }) {  // equations and programs
-      if (result && name == options_.dump_stage) dumped = dump(*result);
+      if (result && goal == options_.dump) dumped = dump(*result);
     }
     return std::move(result.value);
   }
 
+  /// How each stage is reached, by its goal.
+  void add(Goal goal, std::function<void()> reach) {
+    stages_[static_cast<std::size_t>(goal)] = std::move(reach);
+  }
+  void reach(Goal goal) const { stages_[static_cast<std::size_t>(goal)](); }
+
  private:
   /// A mistake of ours must not swallow what earlier stages found.
   template <class T, class Make, class... Needs>
-  Result<T> guarded(const std::string& name, const Make& make, Needs&... needs) {
+  Result<T> guarded(const std::string& name, const Make& make, const Needs&... needs) {
     try {
       if (options_.on_stage) options_.on_stage(name);
-      if constexpr (std::is_invocable_v<Make, Needs&..., const Limits&>) {
+      if constexpr (std::is_invocable_v<Make, const Needs&..., const Limits&>) {
         return make(needs..., options_.limits);
       } else {
         return make(needs...);
@@ -66,6 +71,7 @@ class StageRunner {
   }
 
   const PipelineOptions& options_;
+  std::array<std::function<void()>, goal_names.size()> stages_ = {};
 };
 
 /// A stage, which makes its product from those of others when it is first asked for.
@@ -75,20 +81,20 @@ class Stage {
   /// `needs`: std::tie of the other stages. `make` takes their products, and the limits after them
   /// where it wants them.
   template <class Needs, class Make>
-  Stage(StageRunner& run, const std::string& name, const Needs& needs, Make make)
+  Stage(StageRunner& run, Goal goal, const Needs& needs, Make make)
       : make_([=, &run, make = std::move(make)] {
           const auto made = [&](auto&... stages) {
-            return run.made<T>(name, make, stages.get()...);
+            return run.made<T>(goal, make, stages.get()...);
           };
           return std::apply(made, needs);
         }) {
-    run.stages.emplace_back(name, [this] { get(); });
+    run.add(goal, [this] { get(); });
   }
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
   /// Null where the stage, or one that it needs, failed.
-  T* get() {
+  const T* get() {
     if (!std::exchange(was_asked_for_, true)) product = make_();
     return product ? &*product : nullptr;
   }

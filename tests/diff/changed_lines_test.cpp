@@ -65,8 +65,8 @@ TEST_CASE("one term of a model changes the functions whose entries differ, and n
   for (const auto& [model, part, other, most] : one_terms) {
     INFO(model);
     const std::string text = model_of(model);
-    const Lowered before = lowered(text, "", "emit");
-    const Lowered after = lowered(edited(text, part, other), "", "emit");
+    const Lowered before = lowered(text, "", Goal::emit);
+    const Lowered after = lowered(edited(text, part, other), "", Goal::emit);
     const Header old = header_of(before.products, model);
     const Header now = header_of(after.products, model);
     std::set<std::string> different{"dynamics"};  // of all others together

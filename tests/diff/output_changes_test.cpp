@@ -73,8 +73,8 @@ TEST_CASE("a parameter at a value gives the old entries back") {
 TEST_CASE("an implicit step, whose bounds grow with every substitution, is not taken for equal") {
   const std::string scene = "[outputs]\nstep = { method = \"midpoint\" }\n";
   const std::string arm = model_of("double_pendulum");
-  const Lowered old = lowered(arm, scene, "choose");
-  const Lowered now = lowered(edited(arm, "\"-g\"", "\"g\""), scene, "choose");
+  const Lowered old = lowered(arm, scene, Goal::choose);
+  const Lowered now = lowered(edited(arm, "\"-g\"", "\"g\""), scene, Goal::choose);
   const auto all = output_changes(old.version(), now.version());
   REQUIRE(all.size() == 1);
   CHECK(all[0].entries.size() == all[0].entry_count);

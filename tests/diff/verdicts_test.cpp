@@ -192,7 +192,7 @@ TEST_CASE("edits of scenes amount to what a reviewer would say") {
   for (const auto& [model, scene, part, other, impact] : scene_edits) {
     INFO(model << ": " << part << " -> " << other);
     const std::string text = model_of(model);
-    const char* const goal = std::string(scene) == stepped ? "choose" : "lower";
+    const Goal goal = std::string(scene) == stepped ? Goal::choose : Goal::lower;
     const Lowered old = lowered(text, scene, goal);
     const Lowered now = lowered(text, edited(scene, part, other), goal);
     CHECK(word(compare(old.version(), now.version()).impact) == word(impact));

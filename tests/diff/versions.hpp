@@ -27,7 +27,7 @@ struct Lowered {
 
 /// `scene` is what follows its name.
 inline Lowered lowered(const std::string& text, const std::string& scene = {},
-                       const std::string& goal = "lower") {
+                       Goal goal = Goal::lower) {
   PipelineOptions options;
   options.goals = {goal};
   Inputs inputs{make_source("model.toml", text)};

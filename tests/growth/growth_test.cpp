@@ -60,7 +60,7 @@ Counts counts_of_chain(int links) {
   PipelineOptions options;
   options.scene.sizes = {option("n=" + std::to_string(links))};
   options.scene.outputs = {option("inverse_dynamics")};
-  options.goals = {"emit", "parts"};
+  options.goals = {Goal::emit, Goal::parts};
   // A self-check visits as many states as there is time for: it has two of its own below.
   Count count;
   options.on_stage = [&](const std::string& stage) { count.begin(stage); };
@@ -90,7 +90,7 @@ TEST_CASE("no stage grows faster than the chain") {
     const auto few = std::prev(many);
     const double growth = static_cast<double>(many->first) / few->first;
     // Without steps, and with the magnitude of the energy.
-    REQUIRE(many->second.size() == stage_names().size());
+    REQUIRE(many->second.size() == goal_names.size());
     for (const auto& [stage, count] : many->second) {
       const Operations& before = few->second.at(stage);
       INFO(stage << ", " << few->first << " and " << many->first << " links: " << before.bytes

@@ -41,7 +41,7 @@ class Run {
                            .method = "midpoint",
                            .more = more,
                            .outputs = "energy_function = true\nmomentum = true\n" + emission,
-                           .goal = "emit"})) {
+                           .goal = Goal::emit})) {
     if (!products_.files) throw std::runtime_error(format(products_.diagnostics));
     const CheckedModel& checked = *products_.checked;
     Result<CompiledHeaders> headers =

@@ -13,7 +13,7 @@ std::string obstacle(const std::string& energies) {
   const std::string text = model_text(
       "plane", "[[coordinate]]\nname = \"x\"\n[[coordinate]]\nname = \"y\"\n[energy]\n" + energies);
   PipelineOptions options;
-  options.goals = {"choose"};
+  options.goals = {Goal::choose};
   options.scene.outputs = {make_source("outputs", "mass_matrix, momentum, bias")};
   const Products products = run_pipeline({make_source("plane.toml", text), nullptr}, options);
   return not_separable(*products.checked, *products.program);

@@ -22,7 +22,7 @@ struct StepScene {
   std::string method;
   std::string more = {};     ///< of its entry, beginning with a comma
   std::string outputs = {};  ///< lines of others
-  std::string goal = "choose";
+  Goal goal = Goal::choose;
 };
 
 inline Products stepped(const StepScene& wanted) {

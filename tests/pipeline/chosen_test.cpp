@@ -15,7 +15,7 @@ Products with_outputs(const std::string& outputs) {
   const std::string scene =
       "format = 1\nmodel = \"cart_pole.toml\"\nname = \"next\"\n[outputs]\n" + outputs;
   PipelineOptions options;
-  options.goals = {"self-check"};
+  options.goals = {Goal::self_check};
   return run_pipeline(
       {make_source("cart_pole.toml", test::read_text(path)), make_source("next.scene.toml", scene)},
       options);

@@ -39,14 +39,14 @@ g = 9.81
 
 std::string found(const std::string& text) {
   PipelineOptions options;
-  options.goals = {"emit"};
+  options.goals = {Goal::emit};
   return format(run_pipeline({make_source("model.toml", text), nullptr}, options).diagnostics);
 }
 
 /// The wrong entries of [[expect]], as `verify` finds them.
 std::string disproved(const std::string& text) {
   PipelineOptions options;
-  options.goals = {"emit"};
+  options.goals = {Goal::emit};
   options.scene.large_expectations = true;
   Products products = run_pipeline({make_source("model.toml", text), nullptr}, options);
   const auto& [model, scene] = *products.checked;

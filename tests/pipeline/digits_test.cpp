@@ -50,7 +50,7 @@ Generated generated_for(const std::string& preference, const std::string& text) 
 
 Generated generated(const std::string& text, const SourcePointer& scene) {
   PipelineOptions options;
-  options.goals = {"choose", "parts"};
+  options.goals = {Goal::choose, Goal::parts};
   Generated result{run_pipeline({make_source("model.toml", text), scene}, options)};
   INFO(format(result.products.diagnostics));
   REQUIRE(result.products.program);

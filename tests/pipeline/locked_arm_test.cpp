@@ -17,7 +17,7 @@ constexpr std::size_t joints = 7;
 constexpr std::size_t free_joint = 3;  ///< q4
 Products locked_products(const std::string& scene) {
   PipelineOptions options;
-  options.goals = {"choose"};
+  options.goals = {Goal::choose};
   Inputs inputs;
   inputs.model = make_source("panda7.toml", model_file("panda7"));
   inputs.scene = make_source("test.scene.toml", scene);

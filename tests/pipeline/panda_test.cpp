@@ -25,7 +25,7 @@ std::string imported_text() {
 Products chosen_products(const std::string& text, const std::string& outputs) {
   PipelineOptions options;
   options.scene.outputs = {make_source("--outputs", outputs)};
-  options.goals = {"choose"};
+  options.goals = {Goal::choose};
   Inputs inputs;
   inputs.model = make_source("model.toml", text);
   Products products = run_pipeline(inputs, options);

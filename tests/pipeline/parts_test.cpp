@@ -15,7 +15,7 @@ Products with_parts(const std::string& output) {
   const std::string path = std::string(ELGEN_SOURCE_DIR) + "/models/cart_pole.toml";
   PipelineOptions options;
   options.scene.outputs = {make_source("--outputs", output)};
-  options.goals = {"choose", "parts"};
+  options.goals = {Goal::choose, Goal::parts};
   return run_pipeline({make_source("cart_pole.toml", test::read_text(path)), nullptr}, options);
 }
 

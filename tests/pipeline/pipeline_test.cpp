@@ -31,8 +31,8 @@ TEST_CASE("all stages run in their order and give a checked program and its file
   CHECK(products.files->files.size() == 3);
   CHECK(check_invariants(*products.program).empty());
   std::vector<std::string> expected;
-  for (const std::string& name : stage_names()) {
-    if (name != "steps" && name != "parts") expected.push_back(name);  // nobody asked for them
+  for (const std::string_view name : goal_names) {
+    if (name != "steps" && name != "parts") expected.emplace_back(name);  // nobody asked for them
   }
   CHECK(stages(products) == expected);
 }
@@ -57,16 +57,16 @@ TEST_CASE("a mistake of a stage leaves what the stages before it found") {
 }
 
 TEST_CASE("a goal runs what it needs, each once and in order, and nothing else") {
-  const std::vector<std::string>& all = stage_names();
-  for (const std::string& goal : all) {
+  const auto& all = goal_names;
+  for (const std::string_view goal : all) {
     PipelineOptions options;
-    options.goals = {goal};
+    options.goals = {*goal_named(goal)};
     const Products products = run_pipeline(model("simple_pendulum.toml"), options);
     INFO(goal);
     CHECK_FALSE(has_errors(products.diagnostics));
     const std::vector<std::string> run = stages(products);
     CHECK(run.back() == goal);
-    auto next = all.begin();
+    const auto* next = all.begin();
     for (const std::string& stage : run) {
       next = std::find(next, all.end(), stage);
       REQUIRE(next != all.end());
@@ -81,7 +81,7 @@ TEST_CASE("a goal runs what it needs, each once and in order, and nothing else")
 
 TEST_CASE("what two goals need is made once") {
   PipelineOptions options;
-  options.goals = {"emit", "parts", "steps"};
+  options.goals = {Goal::emit, Goal::parts, Goal::steps};
   const Products products = run_pipeline(model("cart_pole.toml"), options);
   CHECK(products.files.has_value());
   CHECK(!products.parts.functions.empty());
@@ -100,10 +100,10 @@ TEST_CASE("an output alone is derived from what was checked") {
 }
 
 TEST_CASE("each stage is told before it runs, and equations and programs are dumped") {
-  for (const std::string& name : stage_names()) {
+  for (const std::string_view name : goal_names) {
     PipelineOptions options;
-    options.dump_stage = name;
-    options.goals = {name};
+    options.dump = goal_named(name);
+    options.goals = {*options.dump};
     std::string last;
     options.on_stage = [&](const std::string& stage) { last = stage; };
     const Products products = run_pipeline(model("cart_pole.toml"), options);

@@ -11,7 +11,7 @@ namespace elgen {
 
 TEST_CASE("dL/dq and d/dt dL/dv are steps of their own") {
   PipelineOptions options;
-  options.goals = {"steps"};
+  options.goals = {Goal::steps};
   const std::string path = std::string(ELGEN_SOURCE_DIR) + "/models/simple_pendulum.toml";
   const Products products =
       run_pipeline({make_source("simple_pendulum.toml", test::read_text(path)), nullptr}, options);

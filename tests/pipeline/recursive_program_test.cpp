@@ -16,7 +16,7 @@ Inputs cart_pole_inputs() {
 
 CheckedModel checked() {
   PipelineOptions options;
-  options.goals = {"check"};
+  options.goals = {Goal::check};
   return *run_pipeline(cart_pole_inputs(), options).checked;
 }
 
@@ -29,8 +29,8 @@ TEST_CASE("what is derived beside the stages is what they derive") {
   const Result<Program> program = recursive_program(*lagrangian, model.scene.outputs, {});
   REQUIRE(program);
   PipelineOptions options;
-  options.goals = {"cancel"};
-  options.dump_stage = "cancel";
+  options.goals = {Goal::cancel};
+  options.dump = Goal::cancel;
   CHECK(dump(*program) == run_pipeline(cart_pole_inputs(), options).dump);
 }
 

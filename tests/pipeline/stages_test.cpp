@@ -20,40 +20,38 @@ Result<Number> one() { return Number{1}; }
 
 TEST_CASE("a stage runs when it is first asked for, and only then") {
   PipelineOptions options;
-  options.dump_stage = "second";
+  options.dump = Goal::check;
   StageRunner run(options);
   int count = 0;
   const auto add = [&count](const Number& number) {
     ++count;
     return Number{number.value + 1};
   };
-  Stage<Number> first(run, "first", std::tie(), one);
-  Stage<Number> second(run, "second", std::tie(first), add);
+  Stage<Number> first(run, Goal::parse, std::tie(), one);
+  Stage<Number> second(run, Goal::check, std::tie(first), add);
   CHECK(count == 0);
   for (int i = 0; i < 2; ++i) REQUIRE(second.get() != nullptr);
   CHECK(second.product->value == 2);
   CHECK(count == 1);
   CHECK(run.dumped == "2");
   REQUIRE(run.times.size() == 2);
-  CHECK(run.times[1].stage == "second");
+  CHECK(run.times[1].stage == "check");
 }
 
-TEST_CASE("stages are reached by their names, in their order") {
+TEST_CASE("a stage is reached by its goal") {
   const PipelineOptions options;
   StageRunner run(options);
-  Stage<Number> first(run, "first", std::tie(), one);
-  Stage<Number> second(run, "second", std::tie(first), [](const Number& number) { return number; });
-  REQUIRE(run.stages.size() == 2);
-  CHECK(run.stages[0].first == "first");
-  CHECK(run.stages[1].first == "second");
-  run.stages[1].second();
+  Stage<Number> first(run, Goal::parse, std::tie(), one);
+  Stage<Number> second(run, Goal::check, std::tie(first),
+                       [](const Number& number) { return number; });
+  run.reach(Goal::check);
   CHECK(second.product);
 }
 
 TEST_CASE("a stage whose product is set makes none") {
   const PipelineOptions options;
   StageRunner run(options);
-  Stage<Number> first(run, "first", std::tie(), one);
+  Stage<Number> first(run, Goal::parse, std::tie(), one);
   first.set({7});
   REQUIRE(first.get() != nullptr);
   CHECK(first.get()->value == 7);
@@ -64,8 +62,8 @@ TEST_CASE("a stage that wants the limits gets them after what it needs") {
   PipelineOptions options;
   options.limits.seconds = 5;
   StageRunner run(options);
-  Stage<Number> first(run, "first", std::tie(), one);
-  Stage<Number> second(run, "second", std::tie(first),
+  Stage<Number> first(run, Goal::parse, std::tie(), one);
+  Stage<Number> second(run, Goal::check, std::tie(first),
                        [](const Number& number, const Limits& limits) {
                          return Number{number.value + static_cast<int>(limits.seconds)};
                        });
@@ -77,12 +75,12 @@ TEST_CASE("what a stage throws is said with its name, and ends the run") {
   const PipelineOptions options;
   StageRunner run(options);
   const auto fail = []() -> Result<Number> { throw std::logic_error("a wheel came off"); };
-  Stage<Number> thrower(run, "first", std::tie(), fail);
-  Stage<Number> later(run, "later", std::tie(), one);
+  Stage<Number> thrower(run, Goal::parse, std::tie(), fail);
+  Stage<Number> later(run, Goal::check, std::tie(), one);
   CHECK(thrower.get() == nullptr);
   REQUIRE(run.diagnostics.size() == 1);
   CHECK(run.diagnostics.front().code == Code::E912);
-  CHECK(run.diagnostics.front().message == "internal error in `first`: a wheel came off");
+  CHECK(run.diagnostics.front().message == "internal error in `parse`: a wheel came off");
   CHECK(later.get() == nullptr);
 }
 
@@ -92,7 +90,7 @@ TEST_CASE("numbers that CLN cannot hold are not a mistake of ours") {
   const auto fail = []() -> Result<Number> {
     throw cln::runtime_exception("Out of virtual memory.");
   };
-  Stage<Number> thrower(run, "first", std::tie(), fail);
+  Stage<Number> thrower(run, Goal::parse, std::tie(), fail);
   CHECK(thrower.get() == nullptr);
   REQUIRE(run.diagnostics.size() == 1);
   CHECK(run.diagnostics.front().code == Code::E910);
@@ -102,7 +100,7 @@ TEST_CASE("memory that is used up is not a mistake of ours") {
   const PipelineOptions options;
   StageRunner run(options);
   const auto fail = []() -> Result<Number> { throw std::bad_alloc(); };
-  Stage<Number> stage(run, "first", std::tie(), fail);
+  Stage<Number> stage(run, Goal::parse, std::tie(), fail);
   CHECK_THROWS_AS(stage.get(), std::bad_alloc);
 }
 

@@ -63,7 +63,7 @@ class CompiledSystem {
     const Model model = checked_model(text_, given_).model;
     options.scene.outputs = {make_source("outputs", outputs_of_run(model))};
     options.scene.step = step;
-    options.goals = {"emit"};
+    options.goals = {Goal::emit};
     return run_pipeline({make_source("test.toml", text_), nullptr}, options);
   }
 

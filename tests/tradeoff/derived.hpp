@@ -14,7 +14,7 @@ namespace elgen::test {
 inline Products derived(const std::string& text, const std::string& output,
                         const std::string& scene = {}) {
   PipelineOptions options;
-  options.goals = {"choose"};
+  options.goals = {Goal::choose};
   options.scene.outputs = {make_source("command line", output)};
   Inputs inputs{make_source("test.toml", text)};
   if (!scene.empty()) {

@@ -24,7 +24,7 @@ std::string text_of(const Design& design, const std::string& scene = {},
 /// Derives the text as a scene.
 Products run(const std::string& text) {
   PipelineOptions options;
-  options.goals = {"emit"};
+  options.goals = {Goal::emit};
   Products products = run_pipeline(
       {make_source("test.toml", pendulum_text()), make_source("design.scene.toml", text)}, options);
   INFO(text);

@@ -25,7 +25,7 @@ bool is_small(const Program& program) {
   return instructions <= most_chosen;
 }
 
-Products products(const Inputs& inputs, const Limits& limits, const std::string& goal) {
+Products products(const Inputs& inputs, const Limits& limits, Goal goal) {
   renew_time_limit(limits);
   PipelineOptions options;
   options.limits = limits;
@@ -53,17 +53,17 @@ Version LoadedVersion::version() const {
 }
 
 std::string system_name(const Inputs& inputs, const Limits& limits) {
-  const Products checked = products(inputs, limits, "check");
+  const Products checked = products(inputs, limits, Goal::check);
   return checked.checked ? checked.checked->scene.base_name : std::string();
 }
 
 Result<LoadedVersion> load_version(const Inputs& inputs, const Limits& limits) {
   LoadedVersion loaded{inputs};
-  loaded.products = products(inputs, limits, "lower");
+  loaded.products = products(inputs, limits, Goal::lower);
   if (!loaded.products.lowered) return loaded.products.diagnostics;
   const bool is_emitted_otherwise = needs_forms(loaded.products.checked->scene);
   if (is_emitted_otherwise || is_small(*loaded.products.lowered)) {
-    Products chosen = products(inputs, limits, "choose");
+    Products chosen = products(inputs, limits, Goal::choose);
     if (chosen.program) loaded.operations = operations_of(*chosen.program);
     if (is_emitted_otherwise) loaded.products = std::move(chosen);
   }
