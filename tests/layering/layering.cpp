@@ -209,17 +209,6 @@ std::vector<std::string> misplaced_ginac(const SourceTree& tree) {
   return found;
 }
 
-std::vector<std::string> sources_without_test(const SourceTree& tree) {
-  std::vector<std::string> found;
-  for (const auto& [path, text] : tree) {
-    if (!starts_with(path, "src/") || std::filesystem::path(path).extension() != ".cpp") continue;
-    const std::string stem = std::filesystem::path(path).stem();
-    const std::string test = "tests/" + folder_of(room_of(path)) + "/" + stem + "_test.cpp";
-    if (tree.count(test) == 0) found.push_back(path + ": has no " + test);
-  }
-  return found;
-}
-
 std::vector<std::string> types_of_two_meanings(const SourceTree& tree) {
   static const std::regex type(R"(^(struct|class|enum class) (\w+)( final)?( : [^{;]*)? ?\{)");
   std::map<std::string, std::string> known;

@@ -31,7 +31,6 @@ struct Layer {
 [[nodiscard]] std::vector<std::string> later_includes(const SourceTree& tree);
 [[nodiscard]] std::vector<std::string> include_cycles(const SourceTree& tree);
 [[nodiscard]] std::vector<std::string> misplaced_ginac(const SourceTree& tree);
-[[nodiscard]] std::vector<std::string> sources_without_test(const SourceTree& tree);
 /// Types of one name, in any two files: two meanings to a reader, and in one namespace one type to
 /// the linker.
 [[nodiscard]] std::vector<std::string> types_of_two_meanings(const SourceTree& tree);

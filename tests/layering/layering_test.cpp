@@ -49,7 +49,6 @@ TEST_CASE("a tree that keeps the rules is not reproached") {
   CHECK(later_includes(tree).empty());
   CHECK(include_cycles(tree).empty());
   CHECK(misplaced_ginac(tree).empty());
-  CHECK(sources_without_test(tree).empty());
   CHECK(long_files(tree, 3).empty());
 }
 
@@ -94,15 +93,6 @@ TEST_CASE("GiNaC outside its files is found, direct and through a header") {
         Sentences{"include/elgen/pear.hpp: reaches GiNaC by include/elgen/pear.hpp",
                   "src/second/print.cpp: reaches GiNaC by src/second/print.cpp",
                   "src/second/show.cpp: reaches GiNaC by include/elgen/pear.hpp"});
-}
-
-TEST_CASE("a source without its test is found") {
-  SourceTree tree = small_tree();
-  tree.erase("tests/first/apple_test.cpp");
-  tree["src/second.cpp"] = "";
-  CHECK(sources_without_test(tree) ==
-        Sentences{"src/first/apple.cpp: has no tests/first/apple_test.cpp",
-                  "src/second.cpp: has no tests/second/second_test.cpp"});
 }
 
 TEST_CASE("a type name with two meanings is found, also where both are local") {
@@ -156,10 +146,6 @@ TEST_CASE("this project has no include cycle") { CHECK(include_cycles(project())
 
 TEST_CASE("this project keeps GiNaC where it may be") {
   CHECK(misplaced_ginac(project()) == Sentences{});
-}
-
-TEST_CASE("this project has a test named like every source") {
-  CHECK(sources_without_test(project()) == Sentences{});
 }
 
 TEST_CASE("this project gives every type name one meaning") {
