@@ -154,8 +154,8 @@ TEST_CASE("a call of the system that fails leaves all files as they were, or all
 }
 
 TEST_CASE("memory that is refused once ends in order") {
-  visit_all(generation(), "memory", ENOMEM, 997);
-  visit_all(import(), "memory", ENOMEM, 997);
+  visit_all(generation(), "memory", ENOMEM, 4999);
+  visit_all(import(), "memory", ENOMEM, 4999);
 }
 
 TEST_CASE("a signal at any call leaves all files as they were, or all new") {

@@ -1,0 +1,6 @@
+# One sentence: commit, processor and compiler of a table of times. Sourced by run and accuracy, with $cxx.
+machine() {
+  printf 'Commit: %s%s. Processor: %s, %s cores. Compiler of what is timed: %s.' "$(git rev-parse --short=8 HEAD)" \
+    "$(git diff --quiet HEAD -- ../../src ../../include ../../templates || printf ', changed')" \
+    "$(awk -F': *' '/^model name/ { print $2; exit }' /proc/cpuinfo)" "$(nproc)" "$("$cxx" --version | head -n 1)"
+}
