@@ -4,16 +4,59 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
 
-#include "base/annotations.hpp"
-#include "base/diagnostic_data.hpp"
 #include "base/diagnostic_words.hpp"
 #include "base/utf8.hpp"
+#include "base/workflow_command.hpp"
 #include "elgen/diagnostic.hpp"
 
 namespace elgen {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_position(const Span& span) {
+  Json json;
+  if (span.source == nullptr) return json;
+  const LineColumn begin = line_column(*span.source, span.begin);
+  const LineColumn end = line_column(*span.source, span.end);
+  json["file"] = span.source->path;
+  json["line"] = begin.line;
+  json["column"] = begin.column;
+  json["end_line"] = end.line;
+  json["end_column"] = end.column;
+  return json;
+}
+
+/// An object on a line of its own.
+std::string json_line(const Diagnostic& diagnostic) {
+  const CodeRow& row = code_row(diagnostic.code);
+  Json json;
+  json["severity"] = severity_word(row.severity);
+  json["code"] = row.name;
+  json["message"] = shortened(diagnostic.message);
+  if (!diagnostic.hint.empty()) json["hint"] = shortened(diagnostic.hint);
+  json["position"] = json_position(diagnostic.span);
+  if (diagnostic.related) {
+    json["related"] = json_position(*diagnostic.related);
+    json["related"]["message"] = shortened(diagnostic.related_message);
+  }
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+// In the order of Severity.
+constexpr std::array<std::string_view, 3> github_words{"notice", "warning", "error"};
+
+/// A command of a GitHub workflow: `::error file=m.toml,line=2,col=10,title=E201 unknown name::...`
+std::string github_command(const Diagnostic& diagnostic) {
+  const CodeRow& row = code_row(diagnostic.code);
+  return text_of(WorkflowCommand{github_words.at(static_cast<std::size_t>(row.severity)),
+                                 points_into_file(diagnostic.span) ? diagnostic.span : Span{},
+                                 fmt::format("{} {}", row.name, row.title), sentence(diagnostic)});
+}
 
 std::string paint(std::string_view text, std::string_view sgr, bool color) {
   return color ? fmt::format("\x1b[{}m{}\x1b[0m", sgr, text) : std::string(text);

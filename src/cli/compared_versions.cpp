@@ -14,7 +14,7 @@
 #include "cli/versions/loaded_version.hpp"
 #include "cli/versions/revision.hpp"
 #include "elgen/wording.hpp"
-#include "parse/names_model.hpp"
+#include "parse/entry_reader.hpp"
 
 namespace elgen::cli {
 

@@ -156,4 +156,25 @@ std::vector<EntrySyntax> read_entries(const TomlValue& root, FileKind kind, File
   return EntryReader(kind, reading).read(root);
 }
 
+namespace {
+
+/// Where the top-level key `model` has a value of this kind.
+std::optional<Span> model_of_kind(const SourceText& source, TomlKind kind) {
+  const Result<TomlValue> root = read_toml(source);
+  if (!root) return std::nullopt;
+  const TomlEntry* const model = find_entry(root->entries, "model");
+  const bool is_found = model != nullptr && model->value.kind == kind;
+  return is_found ? std::optional(model->value.span) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Span> named_model(const SourceText& source) {
+  return model_of_kind(source, TomlKind::string);
+}
+
+bool declares_model(const SourceText& source) {
+  return model_of_kind(source, TomlKind::table).has_value();
+}
+
 }  // namespace elgen

@@ -4,9 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
-#include "base/json_schema.hpp"
 #include "elgen/outputs.hpp"
 #include "elgen/syntax.hpp"
 
@@ -14,6 +17,60 @@ namespace elgen {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// One key of an object.
+struct SchemaKey {
+  std::string_view name;
+  Json value;  ///< its schema
+  bool required = true;
+};
+
+Json documented(Json schema, std::string_view doc) {
+  if (!doc.empty()) schema["description"] = doc;
+  return schema;
+}
+
+/// A value of this type of JSON: "string", "integer".
+Json value_schema(std::string_view type) { return {{"type", type}}; }
+
+/// One of these words.
+Json word_schema(const std::vector<std::string_view>& words) {
+  Json schema;
+  schema["enum"] = words;
+  return schema;
+}
+
+Json list_schema(Json item, std::string_view doc = {}) {
+  return documented({{"type", "array"}, {"items", std::move(item)}}, doc);
+}
+
+/// Any one of these.
+Json choice_schema(std::vector<Json> choices) {
+  Json schema;
+  schema["anyOf"] = std::move(choices);
+  return schema;
+}
+
+/// These keys; any other is refused, or is as `others` says.
+Json object_schema(std::vector<SchemaKey> keys, std::string_view doc = {}, Json others = false) {
+  Json properties = Json::object();
+  Json required = Json::array();
+  for (SchemaKey& key : keys) {
+    if (key.required) required.push_back(key.name);
+    properties[std::string(key.name)] = std::move(key.value);
+  }
+  Json schema{{"type", "object"}, {"properties", std::move(properties)}};
+  if (!required.empty()) schema["required"] = std::move(required);
+  schema["additionalProperties"] = std::move(others);
+  return documented(std::move(schema), doc);
+}
+
+/// The file: `schema` under a title.
+std::string schema_text(std::string_view title, const Json& schema) {
+  Json whole{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", title}};
+  whole.update(schema);
+  return whole.dump(2) + "\n";
+}
 
 Json table_schema(const std::string& entry, std::string_view doc);
 

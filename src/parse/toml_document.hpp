@@ -2,7 +2,7 @@
 //
 // toml++ checks the syntax and finds the tokens; numbers and strings are re-read from the file, so
 // that numbers are exact and every character of a string knows where it stands. Only
-// toml_document.cpp and toml_error.cpp know toml++.
+// toml_document.cpp knows toml++.
 #pragma once
 
 #include <cstdint>

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "base/columns.hpp"
 #include "base/toml_text.hpp"
 
 namespace elgen::urdf {

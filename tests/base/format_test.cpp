@@ -1,7 +1,9 @@
-// The one formatter: exact text.
+// The one formatter: exact text, in every format; words that all formats share.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "base/diagnostic_words.hpp"
+#include "base/workflow_command.hpp"
 #include "elgen/diagnostic.hpp"
 
 using namespace elgen;
@@ -113,4 +115,53 @@ TEST_CASE("programs get all diagnostics") {
   CHECK(std::ranges::count(format(list, {DiagnosticFormat::json}), '\n') == 25);
   CHECK(format(list, {DiagnosticFormat::github}).find("elgen: 5 more errors not shown\n") !=
         std::string::npos);
+}
+
+TEST_CASE("JSON has code, message, hint and places") {
+  const SourcePointer source = make_source("m.toml", "a\nbc\n");
+  const Diagnostics list{{Code::E203, span_of(source, "bc"), "duplicate name `bc`",
+                          "write another one", span_of(source, "a"), "first declared here"},
+                         {Code::E913, {}, "no command given"},
+                         {Code::E110, {}, "`\xff`"}};
+  CHECK(format(list, {DiagnosticFormat::json}) ==
+        R"({"severity":"error","code":"E203","message":"duplicate name `bc`",)"
+        R"("hint":"write another one",)"
+        R"("position":{"file":"m.toml","line":2,"column":1,"end_line":2,"end_column":3},)"
+        R"("related":{"file":"m.toml","line":1,"column":1,"end_line":1,"end_column":2,)"
+        R"("message":"first declared here"}})"
+        "\n"
+        R"({"severity":"error","code":"E913","message":"no command given","position":null})"
+        "\n"
+        R"({"severity":"error","code":"E110","message":"`�`","position":null})"
+        "\n");
+}
+
+TEST_CASE("a command of a workflow has its place, its title and the sentence, escaped") {
+  const SourcePointer source = make_source("./models/a, b.toml", "format = 1\nT = \"mq*v\"\n");
+  const DiagnosticStyle github{DiagnosticFormat::github};
+  CHECK(format({{Code::E201, span_of(source, "mq"), "unknown name `mq`", "did you mean `m`?"}},
+               github) ==
+        "::error file=models/a%2C b.toml,line=2,col=6,title=E201 unknown name::"
+        "unknown name `mq`; did you mean `m`?\n");
+  CHECK(format({{Code::E520, {}, "100 %\r\nnext: line, ok"}}, github) ==
+        "::notice title=E520 " + std::string(code_row(Code::E520).title) +
+            "::100 %25%0D%0Anext: line, ok\n");
+  CHECK(text_of(WorkflowCommand{"notice", {}, "a: b, 5%", "5%: a,\nb"}) ==
+        "::notice title=a%3A b%2C 5%25::5%25: a,%0Ab\n");
+}
+
+TEST_CASE("a sentence is the message with its hint") {
+  CHECK(sentence({Code::E201, {}, "unknown name `x`"}) == "unknown name `x`");
+  CHECK(sentence({Code::E201, {}, "unknown name `x`", "write `y`"}) ==
+        "unknown name `x`; write `y`");
+}
+
+TEST_CASE("paths are as given, and words of the command line are no file") {
+  const SourcePointer file = make_source("./a/b.toml", "x");
+  const SourcePointer words = make_source("command line", "elgen x");
+  CHECK(path_of({file.get(), 0, 1}) == "a/b.toml");
+  CHECK(points_into_file({file.get(), 0, 1}));
+  CHECK_FALSE(points_into_file({words.get(), 0, 1}));
+  CHECK_FALSE(points_into_file({}));
+  CHECK(path_of({}) == "elgen");
 }

@@ -1,4 +1,4 @@
-// TOML: quoting, numbers and tables.
+// TOML: quoting, numbers, tables and columns.
 #include "base/toml_text.hpp"
 
 #include <catch2/catch.hpp>
@@ -38,4 +38,14 @@ TEST_CASE("equals signs stand in a column") {
   table.add("name", "\"a\"");
   table.add("parent", "\"b\"");
   CHECK(table.text() == "[[frame]]\nname   = \"a\"\nparent = \"b\"\n");
+}
+
+TEST_CASE("a column is as wide as its widest cell, and no line ends with blanks") {
+  CHECK(aligned({{"a", " 1"}, {"bcd", " 2"}, {"e", ""}}) ==
+        std::vector<std::string>{"a   1", "bcd 2", "e"});
+}
+
+TEST_CASE("the last cell of a row may be longer than its column") {
+  CHECK(aligned({{"a  ", "b  ", "c"}, {"d  ", "long enough"}}) ==
+        std::vector<std::string>{"a  b  c", "d  long enough"});
 }

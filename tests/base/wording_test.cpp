@@ -1,7 +1,9 @@
-// Wording: user text on one line, counts, suggestions.
+// Wording: user text on one line, counts, suggestions of near misses only.
 #include "elgen/wording.hpp"
 
 #include <catch2/catch.hpp>
+
+#include "elgen/diagnostic.hpp"
 
 using namespace elgen;
 
@@ -33,4 +35,24 @@ TEST_CASE("nouns are counted") {
 TEST_CASE("suggestions are questions or nothing") {
   CHECK(suggestion("mas", {"mass", "force"}) == "did you mean `mass`?");
   CHECK(suggestion("zzz", {"mass"}).empty());
+}
+
+TEST_CASE("the nearest candidate is suggested") {
+  const std::vector<std::string> names{"theta", "mass_matrix", "m", "omega", "coordinate"};
+  CHECK(nearest("thta", names) == "theta");
+  CHECK(nearest("theat", names) == "theta");  // a transposition is one slip
+  CHECK(nearest("mas_matrx", names) == "mass_matrix");
+  CHECK(nearest("mq", names) == "m");
+  CHECK(nearest("coordinates", names) == "coordinate");
+}
+
+TEST_CASE("nothing is suggested where nothing is near") {
+  CHECK(nearest("velocity", {"theta", "m"}).empty());
+  CHECK(nearest("q", {"x", "y"}).empty());
+  CHECK(nearest("", {"a"}).empty());
+  CHECK(nearest(std::string(100, 'a'), {std::string(99, 'a')}).empty());
+}
+
+TEST_CASE("of equally near candidates the first is taken") {
+  CHECK(nearest("ac", {"ab", "ad"}) == "ab");
 }

@@ -24,11 +24,6 @@ TEST_CASE("a scene prints likewise", "[parse]") {
         "  bias = true\n  gravity = {rename = g}\n[sizes]\n  n = 3\n");
 }
 
-TEST_CASE("expressions print fully bracketed", "[parse]") {
-  CHECK(testing::expression_answer("a-b*c/d^2") == "(a + (-((b * c) / (d^2))))");
-  CHECK(testing::expression_answer("sum(i, 1, n, m[i])") == "sum(i, 1, n, m[i])");
-}
-
 namespace {
 
 using Lines = std::vector<std::string>;

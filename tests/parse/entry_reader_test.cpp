@@ -61,3 +61,21 @@ TEST_CASE("keys of the top level", "[parse]") {
   CHECK(scene_answer("format = 1\nmodel = \"m\"\nname = \"s\"\noutputs.bias = true\n") ==
         "[]\n  format = 1\n  model = \"m\"\n  name = s\n[outputs]\n  bias = true\n");
 }
+
+TEST_CASE("a scene is told from a model by its key `model`") {
+  const auto names = [](const std::string& text) {
+    const SourcePointer source = make_source("<stdin>", text);
+    return named_model(*source).has_value();
+  };
+  CHECK(names("format = 1\nmodel = \"a.toml\"\n"));
+  CHECK_FALSE(names("format = 1\n[model]\nname = \"a\"\n"));
+  CHECK_FALSE(names("[outputs]\nmodel = \"a.toml\"\n"));
+  CHECK_FALSE(names("model = \n"));
+}
+
+TEST_CASE("a model is TOML with a table of that name, files of other programs are none") {
+  CHECK(declares_model(*make_source("a.toml", "format = 1\n[model]\nname = \"a\"\n")));
+  CHECK_FALSE(declares_model(*make_source("a.toml", "model = \"b.toml\"\n")));
+  CHECK_FALSE(declares_model(*make_source("a.toml", "# [model]\n[tool]\n")));
+  CHECK_FALSE(declares_model(*make_source("a.toml", "[model\n")));
+}

@@ -15,6 +15,9 @@ Json properties_of(FileKind kind) { return Json::parse(file_schema(kind)).at("pr
 }  // namespace
 
 TEST_CASE("what must be there is required, and nothing else may be") {
+  CHECK(file_schema(FileKind::model)
+            .starts_with("{\n  \"$schema\": \"http://json-schema.org/draft-07/schema#\",\n  "
+                         "\"title\": \"model of elgen\",\n"));
   const Json model = Json::parse(file_schema(FileKind::model));
   CHECK(model.at("required") == Json{"format", "model", "coordinate"});
   CHECK(model.at("additionalProperties") == false);

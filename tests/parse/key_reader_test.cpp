@@ -1,4 +1,4 @@
-// Keys of one table: unknown, missing, unsupported, and words out of a choice.
+// Keys of one table: unknown, missing, unsupported, words out of a choice, and repetitions.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -19,9 +19,11 @@ std::string scene(std::string_view rest) {
   return "format = 1\nmodel = \"m.toml\"\nname = \"s\"\n" + std::string(rest);
 }
 
-}  // namespace
-
-namespace {
+std::string repetition(std::string_view value) {
+  const std::string all = model_answer(model("for = " + std::string(value)));
+  const std::size_t begin = all.find("for = ");
+  return begin == std::string::npos ? all : all.substr(begin + 6, all.size() - begin - 7);
+}
 
 /// The codes that one key of an entry gets, missing neighbours aside.
 std::vector<Code> codes_of(const KeyRow& row, const std::string& value) {
@@ -194,4 +196,36 @@ TEST_CASE("fixed is `all` or a table", "[parse]") {
   CHECK(scene_answer(scene("[parameters]\nfixed = {g = 9.81, l = \"1/2\"}\n"))
             .find("fixed = {g = 9.81, l = (1 / 2)}") != std::string::npos);
   CHECK(scene_answer(scene("[parameters]\nfixed = [1]\n")) == "E104 5:9");
+}
+
+TEST_CASE("a repetition is an index and its bounds", "[parse]") {
+  CHECK(repetition("\"i in 1..n\"") == "[{index = i, low = 1, high = n}]");
+  CHECK(repetition("\"i in 0 .. 2*n - 1\"") == "[{index = i, low = 0, high = ((2 * n) + (-1))}]");
+  CHECK(repetition("[\"i in 1..n\", \"j in i..n\"]") ==
+        "[{index = i, low = 1, high = n}, {index = j, low = i, high = n}]");
+}
+
+TEST_CASE("malformed repetitions are refused where they are", "[parse]") {
+  CHECK(repetition("\"i in 1:n\"") == "E210 5:8");
+  CHECK(repetition("\"i = 1..n\"") == "E210 5:8");
+  CHECK(repetition("\"1..n\"") == "E210 5:8");
+  CHECK(repetition("\"\"") == "E210 5:8");
+  CHECK(repetition("3") == "E104 5:7");
+  CHECK(repetition("\"i in ..n\"") == "E310 5:12");
+  CHECK(repetition("\"i in 1..\"") == "E310 5:16");
+  CHECK(repetition("\"i in 1..2n\"") == "E303 5:17");
+  CHECK(repetition("\"i\\u0020in 1..2n\"") == "E303 5:22");
+}
+
+TEST_CASE("each part of a repetition has its place", "[parse]") {
+  const SourcePointer source = make_source("test", model("for = \"i in 1..n\""));
+  const auto parsed = parse_model(source, {});
+  REQUIRE(parsed);
+  const KeySyntax* key = parsed->entries.back().find("for");
+  REQUIRE(key != nullptr);
+  const auto& parts = key->value.items.at(0).entries;
+  REQUIRE(parts.size() == 3);
+  CHECK(covered_text(parts[0].value.span) == "i");
+  CHECK(covered_text(parts[1].value.expression.span) == "1");
+  CHECK(covered_text(parts[2].value.expression.span) == "n");
 }

@@ -1,11 +1,14 @@
-// TOML trees: file order, and the exact place of every key and value.
+// TOML trees: file order, the exact place of every key and value, and what is malformed.
 #include "parse/toml_document.hpp"
 
 #include <rapidcheck.h>
 
 #include <catch2/catch.hpp>
 
+#include "parse_testing.hpp"
+
 using namespace elgen;
+using testing::repeated;
 
 namespace {
 
@@ -27,6 +30,13 @@ std::string spelled(const std::string& text) {
   const auto root = read_toml(*source);
   REQUIRE(root);
   return spelled(*root);
+}
+
+/// The message of the error, or nothing for a file that is read.
+std::string toml_message(const std::string& text) {
+  const SourcePointer source = make_source("test", text);
+  const auto root = read_toml(*source);
+  return root ? "" : root.diagnostics.at(0).message;
 }
 
 }  // namespace
@@ -56,12 +66,13 @@ TEST_CASE("tables stand at their headers", "[parse]") {
 }
 
 TEST_CASE("numbers are told from what only looks like one", "[parse]") {
-  const SourcePointer source =
-      make_source("test", "a = 1_0.5\nb = 0x1E\nc = inf\nd = -nan\ne = 1979-05-27\nf = 0b1\n");
+  const SourcePointer source = make_source(
+      "test", "a = -1_0.5e+3\nb = +0\nc = 0x1E\nd = inf\ne = -nan\nf = 1979-05-27\ng = 0b1\n");
   const auto root = read_toml(*source);
   REQUIRE(root);
-  CHECK(root->entries.at(0).value.kind == TomlKind::number);
-  for (std::size_t i = 1; i < 6; ++i) CHECK(root->entries.at(i).value.kind == TomlKind::other);
+  for (std::size_t i = 0; i < 7; ++i) {
+    CHECK(root->entries.at(i).value.kind == (i < 2 ? TomlKind::number : TomlKind::other));
+  }
 }
 
 TEST_CASE("random files are answered with a tree or one error inside them", "[parse]") {
@@ -76,4 +87,59 @@ TEST_CASE("random files are answered with a tree or one error inside them", "[pa
     RC_ASSERT(root || root.diagnostics.size() == 1);
     for (const Diagnostic& d : root.diagnostics) RC_ASSERT(d.span.end <= text.size());
   }));
+}
+
+TEST_CASE("malformed TOML is reported once, where it is", "[parse]") {
+  struct Row {
+    std::string input;
+    std::string place;
+    std::string message;
+    std::string hint;
+  };
+  const std::string quotes = "texts and expressions are written in quotes";
+  const std::string three = "a string over several lines has three quotes at each end";
+  const auto row = GENERATE_COPY(values<Row>({
+      {"a = 1\nb = \"x\nc = 3", "E101 2:7", "string is not closed", three},
+      {"a = \"x", "E101 1:7", "string is not closed", three},
+      {"a = 1/2", "E101 1:6", "expected digit, saw `/`", quotes},
+      {"a = pi", "E101 1:5", "could not determine value type", quotes},
+      {"a = 1\na = 2", "E101 2:1", "cannot redefine existing integer `a`",
+       "give one of them another name"},
+      {"[a]\n[a]", "E101 2:1", "cannot redefine existing table `a`", ""},
+      {"a = 1e400", "E109 1:5", "`1e400` is wider than TOML's numbers",
+       "write it as a string, in quotes"},
+      {"a = [-1e999, 2]", "E109 1:6", "`-1e999` is wider than TOML's numbers",
+       "write it as a string, in quotes"},
+      {"a = 12345678901234567890", "E109 1:5",
+       "`12345678901234567890` is wider than TOML's numbers", "write it as a string, in quotes"},
+  }));
+  INFO(row.input);
+  const SourcePointer source = make_source("test", row.input);
+  const auto result = parse_model(source, {});
+  CHECK(testing::places(result.diagnostics) == row.place);
+  CHECK(result.diagnostics.at(0).message == row.message);
+  CHECK(result.diagnostics.at(0).hint == row.hint);
+}
+
+TEST_CASE("numbers of more digits than toml++ reads are told so", "[parse]") {
+  const std::string digits(200, '7');
+  CHECK(testing::model_answer("a = " + digits) == "E109 1:5");
+  CHECK(testing::model_answer("a = [-0." + digits + "]") == "E109 1:6");
+}
+
+TEST_CASE("keys may have as many parts as toml++ can free, not one more", "[parse]") {
+  constexpr std::size_t most = 100;
+  const std::string endless = "key of more than 100 parts";
+  CHECK(toml_message(repeated("a.", most - 1) + "a = 1").empty());
+  CHECK(toml_message(repeated("a.", most) + "a = 1") == endless);
+  CHECK(testing::model_answer(repeated("a.", 400'000) + "a = 1") == "E101 1:200");
+  // Quotes and spaces do not hide a part.
+  CHECK(toml_message("[" + repeated("a . ", 200) + "a]") == endless);
+  CHECK(toml_message("x = {" + repeated("\"=,\\\"\".", 200) + "a = 1}") == endless);
+  CHECK(toml_message(repeated("'\"'.", 200) + "a = 1") == endless);
+  // Points elsewhere are none of keys.
+  CHECK(toml_message("# " + repeated(".", 1000)).empty());
+  CHECK(toml_message("a = [" + repeated("1.5, ", 1000) + "]").empty());
+  CHECK(toml_message(repeated("[[a.b]]\n", 1000)).empty());
+  CHECK(toml_message("doc = \"" + repeated("A sentence. ", 1000)) == "string is not closed");
 }

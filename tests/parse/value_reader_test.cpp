@@ -146,3 +146,42 @@ TEST_CASE("turns of another shape say what is expected", "[parse]") {
   CHECK(turns_answer("[[\"x\", \"q+\"]]") ==
         "E302 8:20 expression ends where an operand is expected");
 }
+
+namespace {
+
+/// The part of a symbol that is a mistake, and what is wrong with it.
+std::string symbol_mistake(const std::string& symbol) {
+  const std::string text = coordinate_with("symbol = '''" + symbol + "'''");
+  if (model_answer(text).find("E114") == std::string::npos) return "";
+  const Diagnostic error = testing::first_error(text);
+  return text.substr(error.span.begin, error.span.end - error.span.begin) + ": " + error.message;
+}
+
+}  // namespace
+
+TEST_CASE("symbols of books have no mistake", "[parse]") {
+  for (const char* const symbol : {"m_2", "\\theta", "J_{2zz}", "\\dot{\\varphi}_{\\mathrm{max}}",
+                                   "\\ell_0", "x'", "\\hat{\\boldsymbol{e}}_1", "q^{(2)}", "μ",
+                                   "\\tilde x", "k_\\text{left arm}", "a\\,b", "\\mathrm{A\\&B}"}) {
+    INFO(symbol);
+    CHECK(model_answer(coordinate_with("symbol = '''" + std::string(symbol) + "'''"))
+              .find("symbol = ") != std::string::npos);
+  }
+}
+
+TEST_CASE("a symbol is not empty, its braces match, its commands and characters are listed",
+          "[parse]") {
+  CHECK(symbol_mistake("") == ": the symbol is empty");
+  CHECK(symbol_mistake(" \n") == " \n: the symbol is empty");
+  CHECK(symbol_mistake("\\input{/etc/passwd}") == "\\input: `\\input` is no command of symbols");
+  CHECK(symbol_mistake("x\\write18{ls}") == "\\write: `\\write` is no command of symbols");
+  CHECK(symbol_mistake("\\csname a\\endcsname") == "\\csname: `\\csname` is no command of symbols");
+  CHECK(symbol_mistake("x\\end{document}") == "\\end: `\\end` is no command of symbols");
+  CHECK(symbol_mistake("x\\") == "\\: `\\` is no command of symbols");
+  CHECK(symbol_mistake("x$y") == "$: `$` does not stand in symbols");
+  CHECK(symbol_mistake("<script>") == "<: `<` does not stand in symbols");
+  CHECK(symbol_mistake("x%") == "%: `%` does not stand in symbols");
+  CHECK(symbol_mistake("^^5cinput") == "^^: `^^` is no way to write a character");
+  CHECK(symbol_mistake("x_{1") == "{: `{` is not closed");
+  CHECK(symbol_mistake("x}_1{") == "}: `}` closes nothing");
+}

@@ -17,7 +17,7 @@
 #include "cli/files/file_kind.hpp"
 #include "cli/process/resources.hpp"
 #include "elgen/wording.hpp"
-#include "parse/names_model.hpp"
+#include "parse/entry_reader.hpp"
 
 namespace elgen::cli {
 
