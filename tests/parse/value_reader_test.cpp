@@ -151,7 +151,7 @@ namespace {
 
 /// The part of a symbol that is a mistake, and what is wrong with it.
 std::string symbol_mistake(const std::string& symbol) {
-  const std::string text = coordinate_with("symbol = '''" + symbol + "'''");
+  const std::string text = coordinate_with("latex = '''" + symbol + "'''");
   if (model_answer(text).find("E114") == std::string::npos) return "";
   const Diagnostic error = testing::first_error(text);
   return text.substr(error.span.begin, error.span.end - error.span.begin) + ": " + error.message;
@@ -164,8 +164,8 @@ TEST_CASE("symbols of books have no mistake", "[parse]") {
                                    "\\ell_0", "x'", "\\hat{\\boldsymbol{e}}_1", "q^{(2)}", "μ",
                                    "\\tilde x", "k_\\text{left arm}", "a\\,b", "\\mathrm{A\\&B}"}) {
     INFO(symbol);
-    CHECK(model_answer(coordinate_with("symbol = '''" + std::string(symbol) + "'''"))
-              .find("symbol = ") != std::string::npos);
+    CHECK(model_answer(coordinate_with("latex = '''" + std::string(symbol) + "'''"))
+              .find("latex = ") != std::string::npos);
   }
 }
 
