@@ -5,7 +5,6 @@
 // last the scene. Errors are collected throughout; a stage that could only repeat earlier ones is
 // skipped.
 #include "check/entries/entries.hpp"
-#include "check/entries/plane.hpp"
 #include "check/expressions/cycles.hpp"
 #include "check/expressions/expand.hpp"
 #include "check/expressions/options.hpp"
@@ -20,7 +19,6 @@
 #include "check/names/requests.hpp"
 #include "check/scene/lock.hpp"
 #include "check/scene/read_approximate.hpp"
-#include "check/scene/read_locks.hpp"
 #include "check/scene/read_run.hpp"
 #include "check/scene/scene_reader.hpp"
 #include "elgen/scene.hpp"

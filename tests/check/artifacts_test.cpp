@@ -1,9 +1,8 @@
 // Which files a scene wants, and where.
 #include "elgen/artifacts.hpp"
-
 #include <catch2/catch.hpp>
 
-using namespace elgen;
+namespace elgen::test {
 
 namespace {
 
@@ -30,3 +29,5 @@ TEST_CASE("files are known without deriving, the header first") {
   CHECK(paths(emission) ==
         std::vector<std::string>{"arm/arm.h", "arm/arm.equations.json", "arm/arm.md"});
 }
+
+}  // namespace elgen::test

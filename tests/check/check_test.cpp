@@ -1,4 +1,4 @@
-// check() as a whole: the models of the project, its laws, its cost.
+// Whole models: what is told, in which order, once; cycles, and long chains without one.
 #include <rapidcheck.h>
 
 #include <algorithm>
@@ -7,10 +7,12 @@
 #include <filesystem>
 #include <sstream>
 
+#include "check/names/report.hpp"
 #include "check_testing.hpp"
 #include "model_text.hpp"
 
 namespace elgen::test {
+
 namespace {
 
 std::vector<std::string> model_paths() {
@@ -33,6 +35,28 @@ bool is_ordered(const Model& model) {
   }
   return true;
 }
+
+double seconds_for(const std::string& model, int n) {
+  const std::clock_t begin = std::clock();
+  (void)checked(model, {.sizes = {"n=" + std::to_string(n)}});
+  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
+/// Offsets of the bytes inside strings; what lies outside is the TOML reader's business.
+std::vector<std::size_t> inside_strings(const std::string& text) {
+  std::vector<std::size_t> offsets;
+  bool inside = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"') {
+      inside = !inside;
+    } else if (inside) {
+      offsets.push_back(i);
+    }
+  }
+  return offsets;
+}
+
+}  // namespace
 
 TEST_CASE("the models of the project have no errors, warnings or notes") {
   const std::vector<std::string> paths = model_paths();
@@ -98,14 +122,6 @@ TEST_CASE("checking is the same every time") {
   CHECK(dump(checked(chain).model) == dump(checked(chain).model));
 }
 
-double seconds_for(const std::string& model, int n) {
-  Wanted wanted;
-  wanted.sizes = {"n=" + std::to_string(n)};
-  const std::clock_t begin = std::clock();
-  (void)checked(model, wanted);
-  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-}
-
 TEST_CASE("a chain of a thousand links is checked in linear time") {
   const std::string chain = file_text("models/chain.toml");
   seconds_for(chain, 10);
@@ -114,20 +130,6 @@ TEST_CASE("a chain of a thousand links is checked in linear time") {
   // Processor time; 0.15 s on an idle machine of 2020, with room for a sanitizer.
   CHECK(thousand < 1.5);
   CHECK(thousand < 25 * std::max(hundred, 0.004));
-}
-
-/// Offsets of the bytes inside strings; what lies outside is the TOML reader's business.
-std::vector<std::size_t> inside_strings(const std::string& text) {
-  std::vector<std::size_t> offsets;
-  bool inside = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '"') {
-      inside = !inside;
-    } else if (inside) {
-      offsets.push_back(i);
-    }
-  }
-  return offsets;
 }
 
 TEST_CASE("edited models never crash, and errors always have a place") {
@@ -148,5 +150,66 @@ TEST_CASE("edited models never crash, and errors always have a place") {
   }));
 }
 
-}  // namespace
+TEST_CASE("cycles are printed from the entry that stands first") {
+  const Rows rows{
+      {"[define]\na = \"a + 1\"\n", "E206 13:1 `a` is defined by itself: a -> a\n"},
+      {"[define]\nb = \"c\"\nc = \"d\"\nd = \"c + b\"\n",
+       "E206 14:1 `c` is defined by itself: c -> d -> c\n"},
+      {"[[point]]\nname = \"p\"\nat = [\"x(r)\", \"0\"]\n[[point]]\nname = \"r\"\nat = [\"y(p)\", "
+       "\"0\"]\n",
+       "E206 13:9 `p` is defined by itself: p -> r -> p\n"},
+      {"[define]\na = \"x(p)\"\n[[point]]\nname = \"p\"\nat = [\"a\", \"0\"]\n",
+       "E206 13:1 `a` is defined by itself: a -> p -> a\n"},
+      {"[define]\na = \"h\"\n[[prescribed]]\nname = \"h\"\nvalue = \"a\"\n",
+       "E206 13:1 `a` is defined by itself: a -> h -> a\n"},
+  };
+  check_rows(rows, [&](const std::string& entries) { return messages(block(entries)); });
+}
+
+TEST_CASE("a chain of definitions may be as long as the limit allows") {
+  std::string text = block("[define]\nd0 = \"k*0.5\"\n");
+  for (int i = 1; i < 19'000; ++i) {
+    text += "d" + std::to_string(i) + " = \"d" + std::to_string(i - 1) + "\"\n";
+  }
+  Wanted wanted;
+  CHECK(messages(text, wanted).empty());
+}
+
+TEST_CASE("a definition may use one that stands below it") {
+  CHECK(messages(block("V = \"a*x\"\n[define]\na = \"b\"\nb = \"k*x\"\n")).empty());
+  // Its unit is known all the same.
+  CHECK(messages(block("V = \"a*x\"\n[define]\na = \"b\"\nb = \"k\"\n")) ==
+        "E403 12:6 `a*x` is in N, but V is in J\n");
+}
+
+TEST_CASE("one mistake met many times is one message") {
+  const SourcePointer source = make_source("m.toml", "abc");
+  Report report;
+  report.add(Code::E207, {source.get(), 0, 1}, "`x[i]` is `x[4]`");
+  report.add(Code::E207, {source.get(), 0, 1}, "`x[i]` is `x[5]`");
+  report.add(Code::E207, {source.get(), 1, 2}, "`x[i]` is `x[5]`");
+  report.add(Code::E208, {source.get(), 0, 1}, "`x[i]` is `x[5]`");
+  CHECK(report.errors() == 3);
+  CHECK(report.sorted().size() == 3);
+  CHECK(report.sorted().front().message == "`x[i]` is `x[4]`");
+}
+
+TEST_CASE("warnings and notes are no errors") {
+  Report report;
+  report.add(Code::E518, {}, "a");
+  report.add(Code::E520, {}, "b");
+  CHECK(report.errors() == 0);
+  CHECK(report.sorted().size() == 2);
+}
+
+TEST_CASE("suggestions end after a hundred errors") {
+  const SourcePointer source = make_source("m.toml", std::string(200, 'a'));
+  Report report;
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    CHECK(report.wants_suggestion());
+    report.add(Code::E201, {source.get(), i, i + 1}, "a");
+  }
+  CHECK_FALSE(report.wants_suggestion());
+}
+
 }  // namespace elgen::test

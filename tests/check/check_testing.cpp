@@ -114,6 +114,13 @@ std::string dumped(const std::string& model, const std::string& word, const Want
   return text;
 }
 
+void check_rows(const Rows& rows, const std::function<std::string(const std::string&)>& answer) {
+  for (const auto& [input, expected] : rows) {
+    INFO(input);
+    CHECK(answer(input) == expected);
+  }
+}
+
 std::string file_text(const std::string& path) {
   std::ifstream file(std::string(ELGEN_SOURCE_DIR "/") + path, std::ios::binary);
   INFO(path);

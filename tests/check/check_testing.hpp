@@ -1,7 +1,9 @@
 // Models as text, and what check() says of them as text.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "elgen/scene.hpp"
@@ -44,6 +46,11 @@ struct Wanted {
 /// The lines of dump(Model) that start with `word`.
 [[nodiscard]] std::string dumped(const std::string& model, const std::string& word,
                                  const Wanted& wanted = {});
+
+/// Inputs, each with the answer that is expected.
+using Rows = std::vector<std::pair<std::string, std::string>>;
+
+void check_rows(const Rows& rows, const std::function<std::string(const std::string&)>& answer);
 
 /// The text of a file of the project.
 [[nodiscard]] std::string file_text(const std::string& path);

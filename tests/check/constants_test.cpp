@@ -3,7 +3,6 @@
 
 #include <catch2/catch.hpp>
 #include <ctime>
-#include <utility>
 
 #include "base/number_text.hpp"
 #include "check_testing.hpp"
@@ -24,22 +23,19 @@ std::string parameter_value(const std::string& text) {
 }
 
 TEST_CASE("rational constants stay exact") {
-  const std::vector<std::pair<std::string, std::string>> rows{
+  const Rows rows{
       {"0.1", "1/10"},        {"1/3 + 1/6", "1/2"}, {"2^-3", "1/8"},      {"sqrt(4/9)", "2/3"},
       {"8^(2/3)", "4"},       {"(-2)^3", "-8"},     {"1e16+1-1e16", "1"}, {"abs(-3)", "3"},
       {"min(2, 1/3)", "1/3"}, {"sign(-7)", "-1"},   {"exp(0)", "1"},      {"log(1)", "0"},
       {"sin(0)", "0"},        {"cos(0)", "1"},      {"atan2(0, 2)", "0"}, {"tanh(0)", "0"},
       {"asin(0)", "0"},
   };
-  for (const auto& [text, value] : rows) {
-    INFO(text);
-    CHECK(parameter_value(text) == value);
-  }
+  check_rows(rows, [&](const std::string& text) { return parameter_value(text); });
 }
 
 TEST_CASE("functions of constants are good to 100 digits") {
   // 30 digits from tables of these constants.
-  const std::vector<std::pair<std::string, std::string>> rows{
+  const Rows rows{
       {"pi", "3.14159265358979323846264338328e0"},
       {"exp(1)", "2.71828182845904523536028747135e0"},
       {"sqrt(2)", "1.41421356237309504880168872421e0"},
@@ -54,10 +50,7 @@ TEST_CASE("functions of constants are good to 100 digits") {
       {"tan(1)", "1.55740772465490223050697480746e0"},
       {"exp(1e-20)-1", "1.00000000000000000000500000000e-20"},
   };
-  for (const auto& [text, value] : rows) {
-    INFO(text);
-    CHECK(parameter_value(text) == value);
-  }
+  check_rows(rows, [&](const std::string& text) { return parameter_value(text); });
 }
 
 TEST_CASE("the precision of trigonometry follows the magnitude of the angle") {
@@ -76,7 +69,7 @@ TEST_CASE("what cancels is an exact zero, so that division by it is found") {
 }
 
 TEST_CASE("constants without a value are found where they are written") {
-  const std::vector<std::pair<std::string, std::string>> rows{
+  const Rows rows{
       {"1/0", "E312 12:8 `0` is zero"},
       {"m/0", "E312 12:8 `0` is zero"},
       {"0^(-1)", "E312 12:6 `0` is zero"},

@@ -1,6 +1,5 @@
 // Expansion: which entries a repetition makes, and what their names must be.
 #include <catch2/catch.hpp>
-#include <utility>
 
 #include "check_testing.hpp"
 
@@ -35,7 +34,7 @@ TEST_CASE("entries refer forward and backward") {
 }
 
 TEST_CASE("names of repetitions that cannot be") {
-  const std::vector<std::pair<std::string, std::string>> rows{
+  const Rows rows{
       // The second instance bears the name of the first.
       {"[[point]]\nfor = \"i in 1..n\"\nname = \"p\"\nat = [\"x\", \"0\"]\n",
        "E203 15:9 `p` is already a point | first at line 15\n"},
@@ -57,10 +56,8 @@ TEST_CASE("names of repetitions that cannot be") {
       {"[[point]]\nname = \"x_1\"\nat = [\"x\", \"0\"]\n[[input]]\nname = \"x_1\"\n",
        "E203 17:9 `x_1` is already a point | first at line 14\n"},
   };
-  for (const auto& [entries, expected] : rows) {
-    INFO(entries);
-    CHECK(messages(model_with_entries(entries)) == expected);
-  }
+  check_rows(rows,
+             [&](const std::string& entries) { return messages(model_with_entries(entries)); });
 }
 
 TEST_CASE("numbers of entries are limited, at the limit and one past it") {

@@ -1,10 +1,13 @@
-// Expectations: shapes, entries by index, and closed forms too big to keep.
+// Closed forms that a model expects, and the units of outputs.
 #include <catch2/catch.hpp>
 #include <utility>
 
+#include "check/judge/output_units.hpp"
+#include "check/names/requests.hpp"
 #include "check_testing.hpp"
 
 namespace elgen::test {
+
 namespace {
 
 const std::string sprung_masses = R"toml(format = 1
@@ -24,6 +27,43 @@ T = "sum(i, 1, n, 1/2*m[i]*dot(x[i])^2)"
 V = "1/2*k*x[1]^2"
 [[expect]]
 )toml";
+
+Model sliding_pendulum() {
+  return checked(R"toml(format = 1
+[model]
+name = "a"
+[[coordinate]]
+name = "x"
+unit = "m"
+[[coordinate]]
+name = "q"
+unit = "rad"
+[[coordinate]]
+name = "free"
+[[input]]
+name = "u"
+unit = "V"
+[parameters]
+m = { value = 1, unit = "kg" }
+J = { value = 1, unit = "kg*m^2" }
+c = 1
+[energy]
+T = "m*dot(x)^2 + J*dot(q)^2 + c*dot(free)^2"
+[[force]]
+on = "x"
+value = "u*c"
+)toml")
+      .model;
+}
+
+std::string unit(const Model& model, const char* output, std::uint32_t row, std::uint32_t column) {
+  const auto request = find_request(model, output);
+  REQUIRE(request);
+  const auto found = unit_of_entry(model, {request->kind, "", row, column});
+  return found ? to_string(*found) : "not known";
+}
+
+}  // namespace
 
 TEST_CASE("closed forms are columns, matrices, or entries by index") {
   CHECK(dumped(sprung_masses +
@@ -52,7 +92,7 @@ TEST_CASE("an entry of a matrix has two indices, whatever its size is") {
 }
 
 TEST_CASE("closed forms that do not fit") {
-  const std::vector<std::pair<std::string, std::string>> rows{
+  const Rows rows{
       {"gravity = [\"k*x[1]\"]\n", "E517 17:11 1 x 1 entries, but `gravity` is 2 x 1\n"},
       {"mass_matrix = [\"m[1]\", \"m[2]\"]\n",
        "E517 17:15 no list of rows, but `mass_matrix` is 2 x 2 | a matrix is a list of rows: [[…], "
@@ -82,10 +122,7 @@ TEST_CASE("closed forms that do not fit") {
       {"input_matrix = [[\"1\"], [\"0\"]]\n",
        "E603 17:1 `input_matrix` needs inputs, and the model has none\n"},
   };
-  for (const auto& [expect, expected] : rows) {
-    INFO(expect);
-    CHECK(messages(sprung_masses + expect) == expected);
-  }
+  check_rows(rows, [&](const std::string& expect) { return messages(sprung_masses + expect); });
 }
 
 TEST_CASE("big closed forms are kept only where they are asked for") {
@@ -105,13 +142,43 @@ TEST_CASE("big closed forms are kept only where they are asked for") {
 }
 
 TEST_CASE("mistakes in big closed forms are found all the same") {
-  Wanted wanted;
-  wanted.sizes = {"n=1000"};
-  CHECK(messages(
-            sprung_masses + "mass_matrix_entry = { for = [\"i in 1..n\", \"j in 1..n\"], value = "
-                            "\"delta(i, j)*mm[i]\" }\n",
-            wanted) == "E201 17:78 unknown name `mm` | did you mean `m`? (parameter, line 11)\n");
+  CHECK(messages(sprung_masses +
+                     "mass_matrix_entry = { for = [\"i in 1..n\", \"j in 1..n\"], value = "
+                     "\"delta(i, j)*mm[i]\" }\n",
+                 {.sizes = {"n=1000"}}) ==
+        "E201 17:78 unknown name `mm` | did you mean `m`? (parameter, line 11)\n");
 }
 
-}  // namespace
+TEST_CASE("units follow from those of coordinates and inputs") {
+  const Model model = sliding_pendulum();
+  CHECK(unit(model, "mass_matrix", 0, 0) == "kg");
+  CHECK(unit(model, "mass_matrix", 0, 1) == "kg*m");
+  CHECK(unit(model, "mass_matrix", 1, 1) == "kg*m^2");
+  CHECK(unit(model, "coriolis_matrix", 0, 0) == "kg/s");
+  CHECK(unit(model, "bias", 0, 0) == "N");
+  CHECK(unit(model, "bias", 1, 0) == "J");
+  CHECK(unit(model, "momentum", 0, 0) == "kg*m/s");
+  CHECK(unit(model, "kinetic_energy", 0, 0) == "J");
+  CHECK(unit(model, "forward_dynamics", 0, 0) == "m/s^2");
+  CHECK(unit(model, "input_matrix", 0, 0) == to_string(*find_unit("N") / *find_unit("V")));
+}
+
+TEST_CASE("pivots are shares, rates of angles stay rad/s") {
+  const Model model = sliding_pendulum();
+  const auto pivot = unit_of_entry(model, {OutputKind::forward_dynamics, "relative_pivots", 0, 0});
+  REQUIRE(pivot);
+  CHECK(to_string(*pivot) == "1");
+  CHECK(velocity_unit(model, model.velocities[0]) == "m/s");
+  CHECK(velocity_unit(model, model.velocities[1]) == "rad/s");
+  CHECK(velocity_unit(model, model.velocities[2]).empty());
+}
+
+TEST_CASE("a missing unit leaves the entry unknown") {
+  const Model model = sliding_pendulum();
+  CHECK(unit(model, "mass_matrix", 0, 2) == "not known");
+  CHECK(unit(model, "bias", 2, 0) == "not known");
+  CHECK(unit(model, "forward_dynamics", 2, 0) == "not known");
+  CHECK(unit(model, "dynamics", 0, 0) == "not known");
+}
+
 }  // namespace elgen::test

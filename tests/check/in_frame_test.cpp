@@ -2,7 +2,6 @@
 #include "check/entries/in_frame.hpp"
 
 #include <catch2/catch.hpp>
-#include <utility>
 
 #include "check_testing.hpp"
 #include "model_numbers.hpp"
@@ -190,7 +189,7 @@ unit = "N*m"
 }
 
 TEST_CASE("what may not be in a frame", "[frames]") {
-  const std::vector<std::pair<std::string, std::string>> rows{
+  const Rows rows{
       {"[[point]]\nname = \"p\"\nframe = \"ff\"\nat = [\"l\", \"0\", \"0\"]\n",
        "E201 27:10 unknown frame `ff` | did you mean `f`? (frame, line 17)\n"},
       {"[[point]]\nname = \"p\"\nframe = \"f\"\nat = [\"l\", \"0\"]\n",
@@ -222,10 +221,7 @@ TEST_CASE("what may not be in a frame", "[frames]") {
        "E112 28:9 axes are `world` or those of the frame itself\n"},
       {"[[output]]\nname = \"o\"\nframe = \"h\"\n", "E201 27:10 unknown frame `h`\n"},
   };
-  for (const auto& [entries, expected] : rows) {
-    INFO(entries);
-    CHECK(messages(with_two(entries)) == expected);
-  }
+  check_rows(rows, [&](const std::string& entries) { return messages(with_two(entries)); });
 }
 
 }  // namespace

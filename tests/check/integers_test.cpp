@@ -2,7 +2,8 @@
 #include "check/names/integers.hpp"
 
 #include <catch2/catch.hpp>
-#include <utility>
+
+#include "check_testing.hpp"
 
 namespace elgen {
 namespace {
@@ -37,7 +38,7 @@ RangeSyntax range(const std::string& index, const std::string& low, const std::s
 }
 
 TEST_CASE("index expressions are integer arithmetic") {
-  const std::vector<std::pair<std::string, std::string>> rows{
+  const test::Rows rows{
       {"3", "3"},
       {"i", "2"},
       {"n-i", "2"},
@@ -56,10 +57,7 @@ TEST_CASE("index expressions are integer arithmetic") {
       {"1e9*1e9*1e9", "E318 1 `1e9*1e9*1e9` is not integer arithmetic over sizes and indices"},
       {"1e10", "E318 1 `1e10` is not integer arithmetic over sizes and indices"},
   };
-  for (const auto& [text, expected] : rows) {
-    INFO(text);
-    CHECK(evaluated(text) == expected);
-  }
+  test::check_rows(rows, [&](const std::string& text) { return evaluated(text); });
 }
 
 TEST_CASE("inner indices hide nothing that is still needed") {

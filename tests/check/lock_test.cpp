@@ -1,12 +1,14 @@
-// The model that is left: indices, functions of time in the places of coordinates, users.
+// Locks: how they are read, and the model without the locked coordinates.
 #include "check/scene/lock.hpp"
 
 #include <catch2/catch.hpp>
 
+#include "check_testing.hpp"
 #include "model_text.hpp"
 #include "support/models.hpp"
 
 namespace elgen::test {
+
 namespace {
 
 const std::string arm = model_text("arm", R"toml(
@@ -45,6 +47,44 @@ const CheckedModel& held() {
   return model;
 }
 
+/// x and y in m, one rotation, one time constant.
+const std::string body = R"toml(format = 1
+[model]
+name = "body"
+[[coordinate]]
+name = "x"
+unit = "m"
+[[coordinate]]
+name = "q[i]"
+for  = "i in 1..2"
+unit = "m"
+[[coordinate]]
+name = "attitude"
+kind = "rotation"
+[parameters]
+m = { value = 1, unit = "kg" }
+T = { value = 2, unit = "s" }
+l = { value = 3, unit = "m" }
+[[frame]]
+name = "hull"
+parent = "world"
+rotation = "attitude"
+[energy]
+T = "1/2*m*(dot(x)^2 + dot(q[1])^2 + dot(q[2])^2 + l^2*(dot(attitude[1])^2 + dot(attitude[2])^2 + dot(attitude[3])^2))"
+)toml";
+
+Wanted locking(const std::string& lines) {
+  return {.scene = "format = 1\nmodel = \"body.toml\"\nname = \"held\"\n[lock]\n" + lines};
+}
+
+std::string lock_messages(const std::string& lines) { return messages(body, locking(lines)); }
+
+std::vector<Lock> locks(const std::string& lines) {
+  return checked(body, locking(lines)).model.unlocked->locks;
+}
+
+}  // namespace
+
 TEST_CASE("what is locked leaves coordinates and velocities", "[lock]") {
   const Model& model = held().model;
   REQUIRE(model.coordinates.size() == 2);
@@ -71,5 +111,60 @@ TEST_CASE("without locks the model is returned as it is", "[lock]") {
   CHECK(held_velocities(model).empty());
 }
 
-}  // namespace
+TEST_CASE("locks come in the order of the coordinates", "[lock]") {
+  const std::vector<Lock> found = locks(
+      "attitude = { value = [0, 0, 0, 2], reaction = true }\n\"q[2]\" = { value = 1 }\n"
+      "x = { value = \"l*t/T\" }\n");
+  REQUIRE(found.size() == 3);
+  CHECK(found[0].coordinate == 0);
+  CHECK(found[1].coordinate == 2);
+  CHECK(found[2].coordinate == 3);
+  CHECK(found[2].velocity == 3);
+  CHECK(found[2].values.size() == 4);
+  CHECK_FALSE(found[0].reaction);
+  CHECK(found[2].reaction);
+}
+
+TEST_CASE("a quaternion is scaled to length 1", "[lock]") {
+  const CheckedModel held = checked(body, locking("attitude = { value = [0, 3, 0, -4] }\n"));
+  const Model& model = *held.model.unlocked;
+  const Lock& lock = model.locks.front();
+  CHECK(model.expressions[lock.values[1]].number == cln::cl_RA(3) / 5);
+  CHECK(model.expressions[lock.values[3]].number == -cln::cl_RA(4) / 5);
+}
+
+TEST_CASE("plain numbers are in the unit of the coordinate", "[lock]") {
+  CHECK(lock_messages("x = { value = 0.3 }\n").empty());
+  CHECK(lock_messages("x = { value = \"0.1*sin(2*pi*t)\" }\n").empty());
+  CHECK(lock_messages("x = { value = \"l + m\" }\n") ==
+        "E401 5:20 `m` is in kg, but the sum is in m\n");
+  CHECK(lock_messages("x = { value = \"m\" }\n") ==
+        "E403 5:16 `m` is in kg, but the value of a lock is in m\n");
+}
+
+TEST_CASE("what cannot be locked is told", "[lock]") {
+  CHECK(lock_messages("z = { value = 0 }\n").rfind("E612 5:1 unknown coordinate `z`", 0) == 0);
+  CHECK(lock_messages("attitud = { value = 0 }\n") ==
+        "E612 5:1 unknown coordinate `attitud` | did you mean `attitude`? (rotation, line 12)\n");
+  CHECK(lock_messages("attitude_w = { value = 0 }\n")
+            .rfind("E612 5:1 unknown coordinate `attitude_w`", 0) == 0);
+  CHECK(lock_messages("q = { value = 0 }\n") ==
+        "E208 5:1 `q` needs an index: `q` has the elements 1 to 2\n");
+  CHECK(lock_messages("x = { value = \"q[1]\" }\n") ==
+        "E319 5:16 `q[1]` is a coordinate, and the value of a lock takes none\n");
+  CHECK(lock_messages("x = { value = [1, 2] }\n") ==
+        "E615 5:15 a list, but the coordinate is one number\n");
+  CHECK(lock_messages("attitude = { value = [1, 2] }\n") ==
+        "E615 5:22 `[1, 2]` is not a quaternion [w, x, y, z]\n");
+  CHECK(lock_messages("attitude = { value = [0, 0, 0, 0] }\n") ==
+        "E615 5:22 a quaternion of length 0 has no direction\n");
+  CHECK(lock_messages("x = { value = 0 }\n\"q[1]\" = { value = 0 }\n\"q[2]\" = { value = 0 }\n"
+                      "attitude = { value = [1, 0, 0, 0] }\n") ==
+        "E615 4:1 every coordinate is locked, so nothing moves\n");
+}
+
+TEST_CASE("a scene without locks leaves the model alone", "[lock]") {
+  CHECK(checked(body).model.unlocked == nullptr);
+}
+
 }  // namespace elgen::test

@@ -1,12 +1,14 @@
-// Mechanics: degrees of energies, what has kinetic energy, and where time matters.
+// Mechanics: degrees of energies, forces affine in inputs, and which velocities move something.
 #include "check/judge/mechanics.hpp"
 
 #include <catch2/catch.hpp>
-#include <utility>
 
 #include "check_testing.hpp"
+#include "elgen/leaf_names.hpp"
+#include "elgen/model.hpp"
 
 namespace elgen::test {
+
 namespace {
 
 /// A model of two coordinates without any energy.
@@ -17,8 +19,29 @@ std::string bare(const std::string& entries) {
          entries;
 }
 
+/// Whether x, y and z move, as "xz"; a heavy point at (w, 0) keeps every model valid.
+std::string moving(const std::string& entries) {
+  Model model = checked(
+                    "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n"
+                    "armature = 1\n[[coordinate]]\nname = \"y\"\narmature = 1\n"
+                    "[[coordinate]]\nname = \"z\"\narmature = 1\n" +
+                    entries)
+                    .model;
+  for (Coordinate& coordinate : model.coordinates) {
+    coordinate.armature.reset();
+  }
+  const std::vector<bool> found = moving_velocities(model);
+  std::string names;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (found[i]) names += model.coordinates[i].name;
+  }
+  return names;
+}
+
+}  // namespace
+
 TEST_CASE("degrees of the energies in the rates") {
-  const std::vector<std::pair<std::string, std::string>> rows{
+  const Rows rows{
       {"T = \"m*dot(x)^2 + m*dot(y)^2 + m*c*dot(x) + m*c^2\"\n", ""},
       {"T = \"m*dot(x)^2 + m*dot(y)^3/c\"\n",
        "E504 14:6 `m*dot(x)^2 + m*dot(y)^3/c` is of degree 3 or more in the rates, or no "
@@ -27,10 +50,8 @@ TEST_CASE("degrees of the energies in the rates") {
       {"T = \"m*dot(x)^2 + m*dot(y)^2\"\nV = \"m*dot(x)^2\"\n",
        "E503 15:6 `m*dot(x)^2` is of degree 2 in the rates, not at most linear\n"},
   };
-  for (const auto& [energies, expected] : rows) {
-    INFO(energies);
-    CHECK(messages(bare("[energy]\n" + energies)) == expected);
-  }
+  check_rows(rows,
+             [&](const std::string& energies) { return messages(bare("[energy]\n" + energies)); });
 }
 
 TEST_CASE("a spin is linear in the rates") {
@@ -60,7 +81,7 @@ TEST_CASE("a Lagrangian given whole may have any degree, and says which") {
 }
 
 TEST_CASE("a Lagrangian is given once, and there is one") {
-  const std::vector<std::pair<std::string, std::string>> rows{
+  const Rows rows{
       {"",
        "E514 2:1 `a` has no kinetic energy | give a point or body a mass, or write `[energy] T`\n"},
       {"[[point]]\nname = \"p\"\nat = [\"x\", \"y\"]\n",
@@ -71,10 +92,7 @@ TEST_CASE("a Lagrangian is given once, and there is one") {
        "\"y\"]\nmass = \"m\"\n",
        "E515 14:1 `L` is given beside the mass of an entry\n"},
   };
-  for (const auto& [entries, expected] : rows) {
-    INFO(entries);
-    CHECK(messages(bare(entries)) == expected);
-  }
+  check_rows(rows, [&](const std::string& entries) { return messages(bare(entries)); });
 }
 
 TEST_CASE("every coordinate moves something") {
@@ -126,5 +144,60 @@ TEST_CASE("time matters where it turns what a torque acts on") {
   CHECK(dumped(bare(frames + torque("frame = \"A\"\nfrom = \"B\"\n")), "time") == "time yes\n");
 }
 
-}  // namespace
+TEST_CASE("rates are found through definitions, points and derivatives") {
+  const Rows rows{
+      {"", ""},
+      {"[energy]\nT = \"dot(x)^2\"\n", "x"},
+      {"[energy]\nT = \"y*dot(x)^2\"\nV = \"z\"\n", "x"},
+      {"[energy]\nT = \"s^2\"\n[define]\ns = \"dot(x) + dot(z)\"\n", "xz"},
+      {"[energy]\nT = \"dot(s)^2\"\n[define]\ns = \"x*y\"\n", "xy"},
+      {"[energy]\nT = \"dot(s)^2 + s\"\n[define]\ns = \"x*y\"\n", "xy"},
+      {"[energy]\nT = \"v2(p)\"\n[[point]]\nname = \"p\"\nat = [\"x\", \"y(r)\"]\n"
+       "[[point]]\nname = \"r\"\nat = [\"0\", \"z\"]\n",
+       "xz"},
+      {"[energy]\nT = \"x(p)\"\n[[point]]\nname = \"p\"\nat = [\"x\", \"y\"]\n", ""},
+      {"[[point]]\nname = \"p\"\nat = [\"x\", \"y\"]\n", ""},
+      {"[[point]]\nname = \"p\"\nat = [\"x\", \"y\"]\nmass = 1\n", "xy"},
+      {"[[body]]\nname = \"b\"\nspin = \"z*dot(y)\"\ninertia = 1\n", "y"},
+      {"[[body]]\nname = \"b\"\nmass = 1\ncom = [\"x\", \"0\"]\nspin = \"dot(y)\"\ninertia = 1\n",
+       "xy"},
+      {"[energy]\nL = \"sqrt(1 - dot(y)^2)\"\n", ""},
+  };
+  for (const auto& [entries, names] : rows) {
+    INFO(entries);
+    if (entries.find("L = ") == std::string::npos) {
+      CHECK(moving(entries) == names);
+    }
+  }
+}
+
+TEST_CASE("an armature moves its coordinate") {
+  const Model model = checked(
+                          "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n"
+                          "armature = 1\n")
+                          .model;
+  CHECK(moving_velocities(model) == std::vector<bool>{true});
+}
+
+TEST_CASE("a coordinate comes with its rate") {
+  Model model;
+  Coordinate plain;
+  plain.name = "s[2]";
+  plain.identifier = "s_2";
+  plain.unit = find_unit("m");
+  plain.unit_text = "m";
+  CHECK(append_coordinate(model, {}) == 0);
+  CHECK(append_coordinate(model, plain) == 1);
+  REQUIRE(model.velocities.size() == 2);
+  CHECK(model.coordinates[1].velocity == 1);
+  const Velocity& rate = model.velocities[1];
+  CHECK(rate.name == "s[2]");
+  CHECK(rate.identifier == "s_2");
+  CHECK(rate.coordinate == 1);
+  CHECK(rate.unit == *find_unit("m") / *find_unit("s"));
+  CHECK_FALSE(model.velocities[0].unit);
+  CHECK(leaf_count(model, Opcode::acceleration) == 2);
+  CHECK(leaf_names(model).v == std::vector<std::string>{"", "s[2]"});
+}
+
 }  // namespace elgen::test

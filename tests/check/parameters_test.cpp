@@ -1,6 +1,5 @@
 // Parameters: exact values, arrays, and values that contradict what is said of them.
 #include <catch2/catch.hpp>
-#include <utility>
 
 #include "check_testing.hpp"
 
@@ -49,7 +48,7 @@ TEST_CASE("declarations keep what they say") {
 }
 
 TEST_CASE("values that do not fit") {
-  const std::vector<std::pair<std::string, std::string>> rows{
+  const Rows rows{
       {"a = { value = [1, 2], size = \"n\", unit = \"m\" }\n",
        "E104 13:15 2 values, but `a` has size 3\n"},
       {"a = { value = [1, 2], unit = \"m\" }\n", "E104 13:15 2 values, but `a` has no `size`\n"},
@@ -65,10 +64,9 @@ TEST_CASE("values that do not fit") {
        "E402 13:26 unknown unit `lb` | 1 lb is 0.45359237 kg: write `value = \"0.45359237*1\", "
        "unit = \"kg\"`\n"},
   };
-  for (const auto& [parameters, expected] : rows) {
-    INFO(parameters);
-    CHECK(messages(model_with_parameters(parameters)) == expected);
-  }
+  check_rows(rows, [&](const std::string& parameters) {
+    return messages(model_with_parameters(parameters));
+  });
 }
 
 TEST_CASE("a value beyond its range is a warning") {
@@ -100,9 +98,7 @@ TEST_CASE("a fixed value is held against what the model says, too") {
       "a = { value = 1, unit = \"m\", assume = \"positive\", min = 1 }\nb = { value = 2, unit = "
       "\"m\", min = 1 }\n");
   const auto fixing = [&](const std::string& option) {
-    Wanted wanted;
-    wanted.fixed = {option};
-    return messages(model, wanted);
+    return messages(model, {.fixed = {option}});
   };
   CHECK(fixing("a=-1") ==
         "E112 1:3 `-1` is not positive, which `assume` of `a` rules out\n"

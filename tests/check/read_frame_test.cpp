@@ -1,11 +1,11 @@
-// Frames: every way to shift and turn them, and what they may not be.
+// Frames: every way to shift and turn them, their poses and spins, and what they may not be.
 #include <catch2/catch.hpp>
-#include <utility>
 
 #include "check_testing.hpp"
 #include "model_numbers.hpp"
 
 namespace elgen::test {
+
 namespace {
 
 /// The pose of a frame `f` in the world, at q and s.
@@ -25,6 +25,30 @@ Rotation3 about(const Triple& n, double angle) {
   }
   return result;
 }
+
+/// "1 0 0 0 0 -1 0 1 0"
+std::string rotation_text(const Model& model, std::size_t frame) {
+  std::string text;
+  for (const ExpressionId id : model.frames[frame].rotation) {
+    text += (text.empty() ? "" : " ") + to_string(model, id);
+  }
+  return text;
+}
+
+std::string rotation_of(const std::string& keys) {
+  return rotation_text(
+      checked(with_frames("[[frame]]\nname = \"f\"\nparent = \"world\"\n" + keys)).model, 0);
+}
+
+/// A planar point, and a frame whose keys start on line 22.
+std::string planar(const std::string& keys) {
+  return with_frames(
+      "[[point]]\nname = \"p\"\nat = [\"s\", \"0\"]\n"
+      "[[frame]]\nname = \"f\"\nparent = \"world\"\n" +
+      keys);
+}
+
+}  // namespace
 
 TEST_CASE("a frame alone is its parent", "[frames]") {
   CHECK(close(pose_of(""), as_pose(about_x(0), {0, 0, 0})));
@@ -130,7 +154,7 @@ com = ["0", "0", "0"]
 }
 
 TEST_CASE("what frames may not be", "[frames]") {
-  const std::vector<std::pair<std::string, std::string>> rows{
+  const Rows rows{
       {"name = \"f\"\nparent = \"worl\"\n",
        "E201 18:11 unknown frame `worl` | did you mean `world`?\n"},
       {"name = \"world\"\nparent = \"world\"\n",
@@ -167,11 +191,103 @@ TEST_CASE("what frames may not be", "[frames]") {
       {"name = \"f\"\nparent = \"world\"\nrotation = \"attitude\"\n",
        "E201 19:13 unknown rotation `attitude`\n"},
   };
-  for (const auto& [keys, expected] : rows) {
+  check_rows(rows,
+             [&](const std::string& keys) { return messages(with_frames("[[frame]]\n" + keys)); });
+}
+
+TEST_CASE("right angles give the numbers 0, 1 and -1", "[frames]") {
+  CHECK(rotation_of("") == "1 0 0 0 1 0 0 0 1");
+  CHECK(rotation_of("rotate = [[\"x\", \"pi/2\"]]\n") == "1 0 0 0 0 -1 0 1 0");
+  CHECK(rotation_of("rotate = [[\"y\", \"pi/2\"]]\n") == "0 0 1 0 1 0 -1 0 0");
+  CHECK(rotation_of("rotate = [[\"z\", \"-pi/2\"]]\n") == "0 1 0 -1 0 0 0 0 1");
+  CHECK(rotation_of("rotate = [[\"z\", \"pi\"]]\n") == "-1 0 0 0 -1 0 0 0 1");
+  CHECK(rotation_of("rpy = [\"pi/2\", \"0\", \"pi/2\"]\n") == "0 0 1 1 0 0 0 1 0");
+  CHECK(rotation_of("quaternion = [\"1\", \"1\", \"0\", \"0\"]\n") == "1 0 0 0 0 -1 0 1 0");
+  CHECK(rotation_of("dh = { convention = \"standard\", alpha = \"-pi/2\" }\n") ==
+        "1 0 0 0 0 1 0 -1 0");
+}
+
+TEST_CASE("a turn about a coordinate axis is a sine and a cosine", "[frames]") {
+  CHECK(rotation_of("rotate = [[\"z\", \"q\"]]\n") == "cos(q) -sin(q) 0 sin(q) cos(q) 0 0 0 1");
+}
+
+TEST_CASE("a pose is written over that of its parent, not over the parent's parent", "[frames]") {
+  std::string text;
+  for (int i = 1; i <= 30; ++i) {
+    const std::string parent = i == 1 ? "world" : "f" + std::to_string(i - 1);
+    text += "[[frame]]\nname = \"f" + std::to_string(i) + "\"\nparent = \"" + parent +
+            "\"\ntranslate = [\"l\", \"s\", \"0\"]\nrotate = [[\"x\", \"q\"], [\"z\", \"q\"]]\n";
+  }
+  const auto nodes = [&](std::size_t count) {
+    const std::string cut =
+        text.substr(0, text.find("[[frame]]\nname = \"f" + std::to_string(count + 1) + "\""));
+    return checked(with_frames(cut)).model.expressions.size();
+  };
+  CHECK(nodes(29) - nodes(19) == nodes(19) - nodes(9));
+}
+
+TEST_CASE("the spin is the angular velocity in the axes of the frame", "[frames]") {
+  const Model model = checked(with_frames(R"toml([[frame]]
+name = "upper"
+parent = "world"
+rotate = [["z", "q"]]
+[[frame]]
+name = "lower"
+parent = "upper"
+translate = ["l", "0", "0"]
+rotate = [["x", "s/l"], ["y", "0.4"]]
+[[frame]]
+name = "rigid"
+parent = "world"
+rotate = [["z", "pi/3"]]
+[[frame]]
+name = "tumbling"
+parent = "world"
+quaternion = ["2*cos(q/2)", "2*sin(q/2)", "0", "0"]
+)toml"))
+                          .model;
+  const ModelNumbers at(model, {q, s}, {q_rate, s_rate});
+  const auto spin = [&](std::size_t frame) { return at.values(model.frames[frame].spin); };
+  CHECK(close(spin(0), {0, 0, q_rate}));
+  const Triple before = about_x(-s / l) * Triple{0, 0, q_rate} + Triple{s_rate / l, 0, 0};
+  CHECK(close(spin(1), listed(about_y(-0.4) * before)));
+  for (const ExpressionId id : model.frames[2].spin) CHECK(to_string(model, id) == "0");
+  CHECK(close(spin(3), {q_rate, 0, 0}));
+}
+
+TEST_CASE("turns about z and shifts in the plane stay there", "[frames]") {
+  for (const char* keys :
+       {"translate = [\"l\", \"s\"]\nrotate = [[\"z\", \"q\"]]\n",
+        "rotate = [[[\"0\", \"0\", \"-2\"], \"q\"], [\"x\", \"0\"], [\"y\", \"sin(pi)\"]]\n",
+        "rpy = [\"0\", \"0\", \"q\"]\n", "quaternion = [\"1\", \"0\", \"0\", \"q\"]\n",
+        "dh = { convention = \"standard\", theta = \"q\", a = \"l\" }\n"}) {
     INFO(keys);
-    CHECK(messages(with_frames("[[frame]]\n" + keys)) == expected);
+    CHECK(messages(planar(keys)) == "");
   }
 }
 
-}  // namespace
+TEST_CASE("what leaves the plane is refused where it does", "[frames]") {
+  const Rows rows{
+      {"rotate = [[\"z\", \"q\"], [\"x\", \"2*q\"]]\n",
+       "E516 22:30 `2*q` turns out of the plane of a model whose vectors have 2 components\n"},
+      {"rotate = [[[\"0\", \"1\", \"1\"], \"q\"]]\n",
+       "E516 22:30 `q` turns out of the plane of a model whose vectors have 2 components\n"},
+      {"rpy = [\"0\", \"pi\", \"q\"]\n",
+       "E516 22:14 `pi` turns out of the plane of a model whose vectors have 2 components\n"},
+      {"quaternion = [\"1\", \"0\", \"q\", \"0\"]\n",
+       "E516 22:26 `q` turns out of the plane of a model whose vectors have 2 components\n"},
+      {"dh = { convention = \"modified\", theta = \"q\", d = \"l\" }\n",
+       "E516 22:51 `l` shifts out of the plane of a model whose vectors have 2 components\n"},
+      {"translate = [\"l\", \"0\", \"0\"]\n",
+       "E516 18:6 2 components, but other vectors of this model have 3\n"},
+  };
+  check_rows(rows, [&](const std::string& keys) { return messages(planar(keys)); });
+}
+
+TEST_CASE("models in space turn as they like", "[frames]") {
+  CHECK(messages(with_frames("[[frame]]\nname = \"f\"\nparent = \"world\"\n"
+                             "translate = [\"l\", \"0\", \"0\"]\nrpy = [\"q\", \"q\", \"q\"]\n")) ==
+        "");
+}
+
 }  // namespace elgen::test

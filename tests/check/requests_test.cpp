@@ -113,22 +113,17 @@ TEST_CASE("the requests of a scene are found by name") {
 }
 
 TEST_CASE("names that cannot be had") {
-  const std::vector<std::pair<std::string, std::string>> rows{
+  const Rows rows{
       {"mass_matrx", "E601 1:1 unknown output `mass_matrx` | did you mean `mass_matrix`?\n"},
       {"bias, tp", "E601 1:7 unknown output `tp` | did you mean `tip`?\n"},
       {"reaction", "E603 1:1 `reaction` needs `reaction = true` in an entry of `[lock]`\n"},
       {"place_jacobian",
        "E603 1:1 `place_jacobian` needs `jacobian = true` in the output's entry\n"},
   };
-  for (const auto& [outputs, expected] : rows) {
-    INFO(outputs);
-    Wanted wanted;
-    wanted.outputs = {outputs};
-    CHECK(messages(with_output, wanted) == expected);
-  }
-  Wanted wanted;
-  wanted.outputs = {"input_matrix"};
-  CHECK(messages(block(), wanted) ==
+  check_rows(rows, [&](const std::string& outputs) {
+    return messages(with_output, {.outputs = {outputs}});
+  });
+  CHECK(messages(block(), {.outputs = {"input_matrix"}}) ==
         "E603 1:1 `input_matrix` needs inputs, and the model has none\n");
 }
 
@@ -137,10 +132,8 @@ TEST_CASE("forces with kinks have no derivatives, and full does without them") {
   CHECK(has(names_in_full(block()), "linearization"));
   CHECK_FALSE(has(names_in_full(model), "linearization"));
   CHECK(has(names_in_full(model), "forward_dynamics"));
-  Wanted wanted;
-  wanted.outputs = {"forward_dynamics_derivatives"};
   CHECK(
-      messages(model, wanted) ==
+      messages(model, {.outputs = {"forward_dynamics_derivatives"}}) ==
       "E603 1:1 `forward_dynamics_derivatives` needs forces with derivatives; `abs`, `sign`, `min` "
       "and `max` have none, a smooth stand-in is tanh(x/width)\n");
   const CheckedModel kinked = checked(model);
@@ -189,9 +182,9 @@ TEST_CASE("big outputs are left out of full, each from the size on that makes it
 }
 
 TEST_CASE("a scene or an option gets a big output that it names, and nothing is left out of it") {
-  Wanted wanted;
-  wanted.scene = "format = 1\nmodel = \"a.toml\"\nname = \"b\"\n[outputs]\nlinearization = true\n";
-  const CheckedModel by_scene = checked(masses(65), wanted);
+  const CheckedModel by_scene = checked(
+      masses(65),
+      {.scene = "format = 1\nmodel = \"a.toml\"\nname = \"b\"\n[outputs]\nlinearization = true\n"});
   REQUIRE(by_scene.scene.outputs.size() == 1);
   CHECK(by_scene.scene.outputs.front().rows == 130);
   CHECK(by_scene.scene.left_out.empty());
@@ -207,9 +200,10 @@ TEST_CASE("a scene or an option gets a big output that it names, and nothing is 
 }
 
 TEST_CASE("a scene that names no outputs does without what full does without") {
-  Wanted wanted;
-  wanted.scene = "format = 1\nmodel = \"a.toml\"\nname = \"b\"\n[sizes]\nn = 33\n";
-  CHECK(left_out(checked(masses(2), wanted)) == "too many entries: linearization\n");
+  CHECK(left_out(checked(
+            masses(2),
+            {.scene = "format = 1\nmodel = \"a.toml\"\nname = \"b\"\n[sizes]\nn = 33\n"})) ==
+        "too many entries: linearization\n");
 }
 
 TEST_CASE("each reason is given once, and derivatives that no scene gets under theirs") {

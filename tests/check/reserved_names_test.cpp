@@ -1,10 +1,10 @@
-// Reserved names: what would not compile or would mean two things, and what stays free.
+// Names of functions, and those that a model may not give to its entries.
 #include "check/names/reserved_names.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
-namespace elgen {
-namespace {
+namespace elgen::test {
 
 TEST_CASE("names with another meaning are reserved") {
   for (const char* name :
@@ -51,5 +51,13 @@ TEST_CASE("a name is held against both rules") {
   CHECK(answer("double") == "`double` is reserved: it is a keyword of C++");
 }
 
-}  // namespace
-}  // namespace elgen
+TEST_CASE("functions of each table are known, and each once") {
+  std::vector<std::string> names = function_names();
+  for (const char* name : {"dot", "dist2", "sqrt", "sin", "atan2"}) {
+    CHECK(std::count(names.begin(), names.end(), name) == 1);
+  }
+  std::sort(names.begin(), names.end());
+  CHECK(std::adjacent_find(names.begin(), names.end()) == names.end());
+}
+
+}  // namespace elgen::test

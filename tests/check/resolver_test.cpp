@@ -1,20 +1,79 @@
-// Resolver, operators: exponents, folding, limits.
+// Expressions resolved: names, calls and indices, and what is said of those that are not known.
 #include "check/expressions/resolver.hpp"
 
 #include <catch2/catch.hpp>
-#include <utility>
 
 #include "check_testing.hpp"
 
 namespace elgen::test {
+
 namespace {
 
 std::string block_potential(const std::string& text, const Wanted& wanted = {}) {
   return dumped(block("V = \"" + text + "\"\n"), "energy V", wanted);
 }
 
+const std::string pushed_masses = R"toml(format = 1
+[model]
+name = "masses"
+[sizes]
+n = 3
+[[coordinate]]
+for = "i in 1..n"
+name = "x[i]"
+unit = "m"
+[parameters]
+m = { size = "n", value = [1, 2, 3], unit = "kg" }
+k = { value = 10, unit = "N/m" }
+[[point]]
+name = "top"
+at = ["0", "0"]
+[[input]]
+name = "u"
+unit = "N"
+on = "x[n]"
+[energy]
+T = "sum(i, 1, n, 1/2*m[i]*dot(x[i])^2)"
+)toml";
+
+std::string masses_error(const std::string& text) {
+  return messages(pushed_masses + "V = \"" + text + "\"\n");
+}
+
+const std::string two_points = R"(format = 1
+[model]
+name = "points"
+[[coordinate]]
+name = "x"
+unit = "m"
+[[coordinate]]
+name = "y"
+unit = "m"
+[parameters]
+m = { value = 1, unit = "kg" }
+c = { value = 1, unit = "N/m" }
+[[point]]
+name = "P"
+at = ["x", "2*y"]
+mass = "m"
+[[point]]
+name = "Q[1]"
+at = ["y", "x"]
+[energy]
+)";
+
+std::string points_potential(const std::string& text) {
+  return dumped(two_points + "V = \"" + text + "\"\n", "energy V");
+}
+
+std::string points_error(const std::string& text) {
+  return messages(two_points + "V = \"" + text + "\"\n");
+}
+
+}  // namespace
+
 TEST_CASE("numbers fold, everything else stays as written") {
-  const std::vector<std::pair<std::string, std::string>> rows{
+  const Rows rows{
       {"1/2*k*x^2", "1/2*k*x^2"},
       {"k*x^2 - (1/3 + 1/6)*k*x^2", "k*x^2 - 1/2*k*x^2"},
       {"k*x*x + 0*k*x^2", "k*x*x + 0*k*x^2"},
@@ -68,5 +127,130 @@ TEST_CASE("a duplicate error of two terms is told twice, with two places") {
         "E201 12:6 unknown name `foo`\nE201 12:12 unknown name `bar`\n");
 }
 
-}  // namespace
+TEST_CASE("indices are resolved while repetitions are expanded") {
+  CHECK(dumped(pushed_masses, "energy T") ==
+        "energy T = 1/2*m[1]*dot(x[1])^2 + 1/2*m[2]*dot(x[2])^2 + 1/2*m[3]*dot(x[3])^2\n");
+  CHECK(dumped(pushed_masses + "V = \"k*x[n-1]*x[max(1, n-2)]\"\n", "energy V") ==
+        "energy V = k*x[2]*x[1]\n");
+  CHECK(dumped(pushed_masses, "input") == "input u [N], on x[3]\n");
+}
+
+TEST_CASE("sizes and running indices are numbers inside expressions") {
+  CHECK(dumped(pushed_masses + "V = \"n*k*sum(i, 1, 2, i*x[i]^2)\"\n", "energy V") ==
+        "energy V = 3*k*(1*x[1]^2 + 2*x[2]^2)\n");
+}
+
+TEST_CASE("pi and time are known") {
+  CHECK(dumped(pushed_masses + "V = \"k*x[1]^2*cos(pi*t*sqrt(k/m[1]))\"\n", "energy V") ==
+        "energy V = k*x[1]^2*cos(pi*t*sqrt(k/m[1]))\n");
+  CHECK(dumped(pushed_masses + "V = \"k*x[1]^2*cos(t*sqrt(k/m[1]))\"\n", "time") == "time yes\n");
+  CHECK(dumped(pushed_masses, "time") == "time no\n");
+}
+
+TEST_CASE("names that mean nothing here are told apart") {
+  const Rows rows{
+      {"kk", "E201 22:6 unknown name `kk` | did you mean `k`? (parameter, line 12)"},
+      {"sin", "E316 22:6 `sin` has no argument | write `sin(…)`"},
+      {"x(y)", "E201 22:8 unknown point `y`"},
+      {"k*x", "E208 22:8 `x` needs an index: `x` has the elements 1 to 3"},
+      {"k[1]", "E208 22:6 `k` takes no index"},
+      {"x[4]", "E207 22:6 there is no `x[4]`: `x` has the elements 1 to 3"},
+      {"x[n+1]", "E207 22:6 `x[n+1]` is `x[4]`, but `x` has the elements 1 to 3"},
+      {"sum(i, 1, n, x[i-1])", "E207 22:19 `x[i-1]` is `x[0]`, but `x` has the elements 1 to 3"},
+      {"x[k]", "E201 22:8 unknown index `k`"},
+      {"x[1.5]", "E318 22:8 `1.5` is not integer arithmetic over sizes and indices"},
+      {"top", "E319 22:6 `top` is a point, not a number | its components are `x(top)` and so on"},
+  };
+  for (const auto& [text, error] : rows) {
+    INFO(text);
+    CHECK(masses_error(text) == error + "\n");
+  }
+}
+
+TEST_CASE("a very long name is cut in the message") {
+  const std::string message = masses_error(std::string(100'000, 'x'));
+  CHECK(message == "E201 22:6 unknown name `" + std::string(60, 'x') + "…`\n");
+}
+
+TEST_CASE("the uses of a name that failed to be declared are not reported too") {
+  const std::string model = R"(format = 1
+[model]
+name = "a"
+[[coordinate]]
+name = "q"
+[parameters]
+double = 2
+[energy]
+T = "double*dot(q)^2"
+)";
+  CHECK(messages(model) == "E204 7:1 `double` is reserved: it is a keyword of C++\n");
+}
+
+TEST_CASE("functions of points become functions of their components") {
+  // A coordinate and a component may share a letter: a call is never a name.
+  CHECK(points_potential("c*x*x(P)") == "energy V = c*x*x(P)\n");
+  CHECK(points_potential("c*y(Q[1])^2") == "energy V = c*y(Q[1])^2\n");
+  CHECK(points_potential("c*dist2(P, Q[1])") ==
+        "energy V = c*((x(Q[1]) - x(P))^2 + (y(Q[1]) - y(P))^2)\n");
+  CHECK(dumped(two_points + "T = \"m*v2(P)\"\n", "energy T") ==
+        "energy T = m*(dot(x(P))^2 + dot(y(P))^2)\n");
+}
+
+TEST_CASE("dot of a coordinate is its rate, of anything else a total derivative") {
+  CHECK(dumped(two_points + "T = \"m*dot(x)^2 + m*dot(x*y)*0\"\n", "energy T") ==
+        "energy T = m*dot(x)^2 + m*dot(x*y)*0\n");
+  const Model model = checked(two_points + "T = \"m*dot(x)*dot(x + y)\"\n").model;
+  const Expression& product = model.expressions[*model.energies.T];
+  CHECK(model.expressions[product.operands[1]].kind == ExpressionKind::rate);
+  CHECK(model.expressions[product.operands[2]].kind == ExpressionKind::time_derivative);
+  CHECK(points_potential("c*x^2*(1 + dot(3))") == "energy V = c*x^2*1\n");
+}
+
+TEST_CASE("what others make up is its definition, at the place of the call") {
+  CHECK(points_potential("c*sqrt(4)*x^2") == points_potential("c*2*x^2"));
+  CHECK(points_error("c*sqrt(-4)*x^2").find("`sqrt(-4)`") != std::string::npos);
+  CHECK(points_error("c*sqrt(x, y)").find("`sqrt` takes 1") != std::string::npos);
+}
+
+TEST_CASE("sqrt is the power 1/2, delta a number, sum a sum") {
+  const Model model = checked(two_points + "V = \"c*x^2*sqrt(x/y)\"\n").model;
+  const Expression& product = model.expressions[*model.energies.V];
+  const Expression& root = model.expressions[product.operands[2]];
+  CHECK(root.kind == ExpressionKind::power);
+  CHECK(root.number == cln::cl_RA(1) / 2);
+  CHECK(points_potential("c*x^2*delta(1, 1) + c*delta(1, 2)") == "energy V = c*x^2*1 + c*0\n");
+  CHECK(points_potential("sum(i, 2, 2, i*c*x^2)") == "energy V = 2*c*x^2\n");
+  CHECK(points_potential("sum(i, 1, 2, sum(j, i, 2, delta(i, j)*c*x^2))") ==
+        "energy V = (1*c*x^2 + 0*c*x^2) + 1*c*x^2\n");
+}
+
+TEST_CASE("a sum over no index is 0") {
+  CHECK(points_potential("c*x^2 + sum(i, 3, 2, c*x^2)") == "energy V = c*x^2 + 0\n");
+  CHECK(points_potential("sum(i, 3, 1, c*x^2)") == "energy V = 0\n");
+  CHECK(points_potential("sum(i, 1, 2, sum(j, i, 1, c*x^2))") == "energy V = c*x^2 + 0\n");
+}
+
+TEST_CASE("calls that mean nothing") {
+  const Rows rows{
+      {"sine(x)", "E202 21:6 unknown function `sine` | did you mean `sin`?"},
+      {"sin(x, y)", "E309 21:6 2 arguments, but `sin` takes 1"},
+      {"atan2(x)", "E309 21:6 1 argument, but `atan2` takes 2"},
+      {"sum(i, 1, x)", "E309 21:6 3 arguments, but `sum` takes 4"},
+      {"sum(2*i, 1, 2, x)",
+       "E210 21:10 `2*i` is not the name of a running index | write `sum(i, 1, n, …)`"},
+      {"sum(i, 1, c, x)", "E201 21:16 unknown index `c`"},
+      {"delta(x, 1)", "E201 21:12 unknown index `x`"},
+      {"z(P)", "E516 21:6 `P` is planar, so it has no z"},
+      {"v2(R)", "E201 21:9 unknown point `R`"},
+      {"x(2*P)", "E201 21:8 unknown point `2*P`"},
+      {"x(Q)", "E208 21:8 `Q` needs an index: `Q` has the elements 1 to 1"},
+      {"x(Q[2])", "E207 21:8 there is no `Q[2]`: `Q` has the elements 1 to 1"},
+      {"dist2(P)", "E309 21:6 1 argument, but `dist2` takes 2"},
+  };
+  for (const auto& [text, error] : rows) {
+    INFO(text);
+    CHECK(points_error(text) == error + "\n");
+  }
+}
+
 }  // namespace elgen::test

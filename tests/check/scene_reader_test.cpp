@@ -2,7 +2,6 @@
 #include "check/scene/scene_reader.hpp"
 
 #include <catch2/catch.hpp>
-#include <utility>
 
 #include "base/number_text.hpp"
 #include "check_testing.hpp"
@@ -57,18 +56,14 @@ TEST_CASE("outputs come in the order of the table, once each") {
   CHECK(
       output_names(arrays_scene("[outputs]\nbias = true\nmass_matrix = true\ngravity = false\n")) ==
       "mass_matrix bias");
-  Wanted wanted;
-  wanted.outputs = {"bias,mass_matrix", "bias"};
-  const Scene scene = checked(arrays, wanted).scene;
+  const Scene scene = checked(arrays, {.outputs = {"bias,mass_matrix", "bias"}}).scene;
   CHECK(output_names(scene) == "mass_matrix bias");
   CHECK(scene.has_options);
   CHECK(scene.base_name == "block");
 }
 
 TEST_CASE("options replace what the scene says of outputs") {
-  Wanted wanted;
-  wanted.outputs = {"drift"};
-  CHECK(output_names(arrays_scene("[outputs]\nbias = true\n", wanted)) == "drift");
+  CHECK(output_names(arrays_scene("[outputs]\nbias = true\n", {.outputs = {"drift"}})) == "drift");
 }
 
 TEST_CASE("outputs may be renamed, but not to a name in use") {
@@ -83,9 +78,7 @@ TEST_CASE("outputs may be renamed, but not to a name in use") {
 TEST_CASE("parameters are fixed by name, by element, or all") {
   CHECK(fixed(arrays_scene("[parameters]\nfixed = { k = \"1/2\", l = 3 }\n")) == "1=1/2 2=3 3=3 ");
   CHECK(fixed(arrays_scene("[parameters]\nfixed = \"all\"\n")) == "0=1 1=2 2=1 3=2 ");
-  Wanted wanted;
-  wanted.fixed = {"m,l[2]=7", "k=pi/4"};
-  const Scene scene = checked(arrays, wanted).scene;
+  const Scene scene = checked(arrays, {.fixed = {"m,l[2]=7", "k=pi/4"}}).scene;
   CHECK(fixed(scene) == "0=1 1=7.85398163397448309615660845820e-1 3=7 ");
 }
 
@@ -94,7 +87,7 @@ TEST_CASE("what cannot be fixed") {
         "E602 5:11 unknown parameter `kk` | did you mean `k`? (parameter, line 9)\n");
   CHECK(arrays_messages("[parameters]\nfixed = { all = 3 }\n") ==
         "E602 5:11 unknown parameter `all` | `all` fixes every parameter at its own value\n");
-  const std::vector<std::pair<std::string, std::string>> rows{
+  const Rows rows{
       {"all=3",
        "E602 1:1 unknown parameter `all` | `all` fixes every parameter at its own value\n"},
       {"m, h=2", "E602 1:4 unknown parameter `h`\n"},
@@ -103,12 +96,8 @@ TEST_CASE("what cannot be fixed") {
       {"m=(1", "E304 1:5 `(` is not closed\n"},
       {"m=k", "E319 1:3 `k` is not a constant number\n"},
   };
-  for (const auto& [option, expected] : rows) {
-    INFO(option);
-    Wanted wanted;
-    wanted.fixed = {option};
-    CHECK(messages(arrays, wanted) == expected);
-  }
+  check_rows(rows,
+             [&](const std::string& option) { return messages(arrays, {.fixed = {option}}); });
 }
 
 TEST_CASE("balance is preferred unless a scene says otherwise") {
@@ -167,9 +156,8 @@ TEST_CASE("what stamps are made of is the file of the model, whatever a scene ma
 }
 
 TEST_CASE("errors of model and scene are told together, each at its place") {
-  Wanted wanted;
-  wanted.scene = scene_of_block("[outputs]\nbiass = true\n");
-  const std::string text = messages(block("V = \"kk*x^2\"\n"), wanted);
+  const std::string text =
+      messages(block("V = \"kk*x^2\"\n"), {.scene = scene_of_block("[outputs]\nbiass = true\n")});
   CHECK(text.find("E201 12:6 unknown name `kk`") != std::string::npos);
   CHECK(text.find("E601 5:1 unknown output `biass` | did you mean `bias`?") != std::string::npos);
 }

@@ -4,7 +4,8 @@
 #include <rapidcheck.h>
 
 #include <catch2/catch.hpp>
-#include <utility>
+
+#include "check_testing.hpp"
 
 namespace elgen {
 namespace {
@@ -29,7 +30,7 @@ Reading read(const std::string& text) {
 }
 
 TEST_CASE("products, quotients and powers are read from left to right") {
-  const std::vector<std::pair<std::string, std::string>> rows{
+  const test::Rows rows{
       {"1", "1"},          {"rad", "1"},          {"kg*m^2/s^2", "J"},
       {"N/m/s", "kg/s^3"}, {"N/(m*s)", "kg/s^3"}, {"m^(1/2)", "m^(1/2)"},
       {" N * m ", "J"},    {"1/s", "1/s"},        {"(m/s)^2", "m^2/s^2"},
@@ -46,7 +47,7 @@ TEST_CASE("products, quotients and powers are read from left to right") {
 }
 
 TEST_CASE("errors point at the character") {
-  const std::vector<std::pair<std::string, std::string>> rows{
+  const test::Rows rows{
       {"kg*ft", "4 unknown unit `ft`"},
       {"mm", "1 unknown unit `mm` | 1 mm is 0.001 m"},
       {"N*m/deg", "5 unknown unit `deg` | 1 deg is pi/180 rad"},

@@ -1,11 +1,34 @@
-// Units of expressions: what is compared, what is free, and what is not checked.
+// Units of expressions: what is compared, what is free, what is not checked, and what helps.
 #include <catch2/catch.hpp>
-#include <utility>
 
 #include "check_testing.hpp"
 
 namespace elgen::test {
+
 namespace {
+
+/// The diagnostic of the model `block` with this V.
+Diagnostic unit_error(const std::string& potential) {
+  const Result<CheckedModel> result = run_check(block("V = \"" + potential + "\"\n"));
+  REQUIRE(!result.diagnostics.empty());
+  return result.diagnostics.front();
+}
+
+const std::string post =
+    "[[point]]\nname = \"p\"\nat = [\"x\", AT]\nmass = MASS\n[gravity]\nvector = [0, G]\n";
+
+std::string post_of(const std::string& at, const std::string& mass, const std::string& gravity) {
+  std::string text = post;
+  const auto put = [&](const std::string& word, const std::string& value) {
+    text.replace(text.find(word), word.size(), value);
+  };
+  put("AT", at);
+  put("MASS", mass);
+  put("G]", gravity + "]");
+  return text;
+}
+
+}  // namespace
 
 TEST_CASE("units that agree") {
   for (const char* text : {"1/2*k*x^2", "0", "k*x^2 + 0", "k*x*sqrt(x^2)", "k*x^2*cos(2*pi*x/x)",
@@ -17,7 +40,7 @@ TEST_CASE("units that agree") {
 }
 
 TEST_CASE("units that differ") {
-  const std::vector<std::pair<std::string, std::string>> rows{
+  const Rows rows{
       {"k*x^2 + k*x", "E401 12:14 `k*x` is in N, but the sum is in J\n"},
       {"k*x^2 - x", "E401 12:14 `x` is in m, but the sum is in J\n"},
       {"k*x^2*(1 + x)",
@@ -32,10 +55,7 @@ TEST_CASE("units that differ") {
       // One mistake, one message: the sum counts as unknown above.
       {"2*(k*x^2 + m)", "E401 12:17 `m` is in kg, but the sum is in J\n"},
   };
-  for (const auto& [text, expected] : rows) {
-    INFO(text);
-    CHECK(potential_messages(text) == expected);
-  }
+  check_rows(rows, [&](const std::string& text) { return potential_messages(text); });
 }
 
 TEST_CASE("what touches something without a unit is not checked, and noted once") {
@@ -86,5 +106,35 @@ TEST_CASE("points are in metre, prescribed functions in their own unit") {
         "E401 12:20 `t` is in s, but the sum is in m\n");
 }
 
-}  // namespace
+TEST_CASE("an error of units points to the declaration of the first parameter") {
+  const Diagnostic sum = unit_error("1/2*k*x^2 + x*k");
+  CHECK(sum.related_message == "`k` is declared here, in N/m");
+  REQUIRE(sum.related);
+  CHECK(covered_text(*sum.related) == "k");
+  CHECK(unit_error("1/2*k*x^2 + x").related_message == "`x` is declared here, in m");
+  CHECK(unit_error("1/2*k*x^2 + dot(x)").related_message == "`x` is declared here, in m");
+  CHECK(unit_error("1/2*k*x^2 + t").related_message.empty());
+}
+
+TEST_CASE("a number beside names has no unit, 0 needs none") {
+  CHECK(unit_error("k*x^2*(x + 3*x/x)").hint ==
+        "`3` has no unit in an expression: give it a name and a unit in `[parameters]`");
+  CHECK(unit_error("k*x^2*(x + x/x)").hint.empty());
+}
+
+TEST_CASE("a value that names nothing is in the unit of its key") {
+  CHECK(messages(block(post_of("0.5", "0.1", "-9.81"))) ==
+        "E405 14:12 `0.5` names nothing, so it is in m, the SI unit of its key; the same goes for "
+        "2 other values\n");
+  CHECK(messages(block(post_of("0", "\"1/3 + sqrt(2)*pi\"", "0"))) ==
+        "E405 15:9 `1/3 + sqrt(2)*pi` names nothing, so it is in kg, the SI unit of its key\n");
+  CHECK(messages(block(post_of("0", "\"m\"", "0"))).empty());
+  CHECK(messages(block(post_of("\"x + 0.5*sin(x/x)\"", "\"m\"", "0"))) ==
+        "E401 14:17 `0.5*sin(x/x)` is in 1, but the sum is in m | `0.5` has no unit in an "
+        "expression: give it a name and a unit in `[parameters]`\n");
+  CHECK(messages(block(post_of("\"0.5*sin(x/x)\"", "\"m\"", "0"))) ==
+        "E403 14:13 `0.5*sin(x/x)` is in 1, but a position is in m | `0.5` has no unit in an "
+        "expression: give it a name and a unit in `[parameters]`\n");
+}
+
 }  // namespace elgen::test

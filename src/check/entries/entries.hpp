@@ -12,6 +12,10 @@ void read_prescribed(ValueReader& values, const EntrySyntax& entry, std::uint32_
 /// The steps from the parent, and the pose.
 void read_frame(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
+/// E516 for every step of a frame that leaves the plane of a model whose vectors have 2 components:
+/// a turn about an axis other than z, or a shift along z.
+void check_plane(Context& context);
+
 void read_point(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 void read_body(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 

@@ -11,13 +11,105 @@
 
 #include "base/number_text.hpp"
 #include "check/entries/entries.hpp"
-#include "check/entries/pose.hpp"
+#include "check/entries/in_frame.hpp"
 #include "check/expressions/node_builder.hpp"
 #include "check/expressions/places.hpp"
 #include "check/expressions/values.hpp"
+#include "check/names/context.hpp"
 
 namespace elgen {
 namespace {
+
+/// Rodrigues: cos 1 + sin [n]x + (1 - cos) n n^T
+Matrix3 turn_matrix(NodeBuilder& nodes, const FrameStep& step) {
+  const ExpressionId cosine = nodes.call(FunctionId::cos, step.angle);
+  const ExpressionId sine = nodes.call(FunctionId::sin, step.angle);
+  const ExpressionId one = nodes.number(1);
+  const ExpressionId versine = nodes.subtract(one, cosine);
+  Matrix3 result{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const bool is_unit = nodes.is_one(step.vector[i]) && i == j;
+      const ExpressionId along = nodes.multiply({versine, step.vector[i], step.vector[j]});
+      if (i == j) {
+        result[3 * i + j] = is_unit ? one : nodes.add({cosine, along});
+        continue;
+      }
+      const std::size_t k = 3 - i - j;
+      const ExpressionId across = nodes.multiply({sine, step.vector[k]});
+      const bool is_positive = (i + 2) % 3 == j;  // rows 0 1 2 have -z +y, +z -x, -y +x
+      const ExpressionId signed_across = is_positive ? across : nodes.negate(across);
+      result[3 * i + j] = nodes.add({along, signed_across});
+    }
+  }
+  return result;
+}
+
+/// The homogeneous quadratic form of (w, e): (w^2 - e.e) 1 + 2 e e^T + 2 w [e]x.
+Matrix3 quaternion_matrix(NodeBuilder& nodes, const std::array<ExpressionId, 4>& q,
+                          bool is_scaled) {
+  std::array<ExpressionId, 4> squares{};
+  for (std::size_t i = 0; i < 4; ++i) squares[i] = nodes.power(q[i], 2);
+  const ExpressionId length = nodes.add({squares[0], squares[1], squares[2], squares[3]});
+  const ExpressionId two = nodes.number(2);
+  Matrix3 result{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const std::size_t k = 3 - i - j;
+      ExpressionId entry = no_expression;
+      if (i == j) {
+        const ExpressionId others = nodes.add({squares[(i + 1) % 3 + 1], squares[(i + 2) % 3 + 1]});
+        const ExpressionId own = nodes.add({squares[0], squares[i + 1]});
+        entry = nodes.subtract(own, others);
+      } else {
+        const ExpressionId along = nodes.multiply({two, q[i + 1], q[j + 1]});
+        const ExpressionId across = nodes.multiply({two, q[0], q[k + 1]});
+        entry = (i + 2) % 3 == j ? nodes.add({along, across}) : nodes.subtract(along, across);
+      }
+      result[3 * i + j] = is_scaled ? nodes.divide(entry, length) : entry;
+    }
+  }
+  return result;
+}
+
+/// [w]x = R^T dR/dt: w_x = sum_k R_k2 dR_k1/dt and so on round.
+Vector3 spin(NodeBuilder& nodes, const Matrix3& rotation) {
+  const auto column = [&](std::size_t j) {
+    return Vector3{rotation[j], rotation[3 + j], rotation[6 + j]};
+  };
+  Vector3 result{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector3 turning = column((i + 1) % 3);
+    const Vector3 rates{nodes.rate(turning[0]), nodes.rate(turning[1]), nodes.rate(turning[2])};
+    result[i] = nodes.dot(column((i + 2) % 3), rates);
+  }
+  return result;
+}
+
+/// Fills `rotation`, `origin` and `spin` from the steps and the parent.
+///
+///     before    parent world, translate (l, 0, 0), turn by q about z
+///     after     R = [cos(q), -sin(q), 0; sin(q), cos(q), 0; 0, 0, 1], origin (l, 0, 0)
+void write_pose(Context& context, Frame& frame) {
+  NodeBuilder nodes(context, frame.span);
+  // The pose of the parent by its names, not as copies.
+  Matrix3 rotation = frame.parent ? rotation_of(nodes, *frame.parent) : nodes.identity();
+  Vector3 origin = frame.parent ? origin_of(nodes, *frame.parent) : Vector3{};
+  for (const FrameStep& step : frame.steps) {
+    if (step.kind == FrameStepKind::translation) {
+      const Vector3 offset = nodes.apply(rotation, step.vector);
+      origin = nodes.add(origin, offset);
+    } else {
+      const Matrix3 turn = step.kind == FrameStepKind::turn
+                               ? turn_matrix(nodes, step)
+                               : quaternion_matrix(nodes, step.quaternion, !step.rotation);
+      rotation = nodes.multiply(rotation, turn);
+    }
+  }
+  frame.rotation = rotation;
+  frame.origin = origin;
+  frame.spin = spin(nodes, rotation);
+}
 
 const RootRequest angle_request{{"an angle", place::of_configuration}, find_unit("rad")};
 const RootRequest length_request{{"a position", place::of_configuration}, find_unit("m")};
@@ -213,6 +305,43 @@ class FrameReader {
 
 void read_frame(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
   FrameReader(values, entry, values.context().model.frames[target]).read();
+}
+
+namespace {
+
+/// `blamed` is what the file says there.
+void require_zero(Context& context, const std::vector<ExpressionId>& components,
+                  ExpressionId blamed, const std::string& moves) {
+  const auto is_zero = [&](ExpressionId id) { return context.constants[id] == 0; };
+  if (std::all_of(components.begin(), components.end(), is_zero)) return;
+  const Span& span = context.model.expressions[blamed].span;
+  context.report.add(Code::E516, span,
+                     in_backticks(span) + " " + moves +
+                         " out of the plane of a model whose vectors have 2 components");
+}
+
+void check_step(Context& context, const FrameStep& step) {
+  const auto& [x, y, z] = step.vector;
+  switch (step.kind) {
+    case FrameStepKind::translation:
+      return require_zero(context, {z}, z, "shifts");
+    case FrameStepKind::turn:
+      if (context.constants[step.angle] == 0) return;
+      return require_zero(context, {x, y}, step.angle, "turns");
+    case FrameStepKind::quaternion:
+      require_zero(context, {step.quaternion[1]}, step.quaternion[1], "turns");
+      require_zero(context, {step.quaternion[2]}, step.quaternion[2], "turns");
+  }
+}
+
+}  // namespace
+
+void check_plane(Context& context) {
+  // Vectors of three components there are refused as such.
+  if (context.dimension != 2 || context.report.errors() > 0) return;
+  for (const Frame& frame : context.model.frames) {
+    for (const FrameStep& step : frame.steps) check_step(context, step);
+  }
 }
 
 }  // namespace elgen

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "check/expressions/resolver.hpp"
-#include "check/names/function_names.hpp"
+#include "check/names/reserved_names.hpp"
 #include "elgen/functions.hpp"
 
 namespace elgen {

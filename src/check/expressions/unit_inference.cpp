@@ -11,8 +11,7 @@
 #include <algorithm>
 
 #include "check/expressions/unit_expression.hpp"
-#include "check/expressions/unit_mismatch.hpp"
-#include "check/expressions/unit_notes.hpp"
+#include "check/expressions/unit_messages.hpp"
 #include "elgen/references.hpp"
 
 namespace elgen {

@@ -14,10 +14,4 @@ void check_mechanics(Context& context, const std::vector<Traits>& traits);
 /// Which velocities are in some energy: T, L, or the motion of a point or body with mass.
 [[nodiscard]] std::vector<bool> moving_velocities(const Model& model);
 
-/// Whether the point or body has kinetic energy.
-[[nodiscard]] inline bool has_energy(const Point& point) { return point.mass.has_value(); }
-[[nodiscard]] inline bool has_energy(const Body& body) {
-  return body.mass.has_value() || !body.inertia.empty();
-}
-
 }  // namespace elgen

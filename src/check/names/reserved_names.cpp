@@ -6,9 +6,10 @@
 #include <array>
 
 #include "base/ascii.hpp"
-#include "check/names/function_names.hpp"
+#include "elgen/functions.hpp"
 
 namespace elgen {
+
 namespace {
 
 constexpr std::array keywords{"alignas",
@@ -141,6 +142,22 @@ bool is_macro(std::string_view name) {
 }
 
 }  // namespace
+
+const std::vector<std::string>& function_names() {
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> names{
+#define ELGEN_EXPANDED(name, rule) #name,
+#include "check/names/expanded_functions.def"
+#undef ELGEN_EXPANDED
+#define ELGEN_COMPOSITE(name, arity, definition, in_space) #name,
+#include "check/names/composite_functions.def"
+#undef ELGEN_COMPOSITE
+    };
+    for (const FunctionRow& row : function_table) names.emplace_back(row.name);
+    return names;
+  }();
+  return all;
+}
 
 std::string_view reserved_reason(std::string_view name) {
   if (name == "t") {

@@ -1,12 +1,15 @@
-// Which names a model may not give to its entries.
+// The names of functions, and which names a model may not give to its entries.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "check/names/report.hpp"
 
 namespace elgen {
+
+[[nodiscard]] const std::vector<std::string>& function_names();
 
 /// Why the name is reserved ("a C++ keyword"), or empty.
 [[nodiscard]] std::string_view reserved_reason(std::string_view name);

@@ -1,10 +1,11 @@
-// What helps beside a message about units: the number that wants a name, and where a name of the
-// expression has its unit from.
+// What is said of units beside an error: the number that wants a name, and where a name of the
+// expression has its unit from; and what is noted where nothing is wrong.
 #pragma once
 
 #include <optional>
 #include <string>
 
+#include "check/names/context.hpp"
 #include "elgen/model.hpp"
 
 namespace elgen {
@@ -21,5 +22,11 @@ struct UnitDeclaration {
 /// Of the first parameter of the expression, else of its first coordinate or input.
 [[nodiscard]] std::optional<UnitDeclaration> unit_declaration(const Model& model,
                                                               ExpressionId expression);
+
+/// E405: the first value that names nothing, and how many more there are.
+void note_plain_numbers(Context& context);
+
+/// E520: names of what has no unit, each once, and where the first of them is declared.
+void note_missing_units(Context& context);
 
 }  // namespace elgen
