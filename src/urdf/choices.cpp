@@ -1,4 +1,5 @@
-// Names of options -> joints that are held, and the order of the others.
+// Names of options -> joints that are held, and the order of the others. A robot that nothing holds
+// floats: its root link gets a joint of type floating, from a new root.
 #include "urdf/choices.hpp"
 
 #include <fmt/format.h>
@@ -127,6 +128,17 @@ std::optional<FileNumber> held_place(const Robot& robot, const Joint& joint) {
   return FileNumber{decimal_text(place), place, {}};
 }
 
+/// `wanted`, or with a number behind it where an element is called so.
+template <class Named>
+std::string free_name(const std::vector<Named>& elements, const std::string& wanted) {
+  std::string name = wanted;
+  const auto is_taken = [&](const Named& element) { return element.name.text == name; };
+  for (int i = 2; std::ranges::any_of(elements, is_taken); ++i) {
+    name = wanted + "_" + std::to_string(i);
+  }
+  return name;
+}
+
 }  // namespace
 
 Diagnostics choose_joints(Robot& robot, const ImportOptions& options, const Limits& limits) {
@@ -150,6 +162,36 @@ void weld_followers(Robot& robot) {
 bool welds_massless(const ImportOptions& options) {
   return std::ranges::any_of(options.welds,
                              [](const SourcePointer& weld) { return weld->text == massless; });
+}
+
+void let_float(Robot& robot, std::size_t root) {
+  const Text base = robot.links[root].name;
+  const Text world{free_name(robot.links, "world"), base.span};
+  Joint joint;
+  joint.name = {free_name(robot.joints, "base"), base.span};
+  joint.type = JointType::floating;
+  joint.parent = world;
+  joint.child = base;
+  robot.links.push_back({world, {}});
+  robot.joints.push_back(std::move(joint));
+}
+
+const Joint* floating_joint(const Robot& robot, const LinkTree& tree) {
+  std::vector<bool> is_base(robot.links.size());
+  is_base[tree.root] = true;
+  const Joint* floating = nullptr;
+  bool base_has_mass = robot.links[tree.root].has_mass();
+  for (const Branch& branch : tree.branches) {
+    const Joint& joint = robot.joints[branch.joint];
+    if (!is_base[branch.parent]) continue;
+    if (joint.moves()) {
+      if (joint.type == JointType::floating) floating = &joint;
+      continue;
+    }
+    is_base[branch.child] = true;
+    base_has_mass = base_has_mass || robot.links[branch.child].has_mass();
+  }
+  return base_has_mass ? nullptr : floating;
 }
 
 }  // namespace elgen::urdf

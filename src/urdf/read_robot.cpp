@@ -1,4 +1,5 @@
-// <robot>: its links and joints. Elements that xacro would have expanded are refused, because what
+// <robot>: its links with their masses and inertias (shapes are no mechanics), its joints, and the
+// rotors of its transmissions. Elements that xacro would have expanded are refused, because what
 // they stand for is missing.
 #include <fmt/format.h>
 
@@ -46,6 +47,85 @@ std::string file_name(const Span& span) {
   const std::string& path = span.source->path;
   const std::size_t slash = path.rfind('/');
   return slash == std::string::npos ? path : path.substr(slash + 1);
+}
+
+constexpr std::array<std::string_view, 6> inertia_attributes{"ixx", "iyy", "izz",
+                                                             "ixy", "ixz", "iyz"};
+
+void read_mass(ElementReader& inertial, Inertial& to, RobotReading& reading) {
+  inertial.required_child("mass", [&](ElementReader& mass) {
+    to.mass = mass.required_number("value").value_or(FileNumber{});
+  });
+  if (cln::minusp(to.mass.value)) {
+    reading.found.push_back(
+        {Code::E811, to.mass.span, fmt::format("the mass `{}` is negative", to.mass.text)});
+  }
+}
+
+void read_inertia(ElementReader& inertial, Inertial& to) {
+  inertial.required_child("inertia", [&](ElementReader& inertia) {
+    to.span = inertia.span();
+    for (std::size_t i = 0; i < inertia_attributes.size(); ++i) {
+      to.inertia[i] = inertia.required_number(inertia_attributes[i]).value_or(FileNumber{});
+    }
+  });
+}
+
+Link read_link(const Element& element, RobotReading& reading) {
+  ElementReader reader(element, reading);
+  Link link{reader.required_text("name"), {}};
+  reader.child("inertial", [&](ElementReader& parts) {
+    Inertial& inertial = link.inertial.emplace();
+    inertial.origin = read_origin(parts);
+    read_mass(parts, inertial, reading);
+    read_inertia(parts, inertial);
+  });
+  reader.ignore({"visual", "collision", "type"});
+  reader.note_the_rest();
+  return link;
+}
+
+const Element* child_of(const Element* parent, std::string_view name) {
+  if (parent == nullptr) return nullptr;
+  const auto found = std::ranges::find(parent->children, name, &Element::name);
+  return found == parent->children.end() ? nullptr : &*found;
+}
+
+Joint* find_joint(Robot& robot, const std::string& name) {
+  for (Joint& joint : robot.joints) {
+    if (joint.name.text == name && has_one_coordinate(joint.type)) return &joint;
+  }
+  return nullptr;
+}
+
+FileNumber value_of(const Element& element, RobotReading& reading) {
+  return ElementReader(element, reading).required_number("value").value_or(FileNumber{});
+}
+
+/// The rotor of a joint of the robot, as Drake's elements have it.
+void read_transmission(const Element& element, Robot& robot, RobotReading& reading) {
+  const Element* actuator = child_of(&element, "actuator");
+  const Element* inertia = child_of(actuator, "drake:rotor_inertia");
+  const Element* named = child_of(&element, "joint");
+  if (inertia == nullptr || named == nullptr) return;
+  const std::string name = ElementReader(*named, reading).required_text("name").text;
+  Joint* joint = find_joint(robot, name);
+  if (joint == nullptr) {
+    reading.found.push_back(
+        {Code::E815, inertia->span, "`<drake:rotor_inertia>` in `<actuator>` is not imported",
+         fmt::format("{} is no joint that turns or slides", in_backticks(name))});
+    return;
+  }
+  Rotor& rotor = joint->rotor.emplace();
+  rotor.inertia = value_of(*inertia, reading);
+  if (const Element* gear = child_of(actuator, "drake:gear_ratio")) {
+    rotor.gear_ratio = value_of(*gear, reading);
+  }
+  if (cln::minusp(rotor.inertia.value)) {
+    reading.found.push_back(
+        {Code::E811, rotor.inertia.span,
+         fmt::format("the rotor inertia `{}` is negative", rotor.inertia.text)});
+  }
 }
 
 }  // namespace

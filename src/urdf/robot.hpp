@@ -117,10 +117,6 @@ struct RobotReading {
 
 /// E802 to E806, E811, E813, E814; notes E815. What is missing is left at its default.
 [[nodiscard]] Robot read_robot(const Element& root, RobotReading& reading);
-[[nodiscard]] Link read_link(const Element& element, RobotReading& reading);
 [[nodiscard]] Joint read_joint(const Element& element, RobotReading& reading);
-
-/// The rotor of a joint of the robot, as Drake's elements have it.
-void read_transmission(const Element& element, Robot& robot, RobotReading& reading);
 
 }  // namespace elgen::urdf

@@ -1,6 +1,8 @@
-// Emission, batches and steps: what a scene asks of the code.
+// Emission, batches, steps and files: what a scene asks of the code.
 #include "check/scene/emission.hpp"
+
 #include <catch2/catch.hpp>
+
 #include "check_testing.hpp"
 #include "elgen/artifacts.hpp"
 
@@ -15,6 +17,15 @@ Wanted outputs(const std::string& lines) {
 }
 
 std::string said_of(const std::string& lines) { return messages(block(""), outputs(lines)); }
+
+std::vector<std::string> paths(const Emission& emission) {
+  Scene scene;
+  scene.base_name = "arm";
+  scene.emission = emission;
+  std::vector<std::string> result;
+  for (const Artifact& artifact : artifacts_of(scene)) result.push_back(artifact.path);
+  return result;
+}
 
 }  // namespace
 
@@ -149,6 +160,19 @@ TEST_CASE("an unknown method is E620, with those there are") {
   CHECK(said_of("step = { method = \"dopri5\" }") ==
         "E620 5:20 `step` has no method `dopri5` | one of rk4, verlet, midpoint, which are "
         "straight-line code\n");
+}
+
+TEST_CASE("files are known without deriving, the header first") {
+  Emission emission;
+  CHECK(paths(emission) ==
+        std::vector<std::string>{"arm/arm.hpp", "arm/arm.equations.json", "arm/arm.md"});
+  emission.eigen = true;
+  CHECK(paths(emission) == std::vector<std::string>{"arm/arm.hpp", "arm/arm_eigen.hpp",
+                                                    "arm/arm.equations.json", "arm/arm.md"});
+  emission = {};
+  emission.language = LanguageId::c99;
+  CHECK(paths(emission) ==
+        std::vector<std::string>{"arm/arm.h", "arm/arm.equations.json", "arm/arm.md"});
 }
 
 }  // namespace elgen::test

@@ -1,9 +1,40 @@
-// <robot>: what it is called and made of, and files that are something else.
+// <robot>: what it is called and made of, its links, joints and rotors, and files that are
+// something else.
 #include <catch2/catch.hpp>
 
 #include "urdf/urdf_testing.hpp"
 
 namespace elgen::test {
+
+using Catch::Contains;
+
+namespace {
+
+std::string link(const std::string& inside) {
+  return "<robot name=\"r\"><link name=\"a\">\n" + inside + "\n</link></robot>";
+}
+
+/// What is said of a joint of the type with these elements; they stand on line 5.
+std::string said(const std::string& type, const std::string& elements) {
+  return reading_messages(arm_on(type, elements));
+}
+
+std::string motor(const std::string& joint, const std::string& inside) {
+  return "<transmission name=\"t\"><type>x</type><joint name=\"" + joint +
+         "\"><hardwareInterface/></joint>\n<actuator name=\"a\"><mechanicalReduction>5"
+         "</mechanicalReduction>" +
+         inside + "</actuator></transmission>\n";
+}
+
+std::string driven(const std::string& type, const std::string& motors) {
+  return with_arm("<joint name=\"j\" type=\"" + type +
+                  "\"><parent link=\"base\"/><child link=\"arm\"/></joint>\n" + motors);
+}
+
+const std::string rotor = "<drake:rotor_inertia value=\"1e-4\"/>";
+const std::string gear = "<drake:gear_ratio value=\"100\"/>";
+
+}  // namespace
 
 TEST_CASE("a robot has the links and joints of its file, in their order") {
   const urdf::Robot robot = robot_of(arm_on("revolute", ""));
@@ -55,6 +86,151 @@ TEST_CASE("materials and transmissions are silent, other elements are noted") {
   CHECK(reading_messages("<robot name=\"r\"><material name=\"red\"/><transmission/>\n"
                          "<gazebo><a/></gazebo></robot>") ==
         "E815 2:2 `<gazebo>` in `<robot>` is not imported\n");
+}
+
+TEST_CASE("an inertial is read in the order xx yy zz xy xz yz") {
+  const urdf::Robot robot = robot_of(
+      link("<inertial><origin xyz=\"1 2 3\" rpy=\"0 0 1\"/><mass value=\"4\"/><inertia ixx=\"1\" "
+           "ixy=\"2\" ixz=\"3\" iyy=\"4\" iyz=\"5\" izz=\"6\"/></inertial>"));
+  const urdf::Inertial& inertial = *robot.links[0].inertial;
+  CHECK(robot.links[0].has_mass());
+  CHECK(inertial.mass.text == "4");
+  CHECK(inertial.origin.xyz[1].text == "2");
+  CHECK(inertial.origin.rpy[2].text == "1");
+  std::string order;
+  for (const urdf::FileNumber& number : inertial.inertia) order += number.text;
+  CHECK(order == "146235");
+}
+
+TEST_CASE("a link without inertial has no mass, and shapes are silent") {
+  const std::string text = link("<visual/><visual/><collision/>");
+  CHECK(reading_messages(text).empty());
+  CHECK_FALSE(robot_of(text).links[0].has_mass());
+}
+
+TEST_CASE("an inertial has a mass and six inertias") {
+  CHECK(reading_messages(link("<inertial/>")) ==
+        "E803 2:2 `<inertial>` has no element `inertia`\n"
+        "E803 2:2 `<inertial>` has no element `mass`\n");
+  CHECK(reading_messages(link("<inertial><mass/><inertia ixx=\"1\" iyy=\"1\" izz=\"1\"/>"
+                              "</inertial>")) ==
+        "E803 2:12 `<mass>` has no attribute `value`\n"
+        "E803 2:19 `<inertia>` has no attribute `ixy`\n"
+        "E803 2:19 `<inertia>` has no attribute `ixz`\n"
+        "E803 2:19 `<inertia>` has no attribute `iyz`\n");
+}
+
+TEST_CASE("no mass is negative") {
+  CHECK(reading_messages(link("<inertial><mass value=\"-2\"/><inertia ixx=\"1\" ixy=\"0\" "
+                              "ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial>")) ==
+        "E811 2:24 the mass `-2` is negative\n");
+}
+
+TEST_CASE("a joint is read whole") {
+  const urdf::Robot robot = robot_of(arm_on(
+      "prismatic",
+      "<origin xyz=\"1 2 3\"/><axis xyz=\"0 0 1\"/><limit lower=\"-1\" upper=\"2\" effort=\"3\" "
+      "velocity=\"4\"/><dynamics damping=\"5\" friction=\"6\"/><mimic joint=\"k\" offset=\"7\"/>"));
+  const urdf::Joint& joint = robot.joints[0];
+  CHECK(joint.type == urdf::JointType::prismatic);
+  CHECK(joint.parent.text == "base");
+  CHECK(joint.origin.xyz[2].text == "3");
+  CHECK(joint.axis[2].text == "1");
+  CHECK(joint.limit.lower->text == "-1");
+  CHECK(joint.limit.upper->text == "2");
+  CHECK(joint.limit.effort->text == "3");
+  CHECK(joint.limit.velocity->text == "4");
+  CHECK(joint.damping.text == "5");
+  CHECK(joint.friction.text == "6");
+  CHECK(joint.mimic->joint.text == "k");
+  CHECK(joint.mimic->multiplier.text == "1");
+  CHECK(joint.mimic->offset.text == "7");
+}
+
+TEST_CASE("without an axis, it is x, without dynamics, nothing brakes") {
+  const urdf::Joint joint = robot_of(arm_on("revolute", "")).joints[0];
+  CHECK(joint.axis[0].text == "1");
+  CHECK(joint.axis[1].is_zero());
+  CHECK(joint.damping.is_zero());
+  CHECK_FALSE(joint.mimic);
+}
+
+TEST_CASE("a type that does not exist, and the one that was meant") {
+  CHECK(said("revolut", "") ==
+        "E806 4:25 `revolut` is no type of joint | did you mean `revolute`?\n");
+  CHECK(said("ball", "") == "E806 4:25 `ball` is no type of joint\n");
+}
+
+TEST_CASE("type, parent and child are required") {
+  CHECK(reading_messages("<robot name=\"r\">\n<joint name=\"j\"><parent/></joint></robot>") ==
+        "E803 2:2 `<joint>` has no attribute `type`\n"
+        "E803 2:2 `<joint>` has no element `child`\n"
+        "E803 2:18 `<parent>` has no attribute `link`\n");
+}
+
+TEST_CASE("an axis has a direction, and a planar one is x, y or z") {
+  CHECK(said("revolute", "<axis xyz=\"0 0.0 -0\"/>") == "E813 5:12 the axis has no direction\n");
+  CHECK(said("fixed", "<axis xyz=\"0 0 0\"/>").empty());
+  CHECK(said("floating", "<axis xyz=\"0 0 0\"/>").empty());
+  CHECK(said("planar", "<axis xyz=\"1 1 0\"/>") ==
+        "E108 5:12 a planar joint is imported only with an axis along x, y or z\n");
+}
+
+TEST_CASE("limits are in order, and not negative") {
+  CHECK(said("revolute", "<limit lower=\"1\" upper=\"-1\" effort=\"-2\" velocity=\"-3\"/>") ==
+        "E814 5:15 lower `1` is above upper `-1`\n"
+        "E814 5:37 effort `-2` is negative\n"
+        "E814 5:51 velocity `-3` is negative\n");
+}
+
+TEST_CASE("what a type has no use for is silent or noted") {
+  CHECK(said("fixed", "<limit effort=\"1\"/><dynamics damping=\"1\"/>").empty());
+  CHECK(said("floating", "<dynamics damping=\"1\"/>") ==
+        "E815 5:2 `<dynamics>` in `<joint>` is not imported\n");
+  CHECK(said("fixed", "<mimic joint=\"k\"/>") ==
+        "E815 5:2 `<mimic>` in a fixed `<joint>` is not imported | the joint has no coordinate\n");
+  CHECK(said("revolute", "<calibration rising=\"0\"/><safety_controller k=\"1\"/>").empty());
+  CHECK(said("revolute", "<spring stiffness=\"1\"/>") ==
+        "E815 5:2 `<spring>` in `<joint>` is not imported\n");
+}
+
+TEST_CASE("every type has its word, and some have one coordinate") {
+  CHECK(urdf::word(urdf::JointType::planar) == "planar");
+  CHECK(urdf::has_one_coordinate(urdf::JointType::continuous));
+  CHECK_FALSE(urdf::has_one_coordinate(urdf::JointType::floating));
+}
+
+TEST_CASE("a rotor behind a gear is felt by the square of its ratio") {
+  const std::string model = imported(driven("revolute", motor("j", rotor + gear)));
+  CHECK_THAT(model, Contains("armature = \"rotor_j*gear_j^2\"\n"));
+  CHECK_THAT(after(model, "rotor_j "), Contains("{ value = 1e-4, unit = \"kg*m^2\", assume"));
+  CHECK_THAT(after(model, "gear_j  "), Contains("value = 100,  unit = \"1\""));
+}
+
+TEST_CASE("without a gear the rotor turns with the joint, and one that slides has a ratio") {
+  CHECK_THAT(imported(driven("continuous", motor("j", rotor))),
+             Contains("armature = \"rotor_j\"\n"));
+  const std::string slides = imported(driven("prismatic", motor("j", rotor)));
+  CHECK_THAT(slides, Contains("armature = \"rotor_j*gear_j^2\"\n"));
+  CHECK_THAT(slides, Contains("unit = \"rad/m\""));
+}
+
+TEST_CASE("a rotor of a joint that mimics is felt by the coordinate it shares") {
+  const std::string model = imported(with_arm(
+      "<link name=\"f\"/><joint name=\"k\" type=\"revolute\"><parent link=\"base\"/><child "
+      "link=\"f\"/><mimic joint=\"j\" multiplier=\"3\"/></joint><joint name=\"j\" "
+      "type=\"revolute\"><parent link=\"base\"/><child link=\"arm\"/></joint>" +
+      motor("k", rotor) + motor("j", rotor + gear)));
+  CHECK_THAT(model, Contains("armature = \"rotor_k*(ratio_k)^2 + rotor_j*gear_j^2\"\n"));
+}
+
+TEST_CASE("a rotor of no joint is noted, other transmissions are silent") {
+  CHECK(import_messages(driven("revolute", motor("j", gear))).empty());
+  CHECK(import_messages(driven("revolute", motor("k", rotor))) ==
+        "E815 6:65 `<drake:rotor_inertia>` in `<actuator>` is not imported | `k` is no joint that "
+        "turns or slides\n");
+  CHECK(import_messages(driven("revolute", motor("j", "<drake:rotor_inertia value=\"-1\"/>"))) ==
+        "E811 6:92 the rotor inertia `-1` is negative\n");
 }
 
 }  // namespace elgen::test

@@ -1,7 +1,9 @@
-// Right angles, axes, and inertias in turned axes.
+// Constant rotations and axes, and how far what is taken for right angles moves a pose.
 #include "urdf/rotations.hpp"
 
 #include <catch2/catch.hpp>
+
+#include "urdf/urdf_testing.hpp"
 
 namespace elgen::test {
 
@@ -41,6 +43,12 @@ std::string turned(const std::string& roll, const std::string& pitch, const std:
   std::string text;
   for (const urdf::FileNumber& entry : *result) text += entry.text;
   return text;
+}
+
+/// The arm's centre of mass is 0.1 m from its origin, which is 2 m from the base.
+std::string bent(const std::string& rpy, const std::string& axis = "0 0 1") {
+  return arm_on("revolute",
+                "<origin xyz=\"0 2 0\" rpy=\"" + rpy + "\"/><axis xyz=\"" + axis + "\"/>");
 }
 
 }  // namespace
@@ -108,6 +116,24 @@ TEST_CASE("exact angles and axes keep their digits") {
   CHECK(urdf::angle_of(decimal("0"), kept).quarter_turns == 0);
   CHECK_FALSE(urdf::axis_of(vector("0", "1", "6.1e-17"), kept).along);
   CHECK(urdf::axis_of(vector("0", "-2", "0"), kept).along == 1U);
+}
+
+TEST_CASE("one note counts the angles and bounds the change of every pose") {
+  CHECK(import_messages(bent("1.570796 0 0")) ==
+        "E819 1:2 1 angle is taken for right ones: no pose changes by more than 3.3e-07 rad and "
+        "3.3e-08 m | `--exact-angles` keeps their digits\n");
+  CHECK(import_messages(bent("1.570796 0 3.141593", "0 1e-6 1")) ==
+        "E819 1:2 3 angles are taken for right ones: no pose changes by more than 1.7e-06 rad and "
+        "1.7e-07 m | `--exact-angles` keeps their digits\n");
+}
+
+TEST_CASE("where all is as in the file nothing is said") {
+  CHECK(import_messages(bent("0 0.3 0")).empty());
+  ImportOptions options;
+  options.exact_angles = true;
+  CHECK(import_messages(bent("1.570796 0 0"), options).empty());
+  CHECK(after(imported(bent("1.570796 0 0"), options), "rotate    = ") ==
+        "[[\"x\", \"1.570796\"], [\"z\", \"j\"]]");
 }
 
 }  // namespace elgen::test

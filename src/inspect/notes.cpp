@@ -1,0 +1,114 @@
+// E522: parameters in no expression, inputs that act on nothing. One pass over the arena, before
+// anything was locked, marks what is used.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "elgen/references.hpp"
+#include "inspect/checks.hpp"
+
+namespace elgen {
+namespace {
+
+/// By index in the Model: whether a leaf of this kind stands in an expression.
+std::vector<bool> used(const Model& model, ExpressionKind kind, std::size_t count) {
+  std::vector<bool> marks(count, false);
+  for (const Expression& expression : model.expressions) {
+    if (expression.kind == kind) marks[expression.index] = true;
+  }
+  return marks;
+}
+
+Diagnostics unused_parameters(const Model& model) {
+  Diagnostics found;
+  const auto marks = used(model, ExpressionKind::parameter, model.parameters.size());
+  for (const ParameterArray& array : model.parameter_arrays) {
+    const auto first = marks.begin() + array.first;
+    if (std::find(first, first + array.count, true) != first + array.count) continue;
+    found.push_back(
+        {Code::E522, array.span, fmt::format("parameter `{}` is used nowhere", array.name)});
+  }
+  return found;
+}
+
+Diagnostics unused_inputs(const Model& model) {
+  Diagnostics found;
+  const auto marks = used(model, ExpressionKind::input, model.inputs.size());
+  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
+    const Input& input = model.inputs[i];
+    if (input.on || marks[i]) continue;
+    found.push_back({Code::E522, input.span, fmt::format("input `{}` acts on nothing", input.name),
+                     "give it `on`, or name it in a force"});
+  }
+  return found;
+}
+
+/// "`mass_matrix`, `linearization`"
+std::string quoted_names(const LeftOut& left_out) {
+  return fmt::format("`{}`", fmt::join(left_out.outputs, "`, `"));
+}
+
+Diagnostic note(const LeftOut& left_out) {
+  if (left_out.reason == LeftOutReason::too_many_entries) {
+    return {Code::E619, left_out.span,
+            fmt::format("left out, with more than {} entries: {}", entries_in_full,
+                        quoted_names(left_out)),
+            "a scene or `--outputs` that names an output gets it"};
+  }
+  return {Code::E619, left_out.span,
+          "left out, as a force with a kink has no derivatives: " + quoted_names(left_out),
+          "a smooth stand-in has them: `tanh(x/width)` for `sign(x)`"};
+}
+
+bool contains_rate(const Model& model, ExpressionId root) {
+  const std::vector<ExpressionId> parts = reached(model, {root});
+  return std::any_of(parts.begin(), parts.end(), [&](ExpressionId id) {
+    return model.expressions[id].kind == ExpressionKind::rate;
+  });
+}
+
+/// tanh of something with a rate in it.
+std::optional<Span> smoothed_friction(const Model& model) {
+  std::vector<ExpressionId> values;
+  for (const Force& force : model.forces) {
+    values.insert(values.end(), force.value.begin(), force.value.end());
+  }
+  for (const ExpressionId id : reached(model, values)) {
+    const Expression& node = model.expressions[id];
+    const bool is_tanh = node.kind == ExpressionKind::function && node.function == FunctionId::tanh;
+    if (is_tanh && contains_rate(model, id)) return node.span;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Diagnostics inspect_unused(const Inspected& subject) {
+  const Model& model = subject.model.unlocked ? *subject.model.unlocked : subject.model;
+  Diagnostics found = unused_parameters(model);
+  const Diagnostics inputs = unused_inputs(model);
+  found.insert(found.end(), inputs.begin(), inputs.end());
+  return found;
+}
+
+Diagnostics inspect_left_out(const Inspected& subject) {
+  Diagnostics notes;
+  for (const LeftOut& left_out : subject.scene.left_out) notes.push_back(note(left_out));
+  return notes;
+}
+
+Diagnostics inspect_smoothed(const Inspected& subject) {
+  const Model& model = subject.model;
+  for (const OutputRequest& output : subject.scene.outputs) {
+    const bool is_named = output.span.source != nullptr;
+    if (output.kind != OutputKind::linearization || !is_named) continue;
+    const auto friction = smoothed_friction(model);
+    if (!friction) return {};
+    return {{Code::E627, *friction,
+             fmt::format("`{}` has this friction as a damper near rest", output.name),
+             "its width decides how stiff; leave it out where the system slides or sticks"}};
+  }
+  return {};
+}
+
+}  // namespace elgen
