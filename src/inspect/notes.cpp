@@ -1,5 +1,7 @@
-// E522: parameters in no expression, inputs that act on nothing. One pass over the arena, before
-// anything was locked, marks what is used.
+// Notes read off the model and the scene, without a sampled state: E522 what is used nowhere (one
+// pass over the arena, before anything was locked, marks what is used), E619 the outputs that the
+// built-in scene `full` does without, one note per reason, and E627 a force with tanh, as it stands
+// in for dry friction, in a linearization asked for by name.
 #include <fmt/format.h>
 
 #include <algorithm>

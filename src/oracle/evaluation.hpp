@@ -16,7 +16,6 @@
 #include "elgen/leaves.hpp"
 #include "elgen/model.hpp"
 #include "oracle/jet.hpp"
-#include "oracle/jet_functions.hpp"
 
 namespace elgen::oracle {
 

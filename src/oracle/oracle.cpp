@@ -8,10 +8,10 @@
 #include "base/more_digits.hpp"
 #include "base/random.hpp"
 #include "elgen/leaf_names.hpp"
-#include "oracle/linear_solve.hpp"
 #include "oracle/mechanics.hpp"
 #include "oracle/output_values.hpp"
 #include "oracle/real_functions.hpp"
+#include "oracle/solved_dynamics.hpp"
 
 namespace elgen {
 namespace {

@@ -1,11 +1,62 @@
-// The mass matrix entry by entry, then one linear solve.
+// The mass matrix entry by entry, then one linear solve: row i of L from the rows above it;
+// forward, diagonal and backward substitution.
 #include "oracle/solved_dynamics.hpp"
 
 #include <algorithm>
 
 #include "oracle/contraction.hpp"
+#include "oracle/real_functions.hpp"
 
 namespace elgen::oracle {
+
+namespace {
+
+using cln::cl_R;
+
+/// A pivot below this share of its diagonal entry is what cancelled rounding errors leave of zero.
+const cl_R& lost_pivot() {
+  static const cl_R share = cln::expt(cl_R(10), -75);
+  return share;
+}
+
+cl_R pivot_share(const cl_R& pivot, const cl_R& diagonal) {
+  const cl_R share = quotient(pivot, diagonal);
+  if (cln::abs(share) < lost_pivot()) throw OutsideDomain("singular matrix");
+  return share;
+}
+
+/// Replaces the lower triangle by L and the diagonal by D; returns D_i / M_ii.
+std::vector<cl_R> factorise(std::vector<cl_R>& m, std::size_t n) {
+  std::vector<cl_R> shares;
+  for (std::size_t i = 0; i < n; ++i) {
+    const cl_R diagonal = m[i * n + i];
+    for (std::size_t j = 0; j < i; ++j) {
+      for (std::size_t k = 0; k < j; ++k) {
+        m[i * n + j] = m[i * n + j] - m[i * n + k] * m[k * n + k] * m[j * n + k];
+      }
+      m[i * n + j] = m[i * n + j] / m[j * n + j];
+      m[i * n + i] = m[i * n + i] - m[i * n + j] * m[i * n + j] * m[j * n + j];
+    }
+    shares.push_back(pivot_share(m[i * n + i], diagonal));
+  }
+  return shares;
+}
+
+}  // namespace
+
+Solution solve_symmetric(std::vector<cl_R> matrix, const std::vector<cl_R>& right_side) {
+  const std::size_t n = right_side.size();
+  Solution solution{right_side, factorise(matrix, n)};
+  std::vector<cl_R>& x = solution.x;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < i; ++j) x[i] = x[i] - matrix[i * n + j] * x[j];
+  }
+  for (std::size_t i = n; i-- > 0;) {
+    x[i] = x[i] / matrix[i * n + i];
+    for (std::size_t j = i + 1; j < n; ++j) x[i] = x[i] - matrix[j * n + i] * x[j];
+  }
+  return solution;
+}
 
 using cln::cl_R;
 

@@ -1,10 +1,25 @@
-// M a = B u - bias, solved: what forward dynamics and its derivatives start from.
+// M a = B u - bias, solved: what forward dynamics and its derivatives start from. M = L D L^T in
+// natural order without pivoting.
 #pragma once
 
-#include "oracle/linear_solve.hpp"
+#include <cln/real.h>
+
+#include <vector>
+
 #include "oracle/mechanics.hpp"
 
 namespace elgen::oracle {
+
+struct Solution {
+  std::vector<cln::cl_R> x = {};
+  std::vector<cln::cl_R> relative_pivots =
+      {};  ///< D_i / M_ii, in (0, 1] where M is positive definite
+};
+
+/// `matrix` is n x n, row-major; only its lower triangle is read. OutsideDomain where a pivot is
+/// lost.
+[[nodiscard]] Solution solve_symmetric(std::vector<cln::cl_R> matrix,
+                                       const std::vector<cln::cl_R>& right_side);
 
 /// M, n x n for n velocities, row-major.
 [[nodiscard]] std::vector<cln::cl_R> mass_matrix_values(Mechanics& at);

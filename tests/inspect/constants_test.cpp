@@ -1,8 +1,11 @@
-// Constants that have no value, and products that grow beyond all sizes, through names.
+// Constants that have no value, and the expressions that equations are made of.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "elgen/references.hpp"
 #include "inspect/checks.hpp"
 #include "inspect/found.hpp"
+#include "inspect/roots.hpp"
 #include "support/frame_systems.hpp"
 
 using namespace elgen;
@@ -31,6 +34,12 @@ std::string chain(const std::string& first, const std::string& next, int count) 
     }
     text += "c" + std::to_string(i) + " = \"" + value + "\"\n";
   }
+  return text;
+}
+
+std::string texts(const Model& model, const std::vector<ExpressionId>& ids) {
+  std::string text;
+  for (const ExpressionId id : ids) text += (text.empty() ? "" : ", ") + to_string(model, id);
   return text;
 }
 
@@ -103,4 +112,28 @@ TEST_CASE("products are counted before they are multiplied out") {
 
 TEST_CASE("a long chain of names takes no recursion") {
   CHECK(constant_findings(chain("cos(1)", "cos(c)", 5000), "x*c5000").empty());
+}
+
+TEST_CASE("energies are roots of equations, values are those of outputs") {
+  const Model model = checked_model(
+                          "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n"
+                          "[define]\na = \"2*x\"\nunused = \"3*x\"\n[energy]\nT = \"dot(x)^2\"\n"
+                          "V = \"sin(a) + a\"\n[[output]]\nname = \"o\"\nvalue = \"cos(x)\"\n")
+                          .model;
+  CHECK(texts(model, equation_roots(model)) == "dot(x)^2, sin(a) + a");
+  CHECK(texts(model, output_roots(model.outputs.front())) == "cos(x)");
+}
+
+TEST_CASE("everything that carries energy or force is a root", "[frames]") {
+  for (const auto& [name, text] : frame_systems()) {
+    INFO(name);
+    const Model model = checked_model(text).model;
+    const auto all = reached(model, equation_roots(model));
+    for (const Body& body : model.bodies) {
+      if (body.mass) CHECK(std::find(all.begin(), all.end(), *body.mass) != all.end());
+    }
+    auto sorted = all;
+    std::sort(sorted.begin(), sorted.end());
+    CHECK(std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end());
+  }
 }

@@ -1,4 +1,4 @@
-// E512: a written potential that falls as a mass rises.
+// E512, E526 and E527: energies that hold a weight or a motion the wrong way, or twice.
 #include <catch2/catch.hpp>
 
 #include "inspect/checks.hpp"
@@ -22,6 +22,23 @@ std::string potential_findings(const ModelBuilder& b) {
 }
 
 const std::string pushed_up = "E512: V falls as `bob` rises";
+
+ModelBuilder weighed(const std::string& potential, const std::vector<std::string>& gravity) {
+  ModelBuilder b;
+  b.coordinate("th").parameter("m", "2").parameter("g", "9.81").parameter("k", "3");
+  b.parameter("m2", "1");
+  b.point("bob", {"sin(th)", "-cos(th)"}, "m").point("hook", {"th", "2*sin(th)"}, "m2");
+  if (!gravity.empty()) b.gravity(gravity);
+  b.V(potential);
+  return b;
+}
+
+std::string weight_findings(const std::string& potential,
+                            const std::vector<std::string>& gravity = {"0", "-g"}) {
+  return text_of(inspect_weights({weighed(potential, gravity).model, {}}));
+}
+
+const std::string bob_is_twice = "E526: V holds the weight of `bob`, which [gravity] gives it too";
 
 }  // namespace
 
@@ -75,4 +92,22 @@ TEST_CASE("a point without a mass has no weight") {
   CHECK(potential_findings(falling_bob("-k*y(bob)", "")).empty());
   ModelBuilder b = falling_bob("-m*g*y(bob)", "");
   CHECK(potential_findings(b.T("m*(ddt(x(bob))^2 + ddt(y(bob))^2)/2")) == pushed_up);
+}
+
+TEST_CASE("a weight in V and in gravity is given twice, whatever stands beside it") {
+  CHECK(weight_findings("-m*g*cos(th)") == bob_is_twice);
+  CHECK(weight_findings("m*g*(1 - cos(th)) + 1/2*k*th^2") == bob_is_twice);
+  CHECK(weight_findings("m*g*y(bob) + m2*g*y(hook)") == bob_is_twice);
+  CHECK(weight_findings("m2*g*y(hook) + 7*m*th^2") ==
+        "E526: V holds the weight of `hook`, which [gravity] gives it too");
+  CHECK(weight_findings("9.81*(m*y(bob) + m2*y(hook))", {"0", "-9.81"}) == bob_is_twice);
+}
+
+TEST_CASE("other potentials pass") {
+  CHECK(weight_findings("-m*g*cos(th)", {}).empty());
+  CHECK(weight_findings("1/2*k*th^2").empty());
+  CHECK(weight_findings("1/2*m*k*th^2").empty());
+  CHECK(weight_findings("m*g*th").empty());
+  CHECK(weight_findings("k*g*cos(th)").empty());
+  CHECK(weight_findings("0").empty());
 }

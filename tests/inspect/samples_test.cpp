@@ -1,11 +1,18 @@
+// Sampled states, null spaces of sampled matrices, and numbers as messages print them.
 #include "inspect/samples.hpp"
+
+#include <cln/float.h>
 
 #include <catch2/catch.hpp>
 
+#include "inspect/null_space.hpp"
+#include "inspect/readable.hpp"
 #include "oracle/samples.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
+using cln::cl_R;
+using cln::cl_RA;
 
 TEST_CASE("samples are the same every time, differ by seed, and lie inside the ranges") {
   ModelBuilder b = cart_pole();
@@ -37,4 +44,63 @@ TEST_CASE("a mass matrix is sampled where it has a value") {
   ModelBuilder nowhere;
   nowhere.coordinate("x").T("sqrt(-1 - x^2)*x_d^2/2");
   CHECK_FALSE(sampled_mass_matrix({nowhere.model, {}}, 3));
+}
+
+TEST_CASE("a regular matrix has no null space, whatever its scales") {
+  CHECK(null_space({1, 2, 3, 4}, {2, 4}).empty());
+  const cl_R tiny = cln::expt(cl_R(10), -60);
+  const Vector diagonal{1, 0, 0, tiny};
+  CHECK(null_space(diagonal, row_scales(diagonal, 2)).empty());
+}
+
+TEST_CASE("null vectors have one entry 1 where all the others have 0") {
+  const Vector ones(9, cl_R(1));
+  const auto basis = null_space(ones, row_scales(ones, 3));
+  REQUIRE(basis.size() == 2);
+  CHECK(basis[0] == Vector{-1, 1, 0});
+  CHECK(basis[1] == Vector{-1, 0, 1});
+}
+
+TEST_CASE("a zero row and its column are a free direction") {
+  const Vector matrix{0, 0, 0, 5};
+  const auto basis = null_space(matrix, row_scales(matrix, 2));
+  REQUIRE(basis.size() == 1);
+  CHECK(basis[0] == Vector{1, 0});
+}
+
+TEST_CASE("a row of rounding is a zero row") {
+  const Vector matrix{3, 0, 0, cln::expt(cl_R(10), -94)};
+  const auto basis = null_space(matrix, row_scales(matrix, 2));
+  REQUIRE(basis.size() == 1);
+  CHECK(basis[0] == Vector{0, 1});
+}
+
+TEST_CASE("pivots are sought in all rows: a matrix without a diagonal is regular") {
+  CHECK(null_space({0, 1, 1, 0}, {1, 1}).empty());
+}
+
+TEST_CASE("what cancellation leaves of zero is zero, against the scale that is given") {
+  const cl_R noise = cln::expt(cl_R(10), -70);
+  CHECK(null_space({noise}, {1}).size() == 1);
+  CHECK(null_space({noise}, {noise}).empty());
+}
+
+TEST_CASE("integers and short fractions are printed as such") {
+  CHECK(readable(0) == "0");
+  CHECK(readable(-1) == "-1");
+  CHECK(readable(cl_RA(1) / cl_RA(3)) == "1/3");
+  CHECK(readable(cl_RA(-7) / cl_RA(2)) == "-7/2");
+  const cln::cl_F third = cln::cl_float(cl_RA(1) / cl_RA(3), cln::float_format(60));
+  CHECK(readable(third) == "1/3");
+}
+
+TEST_CASE("other numbers are printed with five digits") {
+  const cln::cl_F two = cln::cl_float(cl_RA(2), cln::float_format(60));
+  CHECK(readable(cln::sqrt(two)) == "1.4142");
+  CHECK(readable(cl_RA(1) / cl_RA(1009)) == "0.00099108");
+}
+
+TEST_CASE("what sixty digits leave of zero is zero") {
+  CHECK(readable(cln::expt(cl_R(10), -41)) == "0");
+  CHECK(readable(cln::expt(cl_R(10), -20)) == "1e-20");
 }

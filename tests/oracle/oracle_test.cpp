@@ -287,14 +287,12 @@ TEST_CASE("law: projections agree with full outputs, and tau = M a + bias") {
     for (std::size_t i = 0; i < tau.size(); ++i) {
       CHECK(agree(tau[i], inertial[i] + bias[i], almost_all_digits, 1));
     }
-    OutputRequest inverse;
-    inverse.kind = OutputKind::inverse_dynamics;
-    CHECK(agree(*oracle_contraction(b.model, inverse, state, {w, {}}), dot(w, tau),
-                almost_all_digits, 1));
-    OutputRequest mass;
-    mass.kind = OutputKind::mass_matrix;
-    CHECK(agree(*oracle_contraction(b.model, mass, state, {w, state.a}), dot(w, inertial),
-                almost_all_digits, 1));
+    CHECK(
+        agree(*oracle_contraction(b.model, {.kind = OutputKind::inverse_dynamics}, state, {w, {}}),
+              dot(w, tau), almost_all_digits, 1));
+    CHECK(
+        agree(*oracle_contraction(b.model, {.kind = OutputKind::mass_matrix}, state, {w, state.a}),
+              dot(w, inertial), almost_all_digits, 1));
   }
 }
 
@@ -323,9 +321,7 @@ TEST_CASE("a chain of 1000 points is evaluated without recursion") {
   mass.kind = OutputKind::mass_matrix;
   CHECK(*oracle_contraction(b.model, mass, state, {w, w}) == exact("0.2") * 1000 * exact("0.09"));
   CHECK(*oracle_contraction(b.model, mass, state, {w, y}) == exact("0.2") * exact("0.09"));
-  OutputRequest inverse;
-  inverse.kind = OutputKind::inverse_dynamics;
-  CHECK(*oracle_contraction(b.model, inverse, state, {w, {}}) == 0);
+  CHECK(*oracle_contraction(b.model, {.kind = OutputKind::inverse_dynamics}, state, {w, {}}) == 0);
 }
 
 TEST_CASE("states are drawn inside the declared ranges, the same ones for a seed") {

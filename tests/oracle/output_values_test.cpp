@@ -1,15 +1,22 @@
+// Every output: by hand, as contractions, and derivatives against differences and each other.
 #include "oracle/output_values.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "elgen/step_methods.hpp"
+#include "oracle/contraction.hpp"
+#include "oracle/derivatives.hpp"
 #include "oracle/samples.hpp"
 
-using namespace elgen;
+namespace elgen::test {
+
 using namespace elgen::oracle;
-using namespace elgen::test;
-using Values = std::vector<cln::cl_R>;
+using cln::cl_R;
 
 namespace {
+
+using Values = std::vector<cln::cl_R>;
 
 ModelBuilder polar() {
   ModelBuilder b;
@@ -32,9 +39,74 @@ State polar_state(const ModelBuilder& b) {
 
 Values value(OutputKind kind) {
   const ModelBuilder b = polar();
+  return output_values(b.model, {.kind = kind}, polar_state(b));
+}
+
+ModelBuilder everything() {
+  ModelBuilder b = rotating_hoop("W*t^2");
+  b.coordinate("s").input("u", 1).input("w").T("s_d^2*(1 + th^2) + s_d*th_d + s_d").V("s*th*th_d");
+  b.D("s_d^2*th_d^2").force_on(0, "s*w - tanh(s_d)").output({"s*th", "sin(s)", "th^2"});
+  return b;
+}
+
+/// w.x or w.X y from the entries of a field, of which `first` is the first.
+cl_R contracted(const Values& values, std::size_t first, const Contraction& by) {
+  cl_R sum = 0;
+  for (std::size_t i = 0; i < by.w.size(); ++i) {
+    if (by.y.empty()) sum = sum + by.w[i] * values[first + i];
+    for (std::size_t j = 0; j < by.y.size(); ++j) {
+      sum = sum + by.w[i] * values[first + i * by.y.size() + j] * by.y[j];
+    }
+  }
+  return sum;
+}
+
+void check(OutputKind kind, std::size_t first, const Contraction& by) {
+  const ModelBuilder b = everything();
+  const State state = random_state(b.model, 3);
   OutputRequest request;
   request.kind = kind;
-  return output_values(b.model, request, polar_state(b));
+  if (output_row(kind).steps) {  // the method with all fields
+    request.user = static_cast<std::uint32_t>(StepMethod::midpoint);
+    request.iterations = 2;
+  }
+  const auto values = oracle_values(b.model, request, state);
+  const auto number = oracle_contraction(b.model, request, state, by);
+  CAPTURE(static_cast<int>(kind), by.field);
+  REQUIRE(values);
+  REQUIRE(number);
+  // A few operations on 95 digits.
+  CHECK(agree(*number, contracted(*values, first, by), 85, 1));
+}
+
+int count(Extent extent) {
+  switch (extent) {
+    case Extent::one:
+      return 1;
+    case Extent::user:
+      return 3;
+    case Extent::states:
+      return 4;
+    default:
+      return 2;
+  }
+}
+
+Contraction directions(const FieldRow& field) {
+  Contraction by;
+  for (int i = 0; i < count(field.rows); ++i) by.w.push_back(2 * i - 1);
+  const int columns = field.columns == Extent::one ? 0 : count(field.columns);
+  for (int j = 0; j < columns; ++j) by.y.push_back(3 - 5 * j);
+  return by;
+}
+
+/// Cart and pole with damping and a force on the cart.
+Model damped_cart() {
+  ModelBuilder b;
+  b.coordinate("x").coordinate("s");
+  b.T("x_d^2 + x_d*s_d*cos(s) + s_d^2/2").V("cos(s)").D("s_d^2/4");
+  b.input("u", 0);
+  return b.model;
 }
 
 }  // namespace
@@ -69,3 +141,80 @@ TEST_CASE("a user output: value, Jacobian, bias with d2y/dt2 = J a + bias") {
 TEST_CASE("the struct of all outputs has no entries of its own") {
   CHECK(value(OutputKind::dynamics).empty());
 }
+
+TEST_CASE("contractions are the sums over all entries, for every field of every output") {
+  for (const OutputRow& row : output_table()) {
+    if (row.requirement == Requirement::held) continue;
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < row.fields.size(); ++k) {
+      // The pivots of a solve are no contraction.
+      if (row.kind == OutputKind::forward_dynamics && k > 0) break;
+      Contraction by = directions(row.fields[k]);
+      by.field = k;
+      check(row.kind, first, by);
+      first += by.w.size() * std::max<std::size_t>(by.y.size(), 1);
+    }
+  }
+}
+
+TEST_CASE("a contraction outside the domain is empty") {
+  ModelBuilder b;
+  b.coordinate("x").T("x_d^2/2").V("log(x)");
+  CHECK_FALSE(oracle_contraction(b.model, {.kind = OutputKind::gravity}, nominal_state(b.model, {}),
+                                 {{1}, {}}));
+}
+
+TEST_CASE("derivatives of inverse dynamics are slopes of its values") {
+  const Model model = damped_cart();
+  const State state = random_state(model, 5);
+  const auto derived = *value_of(model, OutputKind::inverse_dynamics_derivatives, state);
+  const cln::cl_R step = cln::expt(cln::cl_R(10), -30);
+  for (std::size_t j = 0; j < 2; ++j) {
+    for (const bool by_position : {true, false}) {
+      State ahead = state;
+      State behind = state;
+      cln::cl_R& up = by_position ? ahead.q[j] : ahead.v[j];
+      cln::cl_R& down = by_position ? behind.q[j] : behind.v[j];
+      up = up + step;
+      down = down - step;
+      const auto high = *value_of(model, OutputKind::inverse_dynamics, ahead);
+      const auto low = *value_of(model, OutputKind::inverse_dynamics, behind);
+      for (std::size_t i = 0; i < 2; ++i) {
+        const cln::cl_R slope = (high[i] - low[i]) / (2 * step);
+        // The error of a central difference is of the square of its step.
+        CHECK(agree(derived[(by_position ? 0 : 4) + 2 * i + j], slope, 50, 1));
+      }
+    }
+  }
+}
+
+TEST_CASE("a pendulum linearised: A = [0 1, -cos q -d], B = [0, 1]") {
+  ModelBuilder b;
+  b.coordinate("q").T("q_d^2/2").V("-cos(q)").D("q_d^2/6").input("u", 0);
+  State state = random_state(b.model, 2);
+  state.q[0] = 0;
+  const auto linear = *value_of(b.model, OutputKind::linearization, state);
+  REQUIRE(linear.size() == 6);
+  CHECK(linear[0] == 0);
+  CHECK(linear[1] == 1);
+  CHECK(agree(linear[2], -1, 85, 1));
+  CHECK(agree(linear[3], cln::cl_RA(-1) / 3, 85, 1));
+  CHECK(linear[4] == 0);
+  CHECK(agree(linear[5], 1, 85, 1));
+}
+
+TEST_CASE("the lower half of A and B are the derivatives of forward dynamics") {
+  const Model model = damped_cart();
+  const State state = random_state(model, 9);
+  const auto forward = *value_of(model, OutputKind::forward_dynamics_derivatives, state);
+  const auto linear = *value_of(model, OutputKind::linearization, state);
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t j = 0; j < 2; ++j) {
+      CHECK(agree(linear[4 * (2 + i) + j], forward[2 * i + j], 85, 1));
+      CHECK(agree(linear[4 * (2 + i) + 2 + j], forward[4 + 2 * i + j], 85, 1));
+    }
+    CHECK(agree(linear[16 + 2 + i], forward[8 + i], 85, 1));
+  }
+}
+
+}  // namespace elgen::test

@@ -31,9 +31,7 @@ State turning(const Model& model) {
 }
 
 std::vector<cl_R> values(const Model& model, OutputKind kind, const State& state) {
-  OutputRequest request;
-  request.kind = kind;
-  return oracle_values(model, request, state).value();
+  return oracle_values(model, {.kind = kind}, state).value();
 }
 
 }  // namespace
@@ -120,10 +118,9 @@ TEST_CASE("second rates hold what turns the rate") {
   b.rotation("e").T("e1_d^2").output({"e_w", "e_z"});
   State state = nominal_state(b.model, {});
   state.v = {0, 0, 2};
-  OutputRequest request;
-  request.kind = OutputKind::user_bias;
   // e = (cos t, 0, 0, sin t)
-  CHECK(oracle_values(b.model, request, state).value() == std::vector<cl_R>{-1, 0});
+  CHECK(oracle_values(b.model, {.kind = OutputKind::user_bias}, state).value() ==
+        std::vector<cl_R>{-1, 0});
 }
 
 }  // namespace elgen::test

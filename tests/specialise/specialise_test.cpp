@@ -1,9 +1,12 @@
-// Fixed parameters become numbers, and what they make zero is gone.
+// Fixed parameters become numbers, what they make zero is gone, and locked variables leave every
+// part of a Lagrangian.
 #include "elgen/specialise.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "formulate/print.hpp"
+#include "specialise/lock.hpp"
+#include "specialise/replace.hpp"
 #include "support/systems.hpp"
 
 using namespace elgen;
@@ -33,11 +36,33 @@ std::string text_of(const Lagrangian& lagrangian) {
     for (const GiNaC::ex& component : mass.position) text += " " + print(component);
     text += "\n";
   }
-  for (const auto* terms : {&lagrangian.kinetic, &lagrangian.potential, &lagrangian.dissipation,
-                            &lagrangian.forces}) {
+  for (const auto* terms :
+       {&lagrangian.kinetic, &lagrangian.potential, &lagrangian.dissipation, &lagrangian.forces}) {
     for (const GiNaC::ex& term : *terms) text += print(term) + "\n";
   }
   return text;
+}
+
+std::string refused(const std::string& parameters, const std::string& potential,
+                    const std::vector<std::string>& settings) {
+  const CheckedModel checked = checked_model(model_text("one", R"toml(
+[[coordinate]]
+name = "x"
+[parameters]
+)toml" + parameters + R"toml([energy]
+T = "dot(x)^2/2"
+V = ")toml" + potential + "\"\n"),
+                                             fixing(settings));
+  const Result<Lagrangian> result = specialise(*formulate(checked.model), checked);
+  REQUIRE_FALSE(result);
+  const Diagnostic& error = result.diagnostics.at(0);
+  return std::string(code_row(error.code).name) + " " + std::string(covered_text(error.span)) +
+         ": " + error.message;
+}
+
+Lagrangian locked(const std::string& text, const std::string& scene) {
+  const CheckedModel checked = checked_scene(text, scene);
+  return *specialise(*formulate(checked.model), checked);
 }
 
 }  // namespace
@@ -80,27 +105,6 @@ TEST_CASE("every part of a Lagrangian is specialised") {
   CHECK(depends.has_any(Opcode::coordinate));
 }
 
-namespace {
-
-std::string refused(const std::string& parameters, const std::string& potential,
-                    const std::vector<std::string>& settings) {
-  const CheckedModel checked = checked_model(model_text("one", R"toml(
-[[coordinate]]
-name = "x"
-[parameters]
-)toml" + parameters + R"toml([energy]
-T = "dot(x)^2/2"
-V = ")toml" + potential + "\"\n"),
-                                             fixing(settings));
-  const Result<Lagrangian> result = specialise(*formulate(checked.model), checked);
-  REQUIRE_FALSE(result);
-  const Diagnostic& error = result.diagnostics.at(0);
-  return std::string(code_row(error.code).name) + " " + std::string(covered_text(error.span)) +
-         ": " + error.message;
-}
-
-}  // namespace
-
 TEST_CASE("values that leave nothing to compute are refused, naming the parameter") {
   CHECK(refused("j = 1\nk = 1\n", "x^2/k", {"j", "k=0"}) ==
         "E312 k: `k` at its fixed value makes a denominator 0, whatever the state is");
@@ -110,4 +114,62 @@ TEST_CASE("values that leave nothing to compute are refused, naming the paramete
         "E314 k: `k` at its fixed value makes a value complex, whatever the state is");
   CHECK(refused("j = 2\nk = 1\n", "x^2/(j - k)", {"j=1", "k=1"}) ==
         "E312 j: `j`, `k` at their fixed values make a denominator 0, whatever the state is");
+}
+
+TEST_CASE("the coordinate, its velocity and its force are gone") {
+  const Lagrangian l = locked(cart_pole_text(), "[lock]\nx = { value = \"2*t\" }\n");
+  REQUIRE(l.symbols.q.size() == 1);
+  CHECK(l.symbols.v.size() == 1);
+  CHECK(l.symbols.a.size() == 1);
+  CHECK(l.symbols.q_rates.size() == 1);
+  CHECK(l.forces.size() == 1);
+  CHECK(l.leaves.q == std::vector<std::string>{"theta"});
+  CHECK(l.leaves.uses_time);
+  CHECK(l.locked.empty());
+  CHECK_FALSE(l.holding.has_value());
+}
+
+TEST_CASE("positions are those at the function of time") {
+  const Lagrangian l = locked(cart_pole_text(), "[lock]\nx = { value = \"2*t\" }\n");
+  const GiNaC::ex& x = l.masses[1].position[0];
+  const Definition& bob = l.definitions.list[l.definitions.places.at(x).index];
+  CHECK(bob.depends.has_any(Opcode::time));
+  CHECK(bob.depends.has_any(Opcode::coordinate));
+}
+
+TEST_CASE("a wanted reaction keeps the whole Lagrangian") {
+  const Lagrangian l = locked(cart_pole_text(), "[lock]\ntheta = { value = 0, reaction = true }\n");
+  REQUIRE(l.holding.has_value());
+  CHECK(l.holding->velocities == std::vector<std::uint32_t>{1});
+  CHECK(l.holding->whole->symbols.q.size() == 2);
+  CHECK(l.holding->whole->definitions.list.empty());
+  CHECK(l.holding->values.at(l.holding->whole->symbols.v[1]).is_zero());
+}
+
+TEST_CASE("parameters fixed and coordinates locked in one scene") {
+  const Lagrangian l = locked(cart_pole_text(),
+                              "[parameters]\nfixed = { l = \"1/3\" }\n"
+                              "[lock]\ntheta = { value = \"l*t\" }\n");
+  LeafSet depends;
+  for (const PointMass& mass : l.masses) {
+    for (const GiNaC::ex& x : mass.position) depends |= dependence(l.definitions, x);
+  }
+  CHECK_FALSE(depends.has_any(Opcode::parameter));
+  CHECK(depends.has_any(Opcode::time));
+}
+
+TEST_CASE("a leaf is replaced through definitions, and equal values share one") {
+  Lagrangian lagrangian = *formulate(checked_model(cart_pole_text()).model);
+  const std::vector<Definition> old = lagrangian.definitions.list;
+  replace(lagrangian, {{lagrangian.symbols.q[1], 0}});
+  // The bob stands above the cart: its x is the cart's.
+  CHECK(lagrangian.masses[1].position[0].is_equal(lagrangian.masses[0].position[0]));
+  // The old definitions stay, unreached.
+  REQUIRE(lagrangian.definitions.list.size() >= old.size());
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    CHECK(lagrangian.definitions.list[i].symbol.is_equal(old[i].symbol));
+    CHECK(lagrangian.definitions.list[i].value.is_equal(old[i].value));
+  }
+  CHECK_FALSE(dependence(lagrangian.definitions, lagrangian.masses[1].position[1])
+                  .has_any(Opcode::coordinate));
 }

@@ -1,9 +1,8 @@
-// The oracle's expansions: Taylor polynomials of every output, by powers of s.
-#include "oracle/expansion.hpp"
-
+// What scenes ask: the force that holds a coordinate, and Taylor polynomials of every output.
 #include <catch2/catch.hpp>
 
 #include "elgen/oracle.hpp"
+#include "oracle/expansion.hpp"
 #include "oracle/mechanics.hpp"
 #include "support/models.hpp"
 
@@ -13,6 +12,23 @@ using cln::cl_R;
 using cln::cl_RA;
 
 namespace {
+
+/// T = 1/2 m (dr^2 + r^2 dp^2), V = k r, u on r.
+const std::string rotating_pipe = model_text("polar", R"toml(
+[[coordinate]]
+name = "r"
+[[coordinate]]
+name = "p"
+[parameters]
+m = 2
+k = 3
+[energy]
+T = "1/2*m*(dot(r)^2 + r^2*dot(p)^2)"
+V = "k*r"
+[[input]]
+name = "u"
+on = "r"
+)toml");
 
 const std::string forced_pendulum = model_text("pendulum", R"toml(
 [[coordinate]]
@@ -41,14 +57,58 @@ State some_state(const CheckedModel& checked) {
 }
 
 cl_R value(const CheckedModel& checked, OutputKind kind) {
-  OutputRequest request;
-  request.kind = kind;
-  return oracle_values(checked.model, request, some_state(checked))->front();
+  return oracle_values(checked.model, {.kind = kind}, some_state(checked))->front();
 }
 
 bool near(const cl_R& x, const cl_R& y) { return cln::abs(x - y) < cln::expt(cl_R(10), -50); }
 
 }  // namespace
+
+TEST_CASE("the wall of a rotating pipe: m r'' - m r p'^2 + k - u") {
+  const CheckedModel held =
+      checked_scene(rotating_pipe, "[lock]\nr = { value = \"t^3\", reaction = true }\n");
+  State state = nominal_state(held.model, held.scene);
+  state.v = {5};
+  state.a = {7};
+  state.u = {11};
+  state.t = 2;
+  // r = 8, dr/dt = d2r/dt2 = 12: m r'' = 24, m r p'^2 = 400
+  const OracleValues force = oracle_values(held.model, {.kind = OutputKind::reaction}, state);
+  CHECK(force.value() == std::vector<cln::cl_R>{24 - 400 + 3 - 11});
+}
+
+TEST_CASE("a lock without reaction has no row") {
+  const CheckedModel held = checked_scene(rotating_pipe, "[lock]\nr = { value = 1 }\n");
+  const State state = nominal_state(held.model, held.scene);
+  CHECK(oracle_values(held.model, {.kind = OutputKind::reaction}, state).value().empty());
+}
+
+TEST_CASE("a locked coordinate carries energy as it moves, its armature too") {
+  const CheckedModel held = checked_scene(model_text("arm", R"toml(
+[[coordinate]]
+name = "a"
+armature = "J"
+[[coordinate]]
+name = "b"
+[parameters]
+J = 3
+[energy]
+T = "1/2*dot(a)^2 + dot(a)*dot(b)*b + dot(b)^2*a"
+V = "a*b"
+)toml"),
+                                          "[lock]\na = { value = \"3*t^2\" }\n");
+  State state = nominal_state(held.model, held.scene);
+  state.q = {5};
+  state.v = {11};
+  state.t = 2;
+  const auto value = [&](OutputKind kind) {
+    return oracle_values(held.model, {.kind = kind}, state).value().front();
+  };
+  // a = 12, da/dt = 12
+  CHECK(value(OutputKind::potential_energy) == 60);
+  CHECK(value(OutputKind::mass_matrix) == 24);
+  CHECK(value(OutputKind::kinetic_energy) == 72 + 12 * 11 * 5 + 121 * 12 + 3 * 72);
+}
 
 TEST_CASE("an exact model has no point") {
   const CheckedModel checked = checked_model(forced_pendulum);
@@ -87,9 +147,8 @@ on = "th"
 value = "u*(exp(th) - 1)"
 )toml"),
                                            "order = 2\nabout = { th = 0 }");
-  OutputRequest request;
-  request.kind = OutputKind::input_matrix;
-  const OracleValues found = oracle_values(second.model, request, some_state(second));
+  const OracleValues found =
+      oracle_values(second.model, {.kind = OutputKind::input_matrix}, some_state(second));
   REQUIRE(found);
   const cl_R th = cl_RA(1) / 5;
   CHECK(near(found->at(0), th + th * th / 2));
