@@ -17,10 +17,7 @@
 #include "check/judge/mechanics.hpp"
 #include "check/names/context.hpp"
 #include "check/names/requests.hpp"
-#include "check/scene/lock.hpp"
-#include "check/scene/read_approximate.hpp"
-#include "check/scene/read_run.hpp"
-#include "check/scene/scene_reader.hpp"
+#include "check/scene/scene.hpp"
 #include "elgen/scene.hpp"
 
 namespace elgen {

@@ -5,6 +5,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "elgen/lagrangian.hpp"
 #include "elgen/references.hpp"
 
 namespace elgen {
@@ -43,6 +44,16 @@ ex call(FunctionId function, const ex& x, const ex& y) {
 #undef ELGEN_CALL_2
   }
   return 0;
+}
+
+using GiNaC::ex;
+
+// check() lets these stand in forces only, so a derivative is a mistake of elgen's own.
+ex no_derivative(const ex& /*x*/, unsigned /*argument*/) {
+  throw std::logic_error("derivative of a kinked function");
+}
+ex no_derivative_2(const ex& /*x*/, const ex& /*y*/, unsigned /*argument*/) {
+  throw std::logic_error("derivative of a kinked function");
 }
 
 }  // namespace
@@ -249,5 +260,10 @@ ex constant_value(const Model& model, ExpressionId value) {
   }
   return result;
 }
+
+REGISTER_FUNCTION(elgen_abs, derivative_func(no_derivative))
+REGISTER_FUNCTION(elgen_sign, derivative_func(no_derivative))
+REGISTER_FUNCTION(elgen_min, derivative_func(no_derivative_2))
+REGISTER_FUNCTION(elgen_max, derivative_func(no_derivative_2))
 
 }  // namespace elgen

@@ -4,7 +4,6 @@
 // energy. Source of the equations: Goldstein, Poole, Safko, Classical Mechanics, 3rd ed., 1.5
 // and 8.1.
 #pragma once
-
 #include <vector>
 
 #include "elgen/model.hpp"
@@ -73,8 +72,8 @@ class Mechanics {
   /// w.dL/dq, along the rotation vector where rotations turn
   [[nodiscard]] cln::cl_R position_gradient(const Direction& w);
 
-  /// w.(d/dt dL/dv + [w]x dL/dw - dL/dq + dD/dv - Q), the second term for angular velocities, with
-  /// acceleration a: w.(M a + bias)
+  /// w.(d/dt dL/dv + [w]x dL/dw - dL/dq + dD/dv - Q), the second term for angular velocities,
+  /// with acceleration a: w.(M a + bias)
   [[nodiscard]] cln::cl_R inverse_dynamics(const Direction& w, const Direction& a);
 
   /// Slope of w.(M a + bias - B u) where q moves along x and v along y, to first order. For a
@@ -128,5 +127,25 @@ class Mechanics {
   Motion base_;  ///< of the state, with a = 0 and u = 0
   std::shared_ptr<JetFunctions> functions_ = std::make_shared<JetFunctions>();
 };
+
+/// w.([v]x M y + [y]x M v + M [v]x y) on the velocities of rotations, v the state's.
+[[nodiscard]] cln::cl_R turning(Mechanics& at, const Direction& w, const Direction& y);
+
+/// w.C v = d/dq (w.M v) v - 1/2 d/dq (v.M v) w + w.[v]x M v
+[[nodiscard]] cln::cl_R velocity_force(Mechanics& at, const Direction& w);
+
+/// w.C y = 1/2 (d/dq (w.M y) v + d/dq (w.M v) y - d/dq (y.M v) w), and for angular velocities
+/// + 1/2 w.([v]x M y + [y]x M v + M [v]x y): half the gradient of w.C v, and what makes dM/dt - 2
+/// C skew.
+[[nodiscard]] cln::cl_R coriolis(Mechanics& at, const Direction& w, const Direction& y);
+
+/// w.(tau at a = 0)
+[[nodiscard]] cln::cl_R bias(Mechanics& at, const Direction& w);
+
+/// w.tau at the state's a
+[[nodiscard]] cln::cl_R inverse_dynamics(Mechanics& at, const Direction& w);
+
+/// The part of the bias that no other output holds.
+[[nodiscard]] cln::cl_R drift(Mechanics& at, const Direction& w);
 
 }  // namespace elgen::oracle

@@ -4,7 +4,6 @@
 #include <functional>
 
 #include "elgen/oracle.hpp"
-#include "oracle/contraction.hpp"
 #include "oracle/derivatives.hpp"
 #include "oracle/mechanics.hpp"
 #include "oracle/rotations.hpp"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "oracle/contraction.hpp"
+#include "oracle/mechanics.hpp"
 #include "oracle/real_functions.hpp"
 
 namespace elgen::oracle {

@@ -7,11 +7,10 @@
 // forces to order k: one derivative is still to be taken of the energies. Those of coordinates that
 // are not small lose no order by that derivative: right to order k + 1, with forces to that order.
 // Masses, points and their forces have then become terms of T, V and the generalized forces.
-#include "specialise/expand.hpp"
-
 #include <algorithm>
 
 #include "formulate/chain_rule.hpp"
+#include "specialise/passes.hpp"
 #include "specialise/taylor_series.hpp"
 
 namespace elgen {

@@ -2,12 +2,10 @@
 //
 //     before    x = l*cos(q1) + l*cos(q1 + q2)     q = (q1, q2)     q1 locked at 0
 //     after     x = l + l*cos(q2)                  q = (q2)
-#include "specialise/lock.hpp"
-
 #include <algorithm>
 #include <memory>
 
-#include "specialise/replace.hpp"
+#include "specialise/passes.hpp"
 
 namespace elgen {
 

@@ -1,5 +1,5 @@
 // Every expression a Lagrangian holds, in the order of its members.
-#include "specialise/replace.hpp"
+#include "specialise/passes.hpp"
 
 namespace elgen {
 

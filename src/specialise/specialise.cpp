@@ -5,7 +5,7 @@
 //     after     p = 1/2*sin(q), T = 1/2*m*p_dot^2
 //
 // Definitions that vanish are no longer reached from any energy, force or output, so later stages
-// never see them. Then a scene that asks for an expansion gets it (expand.hpp).
+// never see them. Then a scene that asks for an expansion gets it.
 #include "elgen/specialise.hpp"
 
 #include <algorithm>
@@ -14,9 +14,7 @@
 #include <utility>
 
 #include "formulate/expressions.hpp"
-#include "specialise/expand.hpp"
-#include "specialise/lock.hpp"
-#include "specialise/replace.hpp"
+#include "specialise/passes.hpp"
 
 namespace elgen {
 

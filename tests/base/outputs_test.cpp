@@ -1,5 +1,5 @@
-// The output table: one row per kind in the order of the enumeration, names unique, later names
-// absent.
+// The tables of outputs, limits and scalars: one row per kind in the order of the enumeration,
+// names unique, later names absent.
 #include "elgen/outputs.hpp"
 
 #include <fmt/format.h>
@@ -9,41 +9,12 @@
 #include <set>
 #include <sstream>
 
+#include "elgen/limits.hpp"
+#include "elgen/scalars.hpp"
+
 namespace elgen {
+
 namespace {
-
-TEST_CASE("rows stand in the order of the enumeration") {
-  REQUIRE(output_table().size() == static_cast<std::size_t>(OutputKind::step) + 1);
-  for (std::size_t i = 0; i < output_table().size(); ++i) {
-    CHECK(static_cast<std::size_t>(output_table()[i].kind) == i);
-  }
-}
-
-TEST_CASE("names are unique and found") {
-  std::set<std::string_view> names;
-  for (const OutputRow& row : output_table()) {
-    CHECK(names.insert(row.name).second);
-    CHECK_FALSE(row.doc.empty());
-  }
-  REQUIRE(find_output("bias") != nullptr);
-  CHECK(find_output("bias")->kind == OutputKind::bias);
-  CHECK(find_output("") == nullptr);
-  CHECK(find_output("_jacobian") == nullptr);
-  CHECK(find_output("mass_matrx") == nullptr);
-}
-
-TEST_CASE("arguments and shapes follow the equations") {
-  const OutputRow& mass = output_row(OutputKind::mass_matrix);
-  CHECK(mass.takes == LeafSet());
-  CHECK(mass.fields.front().columns == Extent::velocities);
-  const OutputRow& inverse = output_row(OutputKind::inverse_dynamics);
-  CHECK(inverse.takes == (Opcode::velocity | Opcode::acceleration));
-  const OutputRow& forward = output_row(OutputKind::forward_dynamics);
-  CHECK(forward.takes == (Opcode::velocity | Opcode::input));
-  REQUIRE(forward.fields.size() == 2);
-  CHECK(forward.fields[1].name == "relative_pivots");
-  CHECK(output_row(OutputKind::input_matrix).fields.front().columns == Extent::inputs);
-}
 
 /// Sizes that tell everything apart.
 std::size_t size_of(Extent extent) {
@@ -90,6 +61,41 @@ std::size_t size_of(const std::string& type) {
   return size;
 }
 
+}  // namespace
+
+TEST_CASE("rows stand in the order of the enumeration") {
+  REQUIRE(output_table().size() == static_cast<std::size_t>(OutputKind::step) + 1);
+  for (std::size_t i = 0; i < output_table().size(); ++i) {
+    CHECK(static_cast<std::size_t>(output_table()[i].kind) == i);
+  }
+}
+
+TEST_CASE("names are unique and found") {
+  std::set<std::string_view> names;
+  for (const OutputRow& row : output_table()) {
+    CHECK(names.insert(row.name).second);
+    CHECK_FALSE(row.doc.empty());
+  }
+  REQUIRE(find_output("bias") != nullptr);
+  CHECK(find_output("bias")->kind == OutputKind::bias);
+  CHECK(find_output("") == nullptr);
+  CHECK(find_output("_jacobian") == nullptr);
+  CHECK(find_output("mass_matrx") == nullptr);
+}
+
+TEST_CASE("arguments and shapes follow the equations") {
+  const OutputRow& mass = output_row(OutputKind::mass_matrix);
+  CHECK(mass.takes == LeafSet());
+  CHECK(mass.fields.front().columns == Extent::velocities);
+  const OutputRow& inverse = output_row(OutputKind::inverse_dynamics);
+  CHECK(inverse.takes == (Opcode::velocity | Opcode::acceleration));
+  const OutputRow& forward = output_row(OutputKind::forward_dynamics);
+  CHECK(forward.takes == (Opcode::velocity | Opcode::input));
+  REQUIRE(forward.fields.size() == 2);
+  CHECK(forward.fields[1].name == "relative_pivots");
+  CHECK(output_row(OutputKind::input_matrix).fields.front().columns == Extent::inputs);
+}
+
 TEST_CASE("types hold as many numbers as their fields have entries") {
   for (const OutputRow& output : output_table()) {
     for (const FieldRow& field : output.fields) {
@@ -113,5 +119,23 @@ TEST_CASE("what needs a quadratic Lagrangian says so") {
   }
 }
 
-}  // namespace
+TEST_CASE("the table names every limit once") {
+  std::set<std::string_view> names;
+  Limits limits;
+  for (const LimitRow& row : limit_table()) {
+    CHECK(names.insert(row.name).second);
+    CHECK_FALSE(row.doc.empty());
+    limits.*row.member = 0;
+  }
+  // All members are 64-bit numbers: a limit without a row would survive.
+  CHECK(sizeof(Limits) == limit_table().size() * sizeof(std::uint64_t));
+}
+
+TEST_CASE("a row of the table stands at its kind") {
+  for (const ScalarRow& row : scalar_table) CHECK(name_of(row.kind) == row.name);
+  CHECK(name_of(scalar_kind<float>) == "float");
+  CHECK(name_of(scalar_kind<double>) == "double");
+  CHECK(name_of(scalar_kind<long double>) == "long double");
+}
+
 }  // namespace elgen

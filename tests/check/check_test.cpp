@@ -5,7 +5,6 @@
 #include <catch2/catch.hpp>
 #include <ctime>
 #include <filesystem>
-#include <sstream>
 
 #include "check/names/report.hpp"
 #include "check_testing.hpp"
@@ -66,28 +65,6 @@ TEST_CASE("the models of the project have no errors, warnings or notes") {
     CHECK(messages(file_text(path)).empty());
     CHECK(is_ordered(checked(file_text(path)).model));
   }
-}
-
-TEST_CASE("broken models are told with code, line and column") {
-  std::istringstream table(file_text("tests/errors/broken_models.tsv"));
-  std::size_t judged = 0;
-  for (std::string line; std::getline(table, line);) {
-    if (line.empty() || line[0] == '#') continue;
-    std::istringstream fields(line);
-    std::string name;
-    std::string code;
-    std::string row;
-    std::string column;
-    fields >> name >> code >> row >> column;
-    const std::string text = file_text("tests/errors/broken_models/" + name + ".toml");
-    if (!parse_model(make_source("m.toml", text), {})) continue;
-    INFO(name);
-    const std::string start = code + " " + row + ":" + column + " ";
-    CHECK(messages(text).substr(0, start.size()) == start);
-    ++judged;
-  }
-  // The others do not parse.
-  CHECK(judged >= 18);
 }
 
 TEST_CASE("independent errors are told in one run, in order of position") {

@@ -1,8 +1,7 @@
 // Emission, batches, steps and files: what a scene asks of the code.
-#include "check/scene/emission.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "check/scene/scene.hpp"
 #include "check_testing.hpp"
 #include "elgen/artifacts.hpp"
 

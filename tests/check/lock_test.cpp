@@ -1,8 +1,7 @@
 // Locks: how they are read, and the model without the locked coordinates.
-#include "check/scene/lock.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "check/scene/scene.hpp"
 #include "check_testing.hpp"
 #include "model_text.hpp"
 #include "support/models.hpp"

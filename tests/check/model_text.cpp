@@ -1,8 +1,7 @@
-// Names stand for what their indices refer to; what a scene does not want has no line.
+// Names stand for what their indices refer to.
 #include "check/model_text.hpp"
 
 #include "base/number_text.hpp"
-#include "elgen/languages.hpp"
 
 namespace elgen::test {
 namespace {
@@ -209,32 +208,5 @@ class ModelDump {
 }  // namespace
 
 std::string dump(const Model& model) { return ModelDump(model).text(); }
-
-std::string dump(const Scene& scene) {
-  std::string text = "scene " + (scene.name.empty() ? "full" : scene.name) + "\n";
-  text += "base name " + scene.base_name + "\n";
-  text += "namespace " + scene.emission.name_space + "\n";
-  text += "language " + std::string(language_row(scene.emission.language).name) + ", " +
-          std::string(name_of(scene.emission.storage)) + (scene.emission.eigen ? ", eigen" : "") +
-          (scene.emission.batch ? ", batch" : "") + "\n";
-  for (const auto& [parameter, value] : scene.specialisation.fixed) {
-    text +=
-        "fixed parameter " + std::to_string(parameter) + " = " + number_text(value.number) + "\n";
-  }
-  for (const OutputRequest& output : scene.outputs) {
-    text += "output " + output.name + " " + std::to_string(output.rows) + " " +
-            std::to_string(output.columns) +
-            (output.form ? ", " + std::string(name_of(*output.form)) : "") + "\n";
-  }
-  for (const LeftOut& left_out : scene.left_out) {
-    for (const std::string& output : left_out.outputs) {
-      text += "left out " + output + ", " + std::string(name_of(left_out.reason)) + "\n";
-    }
-  }
-  for (const ScalarKind kind : scene.numerics.scalars) {
-    text += "scalar " + std::string(name_of(kind)) + "\n";
-  }
-  return text;
-}
 
 }  // namespace elgen::test

@@ -1,8 +1,7 @@
 // [approximate]: names, orders and values.
-#include "check/scene/read_approximate.hpp"
-
 #include <catch2/catch.hpp>
 
+#include "check/scene/scene.hpp"
 #include "check_testing.hpp"
 
 using namespace elgen;

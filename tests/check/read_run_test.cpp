@@ -1,9 +1,8 @@
 // What a run starts from: starts, laws of inputs and values of parameters, as options give them.
-#include "check/scene/read_run.hpp"
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "check/scene/scene.hpp"
 #include "check_testing.hpp"
 #include "support/models.hpp"
 

@@ -1,9 +1,8 @@
 // Scenes: outputs, fixed parameters, scalars and names.
-#include "check/scene/scene_reader.hpp"
-
 #include <catch2/catch.hpp>
 
 #include "base/number_text.hpp"
+#include "check/scene/scene.hpp"
 #include "check_testing.hpp"
 
 namespace elgen::test {

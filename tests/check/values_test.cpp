@@ -1,9 +1,13 @@
-// Values: roots, constants and references of one entry.
+// Values: roots, constants and references of one entry, and nodes that check writes itself: what
+// vanishes is never written.
 #include "check/expressions/values.hpp"
 
 #include <catch2/catch.hpp>
 
-namespace elgen {
+#include "check/expressions/node_builder.hpp"
+
+namespace elgen::test {
+
 namespace {
 
 ValueSyntax value_syntax(const std::string& text) {
@@ -18,6 +22,36 @@ ValueSyntax value_syntax(const std::string& text) {
   value.span = expression->span;
   return value;
 }
+
+ValueSyntax vector_of(std::size_t count) {
+  ValueSyntax vector;
+  vector.kind = ValueKind::list;
+  vector.items.assign(count, value_syntax("x"));
+  return vector;
+}
+
+/// A coordinate x, and nodes over it.
+struct Sheet {
+  Sheet() {
+    Coordinate coordinate;
+    coordinate.name = coordinate.identifier = "x";
+    append_coordinate(context.model, coordinate);
+    x = nodes.leaf(ExpressionKind::coordinate, 0);
+    one = nodes.number(1);
+    pi = nodes.leaf(ExpressionKind::pi, 0);
+  }
+
+  [[nodiscard]] std::string text(ExpressionId id) const { return to_string(context.model, id); }
+
+  Limits limits = {};
+  Context context{limits};
+  NodeBuilder nodes{context, {}};
+  ExpressionId x = 0;
+  ExpressionId one = 0;
+  ExpressionId pi = 0;
+};
+
+}  // namespace
 
 TEST_CASE("a root is a run of nodes, a failed one is none") {
   const Limits limits;
@@ -53,13 +87,6 @@ TEST_CASE("references find the element of the right kind") {
   CHECK(context.report.errors() == 2);
 }
 
-ValueSyntax vector_of(std::size_t count) {
-  ValueSyntax vector;
-  vector.kind = ValueKind::list;
-  vector.items.assign(count, value_syntax("x"));
-  return vector;
-}
-
 TEST_CASE("all vectors of a model have as many components as the first") {
   const Limits limits;
   Context context(limits);
@@ -85,5 +112,86 @@ TEST_CASE("keys of tables are found by name") {
   CHECK(text_of(entry, "doc") == "x");
 }
 
-}  // namespace
-}  // namespace elgen
+TEST_CASE("zeros and ones fold away", "[frames]") {
+  Sheet s;
+  NodeBuilder& nodes = s.nodes;
+  CHECK(nodes.number(0) == no_expression);
+  CHECK(nodes.is_one(s.one));
+  CHECK(nodes.add({no_expression, s.x, no_expression}) == s.x);
+  CHECK(nodes.add({no_expression, no_expression}) == no_expression);
+  CHECK(nodes.multiply({s.x, no_expression}) == no_expression);
+  CHECK(nodes.multiply({s.one, s.x, s.one}) == s.x);
+  CHECK(nodes.divide(no_expression, s.x) == no_expression);
+  CHECK(nodes.divide(s.x, s.one) == s.x);
+  CHECK(nodes.negate(no_expression) == no_expression);
+  const ExpressionId minus_x = nodes.negate(s.x);
+  CHECK(nodes.negate(minus_x) == s.x);
+  CHECK(nodes.subtract(s.x, no_expression) == s.x);
+}
+
+TEST_CASE("signs come out of products", "[frames]") {
+  Sheet s;
+  const ExpressionId minus_one = s.nodes.number(-1);
+  CHECK(s.text(s.nodes.multiply({minus_one, s.x})) == "-x");
+  CHECK(s.nodes.multiply({minus_one, s.x, minus_one}) == s.x);
+  CHECK(s.text(s.nodes.multiply({minus_one, minus_one, minus_one})) == "-1");
+}
+
+TEST_CASE("rational constants become numbers, others stay as written", "[frames]") {
+  Sheet s;
+  const ExpressionId three = s.nodes.number(3);
+  const ExpressionId half = s.nodes.number(cln::cl_RA(1) / 2);
+  CHECK(s.text(s.nodes.add({three, half})) == "7/2");
+  CHECK(s.text(s.nodes.divide(three, half)) == "6");
+  const ExpressionId four = s.nodes.number(4);
+  CHECK(s.text(s.nodes.power(four, cln::cl_RA(-1) / 2)) == "1/2");
+  CHECK(s.text(s.nodes.power(three, cln::cl_RA(1) / 2)) == "sqrt(3)");
+}
+
+TEST_CASE("sines and cosines of quarter turns are exact", "[frames]") {
+  Sheet s;
+  for (int k = -4; k <= 4; ++k) {
+    const ExpressionId quarters = s.nodes.number(cln::cl_RA(k) / 2);
+    const ExpressionId angle = s.nodes.multiply({quarters, s.pi});
+    const int expected_sine = k % 2 == 0 ? 0 : (k == 1 || k == -3 ? 1 : -1);
+    const int expected_cosine = k % 2 != 0 ? 0 : (k % 4 == 0 ? 1 : -1);
+    INFO(k);
+    CHECK(s.text(s.nodes.call(FunctionId::sin, angle)) == std::to_string(expected_sine));
+    CHECK(s.text(s.nodes.call(FunctionId::cos, angle)) == std::to_string(expected_cosine));
+  }
+  const ExpressionId third = s.nodes.number(3);
+  CHECK(s.text(s.nodes.call(FunctionId::cos, third)) == "cos(3)");
+}
+
+TEST_CASE("constants have no rate", "[frames]") {
+  Sheet s;
+  CHECK(s.nodes.rate(s.pi) == no_expression);
+  CHECK(s.text(s.nodes.rate(s.x)) == "dot(x)");
+}
+
+TEST_CASE("vectors and matrices", "[frames]") {
+  Sheet s;
+  NodeBuilder& nodes = s.nodes;
+  const Matrix3 quarter{no_expression, nodes.number(-1), no_expression,  // x -> y -> -x
+                        s.one,         no_expression,    no_expression,
+                        no_expression, no_expression,    s.one};
+  const Vector3 along{s.x, no_expression, s.one};
+  const Vector3 forth = nodes.apply(quarter, along);
+  CHECK(forth[0] == no_expression);
+  CHECK(forth[1] == s.x);
+  CHECK(nodes.is_one(forth[2]));
+  const Vector3 back = nodes.apply_transposed(quarter, along);
+  CHECK(back[0] == no_expression);
+  CHECK(s.text(back[1]) == "-x");
+  const Matrix3 half = nodes.multiply(quarter, quarter);
+  CHECK(s.text(half[0]) == "-1");
+  CHECK(s.text(half[1]) == "0");
+  CHECK(s.text(half[4]) == "-1");
+  const Matrix3 identity = nodes.identity();
+  CHECK(nodes.is_one(nodes.multiply(identity, identity)[8]));
+  const Vector3 sum = nodes.add(along, along);
+  CHECK(s.text(sum[0]) == "x + x");
+  CHECK(s.text(nodes.dot(along, along)) == "x*x + 1");
+}
+
+}  // namespace elgen::test

@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 
 #include "elgen/step_methods.hpp"
-#include "oracle/contraction.hpp"
 #include "oracle/derivatives.hpp"
+#include "oracle/mechanics.hpp"
 #include "oracle/samples.hpp"
 
 namespace elgen::test {

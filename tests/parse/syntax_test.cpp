@@ -5,8 +5,6 @@
 #include <rapidcheck.h>
 
 #include <catch2/catch.hpp>
-#include <fstream>
-#include <sstream>
 
 #include "parse_testing.hpp"
 
@@ -42,31 +40,6 @@ TEST_CASE("errors inside strings stand at the character of the file", "[parse]")
   }));
   INFO(row.value);
   CHECK(model_answer(with_potential(row.value)) == row.place);
-}
-
-TEST_CASE("broken models whose mistake needs no other entry", "[parse]") {
-  const std::string folder = ELGEN_SOURCE_DIR "/tests/errors/broken_models";
-  std::ifstream table(folder + ".tsv");
-  REQUIRE(table);
-  std::size_t answered = 0;
-  for (std::string line; std::getline(table, line);) {
-    if (line[0] == '#') continue;
-    std::istringstream fields(line);
-    std::string name;
-    std::string code;
-    std::string place_line;
-    std::string place_column;
-    fields >> name >> code >> place_line >> place_column;
-    std::ostringstream text;
-    text << std::ifstream(folder + "/" + name + ".toml").rdbuf();
-    const SourcePointer source = make_source(name, text.str());
-    const auto model = parse_model(source, {});
-    if (model) continue;  // check finds it
-    INFO(name);
-    CHECK(testing::places(model.diagnostics) == code + " " + place_line + ":" + place_column);
-    ++answered;
-  }
-  CHECK(answered == 10);
 }
 
 TEST_CASE("columns count code points before the error", "[parse]") {

@@ -1,11 +1,10 @@
 // Energies and forces of an expanded Lagrangian, as polynomials; Taylor coefficients through
 // definitions.
-#include "specialise/expand.hpp"
-
 #include <catch2/catch.hpp>
 
 #include "elgen/specialise.hpp"
 #include "formulate/written_out.hpp"
+#include "specialise/passes.hpp"
 #include "specialise/taylor_series.hpp"
 #include "support/systems.hpp"
 

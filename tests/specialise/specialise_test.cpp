@@ -5,8 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "formulate/print.hpp"
-#include "specialise/lock.hpp"
-#include "specialise/replace.hpp"
+#include "specialise/passes.hpp"
 #include "support/systems.hpp"
 
 using namespace elgen;

@@ -1,13 +1,12 @@
 // Emission: words of the choice table become enumerators, and what does not go together is refused
 // where it is written. The accuracy of batches has to be within what the scalars can give.
-#include "check/scene/emission.hpp"
-
 #include <algorithm>
 #include <array>
 
 #include "base/exact_number.hpp"
 #include "check/expressions/values.hpp"
 #include "check/names/reserved_names.hpp"
+#include "check/scene/scene.hpp"
 #include "elgen/wording.hpp"
 
 namespace elgen {

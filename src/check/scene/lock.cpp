@@ -5,14 +5,13 @@
 //     after     q = (q2)        q1(t) = w*t, T = 1/2*I1*dot(q1)^2 + 1/2*I2*dot(q2)^2
 //
 // Nodes of the arena change their kind in place, so that whatever refers to them stays.
-#include "check/scene/lock.hpp"
-
 #include <algorithm>
 #include <utility>
 
 #include "check/expressions/node_builder.hpp"
 #include "check/expressions/places.hpp"
 #include "check/expressions/values.hpp"
+#include "check/scene/scene.hpp"
 #include "elgen/references.hpp"
 
 namespace elgen {

@@ -3,8 +3,6 @@
 //     order = 3                      ->   order 3
 //     about = { q1 = "pi/2", q2 = 0 }     q1 and q2 are pi/2 and 0 at the point
 //     small = ["q2"]                      q2 is small; q1 is any angle, and inputs are any forces
-#include "check/scene/read_approximate.hpp"
-
 #include <cln/integer.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "check/expressions/places.hpp"
 #include "check/expressions/values.hpp"
 #include "check/names/requests.hpp"
+#include "check/scene/scene.hpp"
 
 namespace elgen {
 namespace {

@@ -1,12 +1,11 @@
 // What a run starts from, word by word: "theta=1", "dot(theta)=0", "attitude=[1,0,0,0]", "m=2".
-#include "check/scene/read_run.hpp"
-
 #include <algorithm>
 
 #include "check/expressions/options.hpp"
 #include "check/expressions/parameters.hpp"
 #include "check/expressions/places.hpp"
 #include "check/expressions/values.hpp"
+#include "check/scene/scene.hpp"
 
 namespace elgen {
 namespace {

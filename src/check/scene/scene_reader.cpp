@@ -1,6 +1,4 @@
 // Scene: outputs in the order of the table, fixed parameters, scalars and emission.
-#include "check/scene/scene_reader.hpp"
-
 #include <cln/integer.h>
 #include <fmt/format.h>
 
@@ -15,7 +13,7 @@
 #include "check/names/report.hpp"
 #include "check/names/requests.hpp"
 #include "check/names/reserved_names.hpp"
-#include "check/scene/emission.hpp"
+#include "check/scene/scene.hpp"
 #include "elgen/scene.hpp"
 #include "elgen/step_methods.hpp"
 #include "elgen/wording.hpp"

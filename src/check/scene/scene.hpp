@@ -1,0 +1,48 @@
+// What a scene file and options want of a resolved model, part by part. `scene` and `syntax` may be
+// null.
+#pragma once
+
+#include "check/names/context.hpp"
+#include "elgen/model.hpp"
+#include "elgen/scene.hpp"
+#include "elgen/syntax.hpp"
+
+namespace elgen {
+
+/// E103, E105, E112, E518, E601–E611, E620, E505, E108. An option given replaces what the scene
+/// says of the same.
+[[nodiscard]] Scene read_scene(Context& context, const FileSyntax* syntax,
+                               const SceneOptions& options);
+
+/// E205, E204 of the namespace; E610 where the language is for one scalar and the scene asks for
+/// others; E611 for what the language does not have.
+[[nodiscard]] Emission read_emission(Context& context, const FileSyntax* syntax,
+                                     const Scene& scene);
+
+/// Sets Emission::batch and Numerics::trigonometry_error. E611 where the language is not C++, E625
+/// where the scalars or the accuracy are those of no batch.
+void read_batch(Context& context, const FileSyntax* syntax, Scene& scene);
+
+/// Fills Model::approximation. E614.
+void read_approximation(Context& context, const FileSyntax* scene);
+
+/// --state: Coordinate::start_value and Velocity::start_rate. E606, E612, and what is said of
+/// expressions.
+void read_starts(Context& context, const SceneOptions& options);
+
+/// --input: Input::law, which is judged with what the model says. E201, E606.
+void read_laws(Context& context, const SceneOptions& options);
+
+/// --set: Parameter::value of what the scene does not fix. E602, E606, E112, E518.
+void read_values(Context& context, const Scene& scene, const SceneOptions& options);
+
+/// Fills Model::locks, in the order of the coordinates. E612, E615, and what the values'
+/// expressions give.
+void read_locks(Context& context, const FileSyntax* scene);
+
+/// The model in which functions of time stand for the locked coordinates, fewer of which are left.
+/// The model given is kept as `unlocked`. Without locks it is returned as it is. Closed forms of
+/// [[expect]] are those of the whole model and do not carry over.
+[[nodiscard]] Model locked(Model model);
+
+}  // namespace elgen

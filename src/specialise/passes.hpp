@@ -1,0 +1,21 @@
+// What specialise does to a Lagrangian, one pass after another.
+#pragma once
+
+#include "elgen/lagrangian.hpp"
+#include "formulate/chain_rule.hpp"
+
+namespace elgen {
+
+/// Every energy, force, frame and output over new definitions; the old ones stay in the list,
+/// unreached.
+void replace(Lagrangian& lagrangian, const Seeds& values);
+
+/// q_i = s(t), v_i = ds/dt in every energy, force and frame; the row and the column of q_i are
+/// gone. Where a reaction is wanted, the Lagrangian before is kept in `holding`.
+void lock(Lagrangian& lagrangian);
+
+/// Replaces masses, energies and forces by their expansions, as `lagrangian.expansion` says. User
+/// outputs stay exact.
+[[nodiscard]] Lagrangian expanded(Lagrangian lagrangian);
+
+}  // namespace elgen
