@@ -1,6 +1,5 @@
 // Closed forms that a model expects, and the units of outputs.
 #include <catch2/catch.hpp>
-#include <utility>
 
 #include "check/judge/output_units.hpp"
 #include "check/names/requests.hpp"

@@ -77,13 +77,6 @@ TEST_CASE("limits hold for digits and exponents, at the limit and one past it", 
   CHECK(limit_of("1e99999999999999999999999999") == Code::E904);
 }
 
-TEST_CASE("a limit says what was met and how it is raised", "[parse]") {
-  const auto hit = limit_hit(decimal_parts("1e-999"), Limits{});
-  REQUIRE(hit);
-  CHECK(hit->message == "decimal exponent `-999` is beyond ±400");
-  CHECK(hit->hint == "`--limit decimal_exponent=N` raises the limit");
-}
-
 TEST_CASE("decimal text is the shortest literal", "[parse]") {
   CHECK(decimal_text(0) == "0");
   CHECK(decimal_text(-5) == "-5");
