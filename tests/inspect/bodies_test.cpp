@@ -45,13 +45,16 @@ TEST_CASE("possible inertias pass: a ball, a plate, a rod, a point") {
   CHECK(inertia_findings({}).empty());
 }
 
-TEST_CASE("a plate rounded to three digits passes") {
+TEST_CASE("a plate rounded to three digits passes, not one of two") {
   CHECK(inertia_findings({"0.0833", "0.0833", "0.1667", "0", "0", "0"}).empty());
+  CHECK(inertia_findings({"1", "1", "2.001", "0", "0", "0"}).empty());
+  CHECK_FALSE(inertia_findings({"1", "1", "2.01", "0", "0", "0"}).empty());
 }
 
 TEST_CASE("impossible inertias are reported with their values") {
   CHECK(inertia_findings({"1", "1", "3", "0", "0", "0"}) ==
         "E508: inertia 1, 1, 3, 0, 0, 0 of `top` belongs to no body");
+  CHECK_FALSE(inertia_findings({"-1", "1", "1", "0", "0", "0"}).empty());
   CHECK(inertia_findings({"-A"}) == "E508: inertia -1/20 of `top` belongs to no body");
 }
 

@@ -93,15 +93,6 @@ TEST_CASE("a sum of 100 000 terms fits a file", "[parse]") {
   CHECK(model_answer(with_potential("\"" + terms + "\"")).size() > terms.size());
 }
 
-TEST_CASE("keys are found by name", "[parse]") {
-  const SourcePointer source = make_source("test", with_potential("1"));
-  const auto model = parse_model(source, {});
-  REQUIRE(model);
-  const EntrySyntax& energy = model->entries.back();
-  CHECK(energy.find("V") == &energy.keys.at(0));
-  CHECK(energy.find("T") == nullptr);
-}
-
 TEST_CASE("damaged files are answered with a tree or errors inside them", "[parse]") {
   CHECK(rc::check("damaged files", [] {
     std::string text = with_potential("\"1/2*k*x^2\"") + "[[expect]]\nbias = [\"(x)\", 1e3]\n";

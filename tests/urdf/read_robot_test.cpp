@@ -55,9 +55,6 @@ TEST_CASE("a robot without a name is called as its file") {
 TEST_CASE("another root element is no robot") {
   CHECK(import_messages("<sdf version=\"1.6\"/>") ==
         "E802 1:2 `<sdf>` is SDF, and elgen reads URDF | convert it to URDF first\n");
-}
-
-TEST_CASE("so is MJCF, and whatever else") {
   CHECK(import_messages("<mujoco/>") ==
         "E802 1:2 `<mujoco>` is MJCF, and elgen reads URDF | convert it to URDF first\n");
   CHECK(import_messages("<svg/>") == "E802 1:2 `<svg>` is no `<robot>`\n");
