@@ -8,7 +8,7 @@
 //     - dD/dv + Q,   E = sum v dL/dv - L.
 //
 // Where velocities are angular, dq/dt = N(q) v: derivatives by q are along N, and d/dt dL/dv and C
-// have the terms of mechanics.hpp and contraction.cpp.
+// have the terms of mechanics.hpp.
 #pragma once
 
 #include <cln/float.h>

@@ -46,8 +46,6 @@ ex call(FunctionId function, const ex& x, const ex& y) {
   return 0;
 }
 
-using GiNaC::ex;
-
 // check() lets these stand in forces only, so a derivative is a mistake of elgen's own.
 ex no_derivative(const ex& /*x*/, unsigned /*argument*/) {
   throw std::logic_error("derivative of a kinked function");

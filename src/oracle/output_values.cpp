@@ -1,4 +1,5 @@
-// Output values: a row of each output: its definition, and how it is contracted.
+// Output values: a row of each output: its definition, and how it is contracted. Of a reaction
+// nothing of the locked model is used but which of its entries stand where.
 #include "oracle/output_values.hpp"
 
 #include <functional>
@@ -68,7 +69,6 @@ std::vector<cl_R> reaction(const Model& model, const State& state) {
   return values;
 }
 
-using cln::cl_R;
 using Values = std::vector<cl_R>;
 
 /// What is asked for: an output of a model at a state.

@@ -58,8 +58,6 @@ Solution solve_symmetric(std::vector<cl_R> matrix, const std::vector<cl_R>& righ
   return solution;
 }
 
-using cln::cl_R;
-
 std::vector<cl_R> mass_matrix_values(Mechanics& at) {
   const std::size_t n = at.size();
   std::vector<cl_R> values(n * n);
