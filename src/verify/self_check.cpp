@@ -5,10 +5,11 @@
 #include <optional>
 
 #include "elgen/certificate.hpp"
+#include "elgen/outputs.hpp"
+#include "elgen/references.hpp"
 #include "elgen/wording.hpp"
-#include "verify/bounds/sampled_zeros.hpp"
+#include "inspect/roots.hpp"
 #include "verify/bounds/visit.hpp"
-#include "verify/states/undefined_expression.hpp"
 
 namespace elgen {
 namespace {
@@ -25,6 +26,37 @@ std::size_t states_checked(const Program& program) {
   std::size_t length = 1;
   for (const Function& function : program.functions) length += function.instructions.size();
   return std::clamp(checked_work / length, least_checked, most_checked);
+}
+
+/// Entries that rest on a zero that nobody proved. `dynamics` repeats the others and does not
+/// count.
+std::size_t count_sampled_zeros(const Program& program) {
+  std::size_t count = 0;
+  for (const Function& function : program.functions) {
+    if (!output_row(function.kind).repeats) count += function.sampled_zeros.size();
+  }
+  return count;
+}
+
+bool may_be_undefined(const Expression& node) {
+  return node.kind == ExpressionKind::divide || node.kind == ExpressionKind::power ||
+         node.kind == ExpressionKind::function;
+}
+
+/// The first expression of the output, operands before their users, that is undefined at all the
+/// states; none where only a derivative, or the solution of the equations, is.
+std::optional<ExpressionId> undefined_expression(const Model& model, const Function& function,
+                                                 const std::vector<State>& states) {
+  const auto roots = output_row(function.kind).of_user ? output_roots(model.outputs[function.user])
+                                                       : equation_roots(model);
+  for (const ExpressionId id : reached(model, roots)) {
+    const auto is_undefined = [&](const State& state) {
+      return !oracle_expression(model, id, state);
+    };
+    if (!may_be_undefined(model.expressions[id])) continue;
+    if (std::all_of(states.begin(), states.end(), is_undefined)) return id;
+  }
+  return std::nullopt;
 }
 
 /// What all states say together.

@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 
 #include "elgen/certificate.hpp"
 #include "emit/text/scalar_range.hpp"
 #include "evaluate/states.hpp"
 #include "verify/bounds/accuracy.hpp"
-#include "verify/bounds/sampled_zeros.hpp"
 #include "verify/compiled_code.hpp"
 #include "verify/states/kinks.hpp"
 #include "verify/structure/expectations.hpp"
@@ -99,6 +97,34 @@ CertificateRow one_sided(const std::string& kinks, std::size_t states) {
   row.tolerance = fmt::format("both signs in {} draws", most_draws_for_kinks);
   row.verdict = Verdict::noted;
   return row;
+}
+
+std::string numbers(const std::vector<std::uint32_t>& entries) {
+  std::string text;
+  for (const std::uint32_t entry : entries) {
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", entry + 1);
+  }
+  return text;
+}
+
+/// What cancel sampled (elgen/cancel.hpp): one row per function with such entries; it holds, since
+/// cancel looked at every point.
+std::vector<CertificateRow> sampled_zeros(const Program& program) {
+  std::vector<CertificateRow> rows;
+  for (const Function& function : program.functions) {
+    if (function.sampled_zeros.empty()) continue;
+    CertificateRow row;
+    row.check = "zeros that are not proved";
+    row.output = row.subject = function.name;
+    row.formula = "|x| <= 1e-40 B in 60 digits, of what is taken for 0";
+    row.evidence = Evidence::zeros;
+    row.samples = zero_points;
+    row.worst = fmt::format("in entr{} {}", function.sampled_zeros.size() == 1 ? "y" : "ies",
+                            numbers(function.sampled_zeros));
+    row.tolerance = "20 digits above rounding: no proof, but a value that is not 0 would not do it";
+    rows.push_back(std::move(row));
+  }
+  return rows;
 }
 
 /// Few states, or many velocities: the time goes where it tells most.

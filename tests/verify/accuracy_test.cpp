@@ -1,8 +1,11 @@
-// Program against oracle: right programs keep the promise, wrong and imprecise ones are told apart.
+// Program against oracle: right programs keep the promise, wrong and imprecise ones are told apart;
+// so they are as users compile them, where what rounds otherwise but within its bounds holds.
 #include "verify/bounds/accuracy.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
+#include "verify/changed_code.hpp"
 #include "verify/systems.hpp"
 
 using namespace elgen;
@@ -54,6 +57,21 @@ const char* cancelling =
     "  0 = parameter m\n  1 = parameter l\n  2 = parameter g\n  3 = coordinate th\n"
     "  4 = cos 3\n  5 = constant 1\n  6 = subtract 5 4\n  7 = multiply 0 1\n  8 = multiply 7 2\n"
     "  9 = multiply 8 6\n  10 = subtract 9 8\n  result 1 1 = 10\n";
+
+/// The row of cart_pole's code with what `change` makes of the first entry of its bias.
+template <class Scalar>
+CertificateRow row_with(const std::function<double(double)>& change, const Sampling& sampling) {
+  const System system = cart_pole_system();
+  const Changed code(system.program, "bias", change);
+  AccuracyOptions options;
+  options.visit.as_users = &code;
+  const auto states = sample_states<Scalar>(system.subject(), sampling);
+  for (CertificateRow& row : check_accuracy(system.subject(), states, options)) {
+    if (row.check == "as users compile") return std::move(row);
+  }
+  FAIL("no such row");
+  return {};
+}
 
 }  // namespace
 
@@ -134,4 +152,34 @@ TEST_CASE("states outside the domain are counted, and none inside is no success"
   const auto rows = rows_of<double>(system, 4, false);
   CHECK(rows.front().verdict == Verdict::skipped);
   CHECK(rows.front().skipped == std::vector<SkippedStates>{{Obstacle::undefined, 4}});
+}
+
+TEST_CASE("the code as users compile it has one row of all outputs") {
+  const auto same = [](double x) { return x; };
+  const CertificateRow row = row_with<double>(same, {4, 1, false});
+  CHECK(row.verdict == Verdict::holds);
+  CHECK(row.subject == "all outputs (double)");
+  CHECK(row.samples == 4);
+  REQUIRE(row.error);
+  CHECK(*row.error <= promised_bounds);
+  CHECK(row.worst.find("21 outputs within ") == 0);
+  CHECK(row_with<float>(same, {4, 1, true}).subject == "all outputs (float)");
+}
+
+TEST_CASE("another rounding holds, an error beyond the bound fails and is named") {
+  const Sampling ordinary{4, 1, false};
+  const auto last_bit = [](double x) { return std::nextafter(x, 1e9); };
+  CHECK(row_with<double>(last_bit, ordinary).verdict == Verdict::holds);
+  const auto wrong = [](double x) { return x * (1 + 1e-12); };
+  const CertificateRow row = row_with<double>(wrong, ordinary);
+  CHECK(row.verdict == Verdict::fails);
+  CHECK(row.worst.find("bias (double): ") == 0);
+  CHECK(row.worst.find(" times its error bound") != std::string::npos);
+  CHECK(row.where.find("q = (") == 0);
+}
+
+TEST_CASE("without a state nothing is said") {
+  const CertificateRow row = row_with<double>([](double x) { return x; }, {0, 1, false});
+  CHECK(row.verdict == Verdict::skipped);
+  CHECK(row.worst == "no state to compare at");
 }

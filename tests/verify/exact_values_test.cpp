@@ -1,9 +1,10 @@
-// Values, slopes and curvatures of a program at one state.
+// Values, slopes and curvatures of a program at one state. Balances: zero is zero relative to the
+// terms, and undefined is no figure.
 #include "verify/structure/exact_values.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "verify/structure/balance.hpp"
+#include "support/real.hpp"
 #include "verify/systems.hpp"
 
 using namespace elgen;
@@ -69,4 +70,34 @@ TEST_CASE("functions can be evaluated elsewhere") {
   Arguments<Real> moved = values.arguments();
   moved.v = {Real(5), Real(0)};
   CHECK(number(values.value_at(OutputKind::dissipation, moved)[0]) == 1.5);
+}
+
+TEST_CASE("the figure is the largest sum over the largest size of terms") {
+  Balance balance(2);
+  balance.add(0, real("3"));
+  balance.add(0, real("-2"));
+  balance.add(1, real("10"));
+  balance.add(1, real("-10"));
+  CHECK(balance.figure(Real()).value() == Approx(1.0 / 20));
+  CHECK(balance.figure(real("30")).value() == Approx(1.0 / 50));
+}
+
+TEST_CASE("terms that are all zero balance") {
+  Balance balance(1);
+  balance.add(0, Real());
+  CHECK(balance.figure(Real()) == 0.0);
+}
+
+TEST_CASE("rounding of something bigger is no difference") {
+  Balance balance(1);
+  balance.add(0, real("1e-64"));
+  CHECK(balance.figure(Real()).value() == Approx(1));
+  CHECK(balance.figure(real("1e-20")).value() < 1e-40);
+}
+
+TEST_CASE("an undefined term has no figure") {
+  Balance balance(2);
+  balance.add(0, real("1"));
+  balance.add(1, Real::undefined());
+  CHECK_FALSE(balance.figure(real("1")));
 }

@@ -3,6 +3,10 @@
 
 #include <catch2/catch.hpp>
 
+#include "elgen/equations_of_motion.hpp"
+#include "elgen/lagrangian.hpp"
+#include "elgen/lower.hpp"
+#include "support/models.hpp"
 #include "verify/systems.hpp"
 
 using namespace elgen;
@@ -40,6 +44,39 @@ void check_holds(const System& system) {
     CHECK(row.tolerance.find("sampled, no proof") != std::string::npos);
   }
 }
+
+/// A pendulum that is derived, with one expectation.
+struct DerivedPendulum {
+  explicit DerivedPendulum(const std::string& expect)
+      : checked(checked_model(model_text("pendulum", R"toml([[coordinate]]
+name = "theta"
+[parameters]
+m = 2
+l = 3
+g = 9.81
+[[point]]
+name = "bob"
+at = ["l*sin(theta)", "-l*cos(theta)"]
+mass = "m"
+[gravity]
+vector = ["0", "-g"]
+[[expect]]
+)toml" + expect))) {
+    const auto lagrangian = formulate(checked.model);
+    const auto equations = derive(*lagrangian, checked.scene.outputs, {});
+    program = *lower(*equations, checked.scene.outputs, {});
+    forms = present(program);
+  }
+
+  [[nodiscard]] Evidence evidence(bool has_forms = true) {
+    const Subject subject{checked.model, checked.scene, program};
+    return check_expectations(subject, has_forms ? &forms : nullptr, 1).rows.front().evidence;
+  }
+
+  CheckedModel checked;
+  Program program = {};
+  ClosedForms forms = {};
+};
 
 }  // namespace
 
@@ -131,4 +168,30 @@ TEST_CASE("both sides of a kink are looked at, and one that was not seen is name
   const auto report = report_of(expecting(builder, "applied_force", 1, {"0", "0"}));
   CHECK(report.diagnostics.empty());
   CHECK(report.rows.front().tolerance.find("; not seen on both sides: `") != std::string::npos);
+}
+
+TEST_CASE("what is written in another form is proved, what is wrong is not") {
+  for (const auto& [expect, evidence] :
+       {std::pair{"gravity = [\"m*g*l*sin(theta)\"]\n", Evidence::proof},
+        std::pair{"gravity = [\"2*m*g*l*sin(theta/2)*cos(theta/2)\"]\n", Evidence::proof},
+        std::pair{"mass_matrix = [[\"m*l^2*(sin(theta)^2 + cos(theta)^2)\"]]\n", Evidence::proof},
+        std::pair{"forward_dynamics = [\"-g/l*sin(theta)\"]\n", Evidence::proof},
+        std::pair{"conserved = [\"1/2*m*l^2*dot(theta)^2 - m*g*l*cos(theta)\"]\n", Evidence::proof},
+        std::pair{"gravity = [\"m*g*l*cos(theta)\"]\n", Evidence::states},
+        std::pair{"conserved = [\"m*l^2*dot(theta)\"]\n", Evidence::states}}) {
+    INFO(expect);
+    CHECK(DerivedPendulum(expect).evidence() == evidence);
+  }
+}
+
+TEST_CASE("without closed forms, and where an entry rests on a sampled zero, nothing is proved") {
+  for (const char* expect : {"forward_dynamics = [\"-g/l*sin(theta)\"]\n",
+                             "conserved = [\"1/2*m*l^2*dot(theta)^2 - m*g*l*cos(theta)\"]\n"}) {
+    INFO(expect);
+    DerivedPendulum pendulum(expect);
+    CHECK(pendulum.evidence() == Evidence::proof);
+    CHECK(pendulum.evidence(false) == Evidence::states);
+    for (Function& function : pendulum.program.functions) function.sampled_zeros = {0};
+    CHECK(pendulum.evidence() == Evidence::states);
+  }
 }

@@ -1,15 +1,41 @@
-// Loss: bad formulas lose digits that good ones keep, and ill-conditioned values excuse both.
+// Loss: bad formulas lose digits that good ones keep, and ill-conditioned values excuse both; every
+// output has a figure of it, with its entry and its whole state.
 #include "verify/bounds/loss.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
-#include "verify/pendulum_forms.hpp"
+#include "verify/bounds/accuracy.hpp"
+#include "verify/systems.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
-using namespace elgen::test::pendulum_forms;
 
 namespace {
+
+// V = m g l (1 - cos th) of a pendulum, in ways that keep its digits and ways that do not.
+const std::string form_head =
+    "parameters m l g\ncoordinates th\nfunction potential_energy\n  0 = parameter m\n"
+    "  1 = parameter l\n  2 = parameter g\n  3 = coordinate th\n  4 = multiply 0 1\n"
+    "  5 = multiply 4 2\n";
+const std::string cosine = form_head +
+                           "  6 = cos 3\n  7 = constant 1\n  8 = subtract 7 6\n  9 = multiply 5 8\n"
+                           "  result 1 1 = 9\n";
+/// 2 sin(th/2)^2
+const std::string half_angle =
+    head +
+    "  6 = constant 1/2\n  7 = multiply 6 3\n  8 = sin 7\n  9 = multiply 8 8\n"
+    "  10 = add 9 9\n  11 = multiply 5 10\n  result 1 1 = 11\n";
+/// m l g tanh(th), as friction goes with a rate.
+const std::string friction = form_head + "  6 = tanh 3\n  7 = multiply 5 6\n  result 1 1 = 7\n";
+
+/// Whose one output is the potential energy, as `text` writes it.
+System written_as(const std::string& text) {
+  ModelBuilder builder;
+  builder.coordinate("th", "rad").parameter("m", "2").parameter("l", "0.75").parameter("g", "9.81");
+  builder.point("bob", {"l*sin(th)", "l - l*cos(th)"}, "m").gravity({"0", "-g"});
+  return system_of(builder.model, text);
+}
 
 State at(double angle) {
   State state;
@@ -40,6 +66,28 @@ bool keeps(const std::string& text, double angle) {
   const Real error = abs(Real(exact_value(x)) - exact.entries[0].value);
   return losses.of_field(place, {error}, {exact.entries[0].value}, {}).of_entry.figure <=
          tolerated_loss;
+}
+
+CertificateRow row_of(const System& system, Losing losing) {
+  const Subject subject = system.subject();
+  const auto samples = sample_states<double>(subject, {16, 1, true});
+  for (const CertificateRow& row :
+       check_accuracy(subject, samples, {{Comparison::entries, nullptr, losing}, {}})) {
+    if (row.check == "digits lost") return row;
+  }
+  FAIL("no row");
+  return {};
+}
+
+bool mentions(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// The cosine form where the angle stays near 0.
+System near_zero(const char* range) {
+  System system = written_as(cosine);
+  system.model.coordinates[0].range = Interval{0, exact(range)};
+  return system;
 }
 
 }  // namespace
@@ -80,4 +128,47 @@ TEST_CASE("where K has no value nothing is said of a loss") {
   // Beyond 2^29 no exponential is a number of 60 digits; the bounds know that tanh is 1.
   CHECK(loss_of(system, at(1e8), 1e6).of_entry.figure > 1e4);
   CHECK(loss_of(system, at(1e9), 1e6).of_entry.figure == 0);
+}
+
+TEST_CASE("inside the ranges 1 - cos(th) loses little, at the extremes everything") {
+  const System system = written_as(cosine);
+  const CertificateRow inside = row_of(system, Losing::inside_ranges);
+  CHECK(inside.verdict == Verdict::holds);
+  CHECK(inside.output == "potential_energy");
+  CHECK(inside.subject == "potential_energy (double)");
+  CHECK(inside.loss.value_or(1e9) < 64);
+  const CertificateRow beyond = row_of(system, Losing::everywhere);
+  CHECK(beyond.verdict == Verdict::noted);
+  CHECK(beyond.loss.value_or(0) > 1e8);
+}
+
+TEST_CASE("half of the digits lost inside the ranges is noted, with a state of 17 digits") {
+  const CertificateRow row = row_of(near_zero("1e-6"), Losing::inside_ranges);
+  CHECK(row.verdict == Verdict::noted);
+  CHECK(mentions(row.worst, "digits of potential_energy (of the largest entry "));
+  CHECK(mentions(row.where, "q = ("));
+  CHECK(row.where.size() > 60);
+  CHECK(row_of(near_zero("1e-1"), Losing::inside_ranges).verdict == Verdict::holds);
+}
+
+TEST_CASE("a form that keeps its digits loses none") {
+  const CertificateRow row = row_of(written_as(half_angle), Losing::everywhere);
+  CHECK(row.verdict == Verdict::holds);
+  CHECK(row.samples > 30);
+  CHECK(row.loss.value_or(100) <= tolerated_loss);
+}
+
+TEST_CASE("losses are not measured where nobody asks") {
+  const System system = written_as(cosine);
+  const auto samples = sample_states<double>(system.subject(), {4, 1, false});
+  CHECK(check_accuracy(system.subject(), samples).size() == 1);
+}
+
+TEST_CASE("states are counted once, however many fields an output has") {
+  const System system = cart_pole_system();
+  const auto samples = sample_states<double>(system.subject(), {8, 1, false});
+  for (const CertificateRow& row : check_accuracy(
+           system.subject(), samples, {{Comparison::entries, nullptr, Losing::everywhere}, {}})) {
+    if (row.check == "digits lost") CHECK(row.samples <= samples.size());
+  }
 }

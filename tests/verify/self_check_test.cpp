@@ -15,6 +15,16 @@ SelfCheck check(const System& system) {
   return self_check(system.model, system.scene, system.program);
 }
 
+/// Entries 1 and 2 of the mass matrix rest on a sampled zero; `dynamics` repeats them.
+System with_sampled_zeros() {
+  System system = cart_pole_system();
+  for (Function& function : system.program.functions) {
+    const bool repeats = function.kind == OutputKind::dynamics;
+    if (repeats || function.kind == OutputKind::mass_matrix) function.sampled_zeros = {0, 1};
+  }
+  return system;
+}
+
 }  // namespace
 
 TEST_CASE("a right program passes, at 32 states where it is short") {
@@ -123,6 +133,21 @@ TEST_CASE("a narrow domain is searched for, and states outside of it are counted
   CHECK(result.failure.empty());
   CHECK(result.states >= 1);
   CHECK(result.outside >= 1);
+}
+
+TEST_CASE("the receipt and the certificate tell of zeros that nobody proved") {
+  CHECK(check(cart_pole_system()).sampled_zeros == 0);
+  const System system = with_sampled_zeros();
+  const std::string text = receipt(check(system));
+  CHECK(text.find("; 2 entries rest on zeros found at 64 points, not proved") != std::string::npos);
+  CHECK(receipt({2, 1.0, "", 1}).find("; 1 entry rests on zeros") != std::string::npos);
+  std::vector<CertificateRow> rows =
+      verify(system.model, system.scene, system.program, {}, {1, true, 1}).certificate.rows;
+  std::erase_if(rows, [](const CertificateRow& row) { return row.evidence != Evidence::zeros; });
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[0].subject == "mass_matrix");
+  CHECK(rows[0].samples == 64);
+  CHECK(rows[0].worst == "in entries 1, 2");
 }
 
 TEST_CASE("nothing to check is nothing wrong") {

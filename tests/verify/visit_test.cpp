@@ -1,4 +1,5 @@
-// Visits: what one state says of one field, by all entries or by one projection.
+// Visits: what one state says of one field, by all entries or by one projection, and whose the
+// fields are.
 #include "verify/bounds/visit.hpp"
 
 #include <catch2/catch.hpp>
@@ -28,6 +29,15 @@ Finding first_finding(const System& system, Comparison comparison,
 System alone(const std::string& body, const std::string& results) {
   return system_of(cart_pole_model(), "parameters M m l g c\ncoordinates x th\ninputs u\n" +
                                           function_text("bias", body, results));
+}
+
+const FieldPlace& place_of(const std::vector<FieldPlace>& places, const std::string& function,
+                           const std::string& field) {
+  for (const FieldPlace& place : places) {
+    if (place.function->name == function && place.field().name == field) return place;
+  }
+  FAIL("no field " << function << "." << field);
+  return places.front();
 }
 
 }  // namespace
@@ -62,4 +72,26 @@ TEST_CASE("only at ordinary states a value must be defined where the oracle's is
   CHECK(extreme.mistake.empty());
   CHECK(extreme.regime == Regime::undefined);
   CHECK_FALSE(extreme.error);
+}
+
+TEST_CASE("fields of an output stand one after another, with the oracle's as with the program's") {
+  const System system = cart_pole_system();
+  const auto places = field_places(system.subject());
+  const FieldPlace& pivots = place_of(places, "forward_dynamics", "relative_pivots");
+  CHECK(pivots.index == 1);
+  CHECK(pivots.first == 2);
+  CHECK(pivots.first_oracle == 2);
+  CHECK(pivots.request.kind == OutputKind::forward_dynamics);
+  CHECK(pivots.request_field == 1);
+}
+
+TEST_CASE("a field of `dynamics` is the output of its name") {
+  const System system = cart_pole_system();
+  const auto places = field_places(system.subject());
+  const FieldPlace& bias = place_of(places, "dynamics", "bias");
+  CHECK(bias.index == 1);
+  CHECK(bias.first == 4);
+  CHECK(bias.first_oracle == 0);
+  CHECK(bias.request.kind == OutputKind::bias);
+  CHECK(bias.request_field == 0);
 }

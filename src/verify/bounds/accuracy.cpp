@@ -7,11 +7,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <type_traits>
+#include <optional>
+#include <set>
+#include <string>
 
 #include "elgen/outputs.hpp"
-#include "verify/bounds/as_users.hpp"
-#include "verify/bounds/lost_digits.hpp"
 #include "verify/states/tally.hpp"
 
 namespace elgen {
@@ -119,6 +119,140 @@ CertificateRow row_of(const Subject& subject, const FieldRecord& record, std::st
     row.where = record.mistake_at;
     row.verdict = Verdict::fails;
   }
+  return row;
+}
+
+/// As users compile: the code with optimisation, the machine's own instructions and contraction,
+/// which rounds otherwise than what is written, held to the same bounds. Of all fields, the largest
+/// error, and whose it is.
+class AsUsersRecord {
+ public:
+  /// `field`: "forward_dynamics.acceleration (double)"; `at` is the number of the state. Fields of
+  /// one state come one after another.
+  void add(const std::string& field, const Finding& finding, const State& state, std::size_t at);
+
+  /// One row for all fields of a scalar.
+  [[nodiscard]] CertificateRow row(const Subject& subject, std::string_view scalar) const;
+
+ private:
+  Tally errors_ = {};  ///< in u B
+  std::set<std::string> fields_ = {};
+  std::size_t states_ = 0;
+  std::optional<std::size_t> last_ = {};  ///< of the states
+  std::string worst_ = {};                ///< the field of the largest
+  std::string imprecision_ = {};
+};
+
+void AsUsersRecord::add(const std::string& field, const Finding& finding, const State& state,
+                        std::size_t at) {
+  if (!finding.users_error) return;
+  if (last_ != at) ++states_;
+  last_ = at;
+  fields_.insert(field);
+  const double before = errors_.worst();
+  const bool is_first = errors_.samples() == 0;
+  errors_.add(*finding.users_error, state);
+  if (!is_first && errors_.worst() <= before) return;
+  worst_ = field;
+  imprecision_ = finding.users_imprecision;
+}
+
+CertificateRow AsUsersRecord::row(const Subject& subject, std::string_view scalar) const {
+  CertificateRow row;
+  row.check = "as users compile";
+  row.output = row.check;
+  row.subject = fmt::format("all outputs ({})", scalar);
+  row.formula = "|x - x*| / (u B); x of -O3 -march=native, contraction on";
+  errors_.tell(row, subject, promised_bounds);
+  row.samples = states_;
+  row.tolerance = "8 u B + N eta, B as above";
+  if (row.samples == 0) {
+    row.worst = "no state to compare at";
+    return row;
+  }
+  row.error = errors_.worst();
+  row.worst = row.verdict == Verdict::fails
+                  ? fmt::format("{}: {}", worst_, imprecision_)
+                  : fmt::format("{} outputs within {:.2g} u B; most in {}", fields_.size(),
+                                errors_.worst(), worst_);
+  return row;
+}
+
+/// How many of its digits one output loses, over all states in one scalar: a figure and never a
+/// failure.
+class LostDigits {
+ public:
+  /// `at` is the number of the state. Fields of one state come one after another.
+  void add(const FieldPlace& place, const Finding& finding, const Subject& subject,
+           const State& state, std::size_t at);
+
+  [[nodiscard]] bool is_empty() const { return states_ == 0; }
+
+  /// The entry that loses most and its state, both of what one rounding of the inputs would cost,
+  /// and of the largest entry of its field. Noted where that is more than half of `digits`, those
+  /// of the scalar.
+  [[nodiscard]] CertificateRow row(double digits) const;
+
+ private:
+  struct Worst {
+    double figure = 0;
+    std::string entry = {};  ///< "mass_matrix[7,7]"
+    std::string where = {};
+  };
+
+  std::size_t states_ = 0;
+  std::optional<std::size_t> last_ = {};  ///< of the states
+  Worst of_entry_ = {};
+  Worst of_field_ = {};
+};
+
+std::string name_of_entry(const FieldPlace& place, std::size_t entry) {
+  const Field& field = place.field();
+  const std::string name = place.function->name + (field.name.empty() ? "" : "." + field.name);
+  if (field.entries.size() == 1) return name;
+  const std::size_t row = entry / field.columns + 1;
+  if (field.columns == 1) return fmt::format("{}[{}]", name, row);
+  return fmt::format("{}[{},{}]", name, row, entry % field.columns + 1);
+}
+
+/// Of a loss of so many u.
+double digits_of(double figure) { return figure > 1 ? std::log10(figure) : 0; }
+
+void LostDigits::add(const FieldPlace& place, const Finding& finding, const Subject& subject,
+                     const State& state, std::size_t at) {
+  if (!finding.loss) return;
+  states_ += last_ == at ? 0 : 1;
+  last_ = at;
+  const auto record = [&](Worst& worst, const LostEntry& lost) {
+    if (lost.figure <= worst.figure) return;
+    worst = {lost.figure, name_of_entry(place, lost.entry), describe_exactly(subject, state)};
+  };
+  record(of_entry_, finding.loss->of_entry);
+  record(of_field_, finding.loss->of_field);
+}
+
+CertificateRow LostDigits::row(double digits) const {
+  CertificateRow row;
+  row.check = "digits lost";
+  row.formula =
+      "log10 of |x - x*| / (u R), R = |x*| + K, K = sum |z dx/dz| over inputs, parameters and "
+      "literals: what their own rounding costs; in brackets of |x - x*| / (u max |x*|) of a field";
+  row.samples = states_;
+  row.loss = of_entry_.figure;
+  row.loss_of_field = of_field_.figure;
+  const double of_field = digits_of(of_field_.figure);
+  const bool is_grave = of_field > digits / 2;
+  const Worst& told = is_grave ? of_field_ : of_entry_;
+  row.worst =
+      fmt::format("{:.1f} digits{} (of the largest entry {:.1f})", digits_of(of_entry_.figure),
+                  of_entry_.entry.empty() ? "" : " of " + of_entry_.entry, of_field);
+  if (is_grave && of_field_.entry != of_entry_.entry) row.worst += ", in " + of_field_.entry;
+  row.where = told.where;
+  row.tolerance = fmt::format(
+      "a figure; noted beyond {:.1f} of the {:.1f} digits of the scalar, of "
+      "the largest entry of a field",
+      digits / 2, digits);
+  row.verdict = is_grave ? Verdict::noted : Verdict::holds;
   return row;
 }
 

@@ -13,6 +13,23 @@ OutputRequest request_of(const Subject& subject, const Function& function, const
   return member != nullptr ? *member : request;
 }
 
+/// The judge of one field of functions[index], whose entries start at `first`.
+Judge judge_of(const Program& program, std::size_t index, const Field& field, std::size_t first) {
+  const Function& function = program.functions[index];
+  const Judge own{&function, first, false};
+  if (function.form != Form::closed) return own;
+  if (!output_row(function.kind).repeats) {
+    const bool is_readable =
+        index < program.readable.size() && !program.readable[index].fields.empty();
+    return is_readable ? Judge{&program.readable[index], first, true} : own;
+  }
+  // `dynamics` repeats the entries of the function that bears the field's name.
+  for (const Function& readable : program.readable) {
+    if (readable.name == field.name && !readable.fields.empty()) return {&readable, 0, true};
+  }
+  return own;
+}
+
 }  // namespace
 
 std::vector<FieldPlace> field_places(const Subject& subject, std::size_t index) {

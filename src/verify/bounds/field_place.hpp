@@ -8,6 +8,14 @@
 
 namespace elgen {
 
+/// What judges an entry: B of the closed form where the function is emitted in it (a bound that
+/// does not depend on the code), else B run along the function itself, the weaker "own bound".
+struct Judge {
+  const Function* function = nullptr;
+  std::size_t first = 0;  ///< of the field's entries among the judge's
+  bool is_closed_form = false;
+};
+
 struct FieldPlace {
   const Function* function = nullptr;
   std::size_t index = 0;  ///< of the field among the function's

@@ -59,22 +59,6 @@ BoundedRun bounded_run(const Program& program, const Function& function, const S
   return run;
 }
 
-Judge judge_of(const Program& program, std::size_t index, const Field& field, std::size_t first) {
-  const Function& function = program.functions[index];
-  const Judge own{&function, first, false};
-  if (function.form != Form::closed) return own;
-  if (!output_row(function.kind).repeats) {
-    const bool is_readable =
-        index < program.readable.size() && !program.readable[index].fields.empty();
-    return is_readable ? Judge{&program.readable[index], first, true} : own;
-  }
-  // `dynamics` repeats the entries of the function that bears the field's name.
-  for (const Function& readable : program.readable) {
-    if (readable.name == field.name && !readable.fields.empty()) return {&readable, 0, true};
-  }
-  return own;
-}
-
 const Bound& judging_bound(const Bound& own, const Bound& closed) {
   return own.underflows ? own : closed;
 }

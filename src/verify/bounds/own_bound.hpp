@@ -34,18 +34,6 @@ struct BoundedRun {
                                      const State& state, const Rounding& rounding,
                                      const std::vector<Bound>& accelerations = {});
 
-/// What judges an entry: B of the closed form where the function is emitted in it (a bound that
-/// does not depend on the code), else B run along the function itself, the weaker "own bound".
-struct Judge {
-  const Function* function = nullptr;
-  std::size_t first = 0;  ///< of the field's entries among the judge's
-  bool is_closed_form = false;
-};
-
-/// The judge of one field of functions[index], whose entries start at `first`.
-[[nodiscard]] Judge judge_of(const Program& program, std::size_t index, const Field& field,
-                             std::size_t first);
-
 /// The closed form's bound, but the code's own where the code underflows on the way: what is lost
 /// there grows by what multiplies it afterwards, which the closed form does not know.
 [[nodiscard]] const Bound& judging_bound(const Bound& own, const Bound& closed);

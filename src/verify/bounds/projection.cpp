@@ -8,7 +8,6 @@
 #include <algorithm>
 
 #include "elgen/outputs.hpp"
-#include "verify/bounds/agreement.hpp"
 
 namespace elgen {
 namespace {

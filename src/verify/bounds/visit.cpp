@@ -9,7 +9,6 @@
 
 #include "base/more_digits.hpp"
 #include "elgen/outputs.hpp"
-#include "verify/bounds/agreement.hpp"
 #include "verify/bounds/projection.hpp"
 
 namespace elgen {

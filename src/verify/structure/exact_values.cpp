@@ -3,7 +3,6 @@
 
 #include "check/names/requests.hpp"
 #include "elgen/outputs.hpp"
-#include "verify/structure/balance.hpp"
 
 namespace elgen {
 namespace {
@@ -17,6 +16,13 @@ std::vector<Real> from_oracle(const Subject& subject, const State& state, Output
   std::vector<Real> values;
   for (const cln::cl_R& value : *exact) values.emplace_back(value);
   return values;
+}
+
+/// Undefined where one of them is.
+Real largest_magnitude(const std::vector<Real>& values) {
+  Real largest;
+  for (const Real& value : values) largest = max(largest, abs(value));
+  return largest;
 }
 
 }  // namespace
@@ -89,6 +95,16 @@ std::vector<Real> ExactValues::coasting_accelerations() const {
 
 Arguments<Real> ExactValues::at_rest() const {
   return map_leaves([](const Real&) { return Real(); }, arguments_);
+}
+
+std::optional<double> Balance::figure(const Real& floor) const {
+  const Real difference = largest_magnitude(sums_);
+  const Real scale = largest_magnitude(sizes_) + floor;
+  if (!difference.is_defined() || !scale.is_defined()) return std::nullopt;
+  if (cln::zerop(difference.value())) return 0.0;
+  const Real quotient = difference / scale;
+  if (!quotient.is_defined()) return std::nullopt;
+  return ScalarTraits<double>::from_real(quotient.value());
 }
 
 }  // namespace elgen

@@ -1,15 +1,15 @@
 // ExactValues: every function of a program at one state in 64 digits, and derivatives along
-// directions.
+// directions. Balance: sums of them that have to vanish.
 #pragma once
 
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "evaluate/dual.hpp"
 #include "evaluate/subject.hpp"
 
 namespace elgen {
-
 class ExactValues {
  public:
   ExactValues(const Subject& subject, State state);
@@ -52,6 +52,26 @@ class ExactValues {
   Arguments<Real> arguments_;
   std::map<std::pair<OutputKind, std::uint32_t>, std::vector<Real>> values_ = {};
   Real floor_ = {};
+};
+
+/// Sums that have to vanish, one per entry, judged against the size of their terms. One scale for
+/// all entries: an entry that is zero on paper has terms of rounding alone.
+class Balance {
+ public:
+  explicit Balance(std::size_t entries) : sums_(entries), sizes_(entries) {}
+
+  void add(std::size_t entry, const Real& term) {
+    sums_[entry] = sums_[entry] + term;
+    sizes_[entry] = sizes_[entry] + abs(term);
+  }
+
+  /// max |sum| / (max sum of |terms| + floor); none where a term is undefined. `floor` is the size
+  /// below which terms are rounding of something bigger.
+  [[nodiscard]] std::optional<double> figure(const Real& floor) const;
+
+ private:
+  std::vector<Real> sums_;
+  std::vector<Real> sizes_;
 };
 
 }  // namespace elgen

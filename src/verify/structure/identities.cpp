@@ -3,7 +3,6 @@
 #include "verify/structure/identities.hpp"
 
 #include "elgen/outputs.hpp"
-#include "verify/structure/twist.hpp"
 
 namespace elgen {
 namespace {
@@ -221,6 +220,78 @@ const std::vector<Identity>& identities() {
 }
 
 namespace {
+
+// What the pose [R p] of a frame's output says of its twist (angular velocity; velocity of the
+// origin), a form linear in the pose and in its rate, so that its rate is that form twice:
+//
+//     in the world's axes    S = dR/dt R^T    v = dp/dt
+//     in the frame's         S = R^T dR/dt    v = R^T dp/dt        omega = (S_32, S_13, S_21)
+
+/// Where the six components of a twist stand in a balance: at first, first + stride, …
+struct TwistPlace {
+  Balance& balance;
+  std::size_t first = 0;
+  std::size_t stride = 1;
+  bool in_world = true;
+};
+
+/// A pose, 3 x 4 row by row, with its rate and its second rate.
+struct PoseMotion {
+  std::vector<Real> pose = {};
+  std::vector<Real> rate = {};
+  std::vector<Real> second_rate = {};
+};
+
+constexpr std::size_t axes = 3;
+constexpr std::size_t columns = 4;  ///< of [R p]
+
+const Real& entry(const Values& pose, std::size_t row, std::size_t column) {
+  return pose[columns * row + column];
+}
+
+/// S_32, S_13, S_21
+void subtract_spin(const TwistPlace& place, const Values& pose, const Values& rate) {
+  for (std::size_t axis = 0; axis < axes; ++axis) {
+    const std::size_t j = (axis + 1) % axes;
+    const std::size_t i = (axis + 2) % axes;
+    for (std::size_t k = 0; k < axes; ++k) {
+      const Real term = place.in_world ? entry(rate, i, k) * entry(pose, j, k)
+                                       : entry(pose, k, i) * entry(rate, k, j);
+      place.balance.add(place.first + axis * place.stride, -term);
+    }
+  }
+}
+
+/// Components of dp/dt along the columns of `along`.
+void subtract_velocity(const TwistPlace& place, const Values& along, const Values& rate) {
+  for (std::size_t axis = 0; axis < axes; ++axis) {
+    for (std::size_t k = 0; k < axes; ++k) {
+      const Real term = entry(along, k, axis) * entry(rate, k, axes);
+      place.balance.add(place.first + (axes + axis) * place.stride, -term);
+    }
+  }
+}
+
+/// The world's own axes.
+Values identity() {
+  Values pose(axes * columns);
+  for (std::size_t i = 0; i < axes; ++i) pose[columns * i + i] = Real(1);
+  return pose;
+}
+
+/// balance -= twist
+void subtract_twist(const TwistPlace& place, const PoseMotion& motion) {
+  subtract_spin(place, motion.pose, motion.rate);
+  subtract_velocity(place, place.in_world ? identity() : motion.pose, motion.rate);
+}
+
+/// balance -= d twist/dt
+void subtract_twist_rate(const TwistPlace& place, const PoseMotion& motion) {
+  subtract_spin(place, motion.pose, motion.second_rate);
+  subtract_spin(place, motion.rate, motion.rate);
+  subtract_velocity(place, place.in_world ? identity() : motion.pose, motion.second_rate);
+  if (!place.in_world) subtract_velocity(place, motion.rate, motion.rate);
+}
 
 /// d^2 y/dt^2 at a = 0 along a motion.
 Values second_rate(ExactValues& at, const Arguments<Real>& motion, std::uint32_t user) {

@@ -4,7 +4,6 @@
 #include <string_view>
 #include <vector>
 
-#include "verify/structure/balance.hpp"
 #include "verify/structure/exact_values.hpp"
 
 namespace elgen {

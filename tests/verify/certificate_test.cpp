@@ -1,10 +1,56 @@
-// The certificate as people read it.
-#include <catch2/catch.hpp>
+// The certificate as people and programs read it.
+#include "elgen/certificate.hpp"
 
-#include "verify/sample_certificate.hpp"
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
 
 using namespace elgen;
 using namespace elgen::test;
+
+namespace {
+
+CertificateRow row_of(const std::string& check, const std::string& output, Verdict verdict) {
+  CertificateRow row;
+  row.check = check;
+  row.output = row.subject = output;
+  row.verdict = verdict;
+  return row;
+}
+
+/// A certificate with every verdict and evidence.
+Certificate sample() {
+  CertificateRow proved = row_of("[[expect]]", "[[expect]] gravity", Verdict::holds);
+  proved.subject = "gravity[1]";
+  proved.worst = "equal";
+  proved.evidence = Evidence::proof;
+  CertificateRow mass = row_of("program vs oracle", "mass_matrix", Verdict::holds);
+  mass.subject = "mass_matrix (double)";
+  mass.formula = "|x - x*| / (u B)";
+  mass.samples = 276;
+  mass.skipped = {{Obstacle::overflow, 2}, {Obstacle::undefined, 1}};
+  mass.error = 1.25;
+  mass.worst = "1.2 u B";
+  mass.where = "q = (1, 2)";
+  mass.tolerance = "8 u B";
+  CertificateRow bias = row_of("program vs oracle", "bias", Verdict::fails);
+  bias.subject = "bias (double)";
+  bias.formula = mass.formula;
+  bias.samples = 276;
+  bias.error = HUGE_VAL;
+  bias.worst = "inf u B";
+  bias.where = "q = (3, 4)";
+  CertificateRow zeros = row_of("zeros that are not proved", "mass_matrix", Verdict::holds);
+  zeros.evidence = Evidence::zeros;
+  zeros.samples = 64;
+  zeros.worst = "in entry 1";
+  CertificateRow pivots = row_of("mass matrix positive definite", "mass_matrix", Verdict::skipped);
+  pivots.skipped = {{Obstacle::singular, 32}};
+  pivots.worst = "no regular state";
+  return {"cart_pole", "full", 7, {proved, mass, bias, zeros, pivots}};
+}
+
+}  // namespace
 
 TEST_CASE("there is a line per output, what fails is printed in full, what is skipped with why") {
   CHECK(to_text(sample()) == R"(certificate of cart_pole, scene full, seed 7
@@ -25,9 +71,9 @@ TEST_CASE("there is a line per output, what fails is printed in full, what is sk
 }
 
 TEST_CASE("an error is said to be of the states at which it was measured, the fewest of its rows") {
-  CertificateRow often = row("compiled code vs program", "linearization", Verdict::holds);
+  CertificateRow often = row_of("compiled code vs program", "linearization", Verdict::holds);
   often.samples = 264;
-  CertificateRow seldom = row("program vs oracle", "linearization", Verdict::holds);
+  CertificateRow seldom = row_of("program vs oracle", "linearization", Verdict::holds);
   seldom.error = 0.5;
   seldom.samples = 17;
   CertificateRow in_float = seldom;
@@ -88,12 +134,9 @@ TEST_CASE("a certificate holds when no row fails") {
 
 TEST_CASE("what is noted is counted, and said with its state") {
   Certificate certificate = sample();
-  CertificateRow row;
-  row.check = "digits lost";
-  row.output = row.subject = "gravity";
+  CertificateRow row = row_of("digits lost", "gravity", Verdict::noted);
   row.worst = "loss 1e+03, 3.0 digits of entry 1";
   row.where = "q = (1, 2)";
-  row.verdict = Verdict::noted;
   certificate.rows = {row};
   CHECK(verdict_line(certificate) == "cart_pole: 0 checks hold, 0 fail, 0 skipped, 1 noted\n");
   CHECK(to_text(certificate)
@@ -101,4 +144,20 @@ TEST_CASE("what is noted is counted, and said with its state") {
                   "           worst      loss 1e+03, 3.0 digits of entry 1\n"
                   "           worst at   q = (1, 2)\n") != std::string::npos);
   CHECK(holds(certificate));
+}
+
+TEST_CASE("as JSON nothing is left out but what is no number") {
+  const auto json = nlohmann::json::parse(to_json(sample()));
+  CHECK(json.at("model") == "cart_pole");
+  CHECK(json.at("scene") == "full");
+  CHECK(json.at("seed") == 7);
+  CHECK(json.at("holds") == 3);
+  CHECK(json.at("fails") == 1);
+  CHECK(json.at("skipped") == 1);
+  const auto& mass = json.at("checks").at(1);
+  CHECK(mass.at("output") == "mass_matrix");
+  CHECK(mass.at("evidence") == "states");
+  CHECK(mass.at("skipped_states") == nlohmann::json{{"overflow", 2}, {"undefined", 1}});
+  CHECK(mass.at("error_in_bounds") == 1.25);
+  CHECK_FALSE(json.at("checks").at(2).contains("error_in_bounds"));
 }

@@ -1,4 +1,4 @@
-// Certificates as people read them:
+// Certificates as JSON, and as people read them:
 //
 //     certificate of cart_pole, scene full, seed 1
 //
@@ -9,24 +9,33 @@
 //                …
 //
 //     41 checks hold, 1 fails, 2 skipped
+#include "elgen/certificate.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "elgen/certificate.hpp"
 #include "elgen/wording.hpp"
 
 namespace elgen {
 namespace {
 
 using Rows = std::vector<const CertificateRow*>;
+using Json = nlohmann::ordered_json;
 using OutputRows = std::pair<std::string, Rows>;
 
 constexpr std::array<std::string_view, 4> verdict_words{"holds", "FAILS", "skipped", "noted"};
 constexpr std::array<std::string_view, 4> obstacle_words{
     "overflow", "outside the domain", "too ill-conditioned to bound", "singular"};
+
+constexpr std::array<std::string_view, 4> verdict_names{"holds", "fails", "skipped", "noted"};
+constexpr std::array<std::string_view, 4> obstacle_names{"overflow", "undefined", "ill_conditioned",
+                                                         "singular"};
+constexpr std::array<std::string_view, 4> evidence_names{"states", "proof", "zeros", "numbers"};
 
 template <class Enum, std::size_t size>
 std::string_view word(const std::array<std::string_view, size>& words, Enum value) {
@@ -157,6 +166,27 @@ std::string counts(const Certificate& certificate) {
                      noted > 0 ? fmt::format(", {} noted", noted) : "");
 }
 
+Json json_of(const CertificateRow& row) {
+  Json skipped = Json::object();
+  for (const SkippedStates& some : row.skipped) {
+    skipped[std::string(word(obstacle_names, some.obstacle))] = some.states;
+  }
+  Json json{{"check", row.check},     {"output", row.output},
+            {"subject", row.subject}, {"verdict", word(verdict_names, row.verdict)},
+            {"formula", row.formula}, {"evidence", word(evidence_names, row.evidence)},
+            {"samples", row.samples}, {"skipped_states", skipped}};
+  // JSON has no infinity, which a value that is no number is off by, and one whose R is 0.
+  if (row.error && std::isfinite(*row.error)) json["error_in_bounds"] = *row.error;
+  if (row.loss && std::isfinite(*row.loss)) json["loss"] = *row.loss;
+  if (row.loss_of_field && std::isfinite(*row.loss_of_field)) {
+    json["loss_of_field"] = *row.loss_of_field;
+  }
+  json["worst"] = row.worst;
+  json["worst_at"] = row.where;
+  json["tolerance"] = row.tolerance;
+  return json;
+}
+
 }  // namespace
 
 std::size_t count(const Certificate& certificate, Verdict verdict) {
@@ -194,6 +224,20 @@ std::string to_full_text(const Certificate& certificate) {
     append_details(text, row);
   }
   return text + "\n" + counts(certificate) + "\n";
+}
+
+std::string to_json(const Certificate& certificate) {
+  Json checks = Json::array();
+  for (const CertificateRow& row : certificate.rows) checks.push_back(json_of(row));
+  const Json json{{"model", certificate.model},
+                  {"scene", certificate.scene},
+                  {"seed", certificate.seed},
+                  {"holds", count(certificate, Verdict::holds)},
+                  {"fails", count(certificate, Verdict::fails)},
+                  {"skipped", count(certificate, Verdict::skipped)},
+                  {"noted", count(certificate, Verdict::noted)},
+                  {"checks", checks}};
+  return json.dump(2) + "\n";
 }
 
 }  // namespace elgen
