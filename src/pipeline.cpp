@@ -19,9 +19,7 @@
 #include "elgen/lagrangian.hpp"
 #include "elgen/lower.hpp"
 #include "elgen/specialise.hpp"
-#include "pipeline/chosen.hpp"
-#include "pipeline/parts.hpp"
-#include "pipeline/readable_steps.hpp"
+#include "pipeline/byways.hpp"
 #include "pipeline/stages.hpp"
 
 namespace elgen {

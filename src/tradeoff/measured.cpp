@@ -1,5 +1,6 @@
 // measured: alternatives by turns. Each turn repeats its alternative so often that reading the
-// clock is nothing beside it.
+// clock is nothing beside it. by_turns: rounds
+// in which all are measured once.
 #include <algorithm>
 #include <chrono>
 
@@ -29,6 +30,17 @@ std::size_t calls_of_turn(const Work& work) {
 }
 
 }  // namespace
+
+void by_turns(std::vector<std::vector<double>>& figures, const Rounds& rounds,
+              const std::function<double(std::size_t)>& figure) {
+  if (figures.empty()) return;
+  const Clock::time_point end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                                   std::chrono::duration<double>(rounds.seconds));
+  for (std::size_t round = figures.front().size(); round < rounds.most; ++round) {
+    if (round >= rounds.fewest && Clock::now() >= end) break;
+    for (std::size_t i = 0; i < figures.size(); ++i) figures[i].push_back(figure(i));
+  }
+}
 
 Spread spread_of(std::vector<double> numbers) {
   std::sort(numbers.begin(), numbers.end());

@@ -1,7 +1,6 @@
 // Right models that a check of elgen's own once refused.
 #include <catch2/catch.hpp>
 
-#include "elgen/pipeline.hpp"
 #include "pipeline/pipeline_testing.hpp"
 #include "support/models.hpp"
 
@@ -9,12 +8,7 @@ namespace elgen::test {
 namespace {
 
 Products check_accepted(const std::string& text, const std::string& scene = {}) {
-  Inputs inputs{make_source("model.toml", text)};
-  if (!scene.empty()) {
-    inputs.scene = make_source("given.scene.toml",
-                               "format = 1\nmodel = \"model.toml\"\nname = \"given\"\n" + scene);
-  }
-  Products products = run_pipeline(inputs, {});
+  Products products = run_pipeline(inputs_of(text, scene), {});
   INFO(format(products.diagnostics));
   REQUIRE(products.self_check);
   VerifyOptions options;
@@ -76,8 +70,18 @@ TEST_CASE("an arm of numbers whose last link is axisymmetric has a column of zer
   }
 }
 
-TEST_CASE("rates beyond the speed of light are outside of the domain") {
+TEST_CASE("rates beyond the speed of light are outside of the domain, and drawn anew") {
   check_accepted(model_file("relativistic_particle"), "[parameters]\nfixed = { c = 1 }\n");
+  const Products products = check_accepted(model_text("slow_light", R"toml([[coordinate]]
+name = "x"
+[parameters]
+m = { value = 2, assume = "positive" }
+c = { value = 1, assume = "positive" }
+[energy]
+L = "-m*c^2*sqrt(1 - dot(x)^2/c^2)"
+)toml"));
+  CHECK(products.self_check->states == 32);
+  CHECK(products.self_check->outside > 0);
 }
 
 }  // namespace elgen::test

@@ -4,7 +4,6 @@
 
 #include "elgen/equations_of_motion.hpp"
 #include "elgen/evaluate.hpp"
-#include "elgen/pipeline.hpp"
 #include "elgen/specialise.hpp"
 #include "formulate/written_out.hpp"
 #include "pipeline/pipeline_testing.hpp"
@@ -16,22 +15,10 @@ namespace {
 using cln::cl_R;
 using cln::cl_RA;
 
-std::string near_scene(const std::string& lines) {
-  return "format = 1\nmodel = \"model.toml\"\nname = \"near\"\n" + lines;
-}
-
 /// A model of the project, with a scene if `lines` has any.
 Products near_products(const std::string& model, const std::string& output,
                        const std::string& lines) {
-  PipelineOptions options;
-  options.scene.outputs = {make_source("--outputs", output)};
-  Inputs inputs;
-  inputs.model = make_source("model.toml", model_file(model));
-  if (!lines.empty()) inputs.scene = make_source("near.scene.toml", near_scene(lines));
-  Products products = run_pipeline(inputs, options);
-  INFO(format(products.diagnostics));
-  REQUIRE(products.program);
-  return products;
+  return derived(inputs_of(model_file(model), lines), output, {Goal::self_check});
 }
 
 Arguments<Real> arguments(const Products& products, const std::vector<cl_R>& q,
@@ -181,8 +168,9 @@ TEST_CASE("a force on what is not small is right to one order more, everywhere i
   const Workspace workspace;
   write_text(workspace.path() / "model.toml", pushed_cart);
   write_text(workspace.path() / "near.scene.toml",
-             near_scene("[outputs]\ninput_matrix = true\nbias = true\nforward_dynamics = true\n"
-                        "[approximate]\norder = 2\nabout = { th = 0 }\n"));
+             "format = 1\nmodel = \"model.toml\"\nname = \"near\"\n"
+             "[outputs]\ninput_matrix = true\nbias = true\nforward_dynamics = true\n"
+             "[approximate]\norder = 2\nabout = { th = 0 }\n");
   const Outcome shown = shell("elgen show near.scene.toml", workspace.path());
   INFO(shown.output + shown.errors);
   CHECK(mentions(shown.output, "input_matrix[1] = th*(1 - 1/6*th^2)"));

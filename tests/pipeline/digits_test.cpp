@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "elgen/pipeline.hpp"
 #include "evaluate/subject.hpp"
+#include "pipeline/pipeline_testing.hpp"
 
-namespace elgen {
+namespace elgen::test {
 
 namespace {
 
@@ -39,22 +39,15 @@ double loss_of(const Generated& g, OutputKind kind) {
   return 0;
 }
 
-Generated generated(const std::string& text, const SourcePointer& scene = nullptr);
-/// The same for speed, or for accuracy.
-Generated generated_for(const std::string& preference, const std::string& text) {
-  return generated(text, make_source("own.scene.toml",
-                                     "format = 1\nmodel = \"model.toml\"\nname = \"own\"\n"
-                                     "[numeric]\nprefer = \"" +
-                                         preference + "\"\n"));
-}
-
-Generated generated(const std::string& text, const SourcePointer& scene) {
+Generated generated(const std::string& text, const std::string& scene = {}) {
   PipelineOptions options;
   options.goals = {Goal::choose, Goal::parts};
-  Generated result{run_pipeline({make_source("model.toml", text), scene}, options)};
-  INFO(format(result.products.diagnostics));
-  REQUIRE(result.products.program);
-  return result;
+  return {derived(inputs_of(text, scene), options)};
+}
+
+/// The same for speed, or for accuracy.
+Generated generated_for(const std::string& preference, const std::string& text) {
+  return generated(text, "[numeric]\nprefer = \"" + preference + "\"\n");
 }
 
 /// The largest error of a function's first entries, by the true values, in units of `epsilon/2`.
@@ -165,4 +158,4 @@ TEST_CASE("sqrt(x^2 + l^2) - x has no way for both signs of x: a figure") {
   CHECK(loss_of(g, OutputKind::potential_energy) > 64);
 }
 
-}  // namespace elgen
+}  // namespace elgen::test

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "elgen/evaluate.hpp"
-#include "elgen/pipeline.hpp"
+#include "pipeline/pipeline_testing.hpp"
 #include "support/models.hpp"
 
 namespace elgen::test {
@@ -23,16 +23,12 @@ double step(double x) { return x < 0 ? 0 : 1; }
 const std::vector<double> places{-2.7, -1.3, -0.4, 0.3, 0.7, 1.4, 1.8, 2.9};
 
 Products products_of(const std::string& rest, const std::string& scene = {}) {
-  Inputs inputs{make_source(
-      "model.toml", model_text("kinked",
-                               "[[coordinate]]\nname = \"x\"\nrange = [-3, 3]\n[parameters]\n"
-                               "m = { value = 2, assume = \"positive\" }\nk = 5\ns = 0.5\n" +
-                                   rest))};
-  if (!scene.empty()) {
-    inputs.scene = make_source("given.scene.toml",
-                               "format = 1\nmodel = \"model.toml\"\nname = \"given\"\n" + scene);
-  }
-  Products products = run_pipeline(inputs, {});
+  const std::string text =
+      model_text("kinked",
+                 "[[coordinate]]\nname = \"x\"\nrange = [-3, 3]\n[parameters]\n"
+                 "m = { value = 2, assume = \"positive\" }\nk = 5\ns = 0.5\n" +
+                     rest);
+  Products products = run_pipeline(inputs_of(text, scene), {});
   INFO(rest << '\n' << format(products.diagnostics));
   REQUIRE(products.files);
   return products;

@@ -5,7 +5,6 @@
 
 #include "elgen/evaluate.hpp"
 #include "elgen/oracle.hpp"
-#include "elgen/pipeline.hpp"
 #include "pipeline/pipeline_testing.hpp"
 
 namespace elgen::test {
@@ -15,22 +14,13 @@ using cln::cl_R;
 
 constexpr std::size_t joints = 7;
 constexpr std::size_t free_joint = 3;  ///< q4
-Products locked_products(const std::string& scene) {
+
+Products locked_products(const std::string& locks) {
   PipelineOptions options;
   options.goals = {Goal::choose};
-  Inputs inputs;
-  inputs.model = make_source("panda7.toml", model_file("panda7"));
-  inputs.scene = make_source("test.scene.toml", scene);
-  Products products = run_pipeline(inputs, options);
-  INFO(format(products.diagnostics));
-  REQUIRE(products.program);
-  return products;
-}
-
-std::string locked_scene(const std::string& locks) {
-  return "format = 1\nmodel = \"panda7.toml\"\nname = \"one\"\n[outputs]\nmass_matrix = true\n"
-         "bias = true\ninverse_dynamics = true\n" +
-         locks;
+  const std::string outputs =
+      "[outputs]\nmass_matrix = true\nbias = true\ninverse_dynamics = true\n";
+  return derived(inputs_of(model_file("panda7"), outputs + locks), options);
 }
 
 std::string locks_text() {
@@ -48,10 +38,6 @@ const Function& function_of(const Products& products, OutputKind kind) {
     if (function.kind == kind) return function;
   }
   throw std::logic_error("no such function");
-}
-
-std::size_t operations(const Products& products, OutputKind kind) {
-  return cost(count_operations(function_of(products, kind)));
 }
 
 /// The whole arm at the pose of the locks, everything else the same.
@@ -78,8 +64,8 @@ bool agree(const Real& x, const Real& y) {
 }  // namespace
 
 TEST_CASE("six joints of seven locked", "[lock]") {
-  const Products arm = locked_products(locked_scene(""));
-  const Products one = locked_products(locked_scene(locks_text()));
+  const Products arm = locked_products("");
+  const Products one = locked_products(locks_text());
   const auto value = [](const Products& of, OutputKind kind, const Arguments<Real>& state) {
     return evaluate(*of.program, function_of(of, kind), state);
   };
@@ -158,10 +144,13 @@ q2 = { value = "t^2", reaction = true }
 }
 
 TEST_CASE("what is locked costs nothing", "[lock]") {
-  const Products arm = locked_products(locked_scene(""));
-  const Products one = locked_products(locked_scene(locks_text()));
+  const Products arm = locked_products("");
+  const Products one = locked_products(locks_text());
   const auto share = [&](OutputKind kind) {
-    return static_cast<double>(operations(one, kind)) / static_cast<double>(operations(arm, kind));
+    const auto cost_in = [kind](const Products& products) {
+      return static_cast<double>(cost(count_operations(function_of(products, kind))));
+    };
+    return cost_in(one) / cost_in(arm);
   };
   INFO("of the whole arm: M " << share(OutputKind::mass_matrix) << ", tau "
                               << share(OutputKind::inverse_dynamics));

@@ -2,7 +2,6 @@
 #include <catch2/catch.hpp>
 #include <regex>
 
-#include "elgen/pipeline.hpp"
 #include "elgen/toolchain.hpp"
 #include "pipeline/pipeline_testing.hpp"
 
@@ -84,27 +83,23 @@ void expect_all_caught(const Products& products, const std::string& ending,
 }  // namespace
 
 TEST_CASE("verify catches a sign, a digit, an index and a term of the emitted code") {
-  Inputs inputs{make_source("model.toml", model_file("two_link_arm"))};
-  inputs.scene =
-      make_source("given.scene.toml",
-                  "format = 1\nmodel = \"model.toml\"\nname = \"given\"\n[outputs]\ngravity = "
-                  "true\nbias = true\n"
-                  "[parameters]\nfixed = { g = 9.81 }\n[numeric]\nscalar = [\"double\"]\n");
+  const Inputs inputs =
+      inputs_of(model_file("two_link_arm"),
+                "[outputs]\ngravity = true\nbias = true\n"
+                "[parameters]\nfixed = { g = 9.81 }\n[numeric]\nscalar = [\"double\"]\n");
   expect_all_caught(run_pipeline(inputs, {}), ".hpp", faults);
 }
 
 TEST_CASE("verify catches a stride, a digit, a domain and an argument of a batch") {
-  Inputs inputs{make_source("model.toml", model_file("cart_pole"))};
-  inputs.scene = make_source("rollouts.scene.toml",
-                             "format = 1\nmodel = \"model.toml\"\nname = \"rollouts\"\n[outputs]\n"
-                             "forward_dynamics = true\n[emit]\nbatch = true\n[numeric]\n"
-                             "trigonometry = { max_error = 1e-6 }\n");
+  const Inputs inputs = inputs_of(model_file("cart_pole"),
+                                  "[outputs]\nforward_dynamics = true\n[emit]\nbatch = true\n"
+                                  "[numeric]\ntrigonometry = { max_error = 1e-6 }\n");
   expect_all_caught(run_pipeline(inputs, {}), "_batch.hpp", faults_of_batches);
 }
 
 TEST_CASE("verify catches a value, a limit and an order that the header declares") {
-  const Inputs inputs{make_source("model.toml", model_file("cart_pole"))};
-  expect_all_caught(run_pipeline(inputs, {}), "cart_pole.hpp", faults_of_declarations);
+  expect_all_caught(run_pipeline(inputs_of(model_file("cart_pole")), {}), "cart_pole.hpp",
+                    faults_of_declarations);
 }
 
 }  // namespace elgen::test

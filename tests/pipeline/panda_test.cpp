@@ -1,11 +1,11 @@
 // The arm of seven joints: written with frames and imported from a URDF it has the same equations,
-// and no more operations than a recursion written by hand for it.
+// and no more operations than a recursion written by hand for it; what a scene does not need costs
+// nothing.
 #include <catch2/catch.hpp>
 #include <map>
 #include <random>
 
 #include "elgen/evaluate.hpp"
-#include "elgen/pipeline.hpp"
 #include "elgen/urdf.hpp"
 #include "pipeline/pipeline_testing.hpp"
 
@@ -21,23 +21,8 @@ std::string imported_text() {
   return model.value->text;
 }
 
-/// The outputs asked for, of a model given as text.
-Products chosen_products(const std::string& text, const std::string& outputs) {
-  PipelineOptions options;
-  options.scene.outputs = {make_source("--outputs", outputs)};
-  options.goals = {Goal::choose};
-  Inputs inputs;
-  inputs.model = make_source("model.toml", text);
-  Products products = run_pipeline(inputs, options);
-  INFO(format(products.diagnostics));
-  REQUIRE(products.program);
-  return products;
-}
-
-std::size_t operations(const std::string& text, const std::string& output) {
-  const Products products = chosen_products(text, output);
-  const OperationCounts counts = count_operations(products.program->functions.front());
-  return counts.add + counts.mul + counts.div;
+std::size_t operations_of(const std::string& text, const std::string& output) {
+  return operations(derived(inputs_of(text), output).program->functions.front());
 }
 
 /// Rational numbers between -3 and 3, the same in every run.
@@ -76,8 +61,8 @@ std::string about_origins(std::string text) {
 
 TEST_CASE("frames and URDF give equal entries at 64 random states, to 50 digits") {
   const std::string outputs = "mass_matrix,bias,inverse_dynamics";
-  const Products frames = chosen_products(frames_text(), outputs);
-  const Products imported = chosen_products(imported_text(), outputs);
+  const Products frames = derived(inputs_of(frames_text()), outputs);
+  const Products imported = derived(inputs_of(imported_text()), outputs);
   const cln::cl_R tolerance = cln::expt(cln::cl_R(10), -50);
   for (unsigned seed = 0; seed < 64; ++seed) {
     const Arguments<Real> here = state_of(frames, std::mt19937(seed));
@@ -103,7 +88,7 @@ TEST_CASE("operations of the arm with inertias about the origins of its frames")
   const std::string text = about_origins(frames_text());
   for (const auto& [output, limit] : most) {
     INFO(output);
-    CHECK(operations(text, output) <= limit);
+    CHECK(operations_of(text, output) <= limit);
   }
 }
 
@@ -115,8 +100,34 @@ TEST_CASE("operations of the arm with inertias about the centres of its links") 
       {"coriolis_matrix", 2500}, {"inverse_dynamics_derivatives", 4000}};
   for (const auto& [output, limit] : most) {
     INFO(output);
-    CHECK(operations(frames_text(), output) <= limit);
+    CHECK(operations_of(frames_text(), output) <= limit);
   }
+}
+
+TEST_CASE("gravity alone has no velocities") {
+  const Products products = derived(inputs_of(frames_text()), "gravity", {Goal::self_check});
+  CHECK(operations(products.program->functions.front()) <= 250);
+  CHECK(dump(*products.program).find("velocity") == std::string::npos);
+  for (const auto& [path, text] : products.files->files) {
+    if (path.substr(path.rfind('.')) != ".hpp") continue;
+    const std::size_t body = text.find("gravity(");
+    REQUIRE(body != std::string::npos);
+    CHECK(text.find("Velocities<Scalar>&", body) == std::string::npos);
+  }
+}
+
+TEST_CASE("fixed parameters save a fifth of the inverse dynamics") {
+  PipelineOptions options;
+  options.scene.outputs = {make_source("--outputs", "inverse_dynamics")};
+  options.goals = {Goal::choose};
+  const auto costs = [&options] {
+    return operations(derived(inputs_of(frames_text()), options).program->functions.front());
+  };
+  const std::size_t symbolic = costs();
+  options.scene.fixed.push_back(make_source("--fix", "all"));
+  const std::size_t fixed = costs();
+  INFO(symbolic << " operations, " << fixed << " with numbers");
+  CHECK(fixed <= symbolic * 80 / 100);
 }
 
 }  // namespace elgen::test

@@ -4,16 +4,13 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "support/shell.hpp"
+#include "pipeline/pipeline_testing.hpp"
 
 namespace elgen {
 
 namespace {
 
-Inputs model(const std::string& file) {
-  const std::string path = std::string(ELGEN_SOURCE_DIR) + "/models/" + file;
-  return {make_source(file, test::read_text(path)), nullptr};
-}
+Inputs model(const std::string& name) { return test::inputs_of(test::model_file(name)); }
 
 std::vector<std::string> stages(const Products& products) {
   std::vector<std::string> names;
@@ -24,7 +21,7 @@ std::vector<std::string> stages(const Products& products) {
 }  // namespace
 
 TEST_CASE("all stages run in their order and give a checked program and its files") {
-  const Products products = run_pipeline(model("cart_pole.toml"), {});
+  const Products products = run_pipeline(model("cart_pole"), {});
   REQUIRE(products.self_check.has_value());
   CHECK(products.self_check->failure.empty());
   CHECK(products.self_check->states >= 1);  // more of them where the machine is not busy
@@ -61,7 +58,7 @@ TEST_CASE("a goal runs what it needs, each once and in order, and nothing else")
   for (const std::string_view goal : all) {
     PipelineOptions options;
     options.goals = {*goal_named(goal)};
-    const Products products = run_pipeline(model("simple_pendulum.toml"), options);
+    const Products products = run_pipeline(model("simple_pendulum"), options);
     INFO(goal);
     CHECK_FALSE(has_errors(products.diagnostics));
     const std::vector<std::string> run = stages(products);
@@ -82,7 +79,7 @@ TEST_CASE("a goal runs what it needs, each once and in order, and nothing else")
 TEST_CASE("what two goals need is made once") {
   PipelineOptions options;
   options.goals = {Goal::emit, Goal::parts, Goal::steps};
-  const Products products = run_pipeline(model("cart_pole.toml"), options);
+  const Products products = run_pipeline(model("cart_pole"), options);
   CHECK(products.files.has_value());
   CHECK(!products.parts.functions.empty());
   CHECK(products.steps.has_value());
@@ -92,7 +89,7 @@ TEST_CASE("what two goals need is made once") {
 }
 
 TEST_CASE("an output alone is derived from what was checked") {
-  const Products products = run_pipeline(model("cart_pole.toml"), {});
+  const Products products = run_pipeline(model("cart_pole"), {});
   std::vector<std::string> run;
   for (const StageTime& time : times_alone(*products.checked, 1, {})) run.push_back(time.stage);
   CHECK(run == std::vector<std::string>{"formulate", "specialise", "derive", "lower", "cancel",
@@ -106,7 +103,7 @@ TEST_CASE("each stage is told before it runs, and equations and programs are dum
     options.goals = {*options.dump};
     std::string last;
     options.on_stage = [&](const std::string& stage) { last = stage; };
-    const Products products = run_pipeline(model("cart_pole.toml"), options);
+    const Products products = run_pipeline(model("cart_pole"), options);
     INFO(name);
     CHECK(last == name);
     const bool has_text =
@@ -126,7 +123,7 @@ TEST_CASE("an error ends the run at its stage") {
 TEST_CASE("a limit on derived nodes reaches the stages that derive") {
   PipelineOptions options;
   options.limits.derived_nodes = 3;
-  const Products products = run_pipeline(model("cart_pole.toml"), options);
+  const Products products = run_pipeline(model("cart_pole"), options);
   REQUIRE(products.diagnostics.size() == 1);
   CHECK(products.diagnostics.front().code == Code::E908);
   CHECK_FALSE(products.files.has_value());

@@ -1,14 +1,48 @@
 // What tests of the pipeline share: models of the project, and runs of generated headers.
 #pragma once
 
+#include <catch2/catch.hpp>
 #include <string>
 
+#include "elgen/pipeline.hpp"
 #include "support/shell.hpp"
 
 namespace elgen::test {
 
 inline std::string model_file(const std::string& name) {
   return read_text(std::string(ELGEN_SOURCE_DIR) + "/models/" + name + ".toml");
+}
+
+/// A model alone, or in a scene of which `rest` is what follows the name.
+inline Inputs inputs_of(const std::string& text, const std::string& rest = {}) {
+  Inputs inputs{make_source("model.toml", text)};
+  if (!rest.empty()) {
+    inputs.scene = make_source("given.scene.toml",
+                               "format = 1\nmodel = \"model.toml\"\nname = \"given\"\n" + rest);
+  }
+  return inputs;
+}
+
+/// As far as the goals of a run lead, with a program.
+inline Products derived(const Inputs& inputs, const PipelineOptions& options = {}) {
+  Products products = run_pipeline(inputs, options);
+  INFO(format(products.diagnostics));
+  REQUIRE(products.program);
+  return products;
+}
+
+/// Likewise, of the outputs named.
+inline Products derived(const Inputs& inputs, const std::string& outputs,
+                        const std::vector<Goal>& goals = {Goal::choose}) {
+  PipelineOptions options;
+  options.scene.outputs = {make_source("--outputs", outputs)};
+  options.goals = goals;
+  return derived(inputs, options);
+}
+
+inline std::size_t operations(const Function& function) {
+  const OperationCounts counts = count_operations(function);
+  return counts.add + counts.mul + counts.div;
 }
 
 /// What a program prints that includes headers in the folder or those of the project.

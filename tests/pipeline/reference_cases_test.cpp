@@ -15,7 +15,7 @@
 #include "elgen/pipeline.hpp"
 #include "evaluate/subject.hpp"
 #include "parse/decimal.hpp"
-#include "verify/bounds/own_bound.hpp"
+#include "verify/bounds/field_place.hpp"
 
 using namespace elgen;
 using nlohmann::json;
@@ -88,7 +88,8 @@ void check_state(const Products& products, const json& given) {
       if (function.name != name) continue;
       const auto values = evaluate(*products.program, function, at.arguments);
       const auto index = static_cast<std::size_t>(&function - products.program->functions.data());
-      const Judge judge = judge_of(*products.program, index, function.fields.front(), 0);
+      const Subject subject{products.checked->model, products.checked->scene, *products.program};
+      const Judge judge = field_places(subject, index).front().judge;
       const BoundedRun bounds =
           bounded_run(*products.program, *judge.function, at.state, rounding<double>());
       REQUIRE(bounds.regime == Regime::regular);

@@ -9,6 +9,7 @@
 #include "evaluate/subject.hpp"
 
 namespace elgen {
+
 class OracleCache {
  public:
   OracleCache(const Subject& subject, State state) : subject_(subject), state_(std::move(state)) {}

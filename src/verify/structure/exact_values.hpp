@@ -10,6 +10,7 @@
 #include "evaluate/subject.hpp"
 
 namespace elgen {
+
 class ExactValues {
  public:
   ExactValues(const Subject& subject, State state);

@@ -1,0 +1,105 @@
+// By-ways: choose, then what the scene's methods make of its choice; parts, picked where they are
+// and derived where not; the functions of elgen/steps.hpp, and the names of the masses.
+#include "pipeline/byways.hpp"
+
+#include "elgen/cancel.hpp"
+#include "elgen/certificate.hpp"
+#include "elgen/choose.hpp"
+#include "elgen/integrate.hpp"
+#include "elgen/lower.hpp"
+#include "elgen/steps.hpp"
+#include "evaluate/subject.hpp"
+
+namespace elgen {
+namespace {
+
+/// What the Lagrangian makes of some outputs, before forms are chosen: derive, lower and cancel in
+/// one go.
+Result<Program> recursive_program(const Lagrangian& lagrangian,
+                                  const std::vector<OutputRequest>& outputs, const Limits& limits) {
+  const Result<EquationsOfMotion> equations = derive(lagrangian, outputs, limits);
+  if (!equations) return equations.diagnostics;
+  Result<Program> lowered = lower(*equations, outputs, limits);
+  if (!lowered) return lowered.diagnostics;
+  return cancel(std::move(*lowered));
+}
+
+/// What the step calls, in the forms that the scene would choose.
+Result<Program> calls_of(const Lagrangian& lagrangian, const CheckedModel& checked,
+                         const OutputRequest& step, const Limits& limits) {
+  Scene scene = checked.scene;
+  scene.outputs = needed_for_step(checked.model, step);
+  const Result<Program> recursive = recursive_program(lagrangian, scene.outputs, limits);
+  if (!recursive) return recursive.diagnostics;
+  Result<Choice> choice = choose(*recursive, present(*recursive), scene);
+  if (!choice) return choice.diagnostics;
+  return std::move(choice->program);
+}
+
+/// Its costs are those of its only form.
+void add_costs(Choice& choice) {
+  const Function& step = choice.program.functions.back();
+  choice.program.readable.emplace_back();
+  choice.costs.push_back({step.name, count_operations(step)});
+}
+
+std::string name_of(const Model& model, const Entity& origin) {
+  if (origin.kind == EntityKind::point) return model.points[origin.index].name;
+  if (origin.kind == EntityKind::body) return model.bodies[origin.index].name;
+  return {};
+}
+
+}  // namespace
+
+Result<Choice> chosen(const Lagrangian& lagrangian, const Program& recursive,
+                      const ClosedForms& forms, const CheckedModel& checked, const Limits& limits) {
+  Result<Choice> choice = choose(recursive, forms, checked.scene);
+  if (!choice) return choice;
+  for (const OutputRequest& output : checked.scene.outputs) {
+    if (!output_row(output.kind).steps) continue;
+    const Result<Program> calls = calls_of(lagrangian, checked, output, limits);
+    if (!calls) return calls.diagnostics;
+    Diagnostics errors = add_step(checked, output, *calls, choice->program);
+    if (!errors.empty()) return errors;
+    add_costs(*choice);
+  }
+  return choice;
+}
+
+Program known_parts(const CheckedModel& checked, const Program& recursive) {
+  Program some{recursive.leaves, recursive.constants};
+  for (const OutputRequest& request : needed_parts(checked.model, checked.scene)) {
+    const Function* known = find_function(recursive, request.kind);
+    if (known == nullptr) return {};
+    some.functions.push_back(*known);
+  }
+  return some;
+}
+
+Result<Program> parts(const Lagrangian& lagrangian, const CheckedModel& checked,
+                      const Program& recursive, const Limits& limits) {
+  const std::vector<OutputRequest> needed = needed_parts(checked.model, checked.scene);
+  if (needed.empty()) return Program{};
+  Program known = known_parts(checked, recursive);
+  if (!known.functions.empty()) return known;
+  // Where a limit is in the way, solutions are judged by the code's own bound.
+  return recursive_program(lagrangian, needed, limits).value.value_or(Program{});
+}
+
+Result<ReadableSteps> readable_steps(const Lagrangian& lagrangian, const CheckedModel& checked,
+                                     const Limits& limits) {
+  const Result<Steps> derived = derive_steps(lagrangian);
+  if (!derived) return derived.diagnostics;
+  Result<Program> lowered = lower(derived->equations, derived->requests, limits);
+  if (!lowered) return lowered.diagnostics;
+  const Program recursive = cancel(std::move(*lowered));
+  Result<Choice> choice = choose(recursive, present(recursive), {});
+  if (!choice) return choice.diagnostics;
+  ReadableSteps result{std::move(choice->program), {}};
+  for (const Entity& mass : derived->masses) {
+    result.masses.push_back(name_of(checked.model, mass));
+  }
+  return result;
+}
+
+}  // namespace elgen

@@ -1,0 +1,38 @@
+// By-ways of the pipeline: what it makes of several stages at once, and what needs equations of its
+// own.
+#pragma once
+
+#include "elgen/choose.hpp"
+#include "elgen/closed_forms.hpp"
+#include "elgen/equations_of_motion.hpp"
+#include "elgen/lagrangian.hpp"
+#include "elgen/limits.hpp"
+#include "elgen/program.hpp"
+#include "elgen/render.hpp"
+#include "elgen/scene.hpp"
+
+namespace elgen {
+
+/// The functions of a scene in the forms in which they are emitted, and the step that is made of
+/// some. Errors of choose() and add_step(). Cost: what `step` calls is derived once more, in its
+/// own name.
+[[nodiscard]] Result<Choice> chosen(const Lagrangian& lagrangian, const Program& recursive,
+                                    const ClosedForms& forms, const CheckedModel& checked,
+                                    const Limits& limits);
+
+/// M, bias and what else solutions of M x = b are judged by, from the program before forms were
+/// chosen: those that the scene has; no functions where nothing is solved, or where one is missing.
+[[nodiscard]] Program known_parts(const CheckedModel& checked, const Program& recursive);
+
+/// Those that the scene has not are derived. Always in recursive form: what is closed has cancelled
+/// terms that solutions do not. No functions where nothing is solved, or where a limit was reached.
+[[nodiscard]] Result<Program> parts(const Lagrangian& lagrangian, const CheckedModel& checked,
+                                    const Program& recursive, const Limits& limits);
+
+/// A derivation step by step, as it is read. The steps go the way of every output: lowered,
+/// presented, and read in their closed forms.
+[[nodiscard]] Result<ReadableSteps> readable_steps(const Lagrangian& lagrangian,
+                                                   const CheckedModel& checked,
+                                                   const Limits& limits);
+
+}  // namespace elgen

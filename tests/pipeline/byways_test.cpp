@@ -1,0 +1,105 @@
+// By-ways: the step of a scene stands behind what was chosen, and costs what it executes; what
+// solutions are judged by is picked where the scene has it, and derived where not; the derivation
+// as it is read.
+#include "pipeline/byways.hpp"
+
+#include <algorithm>
+
+#include "pipeline/pipeline_testing.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+Products cart_with(const std::string& outputs) {
+  return run_pipeline(inputs_of(model_file("cart_pole"), "[outputs]\n" + outputs), {});
+}
+
+/// The parts for some outputs of the cart and pole.
+Products with_parts(const std::string& outputs) {
+  return derived(inputs_of(model_file("cart_pole")), outputs, {Goal::choose, Goal::parts});
+}
+
+std::vector<OutputKind> kinds(const Products& products) {
+  std::vector<OutputKind> result;
+  for (const Function& function : products.parts.functions) result.push_back(function.kind);
+  return result;
+}
+
+const std::vector<OutputKind> of_accelerations{OutputKind::mass_matrix, OutputKind::bias,
+                                               OutputKind::input_matrix};
+
+}  // namespace
+
+TEST_CASE("a step is the last function, with a cost and without closed forms") {
+  const Products products =
+      cart_with("step = { method = \"rk4\" }\nmass_matrix = true\ndynamics = true\n");
+  INFO(format(products.diagnostics));
+  REQUIRE(products.self_check);
+  const Program& program = *products.program;
+  REQUIRE(program.functions.size() == 3);
+  CHECK(program.functions.back().kind == OutputKind::step);
+  CHECK(program.readable.size() == 3);
+  CHECK(program.readable.back().fields.empty());
+  REQUIRE(products.costs.size() == 3);
+  CHECK(products.costs.back().function == "step");
+  CHECK(products.costs.back().recursive == count_operations(program.functions.back()));
+}
+
+TEST_CASE("a step alone needs no other output") {
+  const Products products = cart_with("step = { method = \"rk4\" }\n");
+  INFO(format(products.diagnostics));
+  CHECK(products.self_check);
+  CHECK(products.program->functions.size() == 1);
+}
+
+TEST_CASE("a method that does not apply ends the pipeline before anything is emitted") {
+  const Products products = cart_with("step = { method = \"verlet\" }\n");
+  CHECK_FALSE(products.files);
+  REQUIRE_FALSE(products.diagnostics.empty());
+  CHECK(products.diagnostics.front().code == Code::E622);
+}
+
+TEST_CASE("parts are derived where the scene lacks one, and picked where it has all") {
+  const Products lacking = with_parts("forward_dynamics");
+  CHECK(kinds(lacking) == of_accelerations);
+  CHECK(known_parts(*lacking.checked, *lacking.program).functions.empty());
+
+  const Products having = with_parts("mass_matrix, bias, input_matrix, forward_dynamics");
+  CHECK(kinds(having) == of_accelerations);
+  CHECK(known_parts(*having.checked, *having.program).functions.size() == 3);
+}
+
+TEST_CASE("nothing solved has no parts, nor has what a limit ends") {
+  CHECK(with_parts("inverse_dynamics").parts.functions.empty());
+  const Products lacking = with_parts("forward_dynamics");
+  const Result<Lagrangian> lagrangian = formulate(lacking.checked->model);
+  Limits limits;
+  limits.derived_nodes = 3;
+  const Result<Program> ended = parts(*lagrangian, *lacking.checked, *lacking.program, limits);
+  REQUIRE(ended);
+  CHECK(ended->functions.empty());
+}
+
+TEST_CASE("dL/dq and d/dt dL/dv are steps of their own") {
+  PipelineOptions options;
+  options.goals = {Goal::steps};
+  const Products products = run_pipeline(inputs_of(model_file("simple_pendulum")), options);
+  REQUIRE(products.steps);
+  const Program& program = products.steps->program;
+  const auto is_theta = [](const Function& function) { return function.name == "theta"; };
+  const auto theta = std::find_if(program.functions.begin(), program.functions.end(), is_theta);
+  REQUIRE(theta != program.functions.end());
+  const FunctionEquations steps =
+      readable_equations(program, static_cast<std::size_t>(theta - program.functions.begin()));
+  const std::vector<std::vector<std::string>> expected{{"m*l^2*dot(theta)"},
+                                                       {"m*l^2*dot(dot(theta))"},
+                                                       {"-m*l*g*sin(theta)"},
+                                                       {"0"},
+                                                       {"0"},
+                                                       {"m*l*(l*dot(dot(theta)) + g*sin(theta))"}};
+  CHECK(steps.entries == expected);
+  CHECK(products.steps->masses == std::vector<std::string>{"bob"});
+}
+
+}  // namespace elgen::test

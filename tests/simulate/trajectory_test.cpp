@@ -1,0 +1,95 @@
+// A trajectory in a few lines, as a table, as an object, and as a picture.
+#include <tinyxml2.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "elgen/simulate.hpp"
+#include "support/shell.hpp"
+
+using namespace elgen;
+using elgen::test::count;
+using elgen::test::mentions;
+
+namespace {
+
+Trajectory two_columns() {
+  Trajectory trajectory;
+  trajectory.model = "top";
+  trajectory.method = "rk4";
+  trajectory.columns = {{"t", "s", ""}, {"phi", "rad", "phi"}};
+  trajectory.rows = {{0, 0.1}, {1, 1.0 / 3}};
+  trajectory.energy = {"E - E0", "|T| + |V|", 0.5, 0.25, 2};
+  trajectory.momenta = {{"phi", "sum |M v|", 0, 0, 3}};
+  return trajectory;
+}
+
+Trajectory seven_columns() {
+  Trajectory trajectory;
+  trajectory.columns = {{"t", "s", ""},   {"phi", "rad", "phi"}, {"e_w", "", "e"},
+                        {"e_x", "", "e"}, {"dot(phi)", "", ""},  {"x<y", "m", "x<y"},
+                        {"E", "", "E"}};
+  for (int i = 0; i <= 10; ++i) {
+    const double t = i;
+    trajectory.rows.push_back({t, std::remainder(t, 2 * M_PI), 1, 0, 1, t * t, 3});
+  }
+  return trajectory;
+}
+
+}  // namespace
+
+TEST_CASE("last state, drifts, and the cost of a step") {
+  Trajectory trajectory;
+  trajectory.model = "top";
+  trajectory.method = "rk4";
+  trajectory.columns = {{"t", "s", ""}, {"phi", "rad", "phi"}, {"dot(phi)", "", ""}};
+  trajectory.last = {2, 0.5, -3};
+  trajectory.energy = {"E - E0", "|T| + |V|", 1.036e-3, 2.2e-10, 0.46};
+  trajectory.momenta = {{"phi", "sum |M v|", 0, 0, 3}};
+  trajectory.steps = 200;
+  trajectory.nanoseconds = 41.7;
+  CHECK(to_text(trajectory) == R"(top by rk4: 200 steps to t = 2
+  phi      = 0.5 rad
+  dot(phi) = -3
+  E - E0: worst 1.036e-03, secular +2.2e-10, relative to |T| + |V| = 0.46
+  momentum of phi: worst 0.000e+00, secular +0.0e+00, relative to sum |M v| = 3
+  42 ns per step
+)");
+}
+
+TEST_CASE("a table has a line for each row, in digits that read back") {
+  CHECK(to_csv(two_columns()) == "t,phi\n0,0.1\n1,0.3333333333333333\n");
+}
+
+TEST_CASE("an object has the rows, what they are, and the drifts") {
+  const auto object = nlohmann::json::parse(to_json(two_columns()));
+  CHECK(object["model"] == "top");
+  CHECK(object["columns"][1]["name"] == "phi");
+  CHECK(object["columns"][1]["unit"] == "rad");
+  CHECK(object["rows"][1][1] == 1.0 / 3);
+  CHECK(object["energy"]["worst"] == 0.5);
+  CHECK(object["momenta"][0]["name"] == "phi");
+}
+
+TEST_CASE("a picture is XML with a panel for each name, and a curve for each column in it") {
+  const std::string svg = to_svg(seven_columns());
+  tinyxml2::XMLDocument document;
+  REQUIRE(document.Parse(svg.c_str()) == tinyxml2::XML_SUCCESS);
+  CHECK(count(svg, "font-weight") == 4);
+  CHECK(count(svg, "<path") == 5);
+  CHECK(mentions(svg, "phi [rad]"));
+  CHECK(mentions(svg, "x&lt;y [m]"));
+  CHECK_FALSE(mentions(svg, "dot(phi)"));
+  CHECK_FALSE(mentions(svg, "nan"));
+}
+
+TEST_CASE("curves of one panel differ in their dashes, and wrapped angles are interrupted") {
+  const std::string svg = to_svg(seven_columns());
+  CHECK(count(svg, "stroke-dasharray=\"none\"") == 4);
+  CHECK(count(svg, "stroke-dasharray=\"9 4\"") == 1);
+  CHECK(mentions(svg, ">e: e_w solid, e_x dashed<"));
+  const std::size_t path = svg.find("<path");
+  const std::string first = svg.substr(path, svg.find("/>", path) - path);
+  CHECK(count(first, "M") == 3);
+}
