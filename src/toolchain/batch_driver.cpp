@@ -7,7 +7,7 @@
 #include "elgen/arguments.hpp"
 #include "elgen/artifacts.hpp"
 #include "lower/code_interface.hpp"
-#include "toolchain/driver_parts.hpp"
+#include "toolchain/driver.hpp"
 
 namespace elgen {
 namespace {

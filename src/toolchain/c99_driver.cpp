@@ -5,7 +5,7 @@
 #include "elgen/artifacts.hpp"
 #include "emit/text/emission_input.hpp"
 #include "lower/code_interface.hpp"
-#include "toolchain/driver_parts.hpp"
+#include "toolchain/driver.hpp"
 
 namespace elgen {
 namespace {

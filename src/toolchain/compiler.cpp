@@ -2,6 +2,8 @@
 #include "toolchain/compiler.hpp"
 
 #include <fmt/format.h>
+#include <gnu/libc-version.h>
+#include <sys/utsname.h>
 
 #include <algorithm>
 #include <array>
@@ -9,7 +11,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "toolchain/plain_text.hpp"
+#include "elgen/toolchain.hpp"
 
 namespace elgen {
 namespace {
@@ -100,6 +102,18 @@ bool takes_probe(const Compiler& compiler, const std::filesystem::path& director
   return compile_shared(compiler, Build::as_written, probe, directory / "probe.so").succeeded();
 }
 
+/// The line of /proc/cpuinfo that x86 has; elsewhere the architecture alone.
+std::string processor_name() {
+  constexpr std::string_view key = "model name";
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with(key) && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  utsname system{};
+  return ::uname(&system) == 0 ? system.machine : "";
+}
+
 }  // namespace
 
 std::vector<CompilerCommand> compiler_candidates() {
@@ -145,6 +159,13 @@ Diagnostic why_refused(const Compiler& compiler, const ProcessResult& compiled,
           {},
           fmt::format("`{}` {}:\n{}", fmt::join(compiler.command, " "), ending_text(compiled),
                       plain_text(compiled.output))};
+}
+
+Result<Machine> this_machine(const Limits& limits) {
+  const Result<Compiler> compiler = find_compiler(limits.seconds);
+  if (!compiler) return compiler.diagnostics;
+  return Machine{plain_text(compiler->version), processor_name(),
+                 fmt::format("glibc {}", ::gnu_get_libc_version())};
 }
 
 }  // namespace elgen

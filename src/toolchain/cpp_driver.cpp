@@ -6,7 +6,7 @@
 #include "emit/cpp/cpp_names.hpp"
 #include "emit/text/emission_input.hpp"
 #include "lower/code_interface.hpp"
-#include "toolchain/driver_parts.hpp"
+#include "toolchain/driver.hpp"
 
 namespace elgen {
 namespace {

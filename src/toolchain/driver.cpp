@@ -15,7 +15,6 @@
 #include "emit/text/parameters.hpp"
 #include "emit/text/scalar_range.hpp"
 #include "lower/code_interface.hpp"
-#include "toolchain/driver_parts.hpp"
 
 namespace elgen {
 namespace {

@@ -16,6 +16,7 @@
 
 #include "base/descriptor.hpp"
 #include "base/no_interrupts.hpp"
+#include "base/utf8.hpp"
 #include "toolchain/child.hpp"
 
 namespace elgen {
@@ -164,6 +165,26 @@ ProcessResult run_with(std::vector<Stream> streams, const std::vector<std::strin
   return {ending, child.status(), streams.front().take(), streams.back().take()};
 }
 
+constexpr std::size_t most_bytes = 4000;
+constexpr char escape = '\x1b';
+constexpr char bell = '\a';
+
+// Escape sequences are those of ECMA-48: ESC [ parameters letter, ESC ] text BEL, and ESC with one
+// character.
+
+/// The first position behind the sequence that begins at `position`.
+std::size_t behind_sequence(std::string_view text, std::size_t position) {
+  const char kind = position + 1 < text.size() ? text[position + 1] : '\0';
+  if (kind != '[' && kind != ']') return position + 2;
+  for (std::size_t i = position + 2; i < text.size(); ++i) {
+    const bool ends = kind == '[' ? text[i] >= '@' && text[i] <= '~' : text[i] == bell;
+    if (ends) return i + 1;
+    if (text[i] == '\n') return i;
+    if (kind == ']' && text[i] == escape) return i + 2;  // ESC \ ends it as well
+  }
+  return text.size();
+}
+
 }  // namespace
 
 ProcessResult run(const std::vector<std::string>& command, std::uint64_t seconds,
@@ -179,6 +200,21 @@ ProcessResult run_apart(const std::vector<std::string>& command, std::uint64_t s
   streams.emplace_back(most_output);
   streams.emplace_back(most_said);
   return run_with(std::move(streams), command, seconds, {});
+}
+
+std::string plain_text(std::string_view text) {
+  std::string plain;
+  for (std::size_t i = 0; i < text.size();) {
+    if (text[i] == escape) {
+      i = behind_sequence(text, i);
+      continue;
+    }
+    const CodePoint point = code_point_at(text, i);
+    if (point.bytes == 0 || plain.size() > most_bytes) return plain + "…\n";
+    if (text[i] == '\n' || !is_hidden(point.value)) plain += text.substr(i, point.bytes);
+    i += point.bytes;
+  }
+  return plain;
 }
 
 }  // namespace elgen

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace elgen {
@@ -33,5 +34,10 @@ struct ProcessResult {
 /// The same with stdout and stderr apart: the first `most_output` bytes of stdout.
 [[nodiscard]] ProcessResult run_apart(const std::vector<std::string>& command,
                                       std::uint64_t seconds, std::size_t most_output);
+
+/// The words of another program, made fit for a message: without escape sequences and control
+/// characters other than line ends; what is longer than 4000 bytes is cut, and so is what is not
+/// UTF-8.
+[[nodiscard]] std::string plain_text(std::string_view text);
 
 }  // namespace elgen

@@ -1,10 +1,17 @@
-// Files are written below the temporary directory as they would be below the output folder.
+// Temporary directories: mkdtemp under $TMPDIR or /tmp, removed recursively by the destructor.
+// Failing to remove is not reported: nothing depends on it. Memory may be short once, where that is
+// why the owner goes. Files are written below them as they would be below the output folder.
 #include "toolchain/workshop.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
+#include <new>
+#include <string>
+#include <system_error>
+#include <utility>
 
 namespace elgen {
 namespace {
@@ -31,6 +38,28 @@ bool write_all(const std::filesystem::path& directory, const EmittedFiles& files
 Diagnostic nowhere(Code code, std::string message) { return {code, {}, std::move(message)}; }
 
 }  // namespace
+
+std::optional<TemporaryDirectory> TemporaryDirectory::create() {
+  const char* parent = std::getenv("TMPDIR");
+  std::string name = (parent != nullptr && *parent != '\0') ? parent : "/tmp";
+  name += "/elgen-XXXXXX";
+  if (mkdtemp(name.data()) == nullptr) return std::nullopt;
+  return TemporaryDirectory(name);
+}
+
+TemporaryDirectory::TemporaryDirectory(TemporaryDirectory&& other) noexcept
+    : path_(std::exchange(other.path_, {})) {}
+
+TemporaryDirectory::~TemporaryDirectory() {
+  std::error_code ignored;
+  for (int attempt = 0; attempt < 2 && !path_.empty(); ++attempt) {
+    try {
+      std::filesystem::remove_all(path_, ignored);
+      path_.clear();
+    } catch (const std::bad_alloc&) {
+    }
+  }
+}
 
 Result<Workshop> Workshop::open(const EmittedFiles& files, const std::vector<Driver>& drivers,
                                 const Limits& limits) {

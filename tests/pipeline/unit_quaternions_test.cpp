@@ -1,15 +1,8 @@
 // Quaternions that are not of length 1: emitted code scales them back whatever their length, and
 // what it computes at them is still one mechanics.
-#include <algorithm>
 #include <catch2/catch.hpp>
-#include <cmath>
-#include <cstdio>
-#include <initializer_list>
-#include <limits>
 #include <sstream>
 
-#include "NAME/NAME.hpp"
-#include "free_body/free_body.hpp"
 #include "pipeline/pipeline_testing.hpp"
 
 namespace elgen::test {
@@ -17,6 +10,13 @@ namespace {
 
 /// Prints how far, in epsilons, unit quaternions are from (1, -2, 2, 4)/5.
 constexpr const char* lengths = R"cpp(
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <initializer_list>
+#include <limits>
+
+#include "free_body/free_body.hpp"
 
   template <class Scalar>
   void print(std::initializer_list<Scalar> sizes) {
@@ -41,6 +41,12 @@ constexpr const char* lengths = R"cpp(
 /// At |q| = 1.1, in 64 epsilons (some twenty roundings of numbers up to 40): p - M v, 2 T - v.p,
 /// tau(a) - tau(0) - M a, and m g at rest.
 constexpr const char* drifted = R"cpp(
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "NAME/NAME.hpp"
 
   int main() {
     namespace body = NAME;
@@ -78,6 +84,11 @@ std::string with_name(std::string text, const std::string& name) {
 /// the integrator goes. Classical Runge-Kutta of order 4, step 1e-4 s, 100 s; prints the largest
 /// drifts.
 constexpr const char* tumbling = R"cpp(
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "free_body/free_body.hpp"
 
   namespace body = free_body;
   using Q = body::Coordinates<double>;

@@ -6,7 +6,7 @@
 #include "elgen/toolchain.hpp"
 #include "toolchain/environment.hpp"
 #include "toolchain/sample_model.hpp"
-#include "toolchain/temporary_directory.hpp"
+#include "toolchain/workshop.hpp"
 
 namespace {
 
@@ -144,17 +144,6 @@ static inline void sample_forward_dynamics(const sample_parameters *p, const dou
   CHECK(model.call("forward_dynamics", arguments<double>()) == std::vector<double>{32, 2});
 }
 
-TEST_CASE("without a compiler there is E704, with exit code 4") {
-  const auto empty = elgen::TemporaryDirectory::create();
-  REQUIRE(empty);
-  const ScopedVariable compiler("CXX", "/nonexistent/compiler");
-  const ScopedVariable path("PATH", empty->path().string());
-  const auto compiled = compile_header(sample::header());
-  REQUIRE_FALSE(compiled);
-  CHECK(compiled.diagnostics.front().code == elgen::Code::E704);
-  CHECK(elgen::exit_code(compiled.diagnostics) == elgen::ExitCode::inaccessible);
-}
-
 TEST_CASE(
     "a compiler that fails on everything, or makes nothing, is not the emitted code's fault") {
   const auto scratch = elgen::TemporaryDirectory::create();
@@ -192,11 +181,4 @@ TEST_CASE("code that a compiler with fast-math refuses is not at fault") {
   CHECK(code_with("g++ -ffast-math") == elgen::Code::E709);
   CHECK(code_with("clang++ -ffast-math") == elgen::Code::E709);
   CHECK(code_with("g++ -funsafe-math-optimizations") == elgen::Code::E709);
-}
-
-TEST_CASE("without a place to write there is E706") {
-  const ScopedVariable variable("TMPDIR", "/nonexistent/elgen");
-  const auto compiled = compile_header(sample::header());
-  REQUIRE_FALSE(compiled);
-  CHECK(compiled.diagnostics.front().code == elgen::Code::E706);
 }

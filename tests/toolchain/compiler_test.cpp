@@ -1,11 +1,12 @@
-// Which compiler is taken, and how strictly it is called.
+// Which compiler is taken, and how strictly it is called; by what a machine is told.
 #include "toolchain/compiler.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>
 
+#include "elgen/toolchain.hpp"
 #include "toolchain/environment.hpp"
-#include "toolchain/temporary_directory.hpp"
+#include "toolchain/workshop.hpp"
 
 using elgen::compiler_candidates;
 
@@ -88,4 +89,13 @@ TEST_CASE("as users compile: optimised, and warnings are theirs to ask for") {
                                    elgen::Build::as_users);
   INFO(result.output);
   CHECK(result.succeeded());
+}
+
+TEST_CASE("this machine has a compiler, a processor and a C library") {
+  const auto machine = elgen::this_machine({});
+  REQUIRE(machine);
+  CHECK_FALSE(machine->compiler.empty());
+  CHECK(machine->compiler.find('\n') == std::string::npos);
+  CHECK_FALSE(machine->processor.empty());
+  CHECK(machine->c_library.find("glibc 2.") == 0);
 }

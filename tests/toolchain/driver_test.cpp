@@ -1,16 +1,78 @@
-// One driver for every header; parameters go to the members that the header has.
+// Drivers: one for every header, in its language; of C++ on arrays, on vectors of Eigen and in
+// batches, of C, and the one that times.
 #include "toolchain/driver.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "toolchain/sample_model.hpp"
+#include "toolchain/timing_driver.hpp"
 
 using Catch::Matchers::Contains;
+using namespace elgen;
 
 namespace {
 
 std::string driver(const elgen::Program& program) {
   return elgen::drivers({sample::model(), sample::scene(), program}).front().text;
+}
+
+std::string driver_text(const elgen::Model& model, const elgen::Scene& scene,
+                        const elgen::Program& program = sample::program()) {
+  return elgen::cpp_driver({model, scene, program});
+}
+
+elgen::Scene batch_scene() {
+  elgen::Scene scene = sample::scene();
+  scene.emission.batch = true;
+  return scene;
+}
+
+/// Batches of the sample's functions, written out with `stride` between the numbers of a state.
+elgen::EmittedFiles batch_files(const std::string& stride) {
+  elgen::EmittedFiles files = sample::files(sample::header());
+  files.files["sample/sample_batch.hpp"] = R"(#pragma once
+#include "sample.hpp"
+namespace sample::batch {
+template <class T>
+void inverse_dynamics(const Parameters<T>& p, std::size_t count, const T* q, const T* v,
+                      const T* a, T* result) {
+  for (std::size_t i = 0; i < count; ++i) {
+    result[i] = sample::inverse_dynamics<T>(p, {q[i]}, {v[i]}, {a[i]})[0];
+  }
+}
+template <class T>
+void forward_dynamics(const Parameters<T>& p, std::size_t count, const T* q, const T* v,
+                      const T* u, T* result) {
+  (void)u;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto values = sample::forward_dynamics<T>(p, {q[i]}, {v[i]}, {});
+    result[i] = values.acceleration[0];
+    result[)" + stride + R"( + i] = values.relative_pivots[0];
+  }
+}
+}  // namespace sample::batch
+)";
+  return files;
+}
+
+std::vector<double> forward_dynamics(const std::string& stride) {
+  const auto compiled =
+      elgen::compile(batch_files(stride), sample::model(), batch_scene(), sample::program(), {});
+  INFO(elgen::format(compiled.diagnostics));
+  REQUIRE(compiled);
+  REQUIRE(compiled->size() == 2);
+  CHECK(compiled->back().types == "batch");
+  CHECK(compiled->back().in_packs);
+  const elgen::Arguments<double> arguments{.parameters = {2, 3, 5}, .q = {7}, .v = {11}, .a = {13}};
+  return compiled->back().functions->call("forward_dynamics", arguments);
+}
+
+std::string driver(const Scene& scene, const std::vector<TimedVariant>& variants,
+                   std::size_t function = 0) {
+  Program program = sample::program();
+  program.functions.erase(program.functions.begin(),
+                          program.functions.begin() + static_cast<std::ptrdiff_t>(function));
+  return timing_driver({sample::model(), scene, program}, variants).text;
 }
 
 }  // namespace
@@ -49,4 +111,111 @@ TEST_CASE("parameters that no function reads are no members") {
   const std::string text = driver(program);
   CHECK_THAT(text, !Contains("result.m"));
   CHECK_THAT(text, Contains("result.l[0] = values[1];"));
+}
+
+TEST_CASE("each function gets the arguments of its row, and t last where t occurs") {
+  elgen::Model model = sample::model();
+  CHECK_THAT(driver_text(model, sample::scene()), !Contains(", t)"));
+  model.uses_time = true;
+  const std::string text = driver_text(model, sample::scene());
+  CHECK_THAT(text, Contains("1>(a), t)"));
+  CHECK_THAT(text, Contains("0>(u), t)"));
+}
+
+TEST_CASE("the mass matrix takes v where L is not quadratic") {
+  elgen::Model model = sample::model();
+  elgen::Program program = sample::program();
+  program.functions = {
+      {.kind = elgen::OutputKind::mass_matrix, .name = "M", .fields = {{.entries = {0}}}}};
+  CHECK_THAT(driver_text(model, sample::scene(), program), !Contains(">(v)"));
+  model.quadratic = false;
+  CHECK_THAT(driver_text(model, sample::scene(), program), Contains(">(v)"));
+}
+
+TEST_CASE("a chosen namespace is used, the file keeps its name") {
+  elgen::Scene scene = sample::scene();
+  scene.emission.name_space = "plant";
+  const std::string text = driver_text(sample::model(), scene);
+  CHECK_THAT(text, Contains("#include \"sample/sample.hpp\""));
+  CHECK_THAT(text, Contains("namespace emitted = ::plant;"));
+}
+
+TEST_CASE("results beyond 4096 entries are taken by reference") {
+  elgen::Program program = sample::program();
+  program.functions[0].fields[0].entries.assign(4096, 0);
+  CHECK_THAT(driver_text(sample::model(), sample::scene(), program),
+             !Contains("inverse_dynamics(result,"));
+  program.functions[0].fields[0].entries.push_back(0);
+  CHECK_THAT(driver_text(sample::model(), sample::scene(), program),
+             Contains("inverse_dynamics(result,"));
+  program.functions[1].fields[1].entries.assign(4097, 0);
+  CHECK_THAT(driver_text(sample::model(), sample::scene(), program),
+             Contains("emitted::ForwardDynamics<Scalar> result{};"));
+}
+
+TEST_CASE("column-major results come out row by row") {
+  elgen::Scene scene = sample::scene();
+  scene.emission.storage = elgen::Storage::column_major;
+  CHECK_THAT(driver_text(sample::model(), scene), Contains("stored[j * rows + i]"));
+}
+
+TEST_CASE("the driver of the Eigen header passes its vectors, and takes its matrices") {
+  elgen::Program program = sample::program();
+  program.functions[0].fields = {{.rows = 50, .columns = 100}};
+  program.functions[0].fields[0].entries.assign(5000, 0);
+  const std::string text = elgen::eigen_driver({sample::model(), sample::scene(), program});
+  CHECK_THAT(text, Contains("#include \"sample/sample_eigen.hpp\""));
+  CHECK_THAT(text, Contains("namespace emitted = ::sample::eigen;"));
+  CHECK_THAT(text, Contains("::sample::Parameters<Scalar> parameters_from"));
+  CHECK_THAT(text, Contains("Eigen::Matrix<Scalar, N, 1> from_flat"));
+  CHECK_THAT(text, Contains("emitted::Matrix<Scalar, 50, 100> result{};"));
+}
+
+TEST_CASE("a driver of C calls prefixed functions, for the scene's scalar alone") {
+  elgen::Scene scene = sample::scene();
+  scene.emission.language = elgen::LanguageId::c99;
+  scene.numerics.scalars = {elgen::ScalarKind::single_precision};
+  const std::string text = elgen::c99_driver({sample::model(), scene, sample::program()});
+  CHECK_THAT(text, Contains("#include \"sample/sample.h\""));
+  CHECK_THAT(text, Contains("sample_inverse_dynamics(&p, q, v, a, result);"));
+  CHECK_THAT(text, Contains("sample_forward_dynamics(&p, q, v, u, &result);"));
+  CHECK_THAT(text, Contains("elgen_driver_float_0"));
+  CHECK_THAT(text, !Contains("elgen_driver_double_0"));
+}
+
+TEST_CASE("a batch gives the numbers of one state, whatever place it has") {
+  CHECK(forward_dynamics("count") == std::vector<double>{32, 2});
+}
+
+TEST_CASE("a stride that is not the count of states gives another number") {
+  CHECK(forward_dynamics("(count - 1)") != std::vector<double>{32, 2});
+}
+
+TEST_CASE("functions that a batch leaves out have no driver") {
+  elgen::Program program = sample::program();
+  program.functions[0].fields[0].entries.assign(4097, 0);
+  const std::string text = elgen::batch_driver({sample::model(), batch_scene(), program});
+  CHECK_THAT(text, !Contains("elgen_driver_double_0"));
+  CHECK_THAT(text, Contains("elgen_driver_double_1"));
+}
+
+TEST_CASE("one by one, a state is gathered from all arrays and its fields are scattered") {
+  const std::string text = driver(sample::scene(), {{ScalarKind::single_precision, false}}, 1);
+  CHECK_THAT(text, Contains("#include \"sample/sample.hpp\""));
+  CHECK_THAT(text, Contains("gathered<emitted::Coordinates<Scalar>>(q, i, count)"));
+  CHECK_THAT(text, Contains("scatter(values.acceleration, i, count, result + 0 * count);"));
+  CHECK_THAT(text, Contains("scatter(values.relative_pivots, i, count, result + 1 * count);"));
+  CHECK_THAT(text, Contains("void elgen_timed_0(std::size_t count, const float* parameters"));
+  CHECK_THAT(text, !Contains("batch"));
+}
+
+TEST_CASE("in packs, the header of batches does all of it") {
+  Scene scene = sample::scene();
+  scene.emission.batch = true;
+  const std::string text = driver(scene, {{}, {ScalarKind::double_precision, true}});
+  CHECK_THAT(text, Contains("#include \"sample/sample_batch.hpp\""));
+  CHECK_THAT(text,
+             Contains("emitted::batch::inverse_dynamics<Scalar>(model_parameters<Scalar>(), count, "
+                      "q, v, a, result);"));
+  CHECK_THAT(text, Contains("in_packs<double>(count, parameters, q, v, a, u, t, h, result);"));
 }

@@ -1,4 +1,5 @@
-// Programs are run without a shell: arguments arrive as they are, output and status come back.
+// Programs are run without a shell: arguments arrive as they are, output and status come back; what
+// they say cannot do anything to a terminal, or fill it.
 #include "toolchain/process.hpp"
 
 #include <unistd.h>
@@ -9,7 +10,9 @@
 #include <fstream>
 
 #include "toolchain/environment.hpp"
-#include "toolchain/temporary_directory.hpp"
+#include "toolchain/workshop.hpp"
+
+using elgen::plain_text;
 
 namespace {
 
@@ -126,4 +129,21 @@ TEST_CASE_METHOD(Fixture, "a parent that ignores its children still hears of the
   const auto before = std::signal(SIGCHLD, SIG_IGN);
   CHECK(run({"sh", "-c", "exit 3"}).status == 3);
   std::signal(SIGCHLD, before);
+}
+
+TEST_CASE("escape sequences and control characters are left out") {
+  CHECK(plain_text("a\x1b[01;31mb\x1b[K\tc\r\nd\a") == "abc\nd");
+  CHECK(plain_text("a\x1b]8;;file://x\ab\x1b]0;title\x1b\\c") == "abc");
+  CHECK(plain_text("a\x1b"
+                   "7b\x1b") == "ab");
+  CHECK(plain_text("a\x1b[31\nb") == "a\nb");
+  CHECK(plain_text("a\u202eb\u200bc") == "abc");
+  CHECK(plain_text("‘é’\n") == "‘é’\n");
+}
+
+TEST_CASE("long texts and binary ones are cut") {
+  const std::string cut = plain_text(std::string(100'000, 'x'));
+  CHECK(cut.size() < 4100);
+  CHECK(cut.find("…\n") != std::string::npos);
+  CHECK(plain_text("a\xff\xfe") == "a…\n");
 }

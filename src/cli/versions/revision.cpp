@@ -10,7 +10,6 @@
 #include <system_error>
 
 #include "elgen/wording.hpp"
-#include "toolchain/plain_text.hpp"
 #include "toolchain/process.hpp"
 
 namespace elgen::cli {

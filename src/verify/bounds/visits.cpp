@@ -15,7 +15,6 @@
 
 #include "elgen/outputs.hpp"
 #include "toolchain/forked.hpp"
-#include "toolchain/shared_array.hpp"
 
 namespace elgen {
 namespace {
