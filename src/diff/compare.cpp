@@ -14,6 +14,12 @@
 namespace elgen {
 namespace {
 
+constexpr std::array impact_rows{
+#define ELGEN_IMPACT(name, doc) ImpactRow{#name, doc},
+#include "elgen/impacts.def"
+#undef ELGEN_IMPACT
+};
+
 /// Keys that no equation depends on, whatever they belong to.
 constexpr std::array described{"doc",   "latex",  "title",   "description", "reference",
                                "range", "limits", "min",     "max",         "rate_range",
@@ -166,6 +172,14 @@ Impact impact_of_entries(const SystemChange& system, bool are_values) {
 }
 
 }  // namespace
+
+const ImpactRow& impact_row(Impact impact) { return impact_rows[static_cast<std::size_t>(impact)]; }
+
+std::optional<Impact> find_impact(std::string_view word) {
+  const auto found = std::ranges::find(impact_rows, word, &ImpactRow::word);
+  if (found == impact_rows.end()) return std::nullopt;
+  return static_cast<Impact>(found - impact_rows.begin());
+}
 
 bool has_changes(const SystemChange& system) {
   return !system.keys.empty() || !system.interface.empty();

@@ -1,16 +1,25 @@
 // output_changes: entries are joined output by output; only what is computed differently is looked
-// at.
+// at. What differs is told by its closed forms, and by a state at which it is seen.
 #include "diff/output_changes.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/random.hpp"
+#include "choose/entries.hpp"
 #include "choose/guarded_pivots.hpp"
-#include "diff/closed_texts.hpp"
+#include "choose/lowered_entries.hpp"
 #include "diff/joint_program.hpp"
 #include "diff/matched_entries.hpp"
-#include "diff/witness.hpp"
 #include "diff/zeros.hpp"
+#include "elgen/closed_forms.hpp"
 #include "elgen/diff.hpp"
+#include "elgen/render.hpp"
+#include "evaluate/states.hpp"
+#include "evaluate/subject.hpp"
 #include "lower/graph/prune.hpp"
 #include "lower/network/instructions.hpp"
 
@@ -25,6 +34,141 @@ const Function* find_named(const Program& program, const std::string& name) {
 /// What callers get of it.
 Function visible(const Function& function) {
   return output_row(function.kind).gives_pivots ? without_diagonal(function) : function;
+}
+
+/// Longer ones are not printed.
+constexpr std::size_t longest_read = 100;
+
+/// A form that needs more does not fit into a line.
+constexpr PresentBudget texts_budget{
+    .products_per_function = 2'000, .products = 60'000, .terms = 300};
+/// Nor does what is made of so many.
+constexpr std::size_t most_instructions = 400;
+
+/// The entry alone; nothing where it is long.
+Function alone(const Function& function, std::uint32_t at) {
+  Function one = with_entries(function, {at});
+  if (one.instructions.size() <= most_instructions) return one;
+  return {.kind = function.kind, .name = function.name};
+}
+
+/// As a reader sees it, the closed form of each instruction, over the leaves; "" where it has more
+/// characters or was given up. Cost: a small budget for each. Each stands on its own, so that one
+/// that is given up takes no other with it.
+std::vector<std::string> closed_texts(const Program& program, const Function& function,
+                                      const std::vector<std::uint32_t>& instructions) {
+  Program each{program.leaves, program.constants, {}};
+  for (const std::uint32_t at : instructions) {
+    each.functions.push_back(alone(function, at));
+  }
+  const ClosedForms forms = present(each, texts_budget);
+  const MixedPoints points = mixed_points(each.leaves);
+  std::vector<bool> is_known;
+  for (std::size_t i = 0; i < each.functions.size(); ++i) {
+    const ReadableEntries entries =
+        read_entries({each, each.functions[i], forms, forms.functions[i]}, points);
+    is_known.push_back(is_complete(entries));
+    each.readable.push_back(is_known.back() ? lowered_one_by_one(entries, each.functions[i], each)
+                                            : Function{});
+  }
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < each.functions.size(); ++i) {
+    std::string text = is_known[i] ? readable_equations(each, i).entries[0][0] : "";
+    texts.push_back(text.size() <= longest_read ? std::move(text) : "");
+  }
+  return texts;
+}
+
+constexpr std::size_t state_count = 16;
+constexpr std::uint64_t seed_of_witnesses = 16;
+
+/// To three significant digits, as it is printed.
+double text_value(double x) { return std::stod(fmt::format("{:.3g}", x)); }
+
+/// Leaves of the older version that the newer one has not, in the order in which they follow.
+void append(const LeafNames& joint, const LeafNames& olds, const Arguments<double>& values,
+            Arguments<double>& state) {
+#define ELGEN_LEAVES(kind, member, ...)                                                     \
+  while (state.member.size() < joint.member.size()) {                                       \
+    const auto old = std::ranges::find(olds.member, joint.member[state.member.size()]);     \
+    const bool is_known = old != olds.member.end();                                         \
+    state.member.push_back(                                                                 \
+        is_known ? values.member[static_cast<std::size_t>(old - olds.member.begin())] : 1); \
+  }
+#define ELGEN_LEAF(kind, member, ...)
+#include "elgen/leaves.def"
+#undef ELGEN_LEAVES
+#undef ELGEN_LEAF
+}
+
+/// States of the newer version inside its ranges, over the leaves of both: parameters have their
+/// values, those of value 0 are drawn, and what only the older version has is as it was there.
+class WitnessStates {
+ public:
+  WitnessStates(const Version& before, const Version& after, const Program& joint);
+
+  /// Fills share and witness of a change between two instructions of a function.
+  void tell(const Function& function, std::uint32_t before, std::uint32_t after,
+            EntryChange& change) const;
+
+ private:
+  const Program& joint_;
+  std::vector<Arguments<double>> states_ = {};
+  LeafValues<double> known_ = {};  ///< parameters at their values, which a witness does not list
+};
+
+WitnessStates::WitnessStates(const Version& before, const Version& after, const Program& joint)
+    : joint_(joint) {
+  const Subject olds{before.checked.model, before.checked.scene, before.program};
+  const Subject news{after.checked.model, after.checked.scene, after.program};
+  const LeafValues<Range> old_ranges = ranges_of(olds);
+  const LeafValues<Range> new_ranges = ranges_of(news);
+  Random random(seed_of_witnesses);
+  for (std::size_t i = 0; i < state_count; ++i) {
+    const Arguments<double> old = drawn_within(olds, old_ranges, random);
+    Arguments<double> state = drawn_within(news, new_ranges, random);
+    if (i == 0) known_ = state;
+    for (std::size_t k = 0; k < state.parameters.size(); ++k) {
+      double& value = state.parameters[k];
+      if (value != 0) continue;
+      const Range range = new_ranges.parameters[k];
+      value =
+          range.low < range.high ? random.uniform(range.low, range.high) : random.uniform(0.5, 1);
+    }
+    append(joint.leaves, before.program.leaves, old, state);
+    if (i == 0) append(joint.leaves, before.program.leaves, old, known_);
+    states_.push_back(map_leaves(text_value, state));
+  }
+}
+
+void WitnessStates::tell(const Function& function, std::uint32_t before, std::uint32_t after,
+                         EntryChange& change) const {
+  const Function both = with_entries(function, {before, after});
+  double largest = 0;
+  double largest_change = 0;
+  const Arguments<double>* best = nullptr;
+  for (const Arguments<double>& state : states_) {
+    const std::vector<double> values = evaluate(joint_, both, state);
+    const double difference = std::abs(values[1] - values[0]);
+    if (!std::isfinite(difference)) continue;
+    largest = std::max({largest, std::abs(values[0]), std::abs(values[1])});
+    if (difference <= largest_change && best != nullptr) continue;
+    largest_change = difference;
+    best = &state;
+    change.witness = Witness{{}, values[0], values[1]};
+  }
+  if (best == nullptr || largest == 0) return;
+  change.share = largest_change / largest;
+  std::string& at = change.witness->at;
+  for (const Instruction& i : both.instructions) {
+    if (!is_leaf(i.opcode)) continue;
+    const double value = leaf_of(*best, i.opcode, i.a);
+    const bool is_at_value =
+        i.opcode == Opcode::parameter && value == text_value(leaf_of(known_, i.opcode, i.a));
+    if (is_at_value) continue;
+    at += fmt::format("{}{} = {:.3g}", at.empty() ? "" : ", ",
+                      leaf_text(joint_.leaves, i.opcode, i.a), value);
+  }
 }
 
 /// Of one output; more are told by their verdicts alone.

@@ -1,7 +1,8 @@
-// What a change amounts to, and what is said of it.
+// What a change amounts to, and what is said of it; the words and the order of impacts.
 #include <catch2/catch.hpp>
 
 #include "diff/versions.hpp"
+#include "elgen/diff.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
@@ -97,4 +98,17 @@ TEST_CASE("warnings that are new stand beside") {
   REQUIRE(system.warnings.size() == 1);
   CHECK(code_row(system.warnings[0].code).name == "E512");
   CHECK(compared(edited(cart, "\"-g\"", "\"g\""), cart).warnings.empty());
+}
+
+TEST_CASE("an impact is found by its word") {
+  for (const Impact impact : {Impact::equal, Impact::values, Impact::breaks}) {
+    CHECK(find_impact(impact_row(impact).word) == impact);
+  }
+  CHECK_FALSE(find_impact("worse"));
+}
+
+TEST_CASE("what breaks is worst") {
+  CHECK(Impact::equal < Impact::values);
+  CHECK(Impact::extended < Impact::different);
+  CHECK(Impact::different < Impact::breaks);
 }

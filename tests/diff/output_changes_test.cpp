@@ -1,4 +1,4 @@
-// What becomes of every entry.
+// What becomes of every entry, and a state at which a change is seen.
 #include "diff/output_changes.hpp"
 
 #include <catch2/catch.hpp>
@@ -18,6 +18,14 @@ std::vector<OutputChange> entry_changes(const std::string& before, const std::st
 
 const OutputChange& output(const std::vector<OutputChange>& all, const std::string& name) {
   return *std::ranges::find(all, name, &OutputChange::name);
+}
+
+EntryChange told(const std::string& before, const std::string& after) {
+  const SystemChange system = compared(before, after);
+  const auto entries = entries_of(system, "potential_energy");
+  REQUIRE(entries.size() == 1);
+  REQUIRE(entries[0].witness);
+  return entries[0];
 }
 
 }  // namespace
@@ -81,4 +89,30 @@ TEST_CASE("an implicit step, whose bounds grow with every substitution, is not t
   for (const EntryChange& entry : all[0].entries) {
     CHECK(entry.verdict == EntryVerdict::different);
   }
+}
+
+TEST_CASE("what does not fit into a line is left out") {
+  std::string sum = "cos(x)";
+  for (int i = 2; i <= 20; ++i) sum += " + cos(" + std::to_string(i) + "*x)";
+  const auto all = entry_changes(spring(), spring("k*(" + sum + ")"));
+  const EntryChange& entry = output(all, "potential_energy").entries.at(0);
+  CHECK_FALSE(entry.before.empty());
+  CHECK(entry.after.empty());
+}
+
+TEST_CASE("the witness lists what the entry depends on, rounded as it is printed") {
+  const EntryChange change = told(spring("1/2*k*x^2"), spring("k*x^2"));
+  CHECK(change.share == Approx(0.5));
+  const std::string& at = change.witness->at;
+  REQUIRE(starts_with(at, "x = "));
+  const double x = std::stod(at.substr(4));
+  CHECK(change.witness->before == Approx(1.5 * x * x).epsilon(1e-12));
+  CHECK(change.witness->after == Approx(3 * x * x).epsilon(1e-12));
+}
+
+TEST_CASE("parameters of value 0 are drawn, so that what they multiply is seen") {
+  const std::string before = edited(spring(), "k = 3", "k = 3\nc = 0");
+  const EntryChange change = told(before, edited(before, "1/2*k*x^2", "1/2*k*x^2 + c*x^4"));
+  CHECK(mentions(change.witness->at, "c = "));
+  CHECK(change.share > 0);
 }

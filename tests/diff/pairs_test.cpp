@@ -1,6 +1,6 @@
 // Pairs of models that are known to be equal, or not: random systems of one to seven coordinates,
 // written in two ways, or with one coefficient changed by as little as 1e-12. Those written by hand
-// are in rewritings_test, definitions_test and verdicts_test.
+// are in rewritings_test and verdicts_test.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,0 +1,243 @@
+// A report in words, as people and programs read it, as a comment on a pull request, and as GitHub
+// shows it; what several systems have in common is said once.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "diff/change_words.hpp"
+#include "diff/versions.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+DiffReport twice(const SystemChange& system) {
+  SystemChange other = system;
+  other.name = "other";
+  return {.systems = {system, other}};
+}
+
+std::string report(const std::string& before, const std::string& after, bool lists_all = false) {
+  return to_text({.systems = {compared(before, after)}}, lists_all);
+}
+
+}  // namespace
+
+TEST_CASE("keys that are new, gone or moved") {
+  KeyChange change{.table = "gravity", .entry = "[gravity]", .path = {{"vector"}, {"", 2}}};
+  change.after = "-g";
+  CHECK(text_of(change) == "[gravity] vector[2] is new: -g");
+  change.before = "g";
+  CHECK(text_of(change) == "[gravity] vector[2]: g -> -g");
+  change.after.clear();
+  CHECK(text_of(change) == "[gravity] vector[2] is gone: g");
+  CHECK(place_text(change).empty());
+}
+
+TEST_CASE("long values of keys are cut") {
+  const KeyChange change{.entry = "[energy]", .after = std::string(100, 'x')};
+  CHECK(text_of(change) == "[energy] is new: " + std::string(57, 'x') + "...");
+}
+
+TEST_CASE("entries without closed forms are told by their witness") {
+  EntryChange entry{.place = "bias[2]", .unit = "N*m", .verdict = EntryVerdict::different};
+  CHECK(text_of(entry) == "bias[2] differs");
+  CHECK(witness_text(entry).empty());
+  entry.witness = Witness{"theta = 0.3", 1, 2};
+  entry.share = 0.5;
+  CHECK(witness_text(entry) == "at theta = 0.3: 1 -> 2 N*m, 0.5 of the largest");
+}
+
+TEST_CASE("entries are counted by their verdicts") {
+  OutputChange output{.entry_count = 4};
+  output.entries.push_back({.verdict = EntryVerdict::equal, .is_proved = true});
+  VerdictCounts counts;
+  counts.add(output);
+  CHECK(counts.text() == "0 of 4 entries differ, 1 rewritten (proved)");
+  output.entries = {{.verdict = EntryVerdict::equal}, {.verdict = EntryVerdict::different}};
+  counts.add(output);
+  CHECK(counts.text() == "1 of 8 entries differs, 2 rewritten (1 proved)");
+}
+
+TEST_CASE("an entry that is gone and one that is there instead count once") {
+  OutputChange output{.entry_count = 4};
+  for (const EntryVerdict verdict :
+       {EntryVerdict::added, EntryVerdict::added, EntryVerdict::removed}) {
+    output.entries.push_back({.verdict = verdict});
+  }
+  VerdictCounts counts;
+  counts.add(output);
+  CHECK(counts.text() == "0 of 4 entries differ, 0 rewritten, 1 replaced, 1 added");
+  CHECK(counts.changed() == 2);
+}
+
+TEST_CASE("a coordinate with another name counts no entry twice") {
+  const std::string other = edited(
+      edited(edited(spring(), "name = \"x\"", "name = \"s\""), "dot(x)", "dot(s)"), "x^2", "s^2");
+  const VerdictCounts counts = counts_of(compared(spring(), other));
+  CHECK(counts.replaced > 0);
+  CHECK(counts.added + counts.removed == 0);
+  CHECK(counts.changed() <= counts.all);
+}
+
+TEST_CASE("operations that stay are not told") {
+  OperationsChange change{"bias", {.add = 1, .mul = 3}, {.add = 1, .mul = 4, .div = 1}};
+  CHECK(text_of(change) == "bias: mul 3 -> 4, div 0 -> 1");
+}
+
+TEST_CASE("one sign is told in a dozen lines, its cause first") {
+  CHECK(report(cart, edited(cart, "\"-g\"", "\"g\"")) ==
+        "changed      model.toml:55:17  [gravity] vector[2]: -g -> g\n"
+        "             V = m*l*g*cos(theta) -> -m*l*g*cos(theta);  T, D, Q, B identical\n"
+        "             [[expect]] is not changed with it: 5 entries no longer hold (bias[2], "
+        "conserved[2], gravity[2], inverse_dynamics[2], ...)\n"
+        "warns        E512: gravity pulls along +y\n"
+        "follows      14 of 74 entries differ, 0 rewritten\n"
+        "for one      gravity[2] = -m*l*g*sin(theta) -> m*l*g*sin(theta), difference "
+        "2*m*l*g*sin(theta)\n"
+        "             at theta = 1.68: -0.488 -> 0.488 J, 2 of the largest\n"
+        "interface    unchanged\n"
+        "different    the equations differ\n");
+}
+
+TEST_CASE("what breaks silently stands first") {
+  const std::string text =
+      report(spring(), edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {"));
+  CHECK(starts_with(text,
+                    "interface    breaks: members of Parameters are in another order: m, k -> "
+                    "k, m; callers compile and mean something else\n"));
+  CHECK(mentions(text, "\nbreaks       the code of callers breaks\n"));
+}
+
+TEST_CASE("nothing, and nothing but text, is one line") {
+  CHECK(report(cart, cart) == "equal        the equations are the same\n");
+  CHECK(report(cart, cart + "#\n") == "equal        the equations are the same\n");
+}
+
+TEST_CASE("every entry is listed where that is asked for") {
+  const std::string text = report(spring("k*(1 - cos(x))"), spring("2*k*sin(x/2)^2 + m*x"), true);
+  CHECK(mentions(text, "potential_energy = "));
+  CHECK(mentions(text, "gravity = k*sin(x) -> m + k*sin(x), difference m\n"));
+  const std::string equal = report(spring("k*(1 - cos(x))"), spring("2*k*sin(x/2)^2"), true);
+  CHECK(mentions(equal, "potential_energy: equal, written differently (proved)\n"));
+}
+
+TEST_CASE("files that came or went are told, and count") {
+  const DiffReport report{.added = {"a.toml"}};
+  CHECK(impact_of(report) == Impact::extended);
+  CHECK(starts_with(to_text(report, false), "added        a.toml\n"));
+  CHECK(impact_of({.removed = {"a.toml"}}) == Impact::breaks);
+}
+
+TEST_CASE("a cause that two systems share is one line") {
+  const SystemChange system = compared(spring(), spring("k*x^2"));
+  const std::string text = to_text(twice(system), false);
+  CHECK(count(text, "[energy] V: 1/2*k*x^2 -> k*x^2") == 1);
+  CHECK(mentions(text, "spring 11 of 25, other 11 of 25"));
+}
+
+TEST_CASE("keys beyond five are counted") {
+  SystemChange system{.impact = Impact::values};
+  for (const char* const name : {"a", "b", "c", "d", "e", "f", "g"}) {
+    system.keys.push_back({.table = "model", .entry = "[model]", .path = {{name}}, .after = "1"});
+  }
+  const DiffReport report{.systems = {system}};
+  CHECK(mentions(to_text(report, false), "2 keys more (--list)\n"));
+  CHECK(mentions(to_text(report, true), "[model] g is new: 1\n"));
+}
+
+TEST_CASE("operations are told where all of them are known") {
+  SystemChange system{.impact = Impact::equal, .keys = {{.entry = "[energy]", .after = "1"}}};
+  CHECK_FALSE(mentions(to_text({.systems = {system}}, false), "operations"));
+  system.operations.emplace();
+  CHECK(mentions(to_text({.systems = {system}}, false), "operations   unchanged\n"));
+  system.operations->push_back({"bias", {.mul = 3}, {.mul = 4}});
+  CHECK(mentions(to_text({.systems = {system}}, false), "operations   bias: mul 3 -> 4\n"));
+}
+
+TEST_CASE("entries are listed by their systems") {
+  const std::string text = to_text(twice(compared(spring(), spring("k*x^2"))), true);
+  const std::string first = "             gravity = k*x -> 2*k*x, difference k*x\n";
+  CHECK(mentions(text, "\nspring\n" + first));
+  CHECK(mentions(text, "\nother\n" + first));
+}
+
+TEST_CASE("equations stand in blocks of code, all entries behind a fold") {
+  const std::string text = to_markdown({.systems = {compared(spring(), spring("k*x^2"))}});
+  CHECK(starts_with(text, "### elgen diff: different (the equations differ)\n\n```text\nchanged "));
+  CHECK(mentions(text, "\n```\n\n<details><summary>Entries of spring</summary>\n\n```text\n"));
+  CHECK(text.ends_with("\n```\n\n</details>\n"));
+}
+
+TEST_CASE("back-ticks of a text do not end its block") {
+  SystemChange system{.impact = Impact::values};
+  system.keys.push_back({.entry = "[model]", .path = {{"doc"}}, .after = "```"});
+  CHECK(mentions(to_markdown({.systems = {system}}), "\n````text\n"));
+}
+
+TEST_CASE("where nothing differs there is a heading alone") {
+  CHECK(to_markdown({}) == "### elgen diff: equal (the equations are the same)\n");
+}
+
+TEST_CASE("changes have ids that stay, and places") {
+  const auto json = nlohmann::json::parse(
+      to_json({.systems = {compared(cart, edited(cart, "\"-g\"", "\"g\""))}}));
+  CHECK(json.at("format") == "elgen diff 1");
+  CHECK(json.at("impact") == "different");
+  const auto& system = json.at("systems").at(0);
+  const auto& key = system.at("keys").at(0);
+  CHECK(key.at("id") == "[gravity]/vector[2]");
+  CHECK(key.at("new_place").at("line") == 55);
+  const auto& output = system.at("outputs").at(0);
+  CHECK(output.at("name") == "gravity");
+  const auto& change = output.at("changes").at(0);
+  CHECK(change.at("id") == "gravity[2]");
+  CHECK(change.at("verdict") == "different");
+  CHECK(change.at("difference") == "2*m*l*g*sin(theta)");
+  CHECK(change.at("witness").at("at") == "theta = 1.68");
+}
+
+TEST_CASE("what is equal says whether that is proved, what is missing is null") {
+  const auto json = nlohmann::json::parse(
+      to_json({.systems = {compared(spring("k*(1 - cos(x))"), spring("2*k*sin(x/2)^2"))},
+               .added = {"a.toml"}}));
+  const auto& change = json.at("systems").at(0).at("outputs").at(0).at("changes").at(0);
+  CHECK(change.at("verdict") == "equal");
+  CHECK(change.at("proved") == true);
+  CHECK(json.at("added").at(0) == "a.toml");
+}
+
+TEST_CASE("a cause stands at its place") {
+  CHECK(to_annotations({.systems = {compared(cart, edited(cart, "\"-g\"", "\"g\""))}}) ==
+        "::warning file=model.toml,line=55,col=17,title=elgen diff%3A different (the equations "
+        "differ)::[gravity] vector[2]: -g -> g\n");
+  CHECK(starts_with(
+      to_annotations({.systems = {compared(spring("k*(1 - cos(x))"), spring("2*k*sin(x/2)^2"))}}),
+      "::notice file="));
+}
+
+TEST_CASE("a system that breaks, is gone or cannot be read is one line, with the reason") {
+  const std::string reversed = edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {");
+  const DiffReport report{.systems = {compared(spring(), reversed)},
+                          .removed = {"old.toml"},
+                          .unreadable = {{"new.toml", {Code::E201, {}, "unknown name `z`"}}}};
+  const std::string text = to_annotations(report);
+  CHECK(count(text, "::error ") == 3);
+  CHECK(starts_with(text, "::error file=model.toml,"));
+  CHECK(mentions(text,
+                 ",title=elgen diff%3A breaks::spring: members of Parameters are in another order: "
+                 "m, k -> k, m; callers compile and mean something else\n"));
+  CHECK(mentions(text, "::error title=elgen diff%3A breaks::old.toml is gone\n"));
+  CHECK(
+      mentions(text, "::error title=elgen diff%3A unreadable::new.toml: E201: unknown name `z`\n"));
+}
+
+TEST_CASE("ten causes are shown, the last one counts the others") {
+  SystemChange system{.impact = Impact::different};
+  for (int i = 0; i < 12; ++i) {
+    system.keys.push_back({.entry = "[model]", .path = {{std::to_string(i)}}, .after = "1"});
+  }
+  const std::string text = to_annotations({.systems = {system, system}});
+  CHECK(count(text, "\n") == 10);
+  CHECK(mentions(text, "::3 keys more changed\n"));
+}
