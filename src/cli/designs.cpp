@@ -7,15 +7,32 @@
 #include <algorithm>
 #include <map>
 
-#include "cli/design_base.hpp"
 #include "cli/process/progress.hpp"
 #include "cli/process/resources.hpp"
 #include "elgen/wording.hpp"
 #include "lower/code_interface.hpp"
 
 namespace elgen::cli {
-
 namespace {
+
+/// The output that a table is about where none is named.
+std::string default_output(const Scene& scene) {
+  const auto is_usual = [](const OutputRequest& output) {
+    return output.kind == OutputKind::inverse_dynamics;
+  };
+  const auto usual = std::ranges::find_if(scene.outputs, is_usual);
+  return usual != scene.outputs.end() ? usual->name : scene.outputs.front().name;
+}
+
+/// Leaves the output alone of what was derived; a lock may have asked for its reaction too.
+void keep_only(const std::string& output, Products& products) {
+  const auto is_other = [&output](const auto& named) { return named.name != output; };
+  std::erase_if(products.checked->scene.outputs, is_other);
+  if (!products.program) return;
+  Program& program = *products.program;
+  std::erase_if(program.functions, is_other);
+  std::erase_if(program.readable, is_other);
+}
 
 /// States that each design goes through in a turn: they fit a cache, in which their arrays do not
 /// lie at the same places, as those of 1024 would; and the largest error of more is hardly larger.
@@ -211,6 +228,31 @@ class DesignBench {
 };
 
 }  // namespace
+
+Result<OutputBase> output_base(const Inputs& inputs, const std::string& output,
+                               const Limits& limits, std::vector<SourcePointer>& sources) {
+  PipelineOptions options;
+  options.limits = limits;
+  options.goals = {Goal::check};
+  Diagnostics found;
+  std::string name = output;
+  if (name.empty()) {
+    const Products whole = run_pipeline(inputs, options);
+    if (!whole.checked) return whole.diagnostics;
+    found = whole.diagnostics;
+    name = default_output(whole.checked->scene);
+  }
+  options.scene.outputs = {sources.emplace_back(make_source("command line", name))};
+  Products one = run_pipeline(inputs, options);
+  if (!one.checked) return one.diagnostics;
+  keep_only(name, one);
+  if (one.checked->scene.outputs.empty()) {
+    return Diagnostic{Code::E601, {}, in_backticks(name) + " is not one output"};
+  }
+  OutputBase base{std::move(*one.checked)};
+  if (inputs.scene != nullptr) base.scene = parse_scene(inputs.scene, limits).value;
+  return {std::move(base), std::move(found)};
+}
 
 Result<MeasuredDesigns> measured_designs(const DesignRequest& request, const Limits& limits,
                                          std::vector<SourcePointer>& sources) {

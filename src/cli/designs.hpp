@@ -1,10 +1,29 @@
-// The designs of one output: derived, compiled, timed, and compared with what is exact.
+// The designs of one output, and what they start from: derived, compiled, timed, and compared with
+// what is exact.
 #pragma once
 
+#include <optional>
+
 #include "cli/options.hpp"
+#include "elgen/pipeline.hpp"
 #include "elgen/tradeoff.hpp"
 
 namespace elgen::cli {
+
+/// A model or its scene, with one output.
+struct OutputBase {
+  CheckedModel checked = {};             ///< with the output alone
+  std::optional<FileSyntax> scene = {};  ///< where there is one
+
+  /// Valid while this lives.
+  [[nodiscard]] DesignBase base() const { return {checked, scene ? &*scene : nullptr}; }
+};
+
+/// `output` "": inverse_dynamics, or the first one there is. What is said of the model is among the
+/// diagnostics, which point into texts that `sources` gets. E601, and what checks say of a model.
+[[nodiscard]] Result<OutputBase> output_base(const Inputs& inputs, const std::string& output,
+                                             const Limits& limits,
+                                             std::vector<SourcePointer>& sources);
 
 struct DesignRequest {
   std::string path = {};  ///< as the command line has it

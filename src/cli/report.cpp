@@ -2,13 +2,25 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <string>
 
+#include "base/no_interrupts.hpp"
 #include "cli/options.hpp"
-#include "cli/process/messages.hpp"
+#include "elgen/diagnostic.hpp"
 
 namespace elgen::cli {
-
 namespace {
+
+/// Where stderr cannot be written, nobody can be told.
+void say(const std::string& text) { std::fputs(text.c_str(), stderr); }
+
+/// Whole: a limit that is met meanwhile is told behind them.
+void say(const Diagnostics& diagnostics, const DiagnosticStyle& style) {
+  // Memory is asked for before the first byte, and time has to wait for the last.
+  const std::string text = format(diagnostics, style);
+  const NoInterrupts until_written;
+  say(text);
+}
 
 Diagnostics without_notes(Diagnostics diagnostics) {
   std::erase_if(diagnostics, [](const Diagnostic& diagnostic) {

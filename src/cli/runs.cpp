@@ -8,9 +8,9 @@
 #include <map>
 #include <set>
 
-#include "cli/compiled_run.hpp"
 #include "cli/process/progress.hpp"
 #include "cli/process/resources.hpp"
+#include "cli/shown_pipeline.hpp"
 
 namespace elgen::cli {
 

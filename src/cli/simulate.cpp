@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
-#include "cli/compiled_run.hpp"
 #include "cli/files/data_formats.hpp"
 #include "cli/files/inputs.hpp"
 #include "cli/files/output_files.hpp"

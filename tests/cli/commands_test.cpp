@@ -1,9 +1,23 @@
-// Every command of the table is offered, in its order, and explains itself.
+// Every command of the table is offered, in its order, and explains itself; shells complete it, and
+// the manual has it.
 #include <catch2/catch.hpp>
 
-#include "support/shell.hpp"
+#include "cli/cli_testing.hpp"
 
 namespace elgen::test {
+namespace {
+
+/// What bash offers behind these words, in one line.
+std::string offered(const std::string& words) {
+  const std::string script =
+      "eval \"$(elgen completions bash)\"; COMP_WORDS=(elgen " + words +
+      "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _elgen; echo \"${COMPREPLY[*]}\"";
+  return run("bash -c '" + script + "'").output;
+}
+
+bool has_shell(const std::string& shell) { return run("command -v " + shell).status == 0; }
+
+}  // namespace
 
 TEST_CASE("help has the commands in the order of their table") {
   const Workspace workspace;
@@ -32,6 +46,77 @@ TEST_CASE("options of several commands are read in each") {
     CHECK(outcome.status == 0);
     CHECK_FALSE(mentions(outcome.output, "m*l"));
   }
+}
+
+TEST_CASE("the list of commands has what --help has") {
+  const std::string manual = run("elgen man").output;
+  const std::string help = run("elgen --help").output;
+  const std::size_t commands = help.find("Subcommands:");
+  REQUIRE(commands != std::string::npos);
+  std::istringstream lines(help.substr(help.find('\n', commands) + 1));
+  int count = 0;
+  for (std::string line; std::getline(lines, line) && line.starts_with("  ");) {
+    if (line[2] == ' ') continue;  // a description that goes on
+    const std::string name = line.substr(2, line.find(' ', 2) - 2);
+    INFO(name);
+    CHECK(manual.find("\n.SS " + name + "\n") != std::string::npos);
+    ++count;
+  }
+  CHECK(count >= 9);
+}
+
+TEST_CASE("bash completes commands, options and their words") {
+  CHECK(offered("ge") == "generate\n");
+  CHECK(offered("show --wh") == "--what\n");
+  CHECK(offered("show --as m") == "mathml markdown\n");
+  CHECK(offered("show --color a") == "auto always\n");
+  CHECK(offered("schema s") == "scene\n");
+  CHECK(offered("-V") == "-V\n");
+}
+
+TEST_CASE("bash completes files where an input stands") {
+  CHECK(run("touch cart.toml && bash -c 'eval \"$(elgen completions bash)\"; COMP_WORDS=(elgen "
+            "generate ca); COMP_CWORD=2; _elgen; echo \"${COMPREPLY[*]}\"'")
+            .output == "cart.toml\n");
+}
+
+TEST_CASE("zsh and fish read their scripts") {
+  for (const std::string shell : {"zsh", "fish"}) {
+    const Outcome script = run("elgen completions " + shell);
+    INFO(shell);
+    CHECK(script.status == 0);
+    CHECK(script.output.find("show") != std::string::npos);
+    if (!has_shell(shell)) continue;
+    CHECK(run("elgen completions " + shell + " > script && " + shell + " -n script").errors == "");
+  }
+}
+
+TEST_CASE("the manual has options with their words, and exit codes") {
+  const Outcome manual = run("elgen man");
+  CHECK(manual.status == 0);
+  CHECK(manual.output.starts_with(".TH ELGEN 1 "));
+  CHECK(manual.output.find("\n.TP\n\\fB\\-\\-color\\fR \\fIauto|always|never\\fR\n") !=
+        std::string::npos);
+  CHECK(manual.output.find("\n.TP\n130\ninterrupted") != std::string::npos);
+}
+
+TEST_CASE("no text of the manual is a request of troff") {
+  std::istringstream lines(run("elgen man").output);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with('.') && !line.starts_with('\'')) continue;
+    const std::string request = line.substr(0, 3);
+    INFO(line);
+    const bool is_known = request == ".TH" || request == ".SH" || request == ".SS" ||
+                          request == ".TP" || request == ".B " || request == ".I " ||
+                          request == ".RI" || request == ".nf" || request == ".fi";
+    CHECK(is_known);
+  }
+}
+
+TEST_CASE("a shell without completions is refused") {
+  const Outcome refused = run("elgen completions tcsh");
+  CHECK(refused.status == 2);
+  CHECK(refused.errors.find("see `elgen completions --help`") != std::string::npos);
 }
 
 }  // namespace elgen::test

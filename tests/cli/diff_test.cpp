@@ -4,7 +4,6 @@
 #include "cli/cli_testing.hpp"
 
 namespace elgen::test {
-
 namespace {
 
 /// A folder with the cart and its scene, and with gravity turned round in `new`.
@@ -15,6 +14,20 @@ class TwoFolders : public Workspace {
                 "/simple_pendulum.toml old && cp " + models +
                 "/scenes/balance.scene.toml old/scenes "
                 "&& cp -r old new && sed -i 's/\"-g\"/\"g\"/' new/cart_pole.toml",
+            path());
+  }
+  [[nodiscard]] Outcome diff(const std::string& words) const {
+    return shell("elgen diff " + words, path());
+  }
+};
+
+/// Two versions of the cart.
+class TwoCarts : public Workspace {
+ public:
+  TwoCarts() {
+    prepare("mkdir old new && cp " + models +
+                "/cart_pole.toml old && sed 's/\"-g\"/\"g\"/' old/cart_pole.toml > "
+                "new/cart_pole.toml",
             path());
   }
   [[nodiscard]] Outcome diff(const std::string& words) const {
@@ -220,6 +233,56 @@ TEST_CASE("outputs that are not asked for are not told, but count") {
   const Outcome unknown = folders.diff("--only biass old/cart_pole.toml new/cart_pole.toml");
   CHECK(unknown.status == 2);
   CHECK(mentions(unknown.errors, "no version has an output `biass`"));
+}
+
+TEST_CASE("files of other programs, hidden folders and equal files are passed over") {
+  const Workspace workspace;
+  prepare("mkdir -p old/.cache && cp " + models +
+              "/simple_pendulum.toml old && "
+              "cp old/simple_pendulum.toml old/.cache && echo '[tool]' > old/pyproject.toml && "
+              "cp -r old new && echo 'x = 1' >> new/pyproject.toml && rm -r new/.cache",
+          workspace.path());
+  const Outcome outcome = shell("elgen diff old new", workspace.path());
+  CHECK(outcome.status == 0);
+  CHECK(outcome.output == "equal        the equations are the same\n");
+}
+
+TEST_CASE("a folder is not compared with a file") {
+  const Workspace workspace;
+  const Outcome outcome =
+      shell("elgen diff " + models + " " + models + "/simple_pendulum.toml", workspace.path());
+  CHECK(outcome.status == 4);
+  CHECK(mentions(outcome.errors, "is a folder"));
+}
+
+TEST_CASE("steps are compared as they are emitted") {
+  const Workspace workspace;
+  prepare("cp -r " + models +
+              " old && cp -r old new && "
+              "sed -i 's/\"-g\"/\"g\"/' new/cart_pole.toml",
+          workspace.path());
+  const std::string scene = "scenes/cart_pole_prediction.scene.toml";
+  const Outcome outcome =
+      shell("elgen diff --list old/" + scene + " new/" + scene, workspace.path());
+  CHECK(mentions(outcome.output, "step.rates[2] "));
+}
+
+TEST_CASE("a model may come from standard input") {
+  const TwoCarts carts;
+  CHECK(carts.diff("- new/cart_pole.toml < old/cart_pole.toml").status == 1);
+  CHECK(carts.diff("- - < old/cart_pole.toml").status == 4);
+}
+
+TEST_CASE("operations of emitted code are told, of large systems they are not counted") {
+  const TwoCarts carts;
+  prepare("sed 's/l\\*sin(theta)/2*l*sin(theta)/' old/cart_pole.toml > new/cart_pole.toml",
+          carts.path());
+  CHECK(mentions(carts.diff("old/cart_pole.toml new/cart_pole.toml").output, "\noperations   "));
+  prepare("cp " + models +
+              "/panda7.toml old && sed 's/value = 9.81/value = 9.8/' old/panda7.toml > "
+              "new/panda7.toml",
+          carts.path());
+  CHECK_FALSE(mentions(carts.diff("old/panda7.toml new/panda7.toml").output, "operations"));
 }
 
 }  // namespace elgen::test

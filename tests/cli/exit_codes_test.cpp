@@ -8,7 +8,6 @@
 #include "cli/cli_testing.hpp"
 
 namespace elgen::test {
-
 namespace {
 
 struct ExitRow {
@@ -129,17 +128,6 @@ TEST_CASE("every command ends with the exit code of what happened") {
   }
 }
 
-TEST_CASE("a command that is interrupted ends with 130") {
-  const Models workspace;
-  for (const std::string signal : {"INT", "TERM", "HUP"}) {
-    INFO(signal);
-    const Outcome outcome = shell("timeout --preserve-status -s " + signal + " 0.5 elgen verify " +
-                                      models + "/double_pendulum.toml",
-                                  workspace.path());
-    CHECK(outcome.status == 130);
-  }
-}
-
 /// Each step is a constant or a value beyond 10^10000 for some state.
 TEST_CASE("absurd powers end with a limit, or are emitted, and are no internal errors") {
   const Workspace workspace;
@@ -160,5 +148,23 @@ TEST_CASE("absurd powers end with a limit, or are emitted, and are no internal e
   CHECK(status("3*q", "cos({0}+1/3)^64-1", 8) == 0);
   CHECK(status("q", "tan({0})^64", 8) == 0);
 }
+
+#ifdef ELGEN_HARDENED
+TEST_CASE("the program stops at memory errors") {
+  const Workspace workspace;
+  const auto printed = [&](const std::string& options) {
+    const Outcome outcome = shell("readelf -W " + options + " \"$ELGEN\"", workspace.path());
+    REQUIRE(outcome.status == 0);
+    return outcome.output;
+  };
+  // Full RELRO: what the loader writes is read-only afterwards, and nothing is bound later.
+  CHECK(mentions(printed("--program-headers"), "GNU_RELRO"));
+  CHECK(mentions(printed("--dynamic"), "BIND_NOW"));
+  const std::string symbols = printed("--dyn-syms");
+  CHECK(mentions(symbols, "__stack_chk_fail"));       // -fstack-protector-strong
+  CHECK(mentions(symbols, "_chk@GLIBC"));             // -D_FORTIFY_SOURCE=2
+  CHECK(mentions(symbols, "__glibcxx_assert_fail"));  // -D_GLIBCXX_ASSERTIONS
+}
+#endif
 
 }  // namespace elgen::test

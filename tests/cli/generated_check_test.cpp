@@ -1,13 +1,28 @@
-// generate --check: the files that are not current, then the remedy.
+// generate --check: committed output that is current, stale, edited by hand, missing or left over;
+// then the remedy.
 #include <catch2/catch.hpp>
 
 #include "cli/cli_testing.hpp"
 
 namespace elgen::test {
-
 namespace {
 
 const std::string turn = "sed -i 's/\\[\"0\", \"-g\"\\]/[\"0\", \"g\"]/' cart_pole.toml";
+
+/// A model, a scene and what they generate.
+class ModelAndScene : public Workspace {
+ public:
+  ModelAndScene() {
+    prepare("mkdir -p scenes && cp " + models + "/cart_pole.toml . && cp " + models +
+                "/scenes/balance.scene.toml scenes && " + generate,
+            path());
+  }
+  [[nodiscard]] Outcome check(const std::string& change) const {
+    prepare(change, path());
+    return shell("elgen generate --check *.toml scenes/*.toml", path());
+  }
+  const std::string generate = "elgen generate -q cart_pole.toml scenes/balance.scene.toml";
+};
 
 }  // namespace
 
@@ -68,6 +83,91 @@ TEST_CASE("what a model says is said once for all of its scenes") {
       shell("elgen generate cart_pole.toml scenes/balance.scene.toml", project.path());
   CHECK(outcome.status == 0);
   CHECK(count(outcome.errors, "note[E512]") == 1);
+}
+
+TEST_CASE("the committed output of every model and scene is current") {
+  const Outcome outcome =
+      shell("elgen generate --check models/*.toml models/scenes/*.scene.toml", ELGEN_SOURCE_DIR);
+  INFO(outcome.output + outcome.errors);
+  CHECK(outcome.status == 0);
+}
+
+TEST_CASE("output just written is current, and checking writes nothing") {
+  const Project project;
+  const std::string listing = project.run("ls -lR --full-time generated").output;
+  CHECK(project.check().status == 0);
+  CHECK(project.run("ls -lR --full-time generated").output == listing);
+}
+
+TEST_CASE("generating again repairs what --check complains about") {
+  const Project project;
+  project.change("sed -i 's/mass_matrix/mass_Matrix/' generated/cart_pole/cart_pole.hpp");
+  REQUIRE(project.check().status == 1);
+  CHECK(project.run("elgen generate -q cart_pole.toml").status == 0);
+  CHECK(project.check().status == 0);
+}
+
+TEST_CASE("the command that --check prints repairs, whatever the options") {
+  for (const std::string options :
+       {"", " --outputs mass_matrix,bias", " --fix g -o 'my out'", " --fix m=1/2 --fix g"}) {
+    INFO(options);
+    const Workspace workspace;
+    prepare("mkdir 'a b' && cp " + models + "/cart_pole.toml 'a b'", workspace.path());
+    const std::string check = "elgen generate --check 'a b/cart_pole.toml'" + options;
+    const std::string errors = shell(check, workspace.path()).errors;
+    const std::string lead = "to repair: ";
+    REQUIRE(mentions(errors, lead));
+    const std::size_t start = errors.find(lead) + lead.size();
+    const std::string repair = errors.substr(start, errors.find('\n', start) - start);
+    INFO(repair);
+    CHECK(shell(repair, workspace.path()).status == 0);
+    CHECK(shell(check, workspace.path()).status == 0);
+  }
+}
+
+TEST_CASE("the folder of a scene that was renamed is found") {
+  const ModelAndScene project;
+  const Outcome outcome = project.check(
+      "sed -i 's/^name *= *\"balance\"/name = \"upright\"/' scenes/balance.scene.toml && "
+      "elgen generate -q *.toml scenes/*.toml");
+  CHECK(outcome.status == 1);
+  CHECK(mentions(outcome.output,
+                 "orphaned     generated/cart_pole_balance/cart_pole_balance.hpp: "
+                 "scenes/balance.scene.toml has another name now\n"));
+  CHECK(mentions(outcome.errors,
+                 "to repair: delete generated/cart_pole_balance/cart_pole_balance.hpp\n"));
+  CHECK_FALSE(mentions(outcome.errors, "elgen generate"));
+}
+
+TEST_CASE("the folder of a file that moved or went is found") {
+  const ModelAndScene project;
+  const Outcome outcome = project.check(
+      "mv scenes/balance.scene.toml scenes/upright.scene.toml && mkdir generated/mine "
+      "&& touch generated/mine/notes.txt");
+  CHECK(outcome.status == 1);
+  CHECK(mentions(outcome.output, "stale        generated/cart_pole_balance/cart_pole_balance.hpp"));
+  CHECK_FALSE(mentions(outcome.output, "mine"));
+  const Outcome gone = project.check(
+      "rm scenes/*; cp cart_pole.toml scenes/cart.toml && sed -i "
+      "'s/\"cart_pole\"/\"cart\"/' scenes/cart.toml && elgen "
+      "generate -q scenes/cart.toml");
+  CHECK(mentions(gone.output, "cart_pole_balance.md: there is no scenes/balance.scene.toml\n"));
+}
+
+TEST_CASE("folders of files that are there and were not asked for are left alone") {
+  const ModelAndScene project;
+  CHECK(shell("elgen generate --check cart_pole.toml", project.path()).status == 0);
+}
+
+TEST_CASE("a file beside the generated ones is an orphan if it bears our mark") {
+  const ModelAndScene project;
+  const Outcome outcome = project.check(
+      "cp generated/cart_pole/cart_pole.hpp generated/cart_pole/old.hpp && touch "
+      "generated/cart_pole/notes.hpp");
+  CHECK(outcome.output == "orphaned     generated/cart_pole/old.hpp: nothing generates it\n");
+  CHECK(outcome.errors ==
+        "elgen: error[E715]: 1 generated file is not current\n"
+        "to repair: delete generated/cart_pole/old.hpp\n");
 }
 
 }  // namespace elgen::test

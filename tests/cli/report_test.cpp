@@ -1,10 +1,52 @@
-// Everything for people: diagnostics as text and JSON, colour, silence, timings.
+// Everything for people: diagnostics as text and JSON, whole whatever happens; colour, silence,
+// timings, progress on a terminal.
+#include <fmt/format.h>
+
+#include <array>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <utility>
+#include <vector>
 
 #include "cli/cli_testing.hpp"
 
 namespace elgen::test {
+namespace {
+
+/// Three commands with something to say, one without, and one that time ends.
+constexpr std::array ends{
+    std::pair{"elgen generate $broken/near_miss_name.toml $broken/unknown_unit.toml", 2},
+    std::pair{"elgen generate -o /dev/null/out $models/simple_pendulum.toml", 4},
+    std::pair{"elgen shwo", 2},
+    std::pair{"elgen show $models/simple_pendulum.toml", 0},
+    std::pair{"elgen verify --limit seconds=1 $models/panda7.toml", 3},
+};
+
+/// What stderr has: an object a line.
+std::vector<nlohmann::json> messages_of(const std::string& errors) {
+  std::vector<nlohmann::json> messages;
+  std::istringstream lines(errors);
+  for (std::string line; std::getline(lines, line);) {
+    messages.push_back(nlohmann::json::parse(line));
+  }
+  return messages;
+}
+
+/// What a terminal receives.
+std::string on_terminal(const std::string& command) {
+  const Workspace workspace;
+  return shell("script -q -e -c \"" + command + "\" /dev/null", workspace.path()).output;
+}
+
+/// What `show` prints on a terminal of 60 columns.
+std::string shown_on_terminal(const std::string& environment) {
+  const std::string command = "stty cols 60; " + environment + " " + std::string(ELGEN_BINARY) +
+                              " show " + models + "/cart_pole.toml --what mass_matrix";
+  return run("script -qc '" + command + "' /dev/null").output;
+}
+
+}  // namespace
 
 TEST_CASE("a diagnostic as JSON is one line with code, place and message") {
   const Outcome outcome = run("elgen --format json generate " + broken + "/near_miss_name.toml");
@@ -61,6 +103,102 @@ TEST_CASE("a command line that is not understood is reported in the format asked
   const nlohmann::json parsed = nlohmann::json::parse(run("elgen generte --format json").errors);
   CHECK(parsed["code"] == "E913");
   CHECK(mentions(run("elgen --color=always generte").errors, "\x1b["));
+}
+
+TEST_CASE("every line is a message, with all that is said of all inputs") {
+  const Workspace workspace;
+  const std::string names = "models=" + models + " broken=" + broken + "; ";
+  std::vector<std::vector<nlohmann::json>> said;
+  for (const auto& [command, status] : ends) {
+    INFO(command);
+    const Outcome outcome = shell(names + command + " --format json", workspace.path());
+    CHECK(outcome.status == status);
+    said.push_back(messages_of(outcome.errors));
+  }
+  REQUIRE(said.at(0).size() == 2);
+  CHECK(said.at(0).at(0).at("code") == "E201");
+  CHECK(said.at(0).at(1).at("code") != "E201");
+  CHECK(said.at(3).empty());
+  CHECK(said.at(4).at(0).at("code") == "E909");
+}
+
+TEST_CASE("a limit that is met while a message is written is told behind it") {
+  // More than a pipe holds, so that the program waits in the middle of it.
+  std::string text =
+      "format = 1\n[model]\nname = \"m\"\n[[coordinate]]\nname = \"q\"\nunit = \"1\"\n[define]\n";
+  for (int i = 0; i < 600; ++i) text += fmt::format("d{0} = \"nothing{0}*q + other{0}\"\n", i);
+  const Workspace workspace;
+  write_text(workspace.path() / "m.toml", text + "[energy]\nT = \"dot(q)^2\"\n");
+  prepare(
+      "mkfifo pipe && { elgen show --format json m.toml 2> pipe & echo $! > id; } && "
+      "exec 3< pipe && sleep 0.5 && kill -XCPU $(cat id) && cat <&3 > out",
+      workspace.path());
+  const auto messages = messages_of(read_text(workspace.path() / "out"));
+  REQUIRE_FALSE(messages.empty());
+  CHECK(messages.back().at("code") == "E909");
+}
+
+TEST_CASE("commands of a workflow stand among what people read") {
+  const Workspace workspace;
+  prepare("cp " + broken + "/near_miss_name.toml m.toml", workspace.path());
+  const Outcome outcome = shell("elgen show --format github m.toml", workspace.path());
+  CHECK(outcome.status == 2);
+  CHECK(
+      starts_with(outcome.errors, "::error file=m.toml,line=27,col=20,title=E201 unknown name::"));
+  CHECK(mentions(
+      shell("elgen generate --format github " + models + "/simple_pendulum.toml", workspace.path())
+          .errors,
+      "wrote generated/simple_pendulum/simple_pendulum.hpp\n"));
+}
+
+TEST_CASE("programs that read all are told nothing else, and what is for people is refused") {
+  const Workspace workspace;
+  const std::string generate = "elgen generate " + models + "/simple_pendulum.toml ";
+  CHECK(shell(generate + "--format json", workspace.path()).errors.empty());
+  for (const std::string option : {"--timings", "-v", "--dump lower"}) {
+    INFO(option);
+    const Outcome outcome = shell(generate + "--format json " + option, workspace.path());
+    CHECK(outcome.status == 2);
+    CHECK(nlohmann::json::parse(outcome.errors).at("code") == "E913");
+  }
+}
+
+TEST_CASE("a long job names its input and stage on a terminal and clears the line") {
+  const std::string seen =
+      on_terminal("elgen generate -q --size n=20 -o out " + models + "/chain.toml");
+  CHECK(mentions(seen, clear_line + models + "/chain.toml: "));
+  REQUIRE(seen.size() >= clear_line.size());
+  CHECK(seen.substr(seen.size() - clear_line.size()) == clear_line);
+}
+
+TEST_CASE("a short job shows no progress") {
+  CHECK(on_terminal("elgen generate -q " + models + "/simple_pendulum.toml").empty());
+}
+
+TEST_CASE("a pipe is shown no progress") {
+  const Workspace workspace;
+  const Outcome outcome =
+      shell("elgen generate -q --size n=20 -o out " + models + "/chain.toml", workspace.path());
+  CHECK(outcome.errors.empty());
+  CHECK(outcome.output.empty());
+}
+
+TEST_CASE("the line of progress is gone before anything else is printed") {
+  const Workspace workspace;
+  const std::string seen =
+      shell("script -q -e -c \"elgen generate -q --timings --size n=20 -o out " + models +
+                "/chain.toml\" /dev/null",
+            workspace.path())
+          .output;
+  CHECK(mentions(seen, clear_line + "       parse"));
+}
+
+TEST_CASE("a terminal whose locale is UTF-8 is shown Unicode, others text") {
+  CHECK(shown_on_terminal("LC_ALL=C.UTF-8 TERM=xterm").find("⎣ m l cos θ") != std::string::npos);
+  for (const char* const other : {"LC_ALL=C TERM=xterm", "LC_ALL=C.UTF-8 TERM=dumb"}) {
+    INFO(other);
+    CHECK(shown_on_terminal(other).find("mass_matrix[1,2] = m*l*cos(theta)") != std::string::npos);
+  }
 }
 
 }  // namespace elgen::test

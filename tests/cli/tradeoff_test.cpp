@@ -1,11 +1,12 @@
-// elgen tradeoff: tables, files and exit codes; no time is looked at.
+// elgen tradeoff: which output tables are about, designs on the bench, runs by all methods, files
+// and exit codes; no time is looked at.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "cli/cli_testing.hpp"
 
 namespace elgen::test {
-
 namespace {
 
 nlohmann::json table_in(const Outcome& outcome) {
@@ -13,6 +14,45 @@ nlohmann::json table_in(const Outcome& outcome) {
   REQUIRE(outcome.status == 0);
   return nlohmann::json::parse(outcome.output);
 }
+
+/// A compiler that tells of every library it makes, and refuses those whose source has a word.
+void write_compiler(const Workspace& workspace, const std::string& refused) {
+  write_text(workspace.path() / "compiler.sh",
+             "for word; do case $word in */timing_driver.cpp)\n"
+             "  echo made >> " +
+                 (workspace.path() / "made").string() + "\n" + "  grep -q '" + refused +
+                 "' \"$word\" && exit 1 ;; esac; done\nexec c++ \"$@\"\n");
+}
+
+/// A model, a scene of it, and a compiler that compiles nothing.
+class Base {
+ public:
+  Base() {
+    write_text(path() / "rotor.toml",
+               "format = 1\n[model]\nname = \"rotor\"\n[[coordinate]]\nname = \"q\"\n"
+               "unit = \"rad\"\n[parameters]\nJ = { value = 2, unit = \"kg*m^2\" }\n"
+               "k = { value = 3, unit = \"J\" }\n"
+               "[energy]\nT = \"1/2*J*dot(q)^2\"\nV = \"k*(1 - cos(q))\"\n");
+    write_text(path() / "two.scene.toml",
+               "format = 1\nmodel = \"rotor.toml\"\nname = \"two\"\n[outputs]\n"
+               "potential_energy = true\ngravity = true\n");
+    write_text(path() / "idle.sh", "test \"$1\" = --version\n");
+  }
+
+  [[nodiscard]] const std::filesystem::path& path() const { return workspace_.path(); }
+  [[nodiscard]] Outcome measure(const std::string& words) const {
+    return shell("CXX='sh idle.sh' elgen tradeoff --format json " + words, path());
+  }
+  [[nodiscard]] std::string subject(const std::string& words) const {
+    const Outcome outcome = measure(words);
+    INFO(outcome.errors);
+    REQUIRE(outcome.status == 4);
+    return nlohmann::json::parse(outcome.output).at("subject");
+  }
+
+ private:
+  Workspace workspace_;
+};
 
 }  // namespace
 
@@ -59,6 +99,113 @@ TEST_CASE("dimensions that are asked for are tried, expansions about the point o
     CHECK(design["error"]["worst"] < 2e-5);
   }
   CHECK(expanded > 0);
+}
+
+TEST_CASE("a scene keeps what it locks and fixes, and files are not overwritten unasked") {
+  const Workspace workspace;
+  const std::string command =
+      "elgen tradeoff -q --as csv -o x.csv " + models + "/scenes/balance.scene.toml";
+  const Outcome outcome = shell(command, workspace.path());
+  INFO(outcome.errors);
+  CHECK(outcome.status == 0);
+  CHECK(starts_with(outcome.output, "scalar,batch,"));
+  CHECK(outcome.output == read_text(workspace.path() / "x.csv"));
+  CHECK(shell(command, workspace.path()).status == 4);
+  CHECK(shell("elgen tradeoff -o x.pdf " + models + "/cart_pole.toml", workspace.path()).status ==
+        2);
+}
+
+TEST_CASE("where no design is good enough no scene is written, and the table all the same") {
+  const Workspace workspace;
+  const Outcome outcome =
+      shell("elgen tradeoff --of gravity --max-error 1e-30 --write-scene x.scene.toml -o x.csv " +
+                models + "/simple_pendulum.toml",
+            workspace.path());
+  CHECK(outcome.status == 1);
+  CHECK(mentions(outcome.errors, "error[E632]: no design is within 1e-30\n"));
+  CHECK(starts_with(read_text(workspace.path() / "x.csv"), "scalar,"));
+  CHECK_FALSE(std::filesystem::exists(workspace.path() / "x.scene.toml"));
+}
+
+TEST_CASE("runs have a row for each method and step, and shorter steps smaller errors") {
+  const Workspace workspace;
+  const Outcome outcome = shell(
+      "elgen tradeoff --trajectory 2 --as json --max-error 1e-6 "
+      "-o x.svg " +
+          models + "/double_pendulum.toml",
+      workspace.path());
+  INFO(outcome.errors);
+  REQUIRE(outcome.status == 0);
+  const auto table = nlohmann::json::parse(outcome.output);
+  const auto error = [&table](const std::string& method, const std::string& step) {
+    for (const auto& design : table["designs"]) {
+      const auto& values = design["design"];
+      if (values["method"] == method && values["step"] == step) {
+        return design["error"]["worst"].get<double>();
+      }
+    }
+    return -1.0;
+  };
+  CHECK(error("rk4", "0.0002 s") > 0);
+  CHECK(error("rk4", "0.002 s") > 100 * error("rk4", "0.0002 s"));
+  CHECK(error("dopri5", "to 1e-10") < 1e-8);
+  CHECK(error("verlet", "0.002 s") == -1);
+  CHECK(table["sentences"].back() == "`verlet` is not for this system: M depends on `theta1`");
+  CHECK(mentions(outcome.errors, "cheapest within 1e-06: "));
+  CHECK(starts_with(read_text(workspace.path() / "x.svg"), "<svg "));
+}
+
+TEST_CASE("what is about an output is not about runs") {
+  const Workspace workspace;
+  for (const char* option : {"--of gravity", "--dimensions order", "--range q1=0..1",
+                             "--max-error 1 --write-scene x.scene.toml"}) {
+    INFO(option);
+    CHECK(shell(std::string("elgen tradeoff --trajectory 2 ") + option + " " + models +
+                    "/double_pendulum.toml",
+                workspace.path())
+              .status == 2);
+  }
+}
+
+TEST_CASE("ten designs are made in four libraries") {
+  const Workspace workspace;
+  write_compiler(workspace, "no such word");
+  const Outcome outcome = shell("CXX=\"sh $PWD/compiler.sh\" elgen tradeoff -q --format json " +
+                                    models + "/simple_pendulum.toml",
+                                workspace.path());
+  INFO(outcome.errors);
+  REQUIRE(outcome.status == 0);
+  CHECK(nlohmann::json::parse(outcome.output)["designs"].size() == 10);
+  CHECK(read_text(workspace.path() / "made") == "made\nmade\nmade\nmade\n");
+}
+
+TEST_CASE("designs that are not compiled say so, the others are measured, and it exits with 4") {
+  const Workspace workspace;
+  write_compiler(workspace, "fixed");
+  const Outcome outcome = shell("CXX=\"sh $PWD/compiler.sh\" elgen tradeoff -q --format json " +
+                                    models + "/simple_pendulum.toml",
+                                workspace.path());
+  CHECK(outcome.status == 4);
+  CHECK(mentions(outcome.errors, "E705"));
+  const auto table = nlohmann::json::parse(outcome.output);
+  const auto& designs = table["designs"];
+  CHECK(std::count_if(designs.begin(), designs.end(), [](const auto& design) {
+          return design.contains("failure") && design["design"]["parameters"] == "fixed";
+        }) == 5);
+  CHECK(std::count_if(designs.begin(), designs.end(),
+                      [](const auto& design) { return design.contains("cost"); }) == 5);
+}
+
+TEST_CASE_METHOD(Base, "it is inverse_dynamics, the first output of a scene, or what is named") {
+  CHECK(subject("rotor.toml") == "inverse_dynamics");
+  CHECK(subject("two.scene.toml") == "gravity");
+  CHECK(subject("--of potential_energy two.scene.toml") == "potential_energy");
+}
+
+TEST_CASE_METHOD(Base, "what is not one output is refused") {
+  const Outcome outcome = measure("--of gravity,bias rotor.toml");
+  CHECK(outcome.status == 2);
+  CHECK(mentions(outcome.errors, "`gravity,bias` is not one output"));
 }
 
 }  // namespace elgen::test

@@ -1,4 +1,5 @@
-// What generate puts on the disk, and what it leaves alone.
+// What generate puts on the disk, and what it leaves alone. Processes that write to the same
+// folders take turns; what fails half-way: tests/faults.
 #include <catch2/catch.hpp>
 
 #include "cli/cli_testing.hpp"
@@ -109,6 +110,74 @@ TEST_CASE("two files in one place are refused") {
   CHECK(outcome.status == 4);
   CHECK(mentions(outcome.errors, "cart_pole.hpp` would be written twice"));
   CHECK(files_below(workspace.path()).empty());
+}
+
+TEST_CASE("what is no regular file is never replaced") {
+  const Workspace workspace;
+  prepare(
+      "mkdir folder && mkfifo fifo && echo mine > file && ln -s file link && ln -s nowhere loose",
+      workspace.path());
+  const std::string model = models + "/cart_pole.toml";
+  for (const auto& [place, kind] :
+       {std::pair{"folder", "a folder"}, std::pair{"fifo", "a FIFO"},
+        std::pair{"link", "a symbolic link"}, std::pair{"loose", "a symbolic link"},
+        std::pair{"/dev/null", "a device"}}) {
+    INFO(place);
+    const Outcome outcome =
+        shell("elgen generate -q --force " + model + " --depfile " + place, workspace.path());
+    CHECK(outcome.status == 4);
+    CHECK(mentions(outcome.errors, std::string("`") + place + "` is " + kind + ", not a file\n"));
+  }
+  CHECK(shell("test -c /dev/null && test -p fifo && test -L link && cat file", workspace.path())
+            .output == "mine\n");
+  CHECK_FALSE(shell("test -e generated", workspace.path()).status == 0);
+}
+
+TEST_CASE("a file whose bytes do not change is not touched") {
+  const Workspace workspace;
+  prepare("cp " + models +
+              "/cart_pole.toml . && elgen generate -q cart_pole.toml && cd generated/"
+              "cart_pole && touch -d 2001-01-01 * && sed -i s/M/N/ cart_pole.md",
+          workspace.path());
+  const Outcome outcome = shell("elgen generate cart_pole.toml", workspace.path());
+  CHECK(outcome.status == 0);
+  CHECK(mentions(outcome.errors, "unchanged generated/cart_pole/cart_pole.hpp\n"));
+  CHECK(mentions(outcome.errors, "wrote generated/cart_pole/cart_pole.md\n"));
+  CHECK(shell("find generated -type f -newermt 2002-01-01", workspace.path()).output ==
+        "generated/cart_pole/cart_pole.md\n");
+}
+
+TEST_CASE("what a killed process left is removed by the next one") {
+  const Workspace workspace;
+  write_text(workspace.path() / "generated/cart_pole/.elgen-stage-abcdef/new0", "half");
+  CHECK(shell("elgen generate -q " + models + "/cart_pole.toml", workspace.path()).status == 0);
+  CHECK(shell("ls -A generated/cart_pole", workspace.path()).output ==
+        "cart_pole.equations.json\ncart_pole.hpp\ncart_pole.md\n");
+}
+
+TEST_CASE("a lock that is not released is waited for in vain") {
+  const Workspace workspace;
+  prepare("mkdir -p generated/cart_pole", workspace.path());
+  const Outcome outcome = shell(
+      "flock generated/cart_pole elgen generate -q --limit seconds=1 " + models + "/cart_pole.toml",
+      workspace.path());
+  CHECK(outcome.status == 4);
+  CHECK(mentions(outcome.errors, "could not be written: another process writes there"));
+  CHECK(files_below(workspace.path()).empty());
+}
+
+TEST_CASE("writers of two versions at once leave one of them, and make one folder together") {
+  const Workspace workspace;
+  prepare("cp " + models + "/cart_pole.toml a.toml && sed 's/\"-g\"/\"-2*g\"/' a.toml > b.toml",
+          workspace.path());
+  for (int round = 0; round < 10; ++round) {
+    const Outcome outcome = shell(
+        "rm -rf generated; elgen generate -q a.toml & elgen generate -q b.toml; b=$?; wait $! && "
+        "test $b = 0 && { elgen generate -q --check a.toml || elgen generate -q --check b.toml; }",
+        workspace.path());
+    INFO(outcome.errors);
+    CHECK(outcome.status == 0);
+  }
 }
 
 }  // namespace elgen::test

@@ -14,13 +14,11 @@
 
 #include "base/descriptor.hpp"
 #include "check/expressions/values.hpp"
-#include "cli/files/file_kind.hpp"
 #include "cli/process/resources.hpp"
 #include "elgen/wording.hpp"
 #include "parse/entry_reader.hpp"
 
 namespace elgen::cli {
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -199,6 +197,24 @@ Result<Inputs> read_inputs(const std::string& path, const Limits& limits,
     return errors;
   }
   return Inputs{*model_source, *source};
+}
+
+std::string_view special_kind(mode_t mode) {
+  switch (mode & S_IFMT) {
+    case S_IFREG:
+      return {};
+    case S_IFDIR:
+      return "a folder";
+    case S_IFCHR:
+    case S_IFBLK:
+      return "a device";
+    case S_IFIFO:
+      return "a FIFO";
+    case S_IFSOCK:
+      return "a socket";
+    default:
+      return "a symbolic link";
+  }
 }
 
 }  // namespace elgen::cli

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "elgen/pipeline.hpp"
 
@@ -36,5 +37,8 @@ using SourceReader = std::function<Result<SourcePointer>(const std::string& path
 
 /// Whether this is a file that was read.
 [[nodiscard]] bool is_input(const struct stat& file);
+
+/// What stands at a path, in words: "a folder", "a device", …; empty for a regular file.
+[[nodiscard]] std::string_view special_kind(mode_t mode);
 
 }  // namespace elgen::cli

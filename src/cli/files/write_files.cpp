@@ -9,7 +9,6 @@
 #include <set>
 #include <system_error>
 
-#include "cli/files/file_kind.hpp"
 #include "cli/files/inputs.hpp"
 #include "cli/files/output_files.hpp"
 #include "cli/files/transaction.hpp"
