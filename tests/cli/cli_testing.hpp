@@ -20,22 +20,20 @@ inline const std::string clear_line = "\r\x1b[K";
 /// In an empty folder.
 inline Outcome run(const std::string& command) {
   const Workspace workspace;
-  return shell(command, workspace.path());
+  return workspace.run(command);
 }
 
 /// A folder with cart_pole.toml and its generated files.
 class Project : public Workspace {
  public:
-  Project() { change("cp " + models + "/cart_pole.toml . && elgen generate -q cart_pole.toml"); }
+  Project() { prepare("cp " + models + "/cart_pole.toml . && elgen generate -q cart_pole.toml"); }
 
-  [[nodiscard]] Outcome run(const std::string& command) const { return shell(command, path()); }
-  void change(const std::string& command) const { prepare(command, path()); }
   [[nodiscard]] Outcome check(const std::string& options = "") const {
     return run("elgen generate --check cart_pole.toml" + options);
   }
   [[nodiscard]] Outcome check_after(const std::string& command,
                                     const std::string& options = "") const {
-    change(command);
+    prepare(command);
     return check(options);
   }
 };

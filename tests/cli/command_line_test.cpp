@@ -99,12 +99,11 @@ TEST_CASE("every stage may be the last, and nothing is written then") {
   for (const std::string& stage : stages) {
     INFO(stage);
     const Workspace workspace;
-    const Outcome outcome =
-        shell("elgen generate --stop-after " + stage + " " + models + "/simple_pendulum.toml",
-              workspace.path());
+    const Outcome outcome = workspace.run("elgen generate --stop-after " + stage + " " + models +
+                                          "/simple_pendulum.toml");
     CHECK(outcome.status == 0);
     CHECK(outcome.output.empty());
-    CHECK(shell("ls", workspace.path()).output.empty());
+    CHECK(workspace.run("ls").output.empty());
   }
 }
 

@@ -21,7 +21,7 @@ bool has_shell(const std::string& shell) { return run("command -v " + shell).sta
 
 TEST_CASE("help has the commands in the order of their table") {
   const Workspace workspace;
-  const std::string help = shell("elgen --help", workspace.path()).output;
+  const std::string help = workspace.run("elgen --help").output;
   std::size_t at = help.find("Subcommands");
   for (const std::string name : {
 #define ELGEN_COMMAND(name) #name,
@@ -32,7 +32,7 @@ TEST_CASE("help has the commands in the order of their table") {
     const std::size_t next = help.find("\n  " + name + " ", at);
     REQUIRE(next != std::string::npos);
     at = next;
-    CHECK(shell("elgen " + name + " --help", workspace.path()).status == 0);
+    CHECK(workspace.run("elgen " + name + " --help").status == 0);
   }
 }
 
@@ -41,7 +41,7 @@ TEST_CASE("options of several commands are read in each") {
   const std::string model = ELGEN_SOURCE_DIR "/models/simple_pendulum.toml";
   for (const char* command : {"generate --stdout ", "show "}) {
     const Outcome outcome =
-        shell("elgen " + std::string(command) + "--fix m=2 --fix l=3 " + model, workspace.path());
+        workspace.run("elgen " + std::string(command) + "--fix m=2 --fix l=3 " + model);
     INFO(outcome.output);
     CHECK(outcome.status == 0);
     CHECK_FALSE(mentions(outcome.output, "m*l"));

@@ -11,14 +11,11 @@ class TwoFolders : public Workspace {
  public:
   TwoFolders() {
     prepare("mkdir -p old/scenes && cp " + models + "/cart_pole.toml " + models +
-                "/simple_pendulum.toml old && cp " + models +
-                "/scenes/balance.scene.toml old/scenes "
-                "&& cp -r old new && sed -i 's/\"-g\"/\"g\"/' new/cart_pole.toml",
-            path());
+            "/simple_pendulum.toml old && cp " + models +
+            "/scenes/balance.scene.toml old/scenes "
+            "&& cp -r old new && sed -i 's/\"-g\"/\"g\"/' new/cart_pole.toml");
   }
-  [[nodiscard]] Outcome diff(const std::string& words) const {
-    return shell("elgen diff " + words, path());
-  }
+  [[nodiscard]] Outcome diff(const std::string& words) const { return run("elgen diff " + words); }
 };
 
 /// Two versions of the cart.
@@ -26,13 +23,10 @@ class TwoCarts : public Workspace {
  public:
   TwoCarts() {
     prepare("mkdir old new && cp " + models +
-                "/cart_pole.toml old && sed 's/\"-g\"/\"g\"/' old/cart_pole.toml > "
-                "new/cart_pole.toml",
-            path());
+            "/cart_pole.toml old && sed 's/\"-g\"/\"g\"/' old/cart_pole.toml > "
+            "new/cart_pole.toml");
   }
-  [[nodiscard]] Outcome diff(const std::string& words) const {
-    return shell("elgen diff " + words, path());
-  }
+  [[nodiscard]] Outcome diff(const std::string& words) const { return run("elgen diff " + words); }
 };
 
 }  // namespace
@@ -64,17 +58,17 @@ TEST_CASE("files of folders match by their paths") {
 
 TEST_CASE("a model that is gone breaks, one that moved does not") {
   const TwoFolders folders;
-  prepare("cp old/cart_pole.toml new && mv new/simple_pendulum.toml new/scenes/pendulum.toml",
-          folders.path());
+  folders.prepare(
+      "cp old/cart_pole.toml new && mv new/simple_pendulum.toml new/scenes/pendulum.toml");
   const Outcome same = folders.diff("old new");
   CHECK(same.status == 0);
   CHECK(same.output == "equal        the equations are the same\n");
-  prepare("sed -i 's/value = 9.81/value = 9.8/' new/scenes/pendulum.toml", folders.path());
+  folders.prepare("sed -i 's/value = 9.81/value = 9.8/' new/scenes/pendulum.toml");
   const Outcome moved = folders.diff("old new --allow values");
   CHECK(moved.status == 0);
   CHECK(mentions(moved.output, "new/scenes/pendulum.toml:"));
   CHECK_FALSE(mentions(moved.output, "removed"));
-  prepare("sed -i 's/\"simple_pendulum\"/\"pendulum\"/' new/scenes/pendulum.toml", folders.path());
+  folders.prepare("sed -i 's/\"simple_pendulum\"/\"pendulum\"/' new/scenes/pendulum.toml");
   const Outcome gone = folders.diff("old new --allow different");
   CHECK(gone.status == 1);
   CHECK(mentions(gone.output, "added        new/scenes/pendulum.toml\n"));
@@ -84,10 +78,9 @@ TEST_CASE("a model that is gone breaks, one that moved does not") {
 
 TEST_CASE("files of a revision that moved or went are told so where they are named") {
   const TwoFolders folders;
-  prepare(
+  folders.prepare(
       "git init -q && git add old && git -c user.name=a -c user.email=a@b commit -q -m first && "
-      "git mv old/simple_pendulum.toml old/pendulum.toml",
-      folders.path());
+      "git mv old/simple_pendulum.toml old/pendulum.toml");
   CHECK(folders.diff("--against HEAD old").status == 0);
   CHECK(folders.diff("--against HEAD old/simple_pendulum.toml old/pendulum.toml").status == 0);
   const Outcome gone = folders.diff("--against HEAD --allow different old/simple_pendulum.toml");
@@ -107,17 +100,15 @@ TEST_CASE("what exits with 0 is set by --allow") {
 
 TEST_CASE("a revision of git is compared with what is there") {
   const TwoFolders folders;
-  prepare(
+  folders.prepare(
       "mv old/* . && rmdir old && rm -r new && git init -q && git add . && "
       "git -c user.name=a -c user.email=a@b commit -q -m first && "
-      "sed -i 's/\"-g\"/\"g\"/' cart_pole.toml",
-      folders.path());
+      "sed -i 's/\"-g\"/\"g\"/' cart_pole.toml");
   const Outcome outcome = folders.diff("--against HEAD");
   CHECK(outcome.status == 1);
   CHECK(mentions(outcome.output, "cart_pole.toml:55:17  [gravity] vector[2]: -g -> g\n"));
   CHECK(folders.diff("--against HEAD simple_pendulum.toml").status == 0);
-  const Outcome inside =
-      shell("cd scenes && elgen diff --against HEAD balance.scene.toml", folders.path());
+  const Outcome inside = folders.run("cd scenes && elgen diff --against HEAD balance.scene.toml");
   CHECK(mentions(inside.output, "[gravity] vector[2]"));
   const Outcome unknown = folders.diff("--against nothing");
   CHECK(unknown.status == 4);
@@ -126,7 +117,7 @@ TEST_CASE("a revision of git is compared with what is there") {
 
 TEST_CASE("what has no errors in one version is not compared with what has") {
   const TwoFolders folders;
-  prepare("sed -i 's/cos(theta)/cos(thet)/' new/cart_pole.toml", folders.path());
+  folders.prepare("sed -i 's/cos(theta)/cos(thet)/' new/cart_pole.toml");
   const Outcome outcome = folders.diff("old new");
   CHECK(outcome.status == 2);
   CHECK(outcome.output.empty());
@@ -140,7 +131,7 @@ TEST_CASE("a model that cannot be read is an error in every mode, not a removed 
   for (const std::string& edit : {merge, misnamed, empty}) {
     INFO(edit);
     const TwoFolders folders;
-    prepare("sed -i '" + edit + "' new/simple_pendulum.toml", folders.path());
+    folders.prepare("sed -i '" + edit + "' new/simple_pendulum.toml");
     for (const std::string words :
          {"old new", "--format github old new", "old/simple_pendulum.toml new/simple_pendulum.toml",
           "new/simple_pendulum.toml new/simple_pendulum.toml", "new old"}) {
@@ -150,11 +141,10 @@ TEST_CASE("a model that cannot be read is an error in every mode, not a removed 
       CHECK(outcome.output.find("removed") == std::string::npos);
       CHECK(mentions(outcome.output + outcome.errors, "new/simple_pendulum.toml"));
     }
-    prepare(
+    folders.prepare(
         "cp old/*.toml . && git init -q && git add *.toml && "
         "git -c user.name=a -c user.email=a@b commit -q -m first && "
-        "cp new/simple_pendulum.toml .",
-        folders.path());
+        "cp new/simple_pendulum.toml .");
     CHECK(folders.diff("--against HEAD").status == 2);
     CHECK(folders.diff("--against HEAD simple_pendulum.toml").status == 2);
   }
@@ -162,10 +152,9 @@ TEST_CASE("a model that cannot be read is an error in every mode, not a removed 
 
 TEST_CASE("annotations tell what can be compared beside what cannot be read") {
   const TwoFolders folders;
-  prepare(
+  folders.prepare(
       "sed -i 's/^name *= \"u\"/name = \"F\"/' new/cart_pole.toml && echo x >> "
-      "new/simple_pendulum.toml",
-      folders.path());
+      "new/simple_pendulum.toml");
   const Outcome outcome = folders.diff("--format github old new");
   CHECK(outcome.status == 2);
   CHECK(outcome.errors.empty());
@@ -178,17 +167,16 @@ TEST_CASE("annotations tell what can be compared beside what cannot be read") {
 
 TEST_CASE("links that lead nowhere, and paths that are too long, are no internal errors") {
   const TwoFolders folders;
-  prepare(
+  folders.prepare(
       "ln -s nothing old/dangling.toml && ln -s round new/round && ln -s loop.toml new/loop.toml "
-      "&& mkdir -p out && ln -s round out/round",
-      folders.path());
+      "&& mkdir -p out && ln -s round out/round");
   CHECK(folders.diff("old new").status == 1);
   const std::string name(300, 'a');
   CHECK(folders.diff("old/cart_pole.toml " + name).status == 4);
   CHECK(folders.diff("old " + name).status == 4);
-  CHECK(shell("elgen generate --check -o out new/cart_pole.toml", folders.path()).status == 1);
-  prepare("ln -s circle circle", folders.path());
-  const Outcome circle = shell("elgen generate -o circle new/cart_pole.toml", folders.path());
+  CHECK(folders.run("elgen generate --check -o out new/cart_pole.toml").status == 1);
+  folders.prepare("ln -s circle circle");
+  const Outcome circle = folders.run("elgen generate -o circle new/cart_pole.toml");
   CHECK(circle.status == 4);
   CHECK(mentions(circle.errors, "cannot be reached: Too many levels of symbolic links"));
 }
@@ -215,7 +203,7 @@ TEST_CASE("a report is written as messages are, unless its own format is said") 
   const TwoFolders folders;
   const std::string pair = " old/cart_pole.toml new/cart_pole.toml";
   const auto output = [&](const std::string& words) {
-    return shell("elgen " + words + pair, folders.path()).output;
+    return folders.run("elgen " + words + pair).output;
   };
   CHECK(starts_with(output("--format json diff"), "{"));
   CHECK(output("--format json diff") == output("diff --format json"));
@@ -237,33 +225,29 @@ TEST_CASE("outputs that are not asked for are not told, but count") {
 
 TEST_CASE("files of other programs, hidden folders and equal files are passed over") {
   const Workspace workspace;
-  prepare("mkdir -p old/.cache && cp " + models +
-              "/simple_pendulum.toml old && "
-              "cp old/simple_pendulum.toml old/.cache && echo '[tool]' > old/pyproject.toml && "
-              "cp -r old new && echo 'x = 1' >> new/pyproject.toml && rm -r new/.cache",
-          workspace.path());
-  const Outcome outcome = shell("elgen diff old new", workspace.path());
+  workspace.prepare(
+      "mkdir -p old/.cache && cp " + models +
+      "/simple_pendulum.toml old && "
+      "cp old/simple_pendulum.toml old/.cache && echo '[tool]' > old/pyproject.toml && "
+      "cp -r old new && echo 'x = 1' >> new/pyproject.toml && rm -r new/.cache");
+  const Outcome outcome = workspace.run("elgen diff old new");
   CHECK(outcome.status == 0);
   CHECK(outcome.output == "equal        the equations are the same\n");
 }
 
 TEST_CASE("a folder is not compared with a file") {
-  const Workspace workspace;
-  const Outcome outcome =
-      shell("elgen diff " + models + " " + models + "/simple_pendulum.toml", workspace.path());
+  const Outcome outcome = run("elgen diff " + models + " " + models + "/simple_pendulum.toml");
   CHECK(outcome.status == 4);
   CHECK(mentions(outcome.errors, "is a folder"));
 }
 
 TEST_CASE("steps are compared as they are emitted") {
   const Workspace workspace;
-  prepare("cp -r " + models +
-              " old && cp -r old new && "
-              "sed -i 's/\"-g\"/\"g\"/' new/cart_pole.toml",
-          workspace.path());
+  workspace.prepare("cp -r " + models +
+                    " old && cp -r old new && "
+                    "sed -i 's/\"-g\"/\"g\"/' new/cart_pole.toml");
   const std::string scene = "scenes/cart_pole_prediction.scene.toml";
-  const Outcome outcome =
-      shell("elgen diff --list old/" + scene + " new/" + scene, workspace.path());
+  const Outcome outcome = workspace.run("elgen diff --list old/" + scene + " new/" + scene);
   CHECK(mentions(outcome.output, "step.rates[2] "));
 }
 
@@ -275,13 +259,11 @@ TEST_CASE("a model may come from standard input") {
 
 TEST_CASE("operations of emitted code are told, of large systems they are not counted") {
   const TwoCarts carts;
-  prepare("sed 's/l\\*sin(theta)/2*l*sin(theta)/' old/cart_pole.toml > new/cart_pole.toml",
-          carts.path());
+  carts.prepare("sed 's/l\\*sin(theta)/2*l*sin(theta)/' old/cart_pole.toml > new/cart_pole.toml");
   CHECK(mentions(carts.diff("old/cart_pole.toml new/cart_pole.toml").output, "\noperations   "));
-  prepare("cp " + models +
-              "/panda7.toml old && sed 's/value = 9.81/value = 9.8/' old/panda7.toml > "
-              "new/panda7.toml",
-          carts.path());
+  carts.prepare("cp " + models +
+                "/panda7.toml old && sed 's/value = 9.81/value = 9.8/' old/panda7.toml > "
+                "new/panda7.toml");
   CHECK_FALSE(mentions(carts.diff("old/panda7.toml new/panda7.toml").output, "operations"));
 }
 

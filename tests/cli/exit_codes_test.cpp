@@ -87,14 +87,12 @@ class Models : public Workspace {
  public:
   Models() {
     const std::string good = read_text(models + "/simple_pendulum.toml");
-    const auto write = [&](const std::string& name, const std::string& text) {
-      write_text(path() / (name + ".toml"), text);
-    };
-    write("good", good);
-    write("other", replaced(good, "value = 9.81", "value = 9.8"));
-    write("bad", replaced(good, "mass = \"m\"", "mass = \"mq\""));
-    write("wrong", good.substr(0, good.find("[[expect]]")) + "[[expect]]\ngravity = [\"0\"]\n");
-    write("falls",
+    write("good.toml", good);
+    write("other.toml", replaced(good, "value = 9.81", "value = 9.8"));
+    write("bad.toml", replaced(good, "mass = \"m\"", "mass = \"mq\""));
+    write("wrong.toml",
+          good.substr(0, good.find("[[expect]]")) + "[[expect]]\ngravity = [\"0\"]\n");
+    write("falls.toml",
           "format = 1\n[model]\nname = \"falls\"\n[[coordinate]]\nname = \"q\"\n"
           "start = { value = 1, rate = 0 }\n"
           "[energy]\nT = \"1/2*dot(q)^2\"\nV = \"-q^4\"\n");
@@ -122,7 +120,7 @@ TEST_CASE("every command ends with the exit code of what happened") {
   const Models workspace;
   for (const ExitRow& row : exit_rows) {
     if (row.line.empty()) continue;
-    const Outcome outcome = shell(row.line, workspace.path());
+    const Outcome outcome = workspace.run(row.line);
     INFO(row.line << "\n" << outcome.errors);
     CHECK(outcome.status == row.code);
   }
@@ -142,7 +140,7 @@ TEST_CASE("absurd powers end with a limit, or are emitted, and are no internal e
     }
     test::write_text(workspace.path() / "m.toml",
                      text + "[energy]\nT = \"1/2*J*dot(q)^2\"\nV = \"J*q*" + last + "\"\n");
-    return shell("elgen generate m.toml", workspace.path()).status;
+    return workspace.run("elgen generate m.toml").status;
   };
   CHECK(status("pi", "atan(3*{0})^64*atan(3*{0})^64*atan(3*{0})^64", 31) == 0);
   CHECK(status("3*q", "cos({0}+1/3)^64-1", 8) == 0);
@@ -153,7 +151,7 @@ TEST_CASE("absurd powers end with a limit, or are emitted, and are no internal e
 TEST_CASE("the program stops at memory errors") {
   const Workspace workspace;
   const auto printed = [&](const std::string& options) {
-    const Outcome outcome = shell("readelf -W " + options + " \"$ELGEN\"", workspace.path());
+    const Outcome outcome = workspace.run("readelf -W " + options + " \"$ELGEN\"");
     REQUIRE(outcome.status == 0);
     return outcome.output;
   };

@@ -10,10 +10,9 @@ namespace {
 /// The first line of the header that a command makes.
 std::string first_line(const std::string& command, const std::string& header) {
   const Workspace workspace;
-  prepare("mkdir -p a/scenes b/deep && cp " + models + "/cart_pole.toml a && cp " + models +
-              "/scenes/balance.scene.toml a/scenes && " + command,
-          workspace.path());
-  const std::string text = read_text(workspace.path() / header);
+  workspace.prepare("mkdir -p a/scenes b/deep && cp " + models + "/cart_pole.toml a && cp " +
+                    models + "/scenes/balance.scene.toml a/scenes && " + command);
+  const std::string text = workspace.read(header);
   return text.substr(0, text.find('\n'));
 }
 
@@ -22,10 +21,10 @@ std::string first_line(const std::string& command, const std::string& header) {
 TEST_CASE("a scene's base name is the model's and its own") {
   const Workspace workspace;
   const Outcome outcome =
-      shell("elgen generate -q -o out " + models + "/scenes/balance.scene.toml", workspace.path());
+      workspace.run("elgen generate -q -o out " + models + "/scenes/balance.scene.toml");
   INFO(outcome.errors);
   CHECK(outcome.status == 0);
-  CHECK(files_below(workspace.path()) ==
+  CHECK(workspace.files() ==
         "./out/cart_pole_balance/cart_pole_balance.equations.json\n"
         "./out/cart_pole_balance/cart_pole_balance.hpp\n"
         "./out/cart_pole_balance/cart_pole_balance.md\n");
@@ -33,47 +32,45 @@ TEST_CASE("a scene's base name is the model's and its own") {
 
 TEST_CASE("`files` of a scene leaves out the sidecar and the page") {
   const Project project;
-  write_text(
-      project.path() / "bare.scene.toml",
+  project.write(
+      "bare.scene.toml",
       "format = 1\nmodel = \"cart_pole.toml\"\nname = \"bare\"\n[outputs]\nmass_matrix = true\n"
       "[emit]\nfiles = [\"header\"]\n");
   CHECK(project.run("elgen generate -q bare.scene.toml").status == 0);
   CHECK(project.run("ls generated/cart_pole_bare").output == "cart_pole_bare.hpp\n");
   CHECK(project.run("elgen generate --check -q bare.scene.toml").status == 0);
-  project.change("sed -i 's/mass_matrix/bias/' bare.scene.toml");
+  project.prepare("sed -i 's/mass_matrix/bias/' bare.scene.toml");
   CHECK(project.run("elgen generate --check -q bare.scene.toml").status == 1);
 }
 
 TEST_CASE("option --stdout prints the header and writes nothing") {
   const Workspace workspace;
-  const Outcome outcome =
-      shell("elgen generate --stdout " + models + "/cart_pole.toml", workspace.path());
+  const Outcome outcome = workspace.run("elgen generate --stdout " + models + "/cart_pole.toml");
   CHECK(outcome.status == 0);
   CHECK(starts_with(outcome.output, marker));
-  CHECK(files_below(workspace.path()).empty());
+  CHECK(workspace.files().empty());
 }
 
 TEST_CASE("option --list-outputs prints the paths and writes nothing") {
   const Workspace workspace;
   const Outcome outcome =
-      shell("elgen generate --list-outputs -o out " + models + "/cart_pole.toml", workspace.path());
+      workspace.run("elgen generate --list-outputs -o out " + models + "/cart_pole.toml");
   CHECK(outcome.status == 0);
   CHECK(outcome.output ==
         "out/cart_pole/cart_pole.equations.json\nout/cart_pole/cart_pole.hpp\n"
         "out/cart_pole/cart_pole.md\n");
-  CHECK(files_below(workspace.path()).empty());
+  CHECK(workspace.files().empty());
 }
 
 TEST_CASE("option --depfile names what the output depends on, in the language of make") {
   const Workspace workspace;
-  prepare("cp -r " + models + " models", workspace.path());
+  workspace.prepare("cp -r " + models + " models");
   const Outcome outcome =
-      shell("elgen generate -q -o out --depfile out.d models/scenes/balance.scene.toml",
-            workspace.path());
+      workspace.run("elgen generate -q -o out --depfile out.d models/scenes/balance.scene.toml");
   REQUIRE(outcome.status == 0);
   const std::string stem = "out/cart_pole_balance/cart_pole_balance";
   const std::string sources = ": models/cart_pole.toml models/scenes/balance.scene.toml\n";
-  CHECK(read_text(workspace.path() / "out.d") ==
+  CHECK(workspace.read("out.d") ==
         stem + ".equations.json" + sources + stem + ".hpp" + sources + stem + ".md" + sources);
 }
 
@@ -82,19 +79,17 @@ TEST_CASE("options that would change the model's own output are refused without 
   const std::string generate = "elgen generate -q " + models + "/chain.toml ";
   for (const std::string option : {"--outputs mass_matrix", "--fix g", "--size n=2"}) {
     INFO(option);
-    CHECK(shell("rm -rf generated && " + generate + option, workspace.path()).status == 0);
-    REQUIRE(shell("rm -rf generated && " + generate, workspace.path()).status == 0);
-    const Outcome outcome = shell(generate + option, workspace.path());
+    CHECK(workspace.run("rm -rf generated && " + generate + option).status == 0);
+    REQUIRE(workspace.run("rm -rf generated && " + generate).status == 0);
+    const Outcome outcome = workspace.run(generate + option);
     CHECK(outcome.status == 2);
     CHECK(mentions(outcome.errors, "[E607]"));
-    CHECK(shell(generate + option + " -o other", workspace.path()).status == 0);
+    CHECK(workspace.run(generate + option + " -o other").status == 0);
   }
 }
 
 TEST_CASE("a line says what was checked, and that [[expect]] was not") {
-  const Workspace workspace;
-  const Outcome outcome =
-      shell("elgen generate -o out " + models + "/simple_pendulum.toml", workspace.path());
+  const Outcome outcome = run("elgen generate -o out " + models + "/simple_pendulum.toml");
   CHECK(outcome.status == 0);
   CHECK(mentions(outcome.errors, "simple_pendulum: the program was checked at "));
   CHECK(mentions(outcome.errors, " uB; [[expect]] is left to `elgen verify`\n"));
@@ -126,10 +121,10 @@ TEST_CASE("a path that would tell of the machine is a name") {
 TEST_CASE("a clone below the folder for temporary files has nothing to do with others there") {
   const Workspace clone;
   const Workspace other;
-  prepare("cp " + models + "/cart_pole.toml . && git init -q", clone.path());
-  prepare("elgen generate -q " + (clone.path() / "cart_pole.toml").string(), other.path());
-  CHECK(starts_with(read_text(other.path() / "generated/cart_pole/cart_pole.hpp"), marker));
-  CHECK(mentions(read_text(other.path() / "generated/cart_pole/cart_pole.hpp"),
+  clone.prepare("cp " + models + "/cart_pole.toml . && git init -q");
+  other.prepare("elgen generate -q " + (clone.path() / "cart_pole.toml").string());
+  CHECK(starts_with(other.read("generated/cart_pole/cart_pole.hpp"), marker));
+  CHECK(mentions(other.read("generated/cart_pole/cart_pole.hpp"),
                  "elgen from cart_pole.toml. DO NOT EDIT."));
 }
 

@@ -14,12 +14,11 @@ class ModelAndScene : public Workspace {
  public:
   ModelAndScene() {
     prepare("mkdir -p scenes && cp " + models + "/cart_pole.toml . && cp " + models +
-                "/scenes/balance.scene.toml scenes && " + generate,
-            path());
+            "/scenes/balance.scene.toml scenes && " + generate);
   }
   [[nodiscard]] Outcome check(const std::string& change) const {
-    prepare(change, path());
-    return shell("elgen generate --check *.toml scenes/*.toml", path());
+    prepare(change);
+    return run("elgen generate --check *.toml scenes/*.toml");
   }
   const std::string generate = "elgen generate -q cart_pole.toml scenes/balance.scene.toml";
 };
@@ -47,7 +46,7 @@ TEST_CASE("the lines that differ are shown where more is asked for") {
 
 TEST_CASE("standard input has no revisions to compare with") {
   const Project project;
-  project.change(turn);
+  project.prepare(turn);
   const Outcome outcome = project.run("elgen generate --check - < cart_pole.toml");
   CHECK(outcome.status == 1);
   CHECK_FALSE(mentions(outcome.errors, "elgen diff"));
@@ -76,11 +75,9 @@ TEST_CASE("files are diagnostics where these are for programs") {
 
 TEST_CASE("what a model says is said once for all of its scenes") {
   const Project project;
-  prepare("mkdir scenes && cp " + std::string(ELGEN_SOURCE_DIR) +
-              "/models/scenes/balance.scene.toml scenes && " + turn,
-          project.path());
-  const Outcome outcome =
-      shell("elgen generate cart_pole.toml scenes/balance.scene.toml", project.path());
+  project.prepare("mkdir scenes && cp " + std::string(ELGEN_SOURCE_DIR) +
+                  "/models/scenes/balance.scene.toml scenes && " + turn);
+  const Outcome outcome = project.run("elgen generate cart_pole.toml scenes/balance.scene.toml");
   CHECK(outcome.status == 0);
   CHECK(count(outcome.errors, "note[E512]") == 1);
 }
@@ -101,7 +98,7 @@ TEST_CASE("output just written is current, and checking writes nothing") {
 
 TEST_CASE("generating again repairs what --check complains about") {
   const Project project;
-  project.change("sed -i 's/mass_matrix/mass_Matrix/' generated/cart_pole/cart_pole.hpp");
+  project.prepare("sed -i 's/mass_matrix/mass_Matrix/' generated/cart_pole/cart_pole.hpp");
   REQUIRE(project.check().status == 1);
   CHECK(project.run("elgen generate -q cart_pole.toml").status == 0);
   CHECK(project.check().status == 0);
@@ -112,16 +109,16 @@ TEST_CASE("the command that --check prints repairs, whatever the options") {
        {"", " --outputs mass_matrix,bias", " --fix g -o 'my out'", " --fix m=1/2 --fix g"}) {
     INFO(options);
     const Workspace workspace;
-    prepare("mkdir 'a b' && cp " + models + "/cart_pole.toml 'a b'", workspace.path());
+    workspace.prepare("mkdir 'a b' && cp " + models + "/cart_pole.toml 'a b'");
     const std::string check = "elgen generate --check 'a b/cart_pole.toml'" + options;
-    const std::string errors = shell(check, workspace.path()).errors;
+    const std::string errors = workspace.run(check).errors;
     const std::string lead = "to repair: ";
     REQUIRE(mentions(errors, lead));
     const std::size_t start = errors.find(lead) + lead.size();
     const std::string repair = errors.substr(start, errors.find('\n', start) - start);
     INFO(repair);
-    CHECK(shell(repair, workspace.path()).status == 0);
-    CHECK(shell(check, workspace.path()).status == 0);
+    CHECK(workspace.run(repair).status == 0);
+    CHECK(workspace.run(check).status == 0);
   }
 }
 
@@ -156,7 +153,7 @@ TEST_CASE("the folder of a file that moved or went is found") {
 
 TEST_CASE("folders of files that are there and were not asked for are left alone") {
   const ModelAndScene project;
-  CHECK(shell("elgen generate --check cart_pole.toml", project.path()).status == 0);
+  CHECK(project.run("elgen generate --check cart_pole.toml").status == 0);
 }
 
 TEST_CASE("a file beside the generated ones is an orphan if it bears our mark") {

@@ -21,24 +21,24 @@ std::string turning(const std::string& parent, const std::string& child) {
 /// What an import of a robot says: b and c have no mass, d has, a has and is the world.
 std::string said(const std::string& options) {
   const Workspace workspace;
-  write_text(workspace.path() / "r.urdf",
-             "<robot name=\"r\"><link name=\"a\">" + mass +
-                 "</link>\n<gazebo/>\n<gazebo/>\n<link name=\"b\"/>\n<link name=\"c\"/>\n"
-                 "<link name=\"d\">" +
-                 mass + "</link>\n<spring/>\n" + turning("a", "b") + turning("b", "c") +
-                 turning("c", "d") + "</robot>\n");
-  return shell("elgen import -o r.toml " + options + " r.urdf", workspace.path()).errors;
+  workspace.write("r.urdf",
+                  "<robot name=\"r\"><link name=\"a\">" + mass +
+                      "</link>\n<gazebo/>\n<gazebo/>\n<link name=\"b\"/>\n<link name=\"c\"/>\n"
+                      "<link name=\"d\">" +
+                      mass + "</link>\n<spring/>\n" + turning("a", "b") + turning("b", "c") +
+                      turning("c", "d") + "</robot>\n");
+  return workspace.run("elgen import -o r.toml " + options + " r.urdf").errors;
 }
 
 }  // namespace
 
 TEST_CASE("the model goes to stdout, notes to stderr") {
   const Workspace workspace;
-  const Outcome outcome = shell("elgen import " + robot, workspace.path());
+  const Outcome outcome = workspace.run("elgen import " + robot);
   CHECK(outcome.status == 0);
   CHECK(outcome.output == read_text(golden));
   CHECK(mentions(outcome.errors, "note[E815]: `<gazebo>` in `<robot>` is not imported"));
-  CHECK(files_below(workspace.path()).empty());
+  CHECK(workspace.files().empty());
 }
 
 TEST_CASE("option -o writes a file and names the model, --force writes it again") {
@@ -47,34 +47,33 @@ TEST_CASE("option -o writes a file and names the model, --force writes it again"
   std::string named_arm = read_text(golden);
   const std::string name = "name        = \"gripper_1\"";
   named_arm.replace(named_arm.find(name), name.size(), "name        = \"arm\"");
-  const Outcome first = shell(command, workspace.path());
+  const Outcome first = workspace.run(command);
   CHECK(first.status == 0);
   CHECK(first.output.empty());
   CHECK(mentions(first.errors, "wrote new/arm.toml"));
-  CHECK(read_text(workspace.path() / "new/arm.toml") == named_arm);
+  CHECK(workspace.read("new/arm.toml") == named_arm);
 
-  write_text(workspace.path() / "new/arm.toml", "mine\n");
-  const Outcome second = shell(command, workspace.path());
+  workspace.write("new/arm.toml", "mine\n");
+  const Outcome second = workspace.run(command);
   CHECK(second.status == 4);
   CHECK(mentions(second.errors, "error[E703]: `new/arm.toml` exists\n      --force overwrites it"));
-  CHECK(read_text(workspace.path() / "new/arm.toml") == "mine\n");
-  CHECK(shell(command + " --force", workspace.path()).status == 0);
-  CHECK(read_text(workspace.path() / "new/arm.toml") == named_arm);
-  CHECK(files_below(workspace.path()) == "./new/arm.toml\n");
+  CHECK(workspace.read("new/arm.toml") == "mine\n");
+  CHECK(workspace.run(command + " --force").status == 0);
+  CHECK(workspace.read("new/arm.toml") == named_arm);
+  CHECK(workspace.files() == "./new/arm.toml\n");
 }
 
 TEST_CASE("a mistake in the robot writes nothing and exits with 2") {
   const Workspace workspace;
-  write_text(workspace.path() / "bad.urdf", "<robot name=\"r\"></robot>\n");
-  const Outcome outcome = shell("elgen import bad.urdf -o bad.toml", workspace.path());
+  workspace.write("bad.urdf", "<robot name=\"r\"></robot>\n");
+  const Outcome outcome = workspace.run("elgen import bad.urdf -o bad.toml");
   CHECK(outcome.status == 2);
   CHECK(outcome.output.empty());
-  CHECK(files_below(workspace.path()) == "./bad.urdf\n");
+  CHECK(workspace.files() == "./bad.urdf\n");
 }
 
 TEST_CASE("a file beyond the limit is not read") {
-  const Workspace workspace;
-  const Outcome outcome = shell("elgen --limit file_bytes=100 import " + robot, workspace.path());
+  const Outcome outcome = run("elgen --limit file_bytes=100 import " + robot);
   CHECK(outcome.status == 2);
   CHECK(mentions(outcome.errors, "[E901]"));
 }

@@ -47,7 +47,7 @@ TEST_CASE("every command has its result as JSON, or refuses") {
   for (const JsonRow& row : json_rows) {
     INFO(row.line);
     said.insert(row.command);
-    const Outcome outcome = shell("elgen " + row.line, workspace.path());
+    const Outcome outcome = workspace.run("elgen " + row.line);
     CHECK(outcome.status == 0);
     CHECK(outcome.errors.empty());
     const auto json = nlohmann::json::parse(outcome.output);
@@ -68,7 +68,7 @@ TEST_CASE("what is no JSON is refused, as JSON") {
   const Workspace workspace;
   for (const std::string& line : refused) {
     INFO(line);
-    const Outcome outcome = shell("elgen " + line, workspace.path());
+    const Outcome outcome = workspace.run("elgen " + line);
     CHECK(outcome.status == 2);
     CHECK(outcome.output.empty());
     CHECK(nlohmann::json::parse(outcome.errors).at("code") == "E913");
@@ -79,7 +79,7 @@ TEST_CASE("a generated system names its files, and which of them are new") {
   const Workspace workspace;
   const std::string generate = "elgen generate --format json -o out " + pendulum;
   const auto system = [&] {
-    return nlohmann::json::parse(shell(generate, workspace.path()).output).at("systems").at(0);
+    return nlohmann::json::parse(workspace.run(generate).output).at("systems").at(0);
   };
   const auto first = system();
   CHECK(first.at("name") == "simple_pendulum");
@@ -94,10 +94,9 @@ TEST_CASE("a generated system names its files, and which of them are new") {
 TEST_CASE("rows of a run are printed, as far apart as is asked for") {
   const Workspace workspace;
   const std::string simulate = "elgen simulate --time 1 --every 0.5 " + pendulum;
-  const auto run =
-      nlohmann::json::parse(shell(simulate + " --format json", workspace.path()).output);
+  const auto run = nlohmann::json::parse(workspace.run(simulate + " --format json").output);
   CHECK(run.at("rows").size() == 3);
-  const Outcome lost = shell(simulate, workspace.path());
+  const Outcome lost = workspace.run(simulate);
   CHECK(lost.status == 2);
   CHECK(mentions(lost.errors, "`--every` is of rows"));
 }
@@ -105,11 +104,9 @@ TEST_CASE("rows of a run are printed, as far apart as is asked for") {
 TEST_CASE("what --as says decides what is printed, whatever the format of messages") {
   const Workspace workspace;
   const std::string show = "elgen show --what gravity " + pendulum;
-  CHECK(shell(show + " --as text --format json", workspace.path()).output ==
-        shell(show, workspace.path()).output);
+  CHECK(workspace.run(show + " --as text --format json").output == workspace.run(show).output);
   CHECK(starts_with(
-      shell("elgen tradeoff --trajectory 0.1 --as csv --format json " + pendulum, workspace.path())
-          .output,
+      workspace.run("elgen tradeoff --trajectory 0.1 --as csv --format json " + pendulum).output,
       "method,"));
 }
 

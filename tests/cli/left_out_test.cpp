@@ -30,8 +30,8 @@ const std::string kinked_note =
     "      |           ^~~~~~~~~~~~~ a smooth stand-in has them: `tanh(x/width)` for `sign(x)`\n";
 
 Outcome run_on(const std::string& command, const std::string& model, const Workspace& workspace) {
-  write_text(workspace.path() / "row.toml", model);
-  return shell("elgen " + command, workspace.path());
+  workspace.write("row.toml", model);
+  return workspace.run("elgen " + command);
 }
 
 }  // namespace
@@ -67,20 +67,20 @@ TEST_CASE("every file says what is left out of it") {
                     "    3 | name = \"row\"\n"
                     "      |         ^~~ a scene or `--outputs` that names an output gets it\n"));
   const std::string stem = "generated/row/row";
-  CHECK(mentions(read_text(workspace.path() / (stem + ".hpp")),
+  CHECK(mentions(workspace.read(stem + ".hpp"),
                  "\n// Left out, with more than 4096 entries: linearization. A scene or --outputs "
                  "that names an output\n// "
                  "gets it.\n"));
-  CHECK(mentions(read_text(workspace.path() / (stem + ".md")),
+  CHECK(mentions(workspace.read(stem + ".md"),
                  "\nLeft out, with more than 4096 entries: linearization. "));
-  CHECK(mentions(read_text(workspace.path() / (stem + ".equations.json")),
+  CHECK(mentions(workspace.read(stem + ".equations.json"),
                  "\n  \"left_out\": {\"linearization\": \"too many entries\"},\n"));
 }
 
 TEST_CASE("headers in C say it too, and a scene without [outputs]") {
   const Workspace workspace;
-  write_text(workspace.path() / "c.scene.toml",
-             "format = 1\nmodel = \"row.toml\"\nname = \"c\"\n[emit]\nlanguage = \"c99\"\n");
+  workspace.write("c.scene.toml",
+                  "format = 1\nmodel = \"row.toml\"\nname = \"c\"\n[emit]\nlanguage = \"c99\"\n");
   const Outcome outcome = run_on("generate --stdout c.scene.toml", masses(1, friction), workspace);
   CHECK(outcome.status == 0);
   CHECK(mentions(outcome.errors, "[E619]"));
@@ -89,13 +89,13 @@ TEST_CASE("headers in C say it too, and a scene without [outputs]") {
 
 TEST_CASE("a scene gets the large outputs that it names") {
   const Workspace workspace;
-  write_text(workspace.path() / "large.scene.toml",
-             "format = 1\nmodel = \"row.toml\"\nname = \"large\"\n"
-             "[outputs]\nlinearization = true\n");
+  workspace.write("large.scene.toml",
+                  "format = 1\nmodel = \"row.toml\"\nname = \"large\"\n"
+                  "[outputs]\nlinearization = true\n");
   const Outcome outcome = run_on("generate large.scene.toml", masses(33), workspace);
   CHECK(outcome.status == 0);
   CHECK_FALSE(mentions(outcome.errors, "E619"));
-  const std::string header = read_text(workspace.path() / "generated/row_large/row_large.hpp");
+  const std::string header = workspace.read("generated/row_large/row_large.hpp");
   CHECK(mentions(header, "linearization("));
   CHECK_FALSE(mentions(header, "Left out"));
 }

@@ -36,7 +36,7 @@ std::vector<nlohmann::json> messages_of(const std::string& errors) {
 /// What a terminal receives.
 std::string on_terminal(const std::string& command) {
   const Workspace workspace;
-  return shell("script -q -e -c \"" + command + "\" /dev/null", workspace.path()).output;
+  return workspace.run("script -q -e -c \"" + command + "\" /dev/null").output;
 }
 
 /// What `show` prints on a terminal of 60 columns.
@@ -111,7 +111,7 @@ TEST_CASE("every line is a message, with all that is said of all inputs") {
   std::vector<std::vector<nlohmann::json>> said;
   for (const auto& [command, status] : ends) {
     INFO(command);
-    const Outcome outcome = shell(names + command + " --format json", workspace.path());
+    const Outcome outcome = workspace.run(names + command + " --format json");
     CHECK(outcome.status == status);
     said.push_back(messages_of(outcome.errors));
   }
@@ -128,36 +128,34 @@ TEST_CASE("a limit that is met while a message is written is told behind it") {
       "format = 1\n[model]\nname = \"m\"\n[[coordinate]]\nname = \"q\"\nunit = \"1\"\n[define]\n";
   for (int i = 0; i < 600; ++i) text += fmt::format("d{0} = \"nothing{0}*q + other{0}\"\n", i);
   const Workspace workspace;
-  write_text(workspace.path() / "m.toml", text + "[energy]\nT = \"dot(q)^2\"\n");
-  prepare(
+  workspace.write("m.toml", text + "[energy]\nT = \"dot(q)^2\"\n");
+  workspace.prepare(
       "mkfifo pipe && { elgen show --format json m.toml 2> pipe & echo $! > id; } && "
-      "exec 3< pipe && sleep 0.5 && kill -XCPU $(cat id) && cat <&3 > out",
-      workspace.path());
-  const auto messages = messages_of(read_text(workspace.path() / "out"));
+      "exec 3< pipe && sleep 0.5 && kill -XCPU $(cat id) && cat <&3 > out");
+  const auto messages = messages_of(workspace.read("out"));
   REQUIRE_FALSE(messages.empty());
   CHECK(messages.back().at("code") == "E909");
 }
 
 TEST_CASE("commands of a workflow stand among what people read") {
   const Workspace workspace;
-  prepare("cp " + broken + "/near_miss_name.toml m.toml", workspace.path());
-  const Outcome outcome = shell("elgen show --format github m.toml", workspace.path());
+  workspace.prepare("cp " + broken + "/near_miss_name.toml m.toml");
+  const Outcome outcome = workspace.run("elgen show --format github m.toml");
   CHECK(outcome.status == 2);
   CHECK(
       starts_with(outcome.errors, "::error file=m.toml,line=27,col=20,title=E201 unknown name::"));
   CHECK(mentions(
-      shell("elgen generate --format github " + models + "/simple_pendulum.toml", workspace.path())
-          .errors,
+      workspace.run("elgen generate --format github " + models + "/simple_pendulum.toml").errors,
       "wrote generated/simple_pendulum/simple_pendulum.hpp\n"));
 }
 
 TEST_CASE("programs that read all are told nothing else, and what is for people is refused") {
   const Workspace workspace;
   const std::string generate = "elgen generate " + models + "/simple_pendulum.toml ";
-  CHECK(shell(generate + "--format json", workspace.path()).errors.empty());
+  CHECK(workspace.run(generate + "--format json").errors.empty());
   for (const std::string option : {"--timings", "-v", "--dump lower"}) {
     INFO(option);
-    const Outcome outcome = shell(generate + "--format json " + option, workspace.path());
+    const Outcome outcome = workspace.run(generate + "--format json " + option);
     CHECK(outcome.status == 2);
     CHECK(nlohmann::json::parse(outcome.errors).at("code") == "E913");
   }
@@ -176,20 +174,15 @@ TEST_CASE("a short job shows no progress") {
 }
 
 TEST_CASE("a pipe is shown no progress") {
-  const Workspace workspace;
-  const Outcome outcome =
-      shell("elgen generate -q --size n=20 -o out " + models + "/chain.toml", workspace.path());
+  const Outcome outcome = run("elgen generate -q --size n=20 -o out " + models + "/chain.toml");
   CHECK(outcome.errors.empty());
   CHECK(outcome.output.empty());
 }
 
 TEST_CASE("the line of progress is gone before anything else is printed") {
-  const Workspace workspace;
-  const std::string seen =
-      shell("script -q -e -c \"elgen generate -q --timings --size n=20 -o out " + models +
-                "/chain.toml\" /dev/null",
-            workspace.path())
-          .output;
+  const std::string seen = run("script -q -e -c \"elgen generate -q --timings --size n=20 -o out " +
+                               models + "/chain.toml\" /dev/null")
+                               .output;
   CHECK(mentions(seen, clear_line + "       parse"));
 }
 

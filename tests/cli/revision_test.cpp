@@ -16,9 +16,9 @@ class Repository : public Workspace {
   explicit Repository(const std::string& folder = "repository", const std::string& before = "true")
       : root_(path() / folder) {
     std::filesystem::create_directories(root_ / "m");
-    prepare("git init -q && " + before + " && cp " + models + "/cart_pole.toml m && " + commit +
-                " && " + turned + "m/cart_pole.toml",
-            root_);
+    test::prepare("git init -q && " + before + " && cp " + models + "/cart_pole.toml m && " +
+                      commit + " && " + turned + "m/cart_pole.toml",
+                  root_);
   }
   [[nodiscard]] Outcome run(const std::string& command) const { return shell(command, root_); }
   [[nodiscard]] const std::filesystem::path& root() const { return root_; }
@@ -45,13 +45,13 @@ void expect_refused(const Outcome& outcome, const std::string& words) {
 
 TEST_CASE("a repository without models, and no repository") {
   const Workspace workspace;
-  expect_refused(shell("elgen diff --against HEAD", workspace.path()),
+  expect_refused(workspace.run("elgen diff --against HEAD"),
                  "there is no repository here: fatal: not a git repository");
-  prepare("git init -q && touch a", workspace.path());
-  expect_refused(shell("elgen diff --against HEAD", workspace.path()),
+  workspace.prepare("git init -q && touch a");
+  expect_refused(workspace.run("elgen diff --against HEAD"),
                  "`HEAD` is no revision: fatal: Needed a single revision");
-  prepare(commit + " && cp " + models + "/cart_pole.toml .", workspace.path());
-  const Outcome outcome = shell("elgen diff --against HEAD", workspace.path());
+  workspace.prepare(commit + " && cp " + models + "/cart_pole.toml .");
+  const Outcome outcome = workspace.run("elgen diff --against HEAD");
   CHECK(outcome.status == 1);
   CHECK(starts_with(outcome.output, "added        cart_pole.toml\n"));
   CHECK(mentions(outcome.output, "extended     "));

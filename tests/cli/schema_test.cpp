@@ -30,7 +30,7 @@ std::string judging_python() {
   const Workspace workspace;
   for (const std::string python : {"python3", "/usr/bin/python3"}) {
     const std::string question = python + " -c 'import jsonschema, tomllib'";
-    if (shell(question, workspace.path()).status == 0) return python;
+    if (workspace.run(question).status == 0) return python;
   }
   std::cout << "skipped: python3-jsonschema is not installed\n";
   return {};
@@ -39,15 +39,15 @@ std::string judging_python() {
 /// What `elgen schema NAME` prints.
 std::string schema_of(const std::string& name) {
   const Workspace workspace;
-  return shell("elgen schema " + name, workspace.path()).output;
+  return workspace.run("elgen schema " + name).output;
 }
 
 /// A workspace with the judge and a schema.
 class Judged : public Workspace {
  public:
   explicit Judged(const std::string& schema) : python_(judging_python()) {
-    write_text(path() / "judge.py", judge);
-    write_text(path() / "schema.json", schema);
+    write("judge.py", judge);
+    write("schema.json", schema);
   }
 
   void accepts(const std::string& files) const {
@@ -67,7 +67,7 @@ class Judged : public Workspace {
 
  private:
   [[nodiscard]] Outcome judged(const std::string& files) const {
-    return shell(python_ + " judge.py schema.json " + files, path());
+    return run(python_ + " judge.py schema.json " + files);
   }
 
   std::string python_;
@@ -88,7 +88,7 @@ TEST_CASE("an unknown key, a missing one and a wrong word do not satisfy the sch
     std::string text = cart;
     const std::size_t at = text.find(part);
     REQUIRE(at != std::string::npos);
-    write_text(workspace.path() / "m.toml", text.replace(at, part.size(), other));
+    workspace.write("m.toml", text.replace(at, part.size(), other));
   };
   edited("format = 1", "fromat = 1");
   workspace.refuses("m.toml", "$");
@@ -116,8 +116,7 @@ TEST_CASE("editors find every key that is read, with its words and documentation
 }
 
 TEST_CASE("a schema that is not there is refused") {
-  const Workspace workspace;
-  const Outcome outcome = shell("elgen schema modle", workspace.path());
+  const Outcome outcome = run("elgen schema modle");
   CHECK(outcome.status == 2);
   CHECK(outcome.output.empty());
 }

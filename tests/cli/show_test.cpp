@@ -9,7 +9,7 @@ namespace {
 
 Outcome show(const std::string& words) {
   const Workspace workspace;
-  return shell("elgen show " + words, workspace.path());
+  return workspace.run("elgen show " + words);
 }
 
 std::string model(const std::string& name) {
@@ -18,13 +18,12 @@ std::string model(const std::string& name) {
 
 bool has_program(const std::string& name) {
   const Workspace workspace;
-  return shell("command -v " + name, workspace.path()).status == 0;
+  return workspace.run("command -v " + name).status == 0;
 }
 
 std::string costs(const std::string& input) {
   const Workspace workspace;
-  const Outcome outcome =
-      shell("elgen show -q --what cost " + models + "/" + input, workspace.path());
+  const Outcome outcome = workspace.run("elgen show -q --what cost " + models + "/" + input);
   CHECK(outcome.status == 0);
   return outcome.output;
 }
@@ -41,7 +40,7 @@ TEST_CASE("show prints what is not zero, in the model language") {
 
 TEST_CASE("a chain of one mass has no springs between masses") {
   const Workspace workspace;
-  write_text(workspace.path() / "springs.toml", R"toml(format = 1
+  workspace.write("springs.toml", R"toml(format = 1
 [model]
 name = "springs"
 [sizes]
@@ -57,13 +56,13 @@ k = { value = 5, unit = "N/m" }
 T = "sum(i, 1, n, 1/2*m*dot(x[i])^2)"
 V = "1/2*k*x[1]^2 + sum(i, 1, n - 1, 1/2*k*(x[i + 1] - x[i])^2)"
 )toml");
-  const Outcome one = shell("elgen show --size n=1 springs.toml", workspace.path());
+  const Outcome one = workspace.run("elgen show --size n=1 springs.toml");
   INFO(one.output + one.errors);
   CHECK(one.status == 0);
   CHECK(mentions(one.output, "potential_energy = 1/2*k*x[1]^2"));
-  CHECK(shell("elgen generate -q --size n=1 springs.toml", workspace.path()).status == 0);
-  prepare("sed 's/n = 3/n = 1/' springs.toml > one.toml", workspace.path());
-  CHECK(shell("elgen verify --samples 16 one.toml", workspace.path()).status == 0);
+  CHECK(workspace.run("elgen generate -q --size n=1 springs.toml").status == 0);
+  workspace.prepare("sed 's/n = 3/n = 1/' springs.toml > one.toml");
+  CHECK(workspace.run("elgen verify --samples 16 one.toml").status == 0);
 }
 
 TEST_CASE("what is asked for by name is shown, zero or not") {
@@ -141,10 +140,10 @@ TEST_CASE("pdflatex takes the page of every model, without overfull lines") {
     if (file.path().extension() != ".toml") continue;
     for (const char* what : {"", " --what steps"}) {
       INFO(file.path() << what);
-      const Outcome outcome = shell("elgen show -q " + file.path().string() + what +
-                                        " --as latex > page.tex && "
-                                        "pdflatex -interaction=nonstopmode -halt-on-error page.tex",
-                                    workspace.path());
+      const Outcome outcome =
+          workspace.run("elgen show -q " + file.path().string() + what +
+                        " --as latex > page.tex && "
+                        "pdflatex -interaction=nonstopmode -halt-on-error page.tex");
       CHECK(outcome.status == 0);
       CHECK_FALSE(mentions(outcome.output, "Overfull"));
     }
@@ -153,7 +152,7 @@ TEST_CASE("pdflatex takes the page of every model, without overfull lines") {
 
 TEST_CASE("plain numbers give the equations of named parameters that are fixed") {
   const Workspace workspace;
-  write_text(workspace.path() / "named.toml", R"toml(format = 1
+  workspace.write("named.toml", R"toml(format = 1
 [model]
 name = "rod_on_cart"
 [[coordinate]]
@@ -191,13 +190,12 @@ vector = [0, "-g"]
 at = "cart"
 value = ["F", 0]
 )toml");
-  prepare(
+  workspace.prepare(
       "sed -e '/parameters/,/^F/d' -e 's/\"J\"/0.02/; s/\"M\"/2/; s/\"h\"/0.5/; s/\"F\"/3/' "
       "-e 's/\"Iz\"/\"1\\/30\"/; s/\"-g\"/-9.81/' named.toml > plain.toml; "
-      "sed '/^unit/d' plain.toml > free.toml",
-      workspace.path());
+      "sed '/^unit/d' plain.toml > free.toml");
   const auto equations = [&](const std::string& words) {
-    const Outcome outcome = shell("elgen show -q " + words, workspace.path());
+    const Outcome outcome = workspace.run("elgen show -q " + words);
     CHECK(outcome.status == 0);
     CHECK(outcome.errors.empty());
     const std::size_t first = outcome.output.find("mass_matrix");
@@ -207,7 +205,7 @@ value = ["F", 0]
   const std::string named = equations("named.toml --fix all");
   CHECK(equations("plain.toml") == named);
   CHECK(equations("free.toml") == named);
-  CHECK(mentions(shell("elgen show plain.toml", workspace.path()).errors, "note[E405]"));
+  CHECK(mentions(workspace.run("elgen show plain.toml").errors, "note[E405]"));
 }
 
 TEST_CASE("a model's outputs have a cost and a time") {
@@ -230,13 +228,13 @@ TEST_CASE("a scene is compared with its full model") {
 TEST_CASE("a scene is compared with the full model of its own size") {
   const Workspace workspace;
   const std::string scene = "format = 1\nmodel = \"" + models + "/chain.toml\"\nname = \"long\"\n";
-  write_text(workspace.path() / "long.scene.toml", scene + "[sizes]\nn = 4\n");
-  write_text(workspace.path() / "same.scene.toml", scene);
+  workspace.write("long.scene.toml", scene + "[sizes]\nn = 4\n");
+  workspace.write("same.scene.toml", scene);
   for (const std::string& command :
        {std::string("long.scene.toml"), std::string("same.scene.toml --size n=4"),
         std::string("long.scene.toml --size n=3")}) {
     INFO(command);
-    const Outcome outcome = shell("elgen show -q --what cost " + command, workspace.path());
+    const Outcome outcome = workspace.run("elgen show -q --what cost " + command);
     CHECK(outcome.status == 0);
     // Nothing is fixed or locked: every output costs what it costs in the full model.
     CHECK(mentions(outcome.output, "   100 %"));

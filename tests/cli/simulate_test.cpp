@@ -7,11 +7,9 @@
 namespace elgen::test {
 
 TEST_CASE("a run prints its last state and its drifts, by a method of `step` without a compiler") {
-  const Workspace workspace;
-  const Outcome outcome = shell(
-      "CXX=/nowhere elgen simulate -q --time 2 --method midpoint --step 0.01 --state theta=1 " +
-          models + "/simple_pendulum.toml",
-      workspace.path());
+  const Outcome outcome =
+      run("CXX=/nowhere elgen simulate -q --time 2 --method midpoint --step 0.01 --state theta=1 " +
+          models + "/simple_pendulum.toml");
   INFO(outcome.errors);
   CHECK(outcome.status == 0);
   CHECK(starts_with(outcome.output, "simple_pendulum by midpoint: 200 steps to t = 2\n  theta  "));
@@ -22,26 +20,25 @@ TEST_CASE("a run prints its last state and its drifts, by a method of `step` wit
 TEST_CASE("rows are written as the ending of the file says, and nothing is overwritten unasked") {
   const Workspace workspace;
   const auto run = [&](const std::string& rest) {
-    return shell("elgen simulate -q --time 1 " + rest + " " + models + "/cart_pole.toml",
-                 workspace.path());
+    return workspace.run("elgen simulate -q --time 1 " + rest + " " + models + "/cart_pole.toml");
   };
   REQUIRE(run("--every 0.5 --input 'u=-3*theta' -o x.csv").status == 0);
-  const std::string table = read_text(workspace.path() / "x.csv");
+  const std::string table = workspace.read("x.csv");
   CHECK(starts_with(table, "t,x,theta,dot(x),dot(theta),u,E\n0,"));
   CHECK(std::count(table.begin(), table.end(), '\n') == 4);
   CHECK(run("-o x.csv").status == 4);
   CHECK(run("--force -o x.csv").status == 0);
   REQUIRE(run("-o x.json").status == 0);
-  const auto object = nlohmann::json::parse(read_text(workspace.path() / "x.json"));
+  const auto object = nlohmann::json::parse(workspace.read("x.json"));
   CHECK(object["rows"].size() == 1001);
   CHECK(object["model"] == "cart_pole");
   REQUIRE(run("-o x.svg").status == 0);
-  CHECK(starts_with(read_text(workspace.path() / "x.svg"), "<svg "));
+  CHECK(starts_with(workspace.read("x.svg"), "<svg "));
 }
 
 TEST_CASE("a run that ends early writes nothing and exits with 1") {
   const Workspace workspace;
-  write_text(workspace.path() / "runaway.toml", R"toml(format = 1
+  workspace.write("runaway.toml", R"toml(format = 1
 [model]
 name = "runaway"
 [[coordinate]]
@@ -51,21 +48,21 @@ start = { value = 1, rate = 0 }
 T = "dot(x)^2"
 V = "-x^4"
 )toml");
-  const Outcome outcome = shell(
-      "elgen simulate -q --time 9 --method rk4 --step 0.1 -o x.csv runaway.toml", workspace.path());
+  const Outcome outcome =
+      workspace.run("elgen simulate -q --time 9 --method rk4 --step 0.1 -o x.csv runaway.toml");
   CHECK(outcome.status == 1);
   CHECK(mentions(outcome.errors, "[E624]"));
-  CHECK(files_below(workspace.path()) == "./runaway.toml\n");
+  CHECK(workspace.files() == "./runaway.toml\n");
 }
 
 TEST_CASE("scenes run whatever code they ask for, with what they lock and fix") {
   const Workspace workspace;
-  write_text(workspace.path() / "held.scene.toml",
-             "format = 1\nmodel = \"" + models + "/two_link_arm.toml\"\nname = \"held\"\n" +
-                 "[outputs]\nbias = { rename = \"forward_dynamics\" }\n"
-                 "[lock]\nq2 = { value = \"1/2\" }\n[numeric]\nscalar = [\"float\"]\n"
-                 "[emit]\nlanguage = \"c99\"\n");
-  const Outcome outcome = shell("elgen simulate -q --time 1 held.scene.toml", workspace.path());
+  workspace.write("held.scene.toml",
+                  "format = 1\nmodel = \"" + models + "/two_link_arm.toml\"\nname = \"held\"\n" +
+                      "[outputs]\nbias = { rename = \"forward_dynamics\" }\n"
+                      "[lock]\nq2 = { value = \"1/2\" }\n[numeric]\nscalar = [\"float\"]\n"
+                      "[emit]\nlanguage = \"c99\"\n");
+  const Outcome outcome = workspace.run("elgen simulate -q --time 1 held.scene.toml");
   INFO(outcome.errors);
   CHECK(outcome.status == 0);
   CHECK(starts_with(outcome.output, "two_link_arm_held by dopri5: "));
@@ -73,10 +70,8 @@ TEST_CASE("scenes run whatever code they ask for, with what they lock and fix") 
 }
 
 TEST_CASE("every model runs from its own start") {
-  const Workspace workspace;
   const Outcome outcome =
-      shell("for m in " + models + "/*.toml; do elgen simulate -q --time 0.1 $m || echo $m; done",
-            workspace.path());
+      run("for m in " + models + "/*.toml; do elgen simulate -q --time 0.1 $m || echo $m; done");
   INFO(outcome.output + outcome.errors);
   CHECK_FALSE(mentions(outcome.errors, "error["));
   CHECK_FALSE(mentions(outcome.output, "\n/"));
@@ -85,15 +80,14 @@ TEST_CASE("every model runs from its own start") {
 TEST_CASE(
     "commands that run a system take scenes of C and of float, and with a step of their own") {
   const Workspace workspace;
-  write_text(workspace.path() / "c.scene.toml",
-             "format = 1\nmodel = \"" ELGEN_SOURCE_DIR
-             "/models/simple_pendulum.toml\"\n"
-             "name = \"c\"\n[outputs]\ngravity = true\nstep = { method = \"rk4\" }\n"
-             "[numeric]\nscalar = [\"float\"]\n[emit]\nlanguage = \"c99\"\n");
+  workspace.write("c.scene.toml",
+                  "format = 1\nmodel = \"" ELGEN_SOURCE_DIR
+                  "/models/simple_pendulum.toml\"\n"
+                  "name = \"c\"\n[outputs]\ngravity = true\nstep = { method = \"rk4\" }\n"
+                  "[numeric]\nscalar = [\"float\"]\n[emit]\nlanguage = \"c99\"\n");
   for (const char* method : {"dopri5", "verlet --step 0.01"}) {
     const Outcome outcome =
-        shell(std::string("elgen simulate -q --time 0.1 c.scene.toml --method ") + method,
-              workspace.path());
+        workspace.run(std::string("elgen simulate -q --time 0.1 c.scene.toml --method ") + method);
     INFO(outcome.errors);
     CHECK(outcome.status == 0);
   }

@@ -17,31 +17,30 @@ nlohmann::json table_in(const Outcome& outcome) {
 
 /// A compiler that tells of every library it makes, and refuses those whose source has a word.
 void write_compiler(const Workspace& workspace, const std::string& refused) {
-  write_text(workspace.path() / "compiler.sh",
-             "for word; do case $word in */timing_driver.cpp)\n"
-             "  echo made >> " +
-                 (workspace.path() / "made").string() + "\n" + "  grep -q '" + refused +
-                 "' \"$word\" && exit 1 ;; esac; done\nexec c++ \"$@\"\n");
+  workspace.write("compiler.sh",
+                  "for word; do case $word in */timing_driver.cpp)\n"
+                  "  echo made >> " +
+                      (workspace.path() / "made").string() + "\n" + "  grep -q '" + refused +
+                      "' \"$word\" && exit 1 ;; esac; done\nexec c++ \"$@\"\n");
 }
 
 /// A model, a scene of it, and a compiler that compiles nothing.
-class Base {
+class Base : public Workspace {
  public:
   Base() {
-    write_text(path() / "rotor.toml",
-               "format = 1\n[model]\nname = \"rotor\"\n[[coordinate]]\nname = \"q\"\n"
-               "unit = \"rad\"\n[parameters]\nJ = { value = 2, unit = \"kg*m^2\" }\n"
-               "k = { value = 3, unit = \"J\" }\n"
-               "[energy]\nT = \"1/2*J*dot(q)^2\"\nV = \"k*(1 - cos(q))\"\n");
-    write_text(path() / "two.scene.toml",
-               "format = 1\nmodel = \"rotor.toml\"\nname = \"two\"\n[outputs]\n"
-               "potential_energy = true\ngravity = true\n");
-    write_text(path() / "idle.sh", "test \"$1\" = --version\n");
+    write("rotor.toml",
+          "format = 1\n[model]\nname = \"rotor\"\n[[coordinate]]\nname = \"q\"\n"
+          "unit = \"rad\"\n[parameters]\nJ = { value = 2, unit = \"kg*m^2\" }\n"
+          "k = { value = 3, unit = \"J\" }\n"
+          "[energy]\nT = \"1/2*J*dot(q)^2\"\nV = \"k*(1 - cos(q))\"\n");
+    write("two.scene.toml",
+          "format = 1\nmodel = \"rotor.toml\"\nname = \"two\"\n[outputs]\n"
+          "potential_energy = true\ngravity = true\n");
+    write("idle.sh", "test \"$1\" = --version\n");
   }
 
-  [[nodiscard]] const std::filesystem::path& path() const { return workspace_.path(); }
   [[nodiscard]] Outcome measure(const std::string& words) const {
-    return shell("CXX='sh idle.sh' elgen tradeoff --format json " + words, path());
+    return run("CXX='sh idle.sh' elgen tradeoff --format json " + words);
   }
   [[nodiscard]] std::string subject(const std::string& words) const {
     const Outcome outcome = measure(words);
@@ -49,20 +48,16 @@ class Base {
     REQUIRE(outcome.status == 4);
     return nlohmann::json::parse(outcome.output).at("subject");
   }
-
- private:
-  Workspace workspace_;
 };
 
 }  // namespace
 
 TEST_CASE("a model gives ten designs, and the scene of the one chosen is as good under verify") {
   const Workspace workspace;
-  const Outcome outcome = shell(
+  const Outcome outcome = workspace.run(
       "elgen tradeoff --as json --max-error 1e-6 --write-scene "
       "fast.scene.toml -o front.svg " +
-          models + "/cart_pole.toml",
-      workspace.path());
+      models + "/cart_pole.toml");
   const nlohmann::json table = table_in(outcome);
   CHECK(table["subject"] == "inverse_dynamics");
   REQUIRE(table["designs"].size() == 10);
@@ -74,22 +69,21 @@ TEST_CASE("a model gives ten designs, and the scene of the one chosen is as good
   }
   CHECK(table["designs"][0]["front"] == true);
   CHECK(mentions(outcome.errors, "cheapest within 1e-06: "));
-  CHECK(starts_with(read_text(workspace.path() / "front.svg"), "<svg "));
-  const Outcome verified = shell("elgen verify --quick fast.scene.toml", workspace.path());
+  CHECK(starts_with(workspace.read("front.svg"), "<svg "));
+  const Outcome verified = workspace.run("elgen verify --quick fast.scene.toml");
   INFO(verified.output + verified.errors);
   CHECK(verified.status == 0);
 }
 
 TEST_CASE("dimensions that are asked for are tried, expansions about the point of the scene") {
   const Workspace workspace;
-  write_text(workspace.path() / "upright.scene.toml",
-             "format = 1\nmodel = \"" + models +
-                 "/cart_pole.toml\"\nname = \"upright\"\n[outputs]\ngravity = true\n"
-                 "[approximate]\norder = 3\nabout = { x = 0, theta = 0 }\n");
-  const nlohmann::json table =
-      table_in(shell("elgen tradeoff -q --format json --dimensions order --range theta=-0.01..0.01 "
-                     "upright.scene.toml",
-                     workspace.path()));
+  workspace.write("upright.scene.toml",
+                  "format = 1\nmodel = \"" + models +
+                      "/cart_pole.toml\"\nname = \"upright\"\n[outputs]\ngravity = true\n"
+                      "[approximate]\norder = 3\nabout = { x = 0, theta = 0 }\n");
+  const nlohmann::json table = table_in(
+      workspace.run("elgen tradeoff -q --format json --dimensions order --range theta=-0.01..0.01 "
+                    "upright.scene.toml"));
   std::size_t expanded = 0;
   for (const auto& design : table["designs"]) {
     CHECK_FALSE(design.contains("failure"));
@@ -105,35 +99,32 @@ TEST_CASE("a scene keeps what it locks and fixes, and files are not overwritten 
   const Workspace workspace;
   const std::string command =
       "elgen tradeoff -q --as csv -o x.csv " + models + "/scenes/balance.scene.toml";
-  const Outcome outcome = shell(command, workspace.path());
+  const Outcome outcome = workspace.run(command);
   INFO(outcome.errors);
   CHECK(outcome.status == 0);
   CHECK(starts_with(outcome.output, "scalar,batch,"));
-  CHECK(outcome.output == read_text(workspace.path() / "x.csv"));
-  CHECK(shell(command, workspace.path()).status == 4);
-  CHECK(shell("elgen tradeoff -o x.pdf " + models + "/cart_pole.toml", workspace.path()).status ==
-        2);
+  CHECK(outcome.output == workspace.read("x.csv"));
+  CHECK(workspace.run(command).status == 4);
+  CHECK(workspace.run("elgen tradeoff -o x.pdf " + models + "/cart_pole.toml").status == 2);
 }
 
 TEST_CASE("where no design is good enough no scene is written, and the table all the same") {
   const Workspace workspace;
-  const Outcome outcome =
-      shell("elgen tradeoff --of gravity --max-error 1e-30 --write-scene x.scene.toml -o x.csv " +
-                models + "/simple_pendulum.toml",
-            workspace.path());
+  const Outcome outcome = workspace.run(
+      "elgen tradeoff --of gravity --max-error 1e-30 --write-scene x.scene.toml -o x.csv " +
+      models + "/simple_pendulum.toml");
   CHECK(outcome.status == 1);
   CHECK(mentions(outcome.errors, "error[E632]: no design is within 1e-30\n"));
-  CHECK(starts_with(read_text(workspace.path() / "x.csv"), "scalar,"));
+  CHECK(starts_with(workspace.read("x.csv"), "scalar,"));
   CHECK_FALSE(std::filesystem::exists(workspace.path() / "x.scene.toml"));
 }
 
 TEST_CASE("runs have a row for each method and step, and shorter steps smaller errors") {
   const Workspace workspace;
-  const Outcome outcome = shell(
+  const Outcome outcome = workspace.run(
       "elgen tradeoff --trajectory 2 --as json --max-error 1e-6 "
       "-o x.svg " +
-          models + "/double_pendulum.toml",
-      workspace.path());
+      models + "/double_pendulum.toml");
   INFO(outcome.errors);
   REQUIRE(outcome.status == 0);
   const auto table = nlohmann::json::parse(outcome.output);
@@ -152,7 +143,7 @@ TEST_CASE("runs have a row for each method and step, and shorter steps smaller e
   CHECK(error("verlet", "0.002 s") == -1);
   CHECK(table["sentences"].back() == "`verlet` is not for this system: M depends on `theta1`");
   CHECK(mentions(outcome.errors, "cheapest within 1e-06: "));
-  CHECK(starts_with(read_text(workspace.path() / "x.svg"), "<svg "));
+  CHECK(starts_with(workspace.read("x.svg"), "<svg "));
 }
 
 TEST_CASE("what is about an output is not about runs") {
@@ -160,9 +151,9 @@ TEST_CASE("what is about an output is not about runs") {
   for (const char* option : {"--of gravity", "--dimensions order", "--range q1=0..1",
                              "--max-error 1 --write-scene x.scene.toml"}) {
     INFO(option);
-    CHECK(shell(std::string("elgen tradeoff --trajectory 2 ") + option + " " + models +
-                    "/double_pendulum.toml",
-                workspace.path())
+    CHECK(workspace
+              .run(std::string("elgen tradeoff --trajectory 2 ") + option + " " + models +
+                   "/double_pendulum.toml")
               .status == 2);
   }
 }
@@ -170,21 +161,21 @@ TEST_CASE("what is about an output is not about runs") {
 TEST_CASE("ten designs are made in four libraries") {
   const Workspace workspace;
   write_compiler(workspace, "no such word");
-  const Outcome outcome = shell("CXX=\"sh $PWD/compiler.sh\" elgen tradeoff -q --format json " +
-                                    models + "/simple_pendulum.toml",
-                                workspace.path());
+  const Outcome outcome =
+      workspace.run("CXX=\"sh $PWD/compiler.sh\" elgen tradeoff -q --format json " + models +
+                    "/simple_pendulum.toml");
   INFO(outcome.errors);
   REQUIRE(outcome.status == 0);
   CHECK(nlohmann::json::parse(outcome.output)["designs"].size() == 10);
-  CHECK(read_text(workspace.path() / "made") == "made\nmade\nmade\nmade\n");
+  CHECK(workspace.read("made") == "made\nmade\nmade\nmade\n");
 }
 
 TEST_CASE("designs that are not compiled say so, the others are measured, and it exits with 4") {
   const Workspace workspace;
   write_compiler(workspace, "fixed");
-  const Outcome outcome = shell("CXX=\"sh $PWD/compiler.sh\" elgen tradeoff -q --format json " +
-                                    models + "/simple_pendulum.toml",
-                                workspace.path());
+  const Outcome outcome =
+      workspace.run("CXX=\"sh $PWD/compiler.sh\" elgen tradeoff -q --format json " + models +
+                    "/simple_pendulum.toml");
   CHECK(outcome.status == 4);
   CHECK(mentions(outcome.errors, "E705"));
   const auto table = nlohmann::json::parse(outcome.output);

@@ -10,32 +10,32 @@ namespace {
 
 /// One output, so that a thousand visits take a moment.
 void write_rotor(const Workspace& workspace) {
-  write_text(workspace.path() / "rotor.toml",
-             "format = 1\n[model]\nname = \"rotor\"\n[[coordinate]]\nname = \"q\"\nunit = \"rad\"\n"
-             "[parameters]\nJ = { value = 2, unit = \"kg*m^2\" }\nk = { value = 3, unit = \"J\" }\n"
-             "[energy]\nT = \"1/2*J*dot(q)^2\"\nV = \"k*(1 - cos(q))\"\n");
-  write_text(workspace.path() / "one.scene.toml",
-             "format = 1\nmodel = \"rotor.toml\"\nname = \"one\"\n[outputs]\nbias = true\n");
+  workspace.write(
+      "rotor.toml",
+      "format = 1\n[model]\nname = \"rotor\"\n[[coordinate]]\nname = \"q\"\nunit = \"rad\"\n"
+      "[parameters]\nJ = { value = 2, unit = \"kg*m^2\" }\nk = { value = 3, unit = \"J\" }\n"
+      "[energy]\nT = \"1/2*J*dot(q)^2\"\nV = \"k*(1 - cos(q))\"\n");
+  workspace.write("one.scene.toml",
+                  "format = 1\nmodel = \"rotor.toml\"\nname = \"one\"\n[outputs]\nbias = true\n");
 }
 
 }  // namespace
 
 TEST_CASE("verify: all closed forms of the models hold, a wrong one exits with 1") {
   const Workspace workspace;
-  const Outcome good = shell("elgen verify --quick " + models + "/*.toml", workspace.path());
+  const Outcome good = workspace.run("elgen verify --quick " + models + "/*.toml");
   INFO(good.output + good.errors);
   CHECK(good.status == 0);
-  prepare("sed 's/\"m\\*g\\*l\\*sin(theta)\"/\"m*g*l*cos(theta)\"/' " + models +
-              "/simple_pendulum.toml > wrong.toml",
-          workspace.path());
-  const Outcome wrong = shell("elgen verify --quick wrong.toml", workspace.path());
+  workspace.prepare("sed 's/\"m\\*g\\*l\\*sin(theta)\"/\"m*g*l*cos(theta)\"/' " + models +
+                    "/simple_pendulum.toml > wrong.toml");
+  const Outcome wrong = workspace.run("elgen verify --quick wrong.toml");
   CHECK(wrong.status == 1);
   CHECK(mentions(wrong.errors, "[E510]"));
 }
 
 TEST_CASE("the Jacobian of a frame is judged as that of its twist") {
   const Workspace workspace;
-  write_text(workspace.path() / "arm.toml", R"toml(format = 1
+  workspace.write("arm.toml", R"toml(format = 1
 [model]
 name = "arm"
 [[coordinate]]
@@ -67,7 +67,7 @@ name = "pose"
 frame = "ball"
 jacobian = true
 )toml");
-  const Outcome judged = shell("elgen verify -v --samples 16 arm.toml", workspace.path());
+  const Outcome judged = workspace.run("elgen verify -v --samples 16 arm.toml");
   INFO(judged.output + judged.errors);
   CHECK(judged.status == 0);
   CHECK(mentions(judged.output, "J = d(omega; dp/dt)/dv, [omega]x = dR/dt R^T"));
@@ -76,7 +76,7 @@ jacobian = true
 TEST_CASE(
     "the oracle's rounding of what does not depend on q is no failure, however slow the motion") {
   const Workspace workspace;
-  write_text(workspace.path() / "turn.toml", R"toml(format = 1
+  workspace.write("turn.toml", R"toml(format = 1
 [model]
 name = "turn"
 [[coordinate]]
@@ -93,7 +93,7 @@ com = ["0", "1", "0"]
 inertia = ["2", "1", "2"]
 inertia_about = "origin"
 )toml");
-  const Outcome outcome = shell("elgen verify -q --quick turn.toml", workspace.path());
+  const Outcome outcome = workspace.run("elgen verify -q --quick turn.toml");
   INFO(outcome.output);
   CHECK(outcome.status == 0);
 }
@@ -101,11 +101,12 @@ inertia_about = "origin"
 TEST_CASE("every file that is emitted is compiled and run, in every storage") {
   const Workspace workspace;
   const auto judged = [&](const std::string& emission) {
-    write_text(workspace.path() / "one.scene.toml",
-               "format = 1\nmodel = \"" + models + "/cart_pole.toml\"\nname = \"one\"\n" +
-                   "[outputs]\ninput_matrix = true\nmass_matrix = true\nlinearization = true\n" +
-                   "[numeric]\nscalar = [\"double\"]\n[emit]\n" + emission);
-    const Outcome outcome = shell("elgen verify -v --samples 16 one.scene.toml", workspace.path());
+    workspace.write(
+        "one.scene.toml",
+        "format = 1\nmodel = \"" + models + "/cart_pole.toml\"\nname = \"one\"\n" +
+            "[outputs]\ninput_matrix = true\nmass_matrix = true\nlinearization = true\n" +
+            "[numeric]\nscalar = [\"double\"]\n[emit]\n" + emission);
+    const Outcome outcome = workspace.run("elgen verify -v --samples 16 one.scene.toml");
     INFO(emission << outcome.output << outcome.errors);
     CHECK(outcome.status == 0);
     return outcome.output;
@@ -122,11 +123,12 @@ TEST_CASE("every file that is emitted is compiled and run, in every storage") {
 
 TEST_CASE("a model whose numbers do not fit float is verified in double alone") {
   const Workspace workspace;
-  write_text(workspace.path() / "star.toml",
-             "format = 1\n[model]\nname = \"star\"\n[[coordinate]]\nname = \"x\"\nunit = \"m\"\n"
-             "[parameters]\nm = { value = 1e39, unit = \"kg\" }\nk = { value = 1e39, unit = "
-             "\"N/m\" }\n[energy]\nT = \"1/2*m*dot(x)^2\"\nV = \"1/2*k*x^2\"\n");
-  const Outcome outcome = shell("elgen verify -v star.toml", workspace.path());
+  workspace.write(
+      "star.toml",
+      "format = 1\n[model]\nname = \"star\"\n[[coordinate]]\nname = \"x\"\nunit = \"m\"\n"
+      "[parameters]\nm = { value = 1e39, unit = \"kg\" }\nk = { value = 1e39, unit = "
+      "\"N/m\" }\n[energy]\nT = \"1/2*m*dot(x)^2\"\nV = \"1/2*k*x^2\"\n");
+  const Outcome outcome = workspace.run("elgen verify -v star.toml");
   INFO(outcome.output + outcome.errors);
   CHECK(outcome.status == 0);
   CHECK(mentions(outcome.output, "mass_matrix (double)"));
@@ -135,41 +137,41 @@ TEST_CASE("a model whose numbers do not fit float is verified in double alone") 
 
 TEST_CASE("option -o writes the certificates, and over a file with --force only") {
   const Workspace workspace;
-  prepare("cp " + models + "/simple_pendulum.toml a.toml", workspace.path());
-  const std::string model = read_text(workspace.path() / "a.toml");
-  const Outcome refused = shell("elgen verify --quick a.toml -o a.toml", workspace.path());
+  workspace.prepare("cp " + models + "/simple_pendulum.toml a.toml");
+  const std::string model = workspace.read("a.toml");
+  const Outcome refused = workspace.run("elgen verify --quick a.toml -o a.toml");
   CHECK(refused.status == 4);
   CHECK(mentions(refused.errors, "error[E703]: `a.toml` exists\n      --force overwrites it"));
-  CHECK(read_text(workspace.path() / "a.toml") == model);
+  CHECK(workspace.read("a.toml") == model);
 
   const std::string command = "elgen verify --quick a.toml -o new/c.txt";
-  const Outcome first = shell(command, workspace.path());
+  const Outcome first = workspace.run(command);
   CHECK(first.status == 0);
-  const std::string full = shell("elgen verify --quick -v a.toml", workspace.path()).output;
-  CHECK(read_text(workspace.path() / "new/c.txt") == full);
-  CHECK(shell(command, workspace.path()).status == 4);
-  write_text(workspace.path() / "new/c.txt", "old\n");
-  CHECK(shell(command + " --force", workspace.path()).status == 0);
-  CHECK(read_text(workspace.path() / "new/c.txt") == full);
+  const std::string full = workspace.run("elgen verify --quick -v a.toml").output;
+  CHECK(workspace.read("new/c.txt") == full);
+  CHECK(workspace.run(command).status == 4);
+  workspace.write("new/c.txt", "old\n");
+  CHECK(workspace.run(command + " --force").status == 0);
+  CHECK(workspace.read("new/c.txt") == full);
 }
 
 TEST_CASE("where a certificate is missing no file is written") {
   const Workspace workspace;
-  prepare("cp " + models + "/simple_pendulum.toml a.toml && echo old > c.txt", workspace.path());
+  workspace.prepare("cp " + models + "/simple_pendulum.toml a.toml && echo old > c.txt");
   const std::string command = "elgen verify --quick --force -o c.txt a.toml ";
-  CHECK(shell(command + "missing.toml", workspace.path()).status == 2);
-  CHECK(shell(command + "--stop-after check", workspace.path()).status == 0);
-  CHECK(read_text(workspace.path() / "c.txt") == "old\n");
+  CHECK(workspace.run(command + "missing.toml").status == 2);
+  CHECK(workspace.run(command + "--stop-after check").status == 0);
+  CHECK(workspace.read("c.txt") == "old\n");
 }
 
 TEST_CASE("option --samples is a positive number of states, -v prints the equations") {
   const Workspace workspace;
   const std::string model = models + "/simple_pendulum.toml";
-  CHECK(shell("elgen verify --samples 0 " + model, workspace.path()).status == 2);
-  CHECK(shell("elgen verify --jobs 0 " + model, workspace.path()).status == 2);
-  const Outcome few = shell("elgen verify --samples 4 -v " + model, workspace.path());
+  CHECK(workspace.run("elgen verify --samples 0 " + model).status == 2);
+  CHECK(workspace.run("elgen verify --jobs 0 " + model).status == 2);
+  const Outcome few = workspace.run("elgen verify --samples 4 -v " + model);
   CHECK(few.status == 0);
-  CHECK(few.output != shell("elgen verify --samples 8 " + model, workspace.path()).output);
+  CHECK(few.output != workspace.run("elgen verify --samples 8 " + model).output);
   CHECK(mentions(few.errors, "\n  M = m l^2\n"));
 }
 
@@ -177,18 +179,18 @@ TEST_CASE(
     "there is a line per output, -v says all, -q the verdict alone, --format json everything") {
   const Workspace workspace;
   const std::string verify = "elgen verify --quick " + models + "/simple_pendulum.toml ";
-  const Outcome lines = shell(verify, workspace.path());
+  const Outcome lines = workspace.run(verify);
   CHECK(mentions(lines.output, "\n  holds    mass_matrix "));
   CHECK(mentions(lines.output, "\n  holds    [[expect]] gravity            1 check, proved\n"));
   CHECK(mentions(lines.output, " checks hold, 0 fail, 0 skipped\n"));
   CHECK_FALSE(mentions(lines.output, "tolerance"));
-  const Outcome full = shell(verify + "-v", workspace.path());
+  const Outcome full = workspace.run(verify + "-v");
   CHECK(mentions(full.output, "           tolerance  8 u B + N eta"));
   CHECK(mentions(full.output, "           decided    for every state, by proof"));
-  const Outcome verdict = shell(verify + "-q", workspace.path());
+  const Outcome verdict = workspace.run(verify + "-q");
   CHECK(starts_with(verdict.output, "simple_pendulum: "));
   CHECK(std::count(verdict.output.begin(), verdict.output.end(), '\n') == 1);
-  const Outcome as_json = shell(verify + "--format json", workspace.path());
+  const Outcome as_json = workspace.run(verify + "--format json");
   const auto json = nlohmann::json::parse(as_json.output);
   CHECK(json.at("model") == "simple_pendulum");
   CHECK(json.at("fails") == 0);
@@ -198,13 +200,14 @@ TEST_CASE(
 TEST_CASE("what is skipped is counted with its reason, and --strict makes it count") {
   const Workspace workspace;
   // M is regular on paper, and singular to 1e-18 of its entries.
-  write_text(workspace.path() / "light.toml",
-             "format = 1\n[model]\nname = \"light\"\n[[coordinate]]\nname = \"x\"\nunit = \"m\"\n"
-             "[[coordinate]]\nname = \"y\"\nunit = \"m\"\n[parameters]\n"
-             "m = { value = 1, unit = \"kg\" }\nd = { value = 1e-18, unit = \"kg\" }\n"
-             "[energy]\nT = \"1/2*m*(dot(x) + dot(y))^2 + 1/2*d*dot(y)^2\"\nV = \"0\"\n");
+  workspace.write(
+      "light.toml",
+      "format = 1\n[model]\nname = \"light\"\n[[coordinate]]\nname = \"x\"\nunit = \"m\"\n"
+      "[[coordinate]]\nname = \"y\"\nunit = \"m\"\n[parameters]\n"
+      "m = { value = 1, unit = \"kg\" }\nd = { value = 1e-18, unit = \"kg\" }\n"
+      "[energy]\nT = \"1/2*m*(dot(x) + dot(y))^2 + 1/2*d*dot(y)^2\"\nV = \"0\"\n");
   const std::string verify = "elgen verify --quick light.toml";
-  const Outcome lenient = shell(verify, workspace.path());
+  const Outcome lenient = workspace.run(verify);
   INFO(lenient.output + lenient.errors);
   CHECK(lenient.status == 0);
   CHECK(mentions(lenient.output,
@@ -212,16 +215,16 @@ TEST_CASE("what is skipped is counted with its reason, and --strict makes it cou
                  "           because    "));
   CHECK(mentions(lenient.output, " singular\n"));
   CHECK_FALSE(mentions(lenient.output, ", 0 skipped"));
-  CHECK(shell(verify + " --strict", workspace.path()).status == 1);
-  CHECK(shell("elgen verify --quick --strict " + models + "/simple_pendulum.toml", workspace.path())
-            .status == 0);
+  CHECK(workspace.run(verify + " --strict").status == 1);
+  CHECK(workspace.run("elgen verify --quick --strict " + models + "/simple_pendulum.toml").status ==
+        0);
 }
 
 TEST_CASE("the forward dynamics of arms is bounded") {
   const Workspace workspace;
   for (const std::string name : {"panda7", "ur5", "chain"}) {
-    const Outcome outcome = shell(
-        "elgen verify --quick --format json " + models + "/" + name + ".toml", workspace.path());
+    const Outcome outcome =
+        workspace.run("elgen verify --quick --format json " + models + "/" + name + ".toml");
     INFO(name << outcome.errors);
     REQUIRE(outcome.status == 0);
     const auto json = nlohmann::json::parse(outcome.output);
@@ -239,9 +242,8 @@ TEST_CASE("the forward dynamics of arms is bounded") {
 }
 
 TEST_CASE("option --timings has the times of verify too") {
-  const Workspace workspace;
   const std::string model = models + "/simple_pendulum.toml";
-  const Outcome outcome = shell("elgen verify --samples 2 --timings " + model, workspace.path());
+  const Outcome outcome = run("elgen verify --samples 2 --timings " + model);
   CHECK(outcome.status == 0);
   CHECK(mentions(outcome.errors, "     compile "));
   CHECK(mentions(outcome.errors, "      verify "));
@@ -251,7 +253,7 @@ TEST_CASE("the certificate is the same whatever the number of processes, not so 
   const Workspace workspace;
   write_rotor(workspace);
   const auto verified = [&](const std::string& options) {
-    return shell("elgen verify -v one.scene.toml --samples 40 " + options, workspace.path());
+    return workspace.run("elgen verify -v one.scene.toml --samples 40 " + options);
   };
   const Outcome alone = verified("--jobs 1");
   INFO(alone.output + alone.errors);
@@ -265,9 +267,8 @@ TEST_CASE("the certificate is the same whatever the number of processes, not so 
 TEST_CASE("all samples are visited, however many") {
   const Workspace workspace;
   write_rotor(workspace);
-  const Outcome outcome =
-      shell("elgen verify --quick --format json --samples 2500 --limit seconds=600 one.scene.toml",
-            workspace.path());
+  const Outcome outcome = workspace.run(
+      "elgen verify --quick --format json --samples 2500 --limit seconds=600 one.scene.toml");
   INFO(outcome.errors);
   REQUIRE(outcome.status == 0);
   std::size_t compared = 0;
@@ -285,9 +286,8 @@ TEST_CASE("all samples are visited, however many") {
 TEST_CASE("processor time is that of each process, and ends all of them") {
   const Workspace workspace;
   write_rotor(workspace);
-  const Outcome outcome =
-      shell("elgen verify --quick --samples 200000 --jobs 2 --limit seconds=1 one.scene.toml",
-            workspace.path());
+  const Outcome outcome = workspace.run(
+      "elgen verify --quick --samples 200000 --jobs 2 --limit seconds=1 one.scene.toml");
   CHECK(outcome.status == 3);
   CHECK(outcome.errors ==
         "elgen: error[E909]: 1 s of processor time are over\n      raised by --limit seconds=N\n");
@@ -296,15 +296,14 @@ TEST_CASE("processor time is that of each process, and ends all of them") {
 TEST_CASE("an interrupt ends the processes that share states, and leaves no files") {
   const Workspace workspace;
   write_rotor(workspace);
-  const Outcome outcome = shell(
+  const Outcome outcome = workspace.run(
       "mkdir t; export TMPDIR=$PWD/t\n"
       "elgen verify one.scene.toml --limit seconds=600 --samples 200000 --jobs 2 & id=$!\n"
       "until test \"$(wc -w < /proc/$id/task/$id/children)\" = 2; do sleep 0.1; done\n"
       "children=$(cat /proc/$id/task/$id/children)\n"
       "kill -TERM $id; wait $id; echo $?\n"
       "for child in $children; do kill -0 $child 2>/dev/null && echo runs; done\n"
-      "ls t",
-      workspace.path());
+      "ls t");
   INFO(outcome.errors);
   CHECK(outcome.output == "130\n");
 }

@@ -8,35 +8,32 @@ namespace elgen::test {
 
 TEST_CASE("generate writes header, sidecar and page below generated/") {
   const Workspace workspace;
-  CHECK(shell("elgen generate -q " + models + "/cart_pole.toml", workspace.path()).status == 0);
-  CHECK(files_below(workspace.path()) ==
+  CHECK(workspace.run("elgen generate -q " + models + "/cart_pole.toml").status == 0);
+  CHECK(workspace.files() ==
         "./generated/cart_pole/cart_pole.equations.json\n./generated/cart_pole/cart_pole.hpp\n"
         "./generated/cart_pole/cart_pole.md\n");
-  CHECK(starts_with(read_text(workspace.path() / "generated/cart_pole/cart_pole.hpp"), marker));
+  CHECK(starts_with(workspace.read("generated/cart_pole/cart_pole.hpp"), marker));
 }
 
 TEST_CASE("one faulty model among several: nothing is written at all") {
   const Workspace workspace;
-  write_text(workspace.path() / "faulty.toml", "format = 2\n");
-  const Outcome outcome =
-      shell("elgen generate " + models + "/cart_pole.toml faulty.toml", workspace.path());
+  workspace.write("faulty.toml", "format = 2\n");
+  const Outcome outcome = workspace.run("elgen generate " + models + "/cart_pole.toml faulty.toml");
   CHECK(outcome.status == 2);
-  CHECK(files_below(workspace.path()) == "./faulty.toml\n");
+  CHECK(workspace.files() == "./faulty.toml\n");
 }
 
 TEST_CASE("a write that fails half-way leaves what was there, and no temporary file") {
   const Workspace workspace;
-  prepare("cp " + models + "/cart_pole.toml . && elgen generate -q cart_pole.toml",
-          workspace.path());
-  const std::string before = read_text(workspace.path() / "generated/cart_pole/cart_pole.hpp");
-  prepare(
+  workspace.prepare("cp " + models + "/cart_pole.toml . && elgen generate -q cart_pole.toml");
+  const std::string before = workspace.read("generated/cart_pole/cart_pole.hpp");
+  workspace.prepare(
       "sed -i 's/\"-g\"/\"-2*g\"/' cart_pole.toml && "
       "rm generated/cart_pole/cart_pole.equations.json && "
-      "mkdir -p generated/cart_pole/cart_pole.equations.json/occupied",
-      workspace.path());
-  CHECK(shell("elgen generate -q --force cart_pole.toml", workspace.path()).status == 4);
-  CHECK(read_text(workspace.path() / "generated/cart_pole/cart_pole.hpp") == before);
-  CHECK(files_below(workspace.path()) ==
+      "mkdir -p generated/cart_pole/cart_pole.equations.json/occupied");
+  CHECK(workspace.run("elgen generate -q --force cart_pole.toml").status == 4);
+  CHECK(workspace.read("generated/cart_pole/cart_pole.hpp") == before);
+  CHECK(workspace.files() ==
         "./cart_pole.toml\n./generated/cart_pole/cart_pole.hpp\n"
         "./generated/cart_pole/cart_pole.md\n");
 }
@@ -46,77 +43,76 @@ TEST_CASE("a file without our marker is overwritten with --force only") {
   const auto header = workspace.path() / "generated/cart_pole/cart_pole.hpp";
   write_text(header, "// mine\n");
   const std::string command = "elgen generate -q " + models + "/cart_pole.toml";
-  CHECK(shell(command, workspace.path()).status == 4);
+  CHECK(workspace.run(command).status == 4);
   CHECK(read_text(header) == "// mine\n");
-  CHECK(files_below(workspace.path()) == "./generated/cart_pole/cart_pole.hpp\n");
-  CHECK(shell(command + " --force", workspace.path()).status == 0);
+  CHECK(workspace.files() == "./generated/cart_pole/cart_pole.hpp\n");
+  CHECK(workspace.run(command + " --force").status == 0);
   CHECK(starts_with(read_text(header), marker));
 }
 
 TEST_CASE("a dependency file that cannot be written leaves everything as it was") {
   const Workspace workspace;
-  write_text(workspace.path() / "file", "mine\n");
+  workspace.write("file", "mine\n");
   const Outcome outcome =
-      shell("elgen generate -q --depfile file/d " + models + "/cart_pole.toml", workspace.path());
+      workspace.run("elgen generate -q --depfile file/d " + models + "/cart_pole.toml");
   CHECK(outcome.status == 4);
   CHECK(mentions(outcome.errors, "error[E706]: `file/d` could not be written: Not a directory"));
-  CHECK(files_below(workspace.path()) == "./file\n");
+  CHECK(workspace.files() == "./file\n");
 }
 
 TEST_CASE("option --depfile replaces rules of files of ours, and nothing else unasked") {
   const Workspace workspace;
-  prepare("cp " + models + "/cart_pole.toml .", workspace.path());
+  workspace.prepare("cp " + models + "/cart_pole.toml .");
   const auto depfile = workspace.path() / "cart_pole.d";
   const std::string command = "elgen generate -q --depfile cart_pole.d cart_pole.toml";
-  REQUIRE(shell(command, workspace.path()).status == 0);
+  REQUIRE(workspace.run(command).status == 0);
   const std::string rules = read_text(depfile);
   write_text(depfile, "generated/cart_pole/cart_pole.hpp: something.toml\n");
-  CHECK(shell(command + " -o elsewhere", workspace.path()).status == 0);
-  CHECK(shell(command, workspace.path()).status == 0);
+  CHECK(workspace.run(command + " -o elsewhere").status == 0);
+  CHECK(workspace.run(command).status == 0);
   CHECK(read_text(depfile) == rules);
   write_text(depfile, "main.o: main.c\n");
-  const Outcome refused = shell(command, workspace.path());
+  const Outcome refused = workspace.run(command);
   CHECK(refused.status == 4);
   CHECK(mentions(refused.errors, "error[E703]: `cart_pole.d` exists and has no rules of these"));
   CHECK(read_text(depfile) == "main.o: main.c\n");
-  CHECK(shell(command + " --force", workspace.path()).status == 0);
+  CHECK(workspace.run(command + " --force").status == 0);
   CHECK(read_text(depfile) == rules);
 }
 
 TEST_CASE("an input is no place for output, whatever it is called and whatever is forced") {
   const Workspace workspace;
-  prepare("cp " + models + "/cart_pole.toml . && ln cart_pole.toml other.toml", workspace.path());
-  const std::string before = read_text(workspace.path() / "cart_pole.toml");
+  workspace.prepare("cp " + models + "/cart_pole.toml . && ln cart_pole.toml other.toml");
+  const std::string before = workspace.read("cart_pole.toml");
   for (const std::string place : {"cart_pole.toml", "./cart_pole.toml", "other.toml"}) {
     INFO(place);
     for (const std::string& command :
          {"elgen generate -q --force cart_pole.toml --depfile " + place,
           "elgen verify -q --quick --force cart_pole.toml -o " + place,
           "elgen verify -q --quick --force -o " + place + " - < cart_pole.toml"}) {
-      const Outcome outcome = shell(command, workspace.path());
+      const Outcome outcome = workspace.run(command);
       CHECK(outcome.status == 4);
       CHECK(mentions(outcome.errors, "error[E708]: `" + place + "` is an input"));
     }
   }
-  CHECK(read_text(workspace.path() / "cart_pole.toml") == before);
-  CHECK(files_below(workspace.path()) == "./cart_pole.toml\n./other.toml\n");
+  CHECK(workspace.read("cart_pole.toml") == before);
+  CHECK(workspace.files() == "./cart_pole.toml\n./other.toml\n");
 }
 
 TEST_CASE("two files in one place are refused") {
   const Workspace workspace;
-  const Outcome outcome = shell("elgen generate -q --depfile ./generated/cart_pole/cart_pole.hpp " +
-                                    models + "/cart_pole.toml",
-                                workspace.path());
+  const Outcome outcome =
+      workspace.run("elgen generate -q --depfile ./generated/cart_pole/cart_pole.hpp " + models +
+                    "/cart_pole.toml");
   CHECK(outcome.status == 4);
   CHECK(mentions(outcome.errors, "cart_pole.hpp` would be written twice"));
-  CHECK(files_below(workspace.path()).empty());
+  CHECK(workspace.files().empty());
 }
 
 TEST_CASE("what is no regular file is never replaced") {
   const Workspace workspace;
-  prepare(
-      "mkdir folder && mkfifo fifo && echo mine > file && ln -s file link && ln -s nowhere loose",
-      workspace.path());
+  workspace.prepare(
+      "mkdir folder && mkfifo fifo && echo mine > file && ln -s file link && ln -s nowhere loose");
   const std::string model = models + "/cart_pole.toml";
   for (const auto& [place, kind] :
        {std::pair{"folder", "a folder"}, std::pair{"fifo", "a FIFO"},
@@ -124,57 +120,55 @@ TEST_CASE("what is no regular file is never replaced") {
         std::pair{"/dev/null", "a device"}}) {
     INFO(place);
     const Outcome outcome =
-        shell("elgen generate -q --force " + model + " --depfile " + place, workspace.path());
+        workspace.run("elgen generate -q --force " + model + " --depfile " + place);
     CHECK(outcome.status == 4);
     CHECK(mentions(outcome.errors, std::string("`") + place + "` is " + kind + ", not a file\n"));
   }
-  CHECK(shell("test -c /dev/null && test -p fifo && test -L link && cat file", workspace.path())
-            .output == "mine\n");
-  CHECK_FALSE(shell("test -e generated", workspace.path()).status == 0);
+  CHECK(workspace.run("test -c /dev/null && test -p fifo && test -L link && cat file").output ==
+        "mine\n");
+  CHECK_FALSE(workspace.run("test -e generated").status == 0);
 }
 
 TEST_CASE("a file whose bytes do not change is not touched") {
   const Workspace workspace;
-  prepare("cp " + models +
-              "/cart_pole.toml . && elgen generate -q cart_pole.toml && cd generated/"
-              "cart_pole && touch -d 2001-01-01 * && sed -i s/M/N/ cart_pole.md",
-          workspace.path());
-  const Outcome outcome = shell("elgen generate cart_pole.toml", workspace.path());
+  workspace.prepare("cp " + models +
+                    "/cart_pole.toml . && elgen generate -q cart_pole.toml && cd generated/"
+                    "cart_pole && touch -d 2001-01-01 * && sed -i s/M/N/ cart_pole.md");
+  const Outcome outcome = workspace.run("elgen generate cart_pole.toml");
   CHECK(outcome.status == 0);
   CHECK(mentions(outcome.errors, "unchanged generated/cart_pole/cart_pole.hpp\n"));
   CHECK(mentions(outcome.errors, "wrote generated/cart_pole/cart_pole.md\n"));
-  CHECK(shell("find generated -type f -newermt 2002-01-01", workspace.path()).output ==
+  CHECK(workspace.run("find generated -type f -newermt 2002-01-01").output ==
         "generated/cart_pole/cart_pole.md\n");
 }
 
 TEST_CASE("what a killed process left is removed by the next one") {
   const Workspace workspace;
-  write_text(workspace.path() / "generated/cart_pole/.elgen-stage-abcdef/new0", "half");
-  CHECK(shell("elgen generate -q " + models + "/cart_pole.toml", workspace.path()).status == 0);
-  CHECK(shell("ls -A generated/cart_pole", workspace.path()).output ==
+  workspace.write("generated/cart_pole/.elgen-stage-abcdef/new0", "half");
+  CHECK(workspace.run("elgen generate -q " + models + "/cart_pole.toml").status == 0);
+  CHECK(workspace.run("ls -A generated/cart_pole").output ==
         "cart_pole.equations.json\ncart_pole.hpp\ncart_pole.md\n");
 }
 
 TEST_CASE("a lock that is not released is waited for in vain") {
   const Workspace workspace;
-  prepare("mkdir -p generated/cart_pole", workspace.path());
-  const Outcome outcome = shell(
-      "flock generated/cart_pole elgen generate -q --limit seconds=1 " + models + "/cart_pole.toml",
-      workspace.path());
+  workspace.prepare("mkdir -p generated/cart_pole");
+  const Outcome outcome =
+      workspace.run("flock generated/cart_pole elgen generate -q --limit seconds=1 " + models +
+                    "/cart_pole.toml");
   CHECK(outcome.status == 4);
   CHECK(mentions(outcome.errors, "could not be written: another process writes there"));
-  CHECK(files_below(workspace.path()).empty());
+  CHECK(workspace.files().empty());
 }
 
 TEST_CASE("writers of two versions at once leave one of them, and make one folder together") {
   const Workspace workspace;
-  prepare("cp " + models + "/cart_pole.toml a.toml && sed 's/\"-g\"/\"-2*g\"/' a.toml > b.toml",
-          workspace.path());
+  workspace.prepare("cp " + models +
+                    "/cart_pole.toml a.toml && sed 's/\"-g\"/\"-2*g\"/' a.toml > b.toml");
   for (int round = 0; round < 10; ++round) {
-    const Outcome outcome = shell(
+    const Outcome outcome = workspace.run(
         "rm -rf generated; elgen generate -q a.toml & elgen generate -q b.toml; b=$?; wait $! && "
-        "test $b = 0 && { elgen generate -q --check a.toml || elgen generate -q --check b.toml; }",
-        workspace.path());
+        "test $b = 0 && { elgen generate -q --check a.toml || elgen generate -q --check b.toml; }");
     INFO(outcome.errors);
     CHECK(outcome.status == 0);
   }

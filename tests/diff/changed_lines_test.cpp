@@ -54,9 +54,9 @@ Header header_of(const Products& products, const std::string& name) {
 
 std::size_t changed_lines(const std::string& before, const std::string& after) {
   const Workspace workspace;
-  write_text(workspace.path() / "before", before);
-  write_text(workspace.path() / "after", after);
-  return count(shell("diff before after | grep '^>'", workspace.path()).output, "\n");
+  workspace.write("before", before);
+  workspace.write("after", after);
+  return count(workspace.run("diff before after | grep '^>'").output, "\n");
 }
 
 }  // namespace

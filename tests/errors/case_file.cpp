@@ -66,9 +66,9 @@ std::string to_text(const CaseFile& parsed) {
 Outcome run_case(const CaseFile& parsed) {
   const Workspace workspace;
   for (const Section& input : parsed.inputs) {
-    write_text(workspace.path() / input.title, input.body);
+    workspace.write(input.title, input.body);
   }
-  return shell(parsed.command, workspace.path());
+  return workspace.run(parsed.command);
 }
 
 }  // namespace elgen::test

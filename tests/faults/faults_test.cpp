@@ -66,7 +66,7 @@ class Scene {
     before_ = contents(workspace.path());
     const Workspace counted;
     const std::string counts = (counted.path() / "counts").string();
-    prepare(preload("ELGEN_FAULT_COUNTS='" + counts + "' ") + command_, workspace.path());
+    workspace.prepare(preload("ELGEN_FAULT_COUNTS='" + counts + "' ") + command_);
     after_ = contents(workspace.path());
     std::istringstream lines(read_text(counts));
     for (std::string kind; lines >> kind;) lines >> counts_[kind];
@@ -80,8 +80,7 @@ class Scene {
     prepare_in(workspace);
     const std::string text =
         fault.kind + " " + std::to_string(fault.number) + " " + std::to_string(fault.action);
-    const Outcome outcome =
-        shell(preload("ELGEN_FAULT='" + text + "' ") + command_, workspace.path());
+    const Outcome outcome = workspace.run(preload("ELGEN_FAULT='" + text + "' ") + command_);
     const Files found = contents(workspace.path());
     INFO(command_ << ", " << text << ": " << outcome.status << "\n" << outcome.errors);
     if (outcome.status == killed && fault.action == -SIGKILL) {
@@ -100,8 +99,8 @@ class Scene {
   }
 
   void prepare_in(const Workspace& workspace) const {
-    write_text(workspace.path() / "rotor.toml", model);
-    prepare("mkdir tmp && " + preparation_, workspace.path());
+    workspace.write("rotor.toml", model);
+    workspace.prepare("mkdir tmp && " + preparation_);
   }
 
   /// Nothing can be cleaned up then; what is there is whole, and the next run cleans up.
@@ -111,7 +110,7 @@ class Scene {
       const auto fresh = after_.find(name);
       CHECK((found.at(name) == text || (fresh != after_.end() && found.at(name) == fresh->second)));
     }
-    prepare(command_, workspace.path());
+    workspace.prepare(command_);
     CHECK(contents(workspace.path()) == after_);
   }
 

@@ -64,7 +64,7 @@ void replay(const Page& page) {
     if (fence.kind == FenceKind::console) run_console(fence, workspace.path());
     if (fence.kind == FenceKind::excerpt) check_excerpt(fence, workspace.path());
     if (fence.kind != FenceKind::file) continue;
-    write_text(workspace.path() / fence.file, fence.text);
+    workspace.write(fence.file, fence.text);
     CHECK(is_read(page, fence));
   }
 }

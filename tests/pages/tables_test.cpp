@@ -101,7 +101,7 @@ TEST_CASE("the page of the sources has every folder") {
 TEST_CASE("every option of the command line is on its page") {
   const Workspace workspace;
   for (const std::string command : {"", "generate", "show", "verify", "import", "explain"}) {
-    const std::string help = shell("elgen " + command + " --help", workspace.path()).output;
+    const std::string help = workspace.run("elgen " + command + " --help").output;
     REQUIRE(mentions(help, "--help"));
     for (const std::vector<std::string>& names : options_of(help)) {
       INFO(command << " " << names.front());

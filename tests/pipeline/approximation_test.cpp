@@ -166,18 +166,18 @@ TEST_CASE("with one small coordinate the error falls by the power promised") {
 
 TEST_CASE("a force on what is not small is right to one order more, everywhere it is told") {
   const Workspace workspace;
-  write_text(workspace.path() / "model.toml", pushed_cart);
-  write_text(workspace.path() / "near.scene.toml",
-             "format = 1\nmodel = \"model.toml\"\nname = \"near\"\n"
-             "[outputs]\ninput_matrix = true\nbias = true\nforward_dynamics = true\n"
-             "[approximate]\norder = 2\nabout = { th = 0 }\n");
-  const Outcome shown = shell("elgen show near.scene.toml", workspace.path());
+  workspace.write("model.toml", pushed_cart);
+  workspace.write("near.scene.toml",
+                  "format = 1\nmodel = \"model.toml\"\nname = \"near\"\n"
+                  "[outputs]\ninput_matrix = true\nbias = true\nforward_dynamics = true\n"
+                  "[approximate]\norder = 2\nabout = { th = 0 }\n");
+  const Outcome shown = workspace.run("elgen show near.scene.toml");
   INFO(shown.output + shown.errors);
   CHECK(mentions(shown.output, "input_matrix[1] = th*(1 - 1/6*th^2)"));
-  const Outcome generated = shell("elgen generate -q -o out near.scene.toml", workspace.path());
+  const Outcome generated = workspace.run("elgen generate -q -o out near.scene.toml");
   INFO(generated.errors);
   CHECK(generated.status == 0);
-  const Outcome judged = shell("elgen verify --samples 16 near.scene.toml", workspace.path());
+  const Outcome judged = workspace.run("elgen verify --samples 16 near.scene.toml");
   INFO(judged.output);
   CHECK(judged.status == 0);
 }

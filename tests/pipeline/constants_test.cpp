@@ -25,8 +25,8 @@ std::string model_of(const Row& row) {
 /// The verdict of `verify --quick` on the expectation, compiled code and all else.
 Outcome verdict(const Row& row) {
   const Workspace folder;
-  write_text(folder.path() / "constants.toml", model_of(row));
-  return shell("elgen verify -v --quick constants.toml", folder.path());
+  folder.write("constants.toml", model_of(row));
+  return folder.run("elgen verify -v --quick constants.toml");
 }
 
 }  // namespace
@@ -71,8 +71,8 @@ TEST_CASE("what agrees to 45 digits is not proved equal") {
 TEST_CASE("what is shown has the sign and the brackets that it needs") {
   const Workspace folder;
   const auto shown = [&](const char* potential) {
-    write_text(folder.path() / "constants.toml", model_of({potential, "0"}));
-    return shell("elgen show -q --what gravity constants.toml", folder.path()).output;
+    folder.write("constants.toml", model_of({potential, "0"}));
+    return folder.run("elgen show -q --what gravity constants.toml").output;
   };
   CHECK(mentions(shown("(a - 2)*q1"), "gravity = -1 - cos(1)\n"));
   CHECK(mentions(shown("exp(-(1 + cos(1)))*q1"), "gravity = exp(-1 - cos(1))\n"));
@@ -81,10 +81,10 @@ TEST_CASE("what is shown has the sign and the brackets that it needs") {
 
 TEST_CASE("different constants have functions of their own in emitted code") {
   const Workspace folder;
-  write_text(folder.path() / "constants.toml",
-             model_of({"(2 + pi)*q1^3/3 + pi*q1^2 + 2*cos(1)*q1 + (2 + cos(1))*q1^4", "0"}));
-  prepare("elgen generate -q -o out --outputs gravity constants.toml", folder.path());
-  const std::string header = read_text(folder.path() / "out/constants/constants.hpp");
+  folder.write("constants.toml",
+               model_of({"(2 + pi)*q1^3/3 + pi*q1^2 + 2*cos(1)*q1 + (2 + cos(1))*q1^4", "0"}));
+  folder.prepare("elgen generate -q -o out --outputs gravity constants.toml");
+  const std::string header = folder.read("out/constants/constants.hpp");
   for (const char* number : {"/// 2 + pi\n", "/// 2*pi\n", "/// 2*cos(1)\n"}) {
     INFO(number);
     CHECK(mentions(header, number));
@@ -93,20 +93,20 @@ TEST_CASE("different constants have functions of their own in emitted code") {
 
 TEST_CASE("a parameter that is fixed at an irrational value keeps its form") {
   const Workspace folder;
-  write_text(folder.path() / "fixed.toml",
-             "format = 1\n[model]\nname = \"fixed\"\n[[coordinate]]\nname = \"q1\"\n"
-             "[parameters]\nk = \"sqrt(2)\"\nr = 3\n"
-             "[energy]\nT = \"k*dot(q1)^2\"\nV = \"r*q1\"\n"
-             "[[expect]]\nmass_matrix = [[\"2*k\"]]\n");
-  write_text(folder.path() / "one.scene.toml",
-             "format = 1\nmodel = \"fixed.toml\"\nname = \"one\"\n"
-             "[parameters]\nfixed = { k = \"sqrt(2)\", r = \"1 - cos(1)\" }\n");
-  const Outcome shown = shell("elgen show -q one.scene.toml", folder.path());
+  folder.write("fixed.toml",
+               "format = 1\n[model]\nname = \"fixed\"\n[[coordinate]]\nname = \"q1\"\n"
+               "[parameters]\nk = \"sqrt(2)\"\nr = 3\n"
+               "[energy]\nT = \"k*dot(q1)^2\"\nV = \"r*q1\"\n"
+               "[[expect]]\nmass_matrix = [[\"2*k\"]]\n");
+  folder.write("one.scene.toml",
+               "format = 1\nmodel = \"fixed.toml\"\nname = \"one\"\n"
+               "[parameters]\nfixed = { k = \"sqrt(2)\", r = \"1 - cos(1)\" }\n");
+  const Outcome shown = folder.run("elgen show -q one.scene.toml");
   CHECK(mentions(shown.output, "mass_matrix = 2*sqrt(2)\n"));
   CHECK(mentions(shown.output, "gravity = 1 - cos(1)\n"));
-  const Outcome all = shell("elgen show -q --fix all fixed.toml", folder.path());
+  const Outcome all = folder.run("elgen show -q --fix all fixed.toml");
   CHECK(mentions(all.output, "mass_matrix = 2*sqrt(2)\n"));
-  const Outcome verified = shell("elgen verify -v --quick one.scene.toml", folder.path());
+  const Outcome verified = folder.run("elgen verify -v --quick one.scene.toml");
   INFO(verified.output);
   CHECK(verified.status == 0);
   CHECK(mentions(verified.output, "proved: both are one canonical sum"));
@@ -114,7 +114,7 @@ TEST_CASE("a parameter that is fixed at an irrational value keeps its form") {
 
 TEST_CASE("a slide in an oblique frame has one Coriolis matrix") {
   const Workspace folder;
-  write_text(folder.path() / "slide.toml", R"toml(format = 1
+  folder.write("slide.toml", R"toml(format = 1
 [model]
 name = "slide"
 [[coordinate]]
@@ -143,9 +143,9 @@ mass = "m"
 [[expect]]
 coriolis_matrix = [["m*(1 + b)*dot(b)", "m*(1 + b)*dot(a)"], ["-m*(1 + b)*dot(a)", "0"]]
 )toml");
-  const Outcome shown = shell("elgen show -q --what coriolis_matrix slide.toml", folder.path());
+  const Outcome shown = folder.run("elgen show -q --what coriolis_matrix slide.toml");
   CHECK(mentions(shown.output, "coriolis_matrix[1,2] = m*(1 + b)*dot(a)\n"));
-  const Outcome verified = shell("elgen verify -v --quick slide.toml", folder.path());
+  const Outcome verified = folder.run("elgen verify -v --quick slide.toml");
   INFO(verified.output);
   CHECK(verified.status == 0);
 }

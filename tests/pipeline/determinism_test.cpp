@@ -23,8 +23,7 @@ void repeat(int processes, const std::string& inputs) {
   const Workspace workspace;
   for (int process = 1; process <= processes; ++process) {
     const std::string folder = "out" + std::to_string(process);
-    const Outcome outcome =
-        shell("elgen generate -q -o " + folder + " " + inputs, workspace.path());
+    const Outcome outcome = workspace.run("elgen generate -q -o " + folder + " " + inputs);
     INFO(outcome.errors);
     REQUIRE(outcome.status == 0);
     CHECK(differences("out1", folder, workspace.path()).empty());
@@ -41,20 +40,18 @@ TEST_CASE("fresh processes write the same bytes") {
 TEST_CASE("a comma-decimal locale and another working folder change nothing") {
   const Workspace workspace;
   const std::string german = "LOCPATH=$PWD/locales LC_ALL=de_DE.UTF-8 ";
-  REQUIRE(shell("mkdir -p locales elsewhere/below && "
-                "localedef -i de_DE -f UTF-8 ./locales/de_DE.UTF-8 && " +
-                    german + "/usr/bin/printf %.1f 2,5",
-                workspace.path())
+  REQUIRE(workspace
+              .run("mkdir -p locales elsewhere/below && "
+                   "localedef -i de_DE -f UTF-8 ./locales/de_DE.UTF-8 && " +
+                   german + "/usr/bin/printf %.1f 2,5")
               .output == "2,5");
 
   // All models are written by the same few functions.
-  prepare("mkdir models && cp " + models + "/cart_pole.toml " + models +
-              "/simple_pendulum.toml models && elgen generate -q -o plain models/*.toml",
-          workspace.path());
-  const Outcome outcome = shell(
+  workspace.prepare("mkdir models && cp " + models + "/cart_pole.toml " + models +
+                    "/simple_pendulum.toml models && elgen generate -q -o plain models/*.toml");
+  const Outcome outcome = workspace.run(
       "LOCPATH=$PWD/locales; LC_ALL=de_DE.UTF-8; export LOCPATH LC_ALL; cd elsewhere/below && "
-      "elgen generate -q -o ../../german ../../models/cart_pole.toml $PWD/../../models/s*.toml",
-      workspace.path());
+      "elgen generate -q -o ../../german ../../models/cart_pole.toml $PWD/../../models/s*.toml");
   INFO(outcome.errors);
   REQUIRE(outcome.status == 0);
   CHECK(differences("plain", "german", workspace.path()).empty());

@@ -155,14 +155,14 @@ void write_scenes(const Workspace& workspace, const std::string& model, const st
                   const std::string& more) {
   const std::string path = std::string(ELGEN_SOURCE_DIR) + "/models/" + model + ".toml";
   const auto write = [&](const std::string& name, const std::string& emit) {
-    write_text(workspace.path() / (name + ".scene.toml"),
-               fmt::format(scene_template, path, name, scalar, emit, more));
+    workspace.write(name + ".scene.toml",
+                    fmt::format(scene_template, path, name, scalar, emit, more));
   };
   write("c", "language = \"c99\"");
   write("rows", "eigen = true");
   write("columns", "eigen = true\nstorage = \"column-major\"");
-  write_text(workspace.path() / "side.c", side(c_side, model, scalar));
-  write_text(workspace.path() / "side.cpp", side(cpp_side, model, scalar));
+  workspace.write("side.c", side(c_side, model, scalar));
+  workspace.write("side.cpp", side(cpp_side, model, scalar));
 }
 
 const std::string warnings =
@@ -174,7 +174,7 @@ void compare(const std::string& model, const std::string& scalar, const std::str
   const Workspace workspace;
   write_scenes(workspace, model, scalar, more);
   const auto succeeds = [&](const std::string& command) {
-    const Outcome outcome = shell(command, workspace.path());
+    const Outcome outcome = workspace.run(command);
     INFO(command << "\n" << outcome.output << outcome.errors);
     CHECK(outcome.status == 0);
   };

@@ -98,7 +98,7 @@ TEST_CASE("six joints of seven locked", "[lock]") {
 
 TEST_CASE("a motor's inertia moves with the joint that is locked", "[lock]") {
   const Workspace workspace;
-  write_text(workspace.path() / "arm.toml", R"toml(format = 1
+  workspace.write("arm.toml", R"toml(format = 1
 [model]
 name = "arm"
 [[coordinate]]
@@ -121,7 +121,7 @@ name = "slider"
 at = ["x*cos(q1 + q2)", "x*sin(q1 + q2)"]
 mass = "m"
 )toml");
-  write_text(workspace.path() / "held.scene.toml", R"toml(format = 1
+  workspace.write("held.scene.toml", R"toml(format = 1
 model = "arm.toml"
 name = "held"
 [outputs]
@@ -131,7 +131,7 @@ inverse_dynamics = true
 q1 = { value = "sin(t)", reaction = true }
 q2 = { value = "t^2", reaction = true }
 )toml");
-  const Outcome shown = shell("elgen show held.scene.toml", workspace.path());
+  const Outcome shown = workspace.run("elgen show held.scene.toml");
   INFO(shown.output + shown.errors);
   CHECK(shown.status == 0);
   CHECK(mentions(shown.output, "1/2*J1*cos(t)^2"));
@@ -139,8 +139,8 @@ q2 = { value = "t^2", reaction = true }
   // Rows of the full Lagrangian: J1 times the acceleration of the first lock, J2 of the second.
   CHECK(mentions(shown.output, "J1*sin(t)"));
   CHECK(mentions(shown.output, "2*J2"));
-  CHECK(shell("elgen generate -q held.scene.toml -o out", workspace.path()).status == 0);
-  CHECK(shell("elgen verify --samples 16 held.scene.toml", workspace.path()).status == 0);
+  CHECK(workspace.run("elgen generate -q held.scene.toml -o out").status == 0);
+  CHECK(workspace.run("elgen verify --samples 16 held.scene.toml").status == 0);
 }
 
 TEST_CASE("what is locked costs nothing", "[lock]") {

@@ -47,10 +47,10 @@ inline std::size_t operations(const Function& function) {
 
 /// What a program prints that includes headers in the folder or those of the project.
 inline std::string printed(const Workspace& folder, const std::string& program) {
-  write_text(folder.path() / "main.cpp", program);
+  folder.write("main.cpp", program);
   const std::string include = std::string(ELGEN_SOURCE_DIR) + "/generated";
-  prepare("c++ -std=c++17 -O1 -I. -I'" + include + "' main.cpp -o main", folder.path());
-  return shell("./main", folder.path()).output;
+  folder.prepare("c++ -std=c++17 -O1 -I. -I'" + include + "' main.cpp -o main");
+  return folder.run("./main").output;
 }
 
 }  // namespace elgen::test

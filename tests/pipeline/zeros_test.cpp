@@ -147,38 +147,36 @@ TEST_CASE("a vanishing diagonal entry of M is singular") {
 
 TEST_CASE("what cancels by irrational constants alone leaves no noise") {
   const Workspace folder;
-  write_text(folder.path() / "tilted.toml", tilted);
-  const Outcome generated = shell("elgen generate -o out --fix m tilted.toml", folder.path());
+  folder.write("tilted.toml", tilted);
+  const Outcome generated = folder.run("elgen generate -o out --fix m tilted.toml");
   CAPTURE(generated.errors);
   REQUIRE(generated.status == 0);
   CHECK(printed(folder, fast) == "0 0");
-  const Outcome shown =
-      shell("elgen show --fix m --what velocity_force,bias tilted.toml", folder.path());
+  const Outcome shown = folder.run("elgen show --fix m --what velocity_force,bias tilted.toml");
   CHECK(mentions(shown.output, "velocity_force = 0\n"));
   CHECK_FALSE(mentions(shown.output, "dot(q)^2"));
-  CHECK(shell("elgen verify --samples 16 tilted.toml", folder.path()).status == 0);
+  CHECK(folder.run("elgen verify --samples 16 tilted.toml").status == 0);
 }
 
 TEST_CASE("a term that cancels in the sum beside it leaves no rounding") {
   const Workspace folder;
   const std::string model = std::string(ELGEN_SOURCE_DIR) + "/models/cart_pole.toml";
-  write_text(folder.path() / "near.scene.toml",
-             "format = 1\nmodel = '" + model +
-                 "'\nname = 'near'\n[outputs]\nforward_dynamics = true\n"
-                 "[approximate]\norder = 3\nabout = { x = 0, theta = 0 }\n");
-  REQUIRE(shell("elgen generate -o out near.scene.toml", folder.path()).status == 0);
+  folder.write("near.scene.toml", "format = 1\nmodel = '" + model +
+                                      "'\nname = 'near'\n[outputs]\nforward_dynamics = true\n"
+                                      "[approximate]\norder = 3\nabout = { x = 0, theta = 0 }\n");
+  REQUIRE(folder.run("elgen generate -o out near.scene.toml").status == 0);
   CHECK(printed(folder, expanded) == "0 0");
   // Far from the point the expanded M is indefinite, with pivots of 1e29.
-  CHECK(shell("elgen verify --quick --samples 64 near.scene.toml", folder.path()).status == 0);
+  CHECK(folder.run("elgen verify --quick --samples 64 near.scene.toml").status == 0);
 }
 
 TEST_CASE("what was sampled and not proved is said by generate and verify") {
   const Workspace folder;
   const std::string model = std::string(ELGEN_SOURCE_DIR) + "/models/furuta_pendulum.toml";
-  const Outcome generated = shell("elgen generate -o out '" + model + "'", folder.path());
+  const Outcome generated = folder.run("elgen generate -o out '" + model + "'");
   CHECK(generated.status == 0);
   CHECK(mentions(generated.errors, " rest on zeros found at 64 points, not proved"));
-  const Outcome verified = shell("elgen verify --quick '" + model + "'", folder.path());
+  const Outcome verified = folder.run("elgen verify --quick '" + model + "'");
   CHECK(verified.status == 0);
   CHECK(std::regex_search(
       verified.output,

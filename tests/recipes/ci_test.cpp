@@ -14,10 +14,10 @@ class Machine : public Repository {
  public:
   explicit Machine(const std::string& recipe) {
     run("mkdir -p home/bin home/source home/scripts");
-    write_text(path() / "home/bin/apt-get", "#!/bin/sh\necho \"$@\" >> ~/packages\n");
-    write_text(path() / "home/source/bootstrap",
-               "#!/bin/sh\ncd \"$(dirname \"$0\")\" && mkdir -p build/release && "
-               "ln -sf \"$ELGEN\" build/release/elgen\n");
+    write("home/bin/apt-get", "#!/bin/sh\necho \"$@\" >> ~/packages\n");
+    write("home/source/bootstrap",
+          "#!/bin/sh\ncd \"$(dirname \"$0\")\" && mkdir -p build/release && "
+          "ln -sf \"$ELGEN\" build/release/elgen\n");
     run("chmod +x home/bin/apt-get home/source/bootstrap && cd home/source && git init -q && "
         "git add . && git commit -q -m elgen");
     run("git update-ref refs/remotes/origin/main main && python3 '" + source() +
@@ -54,11 +54,11 @@ TEST_CASE("the workflow of GitHub summarises, annotates and checks a pull reques
   const Machine machine("recipes/github/elgen.yml");
   machine.branch("topic", flip);
   CHECK(machine.step("Install git").status == 0);
-  CHECK(mentions(machine.text("home/packages"), "ca-certificates git"));
+  CHECK(mentions(machine.read("home/packages"), "ca-certificates git"));
   CHECK(machine.step("Build elgen").status == 0);
   CHECK(machine.step("Find what is compared").status == 0);
   CHECK(machine.step("Summarise the equations").status == 0);
-  CHECK(mentions(machine.text("home/summary"), "gravity"));
+  CHECK(mentions(machine.read("home/summary"), "gravity"));
   const Outcome annotated = machine.step("Annotate the models");
   CHECK(annotated.status == 0);
   CHECK(mentions(annotated.output, "file=models/cart_pole.toml,line=55"));
@@ -80,7 +80,7 @@ TEST_CASE("the job of GitLab compares and checks a merge request") {
   const std::string base = "export CI_MERGE_REQUEST_DIFF_BASE_SHA=\"$(git rev-parse main)\"";
   machine.branch("topic", flip);
   CHECK(machine.step("elgen", base).status == 0);
-  CHECK(mentions(machine.text("equations.md"), "gravity"));
+  CHECK(mentions(machine.read("equations.md"), "gravity"));
   machine.branch("breaking", rename);
   CHECK(machine.step("elgen", base).status == 1);
   machine.run("sed -i 's/cos(theta)\"/cos(thet)\"/' models/cart_pole.toml");

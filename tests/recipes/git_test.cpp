@@ -90,7 +90,7 @@ TEST_CASE("with the driver they do not, and elgen generate writes what the merge
   CHECK(repository.outcome(generate + " --check").status == 1);
   repository.run(generate + " && git add models generated && git commit -q --no-edit");
   CHECK(repository.outcome(generate + " --check").status == 0);
-  const std::string page = repository.text("generated/cart_pole/cart_pole.hpp");
+  const std::string page = repository.read("generated/cart_pole/cart_pole.hpp");
   CHECK(mentions(page, "[ M + 2*m,          2*m*l*cos(theta) ]"));
   repository.run("git checkout -q main && sed -i '" + std::string(heavier) + ";" + longer +
                  "' models/cart_pole.toml");
@@ -106,7 +106,7 @@ TEST_CASE("a model that both branches changed keeps its markers, and what is gen
       "git commit -q -a -m g && git checkout -q longer && "
       "sed -i 's/\"-g\"/\"-2*g\"/' models/cart_pole.toml && git commit -q -a -m 2g");
   CHECK(repository.merge().status == 1);
-  CHECK(mentions(repository.text("models/cart_pole.toml"), "\n<<<<<<< "));
+  CHECK(mentions(repository.read("models/cart_pole.toml"), "\n<<<<<<< "));
   CHECK(repository.outcome("grep -rq '^<<<<<<<' generated").status == 1);
   CHECK(repository.outcome("git diff --name-only --diff-filter=U").output ==
         "models/cart_pole.toml\n");
@@ -123,7 +123,7 @@ TEST_CASE("a file that both branches add is merged without markers") {
                    ".toml && git add . && git commit -q -m " + name);
   }
   CHECK(repository.outcome("git merge -q -m merged one").status == 0);
-  CHECK_FALSE(mentions(repository.text("generated/cart/cart.hpp"), "<<<<<<<"));
+  CHECK_FALSE(mentions(repository.read("generated/cart/cart.hpp"), "<<<<<<<"));
 }
 
 TEST_CASE("an installed elgen brings its recipes along") {

@@ -11,21 +11,19 @@ class Repository : public Workspace {
  public:
   Repository() {
     prepare("mkdir -p models/scenes home && cp " + source + "/models/cart_pole.toml models && cp " +
-                source + "/models/scenes/balance.scene.toml models/scenes && cp -r " + source +
-                "/recipes . && cp recipes/git/attributes .gitattributes && echo home > .gitignore",
-            path());
-    write_text(path() / "home/.gitconfig",
-               "[user]\nname = a\nemail = a@b\n[init]\ndefaultBranch = main\n"
-               "[advice]\ndetachedHead = false\n");
+            source + "/models/scenes/balance.scene.toml models/scenes && cp -r " + source +
+            "/recipes . && cp recipes/git/attributes .gitattributes && echo home > .gitignore");
+    write("home/.gitconfig",
+          "[user]\nname = a\nemail = a@b\n[init]\ndefaultBranch = main\n"
+          "[advice]\ndetachedHead = false\n");
     run("git init -q && " + generate + " && git add . && git commit -q -m first");
   }
 
   /// Throws where the command fails.
-  void run(const std::string& command) const { prepare(environment() + command, path()); }
+  void run(const std::string& command) const { prepare(environment() + command); }
   [[nodiscard]] Outcome outcome(const std::string& command) const {
-    return shell(environment() + command, path());
+    return Workspace::run(environment() + command);
   }
-  [[nodiscard]] std::string text(const std::string& file) const { return read_text(path() / file); }
 
   /// An edit of the model on a branch of its own, with what is generated of it.
   void branch(const std::string& name, const std::string& edit) const {

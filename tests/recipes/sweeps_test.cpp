@@ -20,8 +20,7 @@ bool is_installed(const std::string& program, const std::string& probe) {
 
 /// Every row is of both seeds.
 void check_joined(const Workspace& workspace) {
-  const Outcome joined =
-      shell("jq -s -f " + sweeps + "join.jq certificates/*.json", workspace.path());
+  const Outcome joined = workspace.run("jq -s -f " + sweeps + "join.jq certificates/*.json");
   INFO(joined.errors);
   REQUIRE(joined.status == 0);
   const auto rows = nlohmann::json::parse(joined.output);
@@ -35,11 +34,10 @@ TEST_CASE("seeds are shared out by GNU parallel, and their certificates joined b
   if (!is_installed("GNU parallel", "parallel --version | grep -q GNU")) return;
   if (!is_installed("jq", "jq --version")) return;
   const Workspace workspace;
-  const Outcome outcome =
-      shell("sh " + sweeps + "sweep certificates 2 2 " + pendulum, workspace.path());
+  const Outcome outcome = workspace.run("sh " + sweeps + "sweep certificates 2 2 " + pendulum);
   INFO(outcome.errors);
   CHECK(outcome.status == 0);
-  CHECK(shell("ls certificates", workspace.path()).output ==
+  CHECK(workspace.run("ls certificates").output ==
         "simple_pendulum.1.json\nsimple_pendulum.2.json\n");
   check_joined(workspace);
 }
@@ -48,12 +46,10 @@ TEST_CASE("a task of Slurm's job array has the seed of its number") {
   if (!is_installed("jq", "jq --version")) return;
   const Workspace workspace;
   for (const std::string seed : {"1", "2"}) {
-    prepare("SLURM_CPUS_PER_TASK=2 SLURM_ARRAY_TASK_ID=" + seed + " sh " + sweeps + "slurm.sh 2 " +
-                pendulum,
-            workspace.path());
+    workspace.prepare("SLURM_CPUS_PER_TASK=2 SLURM_ARRAY_TASK_ID=" + seed + " sh " + sweeps +
+                      "slurm.sh 2 " + pendulum);
   }
-  const auto second = nlohmann::json::parse(
-      read_text(workspace.path() / "certificates/simple_pendulum.2.json"));
+  const auto second = nlohmann::json::parse(workspace.read("certificates/simple_pendulum.2.json"));
   CHECK(second.at("seed") == 2);
   check_joined(workspace);
 }

@@ -71,6 +71,12 @@ Workspace::~Workspace() {
   std::filesystem::remove_all(path_, ignored);
 }
 
+std::string Workspace::read(const std::string& file) const { return read_text(path_ / file); }
+
+void Workspace::write(const std::string& file, const std::string& text) const {
+  write_text(path_ / file, text);
+}
+
 std::string read_text(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw std::runtime_error("cannot read " + path.string());

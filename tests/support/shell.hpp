@@ -36,6 +36,13 @@ class Workspace {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
+  /// The same in this folder, with files by their paths from it.
+  [[nodiscard]] Outcome run(const std::string& command) const { return shell(command, path_); }
+  void prepare(const std::string& command) const { test::prepare(command, path_); }
+  [[nodiscard]] std::string files() const { return files_below(path_); }
+  [[nodiscard]] std::string read(const std::string& file) const;
+  void write(const std::string& file, const std::string& text) const;
+
  private:
   std::filesystem::path path_;
 };
