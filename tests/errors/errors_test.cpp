@@ -1,5 +1,15 @@
 // Every error code, as users meet it: tests/errors/*.txt run by the real binary and compared to the
 // letter. ELGEN_UPDATE=1 rewrites what they expect; the difference is then reviewed.
+//
+// One case: input files, a command, and what the command must print.
+//
+//     --- model.toml            any other title is a file to write
+//     format = 2
+//     --- command
+//     elgen generate model.toml
+//     --- exit 2
+//     --- stderr                an absent stderr or stdout means: empty
+//     model.toml:1:10: error[E102]: …
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
@@ -7,14 +17,91 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "elgen/diagnostic.hpp"
-#include "errors/case_file.hpp"
+#include "support/shell.hpp"
 
 namespace elgen::test {
-
 namespace {
+
+struct Section {
+  std::string title;
+  std::string body;
+};
+
+struct CaseFile {
+  std::vector<Section> inputs = {};  ///< name and content
+  std::string command = {};
+  Outcome expected = {};
+};
+
+constexpr std::string_view marker = "--- ";
+
+std::vector<Section> split(std::string_view text) {
+  std::vector<Section> sections;
+  std::istringstream lines{std::string(text)};
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind(marker, 0) == 0) {
+      sections.push_back({line.substr(marker.size()), ""});
+    } else if (sections.empty()) {
+      throw std::invalid_argument("a case starts with `--- `");
+    } else {
+      sections.back().body += line + "\n";
+    }
+  }
+  return sections;
+}
+
+void append(std::string& text, const std::string& title, const std::string& body) {
+  text += std::string(marker) + title + "\n" + body;
+}
+
+/// Throws std::invalid_argument where the text has no such form.
+CaseFile parse_case(std::string_view text) {
+  CaseFile parsed;
+  bool has_exit = false;
+  for (Section& section : split(text)) {
+    if (section.title == "command") {
+      parsed.command = section.body;
+    } else if (section.title == "stdout") {
+      parsed.expected.output = section.body;
+    } else if (section.title == "stderr") {
+      parsed.expected.errors = section.body;
+    } else if (section.title.rfind("exit ", 0) == 0) {
+      parsed.expected.status = std::stoi(section.title.substr(5));
+      has_exit = true;
+    } else {
+      parsed.inputs.push_back(std::move(section));
+    }
+  }
+  if (parsed.command.empty() || !has_exit) {
+    throw std::invalid_argument("a case has a command and an exit code");
+  }
+  return parsed;
+}
+
+std::string to_text(const CaseFile& parsed) {
+  std::string text;
+  for (const Section& input : parsed.inputs) append(text, input.title, input.body);
+  append(text, "command", parsed.command);
+  append(text, "exit " + std::to_string(parsed.expected.status), "");
+  if (!parsed.expected.output.empty()) append(text, "stdout", parsed.expected.output);
+  if (!parsed.expected.errors.empty()) append(text, "stderr", parsed.expected.errors);
+  return text;
+}
+
+/// Runs the command in a fresh folder that holds the inputs.
+Outcome run_case(const CaseFile& parsed) {
+  const Workspace workspace;
+  for (const Section& input : parsed.inputs) {
+    workspace.write(input.title, input.body);
+  }
+  return workspace.run(parsed.command);
+}
 
 const std::filesystem::path folder = std::filesystem::path(ELGEN_SOURCE_DIR) / "tests/errors";
 
@@ -73,6 +160,37 @@ std::vector<BrokenModel> broken_models() {
 }
 
 }  // namespace
+
+TEST_CASE("a case is read section by section and written back unchanged") {
+  const std::string text =
+      "--- model.toml\nformat = 1\n--- scenes/a.toml\nformat = 1\n--- command\nelgen x\n"
+      "--- exit 2\n--- stdout\nout\n--- stderr\nerror\n  | ^\n";
+  const CaseFile parsed = parse_case(text);
+  REQUIRE(parsed.inputs.size() == 2);
+  CHECK(parsed.inputs[1].title == "scenes/a.toml");
+  CHECK(parsed.inputs[1].body == "format = 1\n");
+  CHECK(parsed.command == "elgen x\n");
+  CHECK(parsed.expected.status == 2);
+  CHECK(parsed.expected.output == "out\n");
+  CHECK(parsed.expected.errors == "error\n  | ^\n");
+  CHECK(to_text(parsed) == text);
+}
+
+TEST_CASE("a case without title, command or exit code is refused") {
+  CHECK_THROWS_AS(parse_case("format = 1\n"), std::invalid_argument);
+  CHECK_THROWS_AS(parse_case("--- exit 2\n"), std::invalid_argument);
+  CHECK_THROWS_AS(parse_case("--- command\nelgen\n"), std::invalid_argument);
+}
+
+TEST_CASE("a case runs in a folder of its own, streams and status kept apart") {
+  CaseFile sample;
+  sample.inputs = {{"in/put.txt", "text\n"}};
+  sample.command = "cat in/put.txt; echo error >&2; ls; exit 7";
+  const Outcome outcome = run_case(sample);
+  CHECK(outcome.status == 7);
+  CHECK(outcome.output == "text\nin\n");
+  CHECK(outcome.errors == "error\n");
+}
 
 TEST_CASE("every error file gives exactly its text") {
   const bool update = std::getenv("ELGEN_UPDATE") != nullptr;

@@ -70,7 +70,9 @@ TEST_CASE("every field of an output is compared") {
   CHECK(check(system_of(oscillator_model(), oscillator_program())).failure.empty());
   for (const auto& [what, from, to] :
        {std::tuple{"w.M (X y) of A", "A 2 2 = 3 4 7 9", "A 2 2 = 3 4 7 8"},
+        std::tuple{"w.X y of A", "A 2 2 = 3 4 7 9", "A 2 2 = 4 4 7 9"},
         std::tuple{"w.M (X y) of B", "B 2 1 = 3 5", "B 2 1 = 3 3"},
+        std::tuple{"w.X y of B", "B 2 1 = 3 5", "B 2 1 = 5 5"},
         std::tuple{"w.X y of by_position", "1 1 = 2", "1 1 = 3"},
         std::tuple{"w.X y of by_velocity", "1 1 = 1", "1 1 = 2"},
         std::tuple{"w.M (X y) of by_position", "1 1 = 7", "1 1 = 6"},
