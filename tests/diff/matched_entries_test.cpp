@@ -1,10 +1,14 @@
-// Entries meet by what their rows and columns stand for.
+// Two programs over the leaves of both, and entries that meet by what their rows and columns stand
+// for.
 #include "diff/matched_entries.hpp"
 
 #include <catch2/catch.hpp>
 
+#include "diff/joint_program.hpp"
 #include "diff/versions.hpp"
 #include "evaluate/subject.hpp"
+#include "lower/graph/prune.hpp"
+#include "lower/read_program.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
@@ -31,6 +35,13 @@ std::vector<MatchedEntry> matched(const Lowered& old, const Lowered& now, Output
                          now.products.checked->model, *find_function(*now.products.lowered, kind),
                          renames);
 }
+
+const Program older = elgen::testing::read_program(
+    "parameters m\ncoordinates x\nfunction gravity\n  0 = parameter m\n  1 = coordinate x\n"
+    "  2 = multiply 0 1\n  result 1 1 = 2\n");
+const Program newer = elgen::testing::read_program(
+    "parameters k m\ncoordinates x\nfunction gravity\n  0 = parameter m\n  1 = coordinate x\n"
+    "  2 = multiply 0 1\n  3 = parameter k\n  4 = add 2 3\n  result 1 1 = 4\n");
 
 }  // namespace
 
@@ -74,4 +85,39 @@ TEST_CASE("entries of an output that only one version has are on their own") {
   REQUIRE(entries.size() == 2);
   CHECK(entries[1].after == 1U);
   CHECK_FALSE(entries[1].before);
+}
+
+TEST_CASE("leaves meet by their names, and what is computed alike is one instruction") {
+  JointProgram joint(older, newer, {});
+  CHECK(joint.program().leaves.parameters == std::vector<std::string>{"k", "m"});
+  const JointFunction both = joint.joined(older.functions[0], newer.functions[0]);
+  CHECK(both.function.instructions.size() == 5);
+  CHECK(both.function.instructions[both.after[0]].a == both.before[0]);
+}
+
+TEST_CASE("leaves that only the older version has come last") {
+  const JointProgram joint(newer, older, {});
+  CHECK(joint.program().leaves.parameters == std::vector<std::string>{"m", "k"});
+}
+
+TEST_CASE("a renamed leaf is the same leaf") {
+  Program other = older;
+  other.leaves.parameters = {"mass"};
+  JointProgram joint(older, other, {{"m", "mass"}});
+  const JointFunction both = joint.joined(older.functions[0], other.functions[0]);
+  CHECK(both.before == both.after);
+  JointProgram apart(older, other, {});
+  const JointFunction two = apart.joined(older.functions[0], other.functions[0]);
+  CHECK(two.before != two.after);
+}
+
+TEST_CASE("parameters of the newer version may have values") {
+  JointProgram joint(older, newer, {});
+  const JointFunction both =
+      joint.joined(older.functions[0], newer.functions[0], {{"k", rational_constant(5)}});
+  const Function function = with_entries(both.function, {both.before[0], both.after[0]});
+  Arguments<double> at;
+  at.parameters = {100, 2};
+  at.q = {3};
+  CHECK(evaluate(joint.program(), function, at) == std::vector<double>{6, 11});
 }

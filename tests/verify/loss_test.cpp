@@ -23,7 +23,7 @@ const std::string cosine = form_head +
                            "  result 1 1 = 9\n";
 /// 2 sin(th/2)^2
 const std::string half_angle =
-    head +
+    form_head +
     "  6 = constant 1/2\n  7 = multiply 6 3\n  8 = sin 7\n  9 = multiply 8 8\n"
     "  10 = add 9 9\n  11 = multiply 5 10\n  result 1 1 = 11\n";
 /// m l g tanh(th), as friction goes with a rate.
