@@ -2,15 +2,10 @@
 // it; only what the scene asks for is derived.
 #include <fmt/format.h>
 
-#include "derive/lagrangian/derivation.hpp"
 #include "derive/lagrangian/node_limit.hpp"
+#include "derive/lagrangian/symmetric_solve.hpp"
 #include "derive/lagrangian/turning.hpp"
-#include "derive/outputs/derivatives.hpp"
-#include "derive/outputs/energies.hpp"
-#include "derive/outputs/forces.hpp"
-#include "derive/outputs/forward_dynamics.hpp"
-#include "derive/outputs/matrices.hpp"
-#include "derive/outputs/reaction.hpp"
+#include "derive/outputs/outputs.hpp"
 #include "elgen/equations_of_motion.hpp"
 #include "formulate/print.hpp"
 #include "inspect/singular_mass.hpp"

@@ -2,10 +2,8 @@
 // outputs themselves go shorter ways (derivation.hpp); tests compare the two.
 #include "elgen/steps.hpp"
 
-#include "derive/lagrangian/derivation.hpp"
 #include "derive/lagrangian/turning.hpp"
-#include "derive/outputs/energies.hpp"
-#include "derive/outputs/forces.hpp"
+#include "derive/outputs/outputs.hpp"
 
 namespace elgen {
 

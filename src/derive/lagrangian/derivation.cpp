@@ -1,8 +1,10 @@
 // What several outputs share; each part is made on first demand.
 #include "derive/lagrangian/derivation.hpp"
 
-#include "derive/lagrangian/rate_grades.hpp"
+#include <array>
+
 #include "derive/lagrangian/turning.hpp"
+#include "formulate/needed.hpp"
 
 namespace elgen {
 
@@ -17,6 +19,79 @@ Seeds seeds(const Symbols& symbols, bool coordinates_move, bool time_passes) {
   }
   if (time_passes) result.emplace(symbols.t, 1);
   return result;
+}
+
+/// The parts f0, f1, f2 of expressions that are constant, linear and quadratic in the rates. With
+/// f(q, s v, t) = f0 + s f1 + s^2 f2 + …, T = T2 + T1 + T0 and V = V1 + V0 are the grades of the
+/// energies. Taylor's formula through the definitions, at x0:
+///
+///     f0 = f(x0),   f1 = sum df/dx x1,   f2 = sum df/dx x2 + 1/2 sum sum d2f/dxdy x1 y1
+///
+///     before    w = dot(q) + N, T = 1/2*J*w^2
+///     after     w0 = N, w1 = dot(q);  T2 = 1/2*J*w1^2, T1 = J*w0*w1, T0 = 1/2*J*w0^2
+class RateGrades {
+ public:
+  RateGrades(Definitions& definitions, const std::vector<ex>& rates);
+
+  /// Throws GiNaC's pole_error where the expression has no value at zero rates.
+  [[nodiscard]] std::array<ex, 3> operator()(const ex& value);
+
+ private:
+  [[nodiscard]] std::array<ex, 3> from_known(const ex& value) const;
+  void split(std::uint32_t definition);
+
+  Definitions& definitions_;
+  ExpressionMap<std::array<ex, 3>> parts_;  // of what depends on the rates
+  std::vector<bool> known_;
+};
+
+RateGrades::RateGrades(Definitions& definitions, const std::vector<ex>& rates)
+    : definitions_(definitions) {
+  for (const ex& rate : rates) parts_.emplace(rate, std::array<ex, 3>{0, rate, 0});
+}
+
+std::array<ex, 3> RateGrades::from_known(const ex& value) const {
+  GiNaC::exmap at_rest;
+  for (const ex& symbol : symbols_of(definitions_, value)) {
+    const auto found = parts_.find(symbol);
+    if (found != parts_.end()) at_rest.emplace(symbol, found->second[0]);
+  }
+  if (at_rest.empty()) return {value, 0, 0};
+  const auto resting = [&](const ex& e) {
+    return e.subs(at_rest, GiNaC::subs_options::no_pattern);
+  };
+  GiNaC::exvector linear;
+  GiNaC::exvector quadratic;
+  for (const Partial& first : partials(definitions_, value, Opcode::velocity)) {
+    const std::array<ex, 3>& x = parts_.at(first.variable);
+    const ex slope = resting(first.value);
+    linear.push_back(slope * x[1]);
+    quadratic.push_back(slope * x[2]);
+    for (const Partial& second : partials(definitions_, first.value, Opcode::velocity)) {
+      const ex curvature = resting(second.value) / 2;
+      quadratic.push_back(curvature * x[1] * parts_.at(second.variable)[1]);
+    }
+  }
+  return {resting(value), GiNaC::add(linear), GiNaC::add(quadratic)};
+}
+
+void RateGrades::split(std::uint32_t definition) {
+  static constexpr std::array<const char*, 3> suffixes{"_rest", "_linear", "_quadratic"};
+  const Definition old = definitions_.list[definition];
+  std::array<ex, 3> parts = from_known(old.value);
+  // A definition of one grade keeps its own symbol.
+  for (std::size_t grade = 0; grade < parts.size(); ++grade) {
+    const bool is_whole = parts[grade].is_equal(old.value);
+    const std::string name = old.name.empty() ? std::string() : old.name + suffixes[grade];
+    parts[grade] = is_whole ? old.symbol : define(definitions_, parts[grade], {name, old.origin});
+  }
+  parts_.emplace(old.symbol, parts);
+}
+
+std::array<ex, 3> RateGrades::operator()(const ex& value) {
+  visit_needed(definitions_, value, Opcode::velocity, known_,
+               [this](std::uint32_t definition) { split(definition); });
+  return from_known(value);
 }
 
 void append_nonzero(Terms& terms, const ex& term) {

@@ -1,9 +1,7 @@
 // Generalized forces: one reverse pass over positions and energies each, plus the rates of momenta.
-#include "derive/outputs/forces.hpp"
-
 #include "derive/lagrangian/turning.hpp"
+#include "derive/outputs/outputs.hpp"
 #include "derive/tree/tree_dynamics.hpp"
-#include "derive/tree/tree_gravity.hpp"
 #include "derive/tree/tree_twists.hpp"
 
 namespace elgen {
@@ -229,6 +227,27 @@ Vector position_gradient(Derivation& derivation) {
   append(sum, weighted(tree_potential_energy(tree), -1));
   append(sum, derivation.other_lagrangian());
   return derivation.by_position(sum);
+}
+
+/// Rows of the Lagrangian in which everything moves, then brought to where it stands.
+///
+///     before    row of q1: (I1 + I2 + ...)*q1_ddot + ... - tau1
+///     after     the same with q1 = s(t), q1_dot = ds/dt, q1_ddot = d2s/dt2
+Vector reaction(Derivation& derivation) {
+  const Holding& holding = *derivation.lagrangian.holding;
+  Lagrangian whole = *holding.whole;
+  whole.definitions = derivation.definitions;
+  Derivation moving(whole);
+  const Vector rows = residual(moving, InputForces::acting, Bodies::all);
+  Substitution standing(moving.definitions, holding.values);
+  Vector result;
+  for (const std::uint32_t velocity : holding.velocities) {
+    const ex row = define(moving.definitions, rows[velocity]);
+    result.push_back(standing(row));
+  }
+  // Only appended to, so that what the derivation knows of earlier ones stays true.
+  derivation.definitions = std::move(moving.definitions);
+  return result;
 }
 
 }  // namespace elgen

@@ -1,11 +1,9 @@
 // Matrices: forward passes along unit directions over vectors that are derived once.
-#include "derive/outputs/matrices.hpp"
-
 #include "derive/lagrangian/turning.hpp"
-#include "derive/outputs/forces.hpp"
+#include "derive/outputs/outputs.hpp"
+#include "derive/tree/tree_columns.hpp"
 #include "derive/tree/tree_matrices.hpp"
 #include "derive/tree/tree_twists.hpp"
-#include "derive/tree/tree_variables.hpp"
 
 namespace elgen {
 

@@ -8,7 +8,7 @@
 // instead of 6 x 6 matrices).
 #pragma once
 
-#include "derive/tree/tree.hpp"
+#include "derive/tree/tree_twists.hpp"
 
 namespace elgen {
 
@@ -44,5 +44,27 @@ void accumulate(VectorAlgebra& algebra, const CompositeInertia& from, CompositeI
 /// I (spin; velocity): the momentum about the origin.
 [[nodiscard]] SpatialForce momentum(VectorAlgebra& algebra, const CompositeInertia& inertia,
                                     const ExVector3& spin, const ExVector3& velocity);
+
+/// The part of the momentum's rate that is linear in a unit twist, for everything a step carries:
+///
+///     B = [A 0; -[P]x 0],  per body  P = m (v + w x c),
+///     A = -[w]x Sigma - (v h^T - (h.v) 1)      Sigma = 1/2 tr(I) 1 - I about the origin
+///
+///     turn         P_p = R P,  A_p = R A R^T
+///     translation  P_p = P,    A_p = A - (P p^T - (p.P) 1)
+struct CompositeRate {
+  ExMatrix3 a = {0, 0, 0, 0, 0, 0, 0, 0, 0};  ///< row-major
+  ExVector3 momentum{0, 0, 0};
+};
+
+/// to += from, both in the same axes.
+void accumulate(VectorAlgebra& algebra, const CompositeRate& from, CompositeRate& to);
+
+/// In the axes before the step.
+[[nodiscard]] CompositeRate to_parent(Tree& tree, std::size_t step, const CompositeRate& rate);
+
+/// Of every step, in the axes after it, for the bodies moving with these twists.
+[[nodiscard]] std::vector<CompositeRate> composite_rates(Tree& tree,
+                                                         const std::vector<Twist>& twists);
 
 }  // namespace elgen

@@ -1,16 +1,45 @@
 // Columns: what a unit twist of one variable asks of everything it carries, passed on to the steps
 // below. The mass matrix, the Coriolis matrix and the derivatives of inverse dynamics are products
-// of such columns with the unit twists met on the way to the root.
+// of such columns with the unit twists met on the way to the root. A variable is what moves a tree:
+// its angles, the components of its offsets, and the velocities of rotations.
 #pragma once
 
 #include <functional>
 
-#include "derive/tree/composite_rate.hpp"
+#include "derive/tree/composite.hpp"
 #include "derive/tree/tree_dynamics.hpp"
-#include "derive/tree/tree_twists.hpp"
-#include "derive/tree/tree_variables.hpp"
 
 namespace elgen {
+
+/// A unit twist (angular; linear) in the axes after a step.
+struct TreeVariable {
+  std::uint32_t step = 0;
+  ExVector3 spin{0, 0, 0};
+  ExVector3 velocity{0, 0, 0};
+  GiNaC::ex value = 0;                               ///< x(q, t)
+  std::optional<std::uint32_t> velocity_index = {};  ///< of a rotation instead of x
+};
+
+/// One entry of dx/dq.
+struct Coefficient {
+  std::size_t velocity = 0;
+  GiNaC::ex value = 0;
+};
+
+/// Those that depend on coordinates, steps ascending. Quaternions written over coordinates have
+/// none: `is_complete` is false then, and matrices are derived from forces instead.
+struct TreeVariables {
+  std::vector<TreeVariable> list = {};
+  bool is_complete = true;
+};
+
+[[nodiscard]] TreeVariables tree_variables(const Tree& tree);
+
+/// dx/dq without its zeros.
+[[nodiscard]] std::vector<Coefficient> jacobian_row(Tree& tree, const TreeVariable& variable);
+
+/// Whether no entry of any row depends on coordinates or time.
+[[nodiscard]] bool is_constant(const Definitions& definitions, const std::vector<Coefficient>& row);
 
 /// With S the unit twist of a variable, I and B the composites (see tree_matrices.hpp), v and a the
 /// twist and acceleration of the step before, v_own that of its own step, and f the force on all

@@ -1,6 +1,6 @@
-// Inertial forces of bodies in frames, each linear in the number of steps. In the axes after each
-// step, with w the angular velocity and a the acceleration of the origin less gravity (uniform
-// gravity is an upward acceleration of the base):
+// Inertial forces and weights of bodies in frames, each linear in the number of steps. In the axes
+// after each step, with w the angular velocity and a the acceleration of the origin less gravity
+// (uniform gravity is an upward acceleration of the base):
 //
 //     turn          w = R^T w_p + s,   w' = R^T w_p' + (R^T w_p) x s + s',   a = R^T a_p
 //     translation   a = a_p + U p + 2 w x p' + p'',   U = [w']x + [w]x [w]x
@@ -40,5 +40,17 @@ struct StepMotion {
 
 /// Inertial forces (and weights) of the bodies.
 [[nodiscard]] TreeForces inertial_forces(Tree& tree, const Acceleration& acceleration);
+
+/// dV/dq of the bodies' weights: with mu the mass and h the first moment of all that a step
+/// carries, in the axes after it, and g the gravity there,
+///
+///     parent   mu_p += mu,   h_p += R h + mu p
+///     weight   F = -mu g,    N = g x h        (on the side of M a)
+///
+/// pulled back as the component along each step.
+[[nodiscard]] TreeForces tree_gravity(Tree& tree);
+
+/// -m gravity.p of each body.
+[[nodiscard]] Terms tree_potential_energy(Tree& tree);
 
 }  // namespace elgen

@@ -1,9 +1,7 @@
+// Forward dynamics: the mass matrix, the bias with the inputs acting, and the solution.
 // Derivatives: columns of the frames, forward passes over the rest.
-#include "derive/outputs/derivatives.hpp"
-
-#include "derive/outputs/forces.hpp"
-#include "derive/outputs/forward_dynamics.hpp"
-#include "derive/outputs/matrices.hpp"
+#include "derive/lagrangian/symmetric_solve.hpp"
+#include "derive/outputs/outputs.hpp"
 #include "derive/tree/tree_matrices.hpp"
 
 namespace elgen {
@@ -11,6 +9,18 @@ namespace elgen {
 using GiNaC::ex;
 
 namespace {
+
+/// By a factorisation of M. They are named "acceleration_theta": the velocities bear the
+/// identifiers of their coordinates.
+Vector acceleration(Derivation& derivation, SymmetricSolve& mass) {
+  Vector right_side = bias(derivation, InputForces::acting);
+  for (ex& entry : right_side) entry = -entry;
+  Vector result = mass.solve(right_side);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    name(derivation.definitions, result[i], "acceleration_" + derivation.velocity_identifier(i));
+  }
+  return result;
+}
 
 /// d values/d(direction) for every direction, as columns.
 template <class Direction>
@@ -65,6 +75,15 @@ void add_turning_of_displacement(const Symbols& symbols, const RotationPlace& ro
 }
 
 }  // namespace
+
+ForwardDynamics forward_dynamics(Derivation& derivation) {
+  SymmetricSolve mass(derivation, mass_matrix(derivation));
+  ForwardDynamics result;
+  result.acceleration = acceleration(derivation, mass);
+  result.relative_pivots = mass.relative_pivots();
+  result.diagonal = mass.diagonal();
+  return result;
+}
 
 InverseDerivatives inverse_dynamics_derivatives(Derivation& derivation) {
   return residual_derivatives(derivation, InputForces::absent);

@@ -1,0 +1,136 @@
+// The outputs: the function that bears the name of an output derives it, at the caller's state.
+#pragma once
+
+#include "derive/lagrangian/derivation.hpp"
+
+namespace elgen {
+
+// Generalized forces, and the momentum: vectors of n_v, each J per unit of the coordinate
+// (momentum: J s per unit).
+
+enum class InputForces : unsigned char { absent, acting };
+enum class Bodies : unsigned char { all, without_frames };
+
+/// tau = M a + bias.
+[[nodiscard]] Vector inverse_dynamics(Derivation& derivation);
+
+/// The same less B u where the inputs act; without what the bodies in frames add, where asked so.
+[[nodiscard]] Vector residual(Derivation& derivation, InputForces inputs, Bodies bodies);
+
+/// C v + drift + g + dD/dv - Q; with the inputs acting, - Q - B u.
+[[nodiscard]] Vector bias(Derivation& derivation, InputForces inputs = InputForces::absent);
+
+/// C v: the part quadratic in v. L quadratic in v.
+[[nodiscard]] Vector velocity_force(Derivation& derivation, Bodies bodies = Bodies::all);
+
+/// dT/dv of the bodies in frames.
+[[nodiscard]] Vector momentum_of_frames(Derivation& derivation);
+
+/// (dM/dt) v + (db/dq - (db/dq)^T) v + db/dt - dT0/dq with b = b_T - V1. L quadratic in v.
+[[nodiscard]] Vector drift(Derivation& derivation);
+
+/// g = dV0/dq. L quadratic in v.
+[[nodiscard]] Vector gravity(Derivation& derivation);
+
+/// dD/dv.
+[[nodiscard]] Vector dissipation(Derivation& derivation);
+
+/// Q: the declared forces with u = 0; with the inputs acting, Q + B u.
+[[nodiscard]] Vector applied_force(Derivation& derivation,
+                                   InputForces inputs = InputForces::absent);
+
+/// dL/dv = M v + b.
+[[nodiscard]] Vector momentum(Derivation& derivation);
+
+/// dL/dq; along the rotation vector, N^T dL/dq, where rotations turn.
+[[nodiscard]] Vector position_gradient(Derivation& derivation);
+
+/// (d/dt dL/dv - dL/dq + dD/dv - Q - B u) of the locked coordinates that want it, L before locking,
+/// at q = s(t), v = ds/dt, a = d2s/dt2: what must act beside the inputs to hold them.
+[[nodiscard]] Vector reaction(Derivation& derivation);
+
+// Energies, in J.
+
+/// T. L quadratic in v.
+[[nodiscard]] GiNaC::ex kinetic_energy(Derivation& derivation);
+
+/// V0, the potential energy at zero rates. L quadratic in v.
+[[nodiscard]] GiNaC::ex potential_energy(Derivation& derivation);
+
+/// V as given, with its part linear in v.
+[[nodiscard]] GiNaC::ex full_potential_energy(Derivation& derivation);
+
+/// T + V = T + V0 + V1.v. L quadratic in v.
+[[nodiscard]] GiNaC::ex total_energy(Derivation& derivation);
+
+/// E = sum v dL/dv - L; T2 - T0 + V0 where L is quadratic in v.
+[[nodiscard]] GiNaC::ex energy_function(Derivation& derivation);
+
+// Matrices, row-major.
+
+/// M = d2L/dv2, n_v x n_v, symmetric: both halves hold the same expressions. One forward and one
+/// reverse pass per column; a point mass gives sum m dp/dq_i . dp/dq_j.
+[[nodiscard]] Vector mass_matrix(Derivation& derivation);
+
+/// C_ij = 1/2 d(C v)_i/dv_j, the Christoffel form, for which (sum dM/dq_k v_k) - 2 C is skew.
+/// n forward passes over C v.
+[[nodiscard]] Vector coriolis_matrix(Derivation& derivation);
+
+/// B = dQ/du, n_v x n_u.
+[[nodiscard]] Vector input_matrix(Derivation& derivation);
+
+/// dy/dq of each value, one reverse pass per row.
+[[nodiscard]] Vector jacobian(Derivation& derivation, const Terms& values);
+
+/// d2y/dt2 at a = 0.
+[[nodiscard]] Vector second_rate(Derivation& derivation, const Terms& values);
+
+/// Of a frame's twist (angular velocity; velocity of its origin): d twist/dv, 6 x n_v, and what is
+/// left of its rate at a = 0.
+[[nodiscard]] Vector twist_jacobian(Derivation& derivation, const TwistOutput& output);
+[[nodiscard]] Vector twist_bias(Derivation& derivation, const TwistOutput& output);
+
+// Forward dynamics a = M^-1 (B u - bias), and derivatives of the dynamics.
+//
+//     inverse    tau = M a + bias:            d tau/dq, d tau/dv
+//     forward    M a = B u - bias:            da/dq = -M^-1 d(M a + bias - B u)/dq at that a,
+//                                             da/dv = -M^-1 d bias/dv,  da/du = M^-1 B
+//     linear     x = (dq, dv):                dx/dt = A x + B du,  A = [0 1; da/dq da/dv],
+//                                             B = [0; da/du]
+//
+// For a rotation dq is the rotation vector in its own axes; its rate is dv - w x dq, so the upper
+// left block of A holds -[w]x there.
+//
+// Bodies in frames go by columns (tree_matrices.hpp) where every angle and offset is linear in the
+// coordinates, everything else by a forward pass along each unit direction.
+
+struct ForwardDynamics {
+  Vector acceleration;
+  Vector relative_pivots;
+  Vector diagonal;  ///< of M: pivots mean nothing where it is 0
+};
+[[nodiscard]] ForwardDynamics forward_dynamics(Derivation& derivation);
+
+/// n_v x n_v each, row-major.
+struct InverseDerivatives {
+  Vector by_position;
+  Vector by_velocity;
+};
+[[nodiscard]] InverseDerivatives inverse_dynamics_derivatives(Derivation& derivation);
+
+/// n_v x n_v, n_v x n_v, n_v x n_u.
+struct ForwardDerivatives {
+  Vector by_position;
+  Vector by_velocity;
+  Vector by_input;
+};
+[[nodiscard]] ForwardDerivatives forward_dynamics_derivatives(Derivation& derivation);
+
+/// 2 n_v x 2 n_v and 2 n_v x n_u.
+struct Linearization {
+  Vector a;
+  Vector b;
+};
+[[nodiscard]] Linearization linearization(Derivation& derivation);
+
+}  // namespace elgen
