@@ -1,4 +1,5 @@
-// Composite inertias against sums over the bodies in the world, and the laws of passing them on.
+// Composite inertias against sums over the bodies in the world, rates of momentum per unit twist,
+// and the laws of passing both on.
 #include "derive/tree/composite.hpp"
 
 #include <catch2/catch.hpp>
@@ -10,14 +11,9 @@ using namespace elgen::test;
 
 namespace {
 
-/// A motion in the axes before a step, and the same in those after it.
-struct MovedTwist {
-  ExVector3 spin;
-  ExVector3 velocity;
-};
-
-MovedTwist after(Tree& tree, std::size_t step, const MovedTwist& before) {
-  MovedTwist result = before;
+/// A motion in the axes before a step, in those after it.
+Twist after(Tree& tree, std::size_t step, const Twist& before) {
+  Twist result = before;
   if (tree.step(step).kind == FrameStepKind::translation) {
     const ExVector3 carried = tree.algebra.cross(before.spin, tree.step(step).vector);
     result.velocity = tree.algebra.add(before.velocity, carried);
@@ -28,17 +24,28 @@ MovedTwist after(Tree& tree, std::size_t step, const MovedTwist& before) {
   return result;
 }
 
-GiNaC::ex power(Tree& tree, const CompositeInertia& inertia, const MovedTwist& a,
-                const MovedTwist& b) {
+GiNaC::ex power(Tree& tree, const CompositeInertia& inertia, const Twist& a, const Twist& b) {
   const SpatialForce of_b = momentum(tree.algebra, inertia, b.spin, b.velocity);
   const GiNaC::ex turning = tree.algebra.dot(a.spin, of_b.moment);
   return turning + tree.algebra.dot(a.velocity, of_b.force);
 }
 
-const MovedTwist first{{GiNaC::numeric(2, 3), GiNaC::numeric(-1, 5), GiNaC::numeric(3, 7)},
-                       {GiNaC::numeric(1, 9), GiNaC::numeric(4, 5), GiNaC::numeric(-3, 2)}};
-const MovedTwist second{{GiNaC::numeric(1, 4), GiNaC::numeric(6, 5), GiNaC::numeric(-2, 7)},
-                        {GiNaC::numeric(5, 3), GiNaC::numeric(-1, 8), GiNaC::numeric(1, 2)}};
+const Twist first{{GiNaC::numeric(2, 3), GiNaC::numeric(-1, 5), GiNaC::numeric(3, 7)},
+                  {GiNaC::numeric(1, 9), GiNaC::numeric(4, 5), GiNaC::numeric(-3, 2)}};
+const Twist second{{GiNaC::numeric(1, 4), GiNaC::numeric(6, 5), GiNaC::numeric(-2, 7)},
+                   {GiNaC::numeric(5, 3), GiNaC::numeric(-1, 8), GiNaC::numeric(1, 2)}};
+
+/// (A s; s x P)
+SpatialForce applied(VectorAlgebra& algebra, const CompositeRate& rate, const ExVector3& s) {
+  SpatialForce result;
+  result.moment = algebra.product(rate.a, s);
+  result.force = algebra.cross(s, rate.momentum);
+  return result;
+}
+
+Vector listed(const SpatialForce& f) {
+  return {f.moment[0], f.moment[1], f.moment[2], f.force[0], f.force[1], f.force[2]};
+}
 
 }  // namespace
 
@@ -86,6 +93,51 @@ TEST_CASE("twice the kinetic energy does not depend on the axes", "[frames]") {
       const NumbersAt at(derivation.symbols, derivation.definitions, some_state(system.checked));
       CHECK(nearly_equal({at(moved)}, {at(expected)}));
       CHECK(nearly_equal({at(transposed)}, {at(expected)}));
+    }
+  }
+}
+
+TEST_CASE("along its own twist a body asks for w x momentum", "[frames]") {
+  for (const auto& [name, text] : frame_systems()) {
+    INFO(name);
+    const Framed system(text);
+    Derivation derivation(system.lagrangian);
+    Tree& tree = tree_of(derivation);
+    VectorAlgebra& algebra = tree.algebra;
+    const std::vector<Twist> twists = tree_twists(tree, derivation.frozen);
+    const std::size_t leaf = tree.size() - 1;  // carries itself only
+    const CompositeRate rate = composite_rates(tree, twists)[leaf];
+    const CompositeInertia inertia = composite_inertias(tree)[leaf];
+    const ExVector3& w = twists[leaf].spin;
+    const SpatialForce p = momentum(algebra, inertia, w, twists[leaf].velocity);
+    SpatialForce expected;
+    const ExVector3 of_spin = algebra.cross(w, p.moment);
+    const ExVector3 of_velocity = algebra.cross(twists[leaf].velocity, p.force);
+    expected.moment = algebra.add(of_spin, of_velocity);
+    expected.force = algebra.cross(w, p.force);
+    const Vector derived = listed(applied(algebra, rate, w));
+    const Vector wanted = listed(expected);
+    const NumbersAt at(derivation.symbols, derivation.definitions, some_state(system.checked));
+    CHECK(nearly_equal(at(derived), at(wanted)));
+  }
+}
+
+TEST_CASE("a force per twist is the same force in the axes before a step", "[frames]") {
+  const ExVector3 s{GiNaC::numeric(2, 3), GiNaC::numeric(-1, 5), GiNaC::numeric(3, 7)};
+  for (const auto& [name, text] : frame_systems()) {
+    const Framed system(text);
+    Derivation derivation(system.lagrangian);
+    Tree& tree = tree_of(derivation);
+    const std::vector<CompositeRate> rates =
+        composite_rates(tree, tree_twists(tree, derivation.frozen));
+    for (std::size_t k = 0; k < tree.size(); ++k) {
+      INFO(name << " step " << k);
+      const CompositeRate before = to_parent(tree, k, rates[k]);
+      const SpatialForce after = applied(tree.algebra, rates[k], tree.to_child(k, s));
+      const Vector passed = listed(tree.before(k, after));
+      const Vector direct = listed(applied(tree.algebra, before, s));
+      const NumbersAt at(derivation.symbols, derivation.definitions, some_state(system.checked));
+      CHECK(nearly_equal(at(direct), at(passed)));
     }
   }
 }

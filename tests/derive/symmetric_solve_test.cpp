@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "derive/outputs/matrices.hpp"
+#include "derive/outputs/outputs.hpp"
 #include "framed.hpp"
 
 using namespace elgen;

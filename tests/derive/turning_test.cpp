@@ -3,8 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "derive/outputs/forces.hpp"
-#include "derive/outputs/matrices.hpp"
+#include "derive/outputs/outputs.hpp"
 #include "formulate/chain_rule.hpp"
 #include "formulate/written_out.hpp"
 

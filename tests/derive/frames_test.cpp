@@ -1,15 +1,26 @@
-// Matrices of frames against the oracle, and the laws they obey.
-#include "derive/tree/tree_matrices.hpp"
-
+// Outputs of systems of frames against the oracle, which sees them in the world, and the laws they
+// obey.
 #include <catch2/catch.hpp>
 
-#include "derive/outputs/matrices.hpp"
+#include "derive/outputs/outputs.hpp"
 #include "framed.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
 
 namespace {
+
+/// (f(x + h) - f(x - h))/2h of the derived inverse dynamics, along one entry of q or v.
+Reals slopes(Framed& system, State state, Reals State::*of, std::size_t j) {
+  const cln::cl_RA h = cln::expt(cln::cl_RA(10), -15);
+  cln::cl_R& x = (state.*of)[j];
+  x = x + h;
+  const Reals above = system.derived("inverse_dynamics", state);
+  x = x - 2 * h;
+  Reals result = system.derived("inverse_dynamics", state);
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = (above[i] - result[i]) / (2 * h);
+  return result;
+}
 
 /// The same model with its frames, points, bodies and forces in the opposite order.
 std::string reversed_entries(const std::string& text) {
@@ -29,27 +40,44 @@ std::string reversed_entries(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("mass and Coriolis matrices of frames", "[frames]") {
+TEST_CASE("outputs of frames", "[frames]") {
   for (const auto& [name, text] : frame_systems()) {
-    INFO(name);
     Framed system(text);
-    CHECK(system.agrees("mass_matrix"));
-    CHECK(system.agrees("coriolis_matrix"));
-    CHECK(system.agrees("forward_dynamics"));
-    if (!system.checked.model.inputs.empty()) CHECK(system.agrees("input_matrix"));
+    for (const OutputRequest& output : system.checked.scene.outputs) {
+      if (!has_equations(output_row(output.kind))) continue;
+      INFO(name << " " << output.name);
+      CHECK(system.agrees(output.name));
+    }
   }
 }
 
-TEST_CASE("outputs of frames: pose, Jacobian of the twist, and its bias", "[frames]") {
-  for (const auto& [name, text] : frame_systems()) {
+TEST_CASE("derivatives of systems without frames") {
+  for (const auto& [name, text] : systems()) {
     Framed system(text);
-    for (const OutputRequest& request : system.checked.scene.outputs) {
-      if (request.kind != OutputKind::user_value && request.kind != OutputKind::user_jacobian &&
-          request.kind != OutputKind::user_bias) {
-        continue;
+    for (const char* output :
+         {"inverse_dynamics_derivatives", "forward_dynamics_derivatives", "linearization"}) {
+      INFO(name << " " << output);
+      CHECK(system.agrees(output));
+    }
+  }
+}
+
+TEST_CASE("derivatives by columns are the slopes of the inverse dynamics", "[frames]") {
+  for (const std::string& text : {two_turns_text(), turntable_text(), two_arms_text()}) {
+    Framed system(text);
+    INFO(system.checked.model.name);
+    const State state = some_state(system.checked);
+    const Reals derived = system.derived("inverse_dynamics_derivatives", state);
+    const std::size_t n = system.size();
+    for (std::size_t j = 0; j < n; ++j) {
+      Reals by_position;
+      Reals by_velocity;
+      for (std::size_t i = 0; i < n; ++i) {
+        by_position.push_back(derived[i * n + j]);
+        by_velocity.push_back(derived[n * n + i * n + j]);
       }
-      INFO(name << " " << request.name);
-      CHECK(system.agrees(request.name));
+      CHECK(nearly_equal(by_position, slopes(system, state, &State::q, j), 25));
+      CHECK(nearly_equal(by_velocity, slopes(system, state, &State::v, j), 25));
     }
   }
 }

@@ -1,0 +1,234 @@
+// Outputs against the textbook route, and the laws they obey.
+#include "derive/outputs/outputs.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "derived.hpp"
+#include "elgen/specialise.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+/// A vector and its textbook entries; some outputs there are only where L is quadratic in v.
+struct VectorOutput {
+  const char* name;
+  Vector (*derived)(Derivation& derivation);
+  GiNaC::ex (Textbook::*expected)(std::size_t i) const;
+  bool of_quadratic;
+};
+
+const VectorOutput vectors[] = {
+    {"inverse_dynamics", inverse_dynamics, &Textbook::inverse_dynamics, false},
+    {"bias", [](Derivation& d) { return bias(d); }, &Textbook::bias, false},
+    {"momentum", momentum, &Textbook::momentum, false},
+    {"position_gradient", position_gradient, &Textbook::position_gradient, false},
+    {"velocity_force", [](Derivation& d) { return velocity_force(d); }, &Textbook::velocity_force,
+     true},
+    {"gravity", gravity, &Textbook::gravity, true},
+    {"drift", drift, &Textbook::drift, true},
+};
+
+template <class Expected>
+void check_entries(const Derived& system, const Vector& derived, const Expected& expected) {
+  REQUIRE(derived.size() == system.size());
+  for (std::size_t i = 0; i < derived.size(); ++i) {
+    INFO("entry " << i);
+    CHECK(system.agree(derived[i], expected(i)));
+  }
+}
+
+void check_matrix(const Derived& system, const Vector& derived,
+                  GiNaC::ex (Textbook::*expected)(std::size_t i, std::size_t j) const) {
+  const std::size_t n = system.size();
+  REQUIRE(derived.size() == n * n);
+  for (std::size_t k = 0; k < n * n; ++k) {
+    INFO("entry " << k);
+    CHECK(system.agree(derived[k], (system.textbook.*expected)(k / n, k % n)));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("vectors of every system") {
+  for (const auto& [name, text] : systems()) {
+    for (const VectorOutput& output : vectors) {
+      INFO(name << " " << output.name);
+      Derived s(text);
+      if (output.of_quadratic && !s.source.quadratic) continue;
+      check_entries(s, output.derived(s.derivation),
+                    [&](std::size_t i) { return (s.textbook.*output.expected)(i); });
+    }
+  }
+}
+
+TEST_CASE("mass matrices of every system, and Coriolis matrices, which are Christoffel's") {
+  for (const auto& [name, text] : systems()) {
+    INFO(name);
+    Derived s(text);
+    const Vector mass = mass_matrix(s.derivation);
+    check_matrix(s, mass, &Textbook::mass);
+    for (std::size_t k = 0; k < mass.size(); ++k) {
+      CHECK(mass[k].is_equal(mass[k % s.size() * s.size() + k / s.size()]));
+    }
+    if (!s.source.quadratic) continue;
+    Derived other(text);
+    check_matrix(other, coriolis_matrix(other.derivation), &Textbook::coriolis);
+  }
+}
+
+TEST_CASE("energies of every system") {
+  for (const auto& [name, text] : systems()) {
+    INFO(name);
+    Derived s(text);
+    CHECK(s.agree(energy_function(s.derivation), s.textbook.energy()));
+    if (!s.source.quadratic) continue;
+    CHECK(s.agree(kinetic_energy(s.derivation), s.textbook.kinetic()));
+    CHECK(s.agree(potential_energy(s.derivation), s.textbook.potential0()));
+    CHECK(s.agree(total_energy(s.derivation), s.textbook.kinetic() + s.textbook.potential()));
+  }
+}
+
+TEST_CASE("an L given whole is split by its degree in the rates") {
+  Derived s(model_text("oscillator", R"toml(
+[[coordinate]]
+name = "x"
+[parameters]
+m = 2
+k = 3
+e = 5
+[energy]
+L = "1/2*m*dot(x)^2 + e*x*dot(x) - 1/2*k*x^2"
+)toml"));
+  const GiNaC::ex x = s.source.symbols.q[0];
+  const GiNaC::ex v = s.source.symbols.v[0];
+  const auto& p = s.source.symbols.parameters;
+  CHECK(s.agree(kinetic_energy(s.derivation), p[0] * v * v / 2));
+  CHECK(s.agree(potential_energy(s.derivation), p[1] * x * x / 2));
+  CHECK(s.agree(total_energy(s.derivation), p[0] * v * v / 2 + p[1] * x * x / 2 - p[2] * x * v));
+}
+
+TEST_CASE("forces with and without inputs") {
+  Derived s(everything_text());
+  const auto force = [&](std::size_t i) { return s.textbook.force(i); };
+  const auto without = [&](std::size_t i) { return s.textbook.without_inputs(force(i)); };
+  check_entries(s, applied_force(s.derivation, InputForces::acting), force);
+  check_entries(s, applied_force(s.derivation, InputForces::absent), without);
+  check_entries(s, bias(s.derivation, InputForces::acting),
+                [&](std::size_t i) { return s.textbook.bias(i) + without(i) - force(i); });
+}
+
+TEST_CASE("dissipation is the gradient of D by the rates") {
+  Derived s(everything_text());
+  const Vector force = dissipation(s.derivation);
+  const GiNaC::ex D = s.textbook.out(s.source.dissipation.front());
+  CHECK(s.agree(force[0], Textbook::by(D, s.source.symbols.v[0])));
+  CHECK(force[1].is_zero());
+}
+
+TEST_CASE("where time does not occur nothing drifts") {
+  Derived s(chain_text());
+  for (const GiNaC::ex& entry : drift(s.derivation)) CHECK(entry.is_zero());
+}
+
+TEST_CASE("a mass matrix of a quadratic L holds no rate") {
+  Derived s(everything_text());
+  for (const GiNaC::ex& entry : mass_matrix(s.derivation)) {
+    CHECK_FALSE(dependence(s.derivation.definitions, entry).has_any(Opcode::velocity));
+  }
+}
+
+TEST_CASE("input matrices are the slopes of the forces") {
+  Derived s(everything_text());
+  const Vector matrix = input_matrix(s.derivation);
+  REQUIRE(matrix.size() == 4);
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t j = 0; j < 2; ++j) {
+      CHECK(s.agree(matrix[i * 2 + j], Textbook::by(s.textbook.force(i), s.source.symbols.u[j])));
+    }
+  }
+}
+
+TEST_CASE("Jacobians and second rates of declared outputs") {
+  Derived s(everything_text());
+  const Terms& values = s.source.outputs.front().values;
+  const Vector slopes = jacobian(s.derivation, values);
+  const Vector rates = second_rate(s.derivation, values);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const GiNaC::ex value = s.textbook.out(values[k]);
+    for (std::size_t j = 0; j < s.size(); ++j) {
+      CHECK(s.agree(slopes[k * s.size() + j], Textbook::by(value, s.source.symbols.q[j])));
+    }
+    CHECK(s.agree(rates[k], s.textbook.coasting(s.textbook.rate(s.textbook.rate(value)))));
+  }
+}
+
+TEST_CASE("M a + bias = B u for the acceleration found, in every system") {
+  for (const auto& [name, text] : systems()) {
+    INFO(name);
+    Derived s(text);
+    const ForwardDynamics solved = forward_dynamics(s.derivation);
+    const Vector mass = mass_matrix(s.derivation);
+    for (std::size_t i = 0; i < s.size(); ++i) {
+      GiNaC::ex inertia = 0;
+      for (std::size_t j = 0; j < s.size(); ++j) {
+        inertia += mass[i * s.size() + j] * solved.acceleration[j];
+      }
+      const GiNaC::ex force = s.textbook.force(i);
+      CHECK(s.agree(inertia, force - s.textbook.without_inputs(force) - s.textbook.bias(i)));
+    }
+  }
+}
+
+TEST_CASE("relative pivots are one where coordinates are decoupled") {
+  Derived s(model_text("two_masses", R"toml(
+[[coordinate]]
+name = "x"
+[[coordinate]]
+name = "y"
+[parameters]
+m = 2
+[energy]
+T = "1/2*m*dot(x)^2 + 3*m*dot(y)^2"
+)toml"));
+  const ForwardDynamics solved = forward_dynamics(s.derivation);
+  CHECK(s.agree(solved.relative_pivots[0], 1));
+  CHECK(s.agree(solved.relative_pivots[1], 1));
+}
+
+TEST_CASE("the second relative pivot is det M over the product of the diagonal") {
+  Derived s(cart_pole_text());
+  const ForwardDynamics solved = forward_dynamics(s.derivation);
+  const GiNaC::ex m00 = s.textbook.mass(0, 0);
+  const GiNaC::ex m11 = s.textbook.mass(1, 1);
+  const GiNaC::ex m01 = s.textbook.mass(0, 1);
+  CHECK(s.agree(solved.relative_pivots[0], 1));
+  CHECK(s.agree(solved.relative_pivots[1], (m00 * m11 - m01 * m01) / (m00 * m11)));
+}
+
+TEST_CASE("accelerations are named by identifiers, for repeated coordinates too") {
+  Derived s(chain_text());
+  const auto solved = forward_dynamics(s.derivation);
+  const auto& place = s.derivation.definitions.places.at(solved.acceleration.back());
+  CHECK(s.derivation.definitions.list[place.index].name == "acceleration_q_3");
+}
+
+TEST_CASE("the force that holds a cart is that of the swinging bob") {
+  const CheckedModel checked =
+      checked_scene(cart_pole_text(), "[lock]\nx = { value = 0, reaction = true }\n");
+  Derivation d(*specialise(*formulate(checked.model), checked));
+  const Vector before = gravity(d);
+  const Vector force = reaction(d);
+  const Vector after = gravity(d);
+  REQUIRE(force.size() == 1);
+  const auto& [theta, omega, alpha] = std::tie(d.symbols.q[0], d.symbols.v[0], d.symbols.a[0]);
+  const GiNaC::ex m = d.symbols.parameters[1];
+  const GiNaC::ex l = d.symbols.parameters[2];
+  // m l (cos(theta) theta'' - sin(theta) theta'^2) - u
+  const GiNaC::ex expected =
+      m * l * (cos(theta) * alpha - sin(theta) * omega * omega) - d.symbols.u[0];
+  const auto whole = [&](const GiNaC::ex& value) { return written_out(d.definitions, value); };
+  CHECK((whole(force[0]) - expected).expand().is_zero());
+  CHECK((whole(before[0]) - whole(after[0])).expand().is_zero());
+}
