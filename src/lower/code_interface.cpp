@@ -8,6 +8,7 @@
 #include <set>
 
 #include "check/judge/output_units.hpp"
+#include "elgen/arguments.hpp"
 
 namespace elgen {
 namespace {
@@ -69,6 +70,18 @@ std::vector<ParameterArray> emitted_parameters(const Model& model, const Program
     if (is_read[i]) result.push_back(model.parameter_arrays[i]);
   }
   return result;
+}
+
+std::vector<Opcode> arguments_of(const Model& model, const Function& function) {
+  LeafSet taken = Opcode::parameter | Opcode::coordinate | output_row(function.kind).takes;
+  const bool mass_takes_velocity = function.kind == OutputKind::mass_matrix && !model.quadratic;
+  if (mass_takes_velocity) taken |= Opcode::velocity;
+  if (model.uses_time) taken |= Opcode::time;
+  std::vector<Opcode> list;
+  for (const LeafRow& leaf : leaf_table) {
+    if (taken.has_any(leaf.id)) list.push_back(leaf.id);
+  }
+  return list;
 }
 
 std::size_t emitted_parameter_count(const Model& model, const Program& program) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "elgen/fold.hpp"
-#include "lower/constants/constant_formula.hpp"
+#include "lower/constants/constants.hpp"
 
 namespace elgen {
 

@@ -8,7 +8,7 @@
 #include <array>
 #include <compare>
 
-#include "lower/constants/constant_value.hpp"
+#include "lower/constants/constants.hpp"
 
 namespace elgen {
 namespace {
