@@ -8,7 +8,7 @@
 #include <set>
 
 #include "fixture.hpp"
-#include "support/constant_reader.hpp"
+#include "support/graph_reader.hpp"
 
 using namespace elgen;
 using cln::cl_R;

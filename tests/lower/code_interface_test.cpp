@@ -1,7 +1,8 @@
-// code_interface: which parameters are emitted, structs and plain results, numbers and arrays of
-// one, storage.
+// code_interface: which parameters are emitted, which arguments a function takes, structs and plain
+// results, numbers and arrays of one, storage.
 #include "lower/code_interface.hpp"
 
+#include "elgen/arguments.hpp"
 #include "emit/fixture.hpp"
 
 using namespace elgen;
@@ -17,6 +18,12 @@ Program reading(std::uint32_t leaf) {
   function.instructions = {{Opcode::parameter, FunctionId::sin, leaf, 0}};
   program.functions = {function};
   return program;
+}
+
+std::string names(const Model& model, const Function& function) {
+  std::string text;
+  for (const Opcode argument : arguments_of(model, function)) text += leaf_row(argument).symbol;
+  return text;
 }
 
 }  // namespace
@@ -160,4 +167,22 @@ TEST_CASE("the values of a parameter are those of its elements") {
   Model model = cart_pole().model;
   elgen::testing::add_parameter_array(model, "k", {1, 2});
   CHECK(values_of(model, model.parameter_arrays.back()) == std::vector<cln::cl_R>{1, 2});
+}
+
+TEST_CASE("arguments in one order, t and h last") {
+  Subject subject = cart_pole();
+  const std::vector<Function>& functions = subject.program.functions;
+  CHECK(names(subject.model, functions[0]) == "pq");    // mass_matrix
+  CHECK(names(subject.model, functions[2]) == "pqv");   // kinetic_energy
+  CHECK(names(subject.model, functions[4]) == "pqvu");  // forward_dynamics
+  Function inverse_dynamics;
+  inverse_dynamics.kind = OutputKind::inverse_dynamics;
+  CHECK(names(subject.model, inverse_dynamics) == "pqva");
+  Function step;
+  step.kind = OutputKind::step;
+  CHECK(names(subject.model, step) == "pqvuh");
+  subject.model.uses_time = true;
+  CHECK(names(subject.model, step) == "pqvuth");
+  subject.model.quadratic = false;
+  CHECK(names(subject.model, functions[0]) == "pqvt");
 }

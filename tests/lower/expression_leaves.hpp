@@ -1,6 +1,7 @@
-// A graph of some leaves, and Expressions read back as text, for tests of passes.
+// Expressions over coordinates a, b, c, d, e: read from text, and written again.
 #pragma once
 
+#include <catch2/catch.hpp>
 #include <string>
 #include <vector>
 
@@ -8,10 +9,26 @@
 #include "elgen/render.hpp"
 #include "lower/network/linearise.hpp"
 #include "lower/network/network.hpp"
+#include "support/graph_reader.hpp"
 
 namespace elgen::testing {
 
-/// Coordinates a, b, c, d, e in one graph.
+using Texts = std::vector<std::string>;
+
+inline Ref value_of(Graph& graph, const std::string& text) {
+  const auto value = test::read_value(graph, text, {"a", "b", "c", "d", "e"});
+  if (!value) FAIL("cannot read " << text);
+  return *value;
+}
+
+/// The sums and products of the texts as they have them: a bracket is a node of its own.
+inline Expressions expressions_of(const Texts& texts) {
+  Expressions result;
+  for (const std::string& text : texts) result.values.push_back(value_of(result.graph, text));
+  return result;
+}
+
+/// The leaves themselves.
 struct ExpressionLeaves {
   Expressions expressions = {};
   Graph& graph = expressions.graph;
@@ -44,17 +61,21 @@ inline Program program_of(const Network& network) {
   return program;
 }
 
-inline std::vector<std::string> texts_of(const Network& network) {
+inline Texts texts_of(const Network& network) {
   const Program program = program_of(network);
   return equations(program, program.functions[0]).entries.at(0);
 }
 
-inline std::vector<std::string> texts_of(const Expressions& expressions) {
+inline Texts texts_of(const Expressions& expressions) {
   return texts_of(make_network(expressions));
 }
 
 inline OperationCounts counts_of(const Network& network) {
   return count_operations(program_of(network).functions[0]);
+}
+
+inline OperationCounts counts_of(const Expressions& expressions) {
+  return counts_of(make_network(expressions));
 }
 
 }  // namespace elgen::testing

@@ -1,8 +1,34 @@
+// Graph: one node for equal values, normal forms, and the order of nodes.
 #include "lower/graph/graph.hpp"
 
 #include <catch2/catch.hpp>
 
+#include "lower/expression_leaves.hpp"
+
 using namespace elgen;
+using testing::value_of;
+
+namespace {
+
+struct EqualRow {
+  const char* text;
+  const char* same;
+};
+
+/// Over one graph.
+void check_equal(const std::vector<EqualRow>& rows) {
+  Graph graph;
+  for (const EqualRow& row : rows) {
+    INFO(row.text << " is " << row.same);
+    CHECK(value_of(graph, row.text) == value_of(graph, row.same));
+  }
+}
+
+const Node& node_of(Graph& graph, const char* text) {
+  return graph.node(value_of(graph, text).node);
+}
+
+}  // namespace
 
 TEST_CASE("equal nodes are one node") {
   Graph graph;
@@ -14,44 +40,81 @@ TEST_CASE("equal nodes are one node") {
   CHECK(graph.rational(-2) == -graph.rational(2));
 }
 
+TEST_CASE("sums merge equal terms with exact coefficients, and a sign outside") {
+  check_equal({{"b - a + 2*a", "a + b"},
+               {"1/3*a + 2/3*a", "a"},
+               {"a - a", "0"},
+               {"1/2 + a - 1/2", "a"},
+               {"b - a", "-(a - b)"},
+               {"-a - b", "-(a + b)"},
+               {"2*b - 2*a", "-(2*(a - b))"}});
+  Graph graph;
+  CHECK(graph.sum({}) == graph.rational(0));
+  CHECK_FALSE(value_of(graph, "a - b").negative);
+  CHECK(node_of(graph, "2*a + 3*b").kind == NodeKind::sum);
+}
+
+TEST_CASE("a term meets its opposite in a sum beside it") {
+  check_equal({{"a + (b - a)", "b"},
+               {"a - (a - b)", "b"},
+               {"2*(a + b + c) - 2*a", "2*(b + c)"},
+               {"a + (1 - a) - 1", "0"}});
+  Graph graph;
+  CHECK(node_of(graph, "a + (a + b)").operands.size() == 2);
+}
+
+TEST_CASE("products merge equal bases up to sign, coefficients meet, and zero swallows") {
+  check_equal({{"(a - b)*(b - a)", "-((a - b)^2)"},
+               {"a^3*a^(-2)", "a"},
+               {"a^2*a^(-2)", "1"},
+               {"(-a)^2", "a^2"},
+               {"(2*a)*(1/2*b)", "a*b"},
+               {"(2*a)^(-1)", "1/2*a^(-1)"},
+               {"(2*(b*c))*(1/2*a)", "(b*c)*a"},
+               {"a*0", "0"}});
+  Graph graph;
+  CHECK(graph.product({}) == graph.rational(1));
+  const Node& node = node_of(graph, "2*pi*a*0.25");
+  REQUIRE(node.operands.size() == 3);
+  CHECK(graph.rational_of(node.operands[0].node) == cln::cl_RA(1) / 2);
+  CHECK(graph.node(node.operands[1].node).kind == NodeKind::pi);
+}
+
+TEST_CASE("the square of a square root is its radicand") {
+  check_equal({{"sqrt(a)^2", "a"},
+               {"sqrt(a)^3*a^(-1)", "sqrt(a)"},
+               {"sqrt(-a)^2", "-a"},
+               {"sqrt(a)^(-2)", "a^(-1)"},
+               {"sqrt(2)^2", "2"}});
+}
+
+TEST_CASE("the squares of sine and cosine of one angle add up") {
+  check_equal({{"sin(a)^2 + cos(a)^2", "1"},
+               {"b*sin(a)^2 + c + b*cos(a)^2", "b + c"},
+               {"-(b*sin(a)^2) + b - b*cos(a)^2", "0"}});
+  Graph graph;
+  CHECK(node_of(graph, "b*cos(a)^2 - b*sin(a)^2").kind == NodeKind::sum);
+  CHECK(node_of(graph, "sin(a)^2 + cos(b)^2").operands.size() == 2);
+}
+
 TEST_CASE("odd functions give up the sign of their argument, even ones drop it") {
   Graph graph;
-  const Ref x = graph.leaf(Opcode::coordinate, 0);
-  for (const FunctionId odd : {FunctionId::sin, FunctionId::tan, FunctionId::asin, FunctionId::atan,
-                               FunctionId::sinh, FunctionId::tanh, FunctionId::sign}) {
-    CHECK(graph.call(odd, {-x}) == -graph.call(odd, {x}));
+  const auto call = [&graph](const std::string& name, const char* argument) {
+    return value_of(graph, name + argument);
+  };
+  for (const char* odd : {"sin", "tan", "asin", "atan", "sinh", "tanh", "sign"}) {
+    CHECK(call(odd, "(-a)") == -call(odd, "(a)"));
   }
-  for (const FunctionId even : {FunctionId::cos, FunctionId::cosh, FunctionId::abs}) {
-    CHECK(graph.call(even, {-x}) == graph.call(even, {x}));
-  }
-  for (const FunctionId neither : {FunctionId::exp, FunctionId::log, FunctionId::acos}) {
-    CHECK(graph.call(neither, {-x}).node != graph.call(neither, {x}).node);
+  for (const char* even : {"cos", "cosh", "abs"}) CHECK(call(even, "(-a)") == call(even, "(a)"));
+  for (const char* neither : {"exp", "log", "acos"}) {
+    CHECK(call(neither, "(-a)").node != call(neither, "(a)").node);
   }
 }
 
 TEST_CASE("min and max commute, atan2 does not") {
+  check_equal({{"min(b, -a)", "min(-a, b)"}, {"max(b, a)", "max(a, b)"}});
   Graph graph;
-  const Ref x = graph.leaf(Opcode::coordinate, 0);
-  const Ref y = graph.leaf(Opcode::coordinate, 1);
-  CHECK(graph.call(FunctionId::min, {y, -x}) == graph.call(FunctionId::min, {-x, y}));
-  CHECK(graph.call(FunctionId::atan2, {x, y}).node != graph.call(FunctionId::atan2, {y, x}).node);
-}
-
-TEST_CASE("a term meets its opposite in a sum beside it") {
-  Graph graph;
-  const Ref x = graph.leaf(Opcode::coordinate, 0);
-  const Ref y = graph.leaf(Opcode::coordinate, 1);
-  const Ref z = graph.leaf(Opcode::coordinate, 2);
-  const Ref two = graph.rational(2);
-  CHECK(graph.sum({x, graph.sum({y, -x})}) == y);
-  CHECK(graph.sum({x, -graph.sum({x, -y})}) == y);
-  const Ref doubled = graph.product({{two}, {graph.sum({x, y, z})}});
-  CHECK(graph.sum({doubled, -graph.product({{two}, {x}})}) ==
-        graph.product({{two}, {graph.sum({y, z})}}));
-  CHECK(graph.sum({x, graph.sum({graph.rational(1), -x}), -graph.rational(1)}) ==
-        graph.rational(0));
-  const Ref unlike = graph.sum({x, graph.sum({x, y})});
-  CHECK(graph.node(unlike.node).operands.size() == 2);
+  CHECK(value_of(graph, "atan2(a, b)").node != value_of(graph, "atan2(b, a)").node);
 }
 
 TEST_CASE("the order: kinds of leaves, then birth, then structure") {
@@ -107,44 +170,32 @@ TEST_CASE("the first name of a node stays, and belongs to its positive value") {
 }
 
 TEST_CASE("calls and roots of constants are constants, and numbers only where they are exact") {
+  check_equal({{"cos(0)", "1"}, {"log(1)", "0"}, {"sqrt(4)", "2"}});
   Graph graph;
-  CHECK(graph.call(FunctionId::cos, {graph.rational(0)}) == graph.rational(1));
-  CHECK(graph.call(FunctionId::log, {graph.rational(1)}) == graph.rational(0));
-  CHECK(graph.square_root(graph.rational(4)) == graph.rational(2));
-  const Ref cosine = graph.call(FunctionId::cos, {graph.rational(cln::cl_RA("1/1000000000000"))});
+  const Ref cosine = value_of(graph, "cos(1/1000000000000)");
   CHECK(graph.is_constant(cosine.node));
   CHECK_FALSE(graph.is_rational(cosine.node));
   CHECK(graph.is_zero(graph.rational(0).node));
   CHECK_FALSE(graph.is_zero(cosine.node));
-  const Ref x = graph.leaf(Opcode::coordinate, 0);
-  CHECK_FALSE(graph.is_constant(graph.sum({x, cosine}).node));
+  CHECK_FALSE(graph.is_constant(graph.sum({graph.leaf(Opcode::coordinate, 0), cosine}).node));
 }
 
 TEST_CASE("abs, sign, min and max of constants are one of them, or a sign") {
+  check_equal({{"max(3, pi)", "pi"},
+               {"min(pi, 3)", "3"},
+               {"min(3, -pi)", "-pi"},
+               {"max(-pi, -4)", "-pi"},
+               {"abs(3 - pi)", "pi - 3"},
+               {"sign(-pi)", "-1"},
+               {"sign(0)", "0"}});
   Graph graph;
-  const Ref pi = graph.pi();
-  const Ref three = graph.rational(3);
-  CHECK(graph.call(FunctionId::max, {three, pi}) == pi);
-  CHECK(graph.call(FunctionId::min, {pi, three}) == three);
-  CHECK(graph.call(FunctionId::min, {three, -pi}) == -pi);
-  CHECK(graph.call(FunctionId::max, {-pi, graph.rational(-4)}) == -pi);
-  CHECK(graph.call(FunctionId::abs, {graph.sum({three, -pi})}) == graph.sum({pi, -three}));
-  CHECK(graph.call(FunctionId::sign, {-pi}) == graph.rational(-1));
-  CHECK(graph.call(FunctionId::sign, {graph.rational(0)}) == graph.rational(0));
-  const Ref x = graph.leaf(Opcode::coordinate, 0);
-  CHECK(graph.node(graph.call(FunctionId::max, {x, pi}).node).kind == NodeKind::call);
+  CHECK(node_of(graph, "max(a, pi)").kind == NodeKind::call);
 }
 
 TEST_CASE("different constants are different nodes, however close their values are") {
   Graph graph;
-  const Ref one = graph.rational(1);
-  const Ref cosine = graph.call(FunctionId::cos, {one});
-  const Ref less = graph.call(FunctionId::exp, {graph.sum({cosine, -one})});
-  const Ref more = graph.call(FunctionId::exp, {-graph.sum({one, cosine})});
-  CHECK(less != more);
-  CHECK(graph.sum({one, cosine}) != graph.sum({one, -cosine}));
-  const Ref root2 = graph.square_root(graph.rational(2));
-  CHECK(graph.product({{root2, 2}}) == graph.rational(2));
+  CHECK(value_of(graph, "exp(cos(1) - 1)") != value_of(graph, "exp(-(1 + cos(1)))"));
+  CHECK(value_of(graph, "1 + cos(1)") != value_of(graph, "1 - cos(1)"));
 }
 
 TEST_CASE("a constant product is one node, however it came about") {

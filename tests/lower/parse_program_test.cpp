@@ -6,16 +6,17 @@
 
 using namespace elgen;
 
-TEST_CASE("a program reads back as it was printed") {
+TEST_CASE("a program is printed with the names of the model, and reads back") {
   const std::string text =
       "parameters m l[2]\n"
+      "positive m\n"
       "coordinates theta\n"
       "inputs u\n"
       "time\n"
       "step\n"
       "function mass_matrix\n"
       "  0 = parameter l[2]\n"
-      "  1 = constant 1/2\n"
+      "  1 = constant -1/2\n"
       "  2 = multiply 0 1  ; half_length\n"
       "  3 = constant 1/2*pi-cos(3/10)\n"
       "  4 = atan2 2 3\n"
@@ -24,10 +25,16 @@ TEST_CASE("a program reads back as it was printed") {
       "  result 1 2 = 4 6\n"
       "function both = dynamics\n"
       "  0 = time\n"
-      "  1 = velocity theta\n"
-      "  2 = divide 1 0\n"
-      "  result bias 1 1 = 2\n"
-      "  result gravity 1 1 = 0\n"
+      "  1 = coordinate theta\n"
+      "  2 = velocity theta\n"
+      "  3 = acceleration theta\n"
+      "  4 = input u\n"
+      "  5 = divide 1 0\n"
+      "  result bias 1 1 = 5\n"
+      "  result gravity 1 3 = 2 3 4\n"
+      "function tip = user_value 2\n"
+      "  0 = time\n"
+      "  result 1 1 = 0\n"
       "function advance = step 1\n"
       "  0 = step\n"
       "  1 = velocity theta\n"
@@ -40,11 +47,12 @@ TEST_CASE("a program reads back as it was printed") {
   CHECK(dump(program) == text);
   CHECK(program.constants.size() == 2);
   CHECK(program.functions.at(1).kind == OutputKind::dynamics);
-  CHECK(program.functions.at(2).kind == OutputKind::step);
-  CHECK(program.functions.at(2).user == 1);
-  CHECK(program.functions.at(2).iterations == 0);
-  CHECK(program.functions.at(3).user == 2);
-  CHECK(program.functions.at(3).iterations == 8);
+  CHECK(program.functions.at(2).user == 2);
+  CHECK(program.functions.at(3).kind == OutputKind::step);
+  CHECK(program.functions.at(3).user == 1);
+  CHECK(program.functions.at(3).iterations == 0);
+  CHECK(program.functions.at(4).user == 2);
+  CHECK(program.functions.at(4).iterations == 8);
 }
 
 TEST_CASE("comments and empty lines are passed over, names are kept") {

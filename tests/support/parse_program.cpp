@@ -5,7 +5,7 @@
 
 #include <charconv>
 
-#include "support/constant_reader.hpp"
+#include "support/graph_reader.hpp"
 
 namespace elgen::test {
 namespace {
