@@ -112,6 +112,18 @@ struct PresentBudget {
 /// Whether x = y is proved: x - y is the empty sum. False says nothing where roots or calls occur.
 [[nodiscard]] bool proved_equal(ClosedForms& forms, const Fraction& x, const Fraction& y);
 
+/// The verdict of a closed form.
+enum class ZeroProof : std::uint8_t {
+  open,
+  zero,      ///< the empty sum
+  not_zero,  ///< another sum of leaves, numbers, pi, sines and cosines, which has one form
+};
+
+/// Of the closed form of each entry, in the order of the fields. A form that is given up is no
+/// proof. Cost: that of the forms, within the budget.
+[[nodiscard]] std::vector<ZeroProof> proved_zeros(const Program& program, Function function,
+                                                  const PresentBudget& budget = {});
+
 /// dq/dt of every coordinate; empty where nothing rotates, and dq/dt is v.
 [[nodiscard]] std::vector<Fraction> coordinate_rates(ClosedForms& forms, const Model& model);
 

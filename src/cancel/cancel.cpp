@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "cancel/vanishing.hpp"
+#include "elgen/closed_forms.hpp"
 #include "lower/graph/from_program.hpp"
 #include "lower/graph/prune.hpp"
 #include "lower/network/cheapest.hpp"
 #include "lower/network/linearise.hpp"
 #include "lower/network/turn_signs.hpp"
-#include "present/proved_zeros.hpp"
 
 namespace elgen {
 namespace {

@@ -7,10 +7,8 @@
 #include <limits>
 
 #include "choose/closed_pivots.hpp"
-#include "choose/guarded_pivots.hpp"
-#include "choose/lowered_entries.hpp"
-#include "choose/scaled_length.hpp"
-#include "choose/trigonometry_first.hpp"
+#include "choose/entries.hpp"
+#include "choose/finish.hpp"
 
 namespace elgen {
 namespace {

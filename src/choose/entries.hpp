@@ -1,4 +1,4 @@
-// entries: how each entry of a function is written.
+// entries: how each entry of a function is written, and all of them as instructions.
 #pragma once
 
 #include <optional>
@@ -6,6 +6,7 @@
 
 #include "choose/precision.hpp"
 #include "choose/readable.hpp"
+#include "lower/graph/angle_sums.hpp"
 
 namespace elgen {
 
@@ -50,5 +51,14 @@ struct Judgement {
 /// Shows those that rewrite() has written as they are computed where they would be shown in a way
 /// that is less precise, which would judge the code.
 void read_as_precisely(ReadableEntries& entries, const MixedPoints& points);
+
+/// All entries over one graph, as they are read or in their shortest forms, whichever is cheaper.
+/// `shape` says which they are; `program` gets their constants.
+[[nodiscard]] Function lowered_together(const ReadableEntries& entries, const Function& shape,
+                                        Program& program, Splits splits);
+
+/// As they are read, entry by entry, so that nothing is taken apart for what another entry shares.
+[[nodiscard]] Function lowered_one_by_one(const ReadableEntries& entries, const Function& shape,
+                                          Program& program);
 
 }  // namespace elgen

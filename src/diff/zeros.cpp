@@ -6,11 +6,11 @@
 #include <array>
 
 #include "base/random.hpp"
+#include "elgen/closed_forms.hpp"
 #include "elgen/fold.hpp"
 #include "evaluate/bounded.hpp"
 #include "lower/graph/prune.hpp"
 #include "lower/network/analytic.hpp"
-#include "present/proved_zeros.hpp"
 
 namespace elgen {
 namespace {

@@ -14,7 +14,7 @@
 #include "elgen/artifacts.hpp"
 #include "elgen/evaluate.hpp"
 #include "elgen/toolchain.hpp"
-#include "evaluate/sine_polynomials.hpp"
+#include "evaluate/pack_trigonometry.hpp"
 #include "lower/code_interface.hpp"
 #include "toolchain/driver.hpp"
 #include "toolchain/workshop.hpp"

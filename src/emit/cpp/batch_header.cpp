@@ -13,8 +13,8 @@
 #include "emit/text/layout.hpp"
 #include "emit/text/signature.hpp"
 #include "emit/text/taken_name.hpp"
+#include "evaluate/pack_trigonometry.hpp"
 #include "evaluate/scalar_literal.hpp"
-#include "evaluate/sine_polynomials.hpp"
 #include "lower/code_interface.hpp"
 
 namespace elgen {

@@ -1,0 +1,166 @@
+// finish: guards are two instructions per pivot, but where M_ii is a number, or divides already;
+// lengths are written out instruction by instruction, with those of the function that are the same;
+// angles and their pairs of calls come first, then all else as it stood.
+#include "choose/finish.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "elgen/model.hpp"
+#include "lower/graph/prune.hpp"
+#include "lower/network/instructions.hpp"
+
+namespace elgen {
+namespace {
+
+bool has_diagonal(const Function& function) {
+  return !function.fields.empty() && function.fields.back().name == diagonal_field;
+}
+
+class Scaling {
+ public:
+  explicit Scaling(Function& function) : function_(function), instructions_(function) {}
+
+  void scale(Field& field) {
+    for (std::size_t i = 0; i < field.entries.size();) {
+      const Opcode opcode = function_.instructions[field.entries[i]].opcode;
+      if (opcode == Opcode::coordinate) {
+        ++i;
+        continue;
+      }
+      const std::vector<std::uint32_t> unit = unit_quaternion(static_cast<std::uint32_t>(i));
+      std::copy(unit.begin(), unit.end(), field.entries.begin() + static_cast<std::ptrdiff_t>(i));
+      i += quaternion_size;
+    }
+  }
+
+ private:
+  std::uint32_t sum(const std::vector<std::uint32_t>& terms) {
+    std::uint32_t result = terms[0];
+    for (std::size_t i = 1; i < terms.size(); ++i)
+      result = instructions_.add(Opcode::add, result, terms[i]);
+    return result;
+  }
+
+  /// Its scalar part is coordinate `first`.
+  std::vector<std::uint32_t> unit_quaternion(std::uint32_t first) {
+    std::vector<std::uint32_t> values;
+    std::vector<std::uint32_t> magnitudes;
+    for (std::uint32_t i = 0; i < quaternion_size; ++i) {
+      values.push_back(instructions_.add(Opcode::coordinate, first + i));
+      magnitudes.push_back(instructions_.add(
+          {.opcode = Opcode::call, .function = FunctionId::abs, .a = values.back()}));
+    }
+    const std::uint32_t size = sum(magnitudes);
+    std::vector<std::uint32_t> squares;
+    for (std::uint32_t& value : values) {
+      value = instructions_.add(Opcode::divide, value, size);
+      squares.push_back(instructions_.add(Opcode::multiply, value, value));
+    }
+    const std::uint32_t length = instructions_.add(Opcode::square_root, sum(squares));
+    for (std::uint32_t& value : values) value = instructions_.add(Opcode::divide, value, length);
+    return values;
+  }
+
+  Function& function_;
+  Instructions instructions_;
+};
+
+using Places = std::vector<std::uint32_t>;
+using SineAndCosine = std::array<std::optional<std::uint32_t>, 2>;
+
+bool is_sine(const Instruction& i) {
+  return i.opcode == Opcode::call && i.function == FunctionId::sin;
+}
+
+bool is_cosine(const Instruction& i) {
+  return i.opcode == Opcode::call && i.function == FunctionId::cos;
+}
+
+class Order {
+ public:
+  explicit Order(const Function& function) : function_(function), placed_(size(), false) {
+    Places calls;
+    for (std::uint32_t at = 0; at < size(); ++at) {
+      const Instruction& i = function.instructions[at];
+      if (!is_sine(i) && !is_cosine(i)) continue;
+      calls.push_back(at);
+      of_angle_[i.a][is_sine(i) ? 0 : 1] = at;
+    }
+    const std::vector<bool> needed = needed_for(function, calls);
+    for (std::uint32_t at = 0; at < size(); ++at) {
+      if (needed[at]) place(at);
+    }
+    for (std::uint32_t at = 0; at < size(); ++at) place(at);
+  }
+
+  /// Old numbers in their new order.
+  Places places = {};
+
+ private:
+  [[nodiscard]] std::size_t size() const { return function_.instructions.size(); }
+
+  void place(std::uint32_t at) {
+    const Instruction& i = function_.instructions[at];
+    if (!is_sine(i) && !is_cosine(i)) return place_alone(at);
+    for (const std::optional<std::uint32_t>& call : of_angle_.at(i.a)) {
+      if (call) place_alone(*call);
+    }
+  }
+
+  void place_alone(std::uint32_t at) {
+    if (!placed_[at]) places.push_back(at);
+    placed_[at] = true;
+  }
+
+  const Function& function_;
+  std::vector<bool> placed_;
+  std::map<std::uint32_t, SineAndCosine> of_angle_ = {};
+};
+
+}  // namespace
+
+Function without_diagonal(Function forward_dynamics) {
+  if (!has_diagonal(forward_dynamics)) return forward_dynamics;
+  forward_dynamics.fields.pop_back();
+  const auto count = static_cast<std::uint32_t>(entry_count(forward_dynamics));
+  std::erase_if(forward_dynamics.sampled_zeros,
+                [count](std::uint32_t entry) { return entry >= count; });
+  return pruned(forward_dynamics);
+}
+
+Function with_guarded_pivots(Function forward_dynamics, std::vector<Constant>& constants) {
+  if (!has_diagonal(forward_dynamics)) return forward_dynamics;
+  const std::vector<std::uint32_t> diagonal = forward_dynamics.fields.back().entries;
+  std::vector<std::uint32_t>& pivots = forward_dynamics.fields[1].entries;
+  Instructions instructions(forward_dynamics);
+  const Instruction zero{.opcode = Opcode::constant,
+                         .a = position_of(rational_constant(0), constants)};
+  for (std::size_t i = 0; i < diagonal.size(); ++i) {
+    const Instruction pivot = forward_dynamics.instructions[pivots[i]];
+    const bool is_guarded = pivot.opcode == Opcode::divide && pivot.b == diagonal[i];
+    const bool is_number = forward_dynamics.instructions[diagonal[i]].opcode == Opcode::constant;
+    if (is_guarded || is_number) continue;
+    const std::uint32_t guard =
+        instructions.add(Opcode::divide, instructions.add(zero), diagonal[i]);
+    pivots[i] = instructions.add(Opcode::add, pivots[i], guard);
+  }
+  return without_diagonal(std::move(forward_dynamics));
+}
+
+Function with_scaled_lengths(Function function, const std::string& name) {
+  for (Field& field : function.fields) {
+    const bool is_normalized = function.kind == OutputKind::normalized || field.name == name;
+    if (is_normalized) Scaling(function).scale(field);
+  }
+  return pruned(function);
+}
+
+Function trigonometry_first(const Function& function) {
+  return reordered(function, Order(function).places);
+}
+
+}  // namespace elgen
