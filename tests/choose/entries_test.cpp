@@ -1,50 +1,73 @@
-// The entries of a function, and those that are written in another way to keep digits.
+// The entries of a function, those that are written in another way to keep digits, and all of them
+// as instructions.
 #include "choose/entries.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "lower/expression_leaves.hpp"
-#include "lower/read_program.hpp"
 
 using namespace elgen;
+using testing::Texts;
+using testing::texts_of;
 
 namespace {
 
-/// 1 - cos(a) and b
-const char* two_entries =
-    "coordinates a b c d e\nfunction bias\n  0 = coordinate a\n  1 = coordinate b\n  2 = cos 0\n"
-    "  3 = constant 1\n  4 = subtract 3 2\n  result 2 1 = 4 1\n";
+struct Entries {
+  explicit Entries(const Texts& texts) : program(testing::program_of(texts)) {}
+
+  Program program;
+  Function shape = program.functions[0];
+  ClosedForms forms = present(program);
+  BothForms both{program, shape, forms, forms.functions[0]};
+  MixedPoints points = mixed_points(program.leaves);
+  ReadableEntries entries = read_entries(both, points);
+};
 
 }  // namespace
 
 TEST_CASE("all entries of a function have a form") {
-  const Program program = testing::read_program(two_entries);
-  const ClosedForms forms = present(program);
-  const ReadableEntries entries = read_entries(
-      {program, program.functions[0], forms, forms.functions[0]}, mixed_points(program.leaves));
-  REQUIRE(is_complete(entries));
-  CHECK(length(entries) == entries[0]->length + entries[1]->length);
+  const Entries e({"1 - cos(a)", "b"});
+  REQUIRE(is_complete(e.entries));
+  CHECK(length(e.entries) == e.entries[0]->length + e.entries[1]->length);
   CHECK_FALSE(is_complete({}));
-  CHECK_FALSE(is_complete({entries[0], std::nullopt}));
+  CHECK_FALSE(is_complete({e.entries[0], std::nullopt}));
 }
 
 TEST_CASE("code is rewritten where it loses digits, what people read stays") {
-  const Program program = testing::read_program(two_entries);
-  const ClosedForms forms = present(program);
-  const BothForms both{program, program.functions[0], forms, forms.functions[0]};
-  const MixedPoints points = mixed_points(program.leaves);
-  const ExtremePoints extremes = extreme_points(program, Preference::accuracy);
-  ReadableEntries entries = read_entries(both, points);
+  Entries e({"1 - cos(a)", "b"});
+  const ExtremePoints extremes = extreme_points(e.program, Preference::accuracy);
   const auto with_losses = [&](const std::vector<double>& losses) {
-    return rewrite(entries, losses, both, {.points = extremes, .prefers_short = true});
+    return rewrite(e.entries, losses, e.both, {.points = extremes, .prefers_short = true});
   };
   CHECK_FALSE(with_losses({0, 0}));
   REQUIRE(with_losses({1e15, 0}));
-  CHECK(entries[0]->is_rewritten);
-  CHECK_FALSE(entries[1]->is_rewritten);
-  CHECK(rewritten_entries(entries, 2) == std::vector<std::uint32_t>{0});
-  CHECK(rewritten_entries(entries, 0).empty());
-  read_as_precisely(entries, points);
-  CHECK(testing::texts_of(entries[0]->readable).at(0) == "1 - cos(a)");
-  CHECK(testing::texts_of(entries[0]->compact).at(0) == "2*sin(1/2*a)^2");
+  CHECK(e.entries[0]->is_rewritten);
+  CHECK_FALSE(e.entries[1]->is_rewritten);
+  CHECK(rewritten_entries(e.entries, 2) == std::vector<std::uint32_t>{0});
+  CHECK(rewritten_entries(e.entries, 0).empty());
+  read_as_precisely(e.entries, e.points);
+  CHECK(texts_of(e.entries[0]->readable).at(0) == "1 - cos(a)");
+  CHECK(texts_of(e.entries[0]->compact).at(0) == "2*sin(1/2*a)^2");
+}
+
+TEST_CASE("together entries share what they have in common, one by one they share nothing") {
+  Entries e({"(a + b)*c", "(a + b)*d"});
+  const Function together =
+      lowered_together(e.entries, e.shape, e.program, Splits::sums_and_differences);
+  CHECK(together.form == Form::closed);
+  CHECK(count_operations(together).add == 1);
+  const Function one_by_one = lowered_one_by_one(e.entries, e.shape, e.program);
+  CHECK(count_operations(one_by_one).add == 2);
+  REQUIRE(one_by_one.fields.size() == 1);
+  CHECK(one_by_one.fields[0].entries.size() == 2);
+}
+
+TEST_CASE("a rewritten entry is code, whichever is cheaper") {
+  Entries e({"(a + b)*c", "(a + b)*d"});
+  e.entries[0]->is_rewritten = true;
+  e.entries[0]->compact.values = {e.entries[0]->compact.graph.leaf(Opcode::coordinate, 4)};
+  const Function function =
+      lowered_together(e.entries, e.shape, e.program, Splits::sums_and_differences);
+  e.program.functions = {function};
+  CHECK(equations(e.program, function).entries.at(0).at(0) == "e");
 }

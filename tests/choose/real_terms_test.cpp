@@ -1,18 +1,17 @@
+// Canonical sums in several ways to write them, and the angle in a product of atoms.
 #include "choose/real_terms.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "lower/read_program.hpp"
+#include "choose/monomial_angle.hpp"
+#include "lower/expression_leaves.hpp"
 
 using namespace elgen;
 
 namespace {
 
-/// sin(x)^2, over the atoms x and e^(ix).
-ClosedForms squared_sine() {
-  return present(testing::read_program(
-      "parameters m\ncoordinates x y\nfunction bias\n  0 = coordinate x\n  1 = sin 0\n"
-      "  2 = multiply 1 1\n  result 1 1 = 2\n"));
+ClosedForms forms_of(const char* text) {
+  return present(testing::program_of(testing::Texts{text}));
 }
 
 std::vector<RealTerm> terms_of(const ClosedForms& forms, Trigonometry trigonometry) {
@@ -23,7 +22,7 @@ std::vector<RealTerm> terms_of(const ClosedForms& forms, Trigonometry trigonomet
 }  // namespace
 
 TEST_CASE("one function in multiple angles, by sines and by cosines") {
-  const ClosedForms forms = squared_sine();
+  const ClosedForms forms = forms_of("sin(a)^2");
   CHECK(terms_of(forms, Trigonometry::multiple_angles).size() == 2);
   const auto by_sines = terms_of(forms, Trigonometry::directions_by_sines);
   REQUIRE(by_sines.size() == 1);
@@ -37,9 +36,7 @@ TEST_CASE("one function in multiple angles, by sines and by cosines") {
 }
 
 TEST_CASE("a high multiple of an angle is not expanded") {
-  const ClosedForms forms = present(testing::read_program(
-      "parameters m\ncoordinates x y\nfunction bias\n  0 = coordinate x\n  1 = constant 2000\n"
-      "  2 = multiply 1 0\n  3 = cos 2\n  4 = cos 0\n  5 = add 3 4\n  result 1 1 = 5\n"));
+  const ClosedForms forms = forms_of("cos(2000*a) + cos(a)");
   const Polynomial& sum = forms.functions[0].fields[0].entries[0]->numerator;
   CHECK_FALSE(real_terms(forms.algebra, sum, Trigonometry::units_by_cosines, 10'000));
   CHECK_FALSE(real_terms(forms.algebra, sum, Trigonometry::directions_by_sines, 10'000));
@@ -49,7 +46,7 @@ TEST_CASE("a high multiple of an angle is not expanded") {
 }
 
 TEST_CASE("the shortest way is taken") {
-  const ClosedForms forms = squared_sine();
+  const ClosedForms forms = forms_of("sin(a)^2");
   const Fraction& form = *forms.functions[0].fields[0].entries[0];
   const auto shortest = shortest_terms(forms.algebra, form.numerator, 100);
   REQUIRE(shortest);
@@ -58,4 +55,26 @@ TEST_CASE("the shortest way is taken") {
     CHECK(written_length(forms.algebra, *shortest) <=
           written_length(forms.algebra, terms_of(forms, way)));
   }
+}
+
+TEST_CASE("circular atoms are the angle of a monomial, the others its powers") {
+  Algebra algebra;
+  algebra.atoms = {{.kind = AtomKind::leaf}, {.kind = AtomKind::circular}};
+  const auto [powers, angle] = split(algebra, {{0, 2}, {1, -6}});
+  CHECK(powers == Monomial{{0, 2}});
+  CHECK(angle == Monomial{{1, -6}});
+}
+
+TEST_CASE("a direction has no common divisor, and its first part is positive") {
+  CHECK(common_divisor({{1, -6}, {2, 4}}) == 2);
+  CHECK(common_divisor({}) == 0);
+  CHECK(direction({{1, -6}, {2, 4}}) == Monomial{{1, 3}, {2, -2}});
+}
+
+TEST_CASE("(c + i s)(c - i s) = c^2 + s^2") {
+  const TwoPowers one{{{0, 0}, Gaussian{1, 0}}};
+  const TwoPowers square = times_exponential(times_exponential(one, 1), -1);
+  REQUIRE(square.size() == 2);
+  CHECK(square.at({2, 0}).real == 1);
+  CHECK(square.at({0, 2}).real == 1);
 }

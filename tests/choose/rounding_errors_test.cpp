@@ -2,9 +2,9 @@
 #include "choose/rounding_errors.hpp"
 
 #include <catch2/catch.hpp>
-#include <functional>
 
 #include "choose/chosen.hpp"
+#include "lower/expression_leaves.hpp"
 #include "lower/graph/from_program.hpp"
 #include "support/systems.hpp"
 
@@ -13,112 +13,14 @@ using namespace elgen::test;
 
 namespace {
 
-/// Forms that are not joined into one on the way, as those of a model text would be.
-struct Ways {
-  Expressions way;
-  Expressions reference;
-};
+const std::vector<std::string> names{"a", "b", "c", "d", "e"};
+const LeafNames leaves{{{}, names, names, names, {}, "t"}, false};
 
-const LeafNames leaves{{{"a", "b"}, {"x", "y"}, {"x", "y"}, {"x", "y"}, {}, "t"}, false};
-
-Ref parameter(Graph& graph, std::uint32_t index) { return graph.leaf(Opcode::parameter, index); }
-Ref coordinate(Graph& graph, std::uint32_t index) { return graph.leaf(Opcode::coordinate, index); }
-
-Expressions value(const std::function<Ref(Graph&)>& build) {
-  Expressions result;
-  result.values = {build(result.graph)};
-  return result;
+/// Graphs of their own: the two ways are not joined into one, as those of a model text would be.
+bool is_precise(const char* way, const char* reference, Leaves kind) {
+  return is_as_precise(testing::expressions_of({way}), testing::expressions_of({reference}),
+                       mixed_points(leaves), kind);
 }
-
-Ref squared(Graph& graph, Ref x) { return graph.product({{x, 2}}); }
-
-bool is_precise(const Ways& ways, Leaves kind) {
-  return is_as_precise(ways.way, ways.reference, mixed_points(leaves), kind);
-}
-
-/// b + a y, and with -2 a x + 2 a (x + y/2) for a y.
-Ways with_cancelling_terms() {
-  const auto plain = [](Graph& g) {
-    const Ref product = g.product({{parameter(g, 0), 1}, {coordinate(g, 1), 1}});
-    return g.sum({parameter(g, 1), product});
-  };
-  const auto cancelling = [](Graph& g) {
-    const Ref a = parameter(g, 0);
-    const Ref x = coordinate(g, 0);
-    const Ref half = g.product({{g.rational(cln::cl_RA(1) / 2), 1}, {coordinate(g, 1), 1}});
-    const Ref two = g.rational(2);
-    const Ref whole = g.product({{two, 1}, {a, 1}, {g.sum({x, half}), 1}});
-    return g.sum({parameter(g, 1), whole, -g.product({{two, 1}, {a, 1}, {x, 1}})});
-  };
-  return {value(cancelling), value(plain)};
-}
-
-/// cos(x + 1), whole and taken apart.
-Ways with_phase() {
-  const auto whole = [](Graph& g) {
-    return g.call(FunctionId::cos, {g.sum({coordinate(g, 0), g.rational(1)})});
-  };
-  const auto apart = [](Graph& g) {
-    const Ref x = coordinate(g, 0);
-    const auto both = [&](FunctionId f) {
-      return g.product({{g.call(f, {x}), 1}, {g.call(f, {g.rational(1)}), 1}});
-    };
-    return g.sum({both(FunctionId::cos), -both(FunctionId::sin)});
-  };
-  return {value(whole), value(apart)};
-}
-
-/// a + cos(x - y), and with the cosine taken apart.
-Ways with_difference_of_angles() {
-  const auto whole = [](Graph& g) {
-    const Ref angle = g.sum({coordinate(g, 0), -coordinate(g, 1)});
-    return g.sum({parameter(g, 0), g.call(FunctionId::cos, {angle})});
-  };
-  const auto apart = [](Graph& g) {
-    const auto both = [&](FunctionId f) {
-      return g.product({{g.call(f, {coordinate(g, 0)}), 1}, {g.call(f, {coordinate(g, 1)}), 1}});
-    };
-    return g.sum({parameter(g, 0), both(FunctionId::cos), both(FunctionId::sin)});
-  };
-  return {value(whole), value(apart)};
-}
-
-/// (a - sqrt(x^2 + y^2))^2, and with its square multiplied out.
-Ways with_square() {
-  const auto root = [](Graph& g) {
-    return g.square_root(g.sum({squared(g, coordinate(g, 0)), squared(g, coordinate(g, 1))}));
-  };
-  const auto square = [root](Graph& g) { return squared(g, g.sum({parameter(g, 0), -root(g)})); };
-  const auto sum = [root](Graph& g) {
-    const Ref twice = g.product({{g.rational(2), 1}, {parameter(g, 0), 1}, {root(g), 1}});
-    return g.sum({squared(g, parameter(g, 0)), squared(g, coordinate(g, 0)),
-                  squared(g, coordinate(g, 1)), -twice});
-  };
-  return {value(square), value(sum)};
-}
-
-/// Twice the angle by one call, and by two.
-Ways with_double_angle() {
-  const auto one = [](Graph& g) {
-    return g.call(FunctionId::sin, {g.product({{g.rational(2), 1}, {coordinate(g, 0), 1}})});
-  };
-  const auto two = [](Graph& g) {
-    const Ref x = coordinate(g, 0);
-    return g.product(
-        {{g.rational(2), 1}, {g.call(FunctionId::sin, {x}), 1}, {g.call(FunctionId::cos, {x}), 1}});
-  };
-  return {value(one), value(two)};
-}
-
-/// Nowhere defined.
-Ways without_value() {
-  const auto root = [](Graph& g) {
-    return g.square_root(-g.sum({g.rational(1), squared(g, coordinate(g, 0))}));
-  };
-  return {value(root), value(root)};
-}
-
-Ways reversed(Ways ways) { return {std::move(ways.reference), std::move(ways.way)}; }
 
 /// Functions of which a closed form is emitted that is less precise than the one that judges it.
 std::vector<std::string> imprecise(const std::string& text) {
@@ -145,22 +47,36 @@ std::vector<std::string> imprecise(const std::string& text) {
 }  // namespace
 
 TEST_CASE("terms that cancel are seen, other countings of the same roundings are admitted") {
-  CHECK_FALSE(is_precise(with_cancelling_terms(), Leaves::exact));
-  CHECK_FALSE(is_precise(with_cancelling_terms(), Leaves::rounded));
-  CHECK(is_precise(reversed(with_cancelling_terms()), Leaves::exact));
-  CHECK(is_precise(with_square(), Leaves::exact));
-  CHECK(is_precise(with_square(), Leaves::rounded));
-  CHECK(is_precise(with_double_angle(), Leaves::exact));
-  CHECK(is_precise(reversed(with_double_angle()), Leaves::exact));
+  const char* const plain = "b + a*d";
+  const char* const cancelling = "b + 2*a*(c + 1/2*d) - 2*a*c";
+  CHECK_FALSE(is_precise(cancelling, plain, Leaves::exact));
+  CHECK_FALSE(is_precise(cancelling, plain, Leaves::rounded));
+  CHECK(is_precise(plain, cancelling, Leaves::exact));
+  const char* const square = "(a - sqrt(c^2 + d^2))^2";
+  const char* const multiplied_out = "a^2 + c^2 + d^2 - 2*a*sqrt(c^2 + d^2)";
+  CHECK(is_precise(square, multiplied_out, Leaves::exact));
+  CHECK(is_precise(square, multiplied_out, Leaves::rounded));
+  CHECK(is_precise("sin(2*c)", "2*sin(c)*cos(c)", Leaves::exact));
+  CHECK(is_precise("2*sin(c)*cos(c)", "sin(2*c)", Leaves::exact));
 }
 
 TEST_CASE("a sum of angles has as many digits as its angles, and no more") {
-  CHECK_FALSE(is_precise(with_phase(), Leaves::exact));
-  CHECK(is_precise(with_phase(), Leaves::rounded));
+  const char* const shifted = "cos(c + 1)";
+  const char* const apart = "cos(c)*cos(1) - sin(c)*sin(1)";
+  CHECK_FALSE(is_precise(shifted, apart, Leaves::exact));
+  CHECK(is_precise(shifted, apart, Leaves::rounded));
+}
+
+TEST_CASE("a difference of angles is rounded where the angles themselves are not") {
+  const char* const whole = "a + cos(c - d)";
+  const char* const apart = "a + cos(c)*cos(d) + sin(c)*sin(d)";
+  CHECK_FALSE(is_precise(whole, apart, Leaves::exact));
+  CHECK(is_precise(whole, apart, Leaves::rounded));
+  CHECK(is_precise(whole, whole, Leaves::exact));
 }
 
 TEST_CASE("nothing is admitted where nothing has a value") {
-  CHECK_FALSE(is_precise(without_value(), Leaves::exact));
+  CHECK_FALSE(is_precise("sqrt(-(1 + c^2))", "sqrt(-(1 + c^2))", Leaves::exact));
 }
 
 TEST_CASE("the code of a closed form is as precise as what judges it") {
@@ -181,12 +97,4 @@ p = 1
 T = "(-cos(sqrt(2) + 1))/2*(dot(x) + sin(y)*dot(y))^2 + 3/2*dot(x)^2 + (p + cos(x - y)^2)/2*dot(y)^2"
 )toml"))
             .empty());
-}
-
-TEST_CASE("a difference of angles is rounded where the angles themselves are not") {
-  const Ways difference = with_difference_of_angles();
-  CHECK_FALSE(is_precise(difference, Leaves::exact));
-  CHECK(is_precise(difference, Leaves::rounded));
-  CHECK(is_precise({difference.way, difference.way}, Leaves::exact));
-  CHECK(is_precise(with_double_angle(), Leaves::exact));
 }

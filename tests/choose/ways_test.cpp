@@ -5,18 +5,10 @@
 #include <catch2/catch.hpp>
 
 #include "lower/expression_leaves.hpp"
-#include "lower/read_program.hpp"
 
 using namespace elgen;
 
 namespace {
-
-/// a - a cos(b)
-ClosedForms form() {
-  return present(testing::read_program(
-      "coordinates a b c d e\nfunction bias\n  0 = coordinate a\n  1 = coordinate b\n  2 = cos 1\n"
-      "  3 = multiply 0 2\n  4 = subtract 0 3\n  result 1 1 = 4\n"));
-}
 
 std::vector<std::string> texts(const std::vector<Collected>& ways) {
   std::vector<std::string> all;
@@ -27,7 +19,7 @@ std::vector<std::string> texts(const std::vector<Collected>& ways) {
 }  // namespace
 
 TEST_CASE("people write no half angles, code does where they keep digits") {
-  const ClosedForms forms = form();
+  const ClosedForms forms = present(testing::program_of(testing::Texts{"a - a*cos(b)"}));
   const Fraction& entry = *forms.functions[0].fields[0].entries[0];
   const auto read = texts(collected_ways(forms.algebra, entry));
   CHECK(std::ranges::count(read, "a*(1 - cos(b))") > 0);
@@ -38,8 +30,7 @@ TEST_CASE("people write no half angles, code does where they keep digits") {
 }
 
 TEST_CASE("lengths count signs and calls") {
-  testing::ExpressionLeaves l;
-  l.expressions.values = {l.graph.sum({l.a, l.b})};
-  CHECK(written_length(l.expressions) == 1);
-  CHECK(derived_way(l.expressions).length == 1);
+  const Expressions sum = testing::expressions_of({"a + b"});
+  CHECK(written_length(sum) == 1);
+  CHECK(derived_way(sum).length == 1);
 }

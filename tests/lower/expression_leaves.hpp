@@ -61,6 +61,10 @@ inline Program program_of(const Network& network) {
   return program;
 }
 
+inline Program program_of(const Texts& texts) {
+  return program_of(make_network(expressions_of(texts)));
+}
+
 inline Texts texts_of(const Network& network) {
   const Program program = program_of(network);
   return equations(program, program.functions[0]).entries.at(0);

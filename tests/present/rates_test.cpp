@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "elgen/closed_forms.hpp"
+#include "present/arithmetic.hpp"
 #include "support/models.hpp"
 
 using namespace elgen;
@@ -55,4 +56,21 @@ TEST_CASE("functions that are not taken apart have the rates of their table") {
   CHECK_FALSE(is_conserved("dot(x)*exp(-x)", "2*dot(x)^2"));
   CHECK(is_conserved("1/2*dot(x)^2 + k*log(1 + x^2)", "-2*k*x/(1 + x^2)"));
   CHECK(is_conserved("1/2*dot(x)^2 + tanh(x)", "tanh(x)^2 - 1"));
+  CHECK(is_conserved("1/2*dot(x)^2 + sinh(x)", "-cosh(x)"));
+  CHECK(is_conserved("1/2*dot(x)^2 + atan(x)", "-1/(1 + x^2)"));
+  CHECK(is_conserved("1/2*dot(x)^2 + atan2(x, k)", "-k/(x^2 + k^2)"));
+  CHECK(is_conserved("1/2*dot(x)^2 + atan2(k, x)", "k/(x^2 + k^2)"));
+}
+
+TEST_CASE("functions with kinks have a rate only where they stand still") {
+  ClosedForms forms;
+  Arithmetic arithmetic(forms.algebra);
+  const Value moving = arithmetic.leaf(Opcode::coordinate, 0);
+  const Value standing = arithmetic.leaf(Opcode::parameter, 0);
+  const auto is_steady = [&](const Value& value) {
+    return proved_conserved(forms, value.value(), {Fraction{}});
+  };
+  CHECK_FALSE(is_steady(arithmetic.call(FunctionId::abs, moving, {})));
+  CHECK_FALSE(is_steady(arithmetic.call(FunctionId::max, standing, moving)));
+  CHECK(is_steady(arithmetic.call(FunctionId::abs, standing, {})));
 }
