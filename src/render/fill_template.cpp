@@ -2,7 +2,6 @@
 // one throws, so that a misspelt hole fails the first test that renders it.
 #include "render/fill_template.hpp"
 
-#include <map>
 #include <stdexcept>
 
 #include "elgen/templates.hpp"
@@ -54,6 +53,15 @@ std::string fill_template(std::string_view path, const TemplateData& data) {
   StrictContext context(&data, path);
   std::string result = picture.render(context);
   if (!picture.is_valid()) throw std::logic_error(picture.error_message());
+  return result;
+}
+
+std::string escaped(const std::string& text, const Escapes& escapes) {
+  std::string result;
+  for (const char c : text) {
+    const auto found = escapes.find(c);
+    result += found == escapes.end() ? std::string_view(&c, 1) : found->second;
+  }
   return result;
 }
 

@@ -6,8 +6,10 @@
 #pragma once
 
 #include <kainjow/mustache.hpp>
+#include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace elgen {
 
@@ -21,5 +23,9 @@ using TemplateData = kainjow::mustache::data;
 
 /// Fills the embedded template at `path` ("cpp/header.hpp.mustache"). Text is put in unescaped.
 [[nodiscard]] std::string fill_template(std::string_view path, const TemplateData& data);
+
+/// The characters that are markup of a language, and how it writes them.
+using Escapes = std::map<char, std::string_view>;
+[[nodiscard]] std::string escaped(const std::string& text, const Escapes& escapes);
 
 }  // namespace elgen

@@ -1,8 +1,8 @@
 // mathml: a LatexTree -> MathML Core, one element per piece.
 #include <fmt/format.h>
 
+#include "render/fill_template.hpp"
 #include "render/latex_tree.hpp"
-#include "render/page_data.hpp"
 
 namespace elgen {
 namespace {

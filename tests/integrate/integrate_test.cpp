@@ -1,8 +1,9 @@
-// Steps: what they are refused for, and what they call.
+// Steps: what they are refused for, what they start from, and what they call.
 #include "elgen/integrate.hpp"
 
 #include <catch2/catch.hpp>
 
+#include "integrate/methods.hpp"
 #include "integrate/stepping.hpp"
 
 namespace elgen::test {
@@ -10,6 +11,24 @@ namespace {
 
 std::string refusal(const std::string& model, const std::string& method) {
   return format(stepped({model, method}).diagnostics);
+}
+
+std::string obstacle(const std::string& energies) {
+  const std::string text = model_text(
+      "plane", "[[coordinate]]\nname = \"x\"\n[[coordinate]]\nname = \"y\"\n[energy]\n" + energies);
+  PipelineOptions options;
+  options.goals = {Goal::choose};
+  options.scene.outputs = {make_source("outputs", "mass_matrix, momentum, bias")};
+  const Products products = run_pipeline({make_source("plane.toml", text), nullptr}, options);
+  return not_separable(*products.checked, *products.program);
+}
+
+Model point(const std::string& potential) {
+  return checked_model(model_text("point",
+                                  "[[coordinate]]\nname = \"x\"\n[energy]\n"
+                                  "T = \"1/2*dot(x)^2\"\nV = \"" +
+                                      potential + "\"\n"))
+      .model;
 }
 
 }  // namespace
@@ -51,6 +70,34 @@ TEST_CASE("a step calls the form that is asked for, and is judged by what it nee
   CHECK_FALSE(needed[0].form);
   CHECK(needed.back().kind == OutputKind::forward_dynamics);
   CHECK(needed.back().form == Form::recursive);
+}
+
+TEST_CASE("M is constant, forces and L are free of rates, but for T") {
+  const std::string kinetic = "T = \"dot(x)^2 + dot(x)*dot(y) + dot(y)^2\"\n";
+  CHECK(obstacle(kinetic + "V = \"x*y + sin(t)*x\"\n").empty());
+  CHECK(obstacle("T = \"x^2*dot(x)^2 + dot(y)^2\"\n") == "M depends on `x`");
+  CHECK(obstacle("T = \"exp(t)*dot(x)^2 + dot(y)^2\"\n") == "M depends on `t`");
+  CHECK(obstacle("L = \"-sqrt(1 - dot(x)^2) + dot(y)^2\"\n") == "M depends on `dot(x)`");
+  for (const std::string linear : {"x*dot(y)", "3*dot(y)"}) {
+    CHECK(obstacle("L = \"dot(x)^2 + dot(y)^2 + " + linear + "\"\n") ==
+          "L has terms linear in the rates");
+  }
+  CHECK(obstacle(kinetic + "D = \"dot(y)^2\"\n") == "a force depends on `dot(y)`");
+}
+
+TEST_CASE("time moves where the model knows it") {
+  for (const bool moves : {false, true}) {
+    const Model model = point(moves ? "x*sin(t)" : "x^2");
+    Program program;
+    Function function;
+    Composition compose(program, function);
+    const StepContext step(model, {.iterations = 3}, program, compose);
+    CHECK(step.iterations == 3);
+    const std::size_t size = function.instructions.size();
+    const std::uint32_t later = step.time_after(step.half);
+    CHECK(function.instructions.size() == size + (moves ? 1 : 0));
+    if (moves) CHECK(function.instructions[later].opcode == Opcode::add);
+  }
 }
 
 }  // namespace elgen::test

@@ -1,13 +1,33 @@
+// The equation of motion with its variables, and the headings of outputs.
 #include <catch2/catch.hpp>
 
 #include "choose/chosen.hpp"
+#include "emit/fixture.hpp"
+#include "render/headings.hpp"
 #include "render/small_sheet.hpp"
 #include "support/frame_systems.hpp"
 #include "support/systems.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
+using elgen::testing::cart_pole;
 using elgen::testing::has;
+using elgen::testing::Subject;
+
+namespace {
+
+std::string equation(const Subject& subject) {
+  return equation_of_motion(subject.model, subject.program).text;
+}
+
+using Lines = std::vector<std::string>;
+
+Lines lines_of(const std::string& text, const SceneOptions& options = {}) {
+  const Chosen c = chosen(text, options);
+  return variable_lines(c.checked.model, c.choice.program);
+}
+
+}  // namespace
 
 TEST_CASE("terms that are zero, or that a model cannot have, are left out") {
   const Chosen c = chosen(cart_pole_text());
@@ -32,7 +52,87 @@ TEST_CASE("where rotations turn the rates are v") {
         "M(q) a + C(q, v) v = B(q) u");
 }
 
-TEST_CASE("explicit time is an argument") {
+TEST_CASE("a term nothing is known of stays") {
+  Subject subject = cart_pole();
+  CHECK(equation(subject) == "M(q) a + C(q,v) v + g(q) = B(q) u");
+  subject.model.may_drift = true;
+  CHECK(equation(subject) == "M(q) a + C(q,v) v + drift(q,v) + g(q) = B(q) u");
+}
+
+TEST_CASE("what is zero in the program is left out, and a side without terms is 0") {
+  Subject subject = cart_pole();
+  subject.program = elgen::testing::read_program(
+      "coordinates x theta\nfunction gravity\n  0 = constant 0\n  result 2 1 = 0 0\n"
+      "function drift\n  0 = constant 0\n  result 2 1 = 0 0\n");
+  subject.model.inputs.clear();
+  subject.model.may_drift = true;
+  CHECK(equation(subject) == "M(q) a + C(q,v) v = 0");
+}
+
+TEST_CASE("dissipation, other forces and time") {
+  Subject subject = cart_pole();
+  subject.model.energies.D = 0;
+  subject.model.forces.emplace_back();
+  subject.model.uses_time = subject.model.may_drift = true;
+  CHECK(equation(subject) ==
+        "M(q,t) a + C(q,v,t) v + drift(q,v,t) + g(q,t) + dD/dv = B(q,t) u + Q(q,v,t)");
+}
+
+TEST_CASE("an L that is not quadratic has a bias only") {
+  Subject subject = cart_pole();
+  subject.model.quadratic = false;
+  CHECK(equation(subject) == "M(q,v) a + bias(q,v) = B(q) u");
+}
+
+TEST_CASE("coordinates, velocities as their rates, inputs") {
+  CHECK(lines_of(cart_pole_text()) == Lines{"q = (x, theta)", "v = dq/dt, a = dv/dt", "u = (u)"});
+}
+
+TEST_CASE("many names are the first two and the last") {
+  const Chosen c = chosen(cart_pole_text());
+  Model model = c.checked.model;
+  for (int i = 0; i < 20; ++i) model.coordinates.push_back(model.coordinates[1]);
+  CHECK(variable_lines(model, c.choice.program).front() == "q = (x, theta, ..., theta)");
+}
+
+TEST_CASE("where no function knows of motion all is at rest") {
+  SceneOptions options;
+  options.outputs = {make_source("command line", "gravity")};
+  CHECK(lines_of(cart_pole_text(), options).at(1) == "at rest");
+}
+
+TEST_CASE("velocities that are no rates have names") {
+  const Lines lines = lines_of(tumbler_text());
+  REQUIRE(lines.size() >= 3);
+  CHECK(lines[1].rfind("v = (", 0) == 0);
+  CHECK(lines[2] == "dq/dt = N(q) v: coordinate_rates");
+}
+
+TEST_CASE("every output of the table has a symbol and a sentence") {
   const Chosen c = chosen(everything_text());
-  CHECK(has(equation_of_motion(c.checked.model, c.choice.program).text, "M(q,t) a"));
+  for (const Function& function : c.choice.program.functions) {
+    INFO(function.name);
+    CHECK_FALSE(elgen::heading(c.checked.model, function).symbol.empty());
+    CHECK(output_doc(c.checked.model, function).back() == '.');
+  }
+}
+
+TEST_CASE("where rotations turn the rates are v, and the equations those of v") {
+  const auto definition_of = [](const std::string& text, OutputKind kind) {
+    const Chosen c = chosen(text);
+    for (const Function& function : c.choice.program.functions) {
+      if (function.kind == kind) return elgen::heading(c.checked.model, function).definition;
+    }
+    FAIL("no such output");
+    return std::string();
+  };
+  const std::string plain = everything_text();
+  CHECK(definition_of(plain, OutputKind::gravity) == "g = \\frac{\\partial V_{0}}{\\partial q}");
+  CHECK(definition_of(plain, OutputKind::inverse_dynamics) ==
+        "\\tau = M \\ddot{q} + \\mathrm{bias}");
+  const std::string body = tumbler_text();
+  CHECK(definition_of(body, OutputKind::gravity) ==
+        "g = N^{\\top} \\frac{\\partial V_{0}}{\\partial q}");
+  CHECK(definition_of(body, OutputKind::inverse_dynamics) == "\\tau = M a + \\mathrm{bias}");
+  CHECK(has(definition_of(body, OutputKind::coriolis_matrix), "[\\omega]_{\\times}"));
 }

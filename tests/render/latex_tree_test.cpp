@@ -1,3 +1,4 @@
+// Formulas in LaTeX, read again: measured, broken into lines, and translated to MathML.
 #include "render/latex_tree.hpp"
 
 #include <catch2/catch.hpp>
@@ -44,5 +45,40 @@ TEST_CASE("depth costs no square of it, and no stack") {
     std::string deep;
     for (int i = 0; i < 100'000; ++i) deep += piece;
     CHECK(width(read_latex(deep)) < 1000);
+  }
+}
+
+TEST_CASE("a short formula is one line") {
+  CHECK(latex_lines("a + b - c", 40) == std::vector<std::string>{"a + b - c"});
+}
+
+TEST_CASE("a long one is broken before signs, at the outermost brackets") {
+  const auto lines = latex_lines("aaaaaaaa + bbbbbbbb (c + d) - eeeeeeee", 16);
+  REQUIRE(lines.size() > 1);
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    CHECK((lines[i][0] == '+' || lines[i][0] == '-'));
+  }
+}
+
+TEST_CASE("tall brackets are completed on both sides of a break") {
+  const auto lines = latex_lines("\\left( aaaaaaaaaaaa + bbbbbbbbbbbb \\right) c", 14);
+  REQUIRE(lines.size() == 2);
+  CHECK(lines[0].find("\\right.") != std::string::npos);
+  CHECK(lines[1].find("\\left.") == 0);
+}
+
+TEST_CASE("LaTeX becomes MathML") {
+  const std::vector<std::pair<std::string, std::string>> rows{
+      {"m l^{2}", "<mi>m</mi><msup><mi>l</mi><mn>2</mn></msup>"},
+      {"\\frac{1}{2} x", "<mfrac><mn>1</mn><mn>2</mn></mfrac><mi>x</mi>"},
+      {"\\sqrt{x}", "<msqrt><mi>x</mi></msqrt>"},
+      {"a - b", "<mi>a</mi><mo>−</mo><mi>b</mi>"},
+      {"\\theta", "<mi>θ</mi>"},
+      {"\u03b8_{1}", "<msub><mi>\u03b8</mi><mn>1</mn></msub>"},
+      {"q_{1}", "<msub><mi>q</mi><mn>1</mn></msub>"},
+  };
+  for (const auto& [latex, expected] : rows) {
+    INFO(latex);
+    CHECK(mathml(read_latex(latex)) == expected);
   }
 }
