@@ -2,17 +2,37 @@
 // make.
 #include "elgen/emitted_files.hpp"
 
-#include "emit/artifacts.hpp"
+#include "elgen/artifacts.hpp"
+#include "emit/c99/c99_artifact.hpp"
+#include "emit/cpp/cpp_artifacts.hpp"
+#include "emit/pages/page_artifacts.hpp"
 #include "emit/text/emission_input.hpp"
 #include "emit/text/scalar_range.hpp"
 
 namespace elgen {
+namespace {
+
+/// How a kind of file is written, and which names its language needs for itself.
+struct Writer {
+  std::string (*text)(const EmissionInput& input);
+  /// Null where every name will do.
+  Diagnostics (*check_names)(const Model& model, const Scene& scene, const Program& program);
+};
+
+constexpr PerArtifact<Writer> writers{.cpp = {&cpp_header, &cpp_check_names},
+                                      .eigen = {&eigen_header, &eigen_check_names},
+                                      .batch = {&batch_header, &batch_check_names},
+                                      .c99 = {&c99_header, &c99_check_names},
+                                      .sidecar = {&sidecar, nullptr},
+                                      .page = {&markdown, nullptr}};
+
+}  // namespace
 
 Result<EmittedFiles> emit(const Model& model, const Scene& scene, const Program& program) {
   const std::vector<Artifact> wanted = artifacts_of(scene);
   Diagnostics diagnostics;
   for (const Artifact& artifact : wanted) {
-    const auto check_names = writer_of(artifact.id).check_names;
+    const auto check_names = writers[artifact.id].check_names;
     if (check_names == nullptr) continue;
     const Diagnostics names = check_names(model, scene, program);
     diagnostics.insert(diagnostics.end(), names.begin(), names.end());
@@ -22,7 +42,7 @@ Result<EmittedFiles> emit(const Model& model, const Scene& scene, const Program&
   if (has_errors(diagnostics)) return diagnostics;
   const EmissionInput input = emission_input(model, scene, program);
   EmittedFiles emitted;
-  for (const auto& [id, path] : wanted) emitted.files[path] = writer_of(id).text(input);
+  for (const auto& [id, path] : wanted) emitted.files[path] = writers[id].text(input);
   return emitted;
 }
 

@@ -49,9 +49,11 @@ TEST_CASE("float has its own functions and literals") {
   CHECK(dialect->call(FunctionId::min, {{"x"}, {"y"}}).text() == "cart_pole_smaller(x, y)");
 }
 
-TEST_CASE("temporaries hide nothing") {
+TEST_CASE("temporaries hide nothing, and those that parts share are members") {
   const Subject subject = in_c();
   const auto dialect = c99_dialect(subject.model, subject.scene, subject.program);
+  CHECK(dialect->shared("sin_theta") == "w->sin_theta");
+  CHECK(dialect->call(FunctionId::abs, {{"x"}}).text() == "fabs(x)");
   CHECK(dialect->temporary("sin_theta") == "sin_theta");
   for (const char* name : {"p", "result", "sinf", "cart_pole_bias"}) {
     CHECK(dialect->temporary(name) == std::string(name) + "_");

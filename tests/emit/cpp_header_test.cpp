@@ -55,3 +55,39 @@ TEST_CASE("no line is longer than 100 columns, none ends with a space, no blank 
   }
   CHECK_FALSE(mentions(text, "\n\n\n"));
 }
+
+TEST_CASE("names, units and bounds are declared; without inputs their arrays are empty") {
+  Subject subject = cart_pole();
+  subject.model.velocities[1].rate_range = Interval{0, elgen::testing::ten_to(400)};
+  const std::string text = cpp_text(subject);
+  for (const char* const declared :
+       {"coordinate_names{{\"x\", \"theta\"}};", "coordinate_units{{\"m\", \"rad\"}};",
+        "coordinate_ranges{{{-2.0, 2.0}, {-unbounded, unbounded}}};", "{0.0, unbounded}",
+        "input_limits{{{-20.0, 20.0}}};"}) {
+    INFO(declared);
+    CHECK(mentions(text, declared));
+  }
+  subject.program = elgen::testing::read_program(
+      "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  result 2 1 = 0 0\n");
+  subject.model.inputs.clear();
+  CHECK(mentions(cpp_text(subject), "input_names{};"));
+  CHECK(mentions(cpp_text(subject), "input_limits{};"));
+}
+
+TEST_CASE(
+    "parameters have their defaults and their documentation, arrays of one value are filled") {
+  Subject subject = cart_pole();
+  subject.model.parameter_arrays[0].range = Interval{0, 10};
+  elgen::testing::add_parameter_array(subject.model, "k", {1, 2});
+  elgen::testing::read_parameter(subject, "k[1]");
+  const std::string text = cpp_text(subject);
+  CHECK(mentions(text, "  Scalar M = constant<Scalar>(1.0);"));
+  CHECK(mentions(text, "///< cart mass [kg] in [0, 10]\n"));
+  CHECK(mentions(text, "///< [m/s^2]\n"));
+  CHECK(mentions(text, "  std::array<Scalar, 2> k = {{\n"));
+  CHECK_FALSE(mentions(text, "filled"));
+  elgen::testing::add_parameter_array(subject.model, "c", {3, 3, 3});
+  elgen::testing::read_parameter(subject, "c[1]");
+  CHECK(mentions(cpp_text(subject),
+                 "std::array<Scalar, 3> c = detail::filled<3>(constant<Scalar>(3.0));"));
+}

@@ -2,6 +2,7 @@
 #include "emit/cpp/cpp_names.hpp"
 
 #include "emit/cpp/cpp_artifacts.hpp"
+#include "emit/text/taken_name.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;
@@ -49,10 +50,35 @@ TEST_CASE("structs may not collide either") {
   CHECK(name_diagnostics(subject).size() == 1);
 }
 
-TEST_CASE("the namespace of the library is not the model's") {
-  Subject subject = cart_pole();
-  for (const char* name : {"std", "system", "random"}) {
+TEST_CASE("what the C library declares names no namespace") {
+  const auto refused = [](const char* name) {
+    Subject subject = cart_pole();
     subject.scene.emission.name_space = name;
-    CHECK(name_diagnostics(subject).size() == 1);
+    return name_diagnostics(subject).size();
+  };
+  for (const char* name : {"std", "random", "abs", "system", "yn", "roundf", "remainderl",
+                           "clock_t", "main", "read", "link", "pipe"}) {
+    INFO(name);
+    CHECK(refused(name) == 1);
   }
+  for (const char* name : {"cart_pole", "a", "pendulum", "surf", "f", "zzz", "linkf"}) {
+    INFO(name);
+    CHECK(refused(name) == 0);
+  }
+}
+
+TEST_CASE("a function's name is refused at its place in the scene, or nowhere") {
+  Function function;
+  function.name = "detail";
+  Scene scene;
+  CHECK(taken_name(scene, function).span.source == nullptr);
+  const SourcePointer source = make_source("a.scene.toml", "detail = true");
+  OutputRequest request;
+  request.name = "detail";
+  request.span = {source.get(), 0, 6};
+  scene.outputs.push_back(request);
+  const Diagnostic found = taken_name(scene, function);
+  CHECK(found.code == Code::E701);
+  CHECK(found.span.source == source.get());
+  CHECK(found.message == "`detail` cannot name a function: the emitted code has that name");
 }

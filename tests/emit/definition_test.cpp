@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "emit/code/sections.hpp"
+#include "emit/code/statements.hpp"
 #include "emit/cpp/cpp_dialect.hpp"
 #include "fixture.hpp"
 
@@ -84,20 +84,6 @@ TEST_CASE("parts name the arguments they mention") {
   CHECK(last.find("const Coordinates<Scalar>&)") != std::string::npos);
   CHECK(function.parts.front().signature.find("const Coordinates<Scalar>& q)") !=
         std::string::npos);
-}
-
-TEST_CASE("more entries than a stack should hold are written by reference") {
-  Subject subject = cart_pole();
-  Function bias;
-  bias.kind = OutputKind::bias;
-  bias.name = "bias";
-  bias.instructions = {{Opcode::velocity, FunctionId::sin, 1, 0}};
-  bias.names = {""};
-  bias.fields = {{"", 4097, 1, std::vector<std::uint32_t>(4097, 0)}};
-  subject.program.functions = {bias};
-  const FunctionDefinition function = function_of(subject);
-  CHECK(function.whole.signature.rfind("ELGEN_FUNCTION void bias(Forces<Scalar>& result,", 0) == 0);
-  CHECK(function.whole.body.find("return") == std::string::npos);
 }
 
 TEST_CASE("column-major storage goes down the columns") {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <locale>
-#include <sstream>
+#include <map>
 
 #include "elgen/artifacts.hpp"
 #include "fixture.hpp"
@@ -14,6 +14,7 @@
 
 using namespace elgen;
 using elgen::testing::cart_pole;
+using elgen::testing::in_c;
 using elgen::testing::Subject;
 
 namespace {
@@ -33,8 +34,11 @@ class CommaDecimal final : public std::numpunct<char> {
 
 }  // namespace
 
-TEST_CASE("header and sidecar are the golden ones, byte for byte") {
-  for (const auto& [path, text] : emitted(cart_pole()).files) {
+TEST_CASE("header and sidecar are the golden ones, byte for byte, and so is the header in C") {
+  std::map<std::string, std::string> files = emitted(cart_pole()).files;
+  const std::string in_c99 = "cart_pole/cart_pole.h";
+  files[in_c99] = emitted(in_c()).files.at(in_c99);
+  for (const auto& [path, text] : files) {
     const std::string name = path.substr(path.find('/') + 1);
     const std::string golden = std::string(ELGEN_SOURCE_DIR) + "/tests/emit/golden/" + name;
     if (std::getenv("ELGEN_UPDATE") != nullptr) std::ofstream(golden, std::ios::binary) << text;
@@ -74,11 +78,18 @@ TEST_CASE("what a scene says changes the stamp and the namespace") {
   CHECK(header.find("namespace plant {") != std::string::npos);
 }
 
-TEST_CASE("every file bears our mark in its first 200 bytes and the hash of its text") {
-  for (const auto& [path, text] : emitted(cart_pole()).files) {
-    INFO(path);
-    CHECK(text.substr(0, 200).find(generated_marker) != std::string::npos);
-    CHECK(body_hash(text).stated == body_hash(text).actual);
+TEST_CASE(
+    "in each language every file bears our mark in its first bytes and the hash of its text") {
+  for (const LanguageRow& row : language_table) {
+    Subject subject = cart_pole();
+    subject.scene.emission.language = row.id;
+    const EmittedFiles files = emitted(subject);
+    CHECK(files.files.size() == 3);
+    for (const auto& [path, text] : files.files) {
+      INFO(row.name << " " << path);
+      CHECK(text.substr(0, 200).find(generated_marker) != std::string::npos);
+      CHECK(body_hash(text).stated == body_hash(text).actual);
+    }
   }
 }
 

@@ -1,21 +1,9 @@
-#include "elgen/emitted_files.hpp"
 #include "emit/pages/page_artifacts.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;
 using elgen::testing::cart_pole;
 using elgen::testing::Subject;
-
-TEST_CASE("the page says within its first bytes that it is generated, and states its hash") {
-  const Subject subject = cart_pole();
-  const std::string page = markdown(emission_input(subject.model, subject.scene, subject.program));
-  CHECK(page.find(generated_marker) < 200);
-  const BodyHash hash = body_hash(page);
-  CHECK(hash.stated == hash.actual);
-  std::string edited = page;
-  edited.replace(edited.find("# "), 1, "-");
-  CHECK(body_hash(edited).stated != body_hash(edited).actual);
-}
 
 TEST_CASE("the page ends with the operations of every function") {
   const Subject subject = cart_pole();

@@ -6,7 +6,6 @@
 
 #include "emit/text/emission_input.hpp"
 #include "emit/text/layout.hpp"
-#include "emit/text/signature.hpp"
 #include "evaluate/scalar_literal.hpp"
 #include "lower/code_interface.hpp"
 

@@ -1,13 +1,18 @@
-// c99_header: the C99 header, as templates/c99/header.h.mustache pictures it.
+// c99_header: the C99 header, as templates/c99/header.h.mustache pictures it. Every name of the
+// header begins with the prefix of the scene, so that functions can collide with each other's
+// helpers only, and with the few names the header has for itself (E701).
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "emit/c99/c99_artifact.hpp"
 #include "emit/c99/c99_dialect.hpp"
 #include "emit/code/header_data.hpp"
 #include "emit/text/layout.hpp"
 #include "emit/text/parameters.hpp"
+#include "emit/text/taken_name.hpp"
+#include "lower/code_interface.hpp"
 
 namespace elgen {
 namespace {
@@ -61,6 +66,21 @@ Texts default_parameters(const EmissionInput& input) {
   return continued(std::move(lines));
 }
 
+constexpr std::array<std::string_view, 5> header_names{"parameters", "is_regular", "sign_of",
+                                                       "smaller", "larger"};
+
+/// Whether `name` is that of the struct, the workspace or a part of the function.
+bool is_helper(const std::string& name, const Function& function) {
+  return name == function.name + "_workspace" || name.starts_with(function.name + "_part_") ||
+         (gives_struct(function) && name == function.name + "_result");
+}
+
+bool is_taken(const std::string& name, const Program& program) {
+  const auto takes = [&name](const Function& function) { return is_helper(name, function); };
+  return std::find(header_names.begin(), header_names.end(), name) != header_names.end() ||
+         std::any_of(program.functions.begin(), program.functions.end(), takes);
+}
+
 }  // namespace
 
 std::string c99_header(const EmissionInput& input) {
@@ -71,6 +91,15 @@ std::string c99_header(const EmissionInput& input) {
   data.set("parameters", lines_data(documented_members(parameter_members(input))));
   data.set("default_parameters", lines_data(default_parameters(input)));
   return header_text("c99/header.h.mustache", data);
+}
+
+Diagnostics c99_check_names(const Model& /*model*/, const Scene& scene, const Program& program) {
+  Diagnostics diagnostics;
+  for (const Function& function : program.functions) {
+    if (!is_taken(function.name, program)) continue;
+    diagnostics.push_back(taken_name(scene, function));
+  }
+  return diagnostics;
 }
 
 }  // namespace elgen

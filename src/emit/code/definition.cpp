@@ -12,7 +12,7 @@
 
 #include <algorithm>
 
-#include "emit/code/sections.hpp"
+#include "emit/code/statements.hpp"
 #include "emit/text/layout.hpp"
 #include "lower/code_interface.hpp"
 

@@ -11,7 +11,6 @@
 #include "emit/code/header_data.hpp"
 #include "emit/cpp/cpp_artifacts.hpp"
 #include "emit/text/layout.hpp"
-#include "emit/text/signature.hpp"
 #include "emit/text/taken_name.hpp"
 #include "evaluate/pack_trigonometry.hpp"
 #include "evaluate/scalar_literal.hpp"

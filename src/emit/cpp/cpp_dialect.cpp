@@ -11,7 +11,6 @@
 #include "emit/code/definition.hpp"
 #include "emit/cpp/cpp_names.hpp"
 #include "emit/text/layout.hpp"
-#include "emit/text/signature.hpp"
 #include "lower/code_interface.hpp"
 
 namespace elgen {

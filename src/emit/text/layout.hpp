@@ -45,6 +45,15 @@ struct Member {
 /// short.
 [[nodiscard]] std::vector<std::string> documented_members(const std::vector<Member>& members);
 
+/// The start of a declaration and its arguments -> the declaration, with line breaks; `start` ends
+/// before the bracket, `end` (" noexcept") follows the closing one.
+///
+///     [[nodiscard]] Forces<Scalar> bias(const Parameters<Scalar>& p, const Coordinates<Scalar>& q,
+///                                       const Velocities<Scalar>& v) noexcept
+[[nodiscard]] std::string signature(const std::string& start,
+                                    const std::vector<std::string>& arguments,
+                                    const std::string& end);
+
 /// "forward_dynamics" -> "ForwardDynamics".
 [[nodiscard]] std::string camel_case(std::string_view name);
 
