@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "choose/monomial_angle.hpp"
 #include "present/polynomial.hpp"
 
 namespace elgen {

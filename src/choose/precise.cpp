@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "choose/conjugates.hpp"
 #include "choose/ways.hpp"
 #include "lower/network/linearise.hpp"
 

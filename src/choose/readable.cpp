@@ -1,16 +1,91 @@
-// readable: see readable.hpp.
+// readable: see readable.hpp. Two ways that are compared are one function of two entries, so that
+// what they share, sines above all, is evaluated once.
 #include "choose/readable.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <set>
 
+#include "base/random.hpp"
 #include "choose/ways.hpp"
+#include "lower/graph/angle_sums.hpp"
 #include "lower/graph/flatten.hpp"
 #include "lower/graph/from_program.hpp"
 #include "lower/graph/prune.hpp"
+#include "lower/network/linearise.hpp"
 
 namespace elgen {
 namespace {
+
+/// Of three terms that are drawn alike each outweighs the others in a third of all points: that
+/// none of 12 wide points shows it happens in one of 130 cases.
+constexpr std::size_t point_count = 16;
+constexpr int widest = 26;
+
+Arguments<double> point(const LeafNames& leaves, int lowest, int highest, Random& random) {
+  Arguments<double> result =
+      draw_leaves(leaves, [&] { return random.log_uniform(lowest, highest); });
+  for (double& value : result.parameters) value = std::abs(value);
+  return result;
+}
+
+using NodeSet = std::set<NodeId>;
+
+/// Of every angle that is rounded before its sine or cosine is taken, the leaves in it: x - y and
+/// 2 x - 2 y are rounded alike.
+std::set<NodeSet> rounded_angles(const Graph& graph, Ref value) {
+  std::set<NodeSet> angles;
+  for (const NodeId id : reachable(graph, {value})) {
+    const Node& node = graph.node(id);
+    const bool is_wave = node.kind == NodeKind::call && is_circular(node.function);
+    if (!is_wave || is_exact_multiple(graph, node.operands[0].node)) continue;
+    NodeSet leaves;
+    for (const NodeId part : reachable(graph, {{node.operands[0].node, false}})) {
+      if (graph.node(part).kind == NodeKind::leaf) leaves.insert(part);
+    }
+    if (!leaves.empty()) angles.insert(std::move(leaves));
+  }
+  return angles;
+}
+
+/// Whether `way` takes sines of sums that the reference has taken apart: q1 - q2 is rounded, q1 and
+/// q2 are not. Few points show it, where all else is small and the angles are large.
+bool rounds_more_angles(const Expressions& way, const Expressions& reference) {
+  Graph both;
+  const Ref own = copied(both, way);
+  const Ref known = copied(both, reference);
+  const auto known_angles = rounded_angles(both, known);
+  const auto is_known = [&known_angles](const NodeSet& angle) {
+    return std::any_of(known_angles.begin(), known_angles.end(), [&angle](const NodeSet& other) {
+      return std::includes(other.begin(), other.end(), angle.begin(), angle.end());
+    });
+  };
+  const auto own_angles = rounded_angles(both, own);
+  return !std::all_of(own_angles.begin(), own_angles.end(), is_known);
+}
+
+/// The error that may take the place of x's.
+Real admitted_error(const Running& x) {
+  static const Real recounted(3);
+  static const Real always(8);
+  return max(x.error * recounted, abs(x.value) * always);
+}
+
+/// Two ways as one function of two entries, with its constants.
+struct BothWays {
+  Program program = {};
+  Function function = {};
+};
+
+BothWays both_ways(const Expressions& way, const Expressions& reference) {
+  Expressions both;
+  both.values = {copied(both.graph, way), copied(both.graph, reference)};
+  BothWays result;
+  result.function.fields = {Field{"", 1, 2, {0, 1}}};
+  linearise(make_network(both), result.program, result.function);
+  return result;
+}
 
 /// Written out over the leaves, an entry as derived may have this many operations. Longer ones are
 /// never the shortest way: 1000 gives the same pages for models/; 20 makes some longer.
@@ -38,6 +113,35 @@ std::size_t shortest_precise(const std::vector<Collected>& ways, std::size_t jud
 }
 
 }  // namespace
+
+MixedPoints mixed_points(const LeafNames& leaves) {
+  Random random(1);
+  MixedPoints points;
+  for (std::size_t i = 0; i < point_count; ++i) {
+    const bool is_ordinary = i % 4 == 0;
+    points.push_back(is_ordinary ? point(leaves, -3, 0, random)
+                                 : point(leaves, -widest, widest, random));
+  }
+  return points;
+}
+
+bool is_as_precise(const Expressions& way, const Expressions& reference, const MixedPoints& points,
+                   Leaves leaves) {
+  if (leaves == Leaves::exact && rounds_more_angles(way, reference)) return false;
+  const BothWays both = both_ways(way, reference);
+  bool is_compared = false;
+  for (const Arguments<double>& point : points) {
+    const std::vector<Running> entries =
+        entries_of(both.function, fold<Running>(RunningErrorRules{running_leaves(point, leaves)},
+                                                both.program, both.function));
+    const Real& own = entries[0].error;
+    const Real admitted = admitted_error(entries[1]);
+    if (!admitted.is_defined()) continue;
+    if (!own.is_defined() || own.value() > admitted.value()) return false;
+    is_compared = true;
+  }
+  return is_compared;
+}
 
 std::optional<ReadableForm> shortest(const Algebra& algebra, const Fraction& form,
                                      const Expressions* derived, const MixedPoints& points) {

@@ -1,6 +1,7 @@
 // ways: the ways to write a closed form, each collected: common factors are pulled out of its sums.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "elgen/closed_forms.hpp"
@@ -33,5 +34,14 @@ struct Collected {
 /// In sums that do not cancel where one square of an angle is 1 (real_terms.hpp: homogeneous):
 /// longer, and for code only.
 [[nodiscard]] std::vector<Collected> precise_ways(const Algebra& algebra, const Fraction& form);
+
+/// Differences with a root, where both sides are nearly the same:
+///
+///     before    sqrt(l^2 + x^2) - l                 no digit is right where x is small
+///     after     x^2/(sqrt(l^2 + x^2) + l)
+///
+/// Sums of a root and other terms, whose squares differ by less than they hold; nothing where there
+/// is none.
+[[nodiscard]] std::optional<Expressions> with_conjugates(const Expressions& expressions);
 
 }  // namespace elgen

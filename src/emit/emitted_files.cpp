@@ -6,8 +6,8 @@
 #include "emit/c99/c99_artifact.hpp"
 #include "emit/cpp/cpp_artifacts.hpp"
 #include "emit/pages/page_artifacts.hpp"
+#include "emit/text/emission_checks.hpp"
 #include "emit/text/emission_input.hpp"
-#include "emit/text/scalar_range.hpp"
 
 namespace elgen {
 namespace {

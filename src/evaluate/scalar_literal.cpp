@@ -1,15 +1,75 @@
 // scalar_literal: the standard's shortest decimals, which no locale changes.
+//
+// Binary values of exact numbers are correctly rounded, subnormals and overflow included: CLN's own
+// double_approx stops at the smallest normal number, so the significand is rounded here, as an
+// integer of as many bits as the result has at its exponent.
 #include "evaluate/scalar_literal.hpp"
 
+#include <cln/float.h>
+#include <cln/integer.h>
+#include <cln/rational.h>
+
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
 
+#include "base/exact_number.hpp"
 #include "base/number_text.hpp"
 #include "elgen/evaluate.hpp"
 
 namespace elgen {
 namespace {
+
+/// floor(log2 x) for x > 0, perhaps one too large.
+long upper_exponent(const cln::cl_RA& x) {
+  return static_cast<long>(cln::integer_length(cln::numerator(x))) -
+         static_cast<long>(cln::integer_length(cln::denominator(x)));
+}
+
+cln::cl_RA times_power_of_two(const cln::cl_RA& x, long exponent) {
+  const cln::cl_I power = cln::ash(1, cln::cl_I(std::abs(exponent)));
+  return exponent >= 0 ? x * power : x / power;
+}
+
+/// x = significand * 2^exponent with the significand rounded to the bits Scalar has there.
+template <class Scalar>
+Scalar round_positive(const cln::cl_RA& x) {
+  using Traits = std::numeric_limits<Scalar>;
+  constexpr long lowest =
+      Traits::min_exponent - Traits::digits;  // exponent of a subnormal's last bit
+  const long estimate = upper_exponent(x);
+  if (estimate > Traits::max_exponent + 1) return Traits::infinity();
+  if (estimate < lowest - 2) return 0;
+  // One bit less than `estimate` says where it was too large.
+  const bool too_large = times_power_of_two(x, -estimate) < 1;
+  const long exponent = std::max(estimate - (too_large ? 1 : 0) - (Traits::digits - 1), lowest);
+  const cln::cl_I significand = cln::round1(times_power_of_two(x, -exponent));
+  // At most `digits` bits and perhaps one carry: each half is exact, and so is the sum.
+  const auto high = static_cast<Scalar>(cln::cl_I_to_ulong(cln::ash(significand, -32)));
+  const auto low = static_cast<Scalar>(cln::cl_I_to_ulong(cln::ldb(significand, {32, 0})));
+  return std::ldexp(std::ldexp(high, 32) + low, static_cast<int>(exponent));
+}
+
+/// The exponent of a float decides where it is far beyond those of built-in types: as a fraction
+/// the number may need more than the memory.
+template <class Scalar>
+std::optional<Scalar> rounded_by_exponent(const cln::cl_R& x) {
+  constexpr std::int64_t beyond_all = 40'000;
+  if (is_rational(x)) return std::nullopt;
+  const auto exponent = static_cast<std::int64_t>(cln::float_exponent(cln::the<cln::cl_F>(x)));
+  if (std::abs(exponent) < beyond_all) return std::nullopt;
+  return exponent < 0 ? 0 : std::numeric_limits<Scalar>::infinity();
+}
+
+template <class Scalar>
+Scalar round_to(const cln::cl_R& value) {
+  if (const std::optional<Scalar> extreme = rounded_by_exponent<Scalar>(value)) {
+    return cln::minusp(value) ? -*extreme : *extreme;
+  }
+  const cln::cl_RA x = cln::rational(value);
+  return cln::minusp(x) ? -round_positive<Scalar>(-x) : round_positive<Scalar>(x);
+}
 
 template <class Scalar>
 Fit fit_in(const cln::cl_R& value) {
@@ -39,6 +99,12 @@ std::optional<std::string> readable_literal(const cln::cl_R& value) {
 }
 
 }  // namespace
+
+float ScalarTraits<float>::from_real(const cln::cl_R& value) { return round_to<float>(value); }
+double ScalarTraits<double>::from_real(const cln::cl_R& value) { return round_to<double>(value); }
+long double ScalarTraits<long double>::from_real(const cln::cl_R& value) {
+  return round_to<long double>(value);
+}
 
 Fit fit(const cln::cl_R& value, ScalarKind scalar) {
   switch (scalar) {

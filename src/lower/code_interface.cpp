@@ -39,6 +39,13 @@ DeclaredArray intervals(const char* name, const std::vector<Element>& elements,
   return array;
 }
 
+template <class Predicate>
+bool has_instruction(const Program& program, const Predicate& is_wanted) {
+  return std::any_of(program.functions.begin(), program.functions.end(), [&](const Function& f) {
+    return std::any_of(f.instructions.begin(), f.instructions.end(), is_wanted);
+  });
+}
+
 }  // namespace
 
 const std::string& name_space(const Scene& scene) {
@@ -143,11 +150,8 @@ bool calls_own_functions(const Program& program) {
 }
 
 bool calls(const Program& program, FunctionId function) {
-  const auto is_call = [function](const Instruction& i) {
+  return has_instruction(program, [function](const Instruction& i) {
     return i.opcode == Opcode::call && i.function == function;
-  };
-  return std::any_of(program.functions.begin(), program.functions.end(), [&](const Function& f) {
-    return std::any_of(f.instructions.begin(), f.instructions.end(), is_call);
   });
 }
 
@@ -158,12 +162,7 @@ std::vector<std::string_view> library_calls(const Program& program) {
     if (!is_own && calls(program, row.id)) names.push_back(row.name);
   }
   const auto is_root = [](const Instruction& i) { return i.opcode == Opcode::square_root; };
-  for (const Function& function : program.functions) {
-    const auto& all = function.instructions;
-    if (std::none_of(all.begin(), all.end(), is_root)) continue;
-    names.emplace_back("sqrt");
-    break;
-  }
+  if (has_instruction(program, is_root)) names.emplace_back("sqrt");
   return names;
 }
 

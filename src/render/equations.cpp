@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "elgen/render.hpp"
+#include "lower/graph/prune.hpp"
 #include "render/function_formulas.hpp"
 #include "render/symbols.hpp"
 
@@ -63,21 +64,12 @@ std::vector<std::size_t> written_out_sizes(const Function& function) {
   return sizes;
 }
 
-/// What entries too long to be written out are made of, as far as it is not written out itself.
-std::vector<bool> needed_instructions(const Function& function,
-                                      const std::vector<std::size_t>& sizes) {
-  std::vector<bool> needed(sizes.size(), false);
-  for (const Field& field : function.fields) {
-    for (const std::uint32_t entry : field.entries) {
-      if (sizes[entry] > longest_entry) needed[entry] = true;
-    }
-  }
-  for (std::size_t at = needed.size(); at-- > 0;) {
-    const Instruction& i = function.instructions[at];
-    if (needed[at] && operand_count(i) > 0) needed[i.a] = true;
-    if (needed[at] && operand_count(i) > 1) needed[i.b] = true;
-  }
-  return needed;
+/// Entries that are too long to be written out.
+std::vector<std::uint32_t> long_entries(const Function& function,
+                                        const std::vector<std::size_t>& sizes) {
+  std::vector<std::uint32_t> entries = entries_of(function);
+  std::erase_if(entries, [&](std::uint32_t entry) { return sizes[entry] <= longest_entry; });
+  return entries;
 }
 
 /// In formulas, short definitions are easier to read where they are used than where they are made.
@@ -100,7 +92,7 @@ FunctionEquations equations(const Program& program, const Function& function,
   const std::vector<std::string> no_names(names.size());
   const FunctionFormulas with_names(program, function, vocabulary, names);
   const FunctionFormulas over_leaves(program, function, vocabulary, no_names);
-  const std::vector<bool> needed = needed_instructions(function, sizes);
+  const std::vector<bool> needed = needed_for(function, long_entries(function, sizes));
   FunctionEquations result;
   for (std::uint32_t at = 0; at < names.size(); ++at) {
     if (needed[at] && !names[at].empty()) {
@@ -138,9 +130,6 @@ FunctionEquations readable(const Program& program, std::size_t index,
 }
 
 }  // namespace
-}  // namespace elgen
-
-namespace elgen {
 
 FunctionEquations equations(const Program& program, const Function& function) {
   return equations(program, function, ModelLanguage(program.leaves));

@@ -12,8 +12,8 @@
 
 #include "elgen/arguments.hpp"
 #include "elgen/artifacts.hpp"
+#include "emit/text/emission_checks.hpp"
 #include "emit/text/parameters.hpp"
-#include "emit/text/scalar_range.hpp"
 #include "lower/code_interface.hpp"
 
 namespace elgen {

@@ -10,7 +10,7 @@
 
 #include "elgen/tradeoff.hpp"
 #include "elgen/wording.hpp"
-#include "emit/text/scalar_range.hpp"
+#include "emit/text/emission_checks.hpp"
 #include "lower/code_interface.hpp"
 
 namespace elgen {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "elgen/certificate.hpp"
-#include "emit/text/scalar_range.hpp"
+#include "emit/text/emission_checks.hpp"
 #include "evaluate/states.hpp"
 #include "verify/bounds/accuracy.hpp"
 #include "verify/compiled_code.hpp"

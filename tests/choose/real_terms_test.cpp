@@ -3,7 +3,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "choose/monomial_angle.hpp"
 #include "lower/expression_leaves.hpp"
 
 using namespace elgen;

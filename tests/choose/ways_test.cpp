@@ -34,3 +34,16 @@ TEST_CASE("lengths count signs and calls") {
   CHECK(written_length(sum) == 1);
   CHECK(derived_way(sum).length == 1);
 }
+
+TEST_CASE("a root less what it is nearly, and what is nearly a root less the root") {
+  const auto conjugates =
+      with_conjugates(testing::expressions_of({"sqrt(a^2 + b^2) - a", "a - sqrt(a^2 + b^2)"}));
+  REQUIRE(conjugates);
+  CHECK(testing::texts_of(*conjugates) ==
+        testing::Texts{"b^2/(a + sqrt(a^2 + b^2))", "-b^2/(a + sqrt(a^2 + b^2))"});
+}
+
+TEST_CASE("sums whose squares share nothing stay") {
+  CHECK_FALSE(with_conjugates(
+      testing::expressions_of({"sqrt(a^2 + b^2) - c", "sqrt(a^2 + b^2) + sqrt(a^2 + b^2)"})));
+}

@@ -172,9 +172,7 @@ TEST_CASE("temporaries give way") {
   const Subject subject = cart_pole();
   const auto dialect = cpp_dialect(subject.model, subject.program);
   CHECK(dialect->temporary("sin_theta") == "sin_theta");
-  CHECK(dialect->temporary("p") == "p_");
-  CHECK(dialect->temporary("w") == "w_");
-  CHECK(dialect->temporary("sin") == "sin_");
-  CHECK(dialect->temporary("constant") == "constant_");
-  CHECK(dialect->temporary("velocity_count") == "velocity_count_");
+  for (const std::string name : {"p", "w", "sin", "constant", "velocity_count"}) {
+    CHECK(dialect->temporary(name) == name + "_");
+  }
 }

@@ -1,4 +1,5 @@
-// cpp_header: which parts a header has; the golden header shows them whole.
+// cpp_header: which parts a header has; the golden header shows them whole. On vectors and matrices
+// of Eigen: tests/pipeline/languages_test.cpp compiles them.
 #include <algorithm>
 
 #include "emit/cpp/cpp_artifacts.hpp"
@@ -14,6 +15,10 @@ namespace {
 
 std::string cpp_text(const Subject& subject) {
   return cpp_header(emission_input(subject.model, subject.scene, subject.program));
+}
+
+std::string eigen_text(const Subject& subject) {
+  return eigen_header(emission_input(subject.model, subject.scene, subject.program));
 }
 
 }  // namespace
@@ -90,4 +95,26 @@ TEST_CASE(
   elgen::testing::read_parameter(subject, "c[1]");
   CHECK(mentions(cpp_text(subject),
                  "std::array<Scalar, 3> c = detail::filled<3>(constant<Scalar>(3.0));"));
+}
+
+TEST_CASE("Eigen: functions, structs and the test of the pivots") {
+  const std::string text = eigen_text(cart_pole());
+  CHECK(mentions(text, "[[nodiscard]] Matrix<Scalar, 2, 2> mass_matrix("));
+  CHECK(mentions(text, "  Vector<Scalar, 2> acceleration;"));
+  CHECK(mentions(text, "  return (pivots.array() > tolerance).all();\n"));
+  CHECK(mentions(text, "Eigen::RowMajor>;"));
+}
+
+TEST_CASE("Eigen: storage decides the order of Eigen's matrices") {
+  Subject subject = cart_pole();
+  subject.scene.emission.storage = Storage::column_major;
+  CHECK(mentions(eigen_text(subject), ": Eigen::ColMajor>;"));
+}
+
+TEST_CASE("Eigen: names of the header are E701") {
+  Subject subject = cart_pole();
+  CHECK(eigen_check_names(subject.model, subject.scene, subject.program).empty());
+  subject.program.functions[0].name = "eigen";
+  subject.program.functions[4].name = "matrix";
+  CHECK(eigen_check_names(subject.model, subject.scene, subject.program).size() == 2);
 }

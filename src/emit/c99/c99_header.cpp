@@ -9,9 +9,9 @@
 #include "emit/c99/c99_artifact.hpp"
 #include "emit/c99/c99_dialect.hpp"
 #include "emit/code/header_data.hpp"
+#include "emit/text/emission_checks.hpp"
 #include "emit/text/layout.hpp"
 #include "emit/text/parameters.hpp"
-#include "emit/text/taken_name.hpp"
 #include "lower/code_interface.hpp"
 
 namespace elgen {

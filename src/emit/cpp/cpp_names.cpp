@@ -11,10 +11,10 @@
 
 #include "emit/code/cpp_constant.hpp"
 #include "emit/cpp/cpp_artifacts.hpp"
+#include "emit/text/emission_checks.hpp"
 #include "emit/text/emission_input.hpp"
 #include "emit/text/layout.hpp"
 #include "emit/text/parameters.hpp"
-#include "emit/text/taken_name.hpp"
 #include "lower/code_interface.hpp"
 
 namespace elgen {
@@ -135,6 +135,16 @@ Diagnostics cpp_check_names(const Model& model, const Scene& scene, const Progra
                      is_reserved_type(outermost) ? "POSIX keeps names that end in `_t` for types"
                                                  : "C or POSIX declares it"),
          "`[emit] namespace` of a scene gives it another one"});
+  }
+  return diagnostics;
+}
+
+Diagnostics eigen_check_names(const Model& /*model*/, const Scene& scene, const Program& program) {
+  Diagnostics diagnostics;
+  for (const Function& function : program.functions) {
+    const bool takes_struct = gives_struct(function) && is_eigen_name(cpp_struct_name(function));
+    if (!takes_struct && !is_eigen_name(function.name)) continue;
+    diagnostics.push_back(taken_name(scene, function));
   }
   return diagnostics;
 }

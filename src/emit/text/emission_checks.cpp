@@ -1,5 +1,5 @@
-// scalar_range: each value against each scalar, by correct rounding.
-#include "emit/text/scalar_range.hpp"
+// One message for every language; each value against each scalar, by correct rounding.
+#include "emit/text/emission_checks.hpp"
 
 #include <fmt/format.h>
 
@@ -39,6 +39,16 @@ Span place_of(const Model& model, const cln::cl_R& value) {
 }
 
 }  // namespace
+
+Diagnostic taken_name(const std::string& name, const char* what, const Span& span) {
+  return {Code::E701, span,
+          fmt::format("`{}` cannot name a {}: the emitted code has that name", name, what)};
+}
+
+Diagnostic taken_name(const Scene& scene, const Function& function) {
+  const OutputRequest* request = find_request(scene, function.name);
+  return taken_name(function.name, "function", request == nullptr ? Span{} : request->span);
+}
 
 Diagnostics check_scalar_range(const Model& model, const Scene& scene, const Program& program) {
   Diagnostics diagnostics;

@@ -1,5 +1,6 @@
-// scalar_range: E702 for parameters and constants, in the scalars asked for and no others.
-#include "emit/text/scalar_range.hpp"
+// E701 at its place in the scene; E702 for parameters and constants, in the scalars asked for and
+// no others.
+#include "emit/text/emission_checks.hpp"
 
 #include "fixture.hpp"
 
@@ -55,4 +56,20 @@ TEST_CASE("what no function reads is no run-time value") {
   Subject subject = cart_pole();
   elgen::testing::add_parameter(subject.model, "tiny", ten_to(-400), "m");
   CHECK(range_diagnostics(subject).empty());
+}
+
+TEST_CASE("a function's name is refused at its place in the scene, or nowhere") {
+  Function function;
+  function.name = "detail";
+  Scene scene;
+  CHECK(taken_name(scene, function).span.source == nullptr);
+  const SourcePointer source = make_source("a.scene.toml", "detail = true");
+  OutputRequest request;
+  request.name = "detail";
+  request.span = {source.get(), 0, 6};
+  scene.outputs.push_back(request);
+  const Diagnostic found = taken_name(scene, function);
+  CHECK(found.code == Code::E701);
+  CHECK(found.span.source == source.get());
+  CHECK(found.message == "`detail` cannot name a function: the emitted code has that name");
 }
