@@ -17,7 +17,7 @@ TEST_CASE("sums of sines and cosines in homogeneous terms") {
       {"1 - cos(e)", "2*sin(1/2*e)^2"},
       {"1 + cos(e)", "2*cos(1/2*e)^2"},
       {"a + (b - a)*cos(e)^2", "a*sin(e)^2 + b*cos(e)^2"},
-      // What has no angle stays beside what has.
+      // Terms without an angle stay beside the others.
       {"a + b - b*cos(e)^2", "a + b*sin(e)^2"},
       // A constant of several angles is not divided among them.
       {"1 - cos(d) - cos(e)", "1 - cos(d) - cos(e)"},

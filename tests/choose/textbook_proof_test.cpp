@@ -2,13 +2,13 @@
 // to three coordinates: L written out in full, differentiated, and compared as canonical sums.
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
+#include <map>
 
 #include "derive/textbook.hpp"
 #include "elgen/closed_forms.hpp"
 #include "elgen/lower.hpp"
 #include "support/models.hpp"
+#include "support/shell.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
@@ -16,66 +16,35 @@ using GiNaC::ex;
 
 namespace {
 
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+using Number = ex (Textbook::*)() const;
+using Entry = ex (Textbook::*)(std::size_t i) const;
+using MatrixEntry = ex (Textbook::*)(std::size_t i, std::size_t j) const;
 
+const std::map<OutputKind, Number> numbers{{OutputKind::kinetic_energy, &Textbook::kinetic},
+                                           {OutputKind::potential_energy, &Textbook::potential0},
+                                           {OutputKind::total_energy, &Textbook::total},
+                                           {OutputKind::energy_function, &Textbook::energy}};
+const std::map<OutputKind, Entry> vectors{
+    {OutputKind::velocity_force, &Textbook::velocity_force},
+    {OutputKind::gravity, &Textbook::gravity},
+    {OutputKind::drift, &Textbook::drift},
+    {OutputKind::bias, &Textbook::bias},
+    {OutputKind::momentum, &Textbook::momentum},
+    {OutputKind::position_gradient, &Textbook::position_gradient},
+    {OutputKind::inverse_dynamics, &Textbook::inverse_dynamics},
+    {OutputKind::applied_force, &Textbook::applied_force}};
+const std::map<OutputKind, MatrixEntry> matrices{
+    {OutputKind::mass_matrix, &Textbook::mass}, {OutputKind::coriolis_matrix, &Textbook::coriolis}};
+
+/// Empty for what the textbook route has not.
 std::vector<ex> textbook_entries(const Textbook& book, OutputKind kind, std::size_t n) {
   std::vector<ex> entries;
-  const auto each = [&](auto entry) {
-    for (std::size_t i = 0; i < n; ++i) entries.push_back(entry(i));
-  };
-  const auto each_pair = [&](auto entry) {
-    for (std::size_t i = 0; i < n * n; ++i) entries.push_back(entry(i / n, i % n));
-  };
-  switch (kind) {
-    case OutputKind::mass_matrix:
-      each_pair([&](std::size_t i, std::size_t j) { return book.mass(i, j); });
-      break;
-    case OutputKind::coriolis_matrix:
-      each_pair([&](std::size_t i, std::size_t j) { return book.coriolis(i, j); });
-      break;
-    case OutputKind::velocity_force:
-      each([&](std::size_t i) { return book.velocity_force(i); });
-      break;
-    case OutputKind::gravity:
-      each([&](std::size_t i) { return book.gravity(i); });
-      break;
-    case OutputKind::drift:
-      each([&](std::size_t i) { return book.drift(i); });
-      break;
-    case OutputKind::bias:
-      each([&](std::size_t i) { return book.bias(i); });
-      break;
-    case OutputKind::momentum:
-      each([&](std::size_t i) { return book.momentum(i); });
-      break;
-    case OutputKind::position_gradient:
-      each([&](std::size_t i) { return book.position_gradient(i); });
-      break;
-    case OutputKind::inverse_dynamics:
-      each([&](std::size_t i) { return book.inverse_dynamics(i); });
-      break;
-    case OutputKind::applied_force:
-      each([&](std::size_t i) { return book.without_inputs(book.force(i)); });
-      break;
-    case OutputKind::kinetic_energy:
-      entries.push_back(book.kinetic());
-      break;
-    case OutputKind::potential_energy:
-      entries.push_back(book.potential0());
-      break;
-    case OutputKind::total_energy:
-      entries.push_back(book.kinetic() + book.potential());
-      break;
-    case OutputKind::energy_function:
-      entries.push_back(book.energy());
-      break;
-    default:
-      break;
+  if (numbers.count(kind) > 0) entries.push_back((book.*numbers.at(kind))());
+  for (std::size_t i = 0; vectors.count(kind) > 0 && i < n; ++i) {
+    entries.push_back((book.*vectors.at(kind))(i));
+  }
+  for (std::size_t i = 0; matrices.count(kind) > 0 && i < n * n; ++i) {
+    entries.push_back((book.*matrices.at(kind))(i / n, i % n));
   }
   return entries;
 }
@@ -162,7 +131,7 @@ TEST_CASE("the textbook route gives the same canonical sums") {
   std::size_t proved = 0;
   for (const auto& file : std::filesystem::directory_iterator(ELGEN_SOURCE_DIR "/models")) {
     if (file.path().extension() != ".toml") continue;
-    const CheckedModel checked = checked_model(text_of(file.path()));
+    const CheckedModel checked = checked_model(read_text(file.path()));
     if (checked.model.coordinates.size() > 3) continue;
     INFO(checked.model.name);
     prove(checked);

@@ -42,6 +42,8 @@ class Textbook {
     return result;
   }
 
+  [[nodiscard]] GiNaC::ex applied_force(std::size_t i) const { return without_inputs(force(i)); }
+
   [[nodiscard]] GiNaC::ex without_inputs(GiNaC::ex value) const {
     for (const GiNaC::ex& u : s_.u) value = value.subs(u == 0);
     return value;
@@ -65,7 +67,7 @@ class Textbook {
 
   [[nodiscard]] GiNaC::ex inverse_dynamics(std::size_t i) const {
     return rate(momentum(i)) - position_gradient(i) + by(out(sum(source_.dissipation)), s_.v[i]) -
-           without_inputs(force(i));
+           applied_force(i);
   }
 
   [[nodiscard]] GiNaC::ex bias(std::size_t i) const { return coasting(inverse_dynamics(i)); }
@@ -96,7 +98,7 @@ class Textbook {
 
   [[nodiscard]] GiNaC::ex drift(std::size_t i) const {
     return bias(i) - velocity_force(i) - gravity(i) - by(out(sum(source_.dissipation)), s_.v[i]) +
-           without_inputs(force(i));
+           applied_force(i);
   }
 
   [[nodiscard]] GiNaC::ex energy() const {
@@ -106,7 +108,7 @@ class Textbook {
   }
 
   [[nodiscard]] GiNaC::ex kinetic() const { return kinetic_; }
-  [[nodiscard]] GiNaC::ex potential() const { return potential_; }
+  [[nodiscard]] GiNaC::ex total() const { return kinetic_ + potential_; }
   [[nodiscard]] GiNaC::ex potential0() const { return at_rest(potential_); }
 
   [[nodiscard]] static GiNaC::ex by(const GiNaC::ex& value, const GiNaC::ex& symbol) {

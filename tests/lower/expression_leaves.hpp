@@ -37,12 +37,6 @@ struct ExpressionLeaves {
   Ref c = graph.leaf(Opcode::coordinate, 2);
   Ref d = graph.leaf(Opcode::coordinate, 3);
   Ref e = graph.leaf(Opcode::coordinate, 4);
-
-  Ref product(std::vector<Ref> factors) {
-    std::vector<Power> powers;
-    for (const Ref factor : factors) powers.push_back({factor});
-    return graph.product(powers);
-  }
 };
 
 /// The values as one program, in order.

@@ -35,7 +35,7 @@ TEST_CASE("powers are repeated factors, denominators one division") {
   const Network network = network_of({"a^2*b*c^(-1)*d^(-2)"});
   CHECK(texts_of(network) == Texts{"a^2*b/(c*d^2)"});
   CHECK(counts_of(network) == OperationCounts{.mul = 4, .div = 1});
-  // What divides two products becomes a reciprocal.
+  // A divisor of two products becomes a reciprocal.
   CHECK(counts_of(network_of({"a*c^(-1)", "b*c^(-1)"})) == OperationCounts{.mul = 2, .div = 1});
   // High powers are squared repeatedly: a * ((a^2)^2)^3.
   CHECK(counts_of(network_of({"a^13"})).mul == 5);

@@ -88,7 +88,7 @@ TEST_CASE("factor: common factors are multiplied once") {
         {"sqrt(2)*(c + sqrt(2)*a*b)"}},
        {"a common factor keeps its power", {"a*b^2*c^2 + a*b^2*d^2"}, {"a*b^2*(c^2 + d^2)"}}},
       factor);
-  // What is left is factored again, inside and outside: a*(e + b*(c + d)) + c*(d + e).
+  // The rest is factored again, inside and outside: a*(e + b*(c + d)) + c*(d + e).
   CHECK(counts_of(factor(expressions_of({"a*b*c + a*b*d + a*e + c*d + c*e"}))) ==
         OperationCounts{.add = 4, .mul = 3});
 }
@@ -102,7 +102,7 @@ TEST_CASE("flatten: what is used once is written out where it is used") {
                {"c - (a - b)", "a + (a + d)"},
                {"-(a - b - c)", "d + 2*a"}}},
              used_once);
-  // What is used twice stays, and powers of a product are not written out.
+  // A node used twice stays, and powers of a product are not written out.
   CHECK(counts_of(flatten(expressions_of({"(a + b) + c", "(a + b) + d"}))).add == 3);
   CHECK(counts_of(flatten(expressions_of({"(a*b)^2*c"}))).mul == 3);
 }
