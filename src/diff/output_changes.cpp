@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "base/random.hpp"
+#include "choose/entries.hpp"
 #include "choose/finish.hpp"
 #include "diff/joint_program.hpp"
 #include "diff/matched_entries.hpp"

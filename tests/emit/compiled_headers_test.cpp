@@ -2,20 +2,17 @@
 // model, for every scalar type, by both compilers under strict warnings. One driver instantiates
 // all; values are compared with 50-digit ones, operations with what the sidecar states.
 #include <fmt/format.h>
-#include <sys/wait.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 
 #include "elgen/emitted_files.hpp"
 #include "fixture.hpp"
 #include "support/shell.hpp"
 
 using namespace elgen;
+using elgen::test::mentions;
 namespace fs = std::filesystem;
 
 namespace {
@@ -50,23 +47,19 @@ void add_folder(std::vector<Header>& headers, const fs::path& folder, bool is_ex
   }
 }
 
-bool mentions(const Header& header, std::string_view word) {
-  return header.text.find(word) != std::string::npos;
-}
-
 /// Packs and arrays have no order and no atan2, AutoDiffScalar has neither atan nor the hyperbolic
 /// functions' inverses.
 std::vector<std::string> scalars_of(const Header& header) {
   std::vector<std::string> scalars = {"float", "double", "long double"};
   if (!header.is_exhaustive) return scalars;
   scalars.emplace_back("Decimal");
-  const bool needs_order = mentions(header, "detail::sign_of<") ||
-                           mentions(header, "detail::smaller<") ||
-                           mentions(header, "detail::larger<");
-  if (!needs_order && !mentions(header, "atan2(")) {
+  const bool needs_order = mentions(header.text, "detail::sign_of<") ||
+                           mentions(header.text, "detail::smaller<") ||
+                           mentions(header.text, "detail::larger<");
+  if (!needs_order && !mentions(header.text, "atan2(")) {
     scalars.insert(scalars.end(), {"Pack", "Array"});
   }
-  if (!mentions(header, "atan")) scalars.emplace_back("AutoDiff");
+  if (!mentions(header.text, "atan")) scalars.emplace_back("AutoDiff");
   return scalars;
 }
 
@@ -151,8 +144,7 @@ std::vector<Header> all_headers(const fs::path& folder, bool is_exhaustive) {
   const Result<EmittedFiles> files = emit(subject.model, subject.scene, subject.program);
   REQUIRE(files);
   for (const auto& [path, text] : files->files) {
-    fs::create_directories((folder / "own" / path).parent_path());
-    std::ofstream(folder / "own" / path, std::ios::binary) << text;
+    test::write_text(folder / "own" / path, text);
   }
   std::vector<Header> headers;
   add_folder(headers, folder / "own", true);
@@ -178,46 +170,34 @@ std::vector<std::vector<Header>> grouped(const std::vector<Header>& headers) {
   return groups;
 }
 
-int run(const std::string& command) {
-  const int status = std::system(command.c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-bool is_installed(const std::string& compiler) {
-  return run("command -v " + compiler + " > /dev/null") == 0;
-}
-
 /// Where there is ccache, headers that did not change since are not compiled again.
 void compile_and_run(const std::string& compiler, const fs::path& folder,
                      const std::vector<Header>& headers) {
-  const fs::path source = folder / "driver.cpp";
-  std::ofstream(source, std::ios::binary) << driver(headers);
+  test::write_text(folder / "driver.cpp", driver(headers));
   const std::string command = fmt::format(
-      "{}{} -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow "
-      "-Wdouble-promotion -Wfloat-equal -Werror -isystem /usr/include/eigen3 -I{}/tests/emit -c {} "
-      "-o {}/driver.o",
-      is_installed("ccache") ? "ccache " : "", compiler, ELGEN_SOURCE_DIR, source.string(),
-      folder.string());
-  INFO("from " << headers.front().path);
-  CHECK(run(command) == 0);
-  CHECK(run(fmt::format("{0} {1}/driver.o -o {1}/driver", compiler, folder.string())) == 0);
-  CHECK(run((folder / "driver").string()) == 0);
+      "$(command -v ccache) {0} -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion "
+      "-Wsign-conversion -Wshadow -Wdouble-promotion -Wfloat-equal -Werror "
+      "-isystem /usr/include/eigen3 -I{1}/tests/emit -c driver.cpp -o driver.o && "
+      "{0} driver.o -o driver && ./driver",
+      compiler, ELGEN_SOURCE_DIR);
+  const test::Outcome outcome = test::shell(command, folder);
+  INFO("from " << headers.front().path << "\n" << outcome.output << outcome.errors);
+  CHECK(outcome.status == 0);
 }
 
 void check_headers(const std::string& compiler, bool is_exhaustive) {
   INFO(compiler);
-  REQUIRE(is_installed(compiler));
   // The same path in every run, which is a part of what ccache compares.
   const fs::path folder = fs::current_path() / "compiled_headers" / compiler;
   fs::remove_all(folder);
   fs::create_directories(folder);
+  REQUIRE(test::shell("command -v " + compiler, folder).status == 0);
   const std::vector<Header> headers = all_headers(folder, is_exhaustive);
   if (is_exhaustive) {
     for (const auto& group : grouped(headers)) compile_and_run(compiler, folder, group);
   } else {
     compile_and_run(compiler, folder, headers);
   }
-  fs::remove_all(folder);
 }
 
 }  // namespace
