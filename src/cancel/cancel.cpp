@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <utility>
 
 #include "cancel/vanishing.hpp"
 #include "elgen/closed_forms.hpp"

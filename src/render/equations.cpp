@@ -5,7 +5,6 @@
 //
 // An entry of at most 12 operations is written out over the leaves alone; definitions are those the
 // others need.
-#include <fmt/format.h>
 
 #include <algorithm>
 

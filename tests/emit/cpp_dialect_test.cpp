@@ -2,8 +2,6 @@
 // on Eigen, which tests/pipeline/languages_test.cpp compiles.
 #include "emit/cpp/cpp_dialect.hpp"
 
-#include <fmt/format.h>
-
 #include "emit/code/definition.hpp"
 #include "fixture.hpp"
 #include "lower/code_interface.hpp"

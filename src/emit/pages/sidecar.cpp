@@ -1,7 +1,5 @@
 // sidecar: an object or list is one line where it fits, one element a line where not, so that a
 // one-term change is a one-line diff.
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 
 #include "base/number_text.hpp"

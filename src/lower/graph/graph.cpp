@@ -5,7 +5,6 @@
 #include <cln/number.h>
 
 #include <algorithm>
-#include <array>
 #include <compare>
 
 #include "lower/constants/constants.hpp"
