@@ -7,8 +7,8 @@
 // is kept, the closed one on a tie, unless the scene asks for one. Where sums cancel entries are
 // written in other ways, and the other form is taken, if digits are lost (choose/precision.hpp):
 // many, and for a little more, where the scene wants balance; any where it prefers accuracy; never
-// for speed. What is added to either so that it holds at states that algebra passes over comes last,
-// and then the order in which all is evaluated (choose/finish.hpp).
+// for speed. What is added to either so that it holds at states that algebra passes over comes
+// last, and then the order in which all is evaluated (choose/finish.hpp).
 #pragma once
 
 #include <optional>
