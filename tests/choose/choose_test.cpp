@@ -32,6 +32,12 @@ Chosen with_form(const std::string& text, Form form) {
   return result;
 }
 
+double worst_loss(const Program& program, const Function& function, const ExtremePoints& points,
+                  Scale scale = Scale::entry) {
+  const std::vector<double> losses = possible_losses(program, function, points, scale);
+  return losses.empty() ? 0 : *std::max_element(losses.begin(), losses.end());
+}
+
 }  // namespace
 
 TEST_CASE("for speed the cheaper form is chosen, the closed one on a tie") {
@@ -60,15 +66,12 @@ TEST_CASE("for accuracy no form is chosen that loses more digits than the other"
     INFO(name);
     const Chosen c = chosen(text, {}, Preference::accuracy);
     const ExtremePoints points = extreme_points(c.choice.program, Preference::accuracy);
-    const auto worst = [&points](const Program& program, const Function& function) {
-      const std::vector<double> losses = possible_losses(program, function, points);
-      return losses.empty() ? 0 : *std::max_element(losses.begin(), losses.end());
-    };
     for (const Function& function : c.choice.program.functions) {
       const auto other = std::ranges::find(c.recursive.functions, function.name, &Function::name);
       REQUIRE(other != c.recursive.functions.end());
       INFO(function.name);
-      CHECK_FALSE(loses_more(worst(c.choice.program, function), worst(c.recursive, *other)));
+      CHECK_FALSE(loses_more(worst_loss(c.choice.program, function, points),
+                             worst_loss(c.recursive, *other, points)));
     }
   }
 }
@@ -79,10 +82,6 @@ TEST_CASE("balanced, a form is dearer by a quarter at most, and only where it ke
     const Chosen fast = chosen(text, {}, Preference::speed);
     const Chosen c = chosen(text);
     const ExtremePoints points = extreme_points(c.choice.program, Preference::balanced);
-    const auto worst = [&points](const Program& program, const Function& function) {
-      const std::vector<double> losses = possible_losses(program, function, points, Scale::field);
-      return losses.empty() ? 0 : *std::max_element(losses.begin(), losses.end());
-    };
     for (std::size_t i = 0; i < c.choice.program.functions.size(); ++i) {
       const Function& own = c.choice.program.functions[i];
       const Function& cheapest = fast.choice.program.functions[i];
@@ -90,8 +89,8 @@ TEST_CASE("balanced, a form is dearer by a quarter at most, and only where it ke
       const std::size_t price = cost(count_operations(own));
       const std::size_t least = cost(count_operations(cheapest));
       CHECK(4 * price <= 5 * least);
-      const double loss = worst(c.choice.program, own);
-      const double other = worst(fast.choice.program, cheapest);
+      const double loss = worst_loss(c.choice.program, own, points, Scale::field);
+      const double other = worst_loss(fast.choice.program, cheapest, points, Scale::field);
       CHECK(loss <= std::max(8192.0, other));
       if (price > least) CHECK(loses_more(other, loss, 8192));
     }
