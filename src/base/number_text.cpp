@@ -53,10 +53,6 @@ std::string scientific_text(const Decimal& decimal, std::size_t digits) {
 
 }  // namespace
 
-cln::cl_RA value_of(const Decimal& decimal) {
-  return decimal.significand * power_of_ten(decimal.exponent);
-}
-
 std::optional<Decimal> exact_decimal(const cln::cl_R& value, long most_places) {
   if (!is_rational(value)) return std::nullopt;
   const cln::cl_RA x = cln::rational(value);

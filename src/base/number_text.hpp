@@ -17,8 +17,6 @@ struct Decimal {
   long exponent = 0;
 };
 
-[[nodiscard]] cln::cl_RA value_of(const Decimal& decimal);
-
 /// The decimal that equals the value; none for irrational ones, 1/3, or more than so many places.
 [[nodiscard]] std::optional<Decimal> exact_decimal(const cln::cl_R& value, long most_places = 400);
 

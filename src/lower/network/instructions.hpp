@@ -20,7 +20,4 @@ class Instructions {
   std::unordered_map<Instruction, std::uint32_t, InstructionHash> known_ = {};
 };
 
-/// What several entries of the function compute alike is computed once.
-[[nodiscard]] Function without_repeats(const Function& function);
-
 }  // namespace elgen
