@@ -188,7 +188,7 @@ void compile_and_run(const std::string& compiler, const fs::path& folder,
 void check_headers(const std::string& compiler, bool is_exhaustive) {
   INFO(compiler);
   // The same path in every run, which is a part of what ccache compares.
-  const fs::path folder = fs::current_path() / "compiled_headers" / compiler;
+  const fs::path folder = fs::path(ELGEN_BINARY).parent_path() / "compiled_headers" / compiler;
   fs::remove_all(folder);
   fs::create_directories(folder);
   REQUIRE(test::shell("command -v " + compiler, folder).status == 0);

@@ -59,7 +59,7 @@ TEST_CASE("no line is longer than 100 columns, none ends with a space, no blank 
   CHECK_FALSE(mentions(text, "\n\n\n"));
 }
 
-TEST_CASE("names, units and bounds are declared; without inputs their arrays are empty") {
+TEST_CASE("names, units and bounds are declared, and without inputs their arrays are empty") {
   Subject subject = cart_pole();
   subject.model.velocities[1].rate_range = Interval{0, elgen::testing::ten_to(400)};
   const std::string text = cpp_text(subject);
