@@ -1,9 +1,12 @@
-// The ways to write a closed form.
+// The ways to write a closed form, and those of them that keep their digits.
 #include "choose/ways.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "choose/closed_graph.hpp"
+#include "choose/homogeneous_terms.hpp"
+#include "choose/precise.hpp"
 #include "lower/expression_leaves.hpp"
 
 using namespace elgen;
@@ -14,6 +17,17 @@ std::vector<std::string> texts(const std::vector<Collected>& ways) {
   std::vector<std::string> all;
   for (const Collected& way : ways) all.push_back(testing::texts_of(way.expressions).at(0));
   return all;
+}
+
+std::string precise(const std::string& text) {
+  const Program program = testing::program_of(testing::Texts{text});
+  const ClosedForms forms = present(program);
+  const Function& function = program.functions[0];
+  const ExtremePoints points = extreme_points(program, Preference::accuracy);
+  const auto derived = as_derived(program, function, function.fields[0].entries[0]);
+  const auto way = more_precise(forms.algebra, *forms.functions[0].fields[0].entries[0],
+                                derived ? &*derived : nullptr, {.loss = 1e12}, points);
+  return way ? testing::texts_of(*way).at(0) : "none";
 }
 
 }  // namespace
@@ -46,4 +60,41 @@ TEST_CASE("a root less what it is nearly, and what is nearly a root less the roo
 TEST_CASE("sums whose squares share nothing stay") {
   CHECK_FALSE(with_conjugates(
       testing::expressions_of({"sqrt(a^2 + b^2) - c", "sqrt(a^2 + b^2) + sqrt(a^2 + b^2)"})));
+}
+
+TEST_CASE("half angles, conjugates, and the shortest where all keep their digits") {
+  CHECK(precise("1 - cos(e)") == "2*sin(1/2*e)^2");
+  CHECK(precise("sqrt(a^2 + b^2) - abs(a)") != "none");
+  CHECK(precise("a*b + a*c") == "a*(b + c)");
+}
+
+TEST_CASE("sums of sines and cosines in homogeneous terms") {
+  struct TermsRow {
+    const char* sum;
+    const char* written;
+  };
+  const TermsRow row = GENERATE(values<TermsRow>({
+      {"1 - cos(e)", "2*sin(1/2*e)^2"},
+      {"1 + cos(e)", "2*cos(1/2*e)^2"},
+      {"a + (b - a)*cos(e)^2", "a*sin(e)^2 + b*cos(e)^2"},
+      // Terms without an angle stay beside the others.
+      {"a + b - b*cos(e)^2", "a + b*sin(e)^2"},
+      // A constant of several angles is not divided among them.
+      {"1 - cos(d) - cos(e)", "1 - cos(d) - cos(e)"},
+      // Two sines or cosines of as much are one product.
+      {"sin(d) + sin(e)", "2*sin(1/2*(d + e))*cos(1/2*(d - e))"},
+      {"sin(d) - sin(e)", "2*sin(1/2*(d - e))*cos(1/2*(d + e))"},
+      {"cos(d) + cos(e)", "2*cos(1/2*(d + e))*cos(1/2*(d - e))"},
+      {"cos(d) - cos(e)", "-2*sin(1/2*(d + e))*sin(1/2*(d - e))"},
+      // High multiples are not written out.
+      {"cos(40*e) + 1 - cos(e)", "none"},
+  }));
+  INFO(row.sum);
+  const ClosedForms forms = present(testing::program_of(testing::Texts{row.sum}));
+  Expressions expressions;
+  const auto value =
+      closed_graph(expressions.graph, forms.algebra, *forms.functions[0].fields[0].entries[0],
+                   {Trigonometry::homogeneous, Grouping::none}, 100);
+  if (value) expressions.values = {*value};
+  CHECK((value ? testing::texts_of(expressions).at(0) : "none") == row.written);
 }

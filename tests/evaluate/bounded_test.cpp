@@ -1,9 +1,11 @@
-// The rules of error bounds, one by one, and that they bound what rounding does.
+// The rules of error bounds and of running errors, one by one, and that they bound what rounding
+// does.
 #include "evaluate/bounded.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "evaluate/running_errors.hpp"
 #include "oracle/model_builder.hpp"
 
 using namespace elgen;
@@ -29,6 +31,14 @@ Bound atan2(const Bound& y, const Bound& x) { return bound_rules.call(FunctionId
 
 Bound leaf(const char* text) { return leaf_bound(test::exact(text), rounding<double>()); }
 double bound(const Bound& x) { return ScalarTraits<double>::from_real(x.bound.value()); }
+
+const RunningErrorRules running_rules{};
+
+Running without_error(const char* text) { return {Real(test::exact(text)), Real()}; }
+Running off(const char* text, const char* error) {
+  return {Real(test::exact(text)), Real(test::exact(error))};
+}
+double error(const Running& x) { return ScalarTraits<double>::from_real(x.error.value()); }
 
 }  // namespace
 
@@ -156,4 +166,28 @@ TEST_CASE("where an iteration takes errors away, B stays") {
   }
   CHECK(bound(x) < 10);
   CHECK(bound(outgrown) > 1e100);
+}
+
+TEST_CASE("leaves are exact or rounded once") {
+  Arguments<double> point;
+  point.q = {-3};
+  CHECK(error(running_leaves(point, Leaves::exact).q[0]) == 0);
+  CHECK(error(running_leaves(point, Leaves::rounded).q[0]) == 3);
+}
+
+TEST_CASE("each operation rounds once, and passes errors on") {
+  CHECK(error(running_rules.add(off("3", "2"), off("-1", "1"))) == 2 + 1 + 2);
+  CHECK(error(running_rules.subtract(without_error("3"), without_error("5"))) == 2);
+  CHECK(error(running_rules.multiply(off("3", "2"), off("5", "1"))) == 2 * 5 + 3 + 15);
+  CHECK(error(running_rules.multiply(off("3", "2"), without_error("4"))) == 2 * 4);
+  CHECK(error(running_rules.divide(off("6", "1"), off("3", "2"))) == Approx((1 + 2 * 2) / 3.0 + 2));
+  CHECK(error(running_rules.square_root(off("9", "6"))) == Approx(1 + 3));
+}
+
+TEST_CASE("functions pass errors on by their slopes") {
+  const Running x = off("0.5", "3");
+  CHECK(error(running_rules.call(FunctionId::sin, x, x)) ==
+        Approx(std::sin(0.5) + 3 * std::cos(0.5)));
+  CHECK(error(running_rules.call(FunctionId::abs, x, x)) == 3);
+  CHECK(error(running_rules.call(FunctionId::max, without_error("1"), off("2", "5"))) == 5);
 }

@@ -1,10 +1,25 @@
-// Pages: each language escapes what is its markup, formulas stay, and what is empty is absent.
+// Pages and sentences: what they hold; each language escapes what is its markup.
 #include <catch2/catch.hpp>
+#include <limits>
 
+#include "choose/chosen.hpp"
+#include "elgen/render.hpp"
 #include "render/small_sheet.hpp"
+#include "support/systems.hpp"
 
 using namespace elgen;
 using namespace elgen::testing;
+using namespace elgen::test;
+using elgen::testing::has;
+
+namespace {
+
+std::vector<std::string> notes(const std::string& scene) {
+  const CheckedModel checked = checked_scene(cart_pole_text(), scene);
+  return scene_notes(checked.model, checked.scene);
+}
+
+}  // namespace
 
 TEST_CASE("text is escaped in every language, vectors are columns") {
   struct PageRow {
@@ -48,4 +63,90 @@ TEST_CASE("links and images of titles are text") {
   sheet.title = "[here](http://a) ![](http://b/c.png) <img src=x> &#33;";
   CHECK(has(markdown_page(sheet),
             "# \\[here\\](http://a) !\\[\\](http://b/c.png) \\<img src=x> \\&#33;\n"));
+}
+
+TEST_CASE("a sheet holds what is worth reading") {
+  const Chosen c = chosen(cart_pole_text());
+  const Sheet page = sheet(c.checked.model, c.checked.scene, c.choice.program);
+  CHECK(page.coordinates.size() == 2);
+  CHECK(page.coordinates[1].symbol == "\\theta");
+  CHECK(page.parameters.size() == 4);
+  for (const SheetOutput& output : page.outputs) {
+    CHECK(output.function != "drift");
+    CHECK(output.function != "dynamics");
+  }
+}
+
+TEST_CASE("zeros are shown, and long outputs left out, where that is asked for") {
+  const Chosen c = chosen(cart_pole_text());
+  const auto count = [&](const PageOptions& options) {
+    const Sheet page = sheet(c.checked.model, c.checked.scene, c.choice.program, options);
+    std::size_t equations = 0;
+    for (const SheetOutput& output : page.outputs) equations += output.equations.empty() ? 0 : 1;
+    return equations;
+  };
+  CHECK(count({true}) > count({}));
+  CHECK(count({false, 2}) < count({}));
+}
+
+TEST_CASE("the page in the model language") {
+  const Chosen c = chosen(cart_pole_text());
+  const std::string page = text_page(c.checked.model, c.checked.scene, c.choice.program);
+  CHECK(has(page, "  q = (x, theta)\n  v = dq/dt, a = dv/dt\n"));
+  CHECK(has(page, "\nmass_matrix\n  mass_matrix[1,1] = M + m\n"));
+  CHECK(has(page, "  potential_energy = m*l*g*cos(theta)\n"));
+  CHECK_FALSE(has(page, "drift"));
+  CHECK(has(text_page(c.checked.model, c.checked.scene, c.choice.program, {true}),
+            "  drift[2] = 0\n"));
+}
+
+TEST_CASE("costs of both forms, the emitted one marked") {
+  FormCosts row{.function = "bias", .recursive = {.add = 2}, .closed = OperationCounts{.mul = 1}};
+  row.chosen = Form::closed;
+  row.closed_loss = 0;
+  row.recursive_loss = 1e3;
+  CHECK(has(cost_page({row}),
+            "bias      closed          0      1     0     0      0     0       1       0  emitted\n"
+            "bias      recursive       2      0     0     0      0     0       2     3.0\n"));
+  row.recursive_loss = std::numeric_limits<double>::infinity();
+  CHECK(has(cost_page({row}), "     all\n"));
+  row.is_asked_for = true;
+  CHECK(has(cost_page({row}), "  asked for\n"));
+}
+
+TEST_CASE("what a model leaves out, and whether it can be had") {
+  Scene scene;
+  scene.left_out = {{LeftOutReason::too_many_entries, {"mass_matrix", "linearization"}},
+                    {LeftOutReason::kinked_force, {"forward_dynamics_derivatives"}}};
+  CHECK(scene_notes(Model{}, scene) ==
+        std::vector<std::string>{
+            "Left out, with more than 4096 entries: mass_matrix, linearization. A scene or "
+            "--outputs that names an output gets it.",
+            "Left out, as forces with abs, sign, min or max have no derivatives: "
+            "forward_dynamics_derivatives."});
+}
+
+TEST_CASE("what a scene fixes and locks") {
+  CHECK(notes("") == std::vector<std::string>{});
+  CHECK(notes("doc = \"Upright.\"\n[parameters]\nfixed = { l = \"1/2\", g = 9.81 }\n"
+              "[lock]\nx = { value = \"sin(2*t)\" }\n") ==
+        std::vector<std::string>{"Upright.", "Fixed: l = 0.5, g = 9.81.", "Locked: x = sin(2*t)."});
+}
+
+TEST_CASE("exact equations say nothing") {
+  CHECK(expansion_text(checked_model(cart_pole_text()).model).empty());
+}
+
+TEST_CASE("the point and the order are named, inputs where they are small") {
+  const CheckedModel all =
+      approximated(cart_pole_text(), "order = 1\nabout = { x = 0, theta = \"pi/2\" }");
+  CHECK(scene_notes(all.model, all.scene) == std::vector<std::string>{expansion_text(all.model)});
+  CHECK(expansion_text(all.model) ==
+        "Expanded about x = 0, theta = pi/2, u = 0: right to order 1 in the deviations from "
+        "there, the rates and the accelerations together.");
+  const CheckedModel some = approximated(cart_pole_text(), "order = 2\nabout = { theta = 0 }");
+  CHECK(expansion_text(some.model) ==
+        "Expanded about theta = 0: right in the equations of theta to order 2 (in others to order "
+        "3) in the deviations from there, their rates and their accelerations together; exact in "
+        "all else.");
 }
