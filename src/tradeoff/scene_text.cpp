@@ -53,8 +53,7 @@ class DesignText {
   DesignText(const DesignBase& base, const Design& design) : base_(base), design_(design) {}
 
   [[nodiscard]] std::string text(const std::string& model_path) const {
-    return fmt::format("format = 1\nmodel = {}\nname = \"{}\"\n", toml_string(model_path),
-                       name()) +
+    return fmt::format("format = 1\nmodel = {}\nname = \"{}\"\n", toml_string(model_path), name()) +
            section("outputs", {line(output(), output_value())}) +
            section("parameters", {line("fixed", fixed())}) + section("sizes", own("sizes")) +
            section("lock", own("lock")) + section("approximate", approximation()) +
