@@ -22,12 +22,12 @@ constexpr bool is_in_order() {
   }
   return true;
 }
-constexpr std::size_t code_count = 0
-#define ELGEN_CODE(code) +1
+constexpr Code all_codes[]{
+#define ELGEN_CODE(code) Code::code,
 #include "elgen/error_codes.def"
 #undef ELGEN_CODE
-    ;
-static_assert(is_in_order() && std::size(codes_of_texts) == code_count);
+};
+static_assert(is_in_order() && std::size(codes_of_texts) == std::size(all_codes));
 
 }  // namespace
 

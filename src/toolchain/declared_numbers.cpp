@@ -97,7 +97,7 @@ class DeclarationDriver {
       for (std::size_t i = 0; i < values.size(); ++i) {
         const std::string member =
             array.is_array ? fmt::format("{}[{}]", array.name, i) : array.name;
-        const std::string element = all + "." + member;
+        const std::string element = fmt::format("{}.{}", all, member);
         add(fmt::format("{} ({})", member, type), element, nearest(values[i], scalar));
         add(fmt::format("the place of {} ({})", member, type),
             fmt::format("{} - {}", address(element), address(all)),
