@@ -36,6 +36,7 @@ struct LeafNames : LeafValues<std::string> {
 
 /// "m", "dot(x)", "t": a leaf as models write it.
 [[nodiscard]] std::string leaf_text(const LeafNames& leaves, Opcode kind, std::uint32_t number);
+[[nodiscard]] std::string leaf_text(const Model& model, Opcode kind, std::uint32_t number);
 
 /// "q[3]" -> "q_3": word characters, and an underscore for an opening bracket.
 [[nodiscard]] std::string identifier_of(std::string_view name);

@@ -21,6 +21,7 @@
 
 #include "elgen/diagnostic.hpp"
 #include "elgen/functions.hpp"
+#include "elgen/opcodes.hpp"
 #include "elgen/source_text.hpp"
 #include "elgen/units.hpp"
 
@@ -31,14 +32,9 @@ using ExpressionId = std::uint32_t;
 enum class ExpressionKind : std::uint8_t {
   number,  ///< number
   pi,
-  time,             ///< t
-  coordinate,       ///< q[index]: coordinates[index]
-  rate,             ///< v[index]: velocities[index]
-  acceleration,     ///< a[index]: of velocities[index]; in [[expect]] only
-  input,            ///< u[index]; in forces and [[expect]] only
-  parameter,        ///< parameters[index]
-  prescribed,       ///< prescribed[index], a function of t
-  definition,       ///< definitions[index]
+  leaf,        ///< number `index` of its kind; inputs in forces and [[expect]], a in the latter
+  prescribed,  ///< prescribed[index], a function of t
+  definition,  ///< definitions[index]
   point_component,  ///< points[index / 3].at[index % 3]
   frame_component,  ///< frames[index / 12].rotation (0 to 8, row-major) or .origin (9 to 11)
   negate,           ///< -operands[0]
@@ -52,12 +48,17 @@ enum class ExpressionKind : std::uint8_t {
 
 struct Expression {
   ExpressionKind kind = ExpressionKind::number;
+  Opcode leaf = Opcode::parameter;  ///< the kind of a leaf (leaves.def)
   FunctionId function = FunctionId::sin;
   std::uint32_t index = 0;
   cln::cl_RA number = 0;
   std::vector<ExpressionId> operands = {};
   Span span = {};
 };
+
+[[nodiscard]] inline bool is_leaf(const Expression& expression, Opcode kind) {
+  return expression.kind == ExpressionKind::leaf && expression.leaf == kind;
+}
 
 struct Interval {
   cln::cl_R low;

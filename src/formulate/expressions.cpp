@@ -108,25 +108,9 @@ Translation::Sized Translation::small(const Sized& sized) {
 }
 
 Translation::Sized Translation::leaf(const Expression& expression) const {
-  const Symbols& symbols = lagrangian_.symbols;
-  switch (expression.kind) {
-    case ExpressionKind::number:
-      return {number(expression.number), 1};
-    case ExpressionKind::pi:
-      return {GiNaC::Pi, 1};
-    case ExpressionKind::time:
-      return {symbols.t, 1};
-    case ExpressionKind::coordinate:
-      return {symbols.q[expression.index], 1};
-    case ExpressionKind::rate:
-      return {symbols.v[expression.index], 1};
-    case ExpressionKind::acceleration:
-      return {symbols.a[expression.index], 1};
-    case ExpressionKind::input:
-      return {symbols.u[expression.index], 1};
-    default:
-      return {symbols.parameters[expression.index], 1};
-  }
+  if (expression.kind == ExpressionKind::number) return {number(expression.number), 1};
+  if (expression.kind == ExpressionKind::pi) return {GiNaC::Pi, 1};
+  return {leaf_of(lagrangian_.symbols, expression.leaf, expression.index), 1};
 }
 
 Translation::Sized Translation::compose(const Expression& expression) {

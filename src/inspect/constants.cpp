@@ -85,7 +85,7 @@ class NamedConstants {
  private:
   /// False where it has no value, which is then reported.
   bool evaluate(ExpressionId id, const Expression& node) {
-    if (node.kind == ExpressionKind::parameter) {
+    if (is_leaf(node, Opcode::parameter)) {
       const auto& fixed = subject_.scene.specialisation.fixed;
       const auto value = fixed.find(node.index);
       if (value != fixed.end()) known_[id] = enclosed(value->second.number);
@@ -195,7 +195,7 @@ class NamedConstants {
   }
 
   [[nodiscard]] const char* cause_of(const Expression& node) const {
-    if (node.kind == ExpressionKind::parameter) return "fixed at ";
+    if (is_leaf(node, Opcode::parameter)) return "fixed at ";
     const bool is_locked = node.kind == ExpressionKind::prescribed && model_.unlocked &&
                            node.index >= model_.unlocked->prescribed.size();
     return is_locked ? "locked at " : "";

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "elgen/leaf_names.hpp"
 #include "elgen/references.hpp"
 #include "inspect/checks.hpp"
 
@@ -13,17 +14,17 @@ namespace elgen {
 namespace {
 
 /// By index in the Model: whether a leaf of this kind stands in an expression.
-std::vector<bool> used(const Model& model, ExpressionKind kind, std::size_t count) {
-  std::vector<bool> marks(count, false);
+std::vector<bool> used(const Model& model, Opcode kind) {
+  std::vector<bool> marks(leaf_count(model, kind), false);
   for (const Expression& expression : model.expressions) {
-    if (expression.kind == kind) marks[expression.index] = true;
+    if (is_leaf(expression, kind)) marks[expression.index] = true;
   }
   return marks;
 }
 
 Diagnostics unused_parameters(const Model& model) {
   Diagnostics found;
-  const auto marks = used(model, ExpressionKind::parameter, model.parameters.size());
+  const auto marks = used(model, Opcode::parameter);
   for (const ParameterArray& array : model.parameter_arrays) {
     const auto first = marks.begin() + array.first;
     if (std::find(first, first + array.count, true) != first + array.count) continue;
@@ -35,7 +36,7 @@ Diagnostics unused_parameters(const Model& model) {
 
 Diagnostics unused_inputs(const Model& model) {
   Diagnostics found;
-  const auto marks = used(model, ExpressionKind::input, model.inputs.size());
+  const auto marks = used(model, Opcode::input);
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
     const Input& input = model.inputs[i];
     if (input.on || marks[i]) continue;
@@ -65,7 +66,7 @@ Diagnostic note(const LeftOut& left_out) {
 bool contains_rate(const Model& model, ExpressionId root) {
   const std::vector<ExpressionId> parts = reached(model, {root});
   return std::any_of(parts.begin(), parts.end(), [&](ExpressionId id) {
-    return model.expressions[id].kind == ExpressionKind::rate;
+    return is_leaf(model.expressions[id], Opcode::velocity);
   });
 }
 

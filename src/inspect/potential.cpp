@@ -64,8 +64,9 @@ ExpressionId number(Model& model, const cl_R& value) {
 /// The model with one more coordinate that moves the point along `up`.
 Model liftable(const Model& model, std::uint32_t point, const Direction& up) {
   Model result = model;
-  const ExpressionId lift = node(result, ExpressionKind::coordinate, {});
-  result.expressions[lift].index = append_coordinate(result, {});
+  const std::uint32_t coordinate = append_coordinate(result, {});
+  const ExpressionId lift = append(
+      result, {.kind = ExpressionKind::leaf, .leaf = Opcode::coordinate, .index = coordinate});
   for (std::size_t c = 0; c < 3; ++c) {
     if (cln::zerop(up[c])) continue;
     const ExpressionId scale = number(result, up[c]);

@@ -29,7 +29,7 @@ Parameters weight_parameters(const Model& model, const std::vector<ExpressionId>
   Parameters found;
   for (const ExpressionId id : reached(model, roots)) {
     const Expression& node = model.expressions[id];
-    if (node.kind == ExpressionKind::parameter) found.insert(node.index);
+    if (is_leaf(node, Opcode::parameter)) found.insert(node.index);
   }
   return found;
 }

@@ -23,6 +23,26 @@ std::string leaf_text(const LeafNames& leaves, Opcode kind, std::uint32_t number
   return fmt::format(fmt::runtime(leaf_row(kind).text), leaf_of(leaves, kind, number));
 }
 
+std::string leaf_text(const Model& model, Opcode kind, std::uint32_t number) {
+  const LeafRow& row = leaf_row(kind);
+  const auto text = [&](std::string_view name) {
+    return fmt::format(fmt::runtime(row.text), name);
+  };
+  switch (row.of) {
+    case LeafOwner::system:
+      break;
+    case LeafOwner::parameters:
+      return text(model.parameters[number].name);
+    case LeafOwner::coordinates:
+      return text(model.coordinates[number].name);
+    case LeafOwner::velocities:
+      return text(model.velocities[number].name);
+    case LeafOwner::inputs:
+      return text(model.inputs[number].name);
+  }
+  return text(row.symbol);
+}
+
 std::string identifier_of(std::string_view name) {
   std::string identifier;
   for (const char c : name) {

@@ -2,6 +2,7 @@
 //
 //     multiply(1/2, add(a, negate(b)))   ->   1/2*(a - b)
 #include "base/formula.hpp"
+#include "elgen/leaf_names.hpp"
 #include "elgen/model.hpp"
 
 namespace elgen {
@@ -41,16 +42,6 @@ class Printer {
     switch (node.kind) {
       case ExpressionKind::pi:
         return "pi";
-      case ExpressionKind::coordinate:
-        return model_.coordinates[node.index].name;
-      case ExpressionKind::rate:
-        return "dot(" + model_.velocities[node.index].name + ")";
-      case ExpressionKind::acceleration:
-        return "dot(dot(" + model_.velocities[node.index].name + "))";
-      case ExpressionKind::input:
-        return model_.inputs[node.index].name;
-      case ExpressionKind::parameter:
-        return model_.parameters[node.index].name;
       case ExpressionKind::prescribed:
         return model_.prescribed[node.index].name;
       case ExpressionKind::definition:
@@ -61,7 +52,7 @@ class Printer {
       case ExpressionKind::frame_component:
         return frame_component(node.index);
       default:
-        return "t";
+        return leaf_text(model_, node.leaf, node.index);
     }
   }
 

@@ -109,24 +109,18 @@ Jet Evaluation::evaluated(const Expression& e, unsigned time_order) {
 }
 
 Jet Evaluation::leaf(const Expression& e, unsigned time_order) const {
+  if (e.kind == ExpressionKind::number) return Jet(e.number);
+  if (e.kind == ExpressionKind::pi) return Jet(real_pi());
   const Jet s = elapsed_time(time_order);
-  switch (e.kind) {
-    case ExpressionKind::number:
-      return Jet(e.number);
-    case ExpressionKind::pi:
-      return Jet(real_pi());
-    case ExpressionKind::time:
+  switch (e.leaf) {
+    case Opcode::time:
       return motion_.t + s;
-    case ExpressionKind::coordinate:
+    case Opcode::coordinate:
       return position(e.index, s);
-    case ExpressionKind::rate:
+    case Opcode::velocity:
       return motion_.v[e.index] + motion_.a[e.index] * s;
-    case ExpressionKind::acceleration:
-      return motion_.a[e.index];
-    case ExpressionKind::input:
-      return motion_.u[e.index];
     default:
-      return motion_.parameters[e.index];
+      return leaf_of(motion_, e.leaf, e.index);
   }
 }
 

@@ -45,7 +45,7 @@ class ModelExpressions {
   /// The form of a fixed parameter counts, too.
   [[nodiscard]] std::vector<ExpressionId> needs(ExpressionId id) const {
     const Expression& e = model_.expressions[id];
-    if (e.kind != ExpressionKind::parameter) return references(model_, id);
+    if (!is_leaf(e, Opcode::parameter)) return references(model_, id);
     const auto fixed = fixed_.find(e.index);
     if (fixed == fixed_.end() || !fixed->second.form) return {};
     return {*fixed->second.form};
@@ -67,18 +67,8 @@ class ModelExpressions {
         return fraction_of(e.number);
       case ExpressionKind::pi:
         return arithmetic_.pi();
-      case ExpressionKind::time:
-        return arithmetic_.leaf(Opcode::time, 0);
-      case ExpressionKind::coordinate:
-        return arithmetic_.leaf(Opcode::coordinate, e.index);
-      case ExpressionKind::rate:
-        return arithmetic_.leaf(Opcode::velocity, e.index);
-      case ExpressionKind::acceleration:
-        return arithmetic_.leaf(Opcode::acceleration, e.index);
-      case ExpressionKind::input:
-        return arithmetic_.leaf(Opcode::input, e.index);
-      case ExpressionKind::parameter:
-        return parameter(e.index);
+      case ExpressionKind::leaf:
+        return e.leaf == Opcode::parameter ? parameter(e.index) : arithmetic_.leaf(e.leaf, e.index);
       case ExpressionKind::prescribed:
       case ExpressionKind::definition:
       case ExpressionKind::point_component:

@@ -94,7 +94,7 @@ EnclosedNumber value_at_state(const Model& model, ExpressionId id) {
       {"q", cln::cl_RA(3) / 8}, {"a", cln::cl_RA(3) / 2}, {"b", cln::cl_RA(-1) / 4},
       {"c", cln::cl_RA(5) / 8}, {"d", cln::cl_RA(9) / 4}};
   const Expression& node = model.expressions[id];
-  if (node.kind == ExpressionKind::coordinate) {
+  if (is_leaf(node, Opcode::coordinate)) {
     return {state.at(model.coordinates[node.index].name), 0};
   }
   std::vector<EnclosedNumber> operands;

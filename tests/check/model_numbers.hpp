@@ -49,13 +49,10 @@ class ModelNumbers {
         return {number(e.number), 0};
       case ExpressionKind::pi:
         return {std::acos(-1.0), 0};
-      case ExpressionKind::time:
-        return {0.5, 1};
-      case ExpressionKind::coordinate:
-        return {q_.at(e.index), v_.at(e.index)};
-      case ExpressionKind::rate:
-        return {v_.at(e.index), 0};
-      case ExpressionKind::parameter:
+      case ExpressionKind::leaf:
+        if (e.leaf == Opcode::time) return {0.5, 1};
+        if (e.leaf == Opcode::coordinate) return {q_.at(e.index), v_.at(e.index)};
+        if (e.leaf == Opcode::velocity) return {v_.at(e.index), 0};
         return {number(model_.parameters[e.index].value), 0};
       case ExpressionKind::frame_component:
         return at(component_of_frame(model_, e.index));

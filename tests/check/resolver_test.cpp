@@ -201,7 +201,7 @@ TEST_CASE("dot of a coordinate is its rate, of anything else a total derivative"
         "energy T = m*dot(x)^2 + m*dot(x*y)*0\n");
   const Model model = checked(two_points + "T = \"m*dot(x)*dot(x + y)\"\n").model;
   const Expression& product = model.expressions[*model.energies.T];
-  CHECK(model.expressions[product.operands[1]].kind == ExpressionKind::rate);
+  CHECK(is_leaf(model.expressions[product.operands[1]], Opcode::velocity));
   CHECK(model.expressions[product.operands[2]].kind == ExpressionKind::time_derivative);
   CHECK(points_potential("c*x^2*(1 + dot(3))") == "energy V = c*x^2*1\n");
 }

@@ -36,9 +36,9 @@ struct Sheet {
     Coordinate coordinate;
     coordinate.name = coordinate.identifier = "x";
     append_coordinate(context.model, coordinate);
-    x = nodes.leaf(ExpressionKind::coordinate, 0);
+    x = nodes.leaf(Opcode::coordinate, 0);
     one = nodes.number(1);
-    pi = nodes.leaf(ExpressionKind::pi, 0);
+    pi = nodes.named(ExpressionKind::pi, 0);
   }
 
   [[nodiscard]] std::string text(ExpressionId id) const { return to_string(context.model, id); }

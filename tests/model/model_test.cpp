@@ -164,12 +164,12 @@ TEST_CASE("points, frames and prescribed functions are followed to what they are
           "[[output]]\nname = \"o\"\nvalue = \"x(P)\"\n")
           .model;
   const auto all = reached(model, {model.outputs.front().values.front()});
-  const auto has = [&](ExpressionKind kind) {
+  const auto has = [&](Opcode kind) {
     return std::any_of(all.begin(), all.end(),
-                       [&](ExpressionId id) { return model.expressions[id].kind == kind; });
+                       [&](ExpressionId id) { return is_leaf(model.expressions[id], kind); });
   };
-  CHECK(has(ExpressionKind::time));
-  CHECK(has(ExpressionKind::coordinate));
+  CHECK(has(Opcode::time));
+  CHECK(has(Opcode::coordinate));
 }
 
 TEST_CASE("everything comes once, after what it refers to") {

@@ -46,9 +46,9 @@ class ModelBuilder {
     c.unit_text = unit_text;
     const std::uint32_t index = append_coordinate(model, c);
     const std::uint32_t rate = model.coordinates[index].velocity;
-    names_[name] = {ExpressionKind::coordinate, index};
-    names_[name + "_d"] = {ExpressionKind::rate, rate};
-    names_[name + "_dd"] = {ExpressionKind::acceleration, rate};
+    names_[name] = leaf_node(Opcode::coordinate, index);
+    names_[name + "_d"] = leaf_node(Opcode::velocity, rate);
+    names_[name + "_dd"] = leaf_node(Opcode::acceleration, rate);
     return *this;
   }
 
@@ -59,11 +59,11 @@ class ModelBuilder {
     const Rotation& added = model.rotations[append_rotation(model, r)];
     for (std::uint32_t i = 0; i < quaternion_size; ++i) {
       const std::uint32_t index = added.first_coordinate + i;
-      names_[model.coordinates[index].name] = {ExpressionKind::coordinate, index};
+      names_[model.coordinates[index].name] = leaf_node(Opcode::coordinate, index);
     }
     for (std::uint32_t i = 0; i < axis_count; ++i) {
       const std::uint32_t index = added.first_velocity + i;
-      names_[name + std::to_string(i + 1) + "_d"] = {ExpressionKind::rate, index};
+      names_[name + std::to_string(i + 1) + "_d"] = leaf_node(Opcode::velocity, index);
     }
     return *this;
   }
@@ -72,7 +72,7 @@ class ModelBuilder {
     Parameter p;
     p.name = p.identifier = name;
     p.value = exact(value);
-    names_[name] = {ExpressionKind::parameter, static_cast<std::uint32_t>(model.parameters.size())};
+    names_[name] = leaf_node(Opcode::parameter, model.parameters.size());
     model.parameters.push_back(p);
     return *this;
   }
@@ -81,7 +81,7 @@ class ModelBuilder {
     Input u;
     u.name = u.identifier = name;
     u.on = on;
-    names_[name] = {ExpressionKind::input, static_cast<std::uint32_t>(model.inputs.size())};
+    names_[name] = leaf_node(Opcode::input, model.inputs.size());
     model.inputs.push_back(u);
     return *this;
   }
@@ -156,10 +156,9 @@ class ModelBuilder {
   }
 
  private:
-  struct Name {
-    ExpressionKind kind = ExpressionKind::number;
-    std::uint32_t index = 0;
-  };
+  static Expression leaf_node(Opcode kind, std::size_t index) {
+    return {.kind = ExpressionKind::leaf, .leaf = kind, .index = static_cast<std::uint32_t>(index)};
+  }
 
   ModelBuilder& set(std::optional<ExpressionId>& energy, const std::string& text) {
     energy = expression(text);
@@ -171,7 +170,7 @@ class ModelBuilder {
     NamedExpression entry;
     entry.name = entry.identifier = name;
     entry.value = expression(value);
-    names_[name] = {kind, static_cast<std::uint32_t>(list.size())};
+    names_[name] = {.kind = kind, .index = static_cast<std::uint32_t>(list.size())};
     list.push_back(entry);
     return *this;
   }
@@ -275,14 +274,8 @@ class ModelBuilder {
   }
 
   ExpressionId leaf(const std::string& word) {
-    Expression e;
-    if (word == "t" || word == "pi") {
-      e.kind = word == "t" ? ExpressionKind::time : ExpressionKind::pi;
-    } else {
-      e.kind = names_.at(word).kind;
-      e.index = names_.at(word).index;
-    }
-    return add(e);
+    if (word == "t") return add(leaf_node(Opcode::time, 0));
+    return add(word == "pi" ? Expression{.kind = ExpressionKind::pi} : names_.at(word));
   }
 
   ExpressionId call(const std::string& word) {
@@ -308,7 +301,7 @@ class ModelBuilder {
   }
 
   std::string_view rest_ = {};
-  std::map<std::string, Name> names_ = {};
+  std::map<std::string, Expression> names_ = {};
   std::map<std::string, std::uint32_t> points_ = {};
 };
 

@@ -37,7 +37,7 @@ std::vector<ExpressionId> about_com(NodeBuilder& nodes, const BodyInFrame& body,
 Matrix3 rotation_of(NodeBuilder& nodes, std::uint32_t frame) {
   Matrix3 result{};
   for (std::uint32_t k = 0; k < 9; ++k) {
-    result[k] = nodes.leaf(ExpressionKind::frame_component, components_per_frame * frame + k);
+    result[k] = nodes.named(ExpressionKind::frame_component, components_per_frame * frame + k);
   }
   return result;
 }
@@ -45,7 +45,7 @@ Matrix3 rotation_of(NodeBuilder& nodes, std::uint32_t frame) {
 Vector3 origin_of(NodeBuilder& nodes, std::uint32_t frame) {
   Vector3 result{};
   for (std::uint32_t k = 0; k < 3; ++k) {
-    result[k] = nodes.leaf(ExpressionKind::frame_component, components_per_frame * frame + 9 + k);
+    result[k] = nodes.named(ExpressionKind::frame_component, components_per_frame * frame + 9 + k);
   }
   return result;
 }

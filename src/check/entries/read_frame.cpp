@@ -288,7 +288,7 @@ class FrameReader {
     FrameStep step{FrameStepKind::quaternion};
     for (std::uint32_t i = 0; i < quaternion_size; ++i) {
       const std::uint32_t coordinate = context_.model.rotations[*rotation].first_coordinate + i;
-      step.quaternion[i] = nodes.leaf(ExpressionKind::coordinate, coordinate);
+      step.quaternion[i] = nodes.leaf(Opcode::coordinate, coordinate);
     }
     step.rotation = rotation;
     frame_.steps.push_back(step);

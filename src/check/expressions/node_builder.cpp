@@ -25,7 +25,11 @@ ExpressionId NodeBuilder::number(const cln::cl_RA& value) {
   return push({.number = value});
 }
 
-ExpressionId NodeBuilder::leaf(ExpressionKind kind, std::uint32_t index) {
+ExpressionId NodeBuilder::leaf(Opcode kind, std::uint32_t index) {
+  return push({.kind = ExpressionKind::leaf, .leaf = kind, .index = index});
+}
+
+ExpressionId NodeBuilder::named(ExpressionKind kind, std::uint32_t index) {
   return push({.kind = kind, .index = index});
 }
 

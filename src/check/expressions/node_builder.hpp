@@ -19,7 +19,8 @@ class NodeBuilder {
   NodeBuilder(Context& context, const Span& span) : context_(context), span_(span) {}
 
   ExpressionId number(const cln::cl_RA& value);
-  ExpressionId leaf(ExpressionKind kind, std::uint32_t index);
+  ExpressionId leaf(Opcode kind, std::uint32_t index);
+  ExpressionId named(ExpressionKind kind, std::uint32_t index);
   ExpressionId negate(ExpressionId a);
   ExpressionId add(const std::vector<ExpressionId>& terms);
   ExpressionId subtract(ExpressionId a, ExpressionId b);

@@ -131,19 +131,18 @@ std::optional<ExpressionId> Resolver::resolve_dot(const ExpressionSyntax& call) 
   if (operand.kind == SyntaxKind::name && symbol != nullptr &&
       symbol->kind == SymbolKind::rotation) {
     const std::optional<std::uint32_t> velocity = element(operand, *symbol);
-    return velocity ? push_leaf(ExpressionKind::rate, *velocity, call.span) : std::nullopt;
+    return velocity ? push_leaf(Opcode::velocity, *velocity, call.span) : std::nullopt;
   }
   const std::optional<ExpressionId> argument = resolve(operand);
   if (!argument) {
     return std::nullopt;
   }
   const Expression& inner = context_.model.expressions[*argument];
-  if (inner.kind == ExpressionKind::coordinate) {
-    return push_leaf(ExpressionKind::rate, context_.model.coordinates[inner.index].velocity,
-                     call.span);
+  if (is_leaf(inner, Opcode::coordinate)) {
+    return push_leaf(Opcode::velocity, context_.model.coordinates[inner.index].velocity, call.span);
   }
-  if (inner.kind == ExpressionKind::rate) {
-    return push_leaf(ExpressionKind::acceleration, inner.index, call.span);
+  if (is_leaf(inner, Opcode::velocity)) {
+    return push_leaf(Opcode::acceleration, inner.index, call.span);
   }
   if (context_.constants[*argument]) {
     return push_number(0, call.span);
@@ -211,7 +210,8 @@ std::optional<ExpressionId> Resolver::resolve_component(const ExpressionSyntax& 
         in_backticks(call.operands[0].span) + " is planar, so it has no " + call.text);
     return std::nullopt;
   }
-  return push_leaf(ExpressionKind::point_component, 3 * *point + axis, call.span);
+  return push(
+      {.kind = ExpressionKind::point_component, .index = 3 * *point + axis, .span = call.span});
 }
 
 }  // namespace elgen

@@ -10,18 +10,20 @@
 namespace elgen {
 namespace {
 
-std::optional<ExpressionKind> leaf_kind(SymbolKind kind) {
+/// What the name of such a symbol stands for, but for its index and place.
+std::optional<Expression> named(SymbolKind kind) {
+  const auto leaf = [](Opcode of) { return Expression{.kind = ExpressionKind::leaf, .leaf = of}; };
   switch (kind) {
     case SymbolKind::coordinate:
-      return ExpressionKind::coordinate;
+      return leaf(Opcode::coordinate);
     case SymbolKind::parameter:
-      return ExpressionKind::parameter;
+      return leaf(Opcode::parameter);
     case SymbolKind::definition:
-      return ExpressionKind::definition;
+      return Expression{.kind = ExpressionKind::definition};
     case SymbolKind::prescribed:
-      return ExpressionKind::prescribed;
+      return Expression{.kind = ExpressionKind::prescribed};
     case SymbolKind::input:
-      return ExpressionKind::input;
+      return leaf(Opcode::input);
     default:
       return std::nullopt;
   }
@@ -87,10 +89,10 @@ std::string way_to_write(const ExpressionSyntax& name, const DeclaredNames& symb
 std::optional<ExpressionId> Resolver::resolve_name(const ExpressionSyntax& name) {
   const bool indexed = !name.operands.empty();
   if (!indexed && name.text == "t") {
-    return push_leaf(ExpressionKind::time, 0, name.span);
+    return push_leaf(Opcode::time, 0, name.span);
   }
   if (!indexed && name.text == "pi") {
-    return push_leaf(ExpressionKind::pi, 0, name.span);
+    return push({.kind = ExpressionKind::pi, .span = name.span});
   }
   if (const auto value = scope_.find(name.text); value && !indexed) {
     return push_number(cln::cl_I(static_cast<long>(*value)), name.span);
@@ -103,8 +105,8 @@ std::optional<ExpressionId> Resolver::resolve_name(const ExpressionSyntax& name)
 
 std::optional<ExpressionId> Resolver::resolve_symbol(const ExpressionSyntax& name,
                                                      const DeclaredName& symbol) {
-  const std::optional<ExpressionKind> kind = leaf_kind(symbol.kind);
-  if (!kind) {
+  std::optional<Expression> node = named(symbol.kind);
+  if (!node) {
     context_.report.add(
         Code::E319, name.span,
         in_backticks(name.span) + " is a " + std::string(noun(symbol.kind)) + ", not a number",
@@ -112,7 +114,10 @@ std::optional<ExpressionId> Resolver::resolve_symbol(const ExpressionSyntax& nam
     return std::nullopt;
   }
   const std::optional<std::uint32_t> index = element(name, symbol);
-  return index ? push_leaf(*kind, *index, name.span) : std::nullopt;
+  if (!index) return std::nullopt;
+  node->index = *index;
+  node->span = name.span;
+  return push(std::move(*node));
 }
 
 const DeclaredName* Resolver::declared(const ExpressionSyntax& name, SymbolKind kind, bool has_form,

@@ -97,9 +97,9 @@ std::optional<ExpressionId> Resolver::push_number(const cln::cl_RA& number, cons
   return push({.number = number, .span = span});
 }
 
-std::optional<ExpressionId> Resolver::push_leaf(ExpressionKind kind, std::uint32_t index,
+std::optional<ExpressionId> Resolver::push_leaf(Opcode kind, std::uint32_t index,
                                                 const Span& span) {
-  return push({.kind = kind, .index = index, .span = span});
+  return push({.kind = ExpressionKind::leaf, .leaf = kind, .index = index, .span = span});
 }
 
 std::optional<ExpressionId> Resolver::resolve_operation(const ExpressionSyntax& operation) {

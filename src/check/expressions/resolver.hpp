@@ -48,7 +48,7 @@ class Resolver {
 
   std::optional<ExpressionId> push(Expression expression);
   std::optional<ExpressionId> push_number(const cln::cl_RA& number, const Span& span);
-  std::optional<ExpressionId> push_leaf(ExpressionKind kind, std::uint32_t index, const Span& span);
+  std::optional<ExpressionId> push_leaf(Opcode kind, std::uint32_t index, const Span& span);
   std::optional<Operands> resolve_all(const std::vector<ExpressionSyntax>& expressions);
   bool within_limits(const Span& span);
   void report_failure(const ConstantFailure& failure, const Expression& node);

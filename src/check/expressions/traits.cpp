@@ -99,20 +99,27 @@ class TraitFinder {
         return cln::zerop(node.number) ? nothing() : Traits{};
       case ExpressionKind::pi:
         return {};
-      case ExpressionKind::time:
-        return leaf(uses_time);
-      case ExpressionKind::coordinate:
-        return leaf(uses_coordinate);
-      case ExpressionKind::rate:
-        return {uses_rate, 1, 1, 0, false};
-      case ExpressionKind::acceleration:
-        return leaf(uses_acceleration);
-      case ExpressionKind::input:
-        return {uses_input, 0, 0, 1, false};
-      case ExpressionKind::parameter:
-        return leaf(uses_parameter);
+      case ExpressionKind::leaf:
+        return of_leaf(node.leaf);
       default:
         return of_compound(node, references(model_, id));
+    }
+  }
+
+  [[nodiscard]] static Traits of_leaf(Opcode kind) {
+    switch (kind) {
+      case Opcode::time:
+        return leaf(uses_time);
+      case Opcode::coordinate:
+        return leaf(uses_coordinate);
+      case Opcode::velocity:
+        return {uses_rate, 1, 1, 0, false};
+      case Opcode::acceleration:
+        return leaf(uses_acceleration);
+      case Opcode::input:
+        return {uses_input, 0, 0, 1, false};
+      default:
+        return leaf(uses_parameter);
     }
   }
 

@@ -72,18 +72,8 @@ class UnitInference {
         return cln::zerop(node.number) ? InferredUnit{Known::any, {}} : known({});
       case ExpressionKind::pi:
         return known({});
-      case ExpressionKind::time:
-        return known(*find_unit("s"));
-      case ExpressionKind::coordinate:
-        return declared(model_.coordinates[node.index].unit);
-      case ExpressionKind::rate:
-        return declared(model_.velocities[node.index].unit);
-      case ExpressionKind::acceleration:
-        return rate(declared(model_.velocities[node.index].unit));
-      case ExpressionKind::input:
-        return declared(model_.inputs[node.index].unit);
-      case ExpressionKind::parameter:
-        return declared(model_.parameters[node.index].unit);
+      case ExpressionKind::leaf:
+        return of_leaf(node);
       case ExpressionKind::prescribed:
         return of_prescribed(node.index);
       case ExpressionKind::point_component:
@@ -92,6 +82,23 @@ class UnitInference {
         return known(node.index % components_per_frame < 9 ? Unit{} : *find_unit("m"));
       default:
         return of_compound(node, references(model_, id));
+    }
+  }
+
+  [[nodiscard]] InferredUnit of_leaf(const Expression& node) const {
+    switch (node.leaf) {
+      case Opcode::time:
+        return known(*find_unit("s"));
+      case Opcode::coordinate:
+        return declared(model_.coordinates[node.index].unit);
+      case Opcode::velocity:
+        return declared(model_.velocities[node.index].unit);
+      case Opcode::acceleration:
+        return rate(declared(model_.velocities[node.index].unit));
+      case Opcode::input:
+        return declared(model_.inputs[node.index].unit);
+      default:
+        return declared(model_.parameters[node.index].unit);
     }
   }
 

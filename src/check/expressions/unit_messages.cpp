@@ -29,7 +29,7 @@ UnitDeclaration declared_here(const std::string& name, const std::string& unit, 
 }
 
 std::optional<UnitDeclaration> parameter_declaration(const Model& model, const Expression& node) {
-  if (node.kind != ExpressionKind::parameter) return std::nullopt;
+  if (!is_leaf(node, Opcode::parameter)) return std::nullopt;
   const Parameter& parameter = model.parameters[node.index];
   const ParameterArray& array = model.parameter_arrays[parameter.array];
   return parameter.unit ? std::optional(declared_here(array.name, array.unit_text, array.span))
@@ -41,13 +41,14 @@ std::optional<UnitDeclaration> variable_declaration(const Model& model, const Ex
     return row.unit_text.empty() ? std::nullopt
                                  : std::optional(declared_here(row.name, row.unit_text, row.span));
   };
-  switch (node.kind) {
-    case ExpressionKind::coordinate:
+  if (node.kind != ExpressionKind::leaf) return std::nullopt;
+  switch (node.leaf) {
+    case Opcode::coordinate:
       return of(model.coordinates[node.index]);
-    case ExpressionKind::rate:
-    case ExpressionKind::acceleration:
+    case Opcode::velocity:
+    case Opcode::acceleration:
       return of(model.coordinates[model.velocities[node.index].coordinate]);
-    case ExpressionKind::input:
+    case Opcode::input:
       return of(model.inputs[node.index]);
     default:
       return std::nullopt;

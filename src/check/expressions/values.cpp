@@ -18,11 +18,9 @@ cln::cl_R rounded(const cln::cl_R& value) {
 
 /// Made of numbers and pi only.
 bool names_nothing(const std::vector<Expression>& nodes, ExpressionId first, ExpressionId last) {
-  constexpr std::array names{
-      ExpressionKind::time,           ExpressionKind::coordinate, ExpressionKind::rate,
-      ExpressionKind::acceleration,   ExpressionKind::input,      ExpressionKind::parameter,
-      ExpressionKind::prescribed,     ExpressionKind::definition, ExpressionKind::point_component,
-      ExpressionKind::frame_component};
+  constexpr std::array names{ExpressionKind::leaf, ExpressionKind::prescribed,
+                             ExpressionKind::definition, ExpressionKind::point_component,
+                             ExpressionKind::frame_component};
   return std::none_of(nodes.begin() + first, nodes.begin() + last + 1, [&](const auto& node) {
     return std::find(names.begin(), names.end(), node.kind) != names.end();
   });
@@ -52,7 +50,7 @@ ExpressionId ValueReader::scene_value(const ValueSyntax& value, const RootReques
   const auto& nodes = context_.model.expressions;
   read.plain_numbers = std::none_of(
       nodes.begin() + read.first, nodes.begin() + read.value + 1, [](const Expression& node) {
-        return node.kind == ExpressionKind::parameter || node.kind == ExpressionKind::prescribed ||
+        return is_leaf(node, Opcode::parameter) || node.kind == ExpressionKind::prescribed ||
                node.kind == ExpressionKind::definition;
       });
   return id;

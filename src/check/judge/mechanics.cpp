@@ -213,8 +213,7 @@ std::vector<bool> moving_velocities(const Model& model) {
     for (const ExpressionId id : all) {
       const Expression& node = model.expressions[id];
       // E502 says what is wrong with an acceleration.
-      const bool is_rate =
-          node.kind == ExpressionKind::rate || node.kind == ExpressionKind::acceleration;
+      const bool is_rate = is_leaf(node, Opcode::velocity) || is_leaf(node, Opcode::acceleration);
       if (is_rate) moving[node.index] = true;
     }
   };
@@ -224,7 +223,7 @@ std::vector<bool> moving_velocities(const Model& model) {
   mark_rates(moved);
   for (const ExpressionId id : moved) {
     const Expression& node = model.expressions[id];
-    if (node.kind == ExpressionKind::coordinate) mark(model.coordinates[node.index]);
+    if (is_leaf(node, Opcode::coordinate)) mark(model.coordinates[node.index]);
   }
   for (const Coordinate& coordinate : model.coordinates) {
     if (coordinate.armature) mark(coordinate);

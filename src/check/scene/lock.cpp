@@ -234,19 +234,19 @@ class Locking {
   [[nodiscard]] bool depends_on_time(ExpressionId id) const {
     const std::vector<ExpressionId> all = reached(unlocked_, {id});
     return std::any_of(all.begin(), all.end(), [this](ExpressionId each) {
-      return unlocked_.expressions[each].kind == ExpressionKind::time;
+      return is_leaf(unlocked_.expressions[each], Opcode::time);
     });
   }
 
   void rewrite(Expression& node) const {
-    if (node.kind == ExpressionKind::coordinate) {
+    if (is_leaf(node, Opcode::coordinate)) {
       if (const auto index = indices_.coordinates[node.index]) {
         node.index = *index;
       } else {
         node.kind = ExpressionKind::prescribed;
         node.index = replacements_[node.index].value;
       }
-    } else if (node.kind == ExpressionKind::rate || node.kind == ExpressionKind::acceleration) {
+    } else if (is_leaf(node, Opcode::velocity) || is_leaf(node, Opcode::acceleration)) {
       const auto index = indices_.velocities[node.index];
       index ? void(node.index = *index) : rewrite_rate(node);
     }

@@ -71,14 +71,13 @@ StateFunction::Rated StateFunction::value_of(const Expression& node, ExpressionI
 }
 
 StateFunction::Rated StateFunction::leaf(const Expression& node) const {
-  switch (node.kind) {
-    case ExpressionKind::pi:
-      return {std::numbers::pi, 0};
-    case ExpressionKind::time:
+  if (node.kind == ExpressionKind::pi) return {std::numbers::pi, 0};
+  switch (node.leaf) {
+    case Opcode::time:
       return {t_, 1};
-    case ExpressionKind::coordinate:
+    case Opcode::coordinate:
       return coordinate(node.index);
-    case ExpressionKind::rate:
+    case Opcode::velocity:
       return {v_[node.index], std::numeric_limits<double>::quiet_NaN()};
     default:
       return {parameters_[node.index], 0};

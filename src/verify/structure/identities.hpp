@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "verify/structure/exact_values.hpp"
+#include "evaluate/exact_values.hpp"
 
 namespace elgen {
 

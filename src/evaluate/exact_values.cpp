@@ -1,5 +1,5 @@
 // Values and derivatives of a program at one state, in 64 digits.
-#include "verify/structure/exact_values.hpp"
+#include "evaluate/exact_values.hpp"
 
 #include "check/names/requests.hpp"
 #include "elgen/outputs.hpp"
