@@ -11,7 +11,7 @@
 
 namespace {
 
-/// What rounding and a few operations explain.
+/// A loss that rounding in a few operations explains.
 constexpr double tolerated = 64;
 
 struct Losses {
@@ -28,7 +28,7 @@ Losses losses_in(const char* path) {
   for (const auto& row : certificate.at("checks")) {
     if (row.at("check") != "digits lost" || row.at("samples") == 0) continue;
     ++losses.all;
-    // What is infinite is left out.
+    // An infinite loss is left out.
     const double loss = row.value("loss", std::numeric_limits<double>::infinity());
     if (loss <= tolerated) continue;
     ++losses.fields;

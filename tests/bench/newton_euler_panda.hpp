@@ -142,7 +142,7 @@ struct Motion {
   Vector<Scalar> origin;
 };
 
-/// What a link is loaded with at its origin: its own share and that of all further links.
+/// The force and moment on a link at its origin: its own share and that of all further links.
 template <class Scalar>
 struct Load {
   Vector<Scalar> force, moment;

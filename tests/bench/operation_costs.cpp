@@ -1,4 +1,4 @@
-// What operations cost, in multiplications, by latency (each needs the one before) and by
+// The cost of operations, in multiplications, by latency (each needs the one before) and by
 // throughput (eight at a time): where the cost table of the tool comes from.
 #include <array>
 #include <cmath>

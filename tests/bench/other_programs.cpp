@@ -67,7 +67,7 @@ struct MujocoRobot {
   explicit MujocoRobot(const std::string& text)
       : model(test::load_mujoco(text)), data(mj_makeData(model.get())) {}
 
-  /// What M and the forces are made of, and no more.
+  /// Sets the state and computes the kinematics that M and the forces need, and no more.
   void set(const double* q, const double* v, const double* a) {
     std::copy_n(q, model->nq, data->qpos);
     std::copy_n(v, model->nv, data->qvel);

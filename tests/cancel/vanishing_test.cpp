@@ -1,4 +1,4 @@
-// What vanishes, and what only looks as if it did.
+// Entries that vanish, and entries that only seem to.
 #include "cancel/vanishing.hpp"
 
 #include <catch2/catch.hpp>

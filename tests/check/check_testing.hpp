@@ -39,7 +39,7 @@ struct Wanted {
 [[nodiscard]] Scene block_scene(const std::string& more);
 [[nodiscard]] std::string block_scene_messages(const std::string& more);
 
-/// What is said of `block` with this potential.
+/// The messages about `block` with this potential.
 [[nodiscard]] std::string potential_messages(const std::string& potential,
                                              const Wanted& wanted = {});
 

@@ -75,7 +75,7 @@ TEST_CASE("numbers of entries are limited, at the limit and one past it") {
   wanted.limits.coordinates = 3;
   CHECK(checked(coordinates, wanted).model.coordinates.size() == 3);
   wanted.limits.coordinates = 2;
-  // What would follow from the missing coordinate is not told.
+  // Errors that would follow from the missing coordinate are not reported.
   CHECK(messages(coordinates, wanted) == "E906 6:9 more than 2 coordinates\n");
 }
 

@@ -164,7 +164,7 @@ class ModelDump {
            (force.from_frame ? " from " + frame_name(force.from_frame) : "");
   }
 
-  /// What a scene does to the model, before the outputs are chosen.
+  /// The changes that a scene makes to the model, before the outputs are chosen.
   void dump_scene() {
     if (model_.unlocked) {
       for (const Lock& lock : model_.unlocked->locks) {

@@ -1,4 +1,4 @@
-// What a run starts from: starts, laws of inputs and values of parameters, as options give them.
+// The data of a run: starts, laws of inputs and values of parameters, as options give them.
 #include <algorithm>
 #include <catch2/catch.hpp>
 

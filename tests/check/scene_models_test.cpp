@@ -1,5 +1,5 @@
-// What a scene does to a model: locks, how they are read and what is left without the locked
-// coordinates; the point of an expansion.
+// Changes that a scene makes to a model: locks, how they are read and what is left without the
+// locked coordinates; the point of an expansion.
 #include <catch2/catch.hpp>
 
 #include "check/scene/scene.hpp"

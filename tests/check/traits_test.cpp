@@ -160,7 +160,7 @@ TEST_CASE("the rate of a function with a kink is refused where the function is n
   CHECK(messages(block(force + "c*dot(spread)\"\n[parameters.c]\nvalue = 1\nunit = \"kg/s\"\n"
                                "[define]\nspread = \"2*abs(x)\"\n")) ==
         "E315 14:12 `dot(spread)`" + refused);
-  // What does not move has the rate 0.
+  // The rate of a constant is 0.
   CHECK(
       messages(block(force + "k*x + c*dot(abs(k))\"\n[parameters.c]\nvalue = 1\nunit = \"m*s\"\n"))
           .empty());

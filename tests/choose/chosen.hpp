@@ -16,7 +16,7 @@ struct Chosen {
   CheckedModel checked;
   ClosedForms forms;
   Choice choice;
-  Program recursive = {};  ///< what both are made of
+  Program recursive = {};  ///< the program from which forms and choice are made
 };
 
 inline Chosen chosen(const std::string& text, const SceneOptions& options = {},

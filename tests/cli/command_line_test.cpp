@@ -10,7 +10,7 @@ namespace elgen::test {
 
 namespace {
 
-/// What --stop-after takes: "--stop-after TEXT:{parse,check,…}".
+/// The values that --stop-after takes: "--stop-after TEXT:{parse,check,…}".
 std::vector<std::string> stages_of_help() {
   const std::string help = run("elgen --help").output;
   const std::size_t start = help.find('{', help.find("--stop-after")) + 1;

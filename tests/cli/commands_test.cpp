@@ -7,7 +7,7 @@
 namespace elgen::test {
 namespace {
 
-/// What bash offers behind these words, in one line.
+/// The completions that bash offers behind these words, in one line.
 std::string offered(const std::string& words) {
   const std::string script =
       "eval \"$(elgen completions bash)\"; COMP_WORDS=(elgen " + words +

@@ -13,7 +13,7 @@ namespace {
 struct ExitRow {
   std::string command;
   int code;
-  std::string line;          ///< what is run; empty: the command cannot end so
+  std::string line;          ///< the command line; empty: the command cannot end so
   std::string why_not = {};  ///< then
 };
 

@@ -18,7 +18,7 @@ std::string turning(const std::string& parent, const std::string& child) {
          "\"/><child link=\"" + child + "\"/></joint>\n";
 }
 
-/// What an import of a robot says: b and c have no mass, d has, a has and is the world.
+/// The messages of an import of a robot: b and c have no mass, d has, a has and is the world.
 std::string said(const std::string& options) {
   const Workspace workspace;
   workspace.write("r.urdf",

@@ -1,4 +1,4 @@
-// Which files a command reads: models, scenes with their model, and paths that are neither.
+// Files that a command reads: models, scenes with their model, and paths that are neither.
 #include <catch2/catch.hpp>
 
 #include "cli/cli_testing.hpp"

@@ -1,5 +1,5 @@
-// What a model leaves out where nothing names outputs: said by every command, in every file, and
-// had by name.
+// Outputs that a model leaves out where nothing names outputs: reported by every command and in
+// every file, and generated where a scene names them.
 #include <catch2/catch.hpp>
 
 #include "support/shell.hpp"

@@ -23,7 +23,7 @@ constexpr std::array ends{
     std::pair{"elgen verify --limit seconds=1 $models/panda7.toml", 3},
 };
 
-/// What stderr has: an object a line.
+/// The objects on stderr, one per line.
 std::vector<nlohmann::json> messages_of(const std::string& errors) {
   std::vector<nlohmann::json> messages;
   std::istringstream lines(errors);
@@ -33,13 +33,13 @@ std::vector<nlohmann::json> messages_of(const std::string& errors) {
   return messages;
 }
 
-/// What a terminal receives.
+/// The bytes that a terminal receives.
 std::string on_terminal(const std::string& command) {
   const Workspace workspace;
   return workspace.run("script -q -e -c \"" + command + "\" /dev/null").output;
 }
 
-/// What `show` prints on a terminal of 60 columns.
+/// The output of `show` on a terminal of 60 columns.
 std::string shown_on_terminal(const std::string& environment) {
   const std::string command = "stty cols 60; " + environment + " " + std::string(ELGEN_BINARY) +
                               " show " + models + "/cart_pole.toml --what mass_matrix";

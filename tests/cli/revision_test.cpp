@@ -1,4 +1,4 @@
-// What git has of a revision, in environments that change what git does.
+// The files of a revision of git, in environments that change how git behaves.
 #include <catch2/catch.hpp>
 
 #include "cli/cli_testing.hpp"

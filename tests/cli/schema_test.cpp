@@ -36,7 +36,7 @@ std::string judging_python() {
   return {};
 }
 
-/// What `elgen schema NAME` prints.
+/// The output of `elgen schema NAME`.
 std::string schema_of(const std::string& name) {
   const Workspace workspace;
   return workspace.run("elgen schema " + name).output;

@@ -1,4 +1,4 @@
-// What generate puts on the disk, and what it leaves alone. Processes that write to the same
+// Files that generate writes, and files that it leaves alone. Processes that write to the same
 // folders take turns; what fails half-way: tests/faults.
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-// Which outputs are derived, their shapes, and the limit on their size.
+// The outputs that are derived, their shapes, and the limit on their size.
 #include <algorithm>
 #include <catch2/catch.hpp>
 

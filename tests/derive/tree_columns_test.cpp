@@ -1,4 +1,4 @@
-// What moves a tree, which variables meet on the way to the root, and what their columns say.
+// The variables that move a tree, those that meet on the way to the root, and their columns.
 #include "derive/tree/tree_columns.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// What a change amounts to, and what is said of it; the words and the order of impacts.
+// The impact of a change, and the report about it; the words and the order of impacts.
 #include <catch2/catch.hpp>
 
 #include "diff/versions.hpp"

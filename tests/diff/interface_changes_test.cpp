@@ -1,4 +1,4 @@
-// What callers see of a change.
+// Changes of the interface that callers see.
 #include <catch2/catch.hpp>
 
 #include "diff/versions.hpp"

@@ -1,4 +1,4 @@
-// What becomes of every entry, and a state at which a change is seen.
+// The change of every entry, and a state at which it is seen.
 #include "diff/output_changes.hpp"
 
 #include <catch2/catch.hpp>

@@ -15,7 +15,7 @@ struct Rewriting {
   const char* what;
   const char* coordinates;  ///< names; `attitude` is a rotation
   int links;                ///< of a chain q[1] ... q[links] instead of these; 0: none
-  const char* before;       ///< what follows the parameters
+  const char* before;       ///< the text after the parameters
   const char* after;
   const char* part;  ///< of `after`
   const char* wrong;

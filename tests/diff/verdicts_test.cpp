@@ -43,7 +43,7 @@ const Oscillators oscillators[]{
     {{any, "k*x^2"}, {any, "k*sqrt(x^4)"}, Impact::different},  // no proof: x^4 may be 0
     {{positive, "k*sqrt(1 + x^2)"}, {positive, "sqrt(k^2 + k^2*x^2)"}, Impact::equal},
     {{any, "k*sqrt(1 + x^2)"}, {any, "sqrt(k^2 + k^2*x^2)"}, Impact::different},
-    // What multiplies a parameter of value 0.
+    // Terms with a parameter of value 0.
     {{with_zero, "k*x^2 + e*x^3"}, {with_zero, "k*x^2 + e*x^4"}, Impact::different},
     {{with_zero, "k*x^2 + e*x^3"}, {with_zero, "x*e*x^2 + k*x*x"}, Impact::equal},
     {{with_zero, "k*x^2 + e*x^3"}, {with_zero, "k*x^2 + 1.000000000001*e*x^3"}, Impact::different},

@@ -1,4 +1,4 @@
-// What vanishes everywhere: proved, sampled, or not.
+// Expressions that vanish everywhere: proved, sampled, or not.
 #include "diff/zeros.hpp"
 
 #include <catch2/catch.hpp>

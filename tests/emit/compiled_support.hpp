@@ -1,5 +1,5 @@
-// What a generated driver needs to compare every function of emitted headers with every scalar
-// type.
+// Helpers with which a generated driver compares every function of emitted headers with every
+// scalar type.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// What the fuzz targets share: an input as a source, and what holds of every answer to one.
+// Helpers of the fuzz targets: an input as a source, and the properties of every answer to one.
 //
 // A target is a function of bytes that must return: whatever a file holds, reading it ends in a
 // value or in errors that can be printed, never in a crash, undefined behaviour or a hang.

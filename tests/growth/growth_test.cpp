@@ -28,7 +28,7 @@ double excess_of(const std::string& stage, int links) {
 
 using Counts = std::map<std::string, Operations>;
 
-/// What every stage costs: the difference between two counts.
+/// The cost of every stage: the difference between two counts.
 class Count {
  public:
   void begin(const std::string& stage) {

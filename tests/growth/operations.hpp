@@ -1,7 +1,7 @@
 // Operations of this program, counted and not timed: the same in every run.
 //
-// Bytes asked for are counted always. Whatever a stage makes (nodes, terms, numbers, texts, tables)
-// it makes in memory, also what it throws away again, so work that no product shows is in it.
+// Bytes asked for are counted always. A stage makes everything (nodes, terms, numbers, texts,
+// tables) in memory, also what it throws away again, so work that no product shows is counted.
 // Blocks (of instructions without a branch) also count what only looks, a search in a list: there
 // they are counted where the preset `counted` compiled them, and 0 elsewhere.
 #pragma once

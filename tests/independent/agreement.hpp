@@ -18,7 +18,7 @@ inline constexpr double agreed_of_urdf = 1e-6;
 [[nodiscard]] double relative_difference(const std::vector<double>& values,
                                          const std::vector<double>& reference);
 
-/// What they differ by at the worst of some states.
+/// The largest relative differences of two oracles over some states.
 struct Differences {
   double mass_matrix = 0.0;
   double bias = 0.0;

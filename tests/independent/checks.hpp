@@ -1,4 +1,4 @@
-// What the tests ask of oracles, each function inside a TEST_CASE.
+// Checks of oracles; each function is called inside a TEST_CASE.
 #pragma once
 
 #include "independent/robot.hpp"

@@ -1,4 +1,4 @@
-// What is asked of every independent program: M, bias and inverse dynamics at a state.
+// The quantities that every independent program computes: M, bias and inverse dynamics at a state.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ struct State {
 
 struct Dynamics {
   std::vector<double> mass_matrix;  ///< row-major
-  std::vector<double> bias;         ///< what inverse dynamics give for a = 0
+  std::vector<double> bias;         ///< inverse dynamics for a = 0
   std::vector<double> torque;       ///< inverse dynamics
 };
 

@@ -1,5 +1,4 @@
-// What the inspection finds in models that are mechanically wrong, and that it leaves sound ones
-// alone.
+// The inspection finds faults in models that are mechanically wrong and none in sound ones.
 #include "elgen/inspect.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// What src/layers.txt promises, checked on a source tree: the order of folders, no include cycles,
+// The rules of src/layers.txt, checked on a source tree: the order of folders, no include cycles,
 // GiNaC where it may be, a test for every source, files of readable length.
 #pragma once
 

@@ -1,5 +1,5 @@
-// What every stage may ask of a Model: names and numbers of its leaves, printing, what refers to
-// what.
+// Queries of a Model that every stage may make: names and numbers of its leaves, printing,
+// references between entries.
 #include <rapidcheck.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What scenes ask: the force that holds a coordinate, and Taylor polynomials of every output.
+// Requests of scenes: the force that holds a coordinate, and Taylor polynomials of every output.
 #include <catch2/catch.hpp>
 
 #include "elgen/oracle.hpp"

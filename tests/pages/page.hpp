@@ -7,7 +7,7 @@
 //     ```LANGUAGE in FILE   what stands in a file that commands above it wrote
 //     ```text               a picture or a formula
 //
-// In what is printed or stands in a file a line "…" is any number of lines.
+// In printed output and in files a line "…" is any number of lines.
 #pragma once
 
 #include <filesystem>
@@ -57,7 +57,7 @@ struct Exchange {
 /// Names under which headings can be linked to: "The model language" is "the-model-language".
 [[nodiscard]] std::vector<std::string> anchors(const std::string& prose);
 
-/// What stands between single backticks, in order.
+/// The texts between single backticks, in order.
 [[nodiscard]] std::vector<std::string> code_spans(const std::string& prose);
 
 }  // namespace elgen::test

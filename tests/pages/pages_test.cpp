@@ -1,4 +1,4 @@
-// What pages say is true: every command runs, prints what is shown, and reads every file that is
+// Pages are true: every command runs, prints what is shown, and reads every file that is
 // shown; every link leads somewhere, and every path that is named is there.
 #include <algorithm>
 #include <catch2/catch.hpp>

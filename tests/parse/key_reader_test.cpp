@@ -56,7 +56,7 @@ struct Samples {
   std::string table = "{}";
 };
 
-/// Which samples are values of the type.
+/// The samples that are values of the type.
 std::vector<std::string> accepted_by(KeyType type) {
   const Samples s;
   switch (type) {

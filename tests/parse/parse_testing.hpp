@@ -1,4 +1,4 @@
-// What the tests of parse share: answers as one line of text, so that tables of cases stay
+// Helpers of the tests of parse: answers as one line of text, so that tables of cases stay
 // readable.
 #pragma once
 

@@ -1,6 +1,6 @@
 // Right models that a check of elgen's own once refused, and energies that no textbook has: nested
-// calls, roots of roots, quotients, high powers, odd angles. Whatever form each function is emitted
-// in, everything verify checks has to hold.
+// calls, roots of roots, quotients, high powers, odd angles. Every check of verify has to
+// hold, in whichever form a function is emitted.
 #include <catch2/catch.hpp>
 
 #include "pipeline/pipeline_testing.hpp"

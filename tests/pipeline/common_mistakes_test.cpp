@@ -1,4 +1,4 @@
-// What goes wrong in written derivations: each is caught with its own message, or cannot be
+// Common mistakes in written derivations: each is caught with its own message, or cannot be
 // written.
 #include <catch2/catch.hpp>
 

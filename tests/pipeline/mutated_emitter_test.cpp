@@ -1,4 +1,4 @@
-// What an emitter with a fault would write: verify sees every one of them.
+// Code that an emitter with a fault would write: verify detects every fault.
 #include <catch2/catch.hpp>
 #include <regex>
 

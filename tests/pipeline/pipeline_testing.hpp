@@ -1,4 +1,4 @@
-// What tests of the pipeline share: models of the project, and runs of generated headers.
+// Helpers of the tests of the pipeline: models of the project, and runs of generated headers.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -45,7 +45,7 @@ inline std::size_t operations(const Function& function) {
   return counts.add + counts.mul + counts.div;
 }
 
-/// What a program prints that includes headers in the folder or those of the project.
+/// The output of a program that includes headers in the folder or those of the project.
 inline std::string printed(const Workspace& folder, const std::string& program) {
   folder.write("main.cpp", program);
   const std::string include = std::string(ELGEN_SOURCE_DIR) + "/generated";

@@ -1,4 +1,4 @@
-// What is identically zero is emitted as 0, and what of that is not proved is said.
+// Entries that are identically zero are emitted as 0, and those not proved to be zero are reported.
 #include <catch2/catch.hpp>
 #include <regex>
 

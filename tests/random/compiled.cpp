@@ -62,8 +62,8 @@ std::string compared(const Trial& trial, const std::string& output, bool by_colu
   const ShownOutput& shown = trial.shown.at(output);
   if (printed.size() != truth.size()) return "another number of entries\n";
   const Number epsilon = trial.system.scene.is_float ? 0x1p-23 : 0x1p-52;
-  // What cancels wholly in what is shown may round in what is computed: 1 is of the size of the
-  // states.
+  // Terms that cancel wholly in the shown equations may round in the compiled code: 1 is of the
+  // size of the states.
   Number scale = 1;
   for (const Sized& entry : shown.entries) scale = std::max(scale, entry.size);
   const std::size_t rows = truth.size() / std::max<std::size_t>(shown.columns, 1);

@@ -60,7 +60,7 @@ struct Declaration {
   std::string parameters;
 };
 
-/// What follows each marker: TYPE NAME(PARAMETERS).
+/// The declaration after each marker: TYPE NAME(PARAMETERS).
 std::vector<Declaration> declarations(const std::string& header, const std::string& marker) {
   std::vector<Declaration> found;
   for (std::size_t at = header.find(marker); at != std::string::npos;

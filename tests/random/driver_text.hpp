@@ -13,7 +13,7 @@ enum class Language { cpp, eigen, c };
 /// The end of the name of the header in this language.
 [[nodiscard]] std::string header_suffix(Language language);
 
-/// What stands before the functions of all trials, without the headers.
+/// The text before the functions of all trials, without the headers.
 [[nodiscard]] std::string driver_prelude(Language language);
 
 /// A function `run_BASE` that calls what `declared`, the text of a header, declares. The header on

@@ -3,7 +3,7 @@
 
 namespace elgen::random {
 
-/// What a joint turns by: mostly a coordinate, also with an offset, a ratio, a sum.
+/// The angle of a joint: mostly a coordinate, also with an offset, a ratio, a sum.
 Expression Generator::angle() {
   const Expression q = draw_.one_of(positions_);
   switch (draw_.below(8)) {

@@ -124,7 +124,7 @@ void Generator::make_quiet() {
 /// Time, in a model with units times a parameter that has none.
 Expression Generator::clock() { return has_units_ ? name("w") * time() : time(); }
 
-/// What names a parameter without unit is not checked.
+/// The units of an expression that names a parameter without unit are not checked.
 Expression Generator::without_unit(const Expression& constant) const {
   const bool is_zero = printed(constant) == "0";
   return is_zero || has_names(constant) ? constant : name("w") * constant;

@@ -22,7 +22,7 @@ class Generator {
  private:
   Draw draw_;
   System made_;
-  std::vector<Expression> positions_;  ///< what coordinates are called, rotations aside
+  std::vector<Expression> positions_;  ///< names of coordinates, rotations aside
   std::vector<Expression> rates_;
   bool has_units_ =
       false;  ///< with a rotation, whose components have one, numbers alone are checked

@@ -1,4 +1,4 @@
-// What a random model and its scene consist of, entry by entry as in their files, and the files'
+// The entries of a random model and of its scene, one by one as in their files, and the files'
 // text.
 #pragma once
 
@@ -139,7 +139,7 @@ struct System {
 [[nodiscard]] std::string text_of(const Model& model, const std::vector<Claim>& claims = {});
 [[nodiscard]] std::string text_of(const Scene& scene, const Model& model);
 
-/// What the files below the output folder, the namespace and the C prefix are called.
+/// The name of the files below the output folder, of the namespace and of the C prefix.
 [[nodiscard]] std::string base_name(const System& system);
 
 }  // namespace elgen::random

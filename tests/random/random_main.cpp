@@ -44,7 +44,7 @@ bool shows(const System& system, std::uint64_t seed, const std::string& kind) {
       if (finding.kind == kind) return true;
     }
   } catch (const std::exception&) {
-    // What has no truth any more has not failed alike.
+    // A system without true values has not failed in the same way.
   }
   return false;
 }

@@ -20,7 +20,7 @@ using Names = std::map<std::string, Sized>;
 /// Throws std::runtime_error where the text is no expression or names what is unknown.
 [[nodiscard]] Sized read_expression(const std::string& text, const Names& names);
 
-/// What the shown equations call the numbers of a state and the parameters.
+/// The names of the numbers of a state and of the parameters in the shown equations.
 [[nodiscard]] Names names_of(const System& system, const Layout& layout, const State& state,
                              const ParameterValues& parameters);
 

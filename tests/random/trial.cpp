@@ -11,7 +11,7 @@ namespace elgen::random {
 
 namespace {
 
-/// What is shown is exact: of 80 digits half are left for cancellation of its terms.
+/// Shown equations are exact: of 80 digits half are left for cancellation of their terms.
 const Number shown_tolerance("1e-40");
 
 State drawn_state(const System& system, const Layout& layout, Draw& draw) {

@@ -11,10 +11,10 @@
 
 namespace elgen::random {
 
-/// What did not agree.
+/// A disagreement between elgen and the truth.
 struct Finding {
-  std::string
-      kind;  ///< what a smaller system must show to fail in the same way: "shown mass_matrix"
+  /// "shown mass_matrix"; a smaller system fails in the same way if it has the same kind.
+  std::string kind;
   std::string text;  ///< numbers, or what elgen printed
 };
 

@@ -118,7 +118,7 @@ State Truth::small(const Layout& layout, State state) const {
   return state;
 }
 
-/// What is kept of an energy, or of the power of a force: the scale up to order + 1.
+/// An energy, or the power of a force, truncated: powers of the scale up to order + 1 are kept.
 Jet Truth::read(const Layout& layout, const State& state, const Read& read) const {
   const int order = system_.scene.order;
   if (order == 0) {

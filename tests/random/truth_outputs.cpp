@@ -1,4 +1,4 @@
-// What follows from the equations: accelerations, derivatives, reactions, kinematics, user outputs.
+// Results of the equations: accelerations, derivatives, reactions, kinematics, user outputs.
 #include "random/truth.hpp"
 
 namespace elgen::random {
@@ -151,7 +151,7 @@ void Truth::add_kinematics() {
   keep("normalized", normalized);
 }
 
-/// What an [[output]] returns: its values, or the pose of its frame row by row.
+/// The values of an [[output]], or the pose of its frame row by row.
 Vector Truth::output_values(const Output& output, const State& state) const {
   Motion motion(system_, layout_, parameters_, state);
   Vector values;

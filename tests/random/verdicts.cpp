@@ -1,5 +1,5 @@
-// What `elgen verify` says of a model: that it holds, that true closed forms do, that false ones do
-// not.
+// Verdicts of `elgen verify` on a model: that it holds, that true closed forms do, that false ones
+// do not.
 #include <sstream>
 
 #include "random/claims.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 using test::Outcome;
 
-/// What does not hold, of a certificate; without one the end of the text.
+/// The failed rows of a certificate; without one the end of the text.
 std::string failed_rows(const std::string& certificate) {
   constexpr std::size_t row = 600;
   constexpr std::size_t kept = 1500;

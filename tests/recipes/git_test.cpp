@@ -1,4 +1,4 @@
-// What recipes/git makes git do, in a real repository: differences as equations, merges without
+// The effect of recipes/git in a real repository: differences as equations, merges without
 // markers.
 #include <catch2/catch.hpp>
 

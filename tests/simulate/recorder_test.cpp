@@ -1,4 +1,4 @@
-// What is kept of samples, and the drifts of numbers that are known.
+// The recorded rows of samples, and the drifts of sequences of numbers that are known.
 #include "simulate/recorder.hpp"
 
 #include <catch2/catch.hpp>

@@ -15,7 +15,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// What is said of a start of a point on a sphere, with or without its `singular`.
+/// The refusal of a start of a point on a sphere, with or without its `singular`.
 std::string start_refusal(const std::string& start, const std::string& singular) {
   const CompiledSystem compiled(model_text("sphere", R"toml([[coordinate]]
 name = "theta"
@@ -37,9 +37,8 @@ TEST_CASE("trajectories of fourteen systems end where they are known to") {
   const auto cases = nlohmann::json::parse(
       read_text(std::string(ELGEN_SOURCE_DIR) + "/tests/simulate/trajectories.json"));
   REQUIRE(cases.size() == 14);
-  // What no step can be asked to be better than is amplified by the sensitivity at the worst time
-  // until then; a hundred times that, and once more for each second, is left for the number of
-  // steps.
+  // The least error of a step is amplified by the largest sensitivity up to that time; a hundred
+  // times that, and once more for each second, is left for the number of steps.
   const double tolerance = 3e-15;
   for (const auto& one : cases) {
     const CompiledSystem compiled(one["model"], start_options(one["start"]));

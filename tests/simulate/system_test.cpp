@@ -1,4 +1,4 @@
-// What steps ask of a system, and expressions of a model at a state, by hand.
+// Queries that steps make of a system, and expressions of a model at a state, by hand.
 #include "simulate/steps/system.hpp"
 
 #include <catch2/catch.hpp>
@@ -33,7 +33,7 @@ on = "y"
 limits = [-1, 1]
 )toml");
 
-/// What the law of `u` gives at x = 0.3, y = -2, dx/dt = 0.5, dy/dt = 7, t = 4, k = 3.
+/// The law of `u` at x = 0.3, y = -2, dx/dt = 0.5, dy/dt = 7, t = 4, k = 3.
 double law(const std::string& text) {
   const CheckedModel checked = checked_model(model_text("plane", R"toml([[coordinate]]
 name = "x"

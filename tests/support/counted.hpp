@@ -6,7 +6,7 @@
 
 namespace compiled {
 
-/// What one call executed, by the rules of the header's table.
+/// The operations that one call executed, by the rules of the header's table.
 struct Counts {
   int add = 0, mul = 0, div = 0, sqrt = 0, other = 0;
   std::set<double> angles = {};

@@ -108,7 +108,7 @@ template <class Rules>
   return ExpressionFold<Rules>(rules)(e);
 }
 
-/// What sums and products as long as those that elgen writes need.
+/// Limits that admit sums and products as long as those that elgen writes.
 [[nodiscard]] inline Limits written_limits() {
   Limits limits;
   limits.expression_depth = 1000;

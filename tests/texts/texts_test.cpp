@@ -69,7 +69,7 @@ Written written(const Inputs& inputs) {
   return result;
 }
 
-/// What is wrong with one of the texts; empty where nothing is.
+/// The mistake in one of the texts; empty where there is none.
 using Read = void (*)(const std::string& text, WrittenEquations& equations);
 std::string mistake(Read read, const std::string& text, WrittenEquations& equations) {
   try {

@@ -33,7 +33,7 @@ class WrittenEquations {
   /// From now on equations are those of functions[index], and no definition is known.
   void start(std::size_t index);
 
-  // What is wrong with an equation; empty where nothing is.
+  // The mistake in an equation; empty where there is none.
   /// "t_1 = m*l": a named instruction, which later equations may use.
   [[nodiscard]] std::string definition(const std::string& name, const std::string& text);
   [[nodiscard]] std::string entry(std::uint32_t instruction, const std::string& text);

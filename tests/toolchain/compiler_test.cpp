@@ -1,4 +1,4 @@
-// Which compiler is taken, and how strictly it is called; by what a machine is told.
+// The compiler that is taken, how strictly it is called, and the identification of a machine.
 #include "toolchain/compiler.hpp"
 
 #include <catch2/catch.hpp>

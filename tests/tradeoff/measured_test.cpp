@@ -16,7 +16,7 @@ void pass(std::chrono::microseconds time) {
 
 using Figures = std::vector<std::vector<double>>;
 
-/// What is appended to `figures` by counting.
+/// The figures, with a running count appended by each measurement.
 Figures counted(Figures figures, const Rounds& rounds) {
   double count = 0;
   by_turns(figures, rounds, [&count](std::size_t) { return ++count; });

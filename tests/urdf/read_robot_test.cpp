@@ -14,7 +14,7 @@ std::string link(const std::string& inside) {
   return "<robot name=\"r\"><link name=\"a\">\n" + inside + "\n</link></robot>";
 }
 
-/// What is said of a joint of the type with these elements; they stand on line 5.
+/// The messages about a joint of the type with these elements; they stand on line 5.
 std::string said(const std::string& type, const std::string& elements) {
   return reading_messages(arm_on(type, elements));
 }

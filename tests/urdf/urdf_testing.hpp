@@ -1,4 +1,4 @@
-// What the tests of urdf share: small robots, and what is said of them as lines of text.
+// Helpers of the tests of urdf: small robots, and the messages about them as lines of text.
 #pragma once
 
 #include <string>
@@ -33,7 +33,7 @@ namespace elgen::test {
 [[nodiscard]] urdf::Robot robot_of(const std::string& text);
 [[nodiscard]] urdf::LinkTree tree_of(const urdf::Robot& robot);
 
-/// What read_robot() says.
+/// The messages of read_robot().
 [[nodiscard]] std::string reading_messages(const std::string& text);
 
 /// The part of a text from `start` to the end of its line, without either.

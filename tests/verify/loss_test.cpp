@@ -29,7 +29,7 @@ const std::string half_angle =
 /// m l g tanh(th), as friction goes with a rate.
 const std::string friction = form_head + "  6 = tanh 3\n  7 = multiply 5 6\n  result 1 1 = 7\n";
 
-/// Whose one output is the potential energy, as `text` writes it.
+/// A system with one output, the potential energy as `text` writes it.
 System written_as(const std::string& text) {
   ModelBuilder builder;
   builder.coordinate("th", "rad").parameter("m", "2").parameter("l", "0.75").parameter("g", "9.81");

@@ -24,7 +24,7 @@ SampledState<double> state_of(const System& system, Region region = Region::nomi
   return states.front();
 }
 
-/// What is found of the program's first field.
+/// The finding of a visit of the program's first field.
 Finding first_finding(const System& system, Comparison comparison,
                       const SampledState<double>& state) {
   const Subject subject = system.subject();
@@ -62,7 +62,7 @@ std::string rows_by(std::size_t jobs, const System& system, const Change& change
   return to_full_text(certificate) + to_json(certificate);
 }
 
-/// What a process does that shares the states; the one that waits for it goes on.
+/// A change that calls `fail` in the processes that share the states, not in the one that waits.
 Change in_others(const std::function<void()>& fail) {
   return [fail, waiting = ::getpid()](double x) {
     if (::getpid() != waiting) fail();

@@ -1,4 +1,4 @@
-// What a vector of the compilers g++ and clang++ needs around it to be a Scalar of emitted code.
+// The wrapper that makes a vector of the compilers g++ and clang++ a Scalar of emitted code.
 #pragma once
 
 #include <cmath>

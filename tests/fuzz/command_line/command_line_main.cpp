@@ -1,8 +1,8 @@
 // Runs elgen on mutated models, scenes and robots: elgen_mutations [RUNS [FIRST [PROCESSES]]], by
 // default 1000 from 0 in as many processes as there are cores; also by $ELGEN_RUNS,
-// $ELGEN_FIRST_RUN, $ELGEN_PROCESSES. $ELGEN_ROBOTS names a folder with more robots. What goes
-// wrong is printed, and kept with its command in mutation_findings/RUN/. Exit status 1 where
-// something did.
+// $ELGEN_FIRST_RUN, $ELGEN_PROCESSES. $ELGEN_ROBOTS names a folder with more robots. Failures
+// are printed, and kept with their commands in mutation_findings/RUN/. Exit status 1 where a run
+// failed.
 #include <sys/wait.h>
 #include <unistd.h>
 

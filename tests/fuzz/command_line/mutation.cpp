@@ -11,7 +11,7 @@ namespace {
 
 using namespace std::string_literals;
 
-/// What files of either kind are made of, and what they must not hold.
+/// Words of files of either kind, and text that these files must not hold.
 const std::array words{"coordinate"s,
                        "parameters"s,
                        "frame"s,

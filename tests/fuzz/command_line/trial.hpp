@@ -12,7 +12,7 @@ namespace elgen::fuzz {
 /// Files by name; the last one in the order of `inputs` is given to the command.
 struct Input {
   std::string name = {};                          ///< of the file that the command is given
-  std::map<std::string, std::string> files = {};  ///< what is to lie beside it, itself included
+  std::map<std::string, std::string> files = {};  ///< files to lie beside it, itself included
 };
 
 /// Every model, scene and robot of the folder, below tests/ and models/, and random models.
