@@ -26,13 +26,7 @@ namespace emitted = ::{name_space};
 
 constexpr std::size_t states = 7;
 
-template <class Scalar>
-emitted::Parameters<Scalar> parameters_from([[maybe_unused]] const Scalar* values) {{
-  static const emitted::Parameters<Scalar> of_model{{}};
-  emitted::Parameters<Scalar> result = of_model;
-{parameters}  return result;
-}}
-
+{shared}
 template <class Scalar>
 std::vector<Scalar> batch_of(const Scalar* values, std::size_t size, std::size_t place) {{
   std::vector<Scalar> result(size * states);
@@ -63,13 +57,6 @@ std::array<Scalar, Entries> at_every_place(const Evaluate& evaluate) {{
     }}
   }}
   return values;
-}}
-
-template <class Scalar>
-void append(Scalar*& to, const Scalar* stored, std::size_t rows, std::size_t columns) {{
-  for (std::size_t i = 0; i < rows; ++i) {{
-    for (std::size_t j = 0; j < columns; ++j) *to++ = stored[{position}];
-  }}
 }}
 
 }}  // namespace
@@ -115,15 +102,13 @@ std::string batch_appends(const Function& function) {
 
 std::string batch_driver(const DriverInput& input) {
   const auto& [model, scene, program] = input;
-  std::string text =
-      fmt::format(batch_prologue, fmt::arg("header", path_of(scene, ArtifactId::batch)),
-                  fmt::arg("name_space", name_space(scene)),
-                  fmt::arg("parameters", parameter_assignments(input)),
-                  fmt::arg("position", stored_position(scene)));
+  std::string text = fmt::format(
+      batch_prologue, fmt::arg("header", path_of(scene, ArtifactId::batch)),
+      fmt::arg("name_space", name_space(scene)), fmt::arg("shared", cpp_helpers(input)));
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     const Function& function = program.functions[i];
     if (!is_returned(function)) continue;
-    for (const ScalarKind kind : batch_scalars(scene)) {
+    for (const ScalarKind kind : scene.numerics.scalars) {
       const std::string scalar(name_of(kind));
       text += fmt::format(
           batch_wrapper, fmt::arg("symbol", driver_symbol(scalar, i)), fmt::arg("scalar", scalar),

@@ -36,13 +36,15 @@ namespace {{
 
 namespace emitted = ::{functions};
 
-template <class Scalar>
+{shared}{vector})";
+
+constexpr std::string_view helpers = R"(template <class Scalar>
 void append(Scalar*& to, const Scalar* stored, std::size_t rows, std::size_t columns) {{
   for (std::size_t i = 0; i < rows; ++i) {{
     for (std::size_t j = 0; j < columns; ++j) *to++ = stored[{position}];
   }}
 }}
-{vector}
+
 template <class Scalar>
 ::{name_space}::Parameters<Scalar> parameters_from([[maybe_unused]] const Scalar* values) {{
   static const ::{name_space}::Parameters<Scalar> of_model{{}};
@@ -110,9 +112,7 @@ std::string calls_of(const DriverInput& input, const Types& types) {
   const auto& [model, scene, program] = input;
   std::string text = fmt::format(
       cpp_prologue, fmt::arg("header", types.header), fmt::arg("functions", types.functions),
-      fmt::arg("position", stored_position(scene)), fmt::arg("vector", types.vector),
-      fmt::arg("name_space", name_space(scene)),
-      fmt::arg("parameters", parameter_assignments(input)));
+      fmt::arg("vector", types.vector), fmt::arg("shared", cpp_helpers(input)));
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     text += fmt::format(call_template, fmt::arg("index", i),
                         fmt::arg("leaves", declared_leaves("Scalar", "[[maybe_unused]] ")),
@@ -139,6 +139,12 @@ std::string driver_of(const DriverInput& input, const Types& types) {
 }
 
 }  // namespace
+
+std::string cpp_helpers(const DriverInput& input) {
+  return fmt::format(helpers, fmt::arg("position", stored_position(input.scene)),
+                     fmt::arg("name_space", name_space(input.scene)),
+                     fmt::arg("parameters", parameter_assignments(input)));
+}
 
 std::string cpp_driver(const DriverInput& input) {
   return driver_of(input, {path_of(input.scene, ArtifactId::cpp), name_space(input.scene),

@@ -36,7 +36,7 @@ class DeclarationDriver {
     if (is_cpp()) add_intervals();
     const bool has_batch = input_.scene.emission.batch;
     if (has_batch) {
-      for (const ScalarKind scalar : batch_scalars(input_.scene)) add_trigonometry(scalar);
+      for (const ScalarKind scalar : input_.scene.numerics.scalars) add_trigonometry(scalar);
     }
     const ArtifactId header = !is_cpp()   ? ArtifactId::c99
                               : has_batch ? ArtifactId::batch

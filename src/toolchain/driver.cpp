@@ -110,10 +110,8 @@ std::vector<ScalarKind> driver_scalars(const DriverInput& input) {
   return scalars;
 }
 
-std::vector<ScalarKind> batch_scalars(const Scene& scene) { return scene.numerics.scalars; }
-
 std::vector<ScalarKind> scalars_of(const Driver& driver, const DriverInput& input) {
-  return driver.in_packs ? batch_scalars(input.scene) : driver_scalars(input);
+  return driver.in_packs ? input.scene.numerics.scalars : driver_scalars(input);
 }
 
 bool is_wrapped(const Driver& driver, const Function& function) {

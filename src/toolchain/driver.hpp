@@ -38,10 +38,7 @@ struct Driver {
 /// fit that, else the scene's own.
 [[nodiscard]] std::vector<ScalarKind> driver_scalars(const DriverInput& input);
 
-/// Those of a header on arrays of states: the scene's.
-[[nodiscard]] std::vector<ScalarKind> batch_scalars(const Scene& scene);
-
-/// Those of this driver.
+/// Those of this driver: of a header on arrays of states the scene's.
 [[nodiscard]] std::vector<ScalarKind> scalars_of(const Driver& driver, const DriverInput& input);
 
 /// Whether the header has the function: a batch has none with more than 4096 entries.
@@ -65,6 +62,9 @@ struct Driver {
 /// "const double* parameters, const double* q, …, double t, ": what a driver function declares
 /// before its result, each after `attribute`.
 [[nodiscard]] std::string declared_leaves(std::string_view scalar, std::string_view attribute = "");
+
+/// `append` and `parameters_from`, which the drivers in C++17 have in common.
+[[nodiscard]] std::string cpp_helpers(const DriverInput& input);
 
 /// The drivers of C++17, on arrays of states and in Eigen's types too, and of C99.
 [[nodiscard]] std::string cpp_driver(const DriverInput& input);
