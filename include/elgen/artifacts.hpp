@@ -48,7 +48,7 @@ struct Artifact {
   std::string path = {};  ///< "cart_pole/cart_pole.hpp", relative to the output folder
 };
 
-/// What the scene wants, in the order of the table; nothing has to be derived for it.
+/// The artifacts of the scene, in the order of the table; nothing has to be derived for it.
 [[nodiscard]] std::vector<Artifact> artifacts_of(const Scene& scene);
 
 [[nodiscard]] std::string path_of(const Scene& scene, ArtifactId id);

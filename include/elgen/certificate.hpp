@@ -33,11 +33,11 @@ enum class Obstacle : std::uint8_t {
   singular,         ///< M is singular: a pole, a gimbal
 };
 
-/// What a row rests on.
+/// The evidence that a row rests on.
 enum class Evidence : std::uint8_t {
   states,   ///< a comparison at `samples` states
   proof,    ///< canonical forms that are equal, whatever the state
-  zeros,    ///< what is taken for 0 was less than rounding at `samples` random points
+  zeros,    ///< entries taken for 0 are below rounding at `samples` random points
   numbers,  ///< `samples` numbers that are written once, compared exactly
 };
 
@@ -71,7 +71,7 @@ struct Certificate {
   std::vector<CertificateRow> rows = {};
 };
 
-/// What solutions M x = b of the scene's outputs are judged by: M, bias, the input matrix, and
+/// The outputs by which solutions M x = b of the scene are judged: M, bias, the input matrix, and
 /// where derivatives of accelerations are asked for, forward dynamics and the derivatives of
 /// inverse dynamics. Empty where nothing is solved. An expansion is judged by itself.
 [[nodiscard]] std::vector<OutputRequest> needed_parts(const Model& model, const Scene& scene);
@@ -93,7 +93,7 @@ struct VerifyOptions {
   bool extremes = false;
   /// The code as users compile it (Build::as_users), held to the same bounds; perhaps null.
   const CompiledModel* as_users = nullptr;
-  /// What the header declares; perhaps null.
+  /// The numbers that the header declares; may be null.
   const std::vector<DeclaredNumber>* declared = nullptr;
   /// Told of each step: "accuracy in double, state 3 of 36".
   std::function<void(const std::string&)> on_step = {};

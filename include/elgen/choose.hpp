@@ -7,8 +7,8 @@
 // is kept, the closed one on a tie, unless the scene asks for one. Where sums cancel entries are
 // written in other ways, and the other form is taken, if digits are lost (choose/precision.hpp):
 // many, and for a little more, where the scene wants balance; any where it prefers accuracy; never
-// for speed. What is added to either so that it holds at states that algebra passes over comes
-// last, and then the order in which all is evaluated (choose/finish.hpp).
+// for speed. Guards that make either hold at states that algebra passes over come last, and then
+// the order in which all is evaluated (choose/finish.hpp).
 #pragma once
 
 #include <optional>
@@ -21,14 +21,14 @@
 
 namespace elgen {
 
-/// What one call of a function costs in either form.
+/// The cost of one call of a function in either form.
 struct FormCosts {
   std::string function = {};
   OperationCounts recursive = {};
   std::optional<OperationCounts> closed = {};  ///< none: given up, or far beyond the recursive form
-  /// What either form may lose at points where sums cancel, as a factor of what its inputs'
-  /// rounding costs: of each entry where the scene prefers accuracy, else of the largest entry of
-  /// its field. None where it did not matter.
+  /// The loss of either form at points where sums cancel, as a factor of what its inputs' rounding
+  /// costs: of each entry where the scene prefers accuracy, else of the largest entry of its field.
+  /// None where it did not matter.
   std::optional<double> recursive_loss = {};
   std::optional<double> closed_loss = {};
   Form chosen = Form::recursive;

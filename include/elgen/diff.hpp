@@ -4,9 +4,9 @@
 //     entries of outputs     what follows: equal (proved, or sampled), or different
 //     the interface          what callers of the code rely on
 //
-// The entries of an output are written over the leaves of both,
-// which meet by their names. What is computed alike is equal; of the rest the difference is proved
-// to be zero by its closed form, or found to be at 64 random points, or it is a difference.
+// The entries of an output are written over the leaves of both, which meet by their names. Entries
+// that are computed alike are equal; of the rest the difference is proved to be zero by its closed
+// form, or found to be at 64 random points, or it is a difference.
 #pragma once
 
 #include <map>
@@ -111,7 +111,7 @@ struct InterfaceChange {
   bool is_silent = false;  ///< callers compile and mean something else, as the text says
 };
 
-/// What emitted functions execute, by their names.
+/// The operations that emitted functions execute, by their names.
 using OperationsByName = std::map<std::string, OperationCounts>;
 
 /// One version of what is compared; all of it outlives the comparison.
@@ -129,16 +129,16 @@ struct CompareOptions {
   std::set<std::string> only = {};  ///< outputs that are told, by name; empty: all
 };
 
-/// What callers of the emitted code rely on: coordinates, inputs, parameters, outputs, the target.
+/// The changes that callers of the code see: coordinates, inputs, parameters, outputs, the target.
 [[nodiscard]] std::vector<InterfaceChange> interface_changes(const Version& before,
                                                              const Version& after,
                                                              const Renames& renames = {});
 
-/// What changed of each output, in the order of the newer version; removed ones last.
+/// The changes of each output, in the order of the newer version; removed ones last.
 [[nodiscard]] std::vector<OutputChange> output_changes(const Version& before, const Version& after,
                                                        const Renames& renames = {});
 
-/// What emitted functions of one name execute.
+/// The operations that emitted functions of one name execute.
 struct OperationsChange {
   std::string function = {};
   OperationCounts before = {};
@@ -159,7 +159,7 @@ struct SystemChange {
   Diagnostics warnings = {};  ///< that are new
 };
 
-/// What it amounts to is judged by all outputs, whichever are told.
+/// The impact is judged by all outputs, whichever are told.
 [[nodiscard]] SystemChange compare(const Version& before, const Version& after,
                                    const CompareOptions& options = {});
 

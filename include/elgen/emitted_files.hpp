@@ -33,7 +33,7 @@ struct BodyHash {
 };
 [[nodiscard]] BodyHash body_hash(std::string_view text);
 
-/// What a sidecar says that it was made from; empty where the text is no sidecar.
+/// The sources that a sidecar says it was made from; empty where the text is no sidecar.
 [[nodiscard]] SourcePaths stated_paths(std::string_view sidecar);
 
 }  // namespace elgen

@@ -14,7 +14,7 @@
 
 namespace elgen {
 
-/// What one instruction makes of the `values` of its operands, by index.
+/// The value of one instruction from the `values` of its operands, by index.
 template <class Rules, class Values>
 [[nodiscard]] auto folded(Rules&& rules, const Program& program, const Instruction& i,
                           const Values& values) {

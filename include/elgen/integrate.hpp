@@ -24,13 +24,14 @@
 
 namespace elgen {
 
-/// What a step calls, and what it is judged by (M, p and bias of what has to be separable). What
-/// midpoint calls are fields of one `dynamics`, which share what they compute.
+/// The outputs that a step calls, and those it is judged by (M, p and bias if it has to be
+/// separable). Those that midpoint calls are fields of one `dynamics`, which share what they
+/// compute.
 [[nodiscard]] std::vector<OutputRequest> needed_for_step(const Model& model,
                                                          const OutputRequest& step);
 
-/// What keeps kick, drift, kick from being symplectic or explicit; "" where nothing does. `program`
-/// has mass_matrix, momentum and bias: what these do not depend on they do not read.
+/// The reason why kick, drift, kick is not symplectic or explicit; "" where there is none.
+/// `program` has mass_matrix, momentum and bias: what these do not depend on they do not read.
 [[nodiscard]] std::string not_separable(const CheckedModel& checked, const Program& program);
 
 /// Appends the function of the request to `program`. `calls`: what needed_for_step says, in chosen

@@ -97,7 +97,7 @@ GiNaC::ex define(Definitions& definitions, const GiNaC::ex& value, Label label =
 /// Registers a leaf.
 void add_leaf(Definitions& definitions, const GiNaC::ex& symbol, Opcode kind);
 
-/// What `value` depends on.
+/// The leaves that `value` depends on.
 [[nodiscard]] LeafSet dependence(const Definitions& definitions, const GiNaC::ex& value);
 
 /// The symbols of `value`, each once, in elgen's order.
@@ -174,15 +174,15 @@ struct NamedOutput {
   std::optional<TwistOutput> twist = {};
 };
 
-/// What stands at functions of time: s(t), or the four of a unit quaternion.
+/// A variable that is held at functions of time: s(t), or the four of a unit quaternion.
 struct LockedVariable : Held {
   std::vector<GiNaC::ex> values = {};
 };
 
 struct Lagrangian;
 
-/// What the forces that hold locked coordinates are derived from: the Lagrangian in which they
-/// still move (its definitions are those of the one that has this), and where they stand.
+/// The source of the forces that hold locked coordinates: the Lagrangian in which they still move
+/// (its definitions are those of the one that has this), and where they stand.
 struct Holding {
   std::shared_ptr<const Lagrangian> whole = {};
   ExpressionMap<GiNaC::ex> values = {};        ///< q, v, a -> functions of time
@@ -195,8 +195,8 @@ struct SmallLeaf {
   GiNaC::ex value;
 };
 
-/// What specialise expands: energies to order + 1 jointly in all deviations, forces to order; those
-/// on coordinates that are not small to order + 1.
+/// The expansion by specialise: energies to order + 1 jointly in all deviations, forces to order;
+/// those on coordinates that are not small to order + 1.
 struct Expansion {
   std::uint32_t order = 1;
   std::vector<SmallLeaf> small = {};

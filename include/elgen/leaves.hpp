@@ -64,7 +64,7 @@ void for_each_list(const F& f, Leaves&& leaves) {
 #undef ELGEN_LEAF
 }
 
-/// What there is of a kind with many leaves; null of what is single.
+/// The list of a kind with many leaves; null of a kind with one.
 template <class List, class One>
 [[nodiscard]] const List* list_of(const PerLeaf<List, One>& leaves, Opcode kind) {
   switch (kind) {

@@ -229,7 +229,7 @@ struct Input {
   std::optional<Interval> limits = {};
   std::optional<Unit> unit = {};
   std::string unit_text = {};
-  std::optional<ExpressionId> law = {};  ///< what options make it, a function of q, v and t
+  std::optional<ExpressionId> law = {};  ///< the function of q, v, t that options give it
   std::string doc = {};
   Span span = {};
 };
@@ -289,9 +289,9 @@ struct Held {
   [[nodiscard]] std::uint32_t velocity_count() const { return is_rotation ? axis_count : 1; }
 };
 
-/// What a scene holds at a function of time. It is taken out twice, on purpose: of the Model by
-/// check, which is what the oracle sees, and of the Lagrangian by specialise, which is what is
-/// derived from. Each is a check of the other.
+/// A variable that a scene holds at a function of time. It is taken out twice, on purpose: of the
+/// Model by check, which is what the oracle sees, and of the Lagrangian by specialise, which is
+/// what is derived from. Each is a check of the other.
 struct Lock : Held {
   std::vector<ExpressionId> values = {};  ///< s(t); of a rotation the four of a unit quaternion
   Span span = {};
@@ -321,7 +321,7 @@ inline constexpr std::uint32_t highest_order = 5;
 
 struct Model {
   SourcePointer source = {};
-  std::string canonical = {};       ///< what its file says, for stamps
+  std::string canonical = {};       ///< the canonical text of its file, for stamps
   SourcePointer scene_source = {};  ///< keeps spans of sizes and options alive
   std::vector<SourcePointer> option_sources = {};
   std::string name;
@@ -349,8 +349,8 @@ struct Model {
   std::vector<Expectation> expectations = {};
   std::optional<Approximation> approximation = {};  ///< of the scene; outputs stay exact
 
-  /// What the scene locks. The Model that every stage works on is without what is locked, whose
-  /// place functions of time have taken; the one it came from has the locks and is kept.
+  /// The locks of the scene. The Model that every stage works on is without the locked variables,
+  /// whose place functions of time have taken; the one it came from has the locks and is kept.
   std::vector<Lock> locks = {};
   std::shared_ptr<const Model> unlocked = {};
 
@@ -368,8 +368,8 @@ std::uint32_t append_coordinate(Model& model, Coordinate coordinate);
 /// NAME[2], NAME[3]; its index.
 std::uint32_t append_rotation(Model& model, Rotation rotation);
 
-/// What of the model before locking must be supplied to hold the locks that ask for it: the
-/// velocities, in the order of v, that the output `reaction` has a row for.
+/// The velocities of the model before locking whose locks ask for the force that holds them: those,
+/// in the order of v, that the output `reaction` has a row for.
 [[nodiscard]] std::vector<std::uint32_t> held_velocities(const Model& model);
 
 /// The order in which M is eliminated: where a frame carries two or more others, the last velocity
@@ -377,7 +377,7 @@ std::uint32_t append_rotation(Model& model, Rotation rotation);
 /// relative pivots of forward dynamics.
 [[nodiscard]] bool eliminates_last_first(const Model& model);
 
-/// What an ExpressionKind::frame_component of this index stands for.
+/// The expression that an ExpressionKind::frame_component of this index stands for.
 [[nodiscard]] ExpressionId component_of_frame(const Model& model, std::uint32_t index);
 
 /// Prints an expression in the model language, with the names of the model.

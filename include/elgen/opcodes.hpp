@@ -31,7 +31,7 @@ inline constexpr std::array opcode_table{
   return opcode_table[static_cast<std::size_t>(opcode)];
 }
 
-/// What has one leaf of a kind: the whole system, or each entry of a list of a Model.
+/// The owner of one leaf of a kind: the whole system, or each entry of a list of a Model.
 enum class LeafOwner : std::uint8_t { system, parameters, coordinates, velocities, inputs };
 
 /// A kind of leaf.

@@ -39,7 +39,7 @@ enum class UnitRule : std::uint8_t {
   power,   ///< W over them
 };
 
-/// What a model must have for an output to exist; `jacobian`: the [[output]] asks for it.
+/// The property that an output needs of a model; `jacobian`: the [[output]] asks for it.
 enum class Requirement : std::uint8_t {
   nothing,
   quadratic,
@@ -64,11 +64,11 @@ struct FieldRow {
   Extent rows = Extent::one;
   Extent columns = Extent::one;
   UnitRule unit = UnitRule::none;
-  /// What holds it in C++: `{0}` are its rows, `{1}` its entries. A single number is a Scalar.
+  /// The type that holds it in C++: `{0}` are its rows, `{1}` its entries. A number is a Scalar.
   std::string_view type = "Scalar";
   std::string_view latex = {};  ///< its symbol, where it has a name
-  /// What an iteration leaves: its terms cancel, and it is known to their rounding. Of methods that
-  /// iterate alone.
+  /// The residual of an iteration: its terms cancel, and it is known to their rounding. Of methods
+  /// that iterate alone.
   bool is_remainder = false;
 };
 

@@ -70,14 +70,14 @@ struct StageTime {
   double seconds = 0.0;
 };
 
-/// What came out; a stage that did not run leaves its product empty.
+/// The products of the stages; a stage that did not run leaves its product empty.
 struct Products {
   std::optional<CheckedModel> checked = {};
   std::optional<Program> lowered = {};  ///< before terms cancel and forms are chosen
   std::optional<ClosedForms> closed_forms = {};
   std::optional<Program> program = {};  ///< each function in its chosen form
-  /// What solutions are judged by (VerifyOptions::parts); no functions where nothing is solved, or
-  /// where a limit was reached.
+  /// The outputs by which solutions are judged (VerifyOptions::parts); no functions where nothing
+  /// is solved, or where a limit was reached.
   Program parts = {};
   std::vector<FormCosts> costs = {};
   std::optional<ReadableSteps> steps = {};

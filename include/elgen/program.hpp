@@ -89,8 +89,8 @@ struct Program {
 /// The constants that functions load, in their order; those of `readable` alone are not among them.
 [[nodiscard]] std::vector<Constant> executed_constants(const Program& program);
 
-/// What one call executes: subtractions count as add; distinct sine/cosine angles as sincos;
-/// negations free.
+/// The operations that one call executes: subtractions count as add; distinct sine/cosine angles as
+/// sincos; negations free.
 struct OperationCounts {
   std::size_t add = 0;
   std::size_t mul = 0;

@@ -7,7 +7,7 @@
 
 namespace elgen {
 
-/// What an expression refers to: its operands, or the expression that its name stands for.
+/// The references of an expression: its operands, or the expression that its name stands for.
 [[nodiscard]] std::vector<ExpressionId> references(const Model& model, ExpressionId expression);
 
 /// The roots and everything below them, each once, operands before their users, in a model

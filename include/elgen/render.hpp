@@ -1,7 +1,7 @@
 // Equations of a Program as a reader sees them: in the language of models, in LaTeX, and as pages.
 //
-// What a page shows is a Sheet: formulas in LaTeX, everything else plain text. MathML is translated
-// from the LaTeX, so that all pages show the same.
+// A page shows a Sheet: formulas in LaTeX, everything else plain text. MathML is translated from
+// the LaTeX, so that all pages show the same.
 #pragma once
 
 #include <cstdint>
@@ -83,7 +83,7 @@ struct SheetOutput {
   std::vector<SheetEquation> equations = {};
 };
 
-/// What is worth reading of a model.
+/// The contents of a page: everything that is worth reading of a model.
 struct Sheet {
   std::string title = {};
   std::string description = {};
@@ -102,8 +102,8 @@ struct PageOptions {
   std::size_t most_entries = SIZE_MAX;  ///< longer outputs are named, without their equations
 };
 
-/// What a scene says beyond a choice of outputs, in sentences: its purpose, what it fixes, what
-/// it locks, what it expands, and which outputs `full` leaves out.
+/// The contents of a scene beyond a choice of outputs, in sentences: its purpose, what it fixes,
+/// what it locks, what it expands, and which outputs `full` leaves out.
 [[nodiscard]] std::vector<std::string> scene_notes(const Model& model, const Scene& scene);
 
 [[nodiscard]] Sheet sheet(const Model& model, const Scene& scene, const Program& program,
@@ -112,7 +112,7 @@ struct PageOptions {
 /// A derivation step by step, as it is read.
 struct ReadableSteps {
   Program program = {};                  ///< the functions of elgen/steps.hpp
-  std::vector<std::string> masses = {};  ///< what the fields of "positions" are
+  std::vector<std::string> masses = {};  ///< the names of the fields of "positions"
 };
 
 /// Positions, velocities, energies, Lagrange's equation of every coordinate, and what is conserved
@@ -126,7 +126,7 @@ inline constexpr std::string_view energies_title = "Energies";
 [[nodiscard]] std::string steps_text(const Model& model, const ReadableSteps& steps,
                                      std::string_view title = {});
 
-/// What a scene's expansion makes of the equations, a sentence; empty where they are exact.
+/// The effect of a scene's expansion on the equations, a sentence; empty where they are exact.
 [[nodiscard]] std::string expansion_text(const Model& model);
 
 /// True where every entry of the function is 0.
@@ -136,11 +136,11 @@ inline constexpr std::string_view energies_title = "Energies";
 [[nodiscard]] std::string text_page(const Model& model, const Scene& scene, const Program& program,
                                     const PageOptions& options = {});
 
-/// What one call of every function costs in either form, how many digits it may lose where sums
-/// cancel, as far as that was asked, and which is emitted.
+/// The cost of one call of every function in either form, the digits that it may lose where sums
+/// cancel, as far as that was asked, and the form that is emitted.
 [[nodiscard]] std::string cost_page(const std::vector<FormCosts>& costs);
 
-/// What a terminal can show.
+/// The characters that a terminal can show.
 enum class Alphabet : std::uint8_t {
   unicode,  ///< θ̇₁², √, ½
   ascii     ///< dot(theta1)^2, sqrt, 1/2

@@ -46,7 +46,7 @@ struct OutputRequest {
   std::uint32_t iterations = 0;   ///< of a `step` whose method is implicit
 };
 
-/// What decides between ways to compute the same.
+/// The criterion that decides between ways to compute the same.
 enum class Preference : std::uint8_t {
   balanced,  ///< the cheapest, unless another that costs little more keeps many more digits
   accuracy,  ///< of those that keep as many digits at extremes the cheapest
@@ -60,7 +60,7 @@ struct Numerics {
   std::optional<cln::cl_RA> trigonometry_error = {};  ///< of sines and cosines in batches, at most
 };
 
-/// What the scene asks for, or the least that the scalar can give: 2^-52, 2^-23 in float.
+/// The error that the scene asks for, or the least that the scalar can give: 2^-52, 2^-23 in float.
 [[nodiscard]] cln::cl_RA trigonometry_error(const Numerics& numerics, ScalarKind scalar);
 
 /// Order in which the entries of a matrix lie in an array.
@@ -91,15 +91,15 @@ enum class LeftOutReason : std::uint8_t {
 
 [[nodiscard]] std::string_view name_of(LeftOutReason reason);
 
-/// What `full` leaves out for one reason.
+/// The outputs that `full` leaves out for one reason.
 struct LeftOut {
   LeftOutReason reason = LeftOutReason::too_many_entries;
   std::vector<std::string> outputs = {};  ///< in the order of the output table
   Span span = {};                         ///< the kink in the force, or the name of the model
 };
 
-/// What files say they were made from: paths relative to the folder that all of them go to, or
-/// names of files.
+/// The sources that files say they were made from: paths relative to the folder that all of them go
+/// to, or names of files.
 struct SourcePaths {
   std::string model = {};
   std::string scene = {};  ///< "" where the scene is the built-in one

@@ -30,7 +30,7 @@ struct SimulationOptions {
 /// How far what should stay has gone from where it was, relative to `scale`.
 struct Drift {
   std::string name = {};
-  std::string measure = {};  ///< what the scale is the largest value of: "|T| + |V|"
+  std::string measure = {};  ///< the quantity whose largest value is the scale: "|T| + |V|"
   double worst = 0;          ///< the largest magnitude
   double secular = 0;        ///< its mean over the last tenth of the run less that over the first
   double scale = 1;
@@ -58,10 +58,10 @@ struct Trajectory {
   double nanoseconds = 0;  ///< per step
 };
 
-/// What is wrong with a run before anything is derived: E620, E621.
+/// The errors of a run that are found before anything is derived: E620, E621.
 [[nodiscard]] Diagnostics refuse_run(const SimulationOptions& options);
 
-/// What every run calls of a model, as --outputs has it.
+/// The outputs that every run calls of a model, as --outputs has them.
 [[nodiscard]] std::string outputs_of_run(const Model& model);
 
 /// The `step` whose program a run goes by, beside these outputs; none where it calls accelerations.

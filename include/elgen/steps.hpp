@@ -19,7 +19,7 @@ namespace elgen {
 struct Steps {
   EquationsOfMotion equations = {};
   std::vector<OutputRequest> requests = {};  ///< of the functions, for lower()
-  std::vector<Entity> masses = {};           ///< what each field of the positions is
+  std::vector<Entity> masses = {};           ///< the point or body of each field of the positions
 };
 
 [[nodiscard]] Result<Steps> derive_steps(const Lagrangian& lagrangian);

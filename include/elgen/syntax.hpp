@@ -83,7 +83,7 @@ struct FileSyntax {
   std::vector<EntrySyntax> entries = {};  ///< in file order
 };
 
-/// What a key's value must be, and the ValueSyntax it is read as.
+/// The type that a key's value must have, and the ValueSyntax it is read as.
 enum class KeyType : std::uint8_t {
   expression,           ///< bare number or string: ValueKind::expression
   expression_list,      ///< list of expressions

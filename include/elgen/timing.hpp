@@ -20,8 +20,8 @@ class TimedFunction {
   virtual ~TimedFunction() = default;
   /// Computes all states once.
   virtual void run() = 0;
-  /// What the last run gave: the entries of all fields, each of all states; numbers of float are
-  /// numbers of double.
+  /// The results of the last run: the entries of all fields, each of all states; numbers of float
+  /// are numbers of double.
   [[nodiscard]] virtual std::vector<double> results() const = 0;
 };
 

@@ -12,7 +12,7 @@
 
 namespace elgen {
 
-/// What every compiled function looks like: all leaves, then the result. Arguments a function does
+/// The signature of every compiled function: all leaves, then the result. Arguments a function does
 /// not take are ignored.
 template <class Scalar>
 using DriverFunction = void (*)(
@@ -82,7 +82,7 @@ struct DeclaredNumber {
                                                                    const Program& program,
                                                                    const Limits& limits);
 
-/// What compiled functions are made and timed by.
+/// The compiler, library and processor that compiled functions are made and timed by.
 struct Machine {
   std::string compiler = {};   ///< "g++ (Debian 12.2.0-14) 12.2.0"
   std::string processor = {};  ///< "AMD EPYC 7B13"

@@ -16,13 +16,13 @@
 
 namespace elgen {
 
-/// What designs start from.
+/// The model and the scene that designs start from.
 struct DesignBase {
   const CheckedModel& checked;        ///< with the output as the first one
   const FileSyntax* scene = nullptr;  ///< null: the model alone
 };
 
-/// What is chosen in each dimension; "" where the choice of the scene stands.
+/// The choice in each dimension; "" where that of the scene stands.
 struct Design {
   ScalarKind scalar = ScalarKind::double_precision;  ///< or float
   bool in_packs = false;
@@ -32,7 +32,7 @@ struct Design {
   friend bool operator==(const Design&, const Design&) = default;
 };
 
-/// What is exactly as the model says.
+/// The design that computes exactly what the model says.
 inline const Design exact_design{.order = "exact"};
 
 struct PlannedDesign {
@@ -54,7 +54,7 @@ struct TradeoffPlan {
 [[nodiscard]] std::string scene_text(const DesignBase& base, const Design& design,
                                      const std::string& model_path);
 
-/// What designs have in common that are derived alike: all but scalar, packs and their sines.
+/// The common part of designs that are derived alike: all but scalar, packs and their sines.
 [[nodiscard]] Design derivation_of(const Design& design);
 
 /// A number to 32 digits: high + low.
@@ -125,7 +125,7 @@ struct PlannedRun {
 /// All methods, each in a few lengths of steps or to a few tolerances.
 [[nodiscard]] std::vector<PlannedRun> planned_runs(double time);
 
-/// What errors of runs are measured from: a method of order 8 at a tolerance of 1e-12, with rows.
+/// The reference of the errors of runs: a method of order 8 at a tolerance of 1e-12, with rows.
 [[nodiscard]] SimulationOptions reference_run(double time);
 
 /// Of coordinates and rates at the end: the distance from the reference / the largest magnitude of
@@ -156,7 +156,7 @@ struct TradeoffTable {
 /// Sorts the rows, and marks the front.
 [[nodiscard]] TradeoffTable judged(TradeoffTable table);
 
-/// What was planned as this row of a table of designs.
+/// The design that was planned as this row of a table of designs.
 [[nodiscard]] Design design_of(const TradeoffTable& table, const TradeoffRow& row);
 
 /// "float, packs, full, fixed"

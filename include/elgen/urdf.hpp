@@ -18,7 +18,7 @@ struct ImportedModel {
   std::string text;  ///< TOML, as parse_model() reads it
 };
 
-/// What is asked of the model beyond what the file says.
+/// The requests to the model beyond what the file says.
 struct ImportOptions {
   std::string name = {};                   ///< of the model; empty: the robot's
   std::vector<SourcePointer> joints = {};  ///< "a,b": these move, in this order, and no others

@@ -9,7 +9,7 @@ namespace elgen {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// What a name goes on with.
+/// Whether a name may go on with this character.
 [[nodiscard]] constexpr bool is_word_character(char c) {
   return is_letter(c) || is_digit(c) || c == '_';
 }

@@ -94,7 +94,7 @@ std::string printable(std::string_view text) {
 }
 
 struct Excerpt {
-  std::string text;        ///< what is shown of the line
+  std::string text;        ///< the part of the line that is shown
   std::size_t column = 0;  ///< code points before the caret
   std::size_t length = 1;  ///< code points under the caret
 };

@@ -10,7 +10,7 @@
 namespace elgen {
 namespace {
 
-/// What LaTeX spells differently from the model language; the others are `\name`.
+/// The LaTeX command of a function: `\name`, unless LaTeX spells it differently.
 std::string latex_head(FunctionId function) {
   switch (function) {
     case FunctionId::asin:

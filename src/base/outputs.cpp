@@ -186,7 +186,7 @@ constexpr OutputRow energy_function{
     .equation = {"E = v.dL/dv - L", R"(E = <v>^{\top} \frac{\partial L}{\partial <v>} - L)"},
     .doc = "Energy function (Jacobi integral): dE/dt = v.(B u + Q - dD/dv) - dL/dt."};
 
-// What M is solved for, and derivatives.
+// The accelerations that M is solved for, and derivatives.
 
 constexpr std::array solution{
     FieldRow{"acceleration", E::velocities, E::one, U::row_per_second, "Accelerations<Scalar>",

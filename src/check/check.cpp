@@ -85,7 +85,7 @@ void judge(Context& context, const FileSyntax& syntax, const FileSyntax* scene,
   check_units(context);
 }
 
-/// What the scene wants is asked of the model that is left.
+/// Locks the model; the requests of the scene are put to the model that is left.
 void lock_model(Context& context) {
   context.model = locked(std::move(context.model));
   while (context.constants.size() < context.model.expressions.size()) {

@@ -1,5 +1,5 @@
-// closed_graph: see closed_graph.hpp. What multiplies the whole numerator and stands in a
-// denominator too (sqrt(r)/r^2) is written as one power.
+// closed_graph: see closed_graph.hpp. A factor of the whole numerator that stands in a denominator
+// too (sqrt(r)/r^2) is written as one power.
 #include "choose/closed_graph.hpp"
 
 #include <algorithm>

@@ -11,7 +11,7 @@ namespace elgen {
 /// How the terms of a sum are put together before common factors are collected.
 enum class Grouping : std::uint8_t {
   none,
-  by_rates,  ///< what multiplies one product of velocities, accelerations and inputs
+  by_rates,                  ///< by one product of velocities, accelerations and inputs
   by_rates_and_coordinates,  ///< and within it one product of coordinates, sines and cosines
 };
 

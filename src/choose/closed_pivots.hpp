@@ -1,10 +1,10 @@
 // closed_pivots: the pivots of an elimination by their closed forms.
 //
-//     before    D_2 = M_22 - M_12*M_12/M_11                  no digit is right where links are
-//     aligned after     D_2 = (m1 + m2 sin(q1 - q2)^2)/(m1 + m2)*M_22             and one mass is
-//     far smaller
+//     before  D_2 = M_22 - M_12*M_12/M_11
+//     after   D_2 = (m1 + m2 sin(q1 - q2)^2)/(m1 + m2)*M_22
 //
-// What is solved for is divided by the pivots. Their closed forms are those of the relative pivots
+// The first has no right digit where the links are aligned and one mass is far smaller.
+// Solutions are divided by the pivots. The closed forms of these are those of the relative pivots
 // D_i/M_ii of forward_dynamics.
 #pragma once
 

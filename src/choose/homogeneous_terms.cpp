@@ -9,14 +9,14 @@
 namespace elgen {
 namespace {
 
-/// What has a higher degree is longer than people read, and gains nothing.
+/// Sums of a higher degree are longer than people read, and gain nothing.
 constexpr std::int32_t highest_degree = 8;
 
 /// Multiple of a direction -> coefficient of its exponential; of each conjugate pair the one with
 /// the positive multiple.
 using Multiples = std::map<std::int32_t, Gaussian>;
 
-/// What multiplies one product of other atoms.
+/// The factor of one product of other atoms.
 struct Factor {
   cln::cl_RA constant = 0;
   std::map<Monomial, Multiples, MonomialLess> directions = {};

@@ -2,7 +2,7 @@
 //
 //     A + (C - A) cos(x)^2   ->   A sin(x)^2 + C cos(x)^2        1 - cos(x)   ->   2 sin(x/2)^2
 //
-// What multiplies one product of other atoms is a sum of e^(i k x). With c = cos x and s = sin x,
+// The factor of one product of other atoms is a sum of e^(i k x). With c = cos x and s = sin x,
 // e^(i k x) = (c + i s)^((d + k)/2) (c - i s)^((d - k)/2) has d factors, whatever k is, where d is
 // the largest k of the sum. Where both even and odd k occur, x/2 takes the place of x. Two sines,
 // or two cosines, of different angles become one product:

@@ -25,7 +25,7 @@ using ExtremePoints = std::vector<Arguments<double>>;
 /// nearer.
 [[nodiscard]] ExtremePoints extreme_points(const Program& program, Preference preference);
 
-/// What errors are compared with.
+/// The magnitude that errors are compared with.
 enum class Scale : std::uint8_t {
   entry,  ///< the entry itself
   field,  ///< the largest entry of its field: one that vanishes among others may be noise

@@ -51,7 +51,7 @@ struct RealTerm {
   std::vector<CircularPower> circular = {};
 };
 
-/// What a call adds to the length of what is written, and what a multiple of an angle does:
+/// The length that a call adds to the written text, and the one that a multiple of an angle adds:
 /// sin(2*x)/2 is no shorter than sin(x)*cos(x), whose parts occur elsewhere too. Without the second
 /// the code of models/ is 4 % dearer, with 2 for it 2.5 %; with 20 the entries are 3 % longer.
 inline constexpr std::size_t call_length = 2;

@@ -61,7 +61,7 @@ class Lengths {
   std::vector<std::size_t> lengths_;
 };
 
-/// What a grouping may cost: lengths are compared in these percent. Terms with one rate in common
+/// The weight of a grouping: lengths are compared in these percent. Terms with one rate in common
 /// are read together, and share more: with 100 instead, half of the pages of models/ change, to
 /// entries 0.6 % longer and code 0.6 % dearer in all; with 95 and with 70 the entries are longer
 /// too.

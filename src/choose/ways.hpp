@@ -18,7 +18,7 @@ struct Collected {
   Expressions expressions = {};
   std::size_t terms = 0;  ///< which: grouping the same terms in another way does not change errors
   std::size_t length = 0;
-  std::size_t weighted_length = 0;  ///< what readers prefer is shorter
+  std::size_t weighted_length = 0;  ///< length times the weight of its grouping
 };
 
 /// Signs and calls of the one value.

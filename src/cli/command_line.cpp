@@ -164,7 +164,7 @@ std::string limits_json() {
   return list.dump(2) + "\n";
 }
 
-/// What `elgen` alone says: what to type first, and every command.
+/// The text that `elgen` alone prints: what to type first, and every command.
 std::string short_help(const CLI::App& app) {
   std::string text = std::string(examples) + "\n";
   for (const CLI::App* command : app.get_subcommands({})) {

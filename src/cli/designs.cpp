@@ -184,7 +184,7 @@ class DesignBench {
     return compile_timed(*files, model, scene, *products.program, timing);
   }
 
-  /// What its own scene says, for one more scalar.
+  /// The numerics of the design's own scene, for one more scalar.
   Numerics numerics_of(const Design& design, std::vector<ScalarKind> scalars) {
     Numerics numerics = run(design, Goal::check).checked->scene.numerics;
     scalars.push_back(design.scalar);

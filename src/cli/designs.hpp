@@ -19,7 +19,7 @@ struct OutputBase {
   [[nodiscard]] DesignBase base() const { return {checked, scene ? &*scene : nullptr}; }
 };
 
-/// `output` "": inverse_dynamics, or the first one there is. What is said of the model is among the
+/// `output` "": inverse_dynamics, or the first one there is. Notes on the model are among the
 /// diagnostics, which point into texts that `sources` gets. E601, and what checks say of a model.
 [[nodiscard]] Result<OutputBase> output_base(const Inputs& inputs, const std::string& output,
                                              const Limits& limits,

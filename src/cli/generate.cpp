@@ -45,7 +45,7 @@ struct Job {
   [[nodiscard]] const Scene& scene() const { return products.checked->scene; }
 };
 
-/// What a model says, its scenes say again.
+/// Scenes repeat the warnings and notes of their model: those told before are removed.
 Diagnostics not_told(Diagnostics diagnostics, std::set<std::string>& told) {
   std::erase_if(diagnostics, [&told](const Diagnostic& diagnostic) {
     const bool is_error = code_row(diagnostic.code).severity == Severity::error;
@@ -121,13 +121,13 @@ Diagnostics changed_by_options(const GenerateOptions& options, const std::vector
   return errors;
 }
 
-/// What an input names, and nothing where it came from standard input.
+/// The path of an input after a blank, and nothing where it came from standard input.
 std::string prerequisite(const SourcePointer& source) {
   const bool is_file = source != nullptr && source->path != stdin_name;
   return is_file ? " " + escaped_for_make(source->path) : "";
 }
 
-/// What the file that --depfile asks for says.
+/// The text of the file that --depfile asks for.
 std::string dependencies(const GenerateOptions& options, const std::vector<Job>& jobs) {
   std::string text;
   for (const Job& job : jobs) {
@@ -190,7 +190,7 @@ ExitCode check(const GlobalOptions& global, const GenerateOptions& options,
   return check_generated(global, systems);
 }
 
-/// What a reader of the first screen may type next.
+/// The commands that a reader of the first screen may type next.
 std::string next_commands(const std::string& input) {
   const std::string steps = fmt::format("elgen show {} --what steps", input);
   const std::string outputs = fmt::format("elgen show {}", input);

@@ -10,7 +10,7 @@
 
 namespace elgen::cli {
 
-/// What would be written, and where.
+/// The files that would be written, and their folder.
 struct GeneratedSystems {
   std::string directory = {};
   EmittedFiles files = {};

@@ -26,7 +26,7 @@ struct ImportCommand {
 
 using Kind = std::pair<Code, std::string>;
 
-/// What E815 says differs from kind to kind; the others name what they are about.
+/// The message of E815 differs from kind to kind; those of other codes name their subject.
 Kind kind_of(const Diagnostic& note) {
   return {note.code, note.code == Code::E815 ? note.message : std::string()};
 }
@@ -78,7 +78,7 @@ std::string model_name(const std::string& output) {
   return std::filesystem::path(output).stem().string();
 }
 
-/// What became of the file.
+/// The path of the file, and whether it was written.
 std::string written_json(const std::string& path, bool is_new) {
   using Json = nlohmann::ordered_json;
   const Json file{{"path", path}, {"written", is_new}};

@@ -1,4 +1,4 @@
-// What the command line said, and what every command needs.
+// The options of the command line, and the functions that every command needs.
 #pragma once
 
 #include <string>

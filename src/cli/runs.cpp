@@ -18,7 +18,7 @@ namespace {
 
 constexpr Rounds rounds_of_runs{.seconds = 3, .fewest = 3, .most = 101};
 
-/// What the runs by one program of `step` have in common, or all that call accelerations.
+/// The products that runs by one program of `step`, or all that call accelerations, share.
 struct RunSystem {
   Products products = {};
   CompiledHeaders headers = {};

@@ -25,7 +25,7 @@ struct ShowOptions {
   SceneOptions scene = {};
 };
 
-/// What --what may ask for beside outputs; each stands alone.
+/// The subjects that --what may ask for beside outputs; each stands alone.
 enum class ShownSubject : unsigned char { outputs, lagrangian, steps, cost };
 
 struct SubjectRow {

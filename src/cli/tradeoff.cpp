@@ -20,7 +20,7 @@
 namespace elgen::cli {
 namespace {
 
-/// What becomes of a table: it is printed, written, and chosen from.
+/// The uses of a table: it is printed, written, and chosen from.
 struct TradeoffOutput {
   std::string as = {};                   ///< what is printed; empty: as --format says
   std::string file = {};                 ///< of the table; empty: none
@@ -162,7 +162,7 @@ CLI::Option* add_number(CLI::App& command, const char* name, std::optional<doubl
       name, [&value](double given) { value = given; }, doc);
 }
 
-/// Of what designs there are, and where they are looked at; or of which runs.
+/// The options for the designs and the ranges in which they are looked at, or for the runs.
 void add_subject(CLI::App& command, TradeoffOptions& options) {
   CLI::Option* const time = add_number(command, "--trajectory", options.time,
                                        "runs of so many s by all methods, instead of an output");
@@ -181,7 +181,7 @@ void add_subject(CLI::App& command, TradeoffOptions& options) {
   command.get_option("--range")->excludes(time);
 }
 
-/// What becomes of the table.
+/// The options for the uses of the table.
 void add_output(CLI::App& command, TradeoffOutput& output) {
   CLI::Option* const max_error =
       add_number(command, "--max-error", output.max_error,

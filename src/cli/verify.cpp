@@ -20,7 +20,7 @@ namespace {
 struct VerifyCommandOptions {
   std::vector<std::string> inputs = {};
   VerifyOptions verify = {};     ///< but for what is compiled and derived
-  bool strict = false;           ///< what is skipped counts as failed
+  bool strict = false;           ///< skipped checks count as failed
   std::string output_file = {};  ///< of certificates; empty: none
   bool force = false;
 };

@@ -71,7 +71,7 @@ bool is_repeated(const EntrySyntax& entry) {
   return row != entry_table().end() && row->repeated;
 }
 
-/// What tells a repeated entry from its likes.
+/// The properties that tell a repeated entry from its likes.
 struct EntryIdentity {
   std::string_view table = {};
   const KeySyntax* key = nullptr;  ///< "name", "on", "at" or "frame"; null where it has none

@@ -46,7 +46,7 @@ bool is_value(const KeyChange& change) {
   return change.table == "parameters" && (path.size() == 1 || path[1].key == "value");
 }
 
-/// What a changed key means at least, before values and equations are looked at.
+/// The least impact of a changed key, before values and equations are looked at.
 Impact impact_of(const KeyChange& change) {
   const bool is_beside = change.table == "expect" || is_described(change);
   return is_beside ? Impact::values : Impact::equal;
@@ -165,7 +165,7 @@ std::optional<std::vector<OperationsChange>> operations_changes(const Version& b
   return changes;
 }
 
-/// What entries that differ amount to.
+/// The impact of entries that differ.
 Impact impact_of_entries(const SystemChange& system, bool are_values) {
   if (are_values) return Impact::values;
   return system.extension.empty() ? Impact::different : Impact::extended;

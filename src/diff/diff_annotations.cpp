@@ -13,7 +13,7 @@
 namespace elgen {
 namespace {
 
-/// What GitHub shows of one step at one level.
+/// The number of annotations that GitHub shows of one step at one level.
 constexpr std::size_t most_annotations = 10;
 
 /// All that breaks it, at the first key that is there.
@@ -56,7 +56,7 @@ std::vector<WorkflowCommand> causes(const DiffReport& report) {
   for (const SystemChange& system : report.systems) {
     for (const KeyChange& key : system.keys) {
       if (!known.insert(place_text(key) + text_of(key)).second) continue;
-      // What is gone has no place in the newer version.
+      // A removed key has no place in the newer version.
       const Span place = key.after.empty() ? Span{} : key.new_at;
       commands.push_back({level, place, title, text_of(key)});
     }

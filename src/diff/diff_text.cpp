@@ -1,5 +1,5 @@
-// diff_text: a report in lines with labels, as text and as Markdown. What several systems have in
-// common is said once. Equations stand in blocks of code, in which no sign is a mark of Markdown.
+// diff_text: a report in lines with labels, as text and as Markdown. Lines that systems share are
+// said once. Equations stand in blocks of code, in which no sign is a mark of Markdown.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ class Section {
   std::set<std::string> known_ = {};
 };
 
-/// What the equations are made of.
+/// The parts that the equations are made of.
 struct Part {
   std::string_view symbol;
   OutputKind kind;

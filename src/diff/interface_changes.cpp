@@ -106,7 +106,7 @@ class InterfaceComparison {
     }
   }
 
-  /// Of what stands in arrays, by its place.
+  /// Compares the names of the elements of arrays by their places.
   void compare_lists(const std::string& what, const Names& olds, const Names& news) {
     if (olds.size() != news.size()) {
       add(Impact::breaks,

@@ -10,7 +10,7 @@
 namespace elgen {
 namespace {
 
-/// What a row or column stands for.
+/// The coordinate, rate or input that a row or column stands for, or its number.
 struct LineLabel {
   std::string name = {};
   bool is_rate = false;
@@ -47,7 +47,7 @@ class Labelling {
   const Renames& renames_;
 };
 
-/// What tells an entry from the others.
+/// The properties that tell an entry from the others.
 struct EntryKey {
   std::string field = {};
   LineLabel row = {};

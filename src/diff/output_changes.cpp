@@ -1,5 +1,5 @@
-// output_changes: entries are joined output by output; only what is computed differently is looked
-// at. What differs is told by its closed forms, and by a state at which it is seen.
+// output_changes: entries are joined output by output; only those computed differently are looked
+// at. Differences are told by closed forms, and by a state at which they are seen.
 #include "diff/output_changes.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ const Function* find_named(const Program& program, const std::string& name) {
   return found == program.functions.end() ? nullptr : &*found;
 }
 
-/// What callers get of it.
+/// The fields of a function that callers get.
 Function visible(const Function& function) {
   return output_row(function.kind).gives_pivots ? without_diagonal(function) : function;
 }

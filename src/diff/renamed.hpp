@@ -12,7 +12,7 @@ namespace elgen {
 /// Texts stay as they are written, spans point where they did.
 [[nodiscard]] FileSyntax renamed(FileSyntax file, const Renames& renames);
 
-/// What the rows of a file's tables begin with in the key table: a scene has rows of its own.
+/// The prefix of a file's tables in the key table: a scene has rows of its own.
 [[nodiscard]] std::string_view table_prefix(const FileSyntax& file);
 
 /// Whether the user chooses the keys of a table, which is called as in the key table.

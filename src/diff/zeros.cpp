@@ -19,7 +19,7 @@ constexpr std::uint64_t seed_of_zeros = 16;
 /// Points that may be tried for one at which an entry has a value.
 constexpr std::size_t most_tries = 4 * zero_points;
 
-/// What is known of an entry at one point.
+/// The observation of an entry at one point.
 enum class Seen : std::uint8_t { nothing, zero, other };
 
 class PointDrawer {

@@ -3,7 +3,7 @@
 //
 // Rules (first order, but for functions): leaf |x|; x +- y: Bx + By; x y: Bx By; x / y: (Bx + |x/y|
 // By)/|y|; f(x): |f| + |f'| A + 1/2 u max|f''| A^2 with A = Bx, or 0 where the argument is exact
-// (an input times +- a power of two). What may underflow adds eta/u.
+// (an input times +- a power of two). A result that may underflow adds eta/u.
 #pragma once
 
 #include "base/exact_number.hpp"

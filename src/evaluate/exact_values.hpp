@@ -44,7 +44,7 @@ class ExactValues {
   /// d2q/dt2 with the state's velocities, where they do not change: 0 but for quaternions.
   [[nodiscard]] std::vector<Real> coasting_accelerations() const;
 
-  /// What counts as rounding here: 1e-20 of the largest intermediate of any function.
+  /// The bound below which differences are rounding: 1e-20 of the largest intermediate.
   [[nodiscard]] Real floor() const { return floor_; }
 
  private:

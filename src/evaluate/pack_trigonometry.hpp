@@ -35,7 +35,7 @@ struct AngleReduction {
   double low = 0;       ///< the rest, rounded
   double inverse = 0;   ///< 2/pi, rounded
   double shift = 0;     ///< 1.5/epsilon: x + shift - shift is the integer nearest to x
-  double rounding = 0;  ///< what rounding adds to the error of either polynomial, at most
+  double rounding = 0;  ///< the most that rounding adds to the error of either polynomial
 };
 
 /// Of float or double.

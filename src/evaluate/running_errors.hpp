@@ -17,8 +17,8 @@ struct Running {
 
 [[nodiscard]] std::vector<Real> values_of(const std::vector<Running>& all);
 
-/// What the leaves are: given exactly, or each rounded once, so that at an angle of 1e6 both
-/// cos(q + 1) and cos(q)*cos(1) - sin(q)*sin(1) have as few digits as the angle itself.
+/// The leaves are given exactly, or each is rounded once, so that at an angle of 1e6 both cos(q +
+/// 1) and cos(q)*cos(1) - sin(q)*sin(1) have as few digits as the angle itself.
 enum class Leaves : std::uint8_t { exact, rounded };
 
 [[nodiscard]] LeafValues<Running> running_leaves(const Arguments<double>& point, Leaves leaves);

@@ -38,14 +38,14 @@ struct Sampling {
   bool extremes = true;
 };
 
-/// What a leaf is drawn from.
+/// The interval that a leaf is drawn from.
 struct Range {
   double low = 0;
   double high = 0;
 };
 
-/// What the model declares; else the value of a parameter, a turn or a unit of a coordinate, and 10
-/// of rates, accelerations, inputs and time.
+/// The ranges that the model declares; else the value of a parameter, a turn or a unit of a
+/// coordinate, and 10 of rates, accelerations, inputs and time.
 [[nodiscard]] LeafValues<Range> ranges_of(const Subject& subject);
 
 /// Uniform inside these ranges, parameters at their values; quaternions of length 1.

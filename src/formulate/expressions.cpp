@@ -59,7 +59,7 @@ ex no_derivative_2(const ex& /*x*/, const ex& /*y*/, unsigned /*argument*/) {
 Translation::Translation(const Model& model, Lagrangian& lagrangian)
     : model_(model), lagrangian_(lagrangian), translated_(model.expressions.size()) {}
 
-/// What an expression refers to comes first; chains are long, so nothing is recursive.
+/// The references of an expression come first; chains are long, so nothing is recursive.
 ex Translation::value(ExpressionId id) {
   if (!errors_.empty()) return 0;
   std::vector<ExpressionId> stack{id};

@@ -4,8 +4,8 @@
 //     T = [energy] T + sum 1/2 m |dp/dt|^2 + sum 1/2 w.I w + sum 1/2 J v^2
 //     V = [energy] V - sum m gravity.p
 //
-// What moves with frames goes into their tree, except where a scene expands the energies: an
-// expansion needs them as sums, so everything is then written in the world.
+// Quantities that move with frames go into their tree, except where a scene expands the energies:
+// an expansion needs them as sums, so everything is then written in the world.
 #include <fmt/format.h>
 
 #include <utility>

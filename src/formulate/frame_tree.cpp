@@ -113,7 +113,7 @@ std::vector<TreeStep> with_slides_last(std::vector<TreeStep> steps) {
   TreeStep slide = steps.front();
   slide.vector = {0, 0, 0};
   slide.vector[*axis] = shift[*axis];
-  // What is left of the shift, in its own axes: the components that were not along the turn's axis.
+  // The rest of the shift, in its own axes: the components that were not along the turn's axis.
   for (std::size_t k = 0; k < 3; ++k) {
     ExVector3 unit{0, 0, 0};
     unit[k] = 1;

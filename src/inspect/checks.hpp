@@ -7,7 +7,7 @@
 
 namespace elgen {
 
-/// What is inspected: a model with the parameter values of a scene.
+/// The subject of an inspection: a model with the parameter values of a scene.
 struct Inspected {
   const Model& model;
   const Scene& scene;

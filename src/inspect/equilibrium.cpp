@@ -20,7 +20,7 @@ using cln::cl_R;
 constexpr unsigned equilibrium_samples =
     4;  // exact and random; the first has the model's own values
 
-/// What is left of bias - B u, row by row, and how large the terms are.
+/// The remainder bias - B u, row by row, and how large the terms are.
 struct Residual {
   std::vector<cl_R> rest;
   std::vector<cl_R> scale;

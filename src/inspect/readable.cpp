@@ -20,7 +20,7 @@ constexpr int largest_denominator = 999;  // what a reader still sees as a numbe
 }  // namespace
 
 std::string readable(const cl_R& x) {
-  // What is left of 64 digits when terms of size 1 cancel.
+  // The rounding that is left of 64 digits when terms of size 1 cancel.
   if (cln::abs(x) < power_of_ten(-40)) return "0";
   // Convergents h/k of the continued fraction of x, until one is near enough or too long.
   cl_I h = 1, h_before = 0, k = 0, k_before = 1;

@@ -9,7 +9,7 @@
 
 namespace elgen {
 
-/// What vanishes at so many states vanishes: they are exact and random, one in 1e9 is a
+/// A number that vanishes at so many states vanishes: they are exact and random, one in 1e9 is a
 /// coincidence.
 constexpr unsigned zero_samples = 3;
 

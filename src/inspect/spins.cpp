@@ -33,7 +33,7 @@ Model with_lagrangian(const Model& model, ExpressionId lagrangian) {
   return bare;
 }
 
-/// What is left of terms of the size of `scale` when they cancel.
+/// Whether x is no more than the rounding of terms of the size of `scale` that cancel.
 bool vanishes(const cl_R& x, const cl_R& scale) {
   return cln::abs(x) <= (1 + cln::abs(scale)) * power_of_ten(-50);
 }

@@ -68,7 +68,7 @@ std::optional<cl_R> energy_of(const Model& model, const Weight& weight, const St
 
 using Energy = std::function<std::optional<cl_R>(const State&)>;
 
-/// What is left of an energy when these parameters, of each set together, become 0.
+/// The part of an energy that vanishes when the parameters of any one of these sets become 0.
 std::optional<cl_R> part_of(const Energy& energy, const std::vector<Parameters>& sets,
                             std::size_t count, const State& state) {
   if (count == 0) return energy(state);
@@ -127,7 +127,7 @@ Energy written_as(const Model& model, ExpressionId expression) {
   };
 }
 
-/// What all weights bring in, of this mass alone where it has parameters.
+/// Compares the shares of V that depend on gravity and on this mass, where these have parameters.
 bool is_given_twice(const Inspected& subject, const std::vector<Weight>& weights,
                     const Weight& weight) {
   const Model& model = subject.model;

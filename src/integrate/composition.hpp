@@ -1,5 +1,5 @@
 // Composition: a function that is made of calls of others, each copied with its leaves replaced.
-// What is 0 once they are replaced, adds 0, or multiplies or divides by 1 is not computed.
+// Operations that then give 0, add 0, or multiply or divide by 1 are left out.
 //
 //     a(q, u) = q*u   called at   q + h v   ->   0 = q   1 = h   2 = v   3 = multiply 1 2
 //                                                4 = add 0 3   5 = u   6 = multiply 4 5

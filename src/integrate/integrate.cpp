@@ -39,7 +39,7 @@ std::vector<std::uint32_t> sampled_zeros(const Program& calls, const Function& s
   return entries;
 }
 
-/// What the method calls where it is for the model; `dynamics` computes what is before it together.
+/// The outputs that a method calls where it applies; `dynamics` computes those before it together.
 std::vector<OutputKind> kinds_called(const OutputRequest& step) {
   switch (domain_of(step)) {
     case StepDomain::separable:
@@ -55,7 +55,7 @@ std::vector<OutputKind> kinds_called(const OutputRequest& step) {
   return {OutputKind::forward_dynamics, OutputKind::coordinate_rates};
 }
 
-/// What keeps p from being M v + b along dq/dt = v; "" where nothing does.
+/// The reason why p is not M v + b along dq/dt = v; "" where there is none.
 std::string not_quadratic(const Model& model) {
   if (!model.rotations.empty()) {
     return fmt::format("`{}` is a rotation", model.rotations.front().name);

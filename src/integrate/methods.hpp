@@ -26,7 +26,7 @@ struct StepContext {
   std::uint32_t half;  ///< h/2
 };
 
-/// What a step makes of q and v.
+/// The values of q and v after a step.
 struct NextState {
   Places q = {};
   Places v = {};

@@ -164,7 +164,7 @@ std::vector<const OutputEquations*> equations_for(const EquationsOfMotion& equat
   return wanted;
 }
 
-/// Of what repeats others each field has the name of one.
+/// The fields of a function that repeats other outputs have the names of these.
 std::vector<Field> import_fields(Importer& importer, const OutputRequest& request,
                                  const std::vector<const OutputEquations*>& outputs,
                                  std::vector<Ref>& values) {

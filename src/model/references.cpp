@@ -21,7 +21,7 @@ struct Found {
   std::vector<ExpressionId> cycle = {};  ///< the first one met; it ends the search
 };
 
-/// What has been entered since `first`, which the last of them refers to again.
+/// The expressions on the path from `first` on, the last of which refers to `first` again.
 std::vector<ExpressionId> cycle_of(const std::vector<Entered>& path, ExpressionId first) {
   std::vector<ExpressionId> cycle;
   auto entered = std::ranges::find(path, first, &Entered::expression);

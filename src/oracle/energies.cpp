@@ -20,7 +20,7 @@ Jet translation_energy(Evaluation& at, const std::optional<ExpressionId>& mass,
   return half() * at.value(*mass) * sum;
 }
 
-/// What gravity does to every mass, axis by axis: the summands of m gravity.p.
+/// The terms of gravity on every mass, axis by axis: the summands of m gravity.p.
 std::vector<Jet> weight_terms(Evaluation& at) {
   const Model& model = at.model();
   std::vector<Jet> terms;

@@ -70,7 +70,7 @@ class Jet {
   /// The lowest power of s that occurs, by its grade; 0 where none does.
   [[nodiscard]] Generators lowest_grade() const;
 
-  /// What is multiplied by exactly these generators.
+  /// The coefficient of exactly these generators.
   [[nodiscard]] Jet part(Generators exactly) const { return part(all_generators, exactly); }
 
   /// The value at s = 1: terms of all grades summed.
@@ -87,7 +87,7 @@ class Jet {
   friend Jet operator*(const Jet& x, const Jet& y);
 
  private:
-  /// What is multiplied by exactly these generators `of` some.
+  /// The coefficient of exactly these generators `of` some.
   [[nodiscard]] Jet part(Generators of, Generators exactly) const;
   void add(Generators generators, const cln::cl_R& coefficient);
 

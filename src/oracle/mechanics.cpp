@@ -137,7 +137,7 @@ cl_R Mechanics::dissipation_force(const Direction& w) {
   return energy_at(dissipation, motion).coefficient(first);
 }
 
-/// Of what is small to the order of the equations, of all else to one more.
+/// Forces along small coordinates are expanded to the order of the equations, others to one more.
 Jet Mechanics::force_along(const Motion& motion, const Direction& w) {
   if (!point_) return exact_force_along(motion, w);
   Direction small = w;

@@ -111,7 +111,7 @@ class Mechanics {
  private:
   using Energy = Jet (*)(Evaluation& at);
 
-  /// What `quantity` is at a motion, or where the scene expands it, its expansion to `order`.
+  /// The value of `quantity` at a motion, or where the scene expands it, its expansion to `order`.
   template <class Quantity>
   Jet expanded(unsigned order, const Motion& motion, const Quantity& quantity) const;
   Jet energy_at(Energy energy, const Motion& motion);

@@ -71,7 +71,7 @@ std::vector<cl_R> reaction(const Model& model, const State& state) {
 
 using Values = std::vector<cl_R>;
 
-/// What is asked for: an output of a model at a state.
+/// The request: an output of a model at a state.
 struct Question {
   const Model& model;
   const OutputRequest& output;

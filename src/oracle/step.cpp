@@ -11,7 +11,7 @@ namespace {
 using cln::cl_R;
 using Values = std::vector<cl_R>;
 
-/// What may move of a state, and what an implicit method leaves of its equation.
+/// The part of a state that a step moves, and the residual of the equation of an implicit method.
 struct Moved {
   Values q;
   Values v;

@@ -18,12 +18,12 @@ struct NumberExtent {
   bool well_formed = true;
 };
 
-/// The number at `begin`, where a digit or a point stands: `12`, `0.5`, `1e-3`. What follows
-/// without a separator and cannot follow a number (`1.2.3`, `1_000`, `0x10`, `1e`) makes it
+/// The number at `begin`, where a digit or a point stands: `12`, `0.5`, `1e-3`. Characters that
+/// follow without a separator and cannot follow a number (`1.2.3`, `1_000`, `0x10`, `1e`) make it
 /// malformed.
 [[nodiscard]] NumberExtent number_extent(std::string_view text, std::size_t begin);
 
-/// What a limit said of a number: the code (E903, E904), the message, how to raise the limit.
+/// The limit that a number exceeds: the code (E903, E904), the message, how to raise the limit.
 struct LimitHit {
   Code code;
   std::string message;

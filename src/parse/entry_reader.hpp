@@ -17,7 +17,7 @@ enum class FileKind : std::uint8_t { model, scene };
 /// The rows of one kind of file, by the names the file uses.
 [[nodiscard]] std::vector<EntryRow> entry_rows_of(FileKind kind);
 
-/// What the key table calls the entry of such a row: "scene.outputs".
+/// The name of the entry of such a row in the key table: "scene.outputs".
 [[nodiscard]] std::string table_entry(FileKind kind, const EntryRow& row);
 
 /// Top-level keys and entries in file order. E103–E109 and what the values report, into `reading`.

@@ -1,5 +1,5 @@
 // Each row of the key table becomes a key of an object, each of the entry table an object or a list
-// of such. What is not supported yet is left out, as the reader refuses it.
+// of such. Rows that are not supported yet are left out, as the reader refuses them.
 #include "parse/file_schema.hpp"
 
 #include <fmt/format.h>
@@ -171,7 +171,7 @@ Json schema_of(const KeyRow& row) {
   return {};
 }
 
-/// What may be wanted of every model, so that editors offer it; an [[output]] has its own name.
+/// The outputs that any model may have, so that editors offer them; an [[output]] has its own name.
 void add_outputs(std::vector<SchemaKey>& keys) {
   const Json wanted{{"$ref", "#/properties/outputs/additionalProperties"}};
   for (const OutputRow& output : output_table()) {

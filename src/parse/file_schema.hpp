@@ -8,8 +8,8 @@
 
 namespace elgen {
 
-/// What the reader takes satisfies it. What it cannot say, such as the grammar of expressions,
-/// which keys exclude each other and what names refer to, is left to elgen.
+/// Every file that the reader takes satisfies it. Rules beyond a schema, such as the grammar of
+/// expressions, which keys exclude each other and what names refer to, are left to elgen.
 [[nodiscard]] std::string file_schema(FileKind kind);
 
 }  // namespace elgen

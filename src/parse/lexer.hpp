@@ -54,7 +54,7 @@ class Lexer {
   }
   /// The token in back-ticks.
   [[nodiscard]] std::string shown(const Token& token) const;
-  /// What is wrong with the current token, if it is invalid: E301, E305, E307, E308, E317.
+  /// The error of the current token, if it is invalid: E301, E305, E307, E308, E317.
   [[nodiscard]] const std::optional<Diagnostic>& problem() const { return problem_; }
 
  private:

@@ -1,5 +1,4 @@
-// What is wrong where the grammar of expressions does not go on: the code, the place, what to
-// write.
+// The error where the grammar of expressions does not go on: the code, the place, what to write.
 #pragma once
 
 #include "parse/lexer.hpp"

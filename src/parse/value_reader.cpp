@@ -50,7 +50,7 @@ constexpr std::array commands{std::to_array<std::string_view>(
      // blanks
      "enspace", "quad", "thinspace"})};
 
-/// What a backslash and one character may be: blanks, and characters that are markup without it.
+/// Characters that may follow a backslash: blanks, and characters that are markup without it.
 constexpr std::string_view escapes = ",:;! _{}&%#";
 constexpr std::string_view marks = "_^{}'.,:;+-*/=()[]|! \t";
 

@@ -6,7 +6,7 @@
 
 namespace elgen {
 
-/// What reading a file shares: the limits, and where its errors go.
+/// The state of reading a file: the limits, and where its errors go.
 struct FileReading {
   const Limits& limits;
   Diagnostics diagnostics = {};

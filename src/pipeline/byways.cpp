@@ -13,8 +13,8 @@
 namespace elgen {
 namespace {
 
-/// What the Lagrangian makes of some outputs, before forms are chosen: derive, lower and cancel in
-/// one go.
+/// The program of some outputs of the Lagrangian, before forms are chosen: derive, lower and cancel
+/// in one go.
 Result<Program> recursive_program(const Lagrangian& lagrangian,
                                   const std::vector<OutputRequest>& outputs, const Limits& limits) {
   const Result<EquationsOfMotion> equations = derive(lagrangian, outputs, limits);
@@ -24,7 +24,7 @@ Result<Program> recursive_program(const Lagrangian& lagrangian,
   return cancel(std::move(*lowered));
 }
 
-/// What the step calls, in the forms that the scene would choose.
+/// The functions that the step calls, in the forms that the scene would choose.
 Result<Program> calls_of(const Lagrangian& lagrangian, const CheckedModel& checked,
                          const OutputRequest& step, const Limits& limits) {
   Scene scene = checked.scene;

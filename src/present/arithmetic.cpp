@@ -66,7 +66,7 @@ Monomial common_monomial(const Polynomial& x, bool only_positive, const Algebra&
   for (const auto& [atom, found] : least) {
     std::int32_t exponent = found.first;
     if (found.second < x.size()) exponent = std::min(exponent, 0);
-    // What is shown stays real: exponentials are left in it.
+    // Exponentials are left in the sum, so that the printed factors stay real.
     const bool is_circular = algebra.atoms[atom].kind == AtomKind::circular;
     if (only_positive && (exponent < 0 || is_circular)) continue;
     if (exponent != 0) result.push_back({atom, exponent});

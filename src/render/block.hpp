@@ -30,7 +30,7 @@ struct Block {
 /// Centred, with a line between them, which is the base.
 [[nodiscard]] Block stacked(const Block& above, const Block& below, const std::string& rule);
 
-/// What brackets of any height are made of.
+/// The pieces that brackets of any height are made of.
 struct BracketPieces {
   std::string_view single;
   std::string_view top;

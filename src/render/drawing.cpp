@@ -60,7 +60,7 @@ struct AsciiWord {
   std::string_view word;
 };
 
-/// Of what is no Greek letter.
+/// The words for characters that are no Greek letters.
 constexpr std::array ascii_words{AsciiWord{"⋅", "*"}, AsciiWord{"∂", "d"}, AsciiWord{"∑", "sum"},
                                  AsciiWord{"⊤", "T"}, AsciiWord{"′", "'"}};
 
@@ -84,7 +84,7 @@ Block bracket_drawing(std::string_view bracket, const Block& inside, Alphabet al
 
 Block line_of(std::string text) { return {{std::move(text)}, 0}; }
 
-/// What a piece is to the piece behind it.
+/// The role of a piece for the piece behind it.
 enum class Role : std::uint8_t { none, operand, function, sign, comma, space, prefix };
 
 /// `(1, 2)` where brackets close behind the row's parts [open, close].
@@ -245,7 +245,7 @@ class Drawer {
     return base.text == "," ? Role::comma : Role::sign;
   }
 
-  /// What stands between two pieces.
+  /// The text between two pieces: nothing, a blank, or a sign of multiplication.
   [[nodiscard]] std::string between(Role left, const LatexTree& part) const {
     if (base_of(part).text == "′") return "";
     const Role right = role_of(part);

@@ -14,7 +14,7 @@
 
 namespace elgen {
 
-/// What a language calls the leaves, constants and functions of a program.
+/// The names of a language for the leaves, constants and functions of a program.
 class Vocabulary {
  public:
   explicit Vocabulary(const Spelling& spelling) : spelling_(spelling) {}

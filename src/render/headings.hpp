@@ -19,7 +19,7 @@ struct Heading {
 
 [[nodiscard]] Heading heading(const Model& model, const Function& function);
 
-/// What one field of a struct is called.
+/// The symbol of one field of a struct.
 [[nodiscard]] std::string field_symbol(const Model& model, OutputKind kind, const Field& field);
 
 /// One sentence: the table's, or the model's own about its outputs.

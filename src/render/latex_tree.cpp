@@ -193,7 +193,7 @@ double width_of_parts(const LatexTree& tree) {
   return sum;
 }
 
-/// What stands between two places where the formula may be broken.
+/// The text between two places where the formula may be broken.
 struct Segment {
   std::string text = {};
   int brackets = 0;  ///< open in front of it

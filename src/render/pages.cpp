@@ -57,7 +57,7 @@ TemplateData output_data(const SheetOutput& output, const PageWords& words) {
   return data;
 }
 
-/// The values of the holes of templates/pages/. What is empty is a section that is absent; a text
+/// The values of the holes of templates/pages/. An empty value is a section that is absent; a text
 /// of one line or more is its `line`.
 TemplateData page_data(const Sheet& sheet, const PageWords& words) {
   TemplateData notes(List::list);

@@ -131,7 +131,7 @@ class Outline {
     outline_.push_back(std::move(step));
   }
 
-  /// What a coordinate that L does not hold says of its momentum.
+  /// The sentence about the momentum of a cyclic coordinate, which L does not hold; else empty.
   [[nodiscard]] std::string conservation(std::size_t function, const std::string& q) const {
     if (!is_zero(function, partial)) return {};
     const bool is_free = is_zero(function, force) && is_zero(function, dissipation);

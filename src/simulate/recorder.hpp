@@ -59,7 +59,7 @@ class Recorder {
   /// Why the run ends at the last sample.
   [[nodiscard]] Diagnostic ended(std::string_view why) const;
 
-  /// What was kept, in `trajectory`.
+  /// Puts the rows that were kept into `trajectory`.
   void finish(Trajectory& trajectory) &&;
 
  private:

@@ -1,4 +1,4 @@
-// What specialise does to a Lagrangian, one pass after another.
+// The passes of specialise over a Lagrangian, one after another.
 #pragma once
 
 #include "elgen/lagrangian.hpp"

@@ -1,7 +1,7 @@
 // Taylor coefficients of expressions over definitions, one small value at a time.
 //
 // With f(x0 + s (x - x0)) = f0 + s f1 + s^2 f2 + … every definition becomes the definitions of its
-// coefficients; no expression is ever written out. What vanishes at the point is gone at once.
+// coefficients; no expression is ever written out. Coefficients of 0 are dropped at once.
 //
 //     before    h = l*cos(q), V = m*g*h               q near 0, order 2
 //     after     h0 = l, h2 = -1/2*l*q^2               (h1 = 0)

@@ -81,7 +81,7 @@ std::optional<std::vector<LoadedFunction>> load(const Library& library, const Dr
   return functions;
 }
 
-/// What becomes of one driver.
+/// One driver, compiled and loaded.
 Result<CompiledHeader> compile_one(const Driver& driver, Build build, const Workshop& workshop,
                                    const DriverInput& input) {
   Result<Library> library = workshop.build(driver, build);

@@ -73,7 +73,7 @@ Diagnostic no_compiler(const ProcessResult& last) {
   return {Code::E704, {}, "tried " + tried};
 }
 
-/// What every driver needs: a language, its library, room to compile, and sums in their order.
+/// The needs of every driver: a language, its library, room to compile, and sums in their order.
 std::string probe_text(const Driver& driver) {
   std::string headers =
       "#include <math.h>\n#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)\n#error\n"

@@ -66,7 +66,7 @@ extern "C" void {symbol}({leaves}{scalar}* result) {{
 }}
 )";
 
-/// What differs between the two headers.
+/// The names and types in which the two headers differ.
 struct Types {
   std::string header;
   std::string functions;                           ///< their namespace

@@ -13,7 +13,7 @@
 
 namespace elgen {
 
-/// What drivers are made from.
+/// The model, scene and program that drivers are made from.
 struct DriverInput {
   const Model& model;
   const Scene& scene;
@@ -47,7 +47,7 @@ struct Driver {
 /// The driver's name for Program::functions[function]: "elgen_driver_double_3".
 [[nodiscard]] std::string driver_symbol(std::string_view scalar, std::size_t function);
 
-// What the drivers of all languages are put together from.
+// The parts that the drivers of all languages are put together from.
 
 /// "  result.l[1] = values[3];" for every run-time parameter, in the order of the program's leaves.
 [[nodiscard]] std::string parameter_assignments(const DriverInput& input);

@@ -40,7 +40,7 @@ class SharedArray {
   std::size_t size_;
 };
 
-/// What became of all of them: exited with 0, or how the first that failed has ended.
+/// The ending of all processes: exited with 0, or how the first that failed has ended.
 struct ForkedEnding {
   Ending ending = Ending::exited;
   int status = 0;  ///< as of a ProcessResult
@@ -49,7 +49,7 @@ struct ForkedEnding {
 };
 
 /// Calls work(0) ... work(count - 1), each in a fork of this process, and waits for all; where one
-/// fails, or an interrupt comes, the others are ended. What they compute they leave in a
+/// fails, or an interrupt comes, the others are ended. The forks leave their results in a
 /// SharedArray, or in a file that is open before. `on_wait` is called five times a second
 /// meanwhile. A process that uses up the processor time it may is out_of_time; one that throws
 /// exits 70.

@@ -58,7 +58,7 @@ Diagnostics unknown_dimensions(const std::vector<std::string>& more) {
   return found;
 }
 
-/// What decides which combinations exist.
+/// The properties of the model that decide which combinations exist.
 class ExistingDesigns {
  public:
   ExistingDesigns(const CheckedModel& checked, const Program& program)

@@ -12,7 +12,7 @@
 namespace elgen {
 namespace {
 
-/// What is not an integer of TOML is a string.
+/// A text that is no integer of TOML becomes a string.
 std::string expression_text(const std::string& text) {
   constexpr std::size_t most_digits = 18;
   const bool is_integer = !text.empty() && text.size() <= most_digits &&
@@ -74,7 +74,7 @@ class DesignText {
     return text.empty() ? "" : fmt::format("\n[{}]\n{}", title, text);
   }
 
-  /// What the scene says of a key; "" where it says nothing.
+  /// The value that the scene gives a key; "" where it gives none.
   [[nodiscard]] std::string own(const char* entry, const char* key) const {
     const KeySyntax* const found = find_key(base_.scene, entry, key);
     return found == nullptr ? "" : value_text(found->value);
@@ -111,7 +111,7 @@ class DesignText {
     return form == nullptr ? "true" : fmt::format("{{ form = {} }}", value_text(form->value));
   }
 
-  /// What a scene has fixed stays at its value.
+  /// Parameters that the scene has fixed keep their values.
   [[nodiscard]] std::string fixed() const {
     const std::string own_value = own("parameters", "fixed");
     if (!design_.is_fixed) return own_value;

@@ -10,7 +10,7 @@ namespace elgen::urdf {
 [[nodiscard]] Diagnostics choose_joints(Robot& robot, const ImportOptions& options,
                                         const Limits& limits);
 
-/// What mimics a joint that is held is held as well.
+/// Joints that mimic a held joint are held as well.
 void weld_followers(Robot& robot);
 
 /// Whether `--weld massless` is among the options.

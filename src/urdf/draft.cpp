@@ -17,7 +17,7 @@ constexpr std::string_view legend =
     "its\n"
     "# origin in the axes of the parent. Of a link, in its own axes: m its mass, cx cy cz its "
     "centre\n"
-    "# of mass, Ixx ... its inertia about that. What the URDF has as 0 is 0, not a parameter.\n";
+    "# of mass, Ixx ... its inertia about that. Zeros of the URDF are 0, not parameters.\n";
 
 /// Indented by its depth: a link, and the joint that carries it.
 std::vector<std::string> tree_row(std::size_t depth, const Link& link, const std::string& joint) {

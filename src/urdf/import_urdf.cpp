@@ -19,7 +19,7 @@ void append(Diagnostics& to, const Diagnostics& more) {
   to.insert(to.end(), more.begin(), more.end());
 }
 
-/// What has one link, or fixed joints alone, is a body that flies.
+/// A robot of one link, or of fixed joints alone, becomes a body that flies.
 Result<LinkTree> floating_tree(Robot& robot, const LinkTree& tree, bool is_asked_for,
                                Diagnostics& found) {
   const Text& root = robot.links[tree.root].name;
@@ -49,7 +49,7 @@ Result<LinkTree> chosen_tree(Robot& robot, const ImportOptions& options, Diagnos
   return floats ? floating_tree(robot, *tree, options.floating_base, found) : tree;
 }
 
-/// What says that a file is of another format, or to be expanded: the rest is not worth saying.
+/// E802 alone says that a file is of another format, or to be expanded: the rest is dropped.
 Diagnostics foreign_only(Diagnostics found) {
   std::erase_if(found, [](const Diagnostic& diagnostic) { return diagnostic.code != Code::E802; });
   return found;

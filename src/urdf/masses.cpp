@@ -52,7 +52,7 @@ void check_inertia(const Link& link, Diagnostics& found) {
 }
 
 /// Whether turning about the normal of a planar joint moves mass: anything but a point on the
-/// normal. What other joints hold behind it is somewhere else, if only at times.
+/// normal. Mass that other joints hold behind it is elsewhere, if only at times.
 bool turns_inertia(const Robot& robot, const LinkTree& tree, const Branch& planar) {
   const auto has_mass_behind = [&](const Branch& branch) {
     return branch.parent == planar.child &&
@@ -71,7 +71,7 @@ bool turns_inertia(const Robot& robot, const LinkTree& tree, const Branch& plana
   return !is_on_normal || has_inertia;
 }
 
-/// What a joint moves: something that has mass, and at once or further on.
+/// The mass that a joint moves: whether there is any, and whether it moves at once or further on.
 struct MovedMass {
   bool has_mass = false;
   bool has_mass_at_once = false;

@@ -22,7 +22,7 @@ struct FileNumber {
   [[nodiscard]] bool is_zero() const { return text == "0"; }
 };
 
-/// What to do with a file that is still to be expanded.
+/// The advice for a file that is still to be expanded.
 inline constexpr std::string_view xacro_remedy =
     "expand the file first: `xacro FILE > robot.urdf`, in ROS 2 `ros2 run xacro xacro FILE > "
     "robot.urdf`";

@@ -109,13 +109,13 @@ struct Robot {
   return std::ranges::any_of(robot.links, &Link::has_mass);
 }
 
-/// What reading needs on the way.
+/// The limits and the diagnostics that reading a robot shares.
 struct RobotReading {
   const Limits& limits;
   Diagnostics& found;
 };
 
-/// E802 to E806, E811, E813, E814; notes E815. What is missing is left at its default.
+/// E802 to E806, E811, E813, E814; notes E815. Missing values keep their defaults.
 [[nodiscard]] Robot read_robot(const Element& root, RobotReading& reading);
 [[nodiscard]] Joint read_joint(const Element& element, RobotReading& reading);
 

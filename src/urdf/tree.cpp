@@ -21,7 +21,7 @@ std::vector<std::string> names_of(const Indices& indices) {
   return names;
 }
 
-/// What there may be one of; the first is shown as well.
+/// The error of a second element where there may be one; the first is shown as well.
 Diagnostic second(Code code, const Span& span, std::string message, const Span& first) {
   return {code, span, std::move(message), {}, first, "the first is here"};
 }

@@ -59,7 +59,7 @@ std::optional<ExpressionId> undefined_expression(const Model& model, const Funct
   return std::nullopt;
 }
 
-/// What all states say together.
+/// The self-check over all states.
 class SelfChecking {
  public:
   SelfChecking(const Subject& subject, const Program* parts)

@@ -107,8 +107,8 @@ std::string numbers(const std::vector<std::uint32_t>& entries) {
   return text;
 }
 
-/// What cancel sampled (elgen/cancel.hpp): one row per function with such entries; it holds, since
-/// cancel looked at every point.
+/// The zeros that cancel sampled (elgen/cancel.hpp): one row per function with such entries; it
+/// holds, since cancel looked at every point.
 std::vector<CertificateRow> sampled_zeros(const Program& program) {
   std::vector<CertificateRow> rows;
   for (const Function& function : program.functions) {

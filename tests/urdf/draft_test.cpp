@@ -39,7 +39,7 @@ TEST_CASE("an arm of one link, whole") {
 #
 # Every link is a frame of its name, every joint that moves a coordinate. Of a joint: x y z its
 # origin in the axes of the parent. Of a link, in its own axes: m its mass, cx cy cz its centre
-# of mass, Ixx ... its inertia about that. What the URDF has as 0 is 0, not a parameter.
+# of mass, Ixx ... its inertia about that. Zeros of the URDF are 0, not parameters.
 format = 1
 
 [model]

@@ -1,5 +1,5 @@
-// What was given in the axes of a frame, said of the world as well: the oracle and everything that
-// needs positions reads it there.
+// Quantities given in the axes of a frame, expressed in those of the world as well: the oracle and
+// everything that needs positions reads them there.
 #pragma once
 
 #include "check/expressions/node_builder.hpp"

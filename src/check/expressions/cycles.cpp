@@ -18,7 +18,7 @@ Named named(const Row& row) {
   return {row.name, row.span};
 }
 
-/// What a node stands for, where that has a name and expressions of its own.
+/// The entry that a node stands for, if that has a name and expressions of its own.
 std::optional<Named> named_by(const Model& model, const Expression& node) {
   switch (node.kind) {
     case ExpressionKind::definition:

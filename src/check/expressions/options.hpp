@@ -33,7 +33,7 @@ struct Assignment {
 void read_sizes(Context& context, const FileSyntax& model, const FileSyntax* scene,
                 const SceneOptions& options);
 
-/// What a scene and options say of a model; "" where there is neither.
+/// The canonical text of a scene and options; "" where there is neither.
 [[nodiscard]] std::string canonical_text(const FileSyntax* scene, const SceneOptions& options);
 
 }  // namespace elgen

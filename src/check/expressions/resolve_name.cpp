@@ -10,7 +10,7 @@
 namespace elgen {
 namespace {
 
-/// What the name of such a symbol stands for, but for its index and place.
+/// The expression that the name of such a symbol stands for, without its index and place.
 std::optional<Expression> named(SymbolKind kind) {
   const auto leaf = [](Opcode of) { return Expression{.kind = ExpressionKind::leaf, .leaf = of}; };
   switch (kind) {
@@ -34,7 +34,7 @@ bool is_function_name(const std::string& name) {
   return std::find(functions.begin(), functions.end(), name) != functions.end();
 }
 
-/// What can be written instead of a name that is no number.
+/// The numbers that can be written instead of a name that is no number.
 std::string numbers_of(const std::string& name, SymbolKind kind) {
   if (kind == SymbolKind::point) return "its components are `x(" + name + ")` and so on";
   if (kind == SymbolKind::rotation) {

@@ -31,7 +31,7 @@ class Resolver {
   /// The index in the Model of `name` or `name[i]`. E207, E208.
   std::optional<std::uint32_t> element(const ExpressionSyntax& name, const DeclaredName& symbol);
 
-  /// What a name of a kind declares; null after E201, for names that do not have its form too.
+  /// The declaration of a name of a kind; null after E201, for names that do not have its form too.
   const DeclaredName* declared(const ExpressionSyntax& name, SymbolKind kind, bool has_form,
                                std::string_view shown);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> keys_of_numbers{"range", "wrap", "singular", "armature"};
 
-/// What decimals of a unit quaternion may be off.
+/// The tolerance of the squared norm of a unit quaternion that is written in decimals.
 cln::cl_RA start_tolerance() { return power_of_ten(-9); }
 
 bool declare_velocities(Context& context, const NewName& name, std::uint32_t first) {

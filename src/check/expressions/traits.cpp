@@ -45,7 +45,7 @@ Traits product(const Traits& a, const Traits& b) {
   return result;
 }
 
-/// What a function makes of its argument: no polynomial in anything the argument contains.
+/// The traits of a function of an argument: no polynomial in anything the argument contains.
 Traits opaque(Traits argument) {
   argument.rate_degree = argument.rate_degree > 0 ? not_polynomial : 0;
   argument.lowest_rate_degree = 0;

@@ -164,8 +164,8 @@ class UnitReader {
            (is_sum ? ")" : "") + "\", unit = \"" + unit + "\"`";
   }
 
-  /// "kg*m" of "kgm": two units without the sign between them; else nothing. What starts with m is
-  /// meant as milli.
+  /// "kg*m" of "kgm": two units without the sign between them; else nothing. A name that starts
+  /// with m is meant as milli.
   static std::string as_product(std::string_view name) {
     if (name.starts_with('m')) return {};
     for (std::size_t i = 1; i < name.size(); ++i) {

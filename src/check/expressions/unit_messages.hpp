@@ -1,5 +1,5 @@
-// What is said of units beside an error: the number that wants a name, and where a name of the
-// expression has its unit from; and what is noted where nothing is wrong.
+// Hints on units beside an error: the number that wants a name, and where a name of the expression
+// has its unit from; and notes where nothing is wrong.
 #pragma once
 
 #include <optional>

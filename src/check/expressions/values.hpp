@@ -16,7 +16,7 @@
 
 namespace elgen {
 
-/// What is known of an expression before it is read.
+/// The place and the unit of an expression, known before it is read.
 struct RootRequest {
   Place place = {};
   std::optional<Unit> unit = {};

@@ -50,7 +50,7 @@ bool is_nested(const ValueSyntax& value) {
   return !value.items.empty() && value.items.front().kind == ValueKind::list;
 }
 
-/// What stands there instead of what should: "2 x 1 entries".
+/// The shape of the given entries: "2 x 1 entries".
 std::string found_shape(const Rows& rows) {
   const std::size_t columns = rows.empty() ? 0 : rows.front().size();
   const bool is_ragged =

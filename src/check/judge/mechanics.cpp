@@ -56,7 +56,7 @@ class MechanicsCheck {
   /// Of an energy, or of a component of a spin: T is quadratic in that.
   void check_degree(const std::optional<ExpressionId>& energy, std::uint8_t most, Code code,
                     const std::string& rule) {
-    // What has no place in an energy is reported as such.
+    // Ingredients that have no place in an energy are reported as such.
     constexpr unsigned misplaced = uses_kink | uses_input | uses_acceleration;
     if (!energy || (traits_[*energy].ingredients & misplaced) != 0 ||
         traits_[*energy].rate_degree <= most) {
@@ -173,7 +173,7 @@ void append(Expressions& all, const Ids& ids) {
   all.insert(all.end(), ids.begin(), ids.end());
 }
 
-/// What kinetic energy is made of, as it stands.
+/// The terms of the kinetic energy as the model writes them.
 Expressions in_energies(const Model& model) {
   Expressions roots;
   for (const auto& energy : {model.energies.T, model.energies.L}) {
@@ -183,7 +183,7 @@ Expressions in_energies(const Model& model) {
   return reached(model, roots);
 }
 
-/// What is differentiated there by time, and the places of masses.
+/// The terms that are differentiated there by time, and the places of masses.
 Expressions differentiated(const Model& model, const Expressions& energies) {
   Expressions roots;
   std::copy_if(energies.begin(), energies.end(), std::back_inserter(roots), [&](ExpressionId id) {

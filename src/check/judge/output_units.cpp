@@ -15,7 +15,7 @@ MaybeUnit unit_in(const List& list, std::size_t i) {
   return i < list.size() ? list[i].unit : std::nullopt;
 }
 
-/// Of what the i-th row or column stands for; none where the model does not say.
+/// The unit that the i-th row or column stands for; none where the model does not say.
 MaybeUnit unit_along(const Model& model, Extent extent, std::size_t i) {
   switch (extent) {
     case Extent::one:

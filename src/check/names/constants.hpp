@@ -29,8 +29,8 @@ struct ConstantOutcome {
 /// Digits constants are kept to.
 inline constexpr int constant_digits = 100;
 
-/// Value of one node from its operands, in floats of so many digits. What differs from 0 by no more
-/// than its error is an exact 0: sin(pi), 2-sqrt(4).
+/// Value of one node from its operands, in floats of so many digits. A value that differs from 0 by
+/// no more than its error is an exact 0: sin(pi), 2-sqrt(4).
 [[nodiscard]] ConstantOutcome evaluate_constant(const Expression& node,
                                                 const std::vector<EnclosedNumber>& operands,
                                                 int digits);

@@ -16,7 +16,7 @@
 
 namespace elgen {
 
-/// What an expression is made of, as bits.
+/// The ingredients of an expression, as bits.
 enum Ingredient : std::uint8_t {
   uses_coordinate = 1,
   uses_rate = 2,
@@ -35,8 +35,8 @@ struct Place {
   Code otherwise = Code::E319;
 };
 
-/// One expression of the file in the arena: the nodes [first, value], its place and its unit. What
-/// check writes itself is in none of them: neither its place nor its units are judged.
+/// One expression of the file in the arena: the nodes [first, value], its place and its unit. Nodes
+/// that check adds itself are in none of them: neither their place nor their units are judged.
 struct WrittenExpression {
   ExpressionId first = 0;
   ExpressionId value = 0;

@@ -19,7 +19,7 @@ inline constexpr std::int64_t largest_integer = 1'000'000'000;
 
 using Sizes = std::map<std::string, std::int64_t, std::less<>>;
 
-/// What an index expression may name: sizes, and the running indices of the repetitions around it.
+/// The names in an index expression: sizes, and the running indices of the repetitions around it.
 class Scope {
  public:
   explicit Scope(const Sizes& sizes) : sizes_(&sizes) {}

@@ -47,7 +47,7 @@ std::uint32_t extent(const Model& model, Extent kind, std::uint32_t user) {
 struct Lack {
   Code code;
   std::string reason;
-  std::optional<Span> related = {};  ///< what of the model stands in the way
+  std::optional<Span> related = {};  ///< the part of the model that stands in the way
   std::string related_message = {};
 };
 

@@ -30,7 +30,7 @@ enum class SymbolKind : std::uint8_t {
 
 [[nodiscard]] std::string_view noun(SymbolKind kind);
 
-/// What has no frame of its own.
+/// The frame of everything that has no frame of its own.
 inline constexpr std::string_view world = "world";
 
 /// "an input"

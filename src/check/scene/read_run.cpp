@@ -1,4 +1,4 @@
-// What a run starts from, word by word: "theta=1", "dot(theta)=0", "attitude=[1,0,0,0]", "m=2".
+// The start of a run, word by word: "theta=1", "dot(theta)=0", "attitude=[1,0,0,0]", "m=2".
 #include <algorithm>
 
 #include "check/expressions/options.hpp"

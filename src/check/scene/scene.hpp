@@ -1,5 +1,5 @@
-// What a scene file and options want of a resolved model, part by part. `scene` and `syntax` may be
-// null.
+// The requests of a scene file and options to a resolved model, part by part. `scene` and `syntax`
+// may be null.
 #pragma once
 
 #include "check/names/context.hpp"

@@ -1,4 +1,4 @@
-// What --check reports of files that are written: missing, stale, edited by hand.
+// The report of --check on files that are written: missing, stale, edited by hand.
 #include <fmt/format.h>
 
 #include <array>

@@ -17,7 +17,7 @@ struct DataFormat {
   std::string (*text)(const Data&);
 };
 
-/// Of what has to_csv, to_json and to_svg.
+/// The formats of data that has to_csv, to_json and to_svg.
 template <class Data>
 inline constexpr std::array data_formats{
     DataFormat<Data>{"csv", [](const Data& data) { return to_csv(data); }},

@@ -136,7 +136,7 @@ std::vector<std::string> toml_files(const fs::path& folder) {
   return names;
 }
 
-/// What is said of a scene whose model is not where it says. To show a revision, git puts one file
+/// The hint for a scene whose model is not where it says. To show a revision, git puts one file
 /// into a folder of its own.
 std::string hint_of_scene(const fs::path& scene, const fs::path& model) {
   const bool is_alone = scene.parent_path().filename().string().starts_with("git-blob-");

@@ -38,7 +38,7 @@ using SourceReader = std::function<Result<SourcePointer>(const std::string& path
 /// Whether this is a file that was read.
 [[nodiscard]] bool is_input(const struct stat& file);
 
-/// What stands at a path, in words: "a folder", "a device", …; empty for a regular file.
+/// The kind of a file in words: "a folder", "a device", …; empty for a regular file.
 [[nodiscard]] std::string_view special_kind(mode_t mode);
 
 }  // namespace elgen::cli

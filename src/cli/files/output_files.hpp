@@ -15,7 +15,7 @@ namespace elgen::cli {
 /// Of the files that say what was generated.
 inline constexpr std::string_view sidecar_ending = artifact_table.sidecar.ending;
 
-/// What an existing file has to be, so that another takes its place unasked.
+/// The condition on an existing file under which another takes its place unasked.
 enum class Replaces : unsigned char {
   generated,     ///< a file that says that elgen generated it
   dependencies,  ///< a file for make whose first rule is about a file of ours
@@ -49,7 +49,7 @@ struct WriteOptions {
 /// Whether the file says that elgen generated it.
 [[nodiscard]] bool bears_marker(const std::string& path);
 
-/// What a regular file holds; nothing where there is none.
+/// The text of a regular file; nothing where there is none.
 [[nodiscard]] std::optional<std::string> existing_text(const std::string& path);
 
 /// A path as make and ninja want it.
@@ -72,7 +72,7 @@ struct FileDifference {
   std::string detail = {};  ///< the first lines of a unified diff; of an orphan, why it is one
 };
 
-/// What differs between `files` and the disk; orphans are not looked for.
+/// The differences between `files` and the disk; orphans are not looked for.
 [[nodiscard]] std::vector<FileDifference> compare_files(const std::string& directory,
                                                         const EmittedFiles& files);
 

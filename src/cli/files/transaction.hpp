@@ -15,7 +15,7 @@
 
 namespace elgen::cli {
 
-/// What could not be written, and the number of the system's error.
+/// The path that could not be written, and the number of the system's error.
 struct Failure {
   std::string path = {};
   int error = 0;

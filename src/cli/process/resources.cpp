@@ -28,7 +28,7 @@ constexpr bool has_shadow_memory = true;
 constexpr bool has_shadow_memory = false;
 #endif
 
-/// What the process ends with, prepared while memory may be asked for.
+/// The message that the process ends with, prepared while memory may be asked for.
 struct LastWords {
   DiagnosticStyle style = {};
   std::string processor_time = {};

@@ -10,7 +10,7 @@
 
 namespace elgen::cli {
 
-/// Paths are those from the root of the repository. What git refuses is E713, with its words.
+/// Paths are those from the root of the repository. A refusal of git is E713, with its words.
 class Revision {
  public:
   /// A commit of the repository that the current folder is in.

@@ -1,4 +1,4 @@
-// What several outputs share; each part is made on first demand.
+// The parts that several outputs share; each is made on first demand.
 #include "derive/lagrangian/derivation.hpp"
 
 #include <array>

@@ -1,7 +1,7 @@
-// regroup: base inertial parameters. What a joint cannot tell from a part of the link before it, is
-// made one: of a turn about z the mass, h_z, and an inertia diag(Iyy, Iyy, 0), which look the same
-// however far it is turned; of a slide the inertia, which is the same wherever it is; of what does
-// not move all of it.
+// regroup: base inertial parameters. Parameters that a joint cannot tell from those of the link
+// before it are added to these: of a turn about z the mass, h_z, and an inertia diag(Iyy, Iyy, 0),
+// which look the same however far it is turned; of a slide the inertia, which is the same wherever
+// it is; of a step that does not move, all of them.
 //
 //     before    link 2: m, h = (hx, hy, hz), I = (Ixx, Iyy, Izz, Ixy, Ixz, Iyz)       about z
 //     after     link 2: 0, (hx, hy, 0), (Ixx - Iyy, 0, Izz, Ixy, Ixz, Iyz)
@@ -33,7 +33,7 @@ bool is_rational(const RigidBody& body) {
   return is_rational(body.mass) && are_rational(body.com) && are_rational(body.inertia);
 }
 
-/// What does not move, and by rational numbers: others would not stay one number.
+/// Whether a step does not move, and has rational numbers: others would not stay one number.
 bool is_rigid(const Tree& tree, std::size_t step) {
   const StepRotation& r = tree.rotation(step);
   switch (r.kind) {

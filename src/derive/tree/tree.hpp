@@ -82,7 +82,7 @@ class Tree {
   /// Moves a force before a step: to the axes and the origin of its parent.
   [[nodiscard]] SpatialForce before(std::size_t index, const SpatialForce& force);
 
-  /// What acts on everything a step carries, from what acts on each step.
+  /// The force on everything that a step carries, from the force on each step.
   [[nodiscard]] std::vector<SpatialForce> carried(std::vector<SpatialForce> on_step);
 
   /// Weighs every angle and offset by what works on it.

@@ -13,7 +13,7 @@
 
 namespace elgen {
 
-/// What stands before the braces and between them: lines with indentation and line ends.
+/// The text before the braces and between them: lines with indentation and line ends.
 struct DefinitionText {
   std::string signature = {};
   std::string body = {};

@@ -12,7 +12,7 @@
 
 namespace elgen {
 
-/// What a body reads, writes and calls.
+/// The variables that a body reads and writes, and the functions that it calls.
 struct UsedNames {
   std::set<std::string_view> variables = {};  ///< "q", "w", "result"
   std::set<std::string_view> functions = {};  ///< of the library: "sin"
@@ -38,7 +38,7 @@ class Dialect : public Vocabulary {
   /// A temporary that several parts of a function share, where it is written and read.
   [[nodiscard]] std::string shared(const std::string& name) const;
 
-  /// What gives the sine and the cosine of an angle by one call; empty where the language has none.
+  /// The call that gives sine and cosine of an angle at once; empty where the language has none.
   [[nodiscard]] virtual std::string sine_cosine() const { return {}; }
 
   /// "const auto [sin_x, cos_x]", "std::tie(w.sin_x, w.cos_x)": what takes its result, declared
@@ -61,7 +61,7 @@ class Dialect : public Vocabulary {
   [[nodiscard]] virtual std::string returned(const Function& function, const Function& ordered,
                                              const FieldTexts& entries) const = 0;
 
-  /// What has to stand before the statements of a body: using-declarations, unused arguments.
+  /// The lines before the statements of a body: using-declarations, unused arguments.
   [[nodiscard]] virtual std::string opening(const Function& function, const UsedNames& used,
                                             bool is_part) const = 0;
 

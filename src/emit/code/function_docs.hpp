@@ -18,7 +18,7 @@
 
 namespace elgen {
 
-/// What documentation is made of.
+/// The sources that the documentation of a function is made from.
 struct FunctionText {
   const Model& model;
   const Program& program;

@@ -24,7 +24,7 @@ TemplateData struct_data(const FunctionText& text, const Dialect& dialect) {
   }
   TemplateData data;
   data.set("name", dialect.struct_name(text.function));
-  data.set("doc", fmt::format("What {} returns.", text.function.name));
+  data.set("doc", fmt::format("The results of {}.", text.function.name));
   data.set("members", lines_data(documented_members(members)));
   return data;
 }

@@ -15,7 +15,7 @@
 namespace elgen {
 namespace {
 
-/// What a constant is known to.
+/// The digits to which a constant is known.
 constexpr int promised_digits = 200;
 /// Of the floats, one after the other until that is kept.
 constexpr std::array<int, 4> working_digits{220, 440, 880, 1760};

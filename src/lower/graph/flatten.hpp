@@ -4,9 +4,9 @@
 //     before:  p = a + b   s = p - c   t = m*u   w = t*x     (p and t used nowhere else)
 //     after:               s = a + b - c          w = m*u*x
 //
-// What is used twice stays: writing it out would compute it twice. With `all_products`, products
-// are written out wherever they stand, so that factors of sums meet; sharing finds again what was
-// worth it.
+// A sum or product used twice stays: writing it out would compute it twice. With `all_products`,
+// products are written out wherever they stand, so that factors of sums meet; sharing finds again
+// what was worth it.
 #pragma once
 
 #include "lower/graph/rebuild.hpp"

@@ -27,7 +27,7 @@ struct RebuildStep {
 /// The only value of `from` in another graph.
 [[nodiscard]] Ref copied(Graph& graph, const Expressions& from);
 
-/// What a pass makes of one node; births and names are carried over around it.
+/// The new node that a pass makes of an old one; births and names are carried over around it.
 using RebuildRule = std::function<Ref(Graph&, const RebuildStep&)>;
 
 [[nodiscard]] Expressions rebuild(const Expressions& expressions, const RebuildRule& rule);

@@ -4,7 +4,7 @@
 //     Graph:    m^2*x/(y*z)
 //     Network:  quotient(product(m, m, x), product(y, z))
 //
-// Powers are repeated factors. What divides two or more products becomes a reciprocal, computed
+// Powers are repeated factors. A divisor of two or more products becomes a reciprocal, computed
 // once. Constants of a sum or product are folded into one number each, which keeps its form.
 // NodeIds are dense and follow the canonical order of the graph, so from here on they may decide
 // ties.

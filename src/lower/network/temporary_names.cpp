@@ -171,7 +171,7 @@ class Naming {
   const Function& function_;
   std::set<std::string, std::less<>> taken_;
   std::vector<std::size_t> uses_;
-  std::map<std::uint32_t, std::set<FunctionId>> angles_;  ///< what is computed of each
+  std::map<std::uint32_t, std::set<FunctionId>> angles_;  ///< the functions called with each
   std::vector<std::uint64_t> hashes_;
   std::vector<std::size_t> hashed_;               ///< instructions that are called by their hash
   std::vector<std::optional<std::string>> sums_;  ///< names of short sums of leaves

@@ -27,7 +27,7 @@ class StateFunction {
 
   const Model& model_;
   std::vector<double> parameters_;
-  std::vector<ExpressionId> order_;  ///< what is computed, operands before their users
+  std::vector<ExpressionId> order_;  ///< the expressions computed, operands before their users
   std::vector<Rated> known_;         ///< by expression
   ExpressionId result_ = 0;
   const double* q_ = nullptr;

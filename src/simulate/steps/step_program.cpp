@@ -8,7 +8,7 @@
 namespace elgen {
 namespace {
 
-/// What may be left of the equations of an implicit step, relative to p.
+/// The residual that the equations of an implicit step may keep, relative to p.
 constexpr double largest_residual = 1e-3;
 
 class StepProgram {

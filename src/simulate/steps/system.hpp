@@ -20,7 +20,7 @@ namespace elgen {
 
 using Numbers = std::vector<double>;
 
-/// What an input is, and where it is cut off.
+/// The law of an input, and the limits at which it is cut off.
 struct InputLaw {
   std::optional<StateFunction> law = {};
   double low = -std::numeric_limits<double>::infinity();
@@ -62,8 +62,8 @@ class System {
     return StateFunction(model_, expression, at_.parameters)(q, v, t);
   }
 
-  /// What the program's `step` of length h makes of a state, with its inputs there: q, v, and the
-  /// residual of an implicit method.
+  /// The result of the program's `step` of length h from a state, with its inputs there: q, v, and
+  /// the residual of an implicit method.
   [[nodiscard]] const Numbers& stepped(const Numbers& state, double t, double h);
 
   void acceleration(const double* q, const double* v, double t, double* a);

@@ -92,7 +92,7 @@ std::string reason_of(const FieldRecord& record) {
   return fmt::format("{}; at {} of the states {}", solution_reason, others, own_reason);
 }
 
-/// What is compared, in words: the field, and the scalar.
+/// The subject of a comparison, in words: the field, and the scalar.
 std::string subject_of(const FieldPlace& place, std::string_view scalar) {
   const std::string& field = place.field().name;
   return fmt::format("{}{}{} ({})", place.function->name, field.empty() ? "" : ".", field, scalar);

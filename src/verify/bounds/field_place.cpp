@@ -4,7 +4,7 @@
 namespace elgen {
 namespace {
 
-/// What the oracle is asked for.
+/// The request to the oracle for a field.
 OutputRequest request_of(const Subject& subject, const Function& function, const Field& field) {
   const OutputRequest request{
       .kind = function.kind, .user = function.user, .iterations = function.iterations};

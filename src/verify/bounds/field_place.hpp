@@ -8,7 +8,7 @@
 
 namespace elgen {
 
-/// What judges an entry: B of the closed form where the function is emitted in it (a bound that
+/// The judge of an entry: B of the closed form where the function is emitted in it (a bound that
 /// does not depend on the code), else B run along the function itself, the weaker "own bound".
 struct Judge {
   const Function* function = nullptr;
@@ -21,7 +21,7 @@ struct FieldPlace {
   std::size_t index = 0;  ///< of the field among the function's
   std::size_t first = 0;  ///< of its entries among the function's
   Judge judge = {};
-  OutputRequest request = {};     ///< what the oracle is asked for
+  OutputRequest request = {};     ///< the request to the oracle
   std::size_t request_field = 0;  ///< of the field among the request's
   std::size_t first_oracle = 0;   ///< of its entries among the oracle's
 

@@ -9,7 +9,7 @@
 
 namespace elgen {
 
-/// What can be said of a function at one state.
+/// The numerical regime of a function at one state.
 enum class Regime : std::uint8_t {
   regular,
   undefined,        ///< an intermediate has no value (1/0, sqrt(-1))

@@ -160,7 +160,7 @@ class Projection {
     return defined_values(z);
   }
 
-  /// What M z has to be for unit changes y.
+  /// The number that w.M z has to be, where z is the response to the changes y.
   std::optional<cl_R> response_force(const Numbers& w, const Numbers& y) {
     if (row().columns == Extent::inputs) return input_force(w, y);
     const auto solution = values_of(OutputKind::forward_dynamics);

@@ -12,7 +12,7 @@ namespace elgen {
 
 /// Empty where the contraction of the field's exact entries is the oracle's, to 50 digits of sum
 /// |w_i y_j| B_ij, or where the oracle has none; otherwise both numbers. The program may be
-/// undefined. What solves is put into the equation that it solves, which needs no solution:
+/// undefined. Solutions are put into the equation that they solve, which needs no solution:
 ///
 ///     every field:                  w.x, w.X y
 ///     accelerations:                w.(M a + bias) = w.B u

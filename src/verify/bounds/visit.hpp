@@ -29,7 +29,7 @@ enum class Comparison : std::uint8_t {
   projections,  ///< one random contraction of a field, at the cost of a few evaluations of energies
 };
 
-/// What one state says of one field.
+/// The result of one state for one field.
 struct Finding {
   /// Of the program and its judge together; regular too where a norm bounds what they do not.
   Regime regime = Regime::regular;

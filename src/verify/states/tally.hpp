@@ -31,7 +31,7 @@ class Tally {
     if (samples_ == 0) return Verdict::skipped;
     return worst_ <= tolerance ? Verdict::holds : Verdict::fails;
   }
-  /// What a row says of its states; `obstacle`: why some were skipped.
+  /// Writes the result of its states into a row; `obstacle`: why some were skipped.
   void tell(CertificateRow& row, const Subject& subject, double tolerance,
             Obstacle obstacle = Obstacle::undefined) const {
     row.samples = samples_;

@@ -91,7 +91,7 @@ CertificateRow proved_row(const Entry& entry) {
   return row;
 }
 
-/// What stands in the file and what is right at one state, and by what their difference is judged.
+/// The value in the file and the right one at a state, and the scale that judges their difference.
 struct Sample {
   cl_R written;
   cl_R derived;
@@ -233,9 +233,9 @@ const std::optional<Fraction>* entry_of(const ClosedFunction& function, std::siz
   return nullptr;
 }
 
-/// What the author wrote and what was derived are one canonical sum. The author's form comes
-/// straight from the model, the derived one from the program, so that they share nothing but the
-/// ring they are compared in.
+/// The author's form and the derived one are one canonical sum. The former comes straight from the
+/// model, the latter from the program, so that they share nothing but the ring they are compared
+/// in.
 class Proofs {
  public:
   /// Without `forms` nothing is proved.

@@ -16,8 +16,8 @@ struct ExpectationReport {
   Diagnostics diagnostics = {};
 };
 
-/// What `forms` (may be null) does not prove is sampled, and the row says so: 64 points with
-/// rational coordinates, rates and inputs (in their ranges) and parameters (from half to twice
+/// Entries that `forms` (may be null) does not prove are sampled, and the row says so: 64 points
+/// with rational coordinates, rates and inputs (in their ranges) and parameters (from half to twice
 /// their value, with the sign they have; fixed ones too, since an expectation speaks of the model).
 /// `conserved` entries: their rate along the motion with u = 0 is zero.
 [[nodiscard]] ExpectationReport check_expectations(const Subject& subject, ClosedForms* forms,

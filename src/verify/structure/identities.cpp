@@ -221,8 +221,8 @@ const std::vector<Identity>& identities() {
 
 namespace {
 
-// What the pose [R p] of a frame's output says of its twist (angular velocity; velocity of the
-// origin), a form linear in the pose and in its rate, so that its rate is that form twice:
+// The pose [R p] of a frame's output gives its twist (angular velocity; velocity of the origin) as
+// a form linear in the pose and in its rate, so that its rate is that form twice:
 //
 //     in the world's axes    S = dR/dt R^T    v = dp/dt
 //     in the frame's         S = R^T dR/dt    v = R^T dp/dt        omega = (S_32, S_13, S_21)

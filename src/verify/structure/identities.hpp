@@ -18,8 +18,8 @@ struct Identity {
 
 [[nodiscard]] const std::vector<Identity>& identities();
 
-/// What holds between an [[output]] y and a derivative of it. Of a frame y is a pose, and its twist
-/// stands for dy/dt: quaternions must be of norm 1 then.
+/// The identity between an [[output]] y and a derivative of it. Of a frame y is a pose, and its
+/// twist stands for dy/dt: quaternions must be of norm 1 then.
 struct OutputIdentity {
   OutputKind derivative;
   std::string_view check;
