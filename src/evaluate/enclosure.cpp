@@ -1,0 +1,296 @@
+// Interval arithmetic without a change of the rounding mode: the exact error of a rounded sum,
+// product, quotient or root is a number that has a sign, and the sign says which bound moves.
+#include "evaluate/enclosure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "base/exact_number.hpp"
+
+namespace elgen {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double pi_below = 0x1.921fb54442d18p1;  // pi - pi_below is 1.2e-16
+constexpr Enclosure no_value{infinity, -infinity, Definedness::nowhere};
+
+double below(double x) { return std::nextafter(x, -infinity); }
+double above(double x) { return std::nextafter(x, infinity); }
+
+/// A result rounded to nearest, and the sign of exact - rounded.
+struct Rounded {
+  double value;
+  double error;
+};
+
+double lower(const Rounded& x) {
+  return x.error < 0 || std::isnan(x.error) ? below(x.value) : x.value;
+}
+double upper(const Rounded& x) {
+  return x.error > 0 || std::isnan(x.error) ? above(x.value) : x.value;
+}
+
+/// Knuth's two-sum: the error is exact unless the sum overflows.
+Rounded rounded_sum(double x, double y) {
+  const double sum = x + y;
+  if (!std::isfinite(sum)) return {sum, std::isinf(x) || std::isinf(y) ? 0 : NAN};
+  const double back = sum - x;
+  return {sum, (x - (sum - back)) + (y - back)};
+}
+
+/// Below this a product or quotient may have an error that is no double.
+constexpr double smallest_product = 0x1p-960;
+
+/// 0 where one factor is: bounds that are infinite stand for numbers.
+Rounded rounded_product(double x, double y) {
+  if (x == 0 || y == 0) return {0, 0};
+  const double product = x * y;
+  if (!std::isfinite(product)) return {product, std::isinf(x) || std::isinf(y) ? 0 : NAN};
+  if (std::abs(product) < smallest_product) return {product, NAN};
+  return {product, std::fma(x, y, -product)};
+}
+
+Rounded rounded_quotient(double x, double y) {
+  if (x == 0) return {0, 0};
+  const double quotient = x / y;
+  const bool is_exact_at_infinity = std::isinf(x) && !std::isinf(y);
+  if (!std::isfinite(quotient)) return {quotient, is_exact_at_infinity ? 0 : NAN};
+  if (std::abs(x) < smallest_product || std::abs(quotient) < smallest_product) {
+    return {quotient, NAN};
+  }
+  const double rest = std::fma(-quotient, y, x);
+  return {quotient, y < 0 ? -rest : rest};
+}
+
+Rounded rounded_root(double x) {
+  const double root = std::sqrt(x);
+  if (!std::isfinite(root)) return {root, 0};
+  if (x != 0 && x < smallest_product) return {root, NAN};
+  return {root, std::fma(-root, root, x)};
+}
+
+/// The bounds of a finite number are not infinite.
+double lowest(double x) { return x == infinity ? std::numeric_limits<double>::max() : x; }
+double highest(double x) { return x == -infinity ? std::numeric_limits<double>::lowest() : x; }
+
+Enclosure bounds(double low, double high, Definedness defined) {
+  return {lowest(low), highest(high), defined};
+}
+
+Definedness both(const Enclosure& x, const Enclosure& y) { return std::max(x.defined, y.defined); }
+
+bool has_none(const Enclosure& x) { return x.defined == Definedness::nowhere; }
+
+/// Eight units of the last place of a value of a C library.
+double error_of(double value) { return std::abs(value) * 0x1p-49 + 0x1p-1070; }
+double lower_value(double value) { return std::isfinite(value) ? value - error_of(value) : value; }
+double upper_value(double value) { return std::isfinite(value) ? value + error_of(value) : value; }
+
+/// f of a function that rises, within its range.
+template <class F>
+Enclosure rising(const F& f, const Enclosure& x, double least = -infinity,
+                 double greatest = infinity) {
+  if (has_none(x)) return x;
+  return bounds(std::max(lower_value(f(x.low)), least), std::min(upper_value(f(x.high)), greatest),
+                x.defined);
+}
+
+/// The part of x inside the domain of a function.
+Enclosure inside(const Enclosure& x, double least, double greatest) {
+  if (has_none(x) || x.high < least || x.low > greatest) return no_value;
+  const bool is_inside = x.low >= least && x.high <= greatest;
+  return {std::max(x.low, least), std::min(x.high, greatest),
+          is_inside ? x.defined : Definedness::somewhere};
+}
+
+/// Whether x may hold first + k period, k an integer. The period is rounded: half a unit per turn.
+bool may_hold(const Enclosure& x, double first, double period) {
+  const auto turns = [&](double at) { return (at - first) / period; };
+  const double slack = 0x1p-49 * (1 + std::abs(turns(x.low)) + std::abs(turns(x.high)));
+  return std::floor(turns(x.high) + slack) >= turns(x.low) - slack;
+}
+
+/// Beyond this the ends of an interval are not placed among the turns.
+constexpr double largest_angle = 1e9;
+
+/// Sine or cosine, whose greatest values stand at `top` + 2 k pi.
+template <class F>
+Enclosure wave(const F& f, const Enclosure& x, double top) {
+  if (has_none(x)) return x;
+  if (magnitude(x) > largest_angle) return {-1, 1, x.defined};
+  const double first = f(x.low);
+  const double last = f(x.high);
+  const double high =
+      may_hold(x, top, 2 * pi_below) ? 1 : std::min(upper_value(std::max(first, last)), 1.0);
+  const double low = may_hold(x, top + pi_below, 2 * pi_below)
+                         ? -1
+                         : std::max(lower_value(std::min(first, last)), -1.0);
+  return {low, high, x.defined};
+}
+
+Enclosure square(const Enclosure& x) {
+  if (has_none(x)) return x;
+  const double largest = magnitude(x);
+  const bool holds_zero = x.low <= 0 && x.high >= 0;
+  const double least = holds_zero ? 0 : std::min(std::abs(x.low), std::abs(x.high));
+  return bounds(std::max(lower(rounded_product(least, least)), 0.0),
+                upper(rounded_product(largest, largest)), x.defined);
+}
+
+}  // namespace
+
+bool may_be(const Enclosure& enclosure, double x) {
+  return !has_none(enclosure) && enclosure.low <= x && x <= enclosure.high;
+}
+
+double magnitude(const Enclosure& x) { return std::max(std::abs(x.low), std::abs(x.high)); }
+
+Enclosure ScalarTraits<Enclosure>::from_real(const cln::cl_R& value) {
+  const double nearest = ScalarTraits<double>::from_real(value);
+  if (!std::isfinite(nearest)) return bounds(nearest, nearest, Definedness::everywhere);
+  const cln::cl_R exact = exact_value(nearest);
+  return {exact > value ? below(nearest) : nearest, exact < value ? above(nearest) : nearest};
+}
+
+Enclosure operator-(const Enclosure& x) {
+  return has_none(x) ? x : Enclosure{-x.high, -x.low, x.defined};
+}
+
+Enclosure operator+(const Enclosure& x, const Enclosure& y) {
+  if (has_none(x) || has_none(y)) return no_value;
+  return bounds(lower(rounded_sum(x.low, y.low)), upper(rounded_sum(x.high, y.high)), both(x, y));
+}
+
+Enclosure operator-(const Enclosure& x, const Enclosure& y) { return x + (-y); }
+
+Enclosure operator*(const Enclosure& x, const Enclosure& y) {
+  if (has_none(x) || has_none(y)) return no_value;
+  if (&x == &y) return square(x);
+  const std::array products{rounded_product(x.low, y.low), rounded_product(x.low, y.high),
+                            rounded_product(x.high, y.low), rounded_product(x.high, y.high)};
+  double low = infinity;
+  double high = -infinity;
+  for (const Rounded& product : products) {
+    low = std::min(low, lower(product));
+    high = std::max(high, upper(product));
+  }
+  return bounds(low, high, both(x, y));
+}
+
+Enclosure operator*(const Enclosure& x, int factor) {
+  return x * enclosure_of(static_cast<double>(factor));
+}
+
+Enclosure operator/(const Enclosure& x, const Enclosure& y) {
+  if (has_none(x) || has_none(y) || (y.low == 0 && y.high == 0)) return no_value;
+  if (may_be(y, 0)) return {-infinity, infinity, Definedness::somewhere};
+  const std::array quotients{rounded_quotient(x.low, y.low), rounded_quotient(x.low, y.high),
+                             rounded_quotient(x.high, y.low), rounded_quotient(x.high, y.high)};
+  double low = infinity;
+  double high = -infinity;
+  for (const Rounded& quotient : quotients) {
+    low = std::min(low, lower(quotient));
+    high = std::max(high, upper(quotient));
+  }
+  return bounds(low, high, both(x, y));
+}
+
+Enclosure sqrt(const Enclosure& x) {
+  const Enclosure radicand = inside(x, 0, infinity);
+  if (has_none(radicand)) return radicand;
+  return bounds(std::max(lower(rounded_root(radicand.low)), 0.0),
+                upper(rounded_root(radicand.high)), radicand.defined);
+}
+
+Enclosure sin(const Enclosure& x) {
+  return wave([](double angle) { return std::sin(angle); }, x, pi_below / 2);
+}
+
+Enclosure cos(const Enclosure& x) {
+  return wave([](double angle) { return std::cos(angle); }, x, 0);
+}
+
+Enclosure tan(const Enclosure& x) {
+  if (has_none(x)) return x;
+  if (magnitude(x) > largest_angle || may_hold(x, pi_below / 2, pi_below)) {
+    return {-infinity, infinity, Definedness::somewhere};
+  }
+  return rising([](double angle) { return std::tan(angle); }, x);
+}
+
+Enclosure asin(const Enclosure& x) {
+  return rising([](double sine) { return std::asin(sine); }, inside(x, -1, 1));
+}
+
+Enclosure acos(const Enclosure& x) {
+  return -rising([](double cosine) { return -std::acos(cosine); }, inside(x, -1, 1));
+}
+
+Enclosure atan(const Enclosure& x) {
+  return rising([](double tangent) { return std::atan(tangent); }, x);
+}
+
+/// The angle turns one way along every edge of a box that does not hold the origin.
+Enclosure atan2(const Enclosure& x, const Enclosure& y) {
+  if (has_none(x) || has_none(y)) return no_value;
+  if (y.low <= 0 && may_be(x, 0)) {
+    return {lower_value(-pi_below), upper_value(pi_below), Definedness::somewhere};
+  }
+  const std::array angles{std::atan2(x.low, y.low), std::atan2(x.low, y.high),
+                          std::atan2(x.high, y.low), std::atan2(x.high, y.high)};
+  return {lower_value(*std::ranges::min_element(angles)),
+          upper_value(*std::ranges::max_element(angles)), both(x, y)};
+}
+
+Enclosure sinh(const Enclosure& x) {
+  return rising([](double value) { return std::sinh(value); }, x);
+}
+
+Enclosure cosh(const Enclosure& x) {
+  if (has_none(x)) return x;
+  const Enclosure size = abs(x);
+  return rising([](double value) { return std::cosh(value); }, size, 1);
+}
+
+Enclosure tanh(const Enclosure& x) {
+  return rising([](double value) { return std::tanh(value); }, x, -1, 1);
+}
+
+Enclosure exp(const Enclosure& x) {
+  return rising([](double value) { return std::exp(value); }, x, 0);
+}
+
+Enclosure log(const Enclosure& x) {
+  if (has_none(x) || x.high <= 0) return no_value;
+  Enclosure result = rising([](double value) { return std::log(value); }, inside(x, 0, infinity));
+  if (x.low <= 0) result.defined = Definedness::somewhere;
+  return result;
+}
+
+Enclosure abs(const Enclosure& x) {
+  if (has_none(x)) return x;
+  const double least = may_be(x, 0) ? 0 : std::min(std::abs(x.low), std::abs(x.high));
+  return {least, magnitude(x), x.defined};
+}
+
+/// A jump is no continuous value.
+Enclosure sign(const Enclosure& x) {
+  if (has_none(x)) return x;
+  const auto of = [](double value) { return value > 0 ? 1.0 : value < 0 ? -1.0 : 0.0; };
+  const bool jumps = of(x.low) != of(x.high);
+  return {of(x.low), of(x.high), jumps ? Definedness::somewhere : x.defined};
+}
+
+Enclosure min(const Enclosure& x, const Enclosure& y) {
+  if (has_none(x) || has_none(y)) return no_value;
+  return {std::min(x.low, y.low), std::min(x.high, y.high), both(x, y)};
+}
+
+Enclosure max(const Enclosure& x, const Enclosure& y) {
+  if (has_none(x) || has_none(y)) return no_value;
+  return {std::max(x.low, y.low), std::max(x.high, y.high), both(x, y)};
+}
+
+}  // namespace elgen
