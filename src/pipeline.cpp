@@ -6,6 +6,8 @@
 //     specialise -> steps    the derivation as a student writes it
 //     cancel -> parts        what solutions are judged by
 //     specialise -> choose   what `step` calls, derived in its own name
+//     specialise -> equilibria -> modes   states of rest and motions about them, from outputs of
+//                                         their own
 #include "elgen/pipeline.hpp"
 
 #include <algorithm>
@@ -78,6 +80,8 @@ class Compilation {
     if (choice_.product) out.costs = std::move(choice_.product->costs);
     if (parts_.product) out.parts = std::move(*parts_.product);
     out.steps = std::move(steps_.product);
+    out.equilibria = std::move(equilibria_.product);
+    out.motions = std::move(motions_.product);
     out.files = std::move(files_.product);
     out.self_check = std::move(self_check_.product);
     out.diagnostics = std::move(run_.diagnostics);
@@ -137,6 +141,17 @@ class Compilation {
 
   Stage<Choice> choice_{run_, Goal::choose, std::tie(lagrangian_, recursive_, forms_, checked_),
                         chosen};
+
+  Stage<Equilibria> equilibria_{
+      run_, Goal::equilibria, std::tie(lagrangian_, checked_),
+      [this](const Lagrangian& l, const CheckedModel& c, const Limits& limits) {
+        return equilibria(l, c, options_.about_start, limits);
+      }};
+
+  Stage<std::vector<LinearMotions>> motions_{run_, Goal::modes, std::tie(checked_, equilibria_),
+                                             [this](const CheckedModel& c, const Equilibria& e) {
+                                               return linear_motions(c, e, !options_.about_start);
+                                             }};
 
   Stage<EmittedFiles> files_{run_, Goal::emit, std::tie(checked_, choice_),
                              [](const CheckedModel& c, const Choice& chosen) {

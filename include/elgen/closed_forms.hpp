@@ -127,6 +127,12 @@ enum class ZeroProof : std::uint8_t {
 /// dq/dt of every coordinate; empty where nothing rotates, and dq/dt is v.
 [[nodiscard]] std::vector<Fraction> coordinate_rates(ClosedForms& forms, const Model& model);
 
+/// dx/dq_k, k the number of one of so many coordinates, of an x that holds no velocities. None
+/// beyond the budget, and of functions with kinks.
+[[nodiscard]] std::optional<Fraction> partial_derivative(ClosedForms& forms, const Fraction& x,
+                                                         std::uint32_t coordinate,
+                                                         std::size_t coordinates);
+
 /// Whether dx/dt = 0 is proved along the motion at u = 0; `accelerations` are those of the forward
 /// dynamics, one per velocity. False proves nothing.
 [[nodiscard]] bool proved_conserved(ClosedForms& forms, const Fraction& x,

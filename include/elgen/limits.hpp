@@ -18,6 +18,7 @@ struct Limits {
   std::uint64_t definitions = 20'000;  ///< user definitions, points and bodies after repetition
   std::uint64_t derived_nodes = 2'000'000;
   std::uint64_t seconds = 60;  ///< processor time of one command on one model
+  std::uint64_t boxes = 200'000;
   std::uint64_t memory_mib = 1024;
 };
 

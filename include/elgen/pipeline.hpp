@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "elgen/analyse.hpp"
 #include "elgen/certificate.hpp"
 #include "elgen/choose.hpp"
 #include "elgen/closed_forms.hpp"
@@ -41,13 +42,15 @@ enum class Goal : std::uint8_t {
   cancel,
   present,
   choose,
+  equilibria,
+  modes,
   emit,
   parts,
   self_check,
 };
-inline constexpr std::array<std::string_view, 14> goal_names{
-    "parse", "check",  "inspect", "formulate", "specialise", "steps", "derive",
-    "lower", "cancel", "present", "choose",    "emit",       "parts", "self-check"};
+inline constexpr std::array<std::string_view, 16> goal_names{
+    "parse",  "check",   "inspect", "formulate",  "specialise", "steps", "derive", "lower",
+    "cancel", "present", "choose",  "equilibria", "modes",      "emit",  "parts",  "self-check"};
 
 [[nodiscard]] constexpr std::string_view name_of(Goal goal) {
   return goal_names[static_cast<std::size_t>(goal)];
@@ -62,6 +65,9 @@ struct PipelineOptions {
   std::optional<Goal> dump = {};
   /// The stages whose products are wanted; those that they need run before them.
   std::vector<Goal> goals = {Goal::self_check};
+  /// Motions are those about the start, which has to be an equilibrium, not about all that are
+  /// stable.
+  bool about_start = false;
   std::function<void(const std::string&)> on_stage = {};  ///< told each name as it starts
 };
 
@@ -81,6 +87,8 @@ struct Products {
   Program parts = {};
   std::vector<FormCosts> costs = {};
   std::optional<ReadableSteps> steps = {};
+  std::optional<Equilibria> equilibria = {};
+  std::optional<std::vector<LinearMotions>> motions = {};
   std::optional<EmittedFiles> files = {};
   std::optional<SelfCheck> self_check = {};
   Diagnostics diagnostics = {};

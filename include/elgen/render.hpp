@@ -74,13 +74,22 @@ struct SheetEquation {
   std::vector<std::string> entries = {};
 };
 
+/// Cells in LaTeX, row by row, below the heads of their columns, all of which may be empty.
+struct SheetTable {
+  std::vector<std::string> heads = {};
+  std::vector<std::string> cells = {};
+};
+
 struct SheetOutput {
-  std::string title = {};     ///< "Mass matrix"
+  std::string title = {};     ///< "Mass matrix"; may be empty
   std::string function = {};  ///< in code: "mass_matrix"; empty where no function is meant
   std::optional<OutputKind> kind = {};
   std::string doc = {};         ///< what it is, in a sentence
   std::string definition = {};  ///< LaTeX: how it is defined; may be empty
   std::vector<SheetEquation> equations = {};
+  std::vector<std::string> lines = {};  ///< LaTeX, a formula or a sentence each, before equations
+  SheetTable table = {};
+  bool is_row = false;  ///< equations stand side by side where the screen is wide enough
 };
 
 /// The contents of a page: everything that is worth reading of a model.

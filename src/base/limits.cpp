@@ -14,6 +14,7 @@ const std::vector<LimitRow>& limit_table() {
       {"definitions", &Limits::definitions, "", "definitions, points, bodies after repetition"},
       {"derived_nodes", &Limits::derived_nodes, "nodes", "size of what is derived"},
       {"seconds", &Limits::seconds, "s", "processor time for one input"},
+      {"boxes", &Limits::boxes, "boxes", "boxes that are searched for equilibria"},
       {"memory_mib", &Limits::memory_mib, "MiB", "memory"},
   };
   return table;

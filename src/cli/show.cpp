@@ -26,24 +26,34 @@ struct ShowOptions {
 };
 
 /// The subjects that --what may ask for beside outputs; each stands alone.
-enum class ShownSubject : unsigned char { outputs, lagrangian, steps, cost };
+enum class ShownSubject : unsigned char { outputs, lagrangian, steps, cost, equilibria, modes };
 
 struct SubjectRow {
   std::string_view word;
   ShownSubject subject;
+  Goal goal;                 ///< the stage whose product is shown
+  bool has_formulas = true;  ///< else text alone
+  bool has_json = false;
 };
 
-constexpr std::array subjects{SubjectRow{"lagrangian", ShownSubject::lagrangian},
-                              SubjectRow{"steps", ShownSubject::steps},
-                              SubjectRow{"cost", ShownSubject::cost}};
+constexpr std::array subjects{
+    SubjectRow{"", ShownSubject::outputs, Goal::emit, true, true},
+    SubjectRow{"lagrangian", ShownSubject::lagrangian, Goal::steps},
+    SubjectRow{"steps", ShownSubject::steps, Goal::steps},
+    SubjectRow{"cost", ShownSubject::cost, Goal::emit, false},
+    SubjectRow{"equilibria", ShownSubject::equilibria, Goal::equilibria, true, true},
+    SubjectRow{"modes", ShownSubject::modes, Goal::modes, true, true}};
 
-bool has_formulas(ShownSubject subject) { return subject != ShownSubject::cost; }
+const SubjectRow& row_of(ShownSubject subject) {
+  return *std::ranges::find(subjects, subject, &SubjectRow::subject);
+}
 
 Result<ShownSubject> subject_of(const ShowOptions& options) {
   for (const SubjectRow& row : subjects) {
+    if (row.word.empty()) continue;
     if (options.what == row.word) {
       const bool is_plain = options.as == "text" || options.as == "unicode";
-      const bool is_printed = options.as != "json" && (has_formulas(row.subject) || is_plain);
+      const bool is_printed = options.as == "json" ? row.has_json : row.has_formulas || is_plain;
       if (is_printed) return row.subject;
       return Diagnostic{
           Code::E913, {}, fmt::format("`{}` is not printed as {}", row.word, options.as)};
@@ -143,6 +153,12 @@ std::string generation_costs(const Inputs& inputs, const PipelineOptions& option
 Sheet sheet_of(const Products& products, ShownSubject subject, const PageOptions& options) {
   const auto& [model, scene] = *products.checked;
   if (subject == ShownSubject::outputs) return sheet(model, scene, *products.program, options);
+  if (subject == ShownSubject::equilibria) {
+    return equilibria_sheet(*products.checked, *products.equilibria);
+  }
+  if (subject == ShownSubject::modes) {
+    return modes_sheet(*products.checked, *products.equilibria, *products.motions);
+  }
   Sheet steps = steps_sheet(model, scene, *products.steps);
   if (subject == ShownSubject::steps) return steps;
   std::erase_if(steps.outputs,
@@ -161,13 +177,17 @@ std::string text_of(const Products& products, ShownSubject subject, const PageOp
       return steps_text(model, *products.steps);
     case ShownSubject::cost:
       return cost_page(products.costs);
+    case ShownSubject::equilibria:
+      return equilibria_text(*products.checked, *products.equilibria);
+    case ShownSubject::modes:
+      return modes_text(*products.checked, *products.equilibria, *products.motions);
   }
   return {};
 }
 
 std::string page(const Products& products, ShownSubject subject, const ShowOptions& wanted) {
   const PageOptions options{!wanted.what.empty()};  // what is asked for by name is shown
-  if (wanted.as == "unicode" && has_formulas(subject)) {
+  if (wanted.as == "unicode" && row_of(subject).has_formulas) {
     return screen_page(sheet_of(products, subject, options),
                        {screen_of(stdout).columns, Alphabet::unicode});
   }
@@ -175,6 +195,12 @@ std::string page(const Products& products, ShownSubject subject, const ShowOptio
   if (wanted.as == "latex") return latex_document(sheet_of(products, subject, options));
   if (wanted.as == "mathml") return html_page(sheet_of(products, subject, options));
   if (wanted.as == "markdown") return markdown_page(sheet_of(products, subject, options));
+  if (subject == ShownSubject::equilibria) {
+    return equilibria_json(*products.checked, *products.equilibria);
+  }
+  if (subject == ShownSubject::modes) {
+    return modes_json(*products.checked, *products.equilibria, *products.motions);
+  }
   for (const auto& [path, text] : products.files->files) {
     if (path.ends_with(".json")) return text;
   }
@@ -194,9 +220,9 @@ ExitCode show(const GlobalOptions& global, const ShowOptions& given) {
   if (!subject) return report(global, subject.diagnostics);
   const Result<Inputs> inputs = read_inputs(options.input, global.limits);
   if (!inputs) return report(global, inputs.diagnostics);
-  const bool shows_steps = *subject == ShownSubject::steps || *subject == ShownSubject::lagrangian;
-  PipelineOptions pipeline = pipeline_options(global, {shows_steps ? Goal::steps : Goal::emit});
+  PipelineOptions pipeline = pipeline_options(global, {row_of(*subject).goal});
   pipeline.scene = options.scene;
+  pipeline.about_start = !options.scene.starts.empty();
   if (*subject == ShownSubject::outputs && !options.what.empty()) {
     pipeline.scene.outputs = {make_source("command line", options.what)};
   }
@@ -217,13 +243,18 @@ void add_show(CLI::App& app, Action& action) {
   command->add_option("input", options->input, "NAME.toml, NAME.scene.toml or - (stdin)")
       ->required();
   command
-      ->add_option("--what", options->what,
-                   "outputs: mass_matrix,gravity,…; or lagrangian, steps or cost")
+      ->add_option(
+          "--what", options->what,
+          "outputs: mass_matrix,gravity,…; or lagrangian, steps, cost, equilibria or modes")
       ->type_name("LIST");
   command
       ->add_option("--as", options->as,
                    "unicode (on a terminal), text (elsewhere), latex, mathml, markdown or json")
       ->check(CLI::IsMember({"unicode", "text", "latex", "mathml", "markdown", "json"}));
+  add_sources(*command, "--at", "PLACE", options->scene.starts,
+              "for modes: the equilibrium, theta=0,...; else all that are stable");
+  add_sources(*command, "--input", "NAME=VALUE", options->scene.laws,
+              "for equilibria and modes: inputs that are not 0");
   add_specialisation(*command, options->scene);
   set_action(*command, action, options, &show);
 }

@@ -86,6 +86,15 @@ Result<Program> parts(const Lagrangian& lagrangian, const CheckedModel& checked,
   return recursive_program(lagrangian, needed, limits).value.value_or(Program{});
 }
 
+Result<Equilibria> equilibria(const Lagrangian& lagrangian, const CheckedModel& checked,
+                              bool at_start, const Limits& limits) {
+  const Result<Program> moving =
+      recursive_program(lagrangian, outputs_of_analysis(checked.model), limits);
+  if (!moving) return moving.diagnostics;
+  if (at_start) return equilibrium_at_start(checked, *moving);
+  return find_equilibria(checked, *moving, limits);
+}
+
 Result<ReadableSteps> readable_steps(const Lagrangian& lagrangian, const CheckedModel& checked,
                                      const Limits& limits) {
   const Result<Steps> derived = derive_steps(lagrangian);

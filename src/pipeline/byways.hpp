@@ -2,6 +2,7 @@
 // own.
 #pragma once
 
+#include "elgen/analyse.hpp"
 #include "elgen/choose.hpp"
 #include "elgen/closed_forms.hpp"
 #include "elgen/equations_of_motion.hpp"
@@ -28,6 +29,12 @@ namespace elgen {
 /// terms that solutions do not. No functions where nothing is solved, or where a limit was reached.
 [[nodiscard]] Result<Program> parts(const Lagrangian& lagrangian, const CheckedModel& checked,
                                     const Program& recursive, const Limits& limits);
+
+/// The equilibria of a model, or the one at the start. Errors of find_equilibria() and
+/// equilibrium_at_start().
+[[nodiscard]] Result<Equilibria> equilibria(const Lagrangian& lagrangian,
+                                            const CheckedModel& checked, bool at_start,
+                                            const Limits& limits);
 
 /// A derivation step by step, as it is read. The steps go the way of every output: lowered,
 /// presented, and read in their closed forms.

@@ -86,6 +86,7 @@ bool is_input(const Atom& atom) {
 struct LeafRates {
   std::vector<Fraction> coordinates = {};  ///< empty: they change at their velocities
   std::vector<Fraction> velocities = {};   ///< those that are missing are unknown
+  Fraction time = fraction_of(cl_RA(1));
 };
 
 class Rates {
@@ -176,7 +177,7 @@ class Rates {
         if (atom.index >= motion_.velocities.size()) return std::nullopt;
         return motion_.velocities[atom.index];
       case Opcode::time:
-        return fraction_of(cl_RA(1));
+        return motion_.time;
       case Opcode::parameter:
         return Fraction{};
       default:
@@ -243,6 +244,14 @@ std::vector<Fraction> coordinate_rates(ClosedForms& forms, const Model& model) {
     rates.push_back(rate.value());  // a few products never outgrow the budget
   }
   return rates;
+}
+
+std::optional<Fraction> partial_derivative(ClosedForms& forms, const Fraction& x,
+                                           std::uint32_t coordinate, std::size_t coordinates) {
+  Arithmetic arithmetic(forms.algebra);
+  LeafRates alone{std::vector<Fraction>(coordinates), {}, {}};
+  alone.coordinates[coordinate] = fraction_of(cl_RA(1));
+  return Rates(arithmetic, forms.algebra, alone).of(x);
 }
 
 bool proved_conserved(ClosedForms& forms, const Fraction& x,

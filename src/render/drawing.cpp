@@ -62,7 +62,8 @@ struct AsciiWord {
 
 /// The words for characters that are no Greek letters.
 constexpr std::array ascii_words{AsciiWord{"⋅", "*"}, AsciiWord{"∂", "d"}, AsciiWord{"∑", "sum"},
-                                 AsciiWord{"⊤", "T"}, AsciiWord{"′", "'"}};
+                                 AsciiWord{"⊤", "T"}, AsciiWord{"′", "'"}, AsciiWord{"±", "+-"},
+                                 AsciiWord{"∓", "-+"}};
 
 struct BracketRow {
   std::string_view bracket;
@@ -84,8 +85,15 @@ Block bracket_drawing(std::string_view bracket, const Block& inside, Alphabet al
 
 Block line_of(std::string text) { return {{std::move(text)}, 0}; }
 
+/// Pieces of a row get their own blanks.
+std::string without_outer_blanks(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(' ') + 1 - first);
+}
+
 /// The role of a piece for the piece behind it.
-enum class Role : std::uint8_t { none, operand, function, sign, comma, space, prefix };
+enum class Role : std::uint8_t { none, operand, function, sign, comma, space, prefix, prose };
 
 /// `(1, 2)` where brackets close behind the row's parts [open, close].
 bool is_open_bracket(const LatexTree& part) {
@@ -130,6 +138,8 @@ class Drawer {
         return scripts(tree);
       case LatexKind::space:
         return line_of("");
+      case LatexKind::text:
+        return line_of(without_outer_blanks(tree.text));
       default:
         return line_of(letter(tree.text));
     }
@@ -174,8 +184,21 @@ class Drawer {
       }
       return line_of(top + "/" + bottom);
     }
-    if (fractions_ == Fractions::in_line) return beside(beside(above, line_of("/")), below);
+    if (fractions_ == Fractions::in_line) {
+      const bool is_sum = has_sign(tree.parts[0]);
+      const bool is_product = std::ranges::count_if(tree.parts[1].parts, [](const LatexTree& part) {
+                                return role_of(part) != Role::prefix;
+                              }) > 1;
+      return beside(beside(is_sum ? in_brackets("(", above, ")") : above, line_of("/")),
+                    is_product ? in_brackets("(", below, ")") : below);
+    }
     return stacked(above, below, is_unicode() ? "─" : "-");
+  }
+
+  /// Whether a row is a sum.
+  static bool has_sign(const LatexTree& tree) {
+    return std::ranges::any_of(tree.parts,
+                               [](const LatexTree& part) { return role_of(part) == Role::sign; });
   }
 
   [[nodiscard]] Block root(const LatexTree& tree) const {
@@ -240,7 +263,8 @@ class Drawer {
     const LatexTree& base = base_of(part);
     if (base.kind == LatexKind::function) return Role::function;
     if (base.kind == LatexKind::space) return Role::space;
-    if (base.text == "∂") return Role::prefix;
+    if (base.kind == LatexKind::text) return Role::prose;
+    if (base.text == "∂" || base.text == "±") return Role::prefix;
     if (base.kind != LatexKind::sign) return Role::operand;
     return base.text == "," ? Role::comma : Role::sign;
   }
@@ -248,6 +272,7 @@ class Drawer {
   /// The text between two pieces: nothing, a blank, or a sign of multiplication.
   [[nodiscard]] std::string between(Role left, const LatexTree& part) const {
     if (base_of(part).text == "′") return "";
+    if (part.kind == LatexKind::text && part.text.find_first_of(";:") == 0) return "";
     const Role right = role_of(part);
     const bool is_bracket = is_open_bracket(part);
     if (left == Role::none || left == Role::prefix || right == Role::comma) return "";
@@ -262,22 +287,32 @@ class Drawer {
   [[nodiscard]] Block row(const std::vector<LatexTree>& parts) const {
     Block result;
     Role last = Role::none;
+    bool is_in_bars = false;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const Role role = role_of(parts[i]);
       if (role == Role::space) {
         if (last == Role::operand) last = Role::space;
         continue;
       }
-      const bool is_unary = role == Role::sign && (last == Role::none || last == Role::comma);
-      result = beside(result, line_of(between(last, parts[i])));
+      const bool is_unary = role == Role::sign && (last == Role::none || last == Role::comma ||
+                                                   last == Role::sign || last == Role::prose);
+      const bool is_bar = parts[i].kind == LatexKind::bracket && parts[i].text == "|";
+      const bool is_closing_bar = is_bar && std::exchange(is_in_bars, is_bar != is_in_bars);
+      const bool is_open_argument = fractions_ == Fractions::in_line && last == Role::function &&
+                                    parts[i].kind == LatexKind::fraction;
+      if (!is_closing_bar && !is_open_argument) {
+        result = beside(result, line_of(between(last, parts[i])));
+      }
       const std::size_t close = is_open_bracket(parts[i]) ? closing(parts, i) : parts.size();
       if (close < parts.size()) {
         result = beside(result, bracketed(parts, i, close));
         i = close;
       } else {
-        result = beside(result, draw(parts[i]));
+        const Block drawn = draw(parts[i]);
+        result = beside(result, is_open_argument ? in_brackets("(", drawn, ")") : drawn);
       }
-      last = is_unary || is_open_bracket(parts[i]) ? Role::none : role;
+      const bool is_opening_bar = is_bar && !is_closing_bar;
+      last = is_unary || is_opening_bar || is_open_bracket(parts[i]) ? Role::none : role;
     }
     return result;
   }

@@ -28,6 +28,9 @@ constexpr std::array command_table{
     CommandRow{"thinspace", LatexKind::space, "0.17"},
     CommandRow{"quad", LatexKind::space, "1"},
     CommandRow{"prime", LatexKind::letter, "′"},
+    CommandRow{"pm", LatexKind::letter, "±"},
+    CommandRow{"mp", LatexKind::sign, "∓"},
+    CommandRow{"le", LatexKind::sign, "<="},
 };
 
 /// \sin, \arctan, \ln
@@ -157,7 +160,8 @@ class LatexReader {
     if (name == "sqrt") return with_parts(LatexKind::root, "", argument());
     if (name == "dot") return with_parts(LatexKind::accent, "˙", argument());
     if (name == "ddot") return with_parts(LatexKind::accent, "¨", argument());
-    if (name == "mathrm" || name == "operatorname" || name == "text") {
+    if (name == "text") return {LatexKind::text, raw_argument()};
+    if (name == "mathrm" || name == "operatorname") {
       return {name == "operatorname" ? LatexKind::function : LatexKind::word, raw_argument()};
     }
     return single(name);
@@ -258,6 +262,7 @@ double width(const LatexTree& tree) {
     case LatexKind::number:
       return 0.95 * static_cast<double>(tree.text.size());
     case LatexKind::word:
+    case LatexKind::text:
     case LatexKind::function:
       return 0.9 * static_cast<double>(tree.text.size()) + 0.6;
     case LatexKind::sign:

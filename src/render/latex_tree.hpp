@@ -15,6 +15,7 @@ enum class LatexKind : std::uint8_t {
   row,       ///< parts, side by side
   letter,    ///< x, \theta: text is the character
   word,      ///< \mathrm{cart}, and commands unknown
+  text,      ///< \text{stable: }: prose inside of a formula, with its blanks
   function,  ///< \sin, \operatorname{sgn}
   number,    ///< 12, 9.81
   sign,      ///< + - = , \cdot

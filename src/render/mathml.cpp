@@ -55,6 +55,14 @@ std::string row(const LatexTree& tree) {
   return text;
 }
 
+/// Blanks at the ends of an element are not shown unless they are fixed.
+std::string with_fixed_blanks(std::string text) {
+  constexpr std::string_view blank = "&#xA0;";
+  if (text.ends_with(' ')) text.replace(text.size() - 1, 1, blank);
+  if (text.starts_with(' ')) text.replace(0, 1, blank);
+  return text;
+}
+
 std::string sign(const std::string& text) {
   return fmt::format("<mo>{}</mo>", text == "-" ? "−" : xml_text(text));
 }
@@ -76,6 +84,8 @@ std::string mathml(const LatexTree& tree) {
       const char* upright = tree.text.size() == 1 ? R"( mathvariant="normal")" : "";
       return fmt::format("<mi{}>{}</mi>", upright, xml_text(tree.text));
     }
+    case LatexKind::text:
+      return fmt::format("<mtext>{}</mtext>", with_fixed_blanks(xml_text(tree.text)));
     case LatexKind::number:
       return fmt::format("<mn>{}</mn>", tree.text);
     case LatexKind::sign:

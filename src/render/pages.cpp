@@ -39,6 +39,32 @@ TemplateData table(const std::vector<SheetVariable>& variables, const PageWords&
   return section_if(!variables.empty(), {"rows", rows});
 }
 
+/// Rows of cells, heads first; absent where there are no heads.
+TemplateData cells_data(const SheetTable& table, const PageWords& words) {
+  const auto row_of = [&](auto first, std::size_t count) {
+    TemplateData cells(List::list);
+    for (std::size_t i = 0; i < count; ++i, ++first) {
+      TemplateData cell("cell", words.formula(*first));
+      cell.set("separator", i + 1 < count ? " & " : "");
+      cells << cell;
+    }
+    TemplateData row("cells", cells);
+    row.set("columns", std::to_string(count));
+    return row;
+  };
+  const std::size_t columns = table.heads.size();
+  TemplateData data;
+  TemplateData heads(List::list);
+  TemplateData rows(List::list);
+  if (columns > 0) heads << row_of(table.heads.begin(), columns);
+  for (std::size_t i = 0; columns > 0 && i < table.cells.size(); i += columns) {
+    rows << row_of(table.cells.begin() + static_cast<std::ptrdiff_t>(i), columns);
+  }
+  data.set("heads", heads);
+  data.set("rows", rows);
+  return section_if(columns > 0, data);
+}
+
 TemplateData output_data(const SheetOutput& output, const PageWords& words) {
   std::vector<std::string> equations;
   for (const SheetEquation& equation : output.equations) {
@@ -47,8 +73,14 @@ TemplateData output_data(const SheetOutput& output, const PageWords& words) {
   const bool leaves_out = std::ranges::any_of(
       output.equations, [](const SheetEquation& equation) { return leaves_out_zeros(equation); });
   TemplateData data;
-  data.set("title", words.plain(output.title));
-  data.set("function", section_of(words.name(output.function)));
+  std::vector<std::string> lines;
+  for (const std::string& line : output.lines) lines.push_back(words.formula(line));
+  TemplateData heading;
+  heading.set("title", words.plain(output.title));
+  heading.set("function", section_of(words.name(output.function)));
+  data.set("heading", section_if(!output.title.empty(), heading));
+  data.set("lines", lines_data(lines));
+  data.set("table", cells_data(output.table, words));
   data.set("zeros", section_of(leaves_out ? words.plain("All other entries are 0.") : ""));
   data.set("doc", section_of(words.plain(output.doc)));
   const std::string& definition = output.definition;
@@ -69,7 +101,8 @@ TemplateData page_data(const Sheet& sheet, const PageWords& words) {
   data.set("description", section_of(words.plain(sheet.description)));
   data.set("reference", section_of(words.plain(sheet.reference)));
   data.set("notes", notes);
-  data.set("equation_of_motion", words.formula(sheet.equation_of_motion));
+  const std::string& equation = sheet.equation_of_motion;
+  data.set("equation_of_motion", section_of(equation.empty() ? "" : words.formula(equation)));
   data.set("coordinates", table(sheet.coordinates, words));
   data.set("inputs", table(sheet.inputs, words));
   data.set("parameters", table(sheet.parameters, words));

@@ -31,6 +31,10 @@ class ScreenPage {
     return text_of(draw(latex), page_indent);
   }
 
+  [[nodiscard]] std::string line(const std::string& latex) const {
+    return text_of(draw(latex, Fractions::in_line), page_indent);
+  }
+
   /// Symbol, value and unit, what it is: a line each.
   [[nodiscard]] std::string variables(const std::vector<SheetVariable>& list) const {
     std::vector<Block> cells;
@@ -43,6 +47,18 @@ class ScreenPage {
       cells.push_back({{v.doc}, 0});
     }
     return text_of(grid(cells, 3, Alignment::left), page_indent);
+  }
+
+  [[nodiscard]] std::string table(const SheetTable& table) const {
+    if (table.heads.empty()) return {};
+    const bool has_heads =
+        std::ranges::any_of(table.heads, [](const std::string& head) { return !head.empty(); });
+    std::vector<Block> cells;
+    for (const auto* const list : {&table.heads, &table.cells}) {
+      if (list == &table.heads && !has_heads) continue;
+      for (const std::string& latex : *list) cells.push_back(draw(latex, Fractions::in_line));
+    }
+    return text_of(grid(cells, table.heads.size(), Alignment::left), page_indent);
   }
 
   /// "q = (x [m], θ [rad])"
@@ -70,6 +86,18 @@ class ScreenPage {
     const bool leaves_out = leaves_out_zeros(equation, shape_);
     return list(equation) +
            (leaves_out ? fmt::format("{}all other entries are 0\n", page_indent) : "");
+  }
+
+  /// All equations side by side; empty where that is too wide, or one is no matrix that fits.
+  [[nodiscard]] std::string row(const std::vector<SheetEquation>& equations) const {
+    Block all;
+    for (const SheetEquation& equation : equations) {
+      std::vector<Block> cells;
+      for (const std::string& entry : equation.entries) cells.push_back(draw(entry));
+      if (all.width() > 0) all = beside(all, {{"  "}, 0});
+      all = beside(all, equated(equation.left, matrix_of(equation, cells)));
+    }
+    return fits(all) ? text_of(all, page_indent) : "";
   }
 
   /// The matrix on one screen: its widest entries are folded until it fits, and all of it where
@@ -179,9 +207,19 @@ std::string screen_page(const Sheet& sheet, const Screen& screen) {
   }
   for (const SheetOutput& output : sheet.outputs) {
     const std::string& function = output.function;
-    text += fmt::format("\n{}{}\n", output.title, function.empty() ? "" : ": " + function);
+    text += "\n";
+    if (!output.title.empty()) {
+      text += fmt::format("{}{}\n", output.title, function.empty() ? "" : ": " + function);
+    }
     if (!output.doc.empty()) text += fmt::format("  {}\n", output.doc);
-    for (const SheetEquation& equation : output.equations) text += page.equation(equation);
+    for (const std::string& line : output.lines) text += page.line(line);
+    const bool is_row = output.is_row && !output.equations.empty();
+    const std::string row = is_row ? page.row(output.equations) : "";
+    text += row;
+    for (const SheetEquation& equation : output.equations) {
+      if (row.empty()) text += page.equation(equation);
+    }
+    text += page.table(output.table);
   }
   return text;
 }

@@ -1,0 +1,158 @@
+// Analysis: where a system can be at rest, whether it stays there, and how it moves about that.
+//
+//     equilibria    r(q) = bias(q, 0) - B(q) u = 0, u given
+//     stability     K = dr/dq,  W = V0 - T0
+//     modes         M x'' + K x = 0 about a point,  K x = w^2 M x
+//     poles         of d(dx)/dt = A dx + B du
+#pragma once
+
+#include <cln/real.h>
+
+#include <complex>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "elgen/closed_forms.hpp"
+#include "elgen/diagnostic.hpp"
+#include "elgen/limits.hpp"
+#include "elgen/model.hpp"
+#include "elgen/oracle.hpp"
+#include "elgen/program.hpp"
+#include "elgen/render.hpp"
+#include "elgen/scene.hpp"
+
+namespace elgen {
+
+/// Where a coordinate is looked for.
+enum class SearchKind : std::uint8_t {
+  none,   ///< the equations at rest do not hold it: it is any number
+  turn,   ///< only in e^(i k q), k integers: modulo 2 pi
+  range,  ///< the range that the model declares
+  start,  ///< a rotation, or a coordinate that one shares an equation with: about its start
+};
+
+struct CosineAndSine {
+  Fraction cosine = {};
+  Fraction sine = {};
+};
+
+/// The value of a coordinate at an equilibrium: any, or a number of 64 digits, with its closed form
+/// where that is known to hold for all values of the parameters at which it is defined.
+struct CoordinateAtRest {
+  bool is_any = false;
+  cln::cl_R value = 0;
+  std::optional<Fraction> form = {};
+  /// The cosine or sine of an angle that exists where this is in [-1, 1], and both of them.
+  std::optional<Fraction> wave = {};
+  std::optional<CosineAndSine> waves = {};
+};
+
+enum class Stability : std::uint8_t {
+  minimum,             ///< W has a strict minimum, nothing drives, D does not: stable
+  degenerate_minimum,  ///< the same, though K is 0 along one coordinate
+  decaying,            ///< all poles have negative real parts: stable
+  unstable,            ///< a pole has a positive real part
+  open,                ///< the linear part does not decide
+};
+
+/// The first term of W along the coordinate in which K is 0: coefficient (q - q0)^order.
+struct LeadingTerm {
+  std::uint32_t coordinate = 0;
+  std::uint32_t order = 0;
+  Fraction coefficient = {};
+};
+
+struct StabilityVerdict {
+  Stability kind = Stability::open;
+  std::vector<double> growth_rates = {};  ///< 1/s, descending: positive real parts of poles
+  bool is_degenerate = false;             ///< K is exactly singular
+  std::optional<LeadingTerm> leading = {};
+};
+
+/// A point of rest with its linear equations M x'' + (G + D) x' + K x = B du; matrices row-major,
+/// n x n for n velocities, B n x inputs, in 64 digits.
+struct RestPoint {
+  State state = {};  ///< v = 0, a = 0, u as given
+  std::vector<CoordinateAtRest> coordinates = {};
+  std::vector<cln::cl_R> mass = {};
+  std::vector<cln::cl_R> stiffness = {};
+  std::vector<cln::cl_R> damping = {};  ///< d bias/dv at v = 0: gyroscopic terms among it
+  std::vector<cln::cl_R> input_matrix = {};
+  StabilityVerdict stability = {};
+};
+
+/// How far a list of equilibria is known to be complete.
+enum class Completeness : std::uint8_t {
+  proved,     ///< there are no others
+  undecided,  ///< there are no others but within `box_resolution` of the places that are listed
+  searched,   ///< they were found from starts; there may be others
+};
+
+struct Equilibria {
+  ClosedForms forms = {};  ///< of r, M and W at rest: their algebra holds all forms below
+  std::vector<SearchKind> kinds = {};    ///< by coordinate
+  std::vector<bool> is_cyclic = {};      ///< by coordinate: no equation of motion holds it
+  bool has_rest_kinetic_energy = false;  ///< T0 is not 0
+  std::vector<RestPoint> points = {};
+  Completeness completeness = Completeness::proved;
+  std::vector<State> undecided = {};
+  std::uint64_t boxes = 0;   ///< that were looked at
+  std::uint64_t starts = 0;  ///< of iterations
+  std::vector<cln::cl_R> inputs = {};
+};
+
+/// The functions that analysis needs of a model: their requests.
+[[nodiscard]] std::vector<OutputRequest> outputs_of_analysis(const Model& model);
+
+/// All equilibria at the values of the parameters that the scene has; `recursive` has the functions
+/// of outputs_of_analysis. Inputs are 0, or at their laws. E530, E531. Cost: at most limits.boxes
+/// boxes.
+[[nodiscard]] Result<Equilibria> find_equilibria(const CheckedModel& checked,
+                                                 const Program& recursive, const Limits& limits);
+
+/// The point at which the coordinates start, as the only one; the others are not looked for. E532:
+/// the forces do not balance there.
+[[nodiscard]] Result<Equilibria> equilibrium_at_start(const CheckedModel& checked,
+                                                      const Program& recursive);
+
+/// A motion x = shape sin(w t + phase) about a point of rest, or for w^2 < 0 one that grows.
+struct NormalMode {
+  cln::cl_R omega_squared = 0;     ///< 1/s^2
+  std::vector<double> shape = {};  ///< by velocity; the largest component is 1, the first of equals
+  std::size_t multiplicity = 1;    ///< modes with this w^2: their shapes span a space
+};
+
+/// The linear motions about a point of rest: d(dx)/dt = A dx + B du with x = (q, v).
+struct LinearMotions {
+  RestPoint point = {};
+  std::vector<NormalMode> modes = {};  ///< w^2 ascending; none where damping or Q act on v
+  std::vector<std::complex<double>> poles = {};  ///< 1/s, the fastest first
+  std::vector<double> a = {};                    ///< 2n x 2n, row-major
+  std::vector<double> b = {};                    ///< 2n x inputs
+  std::size_t controllable = 0;  ///< least rank of [A - pole 1, B]: 2n where u reaches all states
+};
+
+/// Those about the points given, or with `stable` about those of them that are stable. E532: no
+/// point is; E533: M has no inverse.
+[[nodiscard]] Result<std::vector<LinearMotions>> linear_motions(const CheckedModel& checked,
+                                                                const Equilibria& equilibria,
+                                                                bool stable);
+
+/// The motions as a page, in the model language, and as JSON.
+[[nodiscard]] Sheet modes_sheet(const CheckedModel& checked, const Equilibria& equilibria,
+                                const std::vector<LinearMotions>& all);
+[[nodiscard]] std::string modes_text(const CheckedModel& checked, const Equilibria& equilibria,
+                                     const std::vector<LinearMotions>& all);
+[[nodiscard]] std::string modes_json(const CheckedModel& checked, const Equilibria& equilibria,
+                                     const std::vector<LinearMotions>& all);
+
+/// The equilibria as a page, in the model language, and as JSON.
+[[nodiscard]] Sheet equilibria_sheet(const CheckedModel& checked, const Equilibria& equilibria);
+[[nodiscard]] std::string equilibria_text(const CheckedModel& checked,
+                                          const Equilibria& equilibria);
+[[nodiscard]] std::string equilibria_json(const CheckedModel& checked,
+                                          const Equilibria& equilibria);
+
+}  // namespace elgen

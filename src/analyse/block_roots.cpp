@@ -1,0 +1,335 @@
+// Linear equations are solved in closed form; others are searched in boxes, and where the boxes are
+// not enough, from the middles of those that are left.
+#include "analyse/block_roots.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analyse/formulas.hpp"
+#include "analyse/linear_solution.hpp"
+#include "analyse/polish.hpp"
+#include "base/exact_number.hpp"
+#include "evaluate/subject.hpp"
+#include "lower/graph/prune.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_R;
+
+/// The searched turn begins here, so that no half of it ends at a multiple of a quarter turn.
+constexpr double first_angle = -2.6;
+constexpr double turn_above = 0x1.921fb54442d19p2;  // more than 2 pi
+
+/// Undecided boxes this many of their lengths apart are one place.
+constexpr double neighbourhood = 10;
+
+/// At most so many starts, and places without a verdict that are listed.
+constexpr std::size_t most_starts = 64;
+constexpr std::size_t most_places = 16;
+
+/// The highest order of a zero that is looked for.
+constexpr std::uint32_t most_order = 8;
+
+/// Solutions of 64 digits that differ by less are one: two simple ones would be nearer to each
+/// other than their own boxes are wide.
+bool is_close(const Real& x, const Real& y) {
+  static const Real near(power_of_ten(-25));
+  const Real difference = abs(x - y);
+  return difference.is_defined() && difference.value() < near.value();
+}
+
+const Real& whole_turn() {
+  static const Real value = Real(cln::cl_RA(2)) * acos(Real(cln::cl_RA(-1)));
+  return value;
+}
+
+/// In (-pi, pi].
+Real reduced(const Real& angle) {
+  const cln::cl_I turns = cln::ceiling1((angle / whole_turn()).value() - cl_R(cln::cl_RA(1) / 2));
+  const Real result = angle - Real(turns) * whole_turn();
+  const Real half = whole_turn() / Real(cln::cl_RA(2));
+  return is_close(result, -half) ? half : result;
+}
+
+class BlockSearch {
+ public:
+  BlockSearch(RestSystem& system, const RestBlock& block) : system_(system), block_(block) {
+    for (const std::uint32_t coordinate : block.coordinates) {
+      unknowns_.kinds.push_back(system.kinds[coordinate]);
+      own_rows_.push_back(system.model.coordinates[coordinate].velocity);
+    }
+    unknowns_.coordinates = block.coordinates;
+    for (const std::uint32_t row : block.rows) {
+      if (system.row(row)) forms_.push_back(*system.row(row));
+    }
+    std::ranges::sort(own_rows_);
+    own_rows_.erase(std::unique(own_rows_.begin(), own_rows_.end()), own_rows_.end());
+    rows_ = function_of(block.rows);
+    square_ = function_of(own_rows_);
+  }
+
+  Result<BlockRoots> operator()(std::uint64_t most) {
+    if (block_.coordinates.empty()) return constant_equation();
+    if (has_all_forms()) {
+      const auto linear = linear_solution(system_.forms, forms_, unknowns_, start());
+      if (linear) return linear_roots(*linear);
+    }
+    if (std::ranges::find(unknowns_.kinds, SearchKind::start) != unknowns_.kinds.end()) {
+      result_.completeness = Completeness::searched;
+      add_from(start());
+      return std::move(result_);
+    }
+    for (const std::uint32_t coordinate : block_.coordinates) {
+      const Coordinate& searched = system_.model.coordinates[coordinate];
+      if (system_.kinds[coordinate] == SearchKind::range && !searched.range) {
+        return Diagnostic{Code::E531, searched.span,
+                          fmt::format("`{}` has no range to search for equilibria", searched.name),
+                          "give it one, as in `range = [-1, 1]`"};
+      }
+    }
+    search(most);
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] bool has_all_forms() const { return forms_.size() == block_.rows.size(); }
+
+  [[nodiscard]] Arguments<Real> start() const { return arguments_at<Real>(system_.state); }
+
+  [[nodiscard]] Function function_of(const std::vector<std::uint32_t>& rows) const {
+    std::vector<std::uint32_t> entries;
+    const std::vector<std::uint32_t> all = entries_of(system_.residual());
+    for (const std::uint32_t row : rows) entries.push_back(all[row]);
+    return with_entries(system_.residual(), entries);
+  }
+
+  /// An equation without coordinates: its one root has no values.
+  BlockRoots constant_equation() {
+    const Real value = evaluate(system_.program, rows_, start())[0];
+    const bool is_zero = has_all_forms() && forms_[0].numerator.empty();
+    const bool is_none = value.is_defined() && !is_close(value, Real());
+    if (is_zero || !is_none) result_.roots.emplace_back();
+    if (!is_zero && !is_none) result_.completeness = Completeness::searched;
+    return std::move(result_);
+  }
+
+  BlockRoots linear_roots(const LinearSolution& solution) {
+    if (!solution.is_solvable) return std::move(result_);
+    for (std::size_t i = 0; i < solution.values.size(); ++i) {
+      const CoordinateAtRest& value = solution.values[i];
+      if (!value.is_any && !is_in_range(i, Real(value.value))) return std::move(result_);
+    }
+    result_.roots.push_back(solution.values);
+    return std::move(result_);
+  }
+
+  [[nodiscard]] bool is_in_range(std::size_t unknown, const Real& value) const {
+    const Coordinate& coordinate = system_.model.coordinates[unknowns_.coordinates[unknown]];
+    if (unknowns_.kinds[unknown] != SearchKind::range || !coordinate.range) return true;
+    return (value.value() >= coordinate.range->low && value.value() <= coordinate.range->high) ||
+           is_close(value, Real(coordinate.range->low)) ||
+           is_close(value, Real(coordinate.range->high));
+  }
+
+  [[nodiscard]] Box domain() const {
+    Box result;
+    for (std::size_t i = 0; i < unknowns_.coordinates.size(); ++i) {
+      const Coordinate& coordinate = system_.model.coordinates[unknowns_.coordinates[i]];
+      if (unknowns_.kinds[i] == SearchKind::turn) {
+        result.push_back({first_angle, first_angle + turn_above + 1e-9});
+      } else {
+        result.push_back({ScalarTraits<Enclosure>::from_real(coordinate.range->low).low,
+                          ScalarTraits<Enclosure>::from_real(coordinate.range->high).high});
+      }
+    }
+    return result;
+  }
+
+  [[nodiscard]] LeafValues<Enclosure> known_leaves() const {
+    return map_leaves([](const cl_R& value) { return ScalarTraits<Enclosure>::from_real(value); },
+                      system_.state);
+  }
+
+  void search(std::uint64_t most) {
+    const BoxedEquations equations{system_.program, square_, unknowns_.coordinates, known_leaves()};
+    BoxSearch found = search_boxes(equations, domain(), most);
+    result_.boxes = found.looked_at;
+    for (const Box& box : found.single) add_from(middle_of(box));
+    for (const Box& place : together(found)) judge(equations, place);
+    if (found.left.empty()) return;
+    result_.completeness = Completeness::searched;
+    result_.undecided.clear();
+    const std::size_t step = std::max<std::size_t>(found.left.size() / most_starts, 1);
+    for (std::size_t i = 0; i < found.left.size() && result_.starts < most_starts; i += step) {
+      ++result_.starts;
+      add_from(middle_of(found.left[i]));
+    }
+  }
+
+  [[nodiscard]] Arguments<Real> middle_of(const Box& box) const {
+    Arguments<Real> at = start();
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      const double middle = box[i].low + (box[i].high - box[i].low) / 2;
+      at.q[unknowns_.coordinates[i]] = Real(exact_value(middle));
+    }
+    return at;
+  }
+
+  /// The root that iterations from there reach, if it is new and in the domain.
+  void add_from(const Arguments<Real>& first) {
+    const auto root = polished(system_.model, system_.program, square_, first, own_rows_);
+    if (root) add(*root);
+  }
+
+  void add(Arguments<Real> root) {
+    for (std::size_t i = 0; i < unknowns_.coordinates.size(); ++i) {
+      Real& q = root.q[unknowns_.coordinates[i]];
+      if (unknowns_.kinds[i] == SearchKind::turn) q = reduced(q);
+      if (!is_in_range(i, q)) return;
+    }
+    for (const Real& value : evaluate(system_.program, rows_, root)) {
+      if (!is_close(value, Real())) return;
+    }
+    if (is_known(root)) return;
+    std::optional<std::vector<CoordinateAtRest>> exact;
+    if (has_all_forms()) exact = exact_root(system_.forms.algebra, forms_, unknowns_, root);
+    if (!exact) {
+      exact.emplace();
+      for (const std::uint32_t coordinate : unknowns_.coordinates) {
+        exact->push_back({false, root.q[coordinate].value()});
+      }
+    }
+    result_.roots.push_back(std::move(*exact));
+  }
+
+  [[nodiscard]] bool is_known(const Arguments<Real>& root) const {
+    return std::ranges::any_of(result_.roots, [&](const auto& known) {
+      for (std::size_t i = 0; i < known.size(); ++i) {
+        if (!is_close(Real(known[i].value), root.q[unknowns_.coordinates[i]])) return false;
+      }
+      return true;
+    });
+  }
+
+  /// Undecided boxes that touch each other, as one; those inside of a box with one root are gone.
+  [[nodiscard]] std::vector<Box> together(const BoxSearch& found) const {
+    std::vector<Box> places;
+    for (const Box& box : found.undecided) {
+      const bool is_decided = std::ranges::any_of(
+          found.single, [&](const Box& single) { return holds(single, box, 0); });
+      if (is_decided) continue;
+      Box whole = box;
+      const auto joins = [&](const Box& place) {
+        if (!holds(place, whole, 1)) return false;
+        for (std::size_t i = 0; i < whole.size(); ++i) {
+          whole[i] = {std::min(whole[i].low, place[i].low), std::max(whole[i].high, place[i].high)};
+        }
+        return true;
+      };
+      while (std::erase_if(places, joins) > 0) {
+      }
+      places.push_back(std::move(whole));
+    }
+    return places;
+  }
+
+  /// Whether one box is inside of another, or (with slack) meets it.
+  static bool holds(const Box& outer, const Box& inner, int slack) {
+    for (std::size_t i = 0; i < outer.size(); ++i) {
+      const double length = neighbourhood * (inner[i].high - inner[i].low);
+      const bool is_apart =
+          slack > 0 ? inner[i].low > outer[i].high + length || inner[i].high < outer[i].low - length
+                    : inner[i].low < outer[i].low || inner[i].high > outer[i].high;
+      if (is_apart) return false;
+    }
+    return true;
+  }
+
+  /// Adds the plain root of a place, if there is one. The place is decided where this is a zero of
+  /// one coordinate, of some order, and the only one there.
+  void judge(const BoxedEquations& equations, const Box& place) {
+    if (const auto root = plain_root(place)) {
+      add(*root);
+      if (is_only_root(equations, place, *root)) return;
+    }
+    result_.completeness = std::max(result_.completeness, Completeness::undecided);
+    if (result_.undecided.size() >= most_places) return;
+    std::vector<cl_R>& middle = result_.undecided.emplace_back();
+    const Arguments<Real> at = middle_of(place);
+    for (std::size_t i = 0; i < unknowns_.coordinates.size(); ++i) {
+      const Real& q = at.q[unknowns_.coordinates[i]];
+      middle.push_back((unknowns_.kinds[i] == SearchKind::turn ? reduced(q) : q).value());
+    }
+  }
+
+  /// The quarters of a turn, or zeros, inside of a place, where they solve the equations.
+  [[nodiscard]] std::optional<Arguments<Real>> plain_root(const Box& place) const {
+    Arguments<Real> root = start();
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      const double quarter = ScalarTraits<double>::from_real(whole_turn().value()) / 4;
+      const bool turns = unknowns_.kinds[i] == SearchKind::turn;
+      const double count = turns ? std::round(place[i].low / quarter + 0.01) : 0;
+      if (count * quarter < place[i].low || count * quarter > place[i].high) return std::nullopt;
+      root.q[unknowns_.coordinates[i]] =
+          whole_turn() * Real(cln::cl_RA(static_cast<int>(count)) / 4);
+    }
+    return root;
+  }
+
+  [[nodiscard]] bool is_only_root(const BoxedEquations& equations, const Box& place,
+                                  const Arguments<Real>& root) {
+    if (place.size() != 1 || !has_all_forms() || own_rows_.size() != 1) return false;
+    const std::uint32_t coordinate = block_.coordinates[0];
+    const auto exact = exact_root(system_.forms.algebra, forms_, unknowns_, root);
+    const auto order =
+        exact ? root_order(system_, own_rows_[0], coordinate, exact->front()) : std::nullopt;
+    const auto derivative =
+        order ? form_program(system_.program.leaves, system_.forms.algebra, {order->derivative})
+              : std::nullopt;
+    if (!derivative) return false;
+    const BoxedEquations slope{derivative->program, derivative->function(), equations.unknowns,
+                               equations.leaves};
+    const Enclosure over_place = values_on(slope, place)[0];
+    return over_place.defined == Definedness::everywhere && !may_be(over_place, 0);
+  }
+
+  RestSystem& system_;
+  const RestBlock& block_;
+  Unknowns unknowns_ = {};
+  std::vector<std::uint32_t> own_rows_ = {};  ///< of the velocities of the unknowns
+  std::vector<Fraction> forms_ = {};          ///< of the rows, where all have one
+  Function rows_ = {};
+  Function square_ = {};  ///< the own rows
+  BlockRoots result_ = {};
+};
+
+}  // namespace
+
+std::optional<RootOrder> root_order(RestSystem& system, std::uint32_t row, std::uint32_t coordinate,
+                                    const CoordinateAtRest& root) {
+  std::optional<Replacements> values = parameter_values(system.state.parameters);
+  if (!values || !root.form || !system.row(row)) return std::nullopt;
+  const Replacements place = replacements_of({coordinate}, {root});
+  RootOrder result{1, *system.row(row)};
+  for (; result.order <= most_order; ++result.order) {
+    const auto next =
+        partial_derivative(system.forms, result.derivative, coordinate, system.state.q.size());
+    if (!next) return std::nullopt;
+    result.derivative = *next;
+    const Value there = substituted(system.forms.algebra, *next, place);
+    if (!there) return std::nullopt;
+    const Value number = substituted(system.forms.algebra, *there, *values);
+    if (!number) return std::nullopt;
+    if (!number->numerator.empty()) return result;
+  }
+  return std::nullopt;
+}
+
+Result<BlockRoots> block_roots(RestSystem& system, const RestBlock& block, std::uint64_t most) {
+  return BlockSearch(system, block)(most);
+}
+
+}  // namespace elgen

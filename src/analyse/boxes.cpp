@@ -1,0 +1,194 @@
+// The test is made on a box a little larger than the one that is looked at, so that a solution on
+// the border of two boxes is inside of both.
+#include "analyse/boxes.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "evaluate/dual.hpp"
+
+namespace elgen {
+namespace {
+
+double middle(const Enclosure& x) { return x.low + (x.high - x.low) / 2; }
+double length(const Enclosure& x) { return x.high - x.low; }
+
+/// The share by which a tested box is longer than the one that is looked at, on either side.
+constexpr double margin = 0.05;
+
+Box enlarged(const Box& box) {
+  Box result;
+  for (const Enclosure& side : box) {
+    const double by = margin * length(side) + 1e-300;
+    result.push_back({side.low - by, side.high + by});
+  }
+  return result;
+}
+
+Box middle_of(const Box& box) {
+  Box result;
+  for (const Enclosure& side : box) result.push_back(enclosure_of(middle(side)));
+  return result;
+}
+
+/// None where they do not meet.
+std::optional<Box> intersection(const Box& x, const Box& y) {
+  Box result;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    result.push_back({std::max(x[i].low, y[i].low), std::min(x[i].high, y[i].high)});
+    if (result.back().low > result.back().high) return std::nullopt;
+  }
+  return result;
+}
+
+bool is_inside(const Box& inner, const Box& outer) {
+  for (std::size_t i = 0; i < inner.size(); ++i) {
+    if (inner[i].low <= outer[i].low || inner[i].high >= outer[i].high) return false;
+  }
+  return true;
+}
+
+bool are_defined(const std::vector<Enclosure>& values) {
+  return std::ranges::all_of(values, [](const Enclosure& value) {
+    return value.defined == Definedness::everywhere && std::isfinite(value.low) &&
+           std::isfinite(value.high);
+  });
+}
+
+class Search {
+ public:
+  Search(const BoxedEquations& equations, const Box& domain)
+      : equations_(equations), domain_(domain), size_(domain.size()) {
+    rows_ = entries_of(equations.function).size();
+  }
+
+  BoxSearch operator()(std::uint64_t most) {
+    std::vector<Box> open{domain_};
+    while (!open.empty() && result_.looked_at < most) {
+      const Box box = std::move(open.back());
+      open.pop_back();
+      ++result_.looked_at;
+      look_at(box, open);
+    }
+    result_.left = std::move(open);
+    return std::move(result_);
+  }
+
+ private:
+  void look_at(Box box, std::vector<Box>& open) {
+    const std::vector<Enclosure> values = values_on(equations_, box);
+    if (!std::ranges::all_of(values, [](const Enclosure& value) { return may_be(value, 0); })) {
+      return;
+    }
+    const Box tested = enlarged(box);
+    if (const std::optional<Box> image = krawczyk(tested)) {
+      const std::optional<Box> rest = intersection(*image, box);
+      if (is_inside(*image, tested)) {
+        result_.single.push_back(*image);
+        return;
+      }
+      if (!rest) return;
+      box = *rest;
+    }
+    const std::size_t longest = longest_side(box);
+    if (length(box[longest]) < box_resolution * length(domain_[longest])) {
+      result_.undecided.push_back(std::move(box));
+      return;
+    }
+    Box half = box;
+    half[longest].high = middle(box[longest]);
+    box[longest].low = half[longest].high;
+    open.push_back(std::move(box));
+    open.push_back(std::move(half));
+  }
+
+  /// Relative to the domain.
+  [[nodiscard]] std::size_t longest_side(const Box& box) const {
+    std::size_t longest = 0;
+    for (std::size_t i = 1; i < size_; ++i) {
+      if (length(box[i]) * length(domain_[longest]) > length(box[longest]) * length(domain_[i])) {
+        longest = i;
+      }
+    }
+    return longest;
+  }
+
+  /// K(box), of the first equations, as many as there are unknowns; none where J has no inverse, or
+  /// not all is defined.
+  [[nodiscard]] std::optional<Box> krawczyk(const Box& box) const {
+    if (rows_ < size_) return std::nullopt;
+    const std::optional<std::vector<Enclosure>> slopes = slopes_on(box);
+    const Box centre = middle_of(box);
+    const std::vector<Enclosure> values = values_on(equations_, centre);
+    if (!slopes || !are_defined(values)) return std::nullopt;
+    const auto n = static_cast<Eigen::Index>(size_);
+    Eigen::MatrixXd jacobian(n, n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      for (Eigen::Index k = 0; k < n; ++k) {
+        jacobian(i, k) = middle((*slopes)[static_cast<std::size_t>(i * n + k)]);
+      }
+    }
+    const Eigen::MatrixXd inverse = jacobian.inverse();
+    if (!inverse.allFinite()) return std::nullopt;
+    Box image;
+    for (std::size_t i = 0; i < size_; ++i) {
+      const auto weight = [&](std::size_t j) {
+        return enclosure_of(inverse(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+      };
+      Enclosure sum = centre[i];
+      for (std::size_t j = 0; j < size_; ++j) sum = sum - weight(j) * values[j];
+      for (std::size_t k = 0; k < size_; ++k) {
+        Enclosure rest = enclosure_of(i == k ? 1 : 0);
+        for (std::size_t j = 0; j < size_; ++j) {
+          rest = rest - weight(j) * (*slopes)[j * size_ + k];
+        }
+        sum = sum + rest * (box[k] - centre[k]);
+      }
+      image.push_back(sum);
+    }
+    if (!are_defined(image)) return std::nullopt;
+    return image;
+  }
+
+  /// df/dq, row-major; none where not all is defined.
+  [[nodiscard]] std::optional<std::vector<Enclosure>> slopes_on(const Box& box) const {
+    LeafValues<Dual<Enclosure>> leaves = map_leaves(
+        [](const Enclosure& x) {
+          return Dual<Enclosure>{x, enclosure_of(0)};
+        },
+        equations_.leaves);
+    for (std::size_t i = 0; i < size_; ++i) leaves.q[equations_.unknowns[i]].value = box[i];
+    std::vector<Enclosure> slopes(rows_ * size_);
+    for (std::size_t k = 0; k < size_; ++k) {
+      Enclosure& along = leaves.q[equations_.unknowns[k]].slope;
+      along = enclosure_of(1);
+      const auto entries = evaluate(equations_.program, equations_.function, leaves);
+      along = enclosure_of(0);
+      for (std::size_t i = 0; i < rows_; ++i) slopes[i * size_ + k] = entries[i].slope;
+    }
+    if (!are_defined(slopes)) return std::nullopt;
+    return slopes;
+  }
+
+  const BoxedEquations& equations_;
+  const Box& domain_;
+  std::size_t size_;
+  std::size_t rows_ = 0;
+  BoxSearch result_;
+};
+
+}  // namespace
+
+std::vector<Enclosure> values_on(const BoxedEquations& equations, const Box& box) {
+  LeafValues<Enclosure> leaves = equations.leaves;
+  for (std::size_t i = 0; i < box.size(); ++i) leaves.q[equations.unknowns[i]] = box[i];
+  return evaluate(equations.program, equations.function, leaves);
+}
+
+BoxSearch search_boxes(const BoxedEquations& equations, const Box& domain, std::uint64_t most) {
+  return Search(equations, domain)(most);
+}
+
+}  // namespace elgen

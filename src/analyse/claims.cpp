@@ -1,0 +1,197 @@
+// An angle acos(n/d) or asin(n/d) exists where |n| <= |d|.
+#include "analyse/claims.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "evaluate/subject.hpp"
+#include "present/arithmetic.hpp"
+
+namespace elgen {
+namespace {
+
+std::string words(std::size_t count) {
+  constexpr std::array names{"no", "one", "two", "three", "four", "five", "six"};
+  return count < names.size() ? names[count] : std::to_string(count);
+}
+
+class Claims {
+ public:
+  Claims(const Model& model, const Equilibria& equilibria)
+      : model_(model),
+        equilibria_(equilibria),
+        forms_(equilibria.forms),
+        symbols_(symbols_of(model)) {}
+
+  Printed scope_of_forms() {
+    bool are_exact = true;
+    for (const RestPoint& point : equilibria_.points) {
+      for (const CoordinateAtRest& coordinate : point.coordinates) {
+        are_exact = are_exact && (coordinate.is_any || coordinate.form);
+      }
+    }
+    Printed result = are_exact ? prose("exact for all values of the parameters") : Printed{};
+    if (!are_exact) result = prose("numbers at the values of the parameters");
+    if (count_with_waves() > 0) result = existence();
+    return with_turns(result);
+  }
+
+  [[nodiscard]] Printed claim() const {
+    switch (equilibria_.completeness) {
+      case Completeness::proved:
+        return prose("these are all (proved)");
+      case Completeness::searched:
+        return prose(fmt::format("found from {} start{}, there may be more",
+                                 std::max<std::uint64_t>(equilibria_.starts, 1),
+                                 equilibria_.starts > 1 ? "s" : ""));
+      case Completeness::undecided:
+        break;
+    }
+    constexpr std::size_t most_shown = 4;
+    std::string places;
+    for (std::size_t k = 0; k < std::min(most_shown, equilibria_.undecided.size()); ++k) {
+      std::string place;
+      for (std::size_t i = 0; i < model_.coordinates.size(); ++i) {
+        if (equilibria_.kinds[i] == SearchKind::none) continue;
+        place += fmt::format("{}{} = {}", place.empty() ? "" : ", ", model_.coordinates[i].name,
+                             short_text(equilibria_.undecided[k].q[i]));
+      }
+      places += (places.empty() ? "" : "; ") + place;
+    }
+    if (equilibria_.undecided.size() > most_shown) places += "; and of other places";
+    return prose("undecided within 1e-6 of " + places);
+  }
+
+ private:
+  [[nodiscard]] std::size_t count_with_waves() const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(equilibria_.points, [](const RestPoint& point) {
+          return std::ranges::any_of(point.coordinates, [](const CoordinateAtRest& coordinate) {
+            return coordinate.wave.has_value();
+          });
+        }));
+  }
+
+  /// "the last two exist where |g| <= R W^2; stability at the parameters' values"
+  Printed existence() {
+    const std::size_t count = count_with_waves();
+    std::optional<Fraction> wave;
+    bool is_one = true;
+    for (const RestPoint& point : equilibria_.points) {
+      for (const CoordinateAtRest& coordinate : point.coordinates) {
+        if (!coordinate.wave) continue;
+        if (wave) is_one = is_one && proved_equal(forms_, *wave, *coordinate.wave);
+        wave = coordinate.wave;
+      }
+    }
+    const bool are_last = are_waves_last(count);
+    const std::string subject = count == equilibria_.points.size() ? "they exist"
+                                : !are_last                        ? "angles exist"
+                                : count == 1                       ? "the last one exists"
+                                             : fmt::format("the last {} exist", words(count));
+    const std::optional<Printed> condition = is_one ? condition_of(*wave) : std::nullopt;
+    const Printed where = condition ? prose("where") + *condition
+                                    : prose("where the arguments of acos and asin are in [-1, 1]");
+    Printed line = prose(subject) + where;
+    return with_comma(line, ";") + prose("stability at the parameters' values");
+  }
+
+  [[nodiscard]] bool are_waves_last(std::size_t count) const {
+    for (std::size_t i = 0; i < equilibria_.points.size(); ++i) {
+      const bool has_wave = std::ranges::any_of(
+          equilibria_.points[i].coordinates,
+          [](const CoordinateAtRest& coordinate) { return coordinate.wave.has_value(); });
+      if (has_wave != (i + count >= equilibria_.points.size())) return false;
+    }
+    return true;
+  }
+
+  static Printed with_comma(Printed formula, const char* sign) {
+    formula.text += sign;
+    formula.latex += fmt::format("\\text{{{} }}", sign);
+    return formula;
+  }
+
+  /// |numerator| <= |denominator|, without bars where the sign is known.
+  std::optional<Printed> condition_of(const Fraction& wave) {
+    Monomial divisor;
+    std::map<AtomId, std::int32_t> lowest;
+    for (const auto& [monomial, coefficient] : wave.numerator) {
+      for (const AtomPower& power : monomial) {
+        std::int32_t& least = lowest[power.atom];
+        least = std::min(least, power.exponent);
+      }
+    }
+    bool is_positive = wave.denominator.empty();
+    for (const auto& [atom, exponent] : lowest) {
+      if (exponent == 0) continue;
+      divisor.push_back({atom, -exponent});
+      is_positive = is_positive && (exponent % 2 == 0 || is_positive_leaf(atom));
+    }
+    Arithmetic arithmetic(forms_.algebra);
+    Value below = fraction_of(Polynomial{{divisor, Gaussian{1, 0}}});
+    for (const auto& [factor, exponent] : wave.denominator) {
+      const Fraction shown = fraction_of(forms_.algebra.factors[factor].shown);
+      below = arithmetic.multiply(below, arithmetic.power(shown, exponent));
+    }
+    const std::optional<Printed> above = read(arithmetic.multiply(wave, below));
+    const std::optional<Printed> bound = read(below);
+    if (!above || !bound) return std::nullopt;
+    const auto bars = [](const Printed& x) {
+      return Printed{"|" + x.text + "|", "|" + x.latex + "|"};
+    };
+    const Printed right = is_positive ? *bound : bars(*bound);
+    const Printed left = bars(*above);
+    return Printed{left.text + " <= " + right.text, left.latex + " \\le " + right.latex};
+  }
+
+  [[nodiscard]] bool is_positive_leaf(AtomId id) const {
+    const Atom& atom = forms_.algebra.atoms[id];
+    return atom.kind == AtomKind::leaf && atom.leaf == Opcode::parameter &&
+           model_.parameters[atom.index].assumption == Assumption::positive;
+  }
+
+  /// "; θ modulo 2 π", and what was not searched.
+  Printed with_turns(const Printed& line) const {
+    std::vector<Printed> turns;
+    std::vector<Printed> starts;
+    for (std::size_t i = 0; i < model_.coordinates.size(); ++i) {
+      if (equilibria_.kinds[i] == SearchKind::turn) turns.push_back(symbols_.q[i]);
+      if (equilibria_.kinds[i] == SearchKind::start) starts.push_back(symbols_.q[i]);
+    }
+    Printed result = line;
+    const auto add = [&result](const std::vector<Printed>& names, const Printed& rest) {
+      if (names.empty()) return;
+      const Printed part = listed(names) + rest;
+      result = result.text.empty() ? part : with_comma(result, ";") + part;
+    };
+    add(turns, prose("modulo") + Printed{"2*pi", "2 \\pi"});
+    add(starts, prose("from the start alone"));
+    return result;
+  }
+
+  std::optional<Printed> read(const std::optional<Fraction>& form) {
+    if (!form) return std::nullopt;
+    return formulas(model_, forms_.algebra, {*form})[0];
+  }
+
+  const Model& model_;
+  const Equilibria& equilibria_;
+  ClosedForms forms_;  ///< a copy: reading forms adds to their algebra
+  LeafValues<Printed> symbols_;
+};
+
+}  // namespace
+
+Printed scope_of(const Model& model, const Equilibria& equilibria) {
+  return Claims(model, equilibria).scope_of_forms();
+}
+
+Printed claim_of(const Model& model, const Equilibria& equilibria) {
+  return Claims(model, equilibria).claim();
+}
+
+}  // namespace elgen

@@ -1,0 +1,354 @@
+// Equilibria of the whole are all combinations of those of the blocks.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "analyse/block_roots.hpp"
+#include "analyse/conservation.hpp"
+#include "analyse/formulas.hpp"
+#include "analyse/polish.hpp"
+#include "analyse/stability.hpp"
+#include "base/exact_number.hpp"
+#include "check/names/requests.hpp"
+#include "elgen/fold.hpp"
+#include "elgen/references.hpp"
+#include "evaluate/subject.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_R;
+
+/// More points are not listed: their number is that of all combinations.
+constexpr std::size_t most_points = 256;
+
+Result<std::vector<cl_R>> inputs_of(const Model& model, const State& state) {
+  std::vector<cl_R> values;
+  for (const Input& input : model.inputs) {
+    if (!input.law) {
+      values.emplace_back(0);
+      continue;
+    }
+    const auto moves = [&](ExpressionId id) {
+      const Expression& e = model.expressions[id];
+      return e.kind == ExpressionKind::leaf && e.leaf != Opcode::parameter;
+    };
+    const auto value = oracle_expression(model, *input.law, state);
+    if (!value || std::ranges::any_of(reached(model, {*input.law}), moves)) {
+      return Diagnostic{Code::E606, model.expressions[*input.law].span,
+                        fmt::format("`{}` has to be a number at an equilibrium", input.name)};
+    }
+    values.push_back(*value);
+  }
+  return values;
+}
+
+class EquilibriumSearch {
+ public:
+  EquilibriumSearch(const CheckedModel& checked, Program moving, RestProgram rest,
+                    std::vector<cl_R> inputs)
+      : model_(checked.model), moving_(std::move(moving)), rest_(std::move(rest)) {
+    result_.inputs = std::move(inputs);
+    state_ = nominal_state(model_, checked.scene);
+    for (std::size_t i = 0; i < model_.coordinates.size(); ++i) {
+      state_.q[i] = model_.coordinates[i].start_value;
+    }
+    state_.u = result_.inputs;
+  }
+
+  Result<Equilibria> operator()(const Limits& limits) {
+    if (Diagnostics errors = prepare(); !errors.empty()) return errors;
+    RestSystem system{model_, rest_.program, result_.forms, result_.kinds, state_};
+    for (const RestBlock& block : blocks_) {
+      const std::uint64_t left = limits.boxes - std::min(limits.boxes, result_.boxes);
+      Result<BlockRoots> roots = block_roots(system, block, left);
+      if (!roots) return roots.diagnostics;
+      join(block, *roots);
+      std::ranges::stable_sort(roots->roots, comes_before);
+      roots_.push_back(std::move(*roots));
+    }
+    if (Diagnostics errors = make_points(system); !errors.empty()) return errors;
+    return std::move(result_);
+  }
+
+  /// The start alone.
+  Result<Equilibria> at_start() {
+    if (Diagnostics errors = prepare(); !errors.empty()) return errors;
+    if (Diagnostics errors = unbalanced(); !errors.empty()) return errors;
+    RestSystem system{model_, rest_.program, result_.forms, result_.kinds, state_};
+    for (const RestBlock& block : blocks_) {
+      roots_.emplace_back().roots.push_back(values_at_start(system, block));
+    }
+    result_.completeness = Completeness::searched;
+    if (Diagnostics errors = make_points(system); !errors.empty()) return errors;
+    return std::move(result_);
+  }
+
+ private:
+  Diagnostics prepare() {
+    rows_ = occurrences(rest_.program, rest_.residual());
+    if (const Expression* const kink = find_kink(model_)) {
+      return {{Code::E530, kink->span, "a force with a kink has no linear part at rest"}};
+    }
+    if (std::ranges::any_of(rows_, &Occurrence::has_time)) {
+      return {{Code::E530, {}, "the equations at rest hold t"}};
+    }
+    blocks_ = rest_blocks(rows_);
+    find_kinds();
+    result_.forms = present(rest_.program);
+    describe();
+    return {};
+  }
+
+  [[nodiscard]] Diagnostics unbalanced() const {
+    // Starts have 60 digits or more; sums of forces lose a few.
+    static const cl_R tolerance = power_of_ten(-40);
+    const std::vector<Real> residual =
+        evaluate(rest_.program, rest_.residual(), arguments_at<Real>(state_));
+    for (std::size_t i = 0; i < residual.size(); ++i) {
+      if (residual[i].is_defined() && cln::abs(residual[i].value()) < tolerance) continue;
+      const std::string value =
+          residual[i].is_defined() ? short_text(residual[i].value()) : "undefined";
+      return {{Code::E532,
+               {},
+               fmt::format("`{}` does not stay at rest there: bias - B u is {}",
+                           model_.velocities[i].name, value),
+               "`elgen show --what equilibria` lists those that do"}};
+    }
+    return {};
+  }
+
+  [[nodiscard]] std::vector<CoordinateAtRest> values_at_start(RestSystem& system,
+                                                              const RestBlock& block) const {
+    std::vector<Fraction> rows;
+    for (const std::uint32_t row : block.rows) {
+      if (system.row(row)) rows.push_back(*system.row(row));
+    }
+    Unknowns unknowns{block.coordinates, {}};
+    std::vector<CoordinateAtRest> numbers;
+    for (const std::uint32_t coordinate : block.coordinates) {
+      unknowns.kinds.push_back(result_.kinds[coordinate]);
+      numbers.push_back({false, state_.q[coordinate]});
+    }
+    if (rows.size() != block.rows.size()) return numbers;
+    return exact_root(system.forms.algebra, rows, unknowns, arguments_at<Real>(state_))
+        .value_or(numbers);
+  }
+
+  /// Plain values in their order, then others by their size.
+  static bool comes_before(const std::vector<CoordinateAtRest>& x,
+                           const std::vector<CoordinateAtRest>& y) {
+    static const cl_R noise = power_of_ten(-40);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const auto is_plain = [](const CoordinateAtRest& value) { return value.form && !value.wave; };
+      if (is_plain(x[i]) != is_plain(y[i])) return is_plain(x[i]);
+      const cl_R difference =
+          is_plain(x[i]) ? x[i].value - y[i].value : cln::abs(x[i].value) - cln::abs(y[i].value);
+      if (cln::abs(difference) > noise) return cln::minusp(difference);
+      if (cln::abs(x[i].value - y[i].value) > noise) return x[i].value > y[i].value;
+    }
+    return false;
+  }
+
+  void find_kinds() {
+    result_.kinds.resize(model_.coordinates.size(), SearchKind::none);
+    for (const RestBlock& block : blocks_) {
+      const bool turns = std::ranges::any_of(block.coordinates, [&](std::uint32_t coordinate) {
+        return model_.coordinates[coordinate].rotation.has_value();
+      });
+      for (const std::uint32_t coordinate : block.coordinates) {
+        // Where the chart breaks somewhere in the turn, the range is the part that counts.
+        const Coordinate& searched = model_.coordinates[coordinate];
+        const bool is_wave = !(searched.singular && searched.range) &&
+                             std::ranges::none_of(rows_, [&](const Occurrence& row) {
+                               return row.outside_waves.contains(coordinate);
+                             });
+        result_.kinds[coordinate] = turns     ? SearchKind::start
+                                    : is_wave ? SearchKind::turn
+                                              : SearchKind::range;
+      }
+    }
+  }
+
+  void describe() {
+    std::vector<Occurrence> all = occurrences(moving_, *find_function(moving_, OutputKind::bias));
+    const auto mass = occurrences(moving_, *find_function(moving_, OutputKind::mass_matrix));
+    all.insert(all.end(), mass.begin(), mass.end());
+    for (std::uint32_t i = 0; i < model_.coordinates.size(); ++i) {
+      result_.is_cyclic.push_back(std::ranges::none_of(
+          all, [i](const Occurrence& entry) { return entry.coordinates.contains(i); }));
+    }
+    const Function* const potential = find_function(moving_, OutputKind::potential_energy);
+    if (potential == nullptr) return;
+    // At rest W is V0 unless the kinetic energy has a part without rates.
+    Program both{rest_.program.leaves, moving_.constants, {*potential}};
+    ClosedForms known = present(both);
+    const auto& v0 = known.functions[0].fields[0].entries[0];
+    const auto w = form_of_rest_energy(known.algebra);
+    result_.has_rest_kinetic_energy = !v0 || !w || !proved_equal(known, *v0, *w);
+  }
+
+  /// V0 - T0 over the atoms of another algebra.
+  [[nodiscard]] std::optional<Fraction> form_of_rest_energy(Algebra& algebra) const {
+    Arithmetic arithmetic(algebra);
+    const Function& w = rest_.program.functions[2];
+    return entries_of(w, fold<Value>(arithmetic, rest_.program, w))[0];
+  }
+
+  void join(const RestBlock& block, const BlockRoots& roots) {
+    result_.completeness = std::max(result_.completeness, roots.completeness);
+    result_.boxes += roots.boxes;
+    result_.starts += roots.starts;
+    for (const std::vector<cl_R>& place : roots.undecided) {
+      State& state = result_.undecided.emplace_back(state_);
+      for (std::size_t i = 0; i < place.size(); ++i) state.q[block.coordinates[i]] = place[i];
+    }
+  }
+
+  /// All combinations, the last block first.
+  Diagnostics make_points(RestSystem& system) {
+    std::size_t count = 1;
+    for (const BlockRoots& block : roots_) {
+      count *= block.roots.size();
+      if (count > most_points) {
+        return {{Code::E910,
+                 {},
+                 fmt::format("there are more than {} equilibria", most_points),
+                 "show the modes at one of them by `--at`"}};
+      }
+    }
+    conditions_.is_conservative = is_conservative(moving_, state_);
+    std::vector<std::size_t> chosen(blocks_.size(), 0);
+    for (std::size_t n = 0; n < count; ++n) {
+      std::size_t rest = n;
+      for (std::size_t b = blocks_.size(); b-- > 0;) {
+        chosen[b] = rest % roots_[b].roots.size();
+        rest /= roots_[b].roots.size();
+      }
+      result_.points.push_back(point_of(system, chosen));
+    }
+    return {};
+  }
+
+  RestPoint point_of(RestSystem& system, const std::vector<std::size_t>& chosen) {
+    RestPoint point;
+    point.state = state_;
+    point.coordinates.resize(model_.coordinates.size());
+    for (std::size_t i = 0; i < point.coordinates.size(); ++i) {
+      point.coordinates[i] = {true, state_.q[i]};
+    }
+    RestConditions here = conditions_;
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      const std::vector<CoordinateAtRest>& root = roots_[b].roots[chosen[b]];
+      for (std::size_t i = 0; i < root.size(); ++i) {
+        const std::uint32_t coordinate = blocks_[b].coordinates[i];
+        point.coordinates[coordinate] = root[i];
+        point.state.q[coordinate] = root[i].value;
+      }
+    }
+    for (const CoordinateAtRest& coordinate : point.coordinates) {
+      if (coordinate.is_any) ++here.free_count;
+    }
+    fill_matrices(point);
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      if (blocks_[b].coordinates.size() == 1 && blocks_[b].rows.size() == 1) {
+        note_degenerate(system, blocks_[b], roots_[b].roots[chosen[b]][0], point, here);
+      }
+    }
+    point.stability = stability_of(point, here);
+    return point;
+  }
+
+  void fill_matrices(RestPoint& point) const {
+    const Arguments<Real> at = arguments_at<Real>(point.state);
+    std::vector<std::uint32_t> velocities(model_.velocities.size());
+    for (std::uint32_t i = 0; i < velocities.size(); ++i) velocities[i] = i;
+    const auto numbers = [](const std::vector<Real>& values) {
+      std::vector<cl_R> result;
+      for (const Real& value : values) result.push_back(value.value());
+      return result;
+    };
+    point.mass = numbers(evaluate(rest_.program, rest_.program.functions[1], at));
+    point.stiffness =
+        numbers(position_slopes(model_, rest_.program, rest_.residual(), at, velocities));
+    point.damping = numbers(velocity_slopes(moving_, OutputKind::bias, at));
+    if (!model_.inputs.empty()) {
+      point.input_matrix =
+          numbers(evaluate(moving_, *find_function(moving_, OutputKind::input_matrix), at));
+    }
+  }
+
+  /// K = 0 along a coordinate, exactly at the values of the parameters.
+  void note_degenerate(RestSystem& system, const RestBlock& block, const CoordinateAtRest& root,
+                       const RestPoint& point, RestConditions& here) {
+    const std::uint32_t coordinate = block.coordinates[0];
+    const auto order = root_order(system, block.rows[0], coordinate, root);
+    if (!order || order->order == 1) return;
+    // W = r^(m) (q - q0)^(m + 1)/(m + 1)! + ...
+    cln::cl_RA factorial = 1;
+    for (std::uint32_t i = 2; i <= order->order + 1; ++i) factorial = factorial * i;
+    const Value there =
+        substituted(system.forms.algebra, order->derivative, replacements_of({coordinate}, {root}));
+    Arithmetic arithmetic(system.forms.algebra);
+    const Value coefficient = arithmetic.multiply(there, fraction_of(1 / factorial));
+    if (!coefficient) return;
+    const Real number =
+        value_of(system.forms.algebra, *coefficient, arguments_at<Real>(point.state));
+    here.degenerate.push_back({coordinate, order->order + 1, *coefficient});
+    here.is_positive.push_back(number.is_defined() && cln::plusp(number.value()));
+  }
+
+  const Model& model_;
+  Program moving_;
+  RestProgram rest_;
+  State state_ = {};
+  std::vector<Occurrence> rows_ = {};
+  std::vector<RestBlock> blocks_ = {};
+  std::vector<BlockRoots> roots_ = {};
+  RestConditions conditions_ = {};
+  Equilibria result_ = {};
+};
+
+}  // namespace
+
+std::vector<OutputRequest> outputs_of_analysis(const Model& model) {
+  std::vector<OutputRequest> requests;
+  for (const OutputKind kind :
+       {OutputKind::mass_matrix, OutputKind::potential_energy, OutputKind::dissipation,
+        OutputKind::applied_force, OutputKind::bias, OutputKind::energy_function,
+        OutputKind::input_matrix}) {
+    OutputRequest request = request_of(model, kind, 0);
+    if (is_available(model, request)) requests.push_back(std::move(request));
+  }
+  return requests;
+}
+
+namespace {
+
+Result<EquilibriumSearch> search_of(const CheckedModel& checked, const Program& recursive) {
+  const Result<std::vector<cl_R>> inputs =
+      inputs_of(checked.model, nominal_state(checked.model, checked.scene));
+  if (!inputs) return inputs.diagnostics;
+  Program moving = closed_program(recursive);
+  Result<RestProgram> rest = rest_program(moving, *inputs);
+  if (!rest) return rest.diagnostics;
+  return EquilibriumSearch(checked, std::move(moving), std::move(*rest), *inputs);
+}
+
+}  // namespace
+
+Result<Equilibria> find_equilibria(const CheckedModel& checked, const Program& recursive,
+                                   const Limits& limits) {
+  Result<EquilibriumSearch> search = search_of(checked, recursive);
+  if (!search) return search.diagnostics;
+  return (*search)(limits);
+}
+
+Result<Equilibria> equilibrium_at_start(const CheckedModel& checked, const Program& recursive) {
+  Result<EquilibriumSearch> search = search_of(checked, recursive);
+  if (!search) return search.diagnostics;
+  return search->at_start();
+}
+
+}  // namespace elgen

@@ -1,0 +1,251 @@
+// The page of equilibria: formulas, a table of points, the conditions, the claim.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analyse/claims.hpp"
+#include "analyse/exact_roots.hpp"
+#include "analyse/page.hpp"
+#include "evaluate/subject.hpp"
+
+namespace elgen {
+namespace {
+
+class EquilibriaPage {
+ public:
+  EquilibriaPage(const CheckedModel& checked, const Equilibria& equilibria)
+      : model_(checked.model),
+        equilibria_(equilibria),
+        forms_(equilibria.forms),
+        symbols_(symbols_of(checked.model)) {}
+
+  AnalysisPage operator()() {
+    page_.title = prose(fmt::format("{}: equilibria (v = 0{})", title_of(model_), given_inputs()));
+    if (equilibria_.points.empty()) {
+      add_none();
+    } else {
+      add_points();
+    }
+    return std::move(page_);
+  }
+
+ private:
+  [[nodiscard]] std::string given_inputs() const {
+    std::string text;
+    for (std::size_t i = 0; i < model_.inputs.size(); ++i) {
+      if (cln::zerop(equilibria_.inputs[i])) continue;
+      text += fmt::format(", {} = {}", model_.inputs[i].name, short_text(equilibria_.inputs[i]));
+    }
+    return text;
+  }
+
+  [[nodiscard]] const std::vector<std::optional<Fraction>>& rows() const {
+    return forms_.functions[0].fields[0].entries;
+  }
+
+  std::optional<Printed> read(const std::optional<Fraction>& form) {
+    if (!form) return std::nullopt;
+    return formulas(model_, forms_.algebra, {*form})[0];
+  }
+
+  [[nodiscard]] Printed rest_energy() const {
+    if (equilibria_.has_rest_kinetic_energy) return {"V0 - T0", "V_0 - T_0"};
+    return {"V0", "V_0"};
+  }
+
+  // The page without points.
+
+  void add_none() {
+    PagePart& part = page_.parts.emplace_back();
+    if (equilibria_.completeness != Completeness::proved) {
+      part.lines = {prose("none was found"), claim_of(model_, equilibria_)};
+      return;
+    }
+    std::vector<Printed> entries;
+    for (const auto& row : rows()) {
+      if (const std::optional<Printed> entry = read(row)) entries.push_back(*entry);
+    }
+    Printed residual = residual_name();
+    if (entries.size() == rows().size()) residual = equated(residual, entries);
+    part.lines.push_back(prose("none:") + residual + prose("is not 0") + searched_domain() +
+                         prose("(proved)"));
+    add_cyclic(part);
+  }
+
+  /// "g = (0, m g l sin(theta))"
+  static Printed equated(const Printed& name, const std::vector<Printed>& entries) {
+    Printed list;
+    for (const Printed& entry : entries) {
+      const char* const comma = list.text.empty() ? "" : ", ";
+      list = {list.text + comma + entry.text, list.latex + comma + entry.latex};
+    }
+    if (entries.size() > 1) list = {"(" + list.text + ")", "(" + list.latex + ")"};
+    return {name.text + " = " + list.text, name.latex + " = " + list.latex};
+  }
+
+  [[nodiscard]] Printed residual_name() const {
+    if (!model_.inputs.empty()) return {"bias - B u", "\\text{bias} - B u"};
+    if (model_.may_drift || !model_.forces.empty()) return prose("bias");
+    return {"g", "g"};
+  }
+
+  /// "for r in [0.3, 3]"
+  [[nodiscard]] Printed searched_domain() const {
+    Printed result;
+    for (std::size_t i = 0; i < model_.coordinates.size(); ++i) {
+      const Coordinate& coordinate = model_.coordinates[i];
+      if (equilibria_.kinds[i] != SearchKind::range || !coordinate.range) continue;
+      const std::string interval = fmt::format("in [{}, {}]", short_text(coordinate.range->low),
+                                               short_text(coordinate.range->high));
+      result =
+          result + prose(result.text.empty() ? "for" : "and") + symbols_.q[i] + prose(interval);
+    }
+    return result;
+  }
+
+  void add_cyclic(PagePart& part) const {
+    std::vector<Printed> names;
+    for (std::size_t i = 0; i < model_.coordinates.size(); ++i) {
+      if (equilibria_.is_cyclic[i] && !model_.coordinates[i].rotation)
+        names.push_back(symbols_.q[i]);
+    }
+    if (names.empty()) return;
+    part.lines.push_back(
+        listed(names) +
+        prose(names.size() == 1 ? "is cyclic: with its momentum held there are steady motions"
+                                : "are cyclic: with their momenta held there are steady motions"));
+  }
+
+  // The page of points.
+
+  void add_points() {
+    find_stiffness();
+    if (stiffness_) {
+      if (const auto formula = read(stiffness_)) {
+        page_.parts.emplace_back().matrices.push_back({{"K", "K"}, 1, 1, {*formula}});
+      }
+    }
+    PagePart& part = page_.parts.emplace_back();
+    PageTable& table = part.table;
+    for (const Printed& symbol : symbols_.q) table.heads.push_back(symbol);
+    if (stiffness_) table.heads.push_back({"K", "K"});
+    table.heads.emplace_back();
+    for (std::size_t i = 0; i < equilibria_.points.size(); ++i) {
+      const bool is_pair = is_mirrored(forms_, equilibria_.points, i);
+      add_row(table, equilibria_.points[i], is_pair);
+      if (is_pair) ++i;
+    }
+    page_.parts.push_back({{scope_of(model_, equilibria_), claim_of(model_, equilibria_)}});
+  }
+
+  /// K of one coordinate, where it is not a number.
+  void find_stiffness() {
+    if (model_.velocities.size() != 1 || model_.coordinates.size() != 1 || !rows()[0]) return;
+    const Fraction row = *rows()[0];
+    stiffness_ = partial_derivative(forms_, row, 0, 1);
+    if (stiffness_ && !holds_coordinate(forms_.algebra, *stiffness_)) return;
+  }
+
+  void add_row(PageTable& table, const RestPoint& point, bool is_pair) {
+    for (const CoordinateAtRest& coordinate : point.coordinates) {
+      table.cells.push_back(cell_of(coordinate, is_pair && coordinate.wave));
+    }
+    if (stiffness_) table.cells.push_back(stiffness_at(point));
+    table.cells.push_back(verdict_of(point));
+  }
+
+  Printed cell_of(const CoordinateAtRest& coordinate, bool is_pair) {
+    if (coordinate.is_any) return prose("any");
+    if (!coordinate.form) return number(coordinate.value);
+    Value form = coordinate.form;
+    if (is_pair && cln::minusp(coordinate.value)) form = Arithmetic(forms_.algebra).negate(form);
+    const std::optional<Printed> formula = read(form);
+    if (!formula) return number(coordinate.value);
+    const cln::cl_R size = is_pair ? cln::abs(coordinate.value) : coordinate.value;
+    const Printed sign = is_pair ? Printed{"+-", "\\pm "} : Printed{};
+    const Printed signed_form{sign.text + formula->text, sign.latex + formula->latex};
+    const Printed value = number(size);
+    const bool is_plain = !coordinate.wave && !holds_parameter(*coordinate.form);
+    if (is_plain) return signed_form;
+    return {fmt::format("{} = {}{}", signed_form.text, sign.text, value.text),
+            fmt::format("{} = {}{}", signed_form.latex, sign.latex, value.latex)};
+  }
+
+  [[nodiscard]] bool holds_parameter(const Fraction& form) const {
+    return std::ranges::any_of(form.numerator, [&](const auto& term) {
+      return std::ranges::any_of(term.first, [&](const AtomPower& power) {
+        return forms_.algebra.atoms[power.atom].kind != AtomKind::pi;
+      });
+    });
+  }
+
+  Printed stiffness_at(const RestPoint& point) {
+    const CoordinateAtRest& coordinate = point.coordinates[0];
+    if (coordinate.form) {
+      const Value value =
+          substituted(forms_.algebra, *stiffness_, replacements_of({0}, {coordinate}));
+      if (const auto formula = read(value)) return *formula;
+    }
+    return number(point.stiffness[0]);
+  }
+
+  Printed verdict_of(const RestPoint& point) {
+    const StabilityVerdict& verdict = point.stability;
+    const Printed degenerate = verdict.is_degenerate ? prose("degenerate: K = 0;") : Printed{};
+    switch (verdict.kind) {
+      case Stability::minimum:
+        return prose("stable:") + rest_energy() + prose("has a strict minimum");
+      case Stability::degenerate_minimum:
+        return degenerate + prose("stable:") + leading_term(*verdict.leading, point);
+      case Stability::decaying:
+        return degenerate + prose("stable: all poles have negative real parts");
+      case Stability::unstable: {
+        std::string rates;
+        for (const double rate : verdict.growth_rates) {
+          rates += fmt::format("{}{:.6g} 1/s", rates.empty() ? "" : ", ", rate);
+        }
+        return prose("unstable: " + rates);
+      }
+      case Stability::open:
+        return degenerate + prose("not decided by the linear part");
+    }
+    return {};
+  }
+
+  /// "V0 - T0 = 9/8 m R theta^4 + … has a strict minimum, of order 4"
+  Printed leading_term(const LeadingTerm& term, const RestPoint& point) {
+    const CoordinateAtRest& at = point.coordinates[term.coordinate];
+    const Printed& symbol = symbols_.q[term.coordinate];
+    const bool is_origin = cln::zerop(at.value);
+    const Printed place = cell_of(at, false);
+    const Printed shift = is_origin ? symbol
+                                    : Printed{fmt::format("({} - {})", symbol.text, place.text),
+                                              fmt::format("({} - {})", symbol.latex, place.latex)};
+    const Printed coefficient = read(term.coefficient).value_or(Printed{});
+    const Printed rest = rest_energy();
+    const Printed equation{
+        fmt::format("{} = {}*{}^{} + ...", rest.text, coefficient.text, shift.text, term.order),
+        fmt::format("{} = {} \\thinspace {}^{{{}}} + \\text{{…}}", rest.latex, coefficient.latex,
+                    shift.latex, term.order)};
+    return equation + prose(fmt::format("has a strict minimum, of order {}", term.order));
+  }
+
+  const Model& model_;
+  const Equilibria& equilibria_;
+  ClosedForms forms_;  ///< a copy: reading forms adds to their algebra
+  LeafValues<Printed> symbols_;
+  std::optional<Fraction> stiffness_ = {};
+  AnalysisPage page_ = {};
+};
+
+}  // namespace
+
+Sheet equilibria_sheet(const CheckedModel& checked, const Equilibria& equilibria) {
+  return sheet_of(EquilibriaPage(checked, equilibria)());
+}
+
+std::string equilibria_text(const CheckedModel& checked, const Equilibria& equilibria) {
+  return text_of(EquilibriaPage(checked, equilibria)());
+}
+
+}  // namespace elgen

@@ -1,0 +1,283 @@
+// The equation of one angle is a polynomial in z = e^(iq), whose factors z - 1, z + 1, z - i, z + i
+// are divided out; what is left of degree 2 is c0 (z^2 + 1) + c1 z or c0 (1 - z^2) + c1 z.
+#include "analyse/exact_roots.hpp"
+
+#include <cln/integer.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "analyse/formulas.hpp"
+#include "base/exact_number.hpp"
+#include "present/polynomial.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_RA;
+
+Real half_turns(const cl_RA& count) { return Real(count) * acos(Real(cl_RA(-1))); }
+
+/// Whether two angles are the same up to turns.
+bool is_same_angle(const Real& x, const Real& y) {
+  return is_near(cos(x), cos(y)) && is_near(sin(x), sin(y));
+}
+
+bool mentions(const Algebra& algebra, AtomId id, std::optional<std::uint32_t> coordinate);
+
+bool mentions(const Algebra& algebra, const Polynomial& sum,
+              std::optional<std::uint32_t> coordinate) {
+  return std::ranges::any_of(sum, [&](const auto& term) {
+    return std::ranges::any_of(term.first, [&](const AtomPower& power) {
+      return mentions(algebra, power.atom, coordinate);
+    });
+  });
+}
+
+bool mentions(const Algebra& algebra, const Fraction& form,
+              std::optional<std::uint32_t> coordinate) {
+  return mentions(algebra, form.numerator, coordinate) ||
+         std::ranges::any_of(form.denominator, [&](const auto& factor) {
+           return mentions(algebra, algebra.factors[factor.first].shown, coordinate);
+         });
+}
+
+/// One coordinate, or any.
+bool mentions(const Algebra& algebra, AtomId id, std::optional<std::uint32_t> coordinate) {
+  const Atom& atom = algebra.atoms[id];
+  if (atom.kind == AtomKind::leaf) {
+    return atom.leaf == Opcode::coordinate && (!coordinate || atom.index == *coordinate);
+  }
+  return std::ranges::any_of(atom.arguments, [&](const Fraction& argument) {
+    return mentions(algebra, argument, coordinate);
+  });
+}
+
+/// The power k of e^(i q) that an atom to a power is; none of other atoms.
+std::optional<std::int32_t> wave_power(const Algebra& algebra, const AtomPower& power,
+                                       std::uint32_t coordinate) {
+  const Atom& atom = algebra.atoms[power.atom];
+  if (atom.kind != AtomKind::circular) return std::nullopt;
+  const Fraction& argument = atom.arguments[0];
+  if (!argument.denominator.empty() || argument.numerator.size() != 1) return std::nullopt;
+  const Monomial& monomial = argument.numerator.begin()->first;
+  if (monomial.size() != 1 || monomial[0].exponent != 1) return std::nullopt;
+  const Atom& leaf = algebra.atoms[monomial[0].atom];
+  const bool is_it =
+      leaf.kind == AtomKind::leaf && leaf.leaf == Opcode::coordinate && leaf.index == coordinate;
+  const cl_RA multiple = cl_RA(power.exponent) / atom.divisor;
+  if (!is_it || cln::denominator(multiple) != 1) return std::nullopt;
+  return static_cast<std::int32_t>(cln::cl_I_to_long(cln::numerator(multiple)));
+}
+
+/// Coefficients of z^0, z^1, …; none where the coordinate occurs otherwise.
+using Coefficients = std::vector<Polynomial>;
+
+std::optional<Coefficients> in_waves(const Algebra& algebra, const Polynomial& sum,
+                                     std::uint32_t coordinate) {
+  std::map<std::int32_t, Polynomial> by_power;
+  for (const auto& [monomial, coefficient] : sum) {
+    Monomial rest;
+    std::int32_t total = 0;
+    for (const AtomPower& power : monomial) {
+      if (const auto wave = wave_power(algebra, power, coordinate)) {
+        total += *wave;
+      } else if (mentions(algebra, power.atom, coordinate)) {
+        return std::nullopt;
+      } else {
+        rest.push_back(power);
+      }
+    }
+    add_term(by_power[total], rest, coefficient);
+  }
+  std::erase_if(by_power, [](const auto& term) { return term.second.empty(); });
+  if (by_power.empty()) return std::nullopt;
+  Coefficients result;
+  const std::int32_t first = by_power.begin()->first;
+  for (const auto& [power, polynomial] : by_power) {
+    result.resize(static_cast<std::size_t>(power - first) + 1);
+    result.back() = polynomial;
+  }
+  return result;
+}
+
+/// Without the factor z - root, as often as it is one.
+void divide_out_root(Coefficients& coefficients, const Gaussian& root) {
+  while (coefficients.size() > 1) {
+    Coefficients quotient(coefficients.size() - 1);
+    Polynomial carried;
+    for (std::size_t k = coefficients.size(); k-- > 0;) {
+      carried = sum(coefficients[k], scaled(carried, root));
+      if (k > 0) quotient[k - 1] = carried;
+    }
+    if (!carried.empty()) return;
+    coefficients = std::move(quotient);
+  }
+}
+
+/// cos(q) = c, or sin(q) = c.
+struct KnownWave {
+  Fraction value = {};
+  bool is_cosine = true;
+};
+
+std::optional<KnownWave> wave_of(Arithmetic& arithmetic, Coefficients coefficients) {
+  for (const Gaussian& root : std::array<Gaussian, 4>{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}}) {
+    divide_out_root(coefficients, root);
+  }
+  if (coefficients.size() != 3) return std::nullopt;
+  const bool is_cosine = sum(coefficients[0], scaled(coefficients[2], {-1, 0})).empty();
+  const bool is_sine = sum(coefficients[0], coefficients[2]).empty();
+  if (!is_cosine && !is_sine) return std::nullopt;
+  // c1 + 2 c2 cos(q) = 0; c1 + 2 i c2 sin(q) = 0
+  const Gaussian factor = is_cosine ? Gaussian{cl_RA(-1) / 2, 0} : Gaussian{0, cl_RA(1) / 2};
+  const Value value =
+      arithmetic.divide(fraction_of(scaled(coefficients[1], factor)), fraction_of(coefficients[2]));
+  return value ? std::optional(KnownWave{*value, is_cosine}) : std::nullopt;
+}
+
+/// The root of the equation of one unknown, by its number.
+class OneUnknown {
+ public:
+  OneUnknown(Algebra& algebra, const Arguments<Real>& root, std::uint32_t coordinate)
+      : algebra_(algebra), root_(root), coordinate_(coordinate), arithmetic_(algebra) {}
+
+  std::optional<CoordinateAtRest> of(const Fraction& row) {
+    if (const auto waves = in_waves(algebra_, row.numerator, coordinate_)) {
+      const auto wave = wave_of(arithmetic_, *waves);
+      return wave ? angle(*wave) : std::nullopt;
+    }
+    return linear(row.numerator);
+  }
+
+ private:
+  [[nodiscard]] const Real& number() const { return root_.q[coordinate_]; }
+
+  /// That of the four angles which the root is.
+  std::optional<CoordinateAtRest> angle(const KnownWave& wave) {
+    const FunctionId inverse = wave.is_cosine ? FunctionId::acos : FunctionId::asin;
+    const Value square = arithmetic_.multiply(wave.value, wave.value);
+    const Value other =
+        arithmetic_.square_root(arithmetic_.subtract(fraction_of(cl_RA(1)), square));
+    const Value first = arithmetic_.call(inverse, wave.value, {});
+    const Value second =
+        wave.is_cosine ? arithmetic_.negate(first) : arithmetic_.subtract(arithmetic_.pi(), first);
+    for (const auto& [angle, signed_other] :
+         {std::pair{first, other}, std::pair{second, arithmetic_.negate(other)}}) {
+      if (!angle || !is_same_angle(value_of(algebra_, *angle, root_), number())) continue;
+      if (!signed_other) return std::nullopt;
+      const CosineAndSine waves = wave.is_cosine ? CosineAndSine{wave.value, *signed_other}
+                                                 : CosineAndSine{*signed_other, wave.value};
+      return CoordinateAtRest{false, number().value(), angle, wave.value, waves};
+    }
+    return std::nullopt;
+  }
+
+  std::optional<CoordinateAtRest> linear(const Polynomial& row) {
+    Polynomial slope;
+    Polynomial rest;
+    for (const auto& [monomial, coefficient] : row) {
+      Monomial others;
+      std::int32_t degree = 0;
+      for (const AtomPower& power : monomial) {
+        const Atom& atom = algebra_.atoms[power.atom];
+        const bool is_it = atom.kind == AtomKind::leaf && atom.leaf == Opcode::coordinate &&
+                           atom.index == coordinate_;
+        if (is_it) {
+          degree = power.exponent;
+        } else if (mentions(algebra_, power.atom, coordinate_)) {
+          return std::nullopt;
+        } else {
+          others.push_back(power);
+        }
+      }
+      if (degree != 0 && degree != 1) return std::nullopt;
+      add_term(degree == 1 ? slope : rest, others, coefficient);
+    }
+    if (slope.empty()) return std::nullopt;
+    const Value value =
+        arithmetic_.divide(arithmetic_.negate(fraction_of(rest)), fraction_of(slope));
+    if (!value || !is_near(value_of(algebra_, *value, root_), number())) return std::nullopt;
+    return CoordinateAtRest{false, number().value(), value};
+  }
+
+  Algebra& algebra_;
+  const Arguments<Real>& root_;
+  std::uint32_t coordinate_;
+  Arithmetic arithmetic_;
+};
+
+/// A multiple of a quarter turn of an angle, 0 of another coordinate.
+std::optional<CoordinateAtRest> plain_value(Algebra& algebra, SearchKind kind, const Real& root) {
+  Arithmetic arithmetic(algebra);
+  if (is_near(root, Real())) return CoordinateAtRest{false, root.value(), Fraction{}};
+  if (kind != SearchKind::turn) return std::nullopt;
+  for (const cl_RA& count : {cl_RA(1), cl_RA(1) / 2, cl_RA(-1) / 2}) {
+    if (!is_same_angle(half_turns(count), root)) continue;
+    const Value form = arithmetic.multiply(arithmetic.pi(), fraction_of(count));
+    return CoordinateAtRest{false, half_turns(count).value(), form};
+  }
+  return std::nullopt;
+}
+
+bool is_solved(Algebra& algebra, const std::vector<Fraction>& rows,
+               const Replacements& replacements) {
+  return std::ranges::all_of(rows, [&](const Fraction& row) {
+    const Value value = substituted(algebra, row, replacements);
+    return value && value->numerator.empty();
+  });
+}
+
+}  // namespace
+
+bool holds_coordinate(const Algebra& algebra, const Fraction& form) {
+  return mentions(algebra, form, std::nullopt);
+}
+
+Replacements replacements_of(const std::vector<std::uint32_t>& coordinates,
+                             const std::vector<CoordinateAtRest>& values) {
+  Replacements result;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!values[i].form) continue;
+    result[{Opcode::coordinate, coordinates[i]}] = {*values[i].form, values[i].waves};
+  }
+  return result;
+}
+
+std::optional<std::vector<CoordinateAtRest>> exact_root(Algebra& algebra,
+                                                        const std::vector<Fraction>& rows,
+                                                        const Unknowns& unknowns,
+                                                        const Arguments<Real>& root) {
+  std::vector<CoordinateAtRest> values(unknowns.coordinates.size());
+  std::optional<std::size_t> open;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto plain = plain_value(algebra, unknowns.kinds[i], root.q[unknowns.coordinates[i]]);
+    if (plain) {
+      values[i] = *plain;
+    } else if (open) {
+      return std::nullopt;
+    } else {
+      open = i;
+    }
+  }
+  if (!open && is_solved(algebra, rows, replacements_of(unknowns.coordinates, values))) {
+    return values;
+  }
+  // The value of one coordinate may be plain at these parameters alone: asin(tau/(m g l)) = pi/2.
+  if (!open && values.size() == 1) open = 0;
+  if (!open) return std::nullopt;
+  values[*open] = {};
+  const Replacements known = replacements_of(unknowns.coordinates, values);
+  for (const Fraction& row : rows) {
+    const Value left = substituted(algebra, row, known);
+    if (!left || !mentions(algebra, *left, unknowns.coordinates[*open])) continue;
+    const auto value = OneUnknown(algebra, root, unknowns.coordinates[*open]).of(*left);
+    if (!value) continue;
+    values[*open] = *value;
+    if (is_solved(algebra, rows, replacements_of(unknowns.coordinates, values))) return values;
+  }
+  return std::nullopt;
+}
+
+}  // namespace elgen

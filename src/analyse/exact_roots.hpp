@@ -1,0 +1,37 @@
+// Exact roots: closed forms of what was found in 64 digits, each put into the equations and kept
+// only where these become the empty sum.
+//
+//     0, pi, +-pi/2      in any number of coordinates
+//     +-acos(c), asin(c), pi - asin(c)     of one angle, where the equation is a multiple of
+//                                          cos(q) - c or sin(q) - c after the above are divided out
+//     -b/a                                 of one coordinate, where the equation is a q + b
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "analyse/substitution.hpp"
+#include "elgen/analyse.hpp"
+#include "elgen/evaluate.hpp"
+
+namespace elgen {
+
+/// Unknown coordinates of some equations, with the kind of search of each.
+struct Unknowns {
+  std::vector<std::uint32_t> coordinates = {};
+  std::vector<SearchKind> kinds = {};
+};
+
+/// The closed forms of a root, one for each unknown; none where it has none of these.
+[[nodiscard]] std::optional<std::vector<CoordinateAtRest>> exact_root(
+    Algebra& algebra, const std::vector<Fraction>& rows, const Unknowns& unknowns,
+    const Arguments<Real>& root);
+
+/// What takes the place of the unknowns; those that are any keep theirs.
+[[nodiscard]] Replacements replacements_of(const std::vector<std::uint32_t>& coordinates,
+                                           const std::vector<CoordinateAtRest>& values);
+
+/// Whether a form holds one of the coordinates.
+[[nodiscard]] bool holds_coordinate(const Algebra& algebra, const Fraction& form);
+
+}  // namespace elgen

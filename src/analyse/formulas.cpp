@@ -1,0 +1,63 @@
+// A closed form goes the way of the entry of an output: written in its shortest way, made a
+// function, and printed as one.
+#include "analyse/formulas.hpp"
+
+#include "base/exact_number.hpp"
+#include "choose/closed_graph.hpp"
+#include "choose/entries.hpp"
+#include "elgen/render.hpp"
+#include "lower/network/linearise.hpp"
+
+namespace elgen {
+
+std::vector<std::optional<Printed>> formulas(const Model& model, const Algebra& algebra,
+                                             const std::vector<Fraction>& forms) {
+  const LeafNames leaves = leaf_names(model);
+  const MixedPoints points = mixed_points(leaves);
+  std::vector<std::optional<Printed>> result;
+  for (const Fraction& form : forms) {
+    auto& formula = result.emplace_back();
+    const std::optional<ReadableForm> readable = shortest(algebra, form, nullptr, points);
+    if (!readable) continue;
+    const Function shape{.fields = {Field{"", 1, 1, {0}}}};
+    Program program{leaves};
+    Function function = lowered_one_by_one({readable}, shape, program);
+    program.functions = {function};
+    program.readable = {std::move(function)};
+    formula = {readable_equations(program, 0).entries[0][0],
+               latex_equations(model, program, 0).entries[0][0]};
+  }
+  return result;
+}
+
+std::optional<FormProgram> form_program(const LeafNames& leaves, const Algebra& algebra,
+                                        const std::vector<Fraction>& forms) {
+  Expressions expressions;
+  for (const Fraction& form : forms) {
+    const std::optional<Ref> value =
+        closed_graph(expressions.graph, algebra, form, {}, PresentBudget{}.terms);
+    if (!value) return std::nullopt;
+    expressions.values.push_back(*value);
+  }
+  FormProgram result{Program{leaves}};
+  Function function;
+  Field& field = function.fields.emplace_back();
+  field.rows = static_cast<std::uint32_t>(forms.size());
+  for (std::uint32_t i = 0; i < forms.size(); ++i) field.entries.push_back(i);
+  linearise(make_network(expressions), result.program, function);
+  result.program.functions.push_back(std::move(function));
+  return result;
+}
+
+Real value_of(const Algebra& algebra, const Fraction& form, const Arguments<Real>& at) {
+  const std::optional<FormProgram> program = form_program({}, algebra, {form});
+  return program ? evaluate(program->program, program->function(), at)[0] : Real::undefined();
+}
+
+bool is_near(const Real& x, const Real& y) {
+  static const cln::cl_R near = power_of_ten(-40);
+  const Real difference = abs(x - y);
+  return difference.is_defined() && difference.value() < near;
+}
+
+}  // namespace elgen

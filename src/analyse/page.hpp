@@ -1,0 +1,63 @@
+// Page: what an analysis found, as it is read: once in the model language, once in LaTeX.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analyse/formulas.hpp"
+#include "elgen/analyse.hpp"
+
+namespace elgen {
+
+/// `left` = a number, or a matrix of `rows` x `columns` entries.
+struct PageMatrix {
+  Printed left = {};
+  std::uint32_t rows = 1;
+  std::uint32_t columns = 1;
+  std::vector<Printed> entries = {};
+};
+
+struct PageTable {
+  std::vector<Printed> heads = {};
+  std::vector<Printed> cells = {};  ///< row-major
+};
+
+/// What stands together between blank lines.
+struct PagePart {
+  std::vector<Printed> lines = {};
+  std::vector<PageMatrix> matrices = {};
+  PageTable table = {};
+  bool is_row = false;  ///< matrices stand side by side where there is room
+};
+
+struct AnalysisPage {
+  Printed title = {};
+  std::vector<PagePart> parts = {};
+};
+
+/// Prose.
+[[nodiscard]] Printed prose(const std::string& text);
+/// Side by side, a blank between them.
+[[nodiscard]] Printed operator+(const Printed& left, const Printed& right);
+/// "a", "a and b", "a, b and c"
+[[nodiscard]] Printed listed(const std::vector<Printed>& items);
+/// Six digits.
+[[nodiscard]] Printed number(const cln::cl_R& value);
+[[nodiscard]] Printed number(double value);
+
+/// The symbols of the leaves of a model.
+[[nodiscard]] LeafValues<Printed> symbols_of(const Model& model);
+
+[[nodiscard]] std::string title_of(const Model& model);
+
+/// Whether the point after this one is this one with the signs of all angles acos(c) turned.
+[[nodiscard]] bool is_mirrored(ClosedForms& forms, const std::vector<RestPoint>& points,
+                               std::size_t first);
+
+/// A formula on one line, in Unicode.
+[[nodiscard]] std::string line_of(const Printed& formula);
+
+[[nodiscard]] Sheet sheet_of(const AnalysisPage& page);
+[[nodiscard]] std::string text_of(const AnalysisPage& page);
+
+}  // namespace elgen

@@ -1,0 +1,124 @@
+// Newton's method on quaternions moves them along their tangents and scales them to length 1.
+#include "analyse/polish.hpp"
+
+#include <algorithm>
+
+#include "base/exact_number.hpp"
+#include "check/names/requests.hpp"
+#include "elgen/oracle.hpp"
+#include "evaluate/dual.hpp"
+
+namespace elgen {
+namespace {
+
+bool is_larger(const Real& x, const Real& y) {
+  return x.is_defined() && y.is_defined() && x.value() > y.value();
+}
+
+bool is_exactly_zero(const Real& x) { return x.is_defined() && cln::zerop(x.value()); }
+
+/// dq/dt of a unit of one velocity: a column of N(q).
+std::vector<Real> rate_of_unit(const Model& model, const Arguments<Real>& at,
+                               std::uint32_t velocity) {
+  std::vector<Real> rates(at.q.size());
+  const Velocity& moved = model.velocities[velocity];
+  if (!moved.rotation) {
+    rates[moved.coordinate] = Real(1);
+    return rates;
+  }
+  State state = map_leaves([](const Real& x) -> cln::cl_R { return x.value(); }, at);
+  std::ranges::fill(state.v, cln::cl_R(0));
+  state.v[velocity] = 1;
+  const OracleValues values =
+      oracle_values(model, request_of(model, OutputKind::coordinate_rates, 0), state);
+  for (std::size_t i = 0; values && i < rates.size(); ++i) rates[i] = Real((*values)[i]);
+  return rates;
+}
+
+void scale_quaternions(const Model& model, std::vector<Real>& q) {
+  for (const Rotation& rotation : model.rotations) {
+    Real square;
+    for (std::uint32_t i = 0; i < quaternion_size; ++i) {
+      const Real& x = q[rotation.first_coordinate + i];
+      square = square + x * x;
+    }
+    const Real length = sqrt(square);
+    for (std::uint32_t i = 0; i < quaternion_size; ++i) {
+      Real& x = q[rotation.first_coordinate + i];
+      x = x / length;
+    }
+  }
+}
+
+constexpr int most_steps = 200;
+
+}  // namespace
+
+std::optional<std::vector<Real>> solved(std::vector<Real> matrix, std::vector<Real> right_side) {
+  const std::size_t n = right_side.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k + 1; i < n; ++i) {
+      if (is_larger(abs(matrix[i * n + k]), abs(matrix[pivot * n + k]))) pivot = i;
+    }
+    if (!matrix[pivot * n + k].is_defined() || is_exactly_zero(matrix[pivot * n + k]))
+      return std::nullopt;
+    std::swap(right_side[k], right_side[pivot]);
+    for (std::size_t j = 0; j < n; ++j) std::swap(matrix[k * n + j], matrix[pivot * n + j]);
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const Real factor = matrix[i * n + k] / matrix[k * n + k];
+      for (std::size_t j = k; j < n; ++j) {
+        matrix[i * n + j] = matrix[i * n + j] - factor * matrix[k * n + j];
+      }
+      right_side[i] = right_side[i] - factor * right_side[k];
+    }
+  }
+  for (std::size_t k = n; k-- > 0;) {
+    for (std::size_t j = k + 1; j < n; ++j) {
+      right_side[k] = right_side[k] - matrix[k * n + j] * right_side[j];
+    }
+    right_side[k] = right_side[k] / matrix[k * n + k];
+  }
+  return right_side;
+}
+
+std::vector<Real> position_slopes(const Model& model, const Program& program,
+                                  const Function& function, const Arguments<Real>& at,
+                                  const std::vector<std::uint32_t>& along) {
+  const std::size_t columns = along.size();
+  std::vector<Real> slopes(entry_count(function) * columns);
+  for (std::size_t k = 0; k < columns; ++k) {
+    Arguments<Real> direction = map_leaves([](const Real&) { return Real(); }, at);
+    direction.q = rate_of_unit(model, at, along[k]);
+    const auto entries = evaluate(program, function, moving(at, direction));
+    for (std::size_t i = 0; i < entries.size(); ++i) slopes[i * columns + k] = entries[i].slope;
+  }
+  return slopes;
+}
+
+std::optional<Arguments<Real>> polished(const Model& model, const Program& program,
+                                        const Function& function, Arguments<Real> start,
+                                        const std::vector<std::uint32_t>& along) {
+  static const Real smallest_step(power_of_ten(-58));
+  for (int i = 0; i < most_steps; ++i) {
+    std::vector<Real> values = evaluate(program, function, start);
+    if (std::ranges::all_of(values, is_exactly_zero)) return start;
+    const auto step = solved(position_slopes(model, program, function, start, along), values);
+    if (!step) return std::nullopt;
+    Real longest;
+    Real largest(1);
+    for (std::size_t k = 0; k < along.size(); ++k) {
+      const std::vector<Real> rates = rate_of_unit(model, start, along[k]);
+      for (std::size_t c = 0; c < rates.size(); ++c)
+        start.q[c] = start.q[c] - rates[c] * (*step)[k];
+      longest = max(longest, abs((*step)[k]));
+    }
+    scale_quaternions(model, start.q);
+    for (const Real& q : start.q) largest = max(largest, abs(q));
+    if (!longest.is_defined() || !largest.is_defined()) return std::nullopt;
+    if (!is_larger(longest, largest * smallest_step)) return start;
+  }
+  return std::nullopt;
+}
+
+}  // namespace elgen

@@ -1,0 +1,29 @@
+// Polish: a solution to 64 digits, by Newton's method.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "elgen/evaluate.hpp"
+#include "elgen/model.hpp"
+
+namespace elgen {
+
+/// x of A x = b, A n x n row-major, by elimination with pivots by rows; none where A is singular.
+[[nodiscard]] std::optional<std::vector<Real>> solved(std::vector<Real> matrix,
+                                                      std::vector<Real> right_side);
+
+/// d f/d q of the entries of a function, row-major: f moves with the velocities `along`, one column
+/// for each. Of rotations a column is along a turn about an axis of the body.
+[[nodiscard]] std::vector<Real> position_slopes(const Model& model, const Program& program,
+                                                const Function& function, const Arguments<Real>& at,
+                                                const std::vector<std::uint32_t>& along);
+
+/// The solution f = 0 near the arguments, where only the coordinates of these velocities move; as
+/// many entries as velocities. None where it is not reached in 200 steps.
+[[nodiscard]] std::optional<Arguments<Real>> polished(const Model& model, const Program& program,
+                                                      const Function& function,
+                                                      Arguments<Real> start,
+                                                      const std::vector<std::uint32_t>& along);
+
+}  // namespace elgen

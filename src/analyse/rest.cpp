@@ -1,0 +1,226 @@
+// The equations of rest are copied into one graph with v = 0 and u = its values; blocks are the
+// connected parts of "row i holds coordinate k".
+#include "analyse/rest.hpp"
+
+#include <cln/rational.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "choose/entries.hpp"
+#include "elgen/fold.hpp"
+#include "evaluate/subject.hpp"
+#include "lower/graph/from_program.hpp"
+#include "lower/network/cheapest.hpp"
+#include "lower/network/linearise.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_RA;
+
+/// Thrown by a division by what is 0 at rest.
+struct NoValueAtRest {};
+
+struct RestRules : GraphRules {
+  const std::vector<cln::cl_R>& inputs;
+
+  RestRules(Graph& to, const std::vector<cln::cl_R>& given) : GraphRules{to}, inputs(given) {}
+
+  [[nodiscard]] Ref leaf(Opcode kind, std::uint32_t number) const {
+    if (kind == Opcode::velocity) return graph.rational(0);
+    if (kind == Opcode::input) return graph.rational(cln::rational(inputs[number]));
+    return graph.leaf(kind, number);
+  }
+  [[nodiscard]] Ref divide(Ref x, Ref y) const {
+    if (graph.is_zero(y.node)) throw NoValueAtRest();
+    return GraphRules::divide(x, y);
+  }
+};
+
+std::vector<Ref> entries_at_rest(const RestRules& rules, const Program& program, OutputKind kind) {
+  const Function& function = *find_function(program, kind);
+  return entries_of(function, fold<Ref>(rules, program, function));
+}
+
+/// A function of these entries, in the shape of the one of this kind.
+void append_function(Program& program, const Program& shapes, OutputKind kind,
+                     Expressions expressions) {
+  Function function = unfilled(*find_function(shapes, kind));
+  linearise(cheapest_network(expressions, function), program, function);
+  program.functions.push_back(std::move(function));
+}
+
+/// The sum of integer multiples of coordinates that a value is, if it is one but for what has no
+/// coordinates.
+struct Tracked {
+  std::map<std::uint32_t, cl_RA> multiples = {};
+  std::optional<cl_RA> number = {};
+  Occurrence all = {};
+};
+
+void unite(Occurrence& to, const Occurrence& from) {
+  to.coordinates.insert(from.coordinates.begin(), from.coordinates.end());
+  to.outside_waves.insert(from.outside_waves.begin(), from.outside_waves.end());
+  to.has_time = to.has_time || from.has_time;
+}
+
+/// The value of a function that is no wave: its coordinates are seen outside of waves.
+Tracked used(const Tracked& x) {
+  Tracked result;
+  result.all = x.all;
+  for (const auto& [coordinate, multiple] : x.multiples) {
+    result.all.outside_waves.insert(coordinate);
+  }
+  return result;
+}
+
+Tracked used_together(const Tracked& x, const Tracked& y) {
+  Tracked result = used(x);
+  unite(result.all, used(y).all);
+  return result;
+}
+
+Tracked scaled(Tracked x, const cl_RA& factor) {
+  if (factor == 0) return {{}, cl_RA(0), {}};
+  for (auto& [coordinate, multiple] : x.multiples) multiple = multiple * factor;
+  if (x.number) x.number = *x.number * factor;
+  return x;
+}
+
+bool is_wave(FunctionId function) { return is_circular(function) || function == FunctionId::tan; }
+
+/// The rules of fold.hpp.
+struct OccurrenceRules {
+  [[nodiscard]] Tracked constant(const Constant& constant) const {
+    Tracked result;
+    if (is_rational(constant)) result.number = cln::rational(constant.value);
+    return result;
+  }
+  [[nodiscard]] Tracked leaf(Opcode kind, std::uint32_t number) const {
+    Tracked result;
+    if (kind == Opcode::coordinate) {
+      result.multiples[number] = 1;
+      result.all.coordinates.insert(number);
+    }
+    result.all.has_time = kind == Opcode::time;
+    return result;
+  }
+  [[nodiscard]] Tracked negate(const Tracked& x) const { return scaled(x, -1); }
+  [[nodiscard]] Tracked add(const Tracked& x, const Tracked& y) const {
+    Tracked result = x;
+    for (const auto& [coordinate, multiple] : y.multiples) {
+      cl_RA& sum = result.multiples.try_emplace(coordinate, 0).first->second;
+      sum = sum + multiple;
+      if (sum == 0) result.multiples.erase(coordinate);
+    }
+    if (result.number && y.number) result.number = *result.number + *y.number;
+    if (!y.number) result.number.reset();
+    unite(result.all, y.all);
+    return result;
+  }
+  [[nodiscard]] Tracked subtract(const Tracked& x, const Tracked& y) const {
+    return add(x, negate(y));
+  }
+  [[nodiscard]] Tracked multiply(const Tracked& x, const Tracked& y) const {
+    if (x.number) return scaled(y, *x.number);
+    if (y.number) return scaled(x, *y.number);
+    return used_together(x, y);
+  }
+  [[nodiscard]] Tracked divide(const Tracked& x, const Tracked& y) const {
+    if (y.number && *y.number != 0) return scaled(x, 1 / *y.number);
+    return used_together(x, y);
+  }
+  [[nodiscard]] Tracked square_root(const Tracked& x) const { return used(x); }
+  [[nodiscard]] Tracked call(FunctionId function, const Tracked& x, const Tracked& y) const {
+    if (!is_wave(function))
+      return function_row(function).arity == 2 ? used_together(x, y) : used(x);
+    Tracked result;
+    result.all = x.all;
+    for (const auto& [coordinate, multiple] : x.multiples) {
+      if (cln::denominator(multiple) != 1) result.all.outside_waves.insert(coordinate);
+    }
+    return result;
+  }
+};
+
+}  // namespace
+
+Result<RestProgram> rest_program(const Program& moving, const std::vector<cln::cl_R>& inputs) {
+  RestProgram rest;
+  rest.program.leaves = moving.leaves;
+  try {
+    Expressions residual;
+    const RestRules rules(residual.graph, inputs);
+    residual.values = entries_at_rest(rules, moving, OutputKind::bias);
+    if (!inputs.empty()) {
+      const std::vector<Ref> matrix = entries_at_rest(rules, moving, OutputKind::input_matrix);
+      for (std::size_t i = 0; i < residual.values.size(); ++i) {
+        std::vector<Ref> terms{residual.values[i]};
+        for (std::size_t k = 0; k < inputs.size(); ++k) {
+          const Ref u = residual.graph.rational(cln::rational(inputs[k]));
+          terms.push_back(-residual.graph.product({{matrix[i * inputs.size() + k], 1}, {u, 1}}));
+        }
+        residual.values[i] = residual.graph.sum(terms);
+      }
+    }
+    append_function(rest.program, moving, OutputKind::bias, std::move(residual));
+    for (const OutputKind kind : {OutputKind::mass_matrix, OutputKind::energy_function}) {
+      Expressions expressions;
+      const RestRules own(expressions.graph, inputs);
+      expressions.values = entries_at_rest(own, moving, kind);
+      append_function(rest.program, moving, kind, std::move(expressions));
+    }
+  } catch (const NoValueAtRest&) {
+    return Diagnostic{Code::E530, {}, "the equations of motion have no value at rest"};
+  }
+  return rest;
+}
+
+Program closed_program(const Program& recursive) {
+  const ClosedForms forms = present(recursive);
+  const MixedPoints points = mixed_points(recursive.leaves);
+  Program result = recursive;
+  for (std::size_t i = 0; i < recursive.functions.size(); ++i) {
+    const Function& function = recursive.functions[i];
+    const ReadableEntries entries =
+        read_entries({recursive, function, forms, forms.functions[i]}, points);
+    if (!is_complete(entries)) continue;
+    result.functions[i] = lowered_together(entries, function, result, Splits::sums_and_differences);
+  }
+  return result;
+}
+
+std::vector<Occurrence> occurrences(const Program& program, const Function& function) {
+  std::vector<Occurrence> result;
+  for (const Tracked& entry :
+       entries_of(function, fold<Tracked>(OccurrenceRules{}, program, function))) {
+    result.push_back(used(entry).all);
+  }
+  return result;
+}
+
+std::vector<RestBlock> rest_blocks(const std::vector<Occurrence>& rows) {
+  std::vector<RestBlock> blocks;
+  for (std::uint32_t row = 0; row < rows.size(); ++row) {
+    std::set<std::uint32_t> coordinates = rows[row].coordinates;
+    RestBlock joined{{row}, {}};
+    std::erase_if(blocks, [&](const RestBlock& block) {
+      const bool is_joined = std::ranges::any_of(block.coordinates, [&](std::uint32_t coordinate) {
+        return rows[row].coordinates.contains(coordinate);
+      });
+      if (!is_joined) return false;
+      joined.rows.insert(joined.rows.end(), block.rows.begin(), block.rows.end());
+      coordinates.insert(block.coordinates.begin(), block.coordinates.end());
+      return true;
+    });
+    std::ranges::sort(joined.rows);
+    joined.coordinates.assign(coordinates.begin(), coordinates.end());
+    blocks.push_back(std::move(joined));
+  }
+  std::ranges::sort(blocks, {}, [](const RestBlock& block) { return block.rows.front(); });
+  return blocks;
+}
+
+}  // namespace elgen

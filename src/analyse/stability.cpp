@@ -1,0 +1,121 @@
+// Growth rates of systems without damping and gyroscopic terms are those of M x'' + K x = 0.
+#include "analyse/stability.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "base/exact_number.hpp"
+#include "elgen/evaluate.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_R;
+
+/// Real parts below this share of the largest pole are rounding of doubles.
+constexpr double pole_noise = 1e-9;
+
+Eigen::MatrixXd matrix_of(const std::vector<cl_R>& values, Eigen::Index n) {
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const std::vector<double> numbers = doubles_of(values);
+  return Eigen::Map<const RowMajor>(numbers.data(), n, n);
+}
+
+/// Positive real parts, of conjugate poles once.
+std::vector<double> growth_rates(const std::vector<std::complex<double>>& poles) {
+  double largest = 0;
+  for (const auto& pole : poles) largest = std::max(largest, std::abs(pole));
+  std::vector<double> rates;
+  for (const auto& pole : poles) {
+    const bool is_first_of_pair = pole.imag() >= 0;
+    if (is_first_of_pair && pole.real() > pole_noise * largest) rates.push_back(pole.real());
+  }
+  return rates;
+}
+
+bool all_decay(const std::vector<std::complex<double>>& poles) {
+  double largest = 0;
+  for (const auto& pole : poles) largest = std::max(largest, std::abs(pole));
+  return !poles.empty() && std::ranges::all_of(poles, [&](const auto& pole) {
+    return pole.real() < -pole_noise * largest;
+  });
+}
+
+}  // namespace
+
+std::vector<double> doubles_of(const std::vector<cl_R>& values) {
+  std::vector<double> result;
+  for (const cl_R& value : values) result.push_back(ScalarTraits<double>::from_real(value));
+  return result;
+}
+
+bool is_positive_definite(const std::vector<cl_R>& matrix,
+                          const std::vector<std::uint32_t>& left_out) {
+  static const cl_R noise = power_of_ten(-25);
+  const auto n = static_cast<std::size_t>(std::lround(std::sqrt(matrix.size())));
+  std::vector<cl_R> a = matrix;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (std::ranges::find(left_out, k) != left_out.end()) continue;
+    const cl_R& pivot = a[k * n + k];
+    if (pivot <= noise * cln::abs(matrix[k * n + k]) || cln::zerop(pivot)) return false;
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const cl_R factor = a[i * n + k] / pivot;
+      for (std::size_t j = k; j < n; ++j) a[i * n + j] = a[i * n + j] - factor * a[k * n + j];
+    }
+  }
+  return true;
+}
+
+std::vector<std::complex<double>> poles_of(const RestPoint& point) {
+  const auto n = static_cast<Eigen::Index>(point.state.v.size());
+  const Eigen::MatrixXd mass = matrix_of(point.mass, n);
+  const Eigen::PartialPivLU<Eigen::MatrixXd> factored(mass);
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+  a.topRightCorner(n, n).setIdentity();
+  a.bottomLeftCorner(n, n) = -factored.solve(matrix_of(point.stiffness, n));
+  a.bottomRightCorner(n, n) = -factored.solve(matrix_of(point.damping, n));
+  if (!a.allFinite()) return {};
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(a, false);
+  std::vector<std::complex<double>> poles;
+  for (Eigen::Index i = 0; i < 2 * n; ++i) poles.push_back(solver.eigenvalues()[i]);
+  std::ranges::sort(poles, [](const auto& x, const auto& y) {
+    return std::tuple(std::abs(x), x.real(), x.imag()) >
+           std::tuple(std::abs(y), y.real(), y.imag());
+  });
+  return poles;
+}
+
+StabilityVerdict stability_of(const RestPoint& point, const RestConditions& conditions) {
+  StabilityVerdict verdict;
+  verdict.is_degenerate = !conditions.degenerate.empty();
+  if (verdict.is_degenerate) verdict.leading = conditions.degenerate.front();
+  std::vector<std::uint32_t> flat;
+  for (const LeadingTerm& term : conditions.degenerate) flat.push_back(term.coordinate);
+  if (conditions.is_conservative && conditions.free_count == 0 &&
+      is_positive_definite(point.stiffness, flat)) {
+    if (flat.empty()) {
+      verdict.kind = Stability::minimum;
+      return verdict;
+    }
+    const bool is_minimum = std::ranges::all_of(conditions.is_positive, std::identity{}) &&
+                            std::ranges::all_of(conditions.degenerate, [](const LeadingTerm& t) {
+                              return t.order % 2 == 0;
+                            });
+    if (is_minimum) {
+      verdict.kind = Stability::degenerate_minimum;
+      return verdict;
+    }
+  }
+  const std::vector<std::complex<double>> poles = poles_of(point);
+  verdict.growth_rates = growth_rates(poles);
+  if (!verdict.growth_rates.empty()) {
+    verdict.kind = Stability::unstable;
+  } else if (all_decay(poles)) {
+    verdict.kind = Stability::decaying;
+  }
+  return verdict;
+}
+
+}  // namespace elgen

@@ -1,0 +1,36 @@
+// Stability of a state of rest: by Lagrange and Dirichlet where energy decides, else by the poles.
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "elgen/analyse.hpp"
+
+namespace elgen {
+
+/// The conditions under which a strict minimum of W = V0 - T0 is stable: L is free of t, no force Q
+/// acts, D is dissipative at the point.
+struct RestConditions {
+  bool is_conservative = false;
+  std::size_t free_count = 0;  ///< coordinates that the equations at rest do not hold
+  /// Where K is exactly 0 along one coordinate that shares its equation with no other.
+  std::vector<LeadingTerm> degenerate = {};
+  std::vector<bool> is_positive = {};  ///< of the coefficients of `degenerate`
+};
+
+[[nodiscard]] StabilityVerdict stability_of(const RestPoint& point,
+                                            const RestConditions& conditions);
+
+/// The eigenvalues of [0 1; -K/M -D/M], the fastest first;
+/// empty where M is singular.
+[[nodiscard]] std::vector<std::complex<double>> poles_of(const RestPoint& point);
+
+/// Row-major numbers, nearest doubles.
+[[nodiscard]] std::vector<double> doubles_of(const std::vector<cln::cl_R>& values);
+
+/// Whether a symmetric matrix without the rows and columns of `left_out` is positive definite: by
+/// the pivots of its elimination in 64 digits, each above 1e-25 of its diagonal entry.
+[[nodiscard]] bool is_positive_definite(const std::vector<cln::cl_R>& matrix,
+                                        const std::vector<std::uint32_t>& left_out = {});
+
+}  // namespace elgen

@@ -1,0 +1,164 @@
+// Term by term; every atom is made anew of its arguments, once.
+#include "analyse/substitution.hpp"
+
+#include <cln/integer.h>
+
+#include <algorithm>
+
+#include "base/exact_number.hpp"
+#include "present/polynomial.hpp"
+
+namespace elgen {
+namespace {
+
+using cln::cl_RA;
+
+Fraction of_atom(AtomId id, std::int32_t exponent) {
+  return fraction_of(Polynomial{{Monomial{{id, exponent}}, Gaussian{1, 0}}});
+}
+
+class Substituting {
+ public:
+  Substituting(Algebra& algebra, const Replacements& replacements)
+      : algebra_(algebra), replacements_(replacements), arithmetic_(algebra) {}
+
+  Value of(const Fraction& form) {
+    Value result = of(form.numerator);
+    for (const auto& [factor, exponent] : form.denominator) {
+      const Polynomial shown = algebra_.factors[factor].shown;  // a copy: factors may be added
+      const Value divisor = of(shown);
+      if (!divisor || divisor->numerator.empty()) return std::nullopt;
+      result = arithmetic_.divide(result, arithmetic_.power(divisor, exponent));
+    }
+    return result;
+  }
+
+ private:
+  Value of(const Polynomial& sum) {
+    Value result = Fraction{};
+    for (const auto& [monomial, coefficient] : sum) {
+      Monomial kept;
+      Value term = fraction_of(cl_RA(1));
+      for (const AtomPower& power : monomial) {
+        if (is_kept(power.atom)) {
+          kept.push_back(power);
+        } else {
+          term = arithmetic_.multiply(term, of_power(power));
+        }
+      }
+      const Fraction rest = fraction_of(Polynomial{{kept, coefficient}});
+      result = arithmetic_.add(result, arithmetic_.multiply(term, rest));
+    }
+    return result;
+  }
+
+  /// Whether no leaf in it is replaced.
+  bool is_kept(AtomId id) {
+    const auto known = kept_.find(id);
+    if (known != kept_.end()) return known->second;
+    const Atom& atom = algebra_.atoms[id];
+    bool result = true;
+    if (atom.kind == AtomKind::leaf) {
+      result = replacements_.find({atom.leaf, atom.index}) == replacements_.end();
+    } else {
+      for (const Fraction& argument : atom.arguments) result = result && is_kept(argument);
+    }
+    kept_[id] = result;
+    return result;
+  }
+
+  bool is_kept(const Fraction& form) {
+    const auto keeps = [this](const Polynomial& sum) {
+      return std::ranges::all_of(sum, [this](const auto& term) {
+        return std::ranges::all_of(term.first,
+                                   [this](const AtomPower& power) { return is_kept(power.atom); });
+      });
+    };
+    return keeps(form.numerator) && std::ranges::all_of(form.denominator, [&](const auto& factor) {
+             return keeps(algebra_.factors[factor.first].shown);
+           });
+  }
+
+  Value of_power(const AtomPower& power) {
+    const Atom atom = algebra_.atoms[power.atom];  // a copy: atoms may be added
+    switch (atom.kind) {
+      case AtomKind::leaf:
+        return powered(replacements_.at({atom.leaf, atom.index}).value, power.exponent);
+      case AtomKind::circular:
+        return circular_power(atom, power.exponent);
+      case AtomKind::root:
+        return powered(arithmetic_.square_root(of(atom.arguments[0])), power.exponent);
+      case AtomKind::call: {
+        const Value x = of(atom.arguments.front());
+        const Value y = atom.arguments.size() > 1 ? of(atom.arguments.back()) : Value();
+        return powered(arithmetic_.call(atom.function, x, y), power.exponent);
+      }
+      case AtomKind::pi:
+        return of_atom(power.atom, power.exponent);
+    }
+    return std::nullopt;
+  }
+
+  /// None of 0 to a negative power.
+  Value powered(const Value& base, std::int32_t exponent) {
+    if (!base || (exponent < 0 && base->numerator.empty())) return std::nullopt;
+    return arithmetic_.power(base, exponent);
+  }
+
+  /// e^(i exponent argument/divisor)
+  Value circular_power(const Atom& atom, std::int32_t exponent) {
+    const cl_RA multiple = cl_RA(exponent) / atom.divisor;
+    const std::optional<CosineAndSine> known = known_waves(atom);
+    if (known && cln::denominator(multiple) == 1) {
+      // e^(-i q) is cos q - i sin q: no reciprocal of a sum.
+      const Value sine =
+          cln::minusp(multiple) ? arithmetic_.negate(known->sine) : Value(known->sine);
+      const cln::cl_I power = cln::abs(cln::numerator(multiple));
+      return powered(complex_form(arithmetic_, known->cosine, sine),
+                     static_cast<std::int32_t>(cln::cl_I_to_long(power)));
+    }
+    const Value angle = arithmetic_.multiply(of(atom.arguments[0]), fraction_of(multiple));
+    const Value cosine = arithmetic_.call(FunctionId::cos, angle, {});
+    const Value sine = arithmetic_.call(FunctionId::sin, angle, {});
+    return complex_form(arithmetic_, cosine, sine);
+  }
+
+  /// Of an argument that is a leaf.
+  [[nodiscard]] std::optional<CosineAndSine> known_waves(const Atom& atom) const {
+    const Fraction& argument = atom.arguments[0];
+    if (argument.numerator.size() != 1 || !argument.denominator.empty()) return std::nullopt;
+    const Monomial& monomial = argument.numerator.begin()->first;
+    if (monomial.size() != 1 || monomial[0].exponent != 1) return std::nullopt;
+    const Atom& leaf = algebra_.atoms[monomial[0].atom];
+    if (leaf.kind != AtomKind::leaf) return std::nullopt;
+    const auto found = replacements_.find({leaf.leaf, leaf.index});
+    return found == replacements_.end() ? std::nullopt : found->second.waves;
+  }
+
+  Algebra& algebra_;
+  const Replacements& replacements_;
+  Arithmetic arithmetic_;
+  std::map<AtomId, bool> kept_;
+};
+
+}  // namespace
+
+Value complex_form(Arithmetic& arithmetic, const Value& x, const Value& y) {
+  const Fraction i = fraction_of(Polynomial{{Monomial{}, Gaussian{0, 1}}});
+  return arithmetic.add(x, arithmetic.multiply(y, i));
+}
+
+Value substituted(Algebra& algebra, const Fraction& form, const Replacements& replacements) {
+  return Substituting(algebra, replacements).of(form);
+}
+
+std::optional<Replacements> parameter_values(const std::vector<cln::cl_R>& values) {
+  Replacements result;
+  for (std::uint32_t i = 0; i < values.size(); ++i) {
+    if (!is_rational(values[i])) return std::nullopt;
+    result[{Opcode::parameter, i}].value = fraction_of(cln::rational(values[i]));
+  }
+  return result;
+}
+
+}  // namespace elgen

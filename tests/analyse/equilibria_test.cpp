@@ -1,0 +1,194 @@
+// Equilibria of models: the pages of textbook systems, their counts, and the claims.
+#include <cmath>
+
+#include "analyse/found.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+std::string page(const std::string& model, const AnalysisWords& words = {}) {
+  const Analysed found = analysed(model_file(model), words);
+  return screen_page(equilibria_sheet(found.checked, found.equilibria), {100, Alphabet::unicode});
+}
+
+double value(const RestPoint& point, std::size_t coordinate) {
+  return ScalarTraits<double>::from_real(point.state.q[coordinate]);
+}
+
+}  // namespace
+
+TEST_CASE("the double pendulum has four equilibria, for all values of its parameters") {
+  CHECK(page("double_pendulum") == R"(Double pendulum: equilibria (v = 0)
+
+  θ₁   θ₂
+  0    0    stable: V₀ has a strict minimum
+  0    π    unstable: 5.84583 1/s
+  π    0    unstable: 5.03436 1/s
+  π    π    unstable: 8.14991 1/s, 3.61108 1/s
+
+  exact for all values of the parameters; θ₁ and θ₂ modulo 2 π
+  these are all (proved)
+)");
+}
+
+TEST_CASE("the bead leaves the bottom of a fast hoop") {
+  CHECK(page("rotating_hoop") ==
+        R"(Bead on a hoop turned about its vertical diameter: equilibria (v = 0)
+
+  K = m R (g cos θ - R Ω² (1 - 2 sin² θ))
+
+  θ                               K
+  0                               m R (g - R Ω²)      unstable: 3.86652 1/s
+  π                               -m R (g + R Ω²)     unstable: 10.6325 1/s
+  ±arccos(g/(R Ω²)) = ±0.697569   m (R² Ω² - g²/Ω²)   stable: V₀ - T₀ has a strict minimum
+
+  the last two exist where |g| <= R Ω²; stability at the parameters' values; θ modulo 2 π
+  these are all (proved)
+)");
+}
+
+TEST_CASE("the bead stays at the bottom of a slow hoop, and just so at the critical speed") {
+  CHECK(page("rotating_hoop", {.fixed = {"Omega=2"}}) ==
+        R"(Bead on a hoop turned about its vertical diameter: equilibria (v = 0)
+
+  K = m R (g cos θ - R (4 - 8 sin² θ))
+
+  θ   K
+  0   m R (g - 4 R)    stable: V₀ - T₀ has a strict minimum
+  π   -m R (g + 4 R)   unstable: 7.28354 1/s
+
+  exact for all values of the parameters; θ modulo 2 π
+  these are all (proved)
+)");
+  const Analysed critical = analysed(model_file("rotating_hoop"), {.fixed = {"Omega=7", "g=9.8"}});
+  REQUIRE(critical.equilibria.points.size() == 2);
+  CHECK(critical.equilibria.completeness == Completeness::proved);
+  const StabilityVerdict& bottom = critical.equilibria.points[0].stability;
+  CHECK(bottom.kind == Stability::degenerate_minimum);
+  CHECK(bottom.is_degenerate);
+  REQUIRE(bottom.leading);
+  CHECK(bottom.leading->order == 4);
+}
+
+TEST_CASE("systems without equilibria say why, and what is cyclic") {
+  CHECK(page("kepler_polar") == R"(Kepler problem in polar coordinates: equilibria (v = 0)
+
+  none: g = (m μ/r², 0) is not 0 for r in [0.3, 3] (proved)
+  φ is cyclic: with its momentum held there are steady motions
+)");
+  CHECK(page("heavy_top") == R"(Heavy symmetric top: equilibria (v = 0)
+
+  none: g = (0, -m h g sin θ, 0) is not 0 for θ in [0.1, 3.04159] (proved)
+  φ and ψ are cyclic: with their momenta held there are steady motions
+)");
+}
+
+TEST_CASE("coordinates that balance beside exact angles have closed forms") {
+  CHECK(page("elastic_pendulum") == R"(Elastic pendulum: equilibria (v = 0)
+
+  r                       θ
+  ell₀ - m g/k = 0.4365   π   unstable: 4.7407 1/s
+  ell₀ + m g/k = 0.7635   0   stable: V₀ has a strict minimum
+
+  exact for all values of the parameters; θ modulo 2 π
+  these are all (proved)
+)");
+}
+
+TEST_CASE("an arm has four equilibria, and others where a torque holds it") {
+  const Analysed still = analysed(model_file("two_link_arm"));
+  CHECK(still.equilibria.points.size() == 4);
+  CHECK(still.equilibria.completeness == Completeness::proved);
+  const Analysed held = analysed(model_file("simple_pendulum"));
+  CHECK(held.equilibria.points.size() == 2);
+}
+
+TEST_CASE("coordinates that no equation holds are any") {
+  const Analysed cart = analysed(model_file("cart_pole"));
+  REQUIRE(cart.equilibria.points.size() == 2);
+  CHECK(cart.equilibria.points[0].coordinates[0].is_any);
+  CHECK(cart.equilibria.points[0].stability.kind == Stability::unstable);
+  // x drifts at any speed: the linear part does not decide.
+  CHECK(cart.equilibria.points[1].stability.kind == Stability::open);
+  CHECK(analysed(model_file("cart_pole"), {.laws = {"u=1"}}).equilibria.points.empty());
+}
+
+TEST_CASE("springs on a line have one equilibrium for every place of the first mass") {
+  const Analysed molecule =
+      analysed(potential_model(coordinate("x1") + coordinate("x2") + coordinate("x3"),
+                               "1/2*(x2 - x1 - 1)^2 + 1/2*(x3 - x2 - 1)^2"));
+  REQUIRE(molecule.equilibria.points.size() == 1);
+  const RestPoint& point = molecule.equilibria.points[0];
+  CHECK(point.coordinates[0].is_any);
+  CHECK(value(point, 1) == 1);
+  CHECK(value(point, 2) == 2);
+  CHECK(molecule.equilibria.completeness == Completeness::proved);
+}
+
+TEST_CASE("a null direction of two coupled coordinates decides nothing") {
+  const std::string both = coordinate("x", "[-1, 1]") + coordinate("y", "[-1, 1]");
+  const Analysed found = analysed(potential_model(both, "(y - x^2)^2 - x^6"));
+  REQUIRE(found.equilibria.points.size() == 1);
+  CHECK(value(found.equilibria.points[0], 0) == 0);
+  CHECK(found.equilibria.points[0].stability.kind == Stability::open);
+  CHECK(found.equilibria.completeness == Completeness::undecided);
+}
+
+TEST_CASE("double roots are exact at plain values, and undecided elsewhere") {
+  const Analysed exact = analysed(potential_model(coordinate("x", "[-1, 1]"), "x^4"));
+  REQUIRE(exact.equilibria.points.size() == 1);
+  CHECK(exact.equilibria.completeness == Completeness::proved);
+  CHECK(exact.equilibria.points[0].stability.kind == Stability::degenerate_minimum);
+  CHECK(exact.equilibria.points[0].stability.leading->order == 4);
+  const Analysed inflection = analysed(potential_model(coordinate("x", "[-1, 1]"), "x^3"));
+  REQUIRE(inflection.equilibria.points.size() == 1);
+  CHECK(inflection.equilibria.points[0].stability.kind == Stability::open);
+  // V' = (x - 0.3)^2 (x^2 + 1): a double zero at no plain value.
+  const Analysed open = analysed(potential_model(
+      coordinate("x", "[-1, 1]"), "1/5*x^5 - 0.15*x^4 + 1.09/3*x^3 - 0.3*x^2 + 0.09*x"));
+  CHECK(open.equilibria.completeness == Completeness::undecided);
+  REQUIRE(open.equilibria.undecided.size() == 1);
+  CHECK(ScalarTraits<double>::from_real(open.equilibria.undecided[0].q[0]) ==
+        Approx(0.3).margin(1e-6));
+}
+
+TEST_CASE("where boxes run out nothing is claimed to be complete") {
+  const Analysed found = analysed(model_file("two_link_arm"), {.boxes = 5});
+  CHECK(found.equilibria.completeness == Completeness::searched);
+  CHECK(found.equilibria.boxes == 5);
+}
+
+TEST_CASE("equilibria need a range, no time, and no kinks") {
+  const auto code = [](const std::string& text) {
+    const Products products = analysed_products(text);
+    CHECK_FALSE(products.equilibria);
+    for (const Diagnostic& diagnostic : products.diagnostics) {
+      if (has_errors({diagnostic})) return diagnostic.code;
+    }
+    return Code::E101;
+  };
+  CHECK(code(potential_model(coordinate("x"), "x^4 - x")) == Code::E531);
+  CHECK(code(potential_model(coordinate("x", "[-1, 1]"), "x^4 - x*sin(t)")) == Code::E530);
+  const std::string kinked =
+      potential_model(coordinate("x", "[-1, 1]"), "x^2") +
+      "[[force]]\nname = \"friction\"\non = \"x\"\nvalue = \"-sign(dot(x))\"\n";
+  CHECK(code(kinked) == Code::E530);
+}
+
+TEST_CASE("numbers of equilibria are those of the oracle: bias is 0 there in 50 digits") {
+  for (const char* const name : {"two_link_arm", "elastic_pendulum", "rotating_hoop", "chain"}) {
+    const Analysed found = analysed(model_file(name));
+    INFO(name);
+    CHECK_FALSE(found.equilibria.points.empty());
+    for (const RestPoint& point : found.equilibria.points) {
+      const OracleValues bias =
+          oracle_values(found.checked.model, {.kind = OutputKind::bias}, point.state);
+      REQUIRE(bias);
+      for (const cln::cl_R& entry : *bias) {
+        CHECK(std::abs(ScalarTraits<double>::from_real(entry)) < 1e-50);
+      }
+    }
+  }
+}

@@ -1,0 +1,59 @@
+// Helpers of the tests of analysis: equilibria of models, and their pages.
+#pragma once
+
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "pipeline/pipeline_testing.hpp"
+
+namespace elgen::test {
+
+struct Analysed {
+  CheckedModel checked;
+  Equilibria equilibria;
+};
+
+/// Options of a scene by their words: "Omega=7".
+struct AnalysisWords {
+  std::vector<std::string> fixed = {};
+  std::vector<std::string> laws = {};
+  std::vector<std::string> sizes = {};
+  std::uint64_t boxes = Limits{}.boxes;
+};
+
+inline Products analysed_products(const std::string& text, const AnalysisWords& words = {}) {
+  PipelineOptions options;
+  options.goals = {Goal::equilibria};
+  options.limits.boxes = words.boxes;
+  for (const std::string& word : words.fixed) {
+    options.scene.fixed.push_back(make_source("--fix", word));
+  }
+  for (const std::string& word : words.laws) {
+    options.scene.laws.push_back(make_source("--input", word));
+  }
+  for (const std::string& word : words.sizes) {
+    options.scene.sizes.push_back(make_source("--size", word));
+  }
+  return run_pipeline(inputs_of(text), options);
+}
+
+inline Analysed analysed(const std::string& text, const AnalysisWords& words = {}) {
+  Products products = analysed_products(text, words);
+  INFO(format(products.diagnostics));
+  REQUIRE(products.equilibria);
+  return {std::move(*products.checked), std::move(*products.equilibria)};
+}
+
+/// A point mass of 1 kg with these coordinates, whose potential is V.
+inline std::string potential_model(const std::string& coordinates, const std::string& potential) {
+  return "format = 1\n[model]\nname = \"drawn\"\n" + coordinates + "[energy]\nV = \"" + potential +
+         "\"\n";
+}
+
+inline std::string coordinate(const std::string& name, const std::string& range = {}) {
+  return "[[coordinate]]\nname = \"" + name + "\"\narmature = 1\n" +
+         (range.empty() ? "" : "range = " + range + "\n");
+}
+
+}  // namespace elgen::test

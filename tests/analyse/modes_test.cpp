@@ -1,0 +1,202 @@
+// Small motions: frequencies of textbook systems in closed form and in numbers, poles, and what is
+// refused.
+#include <cmath>
+
+#include "analyse/found.hpp"
+
+using namespace elgen;
+using namespace elgen::test;
+
+namespace {
+
+struct Motions {
+  CheckedModel checked;
+  Equilibria equilibria;
+  std::vector<LinearMotions> all;
+};
+
+Products motions_products(const std::string& text, const std::string& at = {},
+                          const std::vector<std::string>& sizes = {}) {
+  PipelineOptions options;
+  options.goals = {Goal::modes};
+  if (!at.empty()) options.scene.starts = {make_source("--at", at)};
+  options.about_start = !at.empty();
+  for (const std::string& size : sizes) options.scene.sizes.push_back(make_source("--size", size));
+  return run_pipeline(inputs_of(text), options);
+}
+
+Motions motions(const std::string& text, const std::string& at = {},
+                const std::vector<std::string>& sizes = {}) {
+  Products products = motions_products(text, at, sizes);
+  INFO(format(products.diagnostics));
+  REQUIRE(products.motions);
+  return {std::move(*products.checked), std::move(*products.equilibria),
+          std::move(*products.motions)};
+}
+
+std::string page(const Motions& found) {
+  return screen_page(modes_sheet(found.checked, found.equilibria, found.all),
+                     {100, Alphabet::unicode});
+}
+
+std::vector<double> squares(const LinearMotions& motions) {
+  std::vector<double> result;
+  for (const NormalMode& mode : motions.modes) {
+    result.push_back(ScalarTraits<double>::from_real(mode.omega_squared));
+  }
+  return result;
+}
+
+/// w^2 l/g of a chain of equal links and masses, l = 0.3, g = 9.81.
+void check_chain(const std::string& size, const std::vector<double>& expected) {
+  const Motions chain = motions(model_file("chain"), {}, {size});
+  REQUIRE(chain.all.size() == 1);
+  const std::vector<double> found = squares(chain.all[0]);
+  REQUIRE(found.size() == expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    CHECK(found[i] * 0.3 / 9.81 == Approx(expected[i]).epsilon(1e-14));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the double pendulum has two modes, by a formula") {
+  CHECK(page(motions(model_file("double_pendulum"))) == R"(Double pendulum: normal modes at θ₁ = 0, θ₂ = 0 (stable)
+
+  M η̈ + K η = 0
+  M = ⎡ l₁² (m₁ + m₂)   m₂ l₁ l₂ ⎤  K = ⎡ l₁ g (m₁ + m₂)      0    ⎤
+      ⎣   m₂ l₁ l₂       m₂ l₂²  ⎦      ⎣       0          m₂ l₂ g ⎦
+
+        numerator
+  ω² = ───────────
+       denominator
+  numerator = g ((m₁ + m₂) (l₁
+        + l₂ ) ∓ √(m₂² (l₁ (l₁ + 2 l₂) + l₂²) - m₁ (2 (m₁ l₁ l₂ - m₂ (l₁² + l₂²)) - m₁ (l₁² + l₂²))) )
+  denominator = 2 m₁ l₁ l₂
+
+  mode   ω² [1/s²]   f [Hz]     θ₁          θ₂
+  1      13.0399     0.574721   0.704612    1
+  2      66.4211     1.2971     -0.504612   1
+)");
+}
+
+TEST_CASE("the tilted bead has one mode, on either side") {
+  CHECK(page(motions(model_file("rotating_hoop"))) == R"(Bead on a hoop turned about its vertical diameter: normal modes at θ = ±0.697569 (stable)
+
+  m R² η̈ + K η = 0, K = m (R² Ω² - g²/Ω²)
+
+             g²
+  ω² = Ω² - ─────
+            R² Ω²
+
+  mode   ω² [1/s²]   f [Hz]     θ
+  1      26.4078     0.817873   1
+)");
+}
+
+TEST_CASE("the cart-pole can be held upright: it is controllable") {
+  const Motions upright = motions(model_file("cart_pole"), "theta=0");
+  REQUIRE(upright.all.size() == 1);
+  const LinearMotions& about = upright.all[0];
+  REQUIRE(about.poles.size() == 4);
+  CHECK(about.poles[0].real() == Approx(4.64564).epsilon(1e-6));
+  CHECK(about.poles[1].real() == Approx(-4.64564).epsilon(1e-6));
+  CHECK(about.poles[2] == 0.0);
+  CHECK(about.poles[3] == 0.0);
+  CHECK(about.controllable == 4);
+  CHECK(page(upright).find("inputs        u: controllable (rank 4 of 4)") != std::string::npos);
+}
+
+TEST_CASE("chains of equal links have the frequencies of Laguerre's polynomials") {
+  check_chain("n=3", {0.4157745567834791, 2.294280360279042, 6.289945082937479});
+  check_chain("n=5", {0.2635603197181409, 1.413403059106517, 3.596425771040722, 7.085810005858838,
+                      12.64080084427578});
+}
+
+TEST_CASE("equal pendulums: w^2 = g/l (2 -+ sqrt 2)") {
+  const std::string text = model_file("double_pendulum");
+  PipelineOptions options;
+  options.goals = {Goal::modes};
+  options.scene.fixed = {make_source("--fix", "m1=1"), make_source("--fix", "m2=1"),
+                         make_source("--fix", "l1=1"), make_source("--fix", "l2=1")};
+  const Products products = run_pipeline(inputs_of(text), options);
+  REQUIRE(products.motions);
+  const std::string page = modes_text(*products.checked, *products.equilibria, *products.motions);
+  CHECK(page.find("w^2 = g*(2 -+ sqrt(2))\n") != std::string::npos);
+}
+
+TEST_CASE("a molecule on a line: 0, k/m, k (1/m + 2/M)") {
+  const std::string text = R"(format = 1
+[model]
+name = "molecule"
+[[coordinate]]
+name = "x1"
+unit = "m"
+[[coordinate]]
+name = "x2"
+unit = "m"
+[[coordinate]]
+name = "x3"
+unit = "m"
+[parameters]
+m = { value = 2, unit = "kg" }
+M = { value = 3, unit = "kg" }
+k = { value = 5, unit = "N/m" }
+b = { value = 1, unit = "m" }
+[energy]
+T = "1/2*m*dot(x1)^2 + 1/2*M*dot(x2)^2 + 1/2*m*dot(x3)^2"
+V = "1/2*k*(x2 - x1 - b)^2 + 1/2*k*(x3 - x2 - b)^2"
+)";
+  const Motions molecule = motions(text, "x1=0,x2=1,x3=2");
+  REQUIRE(molecule.all.size() == 1);
+  const std::vector<double> found = squares(molecule.all[0]);
+  CHECK(std::abs(found[0]) < 1e-25);
+  CHECK(found[1] == Approx(5.0 / 2).epsilon(1e-15));
+  CHECK(found[2] == Approx(5 * (1 / 2.0 + 2 / 3.0)).epsilon(1e-15));
+  const std::vector<double> stretched{-1, 0, 1};
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(std::abs(molecule.all[0].modes[1].shape[i]) ==
+          Approx(std::abs(stretched[i])).margin(1e-9));
+  }
+}
+
+TEST_CASE("modes of one frequency span a space") {
+  const Motions found =
+      motions(potential_model(coordinate("x") + coordinate("y"), "1/2*x^2 + 1/2*y^2"));
+  REQUIRE(found.all.size() == 1);
+  CHECK(found.all[0].modes[0].multiplicity == 2);
+  CHECK(found.all[0].modes[0].shape == std::vector<double>{1, 0});
+  CHECK(found.all[0].modes[1].shape == std::vector<double>{0, 1});
+}
+
+TEST_CASE("what is damped has poles, damping ratios and time constants") {
+  const Motions damped = motions(model_file("two_mass_damper"));
+  const std::string text = page(damped);
+  CHECK(damped.all[0].modes.empty());
+  CHECK(text.find("damping ratio") != std::string::npos);
+  for (const std::complex<double>& pole : damped.all[0].poles) CHECK(pole.real() < 0);
+}
+
+TEST_CASE("A and B are those of the program's linearization") {
+  const Motions upright = motions(model_file("cart_pole"), "theta=0");
+  const RestPoint& point = upright.all[0].point;
+  const OracleValues exact =
+      oracle_values(upright.checked.model,
+                    {.kind = OutputKind::linearization, .rows = 4, .columns = 4}, point.state);
+  REQUIRE(exact);
+  std::vector<double> both = upright.all[0].a;
+  both.insert(both.end(), upright.all[0].b.begin(), upright.all[0].b.end());
+  REQUIRE(exact->size() == both.size());
+  for (std::size_t i = 0; i < both.size(); ++i) {
+    CHECK(both[i] == Approx(ScalarTraits<double>::from_real((*exact)[i])).margin(1e-13));
+  }
+}
+
+TEST_CASE("motions are refused where forces do not balance, or nothing is stable") {
+  const Products moving = motions_products(model_file("cart_pole"), "theta=1");
+  CHECK_FALSE(moving.motions);
+  CHECK(moving.diagnostics.back().code == Code::E532);
+  const Products none = motions_products(potential_model(coordinate("x", "[-1, 1]"), "-1/2*x^2"));
+  CHECK_FALSE(none.motions);
+  CHECK(format(none.diagnostics).find("E532") != std::string::npos);
+}
