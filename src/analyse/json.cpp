@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analyse/formulas.hpp"
-#include "analyse/stability.hpp"
+#include "analyse/modes.hpp"
 #include "elgen/analyse.hpp"
 
 namespace elgen {

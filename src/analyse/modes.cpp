@@ -1,5 +1,7 @@
 // Modes by Eigen's self-adjoint solver in doubles; of each w^2 the Rayleigh quotient in 64 digits,
 // whose error is the square of that of the shape.
+#include "analyse/modes.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 #include <algorithm>
@@ -91,54 +93,14 @@ void reduce_shapes(std::vector<NormalMode>& modes, std::size_t first, std::size_
   }
 }
 
-std::vector<NormalMode> normal_modes(const RestPoint& point) {
-  const std::size_t n = point.state.v.size();
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> solver(matrix_of(point.stiffness, n),
-                                                                matrix_of(point.mass, n));
-  std::vector<NormalMode> modes;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Eigen::VectorXd x = solver.eigenvectors().col(static_cast<Eigen::Index>(i));
-    NormalMode& mode = modes.emplace_back();
-    mode.shape.assign(x.data(), x.data() + x.size());
-    std::vector<cl_R> exact;
-    for (const double component : mode.shape) exact.emplace_back(exact_value(component));
-    mode.omega_squared = quadratic_form(point.stiffness, exact) / quadratic_form(point.mass, exact);
-  }
-  cl_R largest = 0;
-  for (const NormalMode& mode : modes) {
-    const cl_R size = cln::abs(mode.omega_squared);
-    if (size > largest) largest = size;
-  }
-  const cl_R noise = largest * exact_value(equal_share);
-  for (std::size_t first = 0; first < n;) {
-    std::size_t end = first + 1;
-    while (end < n && cln::abs(modes[end].omega_squared - modes[first].omega_squared) <= noise) {
-      ++end;
-    }
-    if (end - first > 1) reduce_shapes(modes, first, end - first);
-    for (std::size_t i = first; i < end; ++i) {
-      modes[i].multiplicity = end - first;
-      scale_shape(modes[i].shape);
-    }
-    first = end;
-  }
-  return modes;
-}
-
 /// +-sqrt(-w^2) of every mode.
 std::vector<std::complex<double>> poles_of(const std::vector<NormalMode>& modes) {
-  double largest = 0;
   std::vector<std::complex<double>> poles;
   for (const NormalMode& mode : modes) {
     const double square = ScalarTraits<double>::from_real(mode.omega_squared);
-    largest = std::max(largest, std::abs(square));
     const std::complex<double> pole = std::sqrt(std::complex<double>(-square, 0));
     poles.push_back(pole);
     poles.push_back(-pole);
-  }
-  for (auto& pole : poles) {
-    // The quotient of a rigid motion is 0 to twice the digits of its shape.
-    if (std::abs(pole * pole) < 1e-25 * largest) pole = 0;
   }
   std::ranges::stable_sort(poles, std::greater{}, [](const auto& pole) { return std::abs(pole); });
   return poles;
@@ -169,9 +131,8 @@ LinearMotions motions_about(const RestPoint& point) {
   a.bottomLeftCorner(size, size) = -mass.solve(matrix_of(point.stiffness, n));
   a.bottomRightCorner(size, size) = -mass.solve(matrix_of(point.damping, n));
   result.a = numbers_of(a);
-  const bool is_natural = is_zero_matrix(point.damping) && is_symmetric(point.stiffness, n);
-  if (is_natural) result.modes = normal_modes(point);
-  result.poles = is_natural ? poles_of(result.modes) : poles_of(point);
+  if (is_natural(point)) result.modes = normal_modes(point);
+  result.poles = is_natural(point) ? poles_of(result.modes) : poles_of(point);
   if (!point.input_matrix.empty()) {
     const Matrix forces = matrix_of(point.input_matrix, n);
     Matrix b = Matrix::Zero(2 * size, forces.cols());
@@ -189,6 +150,53 @@ bool is_stable(const RestPoint& point) {
 }
 
 }  // namespace
+
+std::vector<double> doubles_of(const std::vector<cl_R>& values) {
+  std::vector<double> result;
+  for (const cl_R& value : values) result.push_back(ScalarTraits<double>::from_real(value));
+  return result;
+}
+
+bool is_natural(const RestPoint& point) {
+  return is_zero_matrix(point.damping) && is_symmetric(point.stiffness, point.state.v.size());
+}
+
+std::vector<NormalMode> normal_modes(const RestPoint& point) {
+  const std::size_t n = point.state.v.size();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> solver(matrix_of(point.stiffness, n),
+                                                                matrix_of(point.mass, n));
+  std::vector<NormalMode> modes;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Eigen::VectorXd x = solver.eigenvectors().col(static_cast<Eigen::Index>(i));
+    NormalMode& mode = modes.emplace_back();
+    mode.shape.assign(x.data(), x.data() + x.size());
+    std::vector<cl_R> exact;
+    for (const double component : mode.shape) exact.emplace_back(exact_value(component));
+    mode.omega_squared = quadratic_form(point.stiffness, exact) / quadratic_form(point.mass, exact);
+  }
+  cl_R largest = 0;
+  for (const NormalMode& mode : modes) {
+    const cl_R size = cln::abs(mode.omega_squared);
+    if (size > largest) largest = size;
+  }
+  const cl_R noise = largest * exact_value(equal_share);
+  for (NormalMode& mode : modes) {
+    if (cln::abs(mode.omega_squared) < largest * power_of_ten(-20)) mode.omega_squared = 0;
+  }
+  for (std::size_t first = 0; first < n;) {
+    std::size_t end = first + 1;
+    while (end < n && cln::abs(modes[end].omega_squared - modes[first].omega_squared) <= noise) {
+      ++end;
+    }
+    if (end - first > 1) reduce_shapes(modes, first, end - first);
+    for (std::size_t i = first; i < end; ++i) {
+      modes[i].multiplicity = end - first;
+      scale_shape(modes[i].shape);
+    }
+    first = end;
+  }
+  return modes;
+}
 
 Result<std::vector<LinearMotions>> linear_motions(const CheckedModel& checked,
                                                   const Equilibria& equilibria, bool stable) {

@@ -60,8 +60,7 @@ class ModesPage {
     if (!is_free) add_poles(motions);
     add_equations(motions);
     if (!motions.modes.empty()) {
-      if (!mass_.empty())
-        page_.parts.push_back(frequency_formulas(model_, forms_, mass_, stiffness_));
+      if (!mass_.empty()) add_frequencies();
       add_modes(motions);
     }
     if (!is_free) add_state_matrices(motions);
@@ -124,8 +123,7 @@ class ModesPage {
     std::vector<std::uint32_t> coordinates;
     std::vector<CoordinateAtRest> values;
     for (std::uint32_t i = 0; i < point.coordinates.size(); ++i) {
-      if (point.coordinates[i].is_any) continue;
-      if (!point.coordinates[i].form) return;
+      if (!point.coordinates[i].form) continue;
       coordinates.push_back(i);
       values.push_back(point.coordinates[i]);
     }
@@ -143,7 +141,9 @@ class ModesPage {
       const Value k = slope ? substituted(forms_.algebra, *slope, place) : std::nullopt;
       const Value m =
           masses.entries[i] ? substituted(forms_.algebra, *masses.entries[i], place) : std::nullopt;
-      if (!k || !m) {
+      const bool is_known =
+          k && m && !holds_coordinate(forms_.algebra, *k) && !holds_coordinate(forms_.algebra, *m);
+      if (!is_known) {
         mass_.clear();
         stiffness_.clear();
         return;
@@ -262,6 +262,11 @@ class ModesPage {
     if (has_inputs()) part.matrices.push_back(rows(motions.b, "B", model_.inputs.size()));
   }
 
+  void add_frequencies() {
+    PagePart part = frequency_formulas(model_, forms_, mass_, stiffness_);
+    if (!part.matrices.empty()) page_.parts.push_back(std::move(part));
+  }
+
   void add_modes(const LinearMotions& motions) {
     PagePart& part = page_.parts.emplace_back();
     PageTable& table = part.table;
@@ -275,13 +280,10 @@ class ModesPage {
       const NormalMode& mode = motions.modes[i];
       const double square = ScalarTraits<double>::from_real(mode.omega_squared);
       const double rate = std::sqrt(std::abs(square));
-      const bool is_zero =
-          std::abs(motions.poles.empty() ? 0 : largest_square(motions)) * 1e-25 > std::abs(square);
       table.cells.push_back(number(static_cast<double>(i + 1)));
-      table.cells.push_back(is_zero ? number(0.0) : number(square));
-      table.cells.push_back(square < 0 && !is_zero
-                                ? prose(fmt::format("grows at {:.6g} 1/s", rate))
-                                : number(is_zero ? 0.0 : rate / (2 * std::numbers::pi)));
+      table.cells.push_back(number(square));
+      table.cells.push_back(square < 0 ? prose(fmt::format("grows at {:.6g} 1/s", rate))
+                                       : number(rate / (2 * std::numbers::pi)));
       for (const double component : mode.shape) table.cells.push_back(number(component));
       if (mode.multiplicity > 1) equal.push_back(std::to_string(i + 1));
     }
@@ -291,14 +293,6 @@ class ModesPage {
                       "is one",
                       fmt::join(equal, ", ")))}});
     }
-  }
-
-  static double largest_square(const LinearMotions& motions) {
-    double largest = 0;
-    for (const NormalMode& mode : motions.modes) {
-      largest = std::max(largest, std::abs(ScalarTraits<double>::from_real(mode.omega_squared)));
-    }
-    return largest;
   }
 
   const Model& model_;

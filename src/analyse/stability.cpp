@@ -1,4 +1,4 @@
-// Growth rates of systems without damping and gyroscopic terms are those of M x'' + K x = 0.
+// Growth rates of natural systems are those of their modes, known to 64 digits.
 #include "analyse/stability.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -6,6 +6,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "analyse/modes.hpp"
 #include "base/exact_number.hpp"
 #include "elgen/evaluate.hpp"
 
@@ -14,8 +15,9 @@ namespace {
 
 using cln::cl_R;
 
-/// Real parts below this share of the largest pole are rounding of doubles.
-constexpr double pole_noise = 1e-9;
+/// Real parts below this share of the largest pole may be rounding of doubles: a triple pole is
+/// known to the third root of their spacing.
+constexpr double pole_noise = 1e-5;
 
 Eigen::MatrixXd matrix_of(const std::vector<cl_R>& values, Eigen::Index n) {
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -44,12 +46,6 @@ bool all_decay(const std::vector<std::complex<double>>& poles) {
 }
 
 }  // namespace
-
-std::vector<double> doubles_of(const std::vector<cl_R>& values) {
-  std::vector<double> result;
-  for (const cl_R& value : values) result.push_back(ScalarTraits<double>::from_real(value));
-  return result;
-}
 
 bool is_positive_definite(const std::vector<cl_R>& matrix,
                           const std::vector<std::uint32_t>& left_out) {
@@ -107,6 +103,14 @@ StabilityVerdict stability_of(const RestPoint& point, const RestConditions& cond
       verdict.kind = Stability::degenerate_minimum;
       return verdict;
     }
+  }
+  if (is_natural(point) && is_positive_definite(point.mass)) {
+    for (const NormalMode& mode : normal_modes(point)) {
+      const double square = ScalarTraits<double>::from_real(mode.omega_squared);
+      if (square < 0) verdict.growth_rates.push_back(std::sqrt(-square));
+    }
+    if (!verdict.growth_rates.empty()) verdict.kind = Stability::unstable;
+    return verdict;
   }
   const std::vector<std::complex<double>> poles = poles_of(point);
   verdict.growth_rates = growth_rates(poles);

@@ -25,9 +25,6 @@ struct RestConditions {
 /// empty where M is singular.
 [[nodiscard]] std::vector<std::complex<double>> poles_of(const RestPoint& point);
 
-/// Row-major numbers, nearest doubles.
-[[nodiscard]] std::vector<double> doubles_of(const std::vector<cln::cl_R>& values);
-
 /// Whether a symmetric matrix without the rows and columns of `left_out` is positive definite: by
 /// the pivots of its elimination in 64 digits, each above 1e-25 of its diagonal entry.
 [[nodiscard]] bool is_positive_definite(const std::vector<cln::cl_R>& matrix,
