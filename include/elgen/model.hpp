@@ -9,7 +9,6 @@
 // four components of a rotation have three, the angular velocity in the axes of the body.
 #pragma once
 
-#include <cln/rational.h>
 #include <cln/real.h>
 
 #include <array>
@@ -20,45 +19,11 @@
 #include <vector>
 
 #include "elgen/diagnostic.hpp"
-#include "elgen/functions.hpp"
-#include "elgen/opcodes.hpp"
+#include "elgen/expression.hpp"
 #include "elgen/source_text.hpp"
 #include "elgen/units.hpp"
 
 namespace elgen {
-
-using ExpressionId = std::uint32_t;
-
-enum class ExpressionKind : std::uint8_t {
-  number,  ///< number
-  pi,
-  leaf,        ///< number `index` of its kind; inputs in forces and [[expect]], a in the latter
-  prescribed,  ///< prescribed[index], a function of t
-  definition,  ///< definitions[index]
-  point_component,  ///< points[index / 3].at[index % 3]
-  frame_component,  ///< frames[index / 12].rotation (0 to 8, row-major) or .origin (9 to 11)
-  negate,           ///< -operands[0]
-  add,              ///< n-ary
-  multiply,         ///< n-ary
-  divide,           ///< operands[0] / operands[1]
-  power,            ///< operands[0] ^ number, rational exponent; sqrt is the power 1/2
-  function,         ///< function(operands…)
-  time_derivative,  ///< d/dt operands[0] along the motion: q -> v, v -> a, t -> 1
-};
-
-struct Expression {
-  ExpressionKind kind = ExpressionKind::number;
-  Opcode leaf = Opcode::parameter;  ///< the kind of a leaf (leaves.def)
-  FunctionId function = FunctionId::sin;
-  std::uint32_t index = 0;
-  cln::cl_RA number = 0;
-  std::vector<ExpressionId> operands = {};
-  Span span = {};
-};
-
-[[nodiscard]] inline bool is_leaf(const Expression& expression, Opcode kind) {
-  return expression.kind == ExpressionKind::leaf && expression.leaf == kind;
-}
 
 struct Interval {
   cln::cl_R low;
