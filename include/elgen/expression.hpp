@@ -1,5 +1,5 @@
-// Expression: one node of the arena of a Model. Operands are indices of earlier nodes, so that shared
-// parts stay shared.
+// Expression: one node of the arena of a Model. Operands are indices of earlier nodes, so that
+// shared parts stay shared.
 #pragma once
 
 #include <cln/rational.h>

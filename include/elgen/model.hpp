@@ -270,16 +270,38 @@ struct Energies {
   std::optional<ExpressionId> L = {};
 };
 
+/// A condition on the parameters: `excess` > 0, or >= 0 where it is not strict.
+struct Condition {
+  ExpressionId excess = 0;
+  bool is_strict = true;
+  std::string text = {};  ///< as written: "R*Omega^2 > g"
+};
+
+/// A point at which the system stays at rest, whatever the parameters are that meet `condition`;
+/// its values are made of parameters.
+struct RestPoint {
+  std::vector<std::optional<ExpressionId>> coordinates = {};  ///< none: anywhere
+  std::vector<std::optional<ExpressionId>> inputs = {};       ///< none: 0
+  std::optional<Condition> condition = {};                    ///< none: for all values
+};
+
+/// An [[equilibrium]]: its point, and w^2 of small motions about it: det(x M - K)/det M is the
+/// product of x - w^2.
+struct Equilibrium : RestPoint {
+  std::string name = {};
+  std::vector<ExpressionId> frequencies_squared = {};  ///< one per velocity, or none
+  std::string doc = {};
+  Span span = {};
+};
+
 /// The point a scene expands about, and what is small there. Deviations of small coordinates,
 /// their rates and accelerations (and of the inputs, where all coordinates are small) count
 /// jointly: energies become polynomials of degree order + 1 in them, forces of degree order.
-struct Approximation {
+struct Approximation : RestPoint {
   std::uint32_t order = 1;
-  std::vector<std::optional<ExpressionId>> coordinates = {};  ///< values there, where given
-  std::vector<std::optional<ExpressionId>> inputs = {};       ///< the same; otherwise 0
-  std::vector<bool> small = {};                               ///< which coordinates
-  bool small_inputs = false;  ///< where every coordinate is that is not locked
-  Span span = {};             ///< of `about`
+  std::vector<bool> small = {};  ///< which coordinates
+  bool small_inputs = false;     ///< where every coordinate is that is not locked
+  Span span = {};                ///< of `about`
 };
 
 inline constexpr std::uint32_t highest_order = 5;
@@ -311,6 +333,7 @@ struct Model {
   std::vector<Input> inputs = {};
   std::vector<Force> forces = {};
   std::vector<UserOutput> outputs = {};
+  std::vector<Equilibrium> equilibria = {};
   std::vector<Expectation> expectations = {};
   std::optional<Approximation> approximation = {};  ///< of the scene; outputs stay exact
 

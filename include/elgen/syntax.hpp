@@ -97,6 +97,8 @@ enum class KeyType : std::uint8_t {
   unit,              ///< string: a unit as text
   repetition,        ///< "i in 1..n" or a list of such: always a list of tables with the entries
                      ///< `index` (a name), `low` and `high` (expressions)
+  condition,         ///< "a > b", one of > >= < <=: a table with the entries `left`, `right`
+                     ///< (expressions) and `sign` (a text)
   integer,           ///< bare integer: a number expression
   boolean,           ///< ValueKind::boolean
   range,             ///< [low, high]: list of two expressions

@@ -65,7 +65,8 @@ void resolve_entries(Context& context, const FileSyntax& syntax) {
   check_rotations(context);
   read_entries(context, instances, {{"point", read_point}, {"body", read_body}});
   for (const EntrySyntax& entry : syntax.entries) read_table(context, entry);
-  read_entries(context, instances, {{"force", read_force}, {"output", read_output}});
+  read_entries(context, instances,
+               {{"force", read_force}, {"output", read_output}, {"equilibrium", read_equilibrium}});
   check_plane(context);
   check_output_names(context.model, context.report);
 }

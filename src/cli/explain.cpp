@@ -17,7 +17,7 @@ namespace elgen::cli {
 namespace {
 
 /// In the order of KeyType.
-constexpr std::array<std::string_view, 19> kinds{"expression",
+constexpr std::array<std::string_view, 20> kinds{"expression",
                                                  "[expressions]",
                                                  "expression or list",
                                                  "expression or table",
@@ -28,6 +28,7 @@ constexpr std::array<std::string_view, 19> kinds{"expression",
                                                  "list of",
                                                  "unit",
                                                  "\"i in 1..n\"",
+                                                 "\"a > b\"",
                                                  "integer",
                                                  "true or false",
                                                  "[low, high]",

@@ -48,7 +48,8 @@ bool is_value(const KeyChange& change) {
 
 /// The least impact of a changed key, before values and equations are looked at.
 Impact impact_of(const KeyChange& change) {
-  const bool is_beside = change.table == "expect" || is_described(change);
+  const bool is_beside =
+      change.table == "expect" || change.table == "equilibrium" || is_described(change);
   return is_beside ? Impact::values : Impact::equal;
 }
 
@@ -64,7 +65,14 @@ Impact impact_of(const std::vector<KeyChange>& keys) {
   return worst;
 }
 
+/// A scene may expand about an equilibrium.
+bool is_moved_equilibrium(const KeyChange& key) {
+  if (key.table != "equilibrium" || key.path.empty()) return false;
+  return key.path.front().key == "at" || key.path.front().key == "inputs";
+}
+
 bool may_change_equations(const KeyChange& key) {
+  if (is_moved_equilibrium(key)) return true;
   return impact_of(key) == Impact::equal && !is_value(key);
 }
 

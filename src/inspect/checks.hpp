@@ -57,6 +57,9 @@ inline constexpr std::size_t most_coordinates_searched = 3;
 /// E619: outputs of the model that the built-in scene `full` leaves out.
 [[nodiscard]] Diagnostics inspect_left_out(const Inspected& subject);
 
+/// E613: an [[equilibrium]] at which the system does not stay at rest.
+[[nodiscard]] Diagnostics inspect_equilibria(const Inspected& subject);
+
 /// E613, E614: a scene that expands about a point where the system does not stay at rest, or where
 /// energies and forces have no derivatives. The other checks see the exact model.
 [[nodiscard]] Diagnostics inspect_equilibrium(const Inspected& subject);

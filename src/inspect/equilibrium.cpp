@@ -1,10 +1,13 @@
-// E613: the point a scene expands about is no equilibrium. E614: something has no expansion there.
+// E613: an [[equilibrium]], or the point a scene expands about, is none. E614: something has no
+// expansion there.
 //
-// Oracle at rest at the point, at several times and parameter values: the rows of small coordinates
-// of bias - B u must vanish. Coordinates that `about` leaves open are anywhere.
+// Oracle at rest at the point, at several times and at parameter values that meet its condition:
+// rows of bias - B u must vanish, all of an [[equilibrium]], those of small coordinates of a scene.
+// Coordinates that are left open are anywhere.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "base/exact_number.hpp"
 #include "base/random.hpp"
@@ -17,8 +20,19 @@ namespace {
 
 using cln::cl_R;
 
-constexpr unsigned equilibrium_samples =
-    4;  // exact and random; the first has the model's own values
+/// Exact and random; the first has the model's own values.
+constexpr unsigned equilibrium_samples = 4;
+
+/// Of parameters, until so many samples meet a condition.
+constexpr unsigned condition_draws = 64;
+
+/// A point that is said to be one of rest.
+struct ClaimedRest {
+  const RestPoint& point;
+  std::vector<std::uint32_t> rows = {};  ///< velocities whose equations must balance
+  Span span = {};
+  std::string_view remedy = {};  ///< where it is one at some values of the parameters only
+};
 
 /// The remainder bias - B u, row by row, and how large the terms are.
 struct Residual {
@@ -38,9 +52,24 @@ State varied_state(const Inspected& subject, unsigned seed) {
   return state;
 }
 
-/// The state at rest at the point; nothing where a value of `about` does not exist.
-std::optional<State> at_point(const Model& model, State state) {
-  const Approximation& approximation = *model.approximation;
+bool is_met(const Model& model, const Condition& condition, const State& state) {
+  const std::optional<cl_R> excess = oracle_expression(model, condition.excess, state);
+  return excess && (condition.is_strict ? *excess > 0 : *excess >= 0);
+}
+
+/// The seeds of the first states whose parameters meet the condition of the point.
+std::vector<unsigned> sample_seeds(const Inspected& subject, const RestPoint& point) {
+  std::vector<unsigned> seeds;
+  for (unsigned seed = 0; seed < condition_draws && seeds.size() < equilibrium_samples; ++seed) {
+    const bool fits =
+        !point.condition || is_met(subject.model, *point.condition, varied_state(subject, seed));
+    if (fits) seeds.push_back(seed);
+  }
+  return seeds;
+}
+
+/// The state at rest at the point; nothing where one of its values does not exist.
+std::optional<State> at_point(const Model& model, const RestPoint& point, State state) {
   const State given = state;
   const auto place = [&](const std::vector<std::optional<ExpressionId>>& values,
                          std::vector<cl_R>& entries) {
@@ -55,8 +84,7 @@ std::optional<State> at_point(const Model& model, State state) {
   state.v.assign(state.v.size(), cl_R(0));
   state.a = state.v;
   state.u.assign(state.u.size(), cl_R(0));
-  const bool exists =
-      place(approximation.coordinates, state.q) && place(approximation.inputs, state.u);
+  const bool exists = place(point.coordinates, state.q) && place(point.inputs, state.u);
   return exists ? std::optional(std::move(state)) : std::nullopt;
 }
 
@@ -79,20 +107,22 @@ std::optional<Residual> balance_at(const Model& exact, const State& point, const
   return balance;
 }
 
-/// Whether `about` gives every coordinate, so that there is one point.
-bool is_complete(const Approximation& approximation) {
-  const auto& values = approximation.coordinates;
+/// Whether every coordinate has a value, so that there is one point.
+bool is_complete(const RestPoint& point) {
+  const auto& values = point.coordinates;
   return std::find(values.begin(), values.end(), std::nullopt) == values.end();
 }
 
-/// A number holds at one value of the parameters only.
-const std::string for_all_values =
+// A number holds at one value of the parameters only.
+constexpr std::string_view remedy_of_scene =
     "write values by parameters, like `m*g`, or make these numbers: `[parameters] fixed = \"all\"`";
+constexpr std::string_view remedy_of_entry =
+    "write values by parameters, like `m*g`; `when` says for which it is an equilibrium";
 
 /// "`u = 4.905` balances it" where one input acts on this row, and on no other.
-std::string suggestion(const Model& model, const Residual& balance, std::size_t row,
-                       const State& point, bool all_fixed) {
-  if (!is_complete(*model.approximation)) return {};
+std::string suggestion(const Inspected& subject, const ClaimedRest& claim, const Residual& balance,
+                       std::size_t row, const State& point) {
+  if (!is_complete(claim.point)) return {};
   const std::size_t columns = point.u.size();
   std::optional<std::size_t> acting;
   for (std::size_t k = 0; k < columns; ++k) {
@@ -106,30 +136,29 @@ std::string suggestion(const Model& model, const Residual& balance, std::size_t 
   }
   const cl_R value =
       point.u[*acting] + balance.rest[row] / balance.input_matrix[row * columns + *acting];
+  const Model& model = subject.model;
   const std::string balanced =
       fmt::format("`{} = {}` balances it", model.inputs[*acting].name, readable(value));
-  return all_fixed ? balanced : balanced + " at the parameters' values; " + for_all_values;
+  const bool all_fixed = subject.scene.specialisation.fixed.size() == model.parameters.size();
+  return all_fixed ? balanced
+                   : fmt::format("{} at the parameters' values; {}", balanced, claim.remedy);
 }
 
 /// `own_values`: whether the parameters have theirs, so that the figures mean something.
-Diagnostics unbalanced(const Inspected& subject, const Residual& balance, const State& point,
-                       bool own_values) {
-  const Model& model = subject.model;
-  const bool all_fixed = subject.scene.specialisation.fixed.size() == model.parameters.size();
+Diagnostics unbalanced(const Inspected& subject, const ClaimedRest& claim, const Residual& balance,
+                       const State& point, bool own_values) {
   // The oracle's 64 digits less 24 for what cancels, as in verify.
   static const cl_R tolerance = power_of_ten(-40);
   Diagnostics found;
-  for (std::size_t q = 0; q < model.coordinates.size(); ++q) {
-    if (!model.approximation->small[q]) continue;
-    const std::size_t row = model.coordinates[q].velocity;
+  for (const std::uint32_t row : claim.rows) {
     if (cln::abs(balance.rest[row]) <= balance.scale[row] * tolerance) continue;
     const std::string figure =
         own_values ? readable(balance.rest[row]) : "not 0 at other values of the parameters";
     found.push_back(
-        {Code::E613, model.approximation->span,
+        {Code::E613, claim.span,
          fmt::format("`{}` does not stay at rest there: bias - B u is {}",
-                     model.coordinates[q].name, figure),
-         own_values ? suggestion(model, balance, row, point, all_fixed) : for_all_values});
+                     subject.model.velocities[row].name, figure),
+         own_values ? suggestion(subject, claim, balance, row, point) : std::string(claim.remedy)});
   }
   return found;
 }
@@ -144,20 +173,71 @@ Diagnostic no_expansion(const Model& model) {
                       model.approximation->order + 1)};
 }
 
+ClaimedRest claim_of(const Model& model, const Approximation& approximation) {
+  ClaimedRest claim{approximation, {}, approximation.span, remedy_of_scene};
+  for (std::size_t q = 0; q < model.coordinates.size(); ++q) {
+    if (approximation.small[q]) claim.rows.push_back(model.coordinates[q].velocity);
+  }
+  return claim;
+}
+
+ClaimedRest claim_of(const Model& model, const Equilibrium& equilibrium) {
+  ClaimedRest claim{equilibrium, {}, equilibrium.span, remedy_of_entry};
+  claim.rows.resize(model.velocities.size());
+  std::iota(claim.rows.begin(), claim.rows.end(), 0);
+  return claim;
+}
+
+/// The diagnostics of the first sample that does not balance; none where no parameters that were
+/// drawn meet the condition.
+Diagnostics inspect_entry(const Inspected& subject, const Equilibrium& equilibrium) {
+  const ClaimedRest claim = claim_of(subject.model, equilibrium);
+  for (const unsigned seed : sample_seeds(subject, equilibrium)) {
+    const State elsewhere = varied_state(subject, seed);
+    const std::optional<State> point = at_point(subject.model, equilibrium, elsewhere);
+    if (!point) {
+      return {{Code::E613, claim.span,
+               fmt::format("a value of `{}` does not exist for some values of the parameters",
+                           equilibrium.name),
+               "`when` says for which it is an equilibrium"}};
+    }
+    const auto balance = balance_at(subject.model, *point, elsewhere);
+    if (!balance) continue;
+    Diagnostics found = unbalanced(subject, claim, *balance, *point, seed == 0);
+    if (!found.empty()) return found;
+  }
+  return {};
+}
+
 }  // namespace
+
+Diagnostics inspect_equilibria(const Inspected& subject) {
+  Diagnostics all;
+  for (const Equilibrium& equilibrium : subject.model.equilibria) {
+    const Diagnostics found = inspect_entry(subject, equilibrium);
+    all.insert(all.end(), found.begin(), found.end());
+  }
+  return all;
+}
 
 Diagnostics inspect_equilibrium(const Inspected& subject) {
   const Model& model = subject.model;
   if (!model.approximation) return {};
+  const ClaimedRest claim = claim_of(model, *model.approximation);
+  const std::vector<unsigned> seeds = sample_seeds(subject, claim.point);
+  if (seeds.empty()) {
+    return {{Code::E613, claim.span,
+             fmt::format("it is no equilibrium: `{}` does not hold", claim.point.condition->text)}};
+  }
   Model exact = model;
   exact.approximation.reset();
   bool was_seen = false;
-  for (unsigned seed = 0; seed < equilibrium_samples; ++seed) {
+  for (const unsigned seed : seeds) {
     const State elsewhere = varied_state(subject, seed);
-    const std::optional<State> point = at_point(model, elsewhere);
+    const std::optional<State> point = at_point(model, claim.point, elsewhere);
     const auto balance = point ? balance_at(exact, *point, elsewhere) : std::nullopt;
     if (!balance) continue;
-    Diagnostics found = unbalanced(subject, *balance, *point, seed == 0);
+    Diagnostics found = unbalanced(subject, claim, *balance, *point, seed == 0);
     if (!found.empty()) return found;
     if (!has_expansion(model, elsewhere)) return {no_expansion(model)};
     was_seen = true;

@@ -31,6 +31,7 @@ Diagnostics inspect(const Model& model, const Scene& scene) {
   add(inspect_weights(subject));
   add(inspect_kinetic_energies(subject));
   add(inspect_smoothed(subject));
+  if (!has_errors(all)) add(inspect_equilibria(subject));
   if (!has_errors(all)) add(inspect_equilibrium({model, scene}));
   // Entries of a repetition make the same mistake each.
   Report once;

@@ -146,6 +146,7 @@ Json schema_of(const KeyRow& row) {
     case KeyType::text:
     case KeyType::symbol:
     case KeyType::unit:
+    case KeyType::condition:
       return text;
     case KeyType::choice:
       return words_schema(row);

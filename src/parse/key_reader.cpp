@@ -82,6 +82,34 @@ ValueSyntax read_repetition(const TomlValue& value, FileReading& reading) {
   return result;
 }
 
+// Conditions: "a > b" to { left = a, sign = ">", right = b }
+
+/// E104; E320 no comparison; errors of the sides, of which a second comparison is one.
+ValueSyntax read_condition(const TomlValue& value, FileReading& reading) {
+  ValueSyntax result = empty_value(value, ValueKind::table);
+  if (value.kind != TomlKind::string) {
+    report_wrong_type(value, "a condition (a string)", reading);
+    return result;
+  }
+  const std::string& text = value.text.text;
+  const std::size_t begin = text.find_first_of("<>");
+  if (begin == std::string::npos) {
+    reading.report(Code::E320, value.text.whole, in_backticks(text) + " is no condition",
+                   "a condition is written `a > b`, with one of `>`, `>=`, `<` and `<=`");
+    return result;
+  }
+  const bool has_equality = begin + 1 < text.size() && text[begin + 1] == '=';
+  const std::size_t end = has_equality ? begin + 2 : begin + 1;
+  KeySyntax sign;
+  sign.key = "sign";
+  sign.key_span = sign.value.span = value.text.span(begin, end);
+  sign.value.text = text.substr(begin, end - begin);
+  result.entries.push_back(part_entry("left", {0, begin}, value.text, reading));
+  result.entries.push_back(std::move(sign));
+  result.entries.push_back(part_entry("right", {end, text.size()}, value.text, reading));
+  return result;
+}
+
 const KeyRow* find_row(std::string_view entry, std::string_view key) {
   const KeyRow* any = nullptr;
   for (const KeyRow& row : key_table()) {
@@ -190,6 +218,8 @@ ValueSyntax read_by_type(const TomlEntry& key, const KeyRow& row, FileReading& r
       return read_text(value, reading);
     case KeyType::repetition:
       return read_repetition(value, reading);
+    case KeyType::condition:
+      return read_condition(value, reading);
     case KeyType::integer:
       return read_integer(value, reading);
     case KeyType::boolean:

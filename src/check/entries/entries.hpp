@@ -23,6 +23,9 @@ void read_body(ValueReader& values, const EntrySyntax& entry, std::uint32_t targ
 void read_force(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 void read_output(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
+/// Needs the units of coordinates and inputs. E201, E517, E612.
+void read_equilibrium(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
+
 /// [model], [define], [gravity], [energy]: the tables that are not repeated.
 void read_table(Context& context, const EntrySyntax& entry);
 

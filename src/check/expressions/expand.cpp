@@ -35,7 +35,7 @@ std::uint32_t append(std::vector<Row>& rows, const NewName& name) {
   return static_cast<std::uint32_t>(rows.size() - 1);
 }
 
-constexpr std::array<EntryKind, 8> entry_kinds{{
+constexpr std::array<EntryKind, 9> entry_kinds{{
     {"coordinate", SymbolKind::coordinate,
      [](Model& model, const NewName& name) {
        return append_coordinate(model, named<Coordinate>(name));
@@ -54,6 +54,8 @@ constexpr std::array<EntryKind, 8> entry_kinds{{
      [](Model& model, const NewName& name) { return append(model.forces, name); }},
     {"output", SymbolKind::output,
      [](Model& model, const NewName& name) { return append(model.outputs, name); }},
+    {"equilibrium", SymbolKind::equilibrium,
+     [](Model& model, const NewName& name) { return append(model.equilibria, name); }},
 }};
 
 const EntryKind* find_kind(std::string_view entry) {
@@ -63,6 +65,12 @@ const EntryKind* find_kind(std::string_view entry) {
     }
   }
   return nullptr;
+}
+
+/// The names among which one of this kind is unique.
+DeclaredNames& namesakes(Context& context, SymbolKind kind) {
+  if (kind == SymbolKind::frame) return context.frames;
+  return kind == SymbolKind::equilibrium ? context.equilibria : context.symbols;
 }
 
 /// The number of components decides the dimension; it is known before any expression is.
@@ -149,8 +157,8 @@ class Expander {
       note_dimension(context_.model, entry, target);
     }
     instances_.push_back({&entry, scope, target});
-    DeclaredNames& symbols = kind.kind == SymbolKind::frame ? context_.frames : context_.symbols;
-    return key == nullptr || symbols.declare(name, kind.kind, target, context_.report);
+    return key == nullptr ||
+           namesakes(context_, kind.kind).declare(name, kind.kind, target, context_.report);
   }
 
   bool add_rotation(const EntrySyntax& entry, const NewName& name, const Scope& scope) {

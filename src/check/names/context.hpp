@@ -90,6 +90,7 @@ struct Context {
   DeclaredNames symbols = {};
   DeclaredNames frames =
       {};  ///< frames have names of their own: a body may be called like its frame
+  DeclaredNames equilibria = {};  ///< likewise
   Model model = {};
   Constants constants = {};
   /// Expression nodes (and steps to resolve one expression) before E908.

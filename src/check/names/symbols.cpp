@@ -10,12 +10,12 @@ namespace elgen {
 namespace {
 
 /// In the order of SymbolKind.
-constexpr std::array<std::string_view, 13> nouns{
-    "coordinate", "rotation",   "component of a rotation",
-    "parameter",  "definition", "prescribed function",
-    "point",      "frame",      "body",
-    "input",      "force",      "output",
-    "size"};
+constexpr std::array<std::string_view, 14> nouns{
+    "coordinate",  "rotation",   "component of a rotation",
+    "parameter",   "definition", "prescribed function",
+    "point",       "frame",      "body",
+    "input",       "force",      "output",
+    "equilibrium", "size"};
 static_assert(nouns[static_cast<std::size_t>(SymbolKind::size)] == "size");
 
 std::string at_line(const Span& span) {

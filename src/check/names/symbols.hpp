@@ -25,6 +25,7 @@ enum class SymbolKind : std::uint8_t {
   input,
   force,
   output,
+  equilibrium,
   size,
 };
 

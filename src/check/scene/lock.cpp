@@ -181,6 +181,7 @@ class Locking {
     renumber_users();
     renumber_approximation();
     model_.locks.clear();
+    model_.equilibria.clear();
     model_.expectations.clear();
     return std::move(model_);
   }

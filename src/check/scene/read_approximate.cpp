@@ -3,10 +3,13 @@
 //     order = 3                      ->   order 3
 //     about = { q1 = "pi/2", q2 = 0 }     q1 and q2 are pi/2 and 0 at the point
 //     small = ["q2"]                      q2 is small; q1 is any angle, and inputs are any forces
+//
+// `about = "hanging"` takes the values of an equilibrium of the model.
 #include <cln/integer.h>
 
 #include <algorithm>
 
+#include "check/entries/rest_point.hpp"
 #include "check/expressions/places.hpp"
 #include "check/expressions/values.hpp"
 #include "check/names/requests.hpp"
@@ -15,21 +18,9 @@
 namespace elgen {
 namespace {
 
-constexpr Place at_point{"a value of `about`", place::parameters_only};
-
-/// "q" and "q[2]" both name q[2].
-bool is_named(const std::string& full_name, std::string_view name) {
-  return full_name == name || full_name.substr(0, full_name.find('[')) == name;
-}
-
-template <class Entries>
-std::vector<std::uint32_t> named(const Entries& entries, std::string_view name) {
-  std::vector<std::uint32_t> found;
-  for (std::uint32_t i = 0; i < entries.size(); ++i) {
-    if (is_named(entries[i].name, name)) found.push_back(i);
-  }
-  return found;
-}
+constexpr PointTable about_table{
+    {"a value of `about`", place::parameters_only}, true, true, Code::E614};
+constexpr PointTable small_table{{}, true, false, Code::E614};
 
 class ApproximationReader {
  public:
@@ -44,7 +35,7 @@ class ApproximationReader {
     const KeySyntax& about = *entry_.find("about");
     result_.span = about.key_span;
     read_order(entry_.find("order")->value);
-    for (const KeySyntax& key : about.value.entries) read_value(key);
+    read_point(about.value);
     const KeySyntax* small = entry_.find("small");
     read_small(small);
     if (context_.report.errors() == errors_) check_small(small);
@@ -66,40 +57,34 @@ class ApproximationReader {
     result_.order = cln::cl_I_to_uint(cln::floor1(order));
   }
 
-  void read_value(const KeySyntax& key) {
-    const std::vector<std::uint32_t> coordinates = named(model_.coordinates, key.key);
-    const std::vector<std::uint32_t> inputs = named(model_.inputs, key.key);
-    if (!is_expandable(key.key, key.key_span, coordinates.empty() && inputs.empty())) return;
-    RootRequest request{at_point};
-    request.unit = coordinates.empty() ? model_.inputs[inputs.front()].unit
-                                       : model_.coordinates[coordinates.front()].unit;
-    const ExpressionId value =
-        ValueReader(context_, Scope(context_.sizes)).scene_value(key.value, request);
-    for (const std::uint32_t i : coordinates) {
-      if (is_locked(i)) {
+  /// The values given, or those of an equilibrium of the model.
+  void read_point(const ValueSyntax& about) {
+    if (about.kind == ValueKind::text) return take_equilibrium(about);
+    ValueReader values(context_, Scope(context_.sizes));
+    for (const KeySyntax& key : about.entries) {
+      const Variables found = read_point_value(values, about_table, key, result_);
+      for (const std::uint32_t i : found.coordinates) {
+        if (!is_locked(i)) continue;
         context_.report.add(Code::E614, key.key_span,
                             in_backticks(model_.coordinates[i].name) + " is locked");
       }
-      result_.coordinates[i] = value;
     }
-    for (const std::uint32_t i : inputs) result_.inputs[i] = value;
   }
 
-  /// Neither unknown nor of a rotation.
-  bool is_expandable(const std::string& name, const Span& span, bool is_unknown) {
-    const DeclaredName* symbol = context_.symbols.find(name.substr(0, name.find('[')));
-    if (symbol != nullptr && (symbol->kind == SymbolKind::rotation ||
-                              symbol->kind == SymbolKind::quaternion_component)) {
-      context_.report.add(Code::E614, span,
-                          in_backticks(name) + " is of a rotation, which is never small",
-                          "leave it out: the equations stay exact in it");
-      return false;
+  /// Locked coordinates are where the lock holds them.
+  void take_equilibrium(const ValueSyntax& name) {
+    const auto found = std::ranges::find(model_.equilibria, name.text, &Equilibrium::name);
+    if (found == model_.equilibria.end()) {
+      const DeclaredNames& known = context_.equilibria;
+      context_.report.add(Code::E614, name.span,
+                          "the model has no equilibrium " + in_backticks(name.text),
+                          known.suggest(name.text, known.names()));
+      return;
     }
-    if (!is_unknown) return true;
-    const auto names = context_.symbols.names({SymbolKind::coordinate, SymbolKind::input});
-    context_.report.add(Code::E614, span, in_backticks(name) + " is no coordinate or input",
-                        context_.symbols.suggest(name, names));
-    return false;
+    static_cast<RestPoint&>(result_) = *found;
+    for (std::uint32_t i = 0; i < result_.coordinates.size(); ++i) {
+      if (is_locked(i)) result_.coordinates[i].reset();
+    }
   }
 
   void read_small(const KeySyntax* small) {
@@ -120,9 +105,8 @@ class ApproximationReader {
   }
 
   void read_small_coordinate(const ValueSyntax& item) {
-    const std::vector<std::uint32_t> coordinates = named(model_.coordinates, item.text);
-    if (!is_expandable(item.text, item.span, coordinates.empty())) return;
-    for (const std::uint32_t i : coordinates) {
+    const Variables found = find_variables(context_, small_table, item.text, item.span);
+    for (const std::uint32_t i : found.coordinates) {
       result_.small[i] = true;
       if (!result_.coordinates[i]) {
         context_.report.add(Code::E614, item.span,
