@@ -22,6 +22,7 @@ class ModelDump {
            " = " + list(output.values) + (output.jacobian ? ", jacobian" : "") +
            (output.in_world ? "" : ", in its axes"));
     }
+    for (const Equilibrium& equilibrium : model_.equilibria) dump_equilibrium(equilibrium);
     for (const Expectation& expectation : model_.expectations) {
       line("expect " + expectation.output + " " + std::to_string(expectation.rows) + " " +
            std::to_string(expectation.columns) + " = " + list(expectation.entries));
@@ -174,22 +175,34 @@ class ModelDump {
     if (model_.approximation) dump_approximation(*model_.approximation);
   }
 
-  void dump_approximation(const Approximation& approximation) {
-    std::string point;
-    std::string small;
+  [[nodiscard]] std::string point_text(const RestPoint& point) const {
+    std::string text;
     const auto add = [&](const std::string& name, std::optional<ExpressionId> value) {
-      if (value) point += (point.empty() ? "" : ", ") + name + " = " + expression(*value);
+      if (value) text += (text.empty() ? "" : ", ") + name + " = " + expression(*value);
     };
-    for (std::size_t i = 0; i < approximation.coordinates.size(); ++i) {
-      const std::string& name = model_.coordinates[i].name;
-      add(name, approximation.coordinates[i]);
-      if (approximation.small[i]) small += (small.empty() ? "" : ", ") + name;
+    for (std::size_t i = 0; i < point.coordinates.size(); ++i) {
+      add(model_.coordinates[i].name, point.coordinates[i]);
     }
-    for (std::size_t i = 0; i < approximation.inputs.size(); ++i) {
-      add(model_.inputs[i].name, approximation.inputs[i]);
+    for (std::size_t i = 0; i < point.inputs.size(); ++i) {
+      add(model_.inputs[i].name, point.inputs[i]);
     }
-    line("approximate order " + std::to_string(approximation.order) + " about " + point + " with " +
-         small + " small");
+    if (!point.condition) return text;
+    return text + " where " + expression(point.condition->excess) +
+           (point.condition->is_strict ? " > 0" : " >= 0");
+  }
+
+  void dump_equilibrium(const Equilibrium& equilibrium) {
+    line("equilibrium " + equilibrium.name + " at " + point_text(equilibrium) + ", " +
+         list(equilibrium.frequencies_squared));
+  }
+
+  void dump_approximation(const Approximation& approximation) {
+    std::string small;
+    for (std::size_t i = 0; i < approximation.small.size(); ++i) {
+      if (approximation.small[i]) small += (small.empty() ? "" : ", ") + model_.coordinates[i].name;
+    }
+    line("approximate order " + std::to_string(approximation.order) + " about " +
+         point_text(approximation) + " with " + small + " small");
   }
 
   static std::string lock_text(const Model& unlocked, const Lock& lock) {

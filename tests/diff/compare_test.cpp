@@ -24,6 +24,12 @@ TEST_CASE("from nothing to other equations") {
   CHECK(impact(cart, edited(cart, "\"-g\"", "\"g\"")) == Impact::different);
 }
 
+TEST_CASE("an equilibrium is a text, unless a scene expands about it") {
+  const std::string rest = spring() + "[[equilibrium]]\nname = \"rest\"\nat = { x = 0 }\n";
+  CHECK(impact(spring(), rest) == Impact::values);
+  CHECK(impact(rest, edited(rest, "x = 0 }", "x = \"0*k\" }")) == Impact::values);
+}
+
 TEST_CASE("a key of a scene against the built-in scene is a change") {
   const Lowered old = lowered(spring());
   const Lowered now = lowered(spring(), "[outputs]\ngravity = true\n");

@@ -19,6 +19,13 @@ std::string equilibrium_findings(const std::string& model, const std::string& li
   return text_of(diagnostics(model, lines));
 }
 
+/// The model with an equilibrium `rest` of these keys.
+std::string entry_findings(const std::string& model, const std::string& keys) {
+  const CheckedModel checked =
+      checked_model(model + "[[equilibrium]]\nname = \"rest\"\n" + keys + "\n");
+  return text_of(inspect_equilibria({checked.model, checked.scene}));
+}
+
 const std::string holds_at_own_values =
     " balances it at the parameters' values; write values by parameters, like `m*g`, or make these "
     "numbers: `[parameters] fixed = \"all\"`";
@@ -107,4 +114,72 @@ V = "(q^2)^(5/2)"
 )toml");
   CHECK(equilibrium_findings(root, "order = 5\nabout = { q = 0 }") ==
         "E614: energies and forces have no derivatives of order 6 there");
+}
+
+TEST_CASE("equilibria of a model balance in every row, whatever is left open") {
+  CHECK(entry_findings(cart_pole_text(), "at = { theta = 0 }").empty());
+  CHECK(entry_findings(cart_pole_text(), "at = { theta = \"pi\", x = 2 }").empty());
+  CHECK(entry_findings(cart_pole_text(), "at = { theta = \"pi/2\" }") ==
+        "E613: `theta` does not stay at rest there: bias - B u is -1.4715");
+  CHECK(entry_findings(cart_pole_text(), "at = { theta = 0 }\ninputs = { u = 1 }") ==
+        "E613: `x` does not stay at rest there: bias - B u is -1");
+  CHECK_FALSE(entry_findings(cart_pole_text(), "at = { x = 0 }").empty());
+}
+
+TEST_CASE("an equilibrium is judged where its condition holds") {
+  const std::string split = model_text("split", R"toml(
+[[coordinate]]
+name = "q"
+[parameters]
+c = { value = -2, min = -5, max = 5 }
+k = 3
+[energy]
+T = "1/2*dot(q)^2"
+V = "1/4*k*q^4 - 1/2*c*q^2"
+)toml");
+  const std::string apart = "at = { q = \"sqrt(c/k)\" }\n";
+  const std::string without_value =
+      "E613: a value of `rest` does not exist for some values of the parameters";
+  CHECK(entry_findings(split, apart + "when = \"c > 0\"").empty());
+  CHECK(entry_findings(split, apart + "when = \"0 < c\"").empty());
+  CHECK(entry_findings(split, apart) == without_value);
+  CHECK(entry_findings(split, apart + "when = \"c < 0\"") == without_value);
+  CHECK(entry_findings(split, "at = { q = \"2*sqrt(c/k)\" }\nwhen = \"c > 0\"") ==
+        "E613: `q` does not stay at rest there: bias - B u is not 0 at other values of the "
+        "parameters");
+  CHECK(entry_findings(split, "at = { q = 1 }\nwhen = \"k < 0\"").empty());  // never seen
+}
+
+TEST_CASE("what moves with time does not stay at rest") {
+  const std::string shaken = model_text("shaken", R"toml(
+[[coordinate]]
+name = "q"
+[parameters]
+k = 3
+[energy]
+T = "1/2*dot(q)^2"
+V = "1/2*k*q^2 - q*sin(t)"
+)toml");
+  CHECK(entry_findings(shaken, "at = { q = 0 }")
+            .starts_with("E613: `q` does not stay at rest there"));
+}
+
+TEST_CASE("a scene about an equilibrium is judged where that exists") {
+  const std::string split = model_text("split", R"toml(
+[[coordinate]]
+name = "q"
+[parameters]
+c = { value = -2, min = -5, max = 5 }
+[energy]
+T = "1/2*dot(q)^2"
+V = "1/4*q^4 - 1/2*c*q^2"
+[[equilibrium]]
+name = "apart"
+at = { q = "sqrt(c)" }
+when = "c > 0"
+)toml");
+  const std::string about = "order = 1\nabout = \"apart\"";
+  CHECK(equilibrium_findings(split, about).empty());
+  CHECK(equilibrium_findings(split, about + "\n[parameters]\nfixed = \"all\"") ==
+        "E613: it is no equilibrium: `c > 0` does not hold");
 }

@@ -25,6 +25,13 @@ std::string repetition(std::string_view value) {
   return begin == std::string::npos ? all : all.substr(begin + 6, all.size() - begin - 7);
 }
 
+std::string condition(std::string_view value) {
+  const std::string all =
+      model_answer(model("[[equilibrium]]\nname = \"e\"\nat = {}\nwhen = " + std::string(value)));
+  const std::size_t begin = all.find("when = ");
+  return begin == std::string::npos ? all : all.substr(begin + 7, all.size() - begin - 8);
+}
+
 /// The codes that one key of an entry gets, missing neighbours aside.
 std::vector<Code> codes_of(const KeyRow& row, const std::string& value) {
   const std::string key = row.key == "*" ? "any_name" : std::string(row.key);
@@ -95,6 +102,8 @@ std::vector<std::string> accepted_by(KeyType type) {
       return {};  // no sample is one of their words
     case KeyType::turns:
       return {};  // no sample is a list of pairs
+    case KeyType::condition:
+      return {};  // no sample is a comparison
   }
   return {};
 }
@@ -228,4 +237,28 @@ TEST_CASE("each part of a repetition has its place", "[parse]") {
   CHECK(covered_text(parts[0].value.span) == "i");
   CHECK(covered_text(parts[1].value.expression.span) == "1");
   CHECK(covered_text(parts[2].value.expression.span) == "n");
+}
+
+TEST_CASE("a condition is two expressions and the sign between them", "[parse]") {
+  CHECK(condition("\"R*Omega^2 > g\"") == "{left = (R * (Omega^2)), sign = \">\", right = g}");
+  CHECK(condition("\"a<=b + 1\"") == "{left = a, sign = \"<=\", right = (b + 1)}");
+  CHECK(condition("\"a >= 0\"") == "{left = a, sign = \">=\", right = 0}");
+}
+
+TEST_CASE("malformed conditions are refused where they are", "[parse]") {
+  CHECK(condition("\"a\"") == "E320 8:9");
+  CHECK(condition("\"a = b\"") == "E320 8:9");
+  CHECK(condition("\"\"") == "E320 8:9");
+  CHECK(condition("\"a < b < c\"") == "E317 8:15");
+  CHECK(condition("\"a => b\"") == "E317 8:11");
+  CHECK(condition("\"> b\"") == "E310 8:9");
+  CHECK(condition("\"a >\"") == "E310 8:12");
+  CHECK(condition("\"2a > b\"") == "E303 8:10");
+  CHECK(condition("3") == "E104 8:8");
+}
+
+TEST_CASE("the point of an expansion is a name or a table", "[parse]") {
+  CHECK(scene_answer(scene("[approximate]\norder = 1\nabout = \"rest\"\n"))
+            .find("about = \"rest\"") != std::string::npos);
+  CHECK(scene_answer(scene("[approximate]\norder = 1\nabout = [1]\n")) == "E104 6:9");
 }
