@@ -59,7 +59,7 @@ Variables find_variables(Context& context, const PointTable& table, const std::s
 Variables read_point_value(ValueReader& values, const PointTable& table, const KeySyntax& key,
                            RestPoint& point) {
   Context& context = values.context();
-  Variables found = find_variables(context, table, key.key, key.key_span);
+  const Variables found = find_variables(context, table, key.key, key.key_span);
   if (found.empty()) return found;
   const Model& model = context.model;
   const RootRequest request{table.place, found.coordinates.empty()
