@@ -279,7 +279,7 @@ struct Condition {
 
 /// A point at which the system stays at rest, whatever the parameters are that meet `condition`;
 /// its values are made of parameters.
-struct RestPoint {
+struct StatedPoint {
   std::vector<std::optional<ExpressionId>> coordinates = {};  ///< none: anywhere
   std::vector<std::optional<ExpressionId>> inputs = {};       ///< none: 0
   std::optional<Condition> condition = {};                    ///< none: for all values
@@ -287,7 +287,7 @@ struct RestPoint {
 
 /// An [[equilibrium]]: its point, and w^2 of small motions about it: det(x M - K)/det M is the
 /// product of x - w^2.
-struct Equilibrium : RestPoint {
+struct Equilibrium : StatedPoint {
   std::string name = {};
   std::vector<ExpressionId> frequencies_squared = {};  ///< one per velocity, or none
   std::string doc = {};
@@ -297,7 +297,7 @@ struct Equilibrium : RestPoint {
 /// The point a scene expands about, and what is small there. Deviations of small coordinates,
 /// their rates and accelerations (and of the inputs, where all coordinates are small) count
 /// jointly: energies become polynomials of degree order + 1 in them, forces of degree order.
-struct Approximation : RestPoint {
+struct Approximation : StatedPoint {
   std::uint32_t order = 1;
   std::vector<bool> small = {};  ///< which coordinates
   bool small_inputs = false;     ///< where every coordinate is that is not locked

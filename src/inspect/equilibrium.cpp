@@ -28,7 +28,7 @@ constexpr unsigned condition_draws = 64;
 
 /// A point that is said to be one of rest.
 struct ClaimedRest {
-  const RestPoint& point;
+  const StatedPoint& point;
   std::vector<std::uint32_t> rows = {};  ///< velocities whose equations must balance
   Span span = {};
   std::string_view remedy = {};  ///< where it is one at some values of the parameters only
@@ -58,7 +58,7 @@ bool is_met(const Model& model, const Condition& condition, const State& state) 
 }
 
 /// The seeds of the first states whose parameters meet the condition of the point.
-std::vector<unsigned> sample_seeds(const Inspected& subject, const RestPoint& point) {
+std::vector<unsigned> sample_seeds(const Inspected& subject, const StatedPoint& point) {
   std::vector<unsigned> seeds;
   for (unsigned seed = 0; seed < condition_draws && seeds.size() < equilibrium_samples; ++seed) {
     const bool fits =
@@ -69,7 +69,7 @@ std::vector<unsigned> sample_seeds(const Inspected& subject, const RestPoint& po
 }
 
 /// The state at rest at the point; nothing where one of its values does not exist.
-std::optional<State> at_point(const Model& model, const RestPoint& point, State state) {
+std::optional<State> at_point(const Model& model, const StatedPoint& point, State state) {
   const State given = state;
   const auto place = [&](const std::vector<std::optional<ExpressionId>>& values,
                          std::vector<cl_R>& entries) {
@@ -108,7 +108,7 @@ std::optional<Residual> balance_at(const Model& exact, const State& point, const
 }
 
 /// Whether every coordinate has a value, so that there is one point.
-bool is_complete(const RestPoint& point) {
+bool is_complete(const StatedPoint& point) {
   const auto& values = point.coordinates;
   return std::find(values.begin(), values.end(), std::nullopt) == values.end();
 }

@@ -175,7 +175,7 @@ class ModelDump {
     if (model_.approximation) dump_approximation(*model_.approximation);
   }
 
-  [[nodiscard]] std::string point_text(const RestPoint& point) const {
+  [[nodiscard]] std::string point_text(const StatedPoint& point) const {
     std::string text;
     const auto add = [&](const std::string& name, std::optional<ExpressionId> value) {
       if (value) text += (text.empty() ? "" : ", ") + name + " = " + expression(*value);

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "check/entries/entries.hpp"
-#include "check/entries/rest_point.hpp"
+#include "check/entries/stated_point.hpp"
 #include "check/expressions/places.hpp"
 #include "check/expressions/values.hpp"
 

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-#include "check/entries/rest_point.hpp"
+#include "check/entries/stated_point.hpp"
 #include "check/expressions/places.hpp"
 #include "check/expressions/values.hpp"
 #include "check/names/requests.hpp"
@@ -81,7 +81,7 @@ class ApproximationReader {
                           known.suggest(name.text, known.names()));
       return;
     }
-    static_cast<RestPoint&>(result_) = *found;
+    static_cast<StatedPoint&>(result_) = *found;
     for (std::uint32_t i = 0; i < result_.coordinates.size(); ++i) {
       if (is_locked(i)) result_.coordinates[i].reset();
     }

@@ -34,6 +34,6 @@ struct Variables {
 /// Reads one key of the table into the point, whose lists have the sizes of the model's; the
 /// variables that got the value.
 Variables read_point_value(ValueReader& values, const PointTable& table, const KeySyntax& key,
-                           RestPoint& point);
+                           StatedPoint& point);
 
 }  // namespace elgen

@@ -1,5 +1,5 @@
 // Points of rest: the variables that a key names, and its value in their unit.
-#include "check/entries/rest_point.hpp"
+#include "check/entries/stated_point.hpp"
 
 #include <string_view>
 
@@ -57,7 +57,7 @@ Variables find_variables(Context& context, const PointTable& table, const std::s
 }
 
 Variables read_point_value(ValueReader& values, const PointTable& table, const KeySyntax& key,
-                           RestPoint& point) {
+                           StatedPoint& point) {
   Context& context = values.context();
   const Variables found = find_variables(context, table, key.key, key.key_span);
   if (found.empty()) return found;
