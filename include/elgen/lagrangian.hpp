@@ -231,6 +231,11 @@ void name(Definitions& definitions, const GiNaC::ex& symbol, const std::string& 
 /// of something that contains rates.
 [[nodiscard]] Result<Lagrangian> formulate(const Model& model);
 
+/// A value of an open function in GiNaC: the number of the function, the digits of its derivative
+/// (0, 1, 12), and four arguments, of which those that the function does not have are 0. Derivatives
+/// append a digit, in ascending order.
+DECLARE_FUNCTION_6P(elgen_open)
+
 /// GiNaC's names for the kinked functions of forces; opaque, never differentiated.
 DECLARE_FUNCTION_1P(elgen_abs)
 DECLARE_FUNCTION_1P(elgen_sign)

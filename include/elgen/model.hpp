@@ -20,6 +20,7 @@
 
 #include "elgen/diagnostic.hpp"
 #include "elgen/expression.hpp"
+#include "elgen/open_functions.hpp"
 #include "elgen/source_text.hpp"
 #include "elgen/units.hpp"
 
@@ -323,6 +324,8 @@ struct Model {
   std::vector<Rotation> rotations = {};
   std::vector<Parameter> parameters = {};
   std::vector<ParameterArray> parameter_arrays = {};
+  std::vector<OpenFunction> functions = {};
+  std::vector<OpenValue> open_values = {};  ///< of each function all, in the order of the header
   std::vector<NamedExpression> prescribed = {};
   std::vector<NamedExpression> definitions = {};  ///< in file order; acyclic
   std::vector<Frame> frames = {};

@@ -32,7 +32,14 @@ inline constexpr std::array opcode_table{
 }
 
 /// The owner of one leaf of a kind: the whole system, or each entry of a list of a Model.
-enum class LeafOwner : std::uint8_t { system, parameters, coordinates, velocities, inputs };
+enum class LeafOwner : std::uint8_t {
+  system,
+  parameters,
+  open_values,
+  coordinates,
+  velocities,
+  inputs
+};
 
 /// A kind of leaf.
 struct LeafRow {
@@ -69,6 +76,12 @@ inline constexpr std::array leaf_table{
 /// Whether a system has one leaf of the kind, not a list of them.
 [[nodiscard]] constexpr bool is_single(Opcode leaf) {
   return leaf_row(leaf).of == LeafOwner::system;
+}
+
+/// Whether emitted functions take them only where a system has some: the other lists are passed
+/// though they are empty.
+[[nodiscard]] constexpr bool is_optional(Opcode leaf) {
+  return leaf_row(leaf).of == LeafOwner::open_values;
 }
 
 /// A set of kinds of leaves.

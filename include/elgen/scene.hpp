@@ -140,6 +140,8 @@ struct SceneOptions {
   std::vector<SourcePointer> values = {};   ///< "m=2": of parameters that stay parameters
   std::vector<SourcePointer> starts = {};   ///< "theta=1,dot(theta)=0,attitude=[1,0,0,0]"
   std::vector<SourcePointer> laws = {};     ///< "u=-3*theta"
+  /// Functions left open are their samples, where the scene has no expression of them.
+  bool close_functions = false;
   /// Keep closed forms of more than 4096 nodes too: `verify` needs them. Without it they are read
   /// until there, so that mistakes in them are reported, and dropped.
   bool large_expectations = false;

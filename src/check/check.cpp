@@ -7,6 +7,7 @@
 #include "check/entries/entries.hpp"
 #include "check/expressions/cycles.hpp"
 #include "check/expressions/expand.hpp"
+#include "check/expressions/open_functions.hpp"
 #include "check/expressions/options.hpp"
 #include "check/expressions/parameters.hpp"
 #include "check/expressions/places.hpp"
@@ -58,9 +59,12 @@ void resolve_entries(Context& context, const FileSyntax& syntax) {
     return;
   }
   read_parameters(context, syntax);
-  read_entries(
-      context, instances,
-      {{"coordinate", read_coordinate}, {"input", read_input}, {"prescribed", read_prescribed}});
+  read_entries(context, instances, {{"function", read_arguments}});
+  read_entries(context, instances,
+               {{"coordinate", read_coordinate},
+                {"input", read_input},
+                {"function", read_function},
+                {"prescribed", read_prescribed}});
   read_entries(context, instances, {{"frame", read_frame}});
   check_rotations(context);
   read_entries(context, instances, {{"point", read_point}, {"body", read_body}});
@@ -104,6 +108,7 @@ Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
   context.has_units = uses_units(model);
   context.dimension = usual_dimension(model);
   read_sizes(context, model, scene, options);
+  read_closures(context, model, scene, options);
   resolve_entries(context, model);
   if (context.beyond_limits) {
     return context.report.sorted();

@@ -54,6 +54,20 @@ ex no_derivative_2(const ex& /*x*/, const ex& /*y*/, unsigned /*argument*/) {
   throw std::logic_error("derivative of a kinked function");
 }
 
+/// 1 by argument 2 -> 12, 2 by argument 1 -> 12
+int with_digit(int digits, int digit) {
+  const int last = digits % 10;
+  return last <= digit ? digits * 10 + digit : with_digit(digits / 10, digit) * 10 + last;
+}
+
+// The first two operands are numbers, so that GiNaC asks for derivatives by the others only.
+ex open_derivative(const ex& function, const ex& digits, const ex& x1, const ex& x2, const ex& x3,
+                   const ex& x4, unsigned operand) {
+  const int by = static_cast<int>(operand) - 1;
+  return elgen_open(function, with_digit(GiNaC::ex_to<GiNaC::numeric>(digits).to_int(), by), x1, x2,
+                    x3, x4);
+}
+
 }  // namespace
 
 Translation::Translation(const Model& model, Lagrangian& lagrangian)
@@ -136,8 +150,22 @@ Translation::Sized Translation::compose(const Expression& expression) {
     case ExpressionKind::frame_component:
       return component(expression);
     default:
-      return leaf(expression);
+      return is_leaf(expression, Opcode::open_value) ? open(expression) : leaf(expression);
   }
+}
+
+/// One leaf, whatever its arguments: it is written as such.
+Translation::Sized Translation::open(const Expression& expression) const {
+  const OpenValue& value = model_.open_values[expression.index];
+  std::array<ex, most_arguments> x{};
+  for (std::size_t i = 0; i < expression.operands.size(); ++i) {
+    x[i] = translated_[expression.operands[i]].value;
+  }
+  int digits = 0;
+  for (const std::uint32_t argument : value.by) {
+    digits = with_digit(digits, static_cast<int>(argument) + 1);
+  }
+  return {elgen_open(value.function, digits, x[0], x[1], x[2], x[3]), 1};
 }
 
 Translation::Sized Translation::function(const Expression& expression) {
@@ -243,6 +271,7 @@ ex constant_value(const Model& model, ExpressionId value) {
   return result;
 }
 
+REGISTER_FUNCTION(elgen_open, derivative_func(open_derivative))
 REGISTER_FUNCTION(elgen_abs, derivative_func(no_derivative))
 REGISTER_FUNCTION(elgen_sign, derivative_func(no_derivative))
 REGISTER_FUNCTION(elgen_min, derivative_func(no_derivative_2))

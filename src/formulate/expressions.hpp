@@ -40,6 +40,7 @@ class Translation {
   [[nodiscard]] bool translate(ExpressionId id);
   [[nodiscard]] Sized compose(const Expression& expression);
   [[nodiscard]] Sized leaf(const Expression& expression) const;
+  [[nodiscard]] Sized open(const Expression& expression) const;
   [[nodiscard]] Sized component(const Expression& expression);
   [[nodiscard]] Sized sum(const std::vector<ExpressionId>& operands);
   [[nodiscard]] Sized product(const std::vector<ExpressionId>& operands);

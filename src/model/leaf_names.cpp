@@ -33,6 +33,8 @@ std::string leaf_text(const Model& model, Opcode kind, std::uint32_t number) {
       break;
     case LeafOwner::parameters:
       return text(model.parameters[number].name);
+    case LeafOwner::open_values:
+      return text(model.open_values[number].name);
     case LeafOwner::coordinates:
       return text(model.coordinates[number].name);
     case LeafOwner::velocities:
@@ -58,6 +60,8 @@ std::size_t leaf_count(const Model& model, Opcode kind) {
       return 1;
     case LeafOwner::parameters:
       return model.parameters.size();
+    case LeafOwner::open_values:
+      return model.open_values.size();
     case LeafOwner::coordinates:
       return model.coordinates.size();
     case LeafOwner::velocities:

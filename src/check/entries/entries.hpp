@@ -7,6 +7,12 @@ namespace elgen {
 
 void read_coordinate(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 void read_input(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
+
+/// The key `of` of a [[function]], open or closed, before anything names it. E104.
+void read_arguments(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
+/// Its other keys; of a closed one the expression that its definition has.
+void read_function(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
+
 void read_prescribed(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
 /// The steps from the parent, and the pose.

@@ -66,20 +66,21 @@ struct EnergyKey {
   std::string_view key;
   std::optional<ExpressionId> Energies::*member;
   std::string_view unit;
+  Ingredients allowed = place::of_energy;
 };
 
 constexpr std::array<EnergyKey, 4> energy_keys{{
     {"T", &Energies::T, "J"},
     {"V", &Energies::V, "J"},
-    {"D", &Energies::D, "W"},
+    {"D", &Energies::D, "W", place::of_dissipation},
     {"L", &Energies::L, "J"},
 }};
 
 void read_energies(ValueReader& values, const EntrySyntax& entry) {
   Context& context = values.context();
   if (const KeySyntax* lagrangian = entry.find("L")) context.lagrangian_span = lagrangian->key_span;
-  for (const auto& [key, member, unit] : energy_keys) {
-    const Place place{key, place::of_state};
+  for (const auto& [key, member, unit, allowed] : energy_keys) {
+    const Place place{key, allowed};
     context.model.energies.*member = values.root(entry, key, {place, find_unit(unit)});
   }
 }

@@ -1,6 +1,10 @@
-// Coordinates, inputs and prescribed functions.
+// Coordinates, inputs, open and prescribed functions.
+#include <utility>
+#include <vector>
+
 #include "base/number_text.hpp"
 #include "check/entries/entries.hpp"
+#include "check/expressions/open_functions.hpp"
 #include "check/expressions/places.hpp"
 #include "check/expressions/rotations.hpp"
 #include "check/expressions/unit_expression.hpp"
@@ -143,6 +147,43 @@ void read_input(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
   if (const KeySyntax* unit = entry.find("unit"); unit != nullptr && input.on) {
     check_input_unit(context, input, unit->value);
   }
+}
+
+void read_arguments(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
+  const KeySyntax* of = entry.find("of");
+  if (of == nullptr) return;
+  Context& context = values.context();
+  const std::size_t count = of->value.items.size();
+  if (count == 0 || count > most_arguments) {
+    context.report.add(
+        Code::E104, of->value.span,
+        counted(count, "argument") + ", but a function has 1 to " + std::to_string(most_arguments));
+  }
+  const Place place{"an argument of a function", place::of_state};
+  std::vector<ExpressionId> arguments = values.roots(of->value, {place});
+  if (closure_of(context, entry) != nullptr || arguments.empty()) return;
+  context.model.functions[target].arguments = std::move(arguments);
+}
+
+void read_function(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
+  Context& context = values.context();
+  const std::optional<Unit> unit = unit_of(entry, context);
+  const RootRequest request{{"the expression of a function", place::of_state}, unit};
+  const Closure* closure = closure_of(context, entry);
+  if (closure == nullptr) {
+    OpenFunction& function = context.model.functions[target];
+    function.unit = unit;
+    function.unit_text = text_of(entry, "unit");
+    function.latex = text_of(entry, "latex");
+    function.doc = text_of(entry, "doc");
+    (void)values.root(entry, "sample", request);
+    return;
+  }
+  NamedExpression& definition = context.model.definitions[target];
+  definition.latex = text_of(entry, "latex");
+  definition.doc = text_of(entry, "doc");
+  definition.value = closure->is_of_scene ? values.scene_value(*closure->value, request)
+                                          : values.root(*closure->value, request);
 }
 
 void read_prescribed(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "check/expressions/open_functions.hpp"
 #include "check/expressions/parameters.hpp"
 #include "check/expressions/rotations.hpp"
 
@@ -40,6 +41,7 @@ constexpr std::array<EntryKind, 9> entry_kinds{{
      [](Model& model, const NewName& name) {
        return append_coordinate(model, named<Coordinate>(name));
      }},
+    {"function", SymbolKind::open_value, nullptr},  // declare_function adds it
     {"prescribed", SymbolKind::prescribed,
      [](Model& model, const NewName& name) { return append(model.prescribed, name); }},
     {"point", SymbolKind::point,
@@ -150,7 +152,10 @@ class Expander {
       return false;
     }
     if (is_rotation(entry)) {
-      return add_rotation(entry, name, scope);
+      return add_declared(entry, scope, declare_rotation(context_, entry, name));
+    }
+    if (kind.kind == SymbolKind::open_value) {
+      return add_declared(entry, scope, declare_function(context_, entry, name));
     }
     const std::uint32_t target = kind.add(context_.model, name);
     if (kind.kind == SymbolKind::point) {
@@ -161,8 +166,9 @@ class Expander {
            namesakes(context_, kind.kind).declare(name, kind.kind, target, context_.report);
   }
 
-  bool add_rotation(const EntrySyntax& entry, const NewName& name, const Scope& scope) {
-    const std::optional<std::uint32_t> target = declare_rotation(context_, entry, name);
+  /// An entry that has declared its names; false where it could not.
+  bool add_declared(const EntrySyntax& entry, const Scope& scope,
+                    const std::optional<std::uint32_t>& target) {
     if (target) {
       instances_.push_back({&entry, scope, *target});
     }

@@ -11,7 +11,10 @@ struct IngredientRow {
   std::string_view noun;
 };
 
-constexpr std::array<IngredientRow, 7> ingredient_table{{
+constexpr std::array<IngredientRow, 10> ingredient_table{{
+    {uses_open_derivative, "a derivative of an open function"},
+    {uses_open_rate, "an open function of rates"},
+    {uses_open_function, "an open function"},
     {uses_acceleration, "a second derivative"},
     {uses_kink, "a function with a kink"},
     {uses_input, "an input"},

@@ -16,8 +16,10 @@ inline constexpr Ingredients parameters_only = uses_parameter;
 inline constexpr Ingredients of_time = uses_parameter | uses_time;
 inline constexpr Ingredients of_configuration = of_time | uses_coordinate;
 inline constexpr Ingredients of_state = of_configuration | uses_rate;
-inline constexpr Ingredients of_force = of_state | uses_input | uses_kink;
-inline constexpr Ingredients anything = of_force | uses_acceleration;
+inline constexpr Ingredients of_energy = of_state | uses_open_function;
+inline constexpr Ingredients of_dissipation = of_energy | uses_open_rate;
+inline constexpr Ingredients of_force = of_dissipation | uses_input | uses_kink;
+inline constexpr Ingredients anything = of_force | uses_acceleration | uses_open_derivative;
 
 }  // namespace place
 

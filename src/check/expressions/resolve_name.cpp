@@ -24,6 +24,9 @@ std::optional<Expression> named(SymbolKind kind) {
       return Expression{.kind = ExpressionKind::prescribed};
     case SymbolKind::input:
       return leaf(Opcode::input);
+    case SymbolKind::open_value:
+    case SymbolKind::open_derivative:
+      return leaf(Opcode::open_value);
     default:
       return std::nullopt;
   }
@@ -117,6 +120,10 @@ std::optional<ExpressionId> Resolver::resolve_symbol(const ExpressionSyntax& nam
   if (!index) return std::nullopt;
   node->index = *index;
   node->span = name.span;
+  if (is_leaf(*node, Opcode::open_value)) {
+    const OpenValue& value = context_.model.open_values[*index];
+    node->operands = context_.model.functions[value.function].arguments;
+  }
   return push(std::move(*node));
 }
 

@@ -79,6 +79,9 @@ Traits time_derivative(const Traits& argument) {
   if ((argument.ingredients & uses_rate) != 0) {
     result.ingredients |= uses_acceleration;
   }
+  if ((argument.ingredients & uses_open_function) != 0) {
+    result.ingredients |= uses_open_derivative;
+  }
   return result;
 }
 
@@ -100,7 +103,7 @@ class TraitFinder {
       case ExpressionKind::pi:
         return {};
       case ExpressionKind::leaf:
-        return of_leaf(node.leaf);
+        return node.leaf == Opcode::open_value ? of_open_value(node) : of_leaf(node.leaf);
       default:
         return of_compound(node, references(model_, id));
     }
@@ -121,6 +124,17 @@ class TraitFinder {
       default:
         return leaf(uses_parameter);
     }
+  }
+
+  [[nodiscard]] Traits of_open_value(const Expression& node) const {
+    Traits result = leaf(uses_open_function);
+    for (const ExpressionId argument : node.operands) {
+      result = sum(result, opaque(traits_[argument]));
+    }
+    if ((result.ingredients & uses_rate) != 0) result.ingredients |= uses_open_rate;
+    const bool is_derivative = !model_.open_values[node.index].by.empty();
+    if (is_derivative) result.ingredients |= uses_open_derivative;
+    return result;
   }
 
   [[nodiscard]] Traits of_compound(const Expression& node,

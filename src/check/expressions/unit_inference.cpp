@@ -52,6 +52,10 @@ class UnitInference {
       if (has_unit[id]) units_[id] = of(id);
     }
     for (const WrittenExpression& root : context_.roots) compare_with_place(root);
+    for (OpenValue& value : context_.model.open_values) {
+      const InferredUnit unit = of_open_value(value);
+      if (unit.known == Known::yes) value.unit = unit.unit;
+    }
   }
 
  private:
@@ -97,9 +101,21 @@ class UnitInference {
         return rate(declared(model_.velocities[node.index].unit));
       case Opcode::input:
         return declared(model_.inputs[node.index].unit);
+      case Opcode::open_value:
+        return of_open_value(model_.open_values[node.index]);
       default:
         return declared(model_.parameters[node.index].unit);
     }
+  }
+
+  /// [f]/([x_i] [x_j])
+  [[nodiscard]] InferredUnit of_open_value(const OpenValue& value) const {
+    const OpenFunction& function = model_.functions[value.function];
+    InferredUnit result = declared(function.unit);
+    for (const std::uint32_t argument : value.by) {
+      result = quotient(result, units_[function.arguments[argument]]);
+    }
+    return result;
   }
 
   InferredUnit of_compound(const Expression& node, const std::vector<ExpressionId>& parts) {

@@ -10,12 +10,14 @@ namespace elgen {
 
 namespace {
 
-/// The expression and what it is written of, in the order of the file; names are not entered.
+/// The expression and what it is written of, in the order of the file; names are not entered, nor
+/// the arguments of open functions.
 std::vector<ExpressionId> written_parts(const Model& model, ExpressionId expression) {
   std::vector<ExpressionId> parts{expression};
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const std::vector<ExpressionId>& operands = model.expressions[parts[i]].operands;
-    parts.insert(parts.end(), operands.begin(), operands.end());
+    const Expression& part = model.expressions[parts[i]];
+    if (part.kind == ExpressionKind::leaf) continue;
+    parts.insert(parts.end(), part.operands.begin(), part.operands.end());
   }
   std::stable_sort(parts.begin(), parts.end(), [&](ExpressionId a, ExpressionId b) {
     return model.expressions[a].span.begin < model.expressions[b].span.begin;
@@ -50,6 +52,8 @@ std::optional<UnitDeclaration> variable_declaration(const Model& model, const Ex
       return of(model.coordinates[model.velocities[node.index].coordinate]);
     case Opcode::input:
       return of(model.inputs[node.index]);
+    case Opcode::open_value:
+      return of(model.functions[model.open_values[node.index].function]);
     default:
       return std::nullopt;
   }
@@ -120,6 +124,9 @@ void note_missing_units(Context& context) {
   }
   for (const Input& input : model.inputs) {
     if (!input.unit && input.unit_text.empty()) note(input.name, input.span);
+  }
+  for (const OpenFunction& function : model.functions) {
+    if (!function.unit && function.unit_text.empty()) note(function.name, function.span);
   }
   if (names.empty()) {
     return;

@@ -153,7 +153,8 @@ std::optional<ConstantFailure> Constants::append(const std::vector<Expression>& 
   if (divides && sign_of(*values_[node.operands[1]]) == 0) {
     return ConstantFailure{Code::E312, "is zero", 1};
   }
-  if (!all || (node.operands.empty() && !is_constant_leaf(node.kind))) {
+  const bool is_last = node.operands.empty() || node.kind == ExpressionKind::leaf;
+  if (!all || (is_last && !is_constant_leaf(node.kind))) {
     return std::nullopt;
   }
   ConstantOutcome outcome;

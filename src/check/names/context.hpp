@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,11 +14,12 @@
 #include "check/names/symbols.hpp"
 #include "elgen/limits.hpp"
 #include "elgen/model.hpp"
+#include "elgen/syntax.hpp"
 
 namespace elgen {
 
 /// The ingredients of an expression, as bits.
-enum Ingredient : std::uint8_t {
+enum Ingredient : std::uint16_t {
   uses_coordinate = 1,
   uses_rate = 2,
   uses_acceleration = 4,
@@ -25,8 +27,11 @@ enum Ingredient : std::uint8_t {
   uses_time = 16,
   uses_kink = 32,
   uses_parameter = 64,
+  uses_open_function = 128,
+  uses_open_rate = 256,        ///< an open function of rates
+  uses_open_derivative = 512,  ///< a derivative of an open function, or its rate
 };
-using Ingredients = std::uint8_t;
+using Ingredients = std::uint16_t;
 
 /// Where an expression stands: what it may be made of, and which error says that it may not.
 struct Place {
@@ -54,6 +59,12 @@ inline constexpr ExpressionId no_expression = 0;
 struct ParameterBounds {
   std::optional<cln::cl_R> minimum = {};
   std::optional<cln::cl_R> maximum = {};
+};
+
+/// The expression that takes the place of an open function.
+struct Closure {
+  const ValueSyntax* value = nullptr;
+  bool is_of_scene = false;  ///< otherwise it is the model's own sample
 };
 
 struct Context {
@@ -91,6 +102,7 @@ struct Context {
   DeclaredNames frames =
       {};  ///< frames have names of their own: a body may be called like its frame
   DeclaredNames equilibria = {};  ///< likewise
+  std::map<std::string, Closure, std::less<>> closures = {};  ///< by name of the function
   Model model = {};
   Constants constants = {};
   /// Expression nodes (and steps to resolve one expression) before E908.

@@ -81,6 +81,12 @@ std::optional<Lack> lack_of(const Model& model, const OutputRequest& request) {
                 "stand-in is tanh(x/width)",
                 kink->span, "one is here"};
   }
+  if (output_row(request.kind).steps && !model.functions.empty()) {
+    const OpenFunction& function = model.functions.front();
+    return Lack{Code::E633,
+                "needs an expression of `" + function.name + "` in `[functions]` of a scene",
+                function.span, "left open here"};
+  }
   if (requirement == Requirement::jacobian && !model.outputs[request.user].jacobian) {
     return Lack{Code::E603, "needs `jacobian = true` in the output's entry",
                 model.outputs[request.user].span, "declared here"};

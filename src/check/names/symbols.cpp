@@ -10,12 +10,23 @@ namespace elgen {
 namespace {
 
 /// In the order of SymbolKind.
-constexpr std::array<std::string_view, 14> nouns{
-    "coordinate",  "rotation",   "component of a rotation",
-    "parameter",   "definition", "prescribed function",
-    "point",       "frame",      "body",
-    "input",       "force",      "output",
-    "equilibrium", "size"};
+constexpr std::array<std::string_view, 17> nouns{"coordinate",
+                                                 "rotation",
+                                                 "component of a rotation",
+                                                 "parameter",
+                                                 "definition",
+                                                 "prescribed function",
+                                                 "function left open",
+                                                 "derivative of a function left open",
+                                                 "derivative of a function with an expression",
+                                                 "point",
+                                                 "frame",
+                                                 "body",
+                                                 "input",
+                                                 "force",
+                                                 "output",
+                                                 "equilibrium",
+                                                 "size"};
 static_assert(nouns[static_cast<std::size_t>(SymbolKind::size)] == "size");
 
 std::string at_line(const Span& span) {

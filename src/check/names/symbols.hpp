@@ -19,6 +19,9 @@ enum class SymbolKind : std::uint8_t {
   parameter,
   definition,
   prescribed,
+  open_value,         ///< an open function
+  open_derivative,    ///< one of an open function
+  closed_derivative,  ///< one of a function that has an expression: no number
   point,
   frame,
   body,

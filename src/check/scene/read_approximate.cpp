@@ -40,6 +40,7 @@ class ApproximationReader {
     read_small(small);
     if (context_.report.errors() == errors_) check_small(small);
     check_forces();
+    check_functions();
     check_reactions();
     result_.small_inputs = all_free_are_small();
     model_.approximation = std::move(result_);
@@ -144,6 +145,15 @@ class ApproximationReader {
     context_.report.add({Code::E614, entry_.span,
                          "`abs`, `sign`, `min` and `max` in a force have no expansion",
                          "a smooth stand-in is tanh(x/width)", kink->span, "one is here"});
+  }
+
+  void check_functions() {
+    for (const OpenFunction& function : model_.functions) {
+      context_.report.add({Code::E633, entry_.span,
+                           in_backticks(function.name) + " is left open, and has no expansion",
+                           "give it an expression in `[functions]`", function.span,
+                           "left open here"});
+    }
   }
 
   Context& context_;

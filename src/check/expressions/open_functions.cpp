@@ -1,0 +1,175 @@
+// Open functions: the names of their values, and what closes them.
+#include "check/expressions/open_functions.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace elgen {
+namespace {
+
+/// "V"; empty where the entry has no name.
+std::string function_name(const EntrySyntax& function) {
+  const KeySyntax* name = function.find("name");
+  return name == nullptr ? "" : name->value.expression.text;
+}
+
+std::vector<const EntrySyntax*> functions_of(const FileSyntax& model) {
+  std::vector<const EntrySyntax*> functions;
+  for (const EntrySyntax& entry : model.entries) {
+    if (entry.name == "function") functions.push_back(&entry);
+  }
+  return functions;
+}
+
+void close_by_scene(Context& context, const FileSyntax& model, const FileSyntax& scene) {
+  std::vector<std::string> names;
+  for (const EntrySyntax* function : functions_of(model)) names.push_back(function_name(*function));
+  for (const EntrySyntax& entry : scene.entries) {
+    if (entry.name != "functions") continue;
+    for (const KeySyntax& key : entry.keys) {
+      if (std::find(names.begin(), names.end(), key.key) == names.end()) {
+        context.report.add(Code::E201, key.key_span, "unknown function " + in_backticks(key.key),
+                           suggestion(key.key, names));
+      } else {
+        context.closures[key.key] = {&key.value, true};
+      }
+    }
+  }
+}
+
+void close_by_sample(Context& context, const EntrySyntax& function) {
+  const std::string name = function_name(function);
+  if (name.empty() || context.closures.count(name) > 0) return;
+  const KeySyntax* sample = function.find("sample");
+  if (sample == nullptr) {
+    context.report.add(Code::E633, function.find("name")->value.span,
+                       in_backticks(name) + " is left open, and a run needs its values",
+                       "give it a `sample`, or an expression in `[functions]` of a scene");
+    return;
+  }
+  context.closures[name] = {&sample->value, false};
+  context.report.add(
+      Code::E634, sample->value.span,
+      in_backticks(name) + " is " + in_backticks(sample->value.span) + " here, its sample");
+}
+
+/// The derivatives of a function of n arguments, in the order of their numbers.
+std::vector<std::vector<std::uint32_t>> derivatives(std::uint32_t n) {
+  std::vector<std::vector<std::uint32_t>> all;
+  for (std::uint32_t i = 0; i < n; ++i) all.push_back({i});
+  for (std::uint32_t i = 0; i < n; ++i) {
+    for (std::uint32_t j = i; j < n; ++j) all.push_back({i, j});
+  }
+  return all;
+}
+
+/// "V_12"
+std::string derivative_name(const std::string& function, const std::vector<std::uint32_t>& by) {
+  std::string name = function + "_";
+  for (const std::uint32_t argument : by) name += std::to_string(argument + 1);
+  return name;
+}
+
+/// Those of the key `of`, at most as many as a function has.
+std::uint32_t argument_count(const EntrySyntax& entry) {
+  const KeySyntax* of = entry.find("of");
+  const std::size_t given = of == nullptr ? 0 : of->value.items.size();
+  return static_cast<std::uint32_t>(std::min(given, most_arguments));
+}
+
+std::uint32_t append_definition(Model& model, const NewName& name) {
+  NamedExpression definition;
+  definition.name = name.text();
+  definition.identifier = name.identifier();
+  definition.span = name.span;
+  model.definitions.push_back(std::move(definition));
+  return static_cast<std::uint32_t>(model.definitions.size() - 1);
+}
+
+std::uint32_t append_function(Model& model, const NewName& name) {
+  OpenFunction function;
+  function.name = name.text();
+  function.identifier = name.identifier();
+  function.arguments = {no_expression};
+  function.span = name.span;
+  model.functions.push_back(std::move(function));
+  return static_cast<std::uint32_t>(model.functions.size() - 1);
+}
+
+std::uint32_t append_value(Model& model, std::string name, std::uint32_t function,
+                           std::vector<std::uint32_t> by) {
+  OpenValue value;
+  value.identifier = name;
+  value.name = std::move(name);
+  value.function = function;
+  value.by = std::move(by);
+  model.open_values.push_back(std::move(value));
+  return static_cast<std::uint32_t>(model.open_values.size() - 1);
+}
+
+bool uses_closed(const Context& context, const ExpressionSyntax& expression) {
+  if (expression.kind == SyntaxKind::name) {
+    const DeclaredName* symbol = context.symbols.find(expression.text);
+    if (symbol != nullptr && symbol->kind == SymbolKind::closed_derivative) return true;
+  }
+  return std::any_of(
+      expression.operands.begin(), expression.operands.end(),
+      [&](const ExpressionSyntax& operand) { return uses_closed(context, operand); });
+}
+
+}  // namespace
+
+void read_closures(Context& context, const FileSyntax& model, const FileSyntax* scene,
+                   const SceneOptions& options) {
+  if (scene != nullptr) close_by_scene(context, model, *scene);
+  if (!options.close_functions) return;
+  for (const EntrySyntax* function : functions_of(model)) close_by_sample(context, *function);
+}
+
+const Closure* closure_of(const Context& context, const EntrySyntax& function) {
+  const auto found = context.closures.find(function_name(function));
+  return found == context.closures.end() ? nullptr : &found->second;
+}
+
+std::optional<std::uint32_t> declare_function(Context& context, const EntrySyntax& entry,
+                                              const NewName& name) {
+  if (name.index) {
+    context.report.add(Code::E205, name.span,
+                       in_backticks(name.text()) + " has an index, and an open function has none");
+    context.symbols.mark_failed(name.base);
+    return std::nullopt;
+  }
+  const bool is_closed = closure_of(context, entry) != nullptr;
+  Model& model = context.model;
+  const std::uint32_t target =
+      is_closed ? append_definition(model, name) : append_function(model, name);
+  const auto declare = [&](const std::string& text, SymbolKind kind, std::uint32_t number) {
+    return context.symbols.declare({text, {}, name.span}, kind, number, context.report);
+  };
+  const std::uint32_t number = is_closed ? target : append_value(model, name.base, target, {});
+  if (!declare(name.base, is_closed ? SymbolKind::definition : SymbolKind::open_value, number)) {
+    return std::nullopt;
+  }
+  for (const std::vector<std::uint32_t>& by : derivatives(argument_count(entry))) {
+    const std::string text = derivative_name(name.base, by);
+    const bool is_free = is_closed ? declare(text, SymbolKind::closed_derivative, 0)
+                                   : declare(text, SymbolKind::open_derivative,
+                                             append_value(model, text, target, by));
+    if (!is_free) return std::nullopt;
+  }
+  return target;
+}
+
+bool uses_closed_derivative(const Context& context, const ValueSyntax& value) {
+  return uses_closed(context, value.expression) ||
+         std::any_of(
+             value.items.begin(), value.items.end(),
+             [&](const ValueSyntax& item) { return uses_closed_derivative(context, item); }) ||
+         std::any_of(value.entries.begin(), value.entries.end(), [&](const KeySyntax& key) {
+           return uses_closed_derivative(context, key.value);
+         });
+}
+
+}  // namespace elgen
