@@ -133,11 +133,24 @@ enum class ZeroProof : std::uint8_t {
                                                          std::uint32_t coordinate,
                                                          std::size_t coordinates);
 
+/// One term of the rate of an open value: its derivative by an argument times the argument's rate.
+struct OpenTerm {
+  std::uint32_t derivative = 0;  ///< the number of the leaf
+  Fraction argument = {};
+};
+
+/// df/dt = sum_i f_i dx_i/dt of every open value of a model; empty where it is not known, as that
+/// of second derivatives is not.
+using OpenTerms = std::vector<std::vector<OpenTerm>>;
+[[nodiscard]] OpenTerms open_terms(ClosedForms& forms, const Model& model,
+                                   const FixedParameters& fixed);
+
 /// Whether dx/dt = 0 is proved along the motion at u = 0; `accelerations` are those of the forward
 /// dynamics, one per velocity. False proves nothing.
 [[nodiscard]] bool proved_conserved(ClosedForms& forms, const Fraction& x,
                                     const std::vector<Fraction>& accelerations,
-                                    const std::vector<Fraction>& coordinate_rates = {});
+                                    const std::vector<Fraction>& coordinate_rates = {},
+                                    const OpenTerms& open_values = {});
 
 /// One expression of the model over the same atoms; `fixed` parameters are numbers. None where it
 /// outgrows the budget.

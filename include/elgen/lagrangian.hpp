@@ -231,10 +231,13 @@ void name(Definitions& definitions, const GiNaC::ex& symbol, const std::string& 
 /// of something that contains rates.
 [[nodiscard]] Result<Lagrangian> formulate(const Model& model);
 
-/// A value of an open function in GiNaC: the number of the function, the digits of its derivative
-/// (0, 1, 12), and four arguments, of which those that the function does not have are 0. Derivatives
-/// append a digit, in ascending order.
-DECLARE_FUNCTION_6P(elgen_open)
+/// A value of an open function in GiNaC: the number of its undifferentiated value among the leaves,
+/// how many arguments it has, the digits of the derivative (0, 1, 12), and four arguments, those
+/// that the function does not have being 0. Derivatives insert a digit, in ascending order.
+DECLARE_FUNCTION_7P(elgen_open)
+
+/// The number of the leaf that an elgen_open is; none beyond second derivatives.
+[[nodiscard]] std::optional<std::uint32_t> open_leaf(const GiNaC::ex& value);
 
 /// GiNaC's names for the kinked functions of forces; opaque, never differentiated.
 DECLARE_FUNCTION_1P(elgen_abs)

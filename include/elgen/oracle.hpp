@@ -94,6 +94,11 @@ struct Contraction {
                                                          ExpressionId expression,
                                                          const State& state);
 
+/// The derivative of an expression, that names no open function, where all leaves move along a
+/// direction.
+[[nodiscard]] std::optional<cln::cl_R> oracle_slope(const Model& model, ExpressionId expression,
+                                                    const State& state, const State& direction);
+
 /// d/dt of an expression in q, v, t along the motion with acceleration state.a (for `conserved`).
 [[nodiscard]] std::optional<cln::cl_R> oracle_rate(const Model& model, ExpressionId expression,
                                                    const State& state);

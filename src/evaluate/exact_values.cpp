@@ -56,10 +56,29 @@ std::vector<Real> ExactValues::slopes(OutputKind kind, const Arguments<Real>& di
   const Function& function = *find_function(subject_.program, kind, user);
   std::vector<Real> result;
   for (const Dual<Real>& entry :
-       evaluate(subject_.program, function, moving(arguments_, direction))) {
+       evaluate(subject_.program, function, moving(arguments_, with_open_values(direction)))) {
     result.push_back(entry.slope);
   }
   return result;
+}
+
+/// df = sum_i f_i dx_i
+Arguments<Real> ExactValues::with_open_values(Arguments<Real> direction) const {
+  const Model& model = subject_.model;
+  if (model.functions.empty()) return direction;
+  const State along = map_leaves([](const Real& x) -> cln::cl_R { return x.value(); }, direction);
+  for (std::uint32_t i = 0; i < direction.f.size(); ++i) {
+    const OpenFunction& function = model.functions[model.open_values[i].function];
+    Real rate;
+    for (std::uint32_t k = 0; k < function.arguments.size(); ++k) {
+      const auto derivative = derivative_of(model, i, k);
+      if (!derivative) continue;
+      const auto slope = oracle_slope(model, function.arguments[k], state_, along);
+      rate = rate + arguments_.f[*derivative] * (slope ? Real(*slope) : Real::undefined());
+    }
+    direction.f[i] = rate;
+  }
+  return direction;
 }
 
 std::vector<Real> ExactValues::curvatures(OutputKind kind, const Arguments<Real>& direction,

@@ -27,7 +27,8 @@ class ExactValues {
   /// The entries of a function of the program at other arguments.
   [[nodiscard]] std::vector<Real> value_at(OutputKind kind, const Arguments<Real>& arguments) const;
 
-  /// Derivatives of the program's entries along a direction.
+  /// Derivatives of the program's entries along a direction; open values move as their arguments
+  /// do, those of second derivatives not at all.
   [[nodiscard]] std::vector<Real> slopes(OutputKind kind, const Arguments<Real>& direction,
                                          std::uint32_t user = 0) const;
 
@@ -48,6 +49,8 @@ class ExactValues {
   [[nodiscard]] Real floor() const { return floor_; }
 
  private:
+  [[nodiscard]] Arguments<Real> with_open_values(Arguments<Real> direction) const;
+
   Subject subject_;
   State state_;
   Arguments<Real> arguments_;

@@ -50,7 +50,7 @@ void scale_quaternions(const Model& model, Arguments<double>& values) {
   }
 }
 
-constexpr double default_rate = 10;  ///< of rates, accelerations, inputs and time
+constexpr double default_rate = 10;  ///< of rates, accelerations, inputs, open values and time
 constexpr Range steps{0, 0.1};       ///< in s: a rate of 10 moves by 1 in the longest one
 
 bool is_angle(const Coordinate& coordinate) { return coordinate.unit_text == "rad"; }

@@ -45,7 +45,7 @@ struct Range {
 };
 
 /// The ranges that the model declares; else the value of a parameter, a turn or a unit of a
-/// coordinate, and 10 of rates, accelerations, inputs and time.
+/// coordinate, and 10 of rates, accelerations, inputs, open values and time.
 [[nodiscard]] LeafValues<Range> ranges_of(const Subject& subject);
 
 /// Uniform inside these ranges, parameters at their values; quaternions of length 1.
@@ -76,8 +76,8 @@ class StateSequence {
 };
 
 /// A missing range is [-pi, pi] for coordinates in rad, [-1, 1] for others, [-10, 10] for rates,
-/// accelerations, inputs and time. Scalar: double or float; the list of extremes is the scalar's
-/// own.
+/// accelerations, inputs, open values and time. Scalar: double or float; the list of extremes is
+/// the scalar's own.
 template <class Scalar>
 [[nodiscard]] std::vector<SampledState<Scalar>> sample_states(const Subject& subject,
                                                               const Sampling& sampling);

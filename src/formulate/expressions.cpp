@@ -60,12 +60,13 @@ int with_digit(int digits, int digit) {
   return last <= digit ? digits * 10 + digit : with_digit(digits / 10, digit) * 10 + last;
 }
 
-// The first two operands are numbers, so that GiNaC asks for derivatives by the others only.
-ex open_derivative(const ex& function, const ex& digits, const ex& x1, const ex& x2, const ex& x3,
-                   const ex& x4, unsigned operand) {
-  const int by = static_cast<int>(operand) - 1;
-  return elgen_open(function, with_digit(GiNaC::ex_to<GiNaC::numeric>(digits).to_int(), by), x1, x2,
-                    x3, x4);
+int integer(const ex& number) { return GiNaC::ex_to<GiNaC::numeric>(number).to_int(); }
+
+// The first three operands are numbers, so that GiNaC asks for derivatives by the others only.
+ex open_slope(const ex& first, const ex& count, const ex& digits, const ex& x1, const ex& x2,
+              const ex& x3, const ex& x4, unsigned operand) {
+  const int by = static_cast<int>(operand) - 2;
+  return elgen_open(first, count, with_digit(integer(digits), by), x1, x2, x3, x4);
 }
 
 }  // namespace
@@ -165,7 +166,9 @@ Translation::Sized Translation::open(const Expression& expression) const {
   for (const std::uint32_t argument : value.by) {
     digits = with_digit(digits, static_cast<int>(argument) + 1);
   }
-  return {elgen_open(value.function, digits, x[0], x[1], x[2], x[3]), 1};
+  const std::uint32_t first = open_value(model_, value.function, {}).value_or(0);
+  const auto count = static_cast<unsigned>(expression.operands.size());
+  return {elgen_open(first, count, digits, x[0], x[1], x[2], x[3]), 1};
 }
 
 Translation::Sized Translation::function(const Expression& expression) {
@@ -259,6 +262,19 @@ void Translation::define_named() {
   }
 }
 
+std::optional<std::uint32_t> open_leaf(const ex& value) {
+  const int first = integer(value.op(0));
+  const int count = integer(value.op(1));
+  const int digits = integer(value.op(2));
+  // V, V_1 to V_n, then the rows of the upper triangle of second derivatives.
+  const int i = digits / 10;
+  const int j = digits % 10;
+  if (i >= 10) return std::nullopt;
+  const int above = (i - 1) * count - (i - 1) * (i - 2) / 2;
+  const int number = i == 0 ? first + j : first + count + above + j - i + 1;
+  return static_cast<std::uint32_t>(number);
+}
+
 ex constant_value(const Model& model, ExpressionId value) {
   Lagrangian scratch;
   Translation translation(model, scratch);
@@ -271,7 +287,7 @@ ex constant_value(const Model& model, ExpressionId value) {
   return result;
 }
 
-REGISTER_FUNCTION(elgen_open, derivative_func(open_derivative))
+REGISTER_FUNCTION(elgen_open, derivative_func(open_slope))
 REGISTER_FUNCTION(elgen_abs, derivative_func(no_derivative))
 REGISTER_FUNCTION(elgen_sign, derivative_func(no_derivative))
 REGISTER_FUNCTION(elgen_min, derivative_func(no_derivative_2))

@@ -108,11 +108,19 @@ class Importer {
     std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
     constexpr std::string_view kinked = "elgen_";
     if (name.rfind(kinked, 0) == 0) name.erase(0, kinked.size());
+    if (name == "open") return open_value(e);
     std::vector<Ref> arguments;
     for (std::size_t i = 0; i < e.nops(); ++i) arguments.push_back(import(e.op(i)));
     const FunctionRow* row = find_function(name);
     if (row != nullptr && row->arity == arguments.size()) return graph.call(row->id, arguments);
     return fail(Code::E912, fmt::format("cannot import the GiNaC function `{}`", name));
+  }
+
+  /// A leaf: what it is a function of is left to whoever computes it.
+  Ref open_value(const GiNaC::ex& e) {
+    const std::optional<std::uint32_t> number = open_leaf(e);
+    if (number) return graph.leaf(Opcode::open_value, *number);
+    return fail(Code::E912, "a third derivative of an open function reached the equations");
   }
 
   const EquationsOfMotion& equations_;

@@ -104,8 +104,40 @@ Jet Evaluation::evaluated(const Expression& e, unsigned time_order) {
     case ExpressionKind::time_derivative:
       return operand(e.operands[0], time_order + 1).tangent(time_generator(time_order));
     default:
-      return leaf(e, time_order);
+      return is_leaf(e, Opcode::open_value) ? open_value(e, time_order) : leaf(e, time_order);
   }
+}
+
+/// Taylor's formula; what it lacks has no value.
+Jet Evaluation::open_value(const Expression& e, unsigned time_order) const {
+  const auto known = [this](std::uint32_t value, std::uint32_t argument) {
+    const auto derivative = derivative_of(model_, value, argument);
+    if (!derivative) throw OutsideDomain("a third derivative of an open function");
+    return *derivative;
+  };
+  std::vector<Jet> moves;
+  for (const ExpressionId argument : e.operands) {
+    const Jet x = operand(argument, time_order);
+    moves.push_back(x - Jet(x.real()));
+  }
+  const auto is_still = [](const Jet& x) { return x.terms().empty(); };
+  Jet result = motion_.f[e.index];
+  for (std::uint32_t i = 0; i < moves.size(); ++i) {
+    if (is_still(moves[i])) continue;
+    const std::uint32_t slope = known(e.index, i);
+    result = result + motion_.f[slope] * moves[i];
+    for (std::uint32_t j = 0; j <= i; ++j) {
+      const Jet both = moves[i] * moves[j];
+      if (is_still(both)) continue;
+      const std::uint32_t curvature = known(slope, j);
+      const Jet share = i == j ? Jet(cln::cl_RA(1) / 2) : Jet(1);
+      result = result + motion_.f[curvature] * both * share;
+      for (std::uint32_t k = 0; k <= j; ++k) {
+        if (!is_still(both * moves[k])) (void)known(curvature, k);
+      }
+    }
+  }
+  return result;
 }
 
 Jet Evaluation::leaf(const Expression& e, unsigned time_order) const {

@@ -7,6 +7,8 @@
 //
 // (a quaternion e: e + 1/2 e w s + 1/2 (1/4 e w w + 1/2 e dw/dt) s^2, products of quaternions),
 // so that the coefficient of e_1 is d/dt along the motion and that of e_1 e_2 is d2/dt2.
+//
+// An open function of x + d, d nilpotent, is f + f_i d_i + 1/2 f_ij d_i d_j, all f of the state.
 #pragma once
 
 #include <memory>
@@ -50,6 +52,7 @@ class Evaluation {
   [[nodiscard]] Jet made(ExpressionId root, unsigned time_order);
   Jet evaluated(const Expression& e, unsigned time_order);
   Jet leaf(const Expression& e, unsigned time_order) const;
+  [[nodiscard]] Jet open_value(const Expression& e, unsigned time_order) const;
   [[nodiscard]] Jet position(std::uint32_t index, const Jet& s) const;
   Jet folded(const Expression& e, unsigned time_order) const;
   Jet function(const Expression& e, unsigned time_order);

@@ -131,6 +131,16 @@ std::optional<cl_R> oracle_expression(const Model& model, ExpressionId expressio
       [&] { return oracle::Evaluation(model, oracle::motion_of(state)).value(expression).real(); });
 }
 
+std::optional<cl_R> oracle_slope(const Model& model, ExpressionId expression, const State& state,
+                                 const State& direction) {
+  constexpr oracle::Generators along = oracle::generator(0);
+  const oracle::Motion motion = map_leaves(
+      [](const cl_R& at, const cl_R& by) { return oracle::Jet(at) + oracle::Jet(along, by); },
+      state, direction);
+  return guarded(
+      [&] { return oracle::Evaluation(model, motion).value(expression).coefficient(along); });
+}
+
 std::optional<cl_R> oracle_rate(const Model& model, ExpressionId expression, const State& state) {
   return guarded(
       [&] { return oracle::Evaluation(model, oracle::motion_of(state)).rate(expression).real(); });

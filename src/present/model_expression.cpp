@@ -2,6 +2,8 @@
 // what [[expect]] says is read here and compared with what was derived.
 #include <cln/integer.h>
 
+#include <utility>
+
 #include "elgen/closed_forms.hpp"
 #include "elgen/model.hpp"
 #include "elgen/references.hpp"
@@ -125,6 +127,21 @@ std::optional<Fraction> closed_form(ClosedForms& forms, const Model& model,
                                     const FixedParameters& fixed, ExpressionId expression) {
   Arithmetic arithmetic(forms.algebra, PresentBudget{}.products_per_function);
   return ModelExpressions(arithmetic, model, fixed)(expression);
+}
+
+OpenTerms open_terms(ClosedForms& forms, const Model& model, const FixedParameters& fixed) {
+  OpenTerms all(model.open_values.size());
+  for (std::uint32_t i = 0; i < all.size(); ++i) {
+    const OpenFunction& function = model.functions[model.open_values[i].function];
+    std::vector<OpenTerm> terms;
+    for (std::uint32_t k = 0; k < function.arguments.size(); ++k) {
+      const auto derivative = derivative_of(model, i, k);
+      const auto argument = closed_form(forms, model, fixed, function.arguments[k]);
+      if (derivative && argument) terms.push_back({*derivative, *argument});
+    }
+    if (terms.size() == function.arguments.size()) all[i] = std::move(terms);
+  }
+  return all;
 }
 
 }  // namespace elgen

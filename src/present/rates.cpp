@@ -86,6 +86,7 @@ bool is_input(const Atom& atom) {
 struct LeafRates {
   std::vector<Fraction> coordinates = {};  ///< empty: they change at their velocities
   std::vector<Fraction> velocities = {};   ///< those that are missing are unknown
+  OpenTerms open_values = {};
   Fraction time = fraction_of(cl_RA(1));
 };
 
@@ -176,6 +177,8 @@ class Rates {
       case Opcode::velocity:
         if (atom.index >= motion_.velocities.size()) return std::nullopt;
         return motion_.velocities[atom.index];
+      case Opcode::open_value:
+        return of_open_value(atom.index);
       case Opcode::time:
         return motion_.time;
       case Opcode::parameter:
@@ -183,6 +186,18 @@ class Rates {
       default:
         return std::nullopt;
     }
+  }
+
+  Value of_open_value(std::uint32_t index) {
+    if (index >= motion_.open_values.size() || motion_.open_values[index].empty()) {
+      return std::nullopt;
+    }
+    Value result = Fraction{};
+    for (const OpenTerm& term : motion_.open_values[index]) {
+      const Value slope = arithmetic_.leaf(Opcode::open_value, term.derivative);
+      result = arithmetic_.add(result, arithmetic_.multiply(slope, of(term.argument)));
+    }
+    return result;
   }
 
   Arithmetic& arithmetic_;
@@ -249,16 +264,16 @@ std::vector<Fraction> coordinate_rates(ClosedForms& forms, const Model& model) {
 std::optional<Fraction> partial_derivative(ClosedForms& forms, const Fraction& x,
                                            std::uint32_t coordinate, std::size_t coordinates) {
   Arithmetic arithmetic(forms.algebra);
-  LeafRates alone{std::vector<Fraction>(coordinates), {}, {}};
+  LeafRates alone{std::vector<Fraction>(coordinates), {}, {}, {}};
   alone.coordinates[coordinate] = fraction_of(cl_RA(1));
   return Rates(arithmetic, forms.algebra, alone).of(x);
 }
 
 bool proved_conserved(ClosedForms& forms, const Fraction& x,
                       const std::vector<Fraction>& accelerations,
-                      const std::vector<Fraction>& coordinate_rates) {
+                      const std::vector<Fraction>& coordinate_rates, const OpenTerms& open_values) {
   Arithmetic arithmetic(forms.algebra);
-  LeafRates free_motion{coordinate_rates};
+  LeafRates free_motion{coordinate_rates, {}, open_values};
   for (const Fraction& acceleration : accelerations) {
     Value free = without_inputs(forms.algebra, acceleration);
     if (!free) return false;

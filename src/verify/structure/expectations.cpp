@@ -290,7 +290,9 @@ bool Proofs::conserved(const Expectation& expectation, std::size_t entry) {
   }
   const auto own = written(expectation, entry);
   const std::vector<Fraction> rates = coordinate_rates(*forms_, subject_.model);
-  return own && proved_conserved(*forms_, *own, accelerations, rates);
+  const OpenTerms open_values =
+      open_terms(*forms_, subject_.model, subject_.scene.specialisation.fixed);
+  return own && proved_conserved(*forms_, *own, accelerations, rates, open_values);
 }
 
 void check(ExpectationReport& report, const Expectation& expectation, const Subject& subject,
